@@ -1,0 +1,272 @@
+/* roberts.h - polyhedra in, line drawings with the hidden lines removed in object space out.
+ *
+ * The way through the library:
+ *
+ *   roberts_mesh     polygons as a file or a program gives them       roberts_mesh_read_file(), roberts_mesh_read()
+ *   roberts_scene    closed convex solids with inward face planes     roberts_scene_build()
+ *   roberts_camera   where the viewer stands                          roberts_camera_preset()
+ *   roberts_drawing  visible and hidden segments of every edge        roberts_hide()
+ *   a file           SVG, CSV, ...                                    roberts_drawing_save(), roberts_drawing_write()
+ *
+ * Source of the method: L. G. Roberts, "Machine perception of three-dimensional solids", MIT 1963, in the form of the
+ * lecture "Elimination des lignes cachees" (convex polyhedra, inward normals, four tests, grid Objet[i][j]).
+ *
+ * Every function that can fail returns a roberts_status and, where `error` is not NULL, fills it. Nothing here prints,
+ * exits or keeps global state; no result depends on the locale. A zeroed struct is a valid empty one, and every
+ * *_free() takes an empty one and NULL. */
+#ifndef ROBERTS_H
+#define ROBERTS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define ROBERTS_VERSION "0.1.0"
+
+/* ---- values -------------------------------------------------------------------------------------------------- */
+
+typedef struct roberts_vec2 { double x, y; } roberts_vec2;    /**< a point of the picture plane, y up */
+typedef struct roberts_vec3 { double x, y, z; } roberts_vec3; /**< a point or a free vector, model units */
+
+/** No vertex, face, edge or solid. */
+#define ROBERTS_NONE UINT32_MAX
+
+typedef enum roberts_status {
+    ROBERTS_OK,
+    ROBERTS_NO_MEMORY,    /**< an allocation failed */
+    ROBERTS_IO,           /**< reading or writing failed; the message holds the system's reason */
+    ROBERTS_BAD_SYNTAX,   /**< the bytes are no OFF file that can be understood */
+    ROBERTS_BAD_INDEX,    /**< a face names a vertex that is not there */
+    ROBERTS_BAD_NUMBER,   /**< a coordinate is infinite, not a number, or too large to compute with */
+    ROBERTS_NOT_CLOSED,   /**< an edge of a component is not shared by exactly two faces */
+    ROBERTS_NOT_PLANAR,   /**< the corners of a face do not lie in one plane, within the tolerance */
+    ROBERTS_NOT_CONVEX,   /**< a face or a solid is not convex, within the tolerance */
+    ROBERTS_FLAT,         /**< a component is closed but encloses no volume */
+    ROBERTS_BAD_VIEW,     /**< the camera cannot see the scene: zero direction, scene not in front of the eye, ... */
+    ROBERTS_BAD_ARGUMENT, /**< an option is out of its range */
+} roberts_status;
+
+/** What went wrong and where. Plain data: nothing to free. */
+typedef struct roberts_error {
+    roberts_status status;
+    char file[256];    /**< name of the input or output concerned, shortened where longer; empty if none */
+    size_t line;       /**< 1-based line of the input, 0 if none applies */
+    char message[256]; /**< e.g. "face 7 names vertex 9, but the file has 8"; no file, no line, no newline */
+} roberts_error;
+
+/** Receives warnings, one call a line, already counted ("12 faces with fewer than 3 corners ignored").
+ * file: as in roberts_error; line: 0 if none applies; message: without newline, valid during the call only. */
+typedef void roberts_warning_fn(void *context, const char *file, size_t line, const char *message);
+
+/** Where warnings go. A NULL function drops them. */
+typedef struct roberts_warnings {
+    roberts_warning_fn *warn;
+    void *context;
+} roberts_warnings;
+
+/* ---- mesh: polygons as they come ------------------------------------------------------------------------------ */
+
+/** A colour as the file gives it. count 0: none; 1: value[0] is an index into a colour map; 3 or 4: red, green, blue
+ * (and alpha), each in 0..1 (integers 0..255 of the file are divided by 255). */
+typedef struct roberts_color {
+    unsigned char count;
+    float value[4];
+} roberts_color;
+
+/** One input that went into a mesh: its vertices and faces follow those of the inputs before it. */
+typedef struct roberts_source {
+    char *name;                     /**< owned by the mesh */
+    uint32_t first_vertex, first_face;
+} roberts_source;
+
+/** Polygons over shared vertices, in the order of the input. Faces of any corner count (also 1 and 2) and any winding.
+ * Fill it with roberts_mesh_read*() or roberts_mesh_add_*(); release it with roberts_mesh_free(). Readers may look at
+ * all arrays; only the functions below change them. */
+typedef struct roberts_mesh {
+    size_t vertex_count, face_count, corner_count, source_count;
+    roberts_vec3 *vertex;        /**< [vertex_count] */
+    uint32_t *face_start;        /**< [face_count + 1] face f has corners corner[face_start[f]] .. [face_start[f+1]-1];
+                                      NULL while there is no face */
+    uint32_t *corner;            /**< [corner_count] vertex numbers, counted over all inputs */
+    roberts_color *vertex_color; /**< [vertex_count], or NULL where no vertex has a colour */
+    roberts_color *face_color;   /**< [face_count], or NULL where no face has a colour */
+    roberts_source *source;      /**< [source_count] */
+    size_t vertex_room, face_room, corner_room, vertex_color_room, face_color_room, source_room; /**< private */
+} roberts_mesh;
+
+/** Gives up to `size` bytes into `buffer`; returns how many, 0 at the end of the input, -1 on failure (errno set). */
+typedef ptrdiff_t roberts_read_fn(void *context, void *buffer, size_t size);
+
+/**
+ * Reads one OFF file, text or binary, and appends its polygons to `mesh` (vertex numbers go on from those before).
+ * name      what messages call the input; copied
+ * read      called until it returns 0 or the last declared face is in; bytes are taken in blocks
+ * warnings  NULL: none wanted
+ * On failure `mesh` is as it was before the call.
+ * Returns ROBERTS_OK, _NO_MEMORY, _IO, _BAD_SYNTAX, _BAD_INDEX or _BAD_NUMBER (a coordinate beyond 1e150).
+ * Source: the OFF format of Geomview, with the dialects of qhull, Antiprism, OpenSCAD, ModelNet and trimesh.
+ */
+roberts_status roberts_mesh_read(roberts_mesh *mesh, const char *name, roberts_read_fn *read, void *context,
+                                 const roberts_warnings *warnings, roberts_error *error);
+
+/** The same from a file; "-" is standard input. */
+roberts_status roberts_mesh_read_file(roberts_mesh *mesh, const char *path, const roberts_warnings *warnings,
+                                      roberts_error *error);
+
+/** The same from `size` bytes in memory. */
+roberts_status roberts_mesh_read_memory(roberts_mesh *mesh, const char *name, const void *bytes, size_t size,
+                                        const roberts_warnings *warnings, roberts_error *error);
+
+/** Appends a vertex; `*index` (may be NULL) is its number. Returns ROBERTS_OK, _NO_MEMORY or _BAD_NUMBER. */
+roberts_status roberts_mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position, uint32_t *index,
+                                       roberts_error *error);
+
+/** Appends a face of `count` corners, in order around it, either way. Returns ROBERTS_OK, _NO_MEMORY or _BAD_INDEX. */
+roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners, size_t count, roberts_error *error);
+
+/** Releases everything and leaves an empty mesh. */
+void roberts_mesh_free(roberts_mesh *mesh);
+
+/* ---- scene: closed convex solids ------------------------------------------------------------------------------- */
+
+/** Solids with inward face planes, edges and the faces they belong to. Opaque; read-only once built, so that any number
+ * of threads may use it. */
+typedef struct roberts_scene roberts_scene;
+
+typedef struct roberts_scene_options {
+    double tolerance; /**< how far a corner may lie outside a face or beside its plane, as a part of the solid's size (the
+                           diagonal of its box) or of its largest coordinate, whichever is larger; 0 = 1e-5 */
+    roberts_warnings warnings;
+} roberts_scene_options;
+
+/**
+ * Finds the solids of `mesh` and checks each: closed, planar, convex, not flat. Winding is not trusted. Components that
+ * are open are welded with one another where positions are exactly equal.
+ * mesh     only read, and not needed afterwards
+ * options  NULL for the defaults
+ * scene    owned by the caller, released by roberts_scene_free(); NULL on failure
+ * Returns ROBERTS_OK, _NO_MEMORY, _NOT_CLOSED, _NOT_PLANAR, _NOT_CONVEX, _FLAT, _BAD_NUMBER or _BAD_ARGUMENT. The
+ * message names the solid, the vertex or face (numbers as in the input, from 0) and by how much.
+ */
+roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,
+                                   roberts_scene **scene, roberts_error *error);
+void roberts_scene_free(roberts_scene *scene);
+
+size_t roberts_scene_solid_count(const roberts_scene *scene);
+size_t roberts_scene_face_count(const roberts_scene *scene);
+size_t roberts_scene_edge_count(const roberts_scene *scene);
+size_t roberts_scene_vertex_count(const roberts_scene *scene); /**< vertices that solids use */
+
+/* ---- camera ----------------------------------------------------------------------------------------------------- */
+
+typedef enum roberts_projection { ROBERTS_ORTHOGRAPHIC, ROBERTS_PERSPECTIVE } roberts_projection;
+
+/** A viewpoint. Start from roberts_camera_preset() or from a zeroed struct and set what you need. */
+typedef struct roberts_camera {
+    roberts_projection projection;
+    roberts_vec3 dir;     /**< orthographic: from the scene toward the viewer, any length but 0 */
+    roberts_vec3 eye;     /**< perspective: where the eye is */
+    roberts_vec3 look_at; /**< perspective: the point in the middle of the picture */
+    bool has_look_at;     /**< false: look at the centre of the scene's box */
+    roberts_vec3 up;      /**< what points up in the drawing; 0,0,0 = +z, or +y where that is parallel to the view; an
+                               `up` given and parallel to the view falls back in the same way */
+} roberts_camera;
+
+/** Fills `camera` with the preset called `name` (iso, dimetric, trimetric, front, back, right, left, top, bottom);
+ * false where there is none of that name. */
+bool roberts_camera_preset(const char *name, roberts_camera *camera);
+
+/* ---- hide: hidden lines removed ---------------------------------------------------------------------------------- */
+
+typedef enum roberts_state {
+    ROBERTS_VISIBLE,
+    ROBERTS_HIDDEN,
+    ROBERTS_CLIPPED, /**< perspective: nearer to the eye's plane than can be drawn */
+} roberts_state;
+
+typedef enum roberts_line {
+    ROBERTS_OUTLINE, /**< one face is front, the other back or edge-on */
+    ROBERTS_CREASE,  /**< both faces are front */
+    ROBERTS_BACK,    /**< no face is front: hidden by its own solid */
+} roberts_line;
+
+/** A maximal part of an edge in one state. */
+typedef struct roberts_segment {
+    uint32_t solid;      /**< number of the solid, from 0 by smallest vertex */
+    uint32_t v0, v1;     /**< the edge's vertices as in the input, v0 < v1 */
+    uint32_t by;         /**< hidden: the solid seen at the middle of the part; else ROBERTS_NONE */
+    double t0, t1;       /**< along the edge in space from v0 to v1, 0 <= t0 < t1 <= 1 */
+    roberts_vec2 p0, p1; /**< its ends in the picture, model units */
+    uint8_t state;       /**< roberts_state */
+    uint8_t line;        /**< roberts_line */
+} roberts_segment;
+
+/** How many pairs of edge and front face each test decided (DESIGN of the lecture: tests 1 to 4, cheapest first). */
+typedef struct roberts_tally {
+    uint64_t pairs;            /**< pairs of edge and face compared */
+    uint64_t test1_visible;    /**< both ends in front of the face's plane */
+    uint64_t test2_visible;    /**< the sight plane of the edge misses the face */
+    uint64_t test3_visible;    /**< outside one side */
+    uint64_t test3_invisible;  /**< inside all sides (up to where the edge pierces the face) */
+    uint64_t test4;            /**< cut at the crossings */
+    uint64_t covered;          /**< stretches dropped behind a cell's cover, without a test */
+    uint64_t refined;          /**< signs and crossings computed again in twice the precision */
+} roberts_tally;
+
+/** CPU and wall-clock seconds of one stage. */
+typedef struct roberts_time { double cpu, wall; } roberts_time;
+
+/** The segments of all edges, sorted by solid, v0, v1, t0, with what was counted on the way. */
+typedef struct roberts_drawing {
+    size_t count;
+    roberts_segment *segment;      /**< [count] */
+    roberts_vec2 window_min, window_max; /**< box of all drawn edges' projections, hidden parts included */
+    double epsilon;                /**< the touching distance that was used, model units */
+    double scene_diameter;         /**< diagonal of the box round the scene */
+    uint32_t grid;                 /**< cells per side, as chosen */
+    size_t solids, front_faces, back_faces, edge_on_faces;
+    size_t edges, surviving_edges, drawn_edges; /**< all; with a front face; without those flatter than the crease */
+    roberts_tally tally;
+    roberts_time view_time, grid_time, hide_time;
+} roberts_drawing;
+
+typedef struct roberts_hide_options {
+    double crease_degrees; /**< an edge between two front faces flatter than this is not drawn (default: 0.1) */
+    bool all_edges;        /**< draw them all the same */
+    bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
+    double epsilon;        /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, at least 16 ulp */
+    uint32_t grid;         /**< cells per side; 0 = choose */
+    uint32_t threads;      /**< 0 = what there is */
+} roberts_hide_options;
+
+roberts_hide_options roberts_hide_options_default(void);
+
+/**
+ * Removes the hidden lines of `scene` seen by `camera`.
+ * options  NULL for the defaults
+ * drawing  owned by the caller, released by roberts_drawing_free(); empty on failure
+ * A point of an edge is hidden where a front face of another solid, closed in projection, holds a point strictly
+ * nearer on the same sight line; positions within epsilon count as touching. The result does not depend on grid or
+ * threads. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT.
+ */
+roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *camera,
+                            const roberts_hide_options *options, roberts_drawing *drawing, roberts_error *error);
+void roberts_drawing_free(roberts_drawing *drawing);
+
+/* ---- draw: pages and tables --------------------------------------------------------------------------------------- */
+
+typedef enum roberts_format {
+    ROBERTS_SVG,
+    ROBERTS_CSV,
+    ROBERTS_NULL, /**< compute, write nothing */
+} roberts_format;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

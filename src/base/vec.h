@@ -1,0 +1,48 @@
+/* vec.h - vectors and planes by value; expressions read like the formula. */
+#ifndef ROBERTS_BASE_VEC_H
+#define ROBERTS_BASE_VEC_H
+
+#include <math.h>
+
+#include "roberts.h"
+
+static inline roberts_vec3 vec3_add(roberts_vec3 a, roberts_vec3 b)
+{
+    return (roberts_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+static inline roberts_vec3 vec3_sub(roberts_vec3 a, roberts_vec3 b)
+{
+    return (roberts_vec3){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static inline roberts_vec3 vec3_scale(double k, roberts_vec3 a)
+{
+    return (roberts_vec3){k * a.x, k * a.y, k * a.z};
+}
+
+static inline double vec3_dot(roberts_vec3 a, roberts_vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static inline roberts_vec3 vec3_cross(roberts_vec3 a, roberts_vec3 b)
+{
+    return (roberts_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static inline double vec3_length(roberts_vec3 a)
+{
+    return sqrt(vec3_dot(a, a));
+}
+
+/* F(P) = a x + b y + c z + d with (a, b, c) of length 1: the signed distance of P from the plane, in model units. A
+ * face's (a, b, c) points into its solid: F(P) < 0 outside, F(P) > 0 inside. */
+typedef struct plane { double a, b, c, d; } plane;
+
+static inline double plane_at(plane F, roberts_vec3 P)
+{
+    return F.a * P.x + F.b * P.y + F.c * P.z + F.d;
+}
+
+#endif
