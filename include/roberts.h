@@ -29,8 +29,12 @@ extern "C" {
 
 /* ---- values -------------------------------------------------------------------------------------------------- */
 
-typedef struct roberts_vec2 { double x, y; } roberts_vec2;    /**< a point of the picture plane, y up */
-typedef struct roberts_vec3 { double x, y, z; } roberts_vec3; /**< a point or a free vector, model units */
+typedef struct roberts_vec2 {
+    double x, y;
+} roberts_vec2; /**< a point of the picture plane, y up */
+typedef struct roberts_vec3 {
+    double x, y, z;
+} roberts_vec3; /**< a point or a free vector, model units */
 
 /** No vertex, face, edge or solid. */
 #define ROBERTS_NONE UINT32_MAX
@@ -79,7 +83,7 @@ typedef struct roberts_color {
 
 /** One input that went into a mesh: its vertices and faces follow those of the inputs before it. */
 typedef struct roberts_source {
-    char *name;                     /**< owned by the mesh */
+    char *name; /**< owned by the mesh */
     uint32_t first_vertex, first_face;
 } roberts_source;
 
@@ -138,7 +142,8 @@ void roberts_mesh_free(roberts_mesh *mesh);
 typedef struct roberts_scene roberts_scene;
 
 typedef struct roberts_scene_options {
-    double tolerance; /**< how far a corner may lie outside a face or beside its plane, as a part of the solid's size (the
+    double
+        tolerance; /**< how far a corner may lie outside a face or beside its plane, as a part of the solid's size (the
                            diagonal of its box) or of its largest coordinate, whichever is larger; 0 = 1e-5 */
     roberts_warnings warnings;
 } roberts_scene_options;
@@ -207,27 +212,29 @@ typedef struct roberts_segment {
 
 /** How many pairs of edge and front face each test decided (DESIGN of the lecture: tests 1 to 4, cheapest first). */
 typedef struct roberts_tally {
-    uint64_t pairs;            /**< pairs of edge and face compared */
-    uint64_t test1_visible;    /**< both ends in front of the face's plane */
-    uint64_t test2_visible;    /**< the sight plane of the edge misses the face */
-    uint64_t test3_visible;    /**< outside one side */
-    uint64_t test3_invisible;  /**< inside all sides (up to where the edge pierces the face) */
-    uint64_t test4;            /**< cut at the crossings */
-    uint64_t covered;          /**< stretches dropped behind a cell's cover, without a test */
-    uint64_t refined;          /**< signs and crossings computed again in twice the precision */
+    uint64_t pairs;           /**< pairs of edge and face compared */
+    uint64_t test1_visible;   /**< both ends in front of the face's plane */
+    uint64_t test2_visible;   /**< the sight plane of the edge misses the face */
+    uint64_t test3_visible;   /**< outside one side */
+    uint64_t test3_invisible; /**< inside all sides (up to where the edge pierces the face) */
+    uint64_t test4;           /**< cut at the crossings */
+    uint64_t covered;         /**< stretches dropped behind a cell's cover, without a test */
+    uint64_t refined;         /**< signs and crossings computed again in twice the precision */
 } roberts_tally;
 
 /** CPU and wall-clock seconds of one stage. */
-typedef struct roberts_time { double cpu, wall; } roberts_time;
+typedef struct roberts_time {
+    double cpu, wall;
+} roberts_time;
 
 /** The segments of all edges, sorted by solid, v0, v1, t0, with what was counted on the way. */
 typedef struct roberts_drawing {
     size_t count;
-    roberts_segment *segment;      /**< [count] */
+    roberts_segment *segment;            /**< [count] */
     roberts_vec2 window_min, window_max; /**< box of all drawn edges' projections, hidden parts included */
-    double epsilon;                /**< the touching distance that was used, model units */
-    double scene_diameter;         /**< diagonal of the box round the scene */
-    uint32_t grid;                 /**< cells per side, as chosen */
+    double epsilon;                      /**< the touching distance that was used, model units */
+    double scene_diameter;               /**< diagonal of the box round the scene */
+    uint32_t grid;                       /**< cells per side, as chosen */
     size_t solids, front_faces, back_faces, edge_on_faces;
     size_t edges, surviving_edges, drawn_edges; /**< all; with a front face; without those flatter than the crease */
     roberts_tally tally;

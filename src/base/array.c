@@ -9,7 +9,9 @@ void *alloc_array(size_t count, size_t size)
 {
     if (size && count > (size_t)PTRDIFF_MAX / size)
         return NULL;
-    return malloc(count * size ? count * size : 1);
+    if (count == 0 || size == 0)
+        return malloc(1);
+    return malloc(count * size);
 }
 
 void *alloc_zeroed(size_t count, size_t size)

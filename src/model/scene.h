@@ -24,19 +24,19 @@ typedef struct scene_edge {
 struct roberts_scene {
     uint32_t solid_count, vertex_count, face_count, edge_count;
     size_t corner_count;
-    scene_solid *solid;    /* [solid_count + 1] */
-    roberts_vec3 *point;   /* [vertex_count] as read, so that exact arithmetic can go back to it */
-    uint32_t *number;      /* [vertex_count] vertex number in the input; of welded vertices the smallest */
-    uint32_t *face_start;  /* [face_count + 1] into corner; a face has fewer than 2^32 corners in all */
-    uint32_t *corner;      /* [corner_count] compact vertex numbers */
-    plane *face_plane;     /* [face_count] of points relative to `centre` */
+    scene_solid *solid;     /* [solid_count + 1] */
+    roberts_vec3 *point;    /* [vertex_count] as read, so that exact arithmetic can go back to it */
+    uint32_t *number;       /* [vertex_count] vertex number in the input; of welded vertices the smallest */
+    uint32_t *face_start;   /* [face_count + 1] into corner; a face has fewer than 2^32 corners in all */
+    uint32_t *corner;       /* [corner_count] compact vertex numbers */
+    plane *face_plane;      /* [face_count] of points relative to `centre` */
     double *face_deviation; /* [face_count] greatest distance of a corner from the fitted plane, model units */
-    double *face_width;    /* [face_count] area over greatest chord: between half of the least width and all of it */
-    uint32_t *face_number; /* [face_count] face number in the input */
-    scene_edge *edge;      /* [edge_count] */
+    double *face_width;     /* [face_count] area over greatest chord: between half of the least width and all of it */
+    uint32_t *face_number;  /* [face_count] face number in the input */
+    scene_edge *edge;       /* [edge_count] */
     roberts_color *vertex_color, *face_color; /* as in the input, compact numbering; NULL where there are none */
-    roberts_vec3 box_min, box_max; /* box round all vertices that faces use */
-    roberts_vec3 centre;   /* middle of that box */
+    roberts_vec3 box_min, box_max;            /* box round all vertices that faces use */
+    roberts_vec3 centre;                      /* middle of that box */
 };
 
 #endif
