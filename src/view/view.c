@@ -1,0 +1,195 @@
+/* view.c - the map to view space, and what it makes of points, planes and faces. See view.h. */
+#include "view/view.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "base/error.h"
+
+/* Touching distance as a part of the scene's diameter: far above rounding (1e-16), far below a pen (1e-4 of a page). */
+#define EPSILON_OF_DIAMETER 1e-11
+/* ... and in units of the last place of the largest coordinate, for scenes far from the origin. */
+#define EPSILON_ULPS 16.0
+/* The eye must have at least this part of the scene's diameter between itself and the scene, measured along the line
+ * of sight: nearer, the picture grows without bound. */
+#define NEAR_OF_DIAMETER 1e-6
+/* Roundings that one view coordinate gathers: subtraction, three products and two sums with unit vectors that are
+ * themselves rounded, the division; in halves of an ulp of the largest coordinate. */
+#define ROUNDINGS 8.0
+/* Sine of the angle between `up` and the line of sight under which they count as parallel. */
+#define PARALLEL 1e-9
+
+static double largest(roberts_vec3 a)
+{
+    return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
+}
+
+static bool finite3(roberts_vec3 a)
+{
+    return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
+}
+
+/* a / |a|, also where the squares would overflow or vanish; zero stays zero. */
+static roberts_vec3 unit_vector(roberts_vec3 a)
+{
+    double m = largest(a);
+    if (m == 0.0)
+        return a;
+    a = (roberts_vec3){a.x / m, a.y / m, a.z / m}; /* not times 1 / m, which overflows for a denormal m */
+    return vec3_scale(1.0 / vec3_length(a), a);
+}
+
+/* Right and up of the picture: `up` made perpendicular to the line of sight. Where it is zero or parallel to it, +z and
+ * then +y take its place. */
+static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up)
+{
+    const roberts_vec3 choices[] = {unit_vector(up), {0, 0, 1}, {0, 1, 0}};
+    v->dir = unit_vector(dir);
+    for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
+        roberts_vec3 right = vec3_cross(choices[i], v->dir);
+        if (vec3_length(right) > PARALLEL) {
+            v->right = unit_vector(right);
+            v->up = vec3_cross(v->dir, v->right);
+            return;
+        }
+    }
+}
+
+roberts_vec3 view_point(const view *v, roberts_vec3 P)
+{
+    roberts_vec3 q = vec3_scale(1.0 / v->unit, vec3_sub(P, v->origin));
+    roberts_vec3 p = {vec3_dot(v->right, q), vec3_dot(v->up, q), vec3_dot(v->dir, q)};
+    if (v->perspective)
+        p = vec3_scale(1.0 / (1.0 - p.z * v->inverse_distance), p);
+    return p;
+}
+
+plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, double *stretch)
+{
+    plane F = scene->face_plane[face];
+    roberts_vec3 n = {F.a, F.b, F.c};
+    plane G = {vec3_dot(v->right, n), vec3_dot(v->up, n), vec3_dot(v->dir, n), F.d / v->unit};
+    if (v->perspective) {
+        G.d += vec3_dot(n, vec3_sub(v->origin, scene->centre)) / v->unit;
+        G.c += G.d * v->inverse_distance;
+    }
+    double length = sqrt(G.a * G.a + G.b * G.b + G.c * G.c);
+    if (stretch)
+        *stretch = 1.0 / length;
+    return (plane){G.a / length, G.b / length, G.c / length, G.d / length};
+}
+
+int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P)
+{
+    /* The picture of a face is narrowest along (a, b), where it measures |c| times the face's own extent; a face that
+     * is wide enough by a factor of 4 need not be measured (in perspective its picture can only be read off). */
+    double slope = hypot(F.a, F.b);
+    if (slope > 0.0 && (v->perspective || fabs(F.c) * scene->face_width[face] <= 4.0 * v->epsilon * v->unit)) {
+        double low = INFINITY, high = -INFINITY;
+        for (uint32_t k = scene->face_start[face]; k < scene->face_start[face + 1]; k++) {
+            roberts_vec3 p = P[scene->corner[k]];
+            double s = (F.a * p.x + F.b * p.y) / slope;
+            low = fmin(low, s);
+            high = fmax(high, s);
+        }
+        if (high - low <= v->epsilon)
+            return VIEW_EDGE_ON;
+    }
+    return F.c < 0.0 ? VIEW_FRONT : F.c > 0.0 ? VIEW_BACK : VIEW_EDGE_ON;
+}
+
+/* With weights w = 1 - e / D = 1 / (1 + z / D): R(t) in space is (1-t) A + t B, whose picture divides the picture of AB
+ * as (1-t) wA : t wB. */
+double view_to_space(const view *v, double zA, double zB, double s)
+{
+    if (!v->perspective)
+        return s;
+    double near_a = 1.0 + zA * v->inverse_distance, near_b = 1.0 + zB * v->inverse_distance; /* 1 / wA, 1 / wB */
+    return s * near_b / ((1.0 - s) * near_a + s * near_b);
+}
+
+double view_from_space(const view *v, double zA, double zB, double t)
+{
+    if (!v->perspective)
+        return t;
+    double near_a = 1.0 + zA * v->inverse_distance, near_b = 1.0 + zB * v->inverse_distance;
+    return t * near_a / ((1.0 - t) * near_b + t * near_a);
+}
+
+/* Distance D of the eye, and a scene wholly in front of it. */
+static roberts_status set_eye(view *v, const roberts_scene *scene, const roberts_camera *camera, roberts_error *error)
+{
+    roberts_vec3 back = vec3_sub(camera->eye, v->origin);
+    double m = largest(back);
+    double distance = m * vec3_length((roberts_vec3){back.x / m, back.y / m, back.z / m}) / v->unit;
+    double nearest = INFINITY;
+    for (uint32_t i = 0; i < scene->vertex_count; i++) {
+        roberts_vec3 q = vec3_scale(1.0 / v->unit, vec3_sub(scene->point[i], v->origin));
+        nearest = fmin(nearest, distance - vec3_dot(v->dir, q));
+    }
+    v->inverse_distance = 1.0 / distance;
+    if (!(nearest > NEAR_OF_DIAMETER * v->diameter))
+        return error_set(error, ROBERTS_BAD_VIEW, 0,
+                         "the scene is not wholly in front of the eye: its nearest vertex lies %.6g %s the eye's plane",
+                         fabs(nearest) * v->unit, nearest < 0.0 ? "behind" : "in front of");
+    return ROBERTS_OK;
+}
+
+/* The largest view coordinate, then the touching distance and the rounding that follow from it. */
+static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
+{
+    double raw = fmax(largest(scene->box_min), largest(scene->box_max)) / v->unit;
+    for (uint32_t i = 0; i < scene->vertex_count; i++)
+        v->extent = fmax(v->extent, largest(view_point(v, scene->point[i])));
+    if (v->perspective)
+        raw = fmax(raw, fmax(largest(v->viewpoint), largest(v->origin)) / v->unit);
+    v->rounding = ROUNDINGS * 0.5 * DBL_EPSILON * fmax(v->extent, v->diameter);
+    v->epsilon = epsilon > 0.0
+                     ? epsilon / v->unit
+                     : fmax(EPSILON_OF_DIAMETER * v->diameter, EPSILON_ULPS * DBL_EPSILON * fmax(raw, v->extent));
+}
+
+static roberts_status check_camera(const roberts_camera *camera, double epsilon, roberts_error *error)
+{
+    bool perspective = camera->projection == ROBERTS_PERSPECTIVE;
+    if (!(epsilon >= 0.0) || !isfinite(epsilon))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "epsilon must be a finite length, 0 or more");
+    if (perspective && (!finite3(camera->eye) || (camera->has_look_at && !finite3(camera->look_at))))
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye and the look-at point must be finite");
+    if (!perspective && (!finite3(camera->dir) || largest(camera->dir) == 0.0))
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the direction of view must be finite and not zero");
+    if (!finite3(camera->up))
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the up vector must be finite");
+    return ROBERTS_OK;
+}
+
+roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
+                            roberts_error *error)
+{
+    roberts_vec3 half = vec3_sub(vec3_scale(0.5, scene->box_max), vec3_scale(0.5, scene->box_min));
+    roberts_vec3 dir = camera->dir;
+    roberts_status status = check_camera(camera, epsilon, error);
+    *v = (view){.origin = scene->centre, .viewpoint = camera->dir, .unit = 1.0, .diameter = 1.0};
+    if (status != ROBERTS_OK)
+        return status;
+    if (largest(half) > 0.0) {
+        int exponent;
+        frexp(largest(half), &exponent);
+        v->unit = ldexp(1.0, exponent + 1);
+        v->diameter = 2.0 * vec3_length(vec3_scale(1.0 / v->unit, half));
+    }
+    if (camera->projection == ROBERTS_PERSPECTIVE) {
+        v->perspective = true;
+        v->viewpoint = camera->eye;
+        if (camera->has_look_at)
+            v->origin = camera->look_at;
+        dir = vec3_sub(camera->eye, v->origin);
+        if (!finite3(dir) || largest(dir) == 0.0)
+            return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is at the point that it looks at");
+    }
+    set_frame(v, dir, camera->up);
+    if (v->perspective && (status = set_eye(v, scene, camera, error)) != ROBERTS_OK)
+        return status;
+    set_tolerances(v, scene, epsilon);
+    return ROBERTS_OK;
+}

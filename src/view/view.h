@@ -1,0 +1,57 @@
+/* view.h - from model space to view space: the viewer at z = +infinity, right-handed, x right, y up.
+ *
+ * Idea: one map serves both projections. With q = P - origin, components (x, y, e) along right, up and dir, and the eye
+ * at distance D in front of the origin, the projective map
+ *
+ *     (x, y, e)  ->  (x, y, e) / (1 - e / D)
+ *
+ * keeps lines, planes and convexity and sends the eye to z = +infinity; for D = infinity (1 / D = 0) it is the
+ * orthographic view. A plane a x + b y + c e + d = 0 becomes a x + b y + (c + d / D) z + d = 0, so that a face is front
+ * (c' < 0) exactly where the eye is outside its plane. Lengths at the origin's depth stay what they are.
+ *
+ * View space is counted in `unit`, the power of two next to the scene's diameter: no product of a few coordinates can
+ * overflow or vanish whatever the model's unit, and a scene times 2^k gives the same bits. */
+#ifndef ROBERTS_VIEW_VIEW_H
+#define ROBERTS_VIEW_VIEW_H
+
+#include "base/vec.h"
+#include "model/scene.h"
+
+enum { VIEW_FRONT = 1, VIEW_BACK = 2, VIEW_EDGE_ON = 3 }; /* facing of a face */
+
+typedef struct view {
+    roberts_vec3 right, up, dir; /* unit vectors of model space */
+    roberts_vec3 origin;         /* model units: the scene's centre, or the look-at point */
+    double inverse_distance;     /* 1 / D in 1 / unit; 0 for the orthographic view */
+    double unit;                 /* model units in one unit of view space, a power of two */
+    roberts_vec3 viewpoint;      /* the direction toward the viewer as given, or the eye in model units */
+    bool perspective;
+    double diameter; /* diagonal of the scene's box, view units */
+    double extent;   /* no view coordinate is larger than this, view units */
+    double epsilon;  /* touching distance, view units */
+    double rounding; /* bound of the rounding error of one view coordinate, view units */
+} view;
+
+/* Prepares the map of `scene` seen by `camera`. epsilon: touching distance in model units, 0 = choose (1e-11 of the
+ * diameter, at least 16 ulp of the largest coordinate before and after the map, the eye's included).
+ * Returns ROBERTS_OK, _BAD_VIEW (no direction, or scene not wholly in front of the eye) or _BAD_ARGUMENT. */
+roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
+                            roberts_error *error);
+
+/* Where a point of the model lies in view space, in view units. */
+roberts_vec3 view_point(const view *v, roberts_vec3 P);
+
+/* A face's plane in view space (view units, unit normal) from its plane in the model. `*stretch`, where not NULL: by
+ * how much distances from the plane grow per unit of 1 + z / D (1 for the orthographic view). */
+plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, double *stretch);
+
+/* Front, back, or edge-on: the projection is no wider than epsilon. P: view points of all vertices of the scene;
+ * F: the face's plane in view space. */
+int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P);
+
+/* The parameter along an edge in space that belongs to parameter `s` along its picture, and back. zA, zB: view depths
+ * of its ends. The same for the orthographic view; else the edge's points crowd where it is far from the eye. */
+double view_to_space(const view *v, double zA, double zB, double s);
+double view_from_space(const view *v, double zA, double zB, double t);
+
+#endif
