@@ -1,61 +1,120 @@
-# make            the program, build/roberts, and build/libroberts.a
-# make demo       installs what is missing, builds, draws a few models to build/demo/*.svg
-# make check      installs what is missing, builds and runs all tests
-# make help       lists the targets
+# `make help` lists the targets. Each kind of build (another compiler, other flags) has a folder of its own: BUILD=...
 .DEFAULT_GOAL := all
 
 CC       ?= cc
+CXX      ?= c++
 BUILD    ?= build
 CFLAGS   ?= -O2 -g
+CXXFLAGS ?= -O2 -g
 WERROR   ?=
 STD      := -std=c17 -D_POSIX_C_SOURCE=200809L
 # -ffp-contract=off: a fused multiply-add would make signs depend on the compiler (see src/base/vec.h)
-WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla $(WERROR)
-COMPILE   = $(CC) $(STD) $(WARN) -ffp-contract=off -fPIC $(CFLAGS) -Iinclude -Isrc -MMD -MP
+WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
+COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fPIC $(CFLAGS) -Iinclude -Isrc $(NEEDS) -MMD -MP
+LINK      = $(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^)
+# Asked for only where used: `make demo` has to start without pkg-config.
+NEEDS        =
 CAIRO_CFLAGS = $(shell pkg-config --cflags cairo)
 CAIRO_LIBS   = $(shell pkg-config --libs cairo)
+CMOCKA_LIBS  = $(shell pkg-config --libs cmocka)
 
-LIB_SRC  := $(sort $(wildcard src/base/*.c src/model/*.c src/view/*.c src/hide/*.c src/ray/*.c src/draw/*.c))
+LIB_SRC  := $(sort $(wildcard $(foreach room,base model view hide ray draw,src/$(room)/*.c)))
 CLI_SRC  := $(sort $(wildcard src/cli/*.c))
-LIB_OBJ  := $(LIB_SRC:src/%.c=$(BUILD)/obj/%.o)
-CLI_OBJ  := $(CLI_SRC:src/%.c=$(BUILD)/obj/%.o)
+TOOL_SRC := $(sort $(wildcard tools/*.c))
 TEST_SRC := $(sort $(wildcard tests/test_*.c))
-TEST_BIN := $(TEST_SRC:tests/%.c=$(BUILD)/tests/%)
-TOOL_BIN := $(patsubst tools/%.c,$(BUILD)/tools/%,$(sort $(wildcard tools/*.c)))
+C_SRC    := $(LIB_SRC) $(CLI_SRC) $(TOOL_SRC) $(TEST_SRC)
+object    = $(1:%.c=$(BUILD)/obj/%.o)
+TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
+TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
+DEMO     := table
+SANITIZE := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 
-all: $(BUILD)/roberts
+##@ The two to begin with; both install what is missing, as root or by a sudo that asks nothing
+demo: ## builds, and draws some of models/ to build/demo/*.svg
+	CC='$(CC)' tools/install-deps.sh build
+	@$(MAKE) --no-print-directory drawings
 
-$(BUILD)/libroberts.a: $(LIB_OBJ)
+check: ## builds everything, runs all tests
+	CC='$(CC)' CXX='$(CXX)' tools/install-deps.sh build test
+	@$(MAKE) --no-print-directory test
+
+##@ To build and test with what is there
+all: $(BUILD)/roberts $(BUILD)/libroberts.a ## the program and the library (what `make` alone does)
+
+tools: $(TOOL_BIN) ## what helps to build and measure, to build/tools/
+
+drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
+	@echo "drawn: $(sort $^)"
+
+test: all tools $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests
+	@ROBERTS_BUILD=$(BUILD) LOCPATH=$(abspath $(BUILD)/locale) tests/run.sh $(TEST_BIN)
+
+test-sanitize: ## the same with the address and the undefined behaviour sanitizer, in build/sanitize/
+	@$(MAKE) --no-print-directory test BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' CXXFLAGS='$(SANITIZE)'
+
+lint: lint-format lint-tidy lint-cppcheck ## formatter and static checks (tools/install-deps.sh lint)
+
+clean: ## removes build/
+	rm -rf $(BUILD)
+
+help: ## lists the targets
+	@sed -n -e 's/^##@ \(.*\)/\n\1:/p' -e 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 24
+	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS LDFLAGS WERROR=-Werror BUILD=folder\n'
+
+# How things are made
+$(BUILD)/libroberts.a: $(call object,$(LIB_SRC))
 	rm -f $@ && $(AR) rcs $@ $^
 
-$(BUILD)/roberts: $(CLI_OBJ) $(BUILD)/libroberts.a
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(CAIRO_LIBS) -lm
+$(BUILD)/roberts: $(call object,$(CLI_SRC)) $(BUILD)/libroberts.a
+	$(LINK) $(CAIRO_LIBS) -lm
 
-$(BUILD)/obj/draw/%.o: src/draw/%.c
+$(TOOL_BIN): $(BUILD)/%: $(BUILD)/obj/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
-	$(COMPILE) $(CAIRO_CFLAGS) -c -o $@ $<
+	$(LINK) $(CAIRO_LIBS) -lm
 
-$(BUILD)/obj/%.o: src/%.c
+$(TEST_BIN): $(BUILD)/%: $(BUILD)/obj/%.o $(BUILD)/libroberts.a
+	@mkdir -p $(@D)
+	$(LINK) $(CMOCKA_LIBS) $(CAIRO_LIBS) -lm
+
+$(BUILD)/obj/src/draw/%.o: NEEDS = $(CAIRO_CFLAGS)
+
+$(BUILD)/obj/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(COMPILE) -c -o $@ $<
 
-$(BUILD)/tools/%: tools/%.c $(BUILD)/libroberts.a
+# The compiler and its flags as last used; other ones compile everything anew.
+FLAGS = $(CC) $(CXX) $(CFLAGS) $(CXXFLAGS) $(WERROR) $(LDFLAGS)
+$(BUILD)/flags: force
 	@mkdir -p $(@D)
-	$(COMPILE) $(LDFLAGS) -o $@ $^ $(CAIRO_LIBS) -lm
+	@echo '$(FLAGS)' | cmp -s - $@ || echo '$(FLAGS)' >$@
 
-$(BUILD)/tests/%: tests/%.c $(BUILD)/libroberts.a
+$(BUILD)/demo/%.svg: models/%.off $(BUILD)/roberts
 	@mkdir -p $(@D)
-	$(COMPILE) $(LDFLAGS) -o $@ $^ -lcmocka $(CAIRO_LIBS) -lm
+	$(BUILD)/roberts $< -o $@
 
-tools: $(TOOL_BIN)
+# A locale that writes 0,5: for the tests that nothing depends on the locale, which skip themselves where it is not there.
+$(BUILD)/locale/de_DE.UTF-8:
+	@mkdir -p $(@D)
+	-@localedef -i de_DE -f UTF-8 $@ 2>/dev/null || echo "no locale de_DE.UTF-8: its tests are skipped"
 
-# Builds and runs every test program; goes on after a failure and fails at the end.
-test: $(TEST_BIN) $(BUILD)/roberts $(TOOL_BIN)
-	@failed=0; for t in $(TEST_BIN); do $$t || failed=1; done; exit $$failed
+# Static checks, warnings as errors
+C_FILES  = $(wildcard include/*.h src/*/*.[ch] tools/*.[ch] tests/*.[ch] tests/*/*.[ch] tests/*/*.cpp)
+CPUS     = $(shell nproc 2>/dev/null || echo 1)
+lint-format:
+	clang-format --dry-run -Werror $(C_FILES)
 
-clean:
-	rm -rf $(BUILD)
+lint-tidy:
+	@mkdir -p $(BUILD)
+	@echo clang-tidy on $(words $(C_SRC)) files
+	@printf '%s\n' $(C_SRC) | xargs -P $(CPUS) -I FILE \
+	    clang-tidy --quiet FILE -- $(STD) $(WARN) -Iinclude -Isrc $(CAIRO_CFLAGS) 2>$(BUILD)/tidy.err || \
+	    { cat $(BUILD)/tidy.err; exit 1; }
 
-.PHONY: all tools test clean
+lint-cppcheck:
+	cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
+	    --suppress=missingIncludeSystem -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
+
+.PHONY: all demo check tools drawings test test-sanitize lint lint-format lint-tidy lint-cppcheck clean help force
 .SECONDARY:
--include $(LIB_OBJ:.o=.d) $(CLI_OBJ:.o=.d) $(wildcard $(BUILD)/tests/*.d $(BUILD)/tools/*.d)
+.DELETE_ON_ERROR:
+-include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC))

@@ -1,0 +1,100 @@
+#!/bin/sh
+# Installs the Debian packages that are missing, and nothing else: tools/install-deps.sh [build] [test] [lint]
+#
+# A package counts as there when what we need of it works (a command runs, a header is found) or when dpkg says so; where
+# nothing is missing, on Debian or elsewhere, nothing is installed. Installs as root, or by a sudo that asks nothing;
+# otherwise lists what is missing and stops with exit status 1. Never prompts. Needs no more than a POSIX shell.
+#   build  what the program and its library are built with
+#   test   what the tests are built with and call
+#   lint   the second compiler, the formatter and the static checks
+set -eu
+
+cc=${CC:-cc}
+cxx=${CXX:-c++}
+
+has_command() {
+    command -v "$1" >/dev/null 2>&1
+}
+
+# has_header COMPILER LANGUAGE HEADER: the compiler finds the header
+has_header() {
+    printf '#include <%s>\n' "$3" | $1 -E -x "$2" - >/dev/null 2>&1
+}
+
+has_library() {
+    pkg-config --exists "$1" 2>/dev/null
+}
+
+has_package() {
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+# need PACKAGE PROBE...: notes the package where the probe fails
+need() {
+    package=$1
+    shift
+    "$@" || has_package "$package" || missing="$missing $package"
+}
+
+find_missing() {
+    missing=
+    for set in "$@"; do
+        case $set in
+        build)
+            need gcc has_command "$cc"
+            need libc6-dev has_header "$cc" c stdio.h
+            need pkg-config has_command pkg-config
+            need libcairo2-dev has_library cairo-svg
+            ;;
+        test)
+            need libcmocka-dev has_library cmocka
+            need g++ has_command "$cxx"
+            need libcgal-dev has_header "$cxx" c++ CGAL/version.h
+            need libgmp-dev has_header "$cxx" c++ gmp.h
+            need libmpfr-dev has_header "$cxx" c++ mpfr.h
+            need librsvg2-bin has_command rsvg-convert
+            need locales test -e /usr/share/i18n/locales/de_DE
+            ;;
+        lint)
+            need clang has_command clang
+            need clang-format has_command clang-format
+            need clang-tidy has_command clang-tidy
+            need cppcheck has_command cppcheck
+            ;;
+        *)
+            echo "usage: $0 [build] [test] [lint]" >&2
+            exit 2
+            ;;
+        esac
+    done
+}
+
+# refuse WHY: says what is missing and stops
+refuse() {
+    echo "$0: $1; missing (by Debian's package names):" >&2
+    printf '    %s\n' $missing >&2
+    echo "as root: apt-get install --no-install-recommends$missing" >&2
+    exit 1
+}
+
+find_missing "$@"
+[ -n "$missing" ] || exit 0
+
+has_command apt-get || refuse "there is no apt-get here"
+if [ "$(id -u)" = 0 ]; then
+    as_root=
+elif sudo -n true 2>/dev/null; then
+    as_root="sudo -n"
+else
+    refuse "neither root nor a sudo that asks nothing"
+fi
+
+apt() {
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=300 "$@" </dev/null
+}
+
+echo "installing:$missing"
+apt update || echo "$0: the package lists could not be brought up to date; trying with what is there" >&2
+apt install --no-install-recommends $missing || refuse "apt-get failed"
+find_missing "$@"
+[ -z "$missing" ] || refuse "apt-get did not bring all"
