@@ -264,6 +264,110 @@ roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *ca
                             const roberts_hide_options *options, roberts_drawing *drawing, roberts_error *error);
 void roberts_drawing_free(roberts_drawing *drawing);
 
+/* ---- ray: rays against shapes -------------------------------------------------------------------------------- */
+
+/* What these have in common. A ray is the points S + t v with t >= 0; v has any length but 0, and t counts in lengths
+ * of v. Shapes are closed: what only touches is met, and so is what S lies on (t = 0); what lies behind S is not. A ray
+ * parallel to a flat shape (its determinant is lost in rounding) does not meet it, not even within it. Otherwise there
+ * is no tolerance: by rounding, a ray through the common side of two triangles may miss both. A zero or infinite
+ * direction and a flat or empty shape are never met. Each returns whether the ray meets the shape, and fills its last
+ * argument only then. Lengths between 1e-50 and 1e50 are safe from under- and overflow, which would show as a miss.
+ *
+ * Sources: [L] "Lancer de rayons I" with its corrections 1 to 4, [B] "Intersection entre un rayon et une boite" with
+ * its corrections 1 and 2, [Z] "Zobrazovaci kanal, prienik luca s objektami" with its corrections 1 and 2. */
+
+/** A ray in space. */
+typedef struct roberts_ray {
+    roberts_vec3 origin, direction;
+} roberts_ray;
+
+/** A ray in the plane. */
+typedef struct roberts_ray2 {
+    roberts_vec2 origin, direction;
+} roberts_ray2;
+
+/** a x + b y + c z + d = 0; (a, b, c) of any length but 0. Bounding a solid, it is > 0 inside. */
+typedef struct roberts_plane {
+    double a, b, c, d;
+} roberts_plane;
+
+typedef enum roberts_facing {
+    ROBERTS_FACING_FRONT, /**< met from outside: v . n < 0 with the outward normal n */
+    ROBERTS_FACING_BACK,  /**< met from inside */
+} roberts_facing;
+
+/** Where a ray meets something flat. */
+typedef struct roberts_hit {
+    double t;
+    double alpha, beta; /**< segment: P = A + alpha AB; triangle: P = A + alpha AB + beta AC; else 0 */
+    roberts_facing facing;
+} roberts_hit;
+
+/** Where a ray meets something solid and convex: the line is inside from t_in to t_out. */
+typedef struct roberts_span {
+    double t_in, t_out;    /**< t_in < 0: S is inside; infinite where an unbounded solid does not end */
+    double t;              /**< the surface that is met first: t_in where that is >= 0, else t_out */
+    roberts_facing facing; /**< front at t_in, back at t_out */
+    /** Polyhedron: the plane met at t, by index; box: 0, 1 the sides of least and greatest x, 2, 3 of y, 4, 5 of z; the
+     * first where several meet there; ROBERTS_NONE where there is none, and for circle and sphere. */
+    uint32_t face;
+} roberts_span;
+
+/** Segment AB in the plane; front is where n = AB turned by +90 degrees looks. [L] 1.1, proposition 1. */
+bool roberts_ray_segment(roberts_ray2 ray, roberts_vec2 a, roberts_vec2 b, roberts_hit *hit);
+
+/** Plane; front is where (a, b, c) looks. [L] 1.2, proposition 2; [Z] "priesecnik priamky a roviny". */
+bool roberts_ray_plane(roberts_ray ray, roberts_plane F, roberts_hit *hit);
+
+/** Triangle; front is where AB x AC looks. By cross products: [L] 1.3, proposition 3 with correction 1. */
+bool roberts_ray_triangle(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, roberts_vec3 c, roberts_hit *hit);
+
+/** The same by Moeller and Trumbore ("Fast, minimum storage ray/triangle intersection", 1997): [Z] with correction 2,
+ * and with both sides met. */
+bool roberts_ray_triangle_mt(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, roberts_vec3 c, roberts_hit *hit);
+
+/** The same by way of the plane and of dot products in it: [Z] "prienik priamky a trojuholnika" with correction 1. */
+bool roberts_ray_triangle_barycentric(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, roberts_vec3 c,
+                                      roberts_hit *hit);
+
+/** Whether p, a point of the polygon's plane, lies in the polygon of `count` corners in space; the border belongs to
+ * it, as far as rounding lets see. Neighbouring corners must differ. False for fewer than 3 corners and for corners on
+ * one line. */
+typedef bool roberts_inside_fn(const roberts_vec3 *corner, size_t count, roberts_vec3 p);
+
+/** By the parity of crossings with a half-line from p; any simple polygon. [L] 1.4 A. */
+bool roberts_inside_crossings(const roberts_vec3 *corner, size_t count, roberts_vec3 p);
+/** By the signs of the determinants (PA_i, PA_i+1) in an orthonormal frame; convex polygons. [L] 1.4 B, prop. 4. */
+bool roberts_inside_signs(const roberts_vec3 *corner, size_t count, roberts_vec3 p);
+/** The same in the (alpha, beta) frame of a corner and its neighbours; convex polygons. [L] 1.4 B, proposition 5. */
+bool roberts_inside_frame(const roberts_vec3 *corner, size_t count, roberts_vec3 p);
+/** By the sum of the angles under which p sees the sides; p may lie beside the plane. [L] 1.4 C, proposition 6. */
+bool roberts_inside_angles(const roberts_vec3 *corner, size_t count, roberts_vec3 p);
+
+/** Plane polygon; front is where its corners run counter-clockwise. inside: NULL = roberts_inside_signs. [L] 1.4. */
+bool roberts_ray_polygon(roberts_ray ray, const roberts_vec3 *corner, size_t count, roberts_inside_fn *inside,
+                         roberts_hit *hit);
+
+/** Circle in the plane (its disc is the inside). A tangent is met from the front. [L] 2.1. */
+bool roberts_ray_circle(roberts_ray2 ray, roberts_vec2 centre, double radius, roberts_span *span);
+
+/** Sphere, by the quadratic equation: [L] 2.2, proposition 7 with correction 2, for v of any length. */
+bool roberts_ray_sphere(roberts_ray ray, roberts_vec3 centre, double radius, roberts_span *span);
+
+/** Sphere, by the foot of the perpendicular from its centre; the better conditioned form where S is far away.
+ * [L] 2.3, proposition 8, for v of any length. */
+bool roberts_ray_sphere_geometric(roberts_ray ray, roberts_vec3 centre, double radius, roberts_span *span);
+
+/** Box with sides along the axes and opposite corners a, b, in the plane. [L] 3.1, proposition 9. */
+bool roberts_ray_box2(roberts_ray2 ray, roberts_vec2 a, roberts_vec2 b, roberts_span *span);
+
+/** The same in space. [L] 3.2 with corrections 3 and 4; [B] with corrections 1 and 2. */
+bool roberts_ray_box(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, roberts_span *span);
+
+/** Convex polyhedron: the points where no plane is < 0 (they may be unbounded, or none). The slabs of the box, one
+ * half-space at a time; Cyrus and Beck, "Generalized two- and three-dimensional clipping", 1978. */
+bool roberts_ray_polyhedron(roberts_ray ray, const roberts_plane *F, size_t count, roberts_span *span);
+
 /* ---- draw: pages and tables --------------------------------------------------------------------------------------- */
 
 typedef enum roberts_format {

@@ -38,9 +38,7 @@ static inline double vec3_length(roberts_vec3 a)
 
 /* F(P) = a x + b y + c z + d with (a, b, c) of length 1: the signed distance of P from the plane, in model units. A
  * face's (a, b, c) points into its solid: F(P) < 0 outside, F(P) > 0 inside. */
-typedef struct plane {
-    double a, b, c, d;
-} plane;
+typedef roberts_plane plane;
 
 static inline double plane_at(plane F, roberts_vec3 P)
 {
