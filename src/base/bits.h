@@ -1,0 +1,73 @@
+/* bits.h - words of bits: counting zeros, the full product of two words, eight characters as one word.
+ *
+ * Compilers that offer one instruction for it get it; the plain C beside it gives the same answers everywhere and is
+ * tested against it. */
+#ifndef ROBERTS_BASE_BITS_H
+#define ROBERTS_BASE_BITS_H
+
+#include <stdint.h>
+
+/* Zero bits above the highest one. word != 0. */
+static inline int bits_leading_zeros_plain(uint64_t word)
+{
+    int count = 0;
+    for (int step = 32; step; step /= 2) {
+        if (word >> (64 - step) == 0) {
+            word <<= step;
+            count += step;
+        }
+    }
+    return count;
+}
+
+static inline int bits_leading_zeros(uint64_t word)
+{
+#if defined(__GNUC__)
+    return __builtin_clzll(word);
+#else
+    return bits_leading_zeros_plain(word);
+#endif
+}
+
+/* Zero bits below the lowest one. word != 0. */
+static inline int bits_trailing_zeros(uint64_t word)
+{
+#if defined(__GNUC__)
+    return __builtin_ctzll(word);
+#else
+    return 63 - bits_leading_zeros_plain(word & (0 - word));
+#endif
+}
+
+/* a * b = high * 2^64 + low, from four products of half words. */
+static inline uint64_t bits_multiply_plain(uint64_t a, uint64_t b, uint64_t *low)
+{
+    uint64_t a0 = a & 0xffffffff, a1 = a >> 32, b0 = b & 0xffffffff, b1 = b >> 32;
+    uint64_t middle = a1 * b0 + (a0 * b0 >> 32); /* at most (2^32 - 1)^2 + 2^32 - 1: no carry is lost */
+    uint64_t other = a0 * b1 + (middle & 0xffffffff);
+    *low = a * b;
+    return a1 * b1 + (middle >> 32) + (other >> 32);
+}
+
+/* The same; returns high. */
+static inline uint64_t bits_multiply(uint64_t a, uint64_t b, uint64_t *low)
+{
+#if defined(__SIZEOF_INT128__)
+    __extension__ typedef unsigned __int128 wide;
+    wide product = (wide)a * b;
+    *low = (uint64_t)product;
+    return (uint64_t)(product >> 64);
+#else
+    return bits_multiply_plain(a, b, low);
+#endif
+}
+
+/* Eight characters, the first in the lowest byte, on any machine (compilers make one load of it). */
+static inline uint64_t bits_load(const char *text)
+{
+    const unsigned char *c = (const unsigned char *)text;
+    return (uint64_t)c[0] | (uint64_t)c[1] << 8 | (uint64_t)c[2] << 16 | (uint64_t)c[3] << 24 | (uint64_t)c[4] << 32 |
+           (uint64_t)c[5] << 40 | (uint64_t)c[6] << 48 | (uint64_t)c[7] << 56;
+}
+
+#endif

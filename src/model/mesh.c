@@ -1,0 +1,169 @@
+/* mesh.c - the mesh as a container: appending, going back, releasing. */
+#include "model/mesh.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/error.h"
+
+mesh_mark mesh_here(const roberts_mesh *mesh)
+{
+    return (mesh_mark){.vertices = mesh->vertex_count,
+                       .faces = mesh->face_count,
+                       .corners = mesh->corner_count,
+                       .sources = mesh->source_count,
+                       .vertex_colors = mesh->vertex_color,
+                       .face_colors = mesh->face_color,
+                       .starts = mesh->face_start};
+}
+
+/* Forgets an array that was not there before. */
+static void drop(void *array, size_t *room)
+{
+    void *none = NULL, *old;
+    memcpy(&old, array, sizeof old);
+    free(old);
+    memcpy(array, &none, sizeof none);
+    *room = 0;
+}
+
+void mesh_back(roberts_mesh *mesh, mesh_mark mark)
+{
+    while (mesh->source_count > mark.sources)
+        free(mesh->source[--mesh->source_count].name);
+    mesh->vertex_count = mark.vertices;
+    mesh->face_count = mark.faces;
+    mesh->corner_count = mark.corners;
+    if (!mark.vertex_colors)
+        drop(&mesh->vertex_color, &mesh->vertex_color_room);
+    if (!mark.face_colors)
+        drop(&mesh->face_color, &mesh->face_color_room);
+    if (!mark.starts)
+        drop(&mesh->face_start, &mesh->face_room);
+}
+
+bool mesh_vertex_room(roberts_mesh *mesh)
+{
+    return mesh->vertex_count < mesh->vertex_room ||
+           array_reserve(&mesh->vertex, &mesh->vertex_room, mesh->vertex_count + 1, sizeof *mesh->vertex);
+}
+
+bool mesh_face_room(roberts_mesh *mesh)
+{
+    if (mesh->face_count + 1 < mesh->face_room)
+        return true;
+    bool first = !mesh->face_start;
+    if (!array_reserve(&mesh->face_start, &mesh->face_room, mesh->face_count + 2, sizeof *mesh->face_start))
+        return false;
+    if (first)
+        mesh->face_start[0] = 0;
+    return true;
+}
+
+bool mesh_corner_room(roberts_mesh *mesh, size_t more)
+{
+    return more <= mesh->corner_room - mesh->corner_count ||
+           array_reserve(&mesh->corner, &mesh->corner_room, mesh->corner_count + more, sizeof *mesh->corner);
+}
+
+/* Makes colours up to `count`, those from `filled` on without colour. */
+static bool fill(roberts_color **color, size_t *room, size_t filled, size_t count)
+{
+    if (!array_reserve(color, room, count, sizeof **color))
+        return false;
+    for (size_t i = filled; i < count; i++)
+        (*color)[i] = (roberts_color){0};
+    return true;
+}
+
+bool mesh_color_vertex(roberts_mesh *mesh, size_t index, roberts_color color, size_t *filled)
+{
+    if (!fill(&mesh->vertex_color, &mesh->vertex_color_room, *filled, index + 1))
+        return false;
+    mesh->vertex_color[index] = color;
+    *filled = index + 1;
+    return true;
+}
+
+bool mesh_color_face(roberts_mesh *mesh, size_t index, roberts_color color, size_t *filled)
+{
+    if (!fill(&mesh->face_color, &mesh->face_color_room, *filled, index + 1))
+        return false;
+    mesh->face_color[index] = color;
+    *filled = index + 1;
+    return true;
+}
+
+bool mesh_color_rest(roberts_mesh *mesh, size_t vertices_filled, size_t faces_filled)
+{
+    if (mesh->vertex_color && !fill(&mesh->vertex_color, &mesh->vertex_color_room, vertices_filled, mesh->vertex_count))
+        return false;
+    return !mesh->face_color || fill(&mesh->face_color, &mesh->face_color_room, faces_filled, mesh->face_count);
+}
+
+bool mesh_source(roberts_mesh *mesh, const char *name)
+{
+    if (!array_reserve(&mesh->source, &mesh->source_room, mesh->source_count + 1, sizeof *mesh->source))
+        return false;
+    size_t length = strlen(name);
+    char *copy = alloc_array(length + 1, 1);
+    if (!copy)
+        return false;
+    memcpy(copy, name, length + 1);
+    mesh->source[mesh->source_count++] =
+        (roberts_source){copy, (uint32_t)mesh->vertex_count, (uint32_t)mesh->face_count};
+    return true;
+}
+
+roberts_status roberts_mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position, uint32_t *index, roberts_error *error)
+{
+    error_set_file(error, "");
+    if (!(fabs(position.x) <= MESH_COORDINATE_MAX && fabs(position.y) <= MESH_COORDINATE_MAX &&
+          fabs(position.z) <= MESH_COORDINATE_MAX))
+        return error_set(error, ROBERTS_BAD_NUMBER, 0, "vertex %zu has a coordinate that is infinite or beyond %g",
+                         mesh->vertex_count, MESH_COORDINATE_MAX);
+    if (mesh->vertex_count >= MESH_MOST || !mesh_vertex_room(mesh) ||
+        !(!mesh->vertex_color ||
+          fill(&mesh->vertex_color, &mesh->vertex_color_room, mesh->vertex_count, mesh->vertex_count + 1)))
+        return error_no_memory(error);
+    if (index)
+        *index = (uint32_t)mesh->vertex_count;
+    mesh->vertex[mesh->vertex_count++] = position;
+    return ROBERTS_OK;
+}
+
+roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners, size_t count, roberts_error *error)
+{
+    error_set_file(error, "");
+    for (size_t i = 0; i < count; i++) {
+        if (corners[i] >= mesh->vertex_count)
+            return error_set(error, ROBERTS_BAD_INDEX, 0, "face %zu names vertex %lu, but there are %zu",
+                             mesh->face_count, (unsigned long)corners[i], mesh->vertex_count);
+    }
+    if (mesh->face_count >= MESH_MOST || count > UINT32_MAX - mesh->corner_count || !mesh_face_room(mesh) ||
+        !mesh_corner_room(mesh, count) ||
+        !(!mesh->face_color || fill(&mesh->face_color, &mesh->face_color_room, mesh->face_count, mesh->face_count + 1)))
+        return error_no_memory(error);
+    if (count)
+        memcpy(mesh->corner + mesh->corner_count, corners, count * sizeof *corners);
+    mesh->corner_count += count;
+    mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
+    return ROBERTS_OK;
+}
+
+void roberts_mesh_free(roberts_mesh *mesh)
+{
+    if (!mesh)
+        return;
+    for (size_t i = 0; i < mesh->source_count; i++)
+        free(mesh->source[i].name);
+    free(mesh->source);
+    free(mesh->vertex);
+    free(mesh->face_start);
+    free(mesh->corner);
+    free(mesh->vertex_color);
+    free(mesh->face_color);
+    *mesh = (roberts_mesh){0};
+}

@@ -1,0 +1,40 @@
+/* mesh.h - growing a mesh, with what only the readers need.
+ *
+ * Invariants between calls: face_start[0] = 0, starts ascend and end at corner_count; a colour array is NULL or as long
+ * as what it colours; every corner is below vertex_count. */
+#ifndef ROBERTS_MODEL_MESH_H
+#define ROBERTS_MODEL_MESH_H
+
+#include "roberts.h"
+
+/* Vertices and faces are numbered by uint32_t, and ROBERTS_NONE is no number. */
+#define MESH_MOST ((size_t)UINT32_MAX - 1)
+
+/* Greatest coordinate, model units: squares and products of three stay finite, as do those of differences. */
+#define MESH_COORDINATE_MAX 1e150
+
+/* How much of a mesh there was, to go back to. */
+typedef struct mesh_mark {
+    size_t vertices, faces, corners, sources;
+    bool vertex_colors, face_colors, starts;
+} mesh_mark;
+
+mesh_mark mesh_here(const roberts_mesh *mesh);
+void mesh_back(roberts_mesh *mesh, mesh_mark mark);
+
+/* Room for one more vertex, face or `more` corners. False: no memory. */
+bool mesh_vertex_room(roberts_mesh *mesh);
+bool mesh_face_room(roberts_mesh *mesh);
+bool mesh_corner_room(roberts_mesh *mesh, size_t more);
+
+/* Sets the colour of vertex or face `index`, the last one there is; those before that have none get count 0. */
+bool mesh_color_vertex(roberts_mesh *mesh, size_t index, roberts_color color, size_t *filled);
+bool mesh_color_face(roberts_mesh *mesh, size_t index, roberts_color color, size_t *filled);
+
+/* Gives all vertices and faces beyond `*filled` that have no colour yet count 0, where others have one. */
+bool mesh_color_rest(roberts_mesh *mesh, size_t vertices_filled, size_t faces_filled);
+
+/* Notes that what follows comes from an input called `name` (copied). */
+bool mesh_source(roberts_mesh *mesh, const char *name);
+
+#endif

@@ -1,0 +1,201 @@
+/* off.c - reading OFF: from a function, a file or memory into a mesh, which stays as it was where anything fails. */
+#include "model/off.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+roberts_status off_fail(off_reader *r, roberts_status status, const char *format, ...)
+{
+    char message[sizeof r->error->message];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    return error_set(r->error, status, r->header.binary ? 0 : r->in.line, "%s", message);
+}
+
+static roberts_status fail_reading(off_reader *r)
+{
+    char reason[128];
+    if (strerror_r(r->in.failure, reason, sizeof reason) != 0)
+        snprintf(reason, sizeof reason, "error %d", r->in.failure);
+    return error_set(r->error, ROBERTS_IO, 0, "reading failed: %s", reason);
+}
+
+/* The token for a message: short, and without what a terminal might take amiss. */
+static void quote(const char *token, size_t length, char *text, size_t room)
+{
+    size_t shown = length < 24 ? length : 24, n = 0;
+    for (size_t i = 0; i < shown && n + 5 < room; i++) {
+        unsigned char c = (unsigned char)token[i];
+        if (c > ' ' && c < 0x7f)
+            text[n++] = (char)c;
+        else
+            n += (size_t)snprintf(text + n, room - n, "\\x%02x", c);
+    }
+    snprintf(text + n, room - n, "%s", shown < length ? "..." : "");
+}
+
+roberts_status off_expected(off_reader *r, roberts_status status, const char *format, ...)
+{
+    char wanted[120], found[112];
+    size_t length = input_token(&r->in);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(wanted, sizeof wanted, format, arguments);
+    va_end(arguments);
+    if (r->in.failure)
+        return fail_reading(r);
+    if (r->in.too_blank)
+        return off_fail(r, ROBERTS_BAD_SYNTAX, "%s expected, but nothing but blanks and comments follows", wanted);
+    if (length == 0)
+        return off_fail(r, ROBERTS_BAD_SYNTAX, "%s expected, but the input ends here", wanted);
+    if (length > OFF_TOKEN_MAX)
+        return off_fail(r, ROBERTS_BAD_SYNTAX, "%s expected, found a word of more than %zu characters", wanted,
+                        OFF_TOKEN_MAX);
+    quote(r->in.at, length, found, sizeof found);
+    return off_fail(r, status, "%s expected, found \"%s\"", wanted, found);
+}
+
+bool off_number_slowly(off_reader *r, double *value)
+{
+    const char *end;
+    size_t length = input_token(&r->in);
+    if (length > OFF_TOKEN_MAX || number_parse(r->in.at, &end, value) != NUMBER_OK || end != r->in.at + length)
+        return false;
+    r->in.at = end;
+    return true;
+}
+
+bool off_integer(off_reader *r, uint64_t *value)
+{
+    size_t length = input_token(&r->in);
+    if (length > OFF_TOKEN_MAX || number_integer(r->in.at, value) != r->in.at + length)
+        return false;
+    r->in.at += length;
+    return true;
+}
+
+void off_warn_fewer(off_reader *r, uint64_t found)
+{
+    warning_send(r->warnings, r->name, 0, "%llu faces declared, but there are %llu",
+                 (unsigned long long)r->header.faces, (unsigned long long)found);
+}
+
+/* What is worth saying once an input is read. */
+static void warn(off_reader *r)
+{
+    size_t thin = 0;
+    for (size_t f = r->mark.faces; f < r->mesh->face_count; f++)
+        thin += r->mesh->face_start[f + 1] - r->mesh->face_start[f] < 3;
+    if (thin)
+        warning_send(r->warnings, r->name, 0, "%zu face%s with fewer than 3 corners ignored", thin,
+                     thin == 1 ? "" : "s");
+    if (r->odd_colors)
+        warning_send(r->warnings, r->name, r->first_odd_color, "%zu colour%s that make%s no sense ignored",
+                     r->odd_colors, r->odd_colors == 1 ? "" : "s", r->odd_colors == 1 ? "s" : "");
+}
+
+static roberts_status read_all(off_reader *r)
+{
+    roberts_status status = off_read_header(r);
+    if (status != ROBERTS_OK)
+        return status;
+    if (!mesh_source(r->mesh, r->name))
+        return error_no_memory(r->error);
+    status = r->header.binary ? off_read_binary(r) : off_read_text(r);
+    if (status != ROBERTS_OK)
+        return status;
+    if (!mesh_color_rest(r->mesh, r->vertices_filled, r->faces_filled))
+        return error_no_memory(r->error);
+    warn(r);
+    return ROBERTS_OK;
+}
+
+/* finite: reading up to the end of the input cannot wait for ever. */
+static roberts_status read_input(roberts_mesh *mesh, const char *name, roberts_read_fn *read, void *context,
+                                 bool finite, const roberts_warnings *warnings, roberts_error *error)
+{
+    roberts_status status = ROBERTS_NO_MEMORY;
+    off_reader r = {.mesh = mesh,
+                    .mark = mesh_here(mesh),
+                    .name = name,
+                    .warnings = warnings,
+                    .error = error,
+                    .finite = finite,
+                    .vertices_filled = mesh->vertex_color ? mesh->vertex_count : 0,
+                    .faces_filled = mesh->face_color ? mesh->face_count : 0};
+    error_set_file(error, name);
+    if (!input_open(&r.in, read, context))
+        error_no_memory(error);
+    else
+        status = read_all(&r);
+    input_close(&r.in);
+    if (status != ROBERTS_OK)
+        mesh_back(mesh, r.mark);
+    return status;
+}
+
+roberts_status roberts_mesh_read(roberts_mesh *mesh, const char *name, roberts_read_fn *read, void *context,
+                                 const roberts_warnings *warnings, roberts_error *error)
+{
+    return read_input(mesh, name, read, context, false, warnings, error);
+}
+
+static ptrdiff_t read_descriptor(void *context, void *buffer, size_t size)
+{
+    ssize_t got;
+    do
+        got = read(*(int *)context, buffer, size);
+    while (got < 0 && errno == EINTR);
+    return got;
+}
+
+roberts_status roberts_mesh_read_file(roberts_mesh *mesh, const char *path, const roberts_warnings *warnings,
+                                      roberts_error *error)
+{
+    bool standard = strcmp(path, "-") == 0;
+    const char *name = standard ? "standard input" : path;
+    int descriptor = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) {
+        char reason[128];
+        if (strerror_r(errno, reason, sizeof reason) != 0)
+            snprintf(reason, sizeof reason, "it cannot be opened");
+        error_set_file(error, name);
+        return error_set(error, ROBERTS_IO, 0, "%s", reason);
+    }
+    struct stat about;
+    bool finite = fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode);
+    roberts_status status = read_input(mesh, name, read_descriptor, &descriptor, finite, warnings, error);
+    if (!standard)
+        close(descriptor);
+    return status;
+}
+
+typedef struct memory {
+    const char *at;
+    size_t left;
+} memory;
+
+static ptrdiff_t read_from_memory(void *context, void *buffer, size_t size)
+{
+    memory *m = context;
+    size_t taken = m->left < size ? m->left : size;
+    if (taken)
+        memcpy(buffer, m->at, taken);
+    m->at += taken;
+    m->left -= taken;
+    return (ptrdiff_t)taken;
+}
+
+roberts_status roberts_mesh_read_memory(roberts_mesh *mesh, const char *name, const void *bytes, size_t size,
+                                        const roberts_warnings *warnings, roberts_error *error)
+{
+    memory m = {bytes, size};
+    return read_input(mesh, name, read_from_memory, &m, true, warnings, error);
+}

@@ -1,0 +1,73 @@
+/* off.h - what the parts of the OFF reader share.
+ *
+ * off.c         the public functions: sources, warnings, going back after an error
+ * off_header.c  keyword, dimension, counts
+ * off_text.c    vertices and faces as text
+ * off_binary.c  vertices and faces as 32-bit words
+ * off_input.c   blocks and tokens */
+#ifndef ROBERTS_MODEL_OFF_H
+#define ROBERTS_MODEL_OFF_H
+
+#include "roberts.h"
+
+#include "base/error.h"
+#include "model/mesh.h"
+#include "model/off_input.h"
+
+/* What stands before the vertices. */
+typedef struct off_header {
+    bool texture, color, normal, homogeneous, dimension; /* prefixes ST, C, N, 4, n */
+    bool binary;
+    size_t braces;            /* opened, and to be closed after the last face */
+    uint64_t vertices, faces; /* as declared: nothing is allocated for them */
+} off_header;
+
+typedef struct off_reader {
+    off_input in;
+    off_header header;
+    roberts_mesh *mesh;
+    mesh_mark mark; /* the mesh before this input */
+    const char *name;
+    const roberts_warnings *warnings;
+    roberts_error *error;
+    bool finite;                          /* the input has an end that can be read up to without waiting */
+    size_t vertices_filled, faces_filled; /* whose colours are set */
+    size_t odd_colors, first_odd_color;   /* colours that make no sense, and the line of the first */
+} off_reader;
+
+/* Fills the error with the current line; returns `status`. */
+roberts_status off_fail(off_reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
+
+/* Fails because something else than `format` (what should stand here) stands at the input's place: quotes what is there
+ * or says that the input ends or that reading failed. */
+roberts_status off_expected(off_reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
+
+/* Reads the number, or the unsigned integer, at the input's place, which must be a whole token. False: it is none, and
+ * nothing is taken. */
+bool off_number_slowly(off_reader *r, double *value);
+bool off_integer(off_reader *r, uint64_t *value);
+
+static inline bool off_number(off_reader *r, double *value)
+{
+    const char *end;
+    if (number_parse(r->in.at, &end, value) != NUMBER_OK || !input_separator(*end) ||
+        (size_t)(end - r->in.at) > OFF_TOKEN_MAX)
+        return off_number_slowly(r, value);
+    r->in.at = end;
+    return true;
+}
+
+/* Whether coordinates can be computed with. */
+static inline bool off_coordinate(double x)
+{
+    return x <= MESH_COORDINATE_MAX && x >= -MESH_COORDINATE_MAX;
+}
+
+roberts_status off_read_header(off_reader *r);
+roberts_status off_read_text(off_reader *r);
+roberts_status off_read_binary(off_reader *r);
+
+/* Warnings that both forms give. */
+void off_warn_fewer(off_reader *r, uint64_t found);
+
+#endif

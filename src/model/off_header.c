@@ -1,0 +1,158 @@
+/* off_header.c - keyword, dimension and counts, in all the forms in which they are found.
+ *
+ * The keyword is [ST][C][N][4][n]OFF by the format; prefixes are taken in any order, since MeshLab writes NCSTOFF. It
+ * may be missing, in lower case (then n stands for N), glued to the first count, and followed by BINARY. Without it, a
+ * first line that holds one integer is a dimension (qhull). The edge count, which nobody needs, may be missing. */
+#include "model/off.h"
+
+#include <string.h>
+
+/* Compares with upper-case `word`, ignoring case, in no locale. */
+static bool same_word(const char *text, size_t length, const char *word)
+{
+    for (size_t i = 0; i < length; i++) {
+        char c = text[i] >= 'a' && text[i] <= 'z' ? (char)(text[i] - 'a' + 'A') : text[i];
+        if (word[i] == '\0' || c != word[i])
+            return false;
+    }
+    return word[length] == '\0';
+}
+
+static bool set_once(bool *flag)
+{
+    bool first = !*flag;
+    *flag = true;
+    return first;
+}
+
+/* Length of the keyword that begins the token, 0 where there is none. */
+static size_t keyword(const char *token, size_t length, off_header *h)
+{
+    off_header found = *h;
+    size_t i = 0;
+    bool good = true;
+    while (good && i + 3 <= length && !same_word(token + i, 3, "OFF")) {
+        if (same_word(token + i, 2, "ST") && i++ < length)
+            good = set_once(&found.texture);
+        else if (token[i] == 'n' && i + 4 <= length && memcmp(token + i + 1, "OFF", 3) == 0)
+            good = set_once(&found.dimension);
+        else if (same_word(token + i, 1, "C"))
+            good = set_once(&found.color);
+        else if (same_word(token + i, 1, "N"))
+            good = set_once(&found.normal);
+        else if (token[i] == '4')
+            good = set_once(&found.homogeneous);
+        else
+            return 0;
+        i++;
+    }
+    i += 3;
+    if (!good || i > length || (i < length && (token[i] < '0' || token[i] > '9')))
+        return 0;
+    *h = found;
+    return i;
+}
+
+/* Looks through a byte-order mark and "{", "{ =". */
+static roberts_status opening(off_reader *r)
+{
+    if (input_need(&r->in, 3) && memcmp(r->in.at, "\xef\xbb\xbf", 3) == 0)
+        r->in.at += 3;
+    while (input_skip(&r->in) && *r->in.at == '{') {
+        r->in.at++;
+        r->header.braces++;
+        if (input_skip(&r->in) && *r->in.at == '=')
+            r->in.at++;
+    }
+    if (input_token(&r->in) == 0 && !r->in.failure && !r->in.too_blank)
+        return off_fail(r, ROBERTS_BAD_SYNTAX, "the input is empty");
+    return ROBERTS_OK;
+}
+
+/* "BINARY" after the keyword; one line end and then the data follow. */
+static roberts_status binary_word(off_reader *r)
+{
+    if (!input_skip_in_line(&r->in) || !same_word(r->in.at, input_token(&r->in), "BINARY"))
+        return ROBERTS_OK;
+    r->in.at += 6;
+    while (input_need(&r->in, 1) && (*r->in.at == ' ' || *r->in.at == '\t'))
+        r->in.at++;
+    if (input_need(&r->in, 1) && *r->in.at == '\r')
+        r->in.at++;
+    if (!input_need(&r->in, 1) || *r->in.at != '\n')
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "the end of the line after BINARY");
+    r->in.at++;
+    r->header.binary = true;
+    return ROBERTS_OK;
+}
+
+/* Whether an unsigned integer stands here, alone on its line. */
+static bool lonely_integer(off_reader *r)
+{
+    size_t i = 0;
+    for (bool blank = false;; i++) {
+        if (!input_need(&r->in, i + 1))
+            return i > 0;
+        char c = r->in.at[i];
+        if (c == '\n' || c == '\r' || c == '#')
+            return i > 0;
+        if (c == ' ' || c == '\t')
+            blank = true;
+        else if (c < '0' || c > '9' || blank || i > OFF_TOKEN_MAX)
+            return false;
+    }
+}
+
+static roberts_status dimension(off_reader *r)
+{
+    uint64_t dimension;
+    if (!input_skip(&r->in) || !off_integer(r, &dimension))
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "the dimension");
+    if (dimension != 3)
+        return off_fail(r, ROBERTS_BAD_SYNTAX, "the dimension is %llu, but only 3 can be drawn",
+                        (unsigned long long)dimension);
+    return ROBERTS_OK;
+}
+
+static roberts_status counts(off_reader *r)
+{
+    uint64_t edges;
+    if (!input_skip(&r->in) || !off_integer(r, &r->header.vertices))
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of vertices");
+    if (!input_skip(&r->in) || !off_integer(r, &r->header.faces))
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of faces");
+    if (input_skip_in_line(&r->in)) {
+        if (*r->in.at == '-')
+            r->in.at++; /* some write -1 for what they do not know */
+        if (!off_integer(r, &edges))
+            return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of edges");
+    } else if (input_skip(&r->in) && lonely_integer(r)) {
+        off_integer(r, &edges); /* on a line of its own */
+    }
+    /* only 4OFF is doubtful: with OFF, more on this line is the first vertex */
+    if (r->header.homogeneous && input_skip_in_line(&r->in) && off_integer(r, &edges))
+        return off_fail(r, ROBERTS_BAD_SYNTAX,
+                        "four counts: this is the 4OFF of four-dimensional polytopes with cells (as of Stella), not "
+                        "4OFF with homogeneous coordinates, and cannot be drawn");
+    return ROBERTS_OK;
+}
+
+roberts_status off_read_header(off_reader *r)
+{
+    roberts_status status = opening(r);
+    if (status != ROBERTS_OK)
+        return status;
+    size_t length = input_token(&r->in), word = 0;
+    if (length <= OFF_TOKEN_MAX)
+        word = keyword(r->in.at, length, &r->header);
+    if (word == 0 && (*r->in.at < '0' || *r->in.at > '9'))
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "the keyword OFF (or STCN4nOFF in part) or the counts");
+    r->in.at += word;
+    if (word == length && (status = binary_word(r)) != ROBERTS_OK)
+        return status;
+    if (r->header.binary)
+        return ROBERTS_OK; /* dimension and counts are binary too */
+    if (r->header.dimension || (word == 0 && lonely_integer(r)))
+        status = dimension(r);
+    return status == ROBERTS_OK ? counts(r) : status;
+}

@@ -1,0 +1,76 @@
+/* off_input.h - the bytes of one input, block by block, and the tokens in them.
+ *
+ * A token is what stands between white space, '#' (a comment to the end of the line) and braces. Lines end with LF, CR
+ * or CR LF. A token always ends up whole in the buffer, so that parsers need not know of blocks; the buffer is
+ * followed by '\0' and NUMBER_PADDING more bytes, and preceded by one byte of history (was the last one a CR?). */
+#ifndef ROBERTS_MODEL_OFF_INPUT_H
+#define ROBERTS_MODEL_OFF_INPUT_H
+
+#include "roberts.h"
+
+#include "base/number.h"
+
+/* Bytes asked for at a time: some, so that calls do not count, and no more than lies well in the caches. */
+#define OFF_BLOCK ((size_t)1 << 16)
+
+/* Longest token, characters. A double written out in full has at most 1,079, and an honest one fewer than 30. */
+#define OFF_TOKEN_MAX ((size_t)4096)
+
+/* Longest stretch of white space and comments, bytes: an endless one must end some time. */
+#define OFF_BLANK_MAX ((size_t)1 << 28)
+
+typedef struct off_input {
+    const char *at, *end; /* what is not yet taken; *end is '\0' */
+    size_t line;          /* of `at`, from 1 */
+    char *buffer;         /* [1 + OFF_BLOCK + 1 + NUMBER_PADDING] */
+    roberts_read_fn *read;
+    void *context;
+    bool ended;     /* nothing follows `end` */
+    int failure;    /* errno of a failed read; 0: none */
+    bool too_blank; /* more than OFF_BLANK_MAX without a token */
+    size_t taken;   /* bytes that were read before `end` */
+} off_input;
+
+/* False: no memory. Closed by input_close(), also then. */
+bool input_open(off_input *in, roberts_read_fn *read, void *context);
+void input_close(off_input *in);
+
+/* Reads on, keeping what is not yet taken; `at` moves. False: nothing more comes, or the buffer is full. */
+bool input_more(off_input *in);
+
+/* Makes `count` bytes stand at `at`; count <= OFF_BLOCK. False: the input ends before. */
+bool input_need(off_input *in, size_t count);
+
+/* Out of line part of input_skip(). */
+bool input_skip_on(off_input *in);
+
+/* Goes to the next token. False: the input ends first. */
+static inline bool input_skip(off_input *in)
+{
+    const char *c = in->at;
+    if (*c == '\n') {
+        in->line += c[-1] != '\r';
+        c++;
+    }
+    while (*c == ' ')
+        c++;
+    in->at = c;
+    return ((unsigned char)*c > ' ' && *c != '#') || input_skip_on(in);
+}
+
+/* Goes to the next token of this line. False: there is none, and `at` is at the end of the line or of the input. */
+bool input_skip_in_line(off_input *in);
+
+/* Length of the token at `at`, which is made to stand whole in the buffer; beyond OFF_TOKEN_MAX it is cut off. At least
+ * 1 unless the input ends. */
+size_t input_token(off_input *in);
+
+/* What may follow a number at once. The '\0' that ends the buffer may not: what comes after it must be read first. */
+static inline bool input_separator(char c)
+{
+    const uint64_t blank =
+        UINT64_C(1) << ' ' | 1u << '\t' | 1u << '\n' | 1u << '\v' | 1u << '\f' | 1u << '\r' | UINT64_C(1) << '#';
+    return (unsigned char)c < 64 && (blank >> c & 1);
+}
+
+#endif

@@ -1,0 +1,287 @@
+/* off_text.c - vertices and faces as text.
+ *
+ * Numbers may be spread over lines in any way, but colours are what stands on the line: of a face whatever follows its
+ * last corner, of a vertex (prefix C) whatever follows position and normal, the last two numbers excepted if there are
+ * texture coordinates (prefix ST). 0, 1, 3 or 4 numbers are a colour. A vertex with any other count on its line is
+ * taken to be laid out freely: then four numbers are its colour, wherever they stand. */
+#include "model/off.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { COLOR_MOST = 4, TEXTURE = 2, NORMAL = 3 };
+
+/* Numbers of a colour as they stand there. */
+typedef struct raw_color {
+    int count;
+    bool real; /* one of them has a point or an exponent */
+    double value[COLOR_MOST];
+} raw_color;
+
+/* Integers are 0..255, other numbers 0..1, unless one of these is greater than 1: then they are 0..255 too. One number
+ * is an index into a colour map. False: it makes no sense. */
+static bool make_color(const raw_color *raw, roberts_color *color)
+{
+    double most = raw->real ? 1.0 : 255.0;
+    *color = (roberts_color){.count = (unsigned char)raw->count};
+    if (raw->count == 2)
+        return false;
+    for (int i = 0; i < raw->count; i++) {
+        double v = raw->value[i];
+        if (!(v >= 0.0) || (raw->count == 1 ? v != floor(v) || v > UINT32_MAX : v > 255.0))
+            return false;
+        if (v > most)
+            most = 255.0;
+    }
+    for (int i = 0; i < raw->count; i++)
+        color->value[i] = (float)(raw->count == 1 ? raw->value[i] : raw->value[i] / most);
+    return true;
+}
+
+static void odd_color(off_reader *r)
+{
+    if (r->odd_colors++ == 0)
+        r->first_odd_color = r->in.line;
+}
+
+/* Takes the number here into the colour. */
+static bool color_number(off_reader *r, raw_color *raw)
+{
+    size_t length = input_token(&r->in);
+    for (size_t i = 0; i < length; i++)
+        raw->real |= r->in.at[i] == '.' || r->in.at[i] == 'e' || r->in.at[i] == 'E';
+    return off_number(r, &raw->value[raw->count++]);
+}
+
+/* ---- vertices --------------------------------------------------------------------------------------------------- */
+
+static bool not_finite(off_reader *r)
+{
+    size_t length = input_token(&r->in);
+    const char *c = r->in.at;
+    if (length && (*c == '-' || *c == '+')) {
+        c++;
+        length--;
+    }
+    return length >= 3 && ((c[0] | 0x20) == 'n' ? (c[1] | 0x20) == 'a' && (c[2] | 0x20) == 'n'
+                                                : (c[0] | 0x20) == 'i' && (c[1] | 0x20) == 'n' && (c[2] | 0x20) == 'f');
+}
+
+static roberts_status bad_vertex(off_reader *r, uint64_t v, const char *part)
+{
+    return off_expected(r, not_finite(r) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX, "%s of vertex %llu of %llu", part,
+                        (unsigned long long)v, (unsigned long long)r->header.vertices);
+}
+
+/* Skips a normal: of no use here, so that "nan" is no reason to refuse a file. */
+static roberts_status skip_normal(off_reader *r, uint64_t v)
+{
+    double unused;
+    for (int i = 0; i < NORMAL; i++) {
+        if (!input_skip(&r->in))
+            return bad_vertex(r, v, "the normal");
+        if (off_number(r, &unused))
+            continue;
+        if (!not_finite(r))
+            return bad_vertex(r, v, "the normal");
+        r->in.at += input_token(&r->in);
+    }
+    return ROBERTS_OK;
+}
+
+/* Reads colour and texture coordinates; see the top of the file. */
+static roberts_status vertex_extras(off_reader *r, uint64_t v)
+{
+    int texture = r->header.texture ? TEXTURE : 0, most = texture + (r->header.color ? COLOR_MOST : 0), count = 0;
+    raw_color raw = {0};
+    double value[COLOR_MOST + TEXTURE];
+    bool real[COLOR_MOST + TEXTURE];
+    while (count < most) {
+        bool here = input_skip_in_line(&r->in);
+        int color = count - texture;
+        if (!here && (color == 0 || color == 1 || color == 3))
+            break;
+        if (!input_skip(&r->in))
+            return bad_vertex(r, v, "the colour or texture");
+        raw = (raw_color){0};
+        if (!color_number(r, &raw)) {
+            if (!not_finite(r))
+                return bad_vertex(r, v, "the colour or texture");
+            r->in.at += input_token(&r->in);
+            raw.value[0] = NAN;
+        }
+        value[count] = raw.value[0];
+        real[count++] = raw.real;
+    }
+    raw = (raw_color){.count = count - texture};
+    for (int i = 0; i < raw.count; i++) {
+        raw.value[i] = value[i];
+        raw.real |= real[i];
+    }
+    roberts_color color;
+    if (raw.count && !make_color(&raw, &color))
+        odd_color(r);
+    else if (raw.count && !mesh_color_vertex(r->mesh, r->mesh->vertex_count - 1, color, &r->vertices_filled))
+        return error_no_memory(r->error);
+    return ROBERTS_OK;
+}
+
+static roberts_status too_large(off_reader *r, uint64_t v, double w)
+{
+    if (w == 0.0)
+        return off_fail(r, ROBERTS_BAD_NUMBER, "vertex %llu lies at infinity: its fourth coordinate is 0",
+                        (unsigned long long)v);
+    return off_fail(r, ROBERTS_BAD_NUMBER, "vertex %llu has a coordinate beyond %g", (unsigned long long)v,
+                    MESH_COORDINATE_MAX);
+}
+
+static roberts_status read_vertices(off_reader *r)
+{
+    static const char *const part[4] = {"x", "y", "z", "w"};
+    const int size = r->header.homogeneous ? 4 : 3;
+    const bool extras = r->header.color || r->header.texture;
+    roberts_mesh *mesh = r->mesh;
+    roberts_status status;
+    for (uint64_t v = 0; v < r->header.vertices; v++) {
+        double p[4] = {0, 0, 0, 1};
+        for (int i = 0; i < size; i++) {
+            if (!input_skip(&r->in) || !off_number(r, &p[i]))
+                return bad_vertex(r, v, part[i]);
+        }
+        if (size == 4) {
+            for (int i = 0; i < 3; i++)
+                p[i] /= p[3];
+        }
+        if (!off_coordinate(p[0]) || !off_coordinate(p[1]) || !off_coordinate(p[2]))
+            return too_large(r, v, p[3]);
+        if (mesh->vertex_count >= MESH_MOST || !mesh_vertex_room(mesh))
+            return error_no_memory(r->error);
+        mesh->vertex[mesh->vertex_count++] = (roberts_vec3){p[0], p[1], p[2]};
+        if (r->header.normal && (status = skip_normal(r, v)) != ROBERTS_OK)
+            return status;
+        if (extras && (status = vertex_extras(r, v)) != ROBERTS_OK)
+            return status;
+    }
+    return ROBERTS_OK;
+}
+
+/* ---- faces ------------------------------------------------------------------------------------------------------ */
+
+/* Reads an unsigned integer, nearly always a short one. */
+static inline bool index_number(off_reader *r, uint64_t *value)
+{
+    uint32_t number;
+    int count = number_short_integer(r->in.at, &number);
+    if (count == 0 || !input_separator(r->in.at[count]))
+        return off_integer(r, value);
+    r->in.at += count;
+    *value = number;
+    return true;
+}
+
+static roberts_status bad_corner(off_reader *r, uint64_t f, uint64_t i, uint64_t count)
+{
+    return off_expected(r, ROBERTS_BAD_SYNTAX, "corner %llu of %llu of face %llu of %llu", (unsigned long long)i + 1,
+                        (unsigned long long)count, (unsigned long long)f, (unsigned long long)r->header.faces);
+}
+
+static roberts_status bad_index(off_reader *r, uint64_t f, const char *sign, uint64_t index)
+{
+    return off_fail(r, ROBERTS_BAD_INDEX, "face %llu names vertex %s%llu, but there are %llu", (unsigned long long)f,
+                    sign, (unsigned long long)index, (unsigned long long)r->header.vertices);
+}
+
+/* Reads the corners into the mesh's array, which face f then ends. */
+static roberts_status read_corners(off_reader *r, uint64_t f, uint64_t count)
+{
+    const uint32_t first = (uint32_t)r->mark.vertices;
+    roberts_mesh *mesh = r->mesh;
+    uint64_t index;
+    for (uint64_t i = 0; i < count; i++) {
+        if (!input_skip(&r->in))
+            return bad_corner(r, f, i, count);
+        if (!index_number(r, &index)) {
+            if (*r->in.at != '-')
+                return bad_corner(r, f, i, count);
+            r->in.at++;
+            return off_integer(r, &index) ? bad_index(r, f, "-", index) : bad_corner(r, f, i, count);
+        }
+        if (index >= r->header.vertices)
+            return bad_index(r, f, "", index);
+        if (mesh->corner_count >= UINT32_MAX || !mesh_corner_room(mesh, 1))
+            return error_no_memory(r->error);
+        mesh->corner[mesh->corner_count++] = first + (uint32_t)index;
+    }
+    if (mesh->face_count >= MESH_MOST || !mesh_face_room(mesh))
+        return error_no_memory(r->error);
+    mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
+    return ROBERTS_OK;
+}
+
+/* Reads what else stands on the last face's line: a colour, or something that is ignored with a warning. */
+static roberts_status face_color(off_reader *r)
+{
+    raw_color raw = {0};
+    roberts_color color;
+    bool good = true;
+    while (input_skip_in_line(&r->in) && !(*r->in.at == '}' && r->header.braces)) {
+        if (good && raw.count < COLOR_MOST && color_number(r, &raw))
+            continue;
+        good = false;
+        r->in.at += input_token(&r->in);
+    }
+    if (raw.count == 0 && good)
+        return ROBERTS_OK;
+    if (!good || !make_color(&raw, &color))
+        odd_color(r);
+    else if (!mesh_color_face(r->mesh, r->mesh->face_count - 1, color, &r->faces_filled))
+        return error_no_memory(r->error);
+    return ROBERTS_OK;
+}
+
+static roberts_status read_faces(off_reader *r)
+{
+    roberts_status status;
+    uint64_t count;
+    for (uint64_t f = 0; f < r->header.faces; f++) {
+        if (!input_skip(&r->in) || (*r->in.at == '}' && r->header.braces)) {
+            if (r->in.failure || r->in.too_blank)
+                return off_expected(r, ROBERTS_BAD_SYNTAX, "face %llu", (unsigned long long)f);
+            off_warn_fewer(r, f);
+            return ROBERTS_OK;
+        }
+        if (!index_number(r, &count))
+            return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of corners of face %llu of %llu",
+                                (unsigned long long)f, (unsigned long long)r->header.faces);
+        status = read_corners(r, f, count);
+        if (status == ROBERTS_OK && *r->in.at != '\n')
+            status = face_color(r);
+        if (status != ROBERTS_OK)
+            return status;
+    }
+    return ROBERTS_OK;
+}
+
+/* Warns of text after the last face. An input that may wait for ever (a pipe, a terminal) is not read on for that:
+ * only what has come with the last block is looked at. */
+static roberts_status ending(off_reader *r)
+{
+    off_input *in = &r->in;
+    if (!r->finite)
+        in->ended = true;
+    for (; r->header.braces && input_skip(in) && *in->at == '}'; r->header.braces--)
+        in->at++;
+    if (input_skip(in))
+        warning_send(r->warnings, r->name, in->line, "text after the last face ignored");
+    if (in->failure)
+        return off_expected(r, ROBERTS_IO, "the end");
+    return ROBERTS_OK;
+}
+
+roberts_status off_read_text(off_reader *r)
+{
+    roberts_status status = read_vertices(r);
+    if (status == ROBERTS_OK)
+        status = read_faces(r);
+    return status == ROBERTS_OK ? ending(r) : status;
+}
