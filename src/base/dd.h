@@ -1,0 +1,93 @@
+/* dd.h - double-double numbers: an unevaluated sum hi + lo of two doubles, about 32 digits.
+ *
+ * Source: T. J. Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18 (1971);
+ * D. E. Knuth, The Art of Computer Programming 2, 4.2.2 (the exact sum). Needs arithmetic that is not contracted or
+ * reordered (-ffp-contract=off, no -ffast-math). No overflow is looked after: callers scale to about 1 first. */
+#ifndef ROBERTS_BASE_DD_H
+#define ROBERTS_BASE_DD_H
+
+#include <math.h>
+
+#include "base/vec.h"
+
+typedef struct dd {
+    double hi, lo;
+} dd;
+
+typedef struct dd3 {
+    dd x, y, z;
+} dd3;
+
+/* a + b without error. */
+static inline dd dd_two_sum(double a, double b)
+{
+    double s = a + b, t = s - a;
+    return (dd){s, (a - (s - t)) + (b - t)};
+}
+
+/* a - b without error. */
+static inline dd dd_two_diff(double a, double b)
+{
+    return dd_two_sum(a, -b);
+}
+
+static inline dd dd_neg(dd a)
+{
+    return (dd){-a.hi, -a.lo};
+}
+
+static inline dd dd_add(dd a, dd b)
+{
+    dd s = dd_two_sum(a.hi, b.hi), t = dd_two_sum(a.lo, b.lo);
+    s = dd_two_sum(s.hi, s.lo + t.hi);
+    return dd_two_sum(s.hi, s.lo + t.lo);
+}
+
+static inline dd dd_sub(dd a, dd b)
+{
+    return dd_add(a, dd_neg(b));
+}
+
+static inline dd dd_mul(dd a, dd b)
+{
+    double p = a.hi * b.hi, e = fma(a.hi, b.hi, -p);
+    return dd_two_sum(p, e + (a.hi * b.lo + a.lo * b.hi));
+}
+
+static inline dd3 dd3_from(roberts_vec3 a)
+{
+    return (dd3){{a.x, 0.0}, {a.y, 0.0}, {a.z, 0.0}};
+}
+
+/* a - b of points given in doubles, without error. */
+static inline dd3 dd3_between(roberts_vec3 a, roberts_vec3 b)
+{
+    return (dd3){dd_two_diff(a.x, b.x), dd_two_diff(a.y, b.y), dd_two_diff(a.z, b.z)};
+}
+
+static inline dd3 dd3_add(dd3 a, dd3 b)
+{
+    return (dd3){dd_add(a.x, b.x), dd_add(a.y, b.y), dd_add(a.z, b.z)};
+}
+
+static inline dd dd3_dot(dd3 a, dd3 b)
+{
+    return dd_add(dd_add(dd_mul(a.x, b.x), dd_mul(a.y, b.y)), dd_mul(a.z, b.z));
+}
+
+static inline dd3 dd3_cross(dd3 a, dd3 b)
+{
+    return (dd3){dd_sub(dd_mul(a.y, b.z), dd_mul(a.z, b.y)), dd_sub(dd_mul(a.z, b.x), dd_mul(a.x, b.z)),
+                 dd_sub(dd_mul(a.x, b.y), dd_mul(a.y, b.x))};
+}
+
+/* a / (a - b) as a double: the parameter at which a linear function with values a and b at 0 and 1 vanishes. */
+static inline double dd_zero_of(dd a, dd b)
+{
+    dd difference = dd_sub(a, b);
+    double t = a.hi / difference.hi;
+    dd rest = dd_sub(a, dd_mul((dd){t, 0.0}, difference)); /* one Newton step: t is then right to the last place */
+    return t + (rest.hi + rest.lo) / difference.hi;
+}
+
+#endif

@@ -1,0 +1,62 @@
+/* refine.c - see refine.h. */
+#include "hide/refine.h"
+
+#include "base/dd.h"
+
+static dd3 between(const hide_space *space, uint32_t a, uint32_t b)
+{
+    double k = 1.0 / space->view->unit; /* a power of two: scaling is exact, and products stay in range */
+    return dd3_between(vec3_scale(k, space->scene->point[a]), vec3_scale(k, space->scene->point[b]));
+}
+
+static dd3 from_eye(const hide_space *space, uint32_t a)
+{
+    double k = 1.0 / space->view->unit;
+    return dd3_between(vec3_scale(k, space->scene->point[a]), vec3_scale(k, space->view->viewpoint));
+}
+
+/* A multiple, positive and the same for every x, of the distance of x from the sight plane through p and q. */
+static dd side_determinant(const hide_space *space, uint32_t p, uint32_t q, uint32_t x)
+{
+    if (space->view->perspective)
+        return dd_neg(dd3_dot(dd3_cross(from_eye(space, p), from_eye(space, q)), from_eye(space, x)));
+    return dd3_dot(dd3_cross(between(space, q, p), between(space, x, p)), dd3_from(space->view->viewpoint));
+}
+
+double refine_side(const hide_space *space, uint32_t p, uint32_t q, uint32_t x)
+{
+    const view *v = space->view;
+    double length = hypot(space->P[q].x - space->P[p].x, space->P[q].y - space->P[p].y);
+    double determinant = side_determinant(space, p, q, x).hi;
+    if (v->perspective) /* the picture's determinant of (x, y, 1) is that of (x, y, w), divided by the three w / D */
+        for (int i = 0; i < 3; i++)
+            determinant *= 1.0 + space->P[i == 0 ? p : i == 1 ? q : x].z * v->inverse_distance;
+    return v->perspective ? determinant * v->inverse_distance / length
+                          : determinant / (vec3_length(v->viewpoint) * length);
+}
+
+static double to_picture(const hide_space *space, const hide_edge *e, double t)
+{
+    return view_from_space(space->view, e->A.z, e->B.z, t);
+}
+
+double refine_crossing(const hide_space *space, uint32_t p, uint32_t q, const hide_edge *e)
+{
+    return to_picture(space, e, dd_zero_of(side_determinant(space, p, q, e->a), side_determinant(space, p, q, e->b)));
+}
+
+double refine_pierce(const hide_space *space, const hide_face *F, const hide_edge *e)
+{
+    uint32_t origin = F->corner[0];
+    dd3 n = {{0, 0}, {0, 0}, {0, 0}}, sum = n; /* Newell's normal, as a sum of triangles; sum of the corners */
+    for (uint32_t i = 0; i < F->count; i++) {
+        dd3 p = between(space, F->corner[i], origin);
+        n = dd3_add(n, dd3_cross(p, between(space, F->corner[(i + 1) % F->count], origin)));
+        sum = dd3_add(sum, p);
+    }
+    /* n . (X - mean of the corners), times their count */
+    dd count = {F->count, 0.0}, offset = dd3_dot(n, sum);
+    dd a = dd_sub(dd_mul(count, dd3_dot(n, between(space, e->a, origin))), offset);
+    dd b = dd_sub(dd_mul(count, dd3_dot(n, between(space, e->b, origin))), offset);
+    return to_picture(space, e, dd_zero_of(a, b));
+}

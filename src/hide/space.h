@@ -1,0 +1,55 @@
+/* space.h - what the tests work on: the scene in view space, its front faces and the edge under test. */
+#ifndef ROBERTS_HIDE_SPACE_H
+#define ROBERTS_HIDE_SPACE_H
+
+#include "view/view.h"
+
+/* Accuracy to which parameters t along an edge are wanted: well under the 1e-9 that drawings are checked to. A crossing
+ * whose rounding could exceed it is computed again in twice the precision. No unit. */
+#define HIDE_T_ACCURACY 1e-11
+
+typedef struct hide_space {
+    const roberts_vec3 *P;      /* view points of all vertices, by compact number */
+    double epsilon;             /* touching distance, view units */
+    double rounding;            /* bound of the error of one coordinate of P, view units */
+    const roberts_scene *scene; /* as read, for signs and crossings in twice the precision; */
+    const view *view;           /* NULL both: never refine (tests on bare points) */
+} hide_space;
+
+/* A front face. Its sides run counter-clockwise in the picture. */
+typedef struct hide_face {
+    plane F;                /* view space, inward: F(P) < 0 in front of it */
+    const uint32_t *corner; /* [count] compact vertex numbers */
+    uint32_t count;
+    uint32_t solid, face; /* whose it is; compact face number */
+    double touch;         /* F within +-touch is on the plane: epsilon and the face's own departure from it */
+    double limit;         /* F(A) <= limit is in front or on even at the far end of the scene, where the plane of a
+                                small face cannot be trusted to `touch`; see test 1 */
+    float x0, x1, y0, y1; /* box of its picture and depth of its nearest corner, rounded outward */
+    float z1;
+} hide_face;
+
+/* The edge AB under test. */
+typedef struct hide_edge {
+    roberts_vec3 A, B; /* view points */
+    uint32_t a, b;     /* their compact numbers */
+    double length;     /* of AB in the picture */
+    double length3;    /* of AB in view space */
+} hide_edge;
+
+/* The hidden part of an edge by one face or solid: parameters along its picture. An end within e0 (e1) of another part's
+ * end touches it: that is epsilon, divided by how fast the edge runs away from the border where the part ends. */
+typedef struct hide_part {
+    double t0, t1;
+    double e0, e1;
+} hide_part;
+
+static inline roberts_vec3 hide_edge_at(const hide_edge *e, double t)
+{
+    if (t == 1.0)
+        return e->B;
+    return (roberts_vec3){e->A.x + t * (e->B.x - e->A.x), e->A.y + t * (e->B.y - e->A.y),
+                          e->A.z + t * (e->B.z - e->A.z)};
+}
+
+#endif

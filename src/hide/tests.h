@@ -1,0 +1,54 @@
+/* tests.h - the lecture's tests 1 to 4: what one front face F of a solid hides of one edge AB of another.
+ *
+ * Specification ("Elimination des lignes cachees", with its corrections): the hidden part is the interval of those t for
+ * which R(t) = A + t AB is inside or on every side plane of F and F(R(t)) > 0. The tests are the cheap way to it, and
+ * each stops the procedure where it decides.
+ *
+ *   1. F(A) <= 0 and F(B) <= 0: visible.
+ *   2. All corners of F on one side of the sight plane Q through AB, at most one on it: visible.
+ *   3. A and B inside or on every side plane: invisible (up to where AB pierces F). Outside one side plane, or one end
+ *      outside and the other on it: visible.
+ *   4. What remains crosses the sides: the part between the last crossing inward and the first one outward.
+ *
+ * Ties. F is closed in projection (an edge behind F and along its border is hidden; one that only touches a corner has
+ * no hidden part) and strict in depth (an edge in F's plane is visible). A distance of at most epsilon is zero, in
+ * depth also the face's own departure from its plane. Epsilon decides signs only: parameters come from the values as
+ * they are. */
+#ifndef ROBERTS_HIDE_TESTS_H
+#define ROBERTS_HIDE_TESTS_H
+
+#include "hide/space.h"
+
+typedef enum hide_verdict { HIDE_UNDECIDED, HIDE_VISIBLE, HIDE_INVISIBLE } hide_verdict;
+
+/* Distances of A and B from the side planes H_i, and their signs: -1 outside, 0 on, 1 inside. */
+typedef struct hide_sides {
+    struct {
+        double a, b;
+        double error; /* bound of the error of a and b */
+        signed char sign_a, sign_b;
+    } * H; /* [room] */
+    size_t room;
+    uint64_t refined; /* signs and crossings computed in twice the precision */
+} hide_sides;
+
+/* Room for faces of up to `count` corners; false: no memory. Start from a zeroed struct; free(sides->H) ends it. */
+bool hide_sides_reserve(hide_sides *sides, size_t count);
+
+bool hide_test1(const hide_face *F, const hide_edge *e);
+bool hide_test2(const hide_space *space, const hide_face *F, const hide_edge *e);
+
+/* Fills `sides` unless it returns HIDE_VISIBLE. */
+hide_verdict hide_test3(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides);
+
+/* The part of e inside all sides; false where it is empty or a point. */
+bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part);
+
+/* Cuts `part`, all of it inside the sides, where e pierces F's plane; false where nothing of it lies behind. */
+bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part);
+
+/* Tests 1 to 4 in their order, counted in `tally`; false where F hides nothing of e. */
+bool hide_by_face(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
+                  roberts_tally *tally, hide_part *part);
+
+#endif
