@@ -1,0 +1,332 @@
+/* hide.c - the scene edge by edge: which are drawn, which parts of them are hidden, and the segments that follow.
+ *
+ * Solids are taken in chunks that threads work on in any order; each chunk keeps its segments, and in the end they are
+ * laid down in the order of the chunks. Nothing else is shared, so that the result does not depend on the threads. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+#include "base/array.h"
+#include "base/error.h"
+#include "hide/edge.h"
+
+#define CHUNK_SOLIDS 64
+
+/* Touching distance above which "on" would mean a visible length: a hundredth of the scene. */
+#define EPSILON_MOST 0.01
+
+static const double pi = 3.14159265358979323846;
+
+typedef struct chunk {
+    roberts_segment *segment;
+    size_t count, room;
+} chunk;
+
+typedef struct job {
+    const roberts_scene *scene;
+    const roberts_hide_options *options;
+    hide_front front;
+    objet grid;
+    double crease_chord; /* distance of two unit normals that meet at the crease angle, squared */
+    chunk *chunk;
+    uint32_t chunk_count;
+} job;
+
+/* What one thread adds to the drawing besides its segments. */
+typedef struct sums {
+    size_t surviving, drawn;
+    roberts_vec2 low, high;
+} sums;
+
+roberts_hide_options roberts_hide_options_default(void)
+{
+    return (roberts_hide_options){.crease_degrees = 0.1};
+}
+
+static bool is_front(const job *job, uint32_t face)
+{
+    return face != ROBERTS_NONE && job->front.facing[face] == VIEW_FRONT;
+}
+
+/* Flatter than the crease angle; the normals of the model are compared, which perspective does not bend. */
+static bool is_flat(const job *job, const scene_edge *edge)
+{
+    if (edge->f[0] == ROBERTS_NONE || edge->f[1] == ROBERTS_NONE)
+        return false;
+    plane F = job->scene->face_plane[edge->f[0]], G = job->scene->face_plane[edge->f[1]];
+    double a = F.a - G.a, b = F.b - G.b, c = F.c - G.c;
+    return a * a + b * b + c * c < job->crease_chord;
+}
+
+static bool add_segment(const job *job, chunk *out, const roberts_segment *pattern, const hide_edge *e, double s0,
+                        double s1)
+{
+    const view *v = &job->front.view;
+    roberts_vec3 R0 = hide_edge_at(e, s0), R1 = hide_edge_at(e, s1);
+    roberts_segment segment = *pattern;
+    if (!array_reserve(&out->segment, &out->room, out->count + 1, sizeof *out->segment))
+        return false;
+    segment.t0 = view_to_space(v, e->A.z, e->B.z, s0);
+    segment.t1 = view_to_space(v, e->A.z, e->B.z, s1);
+    segment.p0 = (roberts_vec2){R0.x * v->unit, R0.y * v->unit};
+    segment.p1 = (roberts_vec2){R1.x * v->unit, R1.y * v->unit};
+    out->segment[out->count++] = segment;
+    return true;
+}
+
+static bool add_hidden(const job *job, hide_worker *w, chunk *out, roberts_segment pattern, const hide_edge *e,
+                       double s0, double s1, uint32_t hider)
+{
+    const view *v = &job->front.view;
+    double t = 0.5 * (view_to_space(v, e->A.z, e->B.z, s0) + view_to_space(v, e->A.z, e->B.z, s1));
+    roberts_vec3 middle = hide_edge_at(e, view_from_space(v, e->A.z, e->B.z, t));
+    pattern.state = ROBERTS_HIDDEN;
+    pattern.by = hide_seen_at(w, middle.x, middle.y);
+    if (pattern.by == ROBERTS_NONE)
+        pattern.by = hider; /* the point lies on a border and rounding has put it outside */
+    return add_segment(job, out, &pattern, e, s0, s1);
+}
+
+/* Visible segments between the hidden parts, and those too where they are wanted. */
+static bool add_edge(const job *job, hide_worker *w, chunk *out, const roberts_segment *pattern, const hide_edge *e)
+{
+    double from = 0.0;
+    for (size_t i = 0; i < w->parts.count; i++) {
+        hide_part part = w->parts.item[i].part;
+        if (part.t0 > from && !add_segment(job, out, pattern, e, from, part.t0))
+            return false;
+        if (job->options->keep_hidden &&
+            !add_hidden(job, w, out, *pattern, e, part.t0, part.t1, w->parts.item[i].solid))
+            return false;
+        from = part.t1;
+    }
+    return from >= 1.0 || add_segment(job, out, pattern, e, from, 1.0);
+}
+
+static void widen(sums *sums, roberts_vec3 P)
+{
+    sums->low = (roberts_vec2){fmin(sums->low.x, P.x), fmin(sums->low.y, P.y)};
+    sums->high = (roberts_vec2){fmax(sums->high.x, P.x), fmax(sums->high.y, P.y)};
+}
+
+/* A surviving edge has a front face. An outline (one front face) is always drawn; an edge whose two faces look the same
+ * way is not where it is flat, whether they are front or, among hidden lines, back. */
+static bool do_edge(const job *job, hide_worker *w, sums *sums, chunk *out, uint32_t solid, const scene_edge *edge)
+{
+    const roberts_scene *scene = job->scene;
+    int fronts = is_front(job, edge->f[0]) + is_front(job, edge->f[1]);
+    sums->surviving += fronts > 0;
+    if ((fronts == 0 && !job->options->keep_hidden) || (fronts != 1 && !job->options->all_edges && is_flat(job, edge)))
+        return true;
+    hide_edge e = {.A = job->front.P[edge->v[0]], .B = job->front.P[edge->v[1]], .a = edge->v[0], .b = edge->v[1]};
+    roberts_vec3 AB = vec3_sub(e.B, e.A);
+    roberts_segment pattern = {.solid = solid,
+                               .v0 = scene->number[edge->v[0]],
+                               .v1 = scene->number[edge->v[1]],
+                               .by = ROBERTS_NONE,
+                               .state = ROBERTS_VISIBLE,
+                               .line = fronts == 1   ? ROBERTS_OUTLINE
+                                       : fronts == 2 ? ROBERTS_CREASE
+                                                     : ROBERTS_BACK};
+    e.length = sqrt(AB.x * AB.x + AB.y * AB.y);
+    e.length3 = vec3_length(AB);
+    sums->drawn++;
+    widen(sums, e.A);
+    widen(sums, e.B);
+    if (fronts == 0)
+        return add_hidden(job, w, out, pattern, &e, 0.0, 1.0, solid);
+    return hide_edge_parts(w, &e, solid) && add_edge(job, w, out, &pattern, &e);
+}
+
+static bool do_chunk(const job *job, hide_worker *w, sums *sums, uint32_t index)
+{
+    const roberts_scene *scene = job->scene;
+    uint32_t first = index * CHUNK_SOLIDS;
+    uint32_t end = scene->solid_count - first < CHUNK_SOLIDS ? scene->solid_count : first + CHUNK_SOLIDS;
+    for (uint32_t s = first; s < end; s++)
+        for (uint32_t i = scene->solid[s].edge; i < scene->solid[s + 1].edge; i++)
+            if (!do_edge(job, w, sums, &job->chunk[index], s, &scene->edge[i]))
+                return false;
+    return true;
+}
+
+static void add_sums(roberts_drawing *drawing, const sums *sums, const hide_worker *w)
+{
+    roberts_tally *to = &drawing->tally;
+    const roberts_tally *from = &w->tally;
+    drawing->surviving_edges += sums->surviving;
+    drawing->drawn_edges += sums->drawn;
+    drawing->window_min.x = fmin(drawing->window_min.x, sums->low.x);
+    drawing->window_min.y = fmin(drawing->window_min.y, sums->low.y);
+    drawing->window_max.x = fmax(drawing->window_max.x, sums->high.x);
+    drawing->window_max.y = fmax(drawing->window_max.y, sums->high.y);
+    to->pairs += from->pairs;
+    to->test1_visible += from->test1_visible;
+    to->test2_visible += from->test2_visible;
+    to->test3_visible += from->test3_visible;
+    to->test3_invisible += from->test3_invisible;
+    to->test4 += from->test4;
+    to->covered += from->covered;
+    to->refined += w->sides.refined;
+}
+
+/* All chunks, by as many threads as are asked for; false: no memory. */
+static bool do_chunks(job *job, roberts_drawing *drawing)
+{
+    bool failed = false;
+#ifdef _OPENMP
+    int threads = job->options->threads ? (int)job->options->threads : omp_get_max_threads();
+#pragma omp parallel num_threads(threads)
+#endif
+    {
+        hide_worker w;
+        sums own = {.low = {INFINITY, INFINITY}, .high = {-INFINITY, -INFINITY}};
+        bool lost = !hide_worker_init(&w, &job->front, &job->grid, job->scene->solid_count);
+#ifdef _OPENMP
+#pragma omp for schedule(dynamic, 1)
+#endif
+        for (uint32_t i = 0; i < job->chunk_count; i++)
+            lost = lost || !do_chunk(job, &w, &own, i);
+#ifdef _OPENMP
+#pragma omp critical
+#endif
+        {
+            failed = failed || lost;
+            add_sums(drawing, &own, &w);
+        }
+        hide_worker_free(&w);
+    }
+    return !failed;
+}
+
+/* The chunks' segments one after another; the chunks are emptied. */
+static bool gather(job *job, roberts_drawing *drawing)
+{
+    size_t total = 0;
+    for (uint32_t i = 0; i < job->chunk_count; i++)
+        total += job->chunk[i].count;
+    drawing->segment = alloc_array(total, sizeof *drawing->segment);
+    if (!drawing->segment)
+        return false;
+    for (uint32_t i = 0; i < job->chunk_count; i++) {
+        chunk *c = &job->chunk[i];
+        if (c->count)
+            memcpy(drawing->segment + drawing->count, c->segment, c->count * sizeof *c->segment);
+        drawing->count += c->count;
+        free(c->segment);
+        *c = (chunk){0};
+    }
+    return true;
+}
+
+static roberts_time now(void)
+{
+    struct timespec wall = {0}, cpu = {0};
+    clock_gettime(CLOCK_MONOTONIC, &wall);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
+    return (roberts_time){(double)cpu.tv_sec + 1e-9 * (double)cpu.tv_nsec,
+                          (double)wall.tv_sec + 1e-9 * (double)wall.tv_nsec};
+}
+
+/* Time since *last, which becomes the present. */
+static roberts_time lap(roberts_time *last)
+{
+    roberts_time present = now(), passed = {present.cpu - last->cpu, present.wall - last->wall};
+    *last = present;
+    return passed;
+}
+
+static roberts_status check_options(const roberts_hide_options *options, roberts_error *error)
+{
+    if (!(options->crease_degrees >= 0.0) || !(options->crease_degrees <= 180.0))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "the crease angle must be between 0 and 180 degrees");
+    if (options->grid > 16384)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a grid of more than 16384 cells per side");
+    if (options->threads > 1024)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "more than 1024 threads");
+    return ROBERTS_OK;
+}
+
+static void describe(const job *job, roberts_drawing *drawing)
+{
+    const view *v = &job->front.view;
+    drawing->epsilon = v->epsilon * v->unit;
+    drawing->scene_diameter = v->diameter * v->unit;
+    drawing->grid = job->grid.n;
+    drawing->solids = job->scene->solid_count;
+    drawing->edges = job->scene->edge_count;
+    drawing->front_faces = job->front.count;
+    drawing->back_faces = job->front.back;
+    drawing->edge_on_faces = job->front.edge_on;
+    drawing->window_min = (roberts_vec2){INFINITY, INFINITY};
+    drawing->window_max = (roberts_vec2){-INFINITY, -INFINITY};
+}
+
+static void scale_window(const job *job, roberts_drawing *drawing)
+{
+    double unit = job->front.view.unit;
+    if (drawing->drawn_edges == 0)
+        drawing->window_min = drawing->window_max = (roberts_vec2){0.0, 0.0};
+    drawing->window_min = (roberts_vec2){drawing->window_min.x * unit, drawing->window_min.y * unit};
+    drawing->window_max = (roberts_vec2){drawing->window_max.x * unit, drawing->window_max.y * unit};
+}
+
+roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *camera,
+                            const roberts_hide_options *options, roberts_drawing *drawing, roberts_error *error)
+{
+    roberts_hide_options defaults = roberts_hide_options_default();
+    job job = {.scene = scene, .options = options ? options : &defaults};
+    roberts_time clock = now();
+    *drawing = (roberts_drawing){0};
+    roberts_status status = check_options(job.options, error);
+    if (status == ROBERTS_OK)
+        status = hide_front_build(&job.front, scene, camera, job.options->epsilon, error);
+    if (status != ROBERTS_OK)
+        return status;
+    const hide_front *front = &job.front;
+    if (front->view.epsilon > EPSILON_MOST * front->view.diameter && job.options->epsilon > 0.0) {
+        status = error_set(error, ROBERTS_BAD_ARGUMENT, 0, "epsilon %.6g is more than a hundredth of the scene (%.6g)",
+                           job.options->epsilon, front->view.diameter * front->view.unit);
+        goto done;
+    }
+    job.crease_chord = 2.0 * sin(job.options->crease_degrees * pi / 360.0);
+    job.crease_chord *= job.crease_chord;
+    drawing->view_time = lap(&clock);
+    uint32_t n = job.options->grid ? job.options->grid
+                                   : objet_choose(front->face, front->count, front->high.x - front->low.x,
+                                                  front->high.y - front->low.y);
+    status = objet_build(&job.grid, &front->space, front->face, front->order, front->count, n, front->low, front->high);
+    if (status != ROBERTS_OK)
+        goto done;
+    drawing->grid_time = lap(&clock);
+    describe(&job, drawing);
+    job.chunk_count = (scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
+    job.chunk = alloc_zeroed(job.chunk_count, sizeof *job.chunk);
+    status = job.chunk && do_chunks(&job, drawing) && gather(&job, drawing) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
+    scale_window(&job, drawing);
+    drawing->hide_time = lap(&clock);
+done:
+    for (uint32_t i = 0; job.chunk && i < job.chunk_count; i++)
+        free(job.chunk[i].segment);
+    free(job.chunk);
+    objet_free(&job.grid);
+    hide_front_free(&job.front);
+    if (status == ROBERTS_NO_MEMORY)
+        error_no_memory(error);
+    if (status != ROBERTS_OK)
+        roberts_drawing_free(drawing);
+    return status;
+}
+
+void roberts_drawing_free(roberts_drawing *drawing)
+{
+    if (!drawing)
+        return;
+    free(drawing->segment);
+    *drawing = (roberts_drawing){0};
+}
