@@ -22,39 +22,39 @@
 
 static const double pi = 3.14159265358979323846;
 
-typedef struct chunk {
+typedef struct hide_chunk {
     roberts_segment *segment;
     size_t count, room;
-} chunk;
+} hide_chunk;
 
-typedef struct job {
+typedef struct hide_job {
     const roberts_scene *scene;
     const roberts_hide_options *options;
     hide_front front;
     objet grid;
     double crease_chord; /* distance of two unit normals that meet at the crease angle, squared */
-    chunk *chunk;
+    hide_chunk *chunk;
     uint32_t chunk_count;
-} job;
+} hide_job;
 
 /* What one thread adds to the drawing besides its segments. */
-typedef struct sums {
+typedef struct hide_sums {
     size_t surviving, drawn;
     roberts_vec2 low, high;
-} sums;
+} hide_sums;
 
 roberts_hide_options roberts_hide_options_default(void)
 {
     return (roberts_hide_options){.crease_degrees = 0.1};
 }
 
-static bool is_front(const job *job, uint32_t face)
+static bool is_front(const hide_job *job, uint32_t face)
 {
     return face != ROBERTS_NONE && job->front.facing[face] == VIEW_FRONT;
 }
 
 /* Flatter than the crease angle; the normals of the model are compared, which perspective does not bend. */
-static bool is_flat(const job *job, const scene_edge *edge)
+static bool is_flat(const hide_job *job, const scene_edge *edge)
 {
     if (edge->f[0] == ROBERTS_NONE || edge->f[1] == ROBERTS_NONE)
         return false;
@@ -63,8 +63,8 @@ static bool is_flat(const job *job, const scene_edge *edge)
     return a * a + b * b + c * c < job->crease_chord;
 }
 
-static bool add_segment(const job *job, chunk *out, const roberts_segment *pattern, const hide_edge *e, double s0,
-                        double s1)
+static bool add_segment(const hide_job *job, hide_chunk *out, const roberts_segment *pattern, const hide_edge *e,
+                        double s0, double s1)
 {
     const view *v = &job->front.view;
     roberts_vec3 R0 = hide_edge_at(e, s0), R1 = hide_edge_at(e, s1);
@@ -79,8 +79,8 @@ static bool add_segment(const job *job, chunk *out, const roberts_segment *patte
     return true;
 }
 
-static bool add_hidden(const job *job, hide_worker *w, chunk *out, roberts_segment pattern, const hide_edge *e,
-                       double s0, double s1, uint32_t hider)
+static bool add_hidden(const hide_job *job, hide_worker *w, hide_chunk *out, roberts_segment pattern,
+                       const hide_edge *e, double s0, double s1, uint32_t hider)
 {
     const view *v = &job->front.view;
     double t = 0.5 * (view_to_space(v, e->A.z, e->B.z, s0) + view_to_space(v, e->A.z, e->B.z, s1));
@@ -93,7 +93,8 @@ static bool add_hidden(const job *job, hide_worker *w, chunk *out, roberts_segme
 }
 
 /* Visible segments between the hidden parts, and those too where they are wanted. */
-static bool add_edge(const job *job, hide_worker *w, chunk *out, const roberts_segment *pattern, const hide_edge *e)
+static bool add_edge(const hide_job *job, hide_worker *w, hide_chunk *out, const roberts_segment *pattern,
+                     const hide_edge *e)
 {
     double from = 0.0;
     for (size_t i = 0; i < w->parts.count; i++) {
@@ -108,7 +109,7 @@ static bool add_edge(const job *job, hide_worker *w, chunk *out, const roberts_s
     return from >= 1.0 || add_segment(job, out, pattern, e, from, 1.0);
 }
 
-static void widen(sums *sums, roberts_vec3 P)
+static void widen(hide_sums *sums, roberts_vec3 P)
 {
     sums->low = (roberts_vec2){fmin(sums->low.x, P.x), fmin(sums->low.y, P.y)};
     sums->high = (roberts_vec2){fmax(sums->high.x, P.x), fmax(sums->high.y, P.y)};
@@ -116,7 +117,8 @@ static void widen(sums *sums, roberts_vec3 P)
 
 /* A surviving edge has a front face. An outline (one front face) is always drawn; an edge whose two faces look the same
  * way is not where it is flat, whether they are front or, among hidden lines, back. */
-static bool do_edge(const job *job, hide_worker *w, sums *sums, chunk *out, uint32_t solid, const scene_edge *edge)
+static bool do_edge(const hide_job *job, hide_worker *w, hide_sums *sums, hide_chunk *out, uint32_t solid,
+                    const scene_edge *edge)
 {
     const roberts_scene *scene = job->scene;
     int fronts = is_front(job, edge->f[0]) + is_front(job, edge->f[1]);
@@ -143,7 +145,7 @@ static bool do_edge(const job *job, hide_worker *w, sums *sums, chunk *out, uint
     return hide_edge_parts(w, &e, solid) && add_edge(job, w, out, &pattern, &e);
 }
 
-static bool do_chunk(const job *job, hide_worker *w, sums *sums, uint32_t index)
+static bool do_chunk(const hide_job *job, hide_worker *w, hide_sums *sums, uint32_t index)
 {
     const roberts_scene *scene = job->scene;
     uint32_t first = index * CHUNK_SOLIDS;
@@ -155,7 +157,7 @@ static bool do_chunk(const job *job, hide_worker *w, sums *sums, uint32_t index)
     return true;
 }
 
-static void add_sums(roberts_drawing *drawing, const sums *sums, const hide_worker *w)
+static void add_sums(roberts_drawing *drawing, const hide_sums *sums, const hide_worker *w)
 {
     roberts_tally *to = &drawing->tally;
     const roberts_tally *from = &w->tally;
@@ -176,7 +178,7 @@ static void add_sums(roberts_drawing *drawing, const sums *sums, const hide_work
 }
 
 /* All chunks, by as many threads as are asked for; false: no memory. */
-static bool do_chunks(job *job, roberts_drawing *drawing)
+static bool do_chunks(hide_job *job, roberts_drawing *drawing)
 {
     bool failed = false;
 #ifdef _OPENMP
@@ -185,7 +187,7 @@ static bool do_chunks(job *job, roberts_drawing *drawing)
 #endif
     {
         hide_worker w;
-        sums own = {.low = {INFINITY, INFINITY}, .high = {-INFINITY, -INFINITY}};
+        hide_sums own = {.low = {INFINITY, INFINITY}, .high = {-INFINITY, -INFINITY}};
         bool lost = !hide_worker_init(&w, &job->front, &job->grid, job->scene->solid_count);
 #ifdef _OPENMP
 #pragma omp for schedule(dynamic, 1)
@@ -205,7 +207,7 @@ static bool do_chunks(job *job, roberts_drawing *drawing)
 }
 
 /* The chunks' segments one after another; the chunks are emptied. */
-static bool gather(job *job, roberts_drawing *drawing)
+static bool gather(hide_job *job, roberts_drawing *drawing)
 {
     size_t total = 0;
     for (uint32_t i = 0; i < job->chunk_count; i++)
@@ -214,12 +216,12 @@ static bool gather(job *job, roberts_drawing *drawing)
     if (!drawing->segment)
         return false;
     for (uint32_t i = 0; i < job->chunk_count; i++) {
-        chunk *c = &job->chunk[i];
+        hide_chunk *c = &job->chunk[i];
         if (c->count)
             memcpy(drawing->segment + drawing->count, c->segment, c->count * sizeof *c->segment);
         drawing->count += c->count;
         free(c->segment);
-        *c = (chunk){0};
+        *c = (hide_chunk){0};
     }
     return true;
 }
@@ -252,7 +254,7 @@ static roberts_status check_options(const roberts_hide_options *options, roberts
     return ROBERTS_OK;
 }
 
-static void describe(const job *job, roberts_drawing *drawing)
+static void describe(const hide_job *job, roberts_drawing *drawing)
 {
     const view *v = &job->front.view;
     drawing->epsilon = v->epsilon * v->unit;
@@ -267,7 +269,7 @@ static void describe(const job *job, roberts_drawing *drawing)
     drawing->window_max = (roberts_vec2){-INFINITY, -INFINITY};
 }
 
-static void scale_window(const job *job, roberts_drawing *drawing)
+static void scale_window(const hide_job *job, roberts_drawing *drawing)
 {
     double unit = job->front.view.unit;
     if (drawing->drawn_edges == 0)
@@ -280,7 +282,7 @@ roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *ca
                             const roberts_hide_options *options, roberts_drawing *drawing, roberts_error *error)
 {
     roberts_hide_options defaults = roberts_hide_options_default();
-    job job = {.scene = scene, .options = options ? options : &defaults};
+    hide_job job = {.scene = scene, .options = options ? options : &defaults};
     roberts_time clock = now();
     *drawing = (roberts_drawing){0};
     roberts_status status = check_options(job.options, error);
