@@ -21,8 +21,9 @@ CMOCKA_LIBS  = $(shell pkg-config --libs cmocka)
 LIB_SRC  := $(sort $(wildcard $(foreach room,base model view hide ray draw,src/$(room)/*.c)))
 CLI_SRC  := $(sort $(wildcard src/cli/*.c))
 TOOL_SRC := $(sort $(wildcard tools/*.c))
+MODEL_SRC := $(sort $(wildcard tools/models/*.c))
 TEST_SRC := $(sort $(wildcard tests/test_*.c))
-C_SRC    := $(LIB_SRC) $(CLI_SRC) $(TOOL_SRC) $(TEST_SRC)
+C_SRC    := $(LIB_SRC) $(CLI_SRC) $(TOOL_SRC) $(MODEL_SRC) $(TEST_SRC)
 object    = $(1:%.c=$(BUILD)/obj/%.o)
 TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
 TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
@@ -42,6 +43,9 @@ check: ## builds everything, runs all tests
 all: $(BUILD)/roberts $(BUILD)/libroberts.a ## the program and the library (what `make` alone does)
 
 tools: $(TOOL_BIN) ## what helps to build and measure, to build/tools/
+
+models: $(BUILD)/tools/make-models ## the files of models/, anew
+	$< --all models
 
 drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
 	@echo "drawn: $(sort $^)"
@@ -72,6 +76,8 @@ $(TOOL_BIN): $(BUILD)/%: $(BUILD)/obj/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
 	$(LINK) $(CAIRO_LIBS) -lm
 
+$(BUILD)/tools/make-models: $(call object,$(MODEL_SRC))
+
 $(TEST_BIN): $(BUILD)/%: $(BUILD)/obj/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
 	$(LINK) $(CMOCKA_LIBS) $(CAIRO_LIBS) -lm
@@ -98,7 +104,7 @@ $(BUILD)/locale/de_DE.UTF-8:
 	-@localedef -i de_DE -f UTF-8 $@ 2>/dev/null || echo "no locale de_DE.UTF-8: its tests are skipped"
 
 # Static checks, warnings as errors
-C_FILES  = $(wildcard include/*.h src/*/*.[ch] tools/*.[ch] tests/*.[ch] tests/*/*.[ch] tests/*/*.cpp)
+C_FILES  = $(wildcard include/*.h src/*/*.[ch] tools/*.[ch] tools/*/*.[ch] tests/*.[ch] tests/*/*.[ch] tests/*/*.cpp)
 CPUS     = $(shell nproc 2>/dev/null || echo 1)
 lint-format:
 	clang-format --dry-run -Werror $(C_FILES)
@@ -114,7 +120,7 @@ lint-cppcheck:
 	cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
-.PHONY: all demo check tools drawings test test-sanitize lint lint-format lint-tidy lint-cppcheck clean help force
+.PHONY: all demo check tools models drawings test test-sanitize lint lint-format lint-tidy lint-cppcheck clean help force
 .SECONDARY:
 .DELETE_ON_ERROR:
 -include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC))

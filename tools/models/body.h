@@ -1,0 +1,69 @@
+/* body.h - a model while it is made: vertices and faces of one solid or of several.
+ *
+ * Invariants: faces run counter-clockwise seen from outside; corners are vertex numbers below vertex_count; solids share
+ * no vertex. A zeroed body is an empty one. Running out of memory ends the program: a generator has nothing to save. */
+#ifndef MODELS_BODY_H
+#define MODELS_BODY_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/vec.h"
+
+typedef struct body {
+    size_t vertex_count, face_count, corner_count;
+    roberts_vec3 *vertex;
+    uint32_t *face_end; /* face f has the corners corner[face_end[f - 1]] .. corner[face_end[f] - 1] */
+    uint32_t *corner;
+    size_t vertex_room, face_room, corner_room;
+} body;
+
+/* x -> m x + shift; m is a rotation times a scale. */
+typedef struct motion {
+    double m[3][3];
+    roberts_vec3 shift;
+} motion;
+
+/* Adds a vertex; returns its number. A negative zero becomes zero. */
+uint32_t body_vertex(body *b, double x, double y, double z);
+
+/* Adds a face with the given vertices. */
+void body_face(body *b, const uint32_t *corner, size_t count);
+
+/* The same corner by corner. */
+void body_corner(body *b, uint32_t vertex);
+void body_end_face(body *b);
+
+/* First corner of face f, as a position in corner[]; that of face face_count is the end of the last one. */
+size_t body_face_start(const body *b, size_t f);
+
+/* Twice the vector area of face f: points outward. */
+roberts_vec3 body_face_normal(const body *b, size_t f);
+
+/* Adds a moved copy of `part`. */
+void body_add(body *b, const body *part, motion move);
+
+/* Empties, keeping the memory; releases. */
+void body_clear(body *b);
+void body_free(body *b);
+
+/* ---- simple solids, each with its top face first ------------------------------------------------------------- */
+
+/* The box between two corners, lo < hi. */
+void body_box(body *b, roberts_vec3 lo, roberts_vec3 hi);
+
+/* The same box turned about the vertical through its middle by the angle of the vector (c, s), c^2 + s^2 = 1. */
+void body_turned_box(body *b, roberts_vec3 lo, roberts_vec3 hi, double c, double s);
+
+/* The pyramid over the rectangle lo.x..hi.x, lo.y..hi.y at height lo.z, its apex over the middle at hi.z. */
+void body_pyramid(body *b, roberts_vec3 lo, roberts_vec3 hi);
+
+/* The tetrahedron with these corners, in any order. */
+void body_tetrahedron(body *b, roberts_vec3 p0, roberts_vec3 p1, roberts_vec3 p2, roberts_vec3 p3);
+
+static inline roberts_vec3 vec3(double x, double y, double z)
+{
+    return (roberts_vec3){x, y, z};
+}
+
+#endif

@@ -1,0 +1,341 @@
+/* large.c - scenes of any size, up to millions of solids.
+ *
+ * Solid `index` of a scene is made from the scene's arguments and its index alone, with a random stream of its own, so
+ * the writer makes every solid three times (to count, for its vertices, for its faces) and keeps none. Solids of one
+ * scene are disjoint or touch in faces, unless the scene says otherwise. */
+#include <inttypes.h>
+
+#include "exact.h"
+#include "models.h"
+#include "off.h"
+#include "uniform.h"
+
+/* The arguments of a scene, and solids that it is made of, centred at the origin. */
+typedef struct plan {
+    uint64_t n, seed;
+    body tetrahedron, cube, octahedron;
+} plan;
+
+static uint64_t one_each(uint64_t n)
+{
+    return n;
+}
+
+/* The greatest integer whose square is at most n < 2^52. */
+static uint64_t integer_root(uint64_t n)
+{
+    return (uint64_t)sqrt((double)n);
+}
+
+/* ---- lattice ------------------------------------------------------------------------------------------------------ */
+
+static uint64_t cube_of(uint64_t n)
+{
+    return n * n * n;
+}
+
+/* A tetrahedron, cube or octahedron within a ball of radius 7/16 in each cell. */
+static void lattice_solid(body *b, const plan *p, uint64_t index)
+{
+    uint64_t n = p->n, x = index % n, y = index / n % n, z = index / n / n;
+    rng r = rng_of(p->seed, index);
+    int64_t kind = rng_between(&r, 0, 2);
+    roberts_vec3 middle = {(double)x + 0.5, (double)y + 0.5, (double)z + 0.5};
+    if (kind == 0)
+        body_add(b, &p->tetrahedron, rng_turn(&r, 0.25, middle));
+    else if (kind == 1)
+        body_add(b, &p->cube, rng_turn(&r, 0.25, middle));
+    else
+        body_add(b, &p->octahedron, rng_turn(&r, 0.4375, middle));
+}
+
+/* ---- city --------------------------------------------------------------------------------------------------------- */
+
+/* n x n blocks of 12 x 12 with streets of 4 between them, four solids in each. */
+static uint64_t city_count(uint64_t n)
+{
+    return 4 * n * n;
+}
+
+/* Bounds of the height of buildings in a block: the nearer the middle, the higher. */
+static int64_t city_height(uint64_t n, uint64_t column, uint64_t row)
+{
+    int64_t dx = 2 * (int64_t)column + 1 - (int64_t)n, dy = 2 * (int64_t)row + 1 - (int64_t)n, N = (int64_t)n;
+    return 5 + 22 * N * N / (N * N + 6 * (dx * dx + dy * dy));
+}
+
+/* Four storeys, each standing on the one below and set back from its walls. */
+static void tower_tier(body *b, rng *r, roberts_vec3 at, int64_t height, uint64_t tier)
+{
+    double lo = 0, hi = 12, z0 = 0, z1 = 0;
+    for (uint64_t i = 0; i <= tier; i++) {
+        lo += 0.5 * (double)rng_between(r, 1, i ? 3 : 2);
+        hi -= 0.5 * (double)rng_between(r, 1, i ? 3 : 2);
+        z0 = z1;
+        z1 += (double)rng_between(r, 2 + height / 4, 2 + height / 2);
+    }
+    body_box(b, vec3_add(at, vec3(lo, lo, z0)), vec3_add(at, vec3(hi, hi, z1)));
+}
+
+/* Four houses, or four wings that touch around a courtyard. */
+static void quarter(body *b, rng *r, roberts_vec3 at, int64_t height, uint64_t index, bool wings)
+{
+    static const double house[4][4] = {{0, 0, 5, 5}, {7, 0, 12, 5}, {0, 7, 5, 12}, {7, 7, 12, 12}};
+    static const double wing[4][4] = {{0, 0, 9, 3}, {9, 0, 12, 9}, {3, 9, 12, 12}, {0, 3, 3, 12}};
+    const double *q = wings ? wing[index] : house[index];
+    double z = 0;
+    for (uint64_t i = 0; i <= index; i++)
+        z = (double)rng_between(r, 2, 2 + height / 2);
+    body_box(b, vec3_add(at, vec3(q[0], q[1], 0)), vec3_add(at, vec3(q[2], q[3], z)));
+}
+
+/* A low storey over the whole block; on it two towers, one with a pyramid for its roof. */
+static void podium_part(body *b, rng *r, roberts_vec3 at, int64_t height, uint64_t index)
+{
+    double base = (double)rng_between(r, 2, 3), side = (double)rng_between(r, 5, 8);
+    double tall = base + (double)rng_between(r, height / 2, height), low = base + (double)rng_between(r, 2, height / 2);
+    roberts_vec3 lo[4] = {{0, 0, 0}, {1, 1, base}, {1, 1, tall}, {side + 2, 1, base}};
+    roberts_vec3 hi[4] = {{12, 12, base}, {1 + side, 11, tall}, {1 + side, 11, tall + 3}, {11.5, 8, low}};
+    if (index == 2)
+        body_pyramid(b, vec3_add(at, lo[index]), vec3_add(at, hi[index]));
+    else
+        body_box(b, vec3_add(at, lo[index]), vec3_add(at, hi[index]));
+}
+
+static void city_solid(body *b, const plan *p, uint64_t index)
+{
+    uint64_t block = index / 4, column = block % p->n, row = block / p->n;
+    rng r = rng_of(p->seed, block);
+    roberts_vec3 at = {16 * (double)column, 16 * (double)row, 0};
+    int64_t height = city_height(p->n, column, row), kind = rng_between(&r, 0, 5);
+    if (kind < 2)
+        tower_tier(b, &r, at, height, index % 4);
+    else if (kind < 4)
+        quarter(b, &r, at, height, index % 4, kind == 2);
+    else
+        podium_part(b, &r, at, height, index % 4);
+}
+
+/* ---- wall --------------------------------------------------------------------------------------------------------- */
+
+/* Bricks of 4 x 2 x 1 in running bond: courses of `width` whole bricks in turn with courses that have a half brick at
+ * either end. About four times as long as three times its height. */
+static void wall_solid(body *b, const plan *p, uint64_t index)
+{
+    uint64_t width = integer_root(p->n / 3), pair, i;
+    double x0, x1, z;
+    width = width ? width : 1;
+    pair = index / (2 * width + 1);
+    i = index % (2 * width + 1);
+    z = 2 * (double)pair + (i < width ? 0 : 1);
+    if (i < width) {
+        x0 = 4 * (double)i;
+        x1 = x0 + 4;
+    } else {
+        i -= width;
+        x0 = i ? 4 * (double)i - 2 : 0;
+        x1 = i < width ? 4 * (double)i + 2 : 4 * (double)width;
+    }
+    body_box(b, vec3(x0, 0, z), vec3(x1, 2, z + 1));
+}
+
+/* ---- heaps -------------------------------------------------------------------------------------------------------- */
+
+/* A plate at a random place, turned about the vertical, each above all before it; some nine lie over one another
+ * everywhere. The heap is half as high as wide. */
+static void plates_solid(body *b, const plan *p, uint64_t index)
+{
+    rng r = rng_of(p->seed, index);
+    double side = sqrt((double)p->n), x = side * rng_unit(&r), y = side * rng_unit(&r);
+    double u = 1 + rng_unit(&r), v = 1 + rng_unit(&r), rise = side / (double)(2 * p->n), z = rise * (double)index;
+    roberts_vec2 a = half_angle(2 * rng_unit(&r) - 1);
+    body_turned_box(b, vec3(x - u, y - v, z), vec3(x + u, y + v, z + rise / 2), a.x, a.y);
+}
+
+/* Boxes over one another on the z axis, turned and of different width: from the top, all in the same few cells. */
+static void stack_solid(body *b, const plan *p, uint64_t index)
+{
+    rng r = rng_of(p->seed, index);
+    double u = 1 + rng_unit(&r), v = 1 + rng_unit(&r), z = (double)index;
+    roberts_vec2 a = half_angle(2 * rng_unit(&r) - 1);
+    body_turned_box(b, vec3(-u, -v, z), vec3(u, v, z + 0.5), a.x, a.y);
+}
+
+/* Sticks as long as the picture, one over the other, in all directions. */
+static void needles_solid(body *b, const plan *p, uint64_t index)
+{
+    rng r = rng_of(p->seed, index);
+    double side = (double)p->n, x = side * (rng_unit(&r) - 0.5), y = side * (rng_unit(&r) - 0.5), z = (double)index;
+    roberts_vec2 a = half_angle(2 * rng_unit(&r) - 1);
+    body_turned_box(b, vec3(x - side, y - 0.25, z), vec3(x + side, y + 0.25, z + 0.5), a.x, a.y);
+}
+
+/* One slab, and under it n small boxes on a square grid. */
+static uint64_t ground_count(uint64_t n)
+{
+    return n + 1;
+}
+
+static void ground_solid(body *b, const plan *p, uint64_t index)
+{
+    uint64_t width = integer_root(p->n - 1) + 1, column = (index - 1) % width, row = (index - 1) / width;
+    double x = 2 * (double)column + 1, y = 2 * (double)row + 1, side = 2 * (double)width + 1, deep;
+    rng r = rng_of(p->seed, index);
+    if (index == 0) {
+        body_box(b, vec3(0, 0, 0), vec3(side, side, 1));
+        return;
+    }
+    deep = (double)rng_between(&r, 1, 4);
+    body_box(b, vec3(x, y, -1 - deep), vec3(x + 1, y + 1, -1));
+}
+
+/* The same turned cube n times at the same place. */
+static void copies_solid(body *b, const plan *p, uint64_t index)
+{
+    (void)index;
+    body_add(b, &p->cube, turn(7, 1, 2, 3, 1, vec3(0, 0, 0)));
+}
+
+/* ---- single solids ------------------------------------------------------------------------------------------------ */
+
+static uint64_t single(uint64_t n)
+{
+    (void)n;
+    return 1;
+}
+
+static void prism_solid(body *b, const plan *p, uint64_t index)
+{
+    (void)index;
+    prism_make(b, (uint32_t)p->n);
+}
+
+static void antiprism_solid(body *b, const plan *p, uint64_t index)
+{
+    (void)index;
+    antiprism_make(b, (uint32_t)p->n);
+}
+
+/* Twice as many meridians as zones: about n faces. */
+static void sphere_solid(body *b, const plan *p, uint64_t index)
+{
+    uint64_t rings = integer_root(p->n / 2);
+    (void)index;
+    rings = rings < 2 ? 2 : rings;
+    globe_make(b, (uint32_t)rings, (uint32_t)(2 * rings));
+}
+
+/* ---- the table, and writing --------------------------------------------------------------------------------------- */
+
+typedef uint64_t count_fn(uint64_t n);
+typedef void solid_fn(body *b, const plan *p, uint64_t index); /* adds solid `index` */
+
+static const struct {
+    family family;
+    count_fn *count;
+    solid_fn *solid;
+} families[] = {
+    {{"lattice", "N [SEED]",
+      "Lattice of N^3 tetrahedra, cubes and octahedra, one in each unit cell, each at a random turn (a rational one).",
+      1, 200, true},
+     cube_of,
+     lattice_solid},
+    {{"city", "N [SEED]",
+      "City of N x N blocks between streets, four solids to a block: setback towers, houses, courtyards of four wings\n"
+      "that touch, podiums with towers on them. Heights and kinds are random.",
+      1, 2000, true},
+     city_count,
+     city_solid},
+    {{"wall", "N", "Brick wall, N bricks of 4 x 2 x 1 in running bond, without gaps.", 1, 50000000, false},
+     one_each,
+     wall_solid},
+    {{"plates", "N [SEED]",
+      "Heap of N thin plates at random places and turned at random about the vertical, each over all before it.", 1,
+      50000000, true},
+     one_each,
+     plates_solid},
+    {{"stack", "N [SEED]",
+      "Stack of N boxes along the z axis, of random width and turn; from the top they all lie behind one another.", 1,
+      50000000, true},
+     one_each,
+     stack_solid},
+    {{"needles", "N [SEED]", "N long sticks over one another in random directions, each across the whole picture.", 1,
+      50000000, true},
+     one_each,
+     needles_solid},
+    {{"ground", "N [SEED]", "One slab with N small boxes hanging under it; from below, N boxes before one large face.",
+      1, 50000000, true},
+     ground_count,
+     ground_solid},
+    {{"copies", "N", "N copies of one cube in the same place.", 1, 50000000, false}, one_each, copies_solid},
+    {{"sphere", "N", "Ball of about N faces: parallels and meridians.", 8, 10000000, false}, single, sphere_solid},
+    {{"prism", "N", "Uniform prism over the regular N-gon: circumradius of the N-gon 1, side faces squares.", 3,
+      1000000, false},
+     single,
+     prism_solid},
+    {{"antiprism", "N",
+      "Uniform antiprism over the regular N-gon: circumradius of the N-gon 1, side faces equilateral triangles.", 3,
+      1000000, false},
+     single,
+     antiprism_solid},
+};
+
+size_t family_count(void)
+{
+    return sizeof families / sizeof *families;
+}
+
+const family *family_at(size_t i)
+{
+    return &families[i].family;
+}
+
+/* What "N" and "N^3" are in this scene: the comment of the file with its arguments. */
+static void describe(size_t i, uint64_t n, uint64_t seed, char *text, size_t size)
+{
+    const family *f = &families[i].family;
+    char arguments[48] = "";
+    if (f->seeded)
+        snprintf(arguments, sizeof arguments, " %" PRIu64, seed);
+    snprintf(text, size, "%s\nMade by make-models %s %" PRIu64 "%s: N = %" PRIu64 ".", f->about, f->name, n, arguments,
+             n);
+}
+
+/* Makes every solid in turn into the empty body `b` and hands it to the writer's `pass`: 0 counts, 1 writes vertices, 2
+ * writes faces. */
+static void run_pass(size_t i, const plan *p, int pass, off_writer *w, uint64_t *vertices, uint64_t *faces)
+{
+    uint64_t count = families[i].count(p->n);
+    body b = {0};
+    *vertices = *faces = 0;
+    for (uint64_t k = 0; k < count; k++, body_clear(&b)) {
+        families[i].solid(&b, p, k);
+        if (pass == 1)
+            off_vertices(w, &b);
+        else if (pass == 2)
+            off_faces(w, &b, *vertices);
+        *vertices += b.vertex_count;
+        *faces += b.face_count;
+    }
+    body_free(&b);
+}
+
+bool family_write(size_t i, uint64_t n, uint64_t seed, FILE *file)
+{
+    static off_writer w; /* too large for some stacks */
+    plan p = {.n = n, .seed = seed};
+    uint64_t vertices, faces;
+    char comment[512];
+    uniform_make(&p.tetrahedron, TETRAHEDRON);
+    uniform_make(&p.cube, CUBE);
+    uniform_make(&p.octahedron, OCTAHEDRON);
+    describe(i, n, seed, comment, sizeof comment);
+    run_pass(i, &p, 0, &w, &vertices, &faces);
+    off_begin(&w, file, comment, vertices, faces);
+    run_pass(i, &p, 1, &w, &vertices, &faces);
+    run_pass(i, &p, 2, &w, &vertices, &faces);
+    body_free(&p.tetrahedron);
+    body_free(&p.cube);
+    body_free(&p.octahedron);
+    return off_end(&w);
+}

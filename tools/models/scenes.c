@@ -1,0 +1,187 @@
+/* scenes.c - the scenes that are looked at. What stands on something stands on it exactly: heights are integers or
+ * halves, and the lowest face of a turned solid is given its height. */
+#include "exact.h"
+#include "models.h"
+#include "uniform.h"
+
+/* ---- cubes -------------------------------------------------------------------------------------------------------- */
+
+static void cube_behind_cube(body *b)
+{
+    body_box(b, vec3(0, 0, 0), vec3(4, 4, 4));
+    body_box(b, vec3(-5, 3, -1), vec3(-1, 7, 3));
+}
+
+static void cube_hidden_by_cube(body *b)
+{
+    body_box(b, vec3(0, 0, 0), vec3(4, 4, 4));
+    body_box(b, vec3(-6, 6, -6), vec3(-2, 10, -2));
+}
+
+/* The turn of a cube by a sixth about its diagonal, the quaternion 3 + i + j + k, is a matrix of thirds. */
+static void interpenetrating_cubes(body *b)
+{
+    body cube = {0};
+    body_box(&cube, vec3(-3, -3, -3), vec3(3, 3, 3));
+    body_add(b, &cube, turn(1, 0, 0, 0, 1, vec3(0, 0, 0)));
+    body_add(b, &cube, turn(3, 1, 1, 1, 1, vec3(0, 0, 0)));
+    body_free(&cube);
+}
+
+/* A cube turned by an eighth about each of its three axes: its corners are (+-1, 0, +-sqrt 2), (+-1, +-sqrt 2, 0) and
+ * their cyclic permutations. */
+static void three_cubes(body *b)
+{
+    double h = sqrt(0.5);
+    body cube = {0};
+    motion axis[3] = {{{{1, 0, 0}, {0, h, -h}, {0, h, h}}, {0, 0, 0}},
+                      {{{h, 0, h}, {0, 1, 0}, {-h, 0, h}}, {0, 0, 0}},
+                      {{{h, -h, 0}, {h, h, 0}, {0, 0, 1}}, {0, 0, 0}}};
+    uniform_make(&cube, CUBE);
+    for (int i = 0; i < 3; i++)
+        body_add(b, &cube, axis[i]);
+    body_free(&cube);
+}
+
+/* The second tetrahedron is the first turned by a quarter. */
+static void stella_octangula(body *b)
+{
+    body tetrahedron = {0};
+    uniform_make(&tetrahedron, TETRAHEDRON);
+    body_add(b, &tetrahedron, turn(1, 0, 0, 0, 1, vec3(0, 0, 0)));
+    body_add(b, &tetrahedron, turn(1, 0, 0, 1, 1, vec3(0, 0, 0)));
+    body_free(&tetrahedron);
+}
+
+/* ---- things that stand on one another ----------------------------------------------------------------------------- */
+
+/* A flight away from the viewer, a landing, a second flight to the left; every step is a block down to the floor. */
+static void staircase(body *b)
+{
+    for (int i = 0; i < 8; i++)
+        body_box(b, vec3(0, 2 * i, 0), vec3(8, 2 * i + 2, i + 1));
+    body_box(b, vec3(0, 16, 0), vec3(8, 24, 8));
+    for (int i = 0; i < 6; i++)
+        body_box(b, vec3(-2 * i - 2, 16, 0), vec3(-2 * i, 24, 9 + i));
+}
+
+/* Cubes of 2 in layers of 4 x 4, 3 x 3, 2 x 2, each over the joints of the one below, and a pyramid. */
+static void stacked_blocks(body *b)
+{
+    for (int layer = 0; layer < 3; layer++)
+        for (int i = 0; i < 4 - layer; i++)
+            for (int j = 0; j < 4 - layer; j++) {
+                roberts_vec3 lo = {2 * i + layer, 2 * j + layer, 2 * layer};
+                body_box(b, lo, vec3_add(lo, vec3(2, 2, 2)));
+            }
+    body_pyramid(b, vec3(3, 3, 6), vec3(5, 5, 8));
+}
+
+/* Each floor is turned by 2 atan(1/24), about 4.8 degrees, against the one below. */
+static void tower(body *b)
+{
+    roberts_vec2 step = half_angle(1.0 / 24), a = {1, 0};
+    body_box(b, vec3(-6, -6, -1), vec3(6, 6, 0));
+    for (int i = 0; i < 24; i++) {
+        body_turned_box(b, vec3(-4, -4, i), vec3(4, 4, i + 1), a.x, a.y);
+        a = (roberts_vec2){a.x * step.x - a.y * step.y, a.x * step.y + a.y * step.x};
+    }
+}
+
+/* ---- the table ---------------------------------------------------------------------------------------------------- */
+
+/* Adds `part` scaled, standing on its face f with the middle of that face at `at`, the corner that comes first in it in
+ * the direction of (c, s). The corners of the face get the height of `at` itself, so that it lies in that plane. */
+static void stand(body *b, const body *part, size_t f, double scale, roberts_vec3 at, roberts_vec2 direction)
+{
+    size_t first = body_face_start(part, f), count = part->face_end[f] - first, base = b->vertex_count;
+    roberts_vec3 middle = {0}, down = body_face_normal(part, f), u, v, w = vec3_scale(-1 / vec3_length(down), down);
+    motion move;
+    for (size_t i = 0; i < count; i++)
+        middle = vec3_add(middle, vec3_scale(1.0 / (double)count, part->vertex[part->corner[first + i]]));
+    u = vec3_sub(part->vertex[part->corner[first]], middle);
+    u = vec3_scale(1 / vec3_length(u), u);
+    v = vec3_cross(w, u);
+    roberts_vec3 x = vec3_sub(vec3_scale(direction.x, u), vec3_scale(direction.y, v));
+    roberts_vec3 y = vec3_add(vec3_scale(direction.y, u), vec3_scale(direction.x, v));
+    move =
+        (motion){{{scale * x.x, scale * x.y, scale * x.z},
+                  {scale * y.x, scale * y.y, scale * y.z},
+                  {scale * w.x, scale * w.y, scale * w.z}},
+                 vec3_sub(at, vec3_scale(scale, vec3(vec3_dot(x, middle), vec3_dot(y, middle), vec3_dot(w, middle))))};
+    body_add(b, part, move);
+    for (size_t i = 0; i < count; i++)
+        b->vertex[base + part->corner[first + i]].z = at.z;
+}
+
+/* The first face of `part` with this many corners. */
+static size_t face_of(const body *part, size_t corners)
+{
+    size_t f = 0;
+    while (f + 1 < part->face_count && part->face_end[f] - body_face_start(part, f) != corners)
+        f++;
+    return f;
+}
+
+static void stand_uniform(body *b, int solid, size_t corners, double scale, roberts_vec3 at, roberts_vec2 direction)
+{
+    body part = {0};
+    uniform_make(&part, solid);
+    stand(b, &part, face_of(&part, corners), scale, at, direction);
+    body_free(&part);
+}
+
+/* A column or cone over a regular polygon, standing at `at`. */
+static void stand_round(body *b, bool pointed, uint32_t n, double radius, double height, roberts_vec3 at)
+{
+    body part = {0};
+    (pointed ? cone_make : column_make)(&part, n, radius, 0, height);
+    body_add(b, &part, turn(1, 0, 0, 0, 1, at));
+    body_free(&part);
+}
+
+static void table(body *b)
+{
+    const double T = 20; /* height of the table's top */
+    body_box(b, vec3(0, 0, T - 1), vec3(36, 24, T));
+    for (int i = 0; i < 4; i++) {
+        double x = i % 2 ? 33 : 1, y = i / 2 ? 21 : 1;
+        body_box(b, vec3(x, y, 0), vec3(x + 2, y + 2, T - 1));
+    }
+    body_box(b, vec3(3, 1.5, T - 4), vec3(33, 2.5, T - 1)); /* the frame, between the legs */
+    body_box(b, vec3(3, 21.5, T - 4), vec3(33, 22.5, T - 1));
+    body_box(b, vec3(1.5, 3, T - 4), vec3(2.5, 21, T - 1));
+    body_box(b, vec3(33.5, 3, T - 4), vec3(34.5, 21, T - 1));
+
+    stand_uniform(b, TRUNCATED_ICOSAHEDRON, 6, 0.75, vec3(18, 15, T), half_angle(0.25));
+    stand_round(b, false, 12, 2, 4, vec3(28, 18, T));
+}
+
+static const scene scenes[] = {
+    {"cube-behind-cube", "A cube behind a cube: the corner and parts of the edges of the farther one are hidden.",
+     cube_behind_cube},
+    {"cube-hidden-by-cube",
+     "A cube exactly behind a cube of the same size, as seen from (1, -1, 1) (--view iso): it is hidden altogether.",
+     cube_hidden_by_cube},
+    {"interpenetrating-cubes",
+     "Two cubes through one another, the second turned by 60 degrees about a diagonal; all coordinates are integers.",
+     interpenetrating_cubes},
+    {"three-cubes", "Three cubes through one another, each turned by 45 degrees about one of the axes.", three_cubes},
+    {"stella-octangula", "Two tetrahedra through one another, the corners of a cube.", stella_octangula},
+    {"staircase", "A staircase of two flights with a landing, of blocks that touch.", staircase},
+    {"stacked-blocks", "A pyramid of 29 cubes that touch, each layer over the joints of the one below, and its tip.",
+     stacked_blocks},
+    {"tower",
+     "A tower of 24 square floors, each turned against the one below by the angle whose half has tangent 1/24.", tower},
+    {"table", "A table, made of boxes that touch, and solids that stand on it exactly.", table},
+};
+
+size_t scene_count(void)
+{
+    return sizeof scenes / sizeof *scenes;
+}
+
+const scene *scene_at(size_t i)
+{
+    return &scenes[i];
+}
