@@ -7,6 +7,15 @@
 
 #include <stdint.h>
 
+/* For the few functions whose inlining, or not, was measured to matter. */
+#if defined(__GNUC__)
+#define BITS_INLINE static inline __attribute__((__always_inline__))
+#define BITS_RARE __attribute__((__noinline__, __cold__))
+#else
+#define BITS_INLINE static inline
+#define BITS_RARE
+#endif
+
 /* Zero bits above the highest one. word != 0. */
 static inline int bits_leading_zeros_plain(uint64_t word)
 {

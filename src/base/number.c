@@ -1,20 +1,22 @@
 /* number.c - decimal text to the nearest double.
  *
  * A number is w * 10^q with w < 2^64 for up to 19 digits. Its double needs 53 bits of w * 10^q and, to round, to know
- * on which side of the middle between two doubles the rest lies. One product of w with the upper half of 10^q's 128
- * bits bounds w * 10^q within one unit of 2^-63 of itself, which decides all but one number in a thousand; the product
- * with the lower half decides those, but for exact middles. Where even that leaves the middle possible, and where the
- * result is no normal double, strtod() reads the text again in the "C" locale.
+ * on which side of the middle between two doubles the rest lies. The product of w with the upper half of 10^q's 128
+ * bits is low by less than one unit of its own upper half, which decides all but one number in some hundred; the
+ * product with the lower half decides those, but for exact middles. Where even that leaves the middle possible, and
+ * where the result is no normal double, strtod() reads the digits again.
  *
  * More than 19 digits: w is cut off, so the number lies between w and w + 1; where both give one double, that is it.
  *
+ * No locale comes in: strtod() gets the digits without a point.
+ *
  * Source: D. Lemire, "Number parsing at a gigabyte per second", Software: Practice and Experience 51(8), 2021, after
- * M. Eisel; here every decision follows from explicit bounds, without their proof about continued fractions. */
+ * M. Eisel; here every decision follows from bounds that are stated, without their proof about continued fractions. */
 #include "base/number.h"
 
-#include <locale.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,71 +26,114 @@ enum {
     MAX_DIGITS = 19,        /* every integer of 19 digits is below 2^64 */
     MANTISSA_BITS = 52,     /* stored; a 53rd bit is implied */
     LEAST_EXPONENT = -1022, /* of a normal double */
+    EXPONENTS = 2045,       /* of normal doubles from there on, the greatest left out: rounding may step over it */
     EXACT_POWER = 27,       /* 5^27 < 2^64: the upper half of 10^q is all of it for 0 <= q <= 27 */
-    EXPONENT_CLAMP = 100000 /* further away than any number of digits that a token may have can bring back */
+    MIDDLE_DIGITS = 768,    /* the middle between two doubles has at most 767 digits that count */
+    EXPONENT_CLAMP = 100000 /* further away than NUMBER_LENGTH_MAX digits can bring back */
 };
 
-/* floor(log2(10^q)) for |q| <= 400: 217706 / 65536 is log2(10) cut off, and never crosses an integer in this range.
- * The offset 2^14 keeps the shifted value positive. */
-static int floor_log2_power(int q)
+/* floor(log2(10^q)) for |q| <= 350: 217706 / 65536 is log2(10) cut off, and never crosses an integer in this range.
+ * The offset keeps the shifted value positive. */
+static inline int floor_log2_power(int q)
 {
-    return (int)(((uint32_t)(q * 217706 + (1 << 30))) >> 16) - (1 << 14);
+    return (int)((uint32_t)(q * 217706 + (1 << 30)) >> 16) - (1 << 14);
 }
 
-/* The double nearest to w * 10^q, w > 0. False where it takes more than this to decide. */
-static bool nearest(uint64_t w, int q, double *value)
+/* What of high's bits lie beyond the 53 of a double, and, in the same place, the middle between two doubles. high has
+ * 63 or 64 bits. */
+static inline uint64_t middle_of(uint64_t high)
+{
+    return UINT64_C(512) << (high >> 63);
+}
+
+static inline uint64_t rest_of(uint64_t high)
+{
+    return high & (2 * middle_of(high) - 1);
+}
+
+/* The bits of w * 10^q, given its 63 or 64 highest ones, on the right side of the middle; 0 where it is no normal
+ * double. zeros: by how much w was shifted. */
+BITS_INLINE uint64_t round_product(uint64_t high, int q, int zeros)
+{
+    int upper = (int)(high >> 63);
+    unsigned exponent = (unsigned)(floor_log2_power(q) + 63 - zeros + upper - LEAST_EXPONENT);
+    if (exponent >= EXPONENTS)
+        return 0;
+    /* the highest bit is the implied one and adds 1 to the exponent field, as a carry from rounding rightly does */
+    return ((uint64_t)exponent << MANTISSA_BITS) + (((high >> (9 + upper)) + 1) >> 1);
+}
+
+/* The double nearest to w * 10^q, w > 0, as its bits, by one product; 0 where the middle is within one unit of `high`
+ * above, or was just passed, or where the result is no normal double. */
+BITS_INLINE uint64_t nearest_quickly(uint64_t w, int q)
+{
+    if ((unsigned)(q - POWER_MIN) > POWER_MAX - POWER_MIN)
+        return 0;
+    int zeros = bits_leading_zeros(w);
+    uint64_t low, high = bits_multiply(w << zeros, power_table[q - POWER_MIN].high, &low);
+    if (rest_of(high) + 1 - middle_of(high) <= 1)
+        return 0;
+    return round_product(high, q, zeros);
+}
+
+/* The same with both products; 0 where the middle is possible even so. */
+static uint64_t nearest(uint64_t w, int q)
 {
     if (q < POWER_MIN || q > POWER_MAX)
-        return false;
-    power_ten p = power_table[q - POWER_MIN];
+        return 0;
+    const power_ten *power = &power_table[q - POWER_MIN];
     int zeros = bits_leading_zeros(w);
-    w <<= zeros;
-    uint64_t low, high = bits_multiply(w, p.high, &low);
-    int upper = (int)(high >> 63); /* high has 63 or 64 bits */
-    int cut = 10 + upper;          /* of which these are beyond the double's 53 */
-    uint64_t middle = UINT64_C(1) << (cut - 1), rest = high & ((UINT64_C(1) << cut) - 1);
-    bool tie = false;
-    if (rest == middle - 1 || (rest == middle && low == 0)) {
-        /* the true product may lie up to one unit of `high` above: the middle is within reach */
-        if (q >= 0 && q <= EXACT_POWER) {
-            tie = rest == middle;
+    uint64_t low, unused, high = bits_multiply(w << zeros, power->high, &low);
+    uint64_t more = bits_multiply(w << zeros, power->low, &unused);
+    if (q >= 0 && q <= EXACT_POWER) { /* the product is exact */
+        if (rest_of(high) == middle_of(high) && low == 0 && !(high & 2 * middle_of(high)))
+            high--; /* a true tie above an even double: down */
+        return round_product(high, q, zeros);
+    }
+    low += more;
+    high += low < more;
+    /* now less than two units of `low` are missing: one for `unused`, one for what 10^q has beyond 128 bits */
+    if ((rest_of(high) == middle_of(high) && low == 0) || (rest_of(high) == middle_of(high) - 1 && low == UINT64_MAX))
+        return 0;
+    return round_product(high, q, zeros);
+}
+
+/* As nearest(), for a number of more than 19 digits of which w has the first 19 and q belongs to these. */
+static uint64_t nearest_long(uint64_t w, int q)
+{
+    uint64_t below = nearest(w, q), above = nearest(w + 1, q);
+    return below == above ? below : 0;
+}
+
+/* strtod() on the digits from `text` to `end` (a point among them) times 10^q, q belonging to the last one. */
+static double read_again(const char *text, const char *end, int q)
+{
+    char plain[MIDDLE_DIGITS + 24];
+    size_t count = 0;
+    bool more = false;
+    for (; text < end; text++) {
+        if (*text == '.' || (count == 0 && *text == '0'))
+            continue;
+        if (count < MIDDLE_DIGITS) {
+            plain[count++] = *text;
         } else {
-            uint64_t unused, more = bits_multiply(w, p.low, &unused);
-            low += more;
-            high += low < more;
-            rest = high & ((UINT64_C(1) << cut) - 1);
-            /* now less than two units of `low` are missing: one for `unused`, one for what 10^q has beyond 128 bits */
-            if ((rest == middle && low == 0) || (rest == middle - 1 && low == UINT64_MAX))
-                return false;
+            more |= *text != '0';
+            q++;
         }
     }
-    int exponent = floor_log2_power(q) + 63 - zeros + upper;
-    if (exponent < LEAST_EXPONENT || exponent >= 1023)
-        return false;
-    uint64_t bits = high >> cut; /* its highest bit is the implied one, which adds 1 to the exponent field */
-    bool up = tie ? bits & 1 : rest >= middle;
-    bits += ((uint64_t)(exponent - LEAST_EXPONENT) << MANTISSA_BITS) + up; /* a carry rightly goes into the exponent */
-    memcpy(value, &bits, sizeof *value);
-    return true;
+    if (more) { /* only that something follows matters */
+        plain[count++] = '1';
+        q--;
+    }
+    snprintf(plain + count, sizeof plain - count, "e%d", q);
+    return strtod(plain, NULL);
 }
 
-static number_result read_in_c_locale(const char *text, double *value)
-{
-    locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    if (!c)
-        return NUMBER_NO_MEMORY;
-    locale_t before = uselocale(c); /* of this thread alone */
-    *value = strtod(text, NULL);
-    uselocale(before);
-    freelocale(c);
-    return NUMBER_OK;
-}
-
-/* Adds digits to w, wrapping after 19 of them. */
-static const char *digits(const char *text, uint64_t *w)
+/* Adds digits to w, wrapping after 19 of them. After sixteen taken by eights hardly more than one follows. */
+static inline const char *digits(const char *text, uint64_t *w)
 {
     static const uint64_t power[8] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
-    for (;;) {
+    for (int i = 0; i < 2; i++, text += 8) {
         uint64_t chunk = bits_load(text) ^ NUMBER_DIGITS;
         int count = number_digit_count(chunk);
         if (count == 0)
@@ -98,90 +143,103 @@ static const char *digits(const char *text, uint64_t *w)
             return text + count;
         }
         *w = *w * 100000000 + number_eight_digits(chunk);
-        text += 8;
     }
+    for (; *text >= '0' && *text <= '9'; text++)
+        *w = 10 * *w + (uint64_t)(*text - '0');
+    return text;
 }
 
-/* Adds the exponent that `text` (at its 'e') gives to *q; where no digit follows, nothing is read, as in strtod(). */
-static const char *exponent_part(const char *text, ptrdiff_t *q)
+/* Reads the exponent after the 'e' at `text`; where no digit follows, nothing is read, as in strtod(). */
+static const char *exponent_part(const char *text, int *exponent)
 {
     const char *c = text + 1;
     bool negative = *c == '-';
-    int exponent = 0;
+    int n = 0;
     if (*c == '-' || *c == '+')
         c++;
     if (*c < '0' || *c > '9')
         return text;
-    for (; *c >= '0' && *c <= '9'; c++) {
-        if (exponent < EXPONENT_CLAMP)
-            exponent = 10 * exponent + (*c - '0');
-    }
-    *q += negative ? -exponent : exponent;
+    for (; *c >= '0' && *c <= '9'; c++)
+        n = n < EXPONENT_CLAMP / 10 ? 10 * n + (*c - '0') : EXPONENT_CLAMP;
+    *exponent = negative ? -n : n;
     return c;
 }
 
-/* The same as nearest() for a number of more than 19 digits, which begin at `text`; q belongs to the last one. */
-static bool nearest_long(const char *text, ptrdiff_t count, ptrdiff_t q, double *value)
+/* The double of the digits from `text` to `end` times 10^q, where w did not hold them or did not do; w > 0 is their
+ * value modulo 2^64. */
+static double many_digits(const char *text, const char *end, int q)
 {
-    double above;
-    uint64_t w = 0;
-    int taken = 0;
-    for (; count && (*text == '0' || *text == '.'); text++)
-        count -= *text == '0'; /* leading zeros are no digits that count */
-    for (; count && taken < MAX_DIGITS; text++) {
-        if (*text == '.')
+    uint64_t w = 0, bits;
+    int taken = 0, left = 0;
+    double value;
+    for (const char *c = text; c < end; c++) {
+        if (*c == '.' || (w == 0 && *c == '0'))
             continue;
-        w = 10 * w + (uint64_t)(*text - '0');
-        taken++;
-        count--;
+        if (taken < MAX_DIGITS) {
+            w = 10 * w + (uint64_t)(*c - '0');
+            taken++;
+        } else {
+            left++;
+        }
     }
-    q += count;
-    if (w == 0) {
-        *value = 0.0;
-        return true;
-    }
-    if (q < POWER_MIN || q > POWER_MAX || !nearest(w, (int)q, value))
-        return false;
-    if (count == 0)
-        return true;
-    return w < UINT64_MAX && nearest(w + 1, (int)q, &above) && above == *value;
+    if (w == 0)
+        return 0.0;
+    bits = left ? nearest_long(w, q + left) : nearest(w, q);
+    if (!bits)
+        return read_again(text, end, q);
+    memcpy(&value, &bits, sizeof value);
+    return value;
 }
 
-number_result number_parse(const char *text, const char **end, double *value)
+/* The rest of number_parse() for numbers with an exponent, with many digits, and for what nearest_quickly() left open.
+ * c: after the last of `count` digits, `fraction` of them after the point. */
+BITS_RARE static const char *finish(const char *text, const char *c, uint64_t w, ptrdiff_t count, ptrdiff_t fraction,
+                                    double *value)
 {
-    bool negative = *text == '-';
-    const char *first = text + (negative || *text == '+'), *c = first;
-    uint64_t w = 0;
-    ptrdiff_t q = 0, count;
-    bool done;
+    const char *end = c, *first = text + (*text == '-' || *text == '+');
+    int q = 0;
+    uint64_t bits = 0;
+    if ((*c | 0x20) == 'e')
+        c = exponent_part(c, &q);
+    if (c - text > NUMBER_LENGTH_MAX)
+        return NULL;
+    q -= (int)fraction;
+    if (count <= MAX_DIGITS && w)
+        bits = nearest(w, q);
+    if (bits)
+        memcpy(value, &bits, sizeof bits);
+    else
+        *value = many_digits(first, end, q);
+    if (*text == '-')
+        *value = -*value;
+    return c;
+}
+
+const char *number_parse(const char *text, double *value)
+{
+    const char *first = text + (*text == '-' || *text == '+'), *c = first;
+    uint64_t w = 0, bits;
+    ptrdiff_t count, fraction = 0;
     /* most coordinates have one to three digits before the point: not worth eight at once */
     for (; *c >= '0' && *c <= '9'; c++)
         w = 10 * w + (uint64_t)(*c - '0');
     count = c - first;
     if (*c == '.') {
-        const char *fraction = ++c;
+        const char *point = c++;
         c = digits(c, &w);
-        q = fraction - c;
-        count -= q;
+        fraction = c - point - 1;
+        count += fraction;
     }
     if (count == 0)
-        return NUMBER_NONE;
-    if ((*c | 0x20) == 'e')
-        c = exponent_part(c, &q);
-    *end = c;
-    if (count > MAX_DIGITS) {
-        done = nearest_long(first, count, q, value);
-    } else if (w == 0) {
-        *value = 0.0;
-        done = true;
-    } else {
-        done = q >= POWER_MIN && q <= POWER_MAX && nearest(w, (int)q, value);
-    }
-    if (!done)
-        return read_in_c_locale(text, value); /* sign included */
-    if (negative)
-        *value = -*value;
-    return NUMBER_OK;
+        return NULL;
+    if (count > MAX_DIGITS || w == 0 || (*c | 0x20) == 'e')
+        return finish(text, c, w, count, fraction, value);
+    bits = nearest_quickly(w, -(int)fraction);
+    if (!bits)
+        return finish(text, c, w, count, fraction, value);
+    bits |= (uint64_t)(*text == '-') << 63;
+    memcpy(value, &bits, sizeof bits);
+    return c;
 }
 
 const char *number_integer(const char *text, uint64_t *value)

@@ -9,16 +9,14 @@
 
 #define NUMBER_PADDING 8
 
-typedef enum number_result {
-    NUMBER_OK,
-    NUMBER_NONE,      /* the text does not begin with a number */
-    NUMBER_NO_MEMORY, /* the "C" locale could not be had */
-} number_result;
+/* Longest number that is read, characters. A double written out in full has at most 1,079, and most fewer than 30. */
+#define NUMBER_LENGTH_MAX 4096
 
 /* Reads [+-] digits [. digits] [e [+-] digits] (digits on one side of the point are enough) to the nearest double,
  * ties to even: what strtod() gives in the "C" locale, bit for bit, infinity and zero beyond the range included.
- * Hexadecimal numbers, "inf" and "nan" are no numbers here. `*end` is the first character that is not part of it. */
-number_result number_parse(const char *text, const char **end, double *value);
+ * Hexadecimal numbers, "inf" and "nan" are no numbers here. Returns the first character that is not part of it, NULL
+ * where the text does not begin with a number or where that is longer than NUMBER_LENGTH_MAX. */
+const char *number_parse(const char *text, double *value);
 
 /* Eight characters XOR this: a digit becomes its value, anything else 10 or more. */
 #define NUMBER_DIGITS 0x3030303030303030u

@@ -44,28 +44,35 @@ void mesh_back(roberts_mesh *mesh, mesh_mark mark)
         drop(&mesh->face_start, &mesh->face_room);
 }
 
-bool mesh_vertex_room(roberts_mesh *mesh)
+/* array_reserve() that ends at what uint32_t can number, so that a count below the room needs no other check. */
+static bool reserve(void *array, size_t *room, size_t need, size_t most, size_t size)
 {
-    return mesh->vertex_count < mesh->vertex_room ||
-           array_reserve(&mesh->vertex, &mesh->vertex_room, mesh->vertex_count + 1, sizeof *mesh->vertex);
+    if (need > most || !array_reserve(array, room, need, size))
+        return false;
+    if (*room > most)
+        *room = most; /* the rest of the block is never used */
+    return true;
 }
 
-bool mesh_face_room(roberts_mesh *mesh)
+bool mesh_more_vertices(roberts_mesh *mesh)
 {
-    if (mesh->face_count + 1 < mesh->face_room)
-        return true;
+    return reserve(&mesh->vertex, &mesh->vertex_room, mesh->vertex_count + 1, MESH_MOST, sizeof *mesh->vertex);
+}
+
+bool mesh_more_faces(roberts_mesh *mesh)
+{
     bool first = !mesh->face_start;
-    if (!array_reserve(&mesh->face_start, &mesh->face_room, mesh->face_count + 2, sizeof *mesh->face_start))
+    if (!reserve(&mesh->face_start, &mesh->face_room, mesh->face_count + 2, MESH_MOST, sizeof *mesh->face_start))
         return false;
     if (first)
         mesh->face_start[0] = 0;
     return true;
 }
 
-bool mesh_corner_room(roberts_mesh *mesh, size_t more)
+bool mesh_more_corners(roberts_mesh *mesh, size_t more)
 {
-    return more <= mesh->corner_room - mesh->corner_count ||
-           array_reserve(&mesh->corner, &mesh->corner_room, mesh->corner_count + more, sizeof *mesh->corner);
+    return more <= UINT32_MAX - mesh->corner_count &&
+           reserve(&mesh->corner, &mesh->corner_room, mesh->corner_count + more, UINT32_MAX, sizeof *mesh->corner);
 }
 
 /* Makes colours up to `count`, those from `filled` on without colour. */
@@ -124,9 +131,8 @@ roberts_status roberts_mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position
           fabs(position.z) <= MESH_COORDINATE_MAX))
         return error_set(error, ROBERTS_BAD_NUMBER, 0, "vertex %zu has a coordinate that is infinite or beyond %g",
                          mesh->vertex_count, MESH_COORDINATE_MAX);
-    if (mesh->vertex_count >= MESH_MOST || !mesh_vertex_room(mesh) ||
-        !(!mesh->vertex_color ||
-          fill(&mesh->vertex_color, &mesh->vertex_color_room, mesh->vertex_count, mesh->vertex_count + 1)))
+    if (!mesh_vertex_room(mesh) || !(!mesh->vertex_color || fill(&mesh->vertex_color, &mesh->vertex_color_room,
+                                                                 mesh->vertex_count, mesh->vertex_count + 1)))
         return error_no_memory(error);
     if (index)
         *index = (uint32_t)mesh->vertex_count;
@@ -142,8 +148,7 @@ roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners
             return error_set(error, ROBERTS_BAD_INDEX, 0, "face %zu names vertex %lu, but there are %zu",
                              mesh->face_count, (unsigned long)corners[i], mesh->vertex_count);
     }
-    if (mesh->face_count >= MESH_MOST || count > UINT32_MAX - mesh->corner_count || !mesh_face_room(mesh) ||
-        !mesh_corner_room(mesh, count) ||
+    if (!mesh_face_room(mesh) || !mesh_corner_room(mesh, count) ||
         !(!mesh->face_color || fill(&mesh->face_color, &mesh->face_color_room, mesh->face_count, mesh->face_count + 1)))
         return error_no_memory(error);
     if (count)

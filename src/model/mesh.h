@@ -22,10 +22,25 @@ typedef struct mesh_mark {
 mesh_mark mesh_here(const roberts_mesh *mesh);
 void mesh_back(roberts_mesh *mesh, mesh_mark mark);
 
-/* Room for one more vertex, face or `more` corners. False: no memory. */
-bool mesh_vertex_room(roberts_mesh *mesh);
-bool mesh_face_room(roberts_mesh *mesh);
-bool mesh_corner_room(roberts_mesh *mesh, size_t more);
+/* Room for one more vertex or face, or for `more` corners. False: no memory, or more than can be numbered. */
+bool mesh_more_vertices(roberts_mesh *mesh);
+bool mesh_more_faces(roberts_mesh *mesh);
+bool mesh_more_corners(roberts_mesh *mesh, size_t more);
+
+static inline bool mesh_vertex_room(roberts_mesh *mesh)
+{
+    return mesh->vertex_count < mesh->vertex_room || mesh_more_vertices(mesh);
+}
+
+static inline bool mesh_face_room(roberts_mesh *mesh)
+{
+    return mesh->face_count + 1 < mesh->face_room || mesh_more_faces(mesh);
+}
+
+static inline bool mesh_corner_room(roberts_mesh *mesh, size_t more)
+{
+    return more <= mesh->corner_room - mesh->corner_count || mesh_more_corners(mesh, more);
+}
 
 /* Sets the colour of vertex or face `index`, the last one there is; those before that have none get count 0. */
 bool mesh_color_vertex(roberts_mesh *mesh, size_t index, roberts_color color, size_t *filled);

@@ -64,11 +64,10 @@ roberts_status off_expected(off_reader *r, roberts_status status, const char *fo
 
 bool off_number_slowly(off_reader *r, double *value)
 {
-    const char *end;
     size_t length = input_token(&r->in);
-    if (length > OFF_TOKEN_MAX || number_parse(r->in.at, &end, value) != NUMBER_OK || end != r->in.at + length)
+    if (length > OFF_TOKEN_MAX || number_parse(r->in.at, value) != r->in.at + length)
         return false;
-    r->in.at = end;
+    r->in.at += length;
     return true;
 }
 
@@ -90,12 +89,9 @@ void off_warn_fewer(off_reader *r, uint64_t found)
 /* What is worth saying once an input is read. */
 static void warn(off_reader *r)
 {
-    size_t thin = 0;
-    for (size_t f = r->mark.faces; f < r->mesh->face_count; f++)
-        thin += r->mesh->face_start[f + 1] - r->mesh->face_start[f] < 3;
-    if (thin)
-        warning_send(r->warnings, r->name, 0, "%zu face%s with fewer than 3 corners ignored", thin,
-                     thin == 1 ? "" : "s");
+    if (r->thin_faces)
+        warning_send(r->warnings, r->name, 0, "%zu face%s with fewer than 3 corners ignored", r->thin_faces,
+                     r->thin_faces == 1 ? "" : "s");
     if (r->odd_colors)
         warning_send(r->warnings, r->name, r->first_odd_color, "%zu colour%s that make%s no sense ignored",
                      r->odd_colors, r->odd_colors == 1 ? "" : "s", r->odd_colors == 1 ? "s" : "");

@@ -32,6 +32,7 @@ typedef struct off_reader {
     roberts_error *error;
     bool finite;                          /* the input has an end that can be read up to without waiting */
     size_t vertices_filled, faces_filled; /* whose colours are set */
+    size_t thin_faces;                    /* with fewer than 3 corners */
     size_t odd_colors, first_odd_color;   /* colours that make no sense, and the line of the first */
 } off_reader;
 
@@ -49,9 +50,8 @@ bool off_integer(off_reader *r, uint64_t *value);
 
 static inline bool off_number(off_reader *r, double *value)
 {
-    const char *end;
-    if (number_parse(r->in.at, &end, value) != NUMBER_OK || !input_separator(*end) ||
-        (size_t)(end - r->in.at) > OFF_TOKEN_MAX)
+    const char *end = number_parse(r->in.at, value);
+    if (!end || !input_separator(*end))
         return off_number_slowly(r, value);
     r->in.at = end;
     return true;

@@ -103,12 +103,17 @@ bool input_skip_in_line(off_input *in)
     return skip(in, false);
 }
 
+static bool in_token(char c)
+{
+    return !input_separator(c) && c != '#' && c != '{' && c != '}';
+}
+
 size_t input_token(off_input *in)
 {
     size_t length = 0;
     for (;;) {
         const char *c = in->at + length;
-        while (c < in->end && !input_separator(*c) && *c != '{' && *c != '}')
+        while (c < in->end && in_token(*c))
             c++;
         length = (size_t)(c - in->at);
         if (length > OFF_TOKEN_MAX)

@@ -13,8 +13,8 @@
 /* Bytes asked for at a time: some, so that calls do not count, and no more than lies well in the caches. */
 #define OFF_BLOCK ((size_t)1 << 16)
 
-/* Longest token, characters. A double written out in full has at most 1,079, and an honest one fewer than 30. */
-#define OFF_TOKEN_MAX ((size_t)4096)
+/* Longest token, characters. */
+#define OFF_TOKEN_MAX ((size_t)NUMBER_LENGTH_MAX)
 
 /* Longest stretch of white space and comments, bytes: an endless one must end some time. */
 #define OFF_BLANK_MAX ((size_t)1 << 28)
@@ -41,21 +41,21 @@ bool input_more(off_input *in);
 /* Makes `count` bytes stand at `at`; count <= OFF_BLOCK. False: the input ends before. */
 bool input_need(off_input *in, size_t count);
 
-/* Out of line part of input_skip(). */
+/* Goes to the next token. False: the input ends first. */
 bool input_skip_on(off_input *in);
 
-/* Goes to the next token. False: the input ends first. */
+/* The same; short where the next token comes after one blank or at the start of the next line. */
 static inline bool input_skip(off_input *in)
 {
     const char *c = in->at;
-    if (*c == '\n') {
+    if ((unsigned char)c[1] <= ' ' || c[1] == '#')
+        return input_skip_on(in);
+    if (*c == '\n')
         in->line += c[-1] != '\r';
-        c++;
-    }
-    while (*c == ' ')
-        c++;
-    in->at = c;
-    return ((unsigned char)*c > ' ' && *c != '#') || input_skip_on(in);
+    else if (*c != ' ')
+        return input_skip_on(in);
+    in->at = c + 1;
+    return true;
 }
 
 /* Goes to the next token of this line. False: there is none, and `at` is at the end of the line or of the input. */
@@ -65,12 +65,11 @@ bool input_skip_in_line(off_input *in);
  * 1 unless the input ends. */
 size_t input_token(off_input *in);
 
-/* What may follow a number at once. The '\0' that ends the buffer may not: what comes after it must be read first. */
+/* What ends a number for sure: white space, or something that is no part of any token. Neither '\0', which ends the
+ * buffer and may have more behind it, nor '#' and braces, which are rare: those go the slow way by input_token(). */
 static inline bool input_separator(char c)
 {
-    const uint64_t blank =
-        UINT64_C(1) << ' ' | 1u << '\t' | 1u << '\n' | 1u << '\v' | 1u << '\f' | 1u << '\r' | UINT64_C(1) << '#';
-    return (unsigned char)c < 64 && (blank >> c & 1);
+    return (unsigned char)(c - 1) < ' ';
 }
 
 #endif

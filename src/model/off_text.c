@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { COLOR_MOST = 4, TEXTURE = 2, NORMAL = 3 };
+enum { COLOR_MOST = 4, TEXTURE = 2, NORMAL = 3, CORNERS_AT_ONCE = 256 };
 
 /* Numbers of a colour as they stand there. */
 typedef struct raw_color {
@@ -142,8 +142,8 @@ static roberts_status read_vertices(off_reader *r)
     const bool extras = r->header.color || r->header.texture;
     roberts_mesh *mesh = r->mesh;
     roberts_status status;
+    double p[4] = {0, 0, 0, 1};
     for (uint64_t v = 0; v < r->header.vertices; v++) {
-        double p[4] = {0, 0, 0, 1};
         for (int i = 0; i < size; i++) {
             if (!input_skip(&r->in) || !off_number(r, &p[i]))
                 return bad_vertex(r, v, part[i]);
@@ -154,7 +154,7 @@ static roberts_status read_vertices(off_reader *r)
         }
         if (!off_coordinate(p[0]) || !off_coordinate(p[1]) || !off_coordinate(p[2]))
             return too_large(r, v, p[3]);
-        if (mesh->vertex_count >= MESH_MOST || !mesh_vertex_room(mesh))
+        if (!mesh_vertex_room(mesh))
             return error_no_memory(r->error);
         mesh->vertex[mesh->vertex_count++] = (roberts_vec3){p[0], p[1], p[2]};
         if (r->header.normal && (status = skip_normal(r, v)) != ROBERTS_OK)
@@ -167,54 +167,71 @@ static roberts_status read_vertices(off_reader *r)
 
 /* ---- faces ------------------------------------------------------------------------------------------------------ */
 
-/* Reads an unsigned integer, nearly always a short one. */
-static inline bool index_number(off_reader *r, uint64_t *value)
+static bool long_index(off_reader *r, uint64_t limit, uint64_t *value)
+{
+    size_t length = input_token(&r->in);
+    if (length > OFF_TOKEN_MAX || number_integer(r->in.at, value) != r->in.at + length || *value >= limit)
+        return false;
+    r->in.at += length;
+    return true;
+}
+
+/* Reads an unsigned integer below `limit`, nearly always a short one. False: nothing is taken. */
+static inline bool index_number(off_reader *r, uint64_t limit, uint64_t *value)
 {
     uint32_t number;
     int count = number_short_integer(r->in.at, &number);
     if (count == 0 || !input_separator(r->in.at[count]))
-        return off_integer(r, value);
+        return long_index(r, limit, value);
+    if (number >= limit)
+        return false;
     r->in.at += count;
     *value = number;
     return true;
 }
 
+/* Says why corner i of face f was not taken: `at` is still before it. */
 static roberts_status bad_corner(off_reader *r, uint64_t f, uint64_t i, uint64_t count)
 {
-    return off_expected(r, ROBERTS_BAD_SYNTAX, "corner %llu of %llu of face %llu of %llu", (unsigned long long)i + 1,
-                        (unsigned long long)count, (unsigned long long)f, (unsigned long long)r->header.faces);
-}
-
-static roberts_status bad_index(off_reader *r, uint64_t f, const char *sign, uint64_t index)
-{
+    uint64_t index;
+    bool negative = *r->in.at == '-';
+    off_input *in = &r->in;
+    in->at += negative;
+    if (!off_integer(r, &index)) {
+        in->at -= negative;
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "corner %llu of %llu of face %llu of %llu",
+                            (unsigned long long)i + 1, (unsigned long long)count, (unsigned long long)f,
+                            (unsigned long long)r->header.faces);
+    }
     return off_fail(r, ROBERTS_BAD_INDEX, "face %llu names vertex %s%llu, but there are %llu", (unsigned long long)f,
-                    sign, (unsigned long long)index, (unsigned long long)r->header.vertices);
+                    negative ? "-" : "", (unsigned long long)index, (unsigned long long)r->header.vertices);
 }
 
-/* Reads the corners into the mesh's array, which face f then ends. */
+/* Reads the corners of face f into the mesh. Room is made as they come: a declared count takes no memory. */
 static roberts_status read_corners(off_reader *r, uint64_t f, uint64_t count)
 {
     const uint32_t first = (uint32_t)r->mark.vertices;
+    const uint64_t vertices = r->header.vertices;
     roberts_mesh *mesh = r->mesh;
-    uint64_t index;
-    for (uint64_t i = 0; i < count; i++) {
-        if (!input_skip(&r->in))
-            return bad_corner(r, f, i, count);
-        if (!index_number(r, &index)) {
-            if (*r->in.at != '-')
-                return bad_corner(r, f, i, count);
-            r->in.at++;
-            return off_integer(r, &index) ? bad_index(r, f, "-", index) : bad_corner(r, f, i, count);
-        }
-        if (index >= r->header.vertices)
-            return bad_index(r, f, "", index);
-        if (mesh->corner_count >= UINT32_MAX || !mesh_corner_room(mesh, 1))
+    for (uint64_t done = 0, part; done < count; done += part) {
+        part = count - done < CORNERS_AT_ONCE ? count - done : CORNERS_AT_ONCE;
+        if (!mesh_corner_room(mesh, part))
             return error_no_memory(r->error);
-        mesh->corner[mesh->corner_count++] = first + (uint32_t)index;
+        uint32_t *corner = mesh->corner + mesh->corner_count;
+        for (uint64_t i = 0; i < part; i++) {
+            uint64_t index;
+            if (!input_skip(&r->in))
+                return bad_corner(r, f, done + i, count);
+            if (!index_number(r, vertices, &index))
+                return bad_corner(r, f, done + i, count);
+            corner[i] = first + (uint32_t)index;
+        }
+        mesh->corner_count += part;
     }
-    if (mesh->face_count >= MESH_MOST || !mesh_face_room(mesh))
+    if (!mesh_face_room(mesh))
         return error_no_memory(r->error);
     mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
+    r->thin_faces += count < 3;
     return ROBERTS_OK;
 }
 
@@ -250,7 +267,7 @@ static roberts_status read_faces(off_reader *r)
             off_warn_fewer(r, f);
             return ROBERTS_OK;
         }
-        if (!index_number(r, &count))
+        if (!index_number(r, UINT64_MAX, &count))
             return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of corners of face %llu of %llu",
                                 (unsigned long long)f, (unsigned long long)r->header.faces);
         status = read_corners(r, f, count);
