@@ -140,21 +140,99 @@ static void stand_round(body *b, bool pointed, uint32_t n, double radius, double
     body_free(&part);
 }
 
-static void table(body *b)
+enum { TABLE_HEIGHT = 16 };
+
+static void table_frame(body *b)
 {
-    const double T = 20; /* height of the table's top */
-    body_box(b, vec3(0, 0, T - 1), vec3(36, 24, T));
+    const double under = TABLE_HEIGHT - 1; /* of the board */
+    body_box(b, vec3(0, 0, under), vec3(36, 24, TABLE_HEIGHT));
     for (int i = 0; i < 4; i++) {
         double x = i % 2 ? 33 : 1, y = i / 2 ? 21 : 1;
-        body_box(b, vec3(x, y, 0), vec3(x + 2, y + 2, T - 1));
+        body_box(b, vec3(x, y, 0), vec3(x + 2, y + 2, under));
     }
-    body_box(b, vec3(3, 1.5, T - 4), vec3(33, 2.5, T - 1)); /* the frame, between the legs */
-    body_box(b, vec3(3, 21.5, T - 4), vec3(33, 22.5, T - 1));
-    body_box(b, vec3(1.5, 3, T - 4), vec3(2.5, 21, T - 1));
-    body_box(b, vec3(33.5, 3, T - 4), vec3(34.5, 21, T - 1));
+    body_box(b, vec3(3, 1.5, under - 3), vec3(33, 2.5, under)); /* between the legs */
+    body_box(b, vec3(3, 21.5, under - 3), vec3(33, 22.5, under));
+    body_box(b, vec3(1.5, 3, under - 3), vec3(2.5, 21, under));
+    body_box(b, vec3(33.5, 3, under - 3), vec3(34.5, 21, under));
+}
 
-    stand_uniform(b, TRUNCATED_ICOSAHEDRON, 6, 0.75, vec3(18, 15, T), half_angle(0.25));
-    stand_round(b, false, 12, 2, 4, vec3(28, 18, T));
+/* Three books, and a ball of squares on them. */
+static void books(body *b, double x, double y)
+{
+    static const double half[3][2] = {{4.5, 3.25}, {4, 3}, {3.25, 2.5}}, tangent[3] = {0, 0.125, -0.0625};
+    double z = TABLE_HEIGHT;
+    for (int i = 0; i < 3; i++, z += 1.25) {
+        roberts_vec2 a = half_angle(tangent[i]);
+        body_turned_box(b, vec3(x - half[i][0], y - half[i][1], z), vec3(x + half[i][0], y + half[i][1], z + 1.25), a.x,
+                        a.y);
+    }
+    stand_uniform(b, RHOMBICUBOCTAHEDRON, 4, 1, vec3(x, y, z), half_angle(0.25));
+}
+
+/* Two pillars and what they carry. */
+static void gate(body *b, double x, double y)
+{
+    const double z = TABLE_HEIGHT;
+    body_box(b, vec3(x - 1, y - 4, z), vec3(x + 1, y - 2, z + 5));
+    body_box(b, vec3(x - 1, y + 2, z), vec3(x + 1, y + 4, z + 5));
+    body_box(b, vec3(x - 1.5, y - 5, z + 5), vec3(x + 1.5, y + 5, z + 6.5));
+    body_pyramid(b, vec3(x - 1, y - 2, z + 6.5), vec3(x + 1, y + 2, z + 9));
+}
+
+static void table(body *b)
+{
+    const double z = TABLE_HEIGHT;
+    table_frame(b);
+    books(b, 7, 17.5);
+    stand_uniform(b, TRUNCATED_ICOSAHEDRON, 6, 0.75, vec3(18, 18, z), half_angle(0.25));
+    stand_round(b, false, 12, 2, 7, vec3(28.5, 20, z));
+    stand_round(b, true, 12, 2, 4, vec3(28.5, 20, z + 7));
+    stand_uniform(b, DODECAHEDRON, 5, 1.75, vec3(5, 7, z), half_angle(0.25));
+    body_pyramid(b, vec3(10, 8, z), vec3(16, 14, z + 6));
+    stand_uniform(b, ICOSAHEDRON, 3, 1.75, vec3(20, 8, z), half_angle(0.5));
+    gate(b, 30, 11);
+    body_turned_box(b, vec3(30, 2, z), vec3(33.5, 5.5, z + 3.5), half_angle(0.25).x, half_angle(0.25).y);
+    stand_uniform(b, OCTAHEDRON, 3, 1.75, vec3(31.75, 3.75, z + 3.5), half_angle(0.75));
+    stand_uniform(b, CUBOCTAHEDRON, 3, 1.75, vec3(12.5, 3.5, z), half_angle(0.625));
+    stand_uniform(b, TETRAHEDRON, 3, 1.5, vec3(25.5, 2.5, z), half_angle(-0.125));
+}
+
+/* ---- a temple ----------------------------------------------------------------------------------------------------- */
+
+/* The roof over the rectangle lo.x..hi.x, lo.y..hi.y: its ridge runs along y at height hi.z. */
+static void roof(body *b, roberts_vec3 lo, roberts_vec3 hi)
+{
+    double middle = (lo.x + hi.x) / 2;
+    uint32_t v = body_vertex(b, lo.x, lo.y, lo.z);
+    body_vertex(b, hi.x, lo.y, lo.z);
+    body_vertex(b, middle, lo.y, hi.z);
+    body_vertex(b, lo.x, hi.y, lo.z);
+    body_vertex(b, hi.x, hi.y, lo.z);
+    body_vertex(b, middle, hi.y, hi.z);
+    body_face(b, (uint32_t[]){v + 1, v + 4, v + 5, v + 2}, 4);
+    body_face(b, (uint32_t[]){v + 3, v, v + 2, v + 5}, 4);
+    body_face(b, (uint32_t[]){v, v + 3, v + 4, v + 1}, 4);
+    body_face(b, (uint32_t[]){v, v + 1, v + 2}, 3);
+    body_face(b, (uint32_t[]){v + 3, v + 5, v + 4}, 3);
+}
+
+/* 4 by 6 columns around a room, on three steps; everything touches. */
+static void temple(body *b)
+{
+    for (int i = 0; i < 3; i++) {
+        double out = 6 - 1.5 * i;
+        body_box(b, vec3(-out, -out, i), vec3(18 + out, 30 + out, i + 1));
+    }
+    body_box(b, vec3(4, 5, 3), vec3(14, 25, 17));
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 6; j++) {
+            if (i % 3 != 0 && j % 5 != 0)
+                continue;
+            stand_round(b, false, 12, 1.5, 13, vec3(6 * i, 6 * j, 3));
+            body_box(b, vec3(6 * i - 2, 6 * j - 2, 16), vec3(6 * i + 2, 6 * j + 2, 17));
+        }
+    body_box(b, vec3(-2, -2, 17), vec3(20, 32, 19));
+    roof(b, vec3(-3, -3, 19), vec3(21, 33, 25));
 }
 
 static const scene scenes[] = {
@@ -173,6 +251,7 @@ static const scene scenes[] = {
      stacked_blocks},
     {"tower",
      "A tower of 24 square floors, each turned against the one below by the angle whose half has tangent 1/24.", tower},
+    {"temple", "A temple: steps, columns with twelve sides, a room, beams and a roof, all of which touch.", temple},
     {"table", "A table, made of boxes that touch, and solids that stand on it exactly.", table},
 };
 
