@@ -371,10 +371,82 @@ bool roberts_ray_polyhedron(roberts_ray ray, const roberts_plane *F, size_t coun
 /* ---- draw: pages and tables --------------------------------------------------------------------------------------- */
 
 typedef enum roberts_format {
-    ROBERTS_SVG,
-    ROBERTS_CSV,
+    ROBERTS_SVG, /**< a page as text, millimetres, one layer per line class */
+    ROBERTS_PDF,
+    ROBERTS_PS,
+    ROBERTS_EPS, /**< PostScript cut to the drawing, for inclusion */
+    ROBERTS_PNG,
+    ROBERTS_CSV,  /**< a table, one row per segment */
+    ROBERTS_JSON, /**< the same table as an array of objects */
     ROBERTS_NULL, /**< compute, write nothing */
 } roberts_format;
+
+/** The format called `name` ("svg", "csv", ...), or the one that the ending of `path` stands for, in any case ("a.SVG").
+ * False where there is none; `*format` is then as it was. */
+bool roberts_format_by_name(const char *name, roberts_format *format);
+bool roberts_format_by_path(const char *path, roberts_format *format);
+
+/** What becomes of hidden segments. A drawing holds them only where roberts_hide() was told to keep them. */
+typedef enum roberts_hidden {
+    ROBERTS_HIDDEN_NONE,   /**< left out, of tables too */
+    ROBERTS_HIDDEN_DASHED, /**< with the dashes of their pen */
+    ROBERTS_HIDDEN_SOLID,  /**< without */
+} roberts_hidden;
+
+/** How a class of lines is drawn: round caps and joins always. */
+typedef struct roberts_pen {
+    double width_mm;        /**< > 0 */
+    double dash_mm, gap_mm; /**< as seen on paper, round caps included; dash_mm 0 = unbroken */
+    unsigned char red, green, blue;
+    bool off; /**< leave these lines out */
+} roberts_pen;
+
+/** Paper. The drawing is fitted into what the margins leave, and centred. */
+typedef struct roberts_page {
+    double width_mm, height_mm; /**< 1 to 40000 each */
+    double margin_mm;           /**< on all four sides, less than half of the shorter */
+} roberts_page;
+
+/** Where save has an unfinished file: called with its name just before it is created, and with NULL once it is renamed
+ * or removed, so that a program can remove it when it is interrupted. The name is valid between the two calls. */
+typedef void roberts_temporary_fn(void *context, const char *path);
+
+/** How a drawing is written. Start from roberts_draw_options_default() and change what you need. */
+typedef struct roberts_draw_options {
+    roberts_format format;           /**< default: ROBERTS_SVG */
+    roberts_hidden hidden;           /**< default: ROBERTS_HIDDEN_NONE */
+    roberts_page page;               /**< default: A4, upright, margins of 10 mm */
+    roberts_pen outline;             /**< default: 0.5 mm */
+    roberts_pen crease;              /**< default: 0.35 mm */
+    roberts_pen back;                /**< hidden lines; default: 0.25 mm, dashes of 12 and gaps of 3 widths (ISO 128) */
+    double dpi;                      /**< PNG: dots per inch; default: 150 */
+    roberts_temporary_fn *temporary; /**< NULL: not needed */
+    void *temporary_context;
+} roberts_draw_options;
+
+roberts_draw_options roberts_draw_options_default(void);
+
+/** Takes all `size` bytes; false on failure (errno set). */
+typedef bool roberts_write_fn(void *context, const void *bytes, size_t size);
+
+/**
+ * Writes `drawing` in blocks to `write`.
+ * options  NULL for the defaults
+ * The same drawing and options give the same bytes, on every run and in every locale. SVG is true to 0.0005 mm (0.005
+ * mm on pages longer than 4 m). Segments shorter than that on paper are not drawn; tables have them all.
+ * Returns ROBERTS_OK, _NO_MEMORY, _IO (a write failed), _BAD_NUMBER (a segment is not finite) or _BAD_ARGUMENT.
+ */
+roberts_status roberts_drawing_write(const roberts_drawing *drawing, const roberts_draw_options *options,
+                                     roberts_write_fn *write, void *context, roberts_error *error);
+
+/**
+ * The same into a file; "-" is standard output. A regular file appears whole or not at all: it is written beside, under
+ * a temporary name, then renamed; a file of that name keeps its mode, and a symbolic link is followed. What exists and
+ * is no regular file (a device, a pipe) is written in place. The caller decides about SIGPIPE; where it is ignored, a
+ * closed pipe is an error like others.
+ */
+roberts_status roberts_drawing_save(const roberts_drawing *drawing, const roberts_draw_options *options,
+                                    const char *path, roberts_error *error);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,32 @@
+/* output.h - bytes on their way out: one buffer before the caller's function. */
+#ifndef ROBERTS_DRAW_OUTPUT_H
+#define ROBERTS_DRAW_OUTPUT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "roberts.h"
+
+/* After a failure everything is dropped and the first reason kept: only output_finish() need be checked. */
+typedef struct output {
+    roberts_write_fn *write;
+    void *context;
+    size_t used;
+    bool failed;
+    int reason; /* errno of the first failure */
+    char bytes[16384];
+} output;
+
+void output_start(output *out, roberts_write_fn *write, void *context);
+void output_bytes(output *out, const void *bytes, size_t size);
+void output_text(output *out, const char *text);
+void output_number(output *out, double x); /* as decimal_format() */
+void output_integer(output *out, uint32_t n);
+
+/* Passes on what is left. Returns ROBERTS_OK, or ROBERTS_IO with the reason. */
+roberts_status output_finish(output *out, roberts_error *error);
+
+/* error_set() for ROBERTS_IO: "what: the system's reason for errno". */
+roberts_status output_error(roberts_error *error, const char *what, int reason);
+
+#endif

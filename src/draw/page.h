@@ -1,0 +1,31 @@
+/* page.h - where on the paper the drawing comes to lie; geometry alone. */
+#ifndef ROBERTS_DRAW_PAGE_H
+#define ROBERTS_DRAW_PAGE_H
+
+#include "roberts.h"
+
+/* The map from the picture (model units, y up) to paper (mm from the upper left corner, y down). Lengths are taken as
+ * parts of `half`, half of the side of the drawing's box that decides the scale, so that neither a box of 1e300 nor one
+ * of 1e-300 overflows on the way. */
+typedef struct page_map {
+    roberts_vec2 centre;  /* of the drawing's box, model units */
+    double half;          /* model units, > 0 */
+    double half_mm;       /* what `half` is on paper */
+    roberts_vec2 page_mm; /* where the centre comes to lie */
+} page_map;
+
+/* Whether there is room between the margins; fills `error` where not. */
+bool page_is_valid(const roberts_page *page, roberts_error *error);
+
+/* Fits the box from `min` to `max`, finite, into the page's margins, as large as possible and centred. A box without
+ * width or height is fitted by its other side; a point (and an empty drawing, whose box is taken as a point) comes to
+ * lie in the middle, at one mm per model unit. */
+page_map page_fit(const roberts_page *page, roberts_vec2 min, roberts_vec2 max);
+
+static inline roberts_vec2 page_place(const page_map *map, roberts_vec2 p)
+{
+    return (roberts_vec2){map->page_mm.x + (p.x - map->centre.x) / map->half * map->half_mm,
+                          map->page_mm.y - (p.y - map->centre.y) / map->half * map->half_mm};
+}
+
+#endif

@@ -1,0 +1,112 @@
+/* paper.c - the page as PDF, PostScript, EPS and PNG, straight from Cairo.
+ *
+ * Its fixed point holds 1/256 of a point, 0.0014 mm. The day on which a file was made is left out, so that the same
+ * drawing gives the same bytes: a PDF surface can be told, from a PostScript stream the line is dropped. */
+#include "draw/paper.h"
+
+#include <cairo-pdf.h>
+#include <cairo-ps.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/error.h"
+#include "draw/ink.h"
+
+static const double mm_per_inch = 25.4, points_per_inch = 72.0;
+
+enum { PIXELS_MAX = 32767 /* Cairo's limit for the side of an image */ };
+
+/* Passes on PostScript without the line "%%CreationDate: ..." of its head. */
+typedef struct undated {
+    output *out;
+    size_t matched; /* bytes of `date_line` that the line has begun with so far; kept back meanwhile */
+    enum { LINE_START, LINE_REST, LINE_DROPPED } at;
+} undated;
+
+static const char date_line[] = "%%CreationDate:";
+
+static void undated_byte(undated *u, unsigned char c)
+{
+    if (u->at == LINE_START && c == (unsigned char)date_line[u->matched]) {
+        if (++u->matched == sizeof date_line - 1)
+            u->at = LINE_DROPPED;
+        return;
+    }
+    if (u->at == LINE_START) {
+        output_bytes(u->out, date_line, u->matched);
+        u->at = LINE_REST;
+    }
+    if (u->at == LINE_REST)
+        output_bytes(u->out, &c, 1);
+    if (c == '\n') {
+        u->at = LINE_START;
+        u->matched = 0;
+    }
+}
+
+static cairo_status_t undated_stream(void *closure, const unsigned char *bytes, unsigned size)
+{
+    undated *u = closure;
+    for (unsigned i = 0; i < size; i++)
+        undated_byte(u, bytes[i]);
+    return u->out->failed ? CAIRO_STATUS_WRITE_ERROR : CAIRO_STATUS_SUCCESS;
+}
+
+static cairo_surface_t *document(const strokes *s, output *out, undated *filter)
+{
+    const double points = points_per_inch / mm_per_inch;
+    double width = s->options->page.width_mm * points, height = s->options->page.height_mm * points;
+    cairo_surface_t *surface;
+    if (s->options->format == ROBERTS_PDF) {
+        surface = cairo_pdf_surface_create_for_stream(ink_stream, out, width, height);
+        cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, NULL);
+        return surface;
+    }
+    surface = cairo_ps_surface_create_for_stream(undated_stream, filter, width, height);
+    cairo_ps_surface_set_eps(surface, s->options->format == ROBERTS_EPS);
+    return surface;
+}
+
+static void draw_page(cairo_t *cairo, const strokes *s, double units_per_mm)
+{
+    cairo_scale(cairo, units_per_mm, units_per_mm);
+    for (int i = 0; i < LINE_CLASSES; i++) {
+        size_t at = 0;
+        ink_pen(cairo, s->options, line_order[i]);
+        ink_strokes(cairo, s, line_order[i], &at, s->drawing->count);
+    }
+}
+
+static roberts_status write_image(const strokes *s, output *out, roberts_error *error)
+{
+    const roberts_page *page = &s->options->page;
+    double pixels_per_mm = s->options->dpi / mm_per_inch;
+    double width = ceil(page->width_mm * pixels_per_mm), height = ceil(page->height_mm * pixels_per_mm);
+    if (!(width >= 1.0 && height >= 1.0 && width <= PIXELS_MAX && height <= PIXELS_MAX))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "an image has at most %d pixels a side", PIXELS_MAX);
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)width, (int)height);
+    cairo_t *cairo = cairo_create(surface);
+    cairo_set_source_rgb(cairo, 1.0, 1.0, 1.0);
+    cairo_paint(cairo);
+    draw_page(cairo, s, pixels_per_mm);
+    if (cairo_status(cairo) == CAIRO_STATUS_SUCCESS) {
+        cairo_status_t written = cairo_surface_write_to_png_stream(surface, ink_stream, out);
+        if (written == CAIRO_STATUS_NO_MEMORY) {
+            ink_finish(cairo, surface, NULL);
+            return error_no_memory(error);
+        }
+    }
+    return ink_finish(cairo, surface, error);
+}
+
+roberts_status paper_write(const strokes *s, output *out, roberts_error *error)
+{
+    undated filter = {.out = out, .at = LINE_START};
+    if (s->options->format == ROBERTS_PNG)
+        return write_image(s, out, error);
+    cairo_surface_t *surface = document(s, out, &filter);
+    cairo_t *cairo = cairo_create(surface);
+    draw_page(cairo, s, points_per_inch / mm_per_inch);
+    cairo_show_page(cairo);
+    return ink_finish(cairo, surface, error);
+}

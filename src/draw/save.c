@@ -1,0 +1,228 @@
+/* save.c - a drawing into a file that appears whole or not at all.
+ *
+ * The bytes go into a new file beside the old one, which is then renamed over it: at every moment the name leads to the
+ * old file or to the whole new one. Links are followed first, so that the link stays one. What is no regular file
+ * (a device, a pipe) cannot be replaced and is written in place; so are the names of open descriptors (/dev/stdout,
+ * /dev/fd/3), because a shell's `>>` or what was written before would be lost otherwise.
+ *
+ * Nothing is forced to disk: this is against failures and interruptions of the program, not against loss of power. */
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "base/error.h"
+#include "draw/output.h"
+
+enum { LINKS_MAX = 40 /* as the kernel's own limit */, NAMES_TRIED = 100 };
+
+typedef struct target {
+    char *path;      /* links followed */
+    char *temporary; /* the file that will be renamed to `path`; NULL: written in place */
+    int descriptor;  /* -1: none */
+    struct stat old; /* of `path` where `replaces` */
+    bool replaces;
+} target;
+
+/* Directory of `path` with its slash, then `name`. NULL: no memory. */
+static char *beside(const char *path, const char *name)
+{
+    const char *slash = strrchr(path, '/');
+    size_t head = slash ? (size_t)(slash - path) + 1 : 0, tail = strlen(name);
+    char *joined = malloc(head + tail + 1);
+    if (joined) {
+        memcpy(joined, path, head);
+        memcpy(joined + head, name, tail + 1);
+    }
+    return joined;
+}
+
+/* The number in /dev/fd/N or /proc/self/fd/N, or -1. */
+static int descriptor_named(const char *path)
+{
+    static const char *const folder[] = {"/dev/fd/", "/proc/self/fd/"};
+    for (size_t i = 0; i < sizeof folder / sizeof folder[0]; i++) {
+        size_t length = strlen(folder[i]);
+        if (strncmp(path, folder[i], length) != 0)
+            continue;
+        const char *digits = path + length;
+        size_t count = strspn(digits, "0123456789");
+        if (count >= 1 && count <= 6 && digits[count] == '\0')
+            return (int)strtol(digits, NULL, 10);
+    }
+    return -1;
+}
+
+/* Follows the links that `t->path` is, until it names a descriptor, something else, or nothing. Returns 0 or errno. */
+static int follow_links(target *t)
+{
+    char link[PATH_MAX];
+    for (int i = 0; i < LINKS_MAX; i++) {
+        if (descriptor_named(t->path) >= 0)
+            return 0;
+        ssize_t length = readlink(t->path, link, sizeof link - 1);
+        if (length < 0)
+            return errno == EINVAL || errno == ENOENT ? 0 : errno; /* no link; nothing there yet */
+        link[length] = '\0';
+        char *next = beside(link[0] == '/' ? "" : t->path, link);
+        if (!next)
+            return ENOMEM;
+        free(t->path);
+        t->path = next;
+    }
+    return ELOOP;
+}
+
+/* A name that nobody else has; `attempt` makes another one. */
+static char *temporary_name(const target *t, unsigned attempt)
+{
+    struct timespec now = {0};
+    char name[64];
+    clock_gettime(CLOCK_REALTIME, &now);
+    snprintf(name, sizeof name, ".roberts-%lx-%lx-%x", (unsigned long)getpid(), (unsigned long)now.tv_nsec, attempt);
+    return beside(t->path, name);
+}
+
+static void announce(const roberts_draw_options *options, const char *path)
+{
+    if (options->temporary)
+        options->temporary(options->temporary_context, path);
+}
+
+static int open_beside(target *t, const roberts_draw_options *options)
+{
+    mode_t mode = t->replaces ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
+    int reason = EEXIST;
+    for (unsigned i = 0; i < NAMES_TRIED && reason == EEXIST; i++) {
+        free(t->temporary);
+        t->temporary = temporary_name(t, i);
+        if (!t->temporary)
+            return ENOMEM;
+        announce(options, t->temporary);
+        t->descriptor = open(t->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        if (t->descriptor >= 0)
+            return 0;
+        reason = errno;
+        announce(options, NULL);
+    }
+    free(t->temporary);
+    t->temporary = NULL;
+    return reason;
+}
+
+/* Gives the new file the owner and mode of the old one. The owner only root can set; without it the bits that lend
+ * rights go. */
+static int take_mode(const target *t)
+{
+    mode_t mode = t->old.st_mode & (S_ISUID | S_ISGID | S_IRWXU | S_IRWXG | S_IRWXO);
+    if (fchown(t->descriptor, t->old.st_uid, t->old.st_gid) != 0)
+        mode &= S_IRWXU | S_IRWXG | S_IRWXO;
+    return fchmod(t->descriptor, mode) == 0 ? 0 : errno;
+}
+
+static int open_target(target *t, const roberts_draw_options *options)
+{
+    int reason = follow_links(t), named = descriptor_named(t->path);
+    if (reason)
+        return reason;
+    if (named >= 0)
+        return (t->descriptor = dup(named)) >= 0 ? 0 : errno;
+    if (stat(t->path, &t->old) != 0) {
+        if (errno != ENOENT)
+            return errno;
+        return t->path[0] && t->path[strlen(t->path) - 1] == '/' ? EISDIR : open_beside(t, options);
+    }
+    if (S_ISDIR(t->old.st_mode))
+        return EISDIR;
+    if (!S_ISREG(t->old.st_mode))
+        return (t->descriptor = open(t->path, O_WRONLY | O_NOCTTY | O_CLOEXEC)) >= 0 ? 0 : errno;
+    if (faccessat(AT_FDCWD, t->path, W_OK, AT_EACCESS) != 0)
+        return errno; /* a file that is protected against writing is protected against replacing */
+    t->replaces = true;
+    return open_beside(t, options);
+}
+
+/* Waits until a descriptor that somebody has made non-blocking takes bytes again. */
+static bool wait_writable(int descriptor)
+{
+    struct pollfd one = {.fd = descriptor, .events = POLLOUT};
+    return poll(&one, 1, -1) >= 0 || errno == EINTR;
+}
+
+static bool write_descriptor(void *context, const void *bytes, size_t size)
+{
+    int descriptor = *(int *)context;
+    const char *at = bytes;
+    while (size) {
+        ssize_t done = write(descriptor, at, size);
+        if (done < 0 && (errno == EAGAIN || errno == EWOULDBLOCK) && wait_writable(descriptor))
+            continue;
+        if (done < 0 && errno == EINTR)
+            continue;
+        if (done < 0)
+            return false;
+        at += done;
+        size -= (size_t)done;
+    }
+    return true;
+}
+
+/* Closes, and renames where all went well; in every case the temporary file is gone. */
+static roberts_status close_target(target *t, const roberts_draw_options *options, roberts_status status,
+                                   roberts_error *error)
+{
+    int reason = 0;
+    if (status == ROBERTS_OK && t->replaces)
+        reason = take_mode(t);
+    if (close(t->descriptor) != 0 && !reason && errno != EINTR)
+        reason = errno; /* the last chance of a network's disk to be full */
+    if (t->temporary) {
+        if (status == ROBERTS_OK && !reason && rename(t->temporary, t->path) != 0)
+            reason = errno;
+        if (status != ROBERTS_OK || reason)
+            unlink(t->temporary);
+        announce(options, NULL);
+    }
+    return status == ROBERTS_OK && reason ? output_error(error, "cannot write", reason) : status;
+}
+
+static roberts_status save_file(const roberts_drawing *drawing, const roberts_draw_options *options, const char *path,
+                                roberts_error *error)
+{
+    target t = {.path = beside("", path), .descriptor = -1};
+    roberts_status status;
+    int reason = t.path ? open_target(&t, options) : ENOMEM;
+    if (reason) {
+        status = reason == ENOMEM ? error_no_memory(error) : output_error(error, "cannot write", reason);
+    } else {
+        status = roberts_drawing_write(drawing, options, write_descriptor, &t.descriptor, error);
+        status = close_target(&t, options, status, error);
+    }
+    free(t.temporary);
+    free(t.path);
+    return status;
+}
+
+roberts_status roberts_drawing_save(const roberts_drawing *drawing, const roberts_draw_options *options,
+                                    const char *path, roberts_error *error)
+{
+    roberts_draw_options defaults = roberts_draw_options_default();
+    int standard_output = STDOUT_FILENO;
+    bool to_standard_output = strcmp(path, "-") == 0;
+    roberts_status status;
+    if (!options)
+        options = &defaults;
+    if (to_standard_output || options->format == ROBERTS_NULL)
+        status = roberts_drawing_write(drawing, options, write_descriptor, &standard_output, error);
+    else
+        status = save_file(drawing, options, path, error);
+    if (status != ROBERTS_OK)
+        error_set_file(error, to_standard_output ? "standard output" : path);
+    return status;
+}

@@ -1,0 +1,11 @@
+/* table.h - segments as tables: CSV and JSON. */
+#ifndef ROBERTS_DRAW_TABLE_H
+#define ROBERTS_DRAW_TABLE_H
+
+#include "draw/output.h"
+
+/* One row per segment in the drawing's order; without `with_hidden`, visible ones only. The caller finishes `out`. */
+void table_write_csv(const roberts_drawing *drawing, bool with_hidden, output *out);
+void table_write_json(const roberts_drawing *drawing, bool with_hidden, output *out);
+
+#endif

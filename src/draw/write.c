@@ -1,0 +1,140 @@
+/* write.c - a drawing in any format: defaults, checks, and the way to the room that writes it. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/error.h"
+#include "draw/output.h"
+#include "draw/page.h"
+#include "draw/paper.h"
+#include "draw/strokes.h"
+#include "draw/svg.h"
+#include "draw/table.h"
+
+static const struct {
+    const char *name; /* also the ending of file names */
+    roberts_format format;
+} formats[] = {
+    {"svg", ROBERTS_SVG}, {"pdf", ROBERTS_PDF}, {"ps", ROBERTS_PS},     {"eps", ROBERTS_EPS},
+    {"png", ROBERTS_PNG}, {"csv", ROBERTS_CSV}, {"json", ROBERTS_JSON}, {"null", ROBERTS_NULL},
+};
+
+/* Letters A to Z fold, whatever the locale. */
+static bool same_word(const char *a, const char *b)
+{
+    for (;; a++, b++) {
+        int x = *a >= 'A' && *a <= 'Z' ? *a - 'A' + 'a' : *a, y = *b >= 'A' && *b <= 'Z' ? *b - 'A' + 'a' : *b;
+        if (x != y)
+            return false;
+        if (x == '\0')
+            return true;
+    }
+}
+
+bool roberts_format_by_name(const char *name, roberts_format *format)
+{
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++)
+        if (same_word(name, formats[i].name)) {
+            *format = formats[i].format;
+            return true;
+        }
+    return false;
+}
+
+bool roberts_format_by_path(const char *path, roberts_format *format)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    return dot && dot != name && roberts_format_by_name(dot + 1, format);
+}
+
+roberts_draw_options roberts_draw_options_default(void)
+{
+    return (roberts_draw_options){
+        .format = ROBERTS_SVG,
+        .hidden = ROBERTS_HIDDEN_NONE,
+        .page = {.width_mm = 210.0, .height_mm = 297.0, .margin_mm = 10.0},
+        .outline = {.width_mm = 0.5},
+        .crease = {.width_mm = 0.35},
+        .back = {.width_mm = 0.25, .dash_mm = 12 * 0.25, .gap_mm = 3 * 0.25},
+        .dpi = 150.0,
+    };
+}
+
+static bool pen_is_valid(const roberts_pen *pen)
+{
+    const double widest = 1000.0; /* mm */
+    return pen->width_mm > 0.0 && pen->width_mm <= widest && pen->dash_mm >= 0.0 && pen->dash_mm <= widest &&
+           pen->gap_mm >= 0.0 && pen->gap_mm <= widest;
+}
+
+static roberts_status check_options(const roberts_draw_options *options, roberts_error *error)
+{
+    if (options->hidden < ROBERTS_HIDDEN_NONE || options->hidden > ROBERTS_HIDDEN_SOLID)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no such way to draw hidden lines");
+    if (!pen_is_valid(&options->outline) || !pen_is_valid(&options->crease) || !pen_is_valid(&options->back))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a pen is 0.001 to 1000 mm wide, dashes and gaps up to that");
+    return page_is_valid(&options->page, error) ? ROBERTS_OK : ROBERTS_BAD_ARGUMENT;
+}
+
+static bool is_finite(roberts_vec2 p)
+{
+    return isfinite(p.x) && isfinite(p.y);
+}
+
+static roberts_status check_segments(const roberts_drawing *drawing, roberts_error *error)
+{
+    for (size_t i = 0; i < drawing->count; i++) {
+        const roberts_segment *s = &drawing->segment[i];
+        if (!(is_finite(s->p0) && is_finite(s->p1) && isfinite(s->t0) && isfinite(s->t1)))
+            return error_set(error, ROBERTS_BAD_NUMBER, 0, "segment %zu is not finite", i);
+    }
+    return ROBERTS_OK;
+}
+
+static roberts_status write_format(const roberts_drawing *drawing, const roberts_draw_options *options, output *out,
+                                   roberts_error *error)
+{
+    bool with_hidden = options->hidden != ROBERTS_HIDDEN_NONE;
+    strokes s;
+    switch (options->format) {
+    case ROBERTS_SVG:
+        s = strokes_prepare(drawing, options);
+        return svg_write(&s, out, error);
+    case ROBERTS_PDF:
+    case ROBERTS_PS:
+    case ROBERTS_EPS:
+    case ROBERTS_PNG:
+        s = strokes_prepare(drawing, options);
+        return paper_write(&s, out, error);
+    case ROBERTS_CSV:
+        table_write_csv(drawing, with_hidden, out);
+        return ROBERTS_OK;
+    case ROBERTS_JSON:
+        table_write_json(drawing, with_hidden, out);
+        return ROBERTS_OK;
+    case ROBERTS_NULL:
+        return ROBERTS_OK;
+    }
+    return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no such format");
+}
+
+roberts_status roberts_drawing_write(const roberts_drawing *drawing, const roberts_draw_options *options,
+                                     roberts_write_fn *write, void *context, roberts_error *error)
+{
+    roberts_draw_options defaults = roberts_draw_options_default();
+    roberts_status status, written;
+    if (!options)
+        options = &defaults;
+    if ((status = check_options(options, error)) != ROBERTS_OK)
+        return status;
+    if ((status = check_segments(drawing, error)) != ROBERTS_OK)
+        return status;
+    output *out = malloc(sizeof *out);
+    if (!out)
+        return error_no_memory(error);
+    output_start(out, write, context);
+    status = write_format(drawing, options, out, error);
+    written = status == ROBERTS_OK || out->failed ? output_finish(out, error) : status;
+    free(out);
+    return status == ROBERTS_OK ? written : status;
+}
