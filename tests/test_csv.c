@@ -1,0 +1,302 @@
+/* Tables: every number readable to the last bit, every row where and as the interface says. */
+#include <errno.h>
+#include <float.h>
+#include <locale.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "draw/decimal.h"
+#include "drawing.h"
+
+/* ---- numbers ---- */
+
+static const double number_cases[] = {
+    1.0,
+    0.1,
+    0.5,
+    1.0 / 3,
+    2.0 / 3,
+    0.3,
+    100.0,
+    1e-4,
+    0.0001234,
+    9.9999e-5,
+    1e-5,
+    1e-11,
+    1.00001e-11,
+    9.9999e-12,
+    1e-12,
+    5e-324,
+    DBL_MIN,
+    DBL_MAX,
+    1e15,
+    1e16,
+    9999999999999998.0,
+    1e17,
+    1.5e17,
+    99999999999999984.0,
+    123456789012345678.0,
+    1e22,
+    4503599627370496.5,
+    2.98023223876953125e-08 /* 18 digits ending in 5: a tie */,
+    8.9406967163085938e-08,
+    0.99999999999999989,
+    9.9999999999999982,
+    1e-300,
+    3.0000000000000004,
+    12345.678901234567,
+    1e150,
+};
+
+static void check_number(double x)
+{
+    char ours[DECIMAL_ROOM], theirs[64];
+    snprintf(theirs, sizeof theirs, "%.17g", x);
+    size_t length = decimal_format(ours, x);
+    assert_string_equal(ours, theirs);
+    assert_int_equal(length, strlen(ours));
+}
+
+static void numbers_are_as_printf_has_them(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof number_cases / sizeof number_cases[0]; i++) {
+        check_number(number_cases[i]);
+        check_number(-number_cases[i]);
+        check_number(nextafter(number_cases[i], 0.0));
+        if (number_cases[i] < DBL_MAX)
+            check_number(nextafter(number_cases[i], INFINITY));
+    }
+    for (int e = -40; e <= 40; e++) {
+        check_number(pow(10.0, e));
+        check_number(nextafter(pow(10.0, e), 0.0));
+        check_number(ldexp(1.0, 2 * e));
+        check_number(ldexp(3.0, 3 * e));
+    }
+}
+
+static uint64_t next_random(uint64_t *seed)
+{
+    *seed ^= *seed << 13;
+    *seed ^= *seed >> 7;
+    return *seed ^= *seed << 17;
+}
+
+static void random_numbers_are_as_printf_has_them(void **state)
+{
+    uint64_t seed = 88172645463325252u;
+    (void)state;
+    for (int i = 0; i < 300000; i++) {
+        uint64_t bits = next_random(&seed);
+        double any, usual = ldexp((double)(bits >> 11), -(int)(bits % 97)), few = (double)(bits >> 44) / 1024.0;
+        memcpy(&any, &bits, sizeof any);
+        if (isfinite(any))
+            check_number(any);
+        check_number(usual); /* 2^-97 to 2^53: the exact way and both its ends */
+        check_number(few);   /* short binary fractions: ties */
+    }
+}
+
+static void zero_has_no_sign(void **state)
+{
+    char text[DECIMAL_ROOM];
+    (void)state;
+    assert_int_equal(decimal_format(text, -0.0), 1);
+    assert_string_equal(text, "0");
+}
+
+static const struct {
+    const char *printed, *wanted;
+} locale_cases[] = {
+    {"1,5", "1.5"},
+    {"1.5", "1.5"},
+    {"-1\xd9\xab"
+     "5e+30",
+     "-1.5e+30"},
+    {"17", "17"},
+    {"2,5e-300", "2.5e-300"},
+};
+
+static void commas_become_points(void **state)
+{
+    char text[DECIMAL_ROOM];
+    (void)state;
+    for (size_t i = 0; i < sizeof locale_cases / sizeof locale_cases[0]; i++) {
+        size_t length = decimal_unlocalise(text, locale_cases[i].printed);
+        assert_string_equal(text, locale_cases[i].wanted);
+        assert_int_equal(length, strlen(text));
+    }
+}
+
+/* ---- rows ---- */
+
+#define HEAD "solid,v0,v1,t0,t1,state,x0,y0,x1,y1,by\n"
+
+static roberts_segment three[] = {
+    {0, 0, 1, ROBERTS_NONE, 0.0, 0.5, {0.0, -1.5}, {1e-7, 2e20}, ROBERTS_VISIBLE, ROBERTS_OUTLINE},
+    {0, 0, 1, 7, 0.5, 1.0, {1e-7, 2e20}, {0.1, 3.0}, ROBERTS_HIDDEN, ROBERTS_OUTLINE},
+    {4294967294u, 9, 10, ROBERTS_NONE, 0.25, 1.0, {-0.0, 1.0}, {1.0, 1.0}, ROBERTS_CLIPPED, ROBERTS_CREASE},
+};
+
+static const struct {
+    const char *name;
+    roberts_format format;
+    roberts_hidden hidden;
+    size_t first, count;
+    const char *wanted;
+} row_cases[] = {
+    {"empty", ROBERTS_CSV, ROBERTS_HIDDEN_DASHED, 0, 0, HEAD},
+    {"visible rows alone", ROBERTS_CSV, ROBERTS_HIDDEN_NONE, 0, 3,
+     HEAD "0,0,1,0,0.5,visible,0,-1.5,9.9999999999999995e-08,2e+20,\n"},
+    {"all rows", ROBERTS_CSV, ROBERTS_HIDDEN_DASHED, 0, 3,
+     HEAD "0,0,1,0,0.5,visible,0,-1.5,9.9999999999999995e-08,2e+20,\n"
+          "0,0,1,0.5,1,hidden,9.9999999999999995e-08,2e+20,0.10000000000000001,3,7\n"
+          "4294967294,9,10,0.25,1,clipped,0,1,1,1,\n"},
+    {"solid lines are in the table too", ROBERTS_CSV, ROBERTS_HIDDEN_SOLID, 1, 1,
+     HEAD "0,0,1,0.5,1,hidden,9.9999999999999995e-08,2e+20,0.10000000000000001,3,7\n"},
+    {"empty JSON", ROBERTS_JSON, ROBERTS_HIDDEN_NONE, 0, 0, "[]\n"},
+    {"JSON", ROBERTS_JSON, ROBERTS_HIDDEN_DASHED, 1, 2,
+     "[\n{\"solid\":0,\"v0\":0,\"v1\":1,\"t0\":0.5,\"t1\":1,\"state\":\"hidden\",\"x0\":9.9999999999999995e-08,"
+     "\"y0\":2e+20,\"x1\":0.10000000000000001,\"y1\":3,\"by\":7},\n"
+     "{\"solid\":4294967294,\"v0\":9,\"v1\":10,\"t0\":0.25,\"t1\":1,\"state\":\"clipped\",\"x0\":0,\"y0\":1,"
+     "\"x1\":1,\"y1\":1,\"by\":null}\n]\n"},
+    {"JSON, visible rows alone", ROBERTS_JSON, ROBERTS_HIDDEN_NONE, 1, 2, "[]\n"},
+    {"null", ROBERTS_NULL, ROBERTS_HIDDEN_NONE, 0, 3, ""},
+};
+
+static void check_rows(void)
+{
+    for (size_t i = 0; i < sizeof row_cases / sizeof row_cases[0]; i++) {
+        roberts_draw_options options = roberts_draw_options_default();
+        roberts_drawing drawing = {.count = row_cases[i].count, .segment = three + row_cases[i].first};
+        sink to = {0};
+        options.format = row_cases[i].format;
+        options.hidden = row_cases[i].hidden;
+        print_message("%s\n", row_cases[i].name);
+        assert_int_equal(roberts_drawing_write(&drawing, &options, sink_write, &to, NULL), ROBERTS_OK);
+        assert_string_equal(to.bytes ? to.bytes : "", row_cases[i].wanted);
+        free(to.bytes);
+    }
+}
+
+static void rows(void **state)
+{
+    (void)state;
+    check_rows();
+}
+
+static void rows_in_a_locale_with_commas(void **state)
+{
+    (void)state;
+    if (!setlocale(LC_ALL, "de_DE.UTF-8")) {
+        print_message("no locale de_DE.UTF-8\n");
+        skip();
+    }
+    char text[16];
+    snprintf(text, sizeof text, "%g", 0.5);
+    assert_string_equal(text, "0,5");
+    check_rows();
+    setlocale(LC_ALL, "C");
+}
+
+/* Wherever the output stops taking bytes, the reason comes back. */
+static void full_output(void **state)
+{
+    (void)state;
+    size_t count = 5000;
+    roberts_drawing drawing = {.count = count, .segment = malloc(count * sizeof(roberts_segment))};
+    roberts_draw_options options = roberts_draw_options_default();
+    options.format = ROBERTS_CSV;
+    assert_non_null(drawing.segment);
+    for (size_t i = 0; i < count; i++)
+        drawing.segment[i] = line_at(ROBERTS_OUTLINE, (double)i, 1.0 / 3, 0.7, 1.0);
+    sink all = {0};
+    assert_int_equal(roberts_drawing_write(&drawing, &options, sink_write, &all, NULL), ROBERTS_OK);
+    for (size_t room = 1; room < 2 * all.size; room = room * 3 + 1) {
+        sink to = {.room = room};
+        roberts_error error = {0};
+        roberts_status status = roberts_drawing_write(&drawing, &options, sink_write, &to, &error);
+        assert_int_equal(status, room < all.size ? ROBERTS_IO : ROBERTS_OK);
+        if (status != ROBERTS_OK)
+            assert_string_equal(error.message, "cannot write: No space left on device");
+        free(to.bytes);
+    }
+    free(all.bytes);
+    free(drawing.segment);
+}
+
+static void what_is_not_finite_is_refused(void **state)
+{
+    (void)state;
+    for (int format = ROBERTS_SVG; format <= ROBERTS_NULL; format++)
+        for (int i = 0; i < 6; i++) {
+            roberts_segment bad = line_at(ROBERTS_OUTLINE, 0, 0, 1, 1);
+            double *part[] = {&bad.t0, &bad.t1, &bad.p0.x, &bad.p0.y, &bad.p1.x, &bad.p1.y};
+            roberts_draw_options options = roberts_draw_options_default();
+            roberts_drawing drawing = {.count = 1, .segment = &bad};
+            roberts_error error = {0};
+            sink to = {0};
+            *part[i] = i % 2 ? NAN : -INFINITY;
+            options.format = (roberts_format)format;
+            assert_int_equal(roberts_drawing_write(&drawing, &options, sink_write, &to, &error), ROBERTS_BAD_NUMBER);
+            assert_string_equal(error.message, "segment 0 is not finite");
+            assert_null(to.bytes);
+        }
+}
+
+static const struct {
+    const char *path;
+    int format; /* -1: none */
+} path_cases[] = {
+    {"a.svg", ROBERTS_SVG},
+    {"a.SVG", ROBERTS_SVG},
+    {"b/c.d/a.csv", ROBERTS_CSV},
+    {"a.b.json", ROBERTS_JSON},
+    {"a.eps", ROBERTS_EPS},
+    {"a.ps", ROBERTS_PS},
+    {"a.pdf", ROBERTS_PDF},
+    {"a.png", ROBERTS_PNG},
+    {"svg", -1},
+    {".svg", -1},
+    {"x/.svg", -1},
+    {"a.svg/b", -1},
+    {"a.", -1},
+    {"", -1},
+    {"-", -1},
+    {"a.svgz", -1},
+};
+
+static void formats_by_ending(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof path_cases / sizeof path_cases[0]; i++) {
+        roberts_format format = (roberts_format)99;
+        bool found = roberts_format_by_path(path_cases[i].path, &format);
+        print_message("%s\n", path_cases[i].path);
+        assert_int_equal(found, path_cases[i].format >= 0);
+        assert_int_equal((int)format, found ? path_cases[i].format : 99);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(numbers_are_as_printf_has_them),
+        cmocka_unit_test(random_numbers_are_as_printf_has_them),
+        cmocka_unit_test(zero_has_no_sign),
+        cmocka_unit_test(commas_become_points),
+        cmocka_unit_test(rows),
+        cmocka_unit_test(rows_in_a_locale_with_commas),
+        cmocka_unit_test(full_output),
+        cmocka_unit_test(what_is_not_finite_is_refused),
+        cmocka_unit_test(formats_by_ending),
+    };
+    return cmocka_run_group_tests_name("csv", tests, NULL, NULL);
+}

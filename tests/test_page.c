@@ -1,0 +1,195 @@
+/* The page: what is fitted lies within the margins, fills them one way, is centred and upright. */
+#include <errno.h>
+#include <float.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "draw/page.h"
+#include "draw/strokes.h"
+#include "drawing.h"
+
+static const roberts_page a4 = {210.0, 297.0, 10.0};
+
+static const struct {
+    const char *name;
+    roberts_page page;
+    roberts_vec2 min, max;
+    roberts_vec2 p, on_page; /* a point and where it comes to lie */
+} fit_cases[] = {
+    {"wide: left edge on the margin", {210, 297, 10}, {0, 0}, {19, 1}, {0, 0.5}, {10, 148.5}},
+    {"wide: right edge on the margin", {210, 297, 10}, {0, 0}, {19, 1}, {19, 0.5}, {200, 148.5}},
+    {"y up becomes y down", {210, 297, 10}, {0, 0}, {19, 1}, {9.5, 1}, {105, 143.5}},
+    {"tall: top on the margin", {210, 297, 10}, {-1, -100}, {1, 177}, {0, 177}, {105, 10}},
+    {"tall: bottom on the margin", {210, 297, 10}, {-1, -100}, {1, 177}, {-1, -100}, {104, 287}},
+    {"exactly in proportion", {210, 297, 10}, {0, 0}, {1.9, 2.77}, {1.9, 2.77}, {200, 10}},
+    {"no margin", {100, 100, 0}, {0, 0}, {1, 1}, {1, 1}, {100, 0}},
+    {"lying page", {297, 210, 10}, {0, 0}, {2, 1}, {2, 1}, {287, 35.75}},
+    {"no height", {210, 297, 10}, {3, 7}, {5, 7}, {3, 7}, {10, 148.5}},
+    {"no width", {210, 297, 10}, {7, 3}, {7, 5}, {7, 5}, {105, 10}},
+    {"a point", {210, 297, 10}, {7, 3}, {7, 3}, {7, 3}, {105, 148.5}},
+    {"a point: one mm per unit", {210, 297, 10}, {7, 3}, {7, 3}, {8, 3}, {106, 148.5}},
+    {"huge", {210, 297, 10}, {-1e300, -1e299}, {1e300, 1e299}, {1e300, 0}, {200, 148.5}},
+    {"as large as can be", {210, 297, 10}, {-DBL_MAX, 0}, {DBL_MAX, 1}, {-DBL_MAX, 0.5}, {10, 148.5}},
+    {"tiny", {210, 297, 10}, {0, 0}, {1e-300, 1e-301}, {1e-300, 0}, {200, 158}},
+    {"denormal", {210, 297, 10}, {0, 0}, {64 * 4.9406564584124654e-324, 0}, {0, 0}, {10, 148.5}},
+    {"narrow beyond measure", {210, 297, 10}, {0, 0}, {1e-320, 1e300}, {0, 1e300}, {105, 10}},
+};
+
+static void fitted(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof fit_cases / sizeof fit_cases[0]; i++) {
+        page_map map = page_fit(&fit_cases[i].page, fit_cases[i].min, fit_cases[i].max);
+        roberts_vec2 q = page_place(&map, fit_cases[i].p);
+        print_message("%s: %.17g, %.17g\n", fit_cases[i].name, q.x, q.y);
+        assert_true(fabs(q.x - fit_cases[i].on_page.x) < 1e-9);
+        assert_true(fabs(q.y - fit_cases[i].on_page.y) < 1e-9);
+    }
+}
+
+/* For any box: corners within the margins, one pair of sides on them, the middle in the middle, angles kept. */
+static void any_box_fits(void **state)
+{
+    uint64_t seed = 1;
+    (void)state;
+    for (int i = 0; i < 20000; i++) {
+        double r[4];
+        for (int k = 0; k < 4; k++) {
+            seed = seed * 6364136223846793005u + 1442695040888963407u;
+            r[k] = (double)(seed >> 11) * 0x1p-53;
+        }
+        double size = exp((r[0] - 0.5) * 600.0), ratio = exp((r[1] - 0.5) * 20.0);
+        roberts_vec2 min = {(r[2] - 0.5) * size, (r[3] - 0.5) * size}, max = {min.x + size, min.y + size * ratio};
+        page_map map = page_fit(&a4, min, max);
+        roberts_vec2 a = page_place(&map, min), b = page_place(&map, max);
+        double slack = 1e-9; /* mm; 2^-52 of a box no farther from the origin than its size, on 300 mm */
+        assert_true(a.x >= 10 - slack && b.x <= 200 + slack && b.y >= 10 - slack && a.y <= 287 + slack);
+        assert_true(fmin(fabs(a.x - 10), fabs(b.y - 10)) < slack && fmin(fabs(b.x - 200), fabs(a.y - 287)) < slack);
+        assert_true(fabs(a.x + b.x - 210) < slack && fabs(a.y + b.y - 297) < slack);
+        double drawn = (a.y - b.y) / (b.x - a.x), wanted = (max.y - min.y) / (max.x - min.x);
+        if (b.x - a.x > 1e-2 && a.y - b.y > 1e-2)
+            assert_true(fabs(drawn / wanted - 1) < 1e-6);
+    }
+}
+
+static const struct {
+    const char *name;
+    roberts_page page;
+    bool valid;
+} page_cases[] = {
+    {"A4", {210, 297, 10}, true},
+    {"no margin", {210, 297, 0}, true},
+    {"margins leave nothing", {210, 297, 105}, false},
+    {"margins leave little", {210, 297, 104.9}, true},
+    {"negative margin", {210, 297, -1}, false},
+    {"no width", {0, 297, 0}, false},
+    {"smallest", {1, 1, 0}, true},
+    {"largest", {40000, 40000, 10}, true},
+    {"too large", {40001, 10, 0}, false},
+    {"not a number", {NAN, 297, 10}, false},
+    {"margin not a number", {210, 297, NAN}, false},
+    {"infinite", {210, INFINITY, 10}, false},
+};
+
+static void pages_are_checked(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof page_cases / sizeof page_cases[0]; i++) {
+        roberts_error error = {0};
+        print_message("%s\n", page_cases[i].name);
+        assert_int_equal(page_is_valid(&page_cases[i].page, &error), page_cases[i].valid);
+        assert_int_equal(error.status, page_cases[i].valid ? ROBERTS_OK : ROBERTS_BAD_ARGUMENT);
+    }
+}
+
+/* ---- strokes ---- */
+
+static size_t count_strokes(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_line line)
+{
+    strokes s = strokes_prepare(drawing, options);
+    size_t at = 0, count = 0;
+    stroke next;
+    while (strokes_next(&s, line, &at, &next))
+        count++;
+    return count;
+}
+
+static const struct {
+    const char *name;
+    roberts_state state;
+    roberts_line line;
+    roberts_hidden hidden;
+    int drawn_as; /* -1: not */
+} class_cases[] = {
+    {"outline", ROBERTS_VISIBLE, ROBERTS_OUTLINE, ROBERTS_HIDDEN_NONE, ROBERTS_OUTLINE},
+    {"crease", ROBERTS_VISIBLE, ROBERTS_CREASE, ROBERTS_HIDDEN_NONE, ROBERTS_CREASE},
+    {"hidden outline, not wanted", ROBERTS_HIDDEN, ROBERTS_OUTLINE, ROBERTS_HIDDEN_NONE, -1},
+    {"hidden outline, dashed", ROBERTS_HIDDEN, ROBERTS_OUTLINE, ROBERTS_HIDDEN_DASHED, ROBERTS_BACK},
+    {"hidden crease, solid", ROBERTS_HIDDEN, ROBERTS_CREASE, ROBERTS_HIDDEN_SOLID, ROBERTS_BACK},
+    {"back edge", ROBERTS_HIDDEN, ROBERTS_BACK, ROBERTS_HIDDEN_DASHED, ROBERTS_BACK},
+    {"clipped", ROBERTS_CLIPPED, ROBERTS_OUTLINE, ROBERTS_HIDDEN_DASHED, -1},
+};
+
+static void each_class_has_its_pen(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof class_cases / sizeof class_cases[0]; i++) {
+        roberts_segment segment = line_at(class_cases[i].line, 0, 0, 1, 1);
+        roberts_drawing drawing = {.count = 1, .segment = &segment};
+        roberts_draw_options options = roberts_draw_options_default();
+        segment.state = (uint8_t)class_cases[i].state;
+        options.hidden = class_cases[i].hidden;
+        print_message("%s\n", class_cases[i].name);
+        for (int line = ROBERTS_OUTLINE; line <= ROBERTS_BACK; line++)
+            assert_int_equal(count_strokes(&drawing, &options, (roberts_line)line), line == class_cases[i].drawn_as);
+        options.outline.off = options.crease.off = options.back.off = true;
+        for (int line = ROBERTS_OUTLINE; line <= ROBERTS_BACK; line++)
+            assert_int_equal(count_strokes(&drawing, &options, (roberts_line)line), 0);
+    }
+}
+
+/* Only what is drawn is fitted: here the hidden line would double the box. */
+static void what_is_not_drawn_takes_no_room(void **state)
+{
+    roberts_segment two[] = {line_at(ROBERTS_OUTLINE, 0, 0, 1, 0), line_at(ROBERTS_BACK, 1, 0, 2, 0)};
+    roberts_drawing drawing = {.count = 2, .segment = two};
+    roberts_draw_options options = roberts_draw_options_default();
+    (void)state;
+    two[1].state = ROBERTS_HIDDEN;
+    strokes without = strokes_prepare(&drawing, &options);
+    options.hidden = ROBERTS_HIDDEN_DASHED;
+    strokes with = strokes_prepare(&drawing, &options);
+    assert_true(page_place(&without.map, (roberts_vec2){1, 0}).x == 200.0);
+    assert_true(page_place(&with.map, (roberts_vec2){1, 0}).x == 105.0);
+}
+
+/* Edges seen end-on, and those shorter than the page's unit. */
+static void strokes_have_length(void **state)
+{
+    roberts_segment some[] = {line_at(ROBERTS_OUTLINE, 0, 0, 190, 0), line_at(ROBERTS_OUTLINE, 5, 0, 5, 0),
+                              line_at(ROBERTS_OUTLINE, 6, 0, 6.0001, 0), line_at(ROBERTS_OUTLINE, 7, 0, 7.0015, 0)};
+    roberts_drawing drawing = {.count = 4, .segment = some};
+    roberts_draw_options options = roberts_draw_options_default();
+    (void)state;
+    assert_int_equal(count_strokes(&drawing, &options, ROBERTS_OUTLINE), 2);
+    drawing = (roberts_drawing){.count = 1, .segment = some + 1};
+    assert_int_equal(count_strokes(&drawing, &options, ROBERTS_OUTLINE), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(fitted),
+        cmocka_unit_test(any_box_fits),
+        cmocka_unit_test(pages_are_checked),
+        cmocka_unit_test(each_class_has_its_pen),
+        cmocka_unit_test(what_is_not_drawn_takes_no_room),
+        cmocka_unit_test(strokes_have_length),
+    };
+    return cmocka_run_group_tests_name("page", tests, NULL, NULL);
+}
