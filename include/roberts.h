@@ -235,7 +235,9 @@ typedef struct roberts_drawing {
     double epsilon;                      /**< the touching distance that was used, model units */
     double scene_diameter;               /**< diagonal of the box round the scene */
     uint32_t grid;                       /**< cells per side, as chosen */
-    size_t solids, front_faces, back_faces, edge_on_faces;
+    size_t solids, culled_solids; /**< all; known to be wholly hidden before they were cut (their faces and edges are
+                                       not among the following) */
+    size_t front_faces, back_faces, edge_on_faces;
     size_t edges, surviving_edges, drawn_edges; /**< all; with a front face; without those flatter than the crease */
     roberts_tally tally;
     roberts_time view_time, grid_time, hide_time;

@@ -36,6 +36,17 @@ static inline double vec3_length(roberts_vec3 a)
     return sqrt(vec3_dot(a, a));
 }
 
+/* Lesser and greater of two numbers, neither of them NaN: fmin() and fmax() are calls, for the sake of NaN. */
+static inline double lesser(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double greater(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 /* F(P) = a x + b y + c z + d with (a, b, c) of length 1: the signed distance of P from the plane, in model units. A
  * face's (a, b, c) points into its solid: F(P) < 0 outside, F(P) > 0 inside. */
 typedef roberts_plane plane;

@@ -1,133 +1,236 @@
-/* edge.c - see edge.h. */
+/* edge.c - see edge.h.
+ *
+ * The edges of a small solid go through the cells together: each front in them is met once, by all edges. The edges of a
+ * solid that spans many cells go one by one, each through the cells that its own picture crosses. */
 #include "hide/edge.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
 
-bool hide_worker_init(hide_worker *w, const hide_front *front, const objet *grid, uint32_t solid_count)
+/* A solid of more columns or rows than this, or more edges, is taken edge by edge. */
+#define GROUP_CELLS 3
+#define GROUP_EDGES 64
+
+bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *grid)
 {
-    *w = (hide_worker){.front = front, .grid = grid};
-    w->seen = alloc_zeroed(front->count, sizeof *w->seen);
-    w->solid_seen = alloc_zeroed(solid_count, sizeof *w->solid_seen);
-    w->solid_slot = alloc_array(solid_count, sizeof *w->solid_slot);
-    return w->seen && w->solid_seen && w->solid_slot && hide_sides_reserve(&w->sides, front->most_corners);
+    *w = (hide_worker){.picture = picture, .grid = grid};
+    w->seen = alloc_zeroed(picture->front_count, sizeof *w->seen);
+    return w->seen && hide_sides_reserve(&w->sides, picture->most_corners);
 }
 
 void hide_worker_free(hide_worker *w)
 {
+    for (size_t i = 0; i < w->line_room; i++)
+        free(w->line[i].parts.item);
+    free(w->line);
     free(w->sides.H);
-    free(w->parts.item);
     free(w->walk.item);
     free(w->seen);
-    free(w->solid_seen);
-    free(w->solid_slot);
     *w = (hide_worker){0};
 }
 
-/* The edge against one face, once; false: no memory. */
-static bool meet_face(hide_worker *w, const hide_edge *e, uint32_t face)
+static hide_box box_of(roberts_vec3 A, roberts_vec3 B, double margin)
 {
-    const hide_face *F = &w->front->face[face];
-    hide_part part;
-    if (w->seen[face] == w->stamp)
-        return true;
-    w->seen[face] = w->stamp;
-    if (!hide_by_face(&w->front->space, F, e, &w->sides, &w->tally, &part))
-        return true;
-    bool known = w->solid_seen[F->solid] == w->stamp;
-    size_t slot = known ? w->solid_slot[F->solid] : SIZE_MAX;
-    if (!hide_parts_add(&w->parts, F->solid, part, &slot))
-        return false;
-    w->solid_seen[F->solid] = w->stamp;
-    w->solid_slot[F->solid] = (uint32_t)slot;
-    return true;
+    return (hide_box){hide_float_below(lesser(A.x, B.x) - margin), hide_float_above(greater(A.x, B.x) + margin),
+                      hide_float_below(lesser(A.y, B.y) - margin), hide_float_above(greater(A.y, B.y) + margin),
+                      hide_float_below(lesser(A.z, B.z) - margin), hide_float_above(greater(A.z, B.z) + margin)};
 }
 
-/* One cell. A stretch that lies behind the cell's cover everywhere is hidden there at once: what else lists in the cell
- * can hide nothing more of it. The cover itself is asked, so that where its own part ends is found the same way in
- * every grid. */
-static bool meet_cell(hide_worker *w, const hide_edge *e, uint32_t solid, const objet_stretch *stretch)
+hide_line *hide_worker_add(hide_worker *w, uint32_t edge)
+{
+    const hide_picture *picture = w->picture;
+    const scene_edge *from = &picture->scene->edge[edge];
+    size_t room = w->line_room;
+    if (!array_reserve(&w->line, &w->line_room, w->line_count + 1, sizeof *w->line))
+        return NULL;
+    memset(w->line + room, 0, (w->line_room - room) * sizeof *w->line);
+    hide_line *line = &w->line[w->line_count++];
+    hide_edge e = {.A = picture->P[from->v[0]], .B = picture->P[from->v[1]], .a = from->v[0], .b = from->v[1]};
+    roberts_vec3 AB = vec3_sub(e.B, e.A);
+    e.length = sqrt(AB.x * AB.x + AB.y * AB.y);
+    e.length3 = vec3_length(AB);
+    line->e = e;
+    line->box = box_of(e.A, e.B, hide_margin(&picture->space));
+    line->parts.count = 0;
+    line->hidden = false;
+    line->edge = edge;
+    return line;
+}
+
+static bool apart(const hide_box *a, const hide_box *b)
+{
+    return a->x1 < b->x0 || a->x0 > b->x1 || a->y1 < b->y0 || a->y0 > b->y1 || a->z1 < b->z0;
+}
+
+/* One edge against one front, `of` it nearer than the edge somewhere. */
+static bool meet(hide_worker *w, hide_line *line, const hide_front *front)
+{
+    hide_part part;
+    if (!hide_by_front(w->picture, front, &line->e, &w->sides, &w->tally, &part))
+        return true;
+    if (part.t0 == 0.0 && part.t1 == 1.0) {
+        line->hidden = true;
+        line->parts.count = 0;
+    }
+    size_t slot = SIZE_MAX;
+    return hide_parts_add(&line->parts, front->solid, part, &slot);
+}
+
+/* The lines first..end-1, all within `box` (but for depth, of which `far` is the farthest), against one cell's fronts. */
+static bool meet_cell(hide_worker *w, uint32_t solid, size_t first, size_t end, const hide_box *box, uint32_t cell,
+                      double far)
 {
     const objet *grid = w->grid;
-    double za = hide_edge_at(e, stretch->t0).z, zb = hide_edge_at(e, stretch->t1).z;
-    double far = fmin(za, zb) - grid->margin, m = grid->margin;
-    double x0 = fmin(e->A.x, e->B.x) - m, x1 = fmax(e->A.x, e->B.x) + m;
-    double y0 = fmin(e->A.y, e->B.y) - m, y1 = fmax(e->A.y, e->B.y) + m;
-    if (fmax(za, zb) + m < grid->cover_depth[stretch->cell]) {
-        w->tally.covered++;
-        return meet_face(w, e, grid->cover[stretch->cell]);
-    }
-    for (uint32_t k = grid->start[stretch->cell]; k < grid->start[stretch->cell + 1]; k++) {
-        const hide_face *F = &w->front->face[grid->face[k]];
-        if ((double)F->z1 < far)
-            break; /* and so are all that follow: none of them has a point nearer than the stretch */
-        if (F->solid == solid || (double)F->x1 < x0 || (double)F->x0 > x1 || (double)F->y1 < y0 || (double)F->y0 > y1)
+    for (uint32_t k = grid->start[cell]; k < grid->start[cell + 1]; k++) {
+        uint32_t index = grid->front[k];
+        const hide_box *other = &w->picture->front_box[index];
+        if ((double)other->z1 < far)
+            break; /* and so are all that follow: none of them has a point nearer than the lines here */
+        if (w->seen[index] == w->stamp || apart(other, box))
             continue;
-        if (!meet_face(w, e, grid->face[k]))
+        w->seen[index] = w->stamp;
+        const hide_front *front = &w->picture->front[index];
+        if (front->solid == solid)
+            continue;
+        for (size_t i = first; i < end; i++)
+            if (!w->line[i].hidden && !apart(other, &w->line[i].box) && !meet(w, &w->line[i], front))
+                return false;
+    }
+    return true;
+}
+
+/* A new stamp; when they run out, all start again. */
+static void next_stamp(hide_worker *w)
+{
+    if (++w->stamp == 0) {
+        memset(w->seen, 0, w->picture->front_count * sizeof *w->seen);
+        w->stamp = 1;
+    }
+}
+
+/* One edge through the cells that it crosses. */
+static bool run_alone(hide_worker *w, uint32_t solid, size_t index)
+{
+    const hide_edge *e = &w->line[index].e;
+    double m = hide_margin(&w->picture->space);
+    if (w->line[index].hidden)
+        return true;
+    next_stamp(w);
+    if (!objet_cells(w->grid, e->A, e->B, &w->walk))
+        return false;
+    for (size_t i = 0; i < w->walk.count && !w->line[index].hidden; i++) {
+        objet_stretch s = w->walk.item[i];
+        double far = lesser(hide_edge_at(e, s.t0).z, hide_edge_at(e, s.t1).z) - m;
+        if (!meet_cell(w, solid, index, index + 1, &w->line[index].box, s.cell, far))
             return false;
     }
     return true;
 }
 
-/* Does one solid hide the whole edge? */
-static bool wholly_hidden(const hide_worker *w)
+/* All edges through the cells of their common box. */
+static bool run_together(hide_worker *w, uint32_t solid, const hide_box *box)
 {
-    for (size_t i = 0; i < w->parts.count; i++)
-        if (w->parts.item[i].part.t0 == 0.0 && w->parts.item[i].part.t1 == 1.0)
-            return true;
-    return false;
+    const scan_frame *f = &w->grid->frame;
+    uint32_t last = scan_column(f, (double)box->x1), low = scan_row(f, (double)box->y0);
+    uint32_t high = scan_row(f, (double)box->y1);
+    next_stamp(w);
+    for (uint32_t i = scan_column(f, (double)box->x0); i <= last; i++)
+        for (uint32_t j = low; j <= high; j++)
+            if (!meet_cell(w, solid, 0, w->line_count, box, i * f->n + j, (double)box->z0))
+                return false;
+    return true;
 }
 
-bool hide_edge_parts(hide_worker *w, const hide_edge *e, uint32_t solid)
+static void join_box(hide_box *all, const hide_box *box)
 {
-    w->stamp++;
-    w->parts.count = 0;
-    if (!objet_cells(w->grid, e->A, e->B, &w->walk))
+    all->x0 = box->x0 < all->x0 ? box->x0 : all->x0;
+    all->x1 = box->x1 > all->x1 ? box->x1 : all->x1;
+    all->y0 = box->y0 < all->y0 ? box->y0 : all->y0;
+    all->y1 = box->y1 > all->y1 ? box->y1 : all->y1;
+    all->z0 = box->z0 < all->z0 ? box->z0 : all->z0;
+    all->z1 = box->z1 > all->z1 ? box->z1 : all->z1;
+}
+
+/* What lies behind the covers is hidden at once. */
+static void drop_covered(hide_worker *w)
+{
+    for (size_t i = 0; i < w->line_count; i++)
+        if (cover_hides(&w->picture->cover, &w->line[i].box)) {
+            size_t slot = SIZE_MAX;
+            w->line[i].hidden = hide_parts_add(&w->line[i].parts, ROBERTS_NONE, (hide_part){0.0, 1.0, 0.0, 0.0}, &slot);
+            w->tally.covered += w->line[i].hidden;
+        }
+}
+
+bool hide_worker_run(hide_worker *w, uint32_t solid)
+{
+    const scan_frame *f = &w->grid->frame;
+    if (w->line_count == 0)
+        return true;
+    drop_covered(w);
+    hide_box box = w->line[0].box;
+    for (size_t i = 1; i < w->line_count; i++)
+        join_box(&box, &w->line[i].box);
+    bool small = w->line_count <= GROUP_EDGES &&
+                 scan_column(f, (double)box.x1) - scan_column(f, (double)box.x0) < GROUP_CELLS &&
+                 scan_row(f, (double)box.y1) - scan_row(f, (double)box.y0) < GROUP_CELLS;
+    if (small && !run_together(w, solid, &box))
         return false;
-    for (size_t i = 0; i < w->walk.count; i++) {
-        size_t before = w->parts.count;
-        if (!meet_cell(w, e, solid, &w->walk.item[i]))
+    for (size_t i = 0; i < w->line_count; i++) {
+        if (!small && !run_alone(w, solid, i))
             return false;
-        if (w->parts.count > before && wholly_hidden(w))
-            break;
+        hide_parts_unite(&w->line[i].parts, w->picture->space.epsilon, w->line[i].e.length3);
     }
-    hide_parts_unite(&w->parts, w->front->space.epsilon, e->length3);
     return true;
 }
 
 /* Is (x, y) inside F's picture or on its border? */
-static bool holds(const hide_front *front, const hide_face *F, double x, double y)
+static bool holds(const hide_picture *picture, const hide_face *F, double x, double y)
 {
-    double m = front->space.epsilon;
-    if (x < (double)F->x0 - m || x > (double)F->x1 + m || y < (double)F->y0 - m || y > (double)F->y1 + m)
-        return false;
+    double m = picture->space.epsilon;
     for (uint32_t i = 0; i < F->count; i++) {
-        roberts_vec3 P = front->P[F->corner[i]], Q = front->P[F->corner[i + 1 < F->count ? i + 1 : 0]];
+        roberts_vec3 P = picture->P[F->corner[i]], Q = picture->P[F->corner[i + 1 < F->count ? i + 1 : 0]];
         double dx = Q.x - P.x, dy = Q.y - P.y;
-        if (dx * (y - P.y) - dy * (x - P.x) < -m * hypot(dx, dy))
+        if (dx * (y - P.y) - dy * (x - P.x) < -m * sqrt(dx * dx + dy * dy))
             return false;
     }
     return true;
 }
 
+static bool box_holds(const hide_picture *picture, const hide_box *box, double x, double y)
+{
+    double m = picture->space.epsilon;
+    return x >= (double)box->x0 - m && x <= (double)box->x1 + m && y >= (double)box->y0 - m && y <= (double)box->y1 + m;
+}
+
 uint32_t hide_seen_at(const hide_worker *w, double x, double y)
 {
-    uint32_t cell = objet_cell_at(w->grid, x, y), solid = ROBERTS_NONE;
+    const objet *grid = w->grid;
+    const hide_picture *picture = w->picture;
+    uint32_t cell = scan_column(&grid->frame, x) * grid->frame.n + scan_row(&grid->frame, y), solid = ROBERTS_NONE;
     double best = -INFINITY;
-    for (uint32_t k = w->grid->start[cell]; k < w->grid->start[cell + 1]; k++) {
-        const hide_face *F = &w->front->face[w->grid->face[k]];
-        if ((double)F->z1 < best)
-            break;
-        if (holds(w->front, F, x, y))
-            best = fmax(best, fmin((double)F->z1, (F->F.a * x + F->F.b * y + F->F.d) / -F->F.c));
-    }
-    for (uint32_t k = w->grid->start[cell]; k < w->grid->start[cell + 1]; k++) {
-        const hide_face *F = &w->front->face[w->grid->face[k]];
-        double depth = plane_at(F->F, (roberts_vec3){x, y, best});
-        if (F->solid < solid && fabs(depth) <= 2.0 * F->touch && holds(w->front, F, x, y))
-            solid = F->solid;
-    }
+    for (int touching = 0; touching < 2; touching++) /* first the nearest depth, then who is there */
+        for (uint32_t k = grid->start[cell]; k < grid->start[cell + 1]; k++) {
+            const hide_front *front = &picture->front[grid->front[k]];
+            const hide_box *box = &picture->front_box[grid->front[k]];
+            if (!touching && (double)box->z1 < best)
+                break;
+            if (!box_holds(picture, box, x, y) || (touching && front->solid >= solid))
+                continue;
+            for (uint32_t i = front->face; i < front->face + front->face_count; i++) {
+                const hide_face *F = &picture->face[i];
+                if (touching && !(fabs(plane_at(F->F, (roberts_vec3){x, y, best})) <= 2.0 * F->touch))
+                    continue;
+                if (!holds(picture, F, x, y))
+                    continue;
+                if (touching)
+                    solid = front->solid;
+                else
+                    best = greater(best, lesser((double)box->z1, (F->F.a * x + F->F.b * y + F->F.d) / -F->F.c));
+            }
+        }
     return solid;
 }

@@ -1,32 +1,43 @@
-/* edge.h - one edge through the grid: what hides it, and whom the viewer sees there instead. */
+/* edge.h - edges through the grid: what hides them, and whom the viewer sees there instead. */
 #ifndef ROBERTS_HIDE_EDGE_H
 #define ROBERTS_HIDE_EDGE_H
 
-#include "hide/front.h"
 #include "hide/objet.h"
+#include "hide/pair.h"
 #include "hide/parts.h"
-#include "hide/tests.h"
 
-/* Scratch memory of one thread, serving edge after edge. */
+/* An edge at work. */
+typedef struct hide_line {
+    hide_edge e;
+    hide_box box;
+    hide_parts parts; /* hidden so far */
+    bool hidden;      /* wholly: nothing more need be asked */
+    uint32_t edge;    /* of the scene */
+} hide_line;
+
+/* Scratch memory of one thread, serving solid after solid. */
 typedef struct hide_worker {
-    const hide_front *front;
+    const hide_picture *picture;
     const objet *grid;
     hide_sides sides;
-    hide_parts parts;
     objet_walk walk;
-    uint32_t *seen;       /* [front->count] last edge that met the face, + 1 */
-    uint32_t *solid_seen; /* [solid_count] last edge that the solid hides a part of, + 1 */
-    uint32_t *solid_slot; /* [solid_count] where in parts */
-    uint32_t stamp;       /* of the edge at work */
+    hide_line *line; /* [line_count] the edges at work, all of one solid; those beyond keep their memory */
+    size_t line_count, line_room;
+    uint32_t *seen; /* [front_count] the last group of edges that met the front */
+    uint32_t stamp; /* of the group at work */
     roberts_tally tally;
 } hide_worker;
 
 /* False: no memory; hide_worker_free() is due in any case. */
-bool hide_worker_init(hide_worker *w, const hide_front *front, const objet *grid, uint32_t solid_count);
+bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *grid);
 void hide_worker_free(hide_worker *w);
 
-/* Leaves in w->parts what the other solids hide of `e`, an edge of `solid`, united. False: no memory. */
-bool hide_edge_parts(hide_worker *w, const hide_edge *e, uint32_t solid);
+/* Takes up one more edge of the scene; NULL: no memory. w->line_count = 0 begins a solid. */
+hide_line *hide_worker_add(hide_worker *w, uint32_t edge);
+
+/* Finds what the other solids hide of the lines taken up, edges of `solid`: their parts ascend and are disjoint. False:
+ * no memory. */
+bool hide_worker_run(hide_worker *w, uint32_t solid);
 
 /* The solid seen at picture point (x, y), the one of smallest number where several touch there; ROBERTS_NONE where no
  * front face is. */

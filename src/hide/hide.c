@@ -16,6 +16,8 @@
 #include "hide/edge.h"
 
 #define CHUNK_SOLIDS 64
+#define GRID_MOST 4096
+#define COVERS_PER_CELL 2 /* per side, where the grid is given; else both are chosen */
 
 /* Touching distance above which "on" would mean a visible length: a hundredth of the scene. */
 #define EPSILON_MOST 0.01
@@ -30,7 +32,7 @@ typedef struct hide_chunk {
 typedef struct hide_job {
     const roberts_scene *scene;
     const roberts_hide_options *options;
-    hide_front front;
+    hide_picture picture;
     objet grid;
     double crease_chord; /* distance of two unit normals that meet at the crease angle, squared */
     hide_chunk *chunk;
@@ -40,7 +42,6 @@ typedef struct hide_job {
 /* What one thread adds to the drawing besides its segments. */
 typedef struct hide_sums {
     size_t surviving, drawn;
-    roberts_vec2 low, high;
 } hide_sums;
 
 roberts_hide_options roberts_hide_options_default(void)
@@ -50,7 +51,7 @@ roberts_hide_options roberts_hide_options_default(void)
 
 static bool is_front(const hide_job *job, uint32_t face)
 {
-    return face != ROBERTS_NONE && job->front.facing[face] == VIEW_FRONT;
+    return face != ROBERTS_NONE && job->picture.facing[face] == VIEW_FRONT;
 }
 
 /* Flatter than the crease angle; the normals of the model are compared, which perspective does not bend. */
@@ -66,7 +67,7 @@ static bool is_flat(const hide_job *job, const scene_edge *edge)
 static bool add_segment(const hide_job *job, hide_chunk *out, const roberts_segment *pattern, const hide_edge *e,
                         double s0, double s1)
 {
-    const view *v = &job->front.view;
+    const view *v = &job->picture.view;
     roberts_vec3 R0 = hide_edge_at(e, s0), R1 = hide_edge_at(e, s1);
     roberts_segment segment = *pattern;
     if (!array_reserve(&out->segment, &out->room, out->count + 1, sizeof *out->segment))
@@ -82,7 +83,7 @@ static bool add_segment(const hide_job *job, hide_chunk *out, const roberts_segm
 static bool add_hidden(const hide_job *job, hide_worker *w, hide_chunk *out, roberts_segment pattern,
                        const hide_edge *e, double s0, double s1, uint32_t hider)
 {
-    const view *v = &job->front.view;
+    const view *v = &job->picture.view;
     double t = 0.5 * (view_to_space(v, e->A.z, e->B.z, s0) + view_to_space(v, e->A.z, e->B.z, s1));
     roberts_vec3 middle = hide_edge_at(e, view_from_space(v, e->A.z, e->B.z, t));
     pattern.state = ROBERTS_HIDDEN;
@@ -92,68 +93,83 @@ static bool add_hidden(const hide_job *job, hide_worker *w, hide_chunk *out, rob
     return add_segment(job, out, &pattern, e, s0, s1);
 }
 
+static int front_count(const hide_job *job, const scene_edge *edge)
+{
+    return is_front(job, edge->f[0]) + is_front(job, edge->f[1]);
+}
+
 /* Visible segments between the hidden parts, and those too where they are wanted. */
-static bool add_edge(const hide_job *job, hide_worker *w, hide_chunk *out, const roberts_segment *pattern,
-                     const hide_edge *e)
+static bool add_line(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t solid, const hide_line *line)
 {
+    const scene_edge *edge = &job->scene->edge[line->edge];
+    int fronts = front_count(job, edge);
     double from = 0.0;
-    for (size_t i = 0; i < w->parts.count; i++) {
-        hide_part part = w->parts.item[i].part;
-        if (part.t0 > from && !add_segment(job, out, pattern, e, from, part.t0))
-            return false;
-        if (job->options->keep_hidden &&
-            !add_hidden(job, w, out, *pattern, e, part.t0, part.t1, w->parts.item[i].solid))
-            return false;
-        from = part.t1;
-    }
-    return from >= 1.0 || add_segment(job, out, pattern, e, from, 1.0);
-}
-
-static void widen(hide_sums *sums, roberts_vec3 P)
-{
-    sums->low = (roberts_vec2){fmin(sums->low.x, P.x), fmin(sums->low.y, P.y)};
-    sums->high = (roberts_vec2){fmax(sums->high.x, P.x), fmax(sums->high.y, P.y)};
-}
-
-/* A surviving edge has a front face. An outline (one front face) is always drawn; an edge whose two faces look the same
- * way is not where it is flat, whether they are front or, among hidden lines, back. */
-static bool do_edge(const hide_job *job, hide_worker *w, hide_sums *sums, hide_chunk *out, uint32_t solid,
-                    const scene_edge *edge)
-{
-    const roberts_scene *scene = job->scene;
-    int fronts = is_front(job, edge->f[0]) + is_front(job, edge->f[1]);
-    sums->surviving += fronts > 0;
-    if ((fronts == 0 && !job->options->keep_hidden) || (fronts != 1 && !job->options->all_edges && is_flat(job, edge)))
-        return true;
-    hide_edge e = {.A = job->front.P[edge->v[0]], .B = job->front.P[edge->v[1]], .a = edge->v[0], .b = edge->v[1]};
-    roberts_vec3 AB = vec3_sub(e.B, e.A);
     roberts_segment pattern = {.solid = solid,
-                               .v0 = scene->number[edge->v[0]],
-                               .v1 = scene->number[edge->v[1]],
+                               .v0 = job->scene->number[edge->v[0]],
+                               .v1 = job->scene->number[edge->v[1]],
                                .by = ROBERTS_NONE,
                                .state = ROBERTS_VISIBLE,
                                .line = fronts == 1   ? ROBERTS_OUTLINE
                                        : fronts == 2 ? ROBERTS_CREASE
                                                      : ROBERTS_BACK};
-    e.length = sqrt(AB.x * AB.x + AB.y * AB.y);
-    e.length3 = vec3_length(AB);
-    sums->drawn++;
-    widen(sums, e.A);
-    widen(sums, e.B);
-    if (fronts == 0)
-        return add_hidden(job, w, out, pattern, &e, 0.0, 1.0, solid);
-    return hide_edge_parts(w, &e, solid) && add_edge(job, w, out, &pattern, &e);
+    for (size_t i = 0; i < line->parts.count; i++) {
+        hide_part part = line->parts.item[i].part;
+        if (part.t0 > from && !add_segment(job, out, &pattern, &line->e, from, part.t0))
+            return false;
+        if (job->options->keep_hidden &&
+            !add_hidden(job, w, out, pattern, &line->e, part.t0, part.t1, line->parts.item[i].solid))
+            return false;
+        from = part.t1;
+    }
+    return from >= 1.0 || add_segment(job, out, &pattern, &line->e, from, 1.0);
+}
+
+/* Takes up the edges of a solid that are drawn. A surviving edge has a front face. An outline (one front face) is always
+ * drawn; an edge whose two faces look the same way is not where it is flat, whether they are front or, among hidden
+ * lines, back. */
+static bool take_edges(const hide_job *job, hide_worker *w, hide_sums *sums, uint32_t solid)
+{
+    const roberts_scene *scene = job->scene;
+    w->line_count = 0;
+    for (uint32_t i = scene->solid[solid].edge; i < scene->solid[solid + 1].edge; i++) {
+        int fronts = front_count(job, &scene->edge[i]);
+        sums->surviving += fronts > 0;
+        if ((fronts == 0 && !job->options->keep_hidden) ||
+            (fronts != 1 && !job->options->all_edges && is_flat(job, &scene->edge[i])))
+            continue;
+        hide_line *line = hide_worker_add(w, i);
+        if (!line)
+            return false;
+        if (fronts == 0) {
+            size_t slot = SIZE_MAX;
+            line->hidden = true;
+            if (!hide_parts_add(&line->parts, solid, (hide_part){0.0, 1.0, 0.0, 0.0}, &slot))
+                return false;
+        }
+        sums->drawn++;
+    }
+    return true;
+}
+
+static bool do_solid(const hide_job *job, hide_worker *w, hide_sums *sums, hide_chunk *out, uint32_t solid)
+{
+    if (job->picture.culled[solid])
+        return true;
+    if (!take_edges(job, w, sums, solid) || !hide_worker_run(w, solid))
+        return false;
+    for (size_t i = 0; i < w->line_count; i++)
+        if ((!w->line[i].hidden || job->options->keep_hidden) && !add_line(job, w, out, solid, &w->line[i]))
+            return false;
+    return true;
 }
 
 static bool do_chunk(const hide_job *job, hide_worker *w, hide_sums *sums, uint32_t index)
 {
-    const roberts_scene *scene = job->scene;
-    uint32_t first = index * CHUNK_SOLIDS;
-    uint32_t end = scene->solid_count - first < CHUNK_SOLIDS ? scene->solid_count : first + CHUNK_SOLIDS;
+    uint32_t first = index * CHUNK_SOLIDS, count = job->scene->solid_count;
+    uint32_t end = count - first < CHUNK_SOLIDS ? count : first + CHUNK_SOLIDS;
     for (uint32_t s = first; s < end; s++)
-        for (uint32_t i = scene->solid[s].edge; i < scene->solid[s + 1].edge; i++)
-            if (!do_edge(job, w, sums, &job->chunk[index], s, &scene->edge[i]))
-                return false;
+        if (!do_solid(job, w, sums, &job->chunk[index], s))
+            return false;
     return true;
 }
 
@@ -163,10 +179,6 @@ static void add_sums(roberts_drawing *drawing, const hide_sums *sums, const hide
     const roberts_tally *from = &w->tally;
     drawing->surviving_edges += sums->surviving;
     drawing->drawn_edges += sums->drawn;
-    drawing->window_min.x = fmin(drawing->window_min.x, sums->low.x);
-    drawing->window_min.y = fmin(drawing->window_min.y, sums->low.y);
-    drawing->window_max.x = fmax(drawing->window_max.x, sums->high.x);
-    drawing->window_max.y = fmax(drawing->window_max.y, sums->high.y);
     to->pairs += from->pairs;
     to->test1_visible += from->test1_visible;
     to->test2_visible += from->test2_visible;
@@ -187,8 +199,8 @@ static bool do_chunks(hide_job *job, roberts_drawing *drawing)
 #endif
     {
         hide_worker w;
-        hide_sums own = {.low = {INFINITY, INFINITY}, .high = {-INFINITY, -INFINITY}};
-        bool lost = !hide_worker_init(&w, &job->front, &job->grid, job->scene->solid_count);
+        hide_sums own = {0};
+        bool lost = !hide_worker_init(&w, &job->picture, &job->grid);
 #ifdef _OPENMP
 #pragma omp for schedule(dynamic, 1)
 #endif
@@ -247,35 +259,49 @@ static roberts_status check_options(const roberts_hide_options *options, roberts
 {
     if (!(options->crease_degrees >= 0.0) || !(options->crease_degrees <= 180.0))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "the crease angle must be between 0 and 180 degrees");
-    if (options->grid > 16384)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a grid of more than 16384 cells per side");
+    if (options->grid > GRID_MOST)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a grid of more than %d cells per side", GRID_MOST);
     if (options->threads > 1024)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "more than 1024 threads");
     return ROBERTS_OK;
 }
 
+/* The window is the box of all vertices: every solid has outlines, and they are always drawn. */
 static void describe(const hide_job *job, roberts_drawing *drawing)
 {
-    const view *v = &job->front.view;
-    drawing->epsilon = v->epsilon * v->unit;
-    drawing->scene_diameter = v->diameter * v->unit;
-    drawing->grid = job->grid.n;
+    const hide_picture *picture = &job->picture;
+    double unit = picture->view.unit;
+    drawing->epsilon = picture->view.epsilon * unit;
+    drawing->scene_diameter = picture->view.diameter * unit;
+    drawing->grid = job->grid.frame.n;
     drawing->solids = job->scene->solid_count;
+    drawing->culled_solids = picture->culled_count;
     drawing->edges = job->scene->edge_count;
-    drawing->front_faces = job->front.count;
-    drawing->back_faces = job->front.back;
-    drawing->edge_on_faces = job->front.edge_on;
-    drawing->window_min = (roberts_vec2){INFINITY, INFINITY};
-    drawing->window_max = (roberts_vec2){-INFINITY, -INFINITY};
+    drawing->front_faces = picture->face_count;
+    drawing->back_faces = picture->back;
+    drawing->edge_on_faces = picture->edge_on;
+    drawing->window_min = (roberts_vec2){picture->low.x * unit, picture->low.y * unit};
+    drawing->window_max = (roberts_vec2){picture->high.x * unit, picture->high.y * unit};
 }
 
-static void scale_window(const hide_job *job, roberts_drawing *drawing)
+/* Covers are kept in cells that divide those of the grid where its number is given. Hidden segments are wanted with
+ * whom the viewer sees there: then nothing is culled. */
+static roberts_status build(hide_job *job, const roberts_camera *camera, roberts_drawing *drawing, roberts_error *error)
 {
-    double unit = job->front.view.unit;
-    if (drawing->drawn_edges == 0)
-        drawing->window_min = drawing->window_max = (roberts_vec2){0.0, 0.0};
-    drawing->window_min = (roberts_vec2){drawing->window_min.x * unit, drawing->window_min.y * unit};
-    drawing->window_max = (roberts_vec2){drawing->window_max.x * unit, drawing->window_max.y * unit};
+    const roberts_hide_options *options = job->options;
+    roberts_time clock = now();
+    roberts_status status = hide_picture_build(&job->picture, job->scene, camera, options->epsilon,
+                                               !options->keep_hidden, options->grid * COVERS_PER_CELL, error);
+    if (status != ROBERTS_OK)
+        return status;
+    const view *v = &job->picture.view;
+    if (v->epsilon > EPSILON_MOST * v->diameter && options->epsilon > 0.0)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "epsilon %.6g is more than a hundredth of the scene (%.6g)",
+                         options->epsilon, v->diameter * v->unit);
+    drawing->view_time = lap(&clock);
+    status = objet_build(&job->grid, &job->picture, options->grid ? options->grid : objet_choose(&job->picture));
+    drawing->grid_time = lap(&clock);
+    return status;
 }
 
 roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *camera,
@@ -283,41 +309,26 @@ roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *ca
 {
     roberts_hide_options defaults = roberts_hide_options_default();
     hide_job job = {.scene = scene, .options = options ? options : &defaults};
-    roberts_time clock = now();
     *drawing = (roberts_drawing){0};
     roberts_status status = check_options(job.options, error);
     if (status == ROBERTS_OK)
-        status = hide_front_build(&job.front, scene, camera, job.options->epsilon, error);
+        status = build(&job, camera, drawing, error);
     if (status != ROBERTS_OK)
-        return status;
-    const hide_front *front = &job.front;
-    if (front->view.epsilon > EPSILON_MOST * front->view.diameter && job.options->epsilon > 0.0) {
-        status = error_set(error, ROBERTS_BAD_ARGUMENT, 0, "epsilon %.6g is more than a hundredth of the scene (%.6g)",
-                           job.options->epsilon, front->view.diameter * front->view.unit);
         goto done;
-    }
+    roberts_time clock = now();
     job.crease_chord = 2.0 * sin(job.options->crease_degrees * pi / 360.0);
     job.crease_chord *= job.crease_chord;
-    drawing->view_time = lap(&clock);
-    uint32_t n = job.options->grid ? job.options->grid
-                                   : objet_choose(front->face, front->count, front->high.x - front->low.x,
-                                                  front->high.y - front->low.y);
-    status = objet_build(&job.grid, &front->space, front->face, front->order, front->count, n, front->low, front->high);
-    if (status != ROBERTS_OK)
-        goto done;
-    drawing->grid_time = lap(&clock);
     describe(&job, drawing);
     job.chunk_count = (scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
     job.chunk = alloc_zeroed(job.chunk_count, sizeof *job.chunk);
     status = job.chunk && do_chunks(&job, drawing) && gather(&job, drawing) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
-    scale_window(&job, drawing);
     drawing->hide_time = lap(&clock);
 done:
     for (uint32_t i = 0; job.chunk && i < job.chunk_count; i++)
         free(job.chunk[i].segment);
     free(job.chunk);
     objet_free(&job.grid);
-    hide_front_free(&job.front);
+    hide_picture_free(&job.picture);
     if (status == ROBERTS_NO_MEMORY)
         error_no_memory(error);
     if (status != ROBERTS_OK)

@@ -16,17 +16,20 @@ typedef struct hide_space {
     const view *view;           /* NULL both: never refine (tests on bare points) */
 } hide_space;
 
-/* A front face. Its sides run counter-clockwise in the picture. */
+/* A box in view space, rounded outward: x and y of the picture, z toward the viewer. */
+typedef struct hide_box {
+    float x0, x1, y0, y1, z0, z1;
+} hide_box;
+
+/* A front face, or with F not used the outline of several. Its sides run counter-clockwise in the picture. */
 typedef struct hide_face {
     plane F;                /* view space, inward: F(P) < 0 in front of it */
     const uint32_t *corner; /* [count] compact vertex numbers */
     uint32_t count;
-    uint32_t solid, face; /* whose it is; compact face number */
-    double touch;         /* F within +-touch is on the plane: epsilon and the face's own departure from it */
-    double limit;         /* F(A) <= limit is in front or on even at the far end of the scene, where the plane of a
-                                small face cannot be trusted to `touch`; see test 1 */
-    float x0, x1, y0, y1; /* box of its picture and depth of its nearest corner, rounded outward */
-    float z1;
+    uint32_t face; /* compact face number */
+    double touch;  /* F within +-touch is on the plane: epsilon and the face's own departure from it */
+    double limit;  /* F(A) <= limit is in front or on even at the far end of the scene, where the plane of a small face
+                      cannot be trusted to `touch`; see test 1 */
 } hide_face;
 
 /* The edge AB under test. */
@@ -50,6 +53,23 @@ static inline roberts_vec3 hide_edge_at(const hide_edge *e, double t)
         return e->B;
     return (roberts_vec3){e->A.x + t * (e->B.x - e->A.x), e->A.y + t * (e->B.y - e->A.y),
                           e->A.z + t * (e->B.z - e->A.z)};
+}
+
+/* A float certainly not greater (not less) than x: rounding moves x by half of 2^-23 of it at the most. */
+static inline float hide_float_below(double x)
+{
+    return (float)(x - fabs(x) * 0x1p-23);
+}
+
+static inline float hide_float_above(double x)
+{
+    return (float)(x + fabs(x) * 0x1p-23);
+}
+
+/* By how much cells and boxes are widened, so that an edge and a face that touch are never kept apart. */
+static inline double hide_margin(const hide_space *space)
+{
+    return 4.0 * (space->epsilon + space->rounding);
 }
 
 #endif

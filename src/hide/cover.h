@@ -1,0 +1,32 @@
+/* cover.h - the nearest cover of each cell.
+ *
+ * Source: the lecture's "la face la plus proche qui recouvre le pave". Here a cell may be covered by the whole front of
+ * a solid, not only by one face: the front's outline covers it. Of several covers the nearest counts, compared by the
+ * farthest depth that it has over the cell: what is nowhere nearer than that lies behind it. The cells are finer than
+ * those of Objet[i][j] (which they divide), since a cell that a front only crosses is not covered. */
+#ifndef ROBERTS_HIDE_COVER_H
+#define ROBERTS_HIDE_COVER_H
+
+#include "hide/scan.h"
+#include "hide/space.h"
+
+typedef struct cover {
+    scan_frame frame;
+    scan scan;    /* scratch */
+    float *depth; /* [n * n] -infinity without cover; NULL: no covers are kept, nothing is ever behind one */
+} cover;
+
+/* No memory: false. n == 0 keeps no covers. */
+bool cover_init(cover *c, roberts_vec2 low, roberts_vec2 high, uint32_t n, double margin);
+void cover_free(cover *c);
+
+/* Enters a convex outline of corners P[corner[..]], counter-clockwise, whose front is nowhere over it farther away than
+ * `depth`; where faces are given the front is the nearer side of them all, and its depth in each cell is taken. slack:
+ * how much nearer than the cover a thing must be to count as touching it, in depth. */
+void cover_add(cover *c, const roberts_vec3 *P, const uint32_t *corner, uint32_t count, double depth,
+               const hide_face *face, uint32_t face_count, double slack);
+
+/* Lies all of the box certainly behind covers? */
+bool cover_hides(const cover *c, const hide_box *box);
+
+#endif

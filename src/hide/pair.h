@@ -1,0 +1,22 @@
+/* pair.h - what the front of one solid hides of one edge of another: one interval.
+ *
+ * The volume behind a convex solid is { X : X inside the outline, F(X) > 0 for every front face F }. So for the front as
+ * a whole the four tests read:
+ *
+ *   1. Some face has A and B in front of it or on it: visible.
+ *   2. The outline lies on one side of the sight plane through AB: visible.
+ *   3. and 4. with the outline's sides in place of a face's, where A and B are behind every face.
+ *
+ * Else AB comes near the front in depth or pierces it: then the faces are asked one by one, tests 1 to 4 each, and the
+ * hull of what they hide is the solid's interval. */
+#ifndef ROBERTS_HIDE_PAIR_H
+#define ROBERTS_HIDE_PAIR_H
+
+#include "hide/picture.h"
+#include "hide/tests.h"
+
+/* False where the front hides nothing of e. sides: room for the picture's most_corners. */
+bool hide_by_front(const hide_picture *picture, const hide_front *front, const hide_edge *e, hide_sides *sides,
+                   roberts_tally *tally, hide_part *part);
+
+#endif

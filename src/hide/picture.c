@@ -1,0 +1,345 @@
+/* picture.c - see picture.h. */
+#include "hide/picture.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/error.h"
+#include "base/radix.h"
+
+/* A front of more faces than this is entered face by face: an edge that passes it would be compared with all. */
+#define FACES_OF_ONE_FRONT 24
+/* Mean number of boxes over a point of the picture from which covers pay. In flat scenes they cost a little. */
+#define COVER_DEPTH 2.5
+/* Width of a cover's cell in mean boxes. */
+#define BOXES_PER_COVER_CELL 0.1
+#define COVER_CELLS_MOST 8192.0
+/* From this many cells across, a cover's depth is taken cell by cell and not once for all of it. */
+#define COVER_WIDE 16.0
+
+/* Scratch memory of the building. */
+typedef struct build {
+    hide_picture *picture;
+    uint32_t *next;  /* [vertices of a solid] the outline's next corner */
+    uint32_t *order; /* [solid_count] nearest first */
+    uint32_t *key;
+} build;
+
+static void widen(hide_box *box, roberts_vec3 p)
+{
+    float x0 = hide_float_below(p.x), x1 = hide_float_above(p.x), y0 = hide_float_below(p.y);
+    float y1 = hide_float_above(p.y), z0 = hide_float_below(p.z), z1 = hide_float_above(p.z);
+    box->x0 = x0 < box->x0 ? x0 : box->x0;
+    box->x1 = x1 > box->x1 ? x1 : box->x1;
+    box->y0 = y0 < box->y0 ? y0 : box->y0;
+    box->y1 = y1 > box->y1 ? y1 : box->y1;
+    box->z0 = z0 < box->z0 ? z0 : box->z0;
+    box->z1 = z1 > box->z1 ? z1 : box->z1;
+}
+
+static const hide_box empty_box = {INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
+
+/* Boxes of all solids, and the window. */
+static void box_solids(hide_picture *picture)
+{
+    const roberts_scene *scene = picture->scene;
+    roberts_vec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
+    for (uint32_t s = 0; s < scene->solid_count; s++) {
+        hide_box box = empty_box;
+        for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex; v++) {
+            roberts_vec3 p = view_point(&picture->view, scene->point[v]);
+            widen(&box, p);
+            low = (roberts_vec2){lesser(low.x, p.x), lesser(low.y, p.y)};
+            high = (roberts_vec2){greater(high.x, p.x), greater(high.y, p.y)};
+        }
+        picture->box[s] = box;
+    }
+    picture->low = low;
+    picture->high = high;
+}
+
+/* How far a distance from the face's plane can be trusted: `touch` near the face, `limit` anywhere in the scene. The
+ * plane of a face of width w is known to about its rounding (and the face's own departure from it) at the face, and to
+ * that times r / w at a distance r. */
+static void set_trust(const hide_picture *picture, uint32_t solid, double stretch, hide_face *f)
+{
+    const view *v = &picture->view;
+    double departure = picture->scene->face_deviation[f->face] / v->unit;
+    double width = picture->scene->face_width[f->face] / v->unit;
+    if (v->perspective) {
+        double grown = 1.0 + (double)picture->box[solid].z1 * v->inverse_distance; /* D / w at the nearest corner */
+        double shrunk = lesser(1.0, 1.0 + (double)picture->box[solid].z0 * v->inverse_distance);
+        departure *= stretch * grown;
+        width *= shrunk * shrunk;
+    }
+    double far_error = (4.0 * v->rounding + departure) * (1.0 + 2.0 * greater(v->extent, v->diameter) / width);
+    f->touch = v->epsilon + departure;
+    f->limit = far_error > 0.5 * f->touch ? f->touch - far_error : f->touch;
+}
+
+/* Classifies the solid's faces and collects its front faces; false: no memory. */
+static bool add_faces(hide_picture *picture, uint32_t solid)
+{
+    const roberts_scene *scene = picture->scene;
+    for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {
+        double stretch = 1.0;
+        plane F = view_plane(&picture->view, scene, face, &stretch);
+        int facing = view_facing(&picture->view, scene, face, F, picture->P);
+        picture->facing[face] = (unsigned char)facing;
+        picture->back += facing == VIEW_BACK;
+        picture->edge_on += facing == VIEW_EDGE_ON;
+        if (facing != VIEW_FRONT)
+            continue;
+        if (!array_reserve(&picture->face, &picture->face_room, (size_t)picture->face_count + 1, sizeof(hide_face)))
+            return false;
+        hide_face *f = &picture->face[picture->face_count++];
+        *f = (hide_face){.F = F,
+                         .corner = scene->corner + scene->face_start[face],
+                         .count = scene->face_start[face + 1] - scene->face_start[face],
+                         .face = face};
+        set_trust(picture, solid, stretch, f);
+        if (f->count > picture->most_corners)
+            picture->most_corners = f->count;
+    }
+    return true;
+}
+
+/* The outline: edges with one front face, which they run round counter-clockwise, joined to a cycle. Gives its number of
+ * corners, or 0 where the edges are not one cycle: epsilon may have called faces of a very small or flat solid edge-on.
+ * No memory: false. */
+static bool find_outline(build *b, uint32_t solid, uint32_t *corners)
+{
+    hide_picture *picture = b->picture;
+    const roberts_scene *scene = picture->scene;
+    uint32_t base = scene->solid[solid].vertex, size = scene->solid[solid + 1].vertex - base;
+    uint32_t edges = 0, start = ROBERTS_NONE, found = 0;
+    *corners = 0;
+    for (uint32_t v = 0; v < size; v++)
+        b->next[v] = ROBERTS_NONE;
+    for (uint32_t i = scene->solid[solid].edge; i < scene->solid[solid + 1].edge; i++) {
+        const scene_edge *e = &scene->edge[i];
+        bool left = picture->facing[e->f[0]] == VIEW_FRONT;
+        if (left == (e->f[1] != ROBERTS_NONE && picture->facing[e->f[1]] == VIEW_FRONT))
+            continue;
+        start = e->v[!left] - base; /* v[0] -> v[1] runs counter-clockwise round f[0] */
+        if (b->next[start] != ROBERTS_NONE)
+            return true;
+        b->next[start] = e->v[left] - base;
+        edges++;
+    }
+    if (edges < 3)
+        return true;
+    if (!array_reserve(&picture->outline, &picture->outline_room, picture->outline_count + edges, sizeof(uint32_t)))
+        return false;
+    uint32_t v = start;
+    do {
+        picture->outline[picture->outline_count + found++] = v + base;
+        v = b->next[v];
+    } while (v != start && v != ROBERTS_NONE && found < edges);
+    if (v == start && found == edges)
+        *corners = edges;
+    return true;
+}
+
+static bool add_front(hide_picture *picture, hide_front front, hide_box box)
+{
+    size_t need = (size_t)picture->front_count + 1;
+    if (!array_reserve(&picture->front, &picture->front_room, need, sizeof *picture->front) ||
+        !array_reserve(&picture->front_box, &picture->front_box_room, need, sizeof *picture->front_box))
+        return false;
+    picture->front_box[picture->front_count] = box;
+    picture->front[picture->front_count++] = front;
+    if (front.corners > picture->most_corners)
+        picture->most_corners = front.corners;
+    return true;
+}
+
+/* Each of the faces from `first` on as a front of its own. */
+static bool add_single_fronts(hide_picture *picture, uint32_t solid, uint32_t first)
+{
+    for (uint32_t k = first; k < picture->face_count; k++) {
+        hide_box box = empty_box;
+        for (uint32_t i = 0; i < picture->face[k].count; i++)
+            widen(&box, picture->P[picture->face[k].corner[i]]);
+        if (!add_front(picture, (hide_front){.solid = solid, .face = k, .face_count = 1}, box))
+            return false;
+    }
+    return true;
+}
+
+/* What the front covers. Nothing of it is farther than the farthest corner of its outline, since its depth is a concave
+ * function; a point that much behind it that it is behind each face by more than `touch` is certainly hidden. */
+static void cover_front(hide_picture *picture, uint32_t solid, uint32_t first, uint32_t corners, bool trusted)
+{
+    const uint32_t *corner = picture->outline + picture->outline_count;
+    const hide_box *box = &picture->box[solid];
+    double depth = INFINITY, touch = 0.0, steepest = 1.0;
+    for (uint32_t i = 0; i < corners; i++)
+        depth = lesser(depth, picture->P[corner[i]].z);
+    for (uint32_t k = first; k < picture->face_count; k++) {
+        touch = greater(touch, picture->face[k].touch);
+        steepest = lesser(steepest, -picture->face[k].F.c);
+    }
+    double slack = 2.0 * (touch + hide_margin(&picture->space)) / steepest;
+    bool wide = trusted && ((double)(box->x1 - box->x0) > COVER_WIDE * picture->cover.frame.dx ||
+                            (double)(box->y1 - box->y0) > COVER_WIDE * picture->cover.frame.dy);
+    cover_add(&picture->cover, picture->P, corner, corners, depth, picture->face + first,
+              wide ? picture->face_count - first : 0, slack);
+}
+
+/* Maps a solid and enters its front; false: no memory. */
+static bool add_solid(build *b, uint32_t solid)
+{
+    hide_picture *picture = b->picture;
+    const roberts_scene *scene = picture->scene;
+    uint32_t first = picture->face_count, corners;
+    bool trusted = true;
+    for (uint32_t v = scene->solid[solid].vertex; v < scene->solid[solid + 1].vertex; v++)
+        picture->P[v] = view_point(&picture->view, scene->point[v]);
+    if (!add_faces(picture, solid) || !find_outline(b, solid, &corners))
+        return false;
+    uint32_t count = picture->face_count - first;
+    for (uint32_t k = first; k < picture->face_count; k++)
+        trusted = trusted && picture->face[k].limit == picture->face[k].touch;
+    trusted = trusted && count <= FACES_OF_ONE_FRONT;
+    if (corners && picture->cover.depth)
+        cover_front(picture, solid, first, corners, trusted);
+    if (!corners || !trusted)
+        return add_single_fronts(picture, solid, first);
+    hide_front front = {solid, first, count, (uint32_t)picture->outline_count, corners};
+    picture->outline_count += corners;
+    return picture->outline_count <= UINT32_MAX && add_front(picture, front, picture->box[solid]);
+}
+
+/* Cells per side of the covers' grid, 0 where covers would not pay. */
+static uint32_t choose_cover(const hide_picture *picture)
+{
+    double width = picture->high.x - picture->low.x, height = picture->high.y - picture->low.y;
+    double area = 0.0, size = 0.0, count = picture->scene->solid_count;
+    for (uint32_t s = 0; s < picture->scene->solid_count; s++) {
+        const hide_box *box = &picture->box[s];
+        double w = lesser((double)(box->x1 - box->x0), width), h = lesser((double)(box->y1 - box->y0), height);
+        area += w * h;
+        size += w + h;
+    }
+    if (!(area > COVER_DEPTH * width * height) || !(width > 0.0) || !(height > 0.0))
+        return 0;
+    double n = count * (width + height) / (size * BOXES_PER_COVER_CELL);
+    return (uint32_t)greater(1.0, lesser(n, lesser(COVER_CELLS_MOST, 64.0 + 8.0 * sqrt(count))));
+}
+
+static bool order_solids(build *b)
+{
+    const hide_picture *picture = b->picture;
+    for (uint32_t s = 0; s < picture->scene->solid_count; s++)
+        b->key[s] = radix_key_descending(picture->box[s].z1);
+    return radix_order(b->key, picture->scene->solid_count, b->order);
+}
+
+/* The fronts that count, nearest corner first. */
+static bool order_fronts(build *b)
+{
+    hide_picture *picture = b->picture;
+    uint32_t *key = alloc_array(picture->front_count, sizeof *key), kept = 0;
+    picture->order = alloc_array(picture->front_count, sizeof *picture->order);
+    bool done = key && picture->order;
+    for (uint32_t i = 0; done && i < picture->front_count; i++)
+        key[i] = radix_key_descending(picture->front_box[i].z1);
+    done = done && radix_order(key, picture->front_count, picture->order);
+    for (uint32_t i = 0; done && i < picture->front_count; i++)
+        if (!picture->culled[picture->front[picture->order[i]].solid])
+            picture->order[kept++] = picture->order[i];
+    picture->order_count = kept;
+    free(key);
+    return done;
+}
+
+/* With covers: nearest solids first, each culled where those before it cover it, and all once more when every cover is
+ * known. */
+static bool add_solids(build *b)
+{
+    hide_picture *picture = b->picture;
+    uint32_t count = picture->scene->solid_count;
+    bool covers = picture->cover.depth != NULL;
+    if (covers && !order_solids(b))
+        return false;
+    for (uint32_t k = 0; k < count; k++) {
+        uint32_t s = covers ? b->order[k] : k;
+        picture->culled[s] = cover_hides(&picture->cover, &picture->box[s]);
+        if (!picture->culled[s] && !add_solid(b, s))
+            return false;
+    }
+    for (uint32_t s = 0; covers && s < count; s++) {
+        picture->culled[s] = picture->culled[s] || cover_hides(&picture->cover, &picture->box[s]);
+        picture->culled_count += picture->culled[s];
+    }
+    return order_fronts(b);
+}
+
+static uint32_t most_vertices(const roberts_scene *scene)
+{
+    uint32_t most = 0;
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        if (scene->solid[s + 1].vertex - scene->solid[s].vertex > most)
+            most = scene->solid[s + 1].vertex - scene->solid[s].vertex;
+    return most;
+}
+
+static bool alloc_picture(build *b, hide_picture *picture)
+{
+    const roberts_scene *scene = picture->scene;
+    picture->box = alloc_array(scene->solid_count, sizeof *picture->box);
+    picture->culled = alloc_zeroed(scene->solid_count, sizeof *picture->culled);
+    picture->P = alloc_array(scene->vertex_count, sizeof *picture->P);
+    picture->facing = alloc_zeroed(scene->face_count, sizeof *picture->facing);
+    b->next = alloc_array(most_vertices(scene), sizeof *b->next);
+    b->order = alloc_array(scene->solid_count, sizeof *b->order);
+    b->key = alloc_array(scene->solid_count, sizeof *b->key);
+    return picture->box && picture->culled && picture->P && picture->facing && b->next && b->order && b->key;
+}
+
+roberts_status hide_picture_build(hide_picture *picture, const roberts_scene *scene, const roberts_camera *camera,
+                                  double epsilon, bool cull, uint32_t cells, roberts_error *error)
+{
+    build b = {.picture = picture};
+    *picture = (hide_picture){.scene = scene};
+    roberts_status status = view_prepare(&picture->view, scene, camera, epsilon, error);
+    if (status != ROBERTS_OK)
+        return status;
+    status = ROBERTS_NO_MEMORY;
+    if (!alloc_picture(&b, picture))
+        goto done;
+    picture->space = (hide_space){picture->P, picture->view.epsilon, picture->view.rounding, scene, &picture->view};
+    box_solids(picture);
+    if (cull && cells == 0)
+        cells = choose_cover(picture);
+    if (!cover_init(&picture->cover, picture->low, picture->high, cull ? cells : 0, hide_margin(&picture->space)) ||
+        !add_solids(&b))
+        goto done;
+    status = ROBERTS_OK;
+done:
+    free(b.next);
+    free(b.order);
+    free(b.key);
+    if (status != ROBERTS_OK) {
+        hide_picture_free(picture);
+        return error_no_memory(error);
+    }
+    return status;
+}
+
+void hide_picture_free(hide_picture *picture)
+{
+    free(picture->box);
+    free(picture->culled);
+    free(picture->P);
+    free(picture->facing);
+    free(picture->face);
+    free(picture->front);
+    free(picture->front_box);
+    free(picture->outline);
+    free(picture->order);
+    cover_free(&picture->cover);
+    *picture = (hide_picture){0};
+}

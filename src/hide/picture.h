@@ -1,0 +1,63 @@
+/* picture.h - the scene in view space: boxes of all solids, fronts of those that are not wholly hidden.
+ *
+ * A front is what one solid shows: its front faces under their common outline (the cycle of its edges with one front
+ * face). The outline does in one go for all faces what tests 2 to 4 ask about sides. Solids whose front has many faces,
+ * or faces whose planes cannot be trusted far from them, are entered face by face instead, each a front of its own.
+ *
+ * Solids are taken nearest first, and a solid whose box lies behind the covers of those before it is culled: it is
+ * neither mapped nor cut, and as it hides nothing that the covers do not hide, it is no front either. */
+#ifndef ROBERTS_HIDE_PICTURE_H
+#define ROBERTS_HIDE_PICTURE_H
+
+#include "hide/cover.h"
+#include "hide/space.h"
+
+typedef struct hide_front {
+    uint32_t solid;
+    uint32_t face, face_count; /* of hide_picture.face */
+    uint32_t outline, corners; /* of hide_picture.outline; corners == 0: the one face's own */
+} hide_front;
+
+typedef struct hide_picture {
+    const roberts_scene *scene;
+    view view;
+    hide_space space;
+    hide_box *box;         /* [solid_count] */
+    unsigned char *culled; /* [solid_count] */
+    roberts_vec3 *P;       /* [vertex_count] view points of solids not culled */
+    unsigned char *facing; /* [face_count] VIEW_FRONT, _BACK or _EDGE_ON, likewise */
+    hide_face *face;       /* [face_count] front faces */
+    size_t face_room;
+    uint32_t face_count;
+    hide_front *front;   /* [front_count] */
+    hide_box *front_box; /* [front_count] */
+    size_t front_room, front_box_room;
+    uint32_t front_count;
+    uint32_t *outline; /* [outline_count] compact vertex numbers */
+    size_t outline_count, outline_room;
+    uint32_t *order; /* [order_count] fronts that count, nearest corner first, ties by number */
+    uint32_t order_count;
+    cover cover;
+    uint32_t most_corners; /* of a face or an outline */
+    size_t back, edge_on, culled_count;
+    roberts_vec2 low, high; /* box of the picture, view units */
+} hide_picture;
+
+/* cull: leave out solids that are wholly hidden. cells: per side of the covers' grid; 0 = choose.
+ * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT; after a failure the picture is empty. */
+roberts_status hide_picture_build(hide_picture *picture, const roberts_scene *scene, const roberts_camera *camera,
+                                  double epsilon, bool cull, uint32_t cells, roberts_error *error);
+void hide_picture_free(hide_picture *picture);
+
+/* The outline of a front as a polygon for tests 2 to 4; its plane is not set, or that of its only face. */
+static inline hide_face hide_outline(const hide_picture *picture, const hide_front *front)
+{
+    hide_face polygon = picture->face[front->face];
+    if (front->corners) {
+        polygon.corner = picture->outline + front->outline;
+        polygon.count = front->corners;
+    }
+    return polygon;
+}
+
+#endif

@@ -1,0 +1,70 @@
+/* scan.h - the conservative Bresenham-like scan of a convex polygon over a grid of cells.
+ *
+ * Source: the lecture's last section: walk the lower half of the polygon from its leftmost to its rightmost corner and
+ * note Bas[i] in every column, walk the upper half back and note Haut[i]; the polygon touches the rows from Bas[i] to
+ * Haut[i]. A thin Bresenham line would skip cells that the true line only cuts at a corner; here each side counts for
+ * all that it has over the closed column, widened by a margin, so that no cell that the closed polygon touches is
+ * missed. The same walk tells which cells lie wholly inside. */
+#ifndef ROBERTS_HIDE_SCAN_H
+#define ROBERTS_HIDE_SCAN_H
+
+#include <stdbool.h>
+
+#include "base/vec.h"
+
+/* n x n cells over the window; cell (i, j) is column i, row j, and cells are counted i * n + j. */
+typedef struct scan_frame {
+    uint32_t n;
+    double x0, y0;         /* lower left corner of cell (0, 0) */
+    double dx, dy;         /* size of a cell */
+    double per_dx, per_dy; /* 1 / dx, 1 / dy */
+    double margin;         /* cells are taken to be larger by this on all sides */
+} scan_frame;
+
+/* Cells over the window low..high. A window without width or height gets columns or rows of some width. */
+scan_frame scan_frame_over(roberts_vec2 low, roberts_vec2 high, uint32_t n, double margin);
+
+/* Column of abscissa x, row of ordinate y, kept inside the grid. */
+static inline uint32_t scan_clamp(double position, uint32_t n)
+{
+    if (!(position > 0.0))
+        return 0;
+    return position >= n ? n - 1 : (uint32_t)position;
+}
+
+static inline uint32_t scan_column(const scan_frame *f, double x)
+{
+    return scan_clamp((x - f->x0) * f->per_dx, f->n);
+}
+
+static inline uint32_t scan_row(const scan_frame *f, double y)
+{
+    return scan_clamp((y - f->y0) * f->per_dy, f->n);
+}
+
+/* What the scan of one polygon finds, column by column from `first` to `last`. */
+typedef struct scan {
+    uint32_t first, last;             /* columns touched */
+    uint32_t inner_first, inner_last; /* columns within the polygon's width; none where first > last */
+    double *bas, *haut;               /* [n] least and greatest ordinate in the column */
+    double *under, *over; /* [n] between `under` and `over` the whole column is inside; inner columns only */
+} scan;
+
+/* Arrays for grids of n columns; false: no memory. scan_free() takes a zeroed scan. */
+bool scan_init(scan *s, uint32_t n);
+void scan_free(scan *s);
+
+/* Scans the convex polygon P[corner[0]], P[corner[1]], ..., counter-clockwise. */
+void scan_polygon(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
+
+/* Rows touched in column i. */
+static inline void scan_touched(const scan *s, const scan_frame *f, uint32_t i, uint32_t *first, uint32_t *last)
+{
+    *first = scan_row(f, s->bas[i] - f->margin);
+    *last = scan_row(f, s->haut[i] + f->margin);
+}
+
+/* Rows wholly inside in inner column i; false where there are none. */
+bool scan_inside(const scan *s, const scan_frame *f, uint32_t i, uint32_t *first, uint32_t *last);
+
+#endif
