@@ -39,11 +39,26 @@ static int compare(const void *pa, const void *pb)
     return (a->solid > b->solid) - (a->solid < b->solid);
 }
 
+/* Few parts, as there mostly are, are put in their places one by one. */
+static void sort(hide_parts *parts)
+{
+    if (parts->count > 16) {
+        qsort(parts->item, parts->count, sizeof *parts->item, compare);
+        return;
+    }
+    for (size_t i = 1; i < parts->count; i++) {
+        hide_solid_part moved = parts->item[i];
+        size_t k = i;
+        for (; k > 0 && compare(&parts->item[k - 1], &moved) > 0; k--)
+            parts->item[k] = parts->item[k - 1];
+        parts->item[k] = moved;
+    }
+}
+
 void hide_parts_unite(hide_parts *parts, double epsilon, double length)
 {
     size_t kept = 0;
-    if (parts->count > 1)
-        qsort(parts->item, parts->count, sizeof *parts->item, compare);
+    sort(parts);
     for (size_t i = 0; i < parts->count; i++) {
         hide_part next = parts->item[i].part;
         hide_part *last = kept ? &parts->item[kept - 1].part : NULL;

@@ -15,8 +15,8 @@
 /* Width of a cover's cell in mean boxes. */
 #define BOXES_PER_COVER_CELL 0.1
 #define COVER_CELLS_MOST 8192.0
-/* From this many cells across, a cover's depth is taken cell by cell and not once for all of it. */
-#define COVER_WIDE 16.0
+/* From this many cells (four mean boxes) across, a cover's depth is taken cell by cell and not once for all of it. */
+#define COVER_WIDE (4.0 / BOXES_PER_COVER_CELL)
 
 /* Scratch memory of the building. */
 typedef struct build {
@@ -226,7 +226,7 @@ static uint32_t choose_cover(const hide_picture *picture)
     if (!(area > COVER_DEPTH * width * height) || !(width > 0.0) || !(height > 0.0))
         return 0;
     double n = count * (width + height) / (size * BOXES_PER_COVER_CELL);
-    return (uint32_t)greater(1.0, lesser(n, lesser(COVER_CELLS_MOST, 64.0 + 8.0 * sqrt(count))));
+    return (uint32_t)greater(1.0, lesser(n, lesser(COVER_CELLS_MOST, 64.0 + 40.0 * sqrt(count))));
 }
 
 static bool order_solids(build *b)

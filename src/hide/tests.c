@@ -15,7 +15,7 @@ bool hide_sides_reserve(hide_sides *sides, size_t count)
     return array_reserve(&sides->H, &sides->room, count, sizeof *sides->H);
 }
 
-static int sign_within(double value, double tolerance)
+static inline int sign_within(double value, double tolerance)
 {
     return value > tolerance ? 1 : value < -tolerance ? -1 : 0;
 }
@@ -66,26 +66,52 @@ bool hide_test2(const hide_space *space, const hide_face *F, const hide_edge *e)
     return near == 0 || (near == 1 && certain);
 }
 
-/* H_i at vertex x with view point X: the one predicate for inside, on and outside of a side. Computed in the direction
- * from the smaller vertex number to the larger, so that the two faces of a side agree to the last bit. */
-static double side_distance(const hide_space *space, uint32_t p, uint32_t q, roberts_vec3 X, uint32_t x, double *error,
-                            uint64_t *refined)
+/* One end of an edge against a side of direction (dx, dy) and `length`, where its sign is not plain: the distance, again
+ * as a multiple of the length, and its sign. h: as computed from view points, off by no more than `error`. */
+static int sign_closely(const hide_space *space, uint32_t p, uint32_t q, uint32_t x, double length, double error,
+                        double *h, uint64_t *refined)
 {
-    double sign = p < q ? 1.0 : -1.0;
-    uint32_t from = p < q ? p : q, to = p < q ? q : p;
-    roberts_vec3 P = space->P[from], Q = space->P[to];
-    double dx = Q.x - P.x, dy = Q.y - P.y, px = X.x - P.x, py = X.y - P.y;
-    double length = sqrt(dx * dx + dy * dy), distance;
-    /* A side no longer than epsilon in the picture bounds nothing that its neighbours do not bound to within epsilon. */
-    if (length <= space->epsilon)
-        return 0.0;
-    distance = (dx * py - dy * px) / length;
-    *error = line_error(space, fabs(px) + fabs(py), length);
-    if (*error > TRUSTED * space->epsilon && fabs(distance) <= space->epsilon + *error && space->scene) {
-        distance = refine_side(space, from, to, x);
+    if (error > TRUSTED * space->epsilon * length && fabs(*h) <= space->epsilon * length + error && space->scene) {
+        *h = refine_side(space, p, q, x) * length;
         ++*refined;
     }
-    return sign * distance;
+    return sign_within(*h, space->epsilon * length);
+}
+
+/* H_i at A and B: the one predicate for inside, on and outside of a side. Computed in the direction from the smaller
+ * vertex number to the larger, so that the two faces of a side agree to the last bit. */
+static void measure_side(const hide_space *space, uint32_t p, uint32_t q, const hide_edge *e, hide_side *H,
+                         uint64_t *refined)
+{
+    uint32_t from = p < q ? p : q, to = p < q ? q : p;
+    roberts_vec3 P = space->P[from], Q = space->P[to];
+    double dx = Q.x - P.x, dy = Q.y - P.y, ax = e->A.x - P.x, ay = e->A.y - P.y, bx = e->B.x - P.x, by = e->B.y - P.y;
+    double a = dx * ay - dy * ax, b = dx * by - dy * bx;
+    /* not less than the side's length, and not more than its double */
+    double around = fabs(dx) + fabs(dy);
+    double error_a = 2.0 * space->rounding * (around + fabs(ax) + fabs(ay));
+    double error_b = 2.0 * space->rounding * (around + fabs(bx) + fabs(by));
+    H->error = error_a + error_b;
+    H->length2 = dx * dx + dy * dy;
+    if (around > 2.0 * space->epsilon && fabs(a) > space->epsilon * around + error_a &&
+        fabs(b) > space->epsilon * around + error_b) {
+        H->sign_a = a > 0.0 ? 1 : -1;
+        H->sign_b = b > 0.0 ? 1 : -1;
+    } else {
+        double length = sqrt(H->length2);
+        H->sign_a = H->sign_b = 0;
+        /* A side no longer than epsilon bounds nothing that its neighbours do not bound to within epsilon. */
+        if (length > space->epsilon) {
+            H->sign_a = (signed char)sign_closely(space, from, to, e->a, length, error_a, &a, refined);
+            H->sign_b = (signed char)sign_closely(space, from, to, e->b, length, error_b, &b, refined);
+        }
+    }
+    H->a = p < q ? a : -a;
+    H->b = p < q ? b : -b;
+    if (p > q) {
+        H->sign_a = (signed char)-H->sign_a;
+        H->sign_b = (signed char)-H->sign_b;
+    }
 }
 
 /* TEST 3. */
@@ -93,19 +119,11 @@ hide_verdict hide_test3(const hide_space *space, const hide_face *F, const hide_
 {
     bool inside = true;
     for (uint32_t i = 0; i < F->count; i++) {
-        uint32_t p = F->corner[i], q = F->corner[i + 1 < F->count ? i + 1 : 0];
-        double error_a = 0.0, error_b = 0.0;
-        double a = side_distance(space, p, q, e->A, e->a, &error_a, &sides->refined);
-        double b = side_distance(space, p, q, e->B, e->b, &error_b, &sides->refined);
-        int sign_a = sign_within(a, space->epsilon), sign_b = sign_within(b, space->epsilon);
-        if ((sign_a < 0 && sign_b <= 0) || (sign_b < 0 && sign_a <= 0))
+        hide_side *H = &sides->H[i];
+        measure_side(space, F->corner[i], F->corner[i + 1 < F->count ? i + 1 : 0], e, H, &sides->refined);
+        if ((H->sign_a < 0 && H->sign_b <= 0) || (H->sign_b < 0 && H->sign_a <= 0))
             return HIDE_VISIBLE;
-        inside = inside && sign_a >= 0 && sign_b >= 0;
-        sides->H[i].a = a;
-        sides->H[i].b = b;
-        sides->H[i].error = error_a + error_b;
-        sides->H[i].sign_a = (signed char)sign_a;
-        sides->H[i].sign_b = (signed char)sign_b;
+        inside = inside && H->sign_a >= 0 && H->sign_b >= 0;
     }
     return inside ? HIDE_INVISIBLE : HIDE_UNDECIDED;
 }
@@ -131,23 +149,28 @@ static double crossing(const hide_space *space, const hide_face *F, const hide_e
  * order. So the s_i need not be computed. */
 bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part)
 {
+    const hide_side *in = NULL, *out = NULL;
     *part = (hide_part){0.0, 1.0, 0.0, 0.0};
     for (uint32_t i = 0; i < F->count; i++) {
-        if (sides->H[i].sign_a >= 0 && sides->H[i].sign_b >= 0)
+        const hide_side *H = &sides->H[i];
+        if (H->sign_a >= 0 && H->sign_b >= 0)
             continue;
         double t = crossing(space, F, e, sides, i);
-        double touch = space->epsilon / fabs(sides->H[i].a - sides->H[i].b);
-        if (sides->H[i].sign_a < 0 && t > part->t0) {
+        if (H->sign_a < 0 && t > part->t0) {
             part->t0 = t;
-            part->e0 = touch;
+            in = H;
         }
-        if (sides->H[i].sign_b < 0 && t < part->t1) {
+        if (H->sign_b < 0 && t < part->t1) {
             part->t1 = t;
-            part->e1 = touch;
+            out = H;
         }
         if (part->t0 >= part->t1)
             return false;
     }
+    if (in)
+        part->e0 = space->epsilon * sqrt(in->length2) / fabs(in->a - in->b);
+    if (out)
+        part->e1 = space->epsilon * sqrt(out->length2) / fabs(out->a - out->b);
     return (part->t1 - part->t0) * e->length3 > space->epsilon;
 }
 
