@@ -119,7 +119,7 @@ static void city_solid(body *b, const plan *p, uint64_t index)
 /* ---- wall --------------------------------------------------------------------------------------------------------- */
 
 /* Bricks of 4 x 2 x 1 in running bond: courses of `width` whole bricks in turn with courses that have a half brick at
- * either end. About four times as long as three times its height. */
+ * either end. Length to height is about as 4 to 3. */
 static void wall_solid(body *b, const plan *p, uint64_t index)
 {
     uint64_t width = integer_root(p->n / 3), pair, i;
@@ -290,7 +290,7 @@ const family *family_at(size_t i)
     return &families[i].family;
 }
 
-/* What "N" and "N^3" are in this scene: the comment of the file with its arguments. */
+/* The comment of the file: what the scene is, and the arguments it was made with. */
 static void describe(size_t i, uint64_t n, uint64_t seed, char *text, size_t size)
 {
     const family *f = &families[i].family;

@@ -160,13 +160,14 @@ static void table_frame(body *b)
 static void books(body *b, double x, double y)
 {
     static const double half[3][2] = {{4.5, 3.25}, {4, 3}, {3.25, 2.5}}, tangent[3] = {0, 0.125, -0.0625};
-    double z = TABLE_HEIGHT;
-    for (int i = 0; i < 3; i++, z += 1.25) {
+    const double thick = 1.25;
+    for (int i = 0; i < 3; i++) {
+        double z = TABLE_HEIGHT + i * thick;
         roberts_vec2 a = half_angle(tangent[i]);
-        body_turned_box(b, vec3(x - half[i][0], y - half[i][1], z), vec3(x + half[i][0], y + half[i][1], z + 1.25), a.x,
-                        a.y);
+        body_turned_box(b, vec3(x - half[i][0], y - half[i][1], z), vec3(x + half[i][0], y + half[i][1], z + thick),
+                        a.x, a.y);
     }
-    stand_uniform(b, RHOMBICUBOCTAHEDRON, 4, 1, vec3(x, y, z), half_angle(0.25));
+    stand_uniform(b, RHOMBICUBOCTAHEDRON, 4, 1, vec3(x, y, TABLE_HEIGHT + 3 * thick), half_angle(0.25));
 }
 
 /* Two pillars and what they carry. */

@@ -348,7 +348,7 @@ void uniform_make(body *b, int solid)
 
 /* ---- duals ------------------------------------------------------------------------------------------------------ */
 
-/* A coordinate that symmetry makes 0 and rounding does not: the least true one is above 0.1. */
+/* A coordinate that symmetry makes 0 and rounding does not: the least true one is above 0.08. */
 static double without_residue(double x)
 {
     return fabs(x) < 1e-12 ? 0 : x;
