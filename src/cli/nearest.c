@@ -1,0 +1,52 @@
+/* nearest.c - the word that was meant, by edit distance.
+ *
+ * Source: the restricted form of Damerau, "A technique for computer detection and correction of spelling errors",
+ * CACM 7(3), 1964: a letter left out, added, wrong, or two changed places. */
+#include "cli/nearest.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+enum { LONGEST = 32, FAR = LONGEST * 2 };
+
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+static size_t distance(const char *a, const char *b)
+{
+    size_t n = strlen(a), m = strlen(b);
+    size_t row[3][LONGEST + 1]; /* of the table: two rows ago, the last, this one */
+    if (n > LONGEST || m > LONGEST)
+        return FAR;
+    for (size_t j = 0; j <= m; j++)
+        row[1][j] = row[0][j] = j;
+    for (size_t i = 1; i <= n; i++) {
+        row[2][0] = i;
+        for (size_t j = 1; j <= m; j++) {
+            size_t change = row[1][j - 1] + (a[i - 1] != b[j - 1]);
+            row[2][j] = least(change, least(row[1][j], row[2][j - 1]) + 1);
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[2][j] = least(row[2][j], row[0][j - 2] + 1);
+        }
+        memmove(row[0], row[1], 2 * sizeof row[0]);
+    }
+    return row[1][m];
+}
+
+const char *nearest_word(const char *word, const char *const *words, size_t count)
+{
+    const char *best = NULL;
+    size_t length = strlen(word), best_distance = FAR;
+    for (size_t i = 0; i < count; i++) {
+        /* What is the beginning of a word means that word; else a third of the letters may be wrong. */
+        bool begins = length >= 2 && strncmp(words[i], word, length) == 0;
+        size_t d = begins ? 0 : distance(word, words[i]);
+        if (d < best_distance && (begins || 3 * d <= least(length, strlen(words[i])) + 1)) {
+            best = words[i];
+            best_distance = d;
+        }
+    }
+    return best;
+}

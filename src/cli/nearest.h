@@ -1,0 +1,10 @@
+/* nearest.h - the word that was meant. */
+#ifndef ROBERTS_CLI_NEAREST_H
+#define ROBERTS_CLI_NEAREST_H
+
+#include <stddef.h>
+
+/* Of `count` words the one that `word` is most like; NULL where none is near enough to be what was meant. */
+const char *nearest_word(const char *word, const char *const *words, size_t count);
+
+#endif

@@ -1,0 +1,336 @@
+/* options.c - the command line as a plain struct.
+ *
+ * GNU habits without GNU functions: --name=value and --name value, -ovalue and -o value, -qo value, operands anywhere,
+ * everything after -- is an operand. A value may begin with a minus (--dir -1,2,3). Of an option given twice the last
+ * counts; options that contradict each other are misuse. */
+#include "cli/options.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/message.h"
+#include "cli/nearest.h"
+#include "cli/parse.h"
+
+typedef enum option_id {
+    OPTION_OUTPUT,
+    OPTION_FORMAT,
+    OPTION_DIR,
+    OPTION_VIEW,
+    OPTION_EYE,
+    OPTION_LOOK_AT,
+    OPTION_UP,
+    OPTION_HIDDEN,
+    OPTION_CREASE,
+    OPTION_ALL_EDGES,
+    OPTION_STATS,
+    OPTION_QUIET,
+    OPTION_THREADS,
+    OPTION_GRID,
+    OPTION_EPSILON,
+    OPTION_TOLERANCE,
+    OPTION_HELP,
+    OPTION_VERSION,
+    OPTION_COUNT
+} option_id;
+
+typedef enum value_kind { NO_VALUE, VALUE, VALUE_OPTIONAL /* only as --name=value */ } value_kind;
+
+static const struct option {
+    const char *name;
+    char letter; /* 0: none */
+    value_kind value;
+} option_table[OPTION_COUNT] = {
+    [OPTION_OUTPUT] = {"output", 'o', VALUE},
+    [OPTION_FORMAT] = {"format", 'f', VALUE},
+    [OPTION_DIR] = {"dir", 0, VALUE},
+    [OPTION_VIEW] = {"view", 0, VALUE},
+    [OPTION_EYE] = {"eye", 0, VALUE},
+    [OPTION_LOOK_AT] = {"look-at", 0, VALUE},
+    [OPTION_UP] = {"up", 0, VALUE},
+    [OPTION_HIDDEN] = {"hidden", 0, VALUE},
+    [OPTION_CREASE] = {"crease", 0, VALUE},
+    [OPTION_ALL_EDGES] = {"all-edges", 0, NO_VALUE},
+    [OPTION_STATS] = {"stats", 0, VALUE_OPTIONAL},
+    [OPTION_QUIET] = {"quiet", 'q', NO_VALUE},
+    [OPTION_THREADS] = {"threads", 0, VALUE},
+    [OPTION_GRID] = {"grid", 0, VALUE},
+    [OPTION_EPSILON] = {"epsilon", 0, VALUE},
+    [OPTION_TOLERANCE] = {"tolerance", 0, VALUE},
+    [OPTION_HELP] = {"help", 'h', NO_VALUE},
+    [OPTION_VERSION] = {"version", 'V', NO_VALUE},
+};
+
+/* Options that leave no sense together. */
+static const option_id conflict[][2] = {
+    {OPTION_DIR, OPTION_VIEW},    {OPTION_DIR, OPTION_EYE},      {OPTION_VIEW, OPTION_EYE},
+    {OPTION_DIR, OPTION_LOOK_AT}, {OPTION_VIEW, OPTION_LOOK_AT}, {OPTION_CREASE, OPTION_ALL_EDGES},
+};
+
+typedef struct parser {
+    cli_options *options;
+    bool given[OPTION_COUNT];
+    roberts_vec3 up;
+} parser;
+
+/* ---- values ---- */
+
+static int unknown_word(const char *what, const char *word, const char *const *words, size_t count)
+{
+    const char *meant = nearest_word(word, words, count);
+    if (meant)
+        return message_misuse("%s: \"%s\" is unknown; did you mean %s?", what, word, meant);
+    fprintf(stderr, "roberts: %s: \"%s\" is unknown; there are", what, word);
+    for (size_t i = 0; i < count; i++)
+        fprintf(stderr, "%s %s", i ? "," : "", words[i]);
+    fputs("\n", stderr);
+    return EXIT_MISUSED;
+}
+
+static int set_format(cli_options *options, const char *value)
+{
+    static const char *const names[] = {"svg", "pdf", "ps", "eps", "png", "csv", "json", "null"};
+    if (roberts_format_by_name(value, &options->draw.format))
+        return EXIT_DONE;
+    return unknown_word("--format", value, names, sizeof names / sizeof names[0]);
+}
+
+static int set_view(cli_options *options, const char *value)
+{
+    static const char *const names[] = {"iso",  "dimetric", "trimetric", "front", "back",
+                                        "left", "right",    "top",       "bottom"};
+    if (roberts_camera_preset(value, &options->camera))
+        return EXIT_DONE;
+    return unknown_word("--view", value, names, sizeof names / sizeof names[0]);
+}
+
+static int set_hidden(cli_options *options, const char *value)
+{
+    static const char *const names[] = {"none", "dashed", "solid"};
+    static const roberts_hidden mode[] = {ROBERTS_HIDDEN_NONE, ROBERTS_HIDDEN_DASHED, ROBERTS_HIDDEN_SOLID};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+        if (strcmp(value, names[i]) == 0) {
+            options->draw.hidden = mode[i];
+            options->hide.keep_hidden = mode[i] != ROBERTS_HIDDEN_NONE;
+            return EXIT_DONE;
+        }
+    return unknown_word("--hidden", value, names, sizeof names / sizeof names[0]);
+}
+
+static int set_stats(cli_options *options, const char *value)
+{
+    static const char *const names[] = {"json"};
+    if (value && strcmp(value, names[0]) != 0)
+        return unknown_word("--stats", value, names, 1);
+    options->stats = value ? STATS_JSON : STATS_TEXT;
+    return EXIT_DONE;
+}
+
+static int set_vector(const char *name, const char *value, roberts_vec3 *vector)
+{
+    if (parse_vector(value, vector))
+        return EXIT_DONE;
+    return message_misuse("--%s: \"%s\" is not X,Y,Z (three numbers, point for decimals)", name, value);
+}
+
+/* A vector that has to point somewhere. */
+static int set_direction(const char *name, const char *value, roberts_vec3 *vector)
+{
+    int status = set_vector(name, value, vector);
+    if (status == EXIT_DONE && vector->x == 0.0 && vector->y == 0.0 && vector->z == 0.0)
+        return message_misuse("--%s: 0,0,0 is no direction", name);
+    return status;
+}
+
+static int set_number(const char *name, const char *value, double max, double *number)
+{
+    if (!parse_number(value, number))
+        return message_misuse("--%s: \"%s\" is not a number", name, value);
+    if (!(*number >= 0.0 && *number <= max))
+        return message_misuse("--%s: %s is not in 0..%g", name, value, max);
+    return EXIT_DONE;
+}
+
+static int set_integer(const char *name, const char *value, uint32_t *number)
+{
+    if (parse_integer(value, number))
+        return EXIT_DONE;
+    return message_misuse("--%s: \"%s\" is not a whole number from 0 on", name, value);
+}
+
+/* ---- one option ---- */
+
+static int apply(parser *p, option_id id, const char *value)
+{
+    cli_options *options = p->options;
+    const char *name = option_table[id].name;
+    p->given[id] = true;
+    switch (id) {
+    case OPTION_OUTPUT:
+        options->output = value;
+        return *value ? EXIT_DONE : message_misuse("--output: the name is empty");
+    case OPTION_FORMAT:
+        return set_format(options, value);
+    case OPTION_DIR:
+        options->camera.projection = ROBERTS_ORTHOGRAPHIC;
+        return set_direction(name, value, &options->camera.dir);
+    case OPTION_VIEW:
+        return set_view(options, value);
+    case OPTION_EYE:
+        options->camera.projection = ROBERTS_PERSPECTIVE;
+        return set_vector(name, value, &options->camera.eye);
+    case OPTION_LOOK_AT:
+        options->camera.has_look_at = true;
+        return set_vector(name, value, &options->camera.look_at);
+    case OPTION_UP:
+        return set_direction(name, value, &p->up);
+    case OPTION_HIDDEN:
+        return set_hidden(options, value);
+    case OPTION_CREASE:
+        return set_number(name, value, 180.0, &options->hide.crease_degrees);
+    case OPTION_ALL_EDGES:
+        options->hide.all_edges = true;
+        return EXIT_DONE;
+    case OPTION_STATS:
+        return set_stats(options, value);
+    case OPTION_QUIET:
+        options->quiet = true;
+        return EXIT_DONE;
+    case OPTION_THREADS:
+        return set_integer(name, value, &options->hide.threads);
+    case OPTION_GRID:
+        return set_integer(name, value, &options->hide.grid);
+    case OPTION_EPSILON:
+        return set_number(name, value, 1e150, &options->hide.epsilon);
+    case OPTION_TOLERANCE:
+        return set_number(name, value, 1.0, &options->scene.tolerance);
+    case OPTION_HELP:
+        options->help = true;
+        return EXIT_DONE;
+    case OPTION_VERSION:
+        options->version = true;
+        return EXIT_DONE;
+    case OPTION_COUNT:
+        break;
+    }
+    return message_misuse("--%s is unknown", name);
+}
+
+static int unknown_option(const char *name)
+{
+    const char *words[OPTION_COUNT];
+    for (int i = 0; i < OPTION_COUNT; i++)
+        words[i] = option_table[i].name;
+    const char *meant = nearest_word(name, words, OPTION_COUNT);
+    if (meant)
+        return message_misuse("--%s is unknown; did you mean --%s?", name, meant);
+    return message_misuse("--%s is unknown", name);
+}
+
+/* argv[*i] is --name or --name=value; `*i` moves to the last argument that is used. */
+static int take_long(parser *p, int argc, char **argv, int *i)
+{
+    const char *name = argv[*i] + 2, *equals = strchr(name, '=');
+    size_t length = equals ? (size_t)(equals - name) : strlen(name);
+    const char *value = equals ? equals + 1 : NULL;
+    int id = 0;
+    while (id < OPTION_COUNT &&
+           !(strlen(option_table[id].name) == length && strncmp(option_table[id].name, name, length) == 0))
+        id++;
+    if (id == OPTION_COUNT) {
+        char word[64];
+        snprintf(word, sizeof word, "%.*s", length < sizeof word ? (int)length : (int)sizeof word - 1, name);
+        return unknown_option(word);
+    }
+    if (value && option_table[id].value == NO_VALUE)
+        return message_misuse("--%s takes no value", option_table[id].name);
+    if (!value && option_table[id].value == VALUE) {
+        if (*i + 1 >= argc)
+            return message_misuse("--%s needs a value", option_table[id].name);
+        value = argv[++*i];
+    }
+    return apply(p, (option_id)id, value);
+}
+
+/* argv[*i] is -x, -xyz or -xvalue; as above. */
+static int take_short(parser *p, int argc, char **argv, int *i)
+{
+    for (const char *letter = argv[*i] + 1; *letter; letter++) {
+        int id = 0, status;
+        while (id < OPTION_COUNT && option_table[id].letter != *letter)
+            id++;
+        if (id == OPTION_COUNT)
+            return message_misuse("-%c is unknown", *letter);
+        if (option_table[id].value == NO_VALUE) {
+            if ((status = apply(p, (option_id)id, NULL)) != EXIT_DONE)
+                return status;
+            continue;
+        }
+        if (letter[1])
+            return apply(p, (option_id)id, letter + 1);
+        if (*i + 1 >= argc)
+            return message_misuse("-%c needs a value", *letter);
+        return apply(p, (option_id)id, argv[++*i]);
+    }
+    return EXIT_DONE;
+}
+
+/* ---- all together ---- */
+
+static int check_conflicts(const parser *p)
+{
+    for (size_t i = 0; i < sizeof conflict / sizeof conflict[0]; i++)
+        if (p->given[conflict[i][0]] && p->given[conflict[i][1]])
+            return message_misuse("--%s and --%s exclude each other", option_table[conflict[i][0]].name,
+                                  option_table[conflict[i][1]].name);
+    if (p->given[OPTION_LOOK_AT] && !p->given[OPTION_EYE])
+        return message_misuse("--look-at needs --eye");
+    size_t streams = 0;
+    for (size_t i = 0; i < p->options->input_count; i++)
+        streams += strcmp(p->options->input[i], "-") == 0;
+    return streams > 1 ? message_misuse("standard input (-) can be read only once") : EXIT_DONE;
+}
+
+/* The format, where -f has not told it: by the ending of the output's name; SVG where that has none. */
+static int choose_format(const parser *p)
+{
+    cli_options *options = p->options;
+    const char *slash = strrchr(options->output, '/'), *name = slash ? slash + 1 : options->output;
+    if (!p->given[OPTION_FORMAT] && !roberts_format_by_path(options->output, &options->draw.format) &&
+        strchr(name + (*name == '.'), '.'))
+        return message_misuse("%s: no format is known by this ending; say which with -f", options->output);
+    bool binary = options->draw.format == ROBERTS_PDF || options->draw.format == ROBERTS_PNG;
+    if (binary && strcmp(options->output, "-") == 0 && isatty(STDOUT_FILENO))
+        return message_misuse("these bytes are not for a terminal: name a file with -o");
+    return EXIT_DONE;
+}
+
+int options_parse(int argc, char **argv, cli_options *options)
+{
+    static char standard_input[] = "-";
+    static char *nothing_named[] = {standard_input};
+    parser p = {.options = options};
+    int status, operands = 0; /* operands so far, moved to argv[0] .. */
+    bool only_operands = false;
+    *options =
+        (cli_options){.output = "-", .hide = roberts_hide_options_default(), .draw = roberts_draw_options_default()};
+    roberts_camera_preset("iso", &options->camera);
+    for (int i = 1; i < argc; i++) {
+        if (only_operands || argv[i][0] != '-' || argv[i][1] == '\0')
+            argv[operands++] = argv[i];
+        else if (strcmp(argv[i], "--") == 0)
+            only_operands = true;
+        else if ((status = (argv[i][1] == '-' ? take_long : take_short)(&p, argc, argv, &i)) != EXIT_DONE)
+            return status;
+    }
+    options->input = operands ? argv : nothing_named;
+    options->input_count = operands ? (size_t)operands : 1;
+    if (p.given[OPTION_UP])
+        options->camera.up = p.up; /* whatever order --up and --view came in */
+    if (options->help || options->version)
+        return EXIT_DONE;
+    if ((status = check_conflicts(&p)) != EXIT_DONE)
+        return status;
+    return choose_format(&p);
+}

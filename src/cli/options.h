@@ -1,0 +1,25 @@
+/* options.h - the command line as a plain struct. */
+#ifndef ROBERTS_CLI_OPTIONS_H
+#define ROBERTS_CLI_OPTIONS_H
+
+#include "roberts.h"
+
+typedef enum cli_stats { STATS_NONE, STATS_TEXT, STATS_JSON } cli_stats;
+
+typedef struct cli_options {
+    char **input; /* [input_count], of argv; "-" is standard input; at least one */
+    size_t input_count;
+    const char *output; /* "-" is standard output */
+    roberts_scene_options scene;
+    roberts_camera camera;
+    roberts_hide_options hide;
+    roberts_draw_options draw;
+    cli_stats stats;
+    bool quiet, help, version;
+} cli_options;
+
+/* Fills `options` from the arguments, which are put in order: operands to the end. Returns EXIT_DONE, or EXIT_MISUSED
+ * and has said why. */
+int options_parse(int argc, char **argv, cli_options *options);
+
+#endif

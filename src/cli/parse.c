@@ -1,0 +1,58 @@
+/* parse.c - values of options. The program never sets a locale, so strtod() knows the point alone. */
+#include "cli/parse.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Reads one number at `*at`, which moves behind it. strtod() would also take blanks, inf, nan and 0x10. */
+static bool take_number(const char **at, double *number)
+{
+    char *end;
+    size_t length = strspn(*at, "+-.0123456789eE");
+    if (length == 0 || strchr("eE", **at))
+        return false;
+    *number = strtod(*at, &end);
+    if (end != *at + length || !isfinite(*number))
+        return false;
+    *at = end;
+    return true;
+}
+
+bool parse_number(const char *text, double *number)
+{
+    double value;
+    if (!take_number(&text, &value) || *text)
+        return false;
+    *number = value;
+    return true;
+}
+
+bool parse_integer(const char *text, uint32_t *number)
+{
+    uint64_t value = 0;
+    if (!*text)
+        return false;
+    for (; *text; text++) {
+        if (*text < '0' || *text > '9')
+            return false;
+        value = value * 10 + (uint64_t)(*text - '0');
+        if (value > UINT32_MAX)
+            return false;
+    }
+    *number = (uint32_t)value;
+    return true;
+}
+
+bool parse_vector(const char *text, roberts_vec3 *vector)
+{
+    roberts_vec3 v;
+    if (!take_number(&text, &v.x) || *text++ != ',')
+        return false;
+    if (!take_number(&text, &v.y) || *text++ != ',')
+        return false;
+    if (!take_number(&text, &v.z) || *text)
+        return false;
+    *vector = v;
+    return true;
+}

@@ -1,0 +1,124 @@
+/* stats.c - what --stats prints. */
+#include "cli/stats.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <sys/resource.h>
+#include <time.h>
+
+static double seconds(clockid_t clock)
+{
+    struct timespec now = {0};
+    clock_gettime(clock, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+roberts_time stats_now(void)
+{
+    return (roberts_time){seconds(CLOCK_PROCESS_CPUTIME_ID), seconds(CLOCK_MONOTONIC)};
+}
+
+roberts_time stats_since(roberts_time start)
+{
+    roberts_time now = stats_now();
+    return (roberts_time){now.cpu - start.cpu, now.wall - start.wall};
+}
+
+typedef struct figure {
+    const char *key; /* in JSON */
+    const char *text;
+    uint64_t value;
+} figure;
+
+typedef struct stage {
+    const char *name;
+    roberts_time time;
+} stage;
+
+static uint64_t count_state(const roberts_drawing *drawing, roberts_state state)
+{
+    uint64_t count = 0;
+    for (size_t i = 0; i < drawing->count; i++)
+        count += drawing->segment[i].state == state;
+    return count;
+}
+
+/* kB; Linux and the BSDs count in these, others in bytes. */
+static uint64_t peak_memory(void)
+{
+    struct rusage usage = {0};
+    getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+    usage.ru_maxrss /= 1024;
+#endif
+    return (uint64_t)usage.ru_maxrss;
+}
+
+static void print_figures(const figure *figures, size_t count, bool json)
+{
+    for (size_t i = 0; i < count; i++)
+        if (json)
+            fprintf(stderr, "%s\"%s\":%" PRIu64, i ? "," : "", figures[i].key, figures[i].value);
+        else
+            fprintf(stderr, "%14" PRIu64 "  %s\n", figures[i].value, figures[i].text);
+}
+
+static void print_stages(const stage *stages, size_t count, bool json)
+{
+    if (!json)
+        fputs("           cpu        wall  seconds\n", stderr);
+    for (size_t i = 0; i < count; i++)
+        if (json)
+            fprintf(stderr, "%s\"%s\":{\"cpu\":%.6f,\"wall\":%.6f}", i ? "," : "", stages[i].name, stages[i].time.cpu,
+                    stages[i].time.wall);
+        else
+            fprintf(stderr, "%14.3f%12.3f  %s\n", stages[i].time.cpu, stages[i].time.wall, stages[i].name);
+}
+
+void stats_print(cli_stats kind, const run_stats *run, const roberts_drawing *d)
+{
+    const bool json = kind == STATS_JSON;
+    const figure counts[] = {
+        {"files", "files", run->files},
+        {"solids", "solids", d->solids},
+        {"vertices", "vertices", run->vertices},
+        {"faces", "faces", run->faces},
+        {"front_faces", "of them front", d->front_faces},
+        {"back_faces", "back", d->back_faces},
+        {"edge_on_faces", "edge-on", d->edge_on_faces},
+        {"edges", "edges", d->edges},
+        {"surviving_edges", "of them with a front face", d->surviving_edges},
+        {"drawn_edges", "of them not flatter than the crease", d->drawn_edges},
+        {"segments", "segments", d->count},
+        {"visible", "of them visible", count_state(d, ROBERTS_VISIBLE)},
+        {"hidden", "hidden", count_state(d, ROBERTS_HIDDEN)},
+        {"clipped", "clipped", count_state(d, ROBERTS_CLIPPED)},
+        {"grid", "cells per side of the grid", d->grid},
+        {"peak_memory_kb", "kB of memory at the most", peak_memory()},
+    };
+    const figure tests[] = {
+        {"pairs", "pairs of edge and front face", d->tally.pairs},
+        {"test1_visible", "test 1: in front of the plane, visible", d->tally.test1_visible},
+        {"test2_visible", "test 2: the sight plane misses the face, visible", d->tally.test2_visible},
+        {"test3_visible", "test 3: outside one side, visible", d->tally.test3_visible},
+        {"test3_invisible", "test 3: inside all sides, invisible", d->tally.test3_invisible},
+        {"test4", "test 4: cut at the crossings", d->tally.test4},
+        {"covered", "stretches behind a cell's cover, no test", d->tally.covered},
+        {"refined", "signs and crossings refined", d->tally.refined},
+    };
+    const stage stages[] = {
+        {"read", run->read},    {"solids", run->solids}, {"view", d->view_time}, {"grid", d->grid_time},
+        {"hide", d->hide_time}, {"draw", run->draw},     {"total", run->total},
+    };
+    fputs(json ? "{\"version\":\"" ROBERTS_VERSION "\"," : "", stderr);
+    print_figures(counts, sizeof counts / sizeof counts[0], json);
+    if (json)
+        fprintf(stderr, ",\"epsilon\":%.17g,\"scene_diameter\":%.17g,\"tests\":{", d->epsilon, d->scene_diameter);
+    else
+        fprintf(stderr, "%14.4g  epsilon, model units\n%14.6g  diameter of the scene, model units\n", d->epsilon,
+                d->scene_diameter);
+    print_figures(tests, sizeof tests / sizeof tests[0], json);
+    fputs(json ? "},\"seconds\":{" : "", stderr);
+    print_stages(stages, sizeof stages / sizeof stages[0], json);
+    fputs(json ? "}}\n" : "", stderr);
+}

@@ -1,0 +1,22 @@
+/* stats.h - what --stats prints. */
+#ifndef ROBERTS_CLI_STATS_H
+#define ROBERTS_CLI_STATS_H
+
+#include "cli/options.h"
+
+/* What the program counts and times itself; the rest is in the drawing. */
+typedef struct run_stats {
+    size_t files, vertices, faces;
+    roberts_time read, solids, draw, total;
+} run_stats;
+
+/* CPU time of all threads and wall-clock time, now. */
+roberts_time stats_now(void);
+
+/* How long it is since `start`. */
+roberts_time stats_since(roberts_time start);
+
+/* To standard error; as one JSON object where `kind` is STATS_JSON. */
+void stats_print(cli_stats kind, const run_stats *run, const roberts_drawing *drawing);
+
+#endif
