@@ -18,8 +18,14 @@ static void cube_hidden_by_cube(body *b)
     body_box(b, vec3(-6, 6, -6), vec3(-2, 10, -2));
 }
 
-/* The turn of a cube by a sixth about its diagonal, the quaternion 3 + i + j + k, is a matrix of thirds. */
 static void interpenetrating_cubes(body *b)
+{
+    body_box(b, vec3(0, 0, 0), vec3(6, 6, 6));
+    body_box(b, vec3(4, 2, 2), vec3(10, 8, 8));
+}
+
+/* The turn of a cube by a sixth about its diagonal, the quaternion 3 + i + j + k, is a matrix of thirds. */
+static void compound_of_two_cubes(body *b)
 {
     body cube = {0};
     body_box(&cube, vec3(-3, -3, -3), vec3(3, 3, 3));
@@ -30,7 +36,7 @@ static void interpenetrating_cubes(body *b)
 
 /* A cube turned by an eighth about each of its three axes: its corners are (+-1, 0, +-sqrt 2), (+-1, +-sqrt 2, 0) and
  * their cyclic permutations. */
-static void three_cubes(body *b)
+static void compound_of_three_cubes(body *b)
 {
     double h = sqrt(0.5);
     body cube = {0};
@@ -242,10 +248,14 @@ static const scene scenes[] = {
     {"cube-hidden-by-cube",
      "A cube exactly behind a cube of the same size, as seen from (1, -1, 1) (--view iso): it is hidden altogether.",
      cube_hidden_by_cube},
-    {"interpenetrating-cubes",
-     "Two cubes through one another, the second turned by 60 degrees about a diagonal; all coordinates are integers.",
+    {"interpenetrating-cubes", "Two cubes through one another; edges end where they pierce the other cube.",
      interpenetrating_cubes},
-    {"three-cubes", "Three cubes through one another, each turned by 45 degrees about one of the axes.", three_cubes},
+    {"compound-of-two-cubes",
+     "Two cubes about one centre, the second turned by 60 degrees about a diagonal; all coordinates are integers, and\n"
+     "edges cross edges.",
+     compound_of_two_cubes},
+    {"compound-of-three-cubes", "Three cubes about one centre, each turned by 45 degrees about one of the axes.",
+     compound_of_three_cubes},
     {"stella-octangula", "Two tetrahedra through one another, the corners of a cube.", stella_octangula},
     {"staircase", "A staircase of two flights with a landing, of blocks that touch.", staircase},
     {"stacked-blocks", "A pyramid of 29 cubes that touch, each layer over the joints of the one below, and its tip.",
