@@ -1,0 +1,777 @@
+/* What must not change a drawing, and what must change with it: scenes scaled, moved, turned, reordered, drawn with
+ * other grids and threads. Then each drawing against a plain second opinion: a sight ray from points of every segment.
+ *
+ * Two kinds of scenes. In the lattices solids stand anyhow, so that nothing ties; what they ask for is accuracy. In
+ * the crowds and the wall all corners are small integers, so that everything ties: corners, edges and faces touch or
+ * coincide, and whatever is no tie is far from one. A drawing of them shows whether ties are decided the same way
+ * throughout. */
+#include <stdio.h>
+
+#include "scenes.h"
+
+/* What a parameter along an edge may differ by between two drawings of the same scene from differently rounded
+ * coordinates: the library computes each to 1e-11. */
+#define T_BOUND 2e-11
+
+static const struct scene_case {
+    const char *name;
+    int lattice, crowd, wall; /* what of which size */
+    double fill;
+    uint64_t seed;
+} scenes[] = {
+    {.name = "lattice", .lattice = 3, .fill = 0.48, .seed = 11},
+    {.name = "interpenetrating lattice", .lattice = 3, .fill = 0.9, .seed = 12},
+    {.name = "crowd", .crowd = 24, .seed = 13},
+    {.name = "dense crowd", .crowd = 40, .seed = 14},
+    {.name = "wall", .wall = 4},
+};
+enum { SCENES = sizeof scenes / sizeof scenes[0] };
+
+static const struct camera_case {
+    const char *name;
+    roberts_camera camera;
+} cameras[] = {
+    {"top", {.dir = {0, 0, 1}, .up = {0, 1, 0}}},
+    {"front", {.dir = {0, -1, 0}}},
+    {"iso", {.dir = {1, -1, 1}}},
+    {"askew", {.dir = {1, 2, 3}}},
+    {"eye", {ROBERTS_PERSPECTIVE, .eye = {13, -17, 11}, .look_at = {2, 2, 2}, .has_look_at = true}},
+    {"eye ahead", {ROBERTS_PERSPECTIVE, .eye = {3, -20, 2}, .look_at = {3, 2, 2}, .has_look_at = true}},
+};
+enum { CAMERAS = sizeof cameras / sizeof cameras[0] };
+
+static model make(const struct scene_case *c)
+{
+    model m = {0};
+    if (c->lattice)
+        model_lattice(&m, c->lattice, c->fill, c->seed);
+    else if (c->crowd)
+        model_crowd(&m, c->crowd, 4, c->seed);
+    else
+        model_wall(&m, c->wall, c->wall);
+    return m;
+}
+
+static bool has_ties(const struct scene_case *c)
+{
+    return c->lattice == 0;
+}
+
+static roberts_hide_options with_hidden(void)
+{
+    roberts_hide_options options = roberts_hide_options_default();
+    options.keep_hidden = true;
+    options.all_edges = true;
+    return options;
+}
+
+/* ---- comparing drawings ------------------------------------------------------------------------------------------- */
+
+/* What may differ. Zeros: nothing, to the last bit. */
+typedef struct allowance {
+    double t;     /* parameters by so much */
+    double p;     /* picture points by so much, after scaling */
+    double scale; /* of the picture; 0 = 1 */
+    bool shift;   /* the picture may be moved as a whole */
+    bool by;      /* another solid may be named, among those that touch */
+} allowance;
+
+static bool same_bits(double a, double b)
+{
+    return memcmp(&a, &b, sizeof a) == 0;
+}
+
+static bool near(double a, double b, double bound)
+{
+    return bound > 0.0 ? fabs(a - b) <= bound : same_bits(a + 0.0, b + 0.0); /* -0 is 0 */
+}
+
+static void print_row(const char *what, const roberts_segment *s)
+{
+    printf("  %s: solid %u edge %u-%u t %.17g..%.17g state %d line %d by %d p (%.17g %.17g) (%.17g %.17g)\n", what,
+           s->solid, s->v0, s->v1, s->t0, s->t1, s->state, s->line, (int)s->by, s->p0.x, s->p0.y, s->p1.x, s->p1.y);
+}
+
+static bool same_row(const roberts_segment *a, const roberts_segment *b, const allowance *may, roberts_vec2 shift)
+{
+    double k = may->scale != 0.0 ? may->scale : 1.0;
+    return a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1 && a->state == b->state && a->line == b->line &&
+           (may->by ? (a->by == ROBERTS_NONE) == (b->by == ROBERTS_NONE) : a->by == b->by) &&
+           near(a->t0, b->t0, may->t) && near(a->t1, b->t1, may->t) && near(k * a->p0.x + shift.x, b->p0.x, may->p) &&
+           near(k * a->p0.y + shift.y, b->p0.y, may->p) && near(k * a->p1.x + shift.x, b->p1.x, may->p) &&
+           near(k * a->p1.y + shift.y, b->p1.y, may->p);
+}
+
+static void expect_same(const char *what, const char *scene, const char *camera, const roberts_drawing *a,
+                        const roberts_drawing *b, allowance may)
+{
+    roberts_vec2 shift = {0, 0};
+    double k = may.scale != 0.0 ? may.scale : 1.0;
+    size_t count = a->count < b->count ? a->count : b->count;
+    if (may.shift && count)
+        shift =
+            (roberts_vec2){b->segment[0].p0.x - k * a->segment[0].p0.x, b->segment[0].p0.y - k * a->segment[0].p0.y};
+    for (size_t i = 0; i < count; i++)
+        if (!same_row(&a->segment[i], &b->segment[i], &may, shift)) {
+            print_row("one", &a->segment[i]);
+            print_row("other", &b->segment[i]);
+            fail_msg("%s: %s, %s: row %zu differs", what, scene, camera, i);
+        }
+    if (a->count != b->count)
+        fail_msg("%s: %s, %s: %zu and %zu rows", what, scene, camera, a->count, b->count);
+    assert_true(count > 0);
+}
+
+static int compare_rows(const void *pa, const void *pb)
+{
+    const roberts_segment *a = pa, *b = pb;
+    if (a->solid != b->solid)
+        return a->solid < b->solid ? -1 : 1;
+    if (a->v0 != b->v0)
+        return a->v0 < b->v0 ? -1 : 1;
+    if (a->v1 != b->v1)
+        return a->v1 < b->v1 ? -1 : 1;
+    return (a->t0 > b->t0) - (a->t0 < b->t0);
+}
+
+/* Rows as they would be if solid i were solid[i] and vertex v were vertex[v]. */
+static void renumber(roberts_drawing *d, const uint32_t *solid, const uint32_t *vertex)
+{
+    for (size_t i = 0; i < d->count; i++) {
+        roberts_segment *s = &d->segment[i], old = *s;
+        s->solid = solid[old.solid];
+        s->by = old.by == ROBERTS_NONE ? ROBERTS_NONE : solid[old.by];
+        s->v0 = vertex[old.v0];
+        s->v1 = vertex[old.v1];
+        if (s->v0 > s->v1) {
+            s->v0 = vertex[old.v1];
+            s->v1 = vertex[old.v0];
+            s->t0 = 1.0 - old.t1;
+            s->t1 = 1.0 - old.t0;
+            s->p0 = old.p1;
+            s->p1 = old.p0;
+        }
+    }
+    qsort(d->segment, d->count, sizeof *d->segment, compare_rows);
+}
+
+/* Calls `check` for each scene and camera with the scene's drawing, hidden rows and all edges included. */
+typedef void check_fn(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                      const roberts_drawing *drawing);
+
+static void for_each(check_fn *check)
+{
+    roberts_hide_options options = with_hidden();
+    for (size_t s = 0; s < SCENES; s++) {
+        model m = make(&scenes[s]);
+        for (size_t c = 0; c < CAMERAS; c++) {
+            roberts_drawing drawing = model_draw(&m, &cameras[c].camera, &options);
+            check(&scenes[s], &m, &cameras[c], &drawing);
+            roberts_drawing_free(&drawing);
+        }
+        model_free(&m);
+    }
+}
+
+/* ---- scaled, moved, turned ---------------------------------------------------------------------------------------- */
+
+static roberts_camera scaled_camera(roberts_camera camera, double k)
+{
+    camera.eye = vec3_scale(k, camera.eye);
+    camera.look_at = vec3_scale(k, camera.look_at);
+    return camera;
+}
+
+static void expect_scaled(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                          const roberts_drawing *drawing, double k, allowance may)
+{
+    roberts_hide_options options = with_hidden();
+    roberts_camera view = scaled_camera(camera->camera, k);
+    model other;
+    model_copy(&other, m);
+    model_map(&other, mat3_scale(k, k, k), (roberts_vec3){0, 0, 0});
+    roberts_drawing scaled = model_draw(&other, &view, &options);
+    may.scale = k;
+    expect_same("scaled", scene->name, camera->name, drawing, &scaled, may);
+    assert_true(near(scaled.epsilon / k, drawing->epsilon, may.t > 0.0 ? 1e-12 * drawing->epsilon : 0.0));
+    roberts_drawing_free(&scaled);
+    model_free(&other);
+}
+
+static void check_powers_of_two(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                                const roberts_drawing *drawing)
+{
+    static const int exponents[] = {-450, -40, -1, 5, 60, 450};
+    for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; i++)
+        expect_scaled(scene, m, camera, drawing, ldexp(1.0, exponents[i]), (allowance){0});
+}
+
+static void scaled_by_powers_of_two(void **state)
+{
+    (void)state;
+    for_each(check_powers_of_two);
+}
+
+static void check_powers_of_ten(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                                const roberts_drawing *drawing)
+{
+    static const double factors[] = {1e-8, 1e8, 1e-100, 1e100};
+    for (size_t i = 0; i < sizeof factors / sizeof factors[0]; i++) {
+        double k = factors[i];
+        expect_scaled(scene, m, camera, drawing, k,
+                      (allowance){.t = T_BOUND, .p = 1e-12 * k * drawing->scene_diameter});
+    }
+}
+
+static void scaled_by_powers_of_ten(void **state)
+{
+    (void)state;
+    for_each(check_powers_of_ten);
+}
+
+/* By integers, so that the moved coordinates of the crowds are exact. Near by nothing changes; far away the touching
+ * distance grows with the coordinates, and with it what is computed in twice the precision. */
+static void check_moved(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                        const roberts_drawing *drawing)
+{
+    static const roberts_vec3 offsets[] = {{3, -7, 11}, {-2000, 1000, 3000}, {1e7, -3e7, 2e7}};
+    roberts_hide_options options = with_hidden();
+    if (!has_ties(scene))
+        return; /* their coordinates are no integers: moved, they are another scene */
+    for (size_t i = 0; i < sizeof offsets / sizeof offsets[0]; i++) {
+        roberts_camera view = camera->camera;
+        model other;
+        allowance may = {.t = i < 2 ? 0.0 : T_BOUND, .p = i < 2 ? 0.0 : T_BOUND * drawing->scene_diameter};
+        view.eye = vec3_add(view.eye, offsets[i]);
+        view.look_at = vec3_add(view.look_at, offsets[i]);
+        model_copy(&other, m);
+        model_map(&other, mat3_scale(1, 1, 1), offsets[i]);
+        roberts_drawing moved = model_draw(&other, &view, &options);
+        expect_same("moved", scene->name, camera->name, drawing, &moved, may);
+        roberts_drawing_free(&moved);
+        model_free(&other);
+    }
+}
+
+static void moved_by_integers(void **state)
+{
+    (void)state;
+    for_each(check_moved);
+}
+
+/* The centre of the turned scene's box is another point, so that the picture may be moved as a whole. */
+static void check_turned(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                         const roberts_drawing *drawing)
+{
+    roberts_hide_options options = with_hidden();
+    rng r = {scene->seed + 1};
+    for (int i = 0; i < 3; i++) {
+        mat3 turn = mat3_turn(&r);
+        roberts_camera view = camera->camera;
+        model other;
+        roberts_vec3 up = view.up.y != 0.0 ? view.up : (roberts_vec3){0, 0, 1};
+        view.dir = mat3_map(turn, view.dir);
+        view.up = mat3_map(turn, up);
+        view.eye = mat3_map(turn, view.eye);
+        view.look_at = mat3_map(turn, view.look_at);
+        model_copy(&other, m);
+        model_map(&other, turn, (roberts_vec3){0, 0, 0});
+        roberts_drawing turned = model_draw(&other, &view, &options);
+        expect_same("turned", scene->name, camera->name, drawing, &turned,
+                    (allowance){.t = T_BOUND, .p = T_BOUND * drawing->scene_diameter, .shift = true});
+        roberts_drawing_free(&turned);
+        model_free(&other);
+    }
+}
+
+static void turned_with_the_camera(void **state)
+{
+    (void)state;
+    for_each(check_turned);
+}
+
+/* ---- written otherwise -------------------------------------------------------------------------------------------- */
+
+/* Where several solids touch, `by` is the one of smallest number, so that it may change. */
+static void check_reordered(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                            const roberts_drawing *drawing)
+{
+    roberts_hide_options options = with_hidden();
+    uint32_t order[MODEL_SOLIDS], *vertex = malloc(m->mesh.vertex_count * sizeof *vertex);
+    rng r = {scene->seed + 2};
+    model other = {0};
+    assert_non_null(vertex);
+    rng_permutation(&r, order, m->solids);
+    model_reorder(&other, m, order);
+    for (uint32_t i = 0; i < m->solids; i++)
+        for (uint32_t v = other.first_vertex[i]; v < other.first_vertex[i + 1]; v++)
+            vertex[v] = v - other.first_vertex[i] + m->first_vertex[order[i]];
+    roberts_drawing reordered = model_draw(&other, &camera->camera, &options);
+    renumber(&reordered, order, vertex);
+    expect_same("solids reordered", scene->name, camera->name, drawing, &reordered, (allowance){.by = has_ties(scene)});
+    roberts_drawing_free(&reordered);
+    model_free(&other);
+    free(vertex);
+}
+
+static void solids_reordered(void **state)
+{
+    (void)state;
+    for_each(check_reordered);
+}
+
+static void check_wound(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                        const roberts_drawing *drawing)
+{
+    roberts_hide_options options = with_hidden();
+    rng r = {scene->seed + 3};
+    model other;
+    model_copy(&other, m);
+    model_wind(&other, &r);
+    roberts_drawing wound = model_draw(&other, &camera->camera, &options);
+    expect_same("faces wound otherwise", scene->name, camera->name, drawing, &wound,
+                (allowance){.t = T_BOUND, .p = T_BOUND * drawing->scene_diameter});
+    roberts_drawing_free(&wound);
+    model_free(&other);
+}
+
+static void faces_wound_otherwise(void **state)
+{
+    (void)state;
+    for_each(check_wound);
+}
+
+/* number[v]: the new number of vertex v; faces stay where they are. */
+static void renumber_mesh(roberts_mesh *mesh, const uint32_t *number)
+{
+    roberts_vec3 *old = malloc(mesh->vertex_count * sizeof *old);
+    assert_non_null(old);
+    memcpy(old, mesh->vertex, mesh->vertex_count * sizeof *old);
+    for (size_t v = 0; v < mesh->vertex_count; v++)
+        mesh->vertex[number[v]] = old[v];
+    for (size_t k = 0; k < mesh->corner_count; k++)
+        mesh->corner[k] = number[mesh->corner[k]];
+    free(old);
+}
+
+/* Which solid of `m` has the i-th smallest number of a first vertex, after renumbering. */
+static void order_solids(const model *m, const uint32_t *number, uint32_t *order)
+{
+    uint32_t least[MODEL_SOLIDS];
+    for (uint32_t s = 0; s < m->solids; s++) {
+        least[s] = ROBERTS_NONE;
+        for (uint32_t v = m->first_vertex[s]; v < m->first_vertex[s + 1]; v++)
+            least[s] = number[v] < least[s] ? number[v] : least[s];
+    }
+    for (uint32_t s = 0; s < m->solids; s++) {
+        uint32_t rank = 0;
+        for (uint32_t i = 0; i < m->solids; i++)
+            rank += least[i] < least[s];
+        order[rank] = s;
+    }
+}
+
+static void check_renumbered(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                             const roberts_drawing *drawing)
+{
+    roberts_hide_options options = with_hidden();
+    uint32_t count = (uint32_t)m->mesh.vertex_count, order[MODEL_SOLIDS];
+    uint32_t *number = malloc(count * sizeof *number), *back = malloc(count * sizeof *back);
+    rng r = {scene->seed + 4};
+    model other;
+    assert_true(number && back);
+    rng_permutation(&r, number, count);
+    for (uint32_t v = 0; v < count; v++)
+        back[number[v]] = v;
+    model_copy(&other, m);
+    renumber_mesh(&other.mesh, number);
+    order_solids(m, number, order);
+    roberts_drawing renumbered = model_draw(&other, &camera->camera, &options);
+    renumber(&renumbered, order, back);
+    expect_same("vertices renumbered", scene->name, camera->name, drawing, &renumbered,
+                (allowance){.t = T_BOUND, .p = T_BOUND * drawing->scene_diameter, .by = has_ties(scene)});
+    roberts_drawing_free(&renumbered);
+    model_free(&other);
+    free(number);
+    free(back);
+}
+
+static void vertices_renumbered(void **state)
+{
+    (void)state;
+    for_each(check_renumbered);
+}
+
+/* ---- drawn otherwise ---------------------------------------------------------------------------------------------- */
+
+static void check_grids(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                        const roberts_drawing *drawing)
+{
+    static const uint32_t grids[] = {1, 2, 3, 7, 64, 200};
+    for (size_t i = 0; i < sizeof grids / sizeof grids[0]; i++) {
+        roberts_hide_options options = with_hidden();
+        options.grid = grids[i];
+        roberts_drawing other = model_draw(m, &camera->camera, &options);
+        assert_int_equal(other.grid, grids[i]);
+        expect_same("another grid", scene->name, camera->name, drawing, &other, (allowance){0});
+        roberts_drawing_free(&other);
+    }
+}
+
+static void any_grid(void **state)
+{
+    (void)state;
+    for_each(check_grids);
+}
+
+/* So many solids that several threads have work. */
+static void any_threads_any_run(void **state)
+{
+    model m = {0};
+    roberts_hide_options options = with_hidden();
+    (void)state;
+    model_lattice(&m, 7, 0.6, 15);
+    options.threads = 1;
+    for (size_t c = 2; c < CAMERAS; c += 2) {
+        roberts_drawing one = model_draw(&m, &cameras[c].camera, &options);
+        static const uint32_t threads[] = {0, 2, 3, 7};
+        for (uint32_t run = 0; run < 20; run++) {
+            roberts_hide_options other = options;
+            other.threads = threads[run % 4];
+            roberts_drawing again = model_draw(&m, &cameras[c].camera, &other);
+            expect_same("another run", "large lattice", cameras[c].name, &one, &again, (allowance){0});
+            assert_memory_equal(&one.tally, &again.tally, sizeof one.tally);
+            roberts_drawing_free(&again);
+        }
+        roberts_drawing_free(&one);
+    }
+    model_free(&m);
+}
+
+/* ---- options ------------------------------------------------------------------------------------------------------ */
+
+/* Keeps the rows that `keep` wants. */
+static void filter(roberts_drawing *d, bool (*keep)(const roberts_segment *))
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < d->count; i++)
+        if (keep(&d->segment[i]))
+            d->segment[kept++] = d->segment[i];
+    d->count = kept;
+}
+
+static bool is_visible(const roberts_segment *s)
+{
+    return s->state == ROBERTS_VISIBLE;
+}
+
+static void check_visible_alone(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                                const roberts_drawing *drawing)
+{
+    roberts_hide_options options = with_hidden();
+    options.keep_hidden = false;
+    roberts_drawing alone = model_draw(m, &camera->camera, &options), all;
+    options.keep_hidden = true;
+    all = model_draw(m, &camera->camera, &options);
+    assert_int_equal(all.count, drawing->count);
+    filter(&all, is_visible);
+    expect_same("visible rows alone", scene->name, camera->name, &all, &alone, (allowance){0});
+    roberts_drawing_free(&alone);
+    roberts_drawing_free(&all);
+}
+
+static void visible_rows_alone(void **state)
+{
+    (void)state;
+    for_each(check_visible_alone);
+}
+
+static bool same_edge(const roberts_segment *a, const roberts_segment *b)
+{
+    return a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1;
+}
+
+/* Every edge of the scene has rows; they follow one another from 0 to 1 and take turns. */
+static void check_tiles(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                        const roberts_drawing *drawing)
+{
+    size_t edges = 0;
+    roberts_scene *built = model_build(m);
+    for (size_t i = 0; i < drawing->count; i++) {
+        const roberts_segment *s = &drawing->segment[i];
+        const roberts_segment *before = i ? s - 1 : NULL, *after = i + 1 < drawing->count ? s + 1 : NULL;
+        bool first = !before || !same_edge(before, s), last = !after || !same_edge(after, s);
+        bool right = s->v0 < s->v1 && s->t0 < s->t1 && (s->by == ROBERTS_NONE) == (s->state == ROBERTS_VISIBLE) &&
+                     (first ? s->t0 == 0.0 : s->t0 == before->t1 && s->state != before->state) &&
+                     (!last || s->t1 == 1.0) && (!before || compare_rows(before, s) < 0);
+        if (!right) {
+            print_row("row", s);
+            fail_msg("%s, %s: row %zu does not tile", scene->name, camera->name, i);
+        }
+        edges += first;
+    }
+    assert_int_equal(edges, roberts_scene_edge_count(built));
+    assert_int_equal(edges, drawing->edges);
+    assert_int_equal(edges, drawing->drawn_edges);
+    roberts_scene_free(built);
+}
+
+static void rows_tile_every_edge(void **state)
+{
+    (void)state;
+    for_each(check_tiles);
+}
+
+/* The rows without flat edges are those with them, less the diagonals of the cut cubes' six faces. */
+static void check_creases(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                          const roberts_drawing *drawing)
+{
+    roberts_hide_options options = with_hidden();
+    size_t k = 0, diagonals = 0;
+    options.all_edges = false;
+    roberts_drawing fewer = model_draw(m, &camera->camera, &options);
+    for (size_t i = 0; i < drawing->count; i++) {
+        if (k < fewer.count && same_row(&drawing->segment[i], &fewer.segment[k], &(allowance){0}, (roberts_vec2){0, 0}))
+            k++;
+        else if (drawing->segment[i].line == ROBERTS_OUTLINE)
+            fail_msg("%s, %s: an outline is missing", scene->name, camera->name);
+    }
+    assert_int_equal(k, fewer.count);
+    assert_int_equal(drawing->surviving_edges, fewer.surviving_edges);
+    for (uint32_t i = 0; i < m->solids; i++)
+        diagonals += m->first_face[i + 1] - m->first_face[i] == 12 ? 6 : 0;
+    assert_int_equal(drawing->drawn_edges - fewer.drawn_edges, diagonals);
+    roberts_drawing_free(&fewer);
+}
+
+static void all_edges_add_flat_ones_only(void **state)
+{
+    (void)state;
+    for_each(check_creases);
+}
+
+/* ---- perspective -------------------------------------------------------------------------------------------------- */
+
+/* Largest difference of a parameter, the rows being otherwise the same. */
+static double difference(const roberts_drawing *a, const roberts_drawing *b)
+{
+    double most = 0.0;
+    assert_int_equal(a->count, b->count);
+    for (size_t i = 0; i < a->count; i++) {
+        const roberts_segment *s = &a->segment[i], *t = &b->segment[i];
+        assert_true(same_edge(s, t) && s->state == t->state && s->line == t->line && s->by == t->by);
+        most = fmax(most, fmax(fabs(s->t0 - t->t0), fabs(s->t1 - t->t1)));
+    }
+    return most;
+}
+
+/* What the perspective changes falls as 1 / distance: a hundred times as far, a hundredth. */
+static void far_eye_comes_to_orthographic(void **state)
+{
+    (void)state;
+    for (size_t s = 0; s < 2; s++) {
+        roberts_hide_options options = with_hidden();
+        model m = make(&scenes[s]);
+        roberts_camera view = cameras[3].camera;
+        roberts_drawing orthographic = model_draw(&m, &view, &options), drawing;
+        double change[2];
+        view = (roberts_camera){.projection = ROBERTS_PERSPECTIVE, .up = view.up};
+        for (int i = 0; i < 2; i++) {
+            double distance = i ? 1e8 : 1e6;
+            view.eye = vec3_add((roberts_vec3){1, 1, 1}, vec3_scale(distance, cameras[3].camera.dir));
+            view.look_at = (roberts_vec3){1, 1, 1};
+            view.has_look_at = true;
+            drawing = model_draw(&m, &view, &options);
+            change[i] = difference(&orthographic, &drawing);
+            roberts_drawing_free(&drawing);
+        }
+        assert_true(change[0] > 1e-9);
+        assert_true(fabs(change[1] / change[0] - 0.01) < 0.002);
+        roberts_drawing_free(&orthographic);
+        model_free(&m);
+    }
+}
+
+/* ---- a second opinion: rays ---------------------------------------------------------------------------------------- */
+
+/* A solid's planes, from the model alone. */
+typedef struct solid_planes {
+    plane F[16];
+    uint32_t count;
+} solid_planes;
+
+static solid_planes planes_of(const model *m, uint32_t solid)
+{
+    solid_planes planes = {.count = 0};
+    roberts_vec3 middle = {0, 0, 0};
+    uint32_t vertices = m->first_vertex[solid + 1] - m->first_vertex[solid];
+    for (uint32_t v = m->first_vertex[solid]; v < m->first_vertex[solid + 1]; v++)
+        middle = vec3_add(middle, vec3_scale(1.0 / vertices, m->mesh.vertex[v]));
+    for (uint32_t f = m->first_face[solid]; f < m->first_face[solid + 1]; f++) {
+        const uint32_t *corner = m->mesh.corner + m->mesh.face_start[f];
+        roberts_vec3 a = m->mesh.vertex[corner[0]], b = m->mesh.vertex[corner[1]], c = m->mesh.vertex[corner[2]];
+        roberts_vec3 n = vec3_cross(vec3_sub(b, a), vec3_sub(c, a));
+        double side = vec3_dot(n, vec3_sub(middle, a)) < 0.0 ? -1.0 : 1.0;
+        n = vec3_scale(side / vec3_length(n), n);
+        planes.F[planes.count++] = (plane){n.x, n.y, n.z, -vec3_dot(n, a)};
+    }
+    return planes;
+}
+
+/* The part of the line P + s V inside a solid; in - out > 0: it misses by about so much. */
+typedef struct chord {
+    double in, out;
+} chord;
+
+static chord chord_through(const solid_planes *solid, roberts_vec3 P, roberts_vec3 V)
+{
+    chord c = {-1e9, 1e9};
+    for (uint32_t i = 0; i < solid->count; i++) {
+        plane F = solid->F[i];
+        double f = plane_at(F, P), slope = F.a * V.x + F.b * V.y + F.c * V.z;
+        if (fabs(slope) < 1e-9) {
+            if (f < -1e-9)
+                c.in = fmax(c.in, c.out + 1e6); /* beside this face all along */
+            continue;
+        }
+        if (slope > 0.0)
+            c.in = fmax(c.in, -f / slope);
+        else
+            c.out = fmin(c.out, -f / slope);
+    }
+    return c;
+}
+
+/* How near to a tie the second opinion stays silent (lattices), or takes it for a tie (crowds, where what is no tie is
+ * farther from one). Model units; scenes are some ten across. */
+#define TIE 1e-7
+
+typedef struct opinion {
+    bool certain, hidden;
+    double nearest; /* largest exit toward the viewer */
+} opinion;
+
+/* A line meets a closed convex solid in a chord whose near end lies on a front face. P, a point of solid `own`, is
+ * hidden where another solid's chord ends nearer to the viewer than P. */
+static opinion ask_rays(const solid_planes *solids, uint32_t count, uint32_t own, roberts_vec3 P, roberts_vec3 V,
+                        bool ties)
+{
+    opinion o = {true, false, 0.0};
+    for (uint32_t i = 0; i < count; i++) {
+        chord c = chord_through(&solids[i], P, V);
+        bool meets = c.out - c.in >= (ties ? -TIE : TIE), nearer = c.out > TIE;
+        if (!ties && (fabs(c.out - c.in) < TIE || fabs(c.out) < TIE) && i != own && c.out > -TIE)
+            o.certain = false;
+        if (meets)
+            o.nearest = fmax(o.nearest, c.out);
+        o.hidden = o.hidden || (meets && nearer && i != own);
+    }
+    return o;
+}
+
+static roberts_vec3 toward_viewer(const roberts_camera *camera, roberts_vec3 P)
+{
+    roberts_vec3 V = camera->projection == ROBERTS_PERSPECTIVE ? vec3_sub(camera->eye, P) : camera->dir;
+    return vec3_scale(1.0 / vec3_length(V), V);
+}
+
+static roberts_vec3 point_at(const model *m, const roberts_segment *s, double t)
+{
+    roberts_vec3 A = m->mesh.vertex[s->v0], B = m->mesh.vertex[s->v1];
+    return vec3_add(A, vec3_scale(t, vec3_sub(B, A)));
+}
+
+/* Points inside each row and close to its ends have its state: with the tiling, each row begins and ends where it
+ * should, to a hundredth of its length. A back edge is hidden by its own solid. No place is a simple fraction: there a
+ * sight line of a crowd may touch a corner, which hides a point but no part of an edge. */
+static void check_states(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                         const roberts_drawing *drawing)
+{
+    static const double places[] = {0.01, 0.3711, 0.5353, 0.8191, 0.99};
+    solid_planes *solids = malloc(m->solids * sizeof *solids);
+    size_t asked = 0, certain = 0;
+    assert_non_null(solids);
+    for (uint32_t i = 0; i < m->solids; i++)
+        solids[i] = planes_of(m, i);
+    for (size_t i = 0; i < drawing->count; i++)
+        for (size_t k = 0; k < sizeof places / sizeof places[0]; k++) {
+            const roberts_segment *s = &drawing->segment[i];
+            roberts_vec3 P = point_at(m, s, s->t0 + places[k] * (s->t1 - s->t0));
+            opinion o = ask_rays(solids, m->solids, s->solid, P, toward_viewer(&camera->camera, P), has_ties(scene));
+            asked++;
+            certain += o.certain;
+            if (o.certain && s->line != ROBERTS_BACK && o.hidden != (s->state == ROBERTS_HIDDEN)) {
+                print_row("row", s);
+                fail_msg("%s, %s: rays find it %s at %g of its length", scene->name, camera->name,
+                         o.hidden ? "hidden" : "visible", places[k]);
+            }
+        }
+    assert_true((double)certain > 0.98 * (double)asked);
+    free(solids);
+}
+
+static void states_as_rays_see_them(void **state)
+{
+    (void)state;
+    for_each(check_states);
+}
+
+/* The solid that a hidden row names is met by the ray from its middle, and none nearer; in the crowds it is the
+ * smallest of those that are as near. */
+static void check_by(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                     const roberts_drawing *drawing)
+{
+    solid_planes *solids = malloc(m->solids * sizeof *solids);
+    bool ties = has_ties(scene);
+    assert_non_null(solids);
+    for (uint32_t i = 0; i < m->solids; i++)
+        solids[i] = planes_of(m, i);
+    for (size_t i = 0; i < drawing->count; i++) {
+        const roberts_segment *s = &drawing->segment[i];
+        if (s->state != ROBERTS_HIDDEN)
+            continue;
+        roberts_vec3 P = point_at(m, s, 0.5 * (s->t0 + s->t1)), V = toward_viewer(&camera->camera, P);
+        opinion o = ask_rays(solids, m->solids, ROBERTS_NONE, P, V, ties);
+        uint32_t seen = 0;
+        for (; ties && seen < m->solids; seen++) {
+            chord c = chord_through(&solids[seen], P, V);
+            if (c.out - c.in >= -TIE && c.out >= o.nearest - TIE)
+                break;
+        }
+        chord c = chord_through(&solids[s->by], P, V);
+        if (c.out - c.in < -TIE || c.out < o.nearest - TIE || (ties && s->by != seen)) {
+            print_row("row", s);
+            fail_msg("%s, %s: rays see solid %d at %g in front", scene->name, camera->name, ties ? (int)seen : -1,
+                     o.nearest);
+        }
+    }
+    free(solids);
+}
+
+static void by_as_rays_see_it(void **state)
+{
+    (void)state;
+    for_each(check_by);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(scaled_by_powers_of_two),
+        cmocka_unit_test(scaled_by_powers_of_ten),
+        cmocka_unit_test(moved_by_integers),
+        cmocka_unit_test(turned_with_the_camera),
+        cmocka_unit_test(solids_reordered),
+        cmocka_unit_test(faces_wound_otherwise),
+        cmocka_unit_test(vertices_renumbered),
+        cmocka_unit_test(any_grid),
+        cmocka_unit_test(any_threads_any_run),
+        cmocka_unit_test(visible_rows_alone),
+        cmocka_unit_test(rows_tile_every_edge),
+        cmocka_unit_test(all_edges_add_flat_ones_only),
+        cmocka_unit_test(far_eye_comes_to_orthographic),
+        cmocka_unit_test(states_as_rays_see_them),
+        cmocka_unit_test(by_as_rays_see_it),
+    };
+    return cmocka_run_group_tests_name("metamorphic", tests, NULL, NULL);
+}
