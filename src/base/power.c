@@ -1,4 +1,4 @@
-/* power.c - powers of ten, as power.h says. Made by tools/make_powers.c; change that. */
+/* power.c - powers of ten, as power.h says. Made by tools/make-powers.c; change that. */
 #include "base/power.h"
 
 /* clang-format off */
