@@ -4,6 +4,7 @@
  * off_header.c  keyword, dimension, counts
  * off_text.c    vertices and faces as text
  * off_binary.c  vertices and faces as 32-bit words
+ * off_color.c   what the numbers of a colour mean
  * off_input.c   blocks and tokens */
 #ifndef ROBERTS_MODEL_OFF_H
 #define ROBERTS_MODEL_OFF_H
@@ -67,7 +68,20 @@ roberts_status off_read_header(off_reader *r);
 roberts_status off_read_text(off_reader *r);
 roberts_status off_read_binary(off_reader *r);
 
-/* Warnings that both forms give. */
+/* Says that there are fewer faces than declared. */
 void off_warn_fewer(off_reader *r, uint64_t found);
+
+enum { COLOR_MOST = 4 };
+
+/* The numbers of a colour as they stand there. */
+typedef struct off_color_numbers {
+    int count;
+    bool real; /* one of them has a point or an exponent */
+    double value[COLOR_MOST];
+} off_color_numbers;
+
+/* Colours the vertex, or the face, that was read last. What makes no sense is counted and left out. */
+roberts_status off_color_vertex(off_reader *r, const off_color_numbers *numbers);
+roberts_status off_color_face(off_reader *r, const off_color_numbers *numbers);
 
 #endif

@@ -9,43 +9,10 @@
 #include <math.h>
 #include <string.h>
 
-enum { COLOR_MOST = 4, TEXTURE = 2, NORMAL = 3, CORNERS_AT_ONCE = 256 };
-
-/* Numbers of a colour as they stand there. */
-typedef struct raw_color {
-    int count;
-    bool real; /* one of them has a point or an exponent */
-    double value[COLOR_MOST];
-} raw_color;
-
-/* Integers are 0..255, other numbers 0..1, unless one of these is greater than 1: then they are 0..255 too. One number
- * is an index into a colour map. False: it makes no sense. */
-static bool make_color(const raw_color *raw, roberts_color *color)
-{
-    double most = raw->real ? 1.0 : 255.0;
-    *color = (roberts_color){.count = (unsigned char)raw->count};
-    if (raw->count == 2)
-        return false;
-    for (int i = 0; i < raw->count; i++) {
-        double v = raw->value[i];
-        if (!(v >= 0.0) || (raw->count == 1 ? v != floor(v) || v > UINT32_MAX : v > 255.0))
-            return false;
-        if (v > most)
-            most = 255.0;
-    }
-    for (int i = 0; i < raw->count; i++)
-        color->value[i] = (float)(raw->count == 1 ? raw->value[i] : raw->value[i] / most);
-    return true;
-}
-
-static void odd_color(off_reader *r)
-{
-    if (r->odd_colors++ == 0)
-        r->first_odd_color = r->in.line;
-}
+enum { TEXTURE = 2, NORMAL = 3, CORNERS_AT_ONCE = 256 };
 
 /* Takes the number here into the colour. */
-static bool color_number(off_reader *r, raw_color *raw)
+static bool color_number(off_reader *r, off_color_numbers *raw)
 {
     size_t length = input_token(&r->in);
     for (size_t i = 0; i < length; i++)
@@ -93,7 +60,7 @@ static roberts_status skip_normal(off_reader *r, uint64_t v)
 static roberts_status vertex_extras(off_reader *r, uint64_t v)
 {
     int texture = r->header.texture ? TEXTURE : 0, most = texture + (r->header.color ? COLOR_MOST : 0), count = 0;
-    raw_color raw = {0};
+    off_color_numbers raw;
     double value[COLOR_MOST + TEXTURE];
     bool real[COLOR_MOST + TEXTURE];
     while (count < most) {
@@ -103,7 +70,7 @@ static roberts_status vertex_extras(off_reader *r, uint64_t v)
             break;
         if (!input_skip(&r->in))
             return bad_vertex(r, v, "the colour or texture");
-        raw = (raw_color){0};
+        raw = (off_color_numbers){0};
         if (!color_number(r, &raw)) {
             if (!not_finite(r))
                 return bad_vertex(r, v, "the colour or texture");
@@ -113,17 +80,12 @@ static roberts_status vertex_extras(off_reader *r, uint64_t v)
         value[count] = raw.value[0];
         real[count++] = raw.real;
     }
-    raw = (raw_color){.count = count - texture};
+    raw = (off_color_numbers){.count = count - texture};
     for (int i = 0; i < raw.count; i++) {
         raw.value[i] = value[i];
         raw.real |= real[i];
     }
-    roberts_color color;
-    if (raw.count && !make_color(&raw, &color))
-        odd_color(r);
-    else if (raw.count && !mesh_color_vertex(r->mesh, r->mesh->vertex_count - 1, color, &r->vertices_filled))
-        return error_no_memory(r->error);
-    return ROBERTS_OK;
+    return raw.count ? off_color_vertex(r, &raw) : ROBERTS_OK;
 }
 
 static roberts_status too_large(off_reader *r, uint64_t v, double w)
@@ -238,8 +200,7 @@ static roberts_status read_corners(off_reader *r, uint64_t f, uint64_t count)
 /* Reads what else stands on the last face's line: a colour, or something that is ignored with a warning. */
 static roberts_status face_color(off_reader *r)
 {
-    raw_color raw = {0};
-    roberts_color color;
+    off_color_numbers raw = {0};
     bool good = true;
     while (input_skip_in_line(&r->in) && !(*r->in.at == '}' && r->header.braces)) {
         if (good && raw.count < COLOR_MOST && color_number(r, &raw))
@@ -249,11 +210,9 @@ static roberts_status face_color(off_reader *r)
     }
     if (raw.count == 0 && good)
         return ROBERTS_OK;
-    if (!good || !make_color(&raw, &color))
-        odd_color(r);
-    else if (!mesh_color_face(r->mesh, r->mesh->face_count - 1, color, &r->faces_filled))
-        return error_no_memory(r->error);
-    return ROBERTS_OK;
+    if (!good)
+        raw.count = COLOR_MOST + 1;
+    return off_color_face(r, &raw);
 }
 
 static roberts_status read_faces(off_reader *r)
