@@ -16,8 +16,9 @@
 /* Longest token, characters. */
 #define OFF_TOKEN_MAX ((size_t)NUMBER_LENGTH_MAX)
 
-/* Longest stretch of white space and comments, bytes: an endless one must end some time. */
-#define OFF_BLANK_MAX ((size_t)1 << 28)
+/* Longest stretch of white space and comments, or of what follows a face on its line, bytes: no file has as much, and an
+ * endless one must end some time. */
+#define OFF_BLANK_MAX ((size_t)1 << 26)
 
 typedef struct off_input {
     const char *at, *end; /* what is not yet taken; *end is '\0' */

@@ -202,7 +202,11 @@ static roberts_status face_color(off_reader *r)
 {
     off_color_numbers raw = {0};
     bool good = true;
+    size_t start = r->in.taken;
     while (input_skip_in_line(&r->in) && !(*r->in.at == '}' && r->header.braces)) {
+        if (r->in.taken - start > OFF_BLANK_MAX)
+            return off_fail(r, ROBERTS_BAD_SYNTAX, "the line of face %zu does not end",
+                            r->mesh->face_count - 1 - r->mark.faces);
         if (good && raw.count < COLOR_MOST && color_number(r, &raw))
             continue;
         good = false;
