@@ -32,6 +32,7 @@ static const char *build_folder(void)
 
 /* ---- running the generator --------------------------------------------------------------------------------------- */
 
+/* A path for what the tests write; run.sh keeps "out" and "err" for itself. */
 static void scratch_path(char *path, const char *name)
 {
     snprintf(path, PATH_ROOM, "%s/tests/test_models.%s", build_folder(), name);
@@ -42,7 +43,7 @@ static int run(const char *arguments, const char *output)
 {
     char command[5 * PATH_ROOM], messages[PATH_ROOM];
     int status;
-    scratch_path(messages, "err");
+    scratch_path(messages, "messages");
     snprintf(command, sizeof command, "%s/tools/make-models %s >'%s' 2>'%s'", build_folder(), arguments, output,
              messages);
     status = system(command); /* NOLINT(bugprone-command-processor): the shell redirects */
@@ -123,7 +124,7 @@ static void generator_writes_the_same_bytes(void **state)
     size_t count;
     (void)state;
     scratch_path(again, "again");
-    scratch_path(output, "out");
+    scratch_path(output, "scene.off");
     each_model(again, remove_model);
     snprintf(arguments, sizeof arguments, "--all '%s'", again);
     assert_int_equal(run(arguments, output), 0);
@@ -155,7 +156,7 @@ static void misuse_and_failure(void **state)
     };
     char output[PATH_ROOM];
     (void)state;
-    scratch_path(output, "out");
+    scratch_path(output, "scene.off");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         if (run(cases[i].arguments, output) != cases[i].status)
             fail_msg("make-models %s: not status %d", cases[i].arguments, cases[i].status);
@@ -227,7 +228,7 @@ static void numbers_have_17_digits(void **state)
     char output[PATH_ROOM];
     (void)state;
     each_model("models", check_numbers);
-    scratch_path(output, "out");
+    scratch_path(output, "scene.off");
     for (size_t i = 0; i < sizeof larger / sizeof *larger; i++) {
         assert_int_equal(run(larger[i], output), 0);
         check_numbers(output, larger[i]);
@@ -646,7 +647,7 @@ static void families_have_the_number_of_solids_they_promise(void **state)
     };
     char output[PATH_ROOM];
     (void)state;
-    scratch_path(output, "out");
+    scratch_path(output, "scene.off");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         roberts_mesh mesh;
         roberts_scene *scene;
@@ -667,7 +668,7 @@ static void seeds_make_a_difference(void **state)
     char output[PATH_ROOM], *first, *second;
     size_t size;
     (void)state;
-    scratch_path(output, "out");
+    scratch_path(output, "scene.off");
     assert_int_equal(run("lattice 3 1", output), 0);
     first = contents(output, &size);
     assert_int_equal(run("lattice 3 2", output), 0);
