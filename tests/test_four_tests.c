@@ -34,7 +34,8 @@ static void set_up(fixture *f, const roberts_vec3 *corners, uint32_t count, robe
     }
     f->P[count] = A;
     f->P[count + 1] = B;
-    f->space = (hide_space){.P = f->P, .epsilon = EPSILON, .rounding = 1e-16};
+    f->space =
+        (hide_space){.P = f->P, .epsilon = EPSILON, .rounding = 1e-16, .plain = hide_plain(10.0, EPSILON, 1e-16)};
     n = vec3_cross(vec3_sub(corners[1], corners[0]), vec3_sub(corners[2], corners[0]));
     n = vec3_scale(-1.0 / vec3_length(n), n); /* inward: away from the viewer */
     f->face = (hide_face){.F = {n.x, n.y, n.z, -vec3_dot(n, corners[0])},

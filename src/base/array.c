@@ -21,12 +21,10 @@ void *alloc_zeroed(size_t count, size_t size)
     return calloc(count ? count : 1, size ? size : 1);
 }
 
-bool array_reserve(void *array, size_t *room, size_t need, size_t size)
+bool array_grow(void *array, size_t *room, size_t need, size_t size)
 {
     void *old, *grown;
     size_t wanted = *room < 8 ? 8 : *room;
-    if (need <= *room)
-        return true;
     while (wanted < need && wanted <= SIZE_MAX / 2)
         wanted *= 2;
     if (wanted < need || wanted > (size_t)PTRDIFF_MAX / size)

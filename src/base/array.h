@@ -14,6 +14,11 @@ void *alloc_zeroed(size_t count, size_t size);
 
 /* Makes `*array` hold at least `need` elements of `size` bytes, at least doubling `*room`, so that appending one by one
  * costs constant time each. False: no memory, and nothing has changed. */
-bool array_reserve(void *array, size_t *room, size_t need, size_t size);
+bool array_grow(void *array, size_t *room, size_t need, size_t size);
+
+static inline bool array_reserve(void *array, size_t *room, size_t need, size_t size)
+{
+    return need <= *room || array_grow(array, room, need, size);
+}
 
 #endif

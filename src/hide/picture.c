@@ -73,7 +73,7 @@ static void set_trust(const hide_picture *picture, uint32_t solid, double stretc
         departure *= stretch * grown;
         width *= shrunk * shrunk;
     }
-    double far_error = (4.0 * v->rounding + departure) * (1.0 + 2.0 * greater(v->extent, v->diameter) / width);
+    double far_error = (4.0 * v->rounding + departure) * (1.0 + 2.0 * v->extent / width);
     f->touch = v->epsilon + departure;
     f->limit = far_error > 0.5 * f->touch ? f->touch - far_error : f->touch;
 }
@@ -299,6 +299,17 @@ static bool alloc_picture(build *b, hide_picture *picture)
     return picture->box && picture->culled && picture->P && picture->facing && b->next && b->order && b->key;
 }
 
+static void set_space(hide_picture *picture)
+{
+    const view *v = &picture->view;
+    picture->space = (hide_space){.P = picture->P,
+                                  .epsilon = v->epsilon,
+                                  .rounding = v->rounding,
+                                  .plain = hide_plain(v->extent, v->epsilon, v->rounding),
+                                  .scene = picture->scene,
+                                  .view = v};
+}
+
 roberts_status hide_picture_build(hide_picture *picture, const roberts_scene *scene, const roberts_camera *camera,
                                   double epsilon, bool cull, uint32_t cells, roberts_error *error)
 {
@@ -310,8 +321,8 @@ roberts_status hide_picture_build(hide_picture *picture, const roberts_scene *sc
     status = ROBERTS_NO_MEMORY;
     if (!alloc_picture(&b, picture))
         goto done;
-    picture->space = (hide_space){picture->P, picture->view.epsilon, picture->view.rounding, scene, &picture->view};
     box_solids(picture);
+    set_space(picture);
     if (cull && cells == 0)
         cells = choose_cover(picture);
     if (!cover_init(&picture->cover, picture->low, picture->high, cull ? cells : 0, hide_margin(&picture->space)) ||

@@ -52,12 +52,9 @@ void hide_picture_free(hide_picture *picture);
 /* The outline of a front as a polygon for tests 2 to 4; its plane is not set, or that of its only face. */
 static inline hide_face hide_outline(const hide_picture *picture, const hide_front *front)
 {
-    hide_face polygon = picture->face[front->face];
-    if (front->corners) {
-        polygon.corner = picture->outline + front->outline;
-        polygon.count = front->corners;
-    }
-    return polygon;
+    if (front->corners == 0)
+        return picture->face[front->face];
+    return (hide_face){.corner = picture->outline + front->outline, .count = front->corners};
 }
 
 #endif

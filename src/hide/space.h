@@ -12,9 +12,19 @@ typedef struct hide_space {
     const roberts_vec3 *P;      /* view points of all vertices, by compact number */
     double epsilon;             /* touching distance, view units */
     double rounding;            /* bound of the error of one coordinate of P, view units */
+    double plain;               /* a cross product of two vectors of the picture that is larger than this has a plain
+                                   sign: hide_plain(); INFINITY: never */
     const roberts_scene *scene; /* as read, for signs and crossings in twice the precision; */
     const view *view;           /* NULL both: never refine (tests on bare points) */
 } hide_space;
+
+/* |u x v| is the distance of one point from the line through two others, times their distance l. It is more than
+ * epsilon, with certainty, where |u x v| > epsilon l + 2 rounding (l + reach), and l is no more than 3 and the
+ * reach no more than 6 extents, and the products' own rounding adds no more than 3 extents times rounding. (One bound for the whole scene: where it says nothing, the numbers are looked at closely.) */
+static inline double hide_plain(double extent, double epsilon, double rounding)
+{
+    return 4.0 * extent * (epsilon + 8.0 * rounding);
+}
 
 /* A box in view space, rounded outward: x and y of the picture, z toward the viewer. */
 typedef struct hide_box {

@@ -35,8 +35,9 @@ bool hide_test1(const hide_face *F, const hide_edge *e)
     return plane_at(F->F, e->A) <= F->limit && plane_at(F->F, e->B) <= F->limit;
 }
 
-/* TEST 2. Q(X) = 0 is the sight plane through AB, Q(X) the distance from it. A corner whose distance is uncertain counts
- * as near; one near corner decides only where it is certainly on the plane. An edge seen end-on has no such plane. */
+/* TEST 2. Q(X) = 0 is the sight plane through AB, Q(X) the distance from it (here times the length of AB). A corner whose
+ * distance is uncertain counts as near; one near corner decides only where it is certainly on the plane. An edge seen
+ * end-on has no such plane. */
 bool hide_test2(const hide_space *space, const hide_face *F, const hide_edge *e)
 {
     double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y;
@@ -46,84 +47,93 @@ bool hide_test2(const hide_space *space, const hide_face *F, const hide_edge *e)
         return false;
     for (uint32_t i = 0; i < F->count; i++) {
         roberts_vec3 P = space->P[F->corner[i]];
-        double px = P.x - e->A.x, py = P.y - e->A.y;
-        double Q = (dx * py - dy * px) / e->length;
-        double error = line_error(space, fabs(px) + fabs(py), e->length);
-        switch (sign_within(Q, space->epsilon + error)) {
-        case 1:
-            left++;
-            break;
-        case -1:
-            right++;
-            break;
-        default:
-            near++;
-            certain = certain && error <= TRUSTED * space->epsilon;
+        double px = P.x - e->A.x, py = P.y - e->A.y, Q = dx * py - dy * px;
+        if (!(fabs(Q) > space->plain)) {
+            double error = line_error(space, fabs(px) + fabs(py), e->length);
+            if (fabs(Q) <= (space->epsilon + error) * e->length) {
+                near++;
+                certain = certain && error <= TRUSTED * space->epsilon;
+                continue;
+            }
         }
+        if (Q > 0.0)
+            left++;
+        else
+            right++;
         if (left && right)
             return false;
     }
     return near == 0 || (near == 1 && certain);
 }
 
-/* One end of an edge against a side of direction (dx, dy) and `length`, where its sign is not plain: the distance, again
- * as a multiple of the length, and its sign. h: as computed from view points, off by no more than `error`. */
-static int sign_closely(const hide_space *space, uint32_t p, uint32_t q, uint32_t x, double length, double error,
-                        double *h, uint64_t *refined)
+/* A side, taken in the direction from its smaller vertex number to the larger, so that the two faces of it agree to the
+ * last bit: the distances of A and B, times its length, and bounds of their errors. */
+typedef struct side_line {
+    uint32_t p, q;
+    double a, b, error_a, error_b, length;
+    int direction; /* 1, or -1 where the face has it the other way */
+} side_line;
+
+static side_line measure(const hide_space *space, const hide_face *F, uint32_t i, const hide_edge *e)
 {
-    if (error > TRUSTED * space->epsilon * length && fabs(*h) <= space->epsilon * length + error && space->scene) {
-        *h = refine_side(space, p, q, x) * length;
+    uint32_t p = F->corner[i], q = F->corner[i + 1 < F->count ? i + 1 : 0];
+    side_line s = {.p = p < q ? p : q, .q = p < q ? q : p, .direction = p < q ? 1 : -1};
+    roberts_vec3 P = space->P[s.p], Q = space->P[s.q];
+    double dx = Q.x - P.x, dy = Q.y - P.y, ax = e->A.x - P.x, ay = e->A.y - P.y, bx = e->B.x - P.x, by = e->B.y - P.y;
+    s.length = sqrt(dx * dx + dy * dy);
+    s.a = dx * ay - dy * ax;
+    s.b = dx * by - dy * bx;
+    s.error_a = 2.0 * space->rounding * (s.length + fabs(ax) + fabs(ay));
+    s.error_b = 2.0 * space->rounding * (s.length + fabs(bx) + fabs(by));
+    return s;
+}
+
+/* The sign of a distance `h` (times the side's length) of vertex x that is off by no more than `error`. */
+static int sign_closely(const hide_space *space, const side_line *s, uint32_t x, double h, double error,
+                        uint64_t *refined)
+{
+    if (error > TRUSTED * space->epsilon * s->length && fabs(h) <= space->epsilon * s->length + error && space->scene) {
+        h = refine_side(space, s->p, s->q, x) * s->length;
         ++*refined;
     }
-    return sign_within(*h, space->epsilon * length);
+    return s->direction * sign_within(h, space->epsilon * s->length);
 }
 
-/* H_i at A and B: the one predicate for inside, on and outside of a side. Computed in the direction from the smaller
- * vertex number to the larger, so that the two faces of a side agree to the last bit. */
-static void measure_side(const hide_space *space, uint32_t p, uint32_t q, const hide_edge *e, hide_side *H,
-                         uint64_t *refined)
+/* The one predicate for inside, on and outside of a side, where the signs are not plain. */
+static hide_side look_closely(const hide_space *space, const hide_face *F, uint32_t i, const hide_edge *e,
+                              uint64_t *refined)
 {
-    uint32_t from = p < q ? p : q, to = p < q ? q : p;
-    roberts_vec3 P = space->P[from], Q = space->P[to];
-    double dx = Q.x - P.x, dy = Q.y - P.y, ax = e->A.x - P.x, ay = e->A.y - P.y, bx = e->B.x - P.x, by = e->B.y - P.y;
-    double a = dx * ay - dy * ax, b = dx * by - dy * bx;
-    /* not less than the side's length, and not more than its double */
-    double around = fabs(dx) + fabs(dy);
-    double error_a = 2.0 * space->rounding * (around + fabs(ax) + fabs(ay));
-    double error_b = 2.0 * space->rounding * (around + fabs(bx) + fabs(by));
-    H->error = error_a + error_b;
-    H->length2 = dx * dx + dy * dy;
-    if (around > 2.0 * space->epsilon && fabs(a) > space->epsilon * around + error_a &&
-        fabs(b) > space->epsilon * around + error_b) {
-        H->sign_a = a > 0.0 ? 1 : -1;
-        H->sign_b = b > 0.0 ? 1 : -1;
-    } else {
-        double length = sqrt(H->length2);
-        H->sign_a = H->sign_b = 0;
-        /* A side no longer than epsilon bounds nothing that its neighbours do not bound to within epsilon. */
-        if (length > space->epsilon) {
-            H->sign_a = (signed char)sign_closely(space, from, to, e->a, length, error_a, &a, refined);
-            H->sign_b = (signed char)sign_closely(space, from, to, e->b, length, error_b, &b, refined);
-        }
-    }
-    H->a = p < q ? a : -a;
-    H->b = p < q ? b : -b;
-    if (p > q) {
-        H->sign_a = (signed char)-H->sign_a;
-        H->sign_b = (signed char)-H->sign_b;
-    }
+    side_line s = measure(space, F, i, e);
+    /* A side no longer than epsilon bounds nothing that its neighbours do not bound to within epsilon. */
+    if (s.length <= space->epsilon)
+        return (hide_side){0, 0};
+    return (hide_side){(signed char)sign_closely(space, &s, e->a, s.a, s.error_a, refined),
+                       (signed char)sign_closely(space, &s, e->b, s.b, s.error_b, refined)};
 }
 
-/* TEST 3. */
+/* TEST 3. The side from P to Q has A on its left where AP x AQ > 0. */
 hide_verdict hide_test3(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides)
 {
     bool inside = true;
+    roberts_vec3 P = space->P[F->corner[0]];
+    double apx = P.x - e->A.x, apy = P.y - e->A.y, bpx = P.x - e->B.x, bpy = P.y - e->B.y;
     for (uint32_t i = 0; i < F->count; i++) {
-        hide_side *H = &sides->H[i];
-        measure_side(space, F->corner[i], F->corner[i + 1 < F->count ? i + 1 : 0], e, H, &sides->refined);
-        if ((H->sign_a < 0 && H->sign_b <= 0) || (H->sign_b < 0 && H->sign_a <= 0))
+        roberts_vec3 Q = space->P[F->corner[i + 1 < F->count ? i + 1 : 0]];
+        double aqx = Q.x - e->A.x, aqy = Q.y - e->A.y, bqx = Q.x - e->B.x, bqy = Q.y - e->B.y;
+        double a = apx * aqy - apy * aqx, b = bpx * bqy - bpy * bqx;
+        hide_side H;
+        if (fabs(a) > space->plain && fabs(b) > space->plain)
+            H = (hide_side){a > 0.0 ? 1 : -1, b > 0.0 ? 1 : -1};
+        else
+            H = look_closely(space, F, i, e, &sides->refined);
+        if ((H.a < 0 && H.b <= 0) || (H.b < 0 && H.a <= 0))
             return HIDE_VISIBLE;
-        inside = inside && H->sign_a >= 0 && H->sign_b >= 0;
+        inside = inside && H.a >= 0 && H.b >= 0;
+        sides->H[i] = H;
+        apx = aqx;
+        apy = aqy;
+        bpx = bqx;
+        bpy = bqy;
     }
     return inside ? HIDE_INVISIBLE : HIDE_UNDECIDED;
 }
@@ -134,14 +144,17 @@ static bool accurate(const hide_space *space, const hide_edge *e, double error)
     return error <= HIDE_T_ACCURACY && error * e->length3 <= TRUSTED * space->epsilon;
 }
 
-static double crossing(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, uint32_t i)
+/* t_i, and how far along the edge it may be from another crossing that touches it. */
+static double crossing(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, uint32_t i,
+                       double *touch)
 {
-    double a = sides->H[i].a, b = sides->H[i].b;
-    if (accurate(space, e, sides->H[i].error / fabs(a - b)) || !space->scene)
-        return a / (a - b);
-    uint32_t p = F->corner[i], q = F->corner[i + 1 < F->count ? i + 1 : 0];
+    side_line s = measure(space, F, i, e);
+    double apart = fabs(s.a - s.b);
+    *touch = space->epsilon * s.length / apart;
+    if (accurate(space, e, (s.error_a + s.error_b) / apart) || !space->scene)
+        return s.a / (s.a - s.b);
     sides->refined++;
-    return p < q ? refine_crossing(space, p, q, e) : refine_crossing(space, q, p, e);
+    return refine_crossing(space, s.p, s.q, e);
 }
 
 /* TEST 4. t_i is the crossing of AB with side plane H_i. Of those by which AB comes in, the last lies on the side itself
@@ -149,28 +162,24 @@ static double crossing(const hide_space *space, const hide_face *F, const hide_e
  * order. So the s_i need not be computed. */
 bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part)
 {
-    const hide_side *in = NULL, *out = NULL;
     *part = (hide_part){0.0, 1.0, 0.0, 0.0};
     for (uint32_t i = 0; i < F->count; i++) {
-        const hide_side *H = &sides->H[i];
-        if (H->sign_a >= 0 && H->sign_b >= 0)
+        hide_side H = sides->H[i];
+        double touch, t;
+        if (H.a >= 0 && H.b >= 0)
             continue;
-        double t = crossing(space, F, e, sides, i);
-        if (H->sign_a < 0 && t > part->t0) {
+        t = crossing(space, F, e, sides, i, &touch);
+        if (H.a < 0 && t > part->t0) {
             part->t0 = t;
-            in = H;
+            part->e0 = touch;
         }
-        if (H->sign_b < 0 && t < part->t1) {
+        if (H.b < 0 && t < part->t1) {
             part->t1 = t;
-            out = H;
+            part->e1 = touch;
         }
         if (part->t0 >= part->t1)
             return false;
     }
-    if (in)
-        part->e0 = space->epsilon * sqrt(in->length2) / fabs(in->a - in->b);
-    if (out)
-        part->e1 = space->epsilon * sqrt(out->length2) / fabs(out->a - out->b);
     return (part->t1 - part->t0) * e->length3 > space->epsilon;
 }
 

@@ -21,13 +21,9 @@
 
 typedef enum hide_verdict { HIDE_UNDECIDED, HIDE_VISIBLE, HIDE_INVISIBLE } hide_verdict;
 
-/* A and B against one side plane H_i: distances, positive inside, as multiples of the side's length (which saves roots
- * where the signs are plain), and their signs: -1 outside, 0 on, 1 inside. */
+/* Signs of A and B against one side plane H_i: -1 outside, 0 on, 1 inside. */
 typedef struct hide_side {
-    double a, b;
-    double error;   /* bound of the error of a and b together */
-    double length2; /* square of the side's length */
-    signed char sign_a, sign_b;
+    signed char a, b;
 } hide_side;
 
 typedef struct hide_sides {

@@ -16,6 +16,8 @@
 /* Roundings that one view coordinate gathers: subtraction, three products and two sums with unit vectors that are
  * themselves rounded, the division; in halves of an ulp of the largest coordinate. */
 #define ROUNDINGS 8.0
+/* Least exponent of the unit of view space, so that its reciprocal is a number. */
+#define UNIT_LEAST (-1000)
 /* Sine of the angle between `up` and the line of sight under which they count as parallel. */
 #define PARALLEL 1e-9
 
@@ -57,7 +59,7 @@ static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up)
 
 roberts_vec3 view_point(const view *v, roberts_vec3 P)
 {
-    roberts_vec3 q = vec3_scale(1.0 / v->unit, vec3_sub(P, v->origin));
+    roberts_vec3 q = vec3_scale(v->per_unit, vec3_sub(P, v->origin));
     roberts_vec3 p = {vec3_dot(v->right, q), vec3_dot(v->up, q), vec3_dot(v->dir, q)};
     if (v->perspective)
         p = vec3_scale(1.0 / (1.0 - p.z * v->inverse_distance), p);
@@ -68,11 +70,13 @@ plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, doubl
 {
     plane F = scene->face_plane[face];
     roberts_vec3 n = {F.a, F.b, F.c};
-    plane G = {vec3_dot(v->right, n), vec3_dot(v->up, n), vec3_dot(v->dir, n), F.d / v->unit};
-    if (v->perspective) {
-        G.d += vec3_dot(n, vec3_sub(v->origin, scene->centre)) / v->unit;
-        G.c += G.d * v->inverse_distance;
-    }
+    plane G = {vec3_dot(v->right, n), vec3_dot(v->up, n), vec3_dot(v->dir, n), F.d * v->per_unit};
+    if (stretch)
+        *stretch = 1.0;
+    if (!v->perspective)
+        return G; /* turning keeps the normal's length */
+    G.d += vec3_dot(n, vec3_sub(v->origin, scene->centre)) * v->per_unit;
+    G.c += G.d * v->inverse_distance;
     double length = sqrt(G.a * G.a + G.b * G.b + G.c * G.c);
     if (stretch)
         *stretch = 1.0 / length;
@@ -83,9 +87,9 @@ int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane 
 {
     /* The picture of a face is narrowest along (a, b), where it measures |c| times the face's own extent; a face that
      * is wide enough by a factor of 4 need not be measured (in perspective its picture can only be read off). */
-    double slope = hypot(F.a, F.b);
-    if (slope > 0.0 && (v->perspective || fabs(F.c) * scene->face_width[face] <= 4.0 * v->epsilon * v->unit)) {
-        double low = INFINITY, high = -INFINITY;
+    bool narrow = v->perspective || fabs(F.c) * scene->face_width[face] <= 4.0 * v->epsilon * v->unit;
+    if (narrow && (F.a != 0.0 || F.b != 0.0)) {
+        double slope = hypot(F.a, F.b), low = INFINITY, high = -INFINITY;
         for (uint32_t k = scene->face_start[face]; k < scene->face_start[face + 1]; k++) {
             roberts_vec3 p = P[scene->corner[k]];
             double s = (F.a * p.x + F.b * p.y) / slope;
@@ -124,7 +128,7 @@ static roberts_status set_eye(view *v, const roberts_scene *scene, const roberts
     double distance = m * vec3_length((roberts_vec3){back.x / m, back.y / m, back.z / m}) / v->unit;
     double nearest = INFINITY;
     for (uint32_t i = 0; i < scene->vertex_count; i++) {
-        roberts_vec3 q = vec3_scale(1.0 / v->unit, vec3_sub(scene->point[i], v->origin));
+        roberts_vec3 q = vec3_scale(v->per_unit, vec3_sub(scene->point[i], v->origin));
         nearest = fmin(nearest, distance - vec3_dot(v->dir, q));
     }
     v->inverse_distance = 1.0 / distance;
@@ -139,11 +143,12 @@ static roberts_status set_eye(view *v, const roberts_scene *scene, const roberts
 static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
 {
     double raw = fmax(largest(scene->box_min), largest(scene->box_max)) / v->unit;
-    for (uint32_t i = 0; i < scene->vertex_count; i++)
+    v->extent = v->diameter; /* turning about the box's centre takes no point farther than that */
+    for (uint32_t i = 0; v->perspective && i < scene->vertex_count; i++)
         v->extent = fmax(v->extent, largest(view_point(v, scene->point[i])));
     if (v->perspective)
         raw = fmax(raw, fmax(largest(v->viewpoint), largest(v->origin)) / v->unit);
-    v->rounding = ROUNDINGS * 0.5 * DBL_EPSILON * fmax(v->extent, v->diameter);
+    v->rounding = ROUNDINGS * 0.5 * DBL_EPSILON * v->extent;
     v->epsilon = epsilon > 0.0
                      ? epsilon / v->unit
                      : fmax(EPSILON_OF_DIAMETER * v->diameter, EPSILON_ULPS * DBL_EPSILON * fmax(raw, v->extent));
@@ -169,14 +174,15 @@ roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_c
     roberts_vec3 half = vec3_sub(vec3_scale(0.5, scene->box_max), vec3_scale(0.5, scene->box_min));
     roberts_vec3 dir = camera->dir;
     roberts_status status = check_camera(camera, epsilon, error);
-    *v = (view){.origin = scene->centre, .viewpoint = camera->dir, .unit = 1.0, .diameter = 1.0};
+    *v = (view){.origin = scene->centre, .viewpoint = camera->dir, .unit = 1.0, .per_unit = 1.0, .diameter = 1.0};
     if (status != ROBERTS_OK)
         return status;
     if (largest(half) > 0.0) {
         int exponent;
         frexp(largest(half), &exponent);
-        v->unit = ldexp(1.0, exponent + 1);
-        v->diameter = 2.0 * vec3_length(vec3_scale(1.0 / v->unit, half));
+        v->unit = ldexp(1.0, exponent + 1 < UNIT_LEAST ? UNIT_LEAST : exponent + 1);
+        v->per_unit = 1.0 / v->unit;
+        v->diameter = 2.0 * vec3_length(vec3_scale(v->per_unit, half));
     }
     if (camera->projection == ROBERTS_PERSPECTIVE) {
         v->perspective = true;

@@ -24,10 +24,11 @@ typedef struct view {
     roberts_vec3 origin;         /* model units: the scene's centre, or the look-at point */
     double inverse_distance;     /* 1 / D in 1 / unit; 0 for the orthographic view */
     double unit;                 /* model units in one unit of view space, a power of two */
+    double per_unit;             /* 1 / unit */
     roberts_vec3 viewpoint;      /* the direction toward the viewer as given, or the eye in model units */
     bool perspective;
     double diameter; /* diagonal of the scene's box, view units */
-    double extent;   /* no view coordinate is larger than this, view units */
+    double extent;   /* no view coordinate is larger than this, view units; at least the diameter */
     double epsilon;  /* touching distance, view units */
     double rounding; /* bound of the rounding error of one view coordinate, view units */
 } view;
