@@ -7,11 +7,13 @@ BUILD    ?= build
 CFLAGS   ?= -O2 -g
 CXXFLAGS ?= -O2 -g
 WERROR   ?=
+# Empty for a build without threads; clang then needs no libomp-dev.
+OPENMP   ?= -fopenmp
 STD      := -std=c17 -D_POSIX_C_SOURCE=200809L
 # -ffp-contract=off: a fused multiply-add would make signs depend on the compiler (see src/base/vec.h)
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
-COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fPIC $(CFLAGS) -Iinclude -Isrc $(NEEDS) -MMD -MP
-LINK      = $(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^)
+COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fPIC $(OPENMP) $(CFLAGS) -Iinclude -Isrc $(NEEDS) -MMD -MP
+LINK      = $(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^)
 # Asked for only where used: `make demo` has to start without pkg-config.
 NEEDS        =
 CAIRO_CFLAGS = $(shell pkg-config --cflags cairo)
