@@ -4,24 +4,36 @@
 
 #include "model/scene.h"
 
+typedef struct edge_node {
+    uint32_t to, next; /* larger vertex; next node of the same smaller vertex */
+    uint32_t f[2];     /* the face that passes upward, the face that passes downward */
+} edge_node;
+
 /* Scratch memory that serves solid after solid; zeroed = empty. */
 typedef struct edge_scratch {
-    uint32_t *first; /* where each vertex's half-edges start */
-    uint64_t *half;  /* half-edges by smaller end */
-    size_t first_room, half_room;
+    uint32_t *head;    /* [vertices] */
+    edge_node *node;   /* [corners / 2] */
+    uint32_t *end;     /* [vertices] where the half-edges of each smaller vertex end in `half` */
+    uint64_t *half;    /* [corners] sorted half-edges: larger vertex << 32 | corner where it starts */
+    uint32_t *face_of; /* [corners] */
+    uint8_t *alike;    /* [corners / 2] for each edge, whether its faces pass it in the same direction */
+    size_t head_room, node_room, end_room, half_room, face_of_room, alike_room;
 } edge_scratch;
 
 typedef enum edge_pairing {
     EDGES_PAIRED, /* each edge has two faces, which pass it in opposite directions */
-    EDGES_MIXED,  /* each edge has two faces, but some pairs pass it in the same direction */
+    EDGES_MIXED,  /* each edge has two faces, but some pairs pass it in the same direction: see scratch->alike */
     EDGES_OPEN,   /* some edge has another number of faces */
     EDGES_NO_MEMORY,
 } edge_pairing;
 
-/* Faces face_first .. face_first + face_count - 1 of the scene, over the vertices vertex_first .. vertex_first +
- * vertex_count - 1, have their edges written to scene->edge from edge_first on: half as many as the faces have
- * corners. Where the faces are not closed, these edges are left undefined. */
-edge_pairing edges_pair(roberts_scene *scene, const scene_solid *first, const scene_solid *end, edge_scratch *scratch);
+/* Writes the edges of solid s to scene->edge from scene->solid[s].edge on, sorted, half as many as the solid's faces
+ * have corners. Where the solid is open, they are left undefined. */
+edge_pairing edges_pair(roberts_scene *scene, uint32_t s, edge_scratch *scratch);
+
+/* Sorts the half-edges of solid s into scratch->half by (smaller vertex, larger vertex, corner). Vertices and corners
+ * count from the solid's first. scratch->end and ->face_of are filled too. False: no memory. */
+bool edges_sort(const roberts_scene *scene, uint32_t s, edge_scratch *scratch);
 
 void edge_scratch_free(edge_scratch *scratch);
 

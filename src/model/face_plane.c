@@ -78,14 +78,15 @@ static void measure_deviation(fitted_plane *face, const roberts_vec3 *corner, ui
 
 fitted_plane face_plane_fit(const roberts_vec3 *corner, uint32_t count)
 {
-    fitted_plane face = {{0, 0, 0}, 0, 0, 0};
+    fitted_plane face = {{0, 0, 0}, 0, 0, 0, 0};
     roberts_vec3 n = newell(corner, count);
     double length = vec3_length(n);
     if (!(length > 0.0))
         return face;
     face.n = (roberts_vec3){n.x / length, n.y / length, n.z / length};
+    face.area = 0.5 * length;
     face.width =
-        0.5 * length / (count <= PAIRS_UP_TO ? chord_of_pairs(corner, count) : chord_of_extents(corner, count, face.n));
+        face.area / (count <= PAIRS_UP_TO ? chord_of_pairs(corner, count) : chord_of_extents(corner, count, face.n));
     if (count > 3)
         measure_deviation(&face, corner, count);
     return face;

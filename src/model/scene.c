@@ -1,4 +1,4 @@
-/* scene.c - from polygons to solids: the stages in order, memory, messages. */
+/* scene.c - from polygons to solids: the stages in order. */
 #include "model/scene.h"
 
 #include <stdlib.h>
@@ -6,30 +6,11 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "model/components.h"
+#include "model/layout.h"
 #include "model/solid_build.h"
 
-/* As DESIGN says: published polyhedra are given to six digits. */
+/* Published polyhedra are given to six digits. */
 static const double DEFAULT_TOLERANCE = 1e-5;
-
-static bool scene_alloc(roberts_scene *scene, const grouping *group)
-{
-    size_t faces = group->start[group->solid_count], edges = group->corner_count / 2;
-    scene->solid = alloc_zeroed((size_t)group->solid_count + 1, sizeof *scene->solid);
-    scene->point = alloc_array(group->vertex_count, sizeof *scene->point);
-    scene->number = alloc_array(group->vertex_count, sizeof *scene->number);
-    scene->face_start = alloc_zeroed(faces + 1, sizeof *scene->face_start);
-    scene->corner = alloc_array(group->corner_count, sizeof *scene->corner);
-    scene->face_plane = alloc_array(faces, sizeof *scene->face_plane);
-    scene->face_deviation = alloc_array(faces, sizeof *scene->face_deviation);
-    scene->face_width = alloc_array(faces, sizeof *scene->face_width);
-    scene->face_number = alloc_array(faces, sizeof *scene->face_number);
-    scene->edge = alloc_array(edges, sizeof *scene->edge);
-    scene->box_min = group->box_min;
-    scene->box_max = group->box_max;
-    scene->centre = vec3_scale(0.5, vec3_add(group->box_min, group->box_max));
-    return scene->solid && scene->point && scene->number && scene->face_start && scene->corner && scene->face_plane &&
-           scene->face_deviation && scene->face_width && scene->face_number && scene->edge;
-}
 
 static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh)
 {
@@ -50,80 +31,71 @@ static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh)
     return true;
 }
 
-static roberts_status build_solids(roberts_scene *scene, builder *work, const grouping *group, roberts_error *error)
+static roberts_status build_solids(roberts_scene *scene, builder *work, const roberts_mesh *mesh, double tolerance,
+                                   roberts_error *error)
 {
-    for (uint32_t s = 0; s < group->solid_count; s++)
-        switch (solid_build(scene, work, group, s, error)) {
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        switch (solid_build(scene, work, s, mesh, tolerance, false, error)) {
         case BUILD_OK:
             break;
         case BUILD_OPEN:
             return error_set(error, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed", s);
         case BUILD_REFUSED:
             return error->status;
-        case BUILD_NO_MEMORY:
-            return error_no_memory(error);
         }
-    scene->corner_count = scene->face_start[scene->face_count];
+    scene->edge_count = scene->solid[scene->solid_count].edge;
     return ROBERTS_OK;
+}
+
+static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, double tolerance, roberts_error *error)
+{
+    polygons faces;
+    builder work = {0};
+    roberts_status status = polygons_of_mesh(&faces, mesh, error);
+    scene->centre = (roberts_vec3){0, 0, 0};
+    if (status != ROBERTS_OK)
+        return status;
+    status = components_lay_out(scene, &faces, mesh, error);
+    if (status == ROBERTS_OK && scene->solid_count == 0)
+        status = error_set(error, ROBERTS_NOT_CLOSED, 0, "no solid: there is no face with three or more corners");
+    if (status == ROBERTS_OK) {
+        scene->centre = vec3_scale(0.5, vec3_add(scene->box_min, scene->box_max));
+        status = build_solids(scene, &work, mesh, tolerance, error);
+    }
+    if (status == ROBERTS_OK && !copy_colors(scene, mesh))
+        status = error_no_memory(error);
+    builder_free(&work);
+    polygons_free(&faces);
+    return status;
 }
 
 roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,
                                    roberts_scene **scene, roberts_error *error)
 {
-    roberts_error ignored;
-    polygons faces = {0};
-    grouping group = {0};
-    builder work = {.mesh = mesh, .faces = &faces};
+    double tolerance = options && options->tolerance != 0.0 ? options->tolerance : DEFAULT_TOLERANCE;
+    roberts_error found = {0};
     roberts_status status;
     *scene = NULL;
-    error = error ? error : &ignored;
-    work.tolerance = options && options->tolerance != 0.0 ? options->tolerance : DEFAULT_TOLERANCE;
-    if (!(work.tolerance > 0.0 && work.tolerance <= 1.0))
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "tolerance %g is not between 0 and 1", work.tolerance);
-    if ((status = polygons_clean(&faces, mesh, error)) != ROBERTS_OK)
-        goto done;
-    if ((status = components_find(&group, &faces, mesh->vertex, error)) != ROBERTS_OK)
-        goto done;
-    if (group.solid_count == 0) {
-        status = error_set(error, ROBERTS_NOT_CLOSED, 0, "no solid: there is no face with 3 or more corners");
-        goto done;
+    if (!(tolerance > 0.0 && tolerance <= 1.0)) {
+        status = error_set(&found, ROBERTS_BAD_ARGUMENT, 0, "the tolerance, %g, is not between 0 and 1", tolerance);
+    } else if (!(*scene = alloc_zeroed(1, sizeof **scene))) {
+        status = error_no_memory(&found);
+    } else {
+        status = build(*scene, mesh, tolerance, &found);
     }
-    *scene = alloc_zeroed(1, sizeof **scene);
-    if (!*scene || !scene_alloc(*scene, &group)) {
-        status = error_no_memory(error);
-        goto done;
-    }
-    if ((status = build_solids(*scene, &work, &group, error)) != ROBERTS_OK)
-        goto done;
-    if (!copy_colors(*scene, mesh))
-        status = error_no_memory(error);
-done:
-    builder_free(&work);
-    grouping_free(&group);
-    polygons_free(&faces);
     if (status != ROBERTS_OK) {
         roberts_scene_free(*scene);
         *scene = NULL;
+        if (error)
+            *error = found;
     }
     return status;
 }
 
 void roberts_scene_free(roberts_scene *scene)
 {
-    if (!scene)
-        return;
-    free(scene->solid);
-    free(scene->point);
-    free(scene->number);
-    free(scene->face_start);
-    free(scene->corner);
-    free(scene->face_plane);
-    free(scene->face_deviation);
-    free(scene->face_width);
-    free(scene->face_number);
-    free(scene->edge);
-    free(scene->vertex_color);
-    free(scene->face_color);
+    if (scene)
+        layout_clear(scene);
     free(scene);
 }
 

@@ -1,0 +1,182 @@
+/* layout.c - the scene's arrays: memory, and the compact numbering solid by solid. */
+#include "model/layout.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+
+enum { DENSE = 4 }; /* a range of vertex numbers at most so many times as long as the corners is marked in a table */
+
+bool layout_alloc(roberts_scene *scene)
+{
+    size_t faces = scene->face_count, edges = scene->corner_count / 2;
+    scene->solid = alloc_zeroed((size_t)scene->solid_count + 1, sizeof *scene->solid);
+    scene->point = alloc_array(scene->vertex_count, sizeof *scene->point);
+    scene->number = alloc_array(scene->vertex_count, sizeof *scene->number);
+    scene->face_start = alloc_array(faces + 1, sizeof *scene->face_start);
+    scene->corner = alloc_array(scene->corner_count, sizeof *scene->corner);
+    scene->face_plane = alloc_array(faces, sizeof *scene->face_plane);
+    scene->face_deviation = alloc_array(faces, sizeof *scene->face_deviation);
+    scene->face_width = alloc_array(faces, sizeof *scene->face_width);
+    scene->face_number = alloc_array(faces, sizeof *scene->face_number);
+    scene->edge = alloc_array(edges, sizeof *scene->edge);
+    return scene->solid && scene->point && scene->number && scene->face_start && scene->corner && scene->face_plane &&
+           scene->face_deviation && scene->face_width && scene->face_number && scene->edge;
+}
+
+void layout_clear(roberts_scene *scene)
+{
+    free(scene->solid);
+    free(scene->point);
+    free(scene->number);
+    free(scene->face_start);
+    free(scene->corner);
+    free(scene->face_plane);
+    free(scene->face_deviation);
+    free(scene->face_width);
+    free(scene->face_number);
+    free(scene->edge);
+    free(scene->vertex_color);
+    free(scene->face_color);
+    *scene = (roberts_scene){0};
+}
+
+static int compare_numbers(const void *a, const void *b)
+{
+    uint32_t x, y;
+    memcpy(&x, a, sizeof x);
+    memcpy(&y, b, sizeof y);
+    return (x > y) - (x < y);
+}
+
+/* Sorts the faces by solid and copies their corners, still in the mesh's numbers. */
+static void place_faces(roberts_scene *scene, const polygons *faces, const uint32_t *of)
+{
+    uint32_t sum = 0, to = 0;
+    for (uint32_t f = 0; f < faces->face_count; f++)
+        if (of[f] != ROBERTS_NONE)
+            scene->solid[of[f]].face++;
+    for (uint32_t s = 0; s <= scene->solid_count; s++) {
+        uint32_t count = scene->solid[s].face;
+        scene->solid[s].face = sum;
+        sum += count;
+    }
+    for (uint32_t f = 0; f < faces->face_count; f++)
+        if (of[f] != ROBERTS_NONE)
+            scene->face_number[scene->solid[of[f]].face++] = f;
+    for (uint32_t s = scene->solid_count; s > 0; s--)
+        scene->solid[s].face = scene->solid[s - 1].face;
+    scene->solid[0].face = 0;
+    for (uint32_t f = 0; f < scene->face_count; f++) {
+        uint32_t from = scene->face_number[f], n = polygon_size(faces, from);
+        scene->face_start[f] = to;
+        memcpy(scene->corner + to, faces->corner + faces->start[from], n * sizeof *scene->corner);
+        to += n;
+    }
+    scene->face_start[scene->face_count] = to;
+}
+
+/* Numbers the vertices of corners from..to ascending, by marking them in a table of their range, which begins with
+ * `least` and has `span` numbers. */
+static bool number_dense(roberts_scene *scene, uint32_t from, uint32_t to, uint32_t least, size_t span, uint32_t **mark,
+                         size_t *room)
+{
+    if (!array_reserve(mark, room, span, sizeof **mark))
+        return false;
+    for (size_t v = 0; v < span; v++)
+        (*mark)[v] = 0;
+    for (uint32_t i = from; i < to; i++)
+        (*mark)[scene->corner[i] - least] = 1;
+    for (size_t v = 0; v < span; v++)
+        if ((*mark)[v]) {
+            (*mark)[v] = scene->vertex_count;
+            scene->number[scene->vertex_count++] = least + (uint32_t)v;
+        }
+    for (uint32_t i = from; i < to; i++)
+        scene->corner[i] = (*mark)[scene->corner[i] - least];
+    return true;
+}
+
+/* The same by sorting, where the solid's vertices are strewn over the file. */
+static bool number_sparse(roberts_scene *scene, uint32_t from, uint32_t to, uint32_t **sorted, size_t *room)
+{
+    uint32_t first = scene->vertex_count, count = to - from;
+    if (!array_reserve(sorted, room, count, sizeof **sorted))
+        return false;
+    memcpy(*sorted, scene->corner + from, count * sizeof **sorted);
+    qsort(*sorted, count, sizeof **sorted, compare_numbers);
+    for (uint32_t i = 0; i < count; i++)
+        if (i == 0 || (*sorted)[i] != (*sorted)[i - 1])
+            scene->number[scene->vertex_count++] = (*sorted)[i];
+    for (uint32_t i = from; i < to; i++) {
+        const uint32_t *found = bsearch(&scene->corner[i], scene->number + first, scene->vertex_count - first,
+                                        sizeof *scene->number, compare_numbers);
+        scene->corner[i] = (uint32_t)(found - scene->number);
+    }
+    return true;
+}
+
+/* Turns the mesh's vertex numbers into compact ones, solid by solid. */
+static bool number_vertices(roberts_scene *scene)
+{
+    uint32_t *scratch = NULL;
+    size_t room = 0;
+    bool done = true;
+    scene->vertex_count = 0;
+    for (uint32_t s = 0; s < scene->solid_count && done; s++) {
+        uint32_t from = scene->face_start[scene->solid[s].face], to = scene->face_start[scene->solid[s + 1].face];
+        uint32_t least = ROBERTS_NONE, most = 0;
+        for (uint32_t i = from; i < to; i++) {
+            least = scene->corner[i] < least ? scene->corner[i] : least;
+            most = scene->corner[i] > most ? scene->corner[i] : most;
+        }
+        scene->solid[s].vertex = scene->vertex_count;
+        if (to == from)
+            continue;
+        if ((most - least) / DENSE < to - from)
+            done = number_dense(scene, from, to, least, (size_t)most - least + 1, &scratch, &room);
+        else
+            done = number_sparse(scene, from, to, &scratch, &room);
+    }
+    scene->solid[scene->solid_count].vertex = scene->vertex_count;
+    free(scratch);
+    return done;
+}
+
+/* Gives back the room for vertices that turned out not to be needed. */
+static void trim(roberts_scene *scene)
+{
+    roberts_vec3 *point = realloc(scene->point, (scene->vertex_count + (size_t)1) * sizeof *point);
+    uint32_t *number = realloc(scene->number, (scene->vertex_count + (size_t)1) * sizeof *number);
+    scene->point = point ? point : scene->point;
+    scene->number = number ? number : scene->number;
+}
+
+bool layout_solids(roberts_scene *scene, const polygons *faces, const uint32_t *of, uint32_t solid_count,
+                   const roberts_vec3 *point)
+{
+    size_t corners = 0;
+    scene->solid_count = solid_count;
+    for (uint32_t f = 0; f < faces->face_count; f++)
+        if (of[f] != ROBERTS_NONE) {
+            scene->face_count++;
+            corners += polygon_size(faces, f);
+        }
+    scene->corner_count = corners;
+    scene->vertex_count = (uint32_t)corners; /* no more than that */
+    if (!layout_alloc(scene))
+        return false;
+    place_faces(scene, faces, of);
+    if (!number_vertices(scene))
+        return false;
+    scene->box_min = (roberts_vec3){INFINITY, INFINITY, INFINITY};
+    scene->box_max = (roberts_vec3){-INFINITY, -INFINITY, -INFINITY};
+    for (uint32_t v = 0; v < scene->vertex_count; v++) {
+        scene->point[v] = point[scene->number[v]];
+        box_add(&scene->box_min, &scene->box_max, scene->point[v]);
+    }
+    trim(scene);
+    return true;
+}

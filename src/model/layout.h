@@ -1,0 +1,32 @@
+/* layout.h - the scene's arrays: memory, and the compact numbering solid by solid. */
+#ifndef ROBERTS_MODEL_LAYOUT_H
+#define ROBERTS_MODEL_LAYOUT_H
+
+#include "model/polygons.h"
+#include "model/scene.h"
+
+/* Allocates the arrays for the scene's counts of solids, vertices, faces and corners, and half as many edges as
+ * corners. False: no memory; roberts_scene_free() releases what there is. */
+bool layout_alloc(roberts_scene *scene);
+
+/* Releases all arrays and leaves an empty scene. */
+void layout_clear(roberts_scene *scene);
+
+/* Allocates the scene's arrays and lays out solids 0 .. solid_count - 1, face f belonging to solid of[f] (ROBERTS_NONE:
+ * to none). A vertex that several solids use is copied for each. As components_lay_out() leaves it: no planes, no edges,
+ * corners in the order of the file. False: no memory, or more vertices than 32 bits count. */
+bool layout_solids(roberts_scene *scene, const polygons *faces, const uint32_t *of, uint32_t solid_count,
+                   const roberts_vec3 *point);
+
+/* Lets the box lo..hi hold p. */
+static inline void box_add(roberts_vec3 *lo, roberts_vec3 *hi, roberts_vec3 p)
+{
+    lo->x = p.x < lo->x ? p.x : lo->x;
+    lo->y = p.y < lo->y ? p.y : lo->y;
+    lo->z = p.z < lo->z ? p.z : lo->z;
+    hi->x = p.x > hi->x ? p.x : hi->x;
+    hi->y = p.y > hi->y ? p.y : hi->y;
+    hi->z = p.z > hi->z ? p.z : hi->z;
+}
+
+#endif

@@ -1,0 +1,47 @@
+/* solid_frame.h - one solid and its faces in a frame of its own, in which nothing overflows or loses digits. */
+#ifndef ROBERTS_MODEL_SOLID_FRAME_H
+#define ROBERTS_MODEL_SOLID_FRAME_H
+
+#include "model/scene.h"
+
+/* A face in its solid's frame. */
+typedef struct local_face {
+    plane F;            /* inward; 0,0,0,0 where the face has no area */
+    double deviation;   /* greatest distance of a corner from the plane */
+    double area, width; /* width: area over greatest chord */
+    bool strict;        /* strictly convex as a polygon, told without a tolerance */
+    bool lean;          /* its plane leaves a vertex outside by more than the tolerance, or it has none: to be mended */
+} local_face;
+
+/* One solid relative to its first vertex and, where it is very large or very small, scaled by a power of two. The arrays
+ * serve solid after solid; zeroed = empty. */
+typedef struct solid_frame {
+    uint32_t solid; /* its number */
+    uint32_t vertex_first, vertex_count, face_first, face_count;
+    roberts_vec3 *point;     /* [vertex_count] */
+    local_face *face;        /* [face_count] */
+    roberts_vec3 *ring;      /* room for the corners of any one face */
+    roberts_vec3 barycentre; /* mean of the vertices: inside, if the solid is convex */
+    double unit;             /* model units per unit of this frame */
+    double size;             /* diagonal of the box */
+    double allowed;          /* the tolerance as a length */
+    size_t point_room, face_room, ring_room;
+} solid_frame;
+
+/* Takes up solid s: makes room, moves and scales its vertices, measures it. Its faces are not filled in.
+ * Returns ROBERTS_OK, _NO_MEMORY or _BAD_NUMBER (a coordinate is not finite or beyond 1e150). */
+roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint32_t s, double tolerance);
+
+/* Copies the corners of face f (counted from the solid's first) to frame->ring; returns how many. */
+uint32_t frame_ring(const solid_frame *frame, const roberts_scene *scene, uint32_t f);
+
+/* Fits the plane of each face and turns it and its corners so that the barycentre is inside. */
+void frame_fit_faces(solid_frame *frame, roberts_scene *scene);
+
+/* Writes face f's plane, deviation and width to the scene, in model units and relative to the scene's centre; `mean`:
+ * the plane is n.(P - first corner) = mean. */
+void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean);
+
+void frame_free(solid_frame *frame);
+
+#endif
