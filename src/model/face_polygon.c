@@ -85,14 +85,14 @@ static double distance(spot a, spot b)
 }
 
 /* Walks the corners from hull[0] on: each is the hull's next vertex (or one after it, where those between are no farther
- * away than `allowed`), or lies beside the side that the walk is on, and not behind where the walk already was. */
+ * away than `allowed`), or lies beside the side that the walk is on, and there not behind where the walk already was. */
 static double walk(const spot *polygon, uint32_t count, const spot *hull, uint32_t size, const uint32_t *rank,
                    double allowed, uint32_t *deepest)
 {
     double dent = 0.0, reached = 0.0;
     uint32_t side = 0;
     for (uint32_t k = 1; k < count; k++) {
-        spot c = polygon[(hull[0].at + k) % count], a = hull[side], b = hull[side + 1];
+        spot c = polygon[(hull[0].at + (size_t)k) % count], a = hull[side], b = hull[side + 1];
         if (rank[c.at] != ROBERTS_NONE && rank[c.at] > side) {
             for (side++; side < rank[c.at]; side++)
                 if (distance(hull[side], c) > allowed)
@@ -100,14 +100,17 @@ static double walk(const spot *polygon, uint32_t count, const spot *hull, uint32
             reached = 0.0;
             continue;
         }
-        double length = distance(a, b), along = ((c.x - a.x) * (b.x - a.x) + (c.y - a.y) * (b.y - a.y)) / length;
+        double length = distance(a, b), depth = turn(a, b, c) / length;
+        double along = ((c.x - a.x) * (b.x - a.x) + (c.y - a.y) * (b.y - a.y)) / length;
+        if (depth > dent) {
+            dent = depth;
+            *deepest = c.at;
+        }
+        if (depth > allowed)
+            continue; /* it may well turn back in there */
         if (along < reached - allowed)
             return INFINITY;
         reached = fmax(reached, along);
-        if (turn(a, b, c) / length > dent) {
-            dent = turn(a, b, c) / length;
-            *deepest = c.at;
-        }
     }
     for (side++; side < size; side++)
         if (distance(hull[side], hull[0]) > allowed)

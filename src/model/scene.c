@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "model/components.h"
 #include "model/layout.h"
+#include "model/regroup.h"
 #include "model/solid_build.h"
 
 /* Published polyhedra are given to six digits. */
@@ -31,42 +32,69 @@ static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh)
     return true;
 }
 
+/* Builds the solids as laid out. `open`: NULL where all must be closed; else it receives a mark for each solid that is
+ * not, and *any_open whether there is one; once there is, the others are only asked whether they are closed, since their
+ * numbers will change. */
 static roberts_status build_solids(roberts_scene *scene, builder *work, const roberts_mesh *mesh, double tolerance,
-                                   roberts_error *error)
+                                   uint8_t *open, bool *any_open, roberts_error *error)
 {
-    for (uint32_t s = 0; s < scene->solid_count; s++)
-        switch (solid_build(scene, work, s, mesh, tolerance, false, error)) {
-        case BUILD_OK:
-            break;
-        case BUILD_OPEN:
+    roberts_status refused = ROBERTS_OK;
+    *any_open = false;
+    scene->centre = vec3_scale(0.5, vec3_add(scene->box_min, scene->box_max));
+    for (uint32_t s = 0; s < scene->solid_count; s++) {
+        build_result result = *any_open || refused != ROBERTS_OK
+                                  ? solid_is_closed(scene, work, s, error)
+                                  : solid_build(scene, work, s, mesh, tolerance, !open, error);
+        if (result == BUILD_OPEN && !open)
             return error_set(error, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed", s);
-        case BUILD_REFUSED:
-            return error->status;
+        if (result == BUILD_OPEN) {
+            *any_open = true;
+            open[s] = 1;
         }
+        if (result == BUILD_REFUSED)
+            refused = error->status;
+        if (refused == ROBERTS_NO_MEMORY || (refused != ROBERTS_OK && !open))
+            return refused;
+    }
     scene->edge_count = scene->solid[scene->solid_count].edge;
-    return ROBERTS_OK;
+    return *any_open ? ROBERTS_OK : refused;
 }
 
+static roberts_status refuse_empty(roberts_error *error)
+{
+    return error_set(error, ROBERTS_NOT_CLOSED, 0, "no solid: there is no face with three or more corners");
+}
+
+/* Components first; where some are open, solids once more from what welding and splitting makes of them. */
 static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, double tolerance, roberts_error *error)
 {
     polygons faces;
     builder work = {0};
+    uint8_t *open = NULL;
+    bool any_open = false;
     roberts_status status = polygons_of_mesh(&faces, mesh, error);
-    scene->centre = (roberts_vec3){0, 0, 0};
     if (status != ROBERTS_OK)
         return status;
-    status = components_lay_out(scene, &faces, mesh, error);
-    if (status == ROBERTS_OK && scene->solid_count == 0)
-        status = error_set(error, ROBERTS_NOT_CLOSED, 0, "no solid: there is no face with three or more corners");
-    if (status == ROBERTS_OK) {
-        scene->centre = vec3_scale(0.5, vec3_add(scene->box_min, scene->box_max));
-        status = build_solids(scene, &work, mesh, tolerance, error);
+    if ((status = components_lay_out(scene, &faces, mesh, error)) != ROBERTS_OK)
+        goto done;
+    status = ROBERTS_NO_MEMORY;
+    if (!(open = alloc_zeroed(scene->solid_count, sizeof *open)))
+        goto done;
+    status = build_solids(scene, &work, mesh, tolerance, open, &any_open, error);
+    if (status == ROBERTS_OK && any_open) {
+        status = regroup(scene, open, &faces, mesh, error);
+        if (status == ROBERTS_OK)
+            status = build_solids(scene, &work, mesh, tolerance, NULL, &any_open, error);
     }
+    if (status == ROBERTS_OK && scene->solid_count == 0)
+        status = refuse_empty(error);
     if (status == ROBERTS_OK && !copy_colors(scene, mesh))
-        status = error_no_memory(error);
+        status = ROBERTS_NO_MEMORY;
+done:
+    free(open);
     builder_free(&work);
     polygons_free(&faces);
-    return status;
+    return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
 
 roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,

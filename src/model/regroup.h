@@ -1,0 +1,16 @@
+/* regroup.h - components that are not closed as they stand: welded, split, and numbered together with the others. */
+#ifndef ROBERTS_MODEL_REGROUP_H
+#define ROBERTS_MODEL_REGROUP_H
+
+#include "model/polygons.h"
+#include "model/scene.h"
+
+/* Welds the components of `scene` (as laid out) that are marked open with one another, splits them into solids, and lays
+ * out all solids anew, closed components and split ones alike, numbered by their smallest vertex (of several that share
+ * it, by their smallest face). `faces` is cleaned after the welding.
+ * Returns ROBERTS_OK, _NO_MEMORY, _BAD_NUMBER or _NOT_CLOSED: `error` then names the first solid that is not closed, one
+ * of its edges and how many faces that has. */
+roberts_status regroup(roberts_scene *scene, const uint8_t *open, polygons *faces, const roberts_mesh *mesh,
+                       roberts_error *error);
+
+#endif
