@@ -136,7 +136,7 @@ static bool number_vertices(roberts_scene *scene)
         if (to == from)
             continue;
         if ((most - least) / DENSE < to - from)
-            done = number_dense(scene, from, to, least, (size_t)most - least + 1, &scratch, &room);
+            done = number_dense(scene, from, to, least, (size_t)(most - least) + 1, &scratch, &room);
         else
             done = number_sparse(scene, from, to, &scratch, &room);
     }
