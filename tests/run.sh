@@ -1,10 +1,10 @@
 #!/bin/sh
 # Runs test programs one after the other, goes on after a failure, and fails at the end: tests/run.sh PROGRAM...
 #
-# A program's output goes to PROGRAM.out and PROGRAM.err and is shown where the program fails. Each line tells how many
-# tests cmocka reported (on standard output; its listings at the end are on standard error); the last line is their
-# sum, which also goes to the end of the file that TEST_RESULTS names. A program that dies, or stops without having run
-# a test, counts as one failure.
+# A program's output goes to PROGRAM.out and PROGRAM.err and is shown where the program fails; lines that start with
+# "note: " are shown in any case. Each line tells how many tests cmocka reported (on standard output; its listings at
+# the end are on standard error); the last line is their sum, which also goes to the end of the file that TEST_RESULTS
+# names. A program that dies, or stops without having run a test, counts as one failure.
 set -u
 
 passed=0 failed=0 skipped=0
@@ -27,7 +27,7 @@ for program in "$@"; do
         sed 's/^/    /' "$program.out" "$program.err"
     else
         echo "ok      $program: $good passed"
-        sed -n 's/^\[  SKIPPED \] /        skipped: /p' "$program.out"
+        sed -n 's/^\[  SKIPPED \] /        skipped: /p; s/^note: /        /p' "$program.out"
     fi
 done
 echo
