@@ -13,7 +13,7 @@ STD      := -std=c17 -D_POSIX_C_SOURCE=200809L
 # -ffp-contract=off: a fused multiply-add would make signs depend on the compiler (see src/base/vec.h)
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
 COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fPIC $(OPENMP) $(CFLAGS) -Iinclude -Isrc $(NEEDS) -MMD -MP
-LINK      = $(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^)
+LINK      = $(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^)
 # Asked for only where used: `make demo` has to start without pkg-config.
 NEEDS        =
 CAIRO_CFLAGS = $(shell pkg-config --cflags cairo)
@@ -25,11 +25,14 @@ CLI_SRC  := $(sort $(wildcard src/cli/*.c))
 TOOL_SRC := $(sort $(wildcard tools/*.c))
 MODEL_SRC := $(sort $(wildcard tools/models/*.c))
 TEST_SRC := $(sort $(wildcard tests/test_*.c))
-C_SRC    := $(LIB_SRC) $(CLI_SRC) $(TOOL_SRC) $(MODEL_SRC) $(TEST_SRC)
+ORACLE   := $(filter-out tests/oracle/compare.c,$(sort $(wildcard tests/oracle/*.c)))
+ORACLE_X := $(sort $(wildcard tests/oracle/*.cpp))
+C_SRC    := $(LIB_SRC) $(CLI_SRC) $(TOOL_SRC) $(MODEL_SRC) $(TEST_SRC) $(ORACLE) tests/oracle/compare.c
 object    = $(1:%.c=$(BUILD)/obj/%.o)
 TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
 TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
 DEMO     := table
+EDGES    ?= 5000000
 SANITIZE := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 
 ##@ The two to begin with; both install what is missing, as root or by a sudo that asks nothing
@@ -54,6 +57,9 @@ drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
 
 test: all tools $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests
 	@ROBERTS_BUILD=$(BUILD) LOCPATH=$(abspath $(BUILD)/locale) tests/run.sh $(TEST_BIN)
+
+check-long: $(BUILD)/tests/oracle/compare ## some 5,000,000 edges against the exact oracle (EDGES=n for another number)
+	$(BUILD)/tests/oracle/compare --folder $(BUILD) --edges $(EDGES) --per-family
 
 test-sanitize: ## the same with the address and the undefined behaviour sanitizer, in build/sanitize/
 	@$(MAKE) --no-print-directory test BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' CXXFLAGS='$(SANITIZE)'
@@ -82,7 +88,22 @@ $(BUILD)/tools/make-models: $(call object,$(MODEL_SRC))
 
 $(TEST_BIN): $(BUILD)/%: $(BUILD)/obj/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
-	$(LINK) $(CMOCKA_LIBS) $(CAIRO_LIBS) -lm
+	$(LINK) $(TEST_LIBS) $(CMOCKA_LIBS) $(CAIRO_LIBS) -lm
+
+# The exact oracle: C++ with CGAL, for tests alone.
+ORACLE_OBJ  := $(call object,$(ORACLE)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.o)
+ORACLE_LIBS := -lgmp -lmpfr -lstdc++
+$(BUILD)/tests/test_oracle $(BUILD)/tests/test_golden: $(ORACLE_OBJ)
+$(BUILD)/tests/test_oracle $(BUILD)/tests/test_golden: TEST_LIBS = $(ORACLE_LIBS)
+
+$(BUILD)/tests/oracle/compare: $(BUILD)/obj/tests/oracle/compare.o $(ORACLE_OBJ) $(BUILD)/libroberts.a
+	@mkdir -p $(@D)
+	$(LINK) $(ORACLE_LIBS) $(CAIRO_LIBS) -lm
+
+# -frounding-math: intervals of doubles set the rounding mode, which the compiler must not assume.
+$(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math $(CXXFLAGS) -Iinclude -MMD -MP -c -o $@ $<
 
 $(BUILD)/obj/src/draw/%.o: NEEDS = $(CAIRO_CFLAGS)
 
@@ -127,4 +148,4 @@ lint-cppcheck:
 .PHONY: all demo check tools models drawings test test-sanitize lint lint-format lint-tidy lint-cppcheck clean help force
 .SECONDARY:
 .DELETE_ON_ERROR:
--include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC))
+-include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.d)

@@ -1,0 +1,153 @@
+/* compare.c - holds the program's library against the exact oracle on as many scenes as wanted; see --help. */
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "judge.h"
+
+static const char help[] =
+    "compare [--family NAME] [--seed S] [--count N] [--edges N] [--folder DIR] [--write] [--list]\n"
+    "Compares program and exact oracle edge by edge on generated scenes. Exit status 1 if any edge disagrees.\n"
+    "  --family NAME  only this family (default: all in turn)\n"
+    "  --seed S       first seed (default: 1)\n"
+    "  --count N      seeds per family (default: 1, or as many as --edges needs)\n"
+    "  --edges N      goes on until N edges have been compared\n"
+    "  --folder DIR   failing scenes are written to DIR/failures/ (default: build)\n"
+    "  --write        only writes the scenes, to DIR/scenes/FAMILY-SEED.off, and compares nothing\n"
+    "  --per-family   a line of figures for each family\n"
+    "  --list         names the families\n";
+
+typedef struct arguments {
+    const char *family, *folder;
+    uint64_t seed, count, edges;
+    bool write, per_family;
+} arguments;
+
+static bool parse(int argc, char **argv, arguments *a)
+{
+    *a = (arguments){NULL, "build", 1, 0, 0, false, false};
+    for (int i = 1; i < argc; i++) {
+        const char *option = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
+        if (!strcmp(option, "--list")) {
+            for (size_t f = 0; f < scene_family_count(); f++)
+                puts(scene_family_name(f));
+            exit(0);
+        } else if (!strcmp(option, "--help")) {
+            fputs(help, stdout);
+            exit(0);
+        } else if (!strcmp(option, "--write")) {
+            a->write = true;
+            continue;
+        } else if (!strcmp(option, "--per-family")) {
+            a->per_family = true;
+            continue;
+        }
+        if (!value)
+            return false;
+        i++;
+        if (!strcmp(option, "--family"))
+            a->family = value;
+        else if (!strcmp(option, "--folder"))
+            a->folder = value;
+        else if (!strcmp(option, "--seed"))
+            a->seed = strtoull(value, NULL, 10);
+        else if (!strcmp(option, "--count"))
+            a->count = strtoull(value, NULL, 10);
+        else if (!strcmp(option, "--edges"))
+            a->edges = strtoull(value, NULL, 10);
+        else
+            return false;
+    }
+    if (a->count == 0)
+        a->count = a->edges ? UINT64_MAX : 1;
+    if (a->edges == 0)
+        a->edges = UINT64_MAX;
+    return true;
+}
+
+static bool write_scene(const char *name, const test_scene *scene, const char *folder)
+{
+    char path[512], comment[200];
+    snprintf(path, sizeof path, "%s/scenes/%s.off", folder, name);
+    snprintf(comment, sizeof comment, "--%s %.17g,%.17g,%.17g; slack %.17g", scene->view.w ? "eye" : "dir",
+             scene->view.x, scene->view.y, scene->view.z, scene->slack);
+    if (judge_write_off(path, &scene->mesh, comment))
+        return true;
+    perror(path);
+    return false;
+}
+
+static void add(judge_total *sum, const judge_total *t)
+{
+    sum->scenes += t->scenes;
+    sum->edges += t->edges;
+    sum->drawn += t->drawn;
+    sum->cut += t->cut;
+    sum->disagreements += t->disagreements;
+    sum->unjudged += t->unjudged;
+    sum->worst = sum->worst > t->worst ? sum->worst : t->worst;
+    sum->pairs += t->pairs;
+    sum->exact += t->exact;
+    sum->seen += t->seen;
+}
+
+static void print(const char *name, const judge_total *t)
+{
+    printf("%-14s %9zu edges (%zu drawn, %zu cut) of %zu scenes: %zu disagreements; greatest difference %.1e; "
+           "not judged: %.5g edges; %zu segments' `by`; %zu of %zu pairs by rational numbers\n",
+           name, t->edges, t->drawn, t->cut, t->scenes, t->disagreements, t->worst, t->unjudged, t->seen, t->exact,
+           t->pairs);
+    fflush(stdout);
+}
+
+int main(int argc, char **argv)
+{
+    arguments a;
+    judge_total sum = {0}, *family;
+    size_t families = scene_family_count();
+    bool known = false;
+    clock_t start = clock();
+    if (!parse(argc, argv, &a)) {
+        fputs(help, stderr);
+        return 2;
+    }
+    family = calloc(families, sizeof *family);
+    for (uint64_t i = 0; family && i < a.count && sum.edges < a.edges; i++)
+        for (size_t f = 0; f < families && sum.edges < a.edges; f++) {
+            const char *name = scene_family_name(f);
+            char label[100];
+            test_scene scene;
+            judge_total one = {0};
+            if (a.family && strcmp(a.family, name) != 0)
+                continue;
+            known = true;
+            snprintf(label, sizeof label, "%s-%" PRIu64, name, a.seed + i);
+            if (!scene_make(name, a.seed + i, &scene)) {
+                fprintf(stderr, "%s: no memory\n", label);
+                free(family);
+                return 1;
+            }
+            if (a.write)
+                write_scene(label, &scene, a.folder);
+            else
+                judge_scene(label, &scene, a.folder, &one, stdout);
+            test_scene_free(&scene);
+            add(&family[f], &one);
+            add(&sum, &one);
+        }
+    for (size_t f = 0; family && a.per_family && f < families; f++)
+        if (family[f].scenes)
+            print(scene_family_name(f), &family[f]);
+    if (!a.write)
+        print("all", &sum);
+    free(family);
+    if (!known) {
+        fprintf(stderr, "compare: no family %s\n", a.family);
+        return 2;
+    }
+    if (!a.write)
+        printf("%zu edges compared, %zu disagreements; %.1f s\n", sum.edges, sum.disagreements,
+               (double)(clock() - start) / CLOCKS_PER_SEC);
+    return sum.disagreements ? 1 : 0;
+}

@@ -1,0 +1,379 @@
+/* judge.c - comparison edge by edge. What the program hides must lie in `maybe`, what it shows must lie outside `sure`
+ * (oracle.h); without slack the two are one and this is equality. A scene spoiled by rounding is held against its
+ * original as well, strictly. The program's segments must also tile [0, 1] in turns of visible and hidden. */
+#include "judge.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum {
+    REPORTS = 3,     /* of one scene, at most */
+    SEEN_FACES = 200 /* plain rays are slow: only in scenes this small */
+};
+
+roberts_camera judge_camera(const oracle_view *view)
+{
+    roberts_camera camera = {0};
+    roberts_vec3 v = {view->x, view->y, view->z};
+    camera.projection = view->w ? ROBERTS_PERSPECTIVE : ROBERTS_ORTHOGRAPHIC;
+    if (view->w)
+        camera.eye = v;
+    else
+        camera.dir = v;
+    return camera;
+}
+
+double judge_outside(const oracle_interval *a, size_t a_count, const oracle_interval *b, size_t b_count)
+{
+    double sum = 0;
+    for (size_t i = 0; i < a_count; i++) {
+        double from = a[i].t0;
+        for (size_t k = 0; k < b_count && from < a[i].t1; k++) {
+            if (b[k].t1 <= from)
+                continue;
+            if (b[k].t0 > from)
+                sum += fmin(b[k].t0, a[i].t1) - from;
+            from = b[k].t1;
+        }
+        if (from < a[i].t1)
+            sum += a[i].t1 - from;
+    }
+    return sum;
+}
+
+/* ---- the two sides --------------------------------------------------------------------------------------------------- */
+
+static roberts_status draw(const roberts_mesh *mesh, const oracle_view *view, roberts_drawing *drawing,
+                           roberts_error *error)
+{
+    roberts_scene *scene = NULL;
+    roberts_camera camera = judge_camera(view);
+    roberts_hide_options options = roberts_hide_options_default();
+    options.all_edges = true;
+    options.keep_hidden = true;
+    *drawing = (roberts_drawing){0};
+    roberts_status status = roberts_scene_build(mesh, NULL, &scene, error);
+    if (status == ROBERTS_OK)
+        status = roberts_hide(scene, &camera, &options, drawing, error);
+    roberts_scene_free(scene);
+    return status;
+}
+
+/* The segments of one edge, from *at on; leaves its hidden intervals and tells whether the segments tile it. */
+typedef struct edge_segments {
+    const roberts_segment *segment;
+    size_t count, hidden_count;
+    oracle_interval *hidden; /* room for all segments of the drawing */
+    bool tiled;
+} edge_segments;
+
+static void take_edge(const roberts_drawing *drawing, size_t *at, const oracle_edge *edge, edge_segments *out)
+{
+    double t = 0;
+    out->segment = drawing->segment + *at;
+    out->count = out->hidden_count = 0;
+    out->tiled = true;
+    while (*at < drawing->count) {
+        const roberts_segment *s = drawing->segment + *at;
+        if (s->solid != edge->solid || s->v0 != edge->v0 || s->v1 != edge->v1)
+            break;
+        out->tiled = out->tiled && s->t0 == t && s->t1 > s->t0 && s->state <= ROBERTS_HIDDEN &&
+                     (out->count == 0 || s->state != s[-1].state);
+        if (s->state == ROBERTS_HIDDEN)
+            out->hidden[out->hidden_count++] = (oracle_interval){s->t0, s->t1};
+        t = s->t1;
+        out->count++;
+        ++*at;
+    }
+    out->tiled = out->tiled && t == 1;
+}
+
+/* How much of the edge is wrong; 1 and more where the segments are no list of its parts at all. */
+static double wrong_length(const edge_segments *mine, const oracle_result *truth, const oracle_edge *edge)
+{
+    if (!mine->tiled)
+        return 1;
+    return judge_outside(mine->hidden, mine->hidden_count, truth->interval + edge->maybe, edge->maybe_count) +
+           judge_outside(truth->interval + edge->sure, edge->sure_count, mine->hidden, mine->hidden_count);
+}
+
+/* ---- reports ------------------------------------------------------------------------------------------------------------ */
+
+bool judge_write_off(const char *path, const roberts_mesh *mesh, const char *comment)
+{
+    FILE *file = fopen(path, "w");
+    if (!file)
+        return false;
+    fprintf(file, "OFF\n# %s\n%zu %zu 0\n", comment, mesh->vertex_count, mesh->face_count);
+    for (size_t i = 0; i < mesh->vertex_count; i++)
+        fprintf(file, "%.17g %.17g %.17g\n", mesh->vertex[i].x, mesh->vertex[i].y, mesh->vertex[i].z);
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        fprintf(file, "%u", mesh->face_start[f + 1] - mesh->face_start[f]);
+        for (uint32_t i = mesh->face_start[f]; i < mesh->face_start[f + 1]; i++)
+            fprintf(file, " %u", mesh->corner[i]);
+        fputc('\n', file);
+    }
+    bool ok = !ferror(file);
+    return fclose(file) == 0 && ok;
+}
+
+/* A copy of the mesh with the wanted solids only; *v0, *v1 become their numbers in it. */
+static bool part_of(const roberts_mesh *mesh, const uint32_t *vertex_solid, const bool *wanted, roberts_mesh *part,
+                    uint32_t *v0, uint32_t *v1)
+{
+    uint32_t *number = malloc((mesh->vertex_count + 1) * sizeof *number), *face;
+    bool ok = number != NULL;
+    uint32_t old0 = *v0, old1 = *v1;
+    *part = (roberts_mesh){0};
+    for (size_t v = 0; v < mesh->vertex_count && ok; v++)
+        if (vertex_solid[v] != ROBERTS_NONE && wanted[vertex_solid[v]])
+            ok = roberts_mesh_add_vertex(part, mesh->vertex[v], &number[v], NULL) == ROBERTS_OK;
+    for (size_t f = 0; f < mesh->face_count && ok; f++) {
+        size_t first = mesh->face_start[f], count = mesh->face_start[f + 1] - first;
+        uint32_t solid = count ? vertex_solid[mesh->corner[first]] : ROBERTS_NONE;
+        if (solid == ROBERTS_NONE || !wanted[solid])
+            continue;
+        face = malloc(count * sizeof *face);
+        ok = face != NULL;
+        for (size_t i = 0; i < count && ok; i++)
+            face[i] = number[mesh->corner[first + i]];
+        ok = ok && roberts_mesh_add_face(part, face, count, NULL) == ROBERTS_OK;
+        free(face);
+    }
+    if (ok) {
+        *v0 = number[old0];
+        *v1 = number[old1];
+    }
+    free(number);
+    return ok;
+}
+
+typedef struct one_edge {
+    double wrong;
+    oracle_edge edge;
+    oracle_result truth;
+    roberts_drawing drawing;
+    edge_segments mine;
+    roberts_error error;
+} one_edge;
+
+static void one_edge_free(one_edge *one)
+{
+    free(one->mine.hidden);
+    oracle_free(&one->truth);
+    roberts_drawing_free(&one->drawing);
+    *one = (one_edge){0};
+}
+
+/* Compares one edge of a mesh; wrong is 1 where the program refuses the mesh, 0 where the oracle does. */
+static void judge_one(const roberts_mesh *mesh, const oracle_view *view, double slack, uint32_t v0, uint32_t v1,
+                      one_edge *one)
+{
+    oracle_options options = {slack, false};
+    *one = (one_edge){0};
+    if (!oracle_run(mesh, view, &options, &one->truth))
+        return;
+    one->wrong = 1;
+    if (draw(mesh, view, &one->drawing, &one->error) != ROBERTS_OK)
+        return;
+    one->mine.hidden = calloc(one->drawing.count + 1, sizeof *one->mine.hidden);
+    for (size_t i = 0, at = 0; i < one->truth.edge_count && one->mine.hidden; i++) {
+        const oracle_edge *e = one->truth.edge + i;
+        take_edge(&one->drawing, &at, e, &one->mine);
+        if (e->v0 == v0 && e->v1 == v1) {
+            one->edge = *e;
+            one->wrong = wrong_length(&one->mine, &one->truth, e);
+            return;
+        }
+    }
+}
+
+static void print_intervals(FILE *out, const char *title, const oracle_interval *list, size_t count)
+{
+    fprintf(out, "  %-18s", title);
+    for (size_t i = 0; i < count; i++)
+        fprintf(out, " [%.17g, %.17g]", list[i].t0, list[i].t1);
+    fprintf(out, "%s\n", count ? "" : " nothing");
+}
+
+static void print_one(FILE *out, const char *what, const one_edge *one)
+{
+    fprintf(out, "%s: solid %u, edge %u-%u: program and oracle differ on %.3g of it\n", what, one->edge.solid,
+            one->edge.v0, one->edge.v1, one->wrong);
+    print_intervals(out, "program hides", one->mine.hidden, one->mine.hidden_count);
+    if (!one->mine.tiled)
+        fprintf(out, "  the program's %zu segments do not tile the edge in turns\n", one->mine.count);
+    print_intervals(out, "oracle hides", one->truth.interval + one->edge.sure, one->edge.sure_count);
+    if (one->edge.survives != ORACLE_NO && one->truth.interval)
+        print_intervals(out, "or at most", one->truth.interval + one->edge.maybe, one->edge.maybe_count);
+}
+
+static void write_failure(const char *name, size_t nth, const char *folder, const roberts_mesh *mesh,
+                          const oracle_view *view, double slack, FILE *out)
+{
+    char path[512], command[512], comment[1200];
+    snprintf(path, sizeof path, "%s/failures", folder);
+    mkdir(folder, 0777);
+    mkdir(path, 0777);
+    snprintf(path, sizeof path, "%s/failures/%s-%zu.off", folder, name, nth);
+    snprintf(command, sizeof command, "--all-edges --hidden solid -f csv --%s %.17g,%.17g,%.17g",
+             view->w ? "eye" : "dir", view->x, view->y, view->z);
+    snprintf(comment, sizeof comment, "%s; slack %.17g", command, slack);
+    if (judge_write_off(path, mesh, comment))
+        fprintf(out, "  build/roberts %s %s\n", command, path);
+    else
+        fprintf(out, "  (%s: %s)\n", path, strerror(errno));
+}
+
+/* Leaves out one solid after the other as long as the edge still fails; the edge's own stays. */
+static void report(const char *name, size_t nth, const char *folder, const roberts_mesh *mesh, const oracle_view *view,
+                   double slack, const oracle_result *truth, const oracle_edge *edge, FILE *out)
+{
+    bool *wanted = malloc((truth->solid_count + 1) * sizeof *wanted);
+    one_edge one;
+    judge_one(mesh, view, slack, edge->v0, edge->v1, &one);
+    print_one(out, name, &one);
+    one_edge_free(&one);
+    for (size_t i = 0; wanted && i < truth->solid_count; i++)
+        wanted[i] = true;
+    for (size_t i = 0; wanted && i <= truth->solid_count; i++) {
+        uint32_t v0 = edge->v0, v1 = edge->v1;
+        bool last = i == truth->solid_count;
+        roberts_mesh part;
+        if (i == edge->solid)
+            continue;
+        wanted[i] = false;
+        if (part_of(mesh, truth->vertex_solid, wanted, &part, &v0, &v1)) {
+            judge_one(&part, view, slack, v0, v1, &one);
+            if (last) {
+                print_one(out, "  the smallest part of it that fails", &one);
+                write_failure(name, nth, folder, &part, view, slack, out);
+            } else {
+                wanted[i] = !(one.wrong > JUDGE_LIMIT);
+            }
+            one_edge_free(&one);
+        }
+        roberts_mesh_free(&part);
+    }
+    free(wanted);
+}
+
+/* ---- scenes ---------------------------------------------------------------------------------------------------------------- */
+
+static void count_edge(const oracle_result *truth, const oracle_edge *e, judge_total *total)
+{
+    const oracle_interval *maybe = truth->interval + e->maybe, *sure = truth->interval + e->sure;
+    total->edges++;
+    total->drawn += e->survives != ORACLE_NO;
+    total->cut += e->maybe_count > 1 || (e->maybe_count == 1 && (maybe->t0 > 0 || maybe->t1 < 1));
+    total->unjudged += judge_outside(maybe, e->maybe_count, sure, e->sure_count);
+}
+
+/* Compares a drawing of `mesh` with the truth about `about` (the mesh itself or its original). */
+static bool judge_drawing(const char *name, const roberts_drawing *drawing, const roberts_mesh *about,
+                          const oracle_view *view, double slack, const roberts_mesh *mesh, const oracle_view *mesh_view,
+                          const char *folder, judge_total *total, FILE *out)
+{
+    oracle_options options = {slack, false};
+    oracle_result truth;
+    edge_segments mine = {0};
+    size_t at = 0, failed = 0;
+    if (!oracle_run(about, view, &options, &truth)) {
+        fprintf(out, "%s: the oracle says: %s\n", name, truth.error);
+        total->disagreements++;
+        return false;
+    }
+    mine.hidden = calloc(drawing->count + 1, sizeof *mine.hidden);
+    for (size_t i = 0; i < truth.edge_count && mine.hidden; i++) {
+        const oracle_edge *e = truth.edge + i;
+        take_edge(drawing, &at, e, &mine);
+        double wrong = wrong_length(&mine, &truth, e);
+        if (about == mesh)
+            count_edge(&truth, e, total);
+        if (wrong <= JUDGE_LIMIT) {
+            total->worst = fmax(total->worst, wrong);
+            continue;
+        }
+        if (failed++ >= REPORTS)
+            continue;
+        if (about == mesh) {
+            report(name, failed, folder, mesh, view, slack, &truth, e, out);
+        } else {
+            fprintf(out, "%s (held against its original): solid %u, edge %u-%u: they differ on %.3g of it\n", name,
+                    e->solid, e->v0, e->v1, wrong);
+            print_intervals(out, "program hides", mine.hidden, mine.hidden_count);
+            print_intervals(out, "the original hides", truth.interval + e->sure, e->sure_count);
+            write_failure(name, failed, folder, mesh, mesh_view, slack, out);
+        }
+    }
+    if (at != drawing->count || !mine.hidden) {
+        fprintf(out, "%s: the drawing has segments of edges that are not there\n", name);
+        failed++;
+    }
+    total->pairs += truth.pairs;
+    total->exact += truth.exact;
+    total->disagreements += failed;
+    free(mine.hidden);
+    oracle_free(&truth);
+    return failed == 0;
+}
+
+/* Holds `by` of one hidden segment against the plain rays of rays.cpp: what is seen at its middle. Where the middle is
+ * rounded and lies in line with a border, what is seen a little before or after it will do. */
+static bool judge_seen(const char *name, const test_scene *scene, const roberts_drawing *drawing, const char *folder,
+                       judge_total *total, FILE *out)
+{
+    static const double near[] = {0, -1e-12, 1e-12};
+    const roberts_segment *s = NULL;
+    oracle_result truth;
+    uint32_t seen = ROBERTS_NONE;
+    bool agreed = false;
+    for (size_t i = 0, start = drawing->count * 5 / 8; i < drawing->count && !s; i++)
+        if (drawing->segment[(start + i) % drawing->count].state == ROBERTS_HIDDEN)
+            s = drawing->segment + (start + i) % drawing->count;
+    if (!s || !oracle_run(&scene->mesh, &scene->view, NULL, &truth))
+        return true;
+    for (size_t i = 0; i < sizeof near / sizeof *near && !agreed; i++) {
+        double t = (s->t0 + s->t1) / 2 + near[i] * (s->t1 - s->t0);
+        oracle_point_hidden(&scene->mesh, truth.vertex_solid, &scene->view, s->v0, s->v1, t, &seen);
+        agreed = seen == s->by;
+    }
+    total->seen++;
+    if (!agreed) {
+        fprintf(
+            out,
+            "%s: solid %u, edge %u-%u, at the middle of [%.17g, %.17g]: the program sees solid %d, a ray solid %d\n",
+            name, s->solid, s->v0, s->v1, s->t0, s->t1, (int)s->by, (int)seen);
+        write_failure(name, 0, folder, &scene->mesh, &scene->view, scene->slack, out);
+        total->disagreements++;
+    }
+    oracle_free(&truth);
+    return agreed;
+}
+
+bool judge_scene(const char *name, const test_scene *scene, const char *folder, judge_total *total, FILE *out)
+{
+    roberts_drawing drawing;
+    roberts_error error = {0};
+    bool ok;
+    total->scenes++;
+    if (draw(&scene->mesh, &scene->view, &drawing, &error) != ROBERTS_OK) {
+        fprintf(out, "%s: the program refuses it: %s\n", name, error.message);
+        write_failure(name, 0, folder, &scene->mesh, &scene->view, scene->slack, out);
+        total->disagreements++;
+        return false;
+    }
+    ok = judge_drawing(name, &drawing, &scene->mesh, &scene->view, scene->slack, &scene->mesh, &scene->view, folder,
+                       total, out);
+    if (scene->has_original)
+        ok = judge_drawing(name, &drawing, &scene->original, &scene->original_view, 0, &scene->mesh, &scene->view,
+                           folder, total, out) &&
+             ok;
+    else if (scene->mesh.face_count <= SEEN_FACES)
+        ok = judge_seen(name, scene, &drawing, folder, total, out) && ok;
+    roberts_drawing_free(&drawing);
+    return ok;
+}

@@ -1,0 +1,90 @@
+/* rays.cpp - the definition of "hidden" read aloud, in rational numbers and nothing else: one ray, every triangle. It
+ * shares no line with oracle.cpp, so that each can find the other's mistakes. */
+#include "oracle.h"
+
+#include <array>
+#include <vector>
+
+#include <CGAL/Exact_rational.h>
+
+namespace
+{
+
+using number = CGAL::Exact_rational;
+using point = std::array<number, 3>;
+
+point minus(const point &p, const point &q)
+{
+    return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+}
+
+number det(const point &a, const point &b, const point &c)
+{
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+struct scene {
+    const roberts_mesh &mesh;
+    const uint32_t *vertex_solid;
+
+    point at(uint32_t v) const
+    {
+        return {number(mesh.vertex[v].x), number(mesh.vertex[v].y), number(mesh.vertex[v].z)};
+    }
+
+    /* Sign of det(b - a, c - a, inside - a) for a point inside the solid: the side on which abc has the solid. */
+    int solid_side(const point &a, const point &b, const point &c, uint32_t solid) const
+    {
+        number sum(0);
+        for (uint32_t v = 0; v < mesh.vertex_count; v++)
+            if (vertex_solid[v] == solid)
+                sum += det(minus(b, a), minus(c, a), minus(at(v), a));
+        return sum > 0 ? 1 : sum < 0 ? -1 : 0;
+    }
+};
+
+} // namespace
+
+bool oracle_point_hidden(const roberts_mesh *mesh, const uint32_t *vertex_solid, const oracle_view *view, uint32_t v0,
+                         uint32_t v1, double t, uint32_t *seen)
+{
+    scene s{*mesh, vertex_solid};
+    point p = s.at(v0), q = s.at(v1), X, dir, viewer{number(view->x), number(view->y), number(view->z)};
+    for (int i = 0; i < 3; i++)
+        X[i] = p[i] + number(t) * (q[i] - p[i]);
+    dir = view->w ? minus(viewer, X) : viewer;
+    bool hidden = false, any = false;
+    number best(0);
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t *corner = mesh->corner + mesh->face_start[f];
+        for (uint32_t i = 1; i + 1 < mesh->face_start[f + 1] - mesh->face_start[f]; i++) {
+            uint32_t solid = vertex_solid[corner[0]];
+            point a = s.at(corner[0]), b = s.at(corner[i]), c = s.at(corner[i + 1]);
+            point ab = minus(b, a), ac = minus(c, a), aX = minus(X, a);
+            number slope = det(ab, ac, dir), height = det(ab, ac, aX);
+            if (slope == 0) /* edge-on (or no triangle) */
+                continue;
+            number r = -height / slope; /* X + r dir lies in the plane */
+            if (r < 0)
+                continue;
+            point Y{X[0] + r * dir[0] - a[0], X[1] + r * dir[1] - a[1], X[2] + r * dir[2] - a[2]};
+            point n{ab[1] * ac[2] - ab[2] * ac[1], ab[2] * ac[0] - ab[0] * ac[2], ab[0] * ac[1] - ab[1] * ac[0]};
+            number whole = det(n, ab, ac), u = det(n, Y, ac) / whole, v = det(n, ab, Y) / whole;
+            if (u < 0 || v < 0 || u + v > 1) /* Y - a = u ab + v ac: outside the triangle */
+                continue;
+            int side = s.solid_side(a, b, c, solid);
+            if ((slope > 0) == (side > 0)) /* toward the viewer lies the solid: a back face */
+                continue;
+            if (r > 0 && solid != vertex_solid[v0])
+                hidden = true;
+            if (seen && (!any || r > best || (r == best && solid < *seen)))
+                *seen = solid;
+            if (!any || r > best)
+                best = r;
+            any = true;
+        }
+    }
+    if (seen && !any)
+        *seen = ROBERTS_NONE;
+    return hidden;
+}

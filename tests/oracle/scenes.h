@@ -1,0 +1,26 @@
+/* scenes.h - families of scenes on which the program is held against the oracle: what random position finds, and what it
+ * never finds (contact, borders, corners, edges seen end-on). A family and a seed are one scene, on every machine. */
+#ifndef ROBERTS_TESTS_SCENES_H
+#define ROBERTS_TESTS_SCENES_H
+
+#include "oracle.h"
+
+typedef struct test_scene {
+    roberts_mesh mesh;
+    oracle_view view;
+    double slack; /* model units; 0: judged strictly, else oracle_options.slack */
+    /* Where rounding has spoiled contacts: the scene before that, whose drawing it must still be. */
+    bool has_original;
+    roberts_mesh original;
+    oracle_view original_view;
+} test_scene;
+
+size_t scene_family_count(void);
+const char *scene_family_name(size_t index);
+
+/* Makes the scene `seed` of a family; false: no family of that name, or no memory. A name that ends in "@eye" is that
+ * family in perspective. Release with test_scene_free(). */
+bool scene_make(const char *family, uint64_t seed, test_scene *scene);
+void test_scene_free(test_scene *scene);
+
+#endif

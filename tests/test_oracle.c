@@ -1,0 +1,305 @@
+/* test_oracle.c - the oracle against cases worked out by hand, against itself without intervals of doubles and against
+ * plain rays; then the program against the oracle on some 50,000 edges (more: make check-long). */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "oracle/judge.h"
+
+static const char *build_folder(void)
+{
+    const char *folder = getenv("ROBERTS_BUILD");
+    return folder ? folder : "build";
+}
+
+/* ---- by hand ------------------------------------------------------------------------------------------------------------- */
+
+static void add_solid(roberts_mesh *mesh, const roberts_vec3 *point, size_t points, const uint32_t *corner,
+                      size_t faces, size_t corners)
+{
+    uint32_t face[8], first = (uint32_t)mesh->vertex_count;
+    for (size_t i = 0; i < points; i++)
+        assert_int_equal(roberts_mesh_add_vertex(mesh, point[i], NULL, NULL), ROBERTS_OK);
+    for (size_t f = 0; f < faces; f++) {
+        for (size_t i = 0; i < corners; i++)
+            face[i] = first + corner[f * corners + i];
+        assert_int_equal(roberts_mesh_add_face(mesh, face, corners, NULL), ROBERTS_OK);
+    }
+}
+
+static void add_tetrahedron(roberts_mesh *mesh, const roberts_vec3 *point)
+{
+    static const uint32_t corner[] = {0, 1, 2, 0, 1, 3, 0, 2, 3, 1, 2, 3};
+    add_solid(mesh, point, 4, corner, 4, 3);
+}
+
+/* Corners in the order 000, 100, 010, 110, 001, ... */
+static void add_box(roberts_mesh *mesh, roberts_vec3 lo, roberts_vec3 hi)
+{
+    static const uint32_t corner[] = {0, 1, 3, 2, 4, 5, 7, 6, 0, 1, 5, 4, 2, 3, 7, 6, 0, 2, 6, 4, 1, 3, 7, 5};
+    roberts_vec3 p[8];
+    for (int i = 0; i < 8; i++)
+        p[i] = (roberts_vec3){i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z};
+    add_solid(mesh, p, 8, corner, 6, 4);
+}
+
+/* clang-format off */
+#define TOP {0, 0, 1, 0}
+#define CORNER {1, 1, 1, 0}
+#define ONE_CUBE {0, 0, 0}, {0, 0, 0}
+
+/* The unit cube, a second box where its two corners differ, and a tetrahedron; judged is the tetrahedron's edge from its
+ * first to its second point. The third and fourth point lie so that it has a front face unless the case says otherwise. */
+static const struct {
+    const char *name;
+    oracle_view view;
+    roberts_vec3 lo, hi;
+    roberts_vec3 p[4];
+    oracle_answer survives;
+    size_t count;
+    oracle_interval hidden[2];
+} cases[] = {
+    {"passes below the cube", TOP, ONE_CUBE,
+     {{-1, 0.5, -1}, {2, 0.5, -1}, {0, 0.6, -2}, {0, 0.4, -2}}, ORACLE_YES, 1, {{1.0 / 3, 2.0 / 3}}},
+    {"passes above it", TOP, ONE_CUBE,
+     {{-1, 0.5, 2}, {2, 0.5, 2}, {0, 0.6, 1.5}, {0, 0.4, 1.5}}, ORACLE_YES, 0, {{0, 0}}},
+    {"ends below it", TOP, ONE_CUBE,
+     {{0.5, 0.5, -1}, {0.5, 2.5, -1}, {0, 0.6, -2}, {1, 0.4, -2}}, ORACLE_YES, 1, {{0, 0.25}}},
+    {"lies wholly below it", TOP, ONE_CUBE,
+     {{0.25, 0.5, -1}, {0.5, 0.5, -1}, {0, 0.6, -2}, {0, 0.4, -2}}, ORACLE_YES, 1, {{0, 1}}},
+    {"along its border, from below", TOP, ONE_CUBE,
+     {{-1, 0, -1}, {2, 0, -1}, {0, -0.1, -2}, {0, 0.1, -2}}, ORACLE_YES, 1, {{1.0 / 3, 2.0 / 3}}},
+    {"just outside its border", TOP, ONE_CUBE,
+     {{-1, -1e-12, -1}, {2, -1e-12, -1}, {0, -0.1, -2}, {0, 0.1, -2}}, ORACLE_YES, 0, {{0, 0}}},
+    {"along its upper edge: in the plane of a face", TOP, ONE_CUBE,
+     {{-1, 0, 1}, {2, 0, 1}, {0, -0.1, -2}, {0, 0.1, -2}}, ORACLE_YES, 0, {{0, 0}}},
+    {"in the plane of its upper face", TOP, ONE_CUBE,
+     {{-1, 0.5, 1}, {2, 0.5, 1}, {0, 0.4, -2}, {0, 0.6, -2}}, ORACLE_YES, 0, {{0, 0}}},
+    {"just below that plane", TOP, ONE_CUBE,
+     {{-1, 0.5, 1 - 1e-12}, {2, 0.5, 1 - 1e-12}, {0, 0.4, -2}, {0, 0.6, -2}}, ORACLE_YES, 1, {{1.0 / 3, 2.0 / 3}}},
+    {"touches a corner of its projection", TOP, ONE_CUBE,
+     {{-1, 1, -1}, {1, -1, -1}, {0, 0.1, -2}, {0, -0.1, -2}}, ORACLE_YES, 0, {{0, 0}}},
+    {"enters exactly at a corner", TOP, ONE_CUBE,
+     {{-1, -1, -1}, {3, 3, -1}, {1, 0.9, -2}, {1, 1.1, -2}}, ORACLE_YES, 1, {{0.25, 0.5}}},
+    {"ends on its upper face from below", TOP, ONE_CUBE,
+     {{0.25, 0.5, 0}, {0.75, 0.5, 1}, {0, 0.4, -2}, {0, 0.6, -2}}, ORACLE_YES, 1, {{0, 1}}},
+    {"stands on its upper face", TOP, ONE_CUBE,
+     {{0.25, 0.5, 1}, {0.75, 0.5, 2}, {0.75, 0.4, 1}, {0.75, 0.6, 1}}, ORACLE_YES, 0, {{0, 0}}},
+    {"pierces its upper face", TOP, ONE_CUBE,
+     {{0.25, 0.5, 0}, {0.75, 0.5, 2}, {0, 0.4, -2}, {0, 0.6, -2}}, ORACLE_YES, 1, {{0, 0.5}}},
+    {"has an end within, below a side", TOP, ONE_CUBE,
+     {{0.5, 0.5, 0.5}, {2.5, 0.5, 0.5}, {1, 0.4, -2}, {1, 0.6, -2}}, ORACLE_YES, 1, {{0, 0.25}}},
+    {"seen end-on: no face is front", TOP, ONE_CUBE,
+     {{3, 3, 0}, {3, 3, 1}, {4, 3, 0}, {3, 4, 0}}, ORACLE_NO, 1, {{0, 1}}},
+    {"on the far side of its solid", TOP, ONE_CUBE,
+     {{3, 3, 0}, {4, 3, 0}, {3, 4, 0}, {3.5, 3.25, 1}}, ORACLE_YES, 0, {{0, 0}}},
+    {"the same, turned over", TOP, ONE_CUBE,
+     {{3, 3, 0}, {4, 3, 0}, {3.5, 4, 1}, {3.5, 2, 1}}, ORACLE_NO, 1, {{0, 1}}},
+    {"below two boxes that touch", TOP, {1, 0, 0}, {2, 1, 3},
+     {{-1, 0.5, -1}, {3, 0.5, -1}, {0, 0.6, -2}, {0, 0.4, -2}}, ORACLE_YES, 1, {{0.25, 0.75}}},
+    {"below two boxes apart", TOP, {2, 0, 0}, {3, 1, 3},
+     {{-1, 0.5, -1}, {3, 0.5, -1}, {0, 0.6, -2}, {0, 0.4, -2}}, ORACLE_YES, 2, {{0.25, 0.5}, {0.75, 1}}},
+    {"below the seam of two boxes", TOP, {1, 0, 0}, {2, 1, 3},
+     {{1, 0, -1}, {1, 2, -1}, {0, 0, -2}, {2, 0, -2}}, ORACLE_YES, 1, {{0, 0.5}}},
+    {"behind the hexagon, near its middle", CORNER, ONE_CUBE,
+     {{-3.5, -3, -3}, {-3, -3.5, -3}, {-4, -4, -3}, {-4, -4, -6}}, ORACLE_YES, 1, {{0, 1}}},
+    {"behind the hexagon, along its border", CORNER, ONE_CUBE,
+     {{-1, -2, -2}, {-1, 1, -2}, {-1, 0, -4}, {-3, 0, -3}}, ORACLE_YES, 1, {{0, 1.0 / 3}}},
+    {"from an eye above the middle", {0.5, 0.5, 5, 1}, ONE_CUBE,
+     {{-1.5, 0.5, -3}, {2.5, 0.5, -3}, {0, 0.6, -5}, {0, 0.4, -5}}, ORACLE_YES, 1, {{0.25, 0.75}}},
+    {"from an eye, along the border", {0.5, 0.5, 5, 1}, ONE_CUBE,
+     {{-1.5, -0.5, -3}, {2.5, -0.5, -3}, {0, 0.6, -5}, {0, -1, -5}}, ORACLE_YES, 1, {{0.25, 0.75}}},
+};
+/* clang-format on */
+
+static void test_by_hand(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        roberts_mesh mesh = {0};
+        oracle_result result;
+        const oracle_edge *e;
+        uint32_t first;
+        add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
+        if (cases[i].hi.x > cases[i].lo.x)
+            add_box(&mesh, cases[i].lo, cases[i].hi);
+        first = (uint32_t)mesh.vertex_count;
+        add_tetrahedron(&mesh, cases[i].p);
+        if (!oracle_run(&mesh, &cases[i].view, NULL, &result))
+            fail_msg("%s: %s", cases[i].name, result.error);
+        for (e = result.edge; e->v0 != first || e->v1 != first + 1; e++)
+            assert_true(e < result.edge + result.edge_count);
+        if (e->survives != cases[i].survives || e->sure_count != cases[i].count)
+            fail_msg("%s: survives %d, %zu intervals", cases[i].name, e->survives, e->sure_count);
+        for (size_t k = 0; k < cases[i].count; k++) {
+            const oracle_interval *got = result.interval + e->sure + k, *want = cases[i].hidden + k;
+            if (fabs(got->t0 - want->t0) > 1e-15 || fabs(got->t1 - want->t1) > 1e-15)
+                fail_msg("%s: [%.17g, %.17g]", cases[i].name, got->t0, got->t1);
+        }
+        oracle_free(&result);
+        roberts_mesh_free(&mesh);
+    }
+}
+
+/* What a slack means: an edge in the plane of a face may be hidden or not, one that pierces it only near there. */
+static void test_slack(void **state)
+{
+    static const struct {
+        const char *name;
+        roberts_vec3 p[4];
+        double sure, maybe;
+    } slack_cases[] = {
+        {"in the plane of the face", {{-1, 0.5, 1}, {2, 0.5, 1}, {0, 0.4, -2}, {0, 0.6, -2}}, 0, 1.0 / 3},
+        {"a little below it", {{-1, 0.5, 1 - 1e-3}, {2, 0.5, 1 - 1e-3}, {0, 0.4, -2}, {0, 0.6, -2}}, 1.0 / 3, 1.0 / 3},
+        {"a little above it", {{-1, 0.5, 1 + 1e-3}, {2, 0.5, 1 + 1e-3}, {0, 0.4, -2}, {0, 0.6, -2}}, 0, 0},
+        {"along the border", {{-1, 0, -1}, {2, 0, -1}, {0, -0.1, -2}, {0, 0.1, -2}}, 0, 1.0 / 3},
+        {"pierces it", {{0.25, 0.5, 0}, {0.75, 0.5, 2}, {0, 0.4, -2}, {0, 0.6, -2}}, 0.5, 0.5},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof slack_cases / sizeof *slack_cases; i++) {
+        roberts_mesh mesh = {0};
+        oracle_result result;
+        oracle_options options = {1e-9, false};
+        oracle_view view = TOP;
+        oracle_interval all = {0, 1};
+        const oracle_edge *e;
+        add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
+        add_tetrahedron(&mesh, slack_cases[i].p);
+        assert_true(oracle_run(&mesh, &view, &options, &result));
+        for (e = result.edge; e->v0 != 8 || e->v1 != 9; e++)
+            assert_true(e < result.edge + result.edge_count);
+        double sure = 1 - judge_outside(&all, 1, result.interval + e->sure, e->sure_count);
+        double maybe = 1 - judge_outside(&all, 1, result.interval + e->maybe, e->maybe_count);
+        if (fabs(sure - slack_cases[i].sure) > 2e-8 || fabs(maybe - slack_cases[i].maybe) > 2e-8 || sure > maybe)
+            fail_msg("%s: sure %.17g, maybe %.17g", slack_cases[i].name, sure, maybe);
+        oracle_free(&result);
+        roberts_mesh_free(&mesh);
+    }
+}
+
+static void test_refusals(void **state)
+{
+    static const roberts_vec3 flat[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    static const uint32_t open_face[] = {0, 1, 2};
+    roberts_mesh mesh = {0};
+    oracle_result result;
+    oracle_view view = TOP, within = {0.5, 0.5, 1.5, 1};
+    (void)state;
+    add_tetrahedron(&mesh, flat);
+    assert_false(oracle_run(&mesh, &view, NULL, &result));
+    assert_string_not_equal(result.error, "");
+    roberts_mesh_free(&mesh);
+    add_solid(&mesh, flat, 4, open_face, 1, 3);
+    assert_false(oracle_run(&mesh, &view, NULL, &result));
+    roberts_mesh_free(&mesh);
+    add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
+    add_box(&mesh, (roberts_vec3){0, 0, 2}, (roberts_vec3){1, 1, 3});
+    assert_false(oracle_run(&mesh, &within, NULL, &result));
+    roberts_mesh_free(&mesh);
+}
+
+/* ---- the oracle against itself --------------------------------------------------------------------------------------------- */
+
+/* Intervals of doubles tried first, or rational numbers throughout: the same answers, ends to 1e-14. */
+static void test_filter(void **state)
+{
+    (void)state;
+    for (size_t f = 0; f < scene_family_count(); f++) {
+        test_scene scene;
+        oracle_result fast, slow;
+        assert_true(scene_make(scene_family_name(f), 1, &scene));
+        oracle_options options = {scene.slack, false}, exact = {scene.slack, true};
+        assert_true(oracle_run(&scene.mesh, &scene.view, &options, &fast));
+        assert_true(oracle_run(&scene.mesh, &scene.view, &exact, &slow));
+        assert_int_equal(fast.edge_count, slow.edge_count);
+        assert_int_equal(fast.interval_count, slow.interval_count);
+        for (size_t i = 0; i < fast.edge_count; i++)
+            if (fast.edge[i].survives != slow.edge[i].survives || fast.edge[i].maybe != slow.edge[i].maybe)
+                fail_msg("%s: edge %zu", scene_family_name(f), i);
+        for (size_t i = 0; i < fast.interval_count; i++)
+            if (fabs(fast.interval[i].t0 - slow.interval[i].t0) > 1.1e-14 ||
+                fabs(fast.interval[i].t1 - slow.interval[i].t1) > 1.1e-14)
+                fail_msg("%s: interval %zu", scene_family_name(f), i);
+        oracle_free(&fast);
+        oracle_free(&slow);
+        test_scene_free(&scene);
+    }
+}
+
+static bool within(const oracle_interval *list, size_t count, double t)
+{
+    for (size_t i = 0; i < count; i++)
+        if (list[i].t0 <= t && t <= list[i].t1)
+            return true;
+    return false;
+}
+
+/* Random points of random edges: a ray cast by the definition says what the intervals say. */
+static void test_rays(void **state)
+{
+    size_t points = 0, hidden = 0;
+    uint64_t random = 1;
+    (void)state;
+    for (size_t f = 0; f < scene_family_count(); f++)
+        for (uint64_t seed = 100; seed < 102; seed++) {
+            test_scene scene;
+            oracle_result result;
+            assert_true(scene_make(scene_family_name(f), seed, &scene));
+            assert_true(oracle_run(&scene.mesh, &scene.view, NULL, &result));
+            for (size_t k = 0; k < 12; k++) {
+                random = random * 6364136223846793005u + 1442695040888963407u;
+                const oracle_edge *e = result.edge + (random >> 33) % result.edge_count;
+                double t = (double)(random >> 11 & 0xffffff) / 0x1000000;
+                if (e->survives != ORACLE_YES)
+                    continue;
+                bool ray = oracle_point_hidden(&scene.mesh, result.vertex_solid, &scene.view, e->v0, e->v1, t, NULL);
+                if (ray != within(result.interval + e->sure, e->sure_count, t))
+                    fail_msg("%s-%u: edge %u-%u at %.17g: the ray says %s", scene_family_name(f), (unsigned)seed, e->v0,
+                             e->v1, t, ray ? "hidden" : "visible");
+                points++;
+                hidden += ray;
+            }
+            oracle_free(&result);
+            test_scene_free(&scene);
+        }
+    print_message("note: %zu points, %zu of them hidden\n", points, hidden);
+    assert_true(hidden > points / 10 && hidden < points - points / 10); /* or it would show nothing */
+}
+
+/* ---- the program against the oracle ----------------------------------------------------------------------------------------- */
+
+enum { EDGES_WANTED = 50000 };
+
+static void test_program(void **state)
+{
+    judge_total total = {0};
+    (void)state;
+    for (uint64_t seed = 1; total.edges < EDGES_WANTED && total.disagreements < 100; seed++)
+        for (size_t f = 0; f < scene_family_count() && total.edges < EDGES_WANTED; f++) {
+            char name[100];
+            test_scene scene;
+            snprintf(name, sizeof name, "%s-%u", scene_family_name(f), (unsigned)seed);
+            assert_true(scene_make(scene_family_name(f), seed, &scene));
+            judge_scene(name, &scene, build_folder(), &total, stderr);
+            test_scene_free(&scene);
+        }
+    print_message(
+        "note: %zu edges of %zu scenes compared with the exact oracle: %zu disagreements; not judged: %.5g edges\n",
+        total.edges, total.scenes, total.disagreements, total.unjudged);
+    assert_true(total.cut > total.edges / 20); /* scenes in which little is cut would show little */
+    assert_int_equal(total.disagreements, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_by_hand), cmocka_unit_test(test_slack), cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_filter),  cmocka_unit_test(test_rays),  cmocka_unit_test(test_program),
+    };
+    return cmocka_run_group_tests_name("oracle", tests, NULL, NULL);
+}
