@@ -39,6 +39,6 @@ const char help_text[] =
     "Examples\n"
     "  roberts models/table.off -o table.svg\n"
     "  roberts --dir 3,-6,4 --hidden dashed models/table.off -o table.pdf\n"
-    "  roberts --eye 8,-12,7 --look-at 0,0,1 models/table.off >table.svg\n"
+    "  roberts --eye 70,-60,60 models/table.off >table.svg\n"
     "  roberts --view top -f csv --hidden solid - <models/table.off >table.csv\n"
     "  roberts -f null --stats models/table.off\n";

@@ -40,10 +40,12 @@ const char *nearest_word(const char *word, const char *const *words, size_t coun
     const char *best = NULL;
     size_t length = strlen(word), best_distance = FAR;
     for (size_t i = 0; i < count; i++) {
-        /* What is the beginning of a word means that word; else a third of the letters may be wrong. */
-        bool begins = length >= 2 && strncmp(words[i], word, length) == 0;
+        /* What is the beginning of a word means that word, and "isometric" means iso; else a third of the letters may
+         * be wrong. */
+        size_t shorter = least(length, strlen(words[i]));
+        bool begins = shorter >= 2 && strncmp(words[i], word, shorter) == 0;
         size_t d = begins ? 0 : distance(word, words[i]);
-        if (d < best_distance && (begins || 3 * d <= least(length, strlen(words[i])) + 1)) {
+        if (d < best_distance && (begins || 3 * d <= shorter + 1)) {
             best = words[i];
             best_distance = d;
         }

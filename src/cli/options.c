@@ -81,11 +81,10 @@ static int unknown_word(const char *what, const char *word, const char *const *w
     const char *meant = nearest_word(word, words, count);
     if (meant)
         return message_misuse("%s: \"%s\" is unknown; did you mean %s?", what, word, meant);
-    fprintf(stderr, "roberts: %s: \"%s\" is unknown; there are", what, word);
-    for (size_t i = 0; i < count; i++)
-        fprintf(stderr, "%s %s", i ? "," : "", words[i]);
-    fputs("\n", stderr);
-    return EXIT_MISUSED;
+    char list[128] = ""; /* more than all names of any option */
+    for (size_t i = 0, used = 0; i < count && used < sizeof list; i++)
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", words[i]);
+    return message_misuse("%s: \"%s\" is unknown; it can be %s", what, word, list);
 }
 
 static int set_format(cli_options *options, const char *value)

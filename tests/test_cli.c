@@ -1,0 +1,521 @@
+/* The program from outside: exit status, messages, files. Runs $ROBERTS_BUILD/roberts from the top folder. */
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+enum { ARGUMENTS = 16, TEXT = 65536, CLOSED = -2 };
+
+static char top[2048], program[4096], folder[64]; /* the source's top folder; the program; of the test that runs */
+
+/* What a run left: exit status, or 1000 + signal; the beginnings of its two streams. */
+typedef struct result {
+    int status;
+    char out[TEXT], err[TEXT];
+} result;
+
+static result last;
+
+static void read_text(const char *path, char text[TEXT])
+{
+    int descriptor = open(path, O_RDONLY);
+    ssize_t size = descriptor < 0 ? 0 : read(descriptor, text, TEXT - 1);
+    text[size > 0 ? size : 0] = '\0';
+    if (descriptor >= 0)
+        close(descriptor);
+}
+
+static int open_stream(const char *path, int flags)
+{
+    return open(path, flags | O_CREAT, 0600);
+}
+
+static void put(const char *path, const char *text)
+{
+    int descriptor = open_stream(path, O_WRONLY | O_TRUNC);
+    assert_int_equal(write(descriptor, text, strlen(text)), strlen(text));
+    close(descriptor);
+}
+
+/* Starts the program with the words of `line` as its arguments. `out`: its standard output, -1 for the file "out". */
+static pid_t start(const char *line, const char *in, int out)
+{
+    static char words[4096];
+    char *argv[ARGUMENTS + 1] = {program};
+    int count = 1;
+    snprintf(words, sizeof words, "%s", line);
+    for (char *word = strtok(words, " "); word && count < ARGUMENTS; word = strtok(NULL, " "))
+        argv[count++] = word;
+    fflush(stdout);
+    pid_t child = fork();
+    if (child != 0)
+        return child;
+    signal(SIGPIPE, SIG_DFL);
+    dup2(open_stream(in ? in : "/dev/null", O_RDONLY), STDIN_FILENO);
+    dup2(open_stream("err", O_WRONLY | O_TRUNC), STDERR_FILENO);
+    if (out == CLOSED)
+        close(STDOUT_FILENO);
+    else
+        dup2(out >= 0 ? out : open_stream("out", O_WRONLY | O_TRUNC), STDOUT_FILENO);
+    for (int i = 3; i < 64; i++)
+        close(i);
+    execv(program, argv);
+    _exit(127);
+}
+
+static void finish(pid_t child)
+{
+    int status;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    last.status = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+    read_text("out", last.out);
+    read_text("err", last.err);
+}
+
+static int run(const char *line)
+{
+    finish(start(line, NULL, -1));
+    return last.status;
+}
+
+static int run_into(const char *line, const char *device)
+{
+    int out = open(device, O_WRONLY);
+    assert_true(out >= 0);
+    finish(start(line, NULL, out));
+    close(out);
+    return last.status;
+}
+
+static void assert_said(const char *text)
+{
+    if (strstr(last.err, text) == NULL)
+        fail_msg("said: %s\nnot: %s", last.err, text);
+}
+
+/* Each test has a folder of its own, with a link to models/. */
+static int enter_folder(void **state)
+{
+    char models[4096];
+    (void)state;
+    snprintf(models, sizeof models, "%s/models", top);
+    strcpy(folder, "/tmp/roberts-cli-XXXXXX");
+    return mkdtemp(folder) && chdir(folder) == 0 && mkdir("in", 0777) == 0 ? symlink(models, "models") : -1;
+}
+
+static int entries(const char *path, bool clear)
+{
+    int count = 0;
+    DIR *directory = opendir(path);
+    struct dirent *entry;
+    char name[600];
+    while (directory && (entry = readdir(directory))) {
+        if (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0)
+            continue;
+        count++;
+        snprintf(name, sizeof name, "%s/%s", path, entry->d_name);
+        if (clear)
+            unlink(name);
+    }
+    if (directory)
+        closedir(directory);
+    return count;
+}
+
+static int leave_folder(void **state)
+{
+    (void)state;
+    entries("in", true);
+    rmdir("in");
+    entries(".", true);
+    return chdir(top) == 0 && rmdir(folder) == 0 ? 0 : -1;
+}
+
+/* ---- misuse ---- */
+
+static const struct {
+    const char *arguments, *said;
+} misuse_cases[] = {
+    {"--hiden dashed", "--hiden is unknown; did you mean --hidden?"},
+    {"--lookat 1,2,3", "--lookat is unknown; did you mean --look-at?"},
+    {"--al", "--al is unknown; did you mean --all-edges?"},
+    {"--frobnicate", "--frobnicate is unknown\n"},
+    {"-x", "-x is unknown"},
+    {"-qx", "-x is unknown"},
+    {"--hidden dotted", "--hidden: \"dotted\" is unknown; it can be none, dashed, solid"},
+    {"--hidden dahsed", "did you mean dashed?"},
+    {"--view isometric", "--view: \"isometric\" is unknown; did you mean iso?"},
+    {"--view buttom", "did you mean bottom?"},
+    {"-f svgz", "--format: \"svgz\" is unknown; did you mean svg?"},
+    {"--stats=xml", "--stats: \"xml\" is unknown"},
+    {"--stats=", "--stats: \"\" is unknown"},
+    {"--dir 1,2", "--dir: \"1,2\" is not X,Y,Z"},
+    {"--dir 1,2,x", "--dir: \"1,2,x\" is not X,Y,Z"},
+    {"--dir 1,2,3,4", "--dir: \"1,2,3,4\" is not X,Y,Z"},
+    {"--dir 1;2;3", "is not X,Y,Z"},
+    {"--dir 1,,3", "is not X,Y,Z"},
+    {"--dir=", "--dir: \"\" is not X,Y,Z"},
+    {"--dir 1,2,nan", "is not X,Y,Z"},
+    {"--dir 1,2,0x3", "is not X,Y,Z"},
+    {"--dir 1,2,1e999", "is not X,Y,Z"},
+    {"--dir 1,2,e3", "is not X,Y,Z"},
+    {"--dir 0,0,0", "--dir: 0,0,0 is no direction"},
+    {"--up 0,-0,0", "--up: 0,0,0 is no direction"},
+    {"--eye 1,2", "--eye: \"1,2\" is not X,Y,Z"},
+    {"--dir 1,2,3 --eye 1,2,3", "--dir and --eye exclude each other"},
+    {"--eye 1,2,3 --view top", "--view and --eye exclude each other"},
+    {"--view top --dir 1,2,3", "--dir and --view exclude each other"},
+    {"--dir 1,2,3 --look-at 1,2,3", "--dir and --look-at exclude each other"},
+    {"--look-at 1,2,3", "--look-at needs --eye"},
+    {"--crease 1 --all-edges", "--crease and --all-edges exclude each other"},
+    {"--crease 1,5", "--crease: \"1,5\" is not a number"},
+    {"--crease -1", "--crease: -1 is not in 0..180"},
+    {"--crease 181", "--crease: 181 is not in 0..180"},
+    {"--epsilon nan", "--epsilon: \"nan\" is not a number"},
+    {"--epsilon -1", "--epsilon: -1 is not in"},
+    {"--tolerance 2", "--tolerance: 2 is not in 0..1"},
+    {"--grid -1", "--grid: \"-1\" is not a whole number"},
+    {"--grid 1.5", "--grid: \"1.5\" is not a whole number"},
+    {"--threads 4294967296", "--threads: \"4294967296\" is not a whole number"},
+    {"--threads=", "--threads: \"\" is not a whole number"},
+    {"--quiet=1", "--quiet takes no value"},
+    {"-o", "-o needs a value"},
+    {"--format", "--format needs a value"},
+    {"--output=", "--output: the name is empty"},
+    {"-o a.dxf models/table.off", "a.dxf: no format is known by this ending; say which with -f"},
+    {"- -", "standard input (-) can be read only once"},
+};
+
+static void misuse(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof misuse_cases / sizeof misuse_cases[0]; i++) {
+        print_message("roberts %s\n", misuse_cases[i].arguments);
+        assert_int_equal(run(misuse_cases[i].arguments), 2);
+        assert_int_equal(strncmp(last.err, "roberts: ", 9), 0);
+        assert_said(misuse_cases[i].said);
+        assert_said("roberts --help");
+        assert_string_equal(last.out, "");
+    }
+    assert_int_equal(access("a.dxf", F_OK), -1);
+}
+
+/* ---- input that fails ---- */
+
+static void failing_input(void **state)
+{
+    (void)state;
+    assert_int_equal(run("missing.off"), 1);
+    assert_string_equal(last.err, "roberts: missing.off: No such file or directory\n");
+    assert_int_equal(run("models/table.off missing.off -o in/a.svg"), 1);
+    assert_int_equal(run("in -o in/a.svg"), 1);
+    assert_said("Is a directory\n");
+    assert_int_equal(run("/dev/null -o in/a.svg"), 1);
+    assert_said("roberts: /dev/null:1: ");
+    put("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n");
+    assert_int_equal(run("bad.off -o in/a.svg"), 1);
+    assert_said("roberts: bad.off:6: ");
+    assert_int_equal(entries("in", false), 0);
+    assert_string_equal(last.out, "");
+}
+
+/* ---- output ---- */
+
+static void output_goes_where_it_should(void **state)
+{
+    static char text[TEXT];
+    (void)state;
+    assert_int_equal(run("models/platonic/cube.off"), 0);
+    assert_int_equal(strncmp(last.out, "<?xml", 5), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("models/platonic/cube.off -o in/a.svg"), 0);
+    assert_string_equal(last.out, "");
+    read_text("in/a.svg", text);
+    assert_int_equal(run("-o - -- models/platonic/cube.off"), 0);
+    assert_string_equal(last.out, text);
+    assert_int_equal(run("-qoin/b.svg models/platonic/cube.off"), 0);
+    read_text("in/b.svg", last.out);
+    assert_string_equal(last.out, text);
+    finish(start("--view=iso", "models/platonic/cube.off", -1));
+    assert_int_equal(last.status, 0);
+    assert_string_equal(last.out, text);
+    finish(start("--view iso - --up 0,0,2", "models/platonic/cube.off", -1));
+    assert_string_equal(last.out, text);
+    assert_int_equal(run("models/platonic/cube.off -o in/a.csv"), 0);
+    read_text("in/a.csv", text);
+    assert_int_equal(strncmp(text, "solid,v0,v1,t0,t1,state,x0,y0,x1,y1,by\n0,", 41), 0);
+    assert_int_equal(run("models/platonic/cube.off -f csv -o in/a.svg"), 0); /* -f goes before the ending */
+    read_text("in/a.svg", last.out);
+    assert_string_equal(last.out, text);
+    assert_int_equal(run("models/platonic/cube.off -f null -o in/c.svg"), 0);
+    assert_int_equal(access("in/c.svg", F_OK), -1);
+    assert_int_equal(entries("in", false), 3);
+}
+
+static int count_rows(const char *state)
+{
+    int count = 0;
+    for (const char *at = last.out; (at = strstr(at, state)); at++)
+        count++;
+    return count;
+}
+
+static void options_reach_the_library(void **state)
+{
+    static char text[TEXT];
+    (void)state;
+    assert_int_equal(run("-f csv models/platonic/cube.off"), 0);
+    assert_int_equal(count_rows(",visible,"), 9);
+    assert_int_equal(count_rows(",hidden,"), 0);
+    assert_int_equal(run("-f csv --hidden solid models/platonic/cube.off"), 0);
+    assert_int_equal(count_rows(",hidden,"), 3);
+    assert_int_equal(run("-f csv --view top models/platonic/cube.off"), 0);
+    assert_int_equal(count_rows(",visible,"), 4);
+    strcpy(text, last.out);
+    assert_int_equal(run("-f csv --dir 0,0,7 models/platonic/cube.off"), 0);
+    assert_string_equal(last.out, text);
+    assert_int_equal(run("-f csv --view top --view front models/platonic/cube.off"), 0); /* the last counts */
+    assert_string_not_equal(last.out, text);
+    assert_int_equal(run("-f csv --dir -1,-2,-3 models/platonic/cube.off"), 0);
+    assert_int_equal(count_rows(",visible,"), 9);
+    assert_int_equal(run("-f csv --eye 0,0,50 models/platonic/cube.off"), 0);
+    assert_int_equal(count_rows(",visible,"), 4);
+    assert_string_not_equal(last.out, text);
+    assert_int_equal(run("-f csv --eye 0,0,50 --look-at 50,50,49 models/platonic/cube.off"), 1);
+    assert_int_equal(run("-f csv --crease 80 models/platonic/cube.off"), 0);
+    assert_int_equal(count_rows(",visible,"), 9);
+    assert_int_equal(run("-f csv --crease 100 models/platonic/cube.off"), 0);
+    assert_int_equal(count_rows(",visible,"), 6);
+    assert_int_equal(run("-f csv --view top --up 1,0,0 models/platonic/cube.off"), 0);
+    assert_string_not_equal(last.out, text);
+    assert_int_equal(run("models/platonic/cube.off models/platonic/cube.off -f csv --hidden solid"), 0);
+    assert_int_equal(count_rows("\n1,"), 12);
+    assert_int_equal(run("-f csv --epsilon 1e300 models/platonic/cube.off"), 2);
+}
+
+static void outputs_that_fail(void **state)
+{
+    (void)state;
+    assert_int_equal(run_into("models/table.off", "/dev/full"), 1);
+    assert_string_equal(last.err, "roberts: standard output: cannot write: No space left on device\n");
+    assert_int_equal(run_into("--help", "/dev/full"), 1);
+    assert_said("No space left on device");
+    assert_int_equal(run("models/table.off -o /dev/full -f svg"), 1);
+    assert_string_equal(last.err, "roberts: /dev/full: cannot write: No space left on device\n");
+    assert_int_equal(run("models/table.off -o missing/a.svg"), 1);
+    assert_string_equal(last.err, "roberts: missing/a.svg: cannot write: No such file or directory\n");
+    assert_int_equal(run("models/table.off -o in -f svg"), 1);
+    assert_string_equal(last.err, "roberts: in: cannot write: Is a directory\n");
+    finish(start("models/table.off", NULL, CLOSED));
+    assert_int_equal(last.status, 1);
+    assert_said("roberts: standard output: cannot write: Bad file descriptor\n");
+    assert_int_equal(entries("in", false), 0);
+}
+
+static void closed_pipe_is_an_error(void **state)
+{
+    int ends[2];
+    (void)state;
+    assert_int_equal(pipe(ends), 0);
+    close(ends[0]);
+    finish(start("models/table.off", NULL, ends[1]));
+    close(ends[1]);
+    assert_int_equal(last.status, 1);
+    assert_string_equal(last.err, "roberts: standard output: cannot write: Broken pipe\n");
+}
+
+static void standard_output_by_name(void **state)
+{
+    static char text[TEXT];
+    (void)state;
+    assert_int_equal(run("models/platonic/cube.off"), 0);
+    strcpy(text, last.out);
+    int out = open_stream("out", O_WRONLY | O_TRUNC);
+    assert_int_equal(write(out, "before\n", 7), 7);
+    finish(start("models/platonic/cube.off -o /dev/stdout", NULL, out));
+    close(out);
+    assert_int_equal(last.status, 0);
+    assert_int_equal(strncmp(last.out, "before\n", 7), 0);
+    assert_string_equal(last.out + 7, text);
+}
+
+/* ---- what it tells ---- */
+
+static void tells_version_and_help(void **state)
+{
+    (void)state;
+    assert_int_equal(run("--version"), 0);
+    assert_int_equal(strncmp(last.out, "roberts 0.", 10), 0);
+    assert_int_equal(run("-h"), 0);
+    assert_int_equal(strncmp(last.out, "Usage: roberts ", 15), 0);
+    for (char *line = strtok(last.out, "\n"); line; line = strtok(NULL, "\n"))
+        assert_true(strlen(line) <= 120);
+}
+
+/* Every line of the help's examples, as a shell takes it. */
+static void examples_of_the_help_run(void **state)
+{
+    static char text[TEXT], command[8192];
+    int count = 0;
+    (void)state;
+    assert_int_equal(run("--help"), 0);
+    strcpy(text, last.out);
+    char *line = strstr(text, "\nExamples\n");
+    assert_non_null(line);
+    for (line = strtok(line + 10, "\n"); line; line = strtok(NULL, "\n"), count++) {
+        assert_int_equal(strncmp(line, "  roberts ", 10), 0);
+        snprintf(command, sizeof command, "%s %s 2>err", program, line + 10);
+        print_message("%s\n", line);
+        assert_int_equal(system(command), 0);
+        char *name = strstr(line, " table.") ? strstr(line, " table.") + 1 : strstr(line, ">table.");
+        if (name) {
+            read_text(name + (*name == '>'), last.out);
+            assert_true(strlen(last.out) > 100);
+            unlink(name + (*name == '>'));
+        }
+    }
+    assert_true(count >= 4);
+}
+
+static void statistics(void **state)
+{
+    (void)state;
+    assert_int_equal(run("-f null --stats models/platonic/cube.off"), 0);
+    assert_said("1  solids\n");
+    assert_said("12  edges\n");
+    assert_said("epsilon");
+    assert_said("  hide\n");
+    assert_int_equal(run("-f null -q --stats=json models/platonic/cube.off"), 0);
+    assert_int_equal(strncmp(last.err, "{\"version\":\"0.", 14), 0);
+    assert_string_equal(last.err + strlen(last.err) - 3, "}}\n");
+    assert_said("\"solids\":1,");
+    assert_said("\"segments\":9,");
+    assert_said("\"test1_visible\":");
+    assert_said("\"hide\":{\"cpu\":");
+    int depth = 0, quotes = 0;
+    for (const char *at = last.err; *at; at++) {
+        depth += (*at == '{') - (*at == '}');
+        quotes += *at == '"';
+        assert_true(depth > 0 || strcmp(at, "}\n") == 0 || *at == '\n');
+    }
+    assert_true(depth == 0 && quotes % 2 == 0);
+}
+
+static void warnings_can_be_silenced(void **state)
+{
+    (void)state;
+    put("w.off", "OFF\n4 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n1 0\n2 0 1\n");
+    assert_int_equal(run("w.off"), 0);
+    assert_said("roberts: w.off:");
+    assert_said("warning: ");
+    assert_int_equal(run("--quiet w.off"), 0);
+    assert_string_equal(last.err, "");
+}
+
+/* ---- interrupted ---- */
+
+/* A flat field of cubes: large enough for the drawing to take a while. */
+static void write_field(const char *path, int side)
+{
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fprintf(file, "OFF\n%d %d 0\n", side * side * 8, side * side * 6);
+    for (int i = 0; i < side * side * 8; i++)
+        fprintf(file, "%d %d %d\n", i / 8 % side * 2 + i % 2, i / 8 / side * 2 + i / 2 % 2, i / 4 % 2);
+    for (int i = 0; i < side * side; i++) {
+        static const int corner[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                         {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+        for (int f = 0; f < 6; f++)
+            fprintf(file, "4 %d %d %d %d\n", 8 * i + corner[f][0], 8 * i + corner[f][1], 8 * i + corner[f][2],
+                    8 * i + corner[f][3]);
+    }
+    fclose(file);
+}
+
+/* Interrupts while the unfinished file is there; false where the program was faster. */
+static bool interrupted(int number)
+{
+    const struct timespec moment = {0, 200000};
+    pid_t child = start("field.off --hidden solid -o in/a.json", NULL, -1);
+    bool seen = false;
+    for (int i = 0; i < 100000 && !seen; i++) {
+        seen = entries("in", false) == 2; /* the old file and the unfinished one */
+        if (!seen && waitpid(child, NULL, WNOHANG) == child)
+            return false;
+        nanosleep(&moment, NULL);
+    }
+    kill(child, number);
+    finish(child);
+    return seen && last.status == 1000 + number;
+}
+
+static void interruption_leaves_no_partial_file(void **state)
+{
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    (void)state;
+    write_field("field.off", 100);
+    for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
+        bool done = false;
+        for (int attempt = 0; attempt < 10 && !done; attempt++) {
+            put("in/a.json", "old");
+            done = interrupted(signals[i]);
+            assert_int_equal(entries("in", false), 1);
+        }
+        assert_true(done);
+        read_text("in/a.json", last.out);
+        assert_string_equal(last.out, "old");
+    }
+}
+
+static void locale_changes_nothing(void **state)
+{
+    static char text[TEXT];
+    (void)state;
+    assert_int_equal(run("--dir 0.5,-0.25,0.125 models/platonic/cube.off --stats"), 0);
+    strcpy(text, last.out);
+    setenv("LC_ALL", "de_DE.UTF-8", 1);
+    assert_int_equal(run("--dir 0.5,-0.25,0.125 models/platonic/cube.off --stats"), 0);
+    unsetenv("LC_ALL");
+    assert_string_equal(last.out, text);
+}
+
+#define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)
+
+int main(void)
+{
+    const char *build = getenv("ROBERTS_BUILD");
+    if (!build)
+        build = "build";
+    if (!getcwd(top, sizeof top))
+        return 1;
+    snprintf(program, sizeof program, "%s%s%s/roberts", build[0] == '/' ? "" : top, build[0] == '/' ? "" : "/", build);
+    const struct CMUnitTest tests[] = {
+        IN_FOLDER(misuse),
+        IN_FOLDER(failing_input),
+        IN_FOLDER(output_goes_where_it_should),
+        IN_FOLDER(options_reach_the_library),
+        IN_FOLDER(outputs_that_fail),
+        IN_FOLDER(closed_pipe_is_an_error),
+        IN_FOLDER(standard_output_by_name),
+        IN_FOLDER(tells_version_and_help),
+        IN_FOLDER(examples_of_the_help_run),
+        IN_FOLDER(statistics),
+        IN_FOLDER(warnings_can_be_silenced),
+        IN_FOLDER(interruption_leaves_no_partial_file),
+        IN_FOLDER(locale_changes_nothing),
+    };
+    return cmocka_run_group_tests_name("cli", tests, NULL, NULL);
+}
