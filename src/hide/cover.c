@@ -76,3 +76,32 @@ bool cover_hides(const cover *c, const hide_box *box)
     }
     return true;
 }
+
+/* Column by column, as scan.c walks a polygon's side: in each the rows that AB has there, and its nearest depth. */
+bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
+{
+    const scan_frame *f = &c->frame;
+    if (!c->depth)
+        return false;
+    double m = f->margin, run = B.x - A.x;
+    double low = lesser(A.y, B.y) - m, high = greater(A.y, B.y) + m, near = greater(A.z, B.z) + m;
+    uint32_t first = scan_column(f, lesser(A.x, B.x) - m), last = scan_column(f, greater(A.x, B.x) + m);
+    bool steep = first == last || fabs(run) <= 4.0 * m;
+    double slope = steep ? 0.0 : (B.y - A.y) / run, incline = steep ? 0.0 : (B.z - A.z) / run;
+    for (uint32_t i = first; i <= last; i++) {
+        double y0 = low, y1 = high, z = near;
+        if (!steep) {
+            double from = f->x0 + i * f->dx - m - A.x, to = from + f->dx + 2.0 * m;
+            double ya = A.y + from * slope, yb = A.y + to * slope;
+            y0 = greater(low, lesser(ya, yb) - m);
+            y1 = lesser(high, greater(ya, yb) + m);
+            z = lesser(near, A.z + greater(from * incline, to * incline) + m);
+        }
+        const float *cell = c->depth + (size_t)i * f->n;
+        uint32_t end = scan_row(f, y1);
+        for (uint32_t j = scan_row(f, y0); j <= end; j++)
+            if (!((double)cell[j] > z))
+                return false;
+    }
+    return true;
+}

@@ -29,4 +29,7 @@ void cover_add(cover *c, const roberts_vec3 *P, const uint32_t *corner, uint32_t
 /* Lies all of the box certainly behind covers? */
 bool cover_hides(const cover *c, const hide_box *box);
 
+/* Lies all of AB certainly behind covers? */
+bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B);
+
 #endif

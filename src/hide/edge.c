@@ -74,17 +74,19 @@ static bool meet(hide_worker *w, hide_line *line, const hide_front *front)
     if (part.t0 == 0.0 && part.t1 == 1.0) {
         line->hidden = true;
         line->parts.count = 0;
+        w->live--;
     }
     size_t slot = SIZE_MAX;
     return hide_parts_add(&line->parts, front->solid, part, &slot);
 }
 
-/* The lines first..end-1, all within `box` (but for depth, of which `far` is the farthest), against one cell's fronts. */
+/* The lines first..end-1, all within `box` (but for depth, of which `far` is the farthest), against one cell's fronts,
+ * as long as one of them is not wholly hidden. */
 static bool meet_cell(hide_worker *w, uint32_t solid, size_t first, size_t end, const hide_box *box, uint32_t cell,
                       double far)
 {
     const objet *grid = w->grid;
-    for (uint32_t k = grid->start[cell]; k < grid->start[cell + 1]; k++) {
+    for (uint32_t k = grid->start[cell]; w->live && k < grid->start[cell + 1]; k++) {
         uint32_t index = grid->front[k];
         const hide_box *other = &w->picture->front_box[index];
         if ((double)other->z1 < far)
@@ -118,10 +120,11 @@ static bool run_alone(hide_worker *w, uint32_t solid, size_t index)
     double m = hide_margin(&w->picture->space);
     if (w->line[index].hidden)
         return true;
+    w->live = 1;
     next_stamp(w);
     if (!objet_cells(w->grid, e->A, e->B, &w->walk))
         return false;
-    for (size_t i = 0; i < w->walk.count && !w->line[index].hidden; i++) {
+    for (size_t i = 0; w->live && i < w->walk.count; i++) {
         objet_stretch s = w->walk.item[i];
         double far = lesser(hide_edge_at(e, s.t0).z, hide_edge_at(e, s.t1).z) - m;
         if (!meet_cell(w, solid, index, index + 1, &w->line[index].box, s.cell, far))
@@ -136,8 +139,11 @@ static bool run_together(hide_worker *w, uint32_t solid, const hide_box *box)
     const scan_frame *f = &w->grid->frame;
     uint32_t last = scan_column(f, (double)box->x1), low = scan_row(f, (double)box->y0);
     uint32_t high = scan_row(f, (double)box->y1);
+    w->live = 0;
+    for (size_t i = 0; i < w->line_count; i++)
+        w->live += !w->line[i].hidden;
     next_stamp(w);
-    for (uint32_t i = scan_column(f, (double)box->x0); i <= last; i++)
+    for (uint32_t i = scan_column(f, (double)box->x0); w->live && i <= last; i++)
         for (uint32_t j = low; j <= high; j++)
             if (!meet_cell(w, solid, 0, w->line_count, box, i * f->n + j, (double)box->z0))
                 return false;
@@ -158,7 +164,7 @@ static void join_box(hide_box *all, const hide_box *box)
 static void drop_covered(hide_worker *w)
 {
     for (size_t i = 0; i < w->line_count; i++)
-        if (cover_hides(&w->picture->cover, &w->line[i].box)) {
+        if (!w->line[i].hidden && cover_hides_edge(&w->picture->cover, w->line[i].e.A, w->line[i].e.B)) {
             size_t slot = SIZE_MAX;
             w->line[i].hidden = hide_parts_add(&w->line[i].parts, ROBERTS_NONE, (hide_part){0.0, 1.0, 0.0, 0.0}, &slot);
             w->tally.covered += w->line[i].hidden;

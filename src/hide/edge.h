@@ -23,6 +23,7 @@ typedef struct hide_worker {
     objet_walk walk;
     hide_line *line; /* [line_count] the edges at work, all of one solid; those beyond keep their memory */
     size_t line_count, line_room;
+    size_t live;    /* lines of the group at work that are not wholly hidden */
     uint32_t *seen; /* [front_count] the last group of edges that met the front */
     uint32_t stamp; /* of the group at work */
     roberts_tally tally;

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
 #include "base/error.h"
@@ -13,7 +14,7 @@
 /* Mean number of boxes over a point of the picture from which covers pay. In flat scenes they cost a little. */
 #define COVER_DEPTH 2.5
 /* Width of a cover's cell in mean boxes. */
-#define BOXES_PER_COVER_CELL 0.1
+#define BOXES_PER_COVER_CELL 0.08
 #define COVER_CELLS_MOST 8192.0
 /* From this many cells (four mean boxes) across, a cover's depth is taken cell by cell and not once for all of it. */
 #define COVER_WIDE (4.0 / BOXES_PER_COVER_CELL)
@@ -226,7 +227,7 @@ static uint32_t choose_cover(const hide_picture *picture)
     if (!(area > COVER_DEPTH * width * height) || !(width > 0.0) || !(height > 0.0))
         return 0;
     double n = count * (width + height) / (size * BOXES_PER_COVER_CELL);
-    return (uint32_t)greater(1.0, lesser(n, lesser(COVER_CELLS_MOST, 64.0 + 40.0 * sqrt(count))));
+    return (uint32_t)greater(1.0, lesser(n, lesser(COVER_CELLS_MOST, 256.0 + 4.0 * sqrt(count))));
 }
 
 static bool order_solids(build *b)
@@ -235,6 +236,36 @@ static bool order_solids(build *b)
     for (uint32_t s = 0; s < picture->scene->solid_count; s++)
         b->key[s] = radix_key_descending(picture->box[s].z1);
     return radix_order(b->key, picture->scene->solid_count, b->order);
+}
+
+/* Do the two fronts, of different solids, show the very same faces? Then each hides what the other hides, and neither
+ * anything of the other. */
+static bool same_front(const hide_picture *picture, uint32_t a, uint32_t b)
+{
+    const hide_front *f = &picture->front[a], *g = &picture->front[b];
+    if (f->face_count != g->face_count || f->corners != g->corners || f->corners == 0 ||
+        memcmp(&picture->front_box[a], &picture->front_box[b], sizeof(hide_box)) != 0)
+        return false;
+    for (uint32_t i = 0; i < f->corners; i++) {
+        roberts_vec3 p = picture->P[picture->outline[f->outline + i]], q = picture->P[picture->outline[g->outline + i]];
+        if (p.x != q.x || p.y != q.y || p.z != q.z)
+            return false;
+    }
+    for (uint32_t i = 0; i < f->face_count; i++) {
+        plane F = picture->face[f->face + i].F, G = picture->face[g->face + i].F;
+        if (F.a != G.a || F.b != G.b || F.c != G.c || F.d != G.d ||
+            picture->face[f->face + i].touch != picture->face[g->face + i].touch)
+            return false;
+    }
+    return true;
+}
+
+/* Of copies of a solid at the same place one front is enough: else a thousand copies would cost a million comparisons.
+ * Copies share their nearest depth and so follow one another in the order; each is compared with the front that was
+ * kept last, which finds all but copies shuffled with other fronts of exactly that depth. */
+static bool is_copy(const hide_picture *picture, uint32_t kept, uint32_t front)
+{
+    return kept > 0 && same_front(picture, picture->order[kept - 1], front);
 }
 
 /* The fronts that count, nearest corner first. */
@@ -248,7 +279,7 @@ static bool order_fronts(build *b)
         key[i] = radix_key_descending(picture->front_box[i].z1);
     done = done && radix_order(key, picture->front_count, picture->order);
     for (uint32_t i = 0; done && i < picture->front_count; i++)
-        if (!picture->culled[picture->front[picture->order[i]].solid])
+        if (!picture->culled[picture->front[picture->order[i]].solid] && !is_copy(picture, kept, picture->order[i]))
             picture->order[kept++] = picture->order[i];
     picture->order_count = kept;
     free(key);

@@ -4,9 +4,9 @@
 
 #include "view/view.h"
 
-/* Accuracy to which parameters t along an edge are wanted: well under the 1e-9 that drawings are checked to. A crossing
+/* Accuracy to which parameters t along an edge are wanted: under the 1e-9 that drawings are checked to. A crossing
  * whose rounding could exceed it is computed again in twice the precision. No unit. */
-#define HIDE_T_ACCURACY 1e-11
+#define HIDE_T_ACCURACY 1e-10
 
 typedef struct hide_space {
     const roberts_vec3 *P;      /* view points of all vertices, by compact number */
