@@ -5,7 +5,8 @@
  * round the polygon, its components twice the areas of the three projections. Taken relative to the first corner, so
  * that nothing is lost far from the origin, and a face parallel to a coordinate plane gets an exact normal.
  *
- * The plane passes through the mean of the corners; three corners lie in theirs by construction. */
+ * The plane passes through the mean of the corners. Three corners lie in theirs up to rounding, which in a narrow triangle
+ * is worth knowing. */
 #include "model/face_plane.h"
 
 enum { PAIRS_UP_TO = 8 }; /* corners; up to so many, all pairs are measured for the greatest chord */
@@ -87,7 +88,6 @@ fitted_plane face_plane_fit(const roberts_vec3 *corner, uint32_t count)
     face.area = 0.5 * length;
     face.width =
         face.area / (count <= PAIRS_UP_TO ? chord_of_pairs(corner, count) : chord_of_extents(corner, count, face.n));
-    if (count > 3)
-        measure_deviation(&face, corner, count);
+    measure_deviation(&face, corner, count);
     return face;
 }

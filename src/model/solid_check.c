@@ -46,16 +46,6 @@ static void name_input(const roberts_scene *scene, const solid_frame *frame, uin
         }
 }
 
-/* Which of the face's vertices is farthest from its plane. */
-static uint32_t farthest_corner(const roberts_scene *scene, const solid_frame *frame, uint32_t f)
-{
-    uint32_t start = scene->face_start[frame->face_first + f], n = frame_ring(frame, scene, f), found = 0;
-    for (uint32_t i = 1; i < n; i++)
-        if (fabs(plane_at(frame->face[f].F, frame->ring[i])) > fabs(plane_at(frame->face[f].F, frame->ring[found])))
-            found = i;
-    return scene->corner[start + found] - frame->vertex_first;
-}
-
 /* The face by itself: corners in one plane, a convex simple polygon. */
 static roberts_status check_face(const roberts_scene *scene, const solid_frame *frame, uint32_t f, roberts_error *error)
 {
@@ -64,9 +54,8 @@ static roberts_status check_face(const roberts_scene *scene, const solid_frame *
     double dent;
     if (face->deviation > frame->allowed)
         return error_set(error, ROBERTS_NOT_PLANAR, 0,
-                         "face %u of solid %u is not planar: vertex %u lies %.6g off its plane",
-                         input_face(scene, frame, f), frame->solid,
-                         input_vertex(scene, frame, farthest_corner(scene, frame, f)), face->deviation * frame->unit);
+                         "face %u of solid %u is not planar: its corners lie up to %.6g beside their plane",
+                         input_face(scene, frame, f), frame->solid, face->deviation * frame->unit);
     if (face->strict)
         return ROBERTS_OK;
     n = frame_ring(frame, scene, f);
@@ -264,8 +253,13 @@ roberts_status solid_check(const roberts_scene *scene, solid_frame *frame, const
 {
     uint32_t at = 0, covers_count;
     roberts_status status;
+    bool any_area = false;
+    for (uint32_t f = 0; f < frame->face_count && !any_area; f++)
+        any_area = frame->face[f].area > 0.0;
     if (frame->size == 0.0)
         status = error_set(error, ROBERTS_FLAT, 0, "solid %u is flat: all its vertices lie in one point", frame->solid);
+    else if (!any_area)
+        status = error_set(error, ROBERTS_FLAT, 0, "solid %u is flat: none of its faces has an area", frame->solid);
     else if ((uint64_t)frame->vertex_count * frame->face_count <= ALL_PAIRS)
         status = check_pairs(scene, frame, error, &at);
     else

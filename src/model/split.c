@@ -388,7 +388,7 @@ static bool walk_all(walker *w)
     return enough;
 }
 
-/* Splits the piece order[from] .. order[to - 1]; what does not close stays ungrouped. False: no memory. */
+/* Splits the piece order[from] .. order[to - 1]; what does not close stays without a group. False: no memory. */
 static bool split_by_angles(splitter *s, const solid_frame *frame, uint32_t from, uint32_t to)
 {
     walker w = {.s = s, .frame = frame};
@@ -463,12 +463,11 @@ static bool split_piece(splitter *s, const solid_frame *frame, uint32_t *scratch
         return false;
     for (uint32_t i = from; i < to; i++)
         left |= s->groups->of[s->order[i]] == ROBERTS_NONE;
-    if (!left)
-        return true;
-    group = new_group(s, false);
-    for (uint32_t i = from; i < to; i++)
-        if (s->groups->of[s->order[i]] == ROBERTS_NONE)
+    if (left) {
+        group = new_group(s, false);
+        for (uint32_t i = from; i < to; i++)
             s->groups->of[s->order[i]] = group;
+    }
     return true;
 }
 
