@@ -25,9 +25,10 @@ CLI_SRC  := $(sort $(wildcard src/cli/*.c))
 TOOL_SRC := $(sort $(wildcard tools/*.c))
 MODEL_SRC := $(sort $(wildcard tools/models/*.c))
 TEST_SRC := $(sort $(wildcard tests/test_*.c))
-ORACLE   := $(filter-out tests/oracle/compare.c,$(sort $(wildcard tests/oracle/*.c)))
+ORACLE_P := tests/oracle/compare.c tests/oracle/regolden.c
+ORACLE   := $(filter-out $(ORACLE_P),$(sort $(wildcard tests/oracle/*.c)))
 ORACLE_X := $(sort $(wildcard tests/oracle/*.cpp))
-C_SRC    := $(LIB_SRC) $(CLI_SRC) $(TOOL_SRC) $(MODEL_SRC) $(TEST_SRC) $(ORACLE) tests/oracle/compare.c
+C_SRC    := $(LIB_SRC) $(CLI_SRC) $(TOOL_SRC) $(MODEL_SRC) $(TEST_SRC) $(ORACLE) $(ORACLE_P)
 object    = $(1:%.c=$(BUILD)/obj/%.o)
 TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
 TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
@@ -60,6 +61,12 @@ test: all tools $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests
 
 check-long: $(BUILD)/tests/oracle/compare ## some 5,000,000 edges against the exact oracle (EDGES=n for another number)
 	$(BUILD)/tests/oracle/compare --folder $(BUILD) --edges $(EDGES) --per-family
+
+goldens: $(BUILD)/tests/oracle/regolden ## tests/golden/ anew, as far as program and oracle agree
+	@find models -name '*.off' | sort | while read -r model; do \
+	    case $$model in models/tests/*) view=top ;; *) view=iso ;; esac; \
+	    golden=tests/golden/$${model#models/}; mkdir -p $${golden%/*}; \
+	    $< $$model $$view $${golden%.off}.txt || exit 1; done
 
 test-sanitize: ## the same with the address and the undefined behaviour sanitizer, in build/sanitize/
 	@$(MAKE) --no-print-directory test BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' CXXFLAGS='$(SANITIZE)'
@@ -96,7 +103,7 @@ ORACLE_LIBS := -lgmp -lmpfr -lstdc++
 $(BUILD)/tests/test_oracle $(BUILD)/tests/test_golden: $(ORACLE_OBJ)
 $(BUILD)/tests/test_oracle $(BUILD)/tests/test_golden: TEST_LIBS = $(ORACLE_LIBS)
 
-$(BUILD)/tests/oracle/compare: $(BUILD)/obj/tests/oracle/compare.o $(ORACLE_OBJ) $(BUILD)/libroberts.a
+$(ORACLE_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(ORACLE_OBJ) $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
 	$(LINK) $(ORACLE_LIBS) $(CAIRO_LIBS) -lm
 

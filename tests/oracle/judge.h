@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "scenes.h"
+#include "families.h"
 
 /* An edge fails where program and oracle differ on more than this part of it. */
 #define JUDGE_LIMIT 1e-9

@@ -280,7 +280,9 @@ struct oracle {
                 work.edge.survives = ORACLE_YES;
             else if (f.front == ORACLE_UNSURE || g.front == ORACLE_UNSURE)
                 work.edge.survives = ORACLE_UNSURE;
-            if (f.front == ORACLE_YES && g.front == ORACLE_YES)
+            if (f.front == ORACLE_UNSURE || g.front == ORACLE_UNSURE)
+                work.edge.bend_degrees = -1;
+            else if (f.front == ORACLE_YES && g.front == ORACLE_YES)
                 work.edge.bend_degrees =
                     bend({f.normal[0], f.normal[1], f.normal[2]}, {g.normal[0], g.normal[1], g.normal[2]});
             edges.push_back(work);

@@ -33,7 +33,8 @@ typedef struct oracle_interval {
 typedef struct oracle_edge {
     uint32_t solid, v0, v1; /* v0 < v1, vertex numbers of the mesh */
     oracle_answer survives; /* has a front face; UNSURE only with slack */
-    double bend_degrees;    /* between its two faces where both are front; 180 where not both are (an outline) */
+    double bend_degrees;    /* between its two faces where both are front; 180 where not both are (an outline);
+                               -1 where that is unsure */
     size_t sure, sure_count, maybe, maybe_count; /* into oracle_result.interval */
 } oracle_edge;
 

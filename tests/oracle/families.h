@@ -1,7 +1,7 @@
-/* scenes.h - families of scenes on which the program is held against the oracle: what random position finds, and what it
+/* families.h - families of scenes on which the program is held against the oracle: what random position finds, and what it
  * never finds (contact, borders, corners, edges seen end-on). A family and a seed are one scene, on every machine. */
-#ifndef ROBERTS_TESTS_SCENES_H
-#define ROBERTS_TESTS_SCENES_H
+#ifndef ROBERTS_TESTS_FAMILIES_H
+#define ROBERTS_TESTS_FAMILIES_H
 
 #include "oracle.h"
 

@@ -1,7 +1,7 @@
-/* scenes.c - the families. Contact is made with whole numbers, halves and powers of two, and the view is turned, not the
+/* families.c - the families. Contact is made with whole numbers, halves and powers of two, and the view is turned, not the
  * scene: so doubles hold every contact exactly. The families "turned", "tenth" and "tiny" then spoil it by rounding on
  * purpose. Every face is given either winding, because nobody may trust it. */
-#include "scenes.h"
+#include "families.h"
 
 #include <math.h>
 #include <stdlib.h>
