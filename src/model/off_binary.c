@@ -14,6 +14,7 @@ enum {
     WORD = 4,
     VOTES = 64,       /* floats that are looked at for the order */
     FACES_TRIED = 64, /* faces that are looked at for the colours */
+    LIKELY_CORNERS = 1 << 24,
     WORDS_AT_ONCE = 4096
 };
 
@@ -65,7 +66,7 @@ static bool likely(uint32_t word)
     return size > 0x1p-40 && size < 0x1p40;
 }
 
-/* At the first count. Looks no further than the first vertex reaches, and at what is there anyway. */
+/* At the first count. Looks no further than the vertices reach in either order. */
 static bool little_endian(off_reader *r, const words *w)
 {
     uint64_t big = 0, little = 0, floats = VOTES;
@@ -79,8 +80,7 @@ static bool little_endian(off_reader *r, const words *w)
         uint64_t most = (uint64_t)w->per_vertex * word_at(r->in.at, i);
         floats = most < floats ? most : floats;
     }
-    if (floats)
-        input_need(&r->in, (counts + 3) * WORD);
+    input_need(&r->in, (counts + floats) * WORD); /* where it ends before, what there is */
     for (size_t i = 0; i < floats && (counts + i + 1) * WORD <= (size_t)(r->in.end - r->in.at); i++) {
         const char *at = r->in.at + (counts + i) * WORD;
         votes += likely(word_at(at, true)) - likely(word_at(at, false));
@@ -160,7 +160,7 @@ static bool faces_fit(off_reader *r, const words *w, bool colors)
         uint64_t count = word_at(r->in.at + at, w->little);
         size_t length = WORD * (1 + (size_t)count + colors);
         if (count > OFF_BLOCK / WORD || at + length + COLOR_MOST * WORD > OFF_BLOCK)
-            return count <= r->header.vertices;
+            return count < LIKELY_CORNERS; /* out of sight */
         if (!input_need(&r->in, at + length))
             return false;
         for (size_t i = 1; i <= count; i++) {
@@ -169,7 +169,7 @@ static bool faces_fit(off_reader *r, const words *w, bool colors)
         }
         at += length;
         uint32_t floats = colors ? word_at(r->in.at + at - WORD, w->little) : 0;
-        if (floats > COLOR_MOST || !input_need(&r->in, at + WORD * (size_t)floats))
+        if (floats == 2 || floats > COLOR_MOST || !input_need(&r->in, at + WORD * (size_t)floats))
             return false;
         for (uint32_t i = 0; i < floats && floats >= 3; i++) {
             if (!color_float(word_at(r->in.at + at + WORD * i, w->little)))

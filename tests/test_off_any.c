@@ -1,0 +1,211 @@
+/* test_off_any.c - whatever bytes come in: no crash, no mesh that breaks its promises, an error that says something, the
+ * mesh as it was where there is one, and the same result however the bytes arrive. Good files are cut off at each byte,
+ * each byte is replaced by every other one, and pieces of different files are put together by chance. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "roberts.h"
+
+typedef struct bytes {
+    const char *text;
+    size_t length;
+} bytes;
+
+#define TEXT(literal)                                                                                                  \
+    {                                                                                                                  \
+        literal, sizeof(literal) - 1                                                                                   \
+    }
+
+static const bytes seeds[] = {
+    TEXT("OFF\n3 2 0\n0 0 0\n1.5 0 0\n0 -1e1 .25\n3 0 1 2\n3 2 1 0 255 0 0\n"),
+    TEXT("{ = STCN4nOFF 3\n2 1 0\n0 0 0 1 0 0 1 .5 0 0 1 .1 .2\n1 0 0 2 0 0 1 9 1 1\n3 0 1 0 7 #\n}"),
+    TEXT("\xef\xbb\xbf"
+         "coff2 1\r\n0 0 0 1 0 0\r1 0 0\r\n\r\n1 0 #a\n"),
+    TEXT("3\n1 1 0\n# c\n0.12345678901234567890 1e-320 12345678901234567\n1 0\nrest"),
+    TEXT(
+        "OFF BINARY\n\0\0\0\1\0\0\0\1\0\0\0\0\x3f\x80\0\0\x3f\x80\0\0\0\0\0\0\0\0\0\2\0\0\0\0\0\0\0\0\0\0\0\1\0\0\0\7"),
+    TEXT("OFF BINARY\n\1\0\0\0\2\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\x80\x3f\0\0\0\0\1\0\0\0\0\0\0\0\1\0\0\0\0\0\0\0"),
+};
+
+typedef struct feed {
+    bytes left;
+    size_t step;
+} feed;
+
+static ptrdiff_t read_feed(void *context, void *buffer, size_t size)
+{
+    feed *f = context;
+    size_t n = f->left.length < f->step ? f->left.length : f->step;
+    n = n < size ? n : size;
+    memcpy(buffer, f->left.text, n);
+    f->left.text += n;
+    f->left.length -= n;
+    return (ptrdiff_t)n;
+}
+
+static void check_warning(void *context, const char *file, size_t line, const char *message)
+{
+    (void)context;
+    (void)line;
+    assert_string_equal(file, "any.off");
+    assert_true(strlen(message) > 10 && !strpbrk(message, "\n\r"));
+}
+
+static void check_mesh(const roberts_mesh *mesh)
+{
+    for (size_t f = 0; f < mesh->face_count; f++)
+        assert_true(mesh->face_start[f] <= mesh->face_start[f + 1] && mesh->face_start[0] == 0);
+    assert_true(mesh->corner_count == (mesh->face_count ? mesh->face_start[mesh->face_count] : 0));
+    for (size_t i = 0; i < mesh->corner_count; i++)
+        assert_true(mesh->corner[i] < mesh->vertex_count);
+    for (size_t v = 0; v < mesh->vertex_count; v++)
+        assert_true(fabs(mesh->vertex[v].x) <= 1e150 && fabs(mesh->vertex[v].y) <= 1e150 &&
+                    fabs(mesh->vertex[v].z) <= 1e150);
+    for (size_t v = 0; mesh->vertex_color && v < mesh->vertex_count; v++)
+        assert_true(mesh->vertex_color[v].count <= 4);
+    for (size_t f = 0; mesh->face_color && f < mesh->face_count; f++)
+        assert_true(mesh->face_color[f].count <= 4);
+    assert_true(mesh->source_count == 1);
+}
+
+static bool same_colors(const roberts_color *a, const roberts_color *b, size_t count)
+{
+    if (!a != !b)
+        return false;
+    for (size_t i = 0; a && i < count; i++) {
+        if (a[i].count != b[i].count || memcmp(a[i].value, b[i].value, a[i].count * sizeof *a->value) != 0)
+            return false;
+    }
+    return true;
+}
+
+static bool same_mesh(const roberts_mesh *a, const roberts_mesh *b)
+{
+    return a->vertex_count == b->vertex_count && a->face_count == b->face_count && a->corner_count == b->corner_count &&
+           (!a->vertex_count || memcmp(a->vertex, b->vertex, a->vertex_count * sizeof *a->vertex) == 0) &&
+           (!a->corner_count || memcmp(a->corner, b->corner, a->corner_count * sizeof *a->corner) == 0) &&
+           (!a->face_count || memcmp(a->face_start, b->face_start, (a->face_count + 1) * sizeof *a->face_start) == 0) &&
+           same_colors(a->vertex_color, b->vertex_color, a->vertex_count) &&
+           same_colors(a->face_color, b->face_color, a->face_count);
+}
+
+/* Reads the input in two ways and compares. */
+static void check(bytes input)
+{
+    roberts_warnings warnings = {check_warning, NULL};
+    roberts_mesh whole = {0}, pieces = {0};
+    roberts_error error = {0}, other = {0};
+    feed source = {input, input.length % 5 + 1};
+    roberts_status status = roberts_mesh_read_memory(&whole, "any.off", input.text, input.length, &warnings, &error);
+    if (status == ROBERTS_OK) {
+        check_mesh(&whole);
+    } else {
+        assert_true(status == ROBERTS_BAD_SYNTAX || status == ROBERTS_BAD_INDEX || status == ROBERTS_BAD_NUMBER);
+        assert_true(error.status == status && strlen(error.message) > 10 && strlen(error.message) < 250);
+        assert_true(strcmp(error.file, "any.off") == 0 && error.line <= input.length + 1);
+        for (const char *c = error.message; *c; c++)
+            assert_true(*c >= ' ' && *c <= '~');
+        assert_true(!whole.vertex_count && !whole.face_count && !whole.source_count && !whole.vertex_color &&
+                    !whole.face_color && !whole.face_start);
+    }
+    if (roberts_mesh_read(&pieces, "any.off", read_feed, &source, NULL, &other) != status || other.line != error.line ||
+        strcmp(other.message, error.message) != 0 || !same_mesh(&whole, &pieces)) {
+        fprintf(stderr, "input:");
+        for (size_t i = 0; i < input.length; i++)
+            fprintf(stderr, " %02x", (unsigned char)input.text[i]);
+        fail_msg("not the same in pieces of %zu: \"%s\" line %zu, \"%s\" line %zu", input.length % 5 + 1, error.message,
+                 error.line, other.message, other.line);
+    }
+    roberts_mesh_free(&whole);
+    roberts_mesh_free(&pieces);
+}
+
+/* A copy without anything around it, so that a sanitizer sees reads beyond its ends. */
+static void check_copy(const char *text, size_t length)
+{
+    char *copy = malloc(length ? length : 1);
+    assert_non_null(copy);
+    memcpy(copy, text, length);
+    check((bytes){copy, length});
+    free(copy);
+}
+
+static void cut_off_anywhere(void **state)
+{
+    (void)state;
+    for (size_t s = 0; s < sizeof seeds / sizeof *seeds; s++) {
+        for (size_t length = 0; length <= seeds[s].length; length++)
+            check_copy(seeds[s].text, length);
+    }
+}
+
+static void any_byte_changed(void **state)
+{
+    (void)state;
+    for (size_t s = 0; s < sizeof seeds / sizeof *seeds; s++) {
+        char text[200];
+        assert_true(seeds[s].length < sizeof text);
+        memcpy(text, seeds[s].text, seeds[s].length);
+        for (size_t i = 0; i < seeds[s].length; i++) {
+            for (int c = 0; c < 256; c++) {
+                text[i] = (char)c;
+                check((bytes){text, seeds[s].length});
+            }
+            text[i] = seeds[s].text[i];
+        }
+    }
+}
+
+static uint32_t chance(uint64_t *seed, uint32_t below)
+{
+    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+    return (uint32_t)((*seed >> 33) % below);
+}
+
+static void pieces_by_chance(void **state)
+{
+    static const char *const words[] = {"OFF",   "BINARY\n", " ",    "\n",         "\r",    "#",    "{",   "}",
+                                        "=",     "3",        "0",    "1 ",         "-1",    ".",    "e9",  "nan",
+                                        "1e999", "4OFF",     "nOFF", "COFF",       "STOFF", "NOFF", "\t",  "0 0 0\n",
+                                        "2 ",    "255",      "0.5 ", "999999999 ", "\v",    "\x01", "\xff"};
+    uint64_t seed = 5;
+    (void)state;
+    for (int n = 0; n < 20000; n++) {
+        char text[400];
+        size_t length = 0;
+        for (uint32_t pieces = 1 + chance(&seed, 30); pieces; pieces--) {
+            const bytes *from = &seeds[chance(&seed, sizeof seeds / sizeof *seeds)];
+            const char *piece = words[chance(&seed, sizeof words / sizeof *words)];
+            size_t size = strlen(piece);
+            if (chance(&seed, 4) == 0) {
+                size_t start = chance(&seed, (uint32_t)from->length);
+                piece = from->text + start;
+                size = 1 + chance(&seed, (uint32_t)(from->length - start));
+            }
+            if (length + size > sizeof text)
+                break;
+            memcpy(text + length, piece, size);
+            length += size;
+        }
+        check((bytes){text, length});
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(cut_off_anywhere),
+        cmocka_unit_test(any_byte_changed),
+        cmocka_unit_test(pieces_by_chance),
+    };
+    return cmocka_run_group_tests_name("off any", tests, NULL, NULL);
+}
