@@ -1,0 +1,116 @@
+/* test_mesh.c - the mesh as a container: what may be added, what is refused and leaves it alone. */
+#include <float.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "roberts.h"
+
+static void adds_vertices_and_faces(void **state)
+{
+    roberts_mesh mesh = {0};
+    (void)state;
+    for (uint32_t v = 0; v < 1000; v++) {
+        uint32_t index = ROBERTS_NONE;
+        assert_int_equal(roberts_mesh_add_vertex(&mesh, (roberts_vec3){v, -1.0 * v, 0.5}, &index, NULL), ROBERTS_OK);
+        assert_int_equal(index, v);
+    }
+    for (uint32_t count = 0; count < 200; count++) {
+        uint32_t corner[200];
+        for (uint32_t i = 0; i < count; i++)
+            corner[i] = (count * 7 + i) % 1000;
+        assert_int_equal(roberts_mesh_add_face(&mesh, count ? corner : NULL, count, NULL), ROBERTS_OK);
+    }
+    assert_true(mesh.vertex_count == 1000 && mesh.face_count == 200 && mesh.corner_count == 199 * 200 / 2);
+    for (uint32_t count = 0; count < 200; count++) {
+        assert_int_equal(mesh.face_start[count + 1] - mesh.face_start[count], count);
+        for (uint32_t i = 0; i < count; i++)
+            assert_int_equal(mesh.corner[mesh.face_start[count] + i], (count * 7 + i) % 1000);
+    }
+    assert_true(mesh.vertex[999].y == -999.0 && mesh.vertex[999].z == 0.5);
+    assert_true(!mesh.vertex_color && !mesh.face_color && !mesh.source);
+    roberts_mesh_free(&mesh);
+}
+
+static void refuses_bad_coordinates(void **state)
+{
+    static const double bad[] = {INFINITY, -INFINITY, NAN, DBL_MAX, -1.0000000000000002e150};
+    static const double good[] = {1e150, -1e150, 0.0, DBL_MIN, 4.9e-324};
+    roberts_mesh mesh = {0};
+    roberts_error error;
+    (void)state;
+    for (size_t i = 0; i < 3 * sizeof bad / sizeof *bad; i++) {
+        roberts_vec3 p = {1, 2, 3};
+        *(i % 3 == 0 ? &p.x : i % 3 == 1 ? &p.y : &p.z) = bad[i / 3];
+        strcpy(error.file, "of another call");
+        assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, &error), ROBERTS_BAD_NUMBER);
+        assert_string_equal(error.message, "vertex 0 has a coordinate that is infinite or beyond 1e+150");
+        assert_true(error.file[0] == '\0' && error.line == 0 && mesh.vertex_count == 0);
+    }
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++)
+        assert_int_equal(roberts_mesh_add_vertex(&mesh, (roberts_vec3){good[i], -good[i], 0}, NULL, &error),
+                         ROBERTS_OK);
+    roberts_mesh_free(&mesh);
+}
+
+static void refuses_bad_corners(void **state)
+{
+    static const uint32_t rows[][3] = {{0, 1, 3}, {3, 0, 1}, {0, UINT32_MAX, 1}};
+    roberts_mesh mesh = {0};
+    roberts_error error;
+    (void)state;
+    for (int i = 0; i < 3; i++)
+        assert_int_equal(roberts_mesh_add_vertex(&mesh, (roberts_vec3){i, 0, 0}, NULL, NULL), ROBERTS_OK);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        assert_int_equal(roberts_mesh_add_face(&mesh, rows[i], 3, &error), ROBERTS_BAD_INDEX);
+        assert_true(mesh.face_count == 0 && mesh.corner_count == 0);
+    }
+    assert_string_equal(error.message, "face 0 names vertex 4294967295, but there are 3");
+    roberts_mesh_free(&mesh);
+}
+
+/* What is added by hand to a mesh that was read with colours has none. */
+static void adds_to_a_coloured_mesh(void **state)
+{
+    static const char text[] = "COFF 1 1 0\n0 0 0 1. 0 0\n1 0 7\n";
+    const uint32_t corner[] = {0, 1, 0};
+    roberts_mesh mesh = {0};
+    (void)state;
+    assert_int_equal(roberts_mesh_read_memory(&mesh, "t", text, strlen(text), NULL, NULL), ROBERTS_OK);
+    for (int i = 0; i < 100; i++) {
+        assert_int_equal(roberts_mesh_add_vertex(&mesh, (roberts_vec3){1, 2, 3}, NULL, NULL), ROBERTS_OK);
+        assert_int_equal(roberts_mesh_add_face(&mesh, corner, 3, NULL), ROBERTS_OK);
+        assert_int_equal(mesh.vertex_color[i + 1].count, 0);
+        assert_int_equal(mesh.face_color[i + 1].count, 0);
+    }
+    assert_int_equal(mesh.vertex_color[0].count, 3);
+    assert_int_equal(mesh.face_color[0].count, 1);
+    roberts_mesh_free(&mesh);
+}
+
+static void frees_what_is_empty(void **state)
+{
+    roberts_mesh mesh = {0};
+    (void)state;
+    roberts_mesh_free(NULL);
+    roberts_mesh_free(&mesh);
+    assert_int_equal(roberts_mesh_add_vertex(&mesh, (roberts_vec3){0, 0, 0}, NULL, NULL), ROBERTS_OK);
+    roberts_mesh_free(&mesh);
+    roberts_mesh_free(&mesh);
+    assert_true(mesh.vertex == NULL && mesh.vertex_count == 0 && mesh.vertex_room == 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(adds_vertices_and_faces), cmocka_unit_test(refuses_bad_coordinates),
+        cmocka_unit_test(refuses_bad_corners),     cmocka_unit_test(adds_to_a_coloured_mesh),
+        cmocka_unit_test(frees_what_is_empty),
+    };
+    return cmocka_run_group_tests_name("mesh", tests, NULL, NULL);
+}
