@@ -97,6 +97,9 @@ $(TEST_BIN): $(BUILD)/%: $(BUILD)/obj/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
 	$(LINK) $(TEST_LIBS) $(CMOCKA_LIBS) $(CAIRO_LIBS) -lm
 
+# Tests in which allocations fail: tests/memory.h
+$(BUILD)/tests/test_memory_%: TEST_LIBS = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
+
 # The exact oracle: C++ with CGAL, for tests alone.
 ORACLE_OBJ  := $(call object,$(ORACLE)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.o)
 ORACLE_LIBS := -lgmp -lmpfr -lstdc++

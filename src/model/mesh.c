@@ -148,7 +148,7 @@ roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners
             return error_set(error, ROBERTS_BAD_INDEX, 0, "face %zu names vertex %lu, but there are %zu",
                              mesh->face_count, (unsigned long)corners[i], mesh->vertex_count);
     }
-    if (!mesh_face_room(mesh) || !mesh_corner_room(mesh, count) ||
+    if (!mesh_corner_room(mesh, count) || !mesh_face_room(mesh) ||
         !(!mesh->face_color || fill(&mesh->face_color, &mesh->face_color_room, mesh->face_count, mesh->face_count + 1)))
         return error_no_memory(error);
     if (count)

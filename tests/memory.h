@@ -1,0 +1,72 @@
+/* memory.h - makes one allocation after the other fail. For test programs called test_memory_*: these alone are linked
+ * so that malloc(), calloc(), realloc() and free() of our own code come here. Include it in one file only.
+ *
+ *     for (size_t n = 1; memory_fails_at(n); n++)
+ *         ... call, expect ROBERTS_NO_MEMORY where memory_failed() ... */
+#ifndef ROBERTS_TESTS_MEMORY_H
+#define ROBERTS_TESTS_MEMORY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* The linker's names.
+ * NOLINTBEGIN(bugprone-reserved-identifier) */
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *block, size_t size);
+void __real_free(void *block);
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *block, size_t size);
+void __wrap_free(void *block);
+
+static size_t memory_calls, memory_failing, memory_blocks; /* so far; the call that fails, 0: none; not yet freed */
+
+static bool memory_allows(void)
+{
+    return ++memory_calls != memory_failing;
+}
+
+void *__wrap_malloc(size_t size)
+{
+    void *block = memory_allows() ? __real_malloc(size) : NULL;
+    memory_blocks += block != NULL;
+    return block;
+}
+
+void *__wrap_calloc(size_t count, size_t size)
+{
+    void *block = memory_allows() ? __real_calloc(count, size) : NULL;
+    memory_blocks += block != NULL;
+    return block;
+}
+
+void *__wrap_realloc(void *block, size_t size)
+{
+    void *grown = memory_allows() ? __real_realloc(block, size) : NULL;
+    memory_blocks += grown && !block;
+    return grown;
+}
+
+void __wrap_free(void *block)
+{
+    memory_blocks -= block != NULL;
+    __real_free(block);
+}
+
+/* NOLINTEND(bugprone-reserved-identifier) */
+
+/* From now on the call number `failing` fails, once; 0: none. */
+static void memory_fail(size_t failing)
+{
+    memory_calls = 0;
+    memory_failing = failing;
+}
+
+/* Whether that call has come. */
+static bool memory_failed(void)
+{
+    return memory_failing && memory_calls >= memory_failing;
+}
+
+#endif

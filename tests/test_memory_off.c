@@ -1,0 +1,125 @@
+/* test_memory_off.c - reading with each allocation failing in turn: a status, no crash, no leak, the mesh as it was, and
+ * a second try that succeeds. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "memory.h"
+#include "roberts.h"
+
+/* Long enough that every array grows several times. */
+static size_t make_input(char *text, bool binary)
+{
+    size_t length = 0;
+    if (binary) {
+        static const char head[] = "COFF BINARY\n\0\0\0\1\0\0\0\3\0\0\0\0"
+                                   "\x3f\x80\0\0\x3f\x80\0\0\x3f\x80\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0";
+        length = sizeof head - 1;
+        memcpy(text, head, length);
+        for (int f = 0; f < 3; f++, length += 24)
+            memcpy(text + length, "\0\0\0\3\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\1\0\0\0\7", 24);
+        return length;
+    }
+    length = (size_t)sprintf(text, "COFF\n40 40 0\n");
+    for (int v = 0; v < 40; v++)
+        length += (size_t)sprintf(text + length, "%d 0 0%s\n", v, v % 4 ? "" : " 255 0 0");
+    for (int f = 0; f < 40; f++)
+        length += (size_t)sprintf(text + length, "5 0 1 2 3 %d%s\n", f, f % 3 ? "" : " 7");
+    return length;
+}
+
+static void reading_survives(bool binary)
+{
+    static const char first[] = "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    static char text[4000];
+    size_t length = make_input(text, binary), failures = 0, before = memory_blocks;
+    for (size_t n = 1;; n++) {
+        roberts_mesh mesh = {0};
+        roberts_error error;
+        bool appending = n % 2; /* to a mesh that holds something, or to an empty one */
+        memory_fail(0);
+        if (appending)
+            assert_int_equal(roberts_mesh_read_memory(&mesh, "first", first, sizeof first - 1, NULL, NULL), ROBERTS_OK);
+        memory_fail((n + 1) / 2);
+        roberts_status status = roberts_mesh_read_memory(&mesh, "second", text, length, NULL, &error);
+        bool failed = memory_failed();
+        memory_fail(0);
+        if (failed) {
+            failures++;
+            assert_int_equal(status, ROBERTS_NO_MEMORY);
+            assert_string_equal(error.message, "not enough memory");
+            assert_string_equal(error.file, "second");
+            assert_true(mesh.vertex_count == (appending ? 3 : 0) && mesh.face_count == (appending ? 1 : 0));
+            assert_true(!mesh.vertex_color && !mesh.face_color && mesh.source_count == (appending ? 1 : 0));
+            status = roberts_mesh_read_memory(&mesh, "second", text, length, NULL, &error);
+        }
+        assert_int_equal(status, ROBERTS_OK);
+        assert_true(mesh.vertex_color && mesh.face_color && mesh.vertex_color_room >= mesh.vertex_count);
+        roberts_mesh_free(&mesh);
+        assert_int_equal(memory_blocks, before);
+        if (!failed && !appending)
+            break;
+    }
+    assert_true(failures >= 8 + 4); /* block, source, name, five arrays; block, name, two arrays when appending */
+}
+
+static void text_survives(void **state)
+{
+    (void)state;
+    reading_survives(false);
+}
+
+static void binary_survives(void **state)
+{
+    (void)state;
+    reading_survives(true);
+}
+
+static void adding_survives(void **state)
+{
+    static const char colored[] = "COFF 1 1 0\n0 0 0 1. 0 0\n3 0 0 0 7\n";
+    const uint32_t corner[] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    size_t failures = 0, before = memory_blocks;
+    (void)state;
+    for (size_t n = 1;; n++) {
+        roberts_mesh mesh = {0};
+        roberts_error error;
+        size_t vertices = 1, faces = 1;
+        memory_fail(0);
+        assert_int_equal(roberts_mesh_read_memory(&mesh, "t", colored, sizeof colored - 1, NULL, NULL), ROBERTS_OK);
+        memory_fail(n);
+        for (int i = 0; i < 20; i++) {
+            roberts_status status = roberts_mesh_add_vertex(&mesh, (roberts_vec3){1, 2, 3}, NULL, &error);
+            assert_true(status == ROBERTS_OK || status == ROBERTS_NO_MEMORY);
+            vertices += status == ROBERTS_OK;
+            status = roberts_mesh_add_face(&mesh, corner, 10, &error);
+            assert_true(status == ROBERTS_OK || status == ROBERTS_NO_MEMORY);
+            faces += status == ROBERTS_OK;
+        }
+        bool failed = memory_failed();
+        failures += failed;
+        memory_fail(0);
+        assert_true(mesh.vertex_count == vertices && mesh.face_count == faces && vertices + faces + failed == 42);
+        assert_true(mesh.corner_count == 3 + 10 * (faces - 1) && mesh.face_start[faces] == mesh.corner_count);
+        roberts_mesh_free(&mesh);
+        assert_int_equal(memory_blocks, before);
+        if (!failed)
+            break;
+    }
+    assert_true(failures >= 8);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(text_survives),
+        cmocka_unit_test(binary_survives),
+        cmocka_unit_test(adding_survives),
+    };
+    return cmocka_run_group_tests_name("memory off", tests, NULL, NULL);
+}
