@@ -364,11 +364,9 @@ static void refuses_bad_input(void **state)
             strcmp(error.message, bad[i].message) != 0 || strcmp(error.file, "test.off") != 0)
             fail_msg("%s: status %d, line %zu: %s", bad[i].name, (int)status, error.line,
                      status ? error.message : "read without complaint");
-        assert_true(!mesh.vertex_count && !mesh.face_count && !mesh.source_count && !mesh.face_start);
-        roberts_mesh_free(&mesh);
+        assert_true(!mesh.vertex_count && !mesh.face_count && !mesh.source_count && !mesh.face_start && !mesh.vertex);
         assert_int_equal(roberts_mesh_read_memory(&mesh, "test.off", bad[i].text, strlen(bad[i].text), NULL, NULL),
                          bad[i].status);
-        roberts_mesh_free(&mesh);
     }
 }
 

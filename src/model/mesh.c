@@ -14,16 +14,21 @@ mesh_mark mesh_here(const roberts_mesh *mesh)
                        .faces = mesh->face_count,
                        .corners = mesh->corner_count,
                        .sources = mesh->source_count,
-                       .vertex_colors = mesh->vertex_color,
-                       .face_colors = mesh->face_color,
-                       .starts = mesh->face_start};
+                       .has_vertex = mesh->vertex,
+                       .has_start = mesh->face_start,
+                       .has_corner = mesh->corner,
+                       .has_vertex_color = mesh->vertex_color,
+                       .has_face_color = mesh->face_color,
+                       .has_source = mesh->source};
 }
 
-/* Forgets an array that was not there before. */
-static void drop(void *array, size_t *room)
+/* Releases an array that was not there before. */
+static void drop(bool keep, void *array, size_t *room)
 {
     void *none = NULL, *old;
-    memcpy(&old, array, sizeof old);
+    if (keep)
+        return;
+    memcpy(&old, array, sizeof old); /* `array` points to a pointer of any type, as in array_reserve() */
     free(old);
     memcpy(array, &none, sizeof none);
     *room = 0;
@@ -36,12 +41,12 @@ void mesh_back(roberts_mesh *mesh, mesh_mark mark)
     mesh->vertex_count = mark.vertices;
     mesh->face_count = mark.faces;
     mesh->corner_count = mark.corners;
-    if (!mark.vertex_colors)
-        drop(&mesh->vertex_color, &mesh->vertex_color_room);
-    if (!mark.face_colors)
-        drop(&mesh->face_color, &mesh->face_color_room);
-    if (!mark.starts)
-        drop(&mesh->face_start, &mesh->face_room);
+    drop(mark.has_vertex, &mesh->vertex, &mesh->vertex_room);
+    drop(mark.has_start, &mesh->face_start, &mesh->face_room);
+    drop(mark.has_corner, &mesh->corner, &mesh->corner_room);
+    drop(mark.has_vertex_color, &mesh->vertex_color, &mesh->vertex_color_room);
+    drop(mark.has_face_color, &mesh->face_color, &mesh->face_color_room);
+    drop(mark.has_source, &mesh->source, &mesh->source_room);
 }
 
 /* array_reserve() that ends at what uint32_t can number, so that a count below the room needs no other check. */

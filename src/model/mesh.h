@@ -16,7 +16,7 @@
 /* How much of a mesh there was, to go back to. */
 typedef struct mesh_mark {
     size_t vertices, faces, corners, sources;
-    bool vertex_colors, face_colors, starts;
+    bool has_vertex, has_start, has_corner, has_vertex_color, has_face_color, has_source; /* arrays that there were */
 } mesh_mark;
 
 mesh_mark mesh_here(const roberts_mesh *mesh);
