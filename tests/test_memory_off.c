@@ -21,8 +21,9 @@ static size_t make_input(char *text, bool binary)
                                    "\x3f\x80\0\0\x3f\x80\0\0\x3f\x80\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0";
         length = sizeof head - 1;
         memcpy(text, head, length);
-        for (int f = 0; f < 3; f++, length += 24)
-            memcpy(text + length, "\0\0\0\3\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\1\0\0\0\7", 24);
+        static const char face[24] = {[3] = 3, [19] = 1, [23] = 7};
+        for (int f = 0; f < 3; f++, length += sizeof face)
+            memcpy(text + length, face, sizeof face);
         return length;
     }
     length = (size_t)sprintf(text, "COFF\n40 40 0\n");

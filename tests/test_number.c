@@ -165,7 +165,7 @@ static void refuses_what_is_no_number(void **state)
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         char text[32] = {0};
         double value;
-        strcpy(text, bad[i]);
+        snprintf(text, sizeof text, "%s", bad[i]);
         if (number_parse(text, &value))
             fail_msg("\"%s\" is no number", text);
     }
@@ -185,7 +185,7 @@ static void reads_long_numbers(void **state)
             if (first >= (size_t)length)
                 continue;
             memset(text, 0, sizeof text);
-            strcpy(text, head[h]);
+            snprintf(text, sizeof text, "%s", head[h]);
             memset(text + first, '0', (size_t)length - first);
             check(text);
             text[length - 1] = '1';
@@ -380,7 +380,7 @@ static void reads_integers(void **state)
         char text[40] = {0};
         uint64_t value;
         uint32_t small = 0;
-        strcpy(text, rows[i].text);
+        snprintf(text, sizeof text, "%s", rows[i].text);
         const char *end = number_integer(text, &value);
         assert_true((end ? end - text : 0) == rows[i].length);
         assert_true(!end || value == rows[i].value);

@@ -72,10 +72,13 @@ static void describe(const roberts_mesh *mesh, log_text *log)
 static void check_mesh(const roberts_mesh *mesh)
 {
     assert_true(mesh->vertex_count <= mesh->vertex_room && mesh->corner_count <= mesh->corner_room);
-    assert_true(mesh->face_count == 0 || (mesh->face_start && mesh->face_start[0] == 0));
-    for (size_t f = 0; f < mesh->face_count; f++)
-        assert_true(mesh->face_start[f] <= mesh->face_start[f + 1]);
-    assert_true(mesh->corner_count == (mesh->face_count ? mesh->face_start[mesh->face_count] : 0));
+    if (mesh->face_start) {
+        assert_true(mesh->face_start[0] == 0 && mesh->face_start[mesh->face_count] == mesh->corner_count);
+        for (size_t f = 0; f < mesh->face_count; f++)
+            assert_true(mesh->face_start[f] <= mesh->face_start[f + 1]);
+    } else {
+        assert_true(mesh->face_count == 0 && mesh->corner_count == 0);
+    }
     for (size_t i = 0; i < mesh->corner_count; i++)
         assert_true(mesh->corner[i] < mesh->vertex_count);
     for (size_t v = 0; v < mesh->vertex_count; v++)
@@ -180,6 +183,8 @@ static const struct {
     {"STCNOFF",
      "STCNOFF\n3 1 0\n0 0 0 0 0 1 255 0 0 255 .5 .5\n1 0 0 0 0 1 0 255 0 .5 .5\n0 1 0 0 0 1 9 .5 .5\n3 0 1 2\n",
      "(0 0 0/1,0,0,1)(1 0 0/0,1,0)(0 1 0/9)[0 1 2]", ""},
+    {"STCOFF, whole colours beside decimal texture", "STCOFF\n1 0 0\n0 0 0 1 0 1 .5 .5\n",
+     "(0 0 0/0.00392157,0,0.00392157)", ""},
     {"prefixes in MeshLab's order",
      "NCSTOFF\n3 1 0\n0 0 0 0 0 1 255 0 0 255 .5 .5\n1 0 0 0 0 1 0 255 0 1 .5 .5\n"
      "0 1 0 0 0 1 0 0 255 0 .5 .5\n3 0 1 2\n",
@@ -539,7 +544,7 @@ static void reports_what_cannot_be_read(void **state)
         assert_int_equal(mesh.vertex_count, 0);
     }
     memset(name, 'x', sizeof name - 1); /* longer than an error can hold: its end is kept */
-    strcpy(name + sizeof name - 10, "/end.off");
+    memcpy(name + sizeof name - 10, "/end.off", 9);
     assert_int_equal(roberts_mesh_read_file(&mesh, name, NULL, &error), ROBERTS_IO);
     assert_true(strncmp(error.file, "...xxx", 6) == 0 && strstr(error.file, "x/end.off"));
 }

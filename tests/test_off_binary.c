@@ -129,7 +129,7 @@ static void finds_the_order_from_the_vertices(void **state)
     (void)state;
     for (int little = 0; little < 2; little++) {
         begin(&big, "OFF BINARY\n", little);
-        put_words(&big, 3, little ? 0x0100 : 0x0100, 0, 0); /* 256; the other way 65536 */
+        put_words(&big, 3, 0x0100, 0, 0); /* 256; the other way 65536 */
         for (int v = 0; v < 256; v++)
             put_floats(&big, 3, (double)v, 1.5, -2.0);
         roberts_mesh mesh = read_good(&big);
@@ -187,7 +187,7 @@ static void reads_faces_without_color_count(void **state)
             if (corners == 1 && faces > 1)
                 continue; /* "1 a 1 b" may also be one corner and an index of a colour map */
             roberts_mesh mesh = read_good(&f);
-            if (mesh.face_count != faces || mesh.corner_count != faces * corners || mesh.face_color)
+            if (mesh.face_count != faces || mesh.corner_count != (size_t)faces * corners || mesh.face_color)
                 fail_msg("%lu faces of %lu corners: read %zu faces, %zu corners", (unsigned long)faces,
                          (unsigned long)corners, mesh.face_count, mesh.corner_count);
             roberts_mesh_free(&mesh);

@@ -66,10 +66,9 @@ bool mesh_more_vertices(roberts_mesh *mesh)
 
 bool mesh_more_faces(roberts_mesh *mesh)
 {
-    bool first = !mesh->face_start;
     if (!reserve(&mesh->face_start, &mesh->face_room, mesh->face_count + 2, MESH_MOST, sizeof *mesh->face_start))
         return false;
-    if (first)
+    if (mesh->face_count == 0)
         mesh->face_start[0] = 0;
     return true;
 }

@@ -10,8 +10,9 @@
 #include <math.h>
 #include <string.h>
 
+static const size_t WORD = 4; /* bytes */
+
 enum {
-    WORD = 4,
     VOTES = 64,       /* floats that are looked at for the order */
     FACES_TRIED = 64, /* faces that are looked at for the colours */
     LIKELY_CORNERS = 1 << 24,
@@ -75,8 +76,8 @@ static bool little_endian(off_reader *r, const words *w)
     if (!input_need(&r->in, counts * WORD))
         return false;
     for (size_t i = 0; i < 2; i++) {
-        big += word_at(r->in.at + WORD * i, false);
-        little += word_at(r->in.at + WORD * i, true);
+        big += word_at(r->in.at + WORD * (size_t)i, false);
+        little += word_at(r->in.at + WORD * (size_t)i, true);
         uint64_t most = (uint64_t)w->per_vertex * word_at(r->in.at, i);
         floats = most < floats ? most : floats;
     }
@@ -118,7 +119,7 @@ static roberts_status read_vertex(off_reader *r, const words *w, uint64_t v)
     if (!input_need(&r->in, (size_t)w->per_vertex * WORD))
         return ends_in(r, "vertex", v, r->header.vertices);
     for (int i = 0; i < w->coordinates; i++)
-        p[i] = float_of(word_at(r->in.at + WORD * i, w->little));
+        p[i] = float_of(word_at(r->in.at + WORD * (size_t)i, w->little));
     for (int i = 0; i < 3; i++) {
         p[i] /= p[3];
         if (!off_coordinate(p[i]))
@@ -131,9 +132,9 @@ static roberts_status read_vertex(off_reader *r, const words *w, uint64_t v)
     roberts_status status = ROBERTS_OK;
     if (r->header.color) {
         off_color_numbers color = {.count = COLOR_MOST, .real = true};
-        const char *at = r->in.at + WORD * (w->coordinates + (r->header.normal ? 3 : 0));
+        const char *at = r->in.at + WORD * (size_t)(w->coordinates + (r->header.normal ? 3 : 0));
         for (int i = 0; i < COLOR_MOST; i++)
-            color.value[i] = float_of(word_at(at + WORD * i, w->little));
+            color.value[i] = float_of(word_at(at + WORD * (size_t)i, w->little));
         status = off_color_vertex(r, &color);
     }
     r->in.at += (size_t)w->per_vertex * WORD;
@@ -164,7 +165,7 @@ static bool faces_fit(off_reader *r, const words *w, bool colors)
         if (!input_need(&r->in, at + length))
             return false;
         for (size_t i = 1; i <= count; i++) {
-            if (word_at(r->in.at + at + WORD * i, w->little) >= r->header.vertices)
+            if (word_at(r->in.at + at + WORD * (size_t)i, w->little) >= r->header.vertices)
                 return false;
         }
         at += length;
@@ -172,7 +173,7 @@ static bool faces_fit(off_reader *r, const words *w, bool colors)
         if (floats == 2 || floats > COLOR_MOST || !input_need(&r->in, at + WORD * (size_t)floats))
             return false;
         for (uint32_t i = 0; i < floats && floats >= 3; i++) {
-            if (!color_float(word_at(r->in.at + at + WORD * i, w->little)))
+            if (!color_float(word_at(r->in.at + at + WORD * (size_t)i, w->little)))
                 return false;
         }
         at += WORD * (size_t)floats;
@@ -191,7 +192,7 @@ static roberts_status read_corners(off_reader *r, const words *w, uint64_t f, ui
         if (!mesh_corner_room(mesh, part))
             return error_no_memory(r->error);
         for (uint64_t i = 0; i < part; i++) {
-            uint32_t index = word_at(r->in.at + WORD * i, w->little);
+            uint32_t index = word_at(r->in.at + WORD * (size_t)i, w->little);
             if (index >= r->header.vertices)
                 return off_fail(r, ROBERTS_BAD_INDEX, "face %llu names vertex %lu, but there are %llu",
                                 (unsigned long long)f, (unsigned long)index, (unsigned long long)r->header.vertices);

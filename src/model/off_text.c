@@ -11,13 +11,13 @@
 
 enum { TEXTURE = 2, NORMAL = 3, CORNERS_AT_ONCE = 256 };
 
-/* Takes the number here into the colour. */
-static bool color_number(off_reader *r, off_color_numbers *raw)
+/* Reads one number of a colour; *real where it has a point or an exponent. */
+static bool color_number(off_reader *r, double *value, bool *real)
 {
     size_t length = input_token(&r->in);
     for (size_t i = 0; i < length; i++)
-        raw->real |= r->in.at[i] == '.' || r->in.at[i] == 'e' || r->in.at[i] == 'E';
-    return off_number(r, &raw->value[raw->count++]);
+        *real |= r->in.at[i] == '.' || r->in.at[i] == 'e' || r->in.at[i] == 'E';
+    return off_number(r, value);
 }
 
 /* ---- vertices --------------------------------------------------------------------------------------------------- */
@@ -59,33 +59,29 @@ static roberts_status skip_normal(off_reader *r, uint64_t v)
 /* Reads colour and texture coordinates; see the top of the file. */
 static roberts_status vertex_extras(off_reader *r, uint64_t v)
 {
-    int texture = r->header.texture ? TEXTURE : 0, most = texture + (r->header.color ? COLOR_MOST : 0), count = 0;
-    off_color_numbers raw;
-    double value[COLOR_MOST + TEXTURE];
-    bool real[COLOR_MOST + TEXTURE];
-    while (count < most) {
-        bool here = input_skip_in_line(&r->in);
-        int color = count - texture;
-        if (!here && (color == 0 || color == 1 || color == 3))
+    const int texture = r->header.texture ? TEXTURE : 0, most = texture + (r->header.color ? COLOR_MOST : 0);
+    off_color_numbers color = {0};
+    double value[COLOR_MOST + TEXTURE] = {0};
+    bool real[COLOR_MOST + TEXTURE] = {0};
+    int count = 0;
+    for (; count < most; count++) {
+        bool may_end = count == texture || count == texture + 1 || count == texture + 3;
+        if (!input_skip_in_line(&r->in) && may_end)
             break;
         if (!input_skip(&r->in))
             return bad_vertex(r, v, "the colour or texture");
-        raw = (off_color_numbers){0};
-        if (!color_number(r, &raw)) {
-            if (!not_finite(r))
-                return bad_vertex(r, v, "the colour or texture");
-            r->in.at += input_token(&r->in);
-            raw.value[0] = NAN;
-        }
-        value[count] = raw.value[0];
-        real[count++] = raw.real;
+        if (color_number(r, &value[count], &real[count]))
+            continue;
+        if (!not_finite(r))
+            return bad_vertex(r, v, "the colour or texture");
+        r->in.at += input_token(&r->in);
+        value[count] = NAN; /* as a texture coordinate of no use, as a colour odd */
     }
-    raw = (off_color_numbers){.count = count - texture};
-    for (int i = 0; i < raw.count; i++) {
-        raw.value[i] = value[i];
-        raw.real |= real[i];
-    }
-    return raw.count ? off_color_vertex(r, &raw) : ROBERTS_OK;
+    color.count = count - texture;
+    memcpy(color.value, value, sizeof color.value);
+    for (int i = 0; i < color.count; i++)
+        color.real |= real[i];
+    return color.count ? off_color_vertex(r, &color) : ROBERTS_OK;
 }
 
 static roberts_status too_large(off_reader *r, uint64_t v, double w)
@@ -207,7 +203,7 @@ static roberts_status face_color(off_reader *r)
         if (r->in.taken - start > OFF_BLANK_MAX)
             return off_fail(r, ROBERTS_BAD_SYNTAX, "the line of face %zu does not end",
                             r->mesh->face_count - 1 - r->mark.faces);
-        if (good && raw.count < COLOR_MOST && color_number(r, &raw))
+        if (good && raw.count < COLOR_MOST && color_number(r, &raw.value[raw.count++], &raw.real))
             continue;
         good = false;
         r->in.at += input_token(&r->in);
