@@ -370,6 +370,78 @@ bool roberts_ray_box(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, roberts_sp
  * half-space at a time; Cyrus and Beck, "Generalized two- and three-dimensional clipping", 1978. */
 bool roberts_ray_polyhedron(roberts_ray ray, const roberts_plane *F, size_t count, roberts_span *span);
 
+/* ---- ray: a second opinion on a drawing -------------------------------------------------------------------------- */
+
+/** A point of an edge of which the drawing says one thing and a ray another. */
+typedef struct roberts_contradiction {
+    uint32_t solid, v0, v1; /**< the edge, as in roberts_segment */
+    double t;               /**< where on it */
+    roberts_state drawn;    /**< what the drawing says */
+    roberts_state cast;     /**< what the ray says */
+    uint32_t by;            /**< cast hidden: a solid that hides the point; else ROBERTS_NONE */
+} roberts_contradiction;
+
+/** Receives contradictions, by edge and then along it. */
+typedef void roberts_contradiction_fn(void *context, const roberts_contradiction *contradiction);
+
+typedef struct roberts_verify_options {
+    uint32_t rays;         /**< per segment, near its ends and evenly between them; 0 = 3 */
+    double crease_degrees; /**< as given to roberts_hide(), to tell edges hidden altogether from those not drawn */
+    bool all_edges;        /**< the same */
+    roberts_contradiction_fn *contradiction; /**< NULL: count only */
+    void *context;
+} roberts_verify_options;
+
+roberts_verify_options roberts_verify_options_default(void);
+
+/** What roberts_verify() found. */
+typedef struct roberts_verification {
+    size_t segments;             /**< stretches of edges looked at: visible, hidden, and left out as hidden */
+    size_t points;               /**< rays cast */
+    size_t undecided;            /**< of these: within about epsilon of where the answer changes */
+    size_t contradictions;       /**< of these: the drawing is wrong there */
+    roberts_contradiction first; /**< where contradictions > 0 */
+} roberts_verification;
+
+/**
+ * Checks a drawing by casting rays from points of its edges toward the viewer, in model space, through a tree of boxes.
+ * scene, camera   those that `drawing` was made from
+ * drawing         with or without hidden segments; what is missing of an edge that has to be drawn counts as hidden
+ * options         NULL for the defaults
+ * The rule is that of roberts_hide(), with drawing->epsilon; points where the answer depends on a few epsilon are
+ * counted as undecided. Segments in state ROBERTS_CLIPPED are not looked at. A contradiction is not a failure.
+ * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW, or _BAD_ARGUMENT (a segment of no edge of the scene, t out of order).
+ */
+roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *camera, const roberts_drawing *drawing,
+                              const roberts_verify_options *options, roberts_verification *result,
+                              roberts_error *error);
+
+/** A front face that a sight line meets. */
+typedef struct roberts_pick_hit {
+    uint32_t solid;     /**< number of the solid */
+    uint32_t face;      /**< number of the face in the input */
+    double depth;       /**< along the line of sight's axis, behind the plane through the scene's centre or the look-at
+                             point (< 0: in front of it), model units */
+    roberts_vec3 point; /**< where it is met, model space */
+} roberts_pick_hit;
+
+/** What lies at a point of the picture, nearest first. */
+typedef struct roberts_picked {
+    size_t count;
+    roberts_pick_hit *hit; /**< [count] hit[0] is seen; the others lie behind it */
+} roberts_picked;
+
+/**
+ * Says what is seen at (x, y) of the picture (as in roberts_segment's p0, p1) and what lies behind it: every front face
+ * on the sight line, the border counted in; one a solid at one depth, of several the face of smallest number. Order: by
+ * depth, equal depths (within epsilon) by solid.
+ * picked  owned by the caller, released by roberts_picked_free(); empty where nothing is there, and on failure
+ * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT (x or y not finite).
+ */
+roberts_status roberts_pick(const roberts_scene *scene, const roberts_camera *camera, double x, double y,
+                            roberts_picked *picked, roberts_error *error);
+void roberts_picked_free(roberts_picked *picked);
+
 /* ---- draw: pages and tables --------------------------------------------------------------------------------------- */
 
 typedef enum roberts_format {

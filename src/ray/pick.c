@@ -1,0 +1,123 @@
+/* pick.c - what is seen at a point of the picture, and what lies behind it.
+ *
+ * Idea: the sight line through that point is asked of every front face; one question does not pay for a tree. */
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/error.h"
+#include "ray/sight.h"
+
+typedef struct picker {
+    sight s;
+    view v;
+    roberts_vec3 Q, toward; /* the sight line, through the picture's point, toward the viewer; in s.unit */
+    roberts_picked *picked;
+    size_t room;
+} picker;
+
+/* Depth of a point, in s.unit, behind the picture plane. */
+static double depth_of(const picker *p, roberts_vec3 X)
+{
+    return vec3_dot(vec3_sub(p->Q, X), p->v.dir);
+}
+
+static bool append(picker *p, roberts_pick_hit hit)
+{
+    if (!array_reserve(&p->picked->hit, &p->room, p->picked->count + 1, sizeof hit))
+        return false;
+    p->picked->hit[p->picked->count++] = hit;
+    return true;
+}
+
+/* Where the sight line meets the plane of a face that it passes through: F(Q) + t (v . n) = 0, v . n < 0. */
+static roberts_vec3 meet(const picker *p, uint32_t face)
+{
+    plane F = p->s.scene->face_plane[face];
+    roberts_vec3 n = {F.a, F.b, F.c};
+    double t = -sight_behind(&p->s, face, p->Q) / vec3_dot(p->toward, n);
+    return vec3_add(p->Q, vec3_scale(t, p->toward));
+}
+
+/* The front faces of one solid on the sight line; neighbours that share the point met count once. */
+static bool pick_solid(picker *p, uint32_t solid)
+{
+    const roberts_scene *scene = p->s.scene;
+    size_t first = p->picked->count;
+    for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {
+        if (p->s.facing[face] != SIGHT_FRONT || sight_through(&p->s, face, p->Q, p->toward) != SIGHT_SURELY)
+            continue;
+        roberts_vec3 X = meet(p, face);
+        double depth = depth_of(p, X);
+        bool again = false;
+        for (size_t i = first; i < p->picked->count; i++) {
+            roberts_pick_hit *hit = &p->picked->hit[i];
+            if (fabs(hit->depth / p->s.unit - depth) <= p->s.loose + p->s.rounding) {
+                again = true;
+                if (scene->face_number[face] < hit->face)
+                    hit->face = scene->face_number[face];
+            }
+        }
+        roberts_vec3 point = vec3_add(vec3_scale(p->s.unit, X), scene->centre);
+        if (!again && !append(p, (roberts_pick_hit){solid, scene->face_number[face], depth * p->s.unit, point}))
+            return false;
+    }
+    return true;
+}
+
+static int by_depth(const void *a, const void *b)
+{
+    const roberts_pick_hit *p = a, *q = b;
+    if (p->depth != q->depth)
+        return p->depth < q->depth ? -1 : 1;
+    if (p->solid != q->solid)
+        return p->solid < q->solid ? -1 : 1;
+    return p->face < q->face ? -1 : p->face > q->face;
+}
+
+/* Equal depths by solid: within a run of hits that each touch the next in depth. Not part of by_depth(), since touching
+ * is not transitive. */
+static void order(roberts_picked *picked, double touching)
+{
+    qsort(picked->hit, picked->count, sizeof *picked->hit, by_depth);
+    for (size_t i = 1; i < picked->count; i++) {
+        roberts_pick_hit hit = picked->hit[i];
+        size_t k = i;
+        for (; k > 0 && picked->hit[k - 1].solid > hit.solid && hit.depth - picked->hit[k - 1].depth <= touching; k--)
+            picked->hit[k] = picked->hit[k - 1];
+        picked->hit[k] = hit;
+    }
+}
+
+roberts_status roberts_pick(const roberts_scene *scene, const roberts_camera *camera, double x, double y,
+                            roberts_picked *picked, roberts_error *error)
+{
+    picker p = {.picked = picked};
+    *picked = (roberts_picked){0};
+    if (!isfinite(x) || !isfinite(y))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "the point to pick must be finite");
+    roberts_status status = view_prepare(&p.v, scene, camera, 0.0, error);
+    if (status != ROBERTS_OK)
+        return status;
+    if (!sight_prepare(&p.s, scene, &p.v))
+        return error_no_memory(error);
+    p.Q = vec3_scale(1.0 / p.s.unit, vec3_sub(p.v.origin, scene->centre));
+    p.Q = vec3_add(p.Q, vec3_add(vec3_scale(x / p.s.unit, p.v.right), vec3_scale(y / p.s.unit, p.v.up)));
+    p.toward = sight_from(&p.s, p.Q);
+    for (uint32_t solid = 0; status == ROBERTS_OK && solid < scene->solid_count; solid++)
+        if (!pick_solid(&p, solid))
+            status = error_no_memory(error);
+    if (status != ROBERTS_OK)
+        roberts_picked_free(picked);
+    else if (picked->count)
+        order(picked, (p.s.loose + p.s.rounding) * p.s.unit);
+    sight_free(&p.s);
+    return status;
+}
+
+void roberts_picked_free(roberts_picked *picked)
+{
+    if (!picked)
+        return;
+    free(picked->hit);
+    *picked = (roberts_picked){0};
+}

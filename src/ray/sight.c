@@ -1,0 +1,133 @@
+/* sight.c - sight lines against faces. See sight.h. */
+#include "ray/sight.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "ray/ray.h"
+
+/* Roundings of a coordinate or distance, in ulps of the largest coordinate: differences, three products, two sums. */
+#define ROUNDINGS 8.0
+
+static roberts_vec3 normalised(roberts_vec3 a)
+{
+    double m = fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
+    a = (roberts_vec3){a.x / m, a.y / m, a.z / m};
+    return vec3_scale(1.0 / vec3_length(a), a);
+}
+
+/* Along the line of sight a length l at distance r D from the eye (D: of the look-at point) has in view space a picture
+ * of l / r, and a depth of up to l / r^2. `near` and `far` bound r over the scene. */
+static void set_margins(sight *s, const view *v)
+{
+    double near = 1.0, far = 1.0, extent = 0.0;
+    for (uint32_t i = 0; i < s->scene->vertex_count; i++) {
+        roberts_vec3 p = s->P[i];
+        extent = fmax(extent, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
+        if (s->perspective) {
+            double r = vec3_dot(vec3_sub(s->viewpoint, p), v->dir) * v->inverse_distance;
+            near = fmin(near, r);
+            far = fmax(far, r);
+        }
+    }
+    if (s->perspective)
+        extent = fmax(extent, vec3_length(s->viewpoint));
+    s->rounding = ROUNDINGS * DBL_EPSILON * extent;
+    s->tight = v->epsilon * fmax(near, 0.0) * near / SIGHT_MARGIN;
+    s->loose = v->epsilon * far * far * SIGHT_MARGIN;
+}
+
+/* Width of the face's picture across its plane (where it is narrowest), as a length at its first corner's depth, and
+ * how much of that is due to the plane's tilt rather than to corners beside it. */
+static int facing_of(const sight *s, uint32_t face)
+{
+    const roberts_scene *scene = s->scene;
+    plane F = scene->face_plane[face];
+    roberts_vec3 n = {F.a, F.b, F.c}, A = s->P[scene->corner[scene->face_start[face]]];
+    roberts_vec3 v = sight_from(s, A);
+    double ahead = s->perspective ? sight_behind(s, face, s->viewpoint) : vec3_dot(n, v);
+    double length = vec3_length(v), low = 0.0, high = 0.0, radius = 0.0;
+    if (!(ahead < 0.0))
+        return SIGHT_NOT_FRONT;
+    v = vec3_scale(1.0 / length, v);
+    double tilt = fabs(vec3_dot(n, v));
+    roberts_vec3 across = vec3_sub(n, vec3_scale(vec3_dot(n, v), v));
+    if (vec3_length(across) <= 0.5)
+        return SIGHT_FRONT; /* tilted by less than 30 degrees, and not flat */
+    across = normalised(across);
+    for (uint32_t k = scene->face_start[face] + 1; k < scene->face_start[face + 1]; k++) {
+        roberts_vec3 p = vec3_sub(s->P[scene->corner[k]], A);
+        double shorten = s->perspective ? 1.0 - vec3_dot(p, v) / length : 1.0;
+        low = fmin(low, vec3_dot(p, across) / shorten);
+        high = fmax(high, vec3_dot(p, across) / shorten);
+        radius = fmax(radius, vec3_length(p));
+    }
+    if (high - low <= s->tight - s->rounding)
+        return SIGHT_NOT_FRONT;
+    return fmin(high - low, tilt * radius) <= s->loose + s->rounding ? SIGHT_UNSURE : SIGHT_FRONT;
+}
+
+bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
+{
+    *s = (sight){.scene = scene, .perspective = v->perspective, .unit = v->unit};
+    s->P = alloc_array(scene->vertex_count, sizeof *s->P);
+    s->facing = alloc_array(scene->face_count, sizeof *s->facing);
+    if (!s->P || !s->facing) {
+        sight_free(s);
+        return false;
+    }
+    for (uint32_t i = 0; i < scene->vertex_count; i++)
+        s->P[i] = vec3_scale(1.0 / s->unit, vec3_sub(scene->point[i], scene->centre));
+    s->viewpoint =
+        s->perspective ? vec3_scale(1.0 / s->unit, vec3_sub(v->viewpoint, scene->centre)) : normalised(v->viewpoint);
+    set_margins(s, v);
+    for (uint32_t face = 0; face < scene->face_count; face++)
+        s->facing[face] = (unsigned char)facing_of(s, face);
+    return true;
+}
+
+void sight_free(sight *s)
+{
+    if (!s)
+        return;
+    free(s->P);
+    free(s->facing);
+    *s = (sight){0};
+}
+
+/* Corners of a front face run counter-clockwise for the viewer, so that inside is where every side turns to the left.
+ * XA x XB is taken as XA x AB, whose rounding is in proportion to AB: a short side stays exact far from X. */
+sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
+{
+    const roberts_scene *scene = s->scene;
+    uint32_t end = scene->face_start[face + 1];
+    roberts_vec3 A = s->P[scene->corner[end - 1]];
+    sight_answer answer = SIGHT_SURELY;
+    for (uint32_t k = scene->face_start[face]; k < end; k++) {
+        roberts_vec3 B = s->P[scene->corner[k]], xa = vec3_sub(A, X), ab = vec3_sub(B, A);
+        double left = vec3_dot(v, vec3_cross(xa, ab)), noise = RAY_PARALLEL * vec3_triple_size(xa, ab, v);
+        A = B;
+        if (left >= noise && s->tight >= s->rounding)
+            continue;
+        double picture = vec3_length(vec3_cross(v, ab));
+        if (!(left >= -(s->loose + s->rounding) * picture - noise))
+            return SIGHT_NO;
+        if (!(left >= -(s->tight - s->rounding) * picture + noise))
+            answer = SIGHT_POSSIBLY;
+    }
+    return answer;
+}
+
+sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
+{
+    if (s->facing[face] == SIGHT_NOT_FRONT)
+        return SIGHT_NO;
+    double behind = sight_behind(s, face, X), deviation = s->scene->face_deviation[face] / s->unit;
+    if (!(behind > s->tight + deviation / SIGHT_MARGIN - s->rounding))
+        return SIGHT_NO;
+    sight_answer through = sight_through(s, face, X, v);
+    if (s->facing[face] == SIGHT_UNSURE || !(behind > s->loose + deviation * SIGHT_MARGIN + s->rounding))
+        return through == SIGHT_NO ? SIGHT_NO : SIGHT_POSSIBLY;
+    return through;
+}

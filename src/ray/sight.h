@@ -1,0 +1,69 @@
+/* sight.h - sight lines against faces, in model space: what verify and pick have in common.
+ *
+ * A sight line runs from a point X toward the viewer: along dir, or to the eye. It meets a face F where X is behind F
+ * and where the line passes all its sides AB on the inner side: v . (XA x XB) >= 0, twice the volume of the tetrahedron
+ * that the pieces v and AB of two lines span. Divided by |v x AB| that is the distance of the lines from each other, so
+ * it can be compared with a length, in both projections alike.
+ *
+ * No coordinate is turned or projected, and no tests 1 to 4, no grid: nothing is shared with what hides lines but the
+ * solids themselves.
+ *
+ * Lengths are counted in `unit`, points from the scene's centre; products of coordinates stay far from over- and
+ * underflow. */
+#ifndef ROBERTS_RAY_SIGHT_H
+#define ROBERTS_RAY_SIGHT_H
+
+#include "model/scene.h"
+#include "view/view.h"
+
+enum {
+    SIGHT_NOT_FRONT = 0, /* back, or edge-on */
+    SIGHT_FRONT = 1,
+    SIGHT_UNSURE = 2, /* front or edge-on: the picture is about as wide as epsilon */
+};
+
+typedef struct sight {
+    const roberts_scene *scene;
+    roberts_vec3 *P;       /* [vertex_count] */
+    unsigned char *facing; /* [face_count] */
+    bool perspective;
+    roberts_vec3 viewpoint; /* the direction toward the viewer, of length 1, or the eye */
+    double unit;            /* model units, a power of two */
+    /* The touching distance, measured after the view's map, as a length here: at least `tight`, at most `loose`, both
+     * with a factor SIGHT_MARGIN to spare. Rounding of coordinates and distances is below `rounding`. */
+    double tight, loose, rounding;
+} sight;
+
+/* How much a decision may depend on where exactly the touching distance lies. The rule compares distances from a face's
+ * sides and plane, in view space, with epsilon; whoever measures them otherwise (from a corner, along another line)
+ * comes out within this factor. */
+#define SIGHT_MARGIN 4.0
+
+/* Prepares `s` for `scene` seen by `camera`, with `v` from view_prepare() (its frame is not used, only unit, epsilon and
+ * the distance of the eye). False: no memory. */
+bool sight_prepare(sight *s, const roberts_scene *scene, const view *v);
+void sight_free(sight *s);
+
+/* From X toward the viewer; in perspective it ends at the eye. */
+static inline roberts_vec3 sight_from(const sight *s, roberts_vec3 X)
+{
+    return s->perspective ? vec3_sub(s->viewpoint, X) : s->viewpoint;
+}
+
+/* F(X): how far X lies behind (> 0) or in front of a front face. */
+static inline double sight_behind(const sight *s, uint32_t face, roberts_vec3 X)
+{
+    plane F = s->scene->face_plane[face];
+    return F.a * X.x + F.b * X.y + F.c * X.z + F.d / s->unit;
+}
+
+typedef enum sight_answer { SIGHT_NO, SIGHT_POSSIBLY, SIGHT_SURELY } sight_answer;
+
+/* Whether the line through X along v (toward the viewer) passes within the sides of the face; on a side counts. */
+sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v);
+
+/* Whether the face hides X from the viewer: X lies behind its plane, by more than touching, and the sight line passes
+ * through it. A face that is not front hides nothing. */
+sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v);
+
+#endif
