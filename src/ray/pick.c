@@ -44,7 +44,7 @@ static bool pick_solid(picker *p, uint32_t solid)
     const roberts_scene *scene = p->s.scene;
     size_t first = p->picked->count;
     for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {
-        if (p->s.facing[face] != SIGHT_FRONT || sight_through(&p->s, face, p->Q, p->toward) != SIGHT_SURELY)
+        if (p->s.facing[face] != SIGHT_FRONT || sight_through(&p->s, face, p->Q, p->toward, 0.0) != SIGHT_SURELY)
             continue;
         roberts_vec3 X = meet(p, face);
         double depth = depth_of(p, X);

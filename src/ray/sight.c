@@ -98,7 +98,7 @@ void sight_free(sight *s)
 
 /* Corners of a front face run counter-clockwise for the viewer, so that inside is where every side turns to the left.
  * XA x XB is taken as XA x AB, whose rounding is in proportion to AB: a short side stays exact far from X. */
-sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
+sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)
 {
     const roberts_scene *scene = s->scene;
     uint32_t end = scene->face_start[face + 1];
@@ -108,25 +108,25 @@ sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, robert
         roberts_vec3 B = s->P[scene->corner[k]], xa = vec3_sub(A, X), ab = vec3_sub(B, A);
         double left = vec3_dot(v, vec3_cross(xa, ab)), noise = RAY_PARALLEL * vec3_triple_size(xa, ab, v);
         A = B;
-        if (left >= noise && s->tight >= s->rounding)
+        if (left >= 0.0)
             continue;
         double picture = vec3_length(vec3_cross(v, ab));
-        if (!(left >= -(s->loose + s->rounding) * picture - noise))
+        if (!(left >= -(s->loose + s->rounding + slack) * picture - noise))
             return SIGHT_NO;
-        if (!(left >= -(s->tight - s->rounding) * picture + noise))
+        if (!(left >= -s->rounding * picture - noise))
             answer = SIGHT_POSSIBLY;
     }
     return answer;
 }
 
-sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
+sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)
 {
     if (s->facing[face] == SIGHT_NOT_FRONT)
         return SIGHT_NO;
     double behind = sight_behind(s, face, X), deviation = s->scene->face_deviation[face] / s->unit;
-    if (!(behind > s->tight + deviation / SIGHT_MARGIN - s->rounding))
+    if (!(behind > s->rounding))
         return SIGHT_NO;
-    sight_answer through = sight_through(s, face, X, v);
+    sight_answer through = sight_through(s, face, X, v, slack);
     if (s->facing[face] == SIGHT_UNSURE || !(behind > s->loose + deviation * SIGHT_MARGIN + s->rounding))
         return through == SIGHT_NO ? SIGHT_NO : SIGHT_POSSIBLY;
     return through;

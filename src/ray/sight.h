@@ -57,13 +57,18 @@ static inline double sight_behind(const sight *s, uint32_t face, roberts_vec3 X)
     return F.a * X.x + F.b * X.y + F.c * X.z + F.d / s->unit;
 }
 
+/* Exact contact has its rule: on a side counts as inside, in the plane does not count as behind. Nearer than the touching
+ * distance, but not in contact, either may be right: an edge that runs along a side is drawn as if it touched, one that
+ * crosses it is cut at the crossing itself. */
 typedef enum sight_answer { SIGHT_NO, SIGHT_POSSIBLY, SIGHT_SURELY } sight_answer;
 
-/* Whether the line through X along v (toward the viewer) passes within the sides of the face; on a side counts. */
-sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v);
+/* Whether the line through X along v (toward the viewer) passes within the sides of the face. Outside of a side, but
+ * within the touching distance and `slack` of it, it possibly does. */
+sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack);
 
-/* Whether the face hides X from the viewer: X lies behind its plane, by more than touching, and the sight line passes
- * through it. A face that is not front hides nothing. */
-sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v);
+/* Whether the face hides X from the viewer: X lies behind its plane and the sight line passes through it. Behind, but by
+ * less than the touching distance and the face's departure from its plane, it possibly does. A face that is not front
+ * hides nothing. */
+sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack);
 
 #endif

@@ -16,6 +16,8 @@
 /* The first and last point of a stretch lie this part of it from its ends: near enough to find an end that is off by a
  * thousandth of the stretch, and farther than epsilon from it for all stretches that a pen can show. */
 #define END_MARGIN 0x1p-10
+/* A wrong point counts where a neighbour at this part of the stretch is wrong as well. */
+#define NEIGHBOUR 0x1p-12
 /* Gaps between the rows of an edge that are rounding (t has a size of 1). */
 #define GAP 1e-15
 /* How far boxes reach beyond their faces, in loose epsilons: a corner of angle a, grown by epsilon, sticks out by
@@ -29,6 +31,8 @@ typedef struct verifier {
     tree t;
     uint32_t *tree_face;  /* [items of the tree] front faces, or nearly */
     uint32_t *face_solid; /* [face_count] */
+    double *slack;        /* [solid_count] how far a back edge may stick out of the picture of its solid's front faces
+                             where coordinates are rounded: that of all its faces */
     uint32_t *row_start;  /* [edge_count + 1] */
     uint32_t *row;        /* [segments] rows of the drawing, edge by edge, by t */
     const roberts_drawing *drawing;
@@ -43,8 +47,9 @@ roberts_verify_options roberts_verify_options_default(void)
 
 /* ---- casting ---------------------------------------------------------------------------------------------------- */
 
-/* Whether anything hides X; faces of solid `skip` do not count. `*by`: a solid that does, or may. */
-static sight_answer cast(const verifier *f, roberts_vec3 X, uint32_t skip, uint32_t *by)
+/* Whether anything hides X, a point of an edge of `solid`; if `own`, faces of that solid count too. `*by`: a solid that
+ * does, or may. */
+static sight_answer cast(const verifier *f, roberts_vec3 X, uint32_t solid, bool own, uint32_t *by)
 {
     roberts_vec3 v = sight_from(&f->s, X);
     sight_answer answer = SIGHT_NO;
@@ -53,13 +58,13 @@ static sight_answer cast(const verifier *f, roberts_vec3 X, uint32_t skip, uint3
     tree_walk_start(&walk, &f->t, (roberts_ray){X, v}, f->s.perspective ? 1.0 : INFINITY);
     for (uint32_t count; (count = tree_walk_next(&walk, &item)) > 0;) {
         for (uint32_t i = 0; i < count; i++) {
-            uint32_t face = f->tree_face[item[i]], solid = f->face_solid[face];
-            if (solid == skip)
+            uint32_t face = f->tree_face[item[i]], occluder = f->face_solid[face];
+            if (occluder == solid && !own)
                 continue;
-            sight_answer one = sight_hides(&f->s, face, X, v);
+            sight_answer one = sight_hides(&f->s, face, X, v, occluder == solid ? f->slack[solid] : 0.0);
             if (one > answer) {
                 answer = one;
-                *by = solid;
+                *by = occluder;
             }
             if (answer == SIGHT_SURELY)
                 return answer;
@@ -118,47 +123,75 @@ static double position(uint32_t k, uint32_t n)
     return (double)k / (n - 1);
 }
 
-/* Judges the points of edge `index` from t0 to t1, which the drawing shows as `drawn`. */
-static void check_stretch(verifier *f, uint32_t solid, uint32_t index, double t0, double t1, roberts_state drawn)
+/* A stretch of an edge that the drawing shows in one state. */
+typedef struct stretch {
+    uint32_t solid, edge;
+    int class;
+    double t0, t1;
+    roberts_state drawn;
+} stretch;
+
+/* Whether the ray from point t of the edge surely contradicts the drawing; `*answer` is what it says. */
+static bool contradicted(const verifier *f, const stretch *e, double t, sight_answer *answer, uint32_t *by)
 {
-    const roberts_scene *scene = f->s.scene;
-    const scene_edge *e = &scene->edge[index];
-    roberts_vec3 A = f->s.P[e->v[0]], AB = vec3_sub(f->s.P[e->v[1]], A);
-    int class = edge_class(f, e);
+    const scene_edge *edge = &f->s.scene->edge[e->edge];
+    roberts_vec3 A = f->s.P[edge->v[0]], AB = vec3_sub(f->s.P[edge->v[1]], A);
+    *by = ROBERTS_NONE;
+    *answer = SIGHT_POSSIBLY;
+    if (e->class != EDGE_UNSURE)
+        *answer = cast(f, vec3_add(A, vec3_scale(t, AB)), e->solid, e->class == EDGE_BACK, by);
+    return *answer == (e->drawn == ROBERTS_HIDDEN ? SIGHT_NO : SIGHT_SURELY);
+}
+
+/* Judges the points of a stretch. Where an edge passes behind a mere corner the rule hides one point of it, and the
+ * drawing rightly shows nothing of that: only what is contradicted at a neighbouring point too counts. */
+static void check_stretch(verifier *f, const stretch *e)
+{
+    const scene_edge *edge = &f->s.scene->edge[e->edge];
+    const uint32_t *number = f->s.scene->number;
+    double length = e->t1 - e->t0, step = NEIGHBOUR * length;
     f->result->segments++;
     for (uint32_t k = 0; k < f->options.rays; k++) {
-        double t = t0 + (t1 - t0) * position(k, f->options.rays);
-        uint32_t by = ROBERTS_NONE;
-        sight_answer hidden = SIGHT_POSSIBLY;
-        if (class != EDGE_UNSURE)
-            hidden = cast(f, vec3_add(A, vec3_scale(t, AB)), class == EDGE_FRONT ? solid : ROBERTS_NONE, &by);
+        double t = e->t0 + length * position(k, f->options.rays);
+        uint32_t by, other_by;
+        sight_answer answer, other;
         f->result->points++;
-        if (hidden == SIGHT_POSSIBLY) {
+        bool wrong = contradicted(f, e, t, &answer, &by);
+        if (wrong && !contradicted(f, e, t - step, &other, &other_by) &&
+            !contradicted(f, e, t + step, &other, &other_by))
+            answer = SIGHT_POSSIBLY;
+        if (answer == SIGHT_POSSIBLY)
             f->result->undecided++;
-            continue;
-        }
-        roberts_state state = hidden == SIGHT_SURELY ? ROBERTS_HIDDEN : ROBERTS_VISIBLE;
-        if (state != drawn)
-            contradict(f, (roberts_contradiction){solid, scene->number[e->v[0]], scene->number[e->v[1]], t, drawn,
-                                                  state, hidden == SIGHT_SURELY ? by : ROBERTS_NONE});
+        else if (wrong)
+            contradict(f, (roberts_contradiction){e->solid, number[edge->v[0]], number[edge->v[1]], t, e->drawn,
+                                                  answer == SIGHT_SURELY ? ROBERTS_HIDDEN : ROBERTS_VISIBLE,
+                                                  answer == SIGHT_SURELY ? by : ROBERTS_NONE});
     }
 }
 
 /* The rows of an edge, and between them, where the edge has to be drawn, the gaps: hidden and left out. */
 static void check_edge(verifier *f, uint32_t solid, uint32_t index)
 {
-    bool gaps = surely_drawn(f, &f->s.scene->edge[index]);
+    const scene_edge *edge = &f->s.scene->edge[index];
+    bool gaps = surely_drawn(f, edge);
+    stretch e = {.solid = solid, .edge = index, .class = edge_class(f, edge)};
     double end = 0.0;
-    for (uint32_t k = f->row_start[index]; k < f->row_start[index + 1]; k++) {
-        const roberts_segment *row = &f->drawing->segment[f->row[k]];
-        if (gaps && row->t0 - end > GAP)
-            check_stretch(f, solid, index, end, row->t0, ROBERTS_HIDDEN);
-        if (row->state != ROBERTS_CLIPPED)
-            check_stretch(f, solid, index, row->t0, row->t1, (roberts_state)row->state);
+    for (uint32_t k = f->row_start[index]; k <= f->row_start[index + 1]; k++) {
+        const roberts_segment *row = k < f->row_start[index + 1] ? &f->drawing->segment[f->row[k]] : NULL;
+        e.t0 = end;
+        e.t1 = row ? row->t0 : 1.0;
+        e.drawn = ROBERTS_HIDDEN;
+        if (gaps && e.t1 - e.t0 > GAP)
+            check_stretch(f, &e);
+        if (!row)
+            return;
+        e.t0 = row->t0;
+        e.t1 = row->t1;
+        e.drawn = (roberts_state)row->state;
+        if (e.drawn != ROBERTS_CLIPPED)
+            check_stretch(f, &e);
         end = fmax(end, row->t1);
     }
-    if (gaps && 1.0 - end > GAP)
-        check_stretch(f, solid, index, end, 1.0, ROBERTS_HIDDEN);
 }
 
 /* ---- rows to edges ---------------------------------------------------------------------------------------------- */
@@ -251,13 +284,17 @@ static bool prepare(verifier *f, const roberts_scene *scene, const view *v)
 {
     f->tree_face = alloc_array(scene->face_count, sizeof *f->tree_face);
     f->face_solid = alloc_array(scene->face_count, sizeof *f->face_solid);
+    f->slack = alloc_zeroed(scene->solid_count, sizeof *f->slack);
     f->row_start = alloc_zeroed((size_t)scene->edge_count + 1, sizeof *f->row_start);
     f->row = alloc_array(f->drawing->count, sizeof *f->row);
-    if (!f->tree_face || !f->face_solid || !f->row_start || !f->row || !sight_prepare(&f->s, scene, v))
+    if (!f->tree_face || !f->face_solid || !f->slack || !f->row_start || !f->row || !sight_prepare(&f->s, scene, v))
         return false;
-    for (uint32_t solid = 0; solid < scene->solid_count; solid++)
-        for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++)
+    for (uint32_t solid = 0; solid < scene->solid_count; solid++) {
+        for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {
             f->face_solid[face] = solid;
+            f->slack[solid] = fmax(f->slack[solid], SIGHT_MARGIN * scene->face_deviation[face] / f->s.unit);
+        }
+    }
     return build_tree(f);
 }
 
@@ -267,6 +304,7 @@ static void release(verifier *f)
     tree_free(&f->t);
     free(f->tree_face);
     free(f->face_solid);
+    free(f->slack);
     free(f->row_start);
     free(f->row);
 }
