@@ -1,0 +1,599 @@
+/* test_verify.c - the second opinion on drawings: none on right ones, always one on spoiled ones; picking by table; the
+ * tree of boxes against asking every box. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+
+#include "base/vec.h"
+#include "ray/tree.h"
+#include "roberts.h"
+
+#define COUNT(a) (sizeof(a) / sizeof(a)[0])
+
+/* ---- random numbers: splitmix64, the same on every machine ---------------------------------------------------- */
+
+typedef struct rng {
+    uint64_t state;
+} rng;
+
+static double draw(rng *r, double lo, double hi)
+{
+    uint64_t z = (r->state += 0x9E3779B97F4A7C15u);
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    z ^= z >> 31;
+    return lo + (hi - lo) * ((double)(z >> 11) * 0x1p-53);
+}
+
+static roberts_vec3 draw_vec3(rng *r, double size)
+{
+    double x = draw(r, -size, size), y = draw(r, -size, size), z = draw(r, -size, size);
+    return (roberts_vec3){x, y, z};
+}
+
+/* ---- scenes ----------------------------------------------------------------------------------------------------- */
+
+/* A parallelepiped with corner o and sides u, v, w. */
+static void add_block(roberts_mesh *mesh, roberts_vec3 o, roberts_vec3 u, roberts_vec3 v, roberts_vec3 w)
+{
+    static const uint32_t face[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                        {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    uint32_t first = (uint32_t)mesh->vertex_count;
+    for (int i = 0; i < 8; i++) {
+        roberts_vec3 p = o;
+        p = i & 1 ? vec3_add(p, u) : p;
+        p = i & 2 ? vec3_add(p, v) : p;
+        p = i & 4 ? vec3_add(p, w) : p;
+        assert_int_equal(roberts_mesh_add_vertex(mesh, p, NULL, NULL), ROBERTS_OK);
+    }
+    for (int i = 0; i < 6; i++) {
+        uint32_t corner[4];
+        for (int k = 0; k < 4; k++)
+            corner[k] = first + face[i][k];
+        assert_int_equal(roberts_mesh_add_face(mesh, corner, 4, NULL), ROBERTS_OK);
+    }
+}
+
+/* A box from lo to hi. Faces, from its first: z least, z greatest, y least, y greatest, x least, x greatest. */
+static void add_box(roberts_mesh *mesh, roberts_vec3 lo, roberts_vec3 hi)
+{
+    add_block(mesh, lo, (roberts_vec3){hi.x - lo.x, 0, 0}, (roberts_vec3){0, hi.y - lo.y, 0},
+              (roberts_vec3){0, 0, hi.z - lo.z});
+}
+
+static roberts_scene *build(roberts_mesh *mesh)
+{
+    roberts_scene *scene = NULL;
+    roberts_error error = {0};
+    if (roberts_scene_build(mesh, NULL, &scene, &error) != ROBERTS_OK)
+        fail_msg("scene: %s", error.message);
+    roberts_mesh_free(mesh);
+    return scene;
+}
+
+/* `count` blocks of random shape and turn in a cube of side 2, overlapping as they may. */
+static roberts_scene *random_scene(rng *r, int count, double size)
+{
+    roberts_mesh mesh = {0};
+    for (int i = 0; i < count; i++) {
+        roberts_vec3 u, v, w;
+        do {
+            u = draw_vec3(r, size);
+            v = draw_vec3(r, size);
+            w = draw_vec3(r, size);
+        } while (fabs(vec3_dot(u, vec3_cross(v, w))) < 0.1 * size * size * size);
+        add_block(&mesh, draw_vec3(r, 1.0), u, v, w);
+    }
+    return build(&mesh);
+}
+
+/* nx x ny x nz boxes of 2 x 3 x 4 that touch in faces; in every other layer shifted by half a box. */
+static roberts_scene *brick_scene(int nx, int ny, int nz)
+{
+    roberts_mesh mesh = {0};
+    for (int z = 0; z < nz; z++)
+        for (int y = 0; y < ny; y++)
+            for (int x = 0; x < nx; x++) {
+                roberts_vec3 lo = {2.0 * x + (z % 2), 3.0 * y, 4.0 * z};
+                add_box(&mesh, lo, vec3_add(lo, (roberts_vec3){2, 3, 4}));
+            }
+    return build(&mesh);
+}
+
+static roberts_camera preset(const char *name)
+{
+    roberts_camera camera;
+    assert_true(roberts_camera_preset(name, &camera));
+    return camera;
+}
+
+static roberts_drawing hide(const roberts_scene *scene, const roberts_camera *camera, bool keep_hidden)
+{
+    roberts_hide_options options = roberts_hide_options_default();
+    roberts_drawing drawing;
+    roberts_error error = {0};
+    options.keep_hidden = keep_hidden;
+    if (roberts_hide(scene, camera, &options, &drawing, &error) != ROBERTS_OK)
+        fail_msg("hide: %s", error.message);
+    return drawing;
+}
+
+/* ---- right drawings --------------------------------------------------------------------------------------------- */
+
+static void tell(void *context, const roberts_contradiction *c)
+{
+    if ((*(int *)context)++ < 5)
+        print_message("solid %u, edge %u-%u at %.17g: drawn %d, cast %d by %d\n", (unsigned)c->solid, (unsigned)c->v0,
+                      (unsigned)c->v1, c->t, (int)c->drawn, (int)c->cast, (int)c->by);
+}
+
+/* Nothing contradicts the drawing of `scene`, with hidden segments or without; at most one point in a thousand is left
+ * undecided. Returns the number of points. */
+static size_t check_right(const char *name, const roberts_scene *scene, const roberts_camera *camera, uint32_t rays)
+{
+    size_t points = 0;
+    for (int keep = 0; keep < 2; keep++) {
+        int told = 0;
+        roberts_verify_options options = roberts_verify_options_default();
+        roberts_verification found;
+        roberts_error error = {0};
+        roberts_drawing drawing = hide(scene, camera, keep);
+        options.rays = rays;
+        options.contradiction = tell;
+        options.context = &told;
+        if (roberts_verify(scene, camera, &drawing, &options, &found, &error) != ROBERTS_OK)
+            fail_msg("%s: %s", name, error.message);
+        if (found.contradictions || found.undecided * 1000 > found.points)
+            fail_msg("%s, keep %d: of %zu points %zu contradict, %zu are undecided", name, keep, found.points,
+                     found.contradictions, found.undecided);
+        assert_true(found.points == found.segments * rays && found.segments >= drawing.count);
+        points += found.points;
+        roberts_drawing_free(&drawing);
+    }
+    return points;
+}
+
+static void test_random_scenes(void **state)
+{
+    rng r = {1};
+    size_t points = 0;
+    (void)state;
+    for (int i = 0; i < 60; i++) {
+        roberts_scene *scene = random_scene(&r, 2 + i, draw(&r, 0.2, 1.5));
+        roberts_camera camera = {.dir = draw_vec3(&r, 1.0)}, eye = {.projection = ROBERTS_PERSPECTIVE};
+        eye.eye = vec3_scale(draw(&r, 6.0, 30.0) / vec3_length(camera.dir), camera.dir);
+        points += check_right("orthographic", scene, &camera, 7);
+        points += check_right("perspective", scene, &eye, 7);
+        roberts_scene_free(scene);
+    }
+    assert_true(points > 100000);
+}
+
+/* Touching boxes where everything lines up; from near, the eye sees along some faces. */
+static void test_bricks(void **state)
+{
+    static const char *const views[] = {"iso", "dimetric", "front", "back", "left", "right", "top", "bottom"};
+    roberts_scene *scene = brick_scene(4, 3, 4);
+    (void)state;
+    for (size_t i = 0; i < COUNT(views); i++) {
+        roberts_camera camera = preset(views[i]);
+        check_right(views[i], scene, &camera, 5);
+    }
+    const roberts_vec3 eyes[] = {{4, -20, 8}, {2, -20, 16}, {30, 6, 4}, {20, -20, 30}, {4.5, 4.5, 60}};
+    for (size_t i = 0; i < COUNT(eyes); i++) {
+        roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE, .eye = eyes[i]};
+        check_right("perspective", scene, &camera, 5);
+    }
+    roberts_scene_free(scene);
+}
+
+/* The same at all scales and far from the origin. */
+static void test_scales(void **state)
+{
+    static const double scales[] = {1e-100, 1e-8, 1e8, 1e100};
+    (void)state;
+    for (size_t i = 0; i < COUNT(scales); i++) {
+        roberts_mesh mesh = {0};
+        for (int k = 0; k < 20; k++) {
+            double s = scales[i], x = 1.5 * (k % 4), y = 1.25 * (k % 5), z = 0.75 * k;
+            add_box(&mesh, (roberts_vec3){s * x, s * y, s * z},
+                    (roberts_vec3){s * (x + 1.5), s * (y + 2.5), s * (z + 1.25)});
+        }
+        roberts_scene *scene = build(&mesh);
+        roberts_camera camera = preset("trimetric");
+        check_right("scaled", scene, &camera, 5);
+        roberts_scene_free(scene);
+    }
+    roberts_mesh mesh = {0};
+    for (int k = 0; k < 8; k++)
+        add_box(&mesh, (roberts_vec3){1e8 + k, 1e8 + k % 2, -1e8 + k},
+                (roberts_vec3){1e8 + k + 1, 1e8 + 2, -1e8 + k + 2});
+    roberts_scene *scene = build(&mesh);
+    roberts_camera camera = preset("iso");
+    check_right("far away", scene, &camera, 5);
+    roberts_scene_free(scene);
+}
+
+/* ---- spoiled drawings ------------------------------------------------------------------------------------------- */
+
+typedef struct spoiled {
+    const roberts_segment *row;
+    size_t here, elsewhere;
+} spoiled;
+
+static void count_spoiled(void *context, const roberts_contradiction *c)
+{
+    spoiled *s = context;
+    if (c->solid == s->row->solid && c->v0 == s->row->v0 && c->v1 == s->row->v1)
+        s->here++;
+    else
+        s->elsewhere++;
+    assert_true(c->drawn != c->cast);
+    assert_true((c->by != ROBERTS_NONE) == (c->cast == ROBERTS_HIDDEN));
+}
+
+/* The contradictions on the row's edge; there are none on others. */
+static size_t find_spoiled(const roberts_scene *scene, const roberts_camera *camera, const roberts_drawing *drawing,
+                           const roberts_segment *row)
+{
+    spoiled s = {row, 0, 0};
+    roberts_verify_options options = roberts_verify_options_default();
+    roberts_verification found;
+    options.contradiction = count_spoiled;
+    options.context = &s;
+    assert_int_equal(roberts_verify(scene, camera, drawing, &options, &found, NULL), ROBERTS_OK);
+    assert_int_equal(s.elsewhere, 0);
+    assert_int_equal(s.here, found.contradictions);
+    if (found.contradictions)
+        assert_true(found.first.solid == row->solid && found.first.v0 == row->v0 && found.first.v1 == row->v1);
+    return s.here;
+}
+
+/* Each row of a drawing, turned from visible to hidden or back, left out, shortened or lengthened by a hundredth, alone:
+ * always found, on that edge and on no other. */
+static void test_spoiled_rows(void **state)
+{
+    rng r = {2};
+    roberts_scene *scene = random_scene(&r, 5, 0.8);
+    roberts_camera camera = preset("dimetric");
+    size_t flipped = 0, cut = 0;
+    (void)state;
+    for (int keep = 0; keep < 2; keep++) {
+        roberts_drawing drawing = hide(scene, &camera, keep);
+        for (size_t i = 0; i < drawing.count; i++) {
+            roberts_segment *row = &drawing.segment[i], sound = *row;
+            if (row->t1 - row->t0 < 1e-6)
+                continue;
+            row->state = row->state == ROBERTS_VISIBLE ? ROBERTS_HIDDEN : ROBERTS_VISIBLE;
+            assert_int_equal(find_spoiled(scene, &camera, &drawing, &sound), 3);
+            *row = sound;
+            flipped++;
+            if (row->state == ROBERTS_VISIBLE) {
+                row->t1 -= 0.01 * (row->t1 - row->t0); /* the end is missing: it must be hidden, and is not */
+                assert_true(find_spoiled(scene, &camera, &drawing, &sound) > 0);
+                *row = sound;
+                cut++;
+            }
+            if (row->state == ROBERTS_VISIBLE && row->t1 < 1.0) {
+                row->t1 = fmin(1.0, row->t1 + 0.01 * (row->t1 - row->t0)); /* goes on where it is hidden */
+                assert_true(find_spoiled(scene, &camera, &drawing, &sound) > 0);
+                *row = sound;
+            }
+            if (row->state == ROBERTS_VISIBLE) { /* left out altogether */
+                memmove(row, row + 1, (drawing.count - 1 - i) * sizeof *row);
+                drawing.count--;
+                assert_true(find_spoiled(scene, &camera, &drawing, &sound) > 0);
+                memmove(row + 1, row, (drawing.count - i) * sizeof *row);
+                drawing.count++;
+                *row = sound;
+            }
+        }
+        roberts_drawing_free(&drawing);
+    }
+    assert_true(flipped > 100 && cut > 50);
+    roberts_scene_free(scene);
+}
+
+/* The rule itself, by hand: what two boxes do to the top edge of a third. The drawing shows all of it as visible; `wrong`
+ * says whether that is contradicted. The edge runs from (0, 0, 0) to (8, 0, 0) and is seen from above; the occluder is
+ * the box from `lo` to `hi`. */
+static const struct {
+    const char *name;
+    roberts_vec3 lo, hi;
+    bool wrong;
+} rule_cases[] = {
+    {"over the edge", {2, -1, 1}, {6, 1, 2}, true},
+    {"over all of it", {-1, -1, 1}, {9, 1, 2}, true},
+    {"below it", {2, -9, -9}, {6, 1, -8}, false},
+    {"beside it", {2, 1, 1}, {6, 2, 2}, false},
+    {"along its border: closed in projection", {2, 0, 1}, {6, 2, 2}, true},
+    {"along its border, within rounding", {2, 1e-15, 1}, {6, 2, 2}, true},
+    {"off its border by more than epsilon", {2, 1e-8, 1}, {6, 2, 2}, false},
+    {"in the plane of the top face: strict in depth", {2, -1, -1}, {6, 1, 0}, false},
+    {"above by rounding", {2, -1, -1}, {6, 1, 1e-15}, false},
+    {"above by more than epsilon", {2, -1, -1}, {6, 1, 1e-8}, true},
+    {"standing on it", {2, -1, 0}, {6, 1, 1}, true},
+    {"the edge pierces it", {2, -1, -1}, {6, 1, 1}, true},
+    {"ends at the edge's start", {-3, -1, 1}, {0, 1, 2}, false},
+    {"a corner over the edge, at one point", {8, 0, 1}, {9, 1, 2}, false},
+};
+
+static void count_on_edge(void *context, const roberts_contradiction *c)
+{
+    *(size_t *)context += c->solid == 0 && c->v0 == 6 && c->v1 == 7;
+}
+
+static void test_rule(void **state)
+{
+    roberts_camera camera = preset("top");
+    (void)state;
+    for (size_t i = 0; i < COUNT(rule_cases); i++) {
+        roberts_mesh mesh = {0};
+        roberts_verification found;
+        add_box(&mesh, (roberts_vec3){0, -8, -8}, (roberts_vec3){8, 0, 0}); /* the edge is 6-7 */
+        add_box(&mesh, rule_cases[i].lo, rule_cases[i].hi);
+        roberts_scene *scene = build(&mesh);
+        roberts_segment row = {.solid = 0, .v0 = 6, .v1 = 7, .t0 = 0, .t1 = 1, .by = ROBERTS_NONE};
+        roberts_drawing drawing = {.count = 1, .segment = &row};
+        roberts_verify_options options = roberts_verify_options_default();
+        size_t wrong = 0;
+        options.rays = 33;
+        options.contradiction = count_on_edge; /* what the drawing lacks of other edges does not matter here */
+        options.context = &wrong;
+        assert_int_equal(roberts_verify(scene, &camera, &drawing, &options, &found, NULL), ROBERTS_OK);
+        if ((wrong > 0) != rule_cases[i].wrong)
+            fail_msg("%s: %zu contradictions, %zu undecided", rule_cases[i].name, wrong, found.undecided);
+        roberts_scene_free(scene);
+    }
+}
+
+static void test_bad_drawings(void **state)
+{
+    static const roberts_segment rows[] = {
+        {.solid = 9, .v0 = 0, .v1 = 1, .t0 = 0, .t1 = 1},
+        {.solid = 0, .v0 = 1, .v1 = 0, .t0 = 0, .t1 = 1},
+        {.solid = 0, .v0 = 0, .v1 = 7, .t0 = 0, .t1 = 1},
+        {.solid = 0, .v0 = 0, .v1 = 1, .t0 = 0.5, .t1 = 0.5},
+        {.solid = 0, .v0 = 0, .v1 = 1, .t0 = -0.5, .t1 = 0.5},
+        {.solid = 0, .v0 = 0, .v1 = 1, .t0 = 0.5, .t1 = 1.5},
+        {.solid = 0, .v0 = 0, .v1 = 1, .t0 = NAN, .t1 = 1},
+        {.solid = 0, .v0 = 0, .v1 = 1, .t0 = 0, .t1 = 1, .state = 7},
+    };
+    roberts_scene *scene = brick_scene(1, 1, 1);
+    roberts_camera camera = preset("iso"), blind = {0};
+    roberts_verification found;
+    roberts_error error = {0};
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        roberts_segment row = rows[i];
+        roberts_drawing drawing = {.count = 1, .segment = &row};
+        assert_int_equal(roberts_verify(scene, &camera, &drawing, NULL, &found, &error), ROBERTS_BAD_ARGUMENT);
+        assert_true(strlen(error.message) > 0);
+    }
+    roberts_drawing empty = {0};
+    assert_int_equal(roberts_verify(scene, &blind, &empty, NULL, &found, &error), ROBERTS_BAD_VIEW);
+    assert_int_equal(roberts_verify(scene, &camera, &empty, NULL, &found, &error), ROBERTS_OK);
+    assert_true(found.contradictions == 27); /* 9 edges of the box can be seen and are missing */
+    roberts_scene_free(scene);
+}
+
+/* ---- pick ------------------------------------------------------------------------------------------------------- */
+
+/* Solid 0: 4 x 4 x 1 at the bottom; solid 1: 2 x 2 x 1 on it; solid 2 beside them, as high as both. Seen from the top the
+ * picture's origin is (4, 2), the middle of the scene, which is at height 1. */
+static const struct {
+    const char *name;
+    double x, y;
+    size_t count;
+    struct {
+        uint32_t solid, face;
+        double depth;
+    } hit[3];
+} pick_cases[] = {
+    {"on the low box", -3.5, -1.5, 1, {{0, 1, 0}}},
+    {"on the box that stands on it", -2, 0, 2, {{1, 7, -1}, {0, 1, 0}}},
+    {"on its border", -1, 0, 2, {{1, 7, -1}, {0, 1, 0}}},
+    {"on its corner", -3, 1, 2, {{1, 7, -1}, {0, 1, 0}}},
+    {"beside all", 0.5, 0, 0, {{0}}},
+    {"on the other box", 2, 1, 1, {{2, 13, -1}}},
+    {"on the outer border", 4, 2, 1, {{2, 13, -1}}},
+    {"just off it", 4.000001, 2, 0, {{0}}},
+    {"on the middle of the edge between two faces", -4, 0, 1, {{0, 1, 0}}},
+};
+
+static void test_pick_table(void **state)
+{
+    roberts_mesh mesh = {0};
+    roberts_camera camera = preset("top");
+    (void)state;
+    add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){4, 4, 1});
+    add_box(&mesh, (roberts_vec3){1, 1, 1}, (roberts_vec3){3, 3, 2});
+    add_box(&mesh, (roberts_vec3){5, 1, 0}, (roberts_vec3){8, 4, 2});
+    roberts_scene *scene = build(&mesh);
+    for (size_t i = 0; i < COUNT(pick_cases); i++) {
+        roberts_picked picked;
+        assert_int_equal(roberts_pick(scene, &camera, pick_cases[i].x, pick_cases[i].y, &picked, NULL), ROBERTS_OK);
+        if (picked.count != pick_cases[i].count)
+            fail_msg("%s: %zu hits", pick_cases[i].name, picked.count);
+        for (size_t k = 0; k < picked.count; k++) {
+            const roberts_pick_hit *hit = &picked.hit[k];
+            if (hit->solid != pick_cases[i].hit[k].solid || hit->face != pick_cases[i].hit[k].face ||
+                fabs(hit->depth - pick_cases[i].hit[k].depth) > 1e-14)
+                fail_msg("%s: hit %zu is solid %u, face %u at %.17g", pick_cases[i].name, k, (unsigned)hit->solid,
+                         (unsigned)hit->face, hit->depth);
+            assert_true(fabs(hit->point.x - 4 - pick_cases[i].x) < 1e-14);
+            assert_true(fabs(hit->point.y - 2 - pick_cases[i].y) < 1e-14);
+            assert_true(fabs(hit->point.z - 1 + hit->depth) < 1e-14);
+        }
+        roberts_picked_free(&picked);
+    }
+    roberts_picked picked;
+    assert_int_equal(roberts_pick(scene, &camera, NAN, 0, &picked, NULL), ROBERTS_BAD_ARGUMENT);
+    assert_int_equal(roberts_pick(scene, &camera, 0, INFINITY, &picked, NULL), ROBERTS_BAD_ARGUMENT);
+    roberts_camera blind = {0};
+    assert_int_equal(roberts_pick(scene, &blind, 0, 0, &picked, NULL), ROBERTS_BAD_VIEW);
+    assert_true(picked.count == 0);
+    roberts_scene_free(scene);
+}
+
+/* From the eye at height 11 over the middle of the scene, looking down. */
+static void test_pick_perspective(void **state)
+{
+    roberts_mesh mesh = {0};
+    roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE, .eye = {0, 0, 11}, .up = {0, 1, 0}};
+    roberts_picked picked;
+    (void)state;
+    add_box(&mesh, (roberts_vec3){-4, -4, -1}, (roberts_vec3){4, 4, 0});
+    add_box(&mesh, (roberts_vec3){-1, -1, 0}, (roberts_vec3){1, 1, 3}); /* the box's middle: (0, 0, 1), D = 10 */
+    roberts_scene *scene = build(&mesh);
+    /* the tower's top, at height 3, reaches to 1 * 10 / 8 = 1.25 of the picture; behind it lies the floor */
+    assert_int_equal(roberts_pick(scene, &camera, 1.2, 0, &picked, NULL), ROBERTS_OK);
+    assert_int_equal(picked.count, 2);
+    assert_true(picked.hit[0].solid == 1 && picked.hit[0].face == 7 && fabs(picked.hit[0].depth + 2) < 1e-14);
+    assert_true(fabs(picked.hit[0].point.x - 0.96) < 1e-14 && fabs(picked.hit[0].point.z - 3) < 1e-14);
+    assert_true(picked.hit[1].solid == 0 && picked.hit[1].face == 1 && fabs(picked.hit[1].depth - 1) < 1e-14);
+    assert_true(fabs(picked.hit[1].point.x - 1.32) < 1e-14);
+    roberts_picked_free(&picked);
+    /* its foot, at height 0, would reach to 0.909...: the tower's sides are not seen from above */
+    assert_int_equal(roberts_pick(scene, &camera, 1.26, 0, &picked, NULL), ROBERTS_OK);
+    assert_int_equal(picked.count, 1);
+    assert_true(picked.hit[0].solid == 0 && picked.hit[0].face == 1);
+    roberts_picked_free(&picked);
+    roberts_scene_free(scene);
+}
+
+/* Solids that touch or coincide at the same depth come by number; faces of one solid that share the point count once. */
+static void test_pick_ties(void **state)
+{
+    roberts_mesh mesh = {0};
+    roberts_camera top = preset("top"), iso = preset("iso");
+    roberts_picked picked;
+    (void)state;
+    for (int i = 0; i < 3; i++)
+        add_box(&mesh, (roberts_vec3){-1, -1, -1}, (roberts_vec3){1, 1, 1 - 1e-13 * i});
+    roberts_scene *scene = build(&mesh);
+    assert_int_equal(roberts_pick(scene, &top, 0, 0, &picked, NULL), ROBERTS_OK);
+    assert_int_equal(picked.count, 3);
+    for (uint32_t i = 0; i < 3; i++)
+        assert_true(picked.hit[i].solid == i && picked.hit[i].face == 6 * i + 1);
+    roberts_picked_free(&picked);
+    /* the iso view looks at the corner (1, -1, 1), where three faces meet: z greatest, y least, x greatest */
+    assert_int_equal(roberts_pick(scene, &iso, 0, 0, &picked, NULL), ROBERTS_OK);
+    assert_int_equal(picked.count, 3);
+    for (uint32_t i = 0; i < 3; i++)
+        assert_true(picked.hit[i].solid == i && picked.hit[i].face == 6 * i + 1);
+    assert_true(fabs(picked.hit[0].depth + sqrt(3.0)) < 1e-12);
+    roberts_picked_free(&picked);
+    roberts_scene_free(scene);
+}
+
+/* At the middle of a visible segment the edge's own solid is seen first; at that of a hidden one, solid `by`. */
+static void test_pick_agrees(void **state)
+{
+    rng r = {3};
+    size_t seen = 0, behind = 0;
+    (void)state;
+    for (int i = 0; i < 16; i++) {
+        roberts_scene *scene = random_scene(&r, 12, 0.6);
+        roberts_camera camera = {.dir = draw_vec3(&r, 1.0)};
+        if (i % 2) {
+            camera.projection = ROBERTS_PERSPECTIVE;
+            camera.eye = vec3_scale(9.0 / vec3_length(camera.dir), camera.dir);
+        }
+        roberts_drawing drawing = hide(scene, &camera, true);
+        for (size_t k = 0; k < drawing.count; k++) {
+            const roberts_segment *row = &drawing.segment[k];
+            roberts_picked picked;
+            double x = (row->p0.x + row->p1.x) / 2, y = (row->p0.y + row->p1.y) / 2;
+            if (row->t1 - row->t0 < 1e-3)
+                continue;
+            assert_int_equal(roberts_pick(scene, &camera, x, y, &picked, NULL), ROBERTS_OK);
+            if (row->state == ROBERTS_VISIBLE) {
+                assert_true(picked.count && picked.hit[0].solid == row->solid);
+                seen++;
+            } else if (camera.projection ==
+                       ROBERTS_ORTHOGRAPHIC) { /* else the middle of t is not that of the picture */
+                assert_true(picked.count && picked.hit[0].solid == row->by);
+                behind++;
+            }
+            for (size_t j = 1; j < picked.count; j++)
+                assert_true(picked.hit[j - 1].depth <= picked.hit[j].depth);
+            roberts_picked_free(&picked);
+        }
+        roberts_drawing_free(&drawing);
+        roberts_scene_free(scene);
+    }
+    assert_true(seen > 800 && behind > 500);
+}
+
+/* ---- the tree of boxes ------------------------------------------------------------------------------------------ */
+
+/* Every box that the kernel's slab test meets is found, each once. */
+static void check_tree(const tree_box *box, uint32_t count, rng *r, int rays)
+{
+    tree t;
+    unsigned char *found = malloc(count ? count : 1);
+    assert_non_null(found);
+    assert_true(tree_build(&t, box, count));
+    for (int i = 0; i < rays; i++) {
+        roberts_ray ray = {draw_vec3(r, 2.0), draw_vec3(r, 1.0)};
+        double reach = i % 2 ? INFINITY : draw(r, 0.0, 4.0);
+        const uint32_t *item;
+        tree_walk walk;
+        if (i % 5 == 0)
+            ray.direction = (roberts_vec3){0, i % 10 ? 1 : -1, 0}; /* parallel to two slabs */
+        memset(found, 0, count);
+        tree_walk_start(&walk, &t, ray, reach);
+        for (uint32_t n; (n = tree_walk_next(&walk, &item)) > 0;)
+            for (uint32_t k = 0; k < n; k++)
+                assert_int_equal(found[item[k]]++, 0);
+        for (uint32_t k = 0; k < count; k++) {
+            roberts_span span;
+            if (roberts_ray_box(ray, box[k].lo, box[k].hi, &span) && span.t_in * (1 + 1e-12) <= reach)
+                assert_int_equal(found[k], 1);
+        }
+    }
+    tree_free(&t);
+    free(found);
+}
+
+static void test_tree(void **state)
+{
+    enum { MANY = 500 };
+    static tree_box box[MANY];
+    rng r = {4};
+    (void)state;
+    check_tree(box, 0, &r, 10);
+    for (int k = 0; k < MANY; k++) { /* some flat, some points */
+        roberts_vec3 a = draw_vec3(&r, 1.5), size = {draw(&r, 0, 0.5), k % 3 ? draw(&r, 0, 0.5) : 0, k % 7 ? 0.25 : 0};
+        box[k] = (tree_box){a, vec3_add(a, size)};
+    }
+    for (uint32_t count = 1; count <= MANY; count += count < 10 ? 1 : 49)
+        check_tree(box, count, &r, 200);
+    for (int k = 0; k < MANY; k++) /* all in one place: nothing to split by */
+        box[k] = (tree_box){{-1, -1, -1}, {1, 1, 1}};
+    check_tree(box, MANY, &r, 100);
+    for (int k = 0; k < MANY; k++) { /* each half as large as the last: no good plane, and the depth has to end */
+        double s = ldexp(1.0, -2 * k);
+        box[k] = (tree_box){{s, s, s}, {2 * s, 2 * s, 2 * s}};
+    }
+    check_tree(box, MANY, &r, 100);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random_scenes), cmocka_unit_test(test_bricks),
+        cmocka_unit_test(test_scales),        cmocka_unit_test(test_spoiled_rows),
+        cmocka_unit_test(test_rule),          cmocka_unit_test(test_bad_drawings),
+        cmocka_unit_test(test_pick_table),    cmocka_unit_test(test_pick_perspective),
+        cmocka_unit_test(test_pick_ties),     cmocka_unit_test(test_pick_agrees),
+        cmocka_unit_test(test_tree),
+    };
+    return cmocka_run_group_tests_name("verify", tests, NULL, NULL);
+}
