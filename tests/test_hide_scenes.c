@@ -1,0 +1,572 @@
+/* Small scenes whose drawings are worked out by hand: each edge that matters with its parts, and the number of visible
+ * rows in all, so that nothing else is drawn.
+ *
+ * Boxes are numbered as they stand in the table, box k having the vertices 8 k + x + 2 y + 4 z, where x, y and z are 0 on
+ * the low and 1 on the high side. From "top" (x right, y up) only the upper faces are front, the four sides are edge-on;
+ * from "front" (x right, z up) only those of least y; from "iso" those of greatest x, least y and greatest z, a point P
+ * being hidden by a box that P + s (1, -1, 1) meets for some s > 0. */
+#include <stdio.h>
+
+#include "scenes.h"
+
+/* Parameters are simple fractions; the library computes them to 1e-11. */
+#define T_BOUND 1e-11
+
+enum { BOXES = 5, EDGES = 14 };
+
+typedef struct box {
+    roberts_vec3 low, high;
+} box;
+
+/* An edge with its parts: "8-9 v 1/4 h0 3/4 v" is visible from 0 to 1/4, hidden by solid 0 to 3/4, visible to 1. */
+static const struct scene_case {
+    const char *name, *view;
+    box boxes[BOXES];
+    unsigned visible;
+    const char *edges[EDGES];
+} cases[] = {
+    {"one cube", "iso", {{{0, 0, 0}, {2, 2, 2}}}, 9, {"0-2 h0", "2-3 h0", "2-6 h0", "0-1 v", "1-5 v", "6-7 v"}},
+    {"one cube, sides edge-on", "top", {{{0, 0, 0}, {2, 2, 2}}}, 4, {"4-5 v", "0-4 h0", "0-1 h0"}},
+    {"cube behind cube",
+     "top",
+     {{{0, 0, 2}, {2, 2, 4}}, {{1, 1, 0}, {3, 3, 1}}},
+     8,
+     {"4-5 v", "4-6 v", "5-7 v", "6-7 v", "12-13 h0 1/2 v", "12-14 h0 1/2 v", "13-15 v", "14-15 v", "8-9 h0",
+      "10-11 h1", "8-12 h0", "11-15 h1"}},
+    {"cube behind cube, written the other way round",
+     "top",
+     {{{1, 1, 0}, {3, 3, 1}}, {{0, 0, 2}, {2, 2, 4}}},
+     8,
+     {"4-5 h1 1/2 v", "4-6 h1 1/2 v", "5-7 v", "6-7 v", "12-13 v", "13-15 v"}},
+    {"cube before bar",
+     "iso",
+     {{{0, 0, 0}, {2, 2, 2}}, {{-5, 3, -2}, {3, 4, -1}}},
+     21,
+     {"12-13 v 1/4 h0 3/4 v", "14-15 v 1/4 h0 5/8 v", "8-9 v 1/4 h0 5/8 v", "12-14 v", "9-13 v", "8-10 h1"}},
+    {"block on a table",
+     "top",
+     {{{0, 0, 0}, {4, 4, 1}}, {{1, 1, 1}, {2, 2, 2}}},
+     8,
+     {"4-5 v", "6-7 v", "12-13 v", "14-15 v", "8-9 h1"}},
+    /* its lower front edge lies behind the table's front face, along its border */
+    {"block on a table",
+     "front",
+     {{{0, 0, 0}, {4, 4, 1}}, {{1, 1, 1}, {2, 2, 2}}},
+     7,
+     {"4-5 v", "8-9 h0", "8-12 v", "9-13 v", "12-13 v"}},
+    /* the table's left edge passes behind the block exactly along the block's outline; the block's lower edges lie in
+     * the table's plane */
+    {"block on a table",
+     "iso",
+     {{{0, 0, 0}, {4, 4, 1}}, {{1, 1, 1}, {2, 2, 2}}},
+     19,
+     {"4-6 v 1/2 h1 3/4 v", "6-7 v", "4-5 v", "8-9 v", "9-11 v", "8-10 h1", "12-14 v"}},
+    {"two bricks side by side leave no gap",
+     "front",
+     {{{0, 0, 0}, {2, 1, 2}}, {{2, 0, 0}, {4, 1, 2}}, {{-1, 2, 1}, {5, 3, 3}}},
+     13,
+     {"16-17 v 1/6 h0 5/6 v", "1-5 v", "8-12 v", "20-21 v", "16-20 v"}},
+    {"two bricks with a gap below epsilon leave none either",
+     "front",
+     {{{0, 0, 0}, {2, 1, 2}}, {{2 + 1e-12, 0, 0}, {4, 1, 2}}, {{-1, 2, 1}, {5, 3, 3}}},
+     13,
+     {"16-17 v 1/6 h0 5/6 v"}},
+    {"two bricks with a gap show what is behind",
+     "front",
+     {{{0, 0, 0}, {2, 1, 2}}, {{2.5, 0, 0}, {4, 1, 2}}, {{-1, 2, 1}, {5, 3, 3}}},
+     14,
+     {"16-17 v 1/6 h0 1/2 v 3.5/6 h1 5/6 v"}},
+    {"two bricks with a narrow gap show what is behind",
+     "front",
+     {{{0, 0, 0}, {2, 1, 2}}, {{2.0000006, 0, 0}, {4, 1, 2}}, {{-1, 2, 1}, {5, 3, 3}}},
+     14,
+     {"16-17 v 1/6 h0 1/2 v 3.0000006/6 h1 5/6 v"}},
+    {"two bricks that overlap unite",
+     "front",
+     {{{0, 0, 0}, {3, 1, 2}}, {{1, 0.5, 0}, {4, 1, 2}}, {{-1, 2, 1}, {5, 3, 3}}},
+     12,
+     {"16-17 v 1/6 h0 5/6 v", "8-9 h0 2/3 v", "12-13 h0 2/3 v", "8-12 h0", "9-13 v"}},
+    {"four plates meet over an edge",
+     "top",
+     {{{-2, -2, 2}, {0, 0, 3}},
+      {{0, -2, 2}, {2, 0, 3}},
+      {{-2, 0, 2}, {0, 2, 3}},
+      {{0, 0, 2}, {2, 2, 3}},
+      {{-3, 0, 0}, {3, 1, 1}}},
+     22,
+     {"36-37 v 1/6 h0 5/6 v", "38-39 v 1/6 h2 5/6 v", "36-38 v", "5-7 v", "12-14 v"}},
+    {"a rod ends on a wall",
+     "iso",
+     {{{0, 2, 0}, {4, 3, 4}}, {{1, 0, 1}, {2, 2, 2}}},
+     18,
+     {"0-1 h1 1/4 v", "0-4 h1 1/4 v", "4-6 v", "13-15 v", "9-11 v", "12-14 v", "14-15 v", "11-15 v", "10-11 h1"}},
+    /* where the edges end they touch the wall */
+    {"a rod ends on a wall that hides it",
+     "back",
+     {{{0, 2, 0}, {4, 3, 4}}, {{1, 0, 1}, {2, 2, 2}}},
+     4,
+     {"2-3 v", "6-7 v", "10-11 h0", "14-15 h0", "10-14 h0", "11-15 h0"}},
+    {"an edge behind a border",
+     "top",
+     {{{0, 0, 2}, {4, 4, 3}}, {{1, -2, 0}, {3, 0, 1}}},
+     7,
+     {"14-15 h0", "12-13 v", "12-14 v", "13-15 v", "4-5 v"}},
+    {"an edge behind a border and longer",
+     "top",
+     {{{0, 0, 2}, {4, 4, 3}}, {{-1, -2, 0}, {5, 0, 1}}},
+     9,
+     {"14-15 v 1/6 h0 5/6 v", "12-13 v", "12-14 v"}},
+    {"an edge along a border in the same plane",
+     "top",
+     {{{0, 0, 2}, {4, 4, 3}}, {{1, -2, 2}, {3, 0, 3}}},
+     8,
+     {"14-15 v", "4-5 v", "12-13 v"}},
+    {"an edge beyond a border", "top", {{{0, 0, 2}, {4, 4, 3}}, {{1, -2, 0}, {3, -1e-9, 1}}}, 8, {"14-15 v"}},
+    {"an edge beyond a border by less than epsilon",
+     "top",
+     {{{0, 0, 2}, {4, 4, 3}}, {{1, -2, 0}, {3, -1e-12, 1}}},
+     7,
+     {"14-15 h0"}},
+    {"a corner touches a border", "top", {{{0, 0, 2}, {4, 4, 3}}, {{-2, -2, 0}, {0, 0, 1}}}, 8, {"13-15 v", "14-15 v"}},
+    {"a solid inside another",
+     "iso",
+     {{{0, 0, 0}, {4, 4, 4}}, {{1, 1, 1}, {2, 2, 2}}},
+     9,
+     {"8-9 h0", "13-15 h0", "12-13 h0", "15-14 h0", "10-14 h0"}},
+    {"a solid inside another, up to its upper face",
+     "top",
+     {{{0, 0, 0}, {4, 4, 4}}, {{1, 1, 3}, {2, 2, 4}}},
+     8,
+     {"12-13 v", "12-14 v", "13-15 v", "14-15 v", "8-9 h0"}},
+    {"the same solid twice: its edges lie in each other's planes",
+     "iso",
+     {{{0, 0, 0}, {2, 2, 2}}, {{0, 0, 0}, {2, 2, 2}}},
+     18,
+     {"0-1 v", "8-9 v", "4-6 v", "12-14 v", "13-15 v", "2-3 h0", "10-11 h0"}},
+    {"a rod through a plate",
+     "front",
+     {{{0, 0, 1}, {4, 4, 2}}, {{1, 1, 0}, {2, 2, 4}}},
+     10,
+     {"8-12 v 1/4 h0 1/2 v", "9-13 v 1/4 h0 1/2 v", "8-9 v", "12-13 v", "0-1 v", "4-5 v"}},
+    /* the plate's lower front edge hides the rod's lower edges along a border; the rod's upper corner touches 6-7 */
+    {"a rod through a plate",
+     "iso",
+     {{{0, 0, 1}, {4, 4, 2}}, {{1, 1, 0}, {2, 2, 4}}},
+     16,
+     {"9-13 h0 1/2 v", "8-12 h0 1/2 v", "11-15 h0 1/2 v", "8-9 h0", "9-11 h0", "12-13 v", "13-15 v", "12-14 v",
+      "14-15 v", "4-6 v 1/2 h1", "6-7 v", "4-5 v", "1-3 v"}},
+    {"plate on plate",
+     "iso",
+     {{{0, 0, 0}, {4, 4, 1}}, {{0, 0, 1}, {4, 4, 2}}},
+     16,
+     {"4-5 v", "5-7 v", "4-6 h1", "6-7 h1", "8-9 v", "9-11 v", "8-10 h1", "0-4 v", "3-7 v"}},
+    {"plate on plate", "top", {{{0, 0, 0}, {4, 4, 1}}, {{0, 0, 1}, {4, 4, 2}}}, 4, {"4-5 h1", "4-6 h1", "12-13 v"}},
+    {"a face a little behind another",
+     "front",
+     {{{0, 0, 0}, {2, 1, 2}}, {{0, 1e-9, 0}, {2, 1, 2}}},
+     4,
+     {"0-1 v", "8-9 h0", "9-13 h0"}},
+    {"a face behind another by less than epsilon",
+     "front",
+     {{{0, 0, 0}, {2, 1, 2}}, {{0, 1e-12, 0}, {2, 1, 2}}},
+     8,
+     {"0-1 v", "8-9 v", "9-13 v"}},
+    {"end-on edges belong to edge-on faces and are hidden",
+     "top",
+     {{{0, 0, 0}, {2, 2, 1}}, {{-1, -1, 2}, {1, 1, 3}}},
+     8,
+     {"0-4 h1", "1-5 h0", "2-6 h0", "3-7 h0", "11-15 h1", "4-5 h1 1/2 v"}},
+};
+
+/* ---- rows against text -------------------------------------------------------------------------------------------- */
+
+static double read_fraction(const char **text)
+{
+    char *end;
+    double value = strtod(*text, &end);
+    if (*end == '/')
+        value /= strtod(end + 1, &end);
+    *text = end;
+    return value;
+}
+
+/* Whether the rows of an edge, `count` of them, are those of the text. */
+static bool rows_are(const char *text, const roberts_segment *row, size_t count)
+{
+    double from = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        char state = *text++;
+        uint32_t by = ROBERTS_NONE;
+        double to = 1.0;
+        if (state == 'h')
+            by = (uint32_t)strtoul(text, (char **)(uintptr_t)&text, 10);
+        if (*text == ' ') {
+            text++;
+            to = read_fraction(&text);
+            text += *text == ' ';
+        }
+        if (row[i].state != (state == 'h' ? ROBERTS_HIDDEN : ROBERTS_VISIBLE) || row[i].by != by ||
+            fabs(row[i].t0 - from) > T_BOUND || fabs(row[i].t1 - to) > T_BOUND)
+            return false;
+        from = to;
+    }
+    return *text == '\0' && from == 1.0;
+}
+
+static void print_rows(const roberts_segment *row, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        printf("  got %u-%u %s %d %.17g .. %.17g\n", row[i].v0, row[i].v1,
+               row[i].state == ROBERTS_HIDDEN ? "hidden by" : "visible", (int)row[i].by, row[i].t0, row[i].t1);
+}
+
+static void expect_edge(const char *name, const char *view, const roberts_drawing *d, const char *text)
+{
+    const char *parts;
+    uint32_t a = (uint32_t)strtoul(text, (char **)(uintptr_t)&parts, 10);
+    uint32_t b = (uint32_t)strtoul(parts + 1, (char **)(uintptr_t)&parts, 10);
+    uint32_t v0 = a < b ? a : b, v1 = a < b ? b : a;
+    size_t first = 0, end;
+    while (first < d->count && (d->segment[first].v0 != v0 || d->segment[first].v1 != v1))
+        first++;
+    for (end = first; end < d->count && d->segment[end].v0 == v0 && d->segment[end].v1 == v1;)
+        end++;
+    if (first == end || !rows_are(parts + 1, d->segment + first, end - first)) {
+        print_rows(d->segment + first, end - first);
+        fail_msg("%s (%s): expected %s", name, view, text);
+    }
+}
+
+static void expect_visible(const char *name, const char *view, const roberts_drawing *d, unsigned visible)
+{
+    unsigned count = 0;
+    for (size_t i = 0; i < d->count; i++)
+        count += d->segment[i].state == ROBERTS_VISIBLE;
+    if (count != visible) {
+        print_rows(d->segment, d->count);
+        fail_msg("%s (%s): %u visible rows, expected %u", name, view, count, visible);
+    }
+}
+
+static roberts_hide_options with_hidden(void)
+{
+    roberts_hide_options options = roberts_hide_options_default();
+    options.keep_hidden = true;
+    return options;
+}
+
+static roberts_camera preset(const char *name)
+{
+    roberts_camera camera = {0};
+    assert_true(roberts_camera_preset(name, &camera));
+    return camera;
+}
+
+static void boxes_by_table(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const struct scene_case *c = &cases[i];
+        roberts_camera camera = preset(c->view);
+        roberts_hide_options options = with_hidden();
+        model m = {0};
+        for (int k = 0; k < BOXES && c->boxes[k].high.z > c->boxes[k].low.z; k++)
+            model_box(&m, c->boxes[k].low, c->boxes[k].high);
+        roberts_drawing drawing = model_draw(&m, &camera, &options);
+        for (int k = 0; k < EDGES && c->edges[k]; k++)
+            expect_edge(c->name, c->view, &drawing, c->edges[k]);
+        expect_visible(c->name, c->view, &drawing, c->visible);
+        roberts_drawing_free(&drawing);
+        model_free(&m);
+    }
+}
+
+/* ---- solids that are no boxes ------------------------------------------------------------------------------------- */
+
+static void add_tetrahedron(model *m, const roberts_vec3 point[4])
+{
+    static const uint32_t corner[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+    uint32_t first = (uint32_t)m->mesh.vertex_count;
+    for (int i = 0; i < 4; i++)
+        model_vertex(m, point[i]);
+    for (int f = 0; f < 4; f++)
+        model_face(m, (uint32_t[]){first + corner[f][0], first + corner[f][1], first + corner[f][2]}, 3);
+    model_close_solid(m);
+}
+
+/* A prism whose upper edge 32-33... passes diagonally under the corner where four plates meet. */
+static void edge_under_a_corner_of_four(void **state)
+{
+    roberts_camera camera = preset("top");
+    roberts_hide_options options = with_hidden();
+    model m = {0};
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        roberts_vec3 low = {i % 2 ? 0 : -2, i / 2 ? 0 : -2, 2};
+        model_box(&m, low, vec3_add(low, (roberts_vec3){2, 2, 1}));
+    }
+    /* triangle (-3, -3), (3, 3), (-3, 3) from z = 0 to 1 */
+    model_add(&m, &shapes[SHAPE_WEDGE], (mat3){{3, 3, 0}, {0, 3, 0}, {0, 0, 0.5}}, (roberts_vec3){0, 3, 0.5});
+    roberts_drawing drawing = model_draw(&m, &camera, &options);
+    expect_edge("under four plates", "top", &drawing, "35-36 v 1/6 h0 5/6 v");
+    expect_visible("under four plates", "top", &drawing, 20);
+    roberts_drawing_free(&drawing);
+    model_free(&m);
+}
+
+/* From an eye at (0, 0, 10) the upper face of a box, at z = 5, hides what lies within |x|, |y| <= (10 - z) / 5. */
+static void perspective_by_hand(void **state)
+{
+    static const roberts_vec3 ridge[4] = {{0, 0, 0}, {10, 0, -10}, {5, 5, -20}, {5, -5, -20}};
+    roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = {0, 0, 10}, .has_look_at = true};
+    roberts_hide_options options = with_hidden();
+    model m = {0};
+    (void)state;
+    model_box(&m, (roberts_vec3){-1, -1, 4}, (roberts_vec3){1, 1, 5});
+    model_box(&m, (roberts_vec3){-4, 0, -1}, (roberts_vec3){4, 1, 0});
+    add_tetrahedron(&m, ridge);
+    roberts_drawing drawing = model_draw(&m, &camera, &options);
+    expect_edge("perspective", "eye", &drawing, "12-13 v 1/4 h0 3/4 v");
+    expect_edge("perspective", "eye", &drawing, "4-5 v");
+    expect_edge("perspective", "eye", &drawing, "0-4 h0");
+    /* 10 t <= (10 + 10 t) / 5 up to t = 1/4, which is 2/5 of the edge's picture; behind the bar's lower edge too, where
+     * 4 (10 - z) / 10 > x, up to t = 2/3 */
+    expect_edge("perspective", "eye", &drawing, "16-17 h1 2/3 v");
+    roberts_drawing_free(&drawing);
+    model_free(&m);
+}
+
+/* ---- flat edges --------------------------------------------------------------------------------------------------- */
+
+/* A box 4 x 2 x 4 with a ridge along z on top (greatest y): the two upper faces meet at `degrees`. */
+static void add_ridged_box(model *m, double degrees)
+{
+    static const uint32_t side[5][4] = {{0, 1, 6, 5}, {1, 2, 7, 6}, {2, 3, 8, 7}, {3, 4, 9, 8}, {4, 0, 5, 9}};
+    double h = 2 * tan(degrees / 2 * acos(-1.0) / 180);
+    const roberts_vec2 outline[5] = {{-2, -1}, {2, -1}, {2, 1}, {0, 1 + h}, {-2, 1}};
+    for (int i = 0; i < 10; i++)
+        model_vertex(m, (roberts_vec3){outline[i % 5].x, outline[i % 5].y, i < 5 ? -2 : 2});
+    for (int f = 0; f < 5; f++)
+        model_face(m, side[f], 4);
+    model_face(m, (uint32_t[]){4, 3, 2, 1, 0}, 5);
+    model_face(m, (uint32_t[]){5, 6, 7, 8, 9}, 5);
+    model_close_solid(m);
+}
+
+/* Rows of edge v0-v1. */
+static size_t rows_of(const roberts_drawing *d, uint32_t v0, uint32_t v1)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < d->count; i++)
+        count += d->segment[i].v0 == v0 && d->segment[i].v1 == v1;
+    return count;
+}
+
+/* The ridge has the number 3-8. From above both its faces are front; from the left (or right) one is, however flat the
+ * ridge: it is outline then. From below none is. */
+static void flat_edges_by_table(void **state)
+{
+    static const struct {
+        const char *name;
+        double bend, crease;
+        bool all;
+        roberts_vec3 dir;
+        size_t rows;
+    } table[] = {
+        {"flatter than a tenth of a degree", 0.099, 0.1, false, {0, 1, 0}, 0},
+        {"bent by more", 0.101, 0.1, false, {0, 1, 0}, 1},
+        {"flat, but all are wanted", 0.099, 0.1, true, {0, 1, 0}, 1},
+        {"outline from the left", 0.099, 0.1, false, {-1, 0, 0}, 1},
+        {"outline from the right", 0.099, 180, false, {1, 0, 0}, 1},
+        {"from the left, all front", 0.099, 180, false, {-1, 1, 0}, 0},
+        {"flat, behind", 0.099, 0.1, false, {0, -1, 0}, 0},
+        {"bent, behind", 0.101, 0.1, false, {0, -1, 0}, 1},
+        {"nothing is flatter than 0", 1e-4, 0, false, {0, 1, 0}, 1},
+        {"a right angle, 89 wanted", 90, 89, false, {0, 1, 0}, 1},
+        {"a right angle, 91 wanted", 90, 91, false, {0, 1, 0}, 0},
+        {"an acute angle, 170 wanted", 169, 170, false, {0, 1, 0}, 0},
+        {"an acute angle, 168 wanted", 169, 168, false, {0, 1, 0}, 1},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        roberts_camera camera = {.dir = table[i].dir};
+        roberts_hide_options options = with_hidden();
+        model m = {0};
+        options.crease_degrees = table[i].crease;
+        options.all_edges = table[i].all;
+        add_ridged_box(&m, table[i].bend);
+        roberts_drawing drawing = model_draw(&m, &camera, &options);
+        if (rows_of(&drawing, 3, 8) != table[i].rows)
+            fail_msg("%s: %zu rows", table[i].name, rows_of(&drawing, 3, 8));
+        roberts_drawing_free(&drawing);
+        model_free(&m);
+    }
+}
+
+/* Coplanar faces: a cube whose faces are cut into triangles looks as one whose faces are whole, but for crease 0, where
+ * no edge is flatter. */
+static void cut_cube(void **state)
+{
+    roberts_camera camera = preset("iso");
+    roberts_hide_options options = roberts_hide_options_default();
+    model m = {0};
+    (void)state;
+    model_add(&m, &shapes[SHAPE_CUT], mat3_scale(1, 1, 1), (roberts_vec3){0, 0, 0});
+    roberts_drawing drawing = model_draw(&m, &camera, &options);
+    assert_int_equal(drawing.count, 9);
+    assert_int_equal(drawing.drawn_edges, 9);
+    assert_int_equal(drawing.surviving_edges, 12);
+    assert_int_equal(drawing.edges, 18);
+    roberts_drawing_free(&drawing);
+    options.crease_degrees = 0;
+    drawing = model_draw(&m, &camera, &options);
+    assert_int_equal(drawing.count, 12);
+    roberts_drawing_free(&drawing);
+    model_free(&m);
+}
+
+/* An outline is drawn whatever the crease angle; creases go, and only they. */
+static void outlines_stay(void **state)
+{
+    roberts_camera camera = preset("iso");
+    roberts_hide_options options = roberts_hide_options_default();
+    model m = {0};
+    (void)state;
+    options.crease_degrees = 180;
+    model_box(&m, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 2, 3});
+    roberts_drawing drawing = model_draw(&m, &camera, &options);
+    assert_int_equal(drawing.count, 6);
+    for (size_t i = 0; i < drawing.count; i++)
+        assert_int_equal(drawing.segment[i].line, ROBERTS_OUTLINE);
+    roberts_drawing_free(&drawing);
+    model_free(&m);
+}
+
+/* ---- what is counted, and what is refused ------------------------------------------------------------------------- */
+
+static void counts_and_lines(void **state)
+{
+    static const struct {
+        const char *view;
+        size_t front, back, edge_on, surviving, drawn_with_hidden, outlines, creases, backs;
+    } table[] = {
+        {"iso", 3, 3, 0, 9, 12, 6, 3, 3},
+        {"top", 1, 1, 4, 4, 12, 4, 0, 8},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        roberts_camera camera = preset(table[i].view);
+        roberts_hide_options options = with_hidden();
+        size_t lines[3] = {0, 0, 0};
+        model m = {0};
+        model_box(&m, (roberts_vec3){0, 0, 0}, (roberts_vec3){2, 2, 2});
+        roberts_drawing d = model_draw(&m, &camera, &options);
+        for (size_t k = 0; k < d.count; k++)
+            lines[d.segment[k].line]++;
+        assert_int_equal(d.front_faces, table[i].front);
+        assert_int_equal(d.back_faces, table[i].back);
+        assert_int_equal(d.edge_on_faces, table[i].edge_on);
+        assert_int_equal(d.surviving_edges, table[i].surviving);
+        assert_int_equal(d.drawn_edges, table[i].drawn_with_hidden);
+        assert_int_equal(lines[ROBERTS_OUTLINE], table[i].outlines);
+        assert_int_equal(lines[ROBERTS_CREASE], table[i].creases);
+        assert_int_equal(lines[ROBERTS_BACK], table[i].backs);
+        roberts_drawing_free(&d);
+        model_free(&m);
+    }
+}
+
+/* The picture's frame and window: relative to the middle of the scene's box, x right, y up. */
+static void picture_coordinates(void **state)
+{
+    roberts_camera camera = preset("front");
+    roberts_hide_options options = roberts_hide_options_default();
+    model m = {0};
+    (void)state;
+    model_box(&m, (roberts_vec3){10, 20, 30}, (roberts_vec3){14, 26, 32});
+    roberts_drawing d = model_draw(&m, &camera, &options);
+    assert_int_equal(d.count, 4);
+    assert_true(d.window_min.x == -2 && d.window_max.x == 2 && d.window_min.y == -1 && d.window_max.y == 1);
+    const roberts_segment *s = &d.segment[0]; /* 0-1: along x, below */
+    assert_true(s->v0 == 0 && s->v1 == 1);
+    assert_true(s->p0.x == -2 && s->p0.y == -1 && s->p1.x == 2 && s->p1.y == -1);
+    roberts_drawing_free(&d);
+    model_free(&m);
+}
+
+/* A plate thinner than epsilon, seen from the side: all its faces are edge-on or back, and nothing is drawn. */
+static void nothing_to_draw(void **state)
+{
+    roberts_camera camera = {.dir = {0, -1, 1e-8}};
+    roberts_hide_options options = roberts_hide_options_default();
+    model m = {0};
+    (void)state;
+    options.epsilon = 1e-6;
+    model_box(&m, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 0x1p-21});
+    roberts_drawing d = model_draw(&m, &camera, &options);
+    assert_int_equal(d.count, 0);
+    assert_int_equal(d.drawn_edges, 0);
+    assert_int_equal(d.front_faces, 0);
+    assert_true(d.window_min.x <= d.window_max.x && d.window_min.y <= d.window_max.y);
+    roberts_drawing_free(&d);
+    options.epsilon = 1e-7; /* now it is wide enough for an outline */
+    d = model_draw(&m, &camera, &options);
+    assert_int_equal(d.count, 4);
+    roberts_drawing_free(&d);
+    model_free(&m);
+}
+
+static void arguments_refused(void **state)
+{
+    static const struct {
+        const char *name;
+        roberts_hide_options options;
+        roberts_status status;
+    } table[] = {
+        {"defaults", {.crease_degrees = 0.1}, ROBERTS_OK},
+        {"crease below 0", {.crease_degrees = -1e-9}, ROBERTS_BAD_ARGUMENT},
+        {"crease above 180", {.crease_degrees = 180.1}, ROBERTS_BAD_ARGUMENT},
+        {"crease no number", {.crease_degrees = NAN}, ROBERTS_BAD_ARGUMENT},
+        {"epsilon below 0", {.epsilon = -1e-9}, ROBERTS_BAD_ARGUMENT},
+        {"epsilon infinite", {.epsilon = INFINITY}, ROBERTS_BAD_ARGUMENT},
+        {"epsilon no number", {.epsilon = NAN}, ROBERTS_BAD_ARGUMENT},
+        {"epsilon larger than the scene", {.epsilon = 1}, ROBERTS_BAD_ARGUMENT},
+        {"grid too fine", {.grid = 1u << 20}, ROBERTS_BAD_ARGUMENT},
+        {"too many threads", {.threads = 1u << 20}, ROBERTS_BAD_ARGUMENT},
+    };
+    roberts_camera camera = preset("iso");
+    model m = {0};
+    (void)state;
+    model_box(&m, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
+    roberts_scene *scene = model_build(&m);
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        roberts_drawing d = {.count = 77};
+        roberts_error error = {0};
+        roberts_status status = roberts_hide(scene, &camera, &table[i].options, &d, &error);
+        if (status != table[i].status || error.status != status || (status != ROBERTS_OK) != (error.message[0] != '\0'))
+            fail_msg("%s: status %d, message \"%s\"", table[i].name, status, error.message);
+        assert_true(status == ROBERTS_OK || (d.count == 0 && !d.segment));
+        assert_int_equal(roberts_hide(scene, &camera, &table[i].options, &d, NULL), status);
+        roberts_drawing_free(&d);
+    }
+    roberts_drawing_free(NULL);
+    roberts_scene_free(scene);
+    model_free(&m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(boxes_by_table),
+        cmocka_unit_test(edge_under_a_corner_of_four),
+        cmocka_unit_test(perspective_by_hand),
+        cmocka_unit_test(flat_edges_by_table),
+        cmocka_unit_test(cut_cube),
+        cmocka_unit_test(outlines_stay),
+        cmocka_unit_test(counts_and_lines),
+        cmocka_unit_test(picture_coordinates),
+        cmocka_unit_test(nothing_to_draw),
+        cmocka_unit_test(arguments_refused),
+    };
+    return cmocka_run_group_tests_name("scenes drawn by hand", tests, NULL, NULL);
+}
