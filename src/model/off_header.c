@@ -72,7 +72,10 @@ static roberts_status opening(off_reader *r)
 /* "BINARY" after the keyword; one line end and then the data follow. */
 static roberts_status binary_word(off_reader *r)
 {
-    if (!input_skip_in_line(&r->in) || !same_word(r->in.at, input_token(&r->in), "BINARY"))
+    if (!input_skip_in_line(&r->in))
+        return ROBERTS_OK;
+    size_t length = input_token(&r->in); /* which moves `at` */
+    if (!same_word(r->in.at, length, "BINARY"))
         return ROBERTS_OK;
     r->in.at += 6;
     while (input_need(&r->in, 1) && (*r->in.at == ' ' || *r->in.at == '\t'))

@@ -66,6 +66,13 @@ bool input_skip_in_line(off_input *in);
  * 1 unless the input ends. */
 size_t input_token(off_input *in);
 
+/* Goes to the end of the token. */
+static inline void input_pass_token(off_input *in)
+{
+    size_t length = input_token(in); /* moves `at` */
+    in->at += length;
+}
+
 /* What ends a number for sure: white space, or something that is no part of any token. Neither '\0', which ends the
  * buffer and may have more behind it, nor '#' and braces, which are rare: those go the slow way by input_token(). */
 static inline bool input_separator(char c)

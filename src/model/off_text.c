@@ -51,7 +51,7 @@ static roberts_status skip_normal(off_reader *r, uint64_t v)
             continue;
         if (!not_finite(r))
             return bad_vertex(r, v, "the normal");
-        r->in.at += input_token(&r->in);
+        input_pass_token(&r->in);
     }
     return ROBERTS_OK;
 }
@@ -74,7 +74,7 @@ static roberts_status vertex_extras(off_reader *r, uint64_t v)
             continue;
         if (!not_finite(r))
             return bad_vertex(r, v, "the colour or texture");
-        r->in.at += input_token(&r->in);
+        input_pass_token(&r->in);
         value[count] = NAN; /* as a texture coordinate of no use, as a colour odd */
     }
     color.count = count - texture;
@@ -206,7 +206,7 @@ static roberts_status face_color(off_reader *r)
         if (good && raw.count < COLOR_MOST && color_number(r, &raw.value[raw.count++], &raw.real))
             continue;
         good = false;
-        r->in.at += input_token(&r->in);
+        input_pass_token(&r->in);
     }
     if (raw.count == 0 && good)
         return ROBERTS_OK;
