@@ -1,0 +1,481 @@
+/* The map to view space: frames, presets, both projections, facings, what is refused, and the touching distance. */
+#include <float.h>
+#include <stdio.h>
+
+#include "scenes.h"
+#include "view/view.h"
+
+/* What rounding may do to a coordinate of view space, in view units (of which a scene is about one across). */
+#define ROUNDING 1e-14
+
+static double distance3(roberts_vec3 a, roberts_vec3 b)
+{
+    return vec3_length(vec3_sub(a, b));
+}
+
+static roberts_scene *cube_scene(roberts_vec3 low, double size)
+{
+    model m = {0};
+    model_box(&m, low, vec3_add(low, (roberts_vec3){size, size, size}));
+    roberts_scene *scene = model_build(&m);
+    model_free(&m);
+    return scene;
+}
+
+static view prepare(const roberts_scene *scene, const roberts_camera *camera)
+{
+    view v;
+    roberts_error error = {0};
+    if (view_prepare(&v, scene, camera, 0.0, &error) != ROBERTS_OK)
+        fail_msg("refused: %s", error.message);
+    return v;
+}
+
+/* ---- frames ------------------------------------------------------------------------------------------------------- */
+
+static void expect_frame(const char *name, const view *v, roberts_vec3 right, roberts_vec3 up)
+{
+    if (distance3(v->right, right) > ROUNDING || distance3(v->up, up) > ROUNDING ||
+        distance3(vec3_cross(v->right, v->up), v->dir) > ROUNDING || fabs(vec3_length(v->dir) - 1) > ROUNDING)
+        fail_msg("%s: right %g %g %g, up %g %g %g", name, v->right.x, v->right.y, v->right.z, v->up.x, v->up.y,
+                 v->up.z);
+}
+
+/* Directions as in the list of options; right and up of the picture follow from them. */
+static void presets_by_table(void **state)
+{
+    double s2 = sqrt(0.5), s6 = sqrt(1.0 / 6);
+    const struct {
+        const char *name;
+        roberts_vec3 dir, right, up;
+    } table[] = {
+        {"iso", {1, -1, 1}, {s2, s2, 0}, {-s6, s6, 2 * s6}},
+        {"dimetric",
+         {1, -sqrt(7), 1},
+         {sqrt(7.0 / 8), sqrt(1.0 / 8), 0},
+         {-sqrt(1.0 / 72), sqrt(7.0 / 72), sqrt(8.0 / 9)}},
+        {"trimetric",
+         {3, -6, 4},
+         {6 / sqrt(45), 3 / sqrt(45), 0},
+         {-12 / sqrt(45 * 61), 24 / sqrt(45 * 61), 45 / sqrt(45 * 61)}},
+        {"front", {0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+        {"back", {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}},
+        {"right", {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+        {"left", {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
+        {"top", {0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+        {"bottom", {0, 0, -1}, {-1, 0, 0}, {0, 1, 0}},
+    };
+    roberts_scene *scene = cube_scene((roberts_vec3){0, 0, 0}, 1);
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE};
+        if (!roberts_camera_preset(table[i].name, &camera))
+            fail_msg("no preset %s", table[i].name);
+        assert_int_equal(camera.projection, ROBERTS_ORTHOGRAPHIC);
+        assert_true(distance3(camera.dir, table[i].dir) == 0.0);
+        view v = prepare(scene, &camera);
+        expect_frame(table[i].name, &v, table[i].right, table[i].up);
+    }
+    roberts_scene_free(scene);
+}
+
+static void presets_that_are_none(void **state)
+{
+    static const char *const names[] = {"", "Iso", "iso ", "is", "topp", "perspective"};
+    (void)state;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        roberts_camera camera = {.dir = {7, 8, 9}};
+        assert_false(roberts_camera_preset(names[i], &camera));
+        assert_true(camera.dir.x == 7 && camera.dir.y == 8 && camera.dir.z == 9);
+    }
+}
+
+/* Dimetric: x and z at one scale, y at half of it. Isometric: all three at the same. */
+static void presets_foreshorten(void **state)
+{
+    static const struct {
+        const char *name;
+        double y, z; /* scale of the axis, as a part of x's */
+    } table[] = {{"iso", 1, 1}, {"dimetric", 0.5, 1}};
+    roberts_scene *scene = cube_scene((roberts_vec3){-1, -1, -1}, 2);
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        roberts_camera camera = {0};
+        assert_true(roberts_camera_preset(table[i].name, &camera));
+        view v = prepare(scene, &camera);
+        roberts_vec3 x = view_point(&v, (roberts_vec3){1, 0, 0}), y = view_point(&v, (roberts_vec3){0, 1, 0}),
+                     z = view_point(&v, (roberts_vec3){0, 0, 1});
+        assert_true(fabs(hypot(y.x, y.y) / hypot(x.x, x.y) - table[i].y) < ROUNDING);
+        assert_true(fabs(hypot(z.x, z.y) / hypot(x.x, x.y) - table[i].z) < ROUNDING);
+    }
+    roberts_scene_free(scene);
+}
+
+static void up_by_table(void **state)
+{
+    static const struct {
+        const char *name;
+        roberts_vec3 dir, up, right, picture_up;
+    } table[] = {
+        {"none: +z", {1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+        {"none, from above: +y", {0, 0, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+        {"none, from below: +y", {0, 0, -3}, {0, 0, 0}, {-1, 0, 0}, {0, 1, 0}},
+        {"given", {0, 0, 1}, {1, 0, 0}, {0, -1, 0}, {1, 0, 0}},
+        {"given and askew", {0, 0, 1}, {0, 2, 5}, {1, 0, 0}, {0, 1, 0}},
+        {"given downward", {0, -1, 0}, {0, 0, -1}, {-1, 0, 0}, {0, 0, -1}},
+        {"parallel: +z", {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+        {"against the view: +z", {1, 0, 0}, {-2, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+        {"parallel and vertical: +y", {0, 0, 1}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+        {"against the view and vertical: +y", {0, 0, 1}, {0, 0, -4}, {1, 0, 0}, {0, 1, 0}},
+        {"nearly parallel", {1, 0, 0}, {1, 1e-6, 0}, {0, 0, -1}, {0, 1, 0}},
+        {"so nearly that it counts: +z", {1, 0, 0}, {1, 1e-11, 0}, {0, 1, 0}, {0, 0, 1}},
+        {"very long", {0, 0, 1e300}, {1e300, 0, 0}, {0, -1, 0}, {1, 0, 0}},
+        {"very short", {0, 0, 1e-300}, {1e-300, 0, 0}, {0, -1, 0}, {1, 0, 0}},
+        {"denormal", {0, 0, 5e-324}, {5e-324, 0, 0}, {0, -1, 0}, {1, 0, 0}},
+    };
+    roberts_scene *scene = cube_scene((roberts_vec3){0, 0, 0}, 1);
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        roberts_camera camera = {.dir = table[i].dir, .up = table[i].up};
+        view v = prepare(scene, &camera);
+        expect_frame(table[i].name, &v, table[i].right, table[i].picture_up);
+        roberts_vec3 eye = vec3_scale(30 / vec3_length(v.dir), v.dir); /* the same rules in perspective */
+        camera = (roberts_camera){ROBERTS_PERSPECTIVE, .eye = eye, .has_look_at = true, .up = table[i].up};
+        v = prepare(scene, &camera);
+        expect_frame(table[i].name, &v, table[i].right, table[i].picture_up);
+    }
+    roberts_scene_free(scene);
+}
+
+/* Any direction and up, of any length: orthonormal, right-handed, up on the up side and level to the right. */
+static void frames_at_random(void **state)
+{
+    rng r = {21};
+    roberts_scene *scene = cube_scene((roberts_vec3){0, 0, 0}, 1);
+    (void)state;
+    for (int i = 0; i < 1000; i++) {
+        mat3 a = mat3_turn(&r);
+        roberts_vec3 dir = a.x, up = vec3_add(a.x, vec3_scale(rng_between(&r, 0.1, 9), a.y));
+        roberts_camera camera = {.dir = vec3_scale(ldexp(1, rng_int(&r, -900, 900)), dir),
+                                 .up = vec3_scale(ldexp(1, rng_int(&r, -900, 900)), up)};
+        view v = prepare(scene, &camera);
+        expect_frame("random", &v, vec3_scale(-1, a.z), a.y);
+        assert_true(distance3(v.dir, dir) < ROUNDING);
+    }
+    roberts_scene_free(scene);
+}
+
+/* ---- the two projections ------------------------------------------------------------------------------------------ */
+
+static roberts_camera random_camera(rng *r, bool perspective)
+{
+    mat3 a = mat3_turn(r);
+    if (!perspective)
+        return (roberts_camera){.dir = a.x, .up = a.y};
+    return (roberts_camera){ROBERTS_PERSPECTIVE, .eye = vec3_scale(rng_between(r, 9, 40), a.x),
+                            .look_at = {rng_between(r, -1, 1), rng_between(r, -1, 1), rng_between(r, -1, 1)},
+                            .has_look_at = true, .up = a.y};
+}
+
+static roberts_vec3 random_point(rng *r)
+{
+    return (roberts_vec3){rng_between(r, -4, 4), rng_between(r, -4, 4), rng_between(r, -4, 4)};
+}
+
+static void orthographic_is_a_rigid_motion(void **state)
+{
+    rng r = {22};
+    roberts_scene *scene = cube_scene((roberts_vec3){-4, -4, -4}, 8);
+    (void)state;
+    for (int i = 0; i < 300; i++) {
+        roberts_camera camera = random_camera(&r, false);
+        view v = prepare(scene, &camera);
+        roberts_vec3 P = random_point(&r), p = view_point(&v, P);
+        assert_true(fabs(p.x * v.unit - vec3_dot(P, v.right)) < 1e-13);
+        assert_true(fabs(p.y * v.unit - vec3_dot(P, v.up)) < 1e-13);
+        assert_true(fabs(p.z * v.unit - vec3_dot(P, camera.dir)) < 1e-13);
+    }
+    roberts_scene_free(scene);
+}
+
+/* Points of a sight line have one picture, the nearer one the greater depth; in the plane through the look-at point all
+ * lengths are true; the picture of any point is where its sight line meets that plane. */
+static void perspective_pictures(void **state)
+{
+    rng r = {23};
+    roberts_scene *scene = cube_scene((roberts_vec3){-4, -4, -4}, 8);
+    (void)state;
+    for (int i = 0; i < 300; i++) {
+        roberts_camera camera = random_camera(&r, true);
+        view v = prepare(scene, &camera);
+        roberts_vec3 P = random_point(&r), p = view_point(&v, P);
+        roberts_vec3 to_look = vec3_sub(camera.look_at, camera.eye), to_P = vec3_sub(P, camera.eye);
+        double k = vec3_dot(to_look, v.dir) / vec3_dot(to_P, v.dir); /* eye + k (P - eye) is in that plane */
+        roberts_vec3 hit = vec3_sub(vec3_add(camera.eye, vec3_scale(k, to_P)), camera.look_at);
+        assert_true(fabs(p.x * v.unit - vec3_dot(hit, v.right)) < 1e-12);
+        assert_true(fabs(p.y * v.unit - vec3_dot(hit, v.up)) < 1e-12);
+        roberts_vec3 nearer = view_point(&v, vec3_add(P, vec3_scale(-0.1, to_P)));
+        assert_true(hypot(nearer.x - p.x, nearer.y - p.y) < 1e-12 && nearer.z > p.z);
+    }
+    roberts_scene_free(scene);
+}
+
+/* Lines stay lines, and the parameters along them are those that view_to_space() and view_from_space() tell. */
+static void parameters_along_lines(void **state)
+{
+    rng r = {24};
+    roberts_scene *scene = cube_scene((roberts_vec3){-4, -4, -4}, 8);
+    (void)state;
+    for (int i = 0; i < 2000; i++) {
+        roberts_camera camera = random_camera(&r, i % 2);
+        view v = prepare(scene, &camera);
+        roberts_vec3 A = random_point(&r), B = random_point(&r), a = view_point(&v, A), b = view_point(&v, B);
+        double t = rng_between(&r, 0, 1), s = view_from_space(&v, a.z, b.z, t);
+        roberts_vec3 P = vec3_add(A, vec3_scale(t, vec3_sub(B, A))), p = view_point(&v, P);
+        assert_true(distance3(p, vec3_add(a, vec3_scale(s, vec3_sub(b, a)))) < ROUNDING);
+        assert_true(fabs(view_to_space(&v, a.z, b.z, s) - t) < 1e-14);
+        assert_true(camera.projection == ROBERTS_PERSPECTIVE || s == t);
+        assert_true(view_to_space(&v, a.z, b.z, 0) == 0 && view_to_space(&v, a.z, b.z, 1) == 1);
+        assert_true(view_from_space(&v, a.z, b.z, 0) == 0 && view_from_space(&v, a.z, b.z, 1) == 1);
+        double later = view_from_space(&v, a.z, b.z, t + 0.5 * (1 - t));
+        assert_true(later > s);
+    }
+    roberts_scene_free(scene);
+}
+
+/* Planes stay planes: the mapped corners lie on the mapped plane, whose normal has length 1 and looks away from the
+ * viewer exactly where the viewer is outside the face. `stretch` is what distances from the plane grow by. */
+static void planes_stay_planes(void **state)
+{
+    rng r = {25};
+    model m = {0};
+    (void)state;
+    model_lattice(&m, 3, 0.9, 26);
+    model_map(&m, mat3_scale(1, 1, 1), (roberts_vec3){-1, -1, -1});
+    roberts_scene *scene = model_build(&m);
+    for (int i = 0; i < 20; i++) {
+        roberts_camera camera = random_camera(&r, i % 2);
+        view v = prepare(scene, &camera);
+        for (uint32_t f = 0; f < scene->face_count; f++) {
+            plane F = scene->face_plane[f], G;
+            double stretch, outside;
+            G = view_plane(&v, scene, f, &stretch);
+            assert_true(fabs(G.a * G.a + G.b * G.b + G.c * G.c - 1) < ROUNDING);
+            for (uint32_t k = scene->face_start[f]; k < scene->face_start[f + 1]; k++)
+                assert_true(fabs(plane_at(G, view_point(&v, scene->point[scene->corner[k]]))) < ROUNDING);
+            outside = camera.projection == ROBERTS_PERSPECTIVE ? plane_at(F, vec3_sub(camera.eye, scene->centre))
+                                                               : vec3_dot((roberts_vec3){F.a, F.b, F.c}, camera.dir);
+            assert_true(fabs(outside) < 1e-9 || (G.c < 0) == (outside < 0));
+            roberts_vec3 P = random_point(&r), p = view_point(&v, P);
+            double flat = plane_at(F, vec3_sub(P, scene->centre)) / v.unit * stretch *
+                          (v.perspective ? 1 + p.z * v.inverse_distance : 1);
+            assert_true(fabs(flat - plane_at(G, p)) < 1e-12);
+        }
+    }
+    roberts_scene_free(scene);
+    model_free(&m);
+}
+
+/* ---- front, back, edge-on ----------------------------------------------------------------------------------------- */
+
+/* Facing of the face of a scene whose inward normal is (a, b, c). */
+static int facing_of(const roberts_scene *scene, const view *v, roberts_vec3 n)
+{
+    roberts_vec3 P[64];
+    uint32_t face = 0;
+    assert_true(scene->vertex_count <= 64);
+    for (uint32_t i = 0; i < scene->vertex_count; i++)
+        P[i] = view_point(v, scene->point[i]);
+    while (fabs(scene->face_plane[face].a - n.x) + fabs(scene->face_plane[face].b - n.y) +
+               fabs(scene->face_plane[face].c - n.z) >
+           1e-9)
+        face++;
+    return view_facing(v, scene, face, view_plane(v, scene, face, NULL), P);
+}
+
+/* The upper face (of greatest z) of the unit cube, epsilon being 1e-6. */
+static void facing_by_table(void **state)
+{
+    static const struct {
+        const char *name;
+        bool perspective;
+        roberts_vec3 from; /* direction, or eye */
+        int facing;
+    } table[] = {
+        {"from above", false, {0, 0, 1}, VIEW_FRONT},
+        {"from above, askew", false, {3, -4, 1}, VIEW_FRONT},
+        {"from below", false, {0, 0, -1}, VIEW_BACK},
+        {"from the side", false, {1, 0, 0}, VIEW_EDGE_ON},
+        {"from the side, askew", false, {3, -5, 0}, VIEW_EDGE_ON},
+        {"picture a little narrower than epsilon", false, {1, 0, 0.999e-6}, VIEW_EDGE_ON},
+        {"picture a little wider than epsilon", false, {1, 0, 1.001e-6}, VIEW_FRONT},
+        {"narrower, from below", false, {1, 0, -0.999e-6}, VIEW_EDGE_ON},
+        {"wider, from below", false, {1, 0, -1.001e-6}, VIEW_BACK},
+        {"along the diagonal, narrower", false, {1, 1, 0.999e-6}, VIEW_EDGE_ON}, /* sqrt 2 deep, slope 1 / sqrt 2 */
+        {"along the diagonal, wider", false, {1, 1, 1.001e-6}, VIEW_FRONT},
+        {"eye above", true, {0, 0, 9}, VIEW_FRONT},
+        {"eye above, aside", true, {7, 8, 3}, VIEW_FRONT},
+        {"eye below", true, {0, 0, -9}, VIEW_BACK},
+        {"eye below its plane, above the cube's middle", true, {9, 0, 0.4}, VIEW_BACK},
+        {"eye above its plane", true, {9, 0, 0.6}, VIEW_FRONT},
+        {"eye in its plane", true, {9, 0, 0.5}, VIEW_EDGE_ON},
+        /* the picture's height is h (9 / 8.5 - 9 / 9.5), h above the plane */
+        {"eye near its plane, narrower", true, {9, 0, 0.5 + 0.99e-6 / 0.111455108359133}, VIEW_EDGE_ON},
+        {"eye near its plane, wider", true, {9, 0, 0.5 + 1.01e-6 / 0.111455108359133}, VIEW_FRONT},
+        {"eye near its plane, below, wider", true, {9, 0, 0.5 - 1.01e-6 / 0.111455108359133}, VIEW_BACK},
+    };
+    roberts_scene *scene = cube_scene((roberts_vec3){-0.5, -0.5, -0.5}, 1);
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        roberts_camera camera = {.dir = table[i].from};
+        view v;
+        if (table[i].perspective)
+            camera = (roberts_camera){ROBERTS_PERSPECTIVE, .eye = table[i].from};
+        assert_int_equal(view_prepare(&v, scene, &camera, 1e-6, NULL), ROBERTS_OK);
+        int facing = facing_of(scene, &v, (roberts_vec3){0, 0, -1});
+        if (facing != table[i].facing)
+            fail_msg("%s: facing %d, expected %d", table[i].name, facing, table[i].facing);
+    }
+    roberts_scene_free(scene);
+}
+
+/* ---- what is refused ---------------------------------------------------------------------------------------------- */
+
+static void refused_by_table(void **state)
+{
+    static const struct {
+        const char *name;
+        roberts_camera camera;
+        double epsilon;
+        roberts_status status;
+        const char *message; /* part of it */
+    } table[] = {
+        {"good", {.dir = {0, 0, 1}}, 0, ROBERTS_OK, ""},
+        {"no direction", {.dir = {0, 0, 0}}, 0, ROBERTS_BAD_VIEW, "direction"},
+        {"minus zero", {.dir = {-0.0, 0, -0.0}}, 0, ROBERTS_BAD_VIEW, "direction"},
+        {"direction no number", {.dir = {0, NAN, 1}}, 0, ROBERTS_BAD_VIEW, "direction"},
+        {"direction infinite", {.dir = {0, 0, INFINITY}}, 0, ROBERTS_BAD_VIEW, "direction"},
+        {"up no number", {.dir = {0, 0, 1}, .up = {NAN, 0, 0}}, 0, ROBERTS_BAD_VIEW, "up"},
+        {"up infinite", {.dir = {0, 0, 1}, .up = {0, -INFINITY, 0}}, 0, ROBERTS_BAD_VIEW, "up"},
+        {"good eye", {ROBERTS_PERSPECTIVE, .eye = {0, 0, 9}}, 0, ROBERTS_OK, ""},
+        {"eye no number", {ROBERTS_PERSPECTIVE, .eye = {0, 0, NAN}}, 0, ROBERTS_BAD_VIEW, "eye"},
+        {"eye infinite", {ROBERTS_PERSPECTIVE, .eye = {-INFINITY, 0, 0}}, 0, ROBERTS_BAD_VIEW, "eye"},
+        {"look-at infinite",
+         {ROBERTS_PERSPECTIVE, .eye = {0, 0, 9}, .look_at = {INFINITY, 0, 0}, .has_look_at = true},
+         0,
+         ROBERTS_BAD_VIEW,
+         "look-at"},
+        {"look-at not used", {ROBERTS_PERSPECTIVE, .eye = {0, 0, 9}, .look_at = {INFINITY, 0, 0}}, 0, ROBERTS_OK, ""},
+        {"eye at the centre", {ROBERTS_PERSPECTIVE, .eye = {0, 0, 0}}, 0, ROBERTS_BAD_VIEW, "eye"},
+        {"eye at the look-at point",
+         {ROBERTS_PERSPECTIVE, .eye = {0, 0, 9}, .look_at = {0, 0, 9}, .has_look_at = true},
+         0,
+         ROBERTS_BAD_VIEW,
+         "eye"},
+        {"eye inside", {ROBERTS_PERSPECTIVE, .eye = {0, 0.1, 0.2}}, 0, ROBERTS_BAD_VIEW, "in front of the eye"},
+        {"eye on a face", {ROBERTS_PERSPECTIVE, .eye = {0, 0, 1}}, 0, ROBERTS_BAD_VIEW, "in front of the eye"},
+        {"eye just off a face", {ROBERTS_PERSPECTIVE, .eye = {0, 0, 1 + 1e-7}}, 0, ROBERTS_BAD_VIEW, "in front of"},
+        {"eye off a face", {ROBERTS_PERSPECTIVE, .eye = {0, 0, 1.01}}, 0, ROBERTS_OK, ""},
+        {"scene behind",
+         {ROBERTS_PERSPECTIVE, .eye = {0, 0, 9}, .look_at = {0, 0, 10}, .has_look_at = true},
+         0,
+         ROBERTS_BAD_VIEW,
+         "behind"},
+        {"scene beside",
+         {ROBERTS_PERSPECTIVE, .eye = {0, 0, 9}, .look_at = {9, 0, 9}, .has_look_at = true},
+         0,
+         ROBERTS_BAD_VIEW,
+         "in front of the eye"},
+        {"epsilon below 0", {.dir = {0, 0, 1}}, -1, ROBERTS_BAD_ARGUMENT, "epsilon"},
+        {"epsilon no number", {.dir = {0, 0, 1}}, NAN, ROBERTS_BAD_ARGUMENT, "epsilon"},
+        {"epsilon infinite", {.dir = {0, 0, 1}}, INFINITY, ROBERTS_BAD_ARGUMENT, "epsilon"},
+    };
+    roberts_scene *scene = cube_scene((roberts_vec3){-1, -1, -1}, 2);
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        view v;
+        roberts_error error = {0};
+        roberts_status status = view_prepare(&v, scene, &table[i].camera, table[i].epsilon, &error);
+        if (status != table[i].status || !strstr(error.message, table[i].message) ||
+            (status != ROBERTS_OK && (error.status != status || error.message[0] == '\0')))
+            fail_msg("%s: status %d, message \"%s\"", table[i].name, status, error.message);
+        assert_int_equal(view_prepare(&v, scene, &table[i].camera, table[i].epsilon, NULL), status);
+    }
+    roberts_scene_free(scene);
+}
+
+/* ---- the touching distance ---------------------------------------------------------------------------------------- */
+
+static void epsilon_by_table(void **state)
+{
+    double ulp = DBL_EPSILON, diameter = 2 * sqrt(3);
+    const struct {
+        const char *name;
+        roberts_vec3 low; /* of a cube of size 2 */
+        roberts_camera camera;
+        double given, expected;
+    } table[] = {
+        {"by the diameter", {-1, -1, -1}, {.dir = {1, 2, 3}}, 0, 1e-11 * diameter},
+        {"by the diameter, off the origin", {1000, 0, 0}, {.dir = {1, 2, 3}}, 0, 1e-11 * diameter},
+        {"by the largest coordinate", {1e9, 0, 0}, {.dir = {1, 2, 3}}, 0, 16 * ulp * (1e9 + 2)},
+        {"the same, negative", {0, -1e9, 0}, {.dir = {1, 2, 3}}, 0, 16 * ulp * 1e9},
+        {"by the eye", {-1, -1, -1}, {ROBERTS_PERSPECTIVE, .eye = {0, 1e9, 0}}, 0, 16 * ulp * 1e9},
+        {"eye not that far", {-1, -1, -1}, {ROBERTS_PERSPECTIVE, .eye = {0, 30, 0}}, 0, 1e-11 * diameter},
+        {"given", {-1, -1, -1}, {.dir = {1, 2, 3}}, 1e-5, 1e-5},
+        {"given, below rounding", {1e9, 0, 0}, {.dir = {1, 2, 3}}, 1e-20, 1e-20},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        roberts_scene *scene = cube_scene(table[i].low, 2);
+        view v;
+        assert_int_equal(view_prepare(&v, scene, &table[i].camera, table[i].given, NULL), ROBERTS_OK);
+        double epsilon = v.epsilon * v.unit;
+        if (fabs(epsilon - table[i].expected) > 1e-9 * table[i].expected)
+            fail_msg("%s: %.17g, expected %.17g", table[i].name, epsilon, table[i].expected);
+        assert_true(fabs(v.diameter * v.unit - diameter) < 1e-6);
+        roberts_scene_free(scene);
+    }
+}
+
+/* ---- sizes beyond squaring ---------------------------------------------------------------------------------------- */
+
+static void huge_and_tiny(void **state)
+{
+    static const double sizes[] = {1e150, 1e100, 1, 1e-100, 1e-150, 1e-290};
+    static const roberts_vec3 unit_low = {-1, -0.5, -1};
+    (void)state;
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
+        for (int perspective = 0; perspective < 2; perspective++) {
+            roberts_scene *scene = cube_scene(vec3_scale(0.5 * sizes[i], unit_low), sizes[i]);
+            roberts_camera camera = {.dir = {1, -1, 1}};
+            if (perspective)
+                camera = (roberts_camera){ROBERTS_PERSPECTIVE, .eye = vec3_scale(sizes[i], (roberts_vec3){3, -3, 3})};
+            view v = prepare(scene, &camera);
+            int exponent;
+            assert_true(frexp(v.unit, &exponent) == 0.5);
+            assert_true(fabs(v.diameter * (v.unit / sizes[i]) - sqrt(3)) < 1e-12);
+            assert_true(v.epsilon > 0 && v.epsilon < 1e-9 && v.extent < 10 && v.rounding > 0 && v.rounding < v.epsilon);
+            for (uint32_t k = 0; k < scene->vertex_count; k++) {
+                roberts_vec3 p = view_point(&v, scene->point[k]);
+                assert_true(vec3_length(p) > 1e-3 || fabs(p.x) + fabs(p.y) < 1e-12);
+                assert_true(vec3_length(p) < 10);
+            }
+            assert_int_equal(facing_of(scene, &v, (roberts_vec3){-1, 0, 0}), VIEW_FRONT);
+            assert_int_equal(facing_of(scene, &v, (roberts_vec3){1, 0, 0}), VIEW_BACK);
+            roberts_scene_free(scene);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(presets_by_table),     cmocka_unit_test(presets_that_are_none),
+        cmocka_unit_test(presets_foreshorten),  cmocka_unit_test(up_by_table),
+        cmocka_unit_test(frames_at_random),     cmocka_unit_test(orthographic_is_a_rigid_motion),
+        cmocka_unit_test(perspective_pictures), cmocka_unit_test(parameters_along_lines),
+        cmocka_unit_test(planes_stay_planes),   cmocka_unit_test(facing_by_table),
+        cmocka_unit_test(refused_by_table),     cmocka_unit_test(epsilon_by_table),
+        cmocka_unit_test(huge_and_tiny),
+    };
+    return cmocka_run_group_tests_name("view", tests, NULL, NULL);
+}
