@@ -191,6 +191,12 @@ static const struct {
     {"--grid 1.5", "--grid: \"1.5\" is not a whole number"},
     {"--threads 4294967296", "--threads: \"4294967296\" is not a whole number"},
     {"--threads=", "--threads: \"\" is not a whole number"},
+    {"--verify=", "--verify: \"\" is not a whole number"},
+    {"--verify=-1", "--verify: \"-1\" is not a whole number"},
+    {"--pick 1", "--pick: \"1\" is not X,Y"},
+    {"--pick 1,2,3", "--pick: \"1,2,3\" is not X,Y"},
+    {"--pick 1,inf", "--pick: \"1,inf\" is not X,Y"},
+    {"--pick", "--pick needs a value"},
     {"--quiet=1", "--quiet takes no value"},
     {"-o", "-o needs a value"},
     {"--format", "--format needs a value"},
@@ -492,6 +498,41 @@ static void locale_changes_nothing(void **state)
     assert_string_equal(last.out, text);
 }
 
+/* ---- rays ---- */
+
+static void checks_by_rays(void **state)
+{
+    unsigned points, more, segments;
+    (void)state;
+    assert_int_equal(run("--verify -f csv models/table.off"), 0);
+    assert_int_equal(
+        sscanf(last.err, "roberts: verify: %u points of %u segments checked; contradictions: 0,", &points, &segments),
+        2);
+    assert_true(segments > 10 && points == 3 * segments);
+    assert_int_equal(strncmp(last.out, "solid,v0,v1,", 12), 0);
+    assert_int_equal(run("--verify=11 -f null models/table.off"), 0);
+    assert_int_equal(sscanf(last.err, "roberts: verify: %u points", &more), 1);
+    assert_int_equal(more, 11 * segments);
+    assert_int_equal(run("--verify --all-edges --hidden solid -f null models/sphere.off"), 0);
+    assert_int_equal(run("--verify --crease 45 --quiet -f null models/sphere.off"), 0);
+    assert_string_equal(last.err, ""); /* nothing wrong, nothing to say */
+}
+
+static void picks(void **state)
+{
+    (void)state;
+    assert_int_equal(run("--pick 2.5,-2 --view top -f null models/cube-behind-cube.off"), 0);
+    assert_string_equal(last.err, "roberts: pick 2.5,-2: solid 0, face 0, depth -2.5, at 2,1.5,4\n");
+    assert_int_equal(run("--pick -1e6,0 -f null models/cube-behind-cube.off"), 0);
+    assert_string_equal(last.err, "roberts: pick -1000000,0: nothing is there\n");
+    put("two.off", "OFF\n8 8 0\n0 0 0\n6 0 0\n0 6 0\n0 0 6\n0 0 -9\n6 0 -9\n0 6 -9\n0 0 -3\n"
+                   "3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n3 4 5 6\n3 4 5 7\n3 4 6 7\n3 5 6 7\n");
+    /* middle of the box: 3, 3, -1.5; (1, 1) lies below the slanting faces at z = 4 and z = -5 */
+    assert_int_equal(run("--pick -2,-2 --view top -f null two.off"), 0);
+    assert_string_equal(last.err, "roberts: pick -2,-2: solid 0, face 3, depth -5.5, at 1,1,4\n"
+                                  "roberts: pick -2,-2: behind it solid 1, face 7, depth 3.5, at 1,1,-5\n");
+}
+
 #define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)
 
 int main(void)
@@ -516,6 +557,8 @@ int main(void)
         IN_FOLDER(warnings_can_be_silenced),
         IN_FOLDER(interruption_leaves_no_partial_file),
         IN_FOLDER(locale_changes_nothing),
+        IN_FOLDER(checks_by_rays),
+        IN_FOLDER(picks),
     };
     return cmocka_run_group_tests_name("cli", tests, NULL, NULL);
 }

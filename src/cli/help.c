@@ -30,6 +30,9 @@ const char help_text[] =
     "\n"
     "Messages\n"
     "      --stats[=json]   counts, tests and times, on standard error\n"
+    "      --verify[=N]     check the drawing by N rays per segment (default: 3), on standard error; exit status 1 if\n"
+    "                       any of them contradicts it\n"
+    "      --pick X,Y       say which solid and face is seen there (x, y as in the csv) and what lies behind it\n"
     "  -q, --quiet          no warnings\n"
     "  -h, --help           this text\n"
     "  -V, --version        the version\n"
@@ -41,4 +44,5 @@ const char help_text[] =
     "  roberts --dir 3,-6,4 --hidden dashed models/table.off -o table.pdf\n"
     "  roberts --eye 70,-60,60 models/table.off >table.svg\n"
     "  roberts --view top -f csv --hidden solid - <models/table.off >table.csv\n"
-    "  roberts -f null --stats models/table.off\n";
+    "  roberts -f null --stats models/table.off\n"
+    "  roberts -f null --verify --pick 0,5 models/table.off\n";

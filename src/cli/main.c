@@ -9,6 +9,7 @@
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/options.h"
+#include "cli/rays.h"
 #include "cli/stats.h"
 
 /* A descriptor 0, 1 or 2 that we were started without would go to the next file opened, and messages into a drawing.
@@ -56,6 +57,12 @@ static roberts_status compute(const cli_options *options, roberts_drawing *drawi
     run->vertices = roberts_scene_vertex_count(scene);
     run->faces = roberts_scene_face_count(scene);
     status = roberts_hide(scene, &options->camera, &options->hide, drawing, error);
+    start = stats_now();
+    if (status == ROBERTS_OK && options->verify)
+        status = rays_verify(options, scene, drawing, &run->wrong, error);
+    if (status == ROBERTS_OK && options->pick)
+        status = rays_pick(options, scene, error);
+    run->verify = stats_since(start);
 done:
     roberts_scene_free(scene);
     roberts_mesh_free(&mesh);
@@ -78,7 +85,9 @@ static int draw(const cli_options *options)
     run.total = stats_since(begin);
     if (status != ROBERTS_OK)
         result = message_error(&error);
-    else if (options->stats != STATS_NONE)
+    else if (run.wrong)
+        result = EXIT_FAILED; /* and the drawing is there to look at */
+    if (status == ROBERTS_OK && options->stats != STATS_NONE)
         stats_print(options->stats, &run, &drawing);
     roberts_drawing_free(&drawing);
     return result;

@@ -25,6 +25,8 @@ typedef enum option_id {
     OPTION_CREASE,
     OPTION_ALL_EDGES,
     OPTION_STATS,
+    OPTION_VERIFY,
+    OPTION_PICK,
     OPTION_QUIET,
     OPTION_THREADS,
     OPTION_GRID,
@@ -53,6 +55,8 @@ static const struct option {
     [OPTION_CREASE] = {"crease", 0, VALUE},
     [OPTION_ALL_EDGES] = {"all-edges", 0, NO_VALUE},
     [OPTION_STATS] = {"stats", 0, VALUE_OPTIONAL},
+    [OPTION_VERIFY] = {"verify", 0, VALUE_OPTIONAL},
+    [OPTION_PICK] = {"pick", 0, VALUE},
     [OPTION_QUIET] = {"quiet", 'q', NO_VALUE},
     [OPTION_THREADS] = {"threads", 0, VALUE},
     [OPTION_GRID] = {"grid", 0, VALUE},
@@ -133,6 +137,13 @@ static int set_vector(const char *name, const char *value, roberts_vec3 *vector)
     return message_misuse("--%s: \"%s\" is not X,Y,Z (three numbers, point for decimals)", name, value);
 }
 
+static int set_point(const char *name, const char *value, roberts_vec2 *point)
+{
+    if (parse_point(value, point))
+        return EXIT_DONE;
+    return message_misuse("--%s: \"%s\" is not X,Y (two numbers, point for decimals)", name, value);
+}
+
 /* A vector that has to point somewhere. */
 static int set_direction(const char *name, const char *value, roberts_vec3 *vector)
 {
@@ -193,6 +204,12 @@ static int apply(parser *p, option_id id, const char *value)
         return EXIT_DONE;
     case OPTION_STATS:
         return set_stats(options, value);
+    case OPTION_VERIFY:
+        options->verify = true;
+        return value ? set_integer(name, value, &options->verify_rays) : EXIT_DONE;
+    case OPTION_PICK:
+        options->pick = true;
+        return set_point(name, value, &options->pick_point);
     case OPTION_QUIET:
         options->quiet = true;
         return EXIT_DONE;

@@ -15,6 +15,9 @@ typedef struct cli_options {
     roberts_hide_options hide;
     roberts_draw_options draw;
     cli_stats stats;
+    bool verify, pick;
+    uint32_t verify_rays; /* per segment; 0 = choose */
+    roberts_vec2 pick_point;
     bool quiet, help, version;
 } cli_options;
 

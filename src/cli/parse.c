@@ -44,6 +44,17 @@ bool parse_integer(const char *text, uint32_t *number)
     return true;
 }
 
+bool parse_point(const char *text, roberts_vec2 *point)
+{
+    roberts_vec2 p;
+    if (!take_number(&text, &p.x) || *text++ != ',')
+        return false;
+    if (!take_number(&text, &p.y) || *text)
+        return false;
+    *point = p;
+    return true;
+}
+
 bool parse_vector(const char *text, roberts_vec3 *vector)
 {
     roberts_vec3 v;

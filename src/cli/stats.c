@@ -108,7 +108,7 @@ void stats_print(cli_stats kind, const run_stats *run, const roberts_drawing *d)
     };
     const stage stages[] = {
         {"read", run->read},    {"solids", run->solids}, {"view", d->view_time}, {"grid", d->grid_time},
-        {"hide", d->hide_time}, {"draw", run->draw},     {"total", run->total},
+        {"hide", d->hide_time}, {"verify", run->verify}, {"draw", run->draw},    {"total", run->total},
     };
     fputs(json ? "{\"version\":\"" ROBERTS_VERSION "\"," : "", stderr);
     print_figures(counts, sizeof counts / sizeof counts[0], json);

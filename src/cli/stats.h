@@ -7,7 +7,8 @@
 /* What the program counts and times itself; the rest is in the drawing. */
 typedef struct run_stats {
     size_t files, vertices, faces;
-    roberts_time read, solids, draw, total;
+    roberts_time read, solids, verify, draw, total; /* verify: and picking */
+    bool wrong;                                     /* rays contradict the drawing */
 } run_stats;
 
 /* CPU time of all threads and wall-clock time, now. */

@@ -1,0 +1,57 @@
+/* rays.c - what --verify and --pick say. */
+#include "cli/rays.h"
+
+#include <stdio.h>
+
+enum { RAYS_TOLD = 20 };
+
+static void tell(void *context, const roberts_contradiction *c)
+{
+    size_t *told = context;
+    if ((*told)++ >= RAYS_TOLD)
+        return;
+    fprintf(stderr, "roberts: verify: solid %u, edge %u-%u, t = %.17g: drawn %s, but ", (unsigned)c->solid,
+            (unsigned)c->v0, (unsigned)c->v1, c->t, c->drawn == ROBERTS_VISIBLE ? "visible" : "hidden");
+    if (c->cast == ROBERTS_HIDDEN)
+        fprintf(stderr, "solid %u hides it\n", (unsigned)c->by);
+    else
+        fputs("nothing hides it\n", stderr);
+}
+
+roberts_status rays_verify(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing,
+                           bool *wrong, roberts_error *error)
+{
+    size_t told = 0;
+    roberts_verification found;
+    roberts_verify_options verify = roberts_verify_options_default();
+    verify.rays = options->verify_rays;
+    verify.crease_degrees = options->hide.crease_degrees;
+    verify.all_edges = options->hide.all_edges;
+    verify.contradiction = tell;
+    verify.context = &told;
+    roberts_status status = roberts_verify(scene, &options->camera, drawing, &verify, &found, error);
+    *wrong = status == ROBERTS_OK && found.contradictions > 0;
+    if (told > RAYS_TOLD)
+        fprintf(stderr, "roberts: verify: ... and %zu more\n", told - RAYS_TOLD);
+    if (status == ROBERTS_OK && (*wrong || !options->quiet))
+        fprintf(stderr, "roberts: verify: %zu points of %zu segments checked; contradictions: %zu, undecided: %zu\n",
+                found.points, found.segments, found.contradictions, found.undecided);
+    return status;
+}
+
+roberts_status rays_pick(const cli_options *options, const roberts_scene *scene, roberts_error *error)
+{
+    roberts_picked picked;
+    roberts_vec2 p = options->pick_point;
+    roberts_status status = roberts_pick(scene, &options->camera, p.x, p.y, &picked, error);
+    if (status == ROBERTS_OK && picked.count == 0)
+        fprintf(stderr, "roberts: pick %.12g,%.12g: nothing is there\n", p.x, p.y);
+    for (size_t i = 0; i < picked.count; i++) {
+        const roberts_pick_hit *hit = &picked.hit[i];
+        fprintf(stderr, "roberts: pick %.12g,%.12g: %ssolid %u, face %u, depth %.12g, at %.12g,%.12g,%.12g\n", p.x, p.y,
+                i ? "behind it " : "", (unsigned)hit->solid, (unsigned)hit->face, hit->depth, hit->point.x,
+                hit->point.y, hit->point.z);
+    }
+    roberts_picked_free(&picked);
+    return status;
+}

@@ -1,0 +1,88 @@
+/* What --verify says of a wrong drawing. The program never makes one, so that its own source is called with a spoiled
+ * drawing here. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+#include <cmocka.h>
+
+#include "../src/cli/rays.c"
+
+/* A cube of side 2 under a plate that hides all of it from above. */
+static roberts_scene *make_scene(void)
+{
+    static const char off[] = "OFF\n16 12 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 2\n2 0 2\n2 2 2\n0 2 2\n"
+                              "-1 -1 3\n3 -1 3\n3 3 3\n-1 3 3\n-1 -1 4\n3 -1 4\n3 3 4\n-1 3 4\n"
+                              "4 0 1 2 3\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"
+                              "4 8 9 10 11\n4 12 13 14 15\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n";
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    assert_int_equal(roberts_mesh_read_memory(&mesh, "cube", off, sizeof off - 1, NULL, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    roberts_mesh_free(&mesh);
+    return scene;
+}
+
+/* Verifies with standard error caught in `text`. */
+static bool report(const cli_options *options, const roberts_drawing *drawing, char *text, size_t size)
+{
+    bool wrong = false;
+    roberts_scene *scene = make_scene();
+    FILE *file = tmpfile();
+    assert_non_null(file);
+    int saved = dup(STDERR_FILENO);
+    fflush(stderr);
+    dup2(fileno(file), STDERR_FILENO);
+    roberts_status status = rays_verify(options, scene, drawing, &wrong, NULL);
+    fflush(stderr);
+    dup2(saved, STDERR_FILENO);
+    close(saved);
+    rewind(file);
+    text[fread(text, 1, size - 1, file)] = '\0';
+    fclose(file);
+    roberts_scene_free(scene);
+    assert_int_equal(status, ROBERTS_OK);
+    return wrong;
+}
+
+static roberts_segment row(uint32_t solid, uint32_t v0, uint32_t v1)
+{
+    return (roberts_segment){.solid = solid, .v0 = v0, .v1 = v1, .t1 = 1.0, .by = ROBERTS_NONE};
+}
+
+static void test_report(void **state)
+{
+    char text[8192];
+    cli_options options = {.verify_rays = 1, .quiet = true};
+    roberts_camera_preset("top", &options.camera);
+    roberts_segment rows[] = {row(1, 12, 13), row(1, 12, 15), row(1, 13, 14), row(1, 14, 15), row(0, 4, 5)};
+    roberts_drawing drawing = {.segment = rows, .count = 4};
+    (void)state;
+    assert_false(report(&options, &drawing, text, sizeof text));
+    assert_string_equal(text, ""); /* right, and quiet */
+    options.quiet = false;
+    assert_false(report(&options, &drawing, text, sizeof text));
+    assert_string_equal(text, "roberts: verify: 8 points of 8 segments checked; contradictions: 0, undecided: 0\n");
+    drawing.count = 5;
+    options.quiet = true; /* what is wrong is said all the same */
+    assert_true(report(&options, &drawing, text, sizeof text));
+    assert_string_equal(text, "roberts: verify: solid 0, edge 4-5, t = 0.5: drawn visible, but solid 1 hides it\n"
+                              "roberts: verify: 8 points of 8 segments checked; contradictions: 1, undecided: 0\n");
+    rows[0].state = ROBERTS_HIDDEN;
+    drawing.count = 4;
+    assert_true(report(&options, &drawing, text, sizeof text));
+    assert_string_equal(text, "roberts: verify: solid 1, edge 12-13, t = 0.5: drawn hidden, but nothing hides it\n"
+                              "roberts: verify: 8 points of 8 segments checked; contradictions: 1, undecided: 0\n");
+    options.verify_rays = 40;
+    assert_true(report(&options, &drawing, text, sizeof text));
+    assert_non_null(strstr(text, "roberts: verify: ... and 20 more\n"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_report)};
+    return cmocka_run_group_tests_name("verify_report", tests, NULL, NULL);
+}
