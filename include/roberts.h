@@ -231,10 +231,10 @@ typedef struct roberts_time {
 typedef struct roberts_drawing {
     size_t count;
     roberts_segment *segment;            /**< [count] */
-    roberts_vec2 window_min, window_max; /**< box of all drawn edges' projections, hidden parts included */
+    roberts_vec2 window_min, window_max; /**< box of the scene's picture, hidden parts included */
     double epsilon;                      /**< the touching distance that was used, model units */
     double scene_diameter;               /**< diagonal of the box round the scene */
-    uint32_t grid;                       /**< cells per side, as chosen */
+    uint32_t grid, grid_rows;            /**< columns and rows of cells, as chosen */
     size_t solids, culled_solids; /**< all; known to be wholly hidden before they were cut (their faces and edges are
                                        not among the following) */
     size_t front_faces, back_faces, edge_on_faces;

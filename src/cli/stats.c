@@ -81,6 +81,7 @@ void stats_print(cli_stats kind, const run_stats *run, const roberts_drawing *d)
     const figure counts[] = {
         {"files", "files", run->files},
         {"solids", "solids", d->solids},
+        {"culled_solids", "of them culled, wholly hidden", d->culled_solids},
         {"vertices", "vertices", run->vertices},
         {"faces", "faces", run->faces},
         {"front_faces", "of them front", d->front_faces},
@@ -93,7 +94,8 @@ void stats_print(cli_stats kind, const run_stats *run, const roberts_drawing *d)
         {"visible", "of them visible", count_state(d, ROBERTS_VISIBLE)},
         {"hidden", "hidden", count_state(d, ROBERTS_HIDDEN)},
         {"clipped", "clipped", count_state(d, ROBERTS_CLIPPED)},
-        {"grid", "cells per side of the grid", d->grid},
+        {"grid", "columns of the grid", d->grid},
+        {"grid_rows", "rows", d->grid_rows},
         {"peak_memory_kb", "kB of memory at the most", peak_memory()},
     };
     const figure tests[] = {

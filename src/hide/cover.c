@@ -6,16 +6,16 @@
 
 #include "base/array.h"
 
-bool cover_init(cover *c, roberts_vec2 low, roberts_vec2 high, uint32_t n, double margin)
+bool cover_init(cover *c, scan_frame frame)
 {
-    *c = (cover){0};
-    if (n == 0)
+    size_t cells = scan_cells(&frame);
+    *c = (cover){.frame = frame};
+    if (cells == 0)
         return true;
-    c->frame = scan_frame_over(low, high, n, margin);
-    c->depth = alloc_array((size_t)n * n, sizeof *c->depth);
-    if (!c->depth || !scan_init(&c->scan, n))
+    c->depth = alloc_array(cells, sizeof *c->depth);
+    if (!c->depth || !scan_init(&c->scan, frame.nx))
         return false;
-    for (size_t i = 0; i < (size_t)n * n; i++)
+    for (size_t i = 0; i < cells; i++)
         c->depth[i] = -INFINITY;
     return true;
 }
@@ -48,7 +48,7 @@ void cover_add(cover *c, const roberts_vec3 *P, const uint32_t *corner, uint32_t
     scan_polygon(&c->scan, f, P, corner, count);
     for (uint32_t i = c->scan.inner_first; i <= c->scan.inner_last; i++) {
         uint32_t first, last;
-        float *cell = c->depth + (size_t)i * f->n;
+        float *cell = c->depth + (size_t)i * f->ny;
         if (!scan_inside(&c->scan, f, i, &first, &last))
             continue;
         for (uint32_t j = first; j <= last; j++) {
@@ -69,7 +69,7 @@ bool cover_hides(const cover *c, const hide_box *box)
     uint32_t last = scan_column(f, (double)box->x1 + m);
     uint32_t low = scan_row(f, (double)box->y0 - m), high = scan_row(f, (double)box->y1 + m);
     for (uint32_t i = scan_column(f, (double)box->x0 - m); i <= last; i++) {
-        const float *cell = c->depth + (size_t)i * f->n;
+        const float *cell = c->depth + (size_t)i * f->ny;
         for (uint32_t j = low; j <= high; j++)
             if (!(cell[j] > box->z1))
                 return false;
@@ -97,7 +97,7 @@ bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
             y1 = lesser(high, greater(ya, yb) + m);
             z = lesser(near, A.z + greater(from * incline, to * incline) + m);
         }
-        const float *cell = c->depth + (size_t)i * f->n;
+        const float *cell = c->depth + (size_t)i * f->ny;
         uint32_t end = scan_row(f, y1);
         for (uint32_t j = scan_row(f, y0); j <= end; j++)
             if (!((double)cell[j] > z))

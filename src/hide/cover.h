@@ -13,11 +13,11 @@
 typedef struct cover {
     scan_frame frame;
     scan scan;    /* scratch */
-    float *depth; /* [n * n] -infinity without cover; NULL: no covers are kept, nothing is ever behind one */
+    float *depth; /* [nx * ny] -infinity without cover; NULL: no covers are kept, nothing is ever behind one */
 } cover;
 
-/* No memory: false. n == 0 keeps no covers. */
-bool cover_init(cover *c, roberts_vec2 low, roberts_vec2 high, uint32_t n, double margin);
+/* Takes a frame of the cells; one without columns keeps no covers. No memory: false. */
+bool cover_init(cover *c, scan_frame frame);
 void cover_free(cover *c);
 
 /* Enters a convex outline of corners P[corner[..]], counter-clockwise, whose front is nowhere over it farther away than

@@ -145,7 +145,7 @@ static bool run_together(hide_worker *w, uint32_t solid, const hide_box *box)
     next_stamp(w);
     for (uint32_t i = scan_column(f, (double)box->x0); w->live && i <= last; i++)
         for (uint32_t j = low; j <= high; j++)
-            if (!meet_cell(w, solid, 0, w->line_count, box, i * f->n + j, (double)box->z0))
+            if (!meet_cell(w, solid, 0, w->line_count, box, i * f->ny + j, (double)box->z0))
                 return false;
     return true;
 }
@@ -216,7 +216,7 @@ uint32_t hide_seen_at(const hide_worker *w, double x, double y)
 {
     const objet *grid = w->grid;
     const hide_picture *picture = w->picture;
-    uint32_t cell = scan_column(&grid->frame, x) * grid->frame.n + scan_row(&grid->frame, y), solid = ROBERTS_NONE;
+    uint32_t cell = scan_column(&grid->frame, x) * grid->frame.ny + scan_row(&grid->frame, y), solid = ROBERTS_NONE;
     double best = -INFINITY;
     for (int touching = 0; touching < 2; touching++) /* first the nearest depth, then who is there */
         for (uint32_t k = grid->start[cell]; k < grid->start[cell + 1]; k++) {

@@ -13,9 +13,11 @@
 
 #include "base/array.h"
 #include "base/error.h"
+#include "hide/cells.h"
 #include "hide/edge.h"
 
 #define CHUNK_SOLIDS 64
+#define CHUNKS_PER_THREAD 8 /* with less work than this a thread costs more than it does */
 #define GRID_MOST 4096
 #define COVERS_PER_CELL 2 /* per side, where the grid is given; else both are chosen */
 
@@ -195,6 +197,8 @@ static bool do_chunks(hide_job *job, roberts_drawing *drawing)
     bool failed = false;
 #ifdef _OPENMP
     int threads = job->options->threads ? (int)job->options->threads : omp_get_max_threads();
+    if ((uint32_t)threads > 1 + job->chunk_count / CHUNKS_PER_THREAD)
+        threads = (int)(1 + job->chunk_count / CHUNKS_PER_THREAD);
 #pragma omp parallel num_threads(threads)
 #endif
     {
@@ -273,7 +277,8 @@ static void describe(const hide_job *job, roberts_drawing *drawing)
     double unit = picture->view.unit;
     drawing->epsilon = picture->view.epsilon * unit;
     drawing->scene_diameter = picture->view.diameter * unit;
-    drawing->grid = job->grid.frame.n;
+    drawing->grid = job->grid.frame.nx;
+    drawing->grid_rows = job->grid.frame.ny;
     drawing->solids = job->scene->solid_count;
     drawing->culled_solids = picture->culled_count;
     drawing->edges = job->scene->edge_count;
@@ -299,7 +304,10 @@ static roberts_status build(hide_job *job, const roberts_camera *camera, roberts
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "epsilon %.6g is more than a hundredth of the scene (%.6g)",
                          options->epsilon, v->diameter * v->unit);
     drawing->view_time = lap(&clock);
-    status = objet_build(&job->grid, &job->picture, options->grid ? options->grid : objet_choose(&job->picture));
+    const hide_picture *picture = &job->picture;
+    scan_frame frame = cells_for_lists(picture->front_box, picture->front_count, picture->low, picture->high,
+                                       options->grid, hide_margin(&picture->space));
+    status = objet_build(&job->grid, picture, frame);
     drawing->grid_time = lap(&clock);
     return status;
 }

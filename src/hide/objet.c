@@ -6,33 +6,6 @@
 
 #include "base/array.h"
 
-/* Width of a cell in mean boxes of fronts: smaller cells make longer walks, larger ones longer lists. */
-#define BOXES_PER_CELL 1.5
-/* List entries per front that the grid may come to, on average, before it is made coarser. */
-#define ENTRIES_PER_FRONT 12.0
-#define ENTRIES_FREE 4096.0
-#define CELLS_MOST 8192.0
-
-uint32_t objet_choose(const hide_picture *picture)
-{
-    double width = picture->high.x - picture->low.x, height = picture->high.y - picture->low.y;
-    double w = 0.0, h = 0.0, wh = 0.0, count = picture->front_count, n;
-    if (count == 0.0)
-        return 1;
-    for (uint32_t i = 0; i < picture->front_count; i++) {
-        const hide_box *box = &picture->front_box[i];
-        double fw = width > 0.0 ? (double)(box->x1 - box->x0) / width : 0.0;
-        double fh = height > 0.0 ? (double)(box->y1 - box->y0) / height : 0.0;
-        w += fw;
-        h += fh;
-        wh += fw * fh;
-    }
-    n = lesser(CELLS_MOST, lesser(2.0 * sqrt(count) + 1.0, 2.0 * count / (greater(w + h, 1e-9) * BOXES_PER_CELL)));
-    while (n > 1.0 && n * n * wh + n * (w + h) + count > ENTRIES_PER_FRONT * count + ENTRIES_FREE)
-        n *= 0.9;
-    return n < 1.0 ? 1 : (uint32_t)n;
-}
-
 /* Calls for every cell that the front touches: counts it there, or with `fill` lists it. A box of at most two columns and
  * two rows is taken for the polygon. */
 static void list_front(objet *grid, const hide_picture *picture, uint32_t index, scan *s, bool fill)
@@ -53,7 +26,7 @@ static void list_front(objet *grid, const hide_picture *picture, uint32_t index,
         if (!small)
             scan_touched(s, f, i, &low, &high);
         for (uint32_t j = low; j <= high; j++) {
-            size_t cell = (size_t)i * f->n + j;
+            size_t cell = (size_t)i * f->ny + j;
             if (fill)
                 grid->front[grid->start[cell]++] = index;
             else
@@ -65,7 +38,7 @@ static void list_front(objet *grid, const hide_picture *picture, uint32_t index,
 /* Counts become places: start[cell] the first of the cell's list. */
 static bool sum_counts(objet *grid)
 {
-    size_t total = 0, cells = (size_t)grid->frame.n * grid->frame.n;
+    size_t total = 0, cells = scan_cells(&grid->frame);
     for (size_t c = 0; c <= cells; c++) {
         size_t count = c < cells ? grid->start[c] : 0;
         if (total > UINT32_MAX)
@@ -80,19 +53,19 @@ static bool sum_counts(objet *grid)
 /* Filling has moved each start to its list's end, which is the next one's start. */
 static void restore_starts(objet *grid)
 {
-    size_t cells = (size_t)grid->frame.n * grid->frame.n;
+    size_t cells = scan_cells(&grid->frame);
     for (size_t c = cells; c > 0; c--)
         grid->start[c] = grid->start[c - 1];
     grid->start[0] = 0;
 }
 
-roberts_status objet_build(objet *grid, const hide_picture *picture, uint32_t n)
+roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame frame)
 {
     roberts_status status = ROBERTS_NO_MEMORY;
     scan s = {0};
-    *grid = (objet){.frame = scan_frame_over(picture->low, picture->high, n, hide_margin(&picture->space))};
-    grid->start = alloc_zeroed((size_t)n * n + 1, sizeof *grid->start);
-    if (!grid->start || !scan_init(&s, n))
+    *grid = (objet){.frame = frame};
+    grid->start = alloc_zeroed(scan_cells(&frame) + 1, sizeof *grid->start);
+    if (!grid->start || !scan_init(&s, frame.nx))
         goto done;
     for (uint32_t k = 0; k < picture->order_count; k++)
         list_front(grid, picture, picture->order[k], &s, false);
@@ -141,7 +114,7 @@ bool objet_cells(const objet *grid, roberts_vec3 A, roberts_vec3 B, objet_walk *
         double ya = A.y + t0 * (B.y - A.y), yb = A.y + t1 * (B.y - A.y);
         uint32_t end = scan_row(f, greater(ya, yb) + m);
         for (uint32_t j = scan_row(f, lesser(ya, yb) - m); j <= end; j++) {
-            objet_stretch stretch = {i * f->n + j, t0, t1};
+            objet_stretch stretch = {i * f->ny + j, t0, t1};
             clip_slab(A.y, B.y, f->y0 + j * f->dy - m, f->y0 + (j + 1) * f->dy + m, &stretch.t0, &stretch.t1);
             if (stretch.t0 > stretch.t1)
                 continue;

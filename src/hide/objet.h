@@ -11,7 +11,7 @@
 
 typedef struct objet {
     scan_frame frame;
-    uint32_t *start; /* [n * n + 1] cell c lists front[start[c]] .. front[start[c + 1] - 1] */
+    uint32_t *start; /* [nx * ny + 1] cell c lists front[start[c]] .. front[start[c + 1] - 1] */
     uint32_t *front; /* fronts of the picture */
 } objet;
 
@@ -26,12 +26,8 @@ typedef struct objet_walk {
     size_t count, room;
 } objet_walk;
 
-/* Cells per side for the picture's fronts: some one and a half mean boxes wide, but no more than lets the lists grow in
- * proportion to the number of fronts. */
-uint32_t objet_choose(const hide_picture *picture);
-
-/* Fills n x n cells. Returns ROBERTS_OK or _NO_MEMORY. */
-roberts_status objet_build(objet *grid, const hide_picture *picture, uint32_t n);
+/* Fills the cells of `frame`. Returns ROBERTS_OK or _NO_MEMORY. */
+roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame frame);
 void objet_free(objet *grid);
 
 /* The cells that AB touches, column by column; false: no memory. */

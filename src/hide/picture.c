@@ -8,16 +8,12 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/radix.h"
+#include "hide/cells.h"
 
 /* A front of more faces than this is entered face by face: an edge that passes it would be compared with all. */
 #define FACES_OF_ONE_FRONT 24
-/* Mean number of boxes over a point of the picture from which covers pay. In flat scenes they cost a little. */
-#define COVER_DEPTH 2.5
-/* Width of a cover's cell in mean boxes. */
-#define BOXES_PER_COVER_CELL 0.08
-#define COVER_CELLS_MOST 8192.0
 /* From this many cells (four mean boxes) across, a cover's depth is taken cell by cell and not once for all of it. */
-#define COVER_WIDE (4.0 / BOXES_PER_COVER_CELL)
+#define COVER_WIDE 50.0
 
 /* Scratch memory of the building. */
 typedef struct build {
@@ -213,23 +209,6 @@ static bool add_solid(build *b, uint32_t solid)
     return picture->outline_count <= UINT32_MAX && add_front(picture, front, picture->box[solid]);
 }
 
-/* Cells per side of the covers' grid, 0 where covers would not pay. */
-static uint32_t choose_cover(const hide_picture *picture)
-{
-    double width = picture->high.x - picture->low.x, height = picture->high.y - picture->low.y;
-    double area = 0.0, size = 0.0, count = picture->scene->solid_count;
-    for (uint32_t s = 0; s < picture->scene->solid_count; s++) {
-        const hide_box *box = &picture->box[s];
-        double w = lesser((double)(box->x1 - box->x0), width), h = lesser((double)(box->y1 - box->y0), height);
-        area += w * h;
-        size += w + h;
-    }
-    if (!(area > COVER_DEPTH * width * height) || !(width > 0.0) || !(height > 0.0))
-        return 0;
-    double n = count * (width + height) / (size * BOXES_PER_COVER_CELL);
-    return (uint32_t)greater(1.0, lesser(n, lesser(COVER_CELLS_MOST, 256.0 + 4.0 * sqrt(count))));
-}
-
 static bool order_solids(build *b)
 {
     const hide_picture *picture = b->picture;
@@ -354,10 +333,11 @@ roberts_status hide_picture_build(hide_picture *picture, const roberts_scene *sc
         goto done;
     box_solids(picture);
     set_space(picture);
-    if (cull && cells == 0)
-        cells = choose_cover(picture);
-    if (!cover_init(&picture->cover, picture->low, picture->high, cull ? cells : 0, hide_margin(&picture->space)) ||
-        !add_solids(&b))
+    scan_frame frame = {0};
+    if (cull)
+        frame = cells_for_covers(picture->box, scene->solid_count, picture->low, picture->high, cells,
+                                 hide_margin(&picture->space));
+    if (!cover_init(&picture->cover, frame) || !add_solids(&b))
         goto done;
     status = ROBERTS_OK;
 done:

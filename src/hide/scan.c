@@ -6,24 +6,24 @@
 
 #include "base/array.h"
 
-scan_frame scan_frame_over(roberts_vec2 low, roberts_vec2 high, uint32_t n, double margin)
+scan_frame scan_frame_over(roberts_vec2 low, roberts_vec2 high, uint32_t nx, uint32_t ny, double margin)
 {
-    scan_frame f = {.n = n, .x0 = low.x - margin, .y0 = low.y - margin, .margin = margin};
-    f.dx = greater((high.x - low.x + 2.0 * margin) / n, 4.0 * margin);
-    f.dy = greater((high.y - low.y + 2.0 * margin) / n, 4.0 * margin);
+    scan_frame f = {.nx = nx, .ny = ny, .x0 = low.x - margin, .y0 = low.y - margin, .margin = margin};
+    f.dx = greater((high.x - low.x + 2.0 * margin) / nx, 4.0 * margin);
+    f.dy = greater((high.y - low.y + 2.0 * margin) / ny, 4.0 * margin);
     f.per_dx = 1.0 / f.dx;
     f.per_dy = 1.0 / f.dy;
     return f;
 }
 
-bool scan_init(scan *s, uint32_t n)
+bool scan_init(scan *s, uint32_t nx)
 {
-    *s = (scan){.bas = alloc_array((size_t)n * 4, sizeof *s->bas)};
+    *s = (scan){.bas = alloc_array((size_t)nx * 4, sizeof *s->bas)};
     if (!s->bas)
         return false;
-    s->haut = s->bas + n;
-    s->under = s->haut + n;
-    s->over = s->under + n;
+    s->haut = s->bas + nx;
+    s->under = s->haut + nx;
+    s->over = s->under + nx;
     return true;
 }
 
@@ -85,8 +85,8 @@ void scan_polygon(scan *s, const scan_frame *f, const roberts_vec3 *P, const uin
     s->inner_first = 1;
     s->inner_last = 0;
     if (inner_first <= inner_last && inner_last >= 0.0) {
-        s->inner_first = scan_clamp(inner_first, f->n);
-        s->inner_last = scan_clamp(inner_last, f->n);
+        s->inner_first = scan_clamp(inner_first, f->nx);
+        s->inner_last = scan_clamp(inner_last, f->nx);
     }
 }
 
@@ -96,7 +96,7 @@ bool scan_inside(const scan *s, const scan_frame *f, uint32_t i, uint32_t *first
     double high = floor((s->over[i] - f->margin - f->y0) * f->per_dy) - 1.0;
     if (!(low <= high) || high < 0.0)
         return false;
-    *first = scan_clamp(low, f->n);
-    *last = scan_clamp(high, f->n);
+    *first = scan_clamp(low, f->ny);
+    *last = scan_clamp(high, f->ny);
     return true;
 }

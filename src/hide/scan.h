@@ -12,9 +12,9 @@
 
 #include "base/vec.h"
 
-/* n x n cells over the window; cell (i, j) is column i, row j, and cells are counted i * n + j. */
+/* nx columns and ny rows over the window; cell (i, j) is column i, row j, and cells are counted i * ny + j. */
 typedef struct scan_frame {
-    uint32_t n;
+    uint32_t nx, ny;
     double x0, y0;         /* lower left corner of cell (0, 0) */
     double dx, dy;         /* size of a cell */
     double per_dx, per_dy; /* 1 / dx, 1 / dy */
@@ -22,7 +22,12 @@ typedef struct scan_frame {
 } scan_frame;
 
 /* Cells over the window low..high. A window without width or height gets columns or rows of some width. */
-scan_frame scan_frame_over(roberts_vec2 low, roberts_vec2 high, uint32_t n, double margin);
+scan_frame scan_frame_over(roberts_vec2 low, roberts_vec2 high, uint32_t nx, uint32_t ny, double margin);
+
+static inline size_t scan_cells(const scan_frame *f)
+{
+    return (size_t)f->nx * f->ny;
+}
 
 /* Column of abscissa x, row of ordinate y, kept inside the grid. */
 static inline uint32_t scan_clamp(double position, uint32_t n)
@@ -34,24 +39,24 @@ static inline uint32_t scan_clamp(double position, uint32_t n)
 
 static inline uint32_t scan_column(const scan_frame *f, double x)
 {
-    return scan_clamp((x - f->x0) * f->per_dx, f->n);
+    return scan_clamp((x - f->x0) * f->per_dx, f->nx);
 }
 
 static inline uint32_t scan_row(const scan_frame *f, double y)
 {
-    return scan_clamp((y - f->y0) * f->per_dy, f->n);
+    return scan_clamp((y - f->y0) * f->per_dy, f->ny);
 }
 
 /* What the scan of one polygon finds, column by column from `first` to `last`. */
 typedef struct scan {
     uint32_t first, last;             /* columns touched */
     uint32_t inner_first, inner_last; /* columns within the polygon's width; none where first > last */
-    double *bas, *haut;               /* [n] least and greatest ordinate in the column */
-    double *under, *over; /* [n] between `under` and `over` the whole column is inside; inner columns only */
+    double *bas, *haut;               /* [nx] least and greatest ordinate in the column */
+    double *under, *over; /* [nx] between `under` and `over` the whole column is inside; inner columns only */
 } scan;
 
-/* Arrays for grids of n columns; false: no memory. scan_free() takes a zeroed scan. */
-bool scan_init(scan *s, uint32_t n);
+/* Arrays for grids of nx columns; false: no memory. scan_free() takes a zeroed scan. */
+bool scan_init(scan *s, uint32_t nx);
 void scan_free(scan *s);
 
 /* Scans the convex polygon P[corner[0]], P[corner[1]], ..., counter-clockwise. */

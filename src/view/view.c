@@ -18,6 +18,8 @@
 #define ROUNDINGS 8.0
 /* Least exponent of the unit of view space, so that its reciprocal is a number. */
 #define UNIT_LEAST (-1000)
+/* Faces of more corners are not measured across each side: that takes time in proportion to the square. */
+#define MEASURED_CORNERS 64
 /* Sine of the angle between `up` and the line of sight under which they count as parallel. */
 #define PARALLEL 1e-9
 
@@ -83,22 +85,46 @@ plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, doubl
     return (plane){G.a / length, G.b / length, G.c / length, G.d / length};
 }
 
+/* Extent of the face's picture across the direction (x, y), any length but 0. */
+static double extent_across(const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, double x, double y)
+{
+    double low = INFINITY, high = -INFINITY, length = hypot(x, y);
+    for (uint32_t k = scene->face_start[face]; k < scene->face_start[face + 1]; k++) {
+        roberts_vec3 p = P[scene->corner[k]];
+        double s = (x * p.y - y * p.x) / length;
+        low = lesser(low, s);
+        high = greater(high, s);
+    }
+    return high - low;
+}
+
+/* Width of the face's picture: its least extent, which a polygon has across one of its sides. A face of very many corners
+ * is measured across (b, -a) only, where the tilt of its plane makes it narrow. */
+static double picture_width(const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P)
+{
+    uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
+    double width = F.a != 0.0 || F.b != 0.0 ? extent_across(scene, face, P, F.b, -F.a) : INFINITY;
+    for (uint32_t k = first; k < end && end - first <= MEASURED_CORNERS; k++) {
+        roberts_vec3 p = P[scene->corner[k]], q = P[scene->corner[k + 1 < end ? k + 1 : first]];
+        if (p.x != q.x || p.y != q.y)
+            width = lesser(width, extent_across(scene, face, P, q.x - p.x, q.y - p.y));
+    }
+    return width;
+}
+
 int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P)
 {
-    /* The picture of a face is narrowest along (a, b), where it measures |c| times the face's own extent; a face that
-     * is wide enough by a factor of 4 need not be measured (in perspective its picture can only be read off). */
-    bool narrow = v->perspective || fabs(F.c) * scene->face_width[face] <= 4.0 * v->epsilon * v->unit;
-    if (narrow && (F.a != 0.0 || F.b != 0.0)) {
-        double slope = hypot(F.a, F.b), low = INFINITY, high = -INFINITY;
-        for (uint32_t k = scene->face_start[face]; k < scene->face_start[face + 1]; k++) {
-            roberts_vec3 p = P[scene->corner[k]];
-            double s = (F.a * p.x + F.b * p.y) / slope;
-            low = fmin(low, s);
-            high = fmax(high, s);
-        }
-        if (high - low <= v->epsilon)
-            return VIEW_EDGE_ON;
+    /* The picture is about |c| times as wide as the face at the least; one that is wide enough by a factor of 4 need not
+     * be measured. In perspective a face shrinks with its distance besides, by less than `shrunk`. */
+    double shrunk = 1.0;
+    if (v->perspective) {
+        double z = P[scene->corner[scene->face_start[face]]].z;
+        shrunk = lesser(1.0, 1.0 + z * v->inverse_distance);
+        shrunk *= shrunk;
     }
+    if (fabs(F.c) * scene->face_width[face] * shrunk <= 4.0 * v->epsilon * v->unit &&
+        picture_width(scene, face, F, P) <= v->epsilon)
+        return VIEW_EDGE_ON;
     return F.c < 0.0 ? VIEW_FRONT : F.c > 0.0 ? VIEW_BACK : VIEW_EDGE_ON;
 }
 

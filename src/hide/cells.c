@@ -1,0 +1,87 @@
+/* cells.c - see cells.h. The numbers below were found by counting instructions on lattices and cities; each is a shallow
+ * optimum, off which a factor of two costs a tenth and a factor of ten a factor of three. */
+#include "hide/cells.h"
+
+#include <math.h>
+
+/* Width of a list's cell in mean boxes: smaller cells make longer walks, larger ones longer lists. */
+#define BOXES_PER_CELL 1.5
+/* List entries per box that the grid may come to, on average, before it is made coarser. */
+#define ENTRIES_PER_BOX 12.0
+#define ENTRIES_FREE 4096.0
+/* Width of a cover's cell in mean boxes: a cell that a front only crosses is not covered. */
+#define BOXES_PER_COVER_CELL 0.08
+/* Mean number of boxes over a point of the picture from which covers pay. In flat scenes they cost a little. */
+#define COVER_DEPTH 2.5
+/* Cells per box, and cells that cost nothing to speak of. */
+#define CELLS_PER_BOX 4.0
+#define COVER_CELLS_PER_BOX 32.0
+#define CELLS_FREE 65536.0
+/* Cells per side at the most, so that their numbers stay in 32 bits. */
+#define SIDE_MOST 16384.0
+
+/* Sums over all boxes, each cut to the window, in parts of it. */
+typedef struct sizes {
+    double w, h, area, width, height;
+} sizes;
+
+static sizes measure(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high)
+{
+    sizes s = {.width = high.x - low.x, .height = high.y - low.y};
+    for (uint32_t i = 0; i < count; i++) {
+        double w = s.width > 0.0 ? lesser(1.0, (double)(box[i].x1 - box[i].x0) / s.width) : 1.0;
+        double h = s.height > 0.0 ? lesser(1.0, (double)(box[i].y1 - box[i].y0) / s.height) : 1.0;
+        s.w += w;
+        s.h += h;
+        s.area += w * h;
+    }
+    return s;
+}
+
+/* Columns and rows for cells `boxes` mean boxes wide and high, `most` cells in all. */
+static void divide(const sizes *s, uint32_t count, double boxes, double most, double *nx, double *ny)
+{
+    *nx = lesser(SIDE_MOST, count / greater(s->w * boxes, 1e-9));
+    *ny = lesser(SIDE_MOST, count / greater(s->h * boxes, 1e-9));
+    if (*nx * *ny > most) {
+        double k = sqrt(most / (*nx * *ny));
+        *nx *= k;
+        *ny *= k;
+    }
+}
+
+static uint32_t whole(double n)
+{
+    return n < 1.0 ? 1 : n > SIDE_MOST ? (uint32_t)SIDE_MOST : (uint32_t)n;
+}
+
+scan_frame cells_for_lists(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, uint32_t n,
+                           double margin)
+{
+    double nx = 1.0, ny = 1.0;
+    if (n)
+        return scan_frame_over(low, high, n, n, margin);
+    if (count) {
+        sizes s = measure(box, count, low, high);
+        divide(&s, count, BOXES_PER_CELL, CELLS_PER_BOX * count + 1.0, &nx, &ny);
+        while (nx * ny > 1.0 &&
+               nx * ny * s.area + nx * s.w + ny * s.h + count > ENTRIES_PER_BOX * count + ENTRIES_FREE) {
+            nx = greater(1.0, 0.9 * nx);
+            ny = greater(1.0, 0.9 * ny);
+        }
+    }
+    return scan_frame_over(low, high, whole(nx), whole(ny), margin);
+}
+
+scan_frame cells_for_covers(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, uint32_t n,
+                            double margin)
+{
+    double nx, ny;
+    sizes s = measure(box, count, low, high);
+    if (n)
+        return scan_frame_over(low, high, n, n, margin);
+    if (!(s.area > COVER_DEPTH) || !(s.width > 0.0) || !(s.height > 0.0))
+        return (scan_frame){0};
+    divide(&s, count, BOXES_PER_COVER_CELL, COVER_CELLS_PER_BOX * count + CELLS_FREE, &nx, &ny);
+    return scan_frame_over(low, high, whole(nx), whole(ny), margin);
+}
