@@ -15,33 +15,14 @@ static hide_verdict test1_of_all(const hide_face *face, uint32_t count, const hi
     return behind ? HIDE_INVISIBLE : HIDE_UNDECIDED;
 }
 
-static void join(hide_part *hull, const hide_part *part)
+/* Cuts the part where e pierces the planes of the faces; false where nothing of it is left behind them all. */
+static bool pierce_all(const hide_picture *picture, const hide_front *front, const hide_edge *e, hide_sides *sides,
+                       hide_part *part)
 {
-    if (part->t0 < hull->t0) {
-        hull->t0 = part->t0;
-        hull->e0 = part->e0;
-    }
-    if (part->t1 > hull->t1) {
-        hull->t1 = part->t1;
-        hull->e1 = part->e1;
-    }
-}
-
-static bool face_by_face(const hide_picture *picture, const hide_front *front, const hide_edge *e, hide_sides *sides,
-                         roberts_tally *tally, hide_part *hull)
-{
-    bool found = false;
-    for (uint32_t k = front->face; k < front->face + front->face_count; k++) {
-        hide_part part;
-        if (!hide_by_face(&picture->space, &picture->face[k], e, sides, tally, &part))
-            continue;
-        if (found)
-            join(hull, &part);
-        else
-            *hull = part;
-        found = true;
-    }
-    return found;
+    for (uint32_t k = front->face; k < front->face + front->face_count; k++)
+        if (!hide_pierce(&picture->space, &picture->face[k], e, sides, part))
+            return false;
+    return true;
 }
 
 bool hide_by_front(const hide_picture *picture, const hide_front *front, const hide_edge *e, hide_sides *sides,
@@ -49,7 +30,7 @@ bool hide_by_front(const hide_picture *picture, const hide_front *front, const h
 {
     const hide_face *face = &picture->face[front->face];
     if (front->corners == 0)
-        return face_by_face(picture, front, e, sides, tally, part);
+        return hide_by_face(&picture->space, face, e, sides, tally, part);
     tally->pairs++;
     hide_face outline = hide_outline(picture, front);
     hide_verdict depth = test1_of_all(face, front->face_count, e);
@@ -61,10 +42,6 @@ bool hide_by_front(const hide_picture *picture, const hide_front *front, const h
         tally->test2_visible++;
         return false;
     }
-    if (depth == HIDE_UNDECIDED) {
-        tally->pairs--; /* its faces are counted instead */
-        return face_by_face(picture, front, e, sides, tally, part);
-    }
     switch (hide_test3(&picture->space, &outline, e, sides)) {
     case HIDE_VISIBLE:
         tally->test3_visible++;
@@ -72,9 +49,11 @@ bool hide_by_front(const hide_picture *picture, const hide_front *front, const h
     case HIDE_INVISIBLE:
         tally->test3_invisible++;
         *part = (hide_part){0.0, 1.0, 0.0, 0.0};
-        return true;
+        break;
     default:
         tally->test4++;
-        return hide_test4(&picture->space, &outline, e, sides, part);
+        if (!hide_test4(&picture->space, &outline, e, sides, part))
+            return false;
     }
+    return depth == HIDE_INVISIBLE || pierce_all(picture, front, e, sides, part);
 }

@@ -5,10 +5,10 @@
  *
  *   1. Some face has A and B in front of it or on it: visible.
  *   2. The outline lies on one side of the sight plane through AB: visible.
- *   3. and 4. with the outline's sides in place of a face's, where A and B are behind every face.
+ *   3. and 4. as for one face, with the outline's sides in place of a face's; the part found is cut where AB pierces the
+ *      plane of any of the faces, if A and B are not both behind all of them.
  *
- * Else AB comes near the front in depth or pierces it: then the faces are asked one by one, tests 1 to 4 each, and the
- * hull of what they hide is the solid's interval. */
+ * A front of one face is asked by tests 1 to 4 as they stand. */
 #ifndef ROBERTS_HIDE_PAIR_H
 #define ROBERTS_HIDE_PAIR_H
 
