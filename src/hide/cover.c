@@ -60,6 +60,19 @@ void cover_add(cover *c, const roberts_vec3 *P, const uint32_t *corner, uint32_t
     }
 }
 
+/* Are all of cell[0 .. count-1] nearer than z? Four at a time: most boxes that are asked about are covered. */
+static bool all_nearer(const float *cell, uint32_t count, float z)
+{
+    uint32_t j = 0;
+    for (; j + 4 <= count; j += 4)
+        if (!(cell[j] > z) | !(cell[j + 1] > z) | !(cell[j + 2] > z) | !(cell[j + 3] > z))
+            return false;
+    for (; j < count; j++)
+        if (!(cell[j] > z))
+            return false;
+    return true;
+}
+
 bool cover_hides(const cover *c, const hide_box *box)
 {
     const scan_frame *f = &c->frame;
@@ -68,12 +81,9 @@ bool cover_hides(const cover *c, const hide_box *box)
     double m = f->margin;
     uint32_t last = scan_column(f, (double)box->x1 + m);
     uint32_t low = scan_row(f, (double)box->y0 - m), high = scan_row(f, (double)box->y1 + m);
-    for (uint32_t i = scan_column(f, (double)box->x0 - m); i <= last; i++) {
-        const float *cell = c->depth + (size_t)i * f->ny;
-        for (uint32_t j = low; j <= high; j++)
-            if (!(cell[j] > box->z1))
-                return false;
-    }
+    for (uint32_t i = scan_column(f, (double)box->x0 - m); i <= last; i++)
+        if (!all_nearer(c->depth + (size_t)i * f->ny + low, high - low + 1, box->z1))
+            return false;
     return true;
 }
 

@@ -14,6 +14,8 @@
 #define FACES_OF_ONE_FRONT 24
 /* From this many cells (four mean boxes) across, a cover's depth is taken cell by cell and not once for all of it. */
 #define COVER_WIDE 50.0
+/* Side of a tile in cells of covers: 256 kB of them. */
+#define TILE_CELLS 256
 
 /* Scratch memory of the building. */
 typedef struct build {
@@ -209,11 +211,22 @@ static bool add_solid(build *b, uint32_t solid)
     return picture->outline_count <= UINT32_MAX && add_front(picture, front, picture->box[solid]);
 }
 
+/* Nearest first, but tile by tile of the picture: what a tile's solids touch of the covers then stays in the cache. A
+ * solid near a tile's border may be taken before one of the next tile that covers it; the second look finds it. */
 static bool order_solids(build *b)
 {
     const hide_picture *picture = b->picture;
-    for (uint32_t s = 0; s < picture->scene->solid_count; s++)
-        b->key[s] = radix_key_descending(picture->box[s].z1);
+    const scan_frame *f = &picture->cover.frame;
+    uint32_t across = f->nx / TILE_CELLS + 1, up = f->ny / TILE_CELLS + 1, tiles = across * up, bits = 0;
+    while (tiles > 1u << bits)
+        bits++;
+    for (uint32_t s = 0; s < picture->scene->solid_count; s++) {
+        const hide_box *box = &picture->box[s];
+        uint32_t i = scan_column(f, 0.5 * ((double)box->x0 + (double)box->x1)) / TILE_CELLS;
+        uint32_t j = scan_row(f, 0.5 * ((double)box->y0 + (double)box->y1)) / TILE_CELLS;
+        uint32_t near = radix_key_descending(box->z1);
+        b->key[s] = bits ? (i * up + j) << (32 - bits) | near >> bits : near;
+    }
     return radix_order(b->key, picture->scene->solid_count, b->order);
 }
 
@@ -265,8 +278,8 @@ static bool order_fronts(build *b)
     return done;
 }
 
-/* With covers: nearest solids first, each culled where those before it cover it, and all once more when every cover is
- * known. */
+/* With covers: nearest solids first, each culled where those before it cover it, and all once more, in the same order,
+ * when every cover is known. */
 static bool add_solids(build *b)
 {
     hide_picture *picture = b->picture;
@@ -280,7 +293,8 @@ static bool add_solids(build *b)
         if (!picture->culled[s] && !add_solid(b, s))
             return false;
     }
-    for (uint32_t s = 0; covers && s < count; s++) {
+    for (uint32_t k = 0; covers && k < count; k++) {
+        uint32_t s = b->order[k];
         picture->culled[s] = picture->culled[s] || cover_hides(&picture->cover, &picture->box[s]);
         picture->culled_count += picture->culled[s];
     }
