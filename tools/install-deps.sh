@@ -74,7 +74,7 @@ find_missing() {
 refuse() {
     echo "$0: $1; missing (by Debian's package names):" >&2
     printf '    %s\n' $missing >&2
-    echo "as root: apt-get install --no-install-recommends$missing" >&2
+    echo "as root: apt-get update && apt-get install --no-install-recommends$missing" >&2
     exit 1
 }
 
