@@ -32,7 +32,7 @@ C_SRC    := $(LIB_SRC) $(CLI_SRC) $(TOOL_SRC) $(MODEL_SRC) $(TEST_SRC) $(ORACLE)
 object    = $(1:%.c=$(BUILD)/obj/%.o)
 TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
 TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
-DEMO     := table
+DEMO     := table temple tower staircase interpenetrating-cubes city lattice
 EDGES    ?= 5000000
 SANITIZE := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 
@@ -146,7 +146,7 @@ lint-tidy:
 	@mkdir -p $(BUILD)
 	@echo clang-tidy on $(words $(C_SRC)) files
 	@printf '%s\n' $(C_SRC) | xargs -P $(CPUS) -I FILE \
-	    clang-tidy --quiet FILE -- $(STD) $(WARN) -Iinclude -Isrc $(CAIRO_CFLAGS) 2>$(BUILD)/tidy.err || \
+	    clang-tidy --quiet FILE -- $(STD) $(WARN) -Iinclude -Isrc $(CAIRO_CFLAGS:-I%=-isystem%) 2>$(BUILD)/tidy.err || \
 	    { cat $(BUILD)/tidy.err; exit 1; }
 
 # uninitvar: it takes an address for a use, and two loops of one length for two lengths; both compilers and the analyzer
