@@ -23,7 +23,7 @@ CMOCKA_LIBS  = $(shell pkg-config --libs cmocka)
 LIB_SRC  := $(sort $(wildcard $(foreach room,base model view hide ray draw,src/$(room)/*.c)))
 CLI_SRC  := $(sort $(wildcard src/cli/*.c))
 TOOL_SRC := $(sort $(wildcard tools/*.c))
-MODEL_SRC := $(sort $(wildcard tools/models/*.c))
+MODEL_SRC:= $(sort $(wildcard tools/models/*.c))
 TEST_SRC := $(sort $(wildcard tests/test_*.c))
 ORACLE_P := tests/oracle/compare.c tests/oracle/regolden.c
 ORACLE   := $(filter-out $(ORACLE_P),$(sort $(wildcard tests/oracle/*.c)))
@@ -78,7 +78,7 @@ clean: ## removes build/
 
 help: ## lists the targets
 	@sed -n -e 's/^##@ \(.*\)/\n\1:/p' -e 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 24
-	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS LDFLAGS WERROR=-Werror BUILD=folder\n'
+	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS LDFLAGS WERROR=-Werror OPENMP= BUILD=folder\n'
 
 # How things are made
 $(BUILD)/libroberts.a: $(call object,$(LIB_SRC))
@@ -122,7 +122,7 @@ $(BUILD)/obj/%.o: %.c $(BUILD)/flags
 	$(COMPILE) -c -o $@ $<
 
 # The compiler and its flags as last used; other ones compile everything anew.
-FLAGS = $(CC) $(CXX) $(CFLAGS) $(CXXFLAGS) $(WERROR) $(LDFLAGS)
+FLAGS = $(CC) $(CXX) $(OPENMP) $(CFLAGS) $(CXXFLAGS) $(WERROR) $(LDFLAGS)
 $(BUILD)/flags: force
 	@mkdir -p $(@D)
 	@echo '$(FLAGS)' | cmp -s - $@ || echo '$(FLAGS)' >$@
@@ -155,7 +155,8 @@ lint-cppcheck:
 	cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
-.PHONY: all demo check tools models drawings test test-sanitize lint lint-format lint-tidy lint-cppcheck clean help force
+.PHONY: all demo check check-long tools models drawings test test-sanitize lint lint-format lint-tidy lint-cppcheck clean \
+    help force
 .SECONDARY:
 .DELETE_ON_ERROR:
 -include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.d)

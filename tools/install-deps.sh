@@ -45,6 +45,9 @@ find_missing() {
             need libc6-dev has_header "$cc" c stdio.h
             need pkg-config has_command pkg-config
             need libcairo2-dev has_library cairo-svg
+            if has_command "$cc"; then # gcc brings its own
+                need libomp-dev has_header "$cc" c omp.h
+            fi
             ;;
         test)
             need libcmocka-dev has_library cmocka
@@ -57,6 +60,7 @@ find_missing() {
             ;;
         lint)
             need clang has_command clang
+            need libomp-dev has_header clang c omp.h
             need libomp-dev has_header "clang -fopenmp" c omp.h
             need clang-format has_command clang-format
             need clang-tidy has_command clang-tidy

@@ -138,7 +138,7 @@ static int open_target(target *t, const roberts_draw_options *options)
             return errno;
         return t->path[0] && t->path[strlen(t->path) - 1] == '/' ? EISDIR : open_beside(t, options);
     }
-    if (S_ISDIR(t->old.st_mode))
+    if (S_ISDIR(t->old.st_mode)) /* NOLINT(clang-analyzer-unix.Malloc): save_file() frees the path */
         return EISDIR;
     if (!S_ISREG(t->old.st_mode))
         return (t->descriptor = open(t->path, O_WRONLY | O_NOCTTY | O_CLOEXEC)) >= 0 ? 0 : errno;
@@ -197,7 +197,7 @@ static roberts_status save_file(const roberts_drawing *drawing, const roberts_dr
 {
     target t = {.path = beside("", path), .descriptor = -1};
     roberts_status status;
-    int reason = t.path ? open_target(&t, options) : ENOMEM;
+    int reason = t.path ? open_target(&t, options) : ENOMEM; /* NOLINT(clang-analyzer-unix.Malloc): freed below */
     if (reason) {
         status = reason == ENOMEM ? error_no_memory(error) : output_error(error, "cannot write", reason);
     } else {
