@@ -1,7 +1,8 @@
 /* test_readme.c - what the README shows works as it stands there.
  *
  * In a new folder with links to build, include and models, each command of a ```sh block is run as printed, and the ```c
- * block is compiled, as example.c, by the README's own command. `make` itself is left out: it is what runs this. */
+ * block is compiled, as example.c, by the README's own command, where `cc` is the compiler that built the library (CC).
+ * `make` itself is left out: it is what runs this. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -66,7 +67,7 @@ static void run_command(const char *command, const char *output)
     snprintf(script, sizeof script, "%s/command.sh", folder);
     FILE *f = fopen(script, "w");
     assert_non_null(f);
-    fprintf(f, "%s\n", command);
+    fprintf(f, "cc() { command ${CC:-cc} \"$@\"; }\n%s\n", command);
     assert_int_equal(fclose(f), 0);
     snprintf(line, sizeof line, "cd %s && sh -e command.sh >printed 2>&1", folder);
     int status = shell(line);
