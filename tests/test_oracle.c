@@ -17,7 +17,7 @@ static const char *build_folder(void)
     return folder ? folder : "build";
 }
 
-/* ---- by hand ------------------------------------------------------------------------------------------------------------- */
+/* ---- by hand ----------------------------------------------------------------------------------------------------- */
 
 static void add_solid(roberts_mesh *mesh, const roberts_vec3 *point, size_t points, const uint32_t *corner,
                       size_t faces, size_t corners)
@@ -203,7 +203,7 @@ static void test_refusals(void **state)
     roberts_mesh_free(&mesh);
 }
 
-/* ---- the oracle against itself --------------------------------------------------------------------------------------------- */
+/* ---- the oracle against itself ----------------------------------------------------------------------------------- */
 
 /* Intervals of doubles tried first, or rational numbers throughout: the same answers, ends to 1e-14. */
 static void test_filter(void **state)
@@ -271,7 +271,7 @@ static void test_rays(void **state)
     assert_true(hidden > points / 10 && hidden < points - points / 10); /* or it would show nothing */
 }
 
-/* ---- the program against the oracle ----------------------------------------------------------------------------------------- */
+/* ---- the program against the oracle ------------------------------------------------------------------------------ */
 
 enum { EDGES_WANTED = 50000 };
 

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- random numbers: splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014) ---- */
+/* ---- random numbers: splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014) -- */
 
 typedef struct dice {
     uint64_t state;
@@ -33,7 +33,7 @@ static double dice_real(dice *d)
     return (double)(int64_t)dice_next(d) / 9223372036854775808.0;
 }
 
-/* ---- shapes: convex polyhedra with whole coordinates ------------------------------------------------------------------ */
+/* ---- shapes: convex polyhedra with whole coordinates ------------------------------------------------------------- */
 
 enum { SHAPE_POINTS = 64, SHAPE_CORNERS = 512 };
 
@@ -230,7 +230,7 @@ static shape shape_any(dice *d)
     }
 }
 
-/* ---- scenes --------------------------------------------------------------------------------------------------------------- */
+/* ---- scenes ------------------------------------------------------------------------------------------------------ */
 
 typedef struct studio {
     test_scene *scene;
@@ -304,7 +304,7 @@ static void put_turned(studio *st, const shape *s, roberts_vec3 at, double size)
     put_mapped(st, s, at, m);
 }
 
-/* ---- views ----------------------------------------------------------------------------------------------------------------- */
+/* ---- views ------------------------------------------------------------------------------------------------------- */
 
 static void look(studio *st, double x, double y, double z)
 {
@@ -362,26 +362,49 @@ static void look_any(studio *st)
     }
 }
 
+/* ---- what is not judged ------------------------------------------------------------------------------------------ */
+
+/* Where contacts are rounded: moves of this part of the largest coordinate. */
+#define ROUNDING 1e-13
+
+/* What lies nearer than 1e-11 of the scene's diameter counts as touching, by the specification. Where a family makes
+ * clearances of any size, those up to twice as large are not judged. Call it last. */
+#define TOUCHING 2e-11
+
+static double diameter(const roberts_mesh *mesh, roberts_vec3 *lo, roberts_vec3 *hi)
+{
+    *lo = *hi = mesh->vertex[0];
+    for (size_t i = 0; i < mesh->vertex_count; i++) {
+        roberts_vec3 p = mesh->vertex[i];
+        *lo = (roberts_vec3){fmin(lo->x, p.x), fmin(lo->y, p.y), fmin(lo->z, p.z)};
+        *hi = (roberts_vec3){fmax(hi->x, p.x), fmax(hi->y, p.y), fmax(hi->z, p.z)};
+    }
+    return hypot(hypot(hi->x - lo->x, hi->y - lo->y), hi->z - lo->z);
+}
+
+static void near_touching(studio *st)
+{
+    roberts_vec3 lo, hi;
+    if (!st->no_memory)
+        st->scene->slack = TOUCHING * diameter(&st->scene->mesh, &lo, &hi);
+}
+
+/* ---- eyes -------------------------------------------------------------------------------------------------------- */
+
 /* Moves the viewer from infinity to an eye with whole coordinates (times the scene's unit), well before the scene. */
 static void look_from_eye(studio *st)
 {
-    const roberts_mesh *mesh = &st->scene->mesh;
     oracle_view *view = &st->scene->view;
-    roberts_vec3 lo = mesh->vertex[0], hi = lo;
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        roberts_vec3 p = mesh->vertex[i];
-        lo = (roberts_vec3){fmin(lo.x, p.x), fmin(lo.y, p.y), fmin(lo.z, p.z)};
-        hi = (roberts_vec3){fmax(hi.x, p.x), fmax(hi.y, p.y), fmax(hi.z, p.z)};
-    }
-    double diameter = hypot(hypot(hi.x - lo.x, hi.y - lo.y), hi.z - lo.z);
-    double away = diameter * dice_int(&st->d, 3, 9) / 2 / hypot(hypot(view->x, view->y), view->z);
+    roberts_vec3 lo, hi;
+    double away = diameter(&st->scene->mesh, &lo, &hi) * dice_int(&st->d, 3, 9) / 2;
+    away /= hypot(hypot(view->x, view->y), view->z);
     view->x = st->unit * ceil(((lo.x + hi.x) / 2 + away * view->x) / st->unit);
     view->y = st->unit * ceil(((lo.y + hi.y) / 2 + away * view->y) / st->unit);
     view->z = st->unit * ceil(((lo.z + hi.z) / 2 + away * view->z) / st->unit);
     view->w = 1;
 }
 
-/* ---- families in general position --------------------------------------------------------------------------------------- */
+/* ---- families in general position -------------------------------------------------------------------------------- */
 
 /* n^3 solids, each turned at random. */
 static void lattice(studio *st)
@@ -449,7 +472,23 @@ static void slanted_plates(studio *st)
     look_random(st);
 }
 
-/* ---- families in degenerate position, exact ---------------------------------------------------------------------------- */
+/* Long needles that are nearly parallel, so that they cross at small angles. */
+static void needles(studio *st)
+{
+    int count = dice_int(&st->d, 6, 30);
+    double spread = pow(10, -dice_int(&st->d, 0, 5)), thick = pow(10, -dice_int(&st->d, 1, 3));
+    shape s = shape_random(&st->d, 4, 1);
+    for (int i = 0; i < count; i++) {
+        roberts_vec3 at = {0, dice_real(&st->d) * spread * 10, dice_real(&st->d)};
+        double m[3][3] = {{20 + dice_real(&st->d), dice_real(&st->d), dice_real(&st->d)},
+                          {20 * spread * dice_real(&st->d), thick, 0},
+                          {20 * spread * dice_real(&st->d), 0, thick}};
+        put_mapped(st, &s, at, m);
+    }
+    look(st, 0.3 * dice_real(&st->d), 0.3 * dice_real(&st->d), dice_int(&st->d, 0, 1) ? 1 : -1);
+}
+
+/* ---- families in degenerate position, exact ---------------------------------------------------------------------- */
 
 /* Blocks between whole coordinates: touching, overlapping, lined up. */
 static void blocks(studio *st)
@@ -558,6 +597,34 @@ static void touching(studio *st)
     }
 }
 
+/* The same before an eye: a solid touches one of those before, or has its point twice as far on the same sight line. */
+static void touching_from_eye(studio *st)
+{
+    int count = dice_int(&st->d, 3, 16);
+    look_small(st, 3);
+    shape before = shape_times_six(&st->d);
+    oracle_view *view = &st->scene->view;
+    int64_t at[3] = {0, 0, 0}, eye[3] = {240 * (int64_t)view->x, 240 * (int64_t)view->y, 240 * (int64_t)view->z};
+    put(st, &before, 0, 0, 0);
+    for (int i = 1; i < count; i++) {
+        shape s = shape_times_six(&st->d);
+        int64_t p[3], q[3], to[3];
+        bool behind = dice_int(&st->d, 0, 1);
+        anchor(&st->d, &before, p);
+        anchor(&st->d, &s, q);
+        for (int k = 0; k < 3; k++)
+            to[k] = behind ? 2 * (at[k] + p[k]) - eye[k] - q[k] : at[k] + p[k] - q[k];
+        if (!behind && llabs(to[0]) + llabs(to[1]) + llabs(to[2]) > 120)
+            continue; /* too near to the eye */
+        put(st, &s, (double)to[0], (double)to[1], (double)to[2]);
+        if (!behind) {
+            memcpy(at, to, sizeof at);
+            before = s;
+        }
+    }
+    *view = (oracle_view){(double)eye[0], (double)eye[1], (double)eye[2], 1};
+}
+
 /* Solids within solids about common centres, some of the same size. */
 static void nested(studio *st)
 {
@@ -592,14 +659,13 @@ static void twice(studio *st)
 }
 
 /* Thin plates on one another and apart, parallel to the axes; equal heights are the same double. */
-static void plates(studio *st)
+static void heap(studio *st, double thin)
 {
     int count = dice_int(&st->d, 6, 30);
-    double thin = dice_int(&st->d, 0, 1) ? 1e-3 : 1e-6;
     for (int i = 0; i < count; i++) {
         double x = dice_int(&st->d, 0, 6), y = dice_int(&st->d, 0, 6);
         int layer = dice_int(&st->d, 0, 5), way = dice_int(&st->d, 0, 4);
-        double z0 = (double)layer * thin, z1 = (double)(layer + 1) * thin;
+        double z0 = layer * thin, z1 = (layer + 1) * thin;
         double w = dice_int(&st->d, 1, 4), h = dice_int(&st->d, 1, 4);
         if (way == 0)
             put_box(st, z0, x, y, z1, x + w, y + h);
@@ -609,6 +675,19 @@ static void plates(studio *st)
             put_box(st, x, y, z0, x + w, y + h, z1);
     }
     look_any(st);
+}
+
+/* Thickness about 1e-3 or 1e-6, but a power of two, so that sums of heights are exact too. */
+static void plates(studio *st)
+{
+    heap(st, ldexp(1, dice_int(&st->d, 0, 1) ? -10 : -20));
+}
+
+/* Thickness 1e-3 or 1e-6, and not judged what rounding of that might change. */
+static void decimal_plates(studio *st)
+{
+    heap(st, dice_int(&st->d, 0, 1) ? 1e-3 : 1e-6);
+    st->scene->slack = ROUNDING * 10; /* coordinates are at most 10 */
 }
 
 /* A stack of boxes, each turned about the vertical: the faces between them meet exactly, whatever x and y became. */
@@ -639,20 +718,32 @@ static void end_on(studio *st)
         st->scene->view = (oracle_view){a.x + 48 * (b.x - a.x), a.y + 48 * (b.y - a.y), a.z + 48 * (b.z - a.z), 1};
 }
 
-/* Solids a thousand times, a million times larger than others among them; all coordinates are small multiples of a power
- * of two. */
-static void sizes(studio *st)
+/* Solids of sizes 2^-most .. 2^most together; all coordinates are small multiples of a power of two. */
+static void mixed_sizes(studio *st, int most)
 {
     int count = dice_int(&st->d, 6, 20);
     for (int i = 0; i < count; i++) {
         shape s = shape_any(&st->d);
-        double size = ldexp(1, 10 * dice_int(&st->d, -1, 1) + dice_int(&st->d, -1, 1)), spread = fmax(8, size);
+        double size = ldexp(1, dice_int(&st->d, -most, most)), spread = fmax(8, size);
         put_scaled(st, &s,
                    (roberts_vec3){floor(spread * dice_real(&st->d)), floor(spread * dice_real(&st->d)),
                                   floor(spread * dice_real(&st->d))},
                    size, size, size);
     }
     look_any(st);
+}
+
+/* Up to a thousand times larger than others. */
+static void sizes(studio *st)
+{
+    mixed_sizes(st, 5);
+}
+
+/* Up to a million times, where faces of the smallest may look narrower than what counts as touching. */
+static void giants(studio *st)
+{
+    mixed_sizes(st, 10);
+    near_touching(st);
 }
 
 /* One of the families whose coordinates are whole numbers or halves. */
@@ -694,7 +785,44 @@ static void far_away(studio *st)
     map_vertices(st, 1, (roberts_vec3){far, -3 * far, dice_int(&st->d, -1000, 1000)});
 }
 
-/* ---- families whose contacts rounding has spoiled ------------------------------------------------------------------------ */
+/* ---- families of small clearances, some of them below what counts as touching ------------------------------------ */
+
+/* Exact contacts, and then each solid moved by some millionths. */
+static void nudged(studio *st)
+{
+    int count = dice_int(&st->d, 4, 24), spread = dice_int(&st->d, 2, 6);
+    for (int i = 0; i < count; i++) {
+        shape s = shape_any(&st->d);
+        double x = dice_int(&st->d, 0, spread), y = dice_int(&st->d, 0, spread), z = dice_int(&st->d, 0, spread);
+        put(st, &s, x + ldexp(dice_int(&st->d, -2, 2), -20), y + ldexp(dice_int(&st->d, -2, 2), -20),
+            z + ldexp(dice_int(&st->d, -2, 2), -20));
+    }
+    dice_int(&st->d, 0, 3) ? look_small(st, 2) : look_any(st);
+    near_touching(st);
+}
+
+/* A crowd whose corners are each moved a little, so that nothing is quite parallel, in line or in one plane. */
+static void crooked(studio *st)
+{
+    int count = dice_int(&st->d, 4, 20), spread = dice_int(&st->d, 2, 6), twist = dice_int(&st->d, 1, 4);
+    for (int i = 0; i < count; i++) {
+        shape s;
+        do {
+            s = shape_any(&st->d);
+            for (int k = 0; k < s.point_count; k++)
+                for (int c = 0; c < 3; c++)
+                    s.point[k][c] = 4096 * s.point[k][c] + dice_int(&st->d, -twist, twist);
+        } while (!shape_hull(&s));
+        put_scaled(
+            st, &s,
+            (roberts_vec3){dice_int(&st->d, 0, spread), dice_int(&st->d, 0, spread), dice_int(&st->d, 0, spread)},
+            1.0 / 4096, 1.0 / 4096, 1.0 / 4096);
+    }
+    dice_int(&st->d, 0, 3) ? look_small(st, 2) : look_any(st);
+    near_touching(st);
+}
+
+/* ---- families whose contacts rounding has spoiled ---------------------------------------------------------------- */
 
 static bool copy_mesh(const roberts_mesh *from, roberts_mesh *to)
 {
@@ -731,7 +859,7 @@ static void spoil(studio *st, double m[3][3])
         if (i < scene->mesh.vertex_count || scene->view.w)
             largest = fmax(largest, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
     }
-    scene->slack = 1e-13 * largest;
+    scene->slack = ROUNDING * largest;
 }
 
 static void spoil_scale(studio *st, double scale)
@@ -761,7 +889,7 @@ static void tiny(studio *st)
     spoil_scale(st, 1e-8);
 }
 
-/* ---- the list --------------------------------------------------------------------------------------------------------------- */
+/* ---- the list ---------------------------------------------------------------------------------------------------- */
 
 static const struct {
     const char *name;
@@ -772,6 +900,7 @@ static const struct {
     {"hulls", hulls, false},
     {"crossing", crossing, false},
     {"slanted-plates", slanted_plates, false},
+    {"needles", needles, false},
     {"blocks", blocks, false},
     {"bricks", bricks, false},
     {"checker", checker, false},
@@ -781,29 +910,42 @@ static const struct {
     {"nested", nested, false},
     {"twice", twice, false},
     {"plates", plates, false},
+    {"decimal-plates", decimal_plates, false},
     {"tower", tower, false},
     {"end-on", end_on, false},
     {"sizes", sizes, false},
+    {"giants", giants, false},
     {"huge", huge, false},
     {"small", small, false},
     {"far", far_away, false},
+    {"nudged", nudged, false},
+    {"crooked", crooked, false},
     {"turned", turned, false},
     {"tenth", tenth, false},
     {"tiny", tiny, false},
     {"lattice@eye", lattice, true},
     {"hulls@eye", hulls, true},
     {"crossing@eye", crossing, true},
+    {"slanted-plates@eye", slanted_plates, true},
+    {"needles@eye", needles, true},
     {"blocks@eye", blocks, true},
     {"bricks@eye", bricks, true},
+    {"checker@eye", checker, true},
     {"polytopes@eye", polytopes, true},
     {"crowd@eye", crowd, true},
+    {"touching@eye", touching_from_eye, true},
     {"nested@eye", nested, true},
     {"twice@eye", twice, true},
     {"plates@eye", plates, true},
+    {"tower@eye", tower, true},
     {"end-on@eye", end_on, true},
+    {"sizes@eye", sizes, true},
     {"huge@eye", huge, true},
+    {"small@eye", small, true},
     {"far@eye", far_away, true},
+    {"crooked@eye", crooked, true},
     {"turned@eye", turned, true},
+    {"tenth@eye", tenth, true},
 };
 
 size_t scene_family_count(void)

@@ -44,7 +44,7 @@ double judge_outside(const oracle_interval *a, size_t a_count, const oracle_inte
     return sum;
 }
 
-/* ---- the two sides --------------------------------------------------------------------------------------------------- */
+/* ---- the two sides ----------------------------------------------------------------------------------------------- */
 
 static roberts_status draw(const roberts_mesh *mesh, const oracle_view *view, roberts_drawing *drawing,
                            roberts_error *error)
@@ -100,7 +100,7 @@ static double wrong_length(const edge_segments *mine, const oracle_result *truth
            judge_outside(truth->interval + edge->sure, edge->sure_count, mine->hidden, mine->hidden_count);
 }
 
-/* ---- reports ------------------------------------------------------------------------------------------------------------ */
+/* ---- reports ----------------------------------------------------------------------------------------------------- */
 
 bool judge_write_off(const char *path, const roberts_mesh *mesh, const char *comment)
 {
@@ -261,7 +261,7 @@ static void report(const char *name, size_t nth, const char *folder, const rober
     free(wanted);
 }
 
-/* ---- scenes ---------------------------------------------------------------------------------------------------------------- */
+/* ---- scenes ------------------------------------------------------------------------------------------------------ */
 
 static void count_edge(const oracle_result *truth, const oracle_edge *e, judge_total *total)
 {

@@ -37,7 +37,7 @@ using interval = CGAL::Interval_nt_advanced;
 using rational = CGAL::Exact_rational;
 using uncertain = CGAL::Uncertain_conversion_exception;
 
-/* ---- numbers and vectors ------------------------------------------------------------------------------------- */
+/* ---- numbers and vectors ----------------------------------------------------------------------------------------- */
 
 template <class N> struct vec {
     N x, y, z;
@@ -107,7 +107,7 @@ double length(const vec<rational> &v)
     return std::hypot(CGAL::to_double(v.x), CGAL::to_double(v.y), CGAL::to_double(v.z));
 }
 
-/* ---- what a solid hides ----------------------------------------------------------------------------------------- */
+/* ---- what a solid hides ------------------------------------------------------------------------------------------ */
 
 /* One half-space of the hidden region: behind the front triangle abc, or inside the silhouette edge ab. */
 struct wall {
