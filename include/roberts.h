@@ -179,9 +179,12 @@ typedef struct roberts_camera {
     bool has_look_at;     /**< false: look at the centre of the scene's box */
     roberts_vec3 up;      /**< what points up in the drawing; 0,0,0 = +z, or +y where that is parallel to the view; an
                                `up` given and parallel to the view falls back in the same way */
+    roberts_vec2 oblique; /**< orthographic: how far right and up in the drawing a point moves that lies one unit
+                               farther away; 0,0 = sight lines at right angles to the picture plane */
 } roberts_camera;
 
-/** Fills `camera` with the preset called `name` (iso, dimetric, trimetric, front, back, right, left, top, bottom);
+/** Fills `camera` with the preset called `name` (iso, dimetric, trimetric, front, back, right, left, top, bottom;
+ * and the oblique cavalier and cabinet: front views with depth at 45 degrees, in full and in half);
  * false where there is none of that name. */
 bool roberts_camera_preset(const char *name, roberts_camera *camera);
 

@@ -31,8 +31,7 @@ double refine_side(const hide_space *space, uint32_t p, uint32_t q, uint32_t x)
     if (v->perspective) /* the picture's determinant of (x, y, 1) is that of (x, y, w), divided by the three w / D */
         for (int i = 0; i < 3; i++)
             determinant *= 1.0 + space->P[i == 0 ? p : i == 1 ? q : x].z * v->inverse_distance;
-    return v->perspective ? determinant * v->inverse_distance / length
-                          : determinant / (vec3_length(v->viewpoint) * length);
+    return v->perspective ? determinant * v->inverse_distance / length : determinant / (v->viewpoint_depth * length);
 }
 
 static double to_picture(const hide_space *space, const hide_edge *e, double t)

@@ -20,6 +20,8 @@
 #define UNIT_LEAST (-1000)
 /* Faces of more corners are not measured across each side: that takes time in proportion to the square. */
 #define MEASURED_CORNERS 64
+/* Steeper than this an oblique view shows nothing that anyone could read. */
+#define OBLIQUE_MOST 1000.0
 /* Sine of the angle between `up` and the line of sight under which they count as parallel. */
 #define PARALLEL 1e-9
 
@@ -63,6 +65,8 @@ roberts_vec3 view_point(const view *v, roberts_vec3 P)
 {
     roberts_vec3 q = vec3_scale(v->per_unit, vec3_sub(P, v->origin));
     roberts_vec3 p = {vec3_dot(v->right, q), vec3_dot(v->up, q), vec3_dot(v->dir, q)};
+    p.x -= v->oblique.x * p.z;
+    p.y -= v->oblique.y * p.z;
     if (v->perspective)
         p = vec3_scale(1.0 / (1.0 - p.z * v->inverse_distance), p);
     return p;
@@ -75,10 +79,13 @@ plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, doubl
     plane G = {vec3_dot(v->right, n), vec3_dot(v->up, n), vec3_dot(v->dir, n), F.d * v->per_unit};
     if (stretch)
         *stretch = 1.0;
-    if (!v->perspective)
+    if (!v->perspective && v->oblique.x == 0.0 && v->oblique.y == 0.0)
         return G; /* turning keeps the normal's length */
-    G.d += vec3_dot(n, vec3_sub(v->origin, scene->centre)) * v->per_unit;
-    G.c += G.d * v->inverse_distance;
+    G.c += v->oblique.x * G.a + v->oblique.y * G.b;
+    if (v->perspective) {
+        G.d += vec3_dot(n, vec3_sub(v->origin, scene->centre)) * v->per_unit;
+        G.c += G.d * v->inverse_distance;
+    }
     double length = sqrt(G.a * G.a + G.b * G.b + G.c * G.c);
     if (stretch)
         *stretch = 1.0 / length;
@@ -169,7 +176,8 @@ static roberts_status set_eye(view *v, const roberts_scene *scene, const roberts
 static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
 {
     double raw = fmax(largest(scene->box_min), largest(scene->box_max)) / v->unit;
-    v->extent = v->diameter; /* turning about the box's centre takes no point farther than that */
+    /* turning about the box's centre takes no point farther than that, and depth not more than its part of it */
+    v->extent = v->diameter * (1.0 + fmax(fabs(v->oblique.x), fabs(v->oblique.y)));
     for (uint32_t i = 0; v->perspective && i < scene->vertex_count; i++)
         v->extent = fmax(v->extent, largest(view_point(v, scene->point[i])));
     if (v->perspective)
@@ -178,6 +186,20 @@ static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
     v->epsilon = epsilon > 0.0
                      ? epsilon / v->unit
                      : fmax(EPSILON_OF_DIAMETER * v->diameter, EPSILON_ULPS * DBL_EPSILON * fmax(raw, v->extent));
+}
+
+/* The direction toward the viewer, about 1 long: as given, so that exact arithmetic can go back to it; or, in an oblique
+ * view, what the map makes of it. */
+static void set_sight_line(view *v, const roberts_camera *camera)
+{
+    int exponent;
+    frexp(largest(camera->dir), &exponent);
+    v->viewpoint = (roberts_vec3){ldexp(camera->dir.x, -exponent), ldexp(camera->dir.y, -exponent),
+                                  ldexp(camera->dir.z, -exponent)};
+    v->oblique = camera->oblique;
+    if (v->oblique.x != 0.0 || v->oblique.y != 0.0)
+        v->viewpoint = vec3_add(v->dir, vec3_add(vec3_scale(v->oblique.x, v->right), vec3_scale(v->oblique.y, v->up)));
+    v->viewpoint_depth = vec3_dot(v->viewpoint, v->dir);
 }
 
 static roberts_status check_camera(const roberts_camera *camera, double epsilon, roberts_error *error)
@@ -189,6 +211,10 @@ static roberts_status check_camera(const roberts_camera *camera, double epsilon,
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye and the look-at point must be finite");
     if (!perspective && (!finite3(camera->dir) || largest(camera->dir) == 0.0))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the direction of view must be finite and not zero");
+    if (!isfinite(camera->oblique.x) || !isfinite(camera->oblique.y) ||
+        fmax(fabs(camera->oblique.x), fabs(camera->oblique.y)) > OBLIQUE_MOST)
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "an oblique view moves a unit of depth by no more than %g",
+                         OBLIQUE_MOST);
     if (!finite3(camera->up))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the up vector must be finite");
     return ROBERTS_OK;
@@ -200,7 +226,7 @@ roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_c
     roberts_vec3 half = vec3_sub(vec3_scale(0.5, scene->box_max), vec3_scale(0.5, scene->box_min));
     roberts_vec3 dir = camera->dir;
     roberts_status status = check_camera(camera, epsilon, error);
-    *v = (view){.origin = scene->centre, .viewpoint = camera->dir, .unit = 1.0, .per_unit = 1.0, .diameter = 1.0};
+    *v = (view){.origin = scene->centre, .unit = 1.0, .per_unit = 1.0, .diameter = 1.0};
     if (status != ROBERTS_OK)
         return status;
     if (largest(half) > 0.0) {
@@ -220,6 +246,8 @@ roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_c
             return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is at the point that it looks at");
     }
     set_frame(v, dir, camera->up);
+    if (!v->perspective)
+        set_sight_line(v, camera);
     if (v->perspective && (status = set_eye(v, scene, camera, error)) != ROBERTS_OK)
         return status;
     set_tolerances(v, scene, epsilon);

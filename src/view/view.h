@@ -6,7 +6,7 @@
  *     (x, y, e)  ->  (x, y, e) / (1 - e / D)
  *
  * keeps lines, planes and convexity and sends the eye to z = +infinity; for D = infinity (1 / D = 0) it is the
- * orthographic view. A plane a x + b y + c e + d = 0 becomes a x + b y + (c + d / D) z + d = 0, so that a face is front
+ * orthographic view (which may be oblique: x and y then move with -e, before anything else). A plane a x + b y + c e + d = 0 becomes a x + b y + (c + d / D) z + d = 0, so that a face is front
  * (c' < 0) exactly where the eye is outside its plane. Lengths at the origin's depth stay what they are.
  *
  * View space is counted in `unit`, the power of two next to the scene's diameter: no product of a few coordinates can
@@ -25,7 +25,10 @@ typedef struct view {
     double inverse_distance;     /* 1 / D in 1 / unit; 0 for the orthographic view */
     double unit;                 /* model units in one unit of view space, a power of two */
     double per_unit;             /* 1 / unit */
-    roberts_vec3 viewpoint;      /* the direction toward the viewer as given, or the eye in model units */
+    roberts_vec2 oblique;        /* orthographic: what a unit of depth away moves right and up; 0, 0 mostly */
+    roberts_vec3 viewpoint;      /* the direction toward the viewer as given but for a power of two, or the eye in model
+                                    units */
+    double viewpoint_depth;      /* orthographic: of the viewpoint along dir */
     bool perspective;
     double diameter; /* diagonal of the scene's box, view units */
     double extent;   /* no view coordinate is larger than this, view units; at least the diameter */
