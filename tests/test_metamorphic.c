@@ -36,6 +36,7 @@ static const struct camera_case {
     {"front", {.dir = {0, -1, 0}}},
     {"iso", {.dir = {1, -1, 1}}},
     {"askew", {.dir = {1, 2, 3}}},
+    {"oblique", {.dir = {0, -1, 0}, .oblique = {0.5, 0.25}}},
     {"eye", {ROBERTS_PERSPECTIVE, .eye = {13, -17, 11}, .look_at = {2, 2, 2}, .has_look_at = true}},
     {"eye ahead", {ROBERTS_PERSPECTIVE, .eye = {3, -20, 2}, .look_at = {3, 2, 2}, .has_look_at = true}},
 };
@@ -291,6 +292,29 @@ static void turned_with_the_camera(void **state)
 {
     (void)state;
     for_each(check_turned);
+}
+
+/* A direction toward the viewer has no length that matters, nor has what points up. */
+static void check_lengths(const struct scene_case *scene, const model *m, const struct camera_case *camera,
+                          const roberts_drawing *drawing)
+{
+    static const int exponents[] = {-1020, -500, 3, 500, 1020};
+    roberts_hide_options options = with_hidden();
+    for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; i++) {
+        roberts_camera view = camera->camera;
+        double k = ldexp(1.0, exponents[i]), up = ldexp(1.0, exponents[4 - i]);
+        view.dir = vec3_scale(k, view.dir);
+        view.up = vec3_scale(up, view.up);
+        roberts_drawing other = model_draw(m, &view, &options);
+        expect_same("direction of another length", scene->name, camera->name, drawing, &other, (allowance){0});
+        roberts_drawing_free(&other);
+    }
+}
+
+static void directions_of_any_length(void **state)
+{
+    (void)state;
+    for_each(check_lengths);
 }
 
 /* ---- written otherwise -------------------------------------------------------------------------------------------- */
@@ -676,9 +700,12 @@ static opinion ask_rays(const solid_planes *solids, uint32_t count, uint32_t own
     return o;
 }
 
+/* In an oblique view from the front, what lies farther back is drawn farther right and up. */
 static roberts_vec3 toward_viewer(const roberts_camera *camera, roberts_vec3 P)
 {
-    roberts_vec3 V = camera->projection == ROBERTS_PERSPECTIVE ? vec3_sub(camera->eye, P) : camera->dir;
+    roberts_vec3 oblique = {camera->oblique.x, 0, camera->oblique.y};
+    roberts_vec3 V =
+        camera->projection == ROBERTS_PERSPECTIVE ? vec3_sub(camera->eye, P) : vec3_add(camera->dir, oblique);
     return vec3_scale(1.0 / vec3_length(V), V);
 }
 
@@ -768,6 +795,7 @@ int main(void)
         cmocka_unit_test(scaled_by_powers_of_ten),
         cmocka_unit_test(moved_by_integers),
         cmocka_unit_test(turned_with_the_camera),
+        cmocka_unit_test(directions_of_any_length),
         cmocka_unit_test(solids_reordered),
         cmocka_unit_test(faces_wound_otherwise),
         cmocka_unit_test(vertices_renumbered),

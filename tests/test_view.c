@@ -64,6 +64,8 @@ static void presets_by_table(void **state)
         {"left", {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
         {"top", {0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
         {"bottom", {0, 0, -1}, {-1, 0, 0}, {0, 1, 0}},
+        {"cavalier", {0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+        {"cabinet", {0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
     };
     roberts_scene *scene = cube_scene((roberts_vec3){0, 0, 0}, 1);
     (void)state;
@@ -107,6 +109,27 @@ static void presets_foreshorten(void **state)
                      z = view_point(&v, (roberts_vec3){0, 0, 1});
         assert_true(fabs(hypot(y.x, y.y) / hypot(x.x, x.y) - table[i].y) < ROUNDING);
         assert_true(fabs(hypot(z.x, z.y) / hypot(x.x, x.y) - table[i].z) < ROUNDING);
+    }
+    roberts_scene_free(scene);
+}
+
+/* Oblique: width and height are true, depth goes up to the right at 45 degrees, in full or in half. */
+static void oblique_presets(void **state)
+{
+    static const struct {
+        const char *name;
+        double depth;
+    } table[] = {{"cavalier", 1}, {"cabinet", 0.5}};
+    roberts_scene *scene = cube_scene((roberts_vec3){-1, -1, -1}, 2);
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        roberts_camera camera = {0};
+        assert_true(roberts_camera_preset(table[i].name, &camera));
+        view v = prepare(scene, &camera);
+        double d = table[i].depth * sqrt(0.5) / v.unit, one = 1 / v.unit;
+        assert_true(distance3(view_point(&v, (roberts_vec3){1, 0, 0}), (roberts_vec3){one, 0, 0}) < ROUNDING);
+        assert_true(distance3(view_point(&v, (roberts_vec3){0, 0, 1}), (roberts_vec3){0, one, 0}) < ROUNDING);
+        assert_true(distance3(view_point(&v, (roberts_vec3){0, 1, 0}), (roberts_vec3){d, d, -one}) < ROUNDING);
     }
     roberts_scene_free(scene);
 }
@@ -167,11 +190,15 @@ static void frames_at_random(void **state)
 
 /* ---- the two projections ------------------------------------------------------------------------------------------ */
 
-static roberts_camera random_camera(rng *r, bool perspective)
+enum { ORTHOGRAPHIC, PERSPECTIVE, OBLIQUE, PROJECTIONS };
+
+static roberts_camera random_camera(rng *r, int projection)
 {
     mat3 a = mat3_turn(r);
-    if (!perspective)
-        return (roberts_camera){.dir = a.x, .up = a.y};
+    roberts_vec2 oblique = {rng_between(r, -1, 1), rng_between(r, -1, 1)};
+    if (projection != PERSPECTIVE)
+        return (roberts_camera){
+            .dir = a.x, .up = a.y, .oblique = projection == OBLIQUE ? oblique : (roberts_vec2){0, 0}};
     return (roberts_camera){ROBERTS_PERSPECTIVE, .eye = vec3_scale(rng_between(r, 9, 40), a.x),
                             .look_at = {rng_between(r, -1, 1), rng_between(r, -1, 1), rng_between(r, -1, 1)},
                             .has_look_at = true, .up = a.y};
@@ -188,7 +215,7 @@ static void orthographic_is_a_rigid_motion(void **state)
     roberts_scene *scene = cube_scene((roberts_vec3){-4, -4, -4}, 8);
     (void)state;
     for (int i = 0; i < 300; i++) {
-        roberts_camera camera = random_camera(&r, false);
+        roberts_camera camera = random_camera(&r, ORTHOGRAPHIC);
         view v = prepare(scene, &camera);
         roberts_vec3 P = random_point(&r), p = view_point(&v, P);
         assert_true(fabs(p.x * v.unit - vec3_dot(P, v.right)) < 1e-13);
@@ -206,7 +233,7 @@ static void perspective_pictures(void **state)
     roberts_scene *scene = cube_scene((roberts_vec3){-4, -4, -4}, 8);
     (void)state;
     for (int i = 0; i < 300; i++) {
-        roberts_camera camera = random_camera(&r, true);
+        roberts_camera camera = random_camera(&r, PERSPECTIVE);
         view v = prepare(scene, &camera);
         roberts_vec3 P = random_point(&r), p = view_point(&v, P);
         roberts_vec3 to_look = vec3_sub(camera.look_at, camera.eye), to_P = vec3_sub(P, camera.eye);
@@ -227,7 +254,7 @@ static void parameters_along_lines(void **state)
     roberts_scene *scene = cube_scene((roberts_vec3){-4, -4, -4}, 8);
     (void)state;
     for (int i = 0; i < 2000; i++) {
-        roberts_camera camera = random_camera(&r, i % 2);
+        roberts_camera camera = random_camera(&r, i % PROJECTIONS);
         view v = prepare(scene, &camera);
         roberts_vec3 A = random_point(&r), B = random_point(&r), a = view_point(&v, A), b = view_point(&v, B);
         double t = rng_between(&r, 0, 1), s = view_from_space(&v, a.z, b.z, t);
@@ -243,6 +270,29 @@ static void parameters_along_lines(void **state)
     roberts_scene_free(scene);
 }
 
+/* Toward the viewer: what moves neither right nor up in the picture. */
+static roberts_vec3 sight_line(const view *v)
+{
+    return vec3_add(v->dir, vec3_add(vec3_scale(v->oblique.x, v->right), vec3_scale(v->oblique.y, v->up)));
+}
+
+static void oblique_sight_lines(void **state)
+{
+    rng r = {27};
+    roberts_scene *scene = cube_scene((roberts_vec3){-4, -4, -4}, 8);
+    (void)state;
+    for (int i = 0; i < 300; i++) {
+        roberts_camera camera = random_camera(&r, OBLIQUE);
+        view v = prepare(scene, &camera);
+        roberts_vec3 P = random_point(&r), p = view_point(&v, P), q = view_point(&v, vec3_add(P, sight_line(&v)));
+        assert_true(hypot(p.x - q.x, p.y - q.y) < ROUNDING && fabs((q.z - p.z) * v.unit - 1) < 1e-13);
+        q = view_point(&v, vec3_sub(P, v.dir)); /* one unit farther away */
+        assert_true(fabs((q.x - p.x) * v.unit - camera.oblique.x) < 1e-13);
+        assert_true(fabs((q.y - p.y) * v.unit - camera.oblique.y) < 1e-13);
+    }
+    roberts_scene_free(scene);
+}
+
 /* Planes stay planes: the mapped corners lie on the mapped plane, whose normal has length 1 and looks away from the
  * viewer exactly where the viewer is outside the face. `stretch` is what distances from the plane grow by. */
 static void planes_stay_planes(void **state)
@@ -254,7 +304,7 @@ static void planes_stay_planes(void **state)
     model_map(&m, mat3_scale(1, 1, 1), (roberts_vec3){-1, -1, -1});
     roberts_scene *scene = model_build(&m);
     for (int i = 0; i < 20; i++) {
-        roberts_camera camera = random_camera(&r, i % 2);
+        roberts_camera camera = random_camera(&r, i % PROJECTIONS);
         view v = prepare(scene, &camera);
         for (uint32_t f = 0; f < scene->face_count; f++) {
             plane F = scene->face_plane[f], G;
@@ -263,8 +313,9 @@ static void planes_stay_planes(void **state)
             assert_true(fabs(G.a * G.a + G.b * G.b + G.c * G.c - 1) < ROUNDING);
             for (uint32_t k = scene->face_start[f]; k < scene->face_start[f + 1]; k++)
                 assert_true(fabs(plane_at(G, view_point(&v, scene->point[scene->corner[k]]))) < ROUNDING);
-            outside = camera.projection == ROBERTS_PERSPECTIVE ? plane_at(F, vec3_sub(camera.eye, scene->centre))
-                                                               : vec3_dot((roberts_vec3){F.a, F.b, F.c}, camera.dir);
+            outside = camera.projection == ROBERTS_PERSPECTIVE
+                          ? plane_at(F, vec3_sub(camera.eye, scene->centre))
+                          : vec3_dot((roberts_vec3){F.a, F.b, F.c}, sight_line(&v));
             assert_true(fabs(outside) < 1e-9 || (G.c < 0) == (outside < 0));
             roberts_vec3 P = random_point(&r), p = view_point(&v, P);
             double flat = plane_at(F, vec3_sub(P, scene->centre)) / v.unit * stretch *
@@ -339,6 +390,30 @@ static void facing_by_table(void **state)
     roberts_scene_free(scene);
 }
 
+/* A box 1 x 2^-21 x 1/2, its upper face 1 x 2^-21 = 4.8e-7: wherever it is seen from, its picture is that narrow at
+ * the most, whichever way the needle lies. */
+static void facing_of_needles(void **state)
+{
+    static const roberts_vec3 dirs[] = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {3, 4, 5}, {0, 0, -1}};
+    (void)state;
+    for (int turned = 0; turned < 2; turned++) {
+        roberts_vec3 high = {turned ? 0x1p-21 : 1, turned ? 1 : 0x1p-21, 0.5};
+        model m = {0};
+        model_box(&m, (roberts_vec3){0, 0, 0}, high);
+        roberts_scene *scene = model_build(&m);
+        for (size_t i = 0; i < sizeof dirs / sizeof dirs[0]; i++) {
+            roberts_camera camera = {.dir = dirs[i]};
+            view v;
+            assert_int_equal(view_prepare(&v, scene, &camera, 5e-7, NULL), ROBERTS_OK);
+            assert_int_equal(facing_of(scene, &v, (roberts_vec3){0, 0, -1}), VIEW_EDGE_ON);
+            assert_int_equal(view_prepare(&v, scene, &camera, 1e-7, NULL), ROBERTS_OK);
+            assert_int_equal(facing_of(scene, &v, (roberts_vec3){0, 0, -1}), dirs[i].z > 0 ? VIEW_FRONT : VIEW_BACK);
+        }
+        roberts_scene_free(scene);
+        model_free(&m);
+    }
+}
+
 /* ---- what is refused ---------------------------------------------------------------------------------------------- */
 
 static void refused_by_table(void **state)
@@ -357,6 +432,10 @@ static void refused_by_table(void **state)
         {"direction infinite", {.dir = {0, 0, INFINITY}}, 0, ROBERTS_BAD_VIEW, "direction"},
         {"up no number", {.dir = {0, 0, 1}, .up = {NAN, 0, 0}}, 0, ROBERTS_BAD_VIEW, "up"},
         {"up infinite", {.dir = {0, 0, 1}, .up = {0, -INFINITY, 0}}, 0, ROBERTS_BAD_VIEW, "up"},
+        {"oblique", {.dir = {0, 0, 1}, .oblique = {-3, 2}}, 0, ROBERTS_OK, ""},
+        {"oblique, no number", {.dir = {0, 0, 1}, .oblique = {NAN, 0}}, 0, ROBERTS_BAD_VIEW, "oblique"},
+        {"oblique, infinite", {.dir = {0, 0, 1}, .oblique = {0, -INFINITY}}, 0, ROBERTS_BAD_VIEW, "oblique"},
+        {"oblique, too steep", {.dir = {0, 0, 1}, .oblique = {0, -1e6}}, 0, ROBERTS_BAD_VIEW, "oblique"},
         {"good eye", {ROBERTS_PERSPECTIVE, .eye = {0, 0, 9}}, 0, ROBERTS_OK, ""},
         {"eye no number", {ROBERTS_PERSPECTIVE, .eye = {0, 0, NAN}}, 0, ROBERTS_BAD_VIEW, "eye"},
         {"eye infinite", {ROBERTS_PERSPECTIVE, .eye = {-INFINITY, 0, 0}}, 0, ROBERTS_BAD_VIEW, "eye"},
@@ -469,12 +548,21 @@ static void huge_and_tiny(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(presets_by_table),     cmocka_unit_test(presets_that_are_none),
-        cmocka_unit_test(presets_foreshorten),  cmocka_unit_test(up_by_table),
-        cmocka_unit_test(frames_at_random),     cmocka_unit_test(orthographic_is_a_rigid_motion),
-        cmocka_unit_test(perspective_pictures), cmocka_unit_test(parameters_along_lines),
-        cmocka_unit_test(planes_stay_planes),   cmocka_unit_test(facing_by_table),
-        cmocka_unit_test(refused_by_table),     cmocka_unit_test(epsilon_by_table),
+        cmocka_unit_test(presets_by_table),
+        cmocka_unit_test(presets_that_are_none),
+        cmocka_unit_test(presets_foreshorten),
+        cmocka_unit_test(oblique_presets),
+        cmocka_unit_test(up_by_table),
+        cmocka_unit_test(frames_at_random),
+        cmocka_unit_test(orthographic_is_a_rigid_motion),
+        cmocka_unit_test(perspective_pictures),
+        cmocka_unit_test(parameters_along_lines),
+        cmocka_unit_test(oblique_sight_lines),
+        cmocka_unit_test(planes_stay_planes),
+        cmocka_unit_test(facing_by_table),
+        cmocka_unit_test(facing_of_needles),
+        cmocka_unit_test(refused_by_table),
+        cmocka_unit_test(epsilon_by_table),
         cmocka_unit_test(huge_and_tiny),
     };
     return cmocka_run_group_tests_name("view", tests, NULL, NULL);

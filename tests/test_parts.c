@@ -1,0 +1,216 @@
+/* Hidden parts of an edge: one hull per solid, and the union of all, with every tie. */
+#include <stdio.h>
+
+#include "hide/parts.h"
+#include "scenes.h"
+
+enum { PARTS = 8 };
+
+/* ---- one interval per solid --------------------------------------------------------------------------------------- */
+
+static void one_hull_for_a_solid(void **state)
+{
+    static const struct {
+        const char *name;
+        hide_part first, second, hull;
+    } table[] = {
+        {"beside", {0.1, 0.2, 0, 0}, {0.6, 0.7, 0, 0}, {0.1, 0.7, 0, 0}},
+        {"the other way", {0.6, 0.7, 0, 0}, {0.1, 0.2, 0, 0}, {0.1, 0.7, 0, 0}},
+        {"overlapping", {0.1, 0.5, 1e-3, 2e-3}, {0.4, 0.8, 3e-3, 4e-3}, {0.1, 0.8, 1e-3, 4e-3}},
+        {"inside", {0.1, 0.8, 1e-3, 2e-3}, {0.4, 0.5, 3e-3, 4e-3}, {0.1, 0.8, 1e-3, 2e-3}},
+        {"around", {0.4, 0.5, 3e-3, 4e-3}, {0.1, 0.8, 1e-3, 2e-3}, {0.1, 0.8, 1e-3, 2e-3}},
+        {"same ends: what reaches farther", {0.1, 0.8, 1e-3, 4e-3}, {0.1, 0.8, 3e-3, 2e-3}, {0.1, 0.8, 3e-3, 4e-3}},
+        {"the same", {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        hide_parts parts = {0};
+        size_t slot = SIZE_MAX, other = SIZE_MAX;
+        assert_true(hide_parts_add(&parts, 5, (hide_part){0.3, 0.35, 0, 0}, &other)); /* of a solid not concerned */
+        assert_true(hide_parts_add(&parts, 7, table[i].first, &slot));
+        assert_int_equal(slot, 1);
+        assert_true(hide_parts_add(&parts, 7, table[i].second, &slot));
+        assert_int_equal(parts.count, 2);
+        hide_part hull = parts.item[1].part;
+        if (hull.t0 != table[i].hull.t0 || hull.t1 != table[i].hull.t1 || hull.e0 != table[i].hull.e0 ||
+            hull.e1 != table[i].hull.e1 || parts.item[1].solid != 7)
+            fail_msg("%s: %g..%g, %g, %g", table[i].name, hull.t0, hull.t1, hull.e0, hull.e1);
+        assert_true(parts.item[0].part.t0 == 0.3 && parts.item[0].part.t1 == 0.35 && parts.item[0].solid == 5);
+        free(parts.item);
+    }
+}
+
+/* ---- their union -------------------------------------------------------------------------------------------------- */
+
+static void fill(hide_parts *parts, const hide_part *part, const uint32_t *order, uint32_t count)
+{
+    parts->count = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        size_t slot = SIZE_MAX;
+        assert_true(hide_parts_add(parts, order[i], part[order[i]], &slot));
+    }
+}
+
+static uint32_t count_of(const hide_part *part)
+{
+    uint32_t count = 0;
+    while (count < PARTS && part[count].t1 > 0.0)
+        count++;
+    return count;
+}
+
+static bool equal(const hide_parts *parts, const hide_part *expected)
+{
+    if (parts->count != count_of(expected))
+        return false;
+    for (size_t i = 0; i < parts->count; i++)
+        if (parts->item[i].part.t0 != expected[i].t0 || parts->item[i].part.t1 != expected[i].t1)
+            return false;
+    return true;
+}
+
+/* Each in ten orders. */
+static void union_by_table(void **state)
+{
+    static const struct {
+        const char *name;
+        double epsilon, length;
+        hide_part parts[PARTS], expected[PARTS];
+    } table[] = {
+        {"none", 0, 1, {{0, 0, 0, 0}}, {{0, 0, 0, 0}}},
+        {"one", 0, 1, {{0.25, 0.5, 0, 0}}, {{0.25, 0.5, 0, 0}}},
+        {"the whole edge", 0, 1, {{0, 1, 0, 0}}, {{0, 1, 0, 0}}},
+        {"apart", 0, 1, {{0.25, 0.5, 0, 0}, {0.625, 0.75, 0, 0}}, {{0.25, 0.5, 0, 0}, {0.625, 0.75, 0, 0}}},
+        {"overlapping", 0, 1, {{0.25, 0.5, 0, 0}, {0.375, 0.75, 0, 0}}, {{0.25, 0.75, 0, 0}}},
+        {"one in the other", 0, 1, {{0.25, 0.75, 0, 0}, {0.375, 0.5, 0, 0}}, {{0.25, 0.75, 0, 0}}},
+        {"ends that touch", 0, 1, {{0.25, 0.5, 0, 0}, {0.5, 0.75, 0, 0}}, {{0.25, 0.75, 0, 0}}},
+        {"the same beginning", 0, 1, {{0.25, 0.5, 0, 0}, {0.25, 0.75, 0, 0}}, {{0.25, 0.75, 0, 0}}},
+        {"the same end", 0, 1, {{0.25, 0.75, 0, 0}, {0.5, 0.75, 0, 0}}, {{0.25, 0.75, 0, 0}}},
+        {"the same twice", 0, 1, {{0.25, 0.75, 0, 0}, {0.25, 0.75, 0, 0}}, {{0.25, 0.75, 0, 0}}},
+        {"a chain",
+         0,
+         1,
+         {{0.125, 0.25, 0, 0}, {0.25, 0.375, 0, 0}, {0.375, 0.5, 0, 0}, {0.5, 0.625, 0, 0}},
+         {{0.125, 0.625, 0, 0}}},
+        {"a long one over two short ones",
+         0,
+         1,
+         {{0.125, 0.875, 0, 0}, {0.25, 0.375, 0, 0}, {0.5, 0.625, 0, 0}},
+         {{0.125, 0.875, 0, 0}}},
+        {"three in two groups",
+         0,
+         1,
+         {{0.125, 0.25, 0, 0}, {0.5, 0.75, 0, 0}, {0.25, 0.375, 0, 0}},
+         {{0.125, 0.375, 0, 0}, {0.5, 0.75, 0, 0}}},
+        {"all the edge in pieces", 0, 1, {{0, 0.5, 0, 0}, {0.5, 1, 0, 0}}, {{0, 1, 0, 0}}},
+        /* epsilon is a length, gaps are parameters: 1/8 of an edge of 4 is 1/2 */
+        {"a gap of epsilon", 0.5, 4, {{0.25, 0.5, 0, 0}, {0.625, 0.75, 0, 0}}, {{0.25, 0.75, 0, 0}}},
+        {"a gap of more", 0.499, 4, {{0.25, 0.5, 0, 0}, {0.625, 0.75, 0, 0}}, {{0.25, 0.5, 0, 0}, {0.625, 0.75, 0, 0}}},
+        {"an end within epsilon of the edge's end", 0.5, 4, {{0.125, 0.5, 0, 0}}, {{0, 0.5, 0, 0}}},
+        {"... and the other", 0.5, 4, {{0.5, 0.875, 0, 0}}, {{0.5, 1, 0, 0}}},
+        {"ends farther than that", 0.499, 4, {{0.125, 0.875, 0, 0}}, {{0.125, 0.875, 0, 0}}},
+        /* an end reaches as far as its own tolerance */
+        {"the end before reaches", 0, 4, {{0.25, 0.5, 0, 0.125}, {0.625, 0.75, 0, 0}}, {{0.25, 0.75, 0, 0}}},
+        {"the end after reaches", 0, 4, {{0.25, 0.5, 0, 0}, {0.625, 0.75, 0.125, 0}}, {{0.25, 0.75, 0, 0}}},
+        {"both reach half way", 0, 4, {{0.25, 0.5, 0, 0.0625}, {0.625, 0.75, 0.0625, 0}}, {{0.25, 0.75, 0, 0}}},
+        {"neither reaches far enough",
+         0,
+         4,
+         {{0.25, 0.5, 0, 0.06}, {0.625, 0.75, 0.0625, 0}},
+         {{0.25, 0.5, 0, 0}, {0.625, 0.75, 0, 0}}},
+        {"the other ends' reach does not count",
+         0,
+         4,
+         {{0.25, 0.5, 0.125, 0}, {0.625, 0.75, 0, 0.125}},
+         {{0.25, 0.5, 0, 0}, {0.625, 0.75, 0, 0}}},
+        /* the second begins later but reaches to before the first */
+        {"one that reaches back over another", 0, 4, {{0.25, 0.5, 0, 0}, {0.375, 0.75, 0.25, 0}}, {{0.25, 0.75, 0, 0}}},
+        {"the longer one reaches",
+         0,
+         4,
+         {{0.25, 0.5, 0, 0}, {0.3125, 0.5625, 0, 0.0625}, {0.625, 0.75, 0, 0}},
+         {{0.25, 0.75, 0, 0}}},
+    };
+    hide_parts parts = {0};
+    rng r = {31};
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)
+        for (int k = 0; k < 10; k++) {
+            uint32_t order[PARTS], count = count_of(table[i].parts);
+            rng_permutation(&r, order, count);
+            fill(&parts, table[i].parts, order, count);
+            hide_parts_unite(&parts, table[i].epsilon, table[i].length);
+            if (!equal(&parts, table[i].expected)) {
+                for (size_t p = 0; p < parts.count; p++)
+                    printf("  got %g..%g\n", parts.item[p].part.t0, parts.item[p].part.t1);
+                fail_msg("%s", table[i].name);
+            }
+        }
+    free(parts.item);
+}
+
+/* Many parts on a scale of 1/256: what is covered stays covered, what is not is not, and between two parts of the union
+ * there is something not covered. Every order gives the same bits. */
+static void union_of_many(void **state)
+{
+    enum { MANY = 40, CELLS = 256 };
+    hide_parts parts = {0}, again = {0};
+    rng r = {32};
+    (void)state;
+    for (int k = 0; k < 500; k++) {
+        uint32_t count = (uint32_t)rng_int(&r, 1, MANY), order[MANY];
+        hide_part part[MANY];
+        bool covered[CELLS] = {false};
+        for (uint32_t i = 0; i < count; i++) {
+            int from = rng_int(&r, 0, CELLS - 1), to = rng_int(&r, from + 1, from + 8 < CELLS ? from + 8 : CELLS);
+            part[i] = (hide_part){from / (double)CELLS, to / (double)CELLS, 0, 0};
+            for (int c = from; c < to; c++)
+                covered[c] = true;
+        }
+        rng_permutation(&r, order, count);
+        fill(&parts, part, order, count);
+        hide_parts_unite(&parts, 0, 1);
+        rng_permutation(&r, order, count);
+        fill(&again, part, order, count);
+        hide_parts_unite(&again, 0, 1);
+        assert_int_equal(parts.count, again.count);
+        for (size_t i = 0; i < parts.count; i++) {
+            hide_part p = parts.item[i].part, q = again.item[i].part;
+            assert_true(p.t0 == q.t0 && p.t1 == q.t1 && p.t0 < p.t1);
+            assert_true(i == 0 || p.t0 > parts.item[i - 1].part.t1);
+            for (int c = (int)(p.t0 * CELLS); c < (int)(p.t1 * CELLS); c++) {
+                assert_true(covered[c]);
+                covered[c] = false;
+            }
+        }
+        for (int c = 0; c < CELLS; c++)
+            assert_false(covered[c]);
+    }
+    free(parts.item);
+    free(again.item);
+}
+
+/* The union names one of its members. */
+static void union_names_a_member(void **state)
+{
+    hide_parts parts = {0};
+    const hide_part part[3] = {{0.5, 0.75, 0, 0}, {0, 0.125, 0, 0}, {0.625, 1, 0, 0}};
+    (void)state;
+    fill(&parts, part, (uint32_t[]){2, 0, 1}, 3);
+    hide_parts_unite(&parts, 0, 1);
+    assert_int_equal(parts.count, 2);
+    assert_int_equal(parts.item[0].solid, 1);
+    assert_true(parts.item[1].solid == 0 || parts.item[1].solid == 2);
+    free(parts.item);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_hull_for_a_solid),
+        cmocka_unit_test(union_by_table),
+        cmocka_unit_test(union_of_many),
+        cmocka_unit_test(union_names_a_member),
+    };
+    return cmocka_run_group_tests_name("parts", tests, NULL, NULL);
+}

@@ -1,0 +1,251 @@
+/* Signs and crossings in twice the precision, against exact integers. All coordinates are integers below 2^18, so that
+ * determinants fit into 63 bits; which of them vanish or all but vanish is up to each test. */
+#include "hide/refine.h"
+#include "scenes.h"
+
+/* Half a unit of the last place of a parameter in space, and a few more on its way to the picture. */
+#define T_BOUND 1e-15
+
+/* A tetrahedron with any four corners, the points of the tests; others, for the box round the scene, stand by. */
+typedef struct fixture {
+    roberts_scene *scene;
+    view view;
+    roberts_vec3 P[64];
+    hide_space space;
+} fixture;
+
+typedef struct ivec {
+    int64_t x, y, z;
+} ivec;
+
+static ivec isub(ivec a, ivec b)
+{
+    return (ivec){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static ivec icross(ivec a, ivec b)
+{
+    return (ivec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static int64_t idot(ivec a, ivec b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static roberts_vec3 real(ivec a)
+{
+    return (roberts_vec3){(double)a.x, (double)a.y, (double)a.z};
+}
+
+static ivec random_ivec(rng *r, int size)
+{
+    return (ivec){rng_int(r, -size, size), rng_int(r, -size, size), rng_int(r, -size, size)};
+}
+
+/* Solid 0 is a tetrahedron of vertices 0..3, solid 1 one of 4..7. */
+static void add_tetrahedron(model *m, const ivec p[4])
+{
+    static const uint32_t corner[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+    uint32_t first = (uint32_t)m->mesh.vertex_count;
+    for (int i = 0; i < 4; i++)
+        model_vertex(m, real(p[i]));
+    for (int f = 0; f < 4; f++)
+        model_face(m, (uint32_t[]){first + corner[f][0], first + corner[f][1], first + corner[f][2]}, 3);
+    model_close_solid(m);
+}
+
+static int64_t volume(const ivec p[4])
+{
+    return idot(icross(isub(p[1], p[0]), isub(p[2], p[0])), isub(p[3], p[0]));
+}
+
+static void set_up(fixture *f, const model *m, const roberts_camera *camera)
+{
+    roberts_error error = {0};
+    f->scene = model_build(m);
+    if (view_prepare(&f->view, f->scene, camera, 0, &error) != ROBERTS_OK)
+        fail_msg("refused: %s", error.message);
+    for (uint32_t i = 0; i < f->scene->vertex_count; i++)
+        f->P[i] = view_point(&f->view, f->scene->point[i]);
+    f->space = (hide_space){
+        .P = f->P, .epsilon = f->view.epsilon, .rounding = f->view.rounding, .scene = f->scene, .view = &f->view};
+}
+
+static hide_edge edge_between(const fixture *f, uint32_t a, uint32_t b)
+{
+    return (hide_edge){.A = f->P[a], .B = f->P[b], .a = a, .b = b};
+}
+
+/* The viewpoint V: a direction, or an eye well off all points, which lie within +-2^10; the scene looks at it. */
+static roberts_camera camera_from(ivec V, bool perspective)
+{
+    if (perspective)
+        return (roberts_camera){ROBERTS_PERSPECTIVE, .eye = real(V)};
+    return (roberts_camera){.dir = real(V)};
+}
+
+static ivec random_viewpoint(rng *r, bool perspective)
+{
+    ivec V = random_ivec(r, 1000);
+    V.z = perspective ? rng_int(r, 20000, 200000) : rng_int(r, 1, 1000);
+    return V;
+}
+
+/* > 0 where x is left of p -> q seen from V. */
+static int64_t side(ivec p, ivec q, ivec x, ivec V, bool perspective)
+{
+    if (perspective)
+        return -idot(icross(isub(p, V), isub(q, V)), isub(x, V));
+    return idot(icross(isub(q, p), isub(x, p)), V);
+}
+
+/* Two tetrahedra of random corners; of every two, one has vertex 4 in or all but in the sight plane through 0 and 1. */
+static void random_scene(rng *r, fixture *f, ivec p[8], ivec *V, bool perspective, bool close)
+{
+    model m = {0};
+    for (;;) {
+        for (int i = 0; i < 8; i++)
+            p[i] = random_ivec(r, 1000);
+        *V = random_viewpoint(r, perspective);
+        if (close) {
+            int k = rng_int(r, -3, 3), away = perspective ? 0 : rng_int(r, 0, 2);
+            p[4] = (ivec){p[0].x + k * (p[1].x - p[0].x) + away * V->x, p[0].y + k * (p[1].y - p[0].y) + away * V->y,
+                          p[0].z + k * (p[1].z - p[0].z) + away * V->z};
+            p[4].x += rng_int(r, -1, 1);
+        }
+        double size = 1e-3 * 2000.0 * 2000.0 * 2000.0; /* well beyond what counts as flat */
+        if (fabs((double)volume(p)) > size && fabs((double)volume(p + 4)) > size)
+            break;
+    }
+    add_tetrahedron(&m, p);
+    add_tetrahedron(&m, p + 4);
+    roberts_camera camera = camera_from(*V, perspective);
+    set_up(f, &m, &camera);
+    model_free(&m);
+}
+
+/* The sign is that of the determinant, zero exactly where that is; the size is the distance in the picture. */
+static void sides_against_integers(void **state)
+{
+    rng r = {61};
+    size_t zeros = 0, small = 0;
+    (void)state;
+    for (int i = 0; i < 4000; i++) {
+        fixture f;
+        ivec p[8], V;
+        bool perspective = i % 2;
+        random_scene(&r, &f, p, &V, perspective, i % 4 > 1);
+        int64_t exact = side(p[0], p[1], p[4], V, perspective);
+        double distance = refine_side(&f.space, 0, 1, 4), back = refine_side(&f.space, 1, 0, 4);
+        assert_true((exact > 0) == (distance > 0) && (exact < 0) == (distance < 0));
+        assert_true(fabs(distance + back) <= 1e-15 * fabs(distance));
+        zeros += exact == 0;
+        small += exact != 0 && fabs(distance) < 1e-3;
+        double dx = f.P[1].x - f.P[0].x, dy = f.P[1].y - f.P[0].y, length = hypot(dx, dy);
+        double rough = (dx * (f.P[4].y - f.P[0].y) - dy * (f.P[4].x - f.P[0].x)) / length;
+        double reach = hypot(f.P[4].x - f.P[0].x, f.P[4].y - f.P[0].y);
+        assert_true(fabs(rough - distance) <= 4 * f.view.rounding * (1 + reach / length));
+        roberts_scene_free(f.scene);
+    }
+    assert_true(zeros > 100 && small > 100);
+}
+
+/* On vertices 4 and 5 the sight plane through 0 and 1 takes the values a and b: it is crossed at a / (a - b) in space. */
+static void crossings_against_fractions(void **state)
+{
+    rng r = {62};
+    size_t tried = 0;
+    (void)state;
+    for (int i = 0; i < 4000; i++) {
+        fixture f;
+        ivec p[8], V;
+        bool perspective = i % 2;
+        random_scene(&r, &f, p, &V, perspective, i % 4 > 1);
+        int64_t a = side(p[0], p[1], p[4], V, perspective), b = side(p[0], p[1], p[5], V, perspective);
+        if ((a < 0) != (b < 0) && a != b) {
+            hide_edge e = edge_between(&f, 4, 5), turned = edge_between(&f, 5, 4);
+            double exact = (double)((long double)a / (long double)(a - b));
+            double t = view_to_space(&f.view, e.A.z, e.B.z, refine_crossing(&f.space, 0, 1, &e));
+            double back = view_to_space(&f.view, e.B.z, e.A.z, refine_crossing(&f.space, 0, 1, &turned));
+            assert_true(fabs(t - exact) <= T_BOUND);
+            assert_true(fabs(back - (1 - exact)) <= T_BOUND);
+            assert_true(fabs(refine_crossing(&f.space, 1, 0, &e) - refine_crossing(&f.space, 0, 1, &e)) <= T_BOUND);
+            tried++;
+        }
+        roberts_scene_free(f.scene);
+    }
+    assert_true(tried > 1000);
+}
+
+/* The plane through 0, 1 and 2, likewise; the face's corner list may begin anywhere. */
+static void piercings_against_fractions(void **state)
+{
+    rng r = {63};
+    size_t tried = 0;
+    (void)state;
+    for (int i = 0; i < 4000; i++) {
+        fixture f;
+        ivec p[8], V;
+        random_scene(&r, &f, p, &V, i % 2, false);
+        ivec n = icross(isub(p[1], p[0]), isub(p[2], p[0]));
+        int64_t a = idot(n, isub(p[4], p[0])), b = idot(n, isub(p[5], p[0]));
+        if ((a < 0) != (b < 0)) {
+            static const uint32_t corner[3][3] = {{0, 1, 2}, {1, 2, 0}, {2, 1, 0}};
+            hide_face F = {.corner = corner[i % 3], .count = 3};
+            hide_edge e = edge_between(&f, 4, 5);
+            double t = view_to_space(&f.view, e.A.z, e.B.z, refine_pierce(&f.space, &F, &e));
+            assert_true(fabs(t - (double)((long double)a / (long double)(a - b))) <= T_BOUND);
+            tried++;
+        }
+        roberts_scene_free(f.scene);
+    }
+    assert_true(tried > 1000);
+}
+
+/* An edge that passes a plane at an angle of 1e-6 or less: from view coordinates the crossing is known to 1e-10, here to
+ * the last place. The plate's corners have integer coordinates up to 1000, its plane is 0.001 x - 0.002 y + z = 0. */
+static void grazing_pierce(void **state)
+{
+    static const roberts_vec3 eye = {300, -200, 90000};
+    (void)state;
+    for (int k = 1; k < 40; k++)
+        for (int perspective = 0; perspective < 2; perspective++) {
+            fixture f;
+            model m = {0};
+            roberts_camera camera = {.dir = {0.3, 0.2, 1}};
+            if (perspective)
+                camera = (roberts_camera){ROBERTS_PERSPECTIVE, .eye = eye};
+            /* plate: images of (+-1000, +-1000, 0) and their copies 100 below */
+            model_add(&m, &shapes[SHAPE_CUBE], (mat3){{1000, 0, -1}, {0, 1000, 2}, {0, 0, 50}},
+                      (roberts_vec3){0, 0, -50});
+            /* rod from 3 units of 2^-20 above the plane to k below, or rather its wedge's edge 0-1 (vertices 8, 9) */
+            roberts_vec3 A = {-700, 100, 0.7 + 0.2 + 3 * 0x1p-20}, B = {500, -300, -0.5 - 0.6 - k * 0x1p-20};
+            model_add(&m, &shapes[SHAPE_WEDGE], (mat3){vec3_scale(0.5, vec3_sub(B, A)), {0, 50, 0}, {0, 0, 50}},
+                      vec3_add(vec3_scale(0.5, vec3_add(A, B)), (roberts_vec3){0, 50, 50}));
+            set_up(&f, &m, &camera);
+            uint32_t plate[4] = {4, 5, 7, 6};
+            hide_face F = {.corner = plate, .count = 4};
+            hide_edge e = edge_between(&f, 8, 9);
+            roberts_vec3 a = f.scene->point[8], b = f.scene->point[9];
+            long double fa = 0.001L * a.x - 0.002L * a.y + a.z, fb = 0.001L * b.x - 0.002L * b.y + b.z;
+            double exact = (double)(fa / (fa - fb));
+            double t = view_to_space(&f.view, e.A.z, e.B.z, refine_pierce(&f.space, &F, &e));
+            assert_true(fa > 0 && fb < 0);
+            if (fabs(t - exact) > 1e-12) /* 2^-64 of 1, the sums' error, over fa - fb */
+                fail_msg("%d: %.17g, expected %.17g", k, t, exact);
+            roberts_scene_free(f.scene);
+            model_free(&m);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sides_against_integers),
+        cmocka_unit_test(crossings_against_fractions),
+        cmocka_unit_test(piercings_against_fractions),
+        cmocka_unit_test(grazing_pierce),
+    };
+    return cmocka_run_group_tests_name("refine", tests, NULL, NULL);
+}
