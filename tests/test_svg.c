@@ -1,6 +1,7 @@
 /* SVG: the page's size, its layers, and every coordinate read back and compared with where it should be. The other
  * formats: the same bytes every time, and no failure goes unnoticed. */
 #include <errno.h>
+#include <locale.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -220,6 +221,17 @@ static void texts(void **state)
     }
 }
 
+static void locale_changes_nothing(void **state)
+{
+    (void)state;
+    if (!setlocale(LC_ALL, "de_DE.UTF-8")) {
+        print_message("no locale de_DE.UTF-8\n");
+        skip();
+    }
+    texts(NULL);
+    setlocale(LC_ALL, "C");
+}
+
 static void pens(void **state)
 {
     roberts_drawing drawing = {.count = 1, .segment = few};
@@ -364,13 +376,10 @@ static void senseless_options_are_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lines_are_true),
-        cmocka_unit_test(texts),
-        cmocka_unit_test(pens),
-        cmocka_unit_test(no_stroke_is_lost),
-        cmocka_unit_test(bytes_are_the_same_later),
-        cmocka_unit_test(failures_are_told),
-        cmocka_unit_test(senseless_options_are_refused),
+        cmocka_unit_test(lines_are_true),         cmocka_unit_test(texts),
+        cmocka_unit_test(locale_changes_nothing), cmocka_unit_test(pens),
+        cmocka_unit_test(no_stroke_is_lost),      cmocka_unit_test(bytes_are_the_same_later),
+        cmocka_unit_test(failures_are_told),      cmocka_unit_test(senseless_options_are_refused),
     };
     return cmocka_run_group_tests_name("svg", tests, NULL, NULL);
 }

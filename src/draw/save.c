@@ -128,22 +128,24 @@ static int take_mode(const target *t)
 
 static int open_target(target *t, const roberts_draw_options *options)
 {
+    struct stat old;
     int reason = follow_links(t), named = descriptor_named(t->path);
     if (reason)
         return reason;
     if (named >= 0)
         return (t->descriptor = dup(named)) >= 0 ? 0 : errno;
-    if (stat(t->path, &t->old) != 0) {
+    if (stat(t->path, &old) != 0) {
         if (errno != ENOENT)
             return errno;
         return t->path[0] && t->path[strlen(t->path) - 1] == '/' ? EISDIR : open_beside(t, options);
     }
-    if (S_ISDIR(t->old.st_mode)) /* NOLINT(clang-analyzer-unix.Malloc): save_file() frees the path */
+    if (S_ISDIR(old.st_mode))
         return EISDIR;
-    if (!S_ISREG(t->old.st_mode))
+    if (!S_ISREG(old.st_mode))
         return (t->descriptor = open(t->path, O_WRONLY | O_NOCTTY | O_CLOEXEC)) >= 0 ? 0 : errno;
     if (faccessat(AT_FDCWD, t->path, W_OK, AT_EACCESS) != 0)
         return errno; /* a file that is protected against writing is protected against replacing */
+    t->old = old;
     t->replaces = true;
     return open_beside(t, options);
 }
@@ -197,7 +199,7 @@ static roberts_status save_file(const roberts_drawing *drawing, const roberts_dr
 {
     target t = {.path = beside("", path), .descriptor = -1};
     roberts_status status;
-    int reason = t.path ? open_target(&t, options) : ENOMEM; /* NOLINT(clang-analyzer-unix.Malloc): freed below */
+    int reason = t.path ? open_target(&t, options) : ENOMEM;
     if (reason) {
         status = reason == ENOMEM ? error_no_memory(error) : output_error(error, "cannot write", reason);
     } else {

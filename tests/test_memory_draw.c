@@ -1,0 +1,81 @@
+/* test_memory_draw.c - saving with each allocation of ours failing in turn: a status, no crash, no leak, the old file
+ * still there and nothing beside it. (Cairo's own allocations are not reached from here.) */
+#include <dirent.h>
+#include <errno.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "drawing.h"
+#include "memory.h"
+
+static int entries(const char *path)
+{
+    int count = -2; /* . and .. */
+    DIR *directory = opendir(path);
+    assert_non_null(directory);
+    while (readdir(directory))
+        count++;
+    closedir(directory);
+    return count;
+}
+
+static void saving_survives(roberts_format format)
+{
+    roberts_segment one = line_at(ROBERTS_OUTLINE, 0, 0, 1, 1);
+    roberts_drawing drawing = {.count = 1, .segment = &one};
+    roberts_draw_options options = roberts_draw_options_default();
+    size_t before = memory_blocks, failures = 0;
+    options.format = format;
+    for (size_t n = 1;; n++) {
+        roberts_error error = {0};
+        memory_fail(n);
+        roberts_status status = roberts_drawing_save(&drawing, &options, "link", &error);
+        bool failed = memory_failed();
+        memory_fail(0);
+        assert_int_equal(memory_blocks, before);
+        assert_int_equal(entries("."), 2);
+        if (!failed) {
+            assert_int_equal(status, ROBERTS_OK);
+            break;
+        }
+        failures++;
+        assert_int_equal(status, ROBERTS_NO_MEMORY);
+        assert_string_equal(error.message, "not enough memory");
+        assert_string_equal(error.file, "link");
+    }
+    assert_true(failures >= 4); /* the name, the link's target, the temporary name, the buffer */
+}
+
+static void saving(void **state)
+{
+    char folder[] = "/tmp/roberts-memory-XXXXXX";
+    char top[4096];
+    (void)state;
+    assert_non_null(getcwd(top, sizeof top));
+    assert_non_null(mkdtemp(folder));
+    assert_int_equal(chdir(folder), 0);
+    assert_int_equal(symlink("file", "link"), 0);
+    FILE *file = fopen("file", "w");
+    assert_non_null(file);
+    fclose(file);
+    for (int format = ROBERTS_SVG; format < ROBERTS_NULL; format++)
+        saving_survives((roberts_format)format);
+    unlink("link");
+    unlink("file");
+    assert_int_equal(chdir(top), 0);
+    assert_int_equal(rmdir(folder), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(saving)};
+    return cmocka_run_group_tests_name("memory, draw", tests, NULL, NULL);
+}
