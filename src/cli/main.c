@@ -1,9 +1,7 @@
 /* main.c - the program: reads the options, calls the library, writes. A client of roberts.h like any other. */
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "cli/help.h"
 #include "cli/interrupt.h"
@@ -11,15 +9,6 @@
 #include "cli/options.h"
 #include "cli/rays.h"
 #include "cli/stats.h"
-
-/* A descriptor 0, 1 or 2 that we were started without would go to the next file opened, and messages into a drawing.
- * /dev/null the wrong way round makes every use of it an error. */
-static void hold_standard_streams(void)
-{
-    for (int i = STDIN_FILENO; i <= STDERR_FILENO; i++)
-        if (fcntl(i, F_GETFD) < 0 && open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0)
-            _exit(EXIT_FAILED);
-}
 
 static int print(const char *text)
 {
@@ -96,7 +85,6 @@ static int draw(const cli_options *options)
 int main(int argc, char **argv)
 {
     cli_options options;
-    hold_standard_streams();
     interrupt_prepare();
     int status = options_parse(argc, argv, &options);
     if (status != EXIT_DONE)
