@@ -181,6 +181,9 @@ typedef struct roberts_camera {
                                `up` given and parallel to the view falls back in the same way */
     roberts_vec2 oblique; /**< orthographic: how far right and up in the drawing a point moves that lies one unit
                                farther away; 0,0 = sight lines at right angles to the picture plane */
+    double
+        near_distance; /**< perspective: what is nearer to the eye's plane is cut off, model units; 0 = a thousandth of
+                               the look-at point's distance, and at least 1e-5 of the scene's diameter */
 } roberts_camera;
 
 /** Fills `camera` with the preset called `name` (iso, dimetric, trimetric, front, back, right, left, top, bottom;
@@ -204,13 +207,15 @@ typedef enum roberts_line {
 
 /** A maximal part of an edge in one state. */
 typedef struct roberts_segment {
-    uint32_t solid;      /**< number of the solid, from 0 by smallest vertex */
-    uint32_t v0, v1;     /**< the edge's vertices as in the input, v0 < v1 */
-    uint32_t by;         /**< hidden: the solid seen at the middle of the part; else ROBERTS_NONE */
-    double t0, t1;       /**< along the edge in space from v0 to v1, 0 <= t0 < t1 <= 1 */
-    roberts_vec2 p0, p1; /**< its ends in the picture, model units */
-    uint8_t state;       /**< roberts_state */
-    uint8_t line;        /**< roberts_line */
+    uint32_t solid;  /**< number of the solid, from 0 by smallest vertex */
+    uint32_t v0, v1; /**< the edge's vertices as in the input, v0 < v1 */
+    uint32_t by;     /**< hidden: the solid seen at the middle of the part; else ROBERTS_NONE */
+    double t0, t1;   /**< along the edge in space from v0 to v1, 0 <= t0 < t1 <= 1 */
+    roberts_vec2 p0,
+        p1;        /**< its ends in the picture, model units; of a clipped part both are where it is cut (0,0 where
+                              the whole edge is clipped) */
+    uint8_t state; /**< roberts_state */
+    uint8_t line;  /**< roberts_line */
 } roberts_segment;
 
 /** How many pairs of edge and front face each test decided (DESIGN of the lecture: tests 1 to 4, cheapest first). */

@@ -29,6 +29,8 @@ static sizes measure(const hide_box *box, uint32_t count, roberts_vec2 low, robe
 {
     sizes s = {.width = high.x - low.x, .height = high.y - low.y};
     for (uint32_t i = 0; i < count; i++) {
+        if (box[i].x1 < box[i].x0)
+            continue; /* a solid of which the near plane has left nothing */
         double w = s.width > 0.0 ? lesser(1.0, (double)(box[i].x1 - box[i].x0) / s.width) : 1.0;
         double h = s.height > 0.0 ? lesser(1.0, (double)(box[i].y1 - box[i].y0) / s.height) : 1.0;
         s.w += w;

@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "hide/cells.h"
 #include "hide/edge.h"
+#include "view/clip.h"
 
 #define CHUNK_SOLIDS 64
 #define CHUNKS_PER_THREAD 8 /* with less work than this a thread costs more than it does */
@@ -32,7 +33,9 @@ typedef struct hide_chunk {
 } hide_chunk;
 
 typedef struct hide_job {
-    const roberts_scene *scene;
+    const roberts_scene *scene;  /* as it is mapped: clipped, where that was needed */
+    const roberts_scene *source; /* as given */
+    view_clip clip;
     const roberts_hide_options *options;
     hide_picture picture;
     objet grid;
@@ -57,11 +60,11 @@ static bool is_front(const hide_job *job, uint32_t face)
 }
 
 /* Flatter than the crease angle; the normals of the model are compared, which perspective does not bend. */
-static bool is_flat(const hide_job *job, const scene_edge *edge)
+static bool is_flat(const hide_job *job, const roberts_scene *scene, const scene_edge *edge)
 {
     if (edge->f[0] == ROBERTS_NONE || edge->f[1] == ROBERTS_NONE)
         return false;
-    plane F = job->scene->face_plane[edge->f[0]], G = job->scene->face_plane[edge->f[1]];
+    plane F = scene->face_plane[edge->f[0]], G = scene->face_plane[edge->f[1]];
     double a = F.a - G.a, b = F.b - G.b, c = F.c - G.c;
     return a * a + b * b + c * c < job->crease_chord;
 }
@@ -74,8 +77,9 @@ static bool add_segment(const hide_job *job, hide_chunk *out, const roberts_segm
     roberts_segment segment = *pattern;
     if (!array_reserve(&out->segment, &out->room, out->count + 1, sizeof *out->segment))
         return false;
-    segment.t0 = view_to_space(v, e->A.z, e->B.z, s0);
-    segment.t1 = view_to_space(v, e->A.z, e->B.z, s1);
+    double width = pattern->t1 - pattern->t0; /* of what is left of the edge by the near plane, mostly 1 */
+    segment.t0 = pattern->t0 + width * view_to_space(v, e->A.z, e->B.z, s0);
+    segment.t1 = s1 == 1.0 ? pattern->t1 : pattern->t0 + width * view_to_space(v, e->A.z, e->B.z, s1);
     segment.p0 = (roberts_vec2){R0.x * v->unit, R0.y * v->unit};
     segment.p1 = (roberts_vec2){R1.x * v->unit, R1.y * v->unit};
     out->segment[out->count++] = segment;
@@ -100,30 +104,41 @@ static int front_count(const hide_job *job, const scene_edge *edge)
     return is_front(job, edge->f[0]) + is_front(job, edge->f[1]);
 }
 
-/* Visible segments between the hidden parts, and those too where they are wanted. */
-static bool add_line(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t solid, const hide_line *line)
+static bool add_clipped(hide_chunk *out, roberts_segment pattern, double t0, double t1, roberts_vec2 at)
 {
-    const scene_edge *edge = &job->scene->edge[line->edge];
-    int fronts = front_count(job, edge);
-    double from = 0.0;
-    roberts_segment pattern = {.solid = solid,
-                               .v0 = job->scene->number[edge->v[0]],
-                               .v1 = job->scene->number[edge->v[1]],
-                               .by = ROBERTS_NONE,
-                               .state = ROBERTS_VISIBLE,
-                               .line = fronts == 1   ? ROBERTS_OUTLINE
-                                       : fronts == 2 ? ROBERTS_CREASE
-                                                     : ROBERTS_BACK};
+    if (!array_reserve(&out->segment, &out->room, out->count + 1, sizeof *out->segment))
+        return false;
+    pattern.state = ROBERTS_CLIPPED;
+    pattern.t0 = t0;
+    pattern.t1 = t1;
+    pattern.p0 = pattern.p1 = at;
+    out->segment[out->count++] = pattern;
+    return true;
+}
+
+/* Visible segments between the hidden parts, and those too where they are wanted. The pattern's t0..t1 is what the near
+ * plane has left of the edge. */
+static bool add_line(const hide_job *job, hide_worker *w, hide_chunk *out, const roberts_segment *pattern,
+                     const hide_line *line)
+{
+    double from = 0.0, unit = job->picture.view.unit;
+    const hide_edge *e = &line->e;
+    bool all = job->options->keep_hidden;
+    if (all && pattern->t0 > 0.0 &&
+        !add_clipped(out, *pattern, 0.0, pattern->t0, (roberts_vec2){e->A.x * unit, e->A.y * unit}))
+        return false;
     for (size_t i = 0; i < line->parts.count; i++) {
         hide_part part = line->parts.item[i].part;
-        if (part.t0 > from && !add_segment(job, out, &pattern, &line->e, from, part.t0))
+        if (part.t0 > from && !add_segment(job, out, pattern, e, from, part.t0))
             return false;
-        if (job->options->keep_hidden &&
-            !add_hidden(job, w, out, pattern, &line->e, part.t0, part.t1, line->parts.item[i].solid))
+        if (all && !add_hidden(job, w, out, *pattern, e, part.t0, part.t1, line->parts.item[i].solid))
             return false;
         from = part.t1;
     }
-    return from >= 1.0 || add_segment(job, out, &pattern, &line->e, from, 1.0);
+    if (from < 1.0 && !add_segment(job, out, pattern, e, from, 1.0))
+        return false;
+    return !all || pattern->t1 >= 1.0 ||
+           add_clipped(out, *pattern, pattern->t1, 1.0, (roberts_vec2){e->B.x * unit, e->B.y * unit});
 }
 
 /* Takes up the edges of a solid that are drawn. A surviving edge has a front face. An outline (one front face) is always
@@ -136,8 +151,8 @@ static bool take_edges(const hide_job *job, hide_worker *w, hide_sums *sums, uin
     for (uint32_t i = scene->solid[solid].edge; i < scene->solid[solid + 1].edge; i++) {
         int fronts = front_count(job, &scene->edge[i]);
         sums->surviving += fronts > 0;
-        if ((fronts == 0 && !job->options->keep_hidden) ||
-            (fronts != 1 && !job->options->all_edges && is_flat(job, &scene->edge[i])))
+        if ((fronts == 0 && !job->options->keep_hidden) || (job->clip.clipped && job->clip.cap[i]) ||
+            (fronts != 1 && !job->options->all_edges && is_flat(job, scene, &scene->edge[i])))
             continue;
         hide_line *line = hide_worker_add(w, i);
         if (!line)
@@ -153,15 +168,48 @@ static bool take_edges(const hide_job *job, hide_worker *w, hide_sums *sums, uin
     return true;
 }
 
+/* One edge of the scene as given: the line that stands for it, NULL where it is not drawn. */
+static bool add_edge(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t solid, uint32_t edge,
+                     const hide_line *line)
+{
+    const scene_edge *source = &job->source->edge[edge];
+    clip_edge left = {edge, 0.0, 1.0};
+    if (job->clip.clipped)
+        left = job->clip.origin[edge];
+    int fronts = line ? front_count(job, &job->scene->edge[line->edge]) : 0;
+    roberts_segment pattern = {.solid = solid,
+                               .v0 = job->source->number[source->v[0]],
+                               .v1 = job->source->number[source->v[1]],
+                               .by = ROBERTS_NONE,
+                               .t0 = left.t0,
+                               .t1 = left.t1,
+                               .state = ROBERTS_VISIBLE,
+                               .line = fronts == 1   ? ROBERTS_OUTLINE
+                                       : fronts == 2 ? ROBERTS_CREASE
+                                                     : ROBERTS_BACK};
+    if (left.edge == ROBERTS_NONE) {
+        bool drawn = job->options->all_edges || !is_flat(job, job->source, source);
+        return !job->options->keep_hidden || !drawn || add_clipped(out, pattern, 0.0, 1.0, (roberts_vec2){0.0, 0.0});
+    }
+    if (!line || (line->hidden && !job->options->keep_hidden))
+        return true;
+    return add_line(job, w, out, &pattern, line);
+}
+
+/* The lines come in the order of the edges, of which some are not drawn and some are clipped away. */
 static bool do_solid(const hide_job *job, hide_worker *w, hide_sums *sums, hide_chunk *out, uint32_t solid)
 {
-    if (job->picture.culled[solid])
+    if (job->picture.culled[solid] && !(job->clip.clipped && job->options->keep_hidden))
         return true;
     if (!take_edges(job, w, sums, solid) || !hide_worker_run(w, solid))
         return false;
-    for (size_t i = 0; i < w->line_count; i++)
-        if ((!w->line[i].hidden || job->options->keep_hidden) && !add_line(job, w, out, solid, &w->line[i]))
+    size_t next = 0;
+    for (uint32_t i = job->source->solid[solid].edge; i < job->source->solid[solid + 1].edge; i++) {
+        uint32_t edge = job->clip.clipped ? job->clip.origin[i].edge : i;
+        const hide_line *line = next < w->line_count && w->line[next].edge == edge ? &w->line[next++] : NULL;
+        if (!add_edge(job, w, out, solid, i, line))
             return false;
+    }
     return true;
 }
 
@@ -279,9 +327,9 @@ static void describe(const hide_job *job, roberts_drawing *drawing)
     drawing->scene_diameter = picture->view.diameter * unit;
     drawing->grid = job->grid.frame.nx;
     drawing->grid_rows = job->grid.frame.ny;
-    drawing->solids = job->scene->solid_count;
+    drawing->solids = job->source->solid_count;
     drawing->culled_solids = picture->culled_count;
-    drawing->edges = job->scene->edge_count;
+    drawing->edges = job->source->edge_count;
     drawing->front_faces = picture->face_count;
     drawing->back_faces = picture->back;
     drawing->edge_on_faces = picture->edge_on;
@@ -295,8 +343,12 @@ static roberts_status build(hide_job *job, const roberts_camera *camera, roberts
 {
     const roberts_hide_options *options = job->options;
     roberts_time clock = now();
-    roberts_status status = hide_picture_build(&job->picture, job->scene, camera, options->epsilon,
-                                               !options->keep_hidden, options->grid * COVERS_PER_CELL, error);
+    roberts_status status = view_clip_scene(&job->clip, job->source, camera, error);
+    if (status != ROBERTS_OK)
+        return status;
+    job->scene = job->clip.clipped ? &job->clip.scene : job->source;
+    status = hide_picture_build(&job->picture, job->scene, camera, options->epsilon, !options->keep_hidden,
+                                options->grid * COVERS_PER_CELL, error);
     if (status != ROBERTS_OK)
         return status;
     const view *v = &job->picture.view;
@@ -316,7 +368,7 @@ roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *ca
                             const roberts_hide_options *options, roberts_drawing *drawing, roberts_error *error)
 {
     roberts_hide_options defaults = roberts_hide_options_default();
-    hide_job job = {.scene = scene, .options = options ? options : &defaults};
+    hide_job job = {.source = scene, .options = options ? options : &defaults};
     *drawing = (roberts_drawing){0};
     roberts_status status = check_options(job.options, error);
     if (status == ROBERTS_OK)
@@ -337,6 +389,7 @@ done:
     free(job.chunk);
     objet_free(&job.grid);
     hide_picture_free(&job.picture);
+    view_clip_free(&job.clip);
     if (status == ROBERTS_NO_MEMORY)
         error_no_memory(error);
     if (status != ROBERTS_OK)

@@ -65,10 +65,9 @@ void hide_parts_unite(hide_parts *parts, double epsilon, double length)
         if (last && (next.t0 - next.e0 <= last->t1 + last->e1 || (next.t0 - last->t1) * length <= epsilon)) {
             if (next.t0 < last->t0)
                 last->t0 = next.t0;
-            if (next.t1 > last->t1 || (next.t1 == last->t1 && next.e1 > last->e1)) {
-                last->t1 = next.t1;
-                last->e1 = next.e1;
-            }
+            double reach = greater(last->t1 + last->e1, next.t1 + next.e1); /* of any member, also of a shorter one */
+            last->t1 = greater(last->t1, next.t1);
+            last->e1 = reach - last->t1;
         } else {
             parts->item[kept++] = parts->item[i];
         }

@@ -283,13 +283,15 @@ static bool order_fronts(build *b)
 static bool add_solids(build *b)
 {
     hide_picture *picture = b->picture;
-    uint32_t count = picture->scene->solid_count;
+    const roberts_scene *scene = picture->scene;
+    uint32_t count = scene->solid_count;
     bool covers = picture->cover.depth != NULL;
     if (covers && !order_solids(b))
         return false;
     for (uint32_t k = 0; k < count; k++) {
         uint32_t s = covers ? b->order[k] : k;
-        picture->culled[s] = cover_hides(&picture->cover, &picture->box[s]);
+        bool empty = scene->solid[s].vertex == scene->solid[s + 1].vertex; /* clipped away */
+        picture->culled[s] = empty || cover_hides(&picture->cover, &picture->box[s]);
         if (!picture->culled[s] && !add_solid(b, s))
             return false;
     }

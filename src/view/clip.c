@@ -1,0 +1,367 @@
+/* clip.c - see clip.h. Source of the cutting: I. E. Sutherland, G. W. Hodgman, "Reentrant polygon clipping", CACM 17(1),
+ * 1974, face by face; the cap is what the cuts of the faces join to. */
+#include "view/clip.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/error.h"
+#include "model/face_plane.h"
+
+/* The near plane's distance where none is given: as a part of the distance of the look-at point, and at least of the
+ * scene's diameter. Nearer things would be drawn a thousand times as large as at the look-at point. */
+#define NEAR_OF_DISTANCE 1e-3
+#define NEAR_OF_DIAMETER 1e-5
+
+typedef struct cutter {
+    view_clip *clip;
+    const roberts_scene *from;
+    roberts_vec3 eye, dir; /* dir: from the look-at point to the eye, unit */
+    double near;
+    double *depth;      /* [vertex_count of from] distance from the eye's plane */
+    uint32_t *vertex;   /* [vertex_count of from] what it is in the clipped scene, or ROBERTS_NONE */
+    uint32_t *cut;      /* [edge_count of from] the vertex where the edge is cut, or ROBERTS_NONE */
+    uint32_t *next;     /* [edge_count of from] cap: which cut edge follows this one, counter-clockwise */
+    roberts_vec3 *ring; /* [corners] scratch: positions of a cut face */
+    size_t vertex_room, number_room, start_room, corner_room, plane_room, deviation_room, width_room, face_room;
+    size_t edge_room, cap_room, ring_room;
+} cutter;
+
+static bool is_kept(const cutter *c, uint32_t v)
+{
+    return c->depth[v] >= c->near;
+}
+
+static bool add_vertex(cutter *c, roberts_vec3 point, uint32_t number)
+{
+    roberts_scene *to = &c->clip->scene;
+    size_t need = (size_t)to->vertex_count + 1;
+    if (!array_reserve(&to->point, &c->vertex_room, need, sizeof *to->point) ||
+        !array_reserve(&to->number, &c->number_room, need, sizeof *to->number))
+        return false;
+    to->point[to->vertex_count] = point;
+    to->number[to->vertex_count++] = number;
+    return true;
+}
+
+static bool add_corner(cutter *c, uint32_t vertex)
+{
+    roberts_scene *to = &c->clip->scene;
+    if (!array_reserve(&to->corner, &c->corner_room, to->corner_count + 1, sizeof *to->corner))
+        return false;
+    to->corner[to->corner_count++] = vertex;
+    return true;
+}
+
+/* Ends the face whose corners have been added. */
+static bool add_face(cutter *c, plane F, double deviation, double width, uint32_t number)
+{
+    roberts_scene *to = &c->clip->scene;
+    size_t f = to->face_count, need = f + 1;
+    if (to->corner_count > UINT32_MAX ||
+        !array_reserve(&to->face_start, &c->start_room, need + 1, sizeof *to->face_start) ||
+        !array_reserve(&to->face_plane, &c->plane_room, need, sizeof *to->face_plane) ||
+        !array_reserve(&to->face_deviation, &c->deviation_room, need, sizeof *to->face_deviation) ||
+        !array_reserve(&to->face_width, &c->width_room, need, sizeof *to->face_width) ||
+        !array_reserve(&to->face_number, &c->face_room, need, sizeof *to->face_number))
+        return false;
+    to->face_plane[f] = F;
+    to->face_deviation[f] = deviation;
+    to->face_width[f] = width;
+    to->face_number[f] = number;
+    to->face_start[++to->face_count] = (uint32_t)to->corner_count;
+    return true;
+}
+
+static bool add_edge(cutter *c, uint32_t v0, uint32_t v1, uint32_t f0, uint32_t f1, bool cap)
+{
+    roberts_scene *to = &c->clip->scene;
+    size_t need = (size_t)to->edge_count + 1;
+    if (!array_reserve(&to->edge, &c->edge_room, need, sizeof *to->edge) ||
+        !array_reserve(&c->clip->cap, &c->cap_room, need, sizeof *c->clip->cap))
+        return false;
+    c->clip->cap[to->edge_count] = cap;
+    to->edge[to->edge_count++] = (scene_edge){{v0, v1}, {f0, f1}};
+    return true;
+}
+
+/* The edge of the solid between two of its vertices; edges ascend by (v[0], v[1]). */
+static uint32_t find_edge(const cutter *c, uint32_t solid, uint32_t a, uint32_t b)
+{
+    uint32_t low = c->from->solid[solid].edge, high = c->from->solid[solid + 1].edge;
+    uint32_t v0 = a < b ? a : b, v1 = a < b ? b : a;
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2;
+        const scene_edge *e = &c->from->edge[middle];
+        if (e->v[0] < v0 || (e->v[0] == v0 && e->v[1] <= v1))
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Vertices that stay, and one on each edge that the plane cuts. */
+static bool cut_vertices(cutter *c, uint32_t solid)
+{
+    const roberts_scene *from = c->from;
+    for (uint32_t v = from->solid[solid].vertex; v < from->solid[solid + 1].vertex; v++) {
+        c->vertex[v] = is_kept(c, v) ? c->clip->scene.vertex_count : ROBERTS_NONE;
+        if (is_kept(c, v) && !add_vertex(c, from->point[v], from->number[v]))
+            return false;
+    }
+    for (uint32_t i = from->solid[solid].edge; i < from->solid[solid + 1].edge; i++) {
+        uint32_t a = from->edge[i].v[0], b = from->edge[i].v[1];
+        clip_edge *origin = &c->clip->origin[i];
+        *origin = (clip_edge){ROBERTS_NONE, 0.0, 1.0};
+        c->cut[i] = ROBERTS_NONE;
+        if (is_kept(c, a) == is_kept(c, b))
+            continue;
+        double t = (c->near - c->depth[a]) / (c->depth[b] - c->depth[a]);
+        roberts_vec3 A = from->point[a], B = from->point[b];
+        c->cut[i] = c->clip->scene.vertex_count;
+        if (is_kept(c, a))
+            origin->t1 = t;
+        else
+            origin->t0 = t;
+        if (!add_vertex(c, vec3_add(vec3_scale(1.0 - t, A), vec3_scale(t, B)), ROBERTS_NONE))
+            return false;
+    }
+    return true;
+}
+
+/* Width of the face of the clipped scene whose corners begin at `first`. */
+static bool measure_width(cutter *c, uint32_t first, double *width)
+{
+    const roberts_scene *to = &c->clip->scene;
+    size_t count = to->corner_count - first;
+    double scale = 0.0;
+    if (!array_reserve(&c->ring, &c->ring_room, count, sizeof *c->ring))
+        return false;
+    for (size_t k = 0; k < count; k++) {
+        c->ring[k] = vec3_sub(to->point[to->corner[first + k]], to->point[to->corner[first]]);
+        scale = fmax(scale, fmax(fabs(c->ring[k].x), fmax(fabs(c->ring[k].y), fabs(c->ring[k].z))));
+    }
+    *width = 0.0;
+    if (count < 3 || scale == 0.0)
+        return true;
+    for (size_t k = 0; k < count; k++)
+        c->ring[k] = (roberts_vec3){c->ring[k].x / scale, c->ring[k].y / scale, c->ring[k].z / scale};
+    *width = face_plane_fit(c->ring, (uint32_t)count).width * scale;
+    return true;
+}
+
+/* One face; where it is cut, the cap will run along the cut the other way. */
+static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face)
+{
+    const roberts_scene *from = c->from;
+    uint32_t first = from->face_start[face], end = from->face_start[face + 1], leave = ROBERTS_NONE;
+    uint32_t enter = ROBERTS_NONE, begin = (uint32_t)c->clip->scene.corner_count;
+    double width = from->face_width[face];
+    for (uint32_t k = first; k < end; k++) {
+        uint32_t a = from->corner[k], b = from->corner[k + 1 < end ? k + 1 : first];
+        if (is_kept(c, a) && !add_corner(c, c->vertex[a]))
+            return false;
+        if (is_kept(c, a) == is_kept(c, b))
+            continue;
+        uint32_t edge = find_edge(c, solid, a, b);
+        if (is_kept(c, a))
+            leave = edge;
+        else
+            enter = edge;
+        if (!add_corner(c, c->cut[edge]))
+            return false;
+    }
+    *to_face = ROBERTS_NONE;
+    if (c->clip->scene.corner_count == begin)
+        return true;
+    if (leave != ROBERTS_NONE) {
+        c->next[enter] = leave;
+        if (!measure_width(c, begin, &width))
+            return false;
+    }
+    *to_face = c->clip->scene.face_count;
+    return add_face(c, from->face_plane[face], from->face_deviation[face], width, from->face_number[face]);
+}
+
+/* The cap's face; `start` is one of the cut edges. */
+static bool add_cap(cutter *c, uint32_t start)
+{
+    const roberts_scene *from = c->from;
+    uint32_t begin = (uint32_t)c->clip->scene.corner_count, e = start;
+    plane F = {-c->dir.x, -c->dir.y, -c->dir.z, 0.0}; /* inward: away from the eye */
+    double width;
+    do {
+        if (!add_corner(c, c->cut[e]))
+            return false;
+        e = c->next[e];
+    } while (e != start);
+    F.d = vec3_dot(c->dir, vec3_sub(c->eye, from->centre)) - c->near;
+    return measure_width(c, begin, &width) && add_face(c, F, 0.0, width, ROBERTS_NONE);
+}
+
+/* Edges that stay, wholly or in part, in their order; those along the cap last. map: faces to faces of the clipped
+ * scene. */
+static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t cap)
+{
+    const roberts_scene *from = c->from;
+    uint32_t first = from->solid[solid].edge, end = from->solid[solid + 1].edge;
+    for (uint32_t i = first; i < end; i++) {
+        uint32_t v[2];
+        for (int k = 0; k < 2; k++)
+            v[k] = is_kept(c, from->edge[i].v[k]) ? c->vertex[from->edge[i].v[k]] : c->cut[i];
+        if (v[0] == ROBERTS_NONE || v[1] == ROBERTS_NONE)
+            continue;
+        c->clip->origin[i].edge = c->clip->scene.edge_count;
+        if (!add_edge(c, v[0], v[1], map[from->edge[i].f[0]], map[from->edge[i].f[1]], false))
+            return false;
+    }
+    for (uint32_t i = first; i < end && cap != ROBERTS_NONE; i++) {
+        if (c->cut[i] == ROBERTS_NONE)
+            continue;
+        /* the face that the cap meets between cut i and the next is the one that both edges belong to */
+        const uint32_t *f = from->edge[i].f, *g = from->edge[c->next[i]].f;
+        uint32_t face = f[0] == g[0] || f[0] == g[1] ? f[0] : f[1];
+        if (!add_edge(c, c->cut[i], c->cut[c->next[i]], cap, map[face], true))
+            return false;
+    }
+    return true;
+}
+
+static bool holds_eye(const cutter *c, uint32_t solid)
+{
+    roberts_vec3 P = vec3_sub(c->eye, c->from->centre);
+    for (uint32_t f = c->from->solid[solid].face; f < c->from->solid[solid + 1].face; f++)
+        if (!(plane_at(c->from->face_plane[f], P) > 0.0))
+            return false;
+    return true;
+}
+
+/* One solid; `map` is scratch, [face_count of from]. */
+static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, roberts_error *error)
+{
+    const roberts_scene *from = c->from;
+    roberts_scene *to = &c->clip->scene;
+    uint32_t start = ROBERTS_NONE, cap = ROBERTS_NONE;
+    to->solid[solid] = (scene_solid){to->vertex_count, to->face_count, to->edge_count};
+    if (holds_eye(c, solid))
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is inside solid %u", (unsigned)solid);
+    if (!cut_vertices(c, solid))
+        return error_no_memory(error);
+    for (uint32_t f = from->solid[solid].face; f < from->solid[solid + 1].face; f++)
+        if (!cut_face(c, solid, f, &map[f]))
+            return error_no_memory(error);
+    for (uint32_t i = from->solid[solid].edge; i < from->solid[solid + 1].edge && start == ROBERTS_NONE; i++)
+        start = c->cut[i] != ROBERTS_NONE ? i : ROBERTS_NONE;
+    if (start != ROBERTS_NONE) {
+        cap = to->face_count;
+        if (!add_cap(c, start))
+            return error_no_memory(error);
+    }
+    return cut_edges(c, solid, map, cap) ? ROBERTS_OK : error_no_memory(error);
+}
+
+/* Distances from the eye's plane; the least of them. */
+static double measure_depths(cutter *c)
+{
+    double least = INFINITY;
+    for (uint32_t v = 0; v < c->from->vertex_count; v++) {
+        c->depth[v] = vec3_dot(c->dir, vec3_sub(c->eye, c->from->point[v]));
+        least = lesser(least, c->depth[v]);
+    }
+    return least;
+}
+
+static roberts_status cut_solids(cutter *c, roberts_error *error)
+{
+    const roberts_scene *from = c->from;
+    roberts_scene *to = &c->clip->scene;
+    roberts_status status = ROBERTS_OK;
+    uint32_t *map = alloc_array(from->face_count, sizeof *map);
+    to->solid = alloc_array((size_t)from->solid_count + 1, sizeof *to->solid);
+    to->solid_count = from->solid_count;
+    to->box_min = from->box_min;
+    to->box_max = from->box_max;
+    to->centre = from->centre;
+    if (!map || !to->solid || !array_reserve(&to->face_start, &c->start_room, 1, sizeof *to->face_start)) {
+        free(map);
+        return error_no_memory(error);
+    }
+    to->face_start[0] = 0;
+    for (uint32_t s = 0; status == ROBERTS_OK && s < from->solid_count; s++)
+        status = cut_solid(c, s, map, error);
+    to->solid[to->solid_count] = (scene_solid){to->vertex_count, to->face_count, to->edge_count};
+    if (status == ROBERTS_OK && to->vertex_count == 0)
+        status = error_set(error, ROBERTS_BAD_VIEW, 0, "nothing of the scene lies in front of the eye");
+    free(map);
+    return status;
+}
+
+/* The line of sight and the near plane; false where view_prepare() will refuse the camera. */
+static bool set_near(cutter *c, const roberts_camera *camera)
+{
+    roberts_vec3 centre = c->from->centre, back = vec3_sub(camera->eye, camera->has_look_at ? camera->look_at : centre);
+    double largest = fmax(fabs(back.x), fmax(fabs(back.y), fabs(back.z)));
+    double diameter = vec3_length(vec3_sub(c->from->box_max, c->from->box_min));
+    if (!(largest > 0.0) || !isfinite(largest) || !isfinite(camera->near_distance))
+        return false;
+    back = (roberts_vec3){back.x / largest, back.y / largest, back.z / largest};
+    c->eye = camera->eye;
+    c->dir = vec3_scale(1.0 / vec3_length(back), back);
+    c->near = camera->near_distance;
+    if (c->near <= 0.0)
+        c->near = fmax(NEAR_OF_DISTANCE * vec3_length(back) * largest, NEAR_OF_DIAMETER * diameter);
+    return true;
+}
+
+roberts_status view_clip_scene(view_clip *clip, const roberts_scene *scene, const roberts_camera *camera,
+                               roberts_error *error)
+{
+    roberts_status status = ROBERTS_NO_MEMORY;
+    cutter c = {.clip = clip, .from = scene};
+    *clip = (view_clip){0};
+    if (camera->projection != ROBERTS_PERSPECTIVE || !set_near(&c, camera))
+        return ROBERTS_OK;
+    c.depth = alloc_array(scene->vertex_count, sizeof *c.depth);
+    if (!c.depth)
+        return error_no_memory(error);
+    if (measure_depths(&c) >= c.near) {
+        free(c.depth);
+        return ROBERTS_OK;
+    }
+    clip->clipped = true;
+    clip->origin = alloc_array(scene->edge_count, sizeof *clip->origin);
+    c.vertex = alloc_array(scene->vertex_count, sizeof *c.vertex);
+    c.cut = alloc_array(scene->edge_count, sizeof *c.cut);
+    c.next = alloc_array(scene->edge_count, sizeof *c.next);
+    if (clip->origin && c.vertex && c.cut && c.next)
+        status = cut_solids(&c, error);
+    else
+        error_no_memory(error);
+    free(c.depth);
+    free(c.vertex);
+    free(c.cut);
+    free(c.next);
+    free(c.ring);
+    if (status != ROBERTS_OK)
+        view_clip_free(clip);
+    return status;
+}
+
+void view_clip_free(view_clip *clip)
+{
+    free(clip->scene.solid);
+    free(clip->scene.point);
+    free(clip->scene.number);
+    free(clip->scene.face_start);
+    free(clip->scene.corner);
+    free(clip->scene.face_plane);
+    free(clip->scene.face_deviation);
+    free(clip->scene.face_width);
+    free(clip->scene.face_number);
+    free(clip->scene.edge);
+    free(clip->origin);
+    free(clip->cap);
+    *clip = (view_clip){0};
+}
