@@ -182,8 +182,10 @@ typedef struct roberts_camera {
     roberts_vec2 oblique; /**< orthographic: how far right and up in the drawing a point moves that lies one unit
                                farther away; 0,0 = sight lines at right angles to the picture plane */
     double
-        near_distance; /**< perspective: what is nearer to the eye's plane is cut off, model units; 0 = a thousandth of
+        near_distance;  /**< perspective: what is nearer to the eye's plane is cut off, model units; 0 = a thousandth of
                                the look-at point's distance, and at least 1e-5 of the scene's diameter */
+    double fov_degrees; /**< perspective: angle between the sides of the picture, and between top and bottom, under 180;
+                               0 = the whole scene, or 60 where the near plane cuts the scene */
 } roberts_camera;
 
 /** Fills `camera` with the preset called `name` (iso, dimetric, trimetric, front, back, right, left, top, bottom;
@@ -239,10 +241,11 @@ typedef struct roberts_time {
 typedef struct roberts_drawing {
     size_t count;
     roberts_segment *segment;            /**< [count] */
-    roberts_vec2 window_min, window_max; /**< box of the scene's picture, hidden parts included */
-    double epsilon;                      /**< the touching distance that was used, model units */
-    double scene_diameter;               /**< diagonal of the box round the scene */
-    uint32_t grid, grid_rows;            /**< columns and rows of cells, as chosen */
+    roberts_vec2 window_min, window_max; /**< box of the scene's picture, hidden parts included; or the field of view */
+    bool framed; /**< the window is the field of view: segments reach beyond it and are cut off when they are drawn */
+    double epsilon;               /**< the touching distance that was used, model units */
+    double scene_diameter;        /**< diagonal of the box round the scene */
+    uint32_t grid, grid_rows;     /**< columns and rows of cells, as chosen */
     size_t solids, culled_solids; /**< all; known to be wholly hidden before they were cut (their faces and edges are
                                        not among the following) */
     size_t front_faces, back_faces, edge_on_faces;

@@ -5,6 +5,7 @@
  * counts; options that contradict each other are misuse. */
 #include "cli/options.h"
 
+#include <float.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -20,6 +21,8 @@ typedef enum option_id {
     OPTION_VIEW,
     OPTION_EYE,
     OPTION_LOOK_AT,
+    OPTION_NEAR,
+    OPTION_FOV,
     OPTION_UP,
     OPTION_HIDDEN,
     OPTION_CREASE,
@@ -50,6 +53,8 @@ static const struct option {
     [OPTION_VIEW] = {"view", 0, VALUE},
     [OPTION_EYE] = {"eye", 0, VALUE},
     [OPTION_LOOK_AT] = {"look-at", 0, VALUE},
+    [OPTION_NEAR] = {"near", 0, VALUE},
+    [OPTION_FOV] = {"fov", 0, VALUE},
     [OPTION_UP] = {"up", 0, VALUE},
     [OPTION_HIDDEN] = {"hidden", 0, VALUE},
     [OPTION_CREASE] = {"crease", 0, VALUE},
@@ -193,6 +198,10 @@ static int apply(parser *p, option_id id, const char *value)
     case OPTION_LOOK_AT:
         options->camera.has_look_at = true;
         return set_vector(name, value, &options->camera.look_at);
+    case OPTION_NEAR:
+        return set_number(name, value, DBL_MAX, &options->camera.near_distance);
+    case OPTION_FOV:
+        return set_number(name, value, 179.0, &options->camera.fov_degrees);
     case OPTION_UP:
         return set_direction(name, value, &p->up);
     case OPTION_HIDDEN:
@@ -302,6 +311,8 @@ static int check_conflicts(const parser *p)
                                   option_table[conflict[i][1]].name);
     if (p->given[OPTION_LOOK_AT] && !p->given[OPTION_EYE])
         return message_misuse("--look-at needs --eye");
+    if ((p->given[OPTION_NEAR] || p->given[OPTION_FOV]) && !p->given[OPTION_EYE])
+        return message_misuse("--%s needs --eye", p->given[OPTION_NEAR] ? "near" : "fov");
     size_t streams = 0;
     for (size_t i = 0; i < p->options->input_count; i++)
         streams += strcmp(p->options->input[i], "-") == 0;

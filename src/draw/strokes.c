@@ -47,12 +47,41 @@ static void enlarge(roberts_vec2 *min, roberts_vec2 *max, roberts_vec2 p)
     max->y = fmax(max->y, p.y);
 }
 
+/* Cuts the part of p..q that lies in the drawing's frame; false where there is none. Liang, Barsky, "A new concept and
+ * method for line clipping", ACM TOG 3(1), 1984. */
+static bool frame_cut(const roberts_drawing *drawing, roberts_vec2 *p, roberts_vec2 *q)
+{
+    const roberts_vec2 low = drawing->window_min, high = drawing->window_max, d = {q->x - p->x, q->y - p->y};
+    const double along[4] = {-d.x, d.x, -d.y, d.y};
+    const double room[4] = {p->x - low.x, high.x - p->x, p->y - low.y, high.y - p->y};
+    double t0 = 0.0, t1 = 1.0;
+    for (int i = 0; drawing->framed && i < 4; i++) {
+        if (along[i] == 0.0 && room[i] < 0.0)
+            return false;
+        if (along[i] < 0.0)
+            t0 = fmax(t0, room[i] / along[i]);
+        else if (along[i] > 0.0)
+            t1 = fmin(t1, room[i] / along[i]);
+    }
+    if (t0 > t1)
+        return false;
+    if (t1 < 1.0)
+        *q = (roberts_vec2){p->x + t1 * d.x, p->y + t1 * d.y};
+    if (t0 > 0.0)
+        *p = (roberts_vec2){p->x + t0 * d.x, p->y + t0 * d.y};
+    return true;
+}
+
 strokes strokes_prepare(const roberts_drawing *drawing, const roberts_draw_options *options)
 {
     roberts_vec2 min = {INFINITY, INFINITY}, max = {-INFINITY, -INFINITY};
     const roberts_page *page = &options->page;
     roberts_line line;
-    for (size_t i = 0; i < drawing->count; i++) {
+    if (drawing->framed) {
+        min = drawing->window_min;
+        max = drawing->window_max;
+    }
+    for (size_t i = 0; i < drawing->count && !drawing->framed; i++) {
         const roberts_segment *segment = &drawing->segment[i];
         if (is_drawn(options, segment, &line)) {
             enlarge(&min, &max, segment->p0);
@@ -78,7 +107,10 @@ bool strokes_next(const strokes *s, roberts_line line, size_t *at, stroke *out)
         roberts_line own;
         if (!is_drawn(s->options, segment, &own) || own != line)
             continue;
-        *out = (stroke){place(s, segment->p0), place(s, segment->p1)};
+        roberts_vec2 p = segment->p0, q = segment->p1;
+        if (!frame_cut(s->drawing, &p, &q))
+            continue;
+        *out = (stroke){place(s, p), place(s, q)};
         if (out->a.x != out->b.x || out->a.y != out->b.y)
             return true;
     }

@@ -20,7 +20,8 @@
 #define CHUNK_SOLIDS 64
 #define CHUNKS_PER_THREAD 8 /* with less work than this a thread costs more than it does */
 #define GRID_MOST 4096
-#define COVERS_PER_CELL 2 /* per side, where the grid is given; else both are chosen */
+#define FOV_OF_CLIPPED 60.0 /* degrees: what a scene that goes on behind the eye is drawn in */
+#define COVERS_PER_CELL 2   /* per side, where the grid is given; else both are chosen */
 
 /* Touching distance above which "on" would mean a visible length: a hundredth of the scene. */
 #define EPSILON_MOST 0.01
@@ -318,8 +319,22 @@ static roberts_status check_options(const roberts_hide_options *options, roberts
     return ROBERTS_OK;
 }
 
+/* In perspective the picture may be a square about the look-at point. */
+static void set_frame(const hide_job *job, const roberts_camera *camera, roberts_drawing *drawing)
+{
+    double fov = camera->fov_degrees, unit = job->picture.view.unit;
+    if (fov == 0.0 && job->clip.clipped)
+        fov = FOV_OF_CLIPPED;
+    if (!job->picture.view.perspective || fov == 0.0)
+        return;
+    double half = unit / job->picture.view.inverse_distance * tan(fov * pi / 360.0);
+    drawing->framed = true;
+    drawing->window_min = (roberts_vec2){-half, -half};
+    drawing->window_max = (roberts_vec2){half, half};
+}
+
 /* The window is the box of all vertices: every solid has outlines, and they are always drawn. */
-static void describe(const hide_job *job, roberts_drawing *drawing)
+static void describe(const hide_job *job, const roberts_camera *camera, roberts_drawing *drawing)
 {
     const hide_picture *picture = &job->picture;
     double unit = picture->view.unit;
@@ -335,6 +350,7 @@ static void describe(const hide_job *job, roberts_drawing *drawing)
     drawing->edge_on_faces = picture->edge_on;
     drawing->window_min = (roberts_vec2){picture->low.x * unit, picture->low.y * unit};
     drawing->window_max = (roberts_vec2){picture->high.x * unit, picture->high.y * unit};
+    set_frame(job, camera, drawing);
 }
 
 /* Covers are kept in cells that divide those of the grid where its number is given. Hidden segments are wanted with
@@ -378,7 +394,7 @@ roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *ca
     roberts_time clock = now();
     job.crease_chord = 2.0 * sin(job.options->crease_degrees * pi / 360.0);
     job.crease_chord *= job.crease_chord;
-    describe(&job, drawing);
+    describe(&job, camera, drawing);
     job.chunk_count = (scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
     job.chunk = alloc_zeroed(job.chunk_count, sizeof *job.chunk);
     status = job.chunk && do_chunks(&job, drawing) && gather(&job, drawing) ? ROBERTS_OK : ROBERTS_NO_MEMORY;

@@ -209,6 +209,10 @@ static roberts_status check_camera(const roberts_camera *camera, double epsilon,
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "epsilon must be a finite length, 0 or more");
     if (perspective && (!finite3(camera->eye) || (camera->has_look_at && !finite3(camera->look_at))))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye and the look-at point must be finite");
+    if (perspective && (!(camera->fov_degrees >= 0.0) || !(camera->fov_degrees < 180.0)))
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the field of view must be between 0 and 180 degrees");
+    if (perspective && (!(camera->near_distance >= 0.0) || !isfinite(camera->near_distance)))
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the near distance must be finite and not negative");
     if (!perspective && (!finite3(camera->dir) || largest(camera->dir) == 0.0))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the direction of view must be finite and not zero");
     if (!isfinite(camera->oblique.x) || !isfinite(camera->oblique.y) ||
