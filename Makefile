@@ -71,6 +71,12 @@ goldens: $(BUILD)/tests/oracle/regolden ## tests/golden/ anew, as far as program
 test-sanitize: ## the same with the address and the undefined behaviour sanitizer, in build/sanitize/
 	@$(MAKE) --no-print-directory test BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' CXXFLAGS='$(SANITIZE)'
 
+bench: all tools ## measures speed and memory, 10 minutes; shorter: BENCH_MAX=1e5 (see tools/bench.sh)
+	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh
+
+bench-baseline: all tools ## counts instructions (valgrind) and keeps them in tools/bench-baseline.txt
+	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh baseline
+
 lint: lint-format lint-tidy lint-cppcheck ## formatter and static checks (tools/install-deps.sh lint)
 
 clean: ## removes build/
@@ -155,8 +161,8 @@ lint-cppcheck:
 	cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
-.PHONY: all demo check check-long tools models drawings test test-sanitize lint lint-format lint-tidy lint-cppcheck clean \
-    help force
+.PHONY: all demo check check-long tools models drawings test test-sanitize bench bench-baseline lint lint-format \
+    lint-tidy lint-cppcheck clean help force
 .SECONDARY:
 .DELETE_ON_ERROR:
 -include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.d)

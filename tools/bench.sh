@@ -1,0 +1,359 @@
+#!/bin/sh
+# Measures the program: tools/bench.sh [PART]...    (all but `baseline` unless given; `make bench` builds first)
+#
+#   scenes        lattice, city, wall and plates of a thousand solids to a million, and ../shared/scenes where present:
+#                 each stage, memory, growth; drawn as SVG; read by strtod(); two threads against one
+#   worst         scenes that are hard, each for one reason
+#   instructions  instructions executed, counted by callgrind, against tools/bench-baseline.txt
+#   baseline      the same, and writes that file anew
+#
+# Prints tables, and writes the same figures, tab-separated, to build/bench/. A row is the run of median CPU time, of
+# nine for a thousand solids down to one for a million. Scenes are made there by make-models and kept, but for those of
+# a million solids (up to 0.5 GB each).
+#
+# BENCH_MAX       most solids to a scene (1e6); less makes it short: BENCH_MAX=1e5
+# BENCH_LIMIT     seconds after which a run is given up, and larger scenes of its kind with it (100; needs timeout)
+# ROBERTS_BUILD   what to measure (build)
+# ROBERTS_SHARED  where scenes/ and models/ of others are (../shared)
+set -u
+LC_ALL=C
+export LC_ALL
+
+build=${ROBERTS_BUILD:-build}
+shared=${ROBERTS_SHARED:-../shared}
+roberts=$build/roberts
+out=$build/bench
+baseline=tools/bench-baseline.txt
+limit=${BENCH_LIMIT:-100}
+most=$(awk -v n="${BENCH_MAX:-1e6}" 'BEGIN { printf "%d", n }')
+general='--dir .31,.47,.83' # no face of our scenes is edge-on, no two corners lie behind one another
+
+tab=$(printf '\t')
+counts='solids culled_solids vertices faces front_faces edges surviving_edges drawn_edges segments grid peak_memory_kb
+    pairs test1_visible test2_visible test3_visible test3_invisible test4 covered refined'
+stages='read solids view grid hide draw total'
+
+# Not by ulimit -t: under it, Linux tells CPU time by ticks of 4 ms.
+guard=
+! command -v timeout >/dev/null 2>&1 || guard="timeout $limit"
+
+say() {
+    echo "bench: $*" >&2
+}
+
+die() {
+    say "$*"
+    exit 1
+}
+
+# ---- scenes ----------------------------------------------------------------------------------------------------------
+
+# scene FAMILY N: sets `file` to that scene, made where it is not there or the generator is newer
+scene() {
+    file=$out/$1-$2.off
+    if [ ! -s "$file" ] || [ -n "$(find tools/make-models.c tools/models -newer "$file")" ]; then
+        "$build/tools/make-models" "$1" "$2" >"$out/scene.part" || die "make-models $1 $2 failed"
+        mv "$out/scene.part" "$file"
+    fi
+}
+
+# argument FAMILY SOLIDS: the generator's N for about so many solids
+argument() {
+    case $1-$2 in
+    lattice-1000) echo 10 ;;
+    lattice-10000) echo 22 ;;
+    lattice-100000) echo 46 ;;
+    lattice-1000000) echo 100 ;;
+    city-1000) echo 16 ;;
+    city-10000) echo 50 ;;
+    city-100000) echo 158 ;;
+    city-1000000) echo 500 ;;
+    *) echo "$2" ;;
+    esac
+}
+
+runs_for() {
+    if [ "$1" -le 2000 ]; then
+        echo 9
+    elif [ "$1" -le 20000 ]; then
+        echo 5
+    elif [ "$1" -le 200000 ]; then
+        echo 3
+    else
+        echo 1
+    fi
+}
+
+# moved X,Y,Z FILE: writes the OFF text with its vertices moved
+moved() {
+    awk -v by="$1" -v OFMT=%.17g 'BEGIN { split(by, d, ",") }
+        /^[ \t]*(#|$)/ || !keyword { keyword = keyword || /^OFF/; print; next }
+        !vertices { vertices = $1; print; next }
+        seen < vertices { seen++; print $1 + d[1], $2 + d[2], $3 + d[3]; next }
+        { print }' "$2"
+}
+
+# ---- runs ------------------------------------------------------------------------------------------------------------
+
+# The JSON of --stats on standard input, its figures as a row.
+figures() {
+    awk -v counts="$counts" -v stages="$stages" '
+        function count(key) {
+            if (!match($0, "\"" key "\":[0-9]+"))
+                return "-"
+            return substr($0, RSTART + length(key) + 3, RLENGTH - length(key) - 3)
+        }
+        function seconds(stage, clock,   of) {
+            if (!match($0, "\"" stage "\":[{][^}]*"))
+                return "-"
+            of = substr($0, RSTART, RLENGTH)
+            if (!match(of, "\"" clock "\":[0-9.]+"))
+                return "-"
+            return substr(of, RSTART + length(clock) + 3, RLENGTH - length(clock) - 3)
+        }
+        /^[{]/ {
+            row = ""
+            for (i = split(counts, key, " "); i >= 1; i--)
+                row = count(key[i]) "\t" row
+            n = split(stages, stage, " ")
+            for (i = 1; i <= n; i++)
+                row = row seconds(stage[i], "cpu") "\t"
+            for (i = 1; i <= n; i++)
+                row = row seconds(stage[i], "wall") (i < n ? "\t" : "")
+            print row
+        }'
+}
+
+head_line() {
+    printf 'kind\tscene\toptions\tthreads\tformat\truns\tbytes'
+    printf '\t%s' $counts
+    for stage in $stages; do printf '\t%s_cpu' "$stage"; done
+    for stage in $stages; do printf '\t%s_wall' "$stage"; done
+    printf '\tleast_total_cpu\n'
+}
+
+# measure TABLE KIND SCENE RUNS THREADS FORMAT [OPTION|FILE]...: adds the row of the median run to build/bench/TABLE.tsv;
+# fails where the program does
+measure() {
+    table=$1 kind=$2 name=$3 runs=$4 threads=$5 format=$6
+    shift 6
+    bytes=0 options=
+    for word in "$@"; do
+        if [ -f "$word" ]; then
+            bytes=$((bytes + $(wc -c <"$word")))
+        else
+            options="$options${options:+ }$word"
+        fi
+    done
+    say "$name $options, $threads thread(s), $format, $bytes bytes, $runs run(s)"
+    i=0
+    : >"$out/runs"
+    while [ $i -lt "$runs" ]; do
+        $guard "$roberts" -q --stats=json --threads "$threads" -f "$format" -o /dev/null "$@" 2>"$out/stats"
+        status=$?
+        if [ $status -ne 0 ]; then
+            [ $status -eq 124 ] && why="more than $limit seconds" || why=$(head -n 1 "$out/stats")
+            say "gave up $name, $bytes bytes: $why"
+            printf '%s\t%s\t%s\t%s\t%s\t0\t%s\n' "$kind" "$name" "$options" "$threads" "$format" "$bytes" \
+                >>"$out/$table.tsv"
+            return 1
+        fi
+        figures <"$out/stats" >>"$out/runs"
+        i=$((i + 1))
+    done
+    total=$(head_line | awk '{ for (i = 1; i <= NF; i++) if ($i == "total_cpu") print i - 7 }')
+    sort -t "$tab" -k "$total,${total}n" "$out/runs" |
+        awk -F '\t' -v before="$kind$tab$name$tab$options$tab$threads$tab$format$tab$runs$tab$bytes" -v total="$total" '
+            { row[NR] = $0 }
+            NR == 1 { least = $total }
+            END { print before "\t" row[int((NR + 1) / 2)] "\t" least }' >>"$out/$table.tsv"
+}
+
+# ---- parts -----------------------------------------------------------------------------------------------------------
+
+# one_scene NAME FILE RUNS: all that is measured of a scene
+one_scene() {
+    measure scenes stages "$1" "$3" 1 null $general "$2" || return
+    measure scenes draw "$1" 1 1 svg $general "$2"
+    measure scenes threads "$1" "$3" 2 null $general "$2"
+    row=$(OMP_NUM_THREADS=1 "$build/tools/bench-read" "$2" "$3") && printf '%s\t%s\n' "$1" "$row" >>"$out/read.tsv"
+}
+
+scenes() {
+    head_line >"$out/scenes.tsv"
+    printf 'scene\tbytes\tnumbers\tread_cpu\tstrtod_cpu\ttimes\n' >"$out/read.tsv"
+    for family in lattice city wall plates; do
+        for size in 1000 10000 100000 1000000; do
+            [ $size -le "$most" ] || break
+            scene $family "$(argument $family $size)"
+            one_scene $family "$file" "$(runs_for $size)"
+            status=$?
+            [ $size -lt 1000000 ] || rm -f "$file"
+            [ $status -eq 0 ] || break
+        done
+    done
+    if [ -d "$shared/scenes" ]; then
+        for file in "$shared"/scenes/*.off; do
+            one_scene "$(basename "$file" .off)" "$file" 5
+        done
+    else
+        say "no $shared/scenes: left out"
+    fi
+}
+
+# grow NAME FAMILY "SIZES" OPTION...: a hard scene, larger and larger
+grow() {
+    name=$1 family=$2 sizes=$3
+    shift 3
+    for size in $sizes; do
+        [ "$size" -le "$most" ] || break
+        scene "$family" "$(argument "$family" "$size")"
+        measure worst stages "$name" "$(runs_for "$size")" 1 null "$@" "$file"
+        status=$?
+        [ "$size" -lt 1000000 ] || rm -f "$file"
+        [ $status -eq 0 ] || break
+    done
+}
+
+# two_of NAME FILE X,Y,Z OPTION...: a model and the same again, moved
+two_of() {
+    name=$1 first=$2 by=$3
+    shift 3
+    moved "$by" "$first" >"$out/moved.off"
+    measure worst stages "$name" 3 1 null "$@" "$first" "$out/moved.off"
+    status=$?
+    rm -f "$out/moved.off"
+    return $status
+}
+
+worst() {
+    head_line >"$out/worst.tsv"
+    thousands='1000 10000 100000'
+    grow 'stack: all in one cell' stack "$thousands" --view top
+    grow 'ground: one face hides all' ground "$thousands 1000000" --view top
+    grow 'ground: all before one face' ground "$thousands 1000000" --view bottom
+    grow 'copies: all at one place' copies "$thousands" $general
+    grow 'needles: long and thin' needles '100 300 1000 3000' --view top
+    grow 'wall, edge-on' wall "$thousands" --view front
+    grow 'wall, edge-on, its end' wall "$thousands" --view right
+    grow 'wall, edge-on, from above' wall "$thousands" --view top
+    grow 'city, edge-on' city "$thousands" --view front
+    grow 'city, edge-on, from above' city "$thousands" --view top
+    grow 'city, corner behind corner' city "$thousands" --view iso
+    grow 'ball: one solid' sphere '600 6000 60000 600000' $general
+    for size in 600 6000 60000 600000; do
+        [ $size -le "$most" ] || break
+        scene sphere $size
+        two_of 'balls: two through one another' "$file" .3,.2,.1 $general || break
+    done
+    for size in 600 6000 60000 600000; do
+        [ $size -le "$most" ] || break
+        scene sphere $size
+        two_of 'balls: one behind the other' "$file" .1,-.05,3 --view top || break
+    done
+    for model in qhull_sphere30000_Qt antiprism_geo_ico_50; do
+        file=$shared/models/$model.off
+        if [ ! -f "$file" ]; then
+            say "no $file: left out"
+            continue
+        fi
+        measure worst stages "$model" 3 1 null $general "$file"
+        two_of "$model: two through one another" "$file" .3,.2,.1 $general
+        two_of "$model: one behind the other" "$file" .1,-.05,3 --view top
+    done
+}
+
+# count NAME FILE: adds the instructions of a run, all of it, to build/bench/instructions.tsv
+count() {
+    say "$1 by callgrind"
+    valgrind --tool=callgrind --callgrind-out-file="$out/callgrind.$1" "$roberts" -q --threads 1 -f null $general "$2" \
+        2>"$out/stats" || {
+        say "gave up $1: $(grep -v '^==' "$out/stats" | head -n 1)"
+        return
+    }
+    counted=$(awk '$1 == "totals:" || $1 == "summary:" { n = $2 } END { print n }' "$out/callgrind.$1")
+    before=$(awk -v name="$1" '$1 == name { print $2 }' "$baseline" 2>/dev/null)
+    printf '%s\t%s\t%s\n' "$1" "$counted" "${before:--}" >>"$out/instructions.tsv"
+}
+
+instructions() {
+    printf 'scene\tinstructions\tbaseline\n' >"$out/instructions.tsv"
+    if ! command -v valgrind >/dev/null 2>&1; then
+        say "no valgrind: instructions are not counted"
+        return 1
+    fi
+    for name in lattice22 city100; do
+        if [ -f "$shared/scenes/$name.off" ]; then
+            count $name "$shared/scenes/$name.off"
+        else
+            say "no $shared/scenes/$name.off: left out"
+        fi
+    done
+    for family in lattice city wall plates; do
+        scene $family "$(argument $family 10000)"
+        count $family-10000 "$file"
+    done
+}
+
+# Scenes that are not there now keep their lines.
+renew_baseline() {
+    instructions || return
+    kept=$baseline
+    [ -f "$kept" ] || kept=/dev/null
+    {
+        echo "# Instructions executed (callgrind; the whole run, --threads 1 -f null $general), kept so that a change shows."
+        echo "# The -10000 are of make-models. They depend on compiler and C library; these: $(${CC:-cc} --version | head -n 1)."
+        echo "# Written by: make bench-baseline"
+        awk 'FNR == 1 { file++ }
+            file == 1 && FNR > 1 { print $1, $2; counted[$1] = 1 }
+            file == 2 && !/^#/ && !($1 in counted)' "$out/instructions.tsv" "$kept"
+    } >"$baseline.part" && mv "$baseline.part" "$baseline"
+}
+
+# show TABLE PART...: a table from the rows of parts, those of them that are there
+show() {
+    table=$1 rows=
+    shift
+    for part in "$@"; do
+        [ ! -s "$out/$part.tsv" ] || rows="$rows $out/$part.tsv"
+    done
+    [ -z "$rows" ] || awk -v table="$table" -f tools/bench-table.awk $rows
+}
+
+# ---- the command -----------------------------------------------------------------------------------------------------
+
+[ -x "$roberts" ] && [ -x "$build/tools/make-models" ] && [ -x "$build/tools/bench-read" ] ||
+    die "not built: make all tools"
+mkdir -p "$out" || exit 1
+trap 'rm -f "$out/scene.part" "$out/moved.off" "$out/runs" "$out/stats"' EXIT
+trap 'exit 130' INT TERM
+[ $# -gt 0 ] || set -- scenes worst instructions
+
+for part in "$@"; do
+    case $part in
+    scenes) scenes ;;
+    worst) worst ;;
+    instructions) instructions ;;
+    baseline) renew_baseline ;;
+    *)
+        sed -n '2,/^set/s/^# \{0,1\}//p' "$0" >&2
+        exit 2
+        ;;
+    esac
+done
+
+echo "$("$roberts" --version), $(${CC:-cc} --version | head -n 1), $(uname -m), $(getconf _NPROCESSORS_ONLN) cores"
+[ ! -r /proc/loadavg ] || echo "processes at work on this machine in the last minutes: $(cut -d ' ' -f 1-3 /proc/loadavg)"
+for which in "$@"; do
+    case $which in
+    scenes)
+        show stages scenes
+        show draw scenes
+        show threads scenes
+        show read read
+        show goals read scenes
+        ;;
+    worst) show stages worst ;;
+    *) show instructions instructions ;;
+    esac
+done
