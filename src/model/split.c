@@ -29,7 +29,7 @@ static const double ANGLE_SLACK = 0.01;
 /* Radians. Angles nearer to one another are a tie. */
 static const double ANGLE_TIE = 1e-6;
 
-enum { BUDGET = 200 }; /* angles per corner that walks may compute on the average */
+enum { BUDGET = 40 }; /* angles per corner that walks may compute on the average; blocks of cubes take some 7 */
 
 typedef struct splitter {
     const roberts_scene *loose;
@@ -438,33 +438,38 @@ static uint32_t sort_pieces(splitter *s, uint32_t *end)
     return pieces;
 }
 
-static bool two_at_each_edge(const splitter *s, uint32_t from, uint32_t to)
+/* What the faces at the piece's edges allow. */
+typedef enum edge_counts {
+    TWO_EACH, /* the piece is closed */
+    EVEN,     /* it may be solids that touch */
+    ODD,      /* it is not: each solid takes two of the faces at an edge */
+} edge_counts;
+
+static edge_counts count_at_edges(const splitter *s, uint32_t from, uint32_t to)
 {
+    edge_counts found = TWO_EACH;
     for (uint32_t i = from; i < to; i++)
-        for (uint32_t c = s->loose->face_start[s->order[i]]; c < s->loose->face_start[s->order[i] + 1]; c++)
-            if (s->edge_start[s->edge_of[c] + 1] - s->edge_start[s->edge_of[c]] != 2)
-                return false;
-    return true;
+        for (uint32_t c = s->loose->face_start[s->order[i]]; c < s->loose->face_start[s->order[i] + 1]; c++) {
+            uint32_t count = s->edge_start[s->edge_of[c] + 1] - s->edge_start[s->edge_of[c]];
+            if (count % 2)
+                return ODD;
+            found = count == 2 ? found : EVEN;
+        }
+    return found;
 }
 
 static bool split_piece(splitter *s, const solid_frame *frame, uint32_t *scratch, uint32_t from, uint32_t to)
 {
-    uint32_t group;
-    bool left = false;
-    if (two_at_each_edge(s, from, to)) {
-        group = new_group(s, true);
-        for (uint32_t i = from; i < to; i++)
-            s->groups->of[s->order[i]] = group;
+    edge_counts counts = count_at_edges(s, from, to);
+    bool whole = counts != EVEN;
+    if (counts == EVEN && split_by_file(s, scratch, from, to))
         return true;
-    }
-    if (split_by_file(s, scratch, from, to))
-        return true;
-    if (!split_by_angles(s, frame, from, to))
+    if (counts == EVEN && !split_by_angles(s, frame, from, to))
         return false;
     for (uint32_t i = from; i < to; i++)
-        left |= s->groups->of[s->order[i]] == ROBERTS_NONE;
-    if (left) {
-        group = new_group(s, false);
+        whole |= s->groups->of[s->order[i]] == ROBERTS_NONE;
+    if (whole) {
+        uint32_t group = new_group(s, counts == TWO_EACH);
         for (uint32_t i = from; i < to; i++)
             s->groups->of[s->order[i]] = group;
     }
