@@ -30,43 +30,71 @@ static uint32_t find_root(set_node *node, uint32_t v)
     return v;
 }
 
-static uint32_t unite(set_node *node, uint32_t a, uint32_t b)
+/* Puts v into the set with this root; returns the root of the joined set. */
+static inline uint32_t join(set_node *node, uint32_t root, uint32_t v)
 {
-    uint32_t root = a < b ? a : b;
-    node[a].parent = root;
-    node[b].parent = root;
-    return root;
+    uint32_t other = node[v].parent;
+    if (other == root)
+        return root;
+    if (other == ROBERTS_NONE) {
+        node[v].parent = v < root ? v : root;
+        other = v;
+    } else {
+        other = find_root(node, v);
+    }
+    if (other >= root) {
+        node[other].parent = root;
+        return root;
+    }
+    node[root].parent = other;
+    return other;
 }
 
 /* Joins the vertices of each face. `bad`: the first face with a vertex that is not there, else ROBERTS_NONE. Returns how
  * many corners repeat an earlier one of their face. */
 static size_t join_corners(set_node *node, const polygons *faces, uint32_t *bad)
 {
+    const uint32_t *corner = faces->corner, *start = faces->start;
+    const uint32_t vertex_count = faces->vertex_count, face_count = faces->face_count;
     size_t repeated = 0;
-    for (uint32_t v = 0; v < faces->vertex_count; v++)
+    for (uint32_t v = 0; v < vertex_count; v++)
         node[v] = (set_node){ROBERTS_NONE, 0};
     *bad = ROBERTS_NONE;
-    for (uint32_t f = 0; f < faces->face_count; f++) {
-        uint32_t root = ROBERTS_NONE;
-        bool counts = polygon_size(faces, f) >= 3;
-        for (uint32_t i = faces->start[f]; i < faces->start[f + 1]; i++) {
-            uint32_t v = faces->corner[i];
-            if (v >= faces->vertex_count) {
-                *bad = f;
-                return 0;
+    for (uint32_t f = 0; f < face_count; f++) {
+        uint32_t i = start[f], end = start[f + 1], root;
+        bool counts = end - i >= 3;
+        if (counts && corner[i] < vertex_count) {
+            if (node[corner[i]].parent == ROBERTS_NONE)
+                node[corner[i]].parent = corner[i];
+            root = find_root(node, corner[i]);
+            for (; i < end && corner[i] < vertex_count; i++) {
+                uint32_t v = corner[i];
+                repeated += node[v].stamp == f + 1;
+                node[v].stamp = f + 1;
+                root = join(node, root, v);
             }
-            if (!counts)
-                continue;
-            repeated += node[v].stamp == f + 1;
-            node[v].stamp = f + 1;
-            if (node[v].parent == root && root != ROBERTS_NONE)
-                continue;
-            if (node[v].parent == ROBERTS_NONE)
-                node[v].parent = v;
-            root = root == ROBERTS_NONE ? find_root(node, v) : unite(node, root, find_root(node, v));
+        }
+        while (i < end && corner[i] < vertex_count)
+            i++;
+        if (i < end) {
+            *bad = f;
+            return 0;
         }
     }
     return repeated;
+}
+
+static void count_faces(roberts_scene *scene, const polygons *faces)
+{
+    const uint32_t *start = faces->start;
+    uint32_t face_count = 0, corner_count = 0;
+    for (uint32_t f = 0; f < faces->face_count; f++) {
+        uint32_t count = start[f + 1] - start[f];
+        face_count += count >= 3;
+        corner_count += count >= 3 ? count : 0;
+    }
+    scene->face_count = face_count;
+    scene->corner_count = corner_count;
 }
 
 /* Turns parents into component numbers: a parent comes before its children and has been turned already. Counts
@@ -74,30 +102,41 @@ static size_t join_corners(set_node *node, const polygons *faces, uint32_t *bad)
 static void number_components(roberts_scene *scene, set_node *node, const polygons *faces, const roberts_vec3 *point)
 {
     roberts_vec3 lo = {INFINITY, INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY, -INFINITY};
-    for (uint32_t v = 0; v < faces->vertex_count; v++) {
-        if (node[v].parent == ROBERTS_NONE)
+    uint32_t solid_count = 0, used = 0, vertex_count = faces->vertex_count;
+    for (uint32_t v = 0; v < vertex_count; v++) {
+        uint32_t parent = node[v].parent;
+        if (parent == ROBERTS_NONE)
             continue;
-        node[v].parent = node[v].parent == v ? scene->solid_count++ : node[node[v].parent].parent;
-        scene->vertex_count++;
+        node[v].parent = parent == v ? solid_count++ : node[parent].parent;
+        used++;
         box_add(&lo, &hi, point[v]);
     }
+    scene->solid_count = solid_count;
+    scene->vertex_count = used;
     scene->box_min = lo;
     scene->box_max = hi;
+}
+
+/* The component of face f, which has corners. */
+static inline uint32_t component_of(const set_node *node, const polygons *faces, uint32_t f)
+{
+    return node[faces->corner[faces->start[f]]].parent;
 }
 
 /* Counts vertices and faces per component, as the solids' first ones. */
 static void count_members(roberts_scene *scene, const set_node *node, const polygons *faces)
 {
-    scene_solid sum = {0, 0, 0};
-    for (uint32_t v = 0; v < faces->vertex_count; v++)
+    scene_solid sum = {0, 0, 0}, *solid = scene->solid;
+    uint32_t vertex_count = faces->vertex_count, face_count = faces->face_count;
+    for (uint32_t v = 0; v < vertex_count; v++)
         if (node[v].parent != ROBERTS_NONE)
-            scene->solid[node[v].parent].vertex++;
-    for (uint32_t f = 0; f < faces->face_count; f++)
+            solid[node[v].parent].vertex++;
+    for (uint32_t f = 0; f < face_count; f++)
         if (polygon_size(faces, f) >= 3)
-            scene->solid[node[faces->corner[faces->start[f]]].parent].face++;
+            solid[component_of(node, faces, f)].face++;
     for (uint32_t s = 0; s <= scene->solid_count; s++) {
-        scene_solid count = scene->solid[s];
-        scene->solid[s] = sum;
+        scene_solid count = solid[s];
+        solid[s] = sum;
         sum.vertex += count.vertex;
         sum.face += count.face;
     }
@@ -106,42 +145,36 @@ static void count_members(roberts_scene *scene, const set_node *node, const poly
 /* Sorts faces and vertices by component; each solid's first ones move to its end and back. */
 static void place_members(roberts_scene *scene, set_node *node, const polygons *faces, const roberts_vec3 *point)
 {
-    for (uint32_t f = 0; f < faces->face_count; f++)
+    scene_solid *solid = scene->solid;
+    uint32_t *number = scene->number, *face_number = scene->face_number;
+    uint32_t vertex_count = faces->vertex_count, face_count = faces->face_count;
+    for (uint32_t f = 0; f < face_count; f++)
         if (polygon_size(faces, f) >= 3)
-            scene->face_number[scene->solid[node[faces->corner[faces->start[f]]].parent].face++] = f;
-    for (uint32_t v = 0; v < faces->vertex_count; v++) {
+            face_number[solid[component_of(node, faces, f)].face++] = f;
+    for (uint32_t v = 0; v < vertex_count; v++) {
         if (node[v].parent == ROBERTS_NONE)
             continue;
-        node[v].parent = scene->solid[node[v].parent].vertex++;
-        scene->number[node[v].parent] = v;
-        scene->point[node[v].parent] = point[v];
+        uint32_t to = solid[node[v].parent].vertex++;
+        node[v].parent = to;
+        number[to] = v;
+        scene->point[to] = point[v];
     }
     for (uint32_t s = scene->solid_count; s > 0; s--)
-        scene->solid[s] = scene->solid[s - 1];
-    scene->solid[0] = (scene_solid){0, 0, 0};
+        solid[s] = solid[s - 1];
+    solid[0] = (scene_solid){0, 0, 0};
 }
 
 static void copy_corners(roberts_scene *scene, const set_node *node, const polygons *faces)
 {
-    uint32_t to = 0;
-    for (uint32_t f = 0; f < scene->face_count; f++) {
-        uint32_t from = scene->face_number[f];
-        scene->face_start[f] = to;
-        for (uint32_t i = faces->start[from]; i < faces->start[from + 1]; i++)
-            scene->corner[to++] = node[faces->corner[i]].parent;
+    const uint32_t *start = faces->start, *number = scene->face_number;
+    uint32_t *to = scene->corner, *face_start = scene->face_start, face_count = scene->face_count;
+    for (uint32_t f = 0; f < face_count; f++) {
+        const uint32_t *from = faces->corner + start[number[f]], *end = faces->corner + start[number[f] + 1];
+        face_start[f] = (uint32_t)(to - scene->corner);
+        while (from < end)
+            *to++ = node[*from++].parent;
     }
-    scene->face_start[scene->face_count] = to;
-}
-
-static void count_faces(roberts_scene *scene, const polygons *faces)
-{
-    scene->face_count = 0;
-    scene->corner_count = 0;
-    for (uint32_t f = 0; f < faces->face_count; f++)
-        if (polygon_size(faces, f) >= 3) {
-            scene->face_count++;
-            scene->corner_count += polygon_size(faces, f);
-        }
+    face_start[face_count] = (uint32_t)(to - scene->corner);
 }
 
 roberts_status components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh, roberts_error *error)

@@ -4,20 +4,16 @@
 
 #include "model/scene.h"
 
-typedef struct edge_node {
-    uint32_t to, next; /* larger vertex; next node of the same smaller vertex */
-    uint32_t f[2];     /* the face that passes upward, the face that passes downward */
-} edge_node;
+enum { EDGES_SMALL = 32 }; /* vertices; up to so many, a solid's half-edges are looked up in a table */
 
 /* Scratch memory that serves solid after solid; zeroed = empty. */
 typedef struct edge_scratch {
-    uint32_t *head;    /* [vertices] */
-    edge_node *node;   /* [corners / 2] */
     uint32_t *end;     /* [vertices] where the half-edges of each smaller vertex end in `half` */
     uint64_t *half;    /* [corners] sorted half-edges: larger vertex << 32 | corner where it starts */
     uint32_t *face_of; /* [corners] */
     uint8_t *alike;    /* [corners / 2] for each edge, whether its faces pass it in the same direction */
-    size_t head_room, node_room, end_room, half_room, face_of_room, alike_room;
+    size_t end_room, half_room, face_of_room, alike_room;
+    uint32_t passing[EDGES_SMALL][EDGES_SMALL]; /* the face that passes from the one to the other vertex */
 } edge_scratch;
 
 typedef enum edge_pairing {

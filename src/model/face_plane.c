@@ -13,33 +13,33 @@ enum { PAIRS_UP_TO = 8 }; /* corners; up to so many, all pairs are measured for 
 
 static roberts_vec3 newell(const roberts_vec3 *corner, uint32_t count)
 {
-    roberts_vec3 sum = {0, 0, 0}, a = vec3_sub(corner[1], corner[0]);
-    for (uint32_t i = 2; i < count; i++) {
-        roberts_vec3 b = vec3_sub(corner[i], corner[0]);
-        sum = vec3_add(sum, vec3_cross(a, b));
-        a = b;
-    }
+    roberts_vec3 sum = vec3_cross(corner[1], corner[2]);
+    for (uint32_t i = 3; i < count; i++)
+        sum = vec3_add(sum, vec3_cross(corner[i - 1], corner[i]));
     return sum;
 }
 
 static double chord_of_pairs(const roberts_vec3 *corner, uint32_t count)
 {
     double greatest = 0.0;
-    for (uint32_t i = 1; i < count; i++)
-        for (uint32_t j = 0; j < i; j++) {
+    for (uint32_t i = 1; i < count; i++) {
+        double squared = vec3_dot(corner[i], corner[i]);
+        greatest = squared > greatest ? squared : greatest;
+        for (uint32_t j = 1; j < i; j++) {
             roberts_vec3 d = vec3_sub(corner[i], corner[j]);
-            double squared = vec3_dot(d, d);
+            squared = vec3_dot(d, d);
             greatest = squared > greatest ? squared : greatest;
         }
+    }
     return sqrt(greatest);
 }
 
 /* Width of the corners' projection on u. */
 static double extent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 u)
 {
-    double least = INFINITY, most = -INFINITY;
-    for (uint32_t i = 0; i < count; i++) {
-        double x = vec3_dot(u, vec3_sub(corner[i], corner[0]));
+    double least = 0.0, most = 0.0;
+    for (uint32_t i = 1; i < count; i++) {
+        double x = vec3_dot(u, corner[i]);
         least = x < least ? x : least;
         most = x > most ? x : most;
     }
@@ -68,7 +68,7 @@ static void measure_deviation(fitted_plane *face, const roberts_vec3 *corner, ui
 {
     double sum = 0.0, least = 0.0, most = 0.0;
     for (uint32_t i = 1; i < count; i++) {
-        double height = vec3_dot(face->n, vec3_sub(corner[i], corner[0]));
+        double height = vec3_dot(face->n, corner[i]);
         sum += height;
         least = height < least ? height : least;
         most = height > most ? height : most;

@@ -67,6 +67,7 @@ static void turn_face(roberts_scene *scene, solid_frame *frame, uint32_t f)
         corner[j] = swapped;
     }
     *F = (plane){-F->a, -F->b, -F->c, -F->d};
+    frame->face[f].depth = -frame->face[f].depth;
     *global = (plane){-global->a, -global->b, -global->c, -global->d};
 }
 
@@ -88,13 +89,11 @@ roberts_status narrow_wind(roberts_scene *scene, solid_frame *frame, const edge_
 {
     face_edges of = {0};
     uint8_t *decision = alloc_zeroed(frame->face_count, sizeof *decision);
-    uint32_t *queue = alloc_array(frame->face_count, sizeof *queue), widest = 0;
+    uint32_t *queue = alloc_array(frame->face_count, sizeof *queue);
     roberts_status status = ROBERTS_NO_MEMORY;
     if (!decision || !queue || !collect_edges(&of, scene, frame))
         goto done;
-    for (uint32_t f = 1; f < frame->face_count; f++)
-        widest = frame->face[f].width > frame->face[widest].width ? f : widest;
-    flood(scene, frame, &of, edges->alike, widest, decision, queue);
+    flood(scene, frame, &of, edges->alike, frame->widest, decision, queue);
     for (uint32_t f = 0; f < frame->face_count; f++)
         if (decision[f] == UNSEEN)
             flood(scene, frame, &of, edges->alike, f, decision, queue);
@@ -120,11 +119,11 @@ static void add_neighbour(const solid_frame *frame, const scene_edge *edge, uint
 }
 
 /* For a face without area and without neighbours to lean on: from the line that it is toward the barycentre. */
-static roberts_vec3 toward_barycentre(const solid_frame *frame, uint32_t count)
+static roberts_vec3 toward_barycentre(const solid_frame *frame, roberts_vec3 origin, uint32_t count)
 {
-    roberts_vec3 inward = vec3_sub(frame->barycentre, frame->ring[0]), chord = {0, 0, 0};
+    roberts_vec3 inward = vec3_sub(frame->barycentre, origin), chord = {0, 0, 0};
     for (uint32_t i = 1; i < count; i++) {
-        roberts_vec3 d = vec3_sub(frame->ring[i], frame->ring[0]);
+        roberts_vec3 d = frame->ring[i];
         chord = vec3_dot(d, d) > vec3_dot(chord, chord) ? d : chord;
     }
     if (vec3_dot(chord, chord) > 0.0)
@@ -139,18 +138,18 @@ static void mend_face(roberts_scene *scene, solid_frame *frame, uint32_t f, robe
     uint32_t count = frame_ring(frame, scene, f);
     double sum = 0.0, mean, deviation = 0.0;
     if (face->area == 0.0 && vec3_length(n) == 0.0)
-        n = toward_barycentre(frame, count);
+        n = toward_barycentre(frame, frame_origin(frame, scene, f), count);
     if (vec3_length(n) == 0.0)
         return;
     n = vec3_scale(1.0 / vec3_length(n), n);
     for (uint32_t i = 1; i < count; i++)
-        sum += vec3_dot(n, vec3_sub(frame->ring[i], frame->ring[0]));
+        sum += vec3_dot(n, frame->ring[i]);
     mean = sum / count;
     for (uint32_t i = 0; i < count; i++)
-        deviation = fmax(deviation, fabs(vec3_dot(n, vec3_sub(frame->ring[i], frame->ring[0])) - mean));
+        deviation = fmax(deviation, fabs(vec3_dot(n, frame->ring[i]) - mean));
     if (face->area > 0.0 && deviation > frame->allowed)
         return;
-    face->F = (plane){n.x, n.y, n.z, -vec3_dot(n, frame->ring[0]) - mean};
+    face->F = (plane){n.x, n.y, n.z, -vec3_dot(n, frame_origin(frame, scene, f)) - mean};
     face->deviation = deviation;
     frame_store(frame, scene, f, mean);
 }
@@ -159,10 +158,7 @@ roberts_status narrow_mend(roberts_scene *scene, solid_frame *frame)
 {
     const scene_solid *first = scene->solid + frame->solid;
     roberts_vec3 *sum;
-    uint32_t f = 0;
-    while (f < frame->face_count && !frame->face[f].lean)
-        f++;
-    if (f == frame->face_count)
+    if (!frame->any_lean)
         return ROBERTS_OK;
     sum = alloc_zeroed(frame->face_count, sizeof *sum); /* all bits zero are 0.0 */
     if (!sum)
@@ -172,7 +168,7 @@ roberts_status narrow_mend(roberts_scene *scene, solid_frame *frame)
         add_neighbour(frame, edge, edge->f[0], &sum[edge->f[1] - frame->face_first]);
         add_neighbour(frame, edge, edge->f[1], &sum[edge->f[0] - frame->face_first]);
     }
-    for (; f < frame->face_count; f++)
+    for (uint32_t f = 0; f < frame->face_count; f++)
         if (frame->face[f].lean)
             mend_face(scene, frame, f, sum[f]);
     free(sum);

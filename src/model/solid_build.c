@@ -41,6 +41,7 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
                          bool must_close, roberts_error *error)
 {
     const scene_solid *first = scene->solid + s;
+    const bool sphere = like_a_sphere(scene, s);
     edge_pairing pairing;
     roberts_status status = frame_enter(&work->frame, scene, s, tolerance);
     if (status == ROBERTS_NO_MEMORY)
@@ -51,14 +52,14 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
     pairing = edges_pair(scene, s, &work->edges);
     if (pairing == EDGES_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
-    if (pairing == EDGES_OPEN || (!must_close && !like_a_sphere(scene, s)))
+    if (pairing == EDGES_OPEN || (!must_close && !sphere))
         return BUILD_OPEN;
     scene->solid[s + 1].edge = first->edge + (scene->face_start[first[1].face] - scene->face_start[first->face]) / 2;
     if (pairing == EDGES_MIXED && wind(scene, work, s, error) != ROBERTS_OK)
         return BUILD_REFUSED;
     if (solid_check(scene, &work->frame, mesh, error) != ROBERTS_OK)
         return BUILD_REFUSED;
-    if (!like_a_sphere(scene, s))
+    if (!sphere)
         return error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: its surface has holes", s),
                BUILD_REFUSED;
     if (narrow_mend(scene, &work->frame) != ROBERTS_OK)

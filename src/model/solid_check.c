@@ -98,43 +98,51 @@ static roberts_status refuse_flat(const solid_frame *frame, double thickness, ro
                      thickness * frame->unit, frame->size * frame->unit);
 }
 
-/* Least and greatest F of the solid's vertices, and the vertex farthest outside. */
-static uint32_t measure_reach(const solid_frame *frame, plane F, double *least, double *most)
+/* The least F of the solid's vertices. */
+static double least_distance(const solid_frame *frame, plane F)
 {
-    uint32_t outermost = 0;
-    double lo = INFINITY, hi = -INFINITY;
+    double least = INFINITY;
     for (uint32_t v = 0; v < frame->vertex_count; v++) {
         double value = plane_at(F, frame->point[v]);
-        outermost = value < lo ? v : outermost;
-        lo = value < lo ? value : lo;
-        hi = value > hi ? value : hi;
+        least = value < least ? value : least;
     }
-    *least = lo;
-    *most = hi;
-    return outermost;
+    return least;
+}
+
+/* How thick the solid is across this face. */
+static double thickness(const solid_frame *frame, plane F)
+{
+    return 0.0 - least_distance(frame, (plane){-F.a, -F.b, -F.c, -F.d}) - least_distance(frame, F);
+}
+
+/* The vertex with the least F. */
+static uint32_t outermost(const solid_frame *frame, plane F)
+{
+    uint32_t found = 0;
+    for (uint32_t v = 1; v < frame->vertex_count; v++)
+        found = plane_at(F, frame->point[v]) < plane_at(F, frame->point[found]) ? v : found;
+    return found;
 }
 
 /* Every vertex against every plane. */
 static roberts_status check_pairs(const roberts_scene *scene, solid_frame *frame, roberts_error *error, uint32_t *at)
 {
+    const double flat = FLAT_PART * frame->size;
     for (uint32_t f = 0; f < frame->face_count; f++) {
         local_face *face = &frame->face[f];
         roberts_status status;
-        double least = 0.0, most;
-        uint32_t outermost = 0;
+        double least;
         *at = f;
-        if (face->area > 0.0) {
-            outermost = measure_reach(frame, face->F, &least, &most);
-            if (most - least < FLAT_PART * frame->size)
-                return refuse_flat(frame, most - least, error);
-        }
+        if (face->depth < flat && face->area > 0.0 && thickness(frame, face->F) < flat)
+            return refuse_flat(frame, thickness(frame, face->F), error);
         if ((face->deviation > frame->allowed || !face->strict) &&
             (status = check_face(scene, frame, f, error)) != ROBERTS_OK)
             return status;
+        least = least_distance(frame, face->F);
         if (-least > frame->allowed) {
-            face->lean = true;
             if (-least > allowance(frame, face))
-                return refuse_vertex(scene, frame, f, outermost, error);
+                return refuse_vertex(scene, frame, f, outermost(frame, face->F), error);
+            frame->any_lean = face->lean = true;
         }
     }
     return ROBERTS_OK;
@@ -162,16 +170,10 @@ static double inward_bend(const roberts_scene *scene, const solid_frame *frame)
 /* Thickness across the widest face and across the one of greatest area. */
 static double thickness_of_large(const solid_frame *frame)
 {
-    uint32_t widest = 0, greatest = 0;
-    double least, most, thickness;
-    for (uint32_t f = 1; f < frame->face_count; f++) {
-        widest = frame->face[f].width > frame->face[widest].width ? f : widest;
+    uint32_t greatest = 0;
+    for (uint32_t f = 1; f < frame->face_count; f++)
         greatest = frame->face[f].area > frame->face[greatest].area ? f : greatest;
-    }
-    measure_reach(frame, frame->face[widest].F, &least, &most);
-    thickness = most - least;
-    measure_reach(frame, frame->face[greatest].F, &least, &most);
-    return fmin(thickness, most - least);
+    return fmin(thickness(frame, frame->face[frame->widest].F), thickness(frame, frame->face[greatest].F));
 }
 
 /* Every plane against the tree of vertices. */
@@ -188,7 +190,7 @@ static roberts_status check_by_tree(const roberts_scene *scene, solid_frame *fra
         if (v == ROBERTS_NONE)
             continue;
         *at = f;
-        face->lean = true;
+        frame->any_lean = face->lean = true;
         if (-plane_at(face->F, frame->point[v]) > allowance(frame, face))
             status = refuse_vertex(scene, frame, f, v, error);
     }
@@ -199,9 +201,8 @@ static roberts_status check_by_tree(const roberts_scene *scene, solid_frame *fra
 static roberts_status check_large(const roberts_scene *scene, solid_frame *frame, roberts_error *error, uint32_t *at)
 {
     roberts_status status = ROBERTS_OK;
-    double thickness = thickness_of_large(frame);
-    if (thickness < FLAT_PART * frame->size)
-        return refuse_flat(frame, thickness, error);
+    if (thickness_of_large(frame) < FLAT_PART * frame->size)
+        return refuse_flat(frame, thickness_of_large(frame), error);
     for (uint32_t f = 0; f < frame->face_count && status == ROBERTS_OK; f++)
         if (frame->face[f].deviation > frame->allowed || !frame->face[f].strict) {
             *at = f;
@@ -212,14 +213,14 @@ static roberts_status check_large(const roberts_scene *scene, solid_frame *frame
     return status;
 }
 
-/* Whether the ray from the barycentre through X passes through the face: X on or inside every plane through the
- * barycentre and a side. A side's two faces see exactly opposite signs. */
+/* Whether the ray from the barycentre passes through the face: it lies on or inside every plane through the barycentre
+ * and a side. A side's two faces see exactly opposite signs. */
 static bool covers(const roberts_scene *scene, const solid_frame *frame, uint32_t f, roberts_vec3 ray)
 {
-    uint32_t n = frame_ring(frame, scene, f);
-    roberts_vec3 a = vec3_sub(frame->ring[n - 1], frame->barycentre);
-    for (uint32_t i = 0; i < n; i++) {
-        roberts_vec3 b = vec3_sub(frame->ring[i], frame->barycentre);
+    uint32_t start = scene->face_start[frame->face_first + f], end = scene->face_start[frame->face_first + f + 1];
+    roberts_vec3 a = vec3_sub(frame->point[scene->corner[end - 1] - frame->vertex_first], frame->barycentre);
+    for (uint32_t i = start; i < end; i++) {
+        roberts_vec3 b = vec3_sub(frame->point[scene->corner[i] - frame->vertex_first], frame->barycentre);
         if (vec3_dot(vec3_cross(a, b), ray) < 0.0)
             return false;
         a = b;
@@ -231,20 +232,15 @@ static bool covers(const roberts_scene *scene, const solid_frame *frame, uint32_
  * solid no other plane is nearly as close there as it is at the barycentre, which spares most faces the closer look. */
 static uint32_t count_covers(const roberts_scene *scene, const solid_frame *frame)
 {
-    uint32_t widest = 0, n, count = 1;
+    uint32_t n = frame_ring(frame, scene, frame->widest), count = 1;
     roberts_vec3 X = {0, 0, 0}, ray;
-    for (uint32_t f = 1; f < frame->face_count; f++)
-        widest = frame->face[f].width > frame->face[widest].width ? f : widest;
-    n = frame_ring(frame, scene, widest);
-    for (uint32_t i = 0; i < n; i++)
+    for (uint32_t i = 1; i < n; i++)
         X = vec3_add(X, frame->ring[i]);
-    X = vec3_scale(1.0 / n, X);
+    X = vec3_add(vec3_scale(1.0 / n, X), frame_origin(frame, scene, frame->widest));
     ray = vec3_sub(X, frame->barycentre);
-    for (uint32_t f = 0; f < frame->face_count; f++) {
-        plane F = frame->face[f].F;
-        if (f != widest && plane_at(F, X) < 0.5 * plane_at(F, frame->barycentre))
+    for (uint32_t f = 0; f < frame->face_count; f++)
+        if (plane_at(frame->face[f].F, X) < 0.5 * frame->face[f].depth && f != frame->widest)
             count += covers(scene, frame, f, ray);
-    }
     return count;
 }
 
@@ -253,12 +249,9 @@ roberts_status solid_check(const roberts_scene *scene, solid_frame *frame, const
 {
     uint32_t at = 0, covers_count;
     roberts_status status;
-    bool any_area = false;
-    for (uint32_t f = 0; f < frame->face_count && !any_area; f++)
-        any_area = frame->face[f].area > 0.0;
     if (frame->size == 0.0)
         status = error_set(error, ROBERTS_FLAT, 0, "solid %u is flat: all its vertices lie in one point", frame->solid);
-    else if (!any_area)
+    else if (!(frame->face[frame->widest].area > 0.0))
         status = error_set(error, ROBERTS_FLAT, 0, "solid %u is flat: none of its faces has an area", frame->solid);
     else if ((uint64_t)frame->vertex_count * frame->face_count <= ALL_PAIRS)
         status = check_pairs(scene, frame, error, &at);

@@ -78,10 +78,13 @@ roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint3
 
 uint32_t frame_ring(const solid_frame *frame, const roberts_scene *scene, uint32_t f)
 {
-    uint32_t start = scene->face_start[frame->face_first + f], n = scene->face_start[frame->face_first + f + 1] - start;
-    const uint32_t *corner = scene->corner + start;
+    const uint32_t *start = scene->face_start + frame->face_first + f, base = frame->vertex_first;
+    const uint32_t *corner = scene->corner + start[0];
+    const roberts_vec3 *point = frame->point, origin = point[corner[0] - base];
+    uint32_t n = start[1] - start[0];
+    roberts_vec3 *ring = frame->ring;
     for (uint32_t i = 0; i < n; i++)
-        frame->ring[i] = frame->point[corner[i] - frame->vertex_first];
+        ring[i] = vec3_sub(point[corner[i] - base], origin);
     return n;
 }
 
@@ -98,26 +101,44 @@ void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, dou
 {
     const local_face *face = &frame->face[f];
     uint32_t to = frame->face_first + f;
+    double unit = frame->unit;
     plane F = face->F;
     roberts_vec3 p = vec3_sub(scene->point[scene->corner[scene->face_start[to]]], scene->centre);
-    scene->face_plane[to] = (plane){F.a, F.b, F.c, -(F.a * p.x + F.b * p.y + F.c * p.z) - mean * frame->unit};
-    scene->face_deviation[to] = face->deviation * frame->unit;
-    scene->face_width[to] = face->width * frame->unit;
+    scene->face_plane[to] = (plane){F.a, F.b, F.c, -(F.a * p.x + F.b * p.y + F.c * p.z) - mean * unit};
+    scene->face_deviation[to] = face->deviation * unit;
+    scene->face_width[to] = face->width * unit;
+}
+
+/* Whether face f, just fitted, is strictly convex. */
+static bool is_strict(const solid_frame *frame, const fitted_plane *fit, uint32_t count)
+{
+    if (!(fit->area > 0.0))
+        return false;
+    return count == 3 || (count == 4 ? quadrilateral_strictly_convex(frame->ring, fit->n)
+                                     : polygon_strictly_convex(frame->ring, count, fit->n));
 }
 
 void frame_fit_faces(solid_frame *frame, roberts_scene *scene)
 {
+    double widest = -1.0;
+    frame->any_lean = false;
     for (uint32_t f = 0; f < frame->face_count; f++) {
         uint32_t n = frame_ring(frame, scene, f);
         fitted_plane fit = face_plane_fit(frame->ring, n);
-        double d = -vec3_dot(fit.n, frame->ring[0]) - fit.mean;
+        double d = -vec3_dot(fit.n, frame_origin(frame, scene, f)) - fit.mean;
         plane F = {fit.n.x, fit.n.y, fit.n.z, d};
+        double depth = plane_at(F, frame->barycentre);
         local_face *face = &frame->face[f];
-        *face = (local_face){F, fit.deviation, fit.area, fit.width, n == 3 && fit.area > 0.0, !(fit.area > 0.0)};
-        if (n > 3 && fit.area > 0.0)
-            face->strict = polygon_strictly_convex(frame->ring, n, fit.n);
-        if (plane_at(F, frame->barycentre) < 0.0) {
+        *face =
+            (local_face){F, depth, fit.deviation, fit.area, fit.width, is_strict(frame, &fit, n), !(fit.area > 0.0)};
+        frame->any_lean |= face->lean;
+        if (fit.width > widest) {
+            widest = fit.width;
+            frame->widest = f;
+        }
+        if (depth < 0.0) {
             face->F = (plane){-F.a, -F.b, -F.c, -F.d};
+            face->depth = -depth;
             fit.mean = -fit.mean;
         } else {
             /* counter-clockwise about the inward normal is clockwise seen from outside */

@@ -7,6 +7,7 @@
 /* A face in its solid's frame. */
 typedef struct local_face {
     plane F;            /* inward; 0,0,0,0 where the face has no area */
+    double depth;       /* F at the barycentre, >= 0 */
     double deviation;   /* greatest distance of a corner from the plane */
     double area, width; /* width: area over greatest chord */
     bool strict;        /* strictly convex as a polygon, told without a tolerance */
@@ -21,6 +22,8 @@ typedef struct solid_frame {
     roberts_vec3 *point;     /* [vertex_count] */
     local_face *face;        /* [face_count] */
     roberts_vec3 *ring;      /* room for the corners of any one face */
+    uint32_t widest;         /* the face of greatest width */
+    bool any_lean;           /* some face is lean */
     roberts_vec3 barycentre; /* mean of the vertices: inside, if the solid is convex */
     double unit;             /* model units per unit of this frame */
     double size;             /* diagonal of the box */
@@ -32,8 +35,15 @@ typedef struct solid_frame {
  * Returns ROBERTS_OK, _NO_MEMORY or _BAD_NUMBER (a coordinate is not finite or beyond 1e150). */
 roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint32_t s, double tolerance);
 
-/* Copies the corners of face f (counted from the solid's first) to frame->ring; returns how many. */
+/* Copies the corners of face f (counted from the solid's first), relative to the first of them, to frame->ring; returns how
+ * many. */
 uint32_t frame_ring(const solid_frame *frame, const roberts_scene *scene, uint32_t f);
+
+/* The first corner of face f. */
+static inline roberts_vec3 frame_origin(const solid_frame *frame, const roberts_scene *scene, uint32_t f)
+{
+    return frame->point[scene->corner[scene->face_start[frame->face_first + f]] - frame->vertex_first];
+}
 
 /* Fits the plane of each face and turns it and its corners so that the barycentre is inside. */
 void frame_fit_faces(solid_frame *frame, roberts_scene *scene);
