@@ -11,7 +11,6 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "base/error.h"
 #include "model/layout.h"
 
 typedef struct set_node {
@@ -50,35 +49,27 @@ static inline uint32_t join(set_node *node, uint32_t root, uint32_t v)
     return other;
 }
 
-/* Joins the vertices of each face. `bad`: the first face with a vertex that is not there, else ROBERTS_NONE. Returns how
- * many corners repeat an earlier one of their face. */
-static size_t join_corners(set_node *node, const polygons *faces, uint32_t *bad)
+/* Joins the vertices of each face. Returns how many corners repeat an earlier one of their face. */
+static size_t join_corners(set_node *node, const polygons *faces)
 {
-    const uint32_t *corner = faces->corner, *start = faces->start;
+    const uint32_t *start = faces->start;
     const uint32_t vertex_count = faces->vertex_count, face_count = faces->face_count;
     size_t repeated = 0;
     for (uint32_t v = 0; v < vertex_count; v++)
         node[v] = (set_node){ROBERTS_NONE, 0};
-    *bad = ROBERTS_NONE;
     for (uint32_t f = 0; f < face_count; f++) {
-        uint32_t i = start[f], end = start[f + 1], root;
-        bool counts = end - i >= 3;
-        if (counts && corner[i] < vertex_count) {
-            if (node[corner[i]].parent == ROBERTS_NONE)
-                node[corner[i]].parent = corner[i];
-            root = find_root(node, corner[i]);
-            for (; i < end && corner[i] < vertex_count; i++) {
-                uint32_t v = corner[i];
-                repeated += node[v].stamp == f + 1;
-                node[v].stamp = f + 1;
-                root = join(node, root, v);
-            }
-        }
-        while (i < end && corner[i] < vertex_count)
-            i++;
-        if (i < end) {
-            *bad = f;
-            return 0;
+        const uint32_t *corner = faces->corner + start[f], *end = faces->corner + start[f + 1];
+        uint32_t root;
+        if (end - corner < 3)
+            continue;
+        if (node[*corner].parent == ROBERTS_NONE)
+            node[*corner].parent = *corner;
+        root = find_root(node, *corner);
+        for (; corner < end; corner++) {
+            uint32_t v = *corner;
+            repeated += node[v].stamp == f + 1;
+            node[v].stamp = f + 1;
+            root = join(node, root, v);
         }
     }
     return repeated;
@@ -177,21 +168,16 @@ static void copy_corners(roberts_scene *scene, const set_node *node, const polyg
     face_start[face_count] = (uint32_t)(to - scene->corner);
 }
 
-roberts_status components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh, roberts_error *error)
+bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh)
 {
     set_node *node = alloc_array(faces->vertex_count, sizeof *node);
-    roberts_status status = ROBERTS_NO_MEMORY;
-    uint32_t bad;
+    bool done = false;
     if (!node)
-        goto done;
-    if (join_corners(node, faces, &bad) > 0) {
+        return false;
+    if (join_corners(node, faces) > 0) {
         if (!polygons_clean(faces, NULL))
             goto done;
-        join_corners(node, faces, &bad);
-    }
-    if (bad != ROBERTS_NONE) {
-        status = error_set(error, ROBERTS_BAD_INDEX, 0, "face %u names a vertex that is not there", bad);
-        goto done;
+        join_corners(node, faces);
     }
     number_components(scene, node, faces, mesh->vertex);
     count_faces(scene, faces);
@@ -200,8 +186,8 @@ roberts_status components_lay_out(roberts_scene *scene, polygons *faces, const r
     count_members(scene, node, faces);
     place_members(scene, node, faces, mesh->vertex);
     copy_corners(scene, node, faces);
-    status = ROBERTS_OK;
+    done = true;
 done:
     free(node);
-    return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
+    return done;
 }

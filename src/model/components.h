@@ -9,8 +9,7 @@
  * and corners in compact numbers, corners in the order of the file, and the box round them. No planes and no edges yet.
  * Components need not be closed: there is room for half as many edges as corners.
  * `faces` is cleaned first if some corner repeats an earlier one of its face.
- * Returns ROBERTS_OK, _NO_MEMORY or _BAD_INDEX. */
-roberts_status components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh,
-                                  roberts_error *error);
+ * False: no memory. */
+bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh);
 
 #endif

@@ -64,30 +64,31 @@ static double chord_of_extents(const roberts_vec3 *corner, uint32_t count, rober
 }
 
 /* Lets the plane pass through the mean of the corners and measures how far they lie from it. */
-static void measure_deviation(fitted_plane *face, const roberts_vec3 *corner, uint32_t count)
+static void measure_deviation(fitted_plane *face, const roberts_vec3 *corner, uint32_t count, roberts_vec3 n)
 {
-    double sum = 0.0, least = 0.0, most = 0.0;
+    double sum = 0.0, least = 0.0, most = 0.0, mean;
     for (uint32_t i = 1; i < count; i++) {
-        double height = vec3_dot(face->n, corner[i]);
+        double height = vec3_dot(n, corner[i]);
         sum += height;
         least = height < least ? height : least;
         most = height > most ? height : most;
     }
-    face->mean = sum / count;
-    face->deviation = most - face->mean > face->mean - least ? most - face->mean : face->mean - least;
+    mean = sum / count;
+    face->mean = mean;
+    face->deviation = most - mean > mean - least ? most - mean : mean - least;
 }
 
-fitted_plane face_plane_fit(const roberts_vec3 *corner, uint32_t count)
+void face_plane_fit(fitted_plane *face, const roberts_vec3 *corner, uint32_t count)
 {
-    fitted_plane face = {{0, 0, 0}, 0, 0, 0, 0};
     roberts_vec3 n = newell(corner, count);
     double length = vec3_length(n);
-    if (!(length > 0.0))
-        return face;
-    face.n = (roberts_vec3){n.x / length, n.y / length, n.z / length};
-    face.area = 0.5 * length;
-    face.width =
-        face.area / (count <= PAIRS_UP_TO ? chord_of_pairs(corner, count) : chord_of_extents(corner, count, face.n));
-    measure_deviation(&face, corner, count);
-    return face;
+    if (!(length > 0.0)) {
+        *face = (fitted_plane){{0, 0, 0}, 0, 0, 0, 0};
+        return;
+    }
+    n = (roberts_vec3){n.x / length, n.y / length, n.z / length}; /* not times 1 / length: an axis stays exact */
+    face->n = n;
+    face->area = 0.5 * length;
+    face->width = face->area / (count <= PAIRS_UP_TO ? chord_of_pairs(corner, count) : chord_of_extents(corner, count, n));
+    measure_deviation(face, corner, count, n);
 }

@@ -14,6 +14,6 @@ typedef struct fitted_plane {
 
 /* Fits a plane to `count` >= 3 corners in order around a face, given relative to the first one, which is 0,0,0. Lengths
  * must survive being taken to the fourth power. */
-fitted_plane face_plane_fit(const roberts_vec3 *corner, uint32_t count);
+void face_plane_fit(fitted_plane *face, const roberts_vec3 *corner, uint32_t count);
 
 #endif

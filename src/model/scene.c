@@ -75,9 +75,9 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, doub
     roberts_status status = polygons_of_mesh(&faces, mesh, error);
     if (status != ROBERTS_OK)
         return status;
-    if ((status = components_lay_out(scene, &faces, mesh, error)) != ROBERTS_OK)
-        goto done;
     status = ROBERTS_NO_MEMORY;
+    if (!components_lay_out(scene, &faces, mesh))
+        goto done;
     if (!(open = alloc_zeroed(scene->solid_count, sizeof *open)))
         goto done;
     status = build_solids(scene, &work, mesh, tolerance, open, &any_open, error);

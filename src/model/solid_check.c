@@ -5,22 +5,17 @@
  * tolerance; where the face is small compared with the solid, its plane cannot be trusted far from it, and distances
  * count in proportion.
  *
- * Comparing every vertex with every plane is quick for small solids. In large ones it is enough that no edge bends
- * inward: the angles by which edges do, summed over all of them, bound how far (as a part of the size) anything can lie
- * outside. Where that sum is not far below the tolerance, because coordinates are rounded or the solid is not convex, each
- * plane asks a tree of boxes for the vertex farthest outside. Measured on 59,996 triangles of a sphere: see
- * tests/test_scene.c. */
+ * Mostly it is enough that no edge bends inward: the angles by which edges do, summed over all of them, bound how far (as a
+ * part of the size) anything can lie outside. Where that sum is not far below the tolerance, because coordinates are
+ * rounded or the solid is not convex, each plane is compared with the vertices: with all of them in a small solid, with
+ * a tree of boxes round them in a large one. */
 #include "model/solid_check.h"
 
 #include "base/error.h"
 #include "model/face_polygon.h"
 #include "model/vertex_tree.h"
 
-enum { ALL_PAIRS = 2048 }; /* pairs of vertex and face; up to so many, comparing them all is quickest */
-
-/* Thinner than this part of its size, a solid is flat: far above what rounding leaves of a plate that has no thickness
- * (some 1e-16), far below any plate that somebody would draw. */
-static const double FLAT_PART = 1e-9;
+enum { ALL_PAIRS = 2048 }; /* pairs of vertex and face; up to so many, comparing them all is quicker than a tree */
 
 /* The edges' inward bends may add up to this part of the tolerance without a closer look. */
 static const double BEND_PART = 0.1;
@@ -124,28 +119,26 @@ static uint32_t outermost(const solid_frame *frame, plane F)
     return found;
 }
 
-/* Every vertex against every plane. */
-static roberts_status check_pairs(const roberts_scene *scene, solid_frame *frame, roberts_error *error, uint32_t *at)
+static bool is_large(const solid_frame *frame)
 {
-    const double flat = FLAT_PART * frame->size;
+    return (uint64_t)frame->vertex_count * frame->face_count > ALL_PAIRS;
+}
+
+/* How thick the solid is where that may be little: of a small one across each face that is near the barycentre, of a large
+ * one across the widest and across the one of greatest area. */
+static double least_thickness(const solid_frame *frame)
+{
+    double least = INFINITY;
+    uint32_t greatest = 0;
     for (uint32_t f = 0; f < frame->face_count; f++) {
-        local_face *face = &frame->face[f];
-        roberts_status status;
-        double least;
-        *at = f;
-        if (face->depth < flat && face->area > 0.0 && thickness(frame, face->F) < flat)
-            return refuse_flat(frame, thickness(frame, face->F), error);
-        if ((face->deviation > frame->allowed || !face->strict) &&
-            (status = check_face(scene, frame, f, error)) != ROBERTS_OK)
-            return status;
-        least = least_distance(frame, face->F);
-        if (-least > frame->allowed) {
-            if (-least > allowance(frame, face))
-                return refuse_vertex(scene, frame, f, outermost(frame, face->F), error);
-            frame->any_lean = face->lean = true;
-        }
+        const local_face *face = &frame->face[f];
+        greatest = face->area > frame->face[greatest].area ? f : greatest;
+        if (!is_large(frame) && face->depth < frame->flat && face->area > 0.0)
+            least = fmin(least, thickness(frame, face->F));
     }
-    return ROBERTS_OK;
+    if (is_large(frame))
+        least = fmin(thickness(frame, frame->face[frame->widest].F), thickness(frame, frame->face[greatest].F));
+    return least;
 }
 
 /* Sum of the angles (their sines; 1 for more than a right one) by which edges bend inward. */
@@ -167,13 +160,20 @@ static double inward_bend(const roberts_scene *scene, const solid_frame *frame)
     return sum;
 }
 
-/* Thickness across the widest face and across the one of greatest area. */
-static double thickness_of_large(const solid_frame *frame)
+/* Every vertex against every plane. */
+static roberts_status check_pairs(const roberts_scene *scene, solid_frame *frame, roberts_error *error, uint32_t *at)
 {
-    uint32_t greatest = 0;
-    for (uint32_t f = 1; f < frame->face_count; f++)
-        greatest = frame->face[f].area > frame->face[greatest].area ? f : greatest;
-    return fmin(thickness(frame, frame->face[frame->widest].F), thickness(frame, frame->face[greatest].F));
+    for (uint32_t f = 0; f < frame->face_count; f++) {
+        local_face *face = &frame->face[f];
+        double outside = -least_distance(frame, face->F);
+        *at = f;
+        if (outside <= frame->allowed)
+            continue;
+        if (outside > allowance(frame, face))
+            return refuse_vertex(scene, frame, f, outermost(frame, face->F), error);
+        frame->any_lean = face->lean = true;
+    }
+    return ROBERTS_OK;
 }
 
 /* Every plane against the tree of vertices. */
@@ -198,19 +198,19 @@ static roberts_status check_by_tree(const roberts_scene *scene, solid_frame *fra
     return status;
 }
 
-static roberts_status check_large(const roberts_scene *scene, solid_frame *frame, roberts_error *error, uint32_t *at)
+/* The faces by themselves, then together. */
+static roberts_status check_faces(const roberts_scene *scene, solid_frame *frame, roberts_error *error, uint32_t *at)
 {
-    roberts_status status = ROBERTS_OK;
-    if (thickness_of_large(frame) < FLAT_PART * frame->size)
-        return refuse_flat(frame, thickness_of_large(frame), error);
-    for (uint32_t f = 0; f < frame->face_count && status == ROBERTS_OK; f++)
-        if (frame->face[f].deviation > frame->allowed || !frame->face[f].strict) {
-            *at = f;
-            status = check_face(scene, frame, f, error);
-        }
-    if (status == ROBERTS_OK && inward_bend(scene, frame) * frame->size > BEND_PART * frame->allowed)
-        status = check_by_tree(scene, frame, error, at);
-    return status;
+    for (uint32_t f = 0; frame->any_doubt && f < frame->face_count; f++) {
+        roberts_status status;
+        *at = f;
+        if ((frame->face[f].deviation > frame->allowed || !frame->face[f].strict) &&
+            (status = check_face(scene, frame, f, error)) != ROBERTS_OK)
+            return status;
+    }
+    if (inward_bend(scene, frame) * frame->size <= BEND_PART * frame->allowed)
+        return ROBERTS_OK;
+    return is_large(frame) ? check_by_tree(scene, frame, error, at) : check_pairs(scene, frame, error, at);
 }
 
 /* Whether the ray from the barycentre passes through the face: it lies on or inside every plane through the barycentre
@@ -228,8 +228,8 @@ static bool covers(const roberts_scene *scene, const solid_frame *frame, uint32_
     return true;
 }
 
-/* How many faces the barycentre sees in one direction: that of the middle of the widest face, well inside it. In a convex
- * solid no other plane is nearly as close there as it is at the barycentre, which spares most faces the closer look. */
+/* How many faces the barycentre sees in one direction: that of the middle of the widest face, well inside it. Only faces that
+ * look that way are asked. */
 static uint32_t count_covers(const roberts_scene *scene, const solid_frame *frame)
 {
     uint32_t n = frame_ring(frame, scene, frame->widest), count = 1;
@@ -238,28 +238,30 @@ static uint32_t count_covers(const roberts_scene *scene, const solid_frame *fram
         X = vec3_add(X, frame->ring[i]);
     X = vec3_add(vec3_scale(1.0 / n, X), frame_origin(frame, scene, frame->widest));
     ray = vec3_sub(X, frame->barycentre);
-    for (uint32_t f = 0; f < frame->face_count; f++)
-        if (plane_at(frame->face[f].F, X) < 0.5 * frame->face[f].depth && f != frame->widest)
+    for (uint32_t f = 0; f < frame->face_count; f++) {
+        const plane *F = &frame->face[f].F;
+        if (F->a * ray.x + F->b * ray.y + F->c * ray.z < 0.0 && f != frame->widest)
             count += covers(scene, frame, f, ray);
+    }
     return count;
 }
 
 roberts_status solid_check(const roberts_scene *scene, solid_frame *frame, const roberts_mesh *mesh,
                            roberts_error *error)
 {
-    uint32_t at = 0, covers_count;
+    uint32_t at = 0, count;
     roberts_status status;
     if (frame->size == 0.0)
         status = error_set(error, ROBERTS_FLAT, 0, "solid %u is flat: all its vertices lie in one point", frame->solid);
     else if (!(frame->face[frame->widest].area > 0.0))
         status = error_set(error, ROBERTS_FLAT, 0, "solid %u is flat: none of its faces has an area", frame->solid);
-    else if ((uint64_t)frame->vertex_count * frame->face_count <= ALL_PAIRS)
-        status = check_pairs(scene, frame, error, &at);
+    else if (frame->any_shallow && least_thickness(frame) < frame->flat)
+        status = refuse_flat(frame, least_thickness(frame), error);
     else
-        status = check_large(scene, frame, error, &at);
-    if (status == ROBERTS_OK && (covers_count = count_covers(scene, frame)) != 1)
+        status = check_faces(scene, frame, error, &at);
+    if (status == ROBERTS_OK && (count = count_covers(scene, frame)) != 1)
         status = error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: its faces go round it %u times",
-                           frame->solid, covers_count);
+                           frame->solid, count);
     if (status != ROBERTS_OK)
         name_input(scene, frame, at, mesh, error);
     return status;

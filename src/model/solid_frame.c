@@ -15,6 +15,10 @@
  * thousand-millionth of it, are far from the ends of the range. */
 static const double LARGE = 0x1p200, SMALL = 0x1p-200;
 
+/* Thinner than this part of its size, a solid is flat: far above what rounding leaves of a plate that has no thickness
+ * (some 1e-16), far below any plate that somebody would draw. */
+static const double FLAT_PART = 1e-9;
+
 /* What coordinates may reach; the same as for reading. */
 static const double GREATEST_COORDINATE = 1e150;
 
@@ -72,6 +76,7 @@ roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint3
     frame->unit = 1.0 / scale;
     frame->size = vec3_length(vec3_scale(scale, diagonal));
     frame->allowed = tolerance * (largest * scale > frame->size ? largest * scale : frame->size);
+    frame->flat = FLAT_PART * frame->size;
     /* a number that is not finite makes the sum so */
     return largest <= GREATEST_COORDINATE && isfinite(sum.x + sum.y + sum.z) ? ROBERTS_OK : ROBERTS_BAD_NUMBER;
 }
@@ -118,34 +123,48 @@ static bool is_strict(const solid_frame *frame, const fitted_plane *fit, uint32_
                                      : polygon_strictly_convex(frame->ring, count, fit->n));
 }
 
+/* Fills in face f; returns the mean for frame_store(). */
+static double fit_face(solid_frame *frame, roberts_scene *scene, uint32_t f)
+{
+    local_face *face = &frame->face[f];
+    uint32_t n = frame_ring(frame, scene, f);
+    roberts_vec3 b = vec3_sub(frame->barycentre, frame_origin(frame, scene, f));
+    fitted_plane fit;
+    double side;
+    face_plane_fit(&fit, frame->ring, n);
+    side = vec3_dot(fit.n, b) - fit.mean < 0.0 ? -1.0 : 1.0;
+    face->F.a = side * fit.n.x;
+    face->F.b = side * fit.n.y;
+    face->F.c = side * fit.n.z;
+    face->depth = side * (vec3_dot(fit.n, b) - fit.mean);
+    face->F.d = 0.0;
+    face->F.d = face->depth - plane_at(face->F, frame->barycentre);
+    face->deviation = fit.deviation;
+    face->area = fit.area;
+    face->width = fit.width;
+    face->strict = is_strict(frame, &fit, n);
+    face->lean = !(fit.area > 0.0);
+    if (side > 0.0) /* counter-clockwise about the inward normal is clockwise seen from outside */
+        reverse(scene->corner + scene->face_start[frame->face_first + f], n);
+    return side * fit.mean;
+}
+
 void frame_fit_faces(solid_frame *frame, roberts_scene *scene)
 {
-    double widest = -1.0;
-    frame->any_lean = false;
+    bool lean = false, doubt = false, shallow = false;
+    uint32_t widest = 0;
     for (uint32_t f = 0; f < frame->face_count; f++) {
-        uint32_t n = frame_ring(frame, scene, f);
-        fitted_plane fit = face_plane_fit(frame->ring, n);
-        double d = -vec3_dot(fit.n, frame_origin(frame, scene, f)) - fit.mean;
-        plane F = {fit.n.x, fit.n.y, fit.n.z, d};
-        double depth = plane_at(F, frame->barycentre);
-        local_face *face = &frame->face[f];
-        *face =
-            (local_face){F, depth, fit.deviation, fit.area, fit.width, is_strict(frame, &fit, n), !(fit.area > 0.0)};
-        frame->any_lean |= face->lean;
-        if (fit.width > widest) {
-            widest = fit.width;
-            frame->widest = f;
-        }
-        if (depth < 0.0) {
-            face->F = (plane){-F.a, -F.b, -F.c, -F.d};
-            face->depth = -depth;
-            fit.mean = -fit.mean;
-        } else {
-            /* counter-clockwise about the inward normal is clockwise seen from outside */
-            reverse(scene->corner + scene->face_start[frame->face_first + f], n);
-        }
-        frame_store(frame, scene, f, fit.mean);
+        const local_face *face = &frame->face[f];
+        frame_store(frame, scene, f, fit_face(frame, scene, f));
+        lean |= face->lean;
+        doubt |= face->deviation > frame->allowed || !face->strict;
+        shallow |= face->depth < frame->flat;
+        widest = face->width > frame->face[widest].width ? f : widest;
     }
+    frame->any_lean = lean;
+    frame->any_doubt = doubt;
+    frame->any_shallow = shallow;
+    frame->widest = widest;
 }
 
 void frame_free(solid_frame *frame)

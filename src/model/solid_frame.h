@@ -24,10 +24,13 @@ typedef struct solid_frame {
     roberts_vec3 *ring;      /* room for the corners of any one face */
     uint32_t widest;         /* the face of greatest width */
     bool any_lean;           /* some face is lean */
+    bool any_doubt;          /* some face is not strictly convex, or not planar within the tolerance */
+    bool any_shallow;        /* some face is nearer to the barycentre than a solid may be thick */
     roberts_vec3 barycentre; /* mean of the vertices: inside, if the solid is convex */
     double unit;             /* model units per unit of this frame */
     double size;             /* diagonal of the box */
     double allowed;          /* the tolerance as a length */
+    double flat;             /* thinner than this, the solid is flat */
     size_t point_room, face_room, ring_room;
 } solid_frame;
 
