@@ -9,6 +9,8 @@
  * is worth knowing. */
 #include "model/face_plane.h"
 
+#include "model/face_polygon.h"
+
 enum { PAIRS_UP_TO = 8 }; /* corners; up to so many, all pairs are measured for the greatest chord */
 
 static roberts_vec3 newell(const roberts_vec3 *corner, uint32_t count)
@@ -19,19 +21,16 @@ static roberts_vec3 newell(const roberts_vec3 *corner, uint32_t count)
     return sum;
 }
 
+/* The square of the greatest distance of two corners. */
 static double chord_of_pairs(const roberts_vec3 *corner, uint32_t count)
 {
     double greatest = 0.0;
-    for (uint32_t i = 1; i < count; i++) {
-        double squared = vec3_dot(corner[i], corner[i]);
-        greatest = squared > greatest ? squared : greatest;
-        for (uint32_t j = 1; j < i; j++) {
+    for (uint32_t i = 1; i < count; i++)
+        for (uint32_t j = 0; j < i; j++) {
             roberts_vec3 d = vec3_sub(corner[i], corner[j]);
-            squared = vec3_dot(d, d);
-            greatest = squared > greatest ? squared : greatest;
+            greatest = greater(greatest, vec3_dot(d, d));
         }
-    }
-    return sqrt(greatest);
+    return greatest;
 }
 
 /* Width of the corners' projection on u. */
@@ -40,13 +39,13 @@ static double extent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 u)
     double least = 0.0, most = 0.0;
     for (uint32_t i = 1; i < count; i++) {
         double x = vec3_dot(u, corner[i]);
-        least = x < least ? x : least;
-        most = x > most ? x : most;
+        least = lesser(least, x);
+        most = greater(most, x);
     }
     return most - least;
 }
 
-/* For many corners: the greatest extent along 16 directions of the plane, which is at least cos(pi / 32) > 0.995 of the
+/* The same for many corners: the greatest extent along 16 directions of the plane, which is at least cos(pi / 32) > 0.995 of the
  * greatest chord, and never more than it. */
 static double chord_of_extents(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n)
 {
@@ -60,35 +59,30 @@ static double chord_of_extents(const roberts_vec3 *corner, uint32_t count, rober
         roberts_vec3 w = vec3_add(vec3_scale(cos(angle), u), vec3_scale(sin(angle), v));
         greatest = fmax(greatest, extent(corner, count, w));
     }
-    return greatest;
+    return greatest * greatest;
 }
 
-/* Lets the plane pass through the mean of the corners and measures how far they lie from it. */
-static void measure_deviation(fitted_plane *face, const roberts_vec3 *corner, uint32_t count, roberts_vec3 n)
+fitted_plane face_plane_fit(const roberts_vec3 *corner, uint32_t count)
 {
-    double sum = 0.0, least = 0.0, most = 0.0, mean;
+    double length, sum = 0.0, least = 0.0, most = 0.0;
+    roberts_vec3 n;
+    fitted_plane face;
+    if (count == 3)
+        return face_plane_of_triangle(corner[1], corner[2]);
+    n = newell(corner, count);
+    length = vec3_length(n);
+    if (!(length > 0.0))
+        return (fitted_plane){0};
+    n = (roberts_vec3){n.x / length, n.y / length, n.z / length};
     for (uint32_t i = 1; i < count; i++) {
         double height = vec3_dot(n, corner[i]);
         sum += height;
-        least = height < least ? height : least;
-        most = height > most ? height : most;
+        least = lesser(least, height);
+        most = greater(most, height);
     }
-    mean = sum / count;
-    face->mean = mean;
-    face->deviation = most - mean > mean - least ? most - mean : mean - least;
-}
-
-void face_plane_fit(fitted_plane *face, const roberts_vec3 *corner, uint32_t count)
-{
-    roberts_vec3 n = newell(corner, count);
-    double length = vec3_length(n);
-    if (!(length > 0.0)) {
-        *face = (fitted_plane){{0, 0, 0}, 0, 0, 0, 0};
-        return;
-    }
-    n = (roberts_vec3){n.x / length, n.y / length, n.z / length}; /* not times 1 / length: an axis stays exact */
-    face->n = n;
-    face->area = 0.5 * length;
-    face->width = face->area / (count <= PAIRS_UP_TO ? chord_of_pairs(corner, count) : chord_of_extents(corner, count, n));
-    measure_deviation(face, corner, count, n);
+    face = face_plane_of(n, length,
+                         count <= PAIRS_UP_TO ? chord_of_pairs(corner, count) : chord_of_extents(corner, count, n), least,
+                         most, sum / count);
+    face.strict = polygon_strictly_convex(corner, count, n);
+    return face;
 }

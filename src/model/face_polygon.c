@@ -40,15 +40,6 @@ bool polygon_strictly_convex(const roberts_vec3 *corner, uint32_t count, roberts
     return starts == 1;
 }
 
-/* Four left turns of less than a half turn each make up one turn, not two. */
-bool quadrilateral_strictly_convex(const roberts_vec3 *corner, roberts_vec3 n)
-{
-    roberts_vec3 a = corner[1], b = corner[2], c = corner[3];
-    double at_a = vec3_dot(n, vec3_cross(a, b)), at_c = vec3_dot(n, vec3_cross(b, c));
-    double at_origin = vec3_dot(n, vec3_cross(a, c));
-    return at_a > 0.0 && at_c > 0.0 && at_origin > 0.0 && at_a + at_c - at_origin > 0.0;
-}
-
 typedef struct spot {
     double x, y;
     uint32_t at; /* corner */

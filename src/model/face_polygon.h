@@ -8,9 +8,6 @@
  * once in all: strictly convex, decided without a tolerance. False does not yet mean that it is refused. */
 bool polygon_strictly_convex(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n);
 
-/* The same for four corners, relative to the first one. */
-bool quadrilateral_strictly_convex(const roberts_vec3 *corner, roberts_vec3 n);
-
 /* How far the polygon is from convex: the greatest depth of a corner inside the hull of all corners (and which corner),
  * INFINITY where the corners do not go round that hull once, up to steps back of length `allowed`. Negative: no memory. */
 double polygon_dent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n, double allowed, uint32_t *deepest);

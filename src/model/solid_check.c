@@ -246,6 +246,15 @@ static uint32_t count_covers(const roberts_scene *scene, const solid_frame *fram
     return count;
 }
 
+/* Whether the faces cannot but cover each direction once. To cover them k times, a sphere's surface has to go round some two
+ * vertices twice or more (2 k - 2 times too often in all, by Riemann and Hurwitz). Seen from the barycentre a face takes less
+ * than a half turn round its corner, so that these two vertices have five edges at least, and all others three. */
+static bool too_few_to_wind(const roberts_scene *scene, const solid_frame *frame)
+{
+    uint64_t edges = scene->solid[frame->solid + 1].edge - scene->solid[frame->solid].edge;
+    return !frame->any_doubt && !frame->any_lean && 2 * edges < 3 * (uint64_t)frame->vertex_count + 4;
+}
+
 roberts_status solid_check(const roberts_scene *scene, solid_frame *frame, const roberts_mesh *mesh,
                            roberts_error *error)
 {
@@ -259,7 +268,7 @@ roberts_status solid_check(const roberts_scene *scene, solid_frame *frame, const
         status = refuse_flat(frame, least_thickness(frame), error);
     else
         status = check_faces(scene, frame, error, &at);
-    if (status == ROBERTS_OK && (count = count_covers(scene, frame)) != 1)
+    if (status == ROBERTS_OK && !too_few_to_wind(scene, frame) && (count = count_covers(scene, frame)) != 1)
         status = error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: its faces go round it %u times",
                            frame->solid, count);
     if (status != ROBERTS_OK)

@@ -8,7 +8,6 @@
 
 #include "base/array.h"
 #include "model/face_plane.h"
-#include "model/face_polygon.h"
 #include "model/layout.h"
 
 /* Beyond these sizes a solid is scaled, so that fourth powers of its lengths (squared areas), and of lengths a
@@ -102,50 +101,59 @@ static void reverse(uint32_t *corner, uint32_t count)
     }
 }
 
-void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean)
+static inline void store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean)
 {
     const local_face *face = &frame->face[f];
     uint32_t to = frame->face_first + f;
     double unit = frame->unit;
-    plane F = face->F;
+    plane F = face->F, *G = &scene->face_plane[to];
     roberts_vec3 p = vec3_sub(scene->point[scene->corner[scene->face_start[to]]], scene->centre);
-    scene->face_plane[to] = (plane){F.a, F.b, F.c, -(F.a * p.x + F.b * p.y + F.c * p.z) - mean * unit};
+    G->a = F.a;
+    G->b = F.b;
+    G->c = F.c;
+    G->d = -(F.a * p.x + F.b * p.y + F.c * p.z) - mean * unit;
     scene->face_deviation[to] = face->deviation * unit;
     scene->face_width[to] = face->width * unit;
 }
 
-/* Whether face f, just fitted, is strictly convex. */
-static bool is_strict(const solid_frame *frame, const fitted_plane *fit, uint32_t count)
+void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean)
 {
-    if (!(fit->area > 0.0))
-        return false;
-    return count == 3 || (count == 4 ? quadrilateral_strictly_convex(frame->ring, fit->n)
-                                     : polygon_strictly_convex(frame->ring, count, fit->n));
+    store(frame, scene, f, mean);
 }
 
-/* Fills in face f; returns the mean for frame_store(). */
-static double fit_face(solid_frame *frame, roberts_scene *scene, uint32_t f)
+/* Fills in face f; returns the mean for store(). */
+static inline double fit_face(solid_frame *frame, roberts_scene *scene, uint32_t f)
 {
     local_face *face = &frame->face[f];
-    uint32_t n = frame_ring(frame, scene, f);
-    roberts_vec3 b = vec3_sub(frame->barycentre, frame_origin(frame, scene, f));
+    const uint32_t *start = scene->face_start + frame->face_first + f, base = frame->vertex_first;
+    const roberts_vec3 *point = frame->point;
+    uint32_t *corner = scene->corner + start[0], n = start[1] - start[0];
+    roberts_vec3 origin = point[corner[0] - base], b = vec3_sub(frame->barycentre, origin);
     fitted_plane fit;
-    double side;
-    face_plane_fit(&fit, frame->ring, n);
-    side = vec3_dot(fit.n, b) - fit.mean < 0.0 ? -1.0 : 1.0;
+    double side, depth;
+    if (n == 3)
+        fit = face_plane_of_triangle(vec3_sub(point[corner[1] - base], origin),
+                                     vec3_sub(point[corner[2] - base], origin));
+    else if (n == 4)
+        fit = face_plane_of_quadrilateral(vec3_sub(point[corner[1] - base], origin),
+                                          vec3_sub(point[corner[2] - base], origin),
+                                          vec3_sub(point[corner[3] - base], origin));
+    else
+        fit = face_plane_fit(frame->ring, frame_ring(frame, scene, f));
+    depth = vec3_dot(fit.n, b) - fit.mean;
+    side = depth < 0.0 ? -1.0 : 1.0;
     face->F.a = side * fit.n.x;
     face->F.b = side * fit.n.y;
     face->F.c = side * fit.n.z;
-    face->depth = side * (vec3_dot(fit.n, b) - fit.mean);
-    face->F.d = 0.0;
-    face->F.d = face->depth - plane_at(face->F, frame->barycentre);
+    face->F.d = side * (-vec3_dot(fit.n, origin) - fit.mean);
+    face->depth = side * depth;
     face->deviation = fit.deviation;
     face->area = fit.area;
     face->width = fit.width;
-    face->strict = is_strict(frame, &fit, n);
+    face->strict = fit.strict;
     face->lean = !(fit.area > 0.0);
     if (side > 0.0) /* counter-clockwise about the inward normal is clockwise seen from outside */
-        reverse(scene->corner + scene->face_start[frame->face_first + f], n);
+        reverse(corner, n);
     return side * fit.mean;
 }
 
@@ -155,7 +163,7 @@ void frame_fit_faces(solid_frame *frame, roberts_scene *scene)
     uint32_t widest = 0;
     for (uint32_t f = 0; f < frame->face_count; f++) {
         const local_face *face = &frame->face[f];
-        frame_store(frame, scene, f, fit_face(frame, scene, f));
+        store(frame, scene, f, fit_face(frame, scene, f));
         lean |= face->lean;
         doubt |= face->deviation > frame->allowed || !face->strict;
         shallow |= face->depth < frame->flat;

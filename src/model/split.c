@@ -240,12 +240,10 @@ static void measure_walls(walker *w)
 {
     for (uint32_t i = 0; i < w->wall_count; i++) {
         wall *it = &w->walls[i];
-        fitted_plane fit;
         uint32_t n = frame_ring(w->frame, w->s->loose, w->sorted[it->first].face);
         roberts_vec3 origin = frame_origin(w->frame, w->s->loose, w->sorted[it->first].face);
         roberts_vec3 least = origin, sum = {0, 0, 0};
-        face_plane_fit(&fit, w->frame->ring, n);
-        it->n = fit.n;
+        it->n = face_plane_fit(w->frame->ring, n).n;
         for (uint32_t k = 0; k < n; k++) {
             roberts_vec3 p = vec3_add(origin, w->frame->ring[k]);
             sum = vec3_add(sum, p);
