@@ -9,6 +9,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
 #include "model/layout.h"
@@ -49,12 +50,14 @@ static inline uint32_t join(set_node *node, uint32_t root, uint32_t v)
     return other;
 }
 
-/* Joins the vertices of each face. Returns how many corners repeat an earlier one of their face. */
-static size_t join_corners(set_node *node, const polygons *faces)
+/* Joins the vertices of each face, and counts faces and corners. Returns how many corners repeat an earlier one of their
+ * face. */
+static size_t join_corners(roberts_scene *scene, set_node *node, const polygons *faces)
 {
     const uint32_t *start = faces->start;
     const uint32_t vertex_count = faces->vertex_count, face_count = faces->face_count;
-    size_t repeated = 0;
+    size_t repeated = 0, corner_count = 0;
+    uint32_t counted = 0;
     for (uint32_t v = 0; v < vertex_count; v++)
         node[v] = (set_node){ROBERTS_NONE, 0};
     for (uint32_t f = 0; f < face_count; f++) {
@@ -62,6 +65,8 @@ static size_t join_corners(set_node *node, const polygons *faces)
         uint32_t root;
         if (end - corner < 3)
             continue;
+        counted++;
+        corner_count += (size_t)(end - corner);
         if (node[*corner].parent == ROBERTS_NONE)
             node[*corner].parent = *corner;
         root = find_root(node, *corner);
@@ -72,33 +77,27 @@ static size_t join_corners(set_node *node, const polygons *faces)
             root = join(node, root, v);
         }
     }
+    scene->face_count = counted;
+    scene->corner_count = corner_count;
     return repeated;
 }
 
-static void count_faces(roberts_scene *scene, const polygons *faces)
-{
-    const uint32_t *start = faces->start;
-    uint32_t face_count = 0, corner_count = 0;
-    for (uint32_t f = 0; f < faces->face_count; f++) {
-        uint32_t count = start[f + 1] - start[f];
-        face_count += count >= 3;
-        corner_count += count >= 3 ? count : 0;
-    }
-    scene->face_count = face_count;
-    scene->corner_count = corner_count;
-}
-
 /* Turns parents into component numbers: a parent comes before its children and has been turned already. Counts
- * components and vertices and measures the box. */
-static void number_components(roberts_scene *scene, set_node *node, const polygons *faces, const roberts_vec3 *point)
+ * components and vertices and measures the box. Returns whether every vertex is in use and they are in order, component
+ * by component, so that they keep their numbers. */
+static bool number_components(roberts_scene *scene, set_node *node, const polygons *faces, const roberts_vec3 *point)
 {
     roberts_vec3 lo = {INFINITY, INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY, -INFINITY};
-    uint32_t solid_count = 0, used = 0, vertex_count = faces->vertex_count;
+    uint32_t solid_count = 0, used = 0, vertex_count = faces->vertex_count, before = 0;
+    bool in_order = true;
     for (uint32_t v = 0; v < vertex_count; v++) {
-        uint32_t parent = node[v].parent;
+        uint32_t parent = node[v].parent, component;
         if (parent == ROBERTS_NONE)
             continue;
-        node[v].parent = parent == v ? solid_count++ : node[parent].parent;
+        component = parent == v ? solid_count++ : node[parent].parent;
+        node[v].parent = component;
+        in_order &= component >= before;
+        before = component;
         used++;
         box_add(&lo, &hi, point[v]);
     }
@@ -106,6 +105,7 @@ static void number_components(roberts_scene *scene, set_node *node, const polygo
     scene->vertex_count = used;
     scene->box_min = lo;
     scene->box_max = hi;
+    return in_order && used == vertex_count;
 }
 
 /* The component of face f, which has corners. */
@@ -133,15 +133,23 @@ static void count_members(roberts_scene *scene, const set_node *node, const poly
     }
 }
 
-/* Sorts faces and vertices by component; each solid's first ones move to its end and back. */
-static void place_members(roberts_scene *scene, set_node *node, const polygons *faces, const roberts_vec3 *point)
+static void place_faces(roberts_scene *scene, const set_node *node, const polygons *faces)
 {
     scene_solid *solid = scene->solid;
-    uint32_t *number = scene->number, *face_number = scene->face_number;
-    uint32_t vertex_count = faces->vertex_count, face_count = faces->face_count;
+    uint32_t *face_number = scene->face_number, face_count = faces->face_count;
     for (uint32_t f = 0; f < face_count; f++)
         if (polygon_size(faces, f) >= 3)
             face_number[solid[component_of(node, faces, f)].face++] = f;
+    for (uint32_t s = scene->solid_count; s > 0; s--) /* each first one has moved to its end: back */
+        solid[s].face = solid[s - 1].face;
+    solid[0].face = 0;
+}
+
+/* Sorts the vertices by component; parents become compact numbers. */
+static void place_vertices(roberts_scene *scene, set_node *node, const polygons *faces, const roberts_vec3 *point)
+{
+    scene_solid *solid = scene->solid;
+    uint32_t *number = scene->number, vertex_count = faces->vertex_count;
     for (uint32_t v = 0; v < vertex_count; v++) {
         if (node[v].parent == ROBERTS_NONE)
             continue;
@@ -151,11 +159,21 @@ static void place_members(roberts_scene *scene, set_node *node, const polygons *
         scene->point[to] = point[v];
     }
     for (uint32_t s = scene->solid_count; s > 0; s--)
-        solid[s] = solid[s - 1];
-    solid[0] = (scene_solid){0, 0, 0};
+        solid[s].vertex = solid[s - 1].vertex;
+    solid[0].vertex = 0;
 }
 
-static void copy_corners(roberts_scene *scene, const set_node *node, const polygons *faces)
+/* The same where they are in order. */
+static void keep_vertices(roberts_scene *scene, const roberts_vec3 *point)
+{
+    uint32_t *number = scene->number, vertex_count = scene->vertex_count;
+    for (uint32_t v = 0; v < vertex_count; v++)
+        number[v] = v;
+    memcpy(scene->point, point, vertex_count * sizeof *point);
+}
+
+/* Copies the corners of all faces, in the mesh's numbers. */
+static void copy_corners(roberts_scene *scene, const polygons *faces)
 {
     const uint32_t *start = faces->start, *number = scene->face_number;
     uint32_t *to = scene->corner, *face_start = scene->face_start, face_count = scene->face_count;
@@ -163,7 +181,7 @@ static void copy_corners(roberts_scene *scene, const set_node *node, const polyg
         const uint32_t *from = faces->corner + start[number[f]], *end = faces->corner + start[number[f] + 1];
         face_start[f] = (uint32_t)(to - scene->corner);
         while (from < end)
-            *to++ = node[*from++].parent;
+            *to++ = *from++;
     }
     face_start[face_count] = (uint32_t)(to - scene->corner);
 }
@@ -171,21 +189,27 @@ static void copy_corners(roberts_scene *scene, const set_node *node, const polyg
 bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh)
 {
     set_node *node = alloc_array(faces->vertex_count, sizeof *node);
-    bool done = false;
+    bool done = false, in_order;
     if (!node)
         return false;
-    if (join_corners(node, faces) > 0) {
+    if (join_corners(scene, node, faces) > 0) {
         if (!polygons_clean(faces, NULL))
             goto done;
-        join_corners(node, faces);
+        join_corners(scene, node, faces);
     }
-    number_components(scene, node, faces, mesh->vertex);
-    count_faces(scene, faces);
+    in_order = number_components(scene, node, faces, mesh->vertex);
     if (!layout_alloc(scene))
         goto done;
     count_members(scene, node, faces);
-    place_members(scene, node, faces, mesh->vertex);
-    copy_corners(scene, node, faces);
+    place_faces(scene, node, faces);
+    copy_corners(scene, faces);
+    if (in_order) {
+        keep_vertices(scene, mesh->vertex);
+    } else {
+        place_vertices(scene, node, faces, mesh->vertex);
+        for (size_t i = 0; i < scene->corner_count; i++)
+            scene->corner[i] = node[scene->corner[i]].parent;
+    }
     done = true;
 done:
     free(node);

@@ -198,7 +198,7 @@ static roberts_status check_by_tree(const roberts_scene *scene, solid_frame *fra
     return status;
 }
 
-/* The faces by themselves, then together. */
+/* The faces by themselves, then together. Four points cannot lie but convexly. */
 static roberts_status check_faces(const roberts_scene *scene, solid_frame *frame, roberts_error *error, uint32_t *at)
 {
     for (uint32_t f = 0; frame->any_doubt && f < frame->face_count; f++) {
@@ -208,7 +208,7 @@ static roberts_status check_faces(const roberts_scene *scene, solid_frame *frame
             (status = check_face(scene, frame, f, error)) != ROBERTS_OK)
             return status;
     }
-    if (inward_bend(scene, frame) * frame->size <= BEND_PART * frame->allowed)
+    if (frame->vertex_count == 4 || inward_bend(scene, frame) * frame->size <= BEND_PART * frame->allowed)
         return ROBERTS_OK;
     return is_large(frame) ? check_by_tree(scene, frame, error, at) : check_pairs(scene, frame, error, at);
 }
