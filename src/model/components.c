@@ -169,7 +169,8 @@ static void keep_vertices(roberts_scene *scene, const roberts_vec3 *point)
     uint32_t *number = scene->number, vertex_count = scene->vertex_count;
     for (uint32_t v = 0; v < vertex_count; v++)
         number[v] = v;
-    memcpy(scene->point, point, vertex_count * sizeof *point);
+    if (vertex_count > 0) /* a mesh without vertices has no array of them */
+        memcpy(scene->point, point, vertex_count * sizeof *point);
 }
 
 /* Copies the corners of all faces, in the mesh's numbers. */
