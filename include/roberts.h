@@ -399,6 +399,7 @@ typedef struct roberts_verify_options {
     uint32_t rays;         /**< per segment, near its ends and evenly between them; 0 = 3 */
     double crease_degrees; /**< as given to roberts_hide(), to tell edges hidden altogether from those not drawn */
     bool all_edges;        /**< the same */
+    uint32_t threads;      /**< 0 = what there is; the result does not depend on it */
     roberts_contradiction_fn *contradiction; /**< NULL: count only */
     void *context;
 } roberts_verify_options;

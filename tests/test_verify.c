@@ -299,6 +299,77 @@ static void test_spoiled_rows(void **state)
     roberts_scene_free(scene);
 }
 
+typedef struct findings {
+    roberts_contradiction item[4000];
+    size_t count;
+} findings;
+
+static void keep_finding(void *context, const roberts_contradiction *c)
+{
+    findings *f = context;
+    assert_true(f->count < COUNT(f->item));
+    f->item[f->count++] = *c;
+}
+
+/* A drawing wrong in many places: the same contradictions in the same order, by edge and t, from any number of threads. */
+static void test_threads(void **state)
+{
+    static findings found[4];
+    rng r = {5};
+    roberts_scene *scene = random_scene(&r, 150, 0.3);
+    roberts_camera camera = preset("trimetric");
+    roberts_drawing drawing = hide(scene, &camera, true);
+    (void)state;
+    for (size_t i = 0; i < drawing.count; i += 3)
+        drawing.segment[i].state ^= 1;
+    for (uint32_t threads = 0; threads < 4; threads++) {
+        roberts_verify_options options = roberts_verify_options_default();
+        roberts_verification result;
+        options.threads = threads;
+        options.contradiction = keep_finding;
+        options.context = &found[threads];
+        assert_int_equal(roberts_verify(scene, &camera, &drawing, &options, &result, NULL), ROBERTS_OK);
+        assert_int_equal(found[threads].count, result.contradictions);
+        assert_int_equal(found[threads].count, found[0].count);
+    }
+    assert_true(found[0].count > 1000);
+    for (size_t i = 0; i < found[0].count; i++) {
+        const roberts_contradiction *a = &found[0].item[i], *z = i ? a - 1 : NULL;
+        for (int k = 1; k < 4; k++) {
+            const roberts_contradiction *b = &found[k].item[i];
+            assert_true(a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1 && a->t == b->t && a->by == b->by &&
+                        a->drawn == b->drawn && a->cast == b->cast);
+        }
+        if (z)
+            assert_true(z->solid < a->solid ||
+                        (z->solid == a->solid && (z->v0 < a->v0 || (z->v0 == a->v0 && z->v1 < a->v1) ||
+                                                  (z->v0 == a->v0 && z->v1 == a->v1 && z->t < a->t))));
+    }
+    roberts_drawing_free(&drawing);
+    roberts_scene_free(scene);
+}
+
+/* Long thin bars across one another, which the tree takes in slices. */
+static void test_bars(void **state)
+{
+    rng r = {6};
+    roberts_mesh mesh = {0};
+    (void)state;
+    for (int i = 0; i < 60; i++) {
+        double angle = draw(&r, 0.0, 3.0), x = 50 * cos(angle), y = 50 * sin(angle);
+        roberts_vec3 o = {-x / 2 + draw(&r, -5, 5), -y / 2 + draw(&r, -5, 5), i};
+        add_block(&mesh, o, (roberts_vec3){x, y, draw(&r, -0.2, 0.2)}, (roberts_vec3){-y / 200, x / 200, 0},
+                  (roberts_vec3){0, 0, 0.5});
+    }
+    roberts_scene *scene = build(&mesh);
+    roberts_camera camera = preset("top"), iso = preset("iso"),
+                   eye = {.projection = ROBERTS_PERSPECTIVE, .eye = {9, 8, 200}};
+    assert_true(check_right("bars", scene, &camera, 5) > 20000);
+    check_right("bars", scene, &iso, 5);
+    check_right("bars", scene, &eye, 5);
+    roberts_scene_free(scene);
+}
+
 /* The rule itself, by hand: what two boxes do to the top edge of a third. The drawing shows all of it as visible; `wrong`
  * says whether that is contradicted. The edge runs from (0, 0, 0) to (8, 0, 0) and is seen from above; the occluder is
  * the box from `lo` to `hi`. */
@@ -590,6 +661,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random_scenes), cmocka_unit_test(test_bricks),
         cmocka_unit_test(test_scales),        cmocka_unit_test(test_spoiled_rows),
+        cmocka_unit_test(test_threads),       cmocka_unit_test(test_bars),
         cmocka_unit_test(test_rule),          cmocka_unit_test(test_bad_drawings),
         cmocka_unit_test(test_pick_table),    cmocka_unit_test(test_pick_perspective),
         cmocka_unit_test(test_pick_ties),     cmocka_unit_test(test_pick_agrees),

@@ -27,6 +27,7 @@ roberts_status rays_verify(const cli_options *options, const roberts_scene *scen
     verify.rays = options->verify_rays;
     verify.crease_degrees = options->hide.crease_degrees;
     verify.all_edges = options->hide.all_edges;
+    verify.threads = options->hide.threads;
     verify.contradiction = tell;
     verify.context = &told;
     roberts_status status = roberts_verify(scene, &options->camera, drawing, &verify, &found, error);

@@ -106,14 +106,15 @@ sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, robert
     sight_answer answer = SIGHT_SURELY;
     for (uint32_t k = scene->face_start[face]; k < end; k++) {
         roberts_vec3 B = s->P[scene->corner[k]], xa = vec3_sub(A, X), ab = vec3_sub(B, A);
-        double left = vec3_dot(v, vec3_cross(xa, ab)), noise = RAY_PARALLEL * vec3_triple_size(xa, ab, v);
+        double left = vec3_dot(v, vec3_cross(xa, ab));
         A = B;
         if (left >= 0.0)
             continue;
-        double picture = vec3_length(vec3_cross(v, ab));
-        if (!(left >= -(s->loose + s->rounding + slack) * picture - noise))
+        roberts_vec3 spread = vec3_cross(v, ab); /* as long as AB's picture; squares spare the root */
+        double outside = -left - RAY_PARALLEL * vec3_triple_size(xa, ab, v), far = s->loose + s->rounding + slack;
+        if (!(outside <= 0.0 || outside * outside <= far * far * vec3_dot(spread, spread)))
             return SIGHT_NO;
-        if (!(left >= -s->rounding * picture - noise))
+        if (!(outside <= 0.0 || outside * outside <= s->rounding * s->rounding * vec3_dot(spread, spread)))
             answer = SIGHT_POSSIBLY;
     }
     return answer;

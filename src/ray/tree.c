@@ -6,7 +6,7 @@
 #include "base/array.h"
 
 enum {
-    LEAF_ITEMS = 4, /* a leaf holds no more, unless the boxes cannot be told apart */
+    LEAF_ITEMS = 2, /* a leaf holds no more, unless the boxes cannot be told apart */
     BINS = 12,      /* planes tried for a split, and one; more gained nothing */
     BIN_DEPTH = 60, /* from here on nodes are halved by number, which ends after 32 more levels */
 };
@@ -19,22 +19,22 @@ static tree_box box_union(tree_box a, tree_box b)
                       {fmax(a.hi.x, b.hi.x), fmax(a.hi.y, b.hi.y), fmax(a.hi.z, b.hi.z)}};
 }
 
-/* Half the surface: in proportion to the chance that a ray through the parent meets the box. */
-static double box_area(tree_box a)
+double tree_box_area(tree_box a)
 {
     double x = a.hi.x - a.lo.x, y = a.hi.y - a.lo.y, z = a.hi.z - a.lo.z;
     return x < 0.0 ? 0.0 : x * y + y * z + z * x;
 }
 
-static double component(roberts_vec3 a, int axis)
+int tree_longest_axis(tree_box a)
 {
-    return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+    double x = a.hi.x - a.lo.x, y = a.hi.y - a.lo.y, z = a.hi.z - a.lo.z;
+    return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
 
 /* Twice the middle of a box along an axis. */
 static double box_middle(tree_box a, int axis)
 {
-    return component(a.lo, axis) + component(a.hi, axis);
+    return tree_component(a.lo, axis) + tree_component(a.hi, axis);
 }
 
 typedef struct builder {
@@ -59,19 +59,15 @@ static bool find_split(const builder *b, uint32_t first, uint32_t count, split *
 {
     tree_box middles = empty_box, bin_box[BINS];
     uint32_t bin_count[BINS] = {0}, below = 0;
-    double cost[BINS], least = INFINITY, length = 0.0;
+    double cost[BINS], least = INFINITY;
     for (uint32_t i = first; i < first + count; i++) {
         tree_box box = b->box[b->t->item[i]];
         roberts_vec3 m = vec3_add(box.lo, box.hi);
         middles = box_union(middles, (tree_box){m, m});
     }
-    for (int axis = 0; axis < 3; axis++) {
-        double side = component(middles.hi, axis) - component(middles.lo, axis);
-        if (side > length) {
-            length = side;
-            *best = (split){axis, 0, component(middles.lo, axis), BINS / side};
-        }
-    }
+    int axis = tree_longest_axis(middles);
+    double low = tree_component(middles.lo, axis), length = tree_component(middles.hi, axis) - low;
+    *best = (split){axis, 0, low, BINS / length};
     if (!(length > 0.0) || !isfinite(best->bins_per_length))
         return false;
     for (int k = 0; k < BINS; k++)
@@ -86,15 +82,15 @@ static bool find_split(const builder *b, uint32_t first, uint32_t count, split *
     for (int k = 0; k < BINS - 1; k++) { /* boxes in bins 0 .. k ... */
         side = box_union(side, bin_box[k]);
         below += bin_count[k];
-        cost[k + 1] = below * box_area(side);
+        cost[k + 1] = below * tree_box_area(side);
     }
     side = empty_box;
     below = 0;
     for (int k = BINS - 1; k > 0; k--) { /* ... against those in bins k .. */
         side = box_union(side, bin_box[k]);
         below += bin_count[k];
-        if (below < count && cost[k] + below * box_area(side) < least && below > 0) {
-            least = cost[k] + below * box_area(side);
+        if (below < count && cost[k] + below * tree_box_area(side) < least && below > 0) {
+            least = cost[k] + below * tree_box_area(side);
             best->bin = k;
         }
     }

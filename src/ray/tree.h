@@ -15,6 +15,17 @@ typedef struct tree_box {
     roberts_vec3 lo, hi;
 } tree_box;
 
+/* Half the surface: in proportion to the chance that a ray meets the box. 0 for an empty one. */
+double tree_box_area(tree_box a);
+
+/* x, y or z: axis 0, 1 or 2. */
+static inline double tree_component(roberts_vec3 a, int axis)
+{
+    return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+}
+
+int tree_longest_axis(tree_box a);
+
 typedef struct tree_node {
     tree_box box;
     uint32_t first; /* leaf: its first item; inner node: its second child */

@@ -5,13 +5,18 @@
  * face (which its own solid hides) the own solid counts as well.
  *
  * Every question has three answers: surely, possibly, no. A point surely hidden that is drawn visible, or not even
- * possibly hidden and drawn hidden, is a contradiction; what is only possible is left undecided. */
+ * possibly hidden and drawn hidden, is a contradiction; what is only possible is left undecided.
+ *
+ * Edges are taken in chunks, by any number of threads; a chunk keeps what it finds, and the findings come in order. */
 #include <stdlib.h>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 
 #include "base/array.h"
 #include "base/error.h"
-#include "ray/sight.h"
-#include "ray/tree.h"
+#include "ray/occluders.h"
 
 /* The first and last point of a stretch lie this part of it from its ends: near enough to find an end that is off by a
  * thousandth of the stretch, and farther than epsilon from it for all stretches that a pen can show. */
@@ -20,24 +25,28 @@
 #define NEIGHBOUR 0x1p-12
 /* Gaps between the rows of an edge that are rounding (t has a size of 1). */
 #define GAP 1e-15
-/* How far boxes reach beyond their faces, in loose epsilons: a corner of angle a, grown by epsilon, sticks out by
- * epsilon / sin (a / 2). */
-#define BOX_MARGIN 1000.0
 /* An angle so near the crease angle may be taken for either side of it; degrees. */
 #define CREASE_MARGIN 1e-6
+/* Edges in a chunk: enough to forget the cost of sharing them out. */
+#define CHUNK_EDGES 512
+
+/* What a chunk of edges came to. */
+typedef struct chunk {
+    size_t segments, points, undecided;
+    roberts_contradiction *found;
+    size_t count, room;
+    bool lost; /* no memory */
+} chunk;
 
 typedef struct verifier {
-    sight s;
-    tree t;
-    uint32_t *tree_face;  /* [items of the tree] front faces, or nearly */
-    uint32_t *face_solid; /* [face_count] */
-    double *slack;        /* [solid_count] how far a back edge may stick out of the picture of its solid's front faces
-                             where coordinates are rounded: that of all its faces */
-    uint32_t *row_start;  /* [edge_count + 1] */
-    uint32_t *row;        /* [segments] rows of the drawing, edge by edge, by t */
+    const roberts_scene *scene;
     const roberts_drawing *drawing;
     roberts_verify_options options;
-    roberts_verification *result;
+    occluders o;
+    uint32_t *row_start; /* [edge_count + 1] */
+    uint32_t *row;       /* [segments] rows of the drawing, edge by edge, by t */
+    chunk *chunk;        /* [chunk_count] */
+    uint32_t chunk_count;
 } verifier;
 
 roberts_verify_options roberts_verify_options_default(void)
@@ -45,33 +54,7 @@ roberts_verify_options roberts_verify_options_default(void)
     return (roberts_verify_options){.rays = 3, .crease_degrees = 0.1};
 }
 
-/* ---- casting ---------------------------------------------------------------------------------------------------- */
-
-/* Whether anything hides X, a point of an edge of `solid`; if `own`, faces of that solid count too. `*by`: a solid that
- * does, or may. */
-static sight_answer cast(const verifier *f, roberts_vec3 X, uint32_t solid, bool own, uint32_t *by)
-{
-    roberts_vec3 v = sight_from(&f->s, X);
-    sight_answer answer = SIGHT_NO;
-    const uint32_t *item;
-    tree_walk walk;
-    tree_walk_start(&walk, &f->t, (roberts_ray){X, v}, f->s.perspective ? 1.0 : INFINITY);
-    for (uint32_t count; (count = tree_walk_next(&walk, &item)) > 0;) {
-        for (uint32_t i = 0; i < count; i++) {
-            uint32_t face = f->tree_face[item[i]], occluder = f->face_solid[face];
-            if (occluder == solid && !own)
-                continue;
-            sight_answer one = sight_hides(&f->s, face, X, v, occluder == solid ? f->slack[solid] : 0.0);
-            if (one > answer) {
-                answer = one;
-                *by = occluder;
-            }
-            if (answer == SIGHT_SURELY)
-                return answer;
-        }
-    }
-    return answer;
-}
+/* ---- edges ------------------------------------------------------------------------------------------------------ */
 
 /* What an edge's faces make of it. */
 enum { EDGE_FRONT, EDGE_BACK, EDGE_UNSURE };
@@ -80,7 +63,7 @@ static int edge_class(const verifier *f, const scene_edge *e)
 {
     bool unsure = false;
     for (int i = 0; i < 2; i++) {
-        int facing = e->f[i] == ROBERTS_NONE ? SIGHT_NOT_FRONT : f->s.facing[e->f[i]];
+        int facing = e->f[i] == ROBERTS_NONE ? SIGHT_NOT_FRONT : f->o.s.facing[e->f[i]];
         if (facing == SIGHT_FRONT)
             return EDGE_FRONT;
         unsure |= facing == SIGHT_UNSURE;
@@ -94,24 +77,16 @@ static bool surely_drawn(const verifier *f, const scene_edge *e)
     const double degrees = 180.0 / 3.14159265358979323846;
     if (edge_class(f, e) != EDGE_FRONT)
         return false;
-    if (f->options.all_edges || e->f[1] == ROBERTS_NONE || f->s.facing[e->f[0]] == SIGHT_NOT_FRONT ||
-        f->s.facing[e->f[1]] == SIGHT_NOT_FRONT)
+    if (f->options.all_edges || e->f[1] == ROBERTS_NONE || f->o.s.facing[e->f[0]] == SIGHT_NOT_FRONT ||
+        f->o.s.facing[e->f[1]] == SIGHT_NOT_FRONT)
         return true;
-    plane F = f->s.scene->face_plane[e->f[0]], G = f->s.scene->face_plane[e->f[1]];
+    plane F = f->scene->face_plane[e->f[0]], G = f->scene->face_plane[e->f[1]];
     roberts_vec3 m = {F.a, F.b, F.c}, n = {G.a, G.b, G.c};
     double angle = atan2(vec3_length(vec3_cross(m, n)), vec3_dot(m, n)) * degrees;
     return angle > f->options.crease_degrees + CREASE_MARGIN;
 }
 
 /* ---- points of a stretch ---------------------------------------------------------------------------------------- */
-
-static void contradict(verifier *f, roberts_contradiction c)
-{
-    if (f->result->contradictions++ == 0)
-        f->result->first = c;
-    if (f->options.contradiction)
-        f->options.contradiction(f->options.context, &c);
-}
 
 /* Where point k of n lies within a stretch, 0 < position < 1. */
 static double position(uint32_t k, uint32_t n)
@@ -129,52 +104,63 @@ typedef struct stretch {
     int class;
     double t0, t1;
     roberts_state drawn;
+    uint32_t hider; /* the face that hid a point of the edge last */
 } stretch;
 
 /* Whether the ray from point t of the edge surely contradicts the drawing; `*answer` is what it says. */
-static bool contradicted(const verifier *f, const stretch *e, double t, sight_answer *answer, uint32_t *by)
+static bool contradicted(const verifier *f, stretch *e, double t, sight_answer *answer)
 {
-    const scene_edge *edge = &f->s.scene->edge[e->edge];
-    roberts_vec3 A = f->s.P[edge->v[0]], AB = vec3_sub(f->s.P[edge->v[1]], A);
-    *by = ROBERTS_NONE;
-    *answer = SIGHT_POSSIBLY;
-    if (e->class != EDGE_UNSURE)
-        *answer = cast(f, vec3_add(A, vec3_scale(t, AB)), e->solid, e->class == EDGE_BACK, by);
+    const scene_edge *edge = &f->scene->edge[e->edge];
+    roberts_vec3 A = f->o.s.P[edge->v[0]], AB = vec3_sub(f->o.s.P[edge->v[1]], A);
+    const sight_question q = {vec3_add(A, vec3_scale(t, AB)), e->solid, e->class == EDGE_BACK};
+    *answer = e->class == EDGE_UNSURE ? SIGHT_POSSIBLY : occluders_cast(&f->o, &q, &e->hider);
     return *answer == (e->drawn == ROBERTS_HIDDEN ? SIGHT_NO : SIGHT_SURELY);
+}
+
+static void contradict(const verifier *f, chunk *out, const stretch *e, double t, uint32_t hider)
+{
+    const scene_edge *edge = &f->scene->edge[e->edge];
+    roberts_contradiction c = {
+        e->solid,    f->scene->number[edge->v[0]], f->scene->number[edge->v[1]], t, e->drawn, ROBERTS_VISIBLE,
+        ROBERTS_NONE};
+    if (e->drawn == ROBERTS_VISIBLE) {
+        c.cast = ROBERTS_HIDDEN;
+        c.by = f->o.face_solid[hider];
+    }
+    if (array_reserve(&out->found, &out->room, out->count + 1, sizeof *out->found))
+        out->found[out->count++] = c;
+    else
+        out->lost = true;
 }
 
 /* Judges the points of a stretch. Where an edge passes behind a mere corner the rule hides one point of it, and the
  * drawing rightly shows nothing of that: only what is contradicted at a neighbouring point too counts. */
-static void check_stretch(verifier *f, const stretch *e)
+static void check_stretch(const verifier *f, chunk *out, stretch *e)
 {
-    const scene_edge *edge = &f->s.scene->edge[e->edge];
-    const uint32_t *number = f->s.scene->number;
     double length = e->t1 - e->t0, step = NEIGHBOUR * length;
-    f->result->segments++;
+    out->segments++;
     for (uint32_t k = 0; k < f->options.rays; k++) {
         double t = e->t0 + length * position(k, f->options.rays);
-        uint32_t by, other_by;
-        sight_answer answer, other;
-        f->result->points++;
-        bool wrong = contradicted(f, e, t, &answer, &by);
-        if (wrong && !contradicted(f, e, t - step, &other, &other_by) &&
-            !contradicted(f, e, t + step, &other, &other_by))
-            answer = SIGHT_POSSIBLY;
-        if (answer == SIGHT_POSSIBLY)
-            f->result->undecided++;
-        else if (wrong)
-            contradict(f, (roberts_contradiction){e->solid, number[edge->v[0]], number[edge->v[1]], t, e->drawn,
-                                                  answer == SIGHT_SURELY ? ROBERTS_HIDDEN : ROBERTS_VISIBLE,
-                                                  answer == SIGHT_SURELY ? by : ROBERTS_NONE});
+        sight_answer answer, beside;
+        bool wrong = contradicted(f, e, t, &answer);
+        uint32_t hider = e->hider;
+        out->points++;
+        if (!wrong)
+            out->undecided += answer == SIGHT_POSSIBLY;
+        else if (contradicted(f, e, t - step, &beside) || contradicted(f, e, t + step, &beside))
+            contradict(f, out, e, t, hider);
+        else
+            out->undecided++;
     }
 }
 
 /* The rows of an edge, and between them, where the edge has to be drawn, the gaps: hidden and left out. */
-static void check_edge(verifier *f, uint32_t solid, uint32_t index)
+static void check_edge(const verifier *f, chunk *out, uint32_t index)
 {
-    const scene_edge *edge = &f->s.scene->edge[index];
+    const scene_edge *edge = &f->scene->edge[index];
     bool gaps = surely_drawn(f, edge);
-    stretch e = {.solid = solid, .edge = index, .class = edge_class(f, edge)};
+    stretch e = {
+        .solid = f->o.face_solid[edge->f[0]], .edge = index, .class = edge_class(f, edge), .hider = ROBERTS_NONE};
     double end = 0.0;
     for (uint32_t k = f->row_start[index]; k <= f->row_start[index + 1]; k++) {
         const roberts_segment *row = k < f->row_start[index + 1] ? &f->drawing->segment[f->row[k]] : NULL;
@@ -182,14 +168,14 @@ static void check_edge(verifier *f, uint32_t solid, uint32_t index)
         e.t1 = row ? row->t0 : 1.0;
         e.drawn = ROBERTS_HIDDEN;
         if (gaps && e.t1 - e.t0 > GAP)
-            check_stretch(f, &e);
+            check_stretch(f, out, &e);
         if (!row)
             return;
         e.t0 = row->t0;
         e.t1 = row->t1;
         e.drawn = (roberts_state)row->state;
         if (e.drawn != ROBERTS_CLIPPED)
-            check_stretch(f, &e);
+            check_stretch(f, out, &e);
         end = fmax(end, row->t1);
     }
 }
@@ -230,7 +216,7 @@ static void sort_rows(verifier *f, uint32_t first, uint32_t end)
 /* Rows by edge, by counting: row_start first counts, then points behind each edge's rows, then to their first. */
 static roberts_status assign_rows(verifier *f, roberts_error *error)
 {
-    const roberts_scene *scene = f->s.scene;
+    const roberts_scene *scene = f->scene;
     uint32_t total = 0;
     for (uint32_t i = 0; i < f->drawing->count; i++) {
         const roberts_segment *row = &f->drawing->segment[i];
@@ -254,65 +240,68 @@ static roberts_status assign_rows(verifier *f, roberts_error *error)
 
 /* ---- the whole -------------------------------------------------------------------------------------------------- */
 
-/* The tree over the faces that may hide, each in a box that holds whatever counts as touching it. */
-static bool build_tree(verifier *f)
+static void check_chunk(verifier *f, uint32_t index)
 {
-    const roberts_scene *scene = f->s.scene;
-    double margin = BOX_MARGIN * (f->s.loose + f->s.rounding);
-    tree_box *box = alloc_array(scene->face_count, sizeof *box);
-    uint32_t count = 0;
-    if (!box)
-        return false;
-    for (uint32_t face = 0; face < scene->face_count; face++) {
-        if (f->s.facing[face] == SIGHT_NOT_FRONT)
-            continue;
-        roberts_vec3 lo = {INFINITY, INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY, -INFINITY};
-        for (uint32_t k = scene->face_start[face]; k < scene->face_start[face + 1]; k++) {
-            roberts_vec3 p = f->s.P[scene->corner[k]];
-            lo = (roberts_vec3){fmin(lo.x, p.x - margin), fmin(lo.y, p.y - margin), fmin(lo.z, p.z - margin)};
-            hi = (roberts_vec3){fmax(hi.x, p.x + margin), fmax(hi.y, p.y + margin), fmax(hi.z, p.z + margin)};
-        }
-        f->tree_face[count] = face;
-        box[count++] = (tree_box){lo, hi};
-    }
-    bool built = tree_build(&f->t, box, count);
-    free(box);
-    return built;
+    uint32_t first = index * CHUNK_EDGES, left = f->scene->edge_count - first;
+    for (uint32_t i = 0; i < (left < CHUNK_EDGES ? left : CHUNK_EDGES); i++)
+        check_edge(f, &f->chunk[index], first + i);
 }
 
-static bool prepare(verifier *f, const roberts_scene *scene, const view *v)
+static void check_chunks(verifier *f)
 {
-    f->tree_face = alloc_array(scene->face_count, sizeof *f->tree_face);
-    f->face_solid = alloc_array(scene->face_count, sizeof *f->face_solid);
-    f->slack = alloc_zeroed(scene->solid_count, sizeof *f->slack);
-    f->row_start = alloc_zeroed((size_t)scene->edge_count + 1, sizeof *f->row_start);
-    f->row = alloc_array(f->drawing->count, sizeof *f->row);
-    if (!f->tree_face || !f->face_solid || !f->slack || !f->row_start || !f->row || !sight_prepare(&f->s, scene, v))
-        return false;
-    for (uint32_t solid = 0; solid < scene->solid_count; solid++) {
-        for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {
-            f->face_solid[face] = solid;
-            f->slack[solid] = fmax(f->slack[solid], SIGHT_MARGIN * scene->face_deviation[face] / f->s.unit);
-        }
+#ifdef _OPENMP
+    int threads = f->options.threads ? (int)f->options.threads : omp_get_max_threads();
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+#endif
+    for (uint32_t i = 0; i < f->chunk_count; i++)
+        check_chunk(f, i);
+}
+
+/* Sums the chunks up, and tells their contradictions in order. */
+static roberts_status report(const verifier *f, roberts_verification *result, roberts_error *error)
+{
+    for (uint32_t i = 0; i < f->chunk_count; i++)
+        if (f->chunk[i].lost)
+            return error_no_memory(error);
+    for (uint32_t i = 0; i < f->chunk_count; i++) {
+        const chunk *c = &f->chunk[i];
+        result->segments += c->segments;
+        result->points += c->points;
+        result->undecided += c->undecided;
+        if (c->count && result->contradictions == 0)
+            result->first = c->found[0];
+        result->contradictions += c->count;
+        for (size_t k = 0; f->options.contradiction && k < c->count; k++)
+            f->options.contradiction(f->options.context, &c->found[k]);
     }
-    return build_tree(f);
+    return ROBERTS_OK;
+}
+
+static bool prepare(verifier *f, const view *v)
+{
+    uint32_t edges = f->scene->edge_count;
+    f->chunk_count = edges / CHUNK_EDGES + (edges % CHUNK_EDGES != 0);
+    f->chunk = alloc_zeroed(f->chunk_count, sizeof *f->chunk);
+    f->row_start = alloc_zeroed((size_t)edges + 1, sizeof *f->row_start);
+    f->row = alloc_array(f->drawing->count, sizeof *f->row);
+    return f->chunk && f->row_start && f->row &&
+           occluders_build(&f->o, f->scene, v, (double)f->options.rays * ((double)f->drawing->count + edges));
 }
 
 static void release(verifier *f)
 {
-    sight_free(&f->s);
-    tree_free(&f->t);
-    free(f->tree_face);
-    free(f->face_solid);
-    free(f->slack);
+    for (uint32_t i = 0; f->chunk && i < f->chunk_count; i++)
+        free(f->chunk[i].found);
+    free(f->chunk);
     free(f->row_start);
     free(f->row);
+    occluders_free(&f->o);
 }
 
 roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *camera, const roberts_drawing *drawing,
                               const roberts_verify_options *options, roberts_verification *result, roberts_error *error)
 {
-    verifier f = {.drawing = drawing, .result = result};
+    verifier f = {.scene = scene, .drawing = drawing};
     view v;
     *result = (roberts_verification){0};
     f.options = options ? *options : roberts_verify_options_default();
@@ -323,13 +312,12 @@ roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *
     roberts_status status = view_prepare(&v, scene, camera, drawing->epsilon, error);
     if (status != ROBERTS_OK)
         return status;
-    if (!prepare(&f, scene, &v))
+    if (!prepare(&f, &v))
         status = error_no_memory(error);
-    else
-        status = assign_rows(&f, error);
-    for (uint32_t solid = 0; status == ROBERTS_OK && solid < scene->solid_count; solid++)
-        for (uint32_t edge = scene->solid[solid].edge; edge < scene->solid[solid + 1].edge; edge++)
-            check_edge(&f, solid, edge);
+    else if ((status = assign_rows(&f, error)) == ROBERTS_OK) {
+        check_chunks(&f);
+        status = report(&f, result, error);
+    }
     release(&f);
     return status;
 }
