@@ -151,7 +151,10 @@ static size_t check_right(const char *name, const roberts_scene *scene, const ro
         if (found.contradictions || found.undecided * 1000 > found.points)
             fail_msg("%s, keep %d: of %zu points %zu contradict, %zu are undecided", name, keep, found.points,
                      found.contradictions, found.undecided);
-        assert_true(found.points == found.segments * rays && found.segments >= drawing.count);
+        size_t rows = 0;
+        for (size_t i = 0; i < drawing.count; i++)
+            rows += drawing.segment[i].state != ROBERTS_CLIPPED;
+        assert_true(found.points == found.segments * rays && found.segments >= rows);
         points += found.points;
         roberts_drawing_free(&drawing);
     }
@@ -177,7 +180,8 @@ static void test_random_scenes(void **state)
 /* Touching boxes where everything lines up; from near, the eye sees along some faces. */
 static void test_bricks(void **state)
 {
-    static const char *const views[] = {"iso", "dimetric", "front", "back", "left", "right", "top", "bottom"};
+    static const char *const views[] = {"iso",   "dimetric", "front",  "back",     "left",
+                                        "right", "top",      "bottom", "cavalier", "cabinet"};
     roberts_scene *scene = brick_scene(4, 3, 4);
     (void)state;
     for (size_t i = 0; i < COUNT(views); i++) {
@@ -190,6 +194,31 @@ static void test_bricks(void **state)
         check_right("perspective", scene, &camera, 5);
     }
     roberts_scene_free(scene);
+}
+
+/* Oblique views, and eyes amid the solids, so that the near plane cuts some. */
+static void test_oblique_and_near(void **state)
+{
+    rng r = {7};
+    size_t cut = 0;
+    (void)state;
+    for (int i = 0; i < 30; i++) {
+        roberts_scene *scene = random_scene(&r, 10 + i, 0.4);
+        roberts_camera oblique = {.dir = draw_vec3(&r, 1.0), .oblique = {draw(&r, -1.5, 1.5), draw(&r, -1.5, 1.5)}};
+        roberts_camera amid = {.projection = ROBERTS_PERSPECTIVE, .eye = draw_vec3(&r, 1.0), .has_look_at = true};
+        roberts_drawing drawing;
+        amid.near_distance = i % 2 ? 0.0 : 0.1;
+        amid.look_at = vec3_add(amid.eye, draw_vec3(&r, 1.0));
+        check_right("oblique", scene, &oblique, 7);
+        roberts_status status = roberts_hide(scene, &amid, NULL, &drawing, NULL);
+        roberts_drawing_free(&drawing);
+        if (status == ROBERTS_OK) { /* the eye may be inside a solid */
+            cut++;
+            check_right("amid", scene, &amid, 7);
+        }
+        roberts_scene_free(scene);
+    }
+    assert_true(cut > 10);
 }
 
 /* The same at all scales and far from the origin. */
@@ -538,6 +567,31 @@ static void test_pick_perspective(void **state)
     roberts_scene_free(scene);
 }
 
+/* The near plane, 1 below the eye, cuts the tower: looking down one sees where it is cut. */
+static void test_pick_cut(void **state)
+{
+    roberts_mesh mesh = {0};
+    roberts_camera camera = {
+        .projection = ROBERTS_PERSPECTIVE, .eye = {0, 0, 4}, .up = {0, 1, 0}, .near_distance = 1.0};
+    roberts_picked picked;
+    (void)state;
+    camera.has_look_at = true;
+    add_box(&mesh, (roberts_vec3){-4, -4, -1}, (roberts_vec3){4, 4, 0});
+    add_box(&mesh, (roberts_vec3){1, -1, 0}, (roberts_vec3){2, 1, 5});
+    roberts_scene *scene = build(&mesh);
+    assert_int_equal(roberts_pick(scene, &camera, 6, 0, &picked, NULL), ROBERTS_OK); /* the tower is cut at 4 .. 8 */
+    assert_int_equal(picked.count, 1);
+    assert_true(picked.hit[0].solid == 1 && picked.hit[0].face == ROBERTS_NONE &&
+                fabs(picked.hit[0].depth + 3) < 1e-14);
+    assert_true(fabs(picked.hit[0].point.x - 1.5) < 1e-14);
+    roberts_picked_free(&picked);
+    assert_int_equal(roberts_pick(scene, &camera, 3.5, 0, &picked, NULL), ROBERTS_OK); /* its side, then the floor */
+    assert_int_equal(picked.count, 2);
+    assert_true(picked.hit[0].solid == 1 && picked.hit[0].face == 10 && picked.hit[1].solid == 0);
+    roberts_picked_free(&picked);
+    roberts_scene_free(scene);
+}
+
 /* Solids that touch or coincide at the same depth come by number; faces of one solid that share the point count once. */
 static void test_pick_ties(void **state)
 {
@@ -659,12 +713,20 @@ static void test_tree(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_scenes), cmocka_unit_test(test_bricks),
-        cmocka_unit_test(test_scales),        cmocka_unit_test(test_spoiled_rows),
-        cmocka_unit_test(test_threads),       cmocka_unit_test(test_bars),
-        cmocka_unit_test(test_rule),          cmocka_unit_test(test_bad_drawings),
-        cmocka_unit_test(test_pick_table),    cmocka_unit_test(test_pick_perspective),
-        cmocka_unit_test(test_pick_ties),     cmocka_unit_test(test_pick_agrees),
+        cmocka_unit_test(test_random_scenes),
+        cmocka_unit_test(test_bricks),
+        cmocka_unit_test(test_scales),
+        cmocka_unit_test(test_spoiled_rows),
+        cmocka_unit_test(test_oblique_and_near),
+        cmocka_unit_test(test_pick_cut),
+        cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_bars),
+        cmocka_unit_test(test_rule),
+        cmocka_unit_test(test_bad_drawings),
+        cmocka_unit_test(test_pick_table),
+        cmocka_unit_test(test_pick_perspective),
+        cmocka_unit_test(test_pick_ties),
+        cmocka_unit_test(test_pick_agrees),
         cmocka_unit_test(test_tree),
     };
     return cmocka_run_group_tests_name("verify", tests, NULL, NULL);

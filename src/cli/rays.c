@@ -49,9 +49,13 @@ roberts_status rays_pick(const cli_options *options, const roberts_scene *scene,
         fprintf(stderr, "roberts: pick %.12g,%.12g: nothing is there\n", p.x, p.y);
     for (size_t i = 0; i < picked.count; i++) {
         const roberts_pick_hit *hit = &picked.hit[i];
-        fprintf(stderr, "roberts: pick %.12g,%.12g: %ssolid %u, face %u, depth %.12g, at %.12g,%.12g,%.12g\n", p.x, p.y,
-                i ? "behind it " : "", (unsigned)hit->solid, (unsigned)hit->face, hit->depth, hit->point.x,
-                hit->point.y, hit->point.z);
+        fprintf(stderr, "roberts: pick %.12g,%.12g: %ssolid %u, ", p.x, p.y, i ? "behind it " : "",
+                (unsigned)hit->solid);
+        if (hit->face == ROBERTS_NONE)
+            fputs("cut by the near plane, ", stderr);
+        else
+            fprintf(stderr, "face %u, ", (unsigned)hit->face);
+        fprintf(stderr, "depth %.12g, at %.12g,%.12g,%.12g\n", hit->depth, hit->point.x, hit->point.y, hit->point.z);
     }
     roberts_picked_free(&picked);
     return status;

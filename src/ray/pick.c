@@ -6,6 +6,7 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "ray/sight.h"
+#include "view/clip.h"
 
 typedef struct picker {
     sight s;
@@ -95,22 +96,31 @@ roberts_status roberts_pick(const roberts_scene *scene, const roberts_camera *ca
     *picked = (roberts_picked){0};
     if (!isfinite(x) || !isfinite(y))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "the point to pick must be finite");
-    roberts_status status = view_prepare(&p.v, scene, camera, 0.0, error);
+    view_clip clip;
+    roberts_status status = view_clip_scene(&clip, scene, camera, error);
     if (status != ROBERTS_OK)
         return status;
-    if (!sight_prepare(&p.s, scene, &p.v))
-        return error_no_memory(error);
-    p.Q = vec3_scale(1.0 / p.s.unit, vec3_sub(p.v.origin, scene->centre));
-    p.Q = vec3_add(p.Q, vec3_add(vec3_scale(x / p.s.unit, p.v.right), vec3_scale(y / p.s.unit, p.v.up)));
+    const roberts_scene *seen = clip.clipped ? &clip.scene : scene;
+    if ((status = view_prepare(&p.v, seen, camera, 0.0, error)) != ROBERTS_OK)
+        goto done;
+    if (!sight_prepare(&p.s, seen, &p.v)) {
+        status = error_no_memory(error);
+        goto done;
+    }
+    roberts_vec2 shift = {x / p.s.unit, y / p.s.unit};
+    p.Q = vec3_add(vec3_scale(shift.x, p.v.right), vec3_scale(shift.y, p.v.up));
+    p.Q = vec3_add(sight_point(&p.s, p.v.origin), p.Q);
     p.toward = sight_from(&p.s, p.Q);
-    for (uint32_t solid = 0; status == ROBERTS_OK && solid < scene->solid_count; solid++)
+    for (uint32_t solid = 0; status == ROBERTS_OK && solid < seen->solid_count; solid++)
         if (!pick_solid(&p, solid))
             status = error_no_memory(error);
     if (status != ROBERTS_OK)
         roberts_picked_free(picked);
     else if (picked->count)
         order(picked, (p.s.loose + p.s.rounding) * p.s.unit);
+done:
     sight_free(&p.s);
+    view_clip_free(&clip);
     return status;
 }
 

@@ -18,10 +18,11 @@ static roberts_vec3 normalised(roberts_vec3 a)
 }
 
 /* Along the line of sight a length l at distance r D from the eye (D: of the look-at point) has in view space a picture
- * of l / r, and a depth of up to l / r^2. `near` and `far` bound r over the scene. */
+ * of l / r, and a depth of up to l / r^2. `near` and `far` bound r over the scene. An oblique view stretches or presses
+ * lengths once in its picture and once in a plane's tilt. */
 static void set_margins(sight *s, const view *v)
 {
-    double near = 1.0, far = 1.0, extent = 0.0;
+    double far = 1.0 + hypot(v->oblique.x, v->oblique.y), near = 1.0 / far, extent = 0.0;
     for (uint32_t i = 0; i < s->scene->vertex_count; i++) {
         roberts_vec3 p = s->P[i];
         extent = fmax(extent, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));

@@ -44,6 +44,12 @@ typedef struct sight {
 bool sight_prepare(sight *s, const roberts_scene *scene, const view *v);
 void sight_free(sight *s);
 
+/* A point of the model in these coordinates. */
+static inline roberts_vec3 sight_point(const sight *s, roberts_vec3 p)
+{
+    return vec3_scale(1.0 / s->unit, vec3_sub(p, s->scene->centre));
+}
+
 /* From X toward the viewer; in perspective it ends at the eye. */
 static inline roberts_vec3 sight_from(const sight *s, roberts_vec3 X)
 {

@@ -17,6 +17,7 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "ray/occluders.h"
+#include "view/clip.h"
 
 /* The first and last point of a stretch lie this part of it from its ends: near enough to find an end that is off by a
  * thousandth of the stretch, and farther than epsilon from it for all stretches that a pen can show. */
@@ -39,7 +40,9 @@ typedef struct chunk {
 } chunk;
 
 typedef struct verifier {
-    const roberts_scene *scene;
+    const roberts_scene *scene; /* as given: the drawing's numbers and t go by it */
+    const roberts_scene *seen;  /* what hides: the same, or what the near plane leaves of it */
+    view_clip clip;
     const roberts_drawing *drawing;
     roberts_verify_options options;
     occluders o;
@@ -80,7 +83,7 @@ static bool surely_drawn(const verifier *f, const scene_edge *e)
     if (f->options.all_edges || e->f[1] == ROBERTS_NONE || f->o.s.facing[e->f[0]] == SIGHT_NOT_FRONT ||
         f->o.s.facing[e->f[1]] == SIGHT_NOT_FRONT)
         return true;
-    plane F = f->scene->face_plane[e->f[0]], G = f->scene->face_plane[e->f[1]];
+    plane F = f->seen->face_plane[e->f[0]], G = f->seen->face_plane[e->f[1]];
     roberts_vec3 m = {F.a, F.b, F.c}, n = {G.a, G.b, G.c};
     double angle = atan2(vec3_length(vec3_cross(m, n)), vec3_dot(m, n)) * degrees;
     return angle > f->options.crease_degrees + CREASE_MARGIN;
@@ -111,7 +114,8 @@ typedef struct stretch {
 static bool contradicted(const verifier *f, stretch *e, double t, sight_answer *answer)
 {
     const scene_edge *edge = &f->scene->edge[e->edge];
-    roberts_vec3 A = f->o.s.P[edge->v[0]], AB = vec3_sub(f->o.s.P[edge->v[1]], A);
+    roberts_vec3 A = sight_point(&f->o.s, f->scene->point[edge->v[0]]);
+    roberts_vec3 AB = vec3_sub(sight_point(&f->o.s, f->scene->point[edge->v[1]]), A);
     const sight_question q = {vec3_add(A, vec3_scale(t, AB)), e->solid, e->class == EDGE_BACK};
     *answer = e->class == EDGE_UNSURE ? SIGHT_POSSIBLY : occluders_cast(&f->o, &q, &e->hider);
     return *answer == (e->drawn == ROBERTS_HIDDEN ? SIGHT_NO : SIGHT_SURELY);
@@ -154,18 +158,27 @@ static void check_stretch(const verifier *f, chunk *out, stretch *e)
     }
 }
 
+/* What the near plane leaves of an edge. */
+static clip_edge left_of(const verifier *f, uint32_t index)
+{
+    return f->clip.clipped ? f->clip.origin[index] : (clip_edge){index, 0.0, 1.0};
+}
+
 /* The rows of an edge, and between them, where the edge has to be drawn, the gaps: hidden and left out. */
 static void check_edge(const verifier *f, chunk *out, uint32_t index)
 {
-    const scene_edge *edge = &f->scene->edge[index];
+    clip_edge left = left_of(f, index);
+    if (left.edge == ROBERTS_NONE)
+        return;
+    const scene_edge *edge = &f->seen->edge[left.edge];
     bool gaps = surely_drawn(f, edge);
     stretch e = {
         .solid = f->o.face_solid[edge->f[0]], .edge = index, .class = edge_class(f, edge), .hider = ROBERTS_NONE};
-    double end = 0.0;
+    double end = left.t0;
     for (uint32_t k = f->row_start[index]; k <= f->row_start[index + 1]; k++) {
         const roberts_segment *row = k < f->row_start[index + 1] ? &f->drawing->segment[f->row[k]] : NULL;
         e.t0 = end;
-        e.t1 = row ? row->t0 : 1.0;
+        e.t1 = row ? fmin(row->t0, left.t1) : left.t1;
         e.drawn = ROBERTS_HIDDEN;
         if (gaps && e.t1 - e.t0 > GAP)
             check_stretch(f, out, &e);
@@ -285,7 +298,7 @@ static bool prepare(verifier *f, const view *v)
     f->row_start = alloc_zeroed((size_t)edges + 1, sizeof *f->row_start);
     f->row = alloc_array(f->drawing->count, sizeof *f->row);
     return f->chunk && f->row_start && f->row &&
-           occluders_build(&f->o, f->scene, v, (double)f->options.rays * ((double)f->drawing->count + edges));
+           occluders_build(&f->o, f->seen, v, (double)f->options.rays * ((double)f->drawing->count + edges));
 }
 
 static void release(verifier *f)
@@ -296,6 +309,7 @@ static void release(verifier *f)
     free(f->row_start);
     free(f->row);
     occluders_free(&f->o);
+    view_clip_free(&f->clip);
 }
 
 roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *camera, const roberts_drawing *drawing,
@@ -309,15 +323,18 @@ roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *
         f.options.rays = roberts_verify_options_default().rays;
     if (drawing->count >= UINT32_MAX)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "more than 2^32 segments");
-    roberts_status status = view_prepare(&v, scene, camera, drawing->epsilon, error);
+    roberts_status status = view_clip_scene(&f.clip, scene, camera, error);
     if (status != ROBERTS_OK)
         return status;
-    if (!prepare(&f, &v))
-        status = error_no_memory(error);
-    else if ((status = assign_rows(&f, error)) == ROBERTS_OK) {
+    f.seen = f.clip.clipped ? &f.clip.scene : scene;
+    if ((status = view_prepare(&v, f.seen, camera, drawing->epsilon, error)) != ROBERTS_OK)
+        goto done;
+    status = prepare(&f, &v) ? assign_rows(&f, error) : error_no_memory(error);
+    if (status == ROBERTS_OK) {
         check_chunks(&f);
         status = report(&f, result, error);
     }
+done:
     release(&f);
     return status;
 }

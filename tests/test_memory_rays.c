@@ -1,0 +1,109 @@
+/* test_memory_rays.c - checking and picking with each allocation failing in turn: a status, no crash, no leak. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "memory.h"
+#include "roberts.h"
+
+/* Twelve overlapping octahedra; from the near eye some are cut. */
+static roberts_scene *make_scene(void)
+{
+    static const uint32_t face[8][3] = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                                        {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    for (uint32_t i = 0; i < 12; i++) {
+        double x = 0.7 * (i % 4), y = 0.6 * (i / 4), z = 0.3 * i;
+        const roberts_vec3 point[6] = {{x + 1, y, z}, {x - 1, y, z}, {x, y + 1, z},
+                                       {x, y - 1, z}, {x, y, z + 1}, {x, y, z - 1}};
+        for (int k = 0; k < 6; k++)
+            assert_int_equal(roberts_mesh_add_vertex(&mesh, point[k], NULL, NULL), ROBERTS_OK);
+        for (int k = 0; k < 8; k++) {
+            uint32_t corner[3] = {6 * i + face[k][0], 6 * i + face[k][1], 6 * i + face[k][2]};
+            assert_int_equal(roberts_mesh_add_face(&mesh, corner, 3, NULL), ROBERTS_OK);
+        }
+    }
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    roberts_mesh_free(&mesh);
+    return scene;
+}
+
+static const roberts_camera cameras[] = {
+    {.dir = {3, -6, 4}},
+    {.projection = ROBERTS_PERSPECTIVE, .eye = {1, -2, 2}, .near_distance = 1.5},
+};
+
+static void verifying(void **state)
+{
+    roberts_scene *scene = make_scene();
+    (void)state;
+    for (size_t i = 0; i < 2; i++) {
+        roberts_drawing drawing;
+        size_t failures = 0;
+        assert_int_equal(roberts_hide(scene, &cameras[i], NULL, &drawing, NULL), ROBERTS_OK);
+        for (size_t k = 0; k < drawing.count; k++)
+            drawing.segment[k].state = ROBERTS_HIDDEN; /* wrong everywhere: the contradictions take memory too */
+        size_t before = memory_blocks;
+        for (size_t n = 1;; n++) {
+            roberts_verify_options options = roberts_verify_options_default();
+            roberts_verification found;
+            roberts_error error = {0};
+            options.threads = 1;
+            memory_fail(n);
+            roberts_status status = roberts_verify(scene, &cameras[i], &drawing, &options, &found, &error);
+            bool failed = memory_failed();
+            memory_fail(0);
+            assert_int_equal(memory_blocks, before);
+            assert_int_equal(status, failed ? ROBERTS_NO_MEMORY : ROBERTS_OK);
+            if (!failed) {
+                assert_true(found.contradictions > 50);
+                break;
+            }
+            assert_true(found.contradictions == 0);
+            assert_string_equal(error.message, "not enough memory");
+            failures++;
+        }
+        assert_true(failures > 10);
+        roberts_drawing_free(&drawing);
+    }
+    roberts_scene_free(scene);
+}
+
+static void picking(void **state)
+{
+    roberts_scene *scene = make_scene();
+    (void)state;
+    for (size_t i = 0; i < 2; i++) {
+        size_t before = memory_blocks, failures = 0;
+        for (size_t n = 1;; n++) {
+            roberts_picked picked;
+            roberts_error error = {0};
+            memory_fail(n);
+            roberts_status status = roberts_pick(scene, &cameras[i], 0.1, 0.1, &picked, &error);
+            bool failed = memory_failed();
+            memory_fail(0);
+            assert_int_equal(status, failed ? ROBERTS_NO_MEMORY : ROBERTS_OK);
+            assert_int_equal(picked.count > 0, !failed);
+            roberts_picked_free(&picked);
+            assert_int_equal(memory_blocks, before);
+            if (!failed)
+                break;
+            assert_string_equal(error.message, "not enough memory");
+            failures++;
+        }
+        assert_true(failures >= 3);
+    }
+    roberts_scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(verifying), cmocka_unit_test(picking)};
+    return cmocka_run_group_tests_name("memory_rays", tests, NULL, NULL);
+}
