@@ -1,0 +1,728 @@
+/* The grid: the conservative scan of polygons, the cells' lists, covers, edges walking through the cells, and how many
+ * cells there are. What a cell is said to hold is compared with a plain test of two convex sets: they are apart where
+ * one of their sides' directions keeps them apart. */
+#include <stdio.h>
+
+#include "hide/cells.h"
+#include "hide/cover.h"
+#include "hide/objet.h"
+#include "scenes.h"
+
+enum { MOST_CORNERS = 12 };
+
+typedef struct polygon {
+    uint32_t count, corner[MOST_CORNERS];
+    roberts_vec3 P[MOST_CORNERS];
+} polygon;
+
+static const roberts_vec2 window_low = {-1, 2}, window_high = {7, 6};
+#define MARGIN 1e-9
+
+/* ---- two convex sets ---------------------------------------------------------------------------------------------- */
+
+static void extent_along(const roberts_vec3 *p, uint32_t count, double nx, double ny, double *low, double *high)
+{
+    *low = INFINITY;
+    *high = -INFINITY;
+    for (uint32_t i = 0; i < count; i++) {
+        double s = nx * p[i].x + ny * p[i].y;
+        *low = fmin(*low, s);
+        *high = fmax(*high, s);
+    }
+}
+
+static bool apart_along(const roberts_vec3 *p, uint32_t np, const roberts_vec3 *q, uint32_t nq, double nx, double ny)
+{
+    double p0, p1, q0, q1;
+    extent_along(p, np, nx, ny, &p0, &p1);
+    extent_along(q, nq, nx, ny, &q0, &q1);
+    return p1 < q0 || q1 < p0;
+}
+
+static bool touches(const roberts_vec3 *p, uint32_t np, const roberts_vec3 *q, uint32_t nq)
+{
+    for (int set = 0; set < 2; set++) {
+        const roberts_vec3 *side = set ? q : p;
+        uint32_t count = set ? nq : np;
+        for (uint32_t i = 0; i < count; i++) {
+            roberts_vec3 a = side[i], b = side[(i + 1) % count];
+            if (apart_along(p, np, q, nq, a.y - b.y, b.x - a.x))
+                return false;
+            if (count == 2 && apart_along(p, np, q, nq, b.x - a.x, b.y - a.y))
+                return false;
+        }
+    }
+    return true;
+}
+
+/* The corners of a cell grown by `more` on all sides. */
+static void cell_corners(const scan_frame *f, uint32_t i, uint32_t j, double more, roberts_vec3 q[4])
+{
+    double x0 = f->x0 + i * f->dx - more, x1 = f->x0 + (i + 1) * f->dx + more;
+    double y0 = f->y0 + j * f->dy - more, y1 = f->y0 + (j + 1) * f->dy + more;
+    q[0] = (roberts_vec3){x0, y0, 0};
+    q[1] = (roberts_vec3){x1, y0, 0};
+    q[2] = (roberts_vec3){x1, y1, 0};
+    q[3] = (roberts_vec3){x0, y1, 0};
+}
+
+static bool cell_touches(const scan_frame *f, uint32_t i, uint32_t j, double more, const roberts_vec3 *p, uint32_t n)
+{
+    roberts_vec3 q[4];
+    cell_corners(f, i, j, more, q);
+    return touches(p, n, q, 4);
+}
+
+/* Is (x, y) in the polygon, which runs counter-clockwise, or within `more` of it? */
+static bool holds(const roberts_vec3 *p, uint32_t n, double x, double y, double more)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        roberts_vec3 a = p[i], b = p[(i + 1) % n];
+        double dx = b.x - a.x, dy = b.y - a.y;
+        if (dx * (y - a.y) - dy * (x - a.x) < -more * hypot(dx, dy))
+            return false;
+    }
+    return true;
+}
+
+/* ---- polygons ----------------------------------------------------------------------------------------------------- */
+
+static double in_window_x(double x)
+{
+    return fmin(fmax(x, window_low.x), window_high.x);
+}
+
+static double in_window_y(double y)
+{
+    return fmin(fmax(y, window_low.y), window_high.y);
+}
+
+static void set_corner(polygon *g, double x, double y)
+{
+    g->corner[g->count] = g->count;
+    g->P[g->count++] = (roberts_vec3){x, y, 0};
+}
+
+static polygon rectangle(double x0, double y0, double x1, double y1)
+{
+    polygon g = {0};
+    set_corner(&g, x0, y0);
+    set_corner(&g, x1, y0);
+    set_corner(&g, x1, y1);
+    set_corner(&g, x0, y1);
+    return g;
+}
+
+/* Corners on an ellipse, ascending by angle: half-axes a and b, turned, inside the window. */
+static polygon random_ellipse(rng *r, double a, double b)
+{
+    polygon g = {0};
+    uint32_t count = (uint32_t)rng_int(r, 3, MOST_CORNERS);
+    double turn = rng_between(r, 0, 6.28), angle = 0.0;
+    double m = fmax(a, b), x = rng_between(r, window_low.x + m, window_high.x - m);
+    double y = rng_between(r, window_low.y + m, window_high.y - m);
+    for (uint32_t i = 0; i < count; i++) {
+        angle += rng_between(r, 0.2, 1.8) * 6.28 / count / 1.8;
+        double u = a * cos(angle), v = b * sin(angle);
+        set_corner(&g, x + u * cos(turn) - v * sin(turn), y + u * sin(turn) + v * cos(turn));
+    }
+    return g;
+}
+
+/* Corners on the borders of cells, if there are 8 or 16 columns and 4 or 8 rows, but for the margin. */
+static polygon random_on_borders(rng *r)
+{
+    int x0 = rng_int(r, -2, 12), x1 = rng_int(r, x0 + 1, 14), y0 = rng_int(r, 4, 11), y1 = rng_int(r, y0 + 1, 12);
+    polygon g = rectangle(0.5 * x0, 0.5 * y0, 0.5 * x1, 0.5 * y1);
+    if (rng_int(r, 0, 1)) /* a triangle with a diagonal through corners of cells */
+        g.count = 3;
+    return g;
+}
+
+enum { ROUND, NEEDLE, TINY, BORDERS, CORNER, WHOLE, SLIVER, KINDS };
+
+static polygon random_polygon(rng *r, int kind)
+{
+    polygon g = {0};
+    switch (kind) {
+    case ROUND:
+        return random_ellipse(r, rng_between(r, 0.2, 1.9), rng_between(r, 0.1, 1.9));
+    case NEEDLE:
+        return random_ellipse(r, rng_between(r, 0.5, 1.9), pow(10, rng_between(r, -8, -2)));
+    case TINY:
+        return random_ellipse(r, 1e-6, 1e-6);
+    case BORDERS:
+        return random_on_borders(r);
+    case CORNER: /* at a corner of the window */
+        set_corner(&g, window_high.x, window_high.y);
+        set_corner(&g, window_high.x - rng_between(r, 0, 8), window_high.y);
+        set_corner(&g, window_high.x, window_high.y - rng_between(r, 0, 4));
+        return g;
+    case WHOLE:
+        return rectangle(window_low.x, window_low.y, window_high.x, window_high.y);
+    default: /* upright or level, all but without width */
+        g = rectangle(0, 0, 0, 0);
+        double x = rng_between(r, -1, 7), y = rng_between(r, 2, 6), w = pow(10, rng_between(r, -12, -3));
+        return rng_int(r, 0, 1) ? rectangle(in_window_x(x - w), 2, in_window_x(x + w) + w, 6)
+                                : rectangle(-1, in_window_y(y - w), 7, in_window_y(y + w) + w);
+    }
+}
+
+static const struct {
+    uint32_t nx, ny;
+} frames[] = {{1, 1}, {8, 4}, {16, 8}, {3, 7}, {50, 1}, {1, 40}, {37, 23}};
+enum { FRAMES = sizeof frames / sizeof frames[0] };
+
+static scan_frame frame_of(size_t i)
+{
+    return scan_frame_over(window_low, window_high, frames[i].nx, frames[i].ny, MARGIN);
+}
+
+/* ---- the scan ----------------------------------------------------------------------------------------------------- */
+
+/* Every cell is listed that the closed polygon touches, also where it only reaches into the margin; and none that it
+ * misses by some margins. A cell called wholly inside has its corners inside; one well inside is called so. */
+static void expect_scan(const scan *s, const scan_frame *f, const polygon *g, int kind)
+{
+    for (uint32_t i = 0; i < f->nx; i++) {
+        uint32_t first = 1, last = 0, in_first = 1, in_last = 0;
+        if (i >= s->first && i <= s->last)
+            scan_touched(s, f, i, &first, &last);
+        if (i >= s->inner_first && i <= s->inner_last && !scan_inside(s, f, i, &in_first, &in_last))
+            in_last = (in_first = 1) - 1;
+        for (uint32_t j = 0; j < f->ny; j++) {
+            bool listed = j >= first && j <= last, inside = j >= in_first && j <= in_last;
+            roberts_vec3 q[4];
+            cell_corners(f, i, j, 0, q);
+            bool all = true, well = true;
+            for (int k = 0; k < 4; k++) {
+                all = all && holds(g->P, g->count, q[k].x, q[k].y, 0);
+                well = well && holds(g->P, g->count, q[k].x, q[k].y, -1e4 * MARGIN);
+            }
+            if ((!listed && cell_touches(f, i, j, 0.5 * MARGIN, g->P, g->count)) ||
+                (listed && !cell_touches(f, i, j, 8 * MARGIN, g->P, g->count)) || (inside && !all) || (well && !inside))
+                fail_msg("kind %d, %u x %u cells: cell %u, %u is %slisted, %sinside", kind, f->nx, f->ny, i, j,
+                         listed ? "" : "not ", inside ? "" : "not ");
+        }
+    }
+}
+
+static void scan_is_conservative_and_tight(void **state)
+{
+    rng r = {71};
+    (void)state;
+    for (size_t k = 0; k < FRAMES; k++) {
+        scan_frame f = frame_of(k);
+        scan s;
+        assert_true(scan_init(&s, f.nx));
+        for (int i = 0; i < 100 * KINDS; i++) {
+            polygon g = random_polygon(&r, i % KINDS);
+            scan_polygon(&s, &f, g.P, g.corner, g.count);
+            expect_scan(&s, &f, &g, i % KINDS);
+        }
+        scan_free(&s);
+    }
+}
+
+/* Scratch serves polygon after polygon: what an earlier one left does not show. */
+static void scan_forgets(void **state)
+{
+    rng r = {72};
+    scan_frame f = frame_of(2);
+    scan used, fresh;
+    (void)state;
+    assert_true(scan_init(&used, f.nx));
+    for (int i = 0; i < 200; i++) {
+        polygon g = random_polygon(&r, i % KINDS);
+        uint32_t a0, a1, b0, b1;
+        assert_true(scan_init(&fresh, f.nx));
+        scan_polygon(&used, &f, g.P, g.corner, g.count);
+        scan_polygon(&fresh, &f, g.P, g.corner, g.count);
+        assert_true(used.first == fresh.first && used.last == fresh.last && used.inner_first == fresh.inner_first &&
+                    used.inner_last == fresh.inner_last);
+        for (uint32_t c = used.first; c <= used.last; c++) {
+            scan_touched(&used, &f, c, &a0, &a1);
+            scan_touched(&fresh, &f, c, &b0, &b1);
+            assert_true(a0 == b0 && a1 == b1);
+        }
+        scan_free(&fresh);
+    }
+    scan_free(&used);
+}
+
+/* A window without width or height has cells of some size all the same, and its points are in them. */
+static void windows_without_size(void **state)
+{
+    static const struct {
+        roberts_vec2 low, high;
+    } table[] = {{{1, 2}, {1, 6}}, {{1, 2}, {5, 2}}, {{1, 2}, {1, 2}}, {{0, 0}, {0, 0}}};
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)
+        for (uint32_t n = 1; n < 40; n += 13) {
+            scan_frame f = scan_frame_over(table[i].low, table[i].high, n, n, MARGIN);
+            assert_true(f.dx > 0 && f.dy > 0 && isfinite(f.per_dx) && isfinite(f.per_dy));
+            assert_true(f.x0 + n * f.dx >= table[i].high.x && f.y0 + n * f.dy >= table[i].high.y);
+            assert_true(f.x0 <= table[i].low.x && f.y0 <= table[i].low.y);
+            objet grid = {.frame = f};
+            objet_walk walk = {0};
+            roberts_vec3 A = {table[i].low.x, table[i].low.y, 0}, B = {table[i].high.x, table[i].high.y, 0};
+            assert_true(objet_cells(&grid, A, B, &walk));
+            assert_true(walk.count >= 1);
+            free(walk.item);
+        }
+}
+
+/* ---- edges through the cells -------------------------------------------------------------------------------------- */
+
+enum { ANYHOW, LEVEL, UPRIGHT, DIAGONAL, POINT, SHORT, ALONG_WINDOW, LINES };
+
+static void random_line(rng *r, int kind, roberts_vec3 *A, roberts_vec3 *B)
+{
+    *A = (roberts_vec3){rng_between(r, -1, 7), rng_between(r, 2, 6), rng_between(r, -1, 1)};
+    *B = (roberts_vec3){rng_between(r, -1, 7), rng_between(r, 2, 6), rng_between(r, -1, 1)};
+    switch (kind) {
+    case LEVEL:
+        A->y = B->y = 0.5 * rng_int(r, 4, 12);
+        break;
+    case UPRIGHT:
+        A->x = B->x = 0.5 * rng_int(r, -2, 14);
+        break;
+    case DIAGONAL:
+        *A = (roberts_vec3){rng_int(r, -1, 3), 2, 0};
+        *B = (roberts_vec3){A->x + 4, 6, 1};
+        break;
+    case POINT:
+        *A = (roberts_vec3){0.5 * rng_int(r, -2, 14), 0.5 * rng_int(r, 4, 12), 0};
+        *B = (roberts_vec3){A->x, A->y, 1};
+        break;
+    case SHORT:
+        *B = (roberts_vec3){in_window_x(A->x + rng_between(r, -1e-8, 1e-8)), in_window_y(A->y + 1e-9), 0};
+        break;
+    case ALONG_WINDOW:
+        *A = (roberts_vec3){-1, 6, 0};
+        *B = (roberts_vec3){7, 6, 1};
+        break;
+    default:
+        break;
+    }
+    if (rng_int(r, 0, 1)) {
+        roberts_vec3 swapped = *A;
+        *A = *B;
+        *B = swapped;
+    }
+}
+
+/* The stretch of a walk in a cell, or NULL. */
+static const objet_stretch *stretch_in(const objet_walk *walk, uint32_t cell)
+{
+    const objet_stretch *found = NULL;
+    for (size_t k = 0; k < walk->count; k++)
+        if (walk->item[k].cell == cell) {
+            assert_null(found); /* no cell twice */
+            found = &walk->item[k];
+        }
+    return found;
+}
+
+/* Each cell that the closed edge touches is in its walk, and the parameters at which it is there in the stretch; no cell
+ * that it misses by some margins, no stretch that leaves its cell. */
+static void expect_walk(const objet *grid, roberts_vec3 A, roberts_vec3 B, const objet_walk *walk, int kind)
+{
+    const scan_frame *f = &grid->frame;
+    roberts_vec3 line[2] = {A, B};
+    for (uint32_t i = 0; i < f->nx; i++)
+        for (uint32_t j = 0; j < f->ny; j++) {
+            const objet_stretch *s = stretch_in(walk, i * f->ny + j);
+            if ((!s && cell_touches(f, i, j, 0.5 * MARGIN, line, 2)) ||
+                (s && !cell_touches(f, i, j, 8 * MARGIN, line, 2)))
+                fail_msg("kind %d, %u x %u cells: cell %u, %u is %sin the walk", kind, f->nx, f->ny, i, j,
+                         s ? "" : "not ");
+            for (int k = 0; k <= 64; k++) {
+                double t = k / 64.0, x = A.x + t * (B.x - A.x), y = A.y + t * (B.y - A.y);
+                roberts_vec3 q[4];
+                cell_corners(f, i, j, 0, q);
+                bool in = x >= q[0].x && x <= q[2].x && y >= q[0].y && y <= q[2].y;
+                assert_true(!in || (s && s->t0 <= t && t <= s->t1));
+                cell_corners(f, i, j, 8 * MARGIN, q);
+                bool near = x >= q[0].x && x <= q[2].x && y >= q[0].y && y <= q[2].y;
+                assert_true(near || !s || t < s->t0 || t > s->t1);
+            }
+            assert_true(!s || (s->t0 >= 0 && s->t0 <= s->t1 && s->t1 <= 1));
+        }
+}
+
+static void walks_meet_every_cell(void **state)
+{
+    rng r = {73};
+    objet_walk walk = {0};
+    (void)state;
+    for (size_t k = 0; k < FRAMES; k++) {
+        objet grid = {.frame = frame_of(k)};
+        for (int i = 0; i < 20 * LINES; i++) {
+            roberts_vec3 A, B;
+            random_line(&r, i % LINES, &A, &B);
+            assert_true(objet_cells(&grid, A, B, &walk));
+            expect_walk(&grid, A, B, &walk, i % LINES);
+            for (size_t c = 1; c < walk.count; c++) /* column by column */
+                assert_true(walk.item[c].cell / grid.frame.ny >= walk.item[c - 1].cell / grid.frame.ny);
+        }
+    }
+    free(walk.item);
+}
+
+/* ---- lists -------------------------------------------------------------------------------------------------------- */
+
+static void expect_lists(const objet *grid, const hide_picture *picture)
+{
+    const scan_frame *f = &grid->frame;
+    uint32_t rank[MODEL_SOLIDS * 4];
+    double m = f->margin;
+    assert_true(picture->front_count <= MODEL_SOLIDS * 4);
+    for (uint32_t k = 0; k < picture->front_count; k++)
+        rank[k] = ROBERTS_NONE;
+    for (uint32_t k = 0; k < picture->order_count; k++)
+        rank[picture->order[k]] = k;
+    for (uint32_t cell = 0; cell < scan_cells(f); cell++) {
+        bool listed[MODEL_SOLIDS * 4] = {false};
+        for (uint32_t k = grid->start[cell]; k < grid->start[cell + 1]; k++) {
+            uint32_t front = grid->front[k];
+            assert_true(!listed[front] && rank[front] != ROBERTS_NONE); /* once, and only what counts */
+            assert_true(k == grid->start[cell] || rank[grid->front[k - 1]] < rank[front]);
+            listed[front] = true;
+        }
+        for (uint32_t k = 0; k < picture->order_count; k++) {
+            hide_face outline = hide_outline(picture, &picture->front[picture->order[k]]);
+            roberts_vec3 P[64];
+            assert_true(outline.count <= 64);
+            for (uint32_t i = 0; i < outline.count; i++)
+                P[i] = picture->P[outline.corner[i]];
+            if (cell_touches(f, cell / f->ny, cell % f->ny, 0.5 * m, P, outline.count) && !listed[picture->order[k]])
+                fail_msg("front %u is missing in cell %u", picture->order[k], cell);
+        }
+    }
+}
+
+/* Whole scenes: each cell lists every front whose outline touches it, nearest corner first. */
+static void lists_are_complete_and_in_order(void **state)
+{
+    static const uint32_t sides[] = {0, 1, 5, 60};
+    (void)state;
+    for (int scene = 0; scene < 3; scene++) {
+        model m = {0};
+        if (scene == 0)
+            model_lattice(&m, 4, 0.7, 74);
+        else if (scene == 1)
+            model_crowd(&m, 40, 5, 75);
+        else
+            model_wall(&m, 6, 6);
+        roberts_scene *built = model_build(&m);
+        for (size_t i = 0; i < sizeof sides / sizeof sides[0]; i++) {
+            roberts_camera camera = {.dir = {i % 2 ? 1 : 0, -1, scene}};
+            hide_picture picture;
+            objet grid;
+            assert_int_equal(hide_picture_build(&picture, built, &camera, 0, false, 0, NULL), ROBERTS_OK);
+            assert_int_equal(picture.culled_count, 0);
+            scan_frame frame = cells_for_lists(picture.front_box, picture.front_count, picture.low, picture.high,
+                                               sides[i], hide_margin(&picture.space));
+            assert_int_equal(objet_build(&grid, &picture, frame), ROBERTS_OK);
+            expect_lists(&grid, &picture);
+            for (uint32_t k = 1; k < picture.order_count; k++)
+                assert_true(picture.front_box[picture.order[k - 1]].z1 >= picture.front_box[picture.order[k]].z1);
+            objet_free(&grid);
+            hide_picture_free(&picture);
+        }
+        roberts_scene_free(built);
+        model_free(&m);
+    }
+}
+
+/* Of copies at the same place one front counts, the first; of solids that differ a little, each. */
+static void copies_count_once(void **state)
+{
+    static const struct {
+        const char *name;
+        double change;
+        uint32_t fronts;
+    } table[] = {{"copies", 0, 1}, {"of another height", 0.25, 4}, {"a little larger", 1e-6, 4}};
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        model m = {0};
+        roberts_camera camera = {.dir = {1, -2, 3}};
+        hide_picture picture;
+        for (int k = 0; k < 4; k++)
+            model_box(&m, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1 + k * table[i].change});
+        roberts_scene *built = model_build(&m);
+        assert_int_equal(hide_picture_build(&picture, built, &camera, 0, false, 0, NULL), ROBERTS_OK);
+        if (picture.order_count != table[i].fronts || (table[i].fronts == 1 && picture.order[0] != 0))
+            fail_msg("%s: %u fronts", table[i].name, picture.order_count);
+        hide_picture_free(&picture);
+        roberts_scene_free(built);
+        model_free(&m);
+    }
+}
+
+/* ---- covers ------------------------------------------------------------------------------------------------------- */
+
+/* A face over the polygon: depth z = u x + v y + w. c < 0 and n of length 1. */
+typedef struct slope {
+    double u, v, w;
+} slope;
+
+static hide_face face_of(slope s)
+{
+    double length = sqrt(1 + s.u * s.u + s.v * s.v);
+    return (hide_face){.F = {s.u / length, s.v / length, -1 / length, s.w / length}};
+}
+
+static double depth_at(const slope *s, uint32_t count, double x, double y)
+{
+    double depth = INFINITY;
+    for (uint32_t k = 0; k < count; k++)
+        depth = fmin(depth, s[k].u * x + s[k].v * y + s[k].w);
+    return depth;
+}
+
+typedef struct front {
+    polygon outline;
+    slope face[3];
+    uint32_t faces;
+    double least; /* depth over the outline: that of a corner, since the depth is concave */
+} front;
+
+static front random_front(rng *r, int kind)
+{
+    front g = {.outline = random_polygon(r, kind), .faces = (uint32_t)rng_int(r, 1, 3), .least = INFINITY};
+    for (uint32_t k = 0; k < g.faces; k++)
+        g.face[k] = (slope){rng_between(r, -1, 1), rng_between(r, -1, 1), rng_between(r, -3, 3)};
+    for (uint32_t i = 0; i < g.outline.count; i++)
+        g.least = fmin(g.least, depth_at(g.face, g.faces, g.outline.P[i].x, g.outline.P[i].y));
+    return g;
+}
+
+/* Nearest front over a point by which it lies behind covers; -infinity where none is. */
+static double nearest_at(const front *g, int count, double x, double y)
+{
+    double depth = -INFINITY;
+    for (int i = 0; i < count; i++)
+        if (holds(g[i].outline.P, g[i].outline.count, x, y, 0))
+            depth = fmax(depth, depth_at(g[i].face, g[i].faces, x, y));
+    return depth;
+}
+
+enum { FRONTS = 12 };
+#define SLACK 1e-3
+
+static void add_covers(cover *c, front *g, rng *r)
+{
+    for (int i = 0; i < FRONTS; i++) {
+        static const int kinds[] = {ROUND, BORDERS, ROUND, WHOLE, NEEDLE, CORNER};
+        hide_face face[3];
+        g[i] = random_front(r, kinds[rng_int(r, 0, 5)]);
+        for (uint32_t k = 0; k < g[i].faces; k++)
+            face[k] = face_of(g[i].face[k]);
+        bool by_cell = rng_int(r, 0, 1);
+        cover_add(c, g[i].outline.P, g[i].outline.corner, g[i].outline.count, g[i].least, by_cell ? face : NULL,
+                  by_cell ? g[i].faces : 0, SLACK);
+    }
+}
+
+/* In a cell with a cover every point has, `slack` nearer than the cover's depth, a front. */
+static void covers_cover(void **state)
+{
+    rng r = {76};
+    size_t covered = 0;
+    (void)state;
+    for (int i = 0; i < 70; i++) {
+        cover c;
+        front g[FRONTS];
+        assert_true(cover_init(&c, frame_of((size_t)i % FRAMES)));
+        add_covers(&c, g, &r);
+        for (uint32_t cell = 0; cell < scan_cells(&c.frame); cell++) {
+            if (c.depth[cell] == -INFINITY)
+                continue;
+            covered++;
+            for (int k = 0; k < 25; k++) { /* corners and borders too */
+                double x = c.frame.x0 + (cell / c.frame.ny + k % 5 / 4.0) * c.frame.dx;
+                double y = c.frame.y0 + (cell % c.frame.ny + k / 5 / 4.0) * c.frame.dy;
+                x = in_window_x(x);
+                y = in_window_y(y);
+                assert_true(nearest_at(g, FRONTS, x, y) >= (double)c.depth[cell] + SLACK - 1e-12);
+            }
+        }
+        cover_free(&c);
+    }
+    assert_true(covered > 1000);
+}
+
+/* A cell that lies wholly behind a level front has at least that front's depth less the slack (and the rounding to a
+ * float): covers are not given away. */
+static void covers_are_not_wasted(void **state)
+{
+    rng r = {77};
+    (void)state;
+    for (int i = 0; i < 70; i++) {
+        cover c;
+        front g = random_front(&r, ROUND);
+        double z = rng_between(&r, -3, 3);
+        assert_true(cover_init(&c, frame_of((size_t)i % FRAMES)));
+        cover_add(&c, g.outline.P, g.outline.corner, g.outline.count, z, NULL, 0, SLACK);
+        cover_add(&c, g.outline.P, g.outline.corner, g.outline.count, z - 1, NULL, 0,
+                  SLACK); /* farther: changes nothing */
+        for (uint32_t cell = 0; cell < scan_cells(&c.frame); cell++) {
+            roberts_vec3 q[4];
+            bool well = true;
+            cell_corners(&c.frame, cell / c.frame.ny, cell % c.frame.ny, 0, q);
+            for (int k = 0; k < 4; k++)
+                well = well && holds(g.outline.P, g.outline.count, q[k].x, q[k].y, -1e4 * MARGIN);
+            assert_true(!well || (double)c.depth[cell] >= z - SLACK - 1e-6);
+        }
+        cover_free(&c);
+    }
+}
+
+/* What is said to lie behind covers does: every point of the box, or of the edge, has a front that much nearer. */
+static void what_covers_hide_is_hidden(void **state)
+{
+    rng r = {78};
+    size_t boxes = 0, edges = 0;
+    (void)state;
+    for (int i = 0; i < 70; i++) {
+        cover c;
+        front g[FRONTS];
+        assert_true(cover_init(&c, frame_of((size_t)i % FRAMES)));
+        add_covers(&c, g, &r);
+        for (int k = 0; k < 200; k++) {
+            roberts_vec3 A, B;
+            random_line(&r, k % LINES, &A, &B);
+            double shorter = rng_between(&r, 0, 1), deeper = rng_between(&r, 0, 12);
+            B = (roberts_vec3){A.x + shorter * (B.x - A.x), A.y + shorter * (B.y - A.y), B.z - deeper};
+            A.z -= deeper * rng_between(&r, 0.5, 1);
+            hide_box box = {hide_float_below(fmin(A.x, B.x)), hide_float_above(fmax(A.x, B.x)),
+                            hide_float_below(fmin(A.y, B.y)), hide_float_above(fmax(A.y, B.y)),
+                            hide_float_below(fmin(A.z, B.z)), hide_float_above(fmax(A.z, B.z))};
+            bool hides = cover_hides(&c, &box), hides_edge = cover_hides_edge(&c, A, B);
+            assert_true(hides_edge || !hides || fabs(B.x - A.x) + fabs(B.y - A.y) > 0);
+            boxes += hides;
+            edges += hides_edge;
+            for (int p = 0; p < 100; p++) {
+                double s = p % 10 / 9.0, t = p / 10 / 9.0, u = p / 99.0;
+                double x = in_window_x((double)box.x0 + s * (double)(box.x1 - box.x0));
+                double y = in_window_y((double)box.y0 + t * (double)(box.y1 - box.y0));
+                assert_true(!hides || nearest_at(g, FRONTS, x, y) > (double)box.z1 + 0.9 * SLACK);
+                x = A.x + u * (B.x - A.x);
+                y = A.y + u * (B.y - A.y);
+                assert_true(!hides_edge || nearest_at(g, FRONTS, x, y) > A.z + u * (B.z - A.z) + 0.9 * SLACK);
+            }
+        }
+        cover_free(&c);
+    }
+    assert_true(boxes > 500 && edges > boxes);
+}
+
+/* Without cells no cover is kept, and nothing is behind one. */
+static void no_covers(void **state)
+{
+    cover c;
+    polygon g = rectangle(-1, 2, 7, 6);
+    hide_box box = {0, 1, 3, 4, -9, -8};
+    (void)state;
+    assert_true(cover_init(&c, (scan_frame){0}));
+    cover_add(&c, g.P, g.corner, g.count, 5, NULL, 0, SLACK);
+    assert_false(cover_hides(&c, &box));
+    assert_false(cover_hides_edge(&c, (roberts_vec3){0, 3, -9}, (roberts_vec3){1, 4, -9}));
+    cover_free(&c);
+}
+
+/* ---- how many cells ----------------------------------------------------------------------------------------------- */
+
+enum { BOXES = 20000 };
+
+/* `huge` boxes over all the window, the others `size` of it (a needle across, upright or level, where tall or wide). */
+static void make_boxes(hide_box *box, uint32_t huge, double w, double h, rng *r)
+{
+    for (uint32_t i = 0; i < BOXES; i++) {
+        double bw = i < huge ? 8 : 8 * w, bh = i < huge ? 4 : 4 * h;
+        double x = rng_between(r, -1, 7 - bw), y = rng_between(r, 2, 6 - bh);
+        box[i] = (hide_box){(float)x, (float)(x + bw), (float)y, (float)(y + bh), 0, 1};
+    }
+}
+
+static double entries(const scan_frame *f, const hide_box *box)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < BOXES; i++) {
+        uint32_t columns = scan_column(f, (double)box[i].x1) - scan_column(f, (double)box[i].x0) + 1;
+        uint32_t rows = scan_row(f, (double)box[i].y1) - scan_row(f, (double)box[i].y0) + 1;
+        sum += (double)columns * rows;
+    }
+    return sum;
+}
+
+/* Lists and cells stay in proportion to the boxes, whatever their sizes; and where boxes are small there are many cells,
+ * so that lists are short. */
+static void cells_by_table(void **state)
+{
+    static const struct {
+        const char *name;
+        uint32_t huge;
+        double w, h;
+        double least_cells;
+    } table[] = {
+        {"all small", 0, 0.007, 0.007, 2000},
+        {"a few huge ones among small ones", 20, 0.005, 0.005, 400},
+        {"a few huge ones among specks", 20, 1e-6, 1e-6, 400},
+        {"many huge ones", 2000, 1e-3, 1e-3, 1},
+        {"all huge", BOXES, 1, 1, 1},
+        {"specks", 0, 1e-7, 1e-7, 2000},
+        {"points", 0, 0, 0, 2000},
+        {"upright needles", 0, 1e-4, 0.9, 100},
+        {"level needles", 0, 0.9, 1e-4, 100},
+    };
+    hide_box *box = malloc(BOXES * sizeof *box);
+    rng r = {79};
+    (void)state;
+    assert_non_null(box);
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        make_boxes(box, table[i].huge, table[i].w, table[i].h, &r);
+        scan_frame f = cells_for_lists(box, BOXES, window_low, window_high, 0, MARGIN);
+        scan_frame c = cells_for_covers(box, BOXES, window_low, window_high, 0, MARGIN);
+        double listed = entries(&f, box), cells = (double)scan_cells(&f), covers = (double)scan_cells(&c);
+        if (listed > 40.0 * BOXES || cells > 8.0 * BOXES || cells < table[i].least_cells || covers > 64.0 * BOXES)
+            fail_msg("%s: %g cells, %g entries, %g cells of covers", table[i].name, cells, listed, covers);
+    }
+    free(box);
+}
+
+static void cells_given_or_few(void **state)
+{
+    hide_box box[2] = {{-1, 7, 2, 6, 0, 1}, {0, 1, 3, 4, 0, 1}};
+    roberts_vec2 upright = {window_low.x, window_high.y};
+    (void)state;
+    scan_frame f = cells_for_lists(box, 2, window_low, window_high, 17, MARGIN);
+    assert_true(f.nx == 17 && f.ny == 17);
+    f = cells_for_lists(box, 0, window_low, window_high, 0, MARGIN);
+    assert_true(f.nx == 1 && f.ny == 1);
+    f = cells_for_lists(box, 2, window_low, upright, 0, MARGIN); /* no width */
+    assert_true(f.nx >= 1 && f.ny >= 1 && f.dx > 0 && f.dy > 0);
+    f = cells_for_covers(box, 2, window_low, upright, 0, MARGIN);
+    assert_int_equal(scan_cells(&f), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(scan_is_conservative_and_tight),
+        cmocka_unit_test(scan_forgets),
+        cmocka_unit_test(windows_without_size),
+        cmocka_unit_test(walks_meet_every_cell),
+        cmocka_unit_test(lists_are_complete_and_in_order),
+        cmocka_unit_test(copies_count_once),
+        cmocka_unit_test(covers_cover),
+        cmocka_unit_test(covers_are_not_wasted),
+        cmocka_unit_test(what_covers_hide_is_hidden),
+        cmocka_unit_test(no_covers),
+        cmocka_unit_test(cells_by_table),
+        cmocka_unit_test(cells_given_or_few),
+    };
+    return cmocka_run_group_tests_name("objet", tests, NULL, NULL);
+}
