@@ -148,7 +148,7 @@ static const shape shapes[SHAPES] = {
 
 /* ---- models ------------------------------------------------------------------------------------------------------- */
 
-enum { MODEL_SOLIDS = 1024 };
+enum { MODEL_SOLIDS = 1024, MODEL_CORNERS = 128 /* of a face */ };
 
 typedef struct model {
     roberts_mesh mesh;
@@ -215,7 +215,7 @@ static inline void model_map(model *m, mat3 map, roberts_vec3 offset)
 static inline void model_reorder(model *to, const model *from, const uint32_t *order)
 {
     const roberts_mesh *mesh = &from->mesh;
-    uint32_t corner[12];
+    uint32_t corner[MODEL_CORNERS];
     for (uint32_t i = 0; i < from->solids; i++) {
         uint32_t s = order[i], first = (uint32_t)to->mesh.vertex_count;
         for (uint32_t v = from->first_vertex[s]; v < from->first_vertex[s + 1]; v++)
@@ -243,7 +243,7 @@ static inline void model_copy(model *to, const model *from)
 static inline void model_wind(model *m, rng *r)
 {
     for (size_t f = 0; f < m->mesh.face_count; f++) {
-        uint32_t *corner = m->mesh.corner + m->mesh.face_start[f], old[12];
+        uint32_t *corner = m->mesh.corner + m->mesh.face_start[f], old[MODEL_CORNERS];
         uint32_t count = m->mesh.face_start[f + 1] - m->mesh.face_start[f];
         uint32_t shift = (uint32_t)rng_int(r, 0, (int)count - 1), back = (uint32_t)rng_int(r, 0, 1);
         memcpy(old, corner, count * sizeof *old);
@@ -264,6 +264,67 @@ static inline void model_lattice(model *m, int n, double fill, uint64_t seed)
         mat3 flatten = mat3_scale(k, k * rng_between(&r, 0.2, 1), k * rng_between(&r, 0.5, 1));
         roberts_vec3 cell = {i % n, i / n % n, i / (n * n)};
         model_add(m, s, mat3_times(mat3_turn(&r), flatten), cell);
+    }
+}
+
+/* A prism (with its two faces of n corners) or, pointed, a double pyramid over a regular polygon of n corners, radius 1
+ * and height 2, mapped. */
+static inline void model_round(model *m, uint32_t n, bool pointed, mat3 map, roberts_vec3 offset)
+{
+    uint32_t first = (uint32_t)m->mesh.vertex_count, corner[2][MODEL_CORNERS];
+    for (uint32_t i = 0; i < 2 * n; i++) {
+        double angle = 2 * 3.14159265358979323846 * (i % n) / n;
+        if (!pointed || i < n)
+            model_vertex(m, vec3_add(offset, mat3_map(map, (roberts_vec3){cos(angle), sin(angle),
+                                                                          pointed ? 0
+                                                                          : i < n ? -1
+                                                                                  : 1})));
+        corner[i / n][i % n] = first + i;
+    }
+    for (int top = 0; pointed && top < 2; top++)
+        model_vertex(m, vec3_add(offset, mat3_map(map, (roberts_vec3){0, 0, top ? 1 : -1})));
+    for (uint32_t i = 0; i < n; i++) {
+        uint32_t a = first + i, b = first + (i + 1) % n;
+        if (!pointed)
+            model_face(m, (uint32_t[]){a, b, b + n, a + n}, 4);
+        for (uint32_t top = 0; pointed && top < 2; top++)
+            model_face(m, (uint32_t[]){a, b, first + n + top}, 3);
+    }
+    for (int top = 0; !pointed && top < 2; top++)
+        model_face(m, corner[top], n);
+    model_close_solid(m);
+}
+
+/* n^3 round solids of many faces, turned at random. */
+static inline void model_balls(model *m, int n, double fill, uint64_t seed)
+{
+    rng r = {seed};
+    for (int i = 0; i < n * n * n; i++) {
+        double k = rng_between(&r, 0.4, 0.7) * fill;
+        roberts_vec3 cell = {i % n, i / n % n, i / (n * n)};
+        model_round(m, (uint32_t)rng_int(&r, 20, 90), i % 2, mat3_times(mat3_turn(&r), mat3_scale(k, k, k)), cell);
+    }
+}
+
+/* Coordinates rounded to `digits` after the point, as files have them: faces are no longer quite planar. */
+static inline void model_to_digits(model *m, int digits)
+{
+    double k = pow(10, digits);
+    for (size_t i = 0; i < m->mesh.vertex_count; i++) {
+        roberts_vec3 p = m->mesh.vertex[i];
+        m->mesh.vertex[i] = (roberts_vec3){rint(p.x * k) / k, rint(p.y * k) / k, rint(p.z * k) / k};
+    }
+}
+
+/* Every coordinate off by up to `most`. */
+static inline void model_shake(model *m, double most, uint64_t seed)
+{
+    rng r = {seed};
+    for (size_t i = 0; i < m->mesh.vertex_count; i++) {
+        roberts_vec3 *p = &m->mesh.vertex[i];
+        p->x += rng_between(&r, -most, most);
+        p->y += rng_between(&r, -most, most);
+        p->z += rng_between(&r, -most, most);
     }
 }
 
