@@ -1,7 +1,7 @@
 /* hide.c - the scene edge by edge: which are drawn, which parts of them are hidden, and the segments that follow.
  *
- * Solids are taken in chunks that threads work on in any order; each chunk keeps its segments, and in the end they are
- * laid down in the order of the chunks. Nothing else is shared, so that the result does not depend on the threads. */
+ * Solids are taken in chunks that threads work on at the same time; each thread keeps its chunk's segments until those
+ * of the chunks before are laid down. Nothing else is shared, so that the result does not depend on the threads. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -41,8 +41,6 @@ typedef struct hide_job {
     hide_picture picture;
     objet grid;
     double crease_chord; /* distance of two unit normals that meet at the crease angle, squared */
-    hide_chunk *chunk;
-    uint32_t chunk_count;
 } hide_job;
 
 /* What one thread adds to the drawing besides its segments. */
@@ -214,13 +212,26 @@ static bool do_solid(const hide_job *job, hide_worker *w, hide_sums *sums, hide_
     return true;
 }
 
-static bool do_chunk(const hide_job *job, hide_worker *w, hide_sums *sums, uint32_t index)
+static bool do_chunk(const hide_job *job, hide_worker *w, hide_sums *sums, hide_chunk *out, uint32_t index)
 {
     uint32_t first = index * CHUNK_SOLIDS, count = job->scene->solid_count;
     uint32_t end = count - first < CHUNK_SOLIDS ? count : first + CHUNK_SOLIDS;
+    out->count = 0;
     for (uint32_t s = first; s < end; s++)
-        if (!do_solid(job, w, sums, &job->chunk[index], s))
+        if (!do_solid(job, w, sums, out, s))
             return false;
+    return true;
+}
+
+/* Lays the chunk's segments down behind those of the chunks before. */
+static bool lay_down(roberts_drawing *drawing, size_t *room, const hide_chunk *chunk)
+{
+    if (chunk->count == 0)
+        return true;
+    if (!array_reserve(&drawing->segment, room, drawing->count + chunk->count, sizeof *drawing->segment))
+        return false;
+    memcpy(drawing->segment + drawing->count, chunk->segment, chunk->count * sizeof *chunk->segment);
+    drawing->count += chunk->count;
     return true;
 }
 
@@ -241,24 +252,32 @@ static void add_sums(roberts_drawing *drawing, const hide_sums *sums, const hide
 }
 
 /* All chunks, by as many threads as are asked for; false: no memory. */
-static bool do_chunks(hide_job *job, roberts_drawing *drawing)
+static bool do_chunks(const hide_job *job, roberts_drawing *drawing)
 {
     bool failed = false;
+    size_t room = 0;
+    uint32_t count = (job->scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
 #ifdef _OPENMP
     int threads = job->options->threads ? (int)job->options->threads : omp_get_max_threads();
-    if ((uint32_t)threads > 1 + job->chunk_count / CHUNKS_PER_THREAD)
-        threads = (int)(1 + job->chunk_count / CHUNKS_PER_THREAD);
+    if ((uint32_t)threads > 1 + count / CHUNKS_PER_THREAD)
+        threads = (int)(1 + count / CHUNKS_PER_THREAD);
 #pragma omp parallel num_threads(threads)
 #endif
     {
         hide_worker w;
         hide_sums own = {0};
+        hide_chunk chunk = {0};
         bool lost = !hide_worker_init(&w, &job->picture, &job->grid);
 #ifdef _OPENMP
-#pragma omp for schedule(dynamic, 1)
+#pragma omp for ordered schedule(dynamic, 1)
 #endif
-        for (uint32_t i = 0; i < job->chunk_count; i++)
-            lost = lost || !do_chunk(job, &w, &own, i);
+        for (uint32_t i = 0; i < count; i++) {
+            lost = lost || !do_chunk(job, &w, &own, &chunk, i);
+#ifdef _OPENMP
+#pragma omp ordered
+#endif
+            lost = lost || !lay_down(drawing, &room, &chunk);
+        }
 #ifdef _OPENMP
 #pragma omp critical
 #endif
@@ -266,29 +285,10 @@ static bool do_chunks(hide_job *job, roberts_drawing *drawing)
             failed = failed || lost;
             add_sums(drawing, &own, &w);
         }
+        free(chunk.segment);
         hide_worker_free(&w);
     }
     return !failed;
-}
-
-/* The chunks' segments one after another; the chunks are emptied. */
-static bool gather(hide_job *job, roberts_drawing *drawing)
-{
-    size_t total = 0;
-    for (uint32_t i = 0; i < job->chunk_count; i++)
-        total += job->chunk[i].count;
-    drawing->segment = alloc_array(total, sizeof *drawing->segment);
-    if (!drawing->segment)
-        return false;
-    for (uint32_t i = 0; i < job->chunk_count; i++) {
-        hide_chunk *c = &job->chunk[i];
-        if (c->count)
-            memcpy(drawing->segment + drawing->count, c->segment, c->count * sizeof *c->segment);
-        drawing->count += c->count;
-        free(c->segment);
-        *c = (hide_chunk){0};
-    }
-    return true;
 }
 
 static roberts_time now(void)
@@ -395,14 +395,9 @@ roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *ca
     job.crease_chord = 2.0 * sin(job.options->crease_degrees * pi / 360.0);
     job.crease_chord *= job.crease_chord;
     describe(&job, camera, drawing);
-    job.chunk_count = (scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
-    job.chunk = alloc_zeroed(job.chunk_count, sizeof *job.chunk);
-    status = job.chunk && do_chunks(&job, drawing) && gather(&job, drawing) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
+    status = do_chunks(&job, drawing) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
     drawing->hide_time = lap(&clock);
 done:
-    for (uint32_t i = 0; job.chunk && i < job.chunk_count; i++)
-        free(job.chunk[i].segment);
-    free(job.chunk);
     objet_free(&job.grid);
     hide_picture_free(&job.picture);
     view_clip_free(&job.clip);

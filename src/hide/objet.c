@@ -6,6 +6,9 @@
 
 #include "base/array.h"
 
+/* A list up to this length is sorted by insertion. */
+#define SHORT_LIST 24
+
 /* Calls for every cell that the front touches: counts it there, or with `fill` lists it. A box of at most two columns and
  * two rows is taken for the polygon. */
 static void list_front(objet *grid, const hide_picture *picture, uint32_t index, scan *s, bool fill)
@@ -59,6 +62,49 @@ static void restore_starts(objet *grid)
     grid->start[0] = 0;
 }
 
+/* A cell's list at the sorting. */
+typedef struct entry {
+    float z1;
+    uint32_t front;
+} entry;
+
+static int nearer_first(const void *pa, const void *pb)
+{
+    const entry *a = pa, *b = pb;
+    if (a->z1 != b->z1)
+        return a->z1 > b->z1 ? -1 : 1;
+    return (a->front > b->front) - (a->front < b->front);
+}
+
+/* Sorts each cell's list, nearest corner first, ties by number. Short lists are put in order one by one. */
+static bool sort_lists(objet *grid, const hide_picture *picture)
+{
+    size_t cells = scan_cells(&grid->frame), room = 0;
+    entry *list = NULL;
+    for (size_t c = 0; c < cells; c++) {
+        uint32_t *front = grid->front + grid->start[c], count = grid->start[c + 1] - grid->start[c];
+        if (count < 2)
+            continue;
+        if (!array_reserve(&list, &room, count, sizeof *list)) {
+            free(list);
+            return false;
+        }
+        for (uint32_t k = 0; k < count; k++) {
+            entry e = {picture->front_box[front[k]].z1, front[k]};
+            uint32_t i = k;
+            for (; count <= SHORT_LIST && i > 0 && e.z1 > list[i - 1].z1; i--)
+                list[i] = list[i - 1];
+            list[i] = e;
+        }
+        if (count > SHORT_LIST)
+            qsort(list, count, sizeof *list, nearer_first);
+        for (uint32_t k = 0; k < count; k++)
+            front[k] = list[k].front;
+    }
+    free(list);
+    return true;
+}
+
 roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame frame)
 {
     roberts_status status = ROBERTS_NO_MEMORY;
@@ -67,14 +113,17 @@ roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame 
     grid->start = alloc_zeroed(scan_cells(&frame) + 1, sizeof *grid->start);
     if (!grid->start || !scan_init(&s, frame.nx))
         goto done;
-    for (uint32_t k = 0; k < picture->order_count; k++)
-        list_front(grid, picture, picture->order[k], &s, false);
+    for (uint32_t k = 0; k < picture->front_count; k++)
+        if (picture->front[k].listed)
+            list_front(grid, picture, k, &s, false);
     if (!sum_counts(grid))
         goto done;
-    for (uint32_t k = 0; k < picture->order_count; k++)
-        list_front(grid, picture, picture->order[k], &s, true);
+    for (uint32_t k = 0; k < picture->front_count; k++)
+        if (picture->front[k].listed)
+            list_front(grid, picture, k, &s, true);
     restore_starts(grid);
-    status = ROBERTS_OK;
+    if (sort_lists(grid, picture))
+        status = ROBERTS_OK;
 done:
     scan_free(&s);
     if (status != ROBERTS_OK)

@@ -206,7 +206,11 @@ static bool add_solid(build *b, uint32_t solid)
         cover_front(picture, solid, first, corners, trusted);
     if (!corners || !trusted)
         return add_single_fronts(picture, solid, first);
-    hide_front front = {solid, first, count, (uint32_t)picture->outline_count, corners};
+    hide_front front = {.solid = solid,
+                        .face = first,
+                        .face_count = count,
+                        .outline = (uint32_t)picture->outline_count,
+                        .corners = corners};
     picture->outline_count += corners;
     return picture->outline_count <= UINT32_MAX && add_front(picture, front, picture->box[solid]);
 }
@@ -252,29 +256,41 @@ static bool same_front(const hide_picture *picture, uint32_t a, uint32_t b)
     return true;
 }
 
-/* Of copies of a solid at the same place one front is enough: else a thousand copies would cost a million comparisons.
- * Copies share their nearest depth and so follow one another in the order; each is compared with the front that was
- * kept last, which finds all but copies shuffled with other fronts of exactly that depth. */
-static bool is_copy(const hide_picture *picture, uint32_t kept, uint32_t front)
+/* Fronts that can differ in nothing else differ here. */
+static uint32_t place_key(const hide_picture *picture, uint32_t front)
 {
-    return kept > 0 && same_front(picture, picture->order[kept - 1], front);
+    const hide_box *box = &picture->front_box[front];
+    uint32_t bits[sizeof *box / sizeof(uint32_t)], key = 2166136261u; /* FNV-1a, word by word */
+    memcpy(bits, box, sizeof bits);
+    for (size_t i = 0; i < sizeof bits / sizeof bits[0]; i++)
+        key = (key ^ bits[i]) * 16777619u;
+    return key;
 }
 
-/* The fronts that count, nearest corner first. */
-static bool order_fronts(build *b)
+/* Marks the fronts that count. Of copies of a solid at the same place one front is enough, else a thousand copies would
+ * cost a million comparisons: the first, which has the smallest number, since a stable order of the keys brings them
+ * together. */
+static bool list_fronts(hide_picture *picture)
 {
-    hide_picture *picture = b->picture;
-    uint32_t *key = alloc_array(picture->front_count, sizeof *key), kept = 0;
-    picture->order = alloc_array(picture->front_count, sizeof *picture->order);
-    bool done = key && picture->order;
-    for (uint32_t i = 0; done && i < picture->front_count; i++)
-        key[i] = radix_key_descending(picture->front_box[i].z1);
-    done = done && radix_order(key, picture->front_count, picture->order);
-    for (uint32_t i = 0; done && i < picture->front_count; i++)
-        if (!picture->culled[picture->front[picture->order[i]].solid] && !is_copy(picture, kept, picture->order[i]))
-            picture->order[kept++] = picture->order[i];
-    picture->order_count = kept;
+    uint32_t count = picture->front_count, last = ROBERTS_NONE;
+    uint32_t *key = alloc_array(count, sizeof *key), *order = alloc_array(count, sizeof *order);
+    bool done = key && order;
+    for (uint32_t i = 0; done && i < count; i++) {
+        key[i] = place_key(picture, i);
+        picture->front[i].listed = !picture->culled[picture->front[i].solid];
+    }
+    done = done && radix_order(key, count, order);
+    for (uint32_t k = 0; done && k < count; k++) {
+        uint32_t i = order[k];
+        if (!picture->front[i].listed)
+            continue;
+        if (last != ROBERTS_NONE && key[last] == key[i] && same_front(picture, last, i))
+            picture->front[i].listed = false;
+        else
+            last = i;
+    }
     free(key);
+    free(order);
     return done;
 }
 
@@ -300,7 +316,7 @@ static bool add_solids(build *b)
         picture->culled[s] = picture->culled[s] || cover_hides(&picture->cover, &picture->box[s]);
         picture->culled_count += picture->culled[s];
     }
-    return order_fronts(b);
+    return list_fronts(picture);
 }
 
 static uint32_t most_vertices(const roberts_scene *scene)
@@ -377,7 +393,6 @@ void hide_picture_free(hide_picture *picture)
     free(picture->front);
     free(picture->front_box);
     free(picture->outline);
-    free(picture->order);
     cover_free(&picture->cover);
     *picture = (hide_picture){0};
 }

@@ -15,6 +15,7 @@
 typedef struct hide_front {
     uint32_t solid;
     uint32_t face, face_count; /* of hide_picture.face */
+    bool listed;               /* false: culled after all, or a copy of another front */
     uint32_t outline, corners; /* of hide_picture.outline; corners == 0: the one face's own */
 } hide_front;
 
@@ -35,8 +36,6 @@ typedef struct hide_picture {
     uint32_t front_count;
     uint32_t *outline; /* [outline_count] compact vertex numbers */
     size_t outline_count, outline_room;
-    uint32_t *order; /* [order_count] fronts that count, nearest corner first, ties by number */
-    uint32_t order_count;
     cover cover;
     uint32_t most_corners; /* of a face or an outline */
     size_t back, edge_on, culled_count;
