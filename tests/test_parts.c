@@ -1,4 +1,4 @@
-/* Hidden parts of an edge: one hull per solid, and the union of all, with every tie. */
+/* Hidden parts of an edge: joined as they come, and the union of all, with every tie. */
 #include <stdio.h>
 
 #include "hide/parts.h"
@@ -6,36 +6,35 @@
 
 enum { PARTS = 8 };
 
-/* ---- one interval per solid --------------------------------------------------------------------------------------- */
+/* ---- as they come ------------------------------------------------------------------------------------------------- */
 
-static void one_hull_for_a_solid(void **state)
+/* Two parts, added either way round: one of them stays two, or they join; their reach t0 - e0, t1 + e1 is kept. */
+static void joined_as_they_come(void **state)
 {
     static const struct {
         const char *name;
-        hide_part first, second, hull;
+        hide_part first, second;
+        size_t count;
+        double t0, t1, reach0, reach1; /* of the joined one */
     } table[] = {
-        {"beside", {0.1, 0.2, 0, 0}, {0.6, 0.7, 0, 0}, {0.1, 0.7, 0, 0}},
-        {"the other way", {0.6, 0.7, 0, 0}, {0.1, 0.2, 0, 0}, {0.1, 0.7, 0, 0}},
-        {"overlapping", {0.1, 0.5, 1e-3, 2e-3}, {0.4, 0.8, 3e-3, 4e-3}, {0.1, 0.8, 1e-3, 4e-3}},
-        {"inside", {0.1, 0.8, 1e-3, 2e-3}, {0.4, 0.5, 3e-3, 4e-3}, {0.1, 0.8, 1e-3, 2e-3}},
-        {"around", {0.4, 0.5, 3e-3, 4e-3}, {0.1, 0.8, 1e-3, 2e-3}, {0.1, 0.8, 1e-3, 2e-3}},
-        {"same ends: what reaches farther", {0.1, 0.8, 1e-3, 4e-3}, {0.1, 0.8, 3e-3, 2e-3}, {0.1, 0.8, 3e-3, 4e-3}},
-        {"the same", {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
+        {"beside", {0.125, 0.25, 0, 0}, {0.5, 0.75, 0, 0}, 2, 0, 0, 0, 0},
+        {"beside within reach", {0.125, 0.25, 0, 0.125}, {0.5, 0.75, 0.125, 0}, 1, 0.125, 0.75, 0.125, 0.75},
+        {"ends meet", {0.125, 0.5, 0, 0}, {0.5, 0.75, 0, 0}, 1, 0.125, 0.75, 0.125, 0.75},
+        {"overlapping", {0.125, 0.5, 0.0625, 0}, {0.25, 0.75, 0, 0.125}, 1, 0.125, 0.75, 0.0625, 0.875},
+        {"inside, reaching farther", {0.25, 0.75, 0, 0}, {0.5, 0.625, 0.5, 0.25}, 1, 0.25, 0.75, 0, 0.875},
+        {"the same", {0, 1, 0, 0}, {0, 1, 0, 0}, 1, 0, 1, 0, 1},
     };
     (void)state;
-    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+    for (size_t i = 0; i < 2 * (sizeof table / sizeof table[0]); i++) {
         hide_parts parts = {0};
-        size_t slot = SIZE_MAX, other = SIZE_MAX;
-        assert_true(hide_parts_add(&parts, 5, (hide_part){0.3, 0.35, 0, 0}, &other)); /* of a solid not concerned */
-        assert_true(hide_parts_add(&parts, 7, table[i].first, &slot));
-        assert_int_equal(slot, 1);
-        assert_true(hide_parts_add(&parts, 7, table[i].second, &slot));
-        assert_int_equal(parts.count, 2);
-        hide_part hull = parts.item[1].part;
-        if (hull.t0 != table[i].hull.t0 || hull.t1 != table[i].hull.t1 || hull.e0 != table[i].hull.e0 ||
-            hull.e1 != table[i].hull.e1 || parts.item[1].solid != 7)
-            fail_msg("%s: %g..%g, %g, %g", table[i].name, hull.t0, hull.t1, hull.e0, hull.e1);
-        assert_true(parts.item[0].part.t0 == 0.3 && parts.item[0].part.t1 == 0.35 && parts.item[0].solid == 5);
+        size_t k = i / 2;
+        assert_true(hide_parts_add(&parts, 5, i % 2 ? table[k].second : table[k].first));
+        assert_true(hide_parts_add(&parts, 7, i % 2 ? table[k].first : table[k].second));
+        hide_part part = parts.item[0].part;
+        if (parts.count != table[k].count ||
+            (parts.count == 1 && (part.t0 != table[k].t0 || part.t1 != table[k].t1 ||
+                                  part.t0 - part.e0 != table[k].reach0 || part.t1 + part.e1 != table[k].reach1)))
+            fail_msg("%s: %zu parts, %g..%g, %g, %g", table[k].name, parts.count, part.t0, part.t1, part.e0, part.e1);
         free(parts.item);
     }
 }
@@ -45,10 +44,8 @@ static void one_hull_for_a_solid(void **state)
 static void fill(hide_parts *parts, const hide_part *part, const uint32_t *order, uint32_t count)
 {
     parts->count = 0;
-    for (uint32_t i = 0; i < count; i++) {
-        size_t slot = SIZE_MAX;
-        assert_true(hide_parts_add(parts, order[i], part[order[i]], &slot));
-    }
+    for (uint32_t i = 0; i < count; i++)
+        assert_true(hide_parts_add(parts, order[i], part[order[i]]));
 }
 
 static uint32_t count_of(const hide_part *part)
@@ -212,7 +209,7 @@ static void union_names_a_member(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_hull_for_a_solid),
+        cmocka_unit_test(joined_as_they_come),
         cmocka_unit_test(union_by_table),
         cmocka_unit_test(union_of_many),
         cmocka_unit_test(union_names_a_member),

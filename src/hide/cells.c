@@ -11,6 +11,9 @@
 #define ENTRIES_FREE 4096.0
 /* Width of a cover's cell in mean boxes: a cell that a front only crosses is not covered. */
 #define BOXES_PER_COVER_CELL 0.08
+/* The more boxes lie over one another, the more is gained by smaller cells: from this depth on they shrink with it. */
+#define COVER_DEPTH_OF_SMALLER 40.0
+#define COVER_SHRINKING 0.3
 /* Mean number of boxes over a point of the picture from which covers pay. In flat scenes they cost a little. */
 #define COVER_DEPTH 2.5
 /* Cells per box, and cells that cost nothing to speak of. */
@@ -84,6 +87,7 @@ scan_frame cells_for_covers(const hide_box *box, uint32_t count, roberts_vec2 lo
         return scan_frame_over(low, high, n, n, margin);
     if (!(s.area > COVER_DEPTH) || !(s.width > 0.0) || !(s.height > 0.0))
         return (scan_frame){0};
-    divide(&s, count, BOXES_PER_COVER_CELL, COVER_CELLS_PER_BOX * count + CELLS_FREE, &nx, &ny);
+    double smaller = s.area > COVER_DEPTH_OF_SMALLER ? pow(COVER_DEPTH_OF_SMALLER / s.area, COVER_SHRINKING) : 1.0;
+    divide(&s, count, BOXES_PER_COVER_CELL * smaller, COVER_CELLS_PER_BOX * count + CELLS_FREE, &nx, &ny);
     return scan_frame_over(low, high, whole(nx), whole(ny), margin);
 }

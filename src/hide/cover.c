@@ -13,7 +13,8 @@ bool cover_init(cover *c, scan_frame frame)
     if (cells == 0)
         return true;
     c->depth = alloc_array(cells, sizeof *c->depth);
-    if (!c->depth || !scan_init(&c->scan, frame.nx))
+    c->by = alloc_array(cells, sizeof *c->by); /* meaningless while there is no cover */
+    if (!c->depth || !c->by || !scan_init(&c->scan, frame.nx))
         return false;
     for (size_t i = 0; i < cells; i++)
         c->depth[i] = -INFINITY;
@@ -23,6 +24,7 @@ bool cover_init(cover *c, scan_frame frame)
 void cover_free(cover *c)
 {
     free(c->depth);
+    free(c->by);
     scan_free(&c->scan);
     *c = (cover){0};
 }
@@ -40,7 +42,7 @@ static double depth_over(const scan_frame *f, uint32_t i, uint32_t j, const hide
 }
 
 void cover_add(cover *c, const roberts_vec3 *P, const uint32_t *corner, uint32_t count, double depth,
-               const hide_face *face, uint32_t face_count, double slack)
+               const hide_face *face, uint32_t face_count, double slack, uint32_t by)
 {
     const scan_frame *f = &c->frame;
     if (!c->depth)
@@ -54,8 +56,10 @@ void cover_add(cover *c, const roberts_vec3 *P, const uint32_t *corner, uint32_t
         for (uint32_t j = first; j <= last; j++) {
             double at = face_count ? greater(depth, depth_over(f, i, j, face, face_count)) : depth;
             float bound = hide_float_below(at - slack);
-            if (bound > cell[j])
+            if (bound > cell[j]) {
                 cell[j] = bound;
+                c->by[(size_t)i * f->ny + j] = by;
+            }
         }
     }
 }
@@ -85,6 +89,12 @@ bool cover_hides(const cover *c, const hide_box *box)
         if (!all_nearer(c->depth + (size_t)i * f->ny + low, high - low + 1, box->z1))
             return false;
     return true;
+}
+
+uint32_t cover_at(const cover *c, double x, double y, float z)
+{
+    size_t cell = (size_t)scan_column(&c->frame, x) * c->frame.ny + scan_row(&c->frame, y);
+    return c->depth[cell] > z ? c->by[cell] : ROBERTS_NONE;
 }
 
 /* Column by column, as scan.c walks a polygon's side: in each the rows that AB has there, and its nearest depth. */

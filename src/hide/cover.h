@@ -14,6 +14,7 @@ typedef struct cover {
     scan_frame frame;
     scan scan;    /* scratch */
     float *depth; /* [nx * ny] -infinity without cover; NULL: no covers are kept, nothing is ever behind one */
+    uint32_t *by; /* [nx * ny] what covers the cell, as cover_add() was told */
 } cover;
 
 /* Takes a frame of the cells; one without columns keeps no covers. No memory: false. */
@@ -22,12 +23,15 @@ void cover_free(cover *c);
 
 /* Enters a convex outline of corners P[corner[..]], counter-clockwise, whose front is nowhere over it farther away than
  * `depth`; where faces are given the front is the nearer side of them all, and its depth in each cell is taken. slack:
- * how much nearer than the cover a thing must be to count as touching it, in depth. */
+ * how much nearer than the cover a thing must be to count as touching it, in depth. by: kept with the cells. */
 void cover_add(cover *c, const roberts_vec3 *P, const uint32_t *corner, uint32_t count, double depth,
-               const hide_face *face, uint32_t face_count, double slack);
+               const hide_face *face, uint32_t face_count, double slack, uint32_t by);
 
 /* Lies all of the box certainly behind covers? */
 bool cover_hides(const cover *c, const hide_box *box);
+
+/* What covers the cell of picture point (x, y), if that is certainly nearer than z; else ROBERTS_NONE. */
+uint32_t cover_at(const cover *c, double x, double y, float z);
 
 /* Lies all of AB certainly behind covers? */
 bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B);

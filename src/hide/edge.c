@@ -71,13 +71,14 @@ static bool meet(hide_worker *w, hide_line *line, const hide_front *front)
     hide_part part;
     if (!hide_by_front(w->picture, front, &line->e, &w->sides, &w->tally, &part))
         return true;
+    if (!hide_parts_add(&line->parts, front->solid, part))
+        return false;
+    part = line->parts.item[line->parts.count - 1].part; /* joined with what it touches */
     if (part.t0 == 0.0 && part.t1 == 1.0) {
         line->hidden = true;
-        line->parts.count = 0;
         w->live--;
     }
-    size_t slot = SIZE_MAX;
-    return hide_parts_add(&line->parts, front->solid, part, &slot);
+    return true;
 }
 
 /* The lines first..end-1, all within `box` (but for depth, of which `far` is the farthest), against one cell's fronts,
@@ -165,8 +166,7 @@ static void drop_covered(hide_worker *w)
 {
     for (size_t i = 0; i < w->line_count; i++)
         if (!w->line[i].hidden && cover_hides_edge(&w->picture->cover, w->line[i].e.A, w->line[i].e.B)) {
-            size_t slot = SIZE_MAX;
-            w->line[i].hidden = hide_parts_add(&w->line[i].parts, ROBERTS_NONE, (hide_part){0.0, 1.0, 0.0, 0.0}, &slot);
+            w->line[i].hidden = hide_parts_add(&w->line[i].parts, ROBERTS_NONE, (hide_part){0.0, 1.0, 0.0, 0.0});
             w->tally.covered += w->line[i].hidden;
         }
 }

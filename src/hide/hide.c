@@ -157,9 +157,8 @@ static bool take_edges(const hide_job *job, hide_worker *w, hide_sums *sums, uin
         if (!line)
             return false;
         if (fronts == 0) {
-            size_t slot = SIZE_MAX;
             line->hidden = true;
-            if (!hide_parts_add(&line->parts, solid, (hide_part){0.0, 1.0, 0.0, 0.0}, &slot))
+            if (!hide_parts_add(&line->parts, solid, (hide_part){0.0, 1.0, 0.0, 0.0}))
                 return false;
         }
         sums->drawn++;

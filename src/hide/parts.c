@@ -5,24 +5,33 @@
 
 #include "base/array.h"
 
-bool hide_parts_add(hide_parts *parts, uint32_t solid, hide_part part, size_t *slot)
+static bool touch(const hide_part *a, const hide_part *b)
 {
-    if (*slot == SIZE_MAX) {
-        if (!array_reserve(&parts->item, &parts->room, parts->count + 1, sizeof *parts->item))
-            return false;
-        *slot = parts->count++;
-        parts->item[*slot] = (hide_solid_part){part, solid};
-        return true;
+    return a->t0 - a->e0 <= b->t1 + b->e1 && b->t0 - b->e0 <= a->t1 + a->e1;
+}
+
+/* Their union, which reaches as far as either of them, also where the shorter one reaches farther. */
+static hide_part joined(const hide_part *a, const hide_part *b)
+{
+    double reach0 = lesser(a->t0 - a->e0, b->t0 - b->e0), reach1 = greater(a->t1 + a->e1, b->t1 + b->e1);
+    hide_part all = {.t0 = lesser(a->t0, b->t0), .t1 = greater(a->t1, b->t1)};
+    all.e0 = all.t0 - reach0;
+    all.e1 = reach1 - all.t1;
+    return all;
+}
+
+bool hide_parts_add(hide_parts *parts, uint32_t solid, hide_part part)
+{
+    for (size_t i = parts->count; i-- > 0;) {
+        if (!touch(&parts->item[i].part, &part))
+            continue;
+        part = joined(&parts->item[i].part, &part);
+        parts->item[i] = parts->item[--parts->count];
+        i = parts->count; /* the greater part may touch what the smaller did not */
     }
-    hide_part *hull = &parts->item[*slot].part;
-    if (part.t0 < hull->t0 || (part.t0 == hull->t0 && part.e0 > hull->e0)) {
-        hull->t0 = part.t0;
-        hull->e0 = part.e0;
-    }
-    if (part.t1 > hull->t1 || (part.t1 == hull->t1 && part.e1 > hull->e1)) {
-        hull->t1 = part.t1;
-        hull->e1 = part.e1;
-    }
+    if (!array_reserve(&parts->item, &parts->room, parts->count + 1, sizeof *parts->item))
+        return false;
+    parts->item[parts->count++] = (hide_solid_part){part, solid};
     return true;
 }
 
@@ -62,12 +71,8 @@ void hide_parts_unite(hide_parts *parts, double epsilon, double length)
     for (size_t i = 0; i < parts->count; i++) {
         hide_part next = parts->item[i].part;
         hide_part *last = kept ? &parts->item[kept - 1].part : NULL;
-        if (last && (next.t0 - next.e0 <= last->t1 + last->e1 || (next.t0 - last->t1) * length <= epsilon)) {
-            if (next.t0 < last->t0)
-                last->t0 = next.t0;
-            double reach = greater(last->t1 + last->e1, next.t1 + next.e1); /* of any member, also of a shorter one */
-            last->t1 = greater(last->t1, next.t1);
-            last->e1 = reach - last->t1;
+        if (last && (touch(last, &next) || (next.t0 - last->t1) * length <= epsilon)) {
+            *last = joined(last, &next);
         } else {
             parts->item[kept++] = parts->item[i];
         }

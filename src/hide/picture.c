@@ -168,8 +168,9 @@ static bool add_single_fronts(hide_picture *picture, uint32_t solid, uint32_t fi
 }
 
 /* What the front covers. Nothing of it is farther than the farthest corner of its outline, since its depth is a concave
- * function; a point that much behind it that it is behind each face by more than `touch` is certainly hidden. */
-static void cover_front(hide_picture *picture, uint32_t solid, uint32_t first, uint32_t corners, bool trusted)
+ * function; a point that much behind it that it is behind each face by more than `touch` is certainly hidden. Gives the
+ * depth from which that is so. */
+static float cover_front(hide_picture *picture, uint32_t solid, uint32_t first, uint32_t corners, bool trusted)
 {
     const uint32_t *corner = picture->outline + picture->outline_count;
     const hide_box *box = &picture->box[solid];
@@ -184,7 +185,8 @@ static void cover_front(hide_picture *picture, uint32_t solid, uint32_t first, u
     bool wide = trusted && ((double)(box->x1 - box->x0) > COVER_WIDE * picture->cover.frame.dx ||
                             (double)(box->y1 - box->y0) > COVER_WIDE * picture->cover.frame.dy);
     cover_add(&picture->cover, picture->P, corner, corners, depth, picture->face + first,
-              wide ? picture->face_count - first : 0, slack);
+              wide ? picture->face_count - first : 0, slack, trusted ? picture->front_count : ROBERTS_NONE);
+    return hide_float_below(depth - slack);
 }
 
 /* Maps a solid and enters its front; false: no memory. */
@@ -194,6 +196,7 @@ static bool add_solid(build *b, uint32_t solid)
     const roberts_scene *scene = picture->scene;
     uint32_t first = picture->face_count, corners;
     bool trusted = true;
+    float depth = -INFINITY;
     for (uint32_t v = scene->solid[solid].vertex; v < scene->solid[solid + 1].vertex; v++)
         picture->P[v] = view_point(&picture->view, scene->point[v]);
     if (!add_faces(picture, solid) || !find_outline(b, solid, &corners))
@@ -203,12 +206,13 @@ static bool add_solid(build *b, uint32_t solid)
         trusted = trusted && picture->face[k].limit == picture->face[k].touch;
     trusted = trusted && count <= FACES_OF_ONE_FRONT;
     if (corners && picture->cover.depth)
-        cover_front(picture, solid, first, corners, trusted);
+        depth = cover_front(picture, solid, first, corners, trusted);
     if (!corners || !trusted)
         return add_single_fronts(picture, solid, first);
     hide_front front = {.solid = solid,
                         .face = first,
                         .face_count = count,
+                        .depth = depth,
                         .outline = (uint32_t)picture->outline_count,
                         .corners = corners};
     picture->outline_count += corners;
@@ -294,6 +298,49 @@ static bool list_fronts(hide_picture *picture)
     return done;
 }
 
+/* Does the front hide the solid, all of whose vertices lie inside its outline or on it? */
+static bool hides_solid(const hide_picture *picture, const hide_front *front, uint32_t solid)
+{
+    const roberts_scene *scene = picture->scene;
+    const uint32_t *corner = picture->outline + front->outline;
+    if (!(front->depth > picture->box[solid].z1))
+        return false;
+    for (uint32_t v = scene->solid[solid].vertex; v < scene->solid[solid + 1].vertex; v++) {
+        roberts_vec3 X = view_point(&picture->view, scene->point[v]);
+        for (uint32_t i = 0; i < front->corners; i++) {
+            roberts_vec3 P = picture->P[corner[i]], Q = picture->P[corner[i + 1 < front->corners ? i + 1 : 0]];
+            double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (X.y - P.y) - dy * (X.x - P.x);
+            if (H < 0.0 && H < -0.5 * picture->space.epsilon * sqrt(dx * dx + dy * dy))
+                return false;
+        }
+    }
+    return true;
+}
+
+/* A solid whose border lies on the border of what hides it is in cells that are not wholly covered. So, where the cells
+ * further in are, the fronts that cover its middle and its corners are asked themselves. */
+static bool is_hidden(const hide_picture *picture, uint32_t solid)
+{
+    const hide_box *box = &picture->box[solid];
+    const scan_frame *f = &picture->cover.frame;
+    static const float at[5][2] = {{0.5f, 0.5f}, {0, 0}, {0, 1}, {1, 0}, {1, 1}};
+    uint32_t last = ROBERTS_NONE;
+    if (cover_hides(&picture->cover, box))
+        return true;
+    float dx = 1.5f * (float)f->dx, dy = 1.5f * (float)f->dy;
+    hide_box inner = {box->x0 + dx, box->x1 - dx, box->y0 + dy, box->y1 - dy, box->z0, box->z1};
+    if (!picture->cover.depth || inner.x0 > inner.x1 || inner.y0 > inner.y1 || !cover_hides(&picture->cover, &inner))
+        return false;
+    for (int k = 0; k < 5; k++) {
+        float x = inner.x0 + at[k][0] * (inner.x1 - inner.x0), y = inner.y0 + at[k][1] * (inner.y1 - inner.y0);
+        uint32_t front = cover_at(&picture->cover, (double)x, (double)y, box->z1);
+        if (front != ROBERTS_NONE && front != last && hides_solid(picture, &picture->front[front], solid))
+            return true;
+        last = front;
+    }
+    return false;
+}
+
 /* With covers: nearest solids first, each culled where those before it cover it, and all once more, in the same order,
  * when every cover is known. */
 static bool add_solids(build *b)
@@ -307,13 +354,13 @@ static bool add_solids(build *b)
     for (uint32_t k = 0; k < count; k++) {
         uint32_t s = covers ? b->order[k] : k;
         bool empty = scene->solid[s].vertex == scene->solid[s + 1].vertex; /* clipped away */
-        picture->culled[s] = empty || cover_hides(&picture->cover, &picture->box[s]);
+        picture->culled[s] = empty || is_hidden(picture, s);
         if (!picture->culled[s] && !add_solid(b, s))
             return false;
     }
     for (uint32_t k = 0; covers && k < count; k++) {
         uint32_t s = b->order[k];
-        picture->culled[s] = picture->culled[s] || cover_hides(&picture->cover, &picture->box[s]);
+        picture->culled[s] = picture->culled[s] || is_hidden(picture, s);
         picture->culled_count += picture->culled[s];
     }
     return list_fronts(picture);

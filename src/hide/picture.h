@@ -16,6 +16,7 @@ typedef struct hide_front {
     uint32_t solid;
     uint32_t face, face_count; /* of hide_picture.face */
     bool listed;               /* false: culled after all, or a copy of another front */
+    float depth; /* where covers are kept: what is nowhere nearer is behind it wherever it is inside the outline */
     uint32_t outline, corners; /* of hide_picture.outline; corners == 0: the one face's own */
 } hide_front;
 
