@@ -36,7 +36,8 @@ FNR == 1 {
         next
     if (table == "stages") {
         title("Stages, seconds; one thread, nothing written. draw: SVG, in a run of its own, not in the total. growth: exponent over\n" \
-              "the number of edges. MB: memory at the most; beyond: the same less the size of the input, bytes per solid.")
+              "the number of edges. MB: memory at the most; beyond: the same less the size of the input, bytes per solid.\n" \
+              "pairs/edge: how many fronts or faces an edge is tested against.")
     } else if (table == "draw") {
         title("Drawn as SVG. more: memory at the most beyond that of the same run with nothing written.")
         printf "%-24s%12s%12s%10s%10s%16s%10s\n", "", "solids", "segments", "cpu s", "wall s", "s / M segments", "more MB"
@@ -77,7 +78,7 @@ function print_size(   i, v, line, edges, scene, key) {
         printf "\n%s\n%12s%12s%12s%9s", scene, "solids", "edges", "segments", ""
         for (i = 1; i <= stage_count; i++)
             printf "%8s", stage[i]
-        printf "%11s%9s%8s%12s\n", "s/M edges", "MB", "beyond", "total/read"
+        printf "%11s%9s%8s%12s%12s\n", "s/M edges", "MB", "beyond", "total/read", "pairs/edge"
         last_edges = 0
     }
     if (value("runs") == 0) {
@@ -91,9 +92,10 @@ function print_size(   i, v, line, edges, scene, key) {
         v = stage[i] == "draw" ? drawn_cpu[key] : value(stage[i] "_cpu")
         printf v == "" ? "%8s" : "%8.3f", v == "" ? "-" : v
     }
-    printf "%11.3f%9.0f%8s%12s\n%45s", value("total_cpu") * 1e6 / edges, value("peak_memory_kb") / 1024, \
+    printf "%11.3f%9.0f%8s%12s%12.1f\n%45s", value("total_cpu") * 1e6 / edges, value("peak_memory_kb") / 1024, \
         value("solids") < 1000 ? "-" : sprintf("%.0f", beyond()), \
-        value("read_cpu") < 0.002 ? "-" : sprintf("%.1f", value("total_cpu") / value("read_cpu")), "wall"
+        value("read_cpu") < 0.002 ? "-" : sprintf("%.1f", value("total_cpu") / value("read_cpu")), \
+        value("pairs") / edges, "wall"
     for (i = 1; i <= stage_count; i++) {
         v = stage[i] == "draw" ? drawn_wall[key] : value(stage[i] "_wall")
         printf v == "" ? "%8s" : "%8.3f", v == "" ? "-" : v
@@ -165,7 +167,7 @@ table == "goals" && ("kind" in column) && value("runs") > 0 {
     if (value("kind") == "stages") {
         if (!(key in solids))
             order[++scenes] = key
-        if (value("solids") >= 9000 && !(key in from_edges)) {
+        if (value("solids") >= 9000 && from_total[key] == "") {
             from_edges[key] = value("edges")
             from_total[key] = value("total_cpu")
         }
