@@ -20,30 +20,33 @@ void *__wrap_calloc(size_t count, size_t size);
 void *__wrap_realloc(void *block, size_t size);
 void __wrap_free(void *block);
 
-static size_t memory_calls, memory_failing, memory_blocks; /* so far; the call that fails, 0: none; not yet freed */
+static size_t memory_calls, memory_failing; /* so far; the one that fails, 0: none */
+static size_t memory_blocks;                /* not yet freed */
+static size_t memory_largest;               /* bytes of the largest block that was asked for */
 
-static bool memory_allows(void)
+static bool memory_allows(size_t size)
 {
+    memory_largest = size > memory_largest ? size : memory_largest;
     return ++memory_calls != memory_failing;
 }
 
 void *__wrap_malloc(size_t size)
 {
-    void *block = memory_allows() ? __real_malloc(size) : NULL;
+    void *block = memory_allows(size) ? __real_malloc(size) : NULL;
     memory_blocks += block != NULL;
     return block;
 }
 
 void *__wrap_calloc(size_t count, size_t size)
 {
-    void *block = memory_allows() ? __real_calloc(count, size) : NULL;
+    void *block = memory_allows(count * size) ? __real_calloc(count, size) : NULL;
     memory_blocks += block != NULL;
     return block;
 }
 
 void *__wrap_realloc(void *block, size_t size)
 {
-    void *grown = memory_allows() ? __real_realloc(block, size) : NULL;
+    void *grown = memory_allows(size) ? __real_realloc(block, size) : NULL;
     memory_blocks += grown && !block;
     return grown;
 }
@@ -59,7 +62,7 @@ void __wrap_free(void *block)
 /* From now on the call number `failing` fails, once; 0: none. */
 static void memory_fail(size_t failing)
 {
-    memory_calls = 0;
+    memory_calls = memory_largest = 0;
     memory_failing = failing;
 }
 

@@ -115,12 +115,40 @@ static void adding_survives(void **state)
     assert_true(failures >= 8);
 }
 
+/* What is declared and does not come takes no memory: no block is larger than the one that bytes are read into. */
+static void declared_counts_take_no_memory(void **state)
+{
+    static const char *const rows[] = {
+        "OFF 4000000000 4000000000 4000000000\n0 0 0\n1 0 0\n0 1 0\n",
+        "COFF 4000000000 4000000000 0\n0 0 0 1 0 0\n",
+        "OFF 3 4000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+        "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n",
+        "OFF 1 18446744073709551615 0\n0 0 0\n18446744073709551615 0\n",
+        "4000000000\n",
+    };
+    static const char binary[] = "OFF BINARY\n\0\0\0\1\xee\0\0\0\0\0\0\0\x3f\x80\0\0\x3f\x80\0\0\x3f\x80\0\0"
+                                 "\xee\0\0\0\0\0\0\0\0\0\0\0";
+    (void)state;
+    for (size_t i = 0; i <= sizeof rows / sizeof *rows; i++) {
+        bool last = i == sizeof rows / sizeof *rows;
+        const char *bytes = last ? binary : rows[i];
+        roberts_mesh mesh = {0};
+        memory_fail(0);
+        roberts_status status =
+            roberts_mesh_read_memory(&mesh, "t", bytes, last ? sizeof binary - 1 : strlen(bytes), NULL, NULL);
+        assert_int_equal(status, i == 2 ? ROBERTS_OK : ROBERTS_BAD_SYNTAX);
+        assert_true(memory_largest > 0 && memory_largest < 80000);
+        roberts_mesh_free(&mesh);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(text_survives),
         cmocka_unit_test(binary_survives),
         cmocka_unit_test(adding_survives),
+        cmocka_unit_test(declared_counts_take_no_memory),
     };
     return cmocka_run_group_tests_name("memory off", tests, NULL, NULL);
 }

@@ -40,6 +40,13 @@ static uint64_t next_random(uint64_t *state)
     return *state;
 }
 
+/* How many numbers a test on random ones tries: some, or as many as TEST_NUMBERS says. */
+static unsigned long random_count(void)
+{
+    const char *count = getenv("TEST_NUMBERS");
+    return count ? strtoul(count, NULL, 10) : 400000;
+}
+
 /* Fails unless the text is read whole, and as strtod() reads it. The text must end in zeros. */
 static void check(const char *text)
 {
@@ -235,7 +242,7 @@ static void reads_random_doubles(void **state)
     uint64_t seed = 88172645463325252u;
     char text[1200] = {0};
     (void)state;
-    for (int i = 0; i < 400000; i++) {
+    for (unsigned long i = 0, count = random_count(); i < count; i++) {
         static const int precision[] = {17, 17, 16, 9, 15, 19, 20, 25};
         double x = double_of(next_random(&seed));
         if (i % 2) /* a coordinate */
@@ -256,7 +263,7 @@ static void reads_random_digits(void **state)
     uint64_t seed = 42;
     char text[64];
     (void)state;
-    for (int i = 0; i < 400000; i++) {
+    for (unsigned long i = 0, rounds = random_count(); i < rounds; i++) {
         uint64_t r = next_random(&seed);
         memset(text, 0, sizeof text);
         int count = (int)(r % 22) + 1, exponent = (int)(r >> 8 & 1023) - 512, point = (int)(r >> 24 & 31), n = 0;

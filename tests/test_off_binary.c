@@ -144,6 +144,74 @@ static void finds_the_order_from_the_vertices(void **state)
     }
 }
 
+/* Nothing to tell by but the counts: vertices at the origin, or none. */
+static void finds_the_order_from_the_counts(void **state)
+{
+    (void)state;
+    for (int little = 0; little < 2; little++) {
+        for (unsigned vertices = 0; vertices < 4; vertices++) {
+            begin(&f, "OFF BINARY\n", little);
+            put_words(&f, 3, vertices, 2, 0);
+            for (unsigned v = 0; v < vertices; v++)
+                put_floats(&f, 3, 0.0, 0.0, 0.0);
+            put_words(&f, 4, 0, 0, 0, 0); /* faces without corners */
+            roberts_mesh mesh = read_good(&f);
+            assert_true(mesh.vertex_count == vertices && mesh.face_count == 2);
+            roberts_mesh_free(&mesh);
+        }
+    }
+}
+
+/* Vertex numbers go on from those of the input before. */
+static void appends(void **state)
+{
+    static const char before[] = "OFF 2 1 0\n9 9 9\n8 8 8\n2 0 1\n";
+    roberts_mesh mesh = {0};
+    roberts_error error;
+    (void)state;
+    assert_int_equal(roberts_mesh_read_memory(&mesh, "t", before, sizeof before - 1, NULL, NULL), ROBERTS_OK);
+    begin(&f, "OFF BINARY\n", false);
+    put_words(&f, 3, 3, 1, 0);
+    put_triangle(&f);
+    put_words(&f, 5, 3, 0, 1, 2, 0);
+    assert_int_equal(read_file(&f, &mesh, &error), ROBERTS_OK);
+    assert_true(mesh.vertex_count == 5 && mesh.face_count == 2 && mesh.vertex[3].x == 1.0);
+    assert_true(mesh.corner[2] == 2 && mesh.corner[3] == 3 && mesh.corner[4] == 4);
+    f.length -= 8; /* the third corner is gone */
+    assert_int_equal(read_file(&f, &mesh, &error), ROBERTS_BAD_SYNTAX);
+    assert_true(mesh.vertex_count == 5 && mesh.face_count == 2 && mesh.corner_count == 5);
+    roberts_mesh_free(&mesh);
+}
+
+/* Gives the file in pieces; asking for more than there is fails the test, as it would wait for an open pipe. */
+static ptrdiff_t read_pipe(void *context, void *buffer, size_t size)
+{
+    size_t *at = context, n = f.length - *at < 13 ? f.length - *at : 13;
+    assert_true(n > 0 && n <= size);
+    memcpy(buffer, f.bytes + *at, n);
+    *at += n;
+    return (ptrdiff_t)n;
+}
+
+static void leaves_an_open_pipe_alone(void **state)
+{
+    (void)state;
+    for (int colors = 0; colors < 2; colors++) {
+        size_t at = 0;
+        roberts_mesh mesh = {0};
+        begin(&f, "OFF BINARY\n", true);
+        put_words(&f, 3, 3, 2, 0);
+        put_triangle(&f);
+        put_words(&f, 5, 3, 0, 1, 2, 0);
+        put_words(&f, 5, 3, 0, 1, 2, colors ? 3 : 0);
+        if (colors)
+            put_floats(&f, 3, 0.0, 0.5, 1.0);
+        assert_int_equal(roberts_mesh_read(&mesh, "p", read_pipe, &at, NULL, NULL), ROBERTS_OK);
+        assert_true(mesh.face_count == 2 && at == f.length);
+        roberts_mesh_free(&mesh);
+    }
+}
+
 static void reads_colors(void **state)
 {
     (void)state;
@@ -382,10 +450,17 @@ static void reads_a_long_face(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reads_both_orders),    cmocka_unit_test(finds_the_order_from_the_vertices),
-        cmocka_unit_test(reads_colors),         cmocka_unit_test(reads_faces_without_color_count),
-        cmocka_unit_test(reads_all_prefixes),   cmocka_unit_test(warns),
-        cmocka_unit_test(refuses_every_prefix), cmocka_unit_test(refuses_bad_values),
+        cmocka_unit_test(reads_both_orders),
+        cmocka_unit_test(finds_the_order_from_the_vertices),
+        cmocka_unit_test(finds_the_order_from_the_counts),
+        cmocka_unit_test(appends),
+        cmocka_unit_test(leaves_an_open_pipe_alone),
+        cmocka_unit_test(reads_colors),
+        cmocka_unit_test(reads_faces_without_color_count),
+        cmocka_unit_test(reads_all_prefixes),
+        cmocka_unit_test(warns),
+        cmocka_unit_test(refuses_every_prefix),
+        cmocka_unit_test(refuses_bad_values),
         cmocka_unit_test(reads_a_long_face),
     };
     return cmocka_run_group_tests_name("off binary", tests, NULL, NULL);

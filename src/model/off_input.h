@@ -52,7 +52,7 @@ static inline bool input_skip(off_input *in)
     if ((unsigned char)c[1] <= ' ' || c[1] == '#')
         return input_skip_on(in);
     if (*c == '\n')
-        in->line += c[-1] != '\r';
+        in->line++; /* no CR before it: the two are always passed together */
     else if (*c != ' ')
         return input_skip_on(in);
     in->at = c + 1;
