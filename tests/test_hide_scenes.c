@@ -564,6 +564,7 @@ static void arguments_refused(void **state)
         if (status != table[i].status || error.status != status || (status != ROBERTS_OK) != (error.message[0] != '\0'))
             fail_msg("%s: status %d, message \"%s\"", table[i].name, status, error.message);
         assert_true(status == ROBERTS_OK || (d.count == 0 && !d.segment));
+        roberts_drawing_free(&d);
         assert_int_equal(roberts_hide(scene, &camera, &table[i].options, &d, NULL), status);
         roberts_drawing_free(&d);
     }

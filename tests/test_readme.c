@@ -84,7 +84,7 @@ static void output_of(const char *command, char output[64])
     const char *o = strstr(command, " -o "), *redirect = strstr(command, " > ");
     snprintf(output, 64, "printed");
     if (o || redirect)
-        sscanf(o ? o + 4 : redirect + 3, "%63s", output); /* NOLINT(cert-err34-c): a word, no number */
+        sscanf(o ? o + 4 : redirect + 3, "%63s", output);
 }
 
 /* Copies the lines of the README's ````language` blocks, one after the other, to `use`. */

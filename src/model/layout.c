@@ -152,6 +152,7 @@ static void trim(roberts_scene *scene)
     uint32_t *number = realloc(scene->number, (scene->vertex_count + (size_t)1) * sizeof *number);
     scene->point = point ? point : scene->point;
     scene->number = number ? number : scene->number;
+    /* cppcheck-suppress memleak ; the scene holds both */
 }
 
 bool layout_solids(roberts_scene *scene, const polygons *faces, const uint32_t *of, uint32_t solid_count,
