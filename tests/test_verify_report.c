@@ -9,7 +9,7 @@
 #include <unistd.h>
 #include <cmocka.h>
 
-#include "../src/cli/rays.c"
+#include "../src/cli/rays.c" /* NOLINT(bugprone-suspicious-include): the program is no library */
 
 /* A cube of side 2 under a plate that hides all of it from above. */
 static roberts_scene *make_scene(void)

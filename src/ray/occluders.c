@@ -19,8 +19,8 @@
 /* Boxes on their way into the tree, and the faces that they belong to. */
 typedef struct box_list {
     tree_box *box;
-    uint32_t *face;
-    size_t count, box_room, face_room;
+    uint32_t *face, *solid;
+    size_t count, box_room, face_room, solid_room;
 } box_list;
 
 static const tree_box no_box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
@@ -96,10 +96,12 @@ static bool add_face(const occluders *o, uint32_t face, double rays_per_area, do
     const roberts_vec3 grow = {margin, margin, margin};
     uint32_t count = boxes_of_face(o, face, rays_per_area, slice);
     if (!array_reserve(&list->box, &list->box_room, list->count + count, sizeof *list->box) ||
-        !array_reserve(&list->face, &list->face_room, list->count + count, sizeof *list->face))
+        !array_reserve(&list->face, &list->face_room, list->count + count, sizeof *list->face) ||
+        !array_reserve(&list->solid, &list->solid_room, list->count + count, sizeof *list->solid))
         return false;
     for (uint32_t i = 0; i < count; i++) {
         list->box[list->count] = (tree_box){vec3_sub(slice[i].lo, grow), vec3_add(slice[i].hi, grow)};
+        list->solid[list->count] = o->face_solid[face];
         list->face[list->count++] = face;
     }
     return true;
@@ -118,9 +120,10 @@ static bool build_tree(occluders *o, double rays)
     for (uint32_t face = 0; built && face < scene->face_count; face++)
         if (o->s.facing[face] != SIGHT_NOT_FRONT)
             built = add_face(o, face, rays / tree_box_area(all), margin, &list);
-    built = built && list.count < UINT32_MAX && tree_build(&o->t, list.box, (uint32_t)list.count);
+    built = built && list.count < UINT32_MAX && tree_build(&o->t, list.box, list.solid, (uint32_t)list.count);
     o->box_face = list.face;
     free(list.box);
+    free(list.solid);
     return built;
 }
 
@@ -171,7 +174,8 @@ sight_answer occluders_cast(const occluders *o, const sight_question *q, uint32_
     tree_walk walk;
     if (*hider != ROBERTS_NONE && ask(o, q, *hider, v) == SIGHT_SURELY)
         return SIGHT_SURELY;
-    tree_walk_start(&walk, &o->t, (roberts_ray){q->X, v}, o->s.perspective ? 1.0 : INFINITY);
+    tree_walk_start(&walk, &o->t, (roberts_ray){q->X, v}, o->s.perspective ? 1.0 : INFINITY,
+                    q->own ? ROBERTS_NONE : q->solid);
     for (uint32_t count; (count = tree_walk_next(&walk, &item)) > 0;) {
         for (uint32_t i = 0; i < count; i++) {
             uint32_t face = o->box_face[item[i]];

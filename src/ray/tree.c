@@ -40,6 +40,7 @@ static double box_middle(tree_box a, int axis)
 typedef struct builder {
     tree *t;
     const tree_box *box;
+    const uint32_t *owner;
 } builder;
 
 /* Where boxes are divided: along `axis`, those whose bin is below `bin` go first. */
@@ -111,6 +112,16 @@ static uint32_t divide(const builder *b, uint32_t first, uint32_t count, split s
     return below;
 }
 
+/* The owner that all of some items have. */
+static uint32_t one_owner(const builder *b, uint32_t first, uint32_t count)
+{
+    uint32_t owner = b->owner[b->t->item[first]];
+    for (uint32_t i = 1; i < count; i++)
+        if (b->owner[b->t->item[first + i]] != owner)
+            return ROBERTS_NONE;
+    return owner;
+}
+
 static void build_node(const builder *b, uint32_t first, uint32_t count, int depth)
 {
     tree *t = b->t;
@@ -119,7 +130,7 @@ static void build_node(const builder *b, uint32_t first, uint32_t count, int dep
     split s = {0};
     for (uint32_t i = first; i < first + count; i++)
         box = box_union(box, b->box[t->item[i]]);
-    t->node[index] = (tree_node){box, first, count};
+    t->node[index] = (tree_node){box, first, count, one_owner(b, first, count)};
     if (count <= LEAF_ITEMS)
         return;
     if (depth < BIN_DEPTH && find_split(b, first, count, &s))
@@ -130,9 +141,9 @@ static void build_node(const builder *b, uint32_t first, uint32_t count, int dep
     build_node(b, first + below, count - below, depth + 1);
 }
 
-bool tree_build(tree *t, const tree_box *box, uint32_t count)
+bool tree_build(tree *t, const tree_box *box, const uint32_t *owner, uint32_t count)
 {
-    const builder b = {t, box};
+    const builder b = {t, box, owner};
     *t = (tree){alloc_array(2 * (size_t)count + 1, sizeof *t->node), alloc_array(count, sizeof *t->item), 0};
     if (!t->node || !t->item) {
         tree_free(t);
@@ -161,7 +172,7 @@ static double finite_inverse(double v, double size)
     return fabs(v) > 1e-30 * size ? 1.0 / v : 1e30 / size;
 }
 
-void tree_walk_start(tree_walk *w, const tree *t, roberts_ray ray, double reach)
+void tree_walk_start(tree_walk *w, const tree *t, roberts_ray ray, double reach, uint32_t skip)
 {
     roberts_vec3 v = ray.direction;
     double size = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
@@ -169,6 +180,7 @@ void tree_walk_start(tree_walk *w, const tree *t, roberts_ray ray, double reach)
     w->origin = ray.origin;
     w->inverse = (roberts_vec3){finite_inverse(v.x, size), finite_inverse(v.y, size), finite_inverse(v.z, size)};
     w->reach = reach;
+    w->skip = skip;
     w->depth = 0;
     if (t->node_count)
         w->stack[w->depth++] = 0;
@@ -196,7 +208,7 @@ uint32_t tree_walk_next(tree_walk *w, const uint32_t **item)
     while (w->depth) {
         uint32_t index = w->stack[--w->depth];
         const tree_node *node = &w->t->node[index];
-        if (!meets(w, &node->box))
+        if ((node->owner == w->skip && w->skip != ROBERTS_NONE) || !meets(w, &node->box))
             continue;
         if (node->count) {
             *item = w->t->item + node->first;

@@ -30,6 +30,7 @@ typedef struct tree_node {
     tree_box box;
     uint32_t first; /* leaf: its first item; inner node: its second child */
     uint32_t count; /* leaf: its items; inner node: 0 */
+    uint32_t owner; /* of all items below, or ROBERTS_NONE where they have several */
 } tree_node;
 
 typedef struct tree {
@@ -38,20 +39,21 @@ typedef struct tree {
     uint32_t node_count;
 } tree;
 
-/* Builds `t` over `count` boxes; items are their numbers. False: no memory, and `t` is empty. */
-bool tree_build(tree *t, const tree_box *box, uint32_t count);
+/* Builds `t` over `count` boxes, each with an owner; items are their numbers. False: no memory, and `t` is empty. */
+bool tree_build(tree *t, const tree_box *box, const uint32_t *owner, uint32_t count);
 void tree_free(tree *t);
 
-/* A walk through the leaves that the ray S + t v, 0 <= t <= reach, meets. */
+/* A walk through the leaves that the ray S + t v, 0 <= t <= reach, meets, without those that are all `skip`'s. */
 typedef struct tree_walk {
     const tree *t;
     roberts_vec3 origin, inverse; /* inverse: 1 / v, large and finite where v is 0 */
     double reach;
+    uint32_t skip;
     uint32_t depth;
     uint32_t stack[TREE_DEPTH + 1];
 } tree_walk;
 
-void tree_walk_start(tree_walk *w, const tree *t, roberts_ray ray, double reach);
+void tree_walk_start(tree_walk *w, const tree *t, roberts_ray ray, double reach, uint32_t skip);
 
 /* The items of the next leaf whose box is met; their number is returned, 0 at the end. A box that the ray only just
  * misses may be taken for met. */
