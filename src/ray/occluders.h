@@ -7,6 +7,7 @@
 
 typedef struct occluders {
     sight s;
+    roberts_vec3 right, up, toward; /* the picture that the tree's boxes live in */
     tree t;
     uint32_t *box_face;   /* [items of the tree] front faces, or nearly; a long one has several boxes */
     uint32_t *face_solid; /* [face_count] */

@@ -5,8 +5,8 @@
  * that the pieces v and AB of two lines span. Divided by |v x AB| that is the distance of the lines from each other, so
  * it can be compared with a length, in both projections alike.
  *
- * No coordinate is turned or projected, and no tests 1 to 4, no grid: nothing is shared with what hides lines but the
- * solids themselves.
+ * No coordinate is turned or projected for that, and there are no tests 1 to 4 and no grid: nothing is shared with what
+ * hides lines but the solids themselves and what the near plane leaves of them.
  *
  * Lengths are counted in `unit`, points from the scene's centre; products of coordinates stay far from over- and
  * underflow. */

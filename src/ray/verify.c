@@ -30,6 +30,8 @@
 #define CREASE_MARGIN 1e-6
 /* Edges in a chunk: enough to forget the cost of sharing them out. */
 #define CHUNK_EDGES 512
+/* With less work than this a thread costs more than it does. */
+#define CHUNKS_PER_THREAD 4
 
 /* What a chunk of edges came to. */
 typedef struct chunk {
@@ -264,6 +266,8 @@ static void check_chunks(verifier *f)
 {
 #ifdef _OPENMP
     int threads = f->options.threads ? (int)f->options.threads : omp_get_max_threads();
+    int useful = 1 + (int)(f->chunk_count / CHUNKS_PER_THREAD);
+    threads = threads < useful ? threads : useful;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 #endif
     for (uint32_t i = 0; i < f->chunk_count; i++)
