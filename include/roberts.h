@@ -228,7 +228,7 @@ typedef struct roberts_tally {
     uint64_t test3_visible;   /**< outside one side */
     uint64_t test3_invisible; /**< inside all sides (up to where the edge pierces the face) */
     uint64_t test4;           /**< cut at the crossings */
-    uint64_t covered;         /**< stretches dropped behind a cell's cover, without a test */
+    uint64_t covered;         /**< edges dropped behind covers, without a test */
     uint64_t refined;         /**< signs and crossings computed again in twice the precision */
 } roberts_tally;
 

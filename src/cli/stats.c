@@ -105,7 +105,7 @@ void stats_print(cli_stats kind, const run_stats *run, const roberts_drawing *d)
         {"test3_visible", "test 3: outside one side, visible", d->tally.test3_visible},
         {"test3_invisible", "test 3: inside all sides, invisible", d->tally.test3_invisible},
         {"test4", "test 4: cut at the crossings", d->tally.test4},
-        {"covered", "stretches behind a cell's cover, no test", d->tally.covered},
+        {"covered", "edges behind covers, no test", d->tally.covered},
         {"refined", "signs and crossings refined", d->tally.refined},
     };
     const stage stages[] = {

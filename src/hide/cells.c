@@ -10,7 +10,7 @@
 #define ENTRIES_PER_BOX 12.0
 #define ENTRIES_FREE 4096.0
 /* Width of a cover's cell in mean boxes: a cell that a front only crosses is not covered. */
-#define BOXES_PER_COVER_CELL 0.08
+#define BOXES_PER_COVER_CELL 0.11
 /* The more boxes lie over one another, the more is gained by smaller cells: from this depth on they shrink with it. */
 #define COVER_DEPTH_OF_SMALLER 40.0
 #define COVER_SHRINKING 0.3

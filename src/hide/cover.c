@@ -103,6 +103,10 @@ bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
     const scan_frame *f = &c->frame;
     if (!c->depth)
         return false;
+    /* most edges that are not covered are not in their middle */
+    size_t middle = (size_t)scan_column(f, 0.5 * (A.x + B.x)) * f->ny + scan_row(f, 0.5 * (A.y + B.y));
+    if (!((double)c->depth[middle] > 0.5 * (A.z + B.z)))
+        return false;
     double m = f->margin, run = B.x - A.x;
     double low = lesser(A.y, B.y) - m, high = greater(A.y, B.y) + m, near = greater(A.z, B.z) + m;
     uint32_t first = scan_column(f, lesser(A.x, B.x) - m), last = scan_column(f, greater(A.x, B.x) + m);

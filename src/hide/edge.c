@@ -84,15 +84,15 @@ static bool meet(hide_worker *w, hide_line *line, const hide_front *front)
 /* The lines first..end-1, all within `box` (but for depth, of which `far` is the farthest), against one cell's fronts,
  * as long as one of them is not wholly hidden. */
 static bool meet_cell(hide_worker *w, uint32_t solid, size_t first, size_t end, const hide_box *box, uint32_t cell,
-                      double far)
+                      float far)
 {
     const objet *grid = w->grid;
     for (uint32_t k = grid->start[cell]; w->live && k < grid->start[cell + 1]; k++) {
         uint32_t index = grid->front[k];
         const hide_box *other = &w->picture->front_box[index];
-        if ((double)other->z1 < far)
+        if (other->z1 < far)
             break; /* and so are all that follow: none of them has a point nearer than the lines here */
-        if (w->seen[index] == w->stamp || apart(other, box))
+        if (apart(other, box) || w->seen[index] == w->stamp)
             continue;
         w->seen[index] = w->stamp;
         const hide_front *front = &w->picture->front[index];
@@ -127,7 +127,7 @@ static bool run_alone(hide_worker *w, uint32_t solid, size_t index)
         return false;
     for (size_t i = 0; w->live && i < w->walk.count; i++) {
         objet_stretch s = w->walk.item[i];
-        double far = lesser(hide_edge_at(e, s.t0).z, hide_edge_at(e, s.t1).z) - m;
+        float far = hide_float_below(lesser(hide_edge_at(e, s.t0).z, hide_edge_at(e, s.t1).z) - m);
         if (!meet_cell(w, solid, index, index + 1, &w->line[index].box, s.cell, far))
             return false;
     }
@@ -146,7 +146,7 @@ static bool run_together(hide_worker *w, uint32_t solid, const hide_box *box)
     next_stamp(w);
     for (uint32_t i = scan_column(f, (double)box->x0); w->live && i <= last; i++)
         for (uint32_t j = low; j <= high; j++)
-            if (!meet_cell(w, solid, 0, w->line_count, box, i * f->ny + j, (double)box->z0))
+            if (!meet_cell(w, solid, 0, w->line_count, box, i * f->ny + j, box->z0))
                 return false;
     return true;
 }
@@ -161,22 +161,11 @@ static void join_box(hide_box *all, const hide_box *box)
     all->z1 = box->z1 > all->z1 ? box->z1 : all->z1;
 }
 
-/* What lies behind the covers is hidden at once. */
-static void drop_covered(hide_worker *w)
-{
-    for (size_t i = 0; i < w->line_count; i++)
-        if (!w->line[i].hidden && cover_hides_edge(&w->picture->cover, w->line[i].e.A, w->line[i].e.B)) {
-            w->line[i].hidden = hide_parts_add(&w->line[i].parts, ROBERTS_NONE, (hide_part){0.0, 1.0, 0.0, 0.0});
-            w->tally.covered += w->line[i].hidden;
-        }
-}
-
 bool hide_worker_run(hide_worker *w, uint32_t solid)
 {
     const scan_frame *f = &w->grid->frame;
     if (w->line_count == 0)
         return true;
-    drop_covered(w);
     hide_box box = w->line[0].box;
     for (size_t i = 1; i < w->line_count; i++)
         join_box(&box, &w->line[i].box);

@@ -140,7 +140,14 @@ static bool add_line(const hide_job *job, hide_worker *w, hide_chunk *out, const
            add_clipped(out, *pattern, pattern->t1, 1.0, (roberts_vec2){e->B.x * unit, e->B.y * unit});
 }
 
-/* Takes up the edges of a solid that are drawn. A surviving edge has a front face. An outline (one front face) is always
+/* What lies behind the covers is hidden at once; covers are kept only where hidden lines are not wanted. */
+static bool is_covered(const hide_job *job, const scene_edge *edge)
+{
+    const hide_picture *picture = &job->picture;
+    return cover_hides_edge(&picture->cover, picture->P[edge->v[0]], picture->P[edge->v[1]]);
+}
+
+/* Takes up the edges of a solid that are drawn and not covered. A surviving edge has a front face. An outline (one front face) is always
  * drawn; an edge whose two faces look the same way is not where it is flat, whether they are front or, among hidden
  * lines, back. */
 static bool take_edges(const hide_job *job, hide_worker *w, hide_sums *sums, uint32_t solid)
@@ -153,6 +160,11 @@ static bool take_edges(const hide_job *job, hide_worker *w, hide_sums *sums, uin
         if ((fronts == 0 && !job->options->keep_hidden) || (job->clip.clipped && job->clip.cap[i]) ||
             (fronts != 1 && !job->options->all_edges && is_flat(job, scene, &scene->edge[i])))
             continue;
+        sums->drawn++;
+        if (is_covered(job, &scene->edge[i])) {
+            w->tally.covered++;
+            continue;
+        }
         hide_line *line = hide_worker_add(w, i);
         if (!line)
             return false;
@@ -161,7 +173,6 @@ static bool take_edges(const hide_job *job, hide_worker *w, hide_sums *sums, uin
             if (!hide_parts_add(&line->parts, solid, (hide_part){0.0, 1.0, 0.0, 0.0}))
                 return false;
         }
-        sums->drawn++;
     }
     return true;
 }
