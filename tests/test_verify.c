@@ -452,6 +452,30 @@ static void test_rule(void **state)
     }
 }
 
+/* A corner over the very middle of the edge hides one point of it, which has no length: no contradiction, undecided. */
+static void test_corner_over_edge(void **state)
+{
+    roberts_camera camera = preset("top");
+    roberts_mesh mesh = {0};
+    roberts_verification found;
+    size_t wrong = 0;
+    (void)state;
+    add_box(&mesh, (roberts_vec3){0, -8, -8}, (roberts_vec3){8, 0, 0}); /* the edge is 6-7 */
+    add_block(&mesh, (roberts_vec3){4, 0, 1}, (roberts_vec3){2, 2, 0}, (roberts_vec3){-2, 2, 0},
+              (roberts_vec3){0, 0, 1});
+    roberts_scene *scene = build(&mesh);
+    roberts_segment row = {.solid = 0, .v0 = 6, .v1 = 7, .t0 = 0, .t1 = 1, .by = ROBERTS_NONE};
+    roberts_drawing drawing = {.count = 1, .segment = &row};
+    roberts_verify_options options = roberts_verify_options_default();
+    options.rays = 1;
+    options.contradiction = count_on_edge;
+    options.context = &wrong;
+    assert_int_equal(roberts_verify(scene, &camera, &drawing, &options, &found, NULL), ROBERTS_OK);
+    assert_int_equal(wrong, 0);
+    assert_int_equal(found.undecided, 1);
+    roberts_scene_free(scene);
+}
+
 static void test_bad_drawings(void **state)
 {
     static const roberts_segment rows[] = {
@@ -728,6 +752,7 @@ int main(void)
         cmocka_unit_test(test_threads),
         cmocka_unit_test(test_bars),
         cmocka_unit_test(test_rule),
+        cmocka_unit_test(test_corner_over_edge),
         cmocka_unit_test(test_bad_drawings),
         cmocka_unit_test(test_pick_table),
         cmocka_unit_test(test_pick_perspective),
