@@ -42,18 +42,6 @@ bool hide_by_front(const hide_picture *picture, const hide_front *front, const h
         tally->test2_visible++;
         return false;
     }
-    switch (hide_test3(&picture->space, &outline, e, sides)) {
-    case HIDE_VISIBLE:
-        tally->test3_visible++;
-        return false;
-    case HIDE_INVISIBLE:
-        tally->test3_invisible++;
-        *part = (hide_part){0.0, 1.0, 0.0, 0.0};
-        break;
-    default:
-        tally->test4++;
-        if (!hide_test4(&picture->space, &outline, e, sides, part))
-            return false;
-    }
-    return depth == HIDE_INVISIBLE || pierce_all(picture, front, e, sides, part);
+    return hide_by_sides(&picture->space, &outline, e, sides, tally, part) &&
+           (depth == HIDE_INVISIBLE || pierce_all(picture, front, e, sides, part));
 }

@@ -207,6 +207,23 @@ bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e
     return (part->t1 - part->t0) * e->length3 > space->epsilon;
 }
 
+bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
+                   roberts_tally *tally, hide_part *part)
+{
+    switch (hide_test3(space, F, e, sides)) {
+    case HIDE_VISIBLE:
+        tally->test3_visible++;
+        return false;
+    case HIDE_INVISIBLE:
+        tally->test3_invisible++;
+        *part = (hide_part){0.0, 1.0, 0.0, 0.0};
+        return true;
+    default:
+        tally->test4++;
+        return hide_test4(space, F, e, sides, part);
+    }
+}
+
 bool hide_by_face(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
                   roberts_tally *tally, hide_part *part)
 {
@@ -219,18 +236,5 @@ bool hide_by_face(const hide_space *space, const hide_face *F, const hide_edge *
         tally->test2_visible++;
         return false;
     }
-    switch (hide_test3(space, F, e, sides)) {
-    case HIDE_VISIBLE:
-        tally->test3_visible++;
-        return false;
-    case HIDE_INVISIBLE:
-        tally->test3_invisible++;
-        *part = (hide_part){0.0, 1.0, 0.0, 0.0};
-        break;
-    default:
-        tally->test4++;
-        if (!hide_test4(space, F, e, sides, part))
-            return false;
-    }
-    return hide_pierce(space, F, e, sides, part);
+    return hide_by_sides(space, F, e, sides, tally, part) && hide_pierce(space, F, e, sides, part);
 }

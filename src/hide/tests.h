@@ -47,6 +47,10 @@ bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e,
 /* Cuts `part`, all of it inside the sides, where e pierces F's plane; false where nothing of it lies behind. */
 bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part);
 
+/* Tests 3 and 4, counted in `tally`: the part of e inside all sides; false where there is none. */
+bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
+                   roberts_tally *tally, hide_part *part);
+
 /* Tests 1 to 4 in their order, counted in `tally`; false where F hides nothing of e. */
 bool hide_by_face(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
                   roberts_tally *tally, hide_part *part);
