@@ -28,13 +28,18 @@ TEST_SRC := $(sort $(wildcard tests/test_*.c))
 ORACLE_P := tests/oracle/compare.c tests/oracle/regolden.c
 ORACLE   := $(filter-out $(ORACLE_P),$(sort $(wildcard tests/oracle/*.c)))
 ORACLE_X := $(sort $(wildcard tests/oracle/*.cpp))
-C_SRC    := $(LIB_SRC) $(CLI_SRC) $(TOOL_SRC) $(MODEL_SRC) $(TEST_SRC) $(ORACLE) $(ORACLE_P)
+FUZZ_SRC := $(sort $(wildcard tests/fuzz/*.c))
+C_SRC    := $(LIB_SRC) $(CLI_SRC) $(TOOL_SRC) $(MODEL_SRC) $(TEST_SRC) $(ORACLE) $(ORACLE_P) \
+            $(FUZZ_SRC)
 object    = $(1:%.c=$(BUILD)/obj/%.o)
 TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
 TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
 DEMO     := table temple tower staircase interpenetrating-cubes city lattice
 EDGES    ?= 5000000
 SANITIZE := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
+FUZZER   := $(BUILD)/fuzz/fuzz_read $(BUILD)/fuzz/fuzz_pipeline
+FUZZ     := -O1 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
+FUZZ_SECONDS ?= 60
 
 ##@ The two to begin with; both install what is missing, as root or by a sudo that asks nothing
 demo: ## builds, and draws some of models/ to build/demo/*.svg
@@ -59,8 +64,13 @@ drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
 test: all tools $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests
 	@CC='$(CC)' ROBERTS_BUILD=$(BUILD) LOCPATH=$(abspath $(BUILD)/locale) tests/run.sh $(TEST_BIN)
 
-check-long: $(BUILD)/tests/oracle/compare ## some 5,000,000 edges against the exact oracle (EDGES=n for another number)
+check-long: $(BUILD)/tests/oracle/compare ## some 5,000,000 edges against the exact oracle (EDGES=n), and a short fuzzing
 	$(BUILD)/tests/oracle/compare --folder $(BUILD) --edges $(EDGES) --per-family
+	@$(MAKE) --no-print-directory fuzz
+
+fuzz: ## both fuzzers, by clang, FUZZ_SECONDS=60 each (tools/install-deps.sh fuzz)
+	@$(MAKE) --no-print-directory fuzzers BUILD=$(BUILD)/fuzzing CC=clang OPENMP= CFLAGS='$(FUZZ)'
+	tests/fuzz/fuzz.sh $(BUILD)/fuzzing $(FUZZ_SECONDS)
 
 goldens: $(BUILD)/tests/oracle/regolden ## tests/golden/ anew, as far as program and oracle agree
 	@find models -name '*.off' | sort | while read -r model; do \
@@ -105,6 +115,14 @@ $(TEST_BIN): $(BUILD)/%: $(BUILD)/obj/%.o $(BUILD)/libroberts.a
 
 # Tests in which allocations fail: tests/memory.h
 $(BUILD)/tests/test_memory_%: TEST_LIBS = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
+
+# The fuzzers: libFuzzer brings main() and calls one function of a fixed name, which the linker makes of ours.
+fuzzers: $(FUZZER)
+$(FUZZER): $(BUILD)/fuzz/%: $(BUILD)/obj/tests/fuzz/%.o $(BUILD)/libroberts.a
+	@mkdir -p $(@D)
+	$(LINK) -fsanitize=fuzzer -Wl,--defsym=LLVMFuzzerTestOneInput=$* $(CAIRO_LIBS) -lm
+
+$(BUILD)/tests/test_fuzz: $(call object,$(FUZZ_SRC))
 
 # The exact oracle: C++ with CGAL, for tests alone.
 ORACLE_OBJ  := $(call object,$(ORACLE)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.o)
@@ -161,8 +179,8 @@ lint-cppcheck:
 	cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
-.PHONY: all demo check check-long tools models drawings test test-sanitize bench bench-baseline lint lint-format \
-    lint-tidy lint-cppcheck clean help force
+.PHONY: all demo check check-long tools models drawings test test-sanitize fuzz fuzzers bench bench-baseline lint \
+    lint-format lint-tidy lint-cppcheck clean help force
 .SECONDARY:
 .DELETE_ON_ERROR:
 -include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.d)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs the Debian packages that are missing, and nothing else: tools/install-deps.sh [build] [test] [lint]
+# Installs the Debian packages that are missing, and nothing else: tools/install-deps.sh [build] [test] [lint] [fuzz]
 #
 # A package counts as there when what we need of it works (a command runs, a header is found) or when dpkg says so; where
 # nothing is missing, on Debian or elsewhere, nothing is installed. Installs as root, or by a sudo that asks nothing;
@@ -7,6 +7,7 @@
 #   build  what the program and its library are built with
 #   test   what the tests are built with and call
 #   lint   the second compiler, the formatter and the static checks
+#   fuzz   clang with libFuzzer and the sanitizers
 set -eu
 
 cc=${CC:-cc}
@@ -65,8 +66,11 @@ find_missing() {
             need clang-tidy has_command clang-tidy
             need cppcheck has_command cppcheck
             ;;
+        fuzz)
+            need clang has_command clang # brings libFuzzer and the sanitizers
+            ;;
         *)
-            echo "usage: $0 [build] [test] [lint]" >&2
+            echo "usage: $0 [build] [test] [lint] [fuzz]" >&2
             exit 2
             ;;
         esac

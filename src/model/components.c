@@ -61,10 +61,10 @@ static size_t join_corners(roberts_scene *scene, set_node *node, const polygons 
     for (uint32_t v = 0; v < vertex_count; v++)
         node[v] = (set_node){ROBERTS_NONE, 0};
     for (uint32_t f = 0; f < face_count; f++) {
+        if (start[f + 1] - start[f] < 3)
+            continue; /* without corners at all, faces->corner may be NULL */
         const uint32_t *corner = faces->corner + start[f], *end = faces->corner + start[f + 1];
         uint32_t root;
-        if (end - corner < 3)
-            continue;
         counted++;
         corner_count += (size_t)(end - corner);
         if (node[*corner].parent == ROBERTS_NONE)

@@ -1,0 +1,105 @@
+/* fuzz_read.c - the reader with any bytes: at once from memory, and through a callback that gives pieces of changing
+ * size. Both must say the same, and what they give must keep what roberts.h promises. */
+#include <math.h>
+#include <string.h>
+
+#include "fuzz.h"
+#include "roberts.h"
+
+/* The input, given out in pieces of 1 to 97 bytes, whatever is asked for. */
+typedef struct pieces {
+    const uint8_t *bytes;
+    size_t size, at;
+    uint32_t step;
+} pieces;
+
+static ptrdiff_t read_piece(void *context, void *buffer, size_t size)
+{
+    pieces *p = context;
+    size_t count = p->size - p->at;
+    p->step = p->step * 1664525u + 1013904223u;
+    if (count > 1 + (p->step >> 16) % 97)
+        count = 1 + (p->step >> 16) % 97;
+    if (count > size)
+        count = size;
+    if (count > 0)
+        memcpy(buffer, p->bytes + p->at, count);
+    p->at += count;
+    return (ptrdiff_t)count;
+}
+
+static void take_warning(void *context, const char *file, size_t line, const char *message)
+{
+    (void)line;
+    FUZZ_REQUIRE(strcmp(file, "bytes") == 0 && *message && !strchr(message, '\n'));
+    ++*(size_t *)context;
+}
+
+static bool same(const void *a, const void *b, size_t size)
+{
+    return size == 0 || memcmp(a, b, size) == 0;
+}
+
+static bool same_colors(const roberts_color *a, const roberts_color *b, size_t count)
+{
+    if (!a || !b)
+        return a == b;
+    for (size_t i = 0; i < count; i++)
+        if (a[i].count != b[i].count || memcmp(a[i].value, b[i].value, a[i].count * sizeof a[i].value[0]) != 0)
+            return false;
+    return true;
+}
+
+static void require_same(const roberts_mesh *a, const roberts_mesh *b)
+{
+    FUZZ_REQUIRE(a->vertex_count == b->vertex_count && a->face_count == b->face_count);
+    FUZZ_REQUIRE(a->corner_count == b->corner_count && a->source_count == b->source_count);
+    FUZZ_REQUIRE(same(a->vertex, b->vertex, a->vertex_count * sizeof *a->vertex));
+    FUZZ_REQUIRE(same(a->corner, b->corner, a->corner_count * sizeof *a->corner));
+    FUZZ_REQUIRE(a->face_count == 0 || same(a->face_start, b->face_start, (a->face_count + 1) * sizeof *a->face_start));
+    FUZZ_REQUIRE(same_colors(a->vertex_color, b->vertex_color, a->vertex_count));
+    FUZZ_REQUIRE(same_colors(a->face_color, b->face_color, a->face_count));
+}
+
+static void require_sound(const roberts_mesh *mesh)
+{
+    for (size_t i = 0; i < mesh->vertex_count; i++) {
+        roberts_vec3 p = mesh->vertex[i];
+        FUZZ_REQUIRE(fabs(p.x) <= 1e150 && fabs(p.y) <= 1e150 && fabs(p.z) <= 1e150);
+    }
+    for (size_t f = 0; f < mesh->face_count; f++)
+        FUZZ_REQUIRE(mesh->face_start[f] <= mesh->face_start[f + 1]);
+    FUZZ_REQUIRE(mesh->face_count == 0 || mesh->face_start[mesh->face_count] == mesh->corner_count);
+    for (size_t i = 0; i < mesh->corner_count; i++)
+        FUZZ_REQUIRE(mesh->corner[i] < mesh->vertex_count);
+}
+
+/* Room in proportion to the bytes: no face, vertex or corner takes less than a byte of the file. */
+static void require_modest(const roberts_mesh *mesh, size_t size)
+{
+    FUZZ_REQUIRE(mesh->vertex_count <= size && mesh->face_count <= size && mesh->corner_count <= size);
+}
+
+int fuzz_read(const uint8_t *bytes, size_t size)
+{
+    size_t warned[2] = {0, 0};
+    roberts_warnings warnings[2] = {{take_warning, &warned[0]}, {take_warning, &warned[1]}};
+    roberts_mesh whole = {0}, pieced = {0};
+    roberts_error error[2] = {{0}, {0}};
+    pieces p = {bytes, size, 0, (uint32_t)size};
+    roberts_status status = roberts_mesh_read_memory(&whole, "bytes", bytes, size, &warnings[0], &error[0]);
+    roberts_status second = roberts_mesh_read(&pieced, "bytes", read_piece, &p, &warnings[1], &error[1]);
+    /* What follows the last face is looked at only as far as it has come: a callback may wait for more. */
+    FUZZ_REQUIRE(status == second && warned[0] - warned[1] <= 1);
+    require_same(&whole, &pieced);
+    require_sound(&whole);
+    require_modest(&whole, size);
+    if (status != ROBERTS_OK) {
+        FUZZ_REQUIRE(error[0].status == status && error[1].status == status && error[0].message[0]);
+        FUZZ_REQUIRE(error[0].line == error[1].line && strcmp(error[0].message, error[1].message) == 0);
+        FUZZ_REQUIRE(whole.vertex_count == 0 && whole.face_count == 0 && whole.source_count == 0);
+    }
+    roberts_mesh_free(&whole);
+    roberts_mesh_free(&pieced);
+    return 0;
+}
