@@ -967,6 +967,8 @@ bool scene_make(const char *family, uint64_t seed, test_scene *scene)
             continue;
         for (const char *c = family; *c; c++)
             st.d.state = dice_next(&st.d) ^ (unsigned char)*c;
+        scene->grid = (uint32_t[]){0, 0, 1, 9}[seed % 4];
+        scene->threads = seed % 16 ? 1 : 3;
         families[i].make(&st);
         if (st.eye && !scene->view.w && !st.no_memory)
             look_from_eye(&st);

@@ -8,7 +8,8 @@
 typedef struct test_scene {
     roberts_mesh mesh;
     oracle_view view;
-    double slack; /* model units; 0: judged strictly, else oracle_options.slack */
+    double slack;           /* model units; 0: judged strictly, else oracle_options.slack */
+    uint32_t grid, threads; /* what the program is asked to use: it must not matter */
     /* Where rounding has spoiled contacts: the scene before that, whose drawing it must still be. */
     bool has_original;
     roberts_mesh original;

@@ -46,14 +46,17 @@ double judge_outside(const oracle_interval *a, size_t a_count, const oracle_inte
 
 /* ---- the two sides ----------------------------------------------------------------------------------------------- */
 
-static roberts_status draw(const roberts_mesh *mesh, const oracle_view *view, roberts_drawing *drawing,
+/* Draws `mesh`, which may be a part of the scene, as the scene is to be drawn. */
+static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, roberts_drawing *drawing,
                            roberts_error *error)
 {
     roberts_scene *scene = NULL;
-    roberts_camera camera = judge_camera(view);
+    roberts_camera camera = judge_camera(&how->view);
     roberts_hide_options options = roberts_hide_options_default();
     options.all_edges = true;
     options.keep_hidden = true;
+    options.grid = how->grid;
+    options.threads = how->threads;
     *drawing = (roberts_drawing){0};
     roberts_status status = roberts_scene_build(mesh, NULL, &scene, error);
     if (status == ROBERTS_OK)
@@ -169,15 +172,14 @@ static void one_edge_free(one_edge *one)
 }
 
 /* Compares one edge of a mesh; wrong is 1 where the program refuses the mesh, 0 where the oracle does. */
-static void judge_one(const roberts_mesh *mesh, const oracle_view *view, double slack, uint32_t v0, uint32_t v1,
-                      one_edge *one)
+static void judge_one(const test_scene *how, const roberts_mesh *mesh, uint32_t v0, uint32_t v1, one_edge *one)
 {
-    oracle_options options = {slack, false};
+    oracle_options options = {how->slack, false};
     *one = (one_edge){0};
-    if (!oracle_run(mesh, view, &options, &one->truth))
+    if (!oracle_run(mesh, &how->view, &options, &one->truth))
         return;
     one->wrong = 1;
-    if (draw(mesh, view, &one->drawing, &one->error) != ROBERTS_OK)
+    if (draw(how, mesh, &one->drawing, &one->error) != ROBERTS_OK)
         return;
     one->mine.hidden = calloc(one->drawing.count + 1, sizeof *one->mine.hidden);
     for (size_t i = 0, at = 0; i < one->truth.edge_count && one->mine.hidden; i++) {
@@ -211,17 +213,18 @@ static void print_one(FILE *out, const char *what, const one_edge *one)
         print_intervals(out, "or at most", one->truth.interval + one->edge.maybe, one->edge.maybe_count);
 }
 
-static void write_failure(const char *name, size_t nth, const char *folder, const roberts_mesh *mesh,
-                          const oracle_view *view, double slack, FILE *out)
+static void write_failure(const char *name, size_t nth, const char *folder, const test_scene *how,
+                          const roberts_mesh *mesh, FILE *out)
 {
     char path[512], command[512], comment[1200];
+    const oracle_view *v = &how->view;
     snprintf(path, sizeof path, "%s/failures", folder);
     mkdir(folder, 0777);
     mkdir(path, 0777);
     snprintf(path, sizeof path, "%s/failures/%s-%zu.off", folder, name, nth);
-    snprintf(command, sizeof command, "--all-edges --hidden solid -f csv --%s %.17g,%.17g,%.17g",
-             view->w ? "eye" : "dir", view->x, view->y, view->z);
-    snprintf(comment, sizeof comment, "%s; slack %.17g", command, slack);
+    snprintf(command, sizeof command, "--all-edges --hidden solid -f csv --grid %u --threads %u --%s=%.17g,%.17g,%.17g",
+             how->grid, how->threads, v->w ? "eye" : "dir", v->x, v->y, v->z);
+    snprintf(comment, sizeof comment, "%s; slack %.17g", command, how->slack);
     if (judge_write_off(path, mesh, comment))
         fprintf(out, "  build/roberts %s %s\n", command, path);
     else
@@ -229,12 +232,12 @@ static void write_failure(const char *name, size_t nth, const char *folder, cons
 }
 
 /* Leaves out one solid after the other as long as the edge still fails; the edge's own stays. */
-static void report(const char *name, size_t nth, const char *folder, const roberts_mesh *mesh, const oracle_view *view,
-                   double slack, const oracle_result *truth, const oracle_edge *edge, FILE *out)
+static void report(const char *name, size_t nth, const char *folder, const test_scene *scene,
+                   const oracle_result *truth, const oracle_edge *edge, FILE *out)
 {
     bool *wanted = malloc((truth->solid_count + 1) * sizeof *wanted);
     one_edge one;
-    judge_one(mesh, view, slack, edge->v0, edge->v1, &one);
+    judge_one(scene, &scene->mesh, edge->v0, edge->v1, &one);
     print_one(out, name, &one);
     one_edge_free(&one);
     for (size_t i = 0; wanted && i < truth->solid_count; i++)
@@ -246,11 +249,11 @@ static void report(const char *name, size_t nth, const char *folder, const rober
         if (i == edge->solid)
             continue;
         wanted[i] = false;
-        if (part_of(mesh, truth->vertex_solid, wanted, &part, &v0, &v1)) {
-            judge_one(&part, view, slack, v0, v1, &one);
+        if (part_of(&scene->mesh, truth->vertex_solid, wanted, &part, &v0, &v1)) {
+            judge_one(scene, &part, v0, v1, &one);
             if (last) {
                 print_one(out, "  the smallest part of it that fails", &one);
-                write_failure(name, nth, folder, &part, view, slack, out);
+                write_failure(name, nth, folder, scene, &part, out);
             } else {
                 wanted[i] = !(one.wrong > JUDGE_LIMIT);
             }
@@ -272,16 +275,16 @@ static void count_edge(const oracle_result *truth, const oracle_edge *e, judge_t
     total->unjudged += judge_outside(maybe, e->maybe_count, sure, e->sure_count);
 }
 
-/* Compares a drawing of `mesh` with the truth about `about` (the mesh itself or its original). */
-static bool judge_drawing(const char *name, const roberts_drawing *drawing, const roberts_mesh *about,
-                          const oracle_view *view, double slack, const roberts_mesh *mesh, const oracle_view *mesh_view,
+/* Compares the drawing with the truth about the scene itself, or about its original. */
+static bool judge_drawing(const char *name, const roberts_drawing *drawing, const test_scene *scene, bool original,
                           const char *folder, judge_total *total, FILE *out)
 {
-    oracle_options options = {slack, false};
+    oracle_options options = {original ? 0 : scene->slack, false};
     oracle_result truth;
     edge_segments mine = {0};
     size_t at = 0, failed = 0;
-    if (!oracle_run(about, view, &options, &truth)) {
+    if (!oracle_run(original ? &scene->original : &scene->mesh, original ? &scene->original_view : &scene->view,
+                    &options, &truth)) {
         fprintf(out, "%s: the oracle says: %s\n", name, truth.error);
         total->disagreements++;
         return false;
@@ -291,7 +294,7 @@ static bool judge_drawing(const char *name, const roberts_drawing *drawing, cons
         const oracle_edge *e = truth.edge + i;
         take_edge(drawing, &at, e, &mine);
         double wrong = wrong_length(&mine, &truth, e);
-        if (about == mesh)
+        if (!original)
             count_edge(&truth, e, total);
         if (wrong <= JUDGE_LIMIT) {
             total->worst = fmax(total->worst, wrong);
@@ -299,14 +302,14 @@ static bool judge_drawing(const char *name, const roberts_drawing *drawing, cons
         }
         if (failed++ >= REPORTS)
             continue;
-        if (about == mesh) {
-            report(name, failed, folder, mesh, view, slack, &truth, e, out);
+        if (!original) {
+            report(name, failed, folder, scene, &truth, e, out);
         } else {
             fprintf(out, "%s (held against its original): solid %u, edge %u-%u: they differ on %.3g of it\n", name,
                     e->solid, e->v0, e->v1, wrong);
             print_intervals(out, "program hides", mine.hidden, mine.hidden_count);
             print_intervals(out, "the original hides", truth.interval + e->sure, e->sure_count);
-            write_failure(name, failed, folder, mesh, mesh_view, slack, out);
+            write_failure(name, failed, folder, scene, &scene->mesh, out);
         }
     }
     if (at != drawing->count || !mine.hidden) {
@@ -347,7 +350,7 @@ static bool judge_seen(const char *name, const test_scene *scene, const roberts_
             out,
             "%s: solid %u, edge %u-%u, at the middle of [%.17g, %.17g]: the program sees solid %d, a ray solid %d\n",
             name, s->solid, s->v0, s->v1, s->t0, s->t1, (int)s->by, (int)seen);
-        write_failure(name, 0, folder, &scene->mesh, &scene->view, scene->slack, out);
+        write_failure(name, 0, folder, scene, &scene->mesh, out);
         total->disagreements++;
     }
     oracle_free(&truth);
@@ -360,18 +363,15 @@ bool judge_scene(const char *name, const test_scene *scene, const char *folder, 
     roberts_error error = {0};
     bool ok;
     total->scenes++;
-    if (draw(&scene->mesh, &scene->view, &drawing, &error) != ROBERTS_OK) {
+    if (draw(scene, &scene->mesh, &drawing, &error) != ROBERTS_OK) {
         fprintf(out, "%s: the program refuses it: %s\n", name, error.message);
-        write_failure(name, 0, folder, &scene->mesh, &scene->view, scene->slack, out);
+        write_failure(name, 0, folder, scene, &scene->mesh, out);
         total->disagreements++;
         return false;
     }
-    ok = judge_drawing(name, &drawing, &scene->mesh, &scene->view, scene->slack, &scene->mesh, &scene->view, folder,
-                       total, out);
+    ok = judge_drawing(name, &drawing, scene, false, folder, total, out);
     if (scene->has_original)
-        ok = judge_drawing(name, &drawing, &scene->original, &scene->original_view, 0, &scene->mesh, &scene->view,
-                           folder, total, out) &&
-             ok;
+        ok = judge_drawing(name, &drawing, scene, true, folder, total, out) && ok;
     else if (scene->mesh.face_count <= SEEN_FACES)
         ok = judge_seen(name, scene, &drawing, folder, total, out) && ok;
     roberts_drawing_free(&drawing);
