@@ -257,7 +257,7 @@ static void test_rays(void **state)
                 double t = (double)(random >> 11 & 0xffffff) / 0x1000000;
                 if (e->survives != ORACLE_YES)
                     continue;
-                bool ray = oracle_point_hidden(&scene.mesh, result.vertex_solid, &scene.view, e->v0, e->v1, t, NULL);
+                bool ray = oracle_point_hidden(&scene.mesh, result.vertex_solid, &scene.view, e->v0, e->v1, t);
                 if (ray != within(result.interval + e->sure, e->sure_count, t))
                     fail_msg("%s-%u: edge %u-%u at %.17g: the ray says %s", scene_family_name(f), (unsigned)seed, e->v0,
                              e->v1, t, ray ? "hidden" : "visible");

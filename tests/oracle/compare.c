@@ -16,17 +16,37 @@ static const char help[] =
     "  --folder DIR   failing scenes are written to DIR/failures/ (default: build)\n"
     "  --write        only writes the scenes, to DIR/scenes/FAMILY-SEED.off, and compares nothing\n"
     "  --per-family   a line of figures for each family\n"
-    "  --list         names the families\n";
+    "  --list         names the families\n"
+    "compare [--dir X,Y,Z | --eye X,Y,Z] [--slack S] --file FILE.off\n"
+    "The same for one scene of any origin (default: --dir 1,-1,1). What could change if corners moved by S (model\n"
+    "units) is not judged.\n";
 
 typedef struct arguments {
     const char *family, *folder;
     uint64_t seed, count, edges;
     bool write, per_family;
+    const char *file;
+    oracle_view view;
+    double slack;
 } arguments;
+
+static bool parse_view(const char *text, int w, oracle_view *view)
+{
+    double v[3];
+    for (int i = 0; i < 3; i++) {
+        char *end;
+        v[i] = strtod(text, &end);
+        if (end == text || *end != (i < 2 ? ',' : '\0'))
+            return false;
+        text = end + 1;
+    }
+    *view = (oracle_view){v[0], v[1], v[2], w};
+    return true;
+}
 
 static bool parse(int argc, char **argv, arguments *a)
 {
-    *a = (arguments){NULL, "build", 1, 0, 0, false, false};
+    *a = (arguments){.folder = "build", .seed = 1, .view = {1, -1, 1, 0}};
     for (int i = 1; i < argc; i++) {
         const char *option = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
         if (!strcmp(option, "--list")) {
@@ -56,6 +76,13 @@ static bool parse(int argc, char **argv, arguments *a)
             a->count = strtoull(value, NULL, 10);
         else if (!strcmp(option, "--edges"))
             a->edges = strtoull(value, NULL, 10);
+        else if (!strcmp(option, "--file"))
+            a->file = value;
+        else if (!strcmp(option, "--slack"))
+            a->slack = strtod(value, NULL);
+        else if ((!strcmp(option, "--dir") && parse_view(value, 0, &a->view)) ||
+                 (!strcmp(option, "--eye") && parse_view(value, 1, &a->view)))
+            continue;
         else
             return false;
     }
@@ -101,6 +128,21 @@ static void print(const char *name, const judge_total *t)
     fflush(stdout);
 }
 
+static int judge_file(const arguments *a)
+{
+    test_scene scene = {.view = a->view, .slack = a->slack};
+    roberts_error error = {0};
+    judge_total total = {0};
+    if (roberts_mesh_read_file(&scene.mesh, a->file, NULL, &error) != ROBERTS_OK) {
+        fprintf(stderr, "%s: %s\n", a->file, error.message);
+        return 1;
+    }
+    judge_scene("file", &scene, a->folder, &total, stdout);
+    print(a->file, &total);
+    test_scene_free(&scene);
+    return total.disagreements ? 1 : 0;
+}
+
 int main(int argc, char **argv)
 {
     arguments a;
@@ -112,6 +154,8 @@ int main(int argc, char **argv)
         fputs(help, stderr);
         return 2;
     }
+    if (a.file)
+        return judge_file(&a);
     family = calloc(families, sizeof *family);
     for (uint64_t i = 0; family && i < a.count && sum.edges < a.edges; i++)
         for (size_t f = 0; f < families && sum.edges < a.edges; f++) {

@@ -430,6 +430,18 @@ static void hulls(studio *st)
     look_random(st);
 }
 
+/* Some hundred solids of all sizes before one another: most is hidden many times over. */
+static void swarm(studio *st)
+{
+    int count = dice_int(&st->d, 100, 300);
+    for (int i = 0; i < count; i++) {
+        shape s = shape_any(&st->d);
+        roberts_vec3 at = {dice_real(&st->d), dice_real(&st->d), 3 * dice_real(&st->d)};
+        put_turned(st, &s, at, pow(10, dice_real(&st->d) - 1.7));
+    }
+    look(st, 0.2 * dice_real(&st->d), 0.2 * dice_real(&st->d), 1);
+}
+
 /* Solids that pierce one another, anyhow. */
 static void crossing(studio *st)
 {
@@ -502,6 +514,18 @@ static void blocks(studio *st)
         dice_int(&st->d, 0, 1) ? look_axis(st) : look_corner(st);
     else
         look_any(st);
+}
+
+/* A deep shaft of blocks between whole coordinates: covers behind covers, and all of them in line. */
+static void shaft(studio *st)
+{
+    int count = dice_int(&st->d, 100, 300);
+    for (int i = 0; i < count; i++) {
+        int x = dice_int(&st->d, 0, 10), y = dice_int(&st->d, 0, 10), z = dice_int(&st->d, 0, 300);
+        int w = dice_int(&st->d, 1, 4), h = dice_int(&st->d, 1, 4), deep = dice_int(&st->d, 1, 9);
+        put_box(st, x, y, z, x + w, y + h, z + deep);
+    }
+    look(st, dice_int(&st->d, -1, 1), dice_int(&st->d, -1, 1), dice_int(&st->d, 0, 1) ? 40 : -1);
 }
 
 /* A wall in running bond, some bricks missing: faces, edges and corners touch. */
@@ -899,6 +923,8 @@ static const struct {
     {"lattice", lattice, false},
     {"hulls", hulls, false},
     {"crossing", crossing, false},
+    {"swarm", swarm, false},
+    {"shaft", shaft, false},
     {"slanted-plates", slanted_plates, false},
     {"needles", needles, false},
     {"blocks", blocks, false},
@@ -926,6 +952,8 @@ static const struct {
     {"lattice@eye", lattice, true},
     {"hulls@eye", hulls, true},
     {"crossing@eye", crossing, true},
+    {"swarm@eye", swarm, true},
+    {"shaft@eye", shaft, true},
     {"slanted-plates@eye", slanted_plates, true},
     {"needles@eye", needles, true},
     {"blocks@eye", blocks, true},

@@ -231,37 +231,64 @@ static void write_failure(const char *name, size_t nth, const char *folder, cons
         fprintf(out, "  (%s: %s)\n", path, strerror(errno));
 }
 
-/* Leaves out one solid after the other as long as the edge still fails; the edge's own stays. */
+/* Judges the edge in the part of the scene that holds the wanted solids. Returns whether it fails there. */
+static bool part_fails(const test_scene *scene, const oracle_result *truth, const bool *wanted, const oracle_edge *edge,
+                       roberts_mesh *part, one_edge *one)
+{
+    uint32_t v0 = edge->v0, v1 = edge->v1;
+    *one = (one_edge){0};
+    if (part_of(&scene->mesh, truth->vertex_solid, wanted, part, &v0, &v1))
+        judge_one(scene, part, v0, v1, one);
+    return one->wrong > JUDGE_LIMIT;
+}
+
+/* Leaves out halves, quarters, ... of the solids and in the end single ones, as long as the edge still fails; its own
+ * solid stays. */
+static void shrink(const test_scene *scene, const oracle_result *truth, const oracle_edge *edge, bool *wanted,
+                   bool *before)
+{
+    size_t count = truth->solid_count;
+    for (size_t size = (count + 1) / 2, last = 0; size != last; last = size, size = (size + 1) / 2)
+        for (size_t first = 0; first < count; first += size) {
+            roberts_mesh part;
+            one_edge one;
+            bool any = false;
+            memcpy(before, wanted, count * sizeof *before);
+            for (size_t i = first; i < first + size && i < count; i++) {
+                any = any || (wanted[i] && i != edge->solid);
+                wanted[i] = i == edge->solid;
+            }
+            if (!any)
+                continue;
+            if (!part_fails(scene, truth, wanted, edge, &part, &one))
+                memcpy(wanted, before, count * sizeof *before);
+            one_edge_free(&one);
+            roberts_mesh_free(&part);
+        }
+}
+
 static void report(const char *name, size_t nth, const char *folder, const test_scene *scene,
                    const oracle_result *truth, const oracle_edge *edge, FILE *out)
 {
-    bool *wanted = malloc((truth->solid_count + 1) * sizeof *wanted);
+    bool *wanted = calloc(truth->solid_count + 1, sizeof *wanted);
+    bool *before = calloc(truth->solid_count + 1, sizeof *before);
+    roberts_mesh part;
     one_edge one;
     judge_one(scene, &scene->mesh, edge->v0, edge->v1, &one);
     print_one(out, name, &one);
     one_edge_free(&one);
-    for (size_t i = 0; wanted && i < truth->solid_count; i++)
-        wanted[i] = true;
-    for (size_t i = 0; wanted && i <= truth->solid_count; i++) {
-        uint32_t v0 = edge->v0, v1 = edge->v1;
-        bool last = i == truth->solid_count;
-        roberts_mesh part;
-        if (i == edge->solid)
-            continue;
-        wanted[i] = false;
-        if (part_of(&scene->mesh, truth->vertex_solid, wanted, &part, &v0, &v1)) {
-            judge_one(scene, &part, v0, v1, &one);
-            if (last) {
-                print_one(out, "  the smallest part of it that fails", &one);
-                write_failure(name, nth, folder, scene, &part, out);
-            } else {
-                wanted[i] = !(one.wrong > JUDGE_LIMIT);
-            }
-            one_edge_free(&one);
-        }
+    if (wanted && before) {
+        for (size_t i = 0; i < truth->solid_count; i++)
+            wanted[i] = true;
+        shrink(scene, truth, edge, wanted, before);
+        part_fails(scene, truth, wanted, edge, &part, &one);
+        print_one(out, "  the smallest part of it that fails", &one);
+        write_failure(name, nth, folder, scene, &part, out);
+        one_edge_free(&one);
         roberts_mesh_free(&part);
     }
     free(wanted);
+    free(before);
 }
 
 /* ---- scenes ------------------------------------------------------------------------------------------------------ */
@@ -341,8 +368,11 @@ static bool judge_seen(const char *name, const test_scene *scene, const roberts_
         return true;
     for (size_t i = 0; i < sizeof near / sizeof *near && !agreed; i++) {
         double t = (s->t0 + s->t1) / 2 + near[i] * (s->t1 - s->t0);
-        oracle_point_hidden(&scene->mesh, truth.vertex_solid, &scene->view, s->v0, s->v1, t, &seen);
-        agreed = seen == s->by;
+        agreed = oracle_point_seen(&scene->mesh, truth.vertex_solid, &scene->view, s->v0, s->v1, t, 0, s->by, &seen) &&
+                 seen == s->by;
+        if (!agreed) /* what counts as touching is there too, and the smallest number counts */
+            agreed = s->by < seen && oracle_point_seen(&scene->mesh, truth.vertex_solid, &scene->view, s->v0, s->v1, t,
+                                                       2 * drawing->epsilon, s->by, &seen);
     }
     total->seen++;
     if (!agreed) {

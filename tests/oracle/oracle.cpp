@@ -154,6 +154,8 @@ struct oracle {
     std::vector<edge_work> edges;
     roberts_vec3 centre{}, right{}, up{}, toward{}; /* doubles, for boxes only */
     double margin = 0;
+    std::array<std::vector<uint32_t>, 256> columns; /* of the picture: the solids whose boxes touch each */
+    double left = 0, width = 1;
 
     oracle(const roberts_mesh &m, const oracle_view &v, const oracle_options &o)
         : mesh(m), view(v), slack(o.slack), exact_only(o.exact_only)
@@ -392,22 +394,18 @@ struct oracle {
      * in proportion to the distance from the eye. */
     void hide(double stretch)
     {
+        sort_into_columns();
         for (edge_work &w : edges) {
             if (w.edge.survives == ORACLE_NO) {
                 w.sure = w.maybe = {{0, 1}};
                 continue;
             }
             box b = projected({w.edge.v0, w.edge.v1});
-            for (size_t s = 0; s < solids.size(); s++) {
-                oracle_interval part;
-                if (s == w.edge.solid || apart(b, solids[s].shadow))
-                    continue;
-                pairs++;
-                if (hidden_by(solids[s], w.edge, 2 * slack * stretch, &part))
-                    w.maybe.push_back(part);
-                if (slack != 0 && hidden_by(solids[s], w.edge, -2 * slack * stretch, &part))
-                    w.sure.push_back(part);
-            }
+            for (size_t c = column_of(b.x0); c <= column_of(b.x1); c++)
+                for (uint32_t s : columns[c])
+                    if (s != w.edge.solid && !apart(b, solids[s].shadow) &&
+                        c == column_of(std::max(b.x0, solids[s].shadow.x0))) /* once, in the first column of both */
+                        hide_by(solids[s], w, 2 * slack * stretch);
             if (slack == 0)
                 w.sure = w.maybe;
             if (w.edge.survives == ORACLE_UNSURE)
@@ -415,7 +413,34 @@ struct oracle {
         }
     }
 
+    void hide_by(const solid &s, edge_work &w, double move)
+    {
+        oracle_interval part;
+        pairs++;
+        if (hidden_by(s, w.edge, move, &part))
+            w.maybe.push_back(part);
+        if (slack != 0 && hidden_by(s, w.edge, -move, &part))
+            w.sure.push_back(part);
+    }
+
     /* -- boxes in the picture: only to leave out pairs that are far from each other, by doubles and a wide margin -- */
+
+    void sort_into_columns()
+    {
+        double x1 = -HUGE_VAL;
+        left = HUGE_VAL;
+        for (const solid &s : solids)
+            left = std::min(left, s.shadow.x0), x1 = std::max(x1, s.shadow.x1);
+        width = (x1 - left) / (double)(columns.size() - 1);
+        for (size_t s = 0; s < solids.size(); s++)
+            for (size_t c = column_of(solids[s].shadow.x0); c <= column_of(solids[s].shadow.x1); c++)
+                columns[c].push_back((uint32_t)s);
+    }
+
+    size_t column_of(double x) const
+    {
+        return (size_t)std::clamp((x - left) / width, 0.0, (double)(columns.size() - 1));
+    }
 
     void frame()
     {

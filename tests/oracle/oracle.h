@@ -61,13 +61,16 @@ void oracle_free(oracle_result *result);
 
 /* The definition once more and as plainly as possible, to check the oracle itself (rays.cpp): casts the ray from the
  * point t of edge v0 v1 toward the viewer against every triangle of every face as the mesh gives it. Faces must be
- * exactly planar.
- * vertex_solid  as oracle_run() gives it
- * seen          may be NULL; the solid seen at that point of the picture (of several that touch there, the smallest
- *               number), ROBERTS_NONE where the ray meets no front face
+ * exactly planar. vertex_solid is that of oracle_run().
  * Returns whether a front face of another solid lies strictly nearer the viewer. */
 bool oracle_point_hidden(const roberts_mesh *mesh, const uint32_t *vertex_solid, const oracle_view *view, uint32_t v0,
-                         uint32_t v1, double t, uint32_t *seen);
+                         uint32_t v1, double t);
+
+/* Whether solid `by` is seen by the viewer in the direction of that point: it has a front face on the same sight line
+ * whose plane is not farther than `touch` (model units) from the nearest one's point.
+ * seen  what is nearest; of several solids there the smallest number; ROBERTS_NONE where there is none */
+bool oracle_point_seen(const roberts_mesh *mesh, const uint32_t *vertex_solid, const oracle_view *view, uint32_t v0,
+                       uint32_t v1, double t, double touch, uint32_t by, uint32_t *seen);
 
 #ifdef __cplusplus
 }

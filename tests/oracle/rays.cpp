@@ -45,20 +45,24 @@ struct scene {
 
 } // namespace
 
-bool oracle_point_hidden(const roberts_mesh *mesh, const uint32_t *vertex_solid, const oracle_view *view, uint32_t v0,
-                         uint32_t v1, double t, uint32_t *seen)
+namespace
 {
-    scene s{*mesh, vertex_solid};
-    point p = s.at(v0), q = s.at(v1), X, dir, viewer{number(view->x), number(view->y), number(view->z)};
-    for (int i = 0; i < 3; i++)
-        X[i] = p[i] + number(t) * (q[i] - p[i]);
-    dir = view->w ? minus(viewer, X) : viewer;
-    bool hidden = false, any = false;
-    number best(0);
-    for (size_t f = 0; f < mesh->face_count; f++) {
-        const uint32_t *corner = mesh->corner + mesh->face_start[f];
-        for (uint32_t i = 1; i + 1 < mesh->face_start[f + 1] - mesh->face_start[f]; i++) {
-            uint32_t solid = vertex_solid[corner[0]];
+
+/* A front face met by a ray, as X + r dir; n.(Y - a) = 0 is its plane. */
+struct hit {
+    uint32_t solid;
+    number r;
+    point a, n;
+};
+
+/* Everything the ray from X meets at r >= 0, front faces only. */
+std::vector<hit> cast(const scene &s, const point &X, const point &dir)
+{
+    std::vector<hit> hits;
+    for (size_t f = 0; f < s.mesh.face_count; f++) {
+        const uint32_t *corner = s.mesh.corner + s.mesh.face_start[f];
+        for (uint32_t i = 1; i + 1 < s.mesh.face_start[f + 1] - s.mesh.face_start[f]; i++) {
+            uint32_t solid = s.vertex_solid[corner[0]];
             point a = s.at(corner[0]), b = s.at(corner[i]), c = s.at(corner[i + 1]);
             point ab = minus(b, a), ac = minus(c, a), aX = minus(X, a);
             number slope = det(ab, ac, dir), height = det(ab, ac, aX);
@@ -67,24 +71,65 @@ bool oracle_point_hidden(const roberts_mesh *mesh, const uint32_t *vertex_solid,
             number r = -height / slope; /* X + r dir lies in the plane */
             if (r < 0)
                 continue;
-            point Y{X[0] + r * dir[0] - a[0], X[1] + r * dir[1] - a[1], X[2] + r * dir[2] - a[2]};
+            point Y{aX[0] + r * dir[0], aX[1] + r * dir[1], aX[2] + r * dir[2]};
             point n{ab[1] * ac[2] - ab[2] * ac[1], ab[2] * ac[0] - ab[0] * ac[2], ab[0] * ac[1] - ab[1] * ac[0]};
             number whole = det(n, ab, ac), u = det(n, Y, ac) / whole, v = det(n, ab, Y) / whole;
-            if (u < 0 || v < 0 || u + v > 1) /* Y - a = u ab + v ac: outside the triangle */
+            if (u < 0 || v < 0 || u + v > 1) /* Y = u ab + v ac: outside the triangle */
                 continue;
             int side = s.solid_side(a, b, c, solid);
             if ((slope > 0) == (side > 0)) /* toward the viewer lies the solid: a back face */
                 continue;
-            if (r > 0 && solid != vertex_solid[v0])
-                hidden = true;
-            if (seen && (!any || r > best || (r == best && solid < *seen)))
-                *seen = solid;
-            if (!any || r > best)
-                best = r;
-            any = true;
+            hits.push_back({solid, r, a, n});
         }
     }
-    if (seen && !any)
-        *seen = ROBERTS_NONE;
-    return hidden;
+    return hits;
+}
+
+struct ray {
+    point X, dir;
+};
+
+ray toward_viewer(const scene &s, const oracle_view &view, uint32_t v0, uint32_t v1, double t)
+{
+    point p = s.at(v0), q = s.at(v1), viewer{number(view.x), number(view.y), number(view.z)}, X;
+    for (int i = 0; i < 3; i++)
+        X[i] = p[i] + number(t) * (q[i] - p[i]);
+    return {X, view.w ? minus(viewer, X) : viewer};
+}
+
+} // namespace
+
+bool oracle_point_hidden(const roberts_mesh *mesh, const uint32_t *vertex_solid, const oracle_view *view, uint32_t v0,
+                         uint32_t v1, double t)
+{
+    scene s{*mesh, vertex_solid};
+    ray ray = toward_viewer(s, *view, v0, v1, t);
+    for (const hit &h : cast(s, ray.X, ray.dir))
+        if (h.r > 0 && h.solid != vertex_solid[v0])
+            return true;
+    return false;
+}
+
+bool oracle_point_seen(const roberts_mesh *mesh, const uint32_t *vertex_solid, const oracle_view *view, uint32_t v0,
+                       uint32_t v1, double t, double touch, uint32_t by, uint32_t *seen)
+{
+    scene s{*mesh, vertex_solid};
+    ray ray = toward_viewer(s, *view, v0, v1, t);
+    std::vector<hit> hits = cast(s, ray.X, ray.dir);
+    number nearest(-1);
+    *seen = ROBERTS_NONE;
+    for (const hit &h : hits)
+        if (h.r > nearest || (h.r == nearest && h.solid < *seen)) {
+            nearest = h.r;
+            *seen = h.solid;
+        }
+    for (const hit &h : hits) {
+        point Y{ray.X[0] + nearest * ray.dir[0], ray.X[1] + nearest * ray.dir[1], ray.X[2] + nearest * ray.dir[2]};
+        point d = minus(Y, h.a);
+        number height = h.n[0] * d[0] + h.n[1] * d[1] + h.n[2] * d[2];
+        number square = h.n[0] * h.n[0] + h.n[1] * h.n[1] + h.n[2] * h.n[2];
+        if (h.solid == by && height * height <= number(touch) * number(touch) * square)
+            return true;
+    }
+    return *seen == by;
 }
