@@ -150,12 +150,14 @@ typedef struct roberts_scene_options {
 
 /**
  * Finds the solids of `mesh` and checks each: closed, planar, convex, not flat. Winding is not trusted. Components that
- * are open are welded with one another where positions are exactly equal.
+ * are open are welded with one another where positions are exactly equal; what then hangs together by edges is a solid, or
+ * comes apart into several where four or more faces meet in an edge. Corners that repeat another of their face, and faces
+ * that this leaves with fewer than three, are ignored with a warning.
  * mesh     only read, and not needed afterwards
  * options  NULL for the defaults
  * scene    owned by the caller, released by roberts_scene_free(); NULL on failure
- * Returns ROBERTS_OK, _NO_MEMORY, _NOT_CLOSED, _NOT_PLANAR, _NOT_CONVEX, _FLAT, _BAD_NUMBER or _BAD_ARGUMENT. The
- * message names the solid, the vertex or face (numbers as in the input, from 0) and by how much.
+ * Returns ROBERTS_OK, _NO_MEMORY, _NOT_CLOSED (also where there is no face with three corners), _NOT_PLANAR, _NOT_CONVEX,
+ * _FLAT, _BAD_NUMBER or _BAD_ARGUMENT. The message names the solid, the vertex or face (numbers as in the input, from 0) and by how much.
  */
 roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,
                                    roberts_scene **scene, roberts_error *error);

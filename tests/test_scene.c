@@ -423,6 +423,26 @@ static void the_tolerance_decides(void **state)
     roberts_mesh_free(&mesh);
 }
 
+static void note_warning(void *context, const char *file, size_t line, const char *message)
+{
+    snprintf(context, 200, "%s:%zu: %s", file, line, message);
+}
+
+static void repeated_corners_are_counted(void **state)
+{
+    const char *text = "OFF 4 5 0\n" TETRA_VERTICES "\n5 0 0 2 1 2\n3 0 1 3\n3 1 2 3\n3 0 3 2\n4 1 2 1 2\n";
+    roberts_mesh mesh = {0};
+    roberts_scene *scene;
+    char said[200] = "";
+    roberts_scene_options options = {.warnings = {note_warning, said}};
+    (void)state;
+    assert_int_equal(roberts_mesh_read_memory(&mesh, "test.off", text, strlen(text), NULL, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_build(&mesh, &options, &scene, NULL), ROBERTS_OK);
+    assert_string_equal(said, "test.off:0: 4 corners that repeat another of the same face ignored");
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+}
+
 static void colours_follow_their_vertices_and_faces(void **state)
 {
     const char *text = "COFF 5 5 0\n9 9 9 9 9 9 9\n0 0 0 10 10 10 10\n1 0 0 20 20 20 20\n0 1 0 30 30 30 30\n"
@@ -982,6 +1002,7 @@ int main(void)
         cmocka_unit_test(others_are_refused_and_told_why),
         cmocka_unit_test(the_input_that_holds_the_face_is_named),
         cmocka_unit_test(the_tolerance_decides),
+        cmocka_unit_test(repeated_corners_are_counted),
         cmocka_unit_test(colours_follow_their_vertices_and_faces),
         cmocka_unit_test(planes_are_exact),
         cmocka_unit_test(scale_changes_nothing),

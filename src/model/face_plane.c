@@ -81,8 +81,8 @@ fitted_plane face_plane_fit(const roberts_vec3 *corner, uint32_t count)
         most = greater(most, height);
     }
     face = face_plane_of(n, length,
-                         count <= PAIRS_UP_TO ? chord_of_pairs(corner, count) : chord_of_extents(corner, count, n), least,
-                         most, sum / count);
+                         count <= PAIRS_UP_TO ? chord_of_pairs(corner, count) : chord_of_extents(corner, count, n),
+                         least, most, sum / count);
     face.strict = polygon_strictly_convex(corner, count, n);
     return face;
 }

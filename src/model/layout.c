@@ -145,14 +145,15 @@ static bool number_vertices(roberts_scene *scene)
     return done;
 }
 
-/* Gives back the room for vertices that turned out not to be needed. */
+/* Gives back the room for vertices that turned out not to be needed, if that can be had. */
 static void trim(roberts_scene *scene)
 {
-    roberts_vec3 *point = realloc(scene->point, (scene->vertex_count + (size_t)1) * sizeof *point);
-    uint32_t *number = realloc(scene->number, (scene->vertex_count + (size_t)1) * sizeof *number);
-    scene->point = point ? point : scene->point;
-    scene->number = number ? number : scene->number;
-    /* cppcheck-suppress memleak ; the scene holds both */
+    void *smaller = realloc(scene->point, (scene->vertex_count + (size_t)1) * sizeof *scene->point);
+    if (smaller)
+        scene->point = smaller;
+    smaller = realloc(scene->number, (scene->vertex_count + (size_t)1) * sizeof *scene->number);
+    if (smaller)
+        scene->number = smaller;
 }
 
 bool layout_solids(roberts_scene *scene, const polygons *faces, const uint32_t *of, uint32_t solid_count,

@@ -13,7 +13,7 @@ roberts_status polygons_of_mesh(polygons *faces, const roberts_mesh *mesh, rober
 {
     *faces = (polygons){0};
     if (mesh->vertex_count >= ROBERTS_NONE || mesh->face_count >= ROBERTS_NONE || mesh->corner_count >= ROBERTS_NONE)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "more than %u vertices, faces or corners",
+        return error_set(error, ROBERTS_NO_MEMORY, 0, "more than %u vertices, faces or corners",
                          (unsigned)ROBERTS_NONE - 1);
     faces->face_count = (uint32_t)mesh->face_count;
     faces->vertex_count = (uint32_t)mesh->vertex_count;

@@ -13,7 +13,7 @@ typedef struct polygons {
     size_t repeated;                  /* corners that cleaning has left out */
 } polygons;
 
-/* The faces as they are in the mesh. Returns ROBERTS_OK or _BAD_ARGUMENT (more than 32 bits can count). */
+/* The faces as they are in the mesh. Returns ROBERTS_OK or _NO_MEMORY (more than 32 bits can count). */
 roberts_status polygons_of_mesh(polygons *faces, const roberts_mesh *mesh, roberts_error *error);
 
 /* Replaces each vertex number v by name[v] (NULL: leaves it) and leaves out the corners that then repeat an earlier one

@@ -65,8 +65,17 @@ static roberts_status refuse_empty(roberts_error *error)
     return error_set(error, ROBERTS_NOT_CLOSED, 0, "no solid: there is no face with three or more corners");
 }
 
+static void warn_repeated(const polygons *faces, const roberts_mesh *mesh, const roberts_warnings *warnings)
+{
+    const char *name = mesh->source_count == 1 && mesh->source[0].name ? mesh->source[0].name : "";
+    if (faces->repeated > 0)
+        warning_send(warnings, name, 0, "%zu corner%s that repeat%s another of the same face ignored", faces->repeated,
+                     faces->repeated == 1 ? "" : "s", faces->repeated == 1 ? "s" : "");
+}
+
 /* Components first; where some are open, solids once more from what welding and splitting makes of them. */
-static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, double tolerance, roberts_error *error)
+static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, double tolerance,
+                            const roberts_warnings *warnings, roberts_error *error)
 {
     polygons faces;
     builder work = {0};
@@ -78,6 +87,7 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, doub
     status = ROBERTS_NO_MEMORY;
     if (!components_lay_out(scene, &faces, mesh))
         goto done;
+    warn_repeated(&faces, mesh, warnings);
     if (!(open = alloc_zeroed(scene->solid_count, sizeof *open)))
         goto done;
     status = build_solids(scene, &work, mesh, tolerance, open, &any_open, error);
@@ -109,7 +119,7 @@ roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene
     } else if (!(*scene = alloc_zeroed(1, sizeof **scene))) {
         status = error_no_memory(&found);
     } else {
-        status = build(*scene, mesh, tolerance, &found);
+        status = build(*scene, mesh, tolerance, options ? &options->warnings : NULL, &found);
     }
     if (status != ROBERTS_OK) {
         roberts_scene_free(*scene);

@@ -37,6 +37,19 @@ static roberts_status wind(roberts_scene *scene, builder *work, uint32_t s, robe
     return edges_pair(scene, s, &work->edges) == EDGES_PAIRED ? ROBERTS_OK : error_no_memory(error);
 }
 
+/* A face that its neighbours have turned, and that has not been mended, may be within a wide tolerance and still look away
+ * from the inside: F > 0 there is promised. */
+static roberts_status refuse_turned(const roberts_scene *scene, const solid_frame *frame, roberts_error *error)
+{
+    for (uint32_t f = 0; f < frame->face_count; f++)
+        if (plane_at(frame->face[f].F, frame->barycentre) < 0.0)
+            return error_set(error, ROBERTS_NOT_CONVEX, 0,
+                             "solid %u is not convex: its middle lies %.6g outside face %u", frame->solid,
+                             -plane_at(frame->face[f].F, frame->barycentre) * frame->unit,
+                             scene->face_number[frame->face_first + f]);
+    return ROBERTS_OK;
+}
+
 build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const roberts_mesh *mesh, double tolerance,
                          bool must_close, roberts_error *error)
 {
@@ -64,6 +77,8 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
                BUILD_REFUSED;
     if (narrow_mend(scene, &work->frame) != ROBERTS_OK)
         return error_no_memory(error), BUILD_REFUSED;
+    if (pairing == EDGES_MIXED && refuse_turned(scene, &work->frame, error) != ROBERTS_OK)
+        return BUILD_REFUSED;
     return BUILD_OK;
 }
 
