@@ -18,7 +18,8 @@ typedef struct box {
     roberts_vec3 low, high;
 } box;
 
-/* An edge with its parts: "8-9 v 1/4 h0 3/4 v" is visible from 0 to 1/4, hidden by solid 0 to 3/4, visible to 1. */
+/* An edge with its parts: "8-9 v 1/4 h0 3/4 v" is visible from 0 to 1/4, hidden by solid 0 to 3/4, visible to 1; c is
+ * clipped. */
 static const struct scene_case {
     const char *name, *view;
     box boxes[BOXES];
@@ -205,8 +206,9 @@ static bool rows_are(const char *text, const roberts_segment *row, size_t count)
             to = read_fraction(&text);
             text += *text == ' ';
         }
-        if (row[i].state != (state == 'h' ? ROBERTS_HIDDEN : ROBERTS_VISIBLE) || row[i].by != by ||
-            fabs(row[i].t0 - from) > T_BOUND || fabs(row[i].t1 - to) > T_BOUND)
+        uint8_t expected = state == 'h' ? ROBERTS_HIDDEN : state == 'c' ? ROBERTS_CLIPPED : ROBERTS_VISIBLE;
+        if (row[i].state != expected || row[i].by != by || fabs(row[i].t0 - from) > T_BOUND ||
+            fabs(row[i].t1 - to) > T_BOUND)
             return false;
         from = to;
     }
@@ -217,7 +219,10 @@ static void print_rows(const roberts_segment *row, size_t count)
 {
     for (size_t i = 0; i < count; i++)
         printf("  got %u-%u %s %d %.17g .. %.17g\n", row[i].v0, row[i].v1,
-               row[i].state == ROBERTS_HIDDEN ? "hidden by" : "visible", (int)row[i].by, row[i].t0, row[i].t1);
+               row[i].state == ROBERTS_HIDDEN    ? "hidden by"
+               : row[i].state == ROBERTS_CLIPPED ? "clipped"
+                                                 : "visible",
+               (int)row[i].by, row[i].t0, row[i].t1);
 }
 
 static void expect_edge(const char *name, const char *view, const roberts_drawing *d, const char *text)
@@ -351,6 +356,114 @@ static void perspective_by_hand(void **state)
      * 4 (10 - z) / 10 > x, up to t = 2/3 */
     expect_edge("perspective", "eye", &drawing, "16-17 h1 2/3 v");
     roberts_drawing_free(&drawing);
+    model_free(&m);
+}
+
+/* The same eye before the near plane z = 9. A post beside it, [1, 2] x [-1, 1] from z = 0 to 12, is cut there: of its
+ * upright edges 3/4 remain, of the upper ones nothing; what remains of it hides x from 10/10 * 12/10 to 2/1 * 12 in the
+ * plane z = -2. */
+static void near_plane_by_hand(void **state)
+{
+    roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = {0, 0, 10}, .has_look_at = true, .near_distance = 1};
+    roberts_hide_options options = with_hidden();
+    model m = {0};
+    (void)state;
+    model_box(&m, (roberts_vec3){1, -1, 0}, (roberts_vec3){2, 1, 12});
+    model_box(&m, (roberts_vec3){-30, 0, -3}, (roberts_vec3){30, 1, -2});
+    model_box(&m, (roberts_vec3){1, -1, 13}, (roberts_vec3){2, 1, 14}); /* behind */
+    for (int cull = 0; cull < 2; cull++) {
+        static const char *const edges[] = {"12-13 v 0.52 h0 0.9 v",
+                                            "0-4 v 3/4 c",
+                                            "0-2 v",
+                                            "1-5 h0 3/4 c",
+                                            "3-7 h0 3/4 c",
+                                            "4-5 c",
+                                            "6-7 c",
+                                            "16-17 c",
+                                            "19-23 c"};
+        options.keep_hidden = !cull;
+        roberts_drawing d = model_draw(&m, &camera, &options);
+        assert_int_equal(d.solids, 3);
+        for (size_t k = 0; k < sizeof edges / sizeof edges[0] && !cull; k++)
+            expect_edge("near plane", "eye", &d, edges[k]);
+        /* of the post 0-2, 0-4, 2-6; of the bar 12-13 in two, 12-14, 13-15, and of 14-15 two */
+        expect_visible("near plane", "eye", &d, 9);
+        roberts_drawing_free(&d);
+    }
+    model_free(&m);
+}
+
+/* The picture is a square about the look-at point, at whose depth lengths are true: 10 tan(fov / 2) to each side. */
+static void field_of_view(void **state)
+{
+    static const struct {
+        double fov, near_distance;
+        bool framed;
+        double half;
+    } table[] = {
+        {0, 0.001, false, 0},
+        {90, 0.001, true, 10},
+        {0, 5, true, 5.7735026918962576}, /* cut by the near plane: 60 degrees */
+        {90, 5, true, 10},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = {0, 0, 10}, .has_look_at = true,
+                                 .near_distance = table[i].near_distance, .fov_degrees = table[i].fov};
+        roberts_hide_options options = with_hidden();
+        model m = {0};
+        model_box(&m, (roberts_vec3){-1, -1, 0}, (roberts_vec3){1, 1, 7});
+        roberts_drawing d = model_draw(&m, &camera, &options);
+        assert_int_equal(d.framed, table[i].framed);
+        if (table[i].framed) {
+            assert_true(fabs(d.window_max.x - table[i].half) < 1e-12 && fabs(d.window_max.y - table[i].half) < 1e-12);
+            assert_true(fabs(d.window_min.x + table[i].half) < 1e-12 && fabs(d.window_min.y + table[i].half) < 1e-12);
+        } else { /* the upper face, 3 away: 10 / 3 of its size */
+            assert_true(fabs(d.window_max.x - 10.0 / 3) < 1e-12 && fabs(d.window_min.y + 10.0 / 3) < 1e-12);
+        }
+        roberts_drawing_free(&d);
+        model_free(&m);
+    }
+}
+
+static void eyes_refused(void **state)
+{
+    static const struct {
+        const char *name;
+        roberts_camera camera;
+        roberts_status status;
+    } table[] = {
+        {"good", {ROBERTS_PERSPECTIVE, .eye = {9, 9, 9}}, ROBERTS_OK},
+        {"inside", {ROBERTS_PERSPECTIVE, .eye = {0.1, 0.2, 0.3}}, ROBERTS_BAD_VIEW},
+        {"inside, looking out",
+         {ROBERTS_PERSPECTIVE, .eye = {0.9, 0, 0}, .look_at = {9, 0, 0}, .has_look_at = true},
+         ROBERTS_BAD_VIEW},
+        {"looking away",
+         {ROBERTS_PERSPECTIVE, .eye = {9, 0, 0}, .look_at = {10, 0, 0}, .has_look_at = true},
+         ROBERTS_BAD_VIEW},
+        {"all before the near plane", {ROBERTS_PERSPECTIVE, .eye = {9, 0, 0}, .near_distance = 11}, ROBERTS_BAD_VIEW},
+        {"field of view below 0", {ROBERTS_PERSPECTIVE, .eye = {9, 0, 0}, .fov_degrees = -1}, ROBERTS_BAD_VIEW},
+        {"field of view too wide", {ROBERTS_PERSPECTIVE, .eye = {9, 0, 0}, .fov_degrees = 180}, ROBERTS_BAD_VIEW},
+        {"field of view no number", {ROBERTS_PERSPECTIVE, .eye = {9, 0, 0}, .fov_degrees = NAN}, ROBERTS_BAD_VIEW},
+        {"near distance below 0", {ROBERTS_PERSPECTIVE, .eye = {9, 0, 0}, .near_distance = -1}, ROBERTS_BAD_VIEW},
+        {"near distance infinite",
+         {ROBERTS_PERSPECTIVE, .eye = {9, 0, 0}, .near_distance = INFINITY},
+         ROBERTS_BAD_VIEW},
+    };
+    model m = {0};
+    (void)state;
+    model_box(&m, (roberts_vec3){-1, -1, -1}, (roberts_vec3){1, 1, 1});
+    roberts_scene *scene = model_build(&m);
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        roberts_drawing d = {.count = 77};
+        roberts_error error = {0};
+        roberts_status status = roberts_hide(scene, &table[i].camera, NULL, &d, &error);
+        if (status != table[i].status || (status != ROBERTS_OK) != (error.message[0] != '\0'))
+            fail_msg("%s: status %d, message \"%s\"", table[i].name, status, error.message);
+        assert_true(status == ROBERTS_OK || (d.count == 0 && !d.segment));
+        roberts_drawing_free(&d);
+    }
+    roberts_scene_free(scene);
     model_free(&m);
 }
 
@@ -580,6 +693,9 @@ int main(void)
         cmocka_unit_test(boxes_seen_obliquely),
         cmocka_unit_test(edge_under_a_corner_of_four),
         cmocka_unit_test(perspective_by_hand),
+        cmocka_unit_test(near_plane_by_hand),
+        cmocka_unit_test(field_of_view),
+        cmocka_unit_test(eyes_refused),
         cmocka_unit_test(flat_edges_by_table),
         cmocka_unit_test(cut_cube),
         cmocka_unit_test(outlines_stay),
