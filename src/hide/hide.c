@@ -79,6 +79,8 @@ static bool add_segment(const hide_job *job, hide_chunk *out, const roberts_segm
     double width = pattern->t1 - pattern->t0; /* of what is left of the edge by the near plane, mostly 1 */
     segment.t0 = pattern->t0 + width * view_to_space(v, e->A.z, e->B.z, s0);
     segment.t1 = s1 == 1.0 ? pattern->t1 : pattern->t0 + width * view_to_space(v, e->A.z, e->B.z, s1);
+    if (segment.t0 >= segment.t1)
+        return true; /* rounding leaves no length in space */
     segment.p0 = (roberts_vec2){R0.x * v->unit, R0.y * v->unit};
     segment.p1 = (roberts_vec2){R1.x * v->unit, R1.y * v->unit};
     out->segment[out->count++] = segment;
@@ -196,7 +198,7 @@ static bool add_edge(const hide_job *job, hide_worker *w, hide_chunk *out, uint3
                                .line = fronts == 1   ? ROBERTS_OUTLINE
                                        : fronts == 2 ? ROBERTS_CREASE
                                                      : ROBERTS_BACK};
-    if (left.edge == ROBERTS_NONE) {
+    if (left.edge == ROBERTS_NONE || left.t0 >= left.t1) { /* equal: it ends on the near plane, to rounding */
         bool drawn = job->options->all_edges || !is_flat(job, job->source, source);
         return !job->options->keep_hidden || !drawn || add_clipped(out, pattern, 0.0, 1.0, (roberts_vec2){0.0, 0.0});
     }
