@@ -31,6 +31,11 @@ ORACLE_X := $(sort $(wildcard tests/oracle/*.cpp))
 FUZZ_SRC := $(sort $(wildcard tests/fuzz/*.c))
 C_SRC    := $(LIB_SRC) $(CLI_SRC) $(TOOL_SRC) $(MODEL_SRC) $(TEST_SRC) $(ORACLE) $(ORACLE_P) \
             $(FUZZ_SRC)
+VERSION  := $(shell sed -n 's/^.define ROBERTS_VERSION "\(.*\)"/\1/p' include/roberts.h)
+SONAME   := libroberts.so.$(firstword $(subst ., ,$(VERSION)))
+SHARED   := libroberts.so.$(VERSION)
+PREFIX   ?= /usr/local
+LIBDIR   ?= $(PREFIX)/lib
 object    = $(1:%.c=$(BUILD)/obj/%.o)
 TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
 TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
@@ -61,7 +66,7 @@ models: $(BUILD)/tools/make-models ## the files of models/, anew
 drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
 	@echo "drawn: $(sort $^)"
 
-test: all tools $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests
+test: all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests
 	@CC='$(CC)' ROBERTS_BUILD=$(BUILD) LOCPATH=$(abspath $(BUILD)/locale) tests/run.sh $(TEST_BIN)
 
 check-long: $(BUILD)/tests/oracle/compare ## some 5,000,000 edges against the exact oracle (EDGES=n), and a short fuzzing
@@ -87,6 +92,26 @@ bench: all tools ## measures speed and memory, 10 minutes; shorter: BENCH_MAX=1e
 bench-baseline: all tools ## counts instructions (valgrind) and keeps them in tools/bench-baseline.txt
 	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh baseline
 
+test-threads: ## calls the library from several threads at once under the thread sanitizer, in build/threads/
+	@$(MAKE) --no-print-directory build/threads/tests/test_threads BUILD=build/threads OPENMP= \
+	    CFLAGS='-O1 -g -fsanitize=thread'
+	TSAN_OPTIONS=suppressions=tests/threads.supp build/threads/tests/test_threads
+
+##@ To install
+install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, libraries, header and roberts.pc below DESTDIR/PREFIX
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(PREFIX)/include
+	install -m 755 $(BUILD)/roberts $(DESTDIR)$(PREFIX)/bin/
+	install -m 644 include/roberts.h $(DESTDIR)$(PREFIX)/include/
+	install -m 644 $(BUILD)/libroberts.a $(BUILD)/$(SHARED) $(DESTDIR)$(LIBDIR)/
+	ln -sf $(SHARED) $(DESTDIR)$(LIBDIR)/$(SONAME)
+	ln -sf $(SONAME) $(DESTDIR)$(LIBDIR)/libroberts.so
+	install -m 644 $(BUILD)/roberts.pc $(DESTDIR)$(LIBDIR)/pkgconfig/
+
+uninstall: ## takes them away again
+	rm -f $(DESTDIR)$(PREFIX)/bin/roberts $(DESTDIR)$(PREFIX)/include/roberts.h \
+	    $(DESTDIR)$(LIBDIR)/libroberts.a $(DESTDIR)$(LIBDIR)/libroberts.so* $(DESTDIR)$(LIBDIR)/pkgconfig/roberts.pc
+
+##@ To check
 lint: lint-format lint-tidy lint-cppcheck ## formatter and static checks (tools/install-deps.sh lint)
 
 clean: ## removes build/
@@ -99,6 +124,20 @@ help: ## lists the targets
 # How things are made
 $(BUILD)/libroberts.a: $(call object,$(LIB_SRC))
 	rm -f $@ && $(AR) rcs $@ $^
+
+# Nothing but what roberts.h declares can be called from outside.
+$(BUILD)/$(SHARED): $(call object,$(LIB_SRC))
+	@printf '{ global: roberts_*; local: *; };\n' >$(BUILD)/exported.map
+	$(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) -Wl,--version-script,$(BUILD)/exported.map \
+	    -Wl,-z,defs -o $@ $^ $(CAIRO_LIBS) -lm
+
+# What a program that links the static library needs besides stands under Libs.private.
+$(BUILD)/roberts.pc: force
+	@mkdir -p $(@D)
+	@printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: roberts' \
+	    'Description: line drawings of convex polyhedra with the hidden lines removed' 'Version: $(VERSION)' \
+	    'Requires.private: cairo' 'Libs: -L$${libdir} -lroberts' 'Libs.private: $(OPENMP) -lm' \
+	    'Cflags: -I$${includedir}' >$@
 
 $(BUILD)/roberts: $(call object,$(CLI_SRC)) $(BUILD)/libroberts.a
 	$(LINK) $(CAIRO_LIBS) -lm
@@ -179,7 +218,7 @@ lint-cppcheck:
 	cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
-.PHONY: all demo check check-long tools models drawings test test-sanitize fuzz fuzzers bench bench-baseline lint \
+.PHONY: all demo check check-long install uninstall test-threads tools models drawings test test-sanitize fuzz fuzzers bench bench-baseline lint \
     lint-format lint-tidy lint-cppcheck clean help force
 .SECONDARY:
 .DELETE_ON_ERROR:

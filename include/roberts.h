@@ -52,6 +52,7 @@ typedef enum roberts_status {
     ROBERTS_FLAT,         /**< a component is closed but encloses no volume */
     ROBERTS_BAD_VIEW,     /**< the camera cannot see the scene: zero direction, scene not in front of the eye, ... */
     ROBERTS_BAD_ARGUMENT, /**< an option is out of its range */
+    ROBERTS_STOPPED,      /**< a callback asked to stop */
 } roberts_status;
 
 /** What went wrong and where. Plain data: nothing to free. */
@@ -278,6 +279,18 @@ roberts_hide_options roberts_hide_options_default(void);
 roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *camera,
                             const roberts_hide_options *options, roberts_drawing *drawing, roberts_error *error);
 void roberts_drawing_free(roberts_drawing *drawing);
+
+/** Receives one segment, valid during the call only; false stops the work. */
+typedef bool roberts_segment_fn(void *context, const roberts_segment *segment);
+
+/**
+ * The same, but gives the segments one by one, in their order, and keeps none: for scenes whose segments need not be in
+ * memory together. each: called by one thread at a time, not always the same. summary: NULL, or what was counted, without
+ * segments (count tells how many there were). Returns in addition ROBERTS_STOPPED where `each` has returned false.
+ */
+roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camera *camera,
+                                 const roberts_hide_options *options, roberts_segment_fn *each, void *context,
+                                 roberts_drawing *summary, roberts_error *error);
 
 /* ---- ray: rays against shapes -------------------------------------------------------------------------------- */
 

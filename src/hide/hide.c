@@ -37,6 +37,8 @@ typedef struct hide_job {
     const roberts_scene *scene;  /* as it is mapped: clipped, where that was needed */
     const roberts_scene *source; /* as given */
     view_clip clip;
+    roberts_segment_fn *each; /* takes the segments; NULL: the drawing keeps them */
+    void *context;
     const roberts_hide_options *options;
     hide_picture picture;
     objet grid;
@@ -236,15 +238,21 @@ static bool do_chunk(const hide_job *job, hide_worker *w, hide_sums *sums, hide_
 }
 
 /* Lays the chunk's segments down behind those of the chunks before. */
-static bool lay_down(roberts_drawing *drawing, size_t *room, const hide_chunk *chunk)
+static roberts_status lay_down(const hide_job *job, roberts_drawing *drawing, size_t *room, const hide_chunk *chunk)
 {
     if (chunk->count == 0)
-        return true;
+        return ROBERTS_OK;
+    if (job->each) {
+        for (size_t i = 0; i < chunk->count; i++, drawing->count++)
+            if (!job->each(job->context, &chunk->segment[i]))
+                return ROBERTS_STOPPED;
+        return ROBERTS_OK;
+    }
     if (!array_reserve(&drawing->segment, room, drawing->count + chunk->count, sizeof *drawing->segment))
-        return false;
+        return ROBERTS_NO_MEMORY;
     memcpy(drawing->segment + drawing->count, chunk->segment, chunk->count * sizeof *chunk->segment);
     drawing->count += chunk->count;
-    return true;
+    return ROBERTS_OK;
 }
 
 static void add_sums(roberts_drawing *drawing, const hide_sums *sums, const hide_worker *w)
@@ -263,10 +271,10 @@ static void add_sums(roberts_drawing *drawing, const hide_sums *sums, const hide
     to->refined += w->sides.refined;
 }
 
-/* All chunks, by as many threads as are asked for; false: no memory. */
-static bool do_chunks(const hide_job *job, roberts_drawing *drawing)
+/* All chunks, by as many threads as are asked for. After a failure no thread begins another. */
+static roberts_status do_chunks(const hide_job *job, roberts_drawing *drawing)
 {
-    bool failed = false;
+    roberts_status status = ROBERTS_OK;
     size_t room = 0;
     uint32_t count = (job->scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
 #ifdef _OPENMP
@@ -288,19 +296,24 @@ static bool do_chunks(const hide_job *job, roberts_drawing *drawing)
 #ifdef _OPENMP
 #pragma omp ordered
 #endif
-            lost = lost || !lay_down(drawing, &room, &chunk);
+            {
+                if (status == ROBERTS_OK)
+                    status = lost ? ROBERTS_NO_MEMORY : lay_down(job, drawing, &room, &chunk);
+                lost = lost || status != ROBERTS_OK;
+            }
         }
 #ifdef _OPENMP
 #pragma omp critical
 #endif
         {
-            failed = failed || lost;
+            if (lost && status == ROBERTS_OK)
+                status = ROBERTS_NO_MEMORY;
             add_sums(drawing, &own, &w);
         }
         free(chunk.segment);
         hide_worker_free(&w);
     }
-    return !failed;
+    return status;
 }
 
 static roberts_time now(void)
@@ -392,32 +405,48 @@ static roberts_status build(hide_job *job, const roberts_camera *camera, roberts
     return status;
 }
 
-roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *camera,
-                            const roberts_hide_options *options, roberts_drawing *drawing, roberts_error *error)
+static roberts_status hide(hide_job *job, const roberts_camera *camera, roberts_drawing *drawing, roberts_error *error)
 {
     roberts_hide_options defaults = roberts_hide_options_default();
-    hide_job job = {.source = scene, .options = options ? options : &defaults};
+    job->options = job->options ? job->options : &defaults;
     *drawing = (roberts_drawing){0};
-    roberts_status status = check_options(job.options, error);
+    roberts_status status = check_options(job->options, error);
     if (status == ROBERTS_OK)
-        status = build(&job, camera, drawing, error);
-    if (status != ROBERTS_OK)
-        goto done;
-    roberts_time clock = now();
-    job.crease_chord = 2.0 * sin(job.options->crease_degrees * pi / 360.0);
-    job.crease_chord *= job.crease_chord;
-    describe(&job, camera, drawing);
-    status = do_chunks(&job, drawing) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
-    drawing->hide_time = lap(&clock);
-done:
-    objet_free(&job.grid);
-    hide_picture_free(&job.picture);
-    view_clip_free(&job.clip);
+        status = build(job, camera, drawing, error);
+    if (status == ROBERTS_OK) {
+        roberts_time clock = now();
+        job->crease_chord = 2.0 * sin(job->options->crease_degrees * pi / 360.0);
+        job->crease_chord *= job->crease_chord;
+        describe(job, camera, drawing);
+        status = do_chunks(job, drawing);
+        drawing->hide_time = lap(&clock);
+    }
+    objet_free(&job->grid);
+    hide_picture_free(&job->picture);
+    view_clip_free(&job->clip);
     if (status == ROBERTS_NO_MEMORY)
         error_no_memory(error);
+    if (status == ROBERTS_STOPPED)
+        error_set(error, ROBERTS_STOPPED, 0, "stopped by the receiver of the segments");
     if (status != ROBERTS_OK)
         roberts_drawing_free(drawing);
     return status;
+}
+
+roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *camera,
+                            const roberts_hide_options *options, roberts_drawing *drawing, roberts_error *error)
+{
+    hide_job job = {.source = scene, .options = options};
+    return hide(&job, camera, drawing, error);
+}
+
+roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camera *camera,
+                                 const roberts_hide_options *options, roberts_segment_fn *each, void *context,
+                                 roberts_drawing *summary, roberts_error *error)
+{
+    hide_job job = {.source = scene, .options = options, .each = each, .context = context};
+    roberts_drawing counted;
+    return hide(&job, camera, summary ? summary : &counted, error);
 }
 
 void roberts_drawing_free(roberts_drawing *drawing)

@@ -1,0 +1,130 @@
+/* test_install.c - `make install` into a folder, and three clients built against what it put there, as a user would: by
+ * pkg-config, with the shared and with the static library. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static char root[256]; /* everything goes here, below the build folder */
+
+static const char *setting(const char *name, const char *fallback)
+{
+    const char *value = getenv(name);
+    return value && *value ? value : fallback;
+}
+
+/* Runs a shell command, its output to `root`.log, which a failure shows. */
+static void run(const char *command)
+{
+    char line[8192], log[512], text[4096];
+    snprintf(line, sizeof line, "{ %s; } >%s.log 2>&1", command, root);
+    if (system(line) == 0) /* NOLINT(cert-env33-c): a user's commands are shell commands */
+        return;
+    snprintf(log, sizeof log, "%s.log", root);
+    FILE *file = fopen(log, "r");
+    size_t got = file ? fread(text, 1, sizeof text - 1, file) : 0;
+    text[got] = '\0';
+    if (file)
+        (void)fclose(file);
+    fail_msg("%s\n%s", command, text);
+}
+
+static int set_up(void **state)
+{
+    char command[4096];
+    const char *build = setting("ROBERTS_BUILD", "build");
+    (void)state;
+    snprintf(root, sizeof root, "%s/installed", build);
+    snprintf(command, sizeof command, "rm -rf %s && make --no-print-directory install BUILD=%s PREFIX=\"$PWD/%s\"",
+             root, build, root);
+    run(command);
+    return 0;
+}
+
+/* The compiler's own flags belong to the build that is tested: a sanitizer's library needs its run-time library. */
+static void build_client(const char *compiler, const char *source, const char *flags, const char *link)
+{
+    char command[4096];
+    snprintf(command, sizeof command,
+             "PKG_CONFIG_PATH=\"$PWD/%s/lib/pkgconfig\"; export PKG_CONFIG_PATH; "
+             "%s %s tests/examples/%s $(pkg-config --cflags roberts) -o %s/client %s -lm",
+             root, compiler, flags, source, root, link);
+    run(command);
+}
+
+static void run_client(const char *arguments, const char *expected)
+{
+    char command[4096];
+    snprintf(command, sizeof command, "LD_LIBRARY_PATH=\"$PWD/%s/lib\" %s/client %s >%s.out && grep -q '%s' %s.out",
+             root, root, arguments, root, expected, root);
+    run(command);
+}
+
+static void c_client_draws(void **state)
+{
+    char arguments[512], command[4096];
+    (void)state;
+    build_client(setting("CC", "cc"), "draw_scene.c", setting("CFLAGS_USED", ""), "$(pkg-config --libs roberts)");
+    snprintf(arguments, sizeof arguments, "%s/blocks.svg; echo done", root);
+    run_client(arguments, "done");
+    snprintf(command, sizeof command, "grep -q '</svg>' %s/blocks.svg", root);
+    run(command);
+}
+
+/* A cube of edge 2 seen from above: its top's four sides. */
+static void c_client_takes_segments(void **state)
+{
+    (void)state;
+    build_client(setting("CC", "cc"), "segments.c", setting("CFLAGS_USED", ""), "$(pkg-config --libs roberts)");
+    run_client("models/platonic/cube.off", "4 segments, 8 long");
+    build_client(setting("CC", "cc"), "segments.c", setting("CFLAGS_USED", ""),
+                 "-Wl,-Bstatic $(pkg-config --static --libs-only-L roberts) -lroberts -Wl,-Bdynamic "
+                 "$(pkg-config --libs cairo) -fopenmp");
+    run_client("models/platonic/cube.off", "4 segments, 8 long");
+}
+
+static void cxx_client(void **state)
+{
+    (void)state;
+    build_client(setting("CXX", "c++"), "segments.cpp", "-std=c++17", "$(pkg-config --libs roberts)");
+    run_client("models/platonic/cube.off", "solid 0: 4 segments");
+}
+
+/* Every symbol that the shared library defines for others begins with roberts_, and the header's are among them. */
+static void exports_only_its_own(void **state)
+{
+    char command[4096];
+    (void)state;
+    snprintf(command, sizeof command,
+             "nm -D --defined-only %s/lib/libroberts.so >%s.nm && ! grep -v ' roberts_' %s.nm && "
+             "grep -q ' roberts_hide$' %s.nm && grep -q ' roberts_ray_triangle$' %s.nm && "
+             "readelf -d %s/lib/libroberts.so | grep -q 'SONAME.*libroberts.so.[0-9]'",
+             root, root, root, root, root, root);
+    run(command);
+}
+
+static void uninstalls(void **state)
+{
+    char command[4096];
+    (void)state;
+    snprintf(command, sizeof command,
+             "make --no-print-directory uninstall BUILD=%s PREFIX=\"$PWD/%s\" && "
+             "test -z \"$(find %s -type f -name '*roberts*' ! -name client)\"",
+             setting("ROBERTS_BUILD", "build"), root, root);
+    run(command);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(c_client_draws), cmocka_unit_test(c_client_takes_segments),
+        cmocka_unit_test(cxx_client),     cmocka_unit_test(exports_only_its_own),
+        cmocka_unit_test(uninstalls),
+    };
+    return cmocka_run_group_tests_name("install", tests, set_up, NULL);
+}

@@ -1,0 +1,170 @@
+/* test_threads.c - the library called from several threads at once, each with work of its own and all with one scene:
+ * every call gives what it gives alone. `make test-threads` runs it under the thread sanitizer. */
+#include <pthread.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "roberts.h"
+
+enum { THREADS = 6, ROUNDS = 3 };
+
+/* Bytes that a drawing is written to. */
+typedef struct bytes {
+    char *data;
+    size_t size;
+} bytes;
+
+static const char *const model[] = {"models/table.off", "models/tower.off", "models/city.off"};
+
+static bool keep(void *context, const void *data, size_t size)
+{
+    bytes *b = context;
+    char *grown = realloc(b->data, b->size + size);
+    if (!grown)
+        return false;
+    memcpy(grown + b->size, data, size);
+    b->data = grown;
+    b->size += size;
+    return true;
+}
+
+/* Reads, builds, hides and writes; with `scene` only the last two. Empty on failure. */
+static bytes draw(unsigned which, const roberts_scene *scene)
+{
+    static const char *const view[] = {"iso", "front", "cabinet"};
+    bytes out = {0};
+    roberts_mesh mesh = {0};
+    roberts_scene *own = NULL;
+    roberts_drawing drawing = {0};
+    roberts_camera camera;
+    roberts_hide_options hide = roberts_hide_options_default();
+    roberts_draw_options options = roberts_draw_options_default();
+    hide.threads = 1; /* OpenMP's own threads are not what is tested here */
+    hide.keep_hidden = which % 2;
+    options.format = which % 2 ? ROBERTS_CSV : ROBERTS_SVG;
+    roberts_camera_preset(view[which % 3], &camera);
+    if (!scene && roberts_mesh_read_file(&mesh, model[which % 3], NULL, NULL) == ROBERTS_OK &&
+        roberts_scene_build(&mesh, NULL, &own, NULL) == ROBERTS_OK)
+        scene = own;
+    if (scene && roberts_hide(scene, &camera, &hide, &drawing, NULL) == ROBERTS_OK)
+        (void)roberts_drawing_write(&drawing, &options, keep, &out, NULL);
+    roberts_drawing_free(&drawing);
+    roberts_scene_free(own);
+    roberts_mesh_free(&mesh);
+    return out;
+}
+
+typedef struct task {
+    unsigned which;
+    const roberts_scene *scene;
+    bytes expected;
+    bool same;
+} task;
+
+static void *work(void *argument)
+{
+    task *t = argument;
+    t->same = true;
+    for (int round = 0; round < ROUNDS; round++) {
+        bytes b = draw(t->which, t->scene);
+        t->same = t->same && b.size > 0 && b.size == t->expected.size && memcmp(b.data, t->expected.data, b.size) == 0;
+        free(b.data);
+    }
+    return NULL;
+}
+
+static void run_together(const roberts_scene *scene)
+{
+    pthread_t thread[THREADS];
+    task t[THREADS];
+    for (unsigned i = 0; i < THREADS; i++)
+        t[i] = (task){.which = i, .scene = scene, .expected = draw(i, scene)};
+    for (unsigned i = 0; i < THREADS; i++)
+        assert_int_equal(pthread_create(&thread[i], NULL, work, &t[i]), 0);
+    for (unsigned i = 0; i < THREADS; i++) {
+        assert_int_equal(pthread_join(thread[i], NULL), 0);
+        free(t[i].expected.data);
+        if (!t[i].same)
+            fail_msg("drawing %u differs from what it is alone", i);
+    }
+}
+
+static void each_with_its_own(void **state)
+{
+    (void)state;
+    run_together(NULL);
+}
+
+static void all_with_one_scene(void **state)
+{
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    (void)state;
+    assert_int_equal(roberts_mesh_read_file(&mesh, model[0], NULL, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    run_together(scene);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+}
+
+/* ---- segments one by one ------------------------------------------------------------------------------------------ */
+
+typedef struct receiver {
+    const roberts_drawing *drawing;
+    size_t count, stop_at;
+    bool same;
+} receiver;
+
+static bool receive(void *context, const roberts_segment *segment)
+{
+    receiver *r = context;
+    const roberts_segment *s = &r->drawing->segment[r->count];
+    r->same = r->same && r->count < r->drawing->count && segment->solid == s->solid && segment->v0 == s->v0 &&
+              segment->v1 == s->v1 && segment->t0 == s->t0 && segment->t1 == s->t1 && segment->state == s->state;
+    return ++r->count != r->stop_at;
+}
+
+/* roberts_hide_each() gives what roberts_hide() keeps, in its order, by any number of threads, and can be stopped. */
+static void segments_one_by_one(void **state)
+{
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    roberts_drawing drawing = {0}, summary;
+    roberts_camera camera;
+    roberts_hide_options options = roberts_hide_options_default();
+    (void)state;
+    assert_true(roberts_camera_preset("iso", &camera));
+    assert_int_equal(roberts_mesh_read_file(&mesh, model[2], NULL, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    for (options.threads = 1; options.threads <= 3; options.threads++) {
+        assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+        receiver r = {.drawing = &drawing, .same = true}, stopped = {.drawing = &drawing, .same = true, .stop_at = 5};
+        assert_int_equal(roberts_hide_each(scene, &camera, &options, receive, &r, &summary, NULL), ROBERTS_OK);
+        assert_true(r.same);
+        assert_int_equal(r.count, drawing.count);
+        assert_int_equal(summary.count, drawing.count);
+        assert_null(summary.segment);
+        assert_int_equal(roberts_hide_each(scene, &camera, &options, receive, &stopped, NULL, NULL), ROBERTS_STOPPED);
+        assert_int_equal(stopped.count, 5);
+        roberts_drawing_free(&drawing);
+    }
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_with_its_own),
+        cmocka_unit_test(all_with_one_scene),
+        cmocka_unit_test(segments_one_by_one),
+    };
+    return cmocka_run_group_tests_name("threads", tests, NULL, NULL);
+}
