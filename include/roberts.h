@@ -189,12 +189,22 @@ typedef struct roberts_camera {
                                the look-at point's distance, and at least 1e-5 of the scene's diameter */
     double fov_degrees; /**< perspective: angle between the sides of the picture, and between top and bottom, under 180;
                                0 = the whole scene, or 60 where the near plane cuts the scene */
+    double roll_degrees; /**< the drawing is turned by so much, counter-clockwise */
 } roberts_camera;
 
 /** Fills `camera` with the preset called `name` (iso, dimetric, trimetric, front, back, right, left, top, bottom;
  * and the oblique cavalier and cabinet: front views with depth at 45 degrees, in full and in half);
  * false where there is none of that name. */
 bool roberts_camera_preset(const char *name, roberts_camera *camera);
+
+/** Fills `camera` with the orthographic view from an azimuth (0 = front, 90 = right, 180 = back; any) and an elevation
+ * over the horizon (90 = top, with the front below; -90 to 90), its drawing turned by `roll` counter-clockwise; all in
+ * degrees, and the direction exact at multiples of 90. False where one of them is not finite or out of its range. */
+bool roberts_camera_angles(double azimuth, double elevation, double roll, roberts_camera *camera);
+
+/** Turns `camera` by `degrees` about the upright line through the centre of the scene's box, from the front to the right:
+ * its direction or eye, look-at point and up. What the drawing shows turns the other way. */
+void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_camera *camera);
 
 /* ---- hide: hidden lines removed ---------------------------------------------------------------------------------- */
 

@@ -179,6 +179,13 @@ static const struct {
     {"--eye 1,2,3 --view top", "--view and --eye exclude each other"},
     {"--view top --dir 1,2,3", "--dir and --view exclude each other"},
     {"--dir 1,2,3 --look-at 1,2,3", "--dir and --look-at exclude each other"},
+    {"--azimuth 10 --dir 1,2,3", "--azimuth and --dir exclude each other"},
+    {"--view top --azimuth 10", "--azimuth and --view exclude each other"},
+    {"--elevation 10 --eye 1,2,3", "--elevation and --eye exclude each other"},
+    {"--azimuth 30deg", "--azimuth: \"30deg\" is not a number"},
+    {"--azimuth 361", "--azimuth: 361 is not in -360..360"},
+    {"--elevation -91", "--elevation: -91 is not in -90..90"},
+    {"--roll inf", "--roll: \"inf\" is not a number"},
     {"--look-at 1,2,3", "--look-at needs --eye"},
     {"--crease 1 --all-edges", "--crease and --all-edges exclude each other"},
     {"--crease 1,5", "--crease: \"1,5\" is not a number"},
@@ -310,6 +317,36 @@ static void options_reach_the_library(void **state)
     assert_int_equal(run("models/platonic/cube.off models/platonic/cube.off -f csv --hidden solid"), 0);
     assert_int_equal(count_rows("\n1,"), 12);
     assert_int_equal(run("-f csv --epsilon 1e300 models/platonic/cube.off"), 2);
+}
+
+/* The same view said in two ways gives the same rows. */
+static void angles_are_views(void **state)
+{
+    static const char *const same[][2] = {
+        {"--azimuth 0", "--view front"},
+        {"--azimuth 90", "--view right"},
+        {"--azimuth -90", "--view left"},
+        {"--azimuth 180 --elevation 0", "--view back"},
+        {"--elevation 90", "--view top"},
+        {"--elevation -90", "--view bottom --roll 180"},
+        {"--elevation 90 --azimuth 90", "--view top --roll -90"},
+        {"--azimuth 45", "--dir 1,-1,0"},
+        {"--view top --roll 90", "--roll 90 --dir 0,0,1"},
+        {"--view top --roll 90", "--view top --up 1,0,0"},
+        {"--eye 18,12,90 --look-at 18,12,0 --roll 90", "--eye 18,12,90 --look-at 18,12,0 --up 1,0,0"},
+    };
+    static char text[TEXT], line[512];
+    (void)state;
+    for (size_t i = 0; i < sizeof same / sizeof same[0]; i++) {
+        print_message("%s, %s\n", same[i][0], same[i][1]);
+        snprintf(line, sizeof line, "-f csv models/table.off %s", same[i][0]);
+        assert_int_equal(run(line), 0);
+        assert_true(count_rows(",visible,") > 3);
+        strcpy(text, last.out);
+        snprintf(line, sizeof line, "-f csv models/table.off %s", same[i][1]);
+        assert_int_equal(run(line), 0);
+        assert_string_equal(last.out, text);
+    }
 }
 
 static void outputs_that_fail(void **state)
@@ -548,6 +585,7 @@ int main(void)
         IN_FOLDER(failing_input),
         IN_FOLDER(output_goes_where_it_should),
         IN_FOLDER(options_reach_the_library),
+        IN_FOLDER(angles_are_views),
         IN_FOLDER(outputs_that_fail),
         IN_FOLDER(closed_pipe_is_an_error),
         IN_FOLDER(standard_output_by_name),

@@ -113,6 +113,151 @@ static void presets_foreshorten(void **state)
     roberts_scene_free(scene);
 }
 
+/* Trimetric: three scales, each what the projection along dir leaves of a unit of its axis. */
+static void trimetric_has_three_scales(void **state)
+{
+    roberts_scene *scene = cube_scene((roberts_vec3){-1, -1, -1}, 2);
+    roberts_camera camera = {0};
+    (void)state;
+    assert_true(roberts_camera_preset("trimetric", &camera));
+    view v = prepare(scene, &camera);
+    const double c[3] = {camera.dir.x, camera.dir.y, camera.dir.z}, square = vec3_dot(camera.dir, camera.dir);
+    const roberts_vec3 axis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    double scale[3];
+    for (int i = 0; i < 3; i++) {
+        roberts_vec3 p = view_point(&v, axis[i]);
+        scale[i] = hypot(p.x, p.y) * v.unit;
+        assert_true(fabs(scale[i] - sqrt(1 - c[i] * c[i] / square)) < ROUNDING);
+    }
+    assert_true(fabs(scale[0] - scale[1]) > 0.1 && fabs(scale[1] - scale[2]) > 0.1 && fabs(scale[2] - scale[0]) > 0.01);
+    roberts_scene_free(scene);
+}
+
+/* Directions are exact at multiples of 90 degrees and a rounding away elsewhere; up is where the elevation grows. */
+static void angles_by_table(void **state)
+{
+    const double h = 0.5, q = sqrt(0.75), s = sqrt(0.5);
+    const struct {
+        double azimuth, elevation;
+        bool exact;
+        roberts_vec3 dir, up;
+    } table[] = {
+        {0, 0, true, {0, -1, 0}, {0, 0, 1}},
+        {90, 0, true, {1, 0, 0}, {0, 0, 1}},
+        {180, 0, true, {0, 1, 0}, {0, 0, 1}},
+        {270, 0, true, {-1, 0, 0}, {0, 0, 1}},
+        {-90, 0, true, {-1, 0, 0}, {0, 0, 1}},
+        {-360, 0, true, {0, -1, 0}, {0, 0, 1}},
+        {3690, 0, true, {1, 0, 0}, {0, 0, 1}},
+        {0, 90, true, {0, 0, 1}, {0, 1, 0}},
+        {90, 90, true, {0, 0, 1}, {-1, 0, 0}},
+        {0, -90, true, {0, 0, -1}, {0, -1, 0}},
+        {30, 0, true, {h, -q, 0}, {0, 0, 1}},
+        {45, 0, true, {s, -s, 0}, {0, 0, 1}},
+        {120, 0, true, {q, h, 0}, {0, 0, 1}},
+        {-150, 0, true, {-h, q, 0}, {0, 0, 1}},
+        {0, 30, true, {0, -q, h}, {0, h, q}},
+        {45, 30, false, {s * q, -s * q, h}, {-s * h, s * h, q}},
+        {10, 0, false, {sin(10 * atan(1) / 45), -cos(10 * atan(1) / 45), 0}, {0, 0, 1}},
+        {200, 0, false, {-sin(20 * atan(1) / 45), cos(20 * atan(1) / 45), 0}, {0, 0, 1}},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        roberts_camera camera;
+        print_message("azimuth %g, elevation %g\n", table[i].azimuth, table[i].elevation);
+        assert_true(roberts_camera_angles(table[i].azimuth, table[i].elevation, 0, &camera));
+        double tolerance = table[i].exact ? 0.0 : 4 * DBL_EPSILON;
+        assert_true(distance3(camera.dir, table[i].dir) <= tolerance);
+        assert_true(distance3(camera.up, table[i].up) <= tolerance);
+        assert_true(fabs(vec3_length(camera.dir) - 1) < ROUNDING && fabs(vec3_dot(camera.dir, camera.up)) < ROUNDING);
+    }
+    roberts_camera same = {.dir = {7, 8, 9}};
+    assert_false(roberts_camera_angles(0, 90.001, 0, &same));
+    assert_false(roberts_camera_angles(0, NAN, 0, &same));
+    assert_false(roberts_camera_angles(INFINITY, 0, 0, &same));
+    assert_false(roberts_camera_angles(0, 0, NAN, &same));
+    assert_true(same.dir.x == 7);
+}
+
+/* Isometric by angles: all axes at one scale. */
+static void angles_foreshorten(void **state)
+{
+    roberts_scene *scene = cube_scene((roberts_vec3){-1, -1, -1}, 2);
+    roberts_camera camera;
+    (void)state;
+    assert_true(roberts_camera_angles(45, asin(sqrt(1.0 / 3)) * 45 / atan(1), 0, &camera));
+    view v = prepare(scene, &camera);
+    roberts_vec3 x = view_point(&v, (roberts_vec3){1, 0, 0}), y = view_point(&v, (roberts_vec3){0, 1, 0}),
+                 z = view_point(&v, (roberts_vec3){0, 0, 1});
+    assert_true(fabs(hypot(x.x, x.y) * v.unit - sqrt(2.0 / 3)) < ROUNDING);
+    assert_true(fabs(hypot(x.x, x.y) - hypot(y.x, y.y)) < ROUNDING);
+    assert_true(fabs(hypot(x.x, x.y) - hypot(z.x, z.y)) < ROUNDING);
+    roberts_scene_free(scene);
+}
+
+enum { ORTHOGRAPHIC, PERSPECTIVE, OBLIQUE, PROJECTIONS };
+
+static roberts_camera random_camera(rng *r, int projection)
+{
+    mat3 a = mat3_turn(r);
+    roberts_vec2 oblique = {rng_between(r, -1, 1), rng_between(r, -1, 1)};
+    if (projection != PERSPECTIVE)
+        return (roberts_camera){
+            .dir = a.x, .up = a.y, .oblique = projection == OBLIQUE ? oblique : (roberts_vec2){0, 0}};
+    return (roberts_camera){ROBERTS_PERSPECTIVE, .eye = vec3_scale(rng_between(r, 9, 40), a.x),
+                            .look_at = {rng_between(r, -1, 1), rng_between(r, -1, 1), rng_between(r, -1, 1)},
+                            .has_look_at = true, .up = a.y};
+}
+
+/* Rolled pictures are the picture turned; depth stays. In all projections. */
+static void roll_turns_the_drawing(void **state)
+{
+    rng r = {22};
+    roberts_scene *scene = cube_scene((roberts_vec3){-1, -1, -1}, 2);
+    (void)state;
+    for (int i = 0; i < 300; i++) {
+        double roll = i % 3 == 0 ? 90.0 * rng_int(&r, -4, 4) : rng_between(&r, -360, 360);
+        roberts_camera camera = random_camera(&r, i % PROJECTIONS), rolled = camera;
+        rolled.roll_degrees = roll;
+        view v = prepare(scene, &camera), w = prepare(scene, &rolled);
+        double c = cos(roll * atan(1) / 45), s = sin(roll * atan(1) / 45);
+        for (int k = 0; k < 8; k++) {
+            roberts_vec3 P = {k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1}, p = view_point(&v, P),
+                         q = view_point(&w, P);
+            assert_true(distance3(q, (roberts_vec3){c * p.x - s * p.y, s * p.x + c * p.y, p.z}) < 10 * ROUNDING);
+        }
+    }
+    roberts_scene_free(scene);
+}
+
+/* Camera and scene turned together give the same picture. The box is upright, so that it keeps its centre. */
+static void turning_goes_about_the_centre(void **state)
+{
+    rng r = {23};
+    const roberts_vec3 low = {3, 5, -2}, centre = {4, 6, -1};
+    roberts_scene *scene = cube_scene(low, 2);
+    (void)state;
+    for (int i = 0; i < 300; i++) {
+        roberts_camera camera = random_camera(&r, i % PROJECTIONS), turned;
+        if (i % 5 == 0) /* from above, where nothing says what is up */
+            camera = (roberts_camera){.dir = {0, 0, 1}};
+        double degrees = i % 3 == 0 ? 90.0 * rng_int(&r, -4, 4) : rng_between(&r, -360, 360);
+        camera.eye = vec3_add(camera.eye, centre);
+        camera.look_at = vec3_add(camera.look_at, centre);
+        turned = camera;
+        roberts_camera_turn(scene, degrees, &turned);
+        view v = prepare(scene, &camera), w = prepare(scene, &turned);
+        double c = cos(degrees * atan(1) / 45), s = sin(degrees * atan(1) / 45);
+        for (int k = 0; k < 8; k++) {
+            roberts_vec3 d = {k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1};
+            roberts_vec3 t = {c * d.x - s * d.y, s * d.x + c * d.y, d.z};
+            assert_true(distance3(view_point(&v, vec3_add(centre, d)), view_point(&w, vec3_add(centre, t))) <
+                        10 * ROUNDING);
+        }
+    }
+    roberts_scene_free(scene);
+}
+
 /* Oblique: width and height are true, depth goes up to the right at 45 degrees, in full or in half. */
 static void oblique_presets(void **state)
 {
@@ -189,20 +334,6 @@ static void frames_at_random(void **state)
 }
 
 /* ---- the two projections ------------------------------------------------------------------------------------------ */
-
-enum { ORTHOGRAPHIC, PERSPECTIVE, OBLIQUE, PROJECTIONS };
-
-static roberts_camera random_camera(rng *r, int projection)
-{
-    mat3 a = mat3_turn(r);
-    roberts_vec2 oblique = {rng_between(r, -1, 1), rng_between(r, -1, 1)};
-    if (projection != PERSPECTIVE)
-        return (roberts_camera){
-            .dir = a.x, .up = a.y, .oblique = projection == OBLIQUE ? oblique : (roberts_vec2){0, 0}};
-    return (roberts_camera){ROBERTS_PERSPECTIVE, .eye = vec3_scale(rng_between(r, 9, 40), a.x),
-                            .look_at = {rng_between(r, -1, 1), rng_between(r, -1, 1), rng_between(r, -1, 1)},
-                            .has_look_at = true, .up = a.y};
-}
 
 static roberts_vec3 random_point(rng *r)
 {
@@ -548,21 +679,16 @@ static void huge_and_tiny(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(presets_by_table),
-        cmocka_unit_test(presets_that_are_none),
-        cmocka_unit_test(presets_foreshorten),
-        cmocka_unit_test(oblique_presets),
-        cmocka_unit_test(up_by_table),
-        cmocka_unit_test(frames_at_random),
-        cmocka_unit_test(orthographic_is_a_rigid_motion),
-        cmocka_unit_test(perspective_pictures),
-        cmocka_unit_test(parameters_along_lines),
-        cmocka_unit_test(oblique_sight_lines),
-        cmocka_unit_test(planes_stay_planes),
-        cmocka_unit_test(facing_by_table),
-        cmocka_unit_test(facing_of_needles),
-        cmocka_unit_test(refused_by_table),
-        cmocka_unit_test(epsilon_by_table),
+        cmocka_unit_test(presets_by_table),       cmocka_unit_test(presets_that_are_none),
+        cmocka_unit_test(presets_foreshorten),    cmocka_unit_test(trimetric_has_three_scales),
+        cmocka_unit_test(angles_by_table),        cmocka_unit_test(angles_foreshorten),
+        cmocka_unit_test(roll_turns_the_drawing), cmocka_unit_test(turning_goes_about_the_centre),
+        cmocka_unit_test(oblique_presets),        cmocka_unit_test(up_by_table),
+        cmocka_unit_test(frames_at_random),       cmocka_unit_test(orthographic_is_a_rigid_motion),
+        cmocka_unit_test(perspective_pictures),   cmocka_unit_test(parameters_along_lines),
+        cmocka_unit_test(oblique_sight_lines),    cmocka_unit_test(planes_stay_planes),
+        cmocka_unit_test(facing_by_table),        cmocka_unit_test(facing_of_needles),
+        cmocka_unit_test(refused_by_table),       cmocka_unit_test(epsilon_by_table),
         cmocka_unit_test(huge_and_tiny),
     };
     return cmocka_run_group_tests_name("view", tests, NULL, NULL);

@@ -24,6 +24,9 @@ typedef enum option_id {
     OPTION_NEAR,
     OPTION_FOV,
     OPTION_UP,
+    OPTION_AZIMUTH,
+    OPTION_ELEVATION,
+    OPTION_ROLL,
     OPTION_HIDDEN,
     OPTION_CREASE,
     OPTION_ALL_EDGES,
@@ -56,6 +59,9 @@ static const struct option {
     [OPTION_NEAR] = {"near", 0, VALUE},
     [OPTION_FOV] = {"fov", 0, VALUE},
     [OPTION_UP] = {"up", 0, VALUE},
+    [OPTION_AZIMUTH] = {"azimuth", 0, VALUE},
+    [OPTION_ELEVATION] = {"elevation", 0, VALUE},
+    [OPTION_ROLL] = {"roll", 0, VALUE},
     [OPTION_HIDDEN] = {"hidden", 0, VALUE},
     [OPTION_CREASE] = {"crease", 0, VALUE},
     [OPTION_ALL_EDGES] = {"all-edges", 0, NO_VALUE},
@@ -73,14 +79,17 @@ static const struct option {
 
 /* Options that leave no sense together. */
 static const option_id conflict[][2] = {
-    {OPTION_DIR, OPTION_VIEW},    {OPTION_DIR, OPTION_EYE},      {OPTION_VIEW, OPTION_EYE},
-    {OPTION_DIR, OPTION_LOOK_AT}, {OPTION_VIEW, OPTION_LOOK_AT}, {OPTION_CREASE, OPTION_ALL_EDGES},
+    {OPTION_DIR, OPTION_VIEW},      {OPTION_DIR, OPTION_EYE},        {OPTION_VIEW, OPTION_EYE},
+    {OPTION_DIR, OPTION_LOOK_AT},   {OPTION_VIEW, OPTION_LOOK_AT},   {OPTION_CREASE, OPTION_ALL_EDGES},
+    {OPTION_AZIMUTH, OPTION_DIR},   {OPTION_AZIMUTH, OPTION_VIEW},   {OPTION_AZIMUTH, OPTION_EYE},
+    {OPTION_ELEVATION, OPTION_DIR}, {OPTION_ELEVATION, OPTION_VIEW}, {OPTION_ELEVATION, OPTION_EYE},
 };
 
 typedef struct parser {
     cli_options *options;
     bool given[OPTION_COUNT];
     roberts_vec3 up;
+    double azimuth, elevation, roll; /* degrees */
 } parser;
 
 /* ---- values ---- */
@@ -106,8 +115,8 @@ static int set_format(cli_options *options, const char *value)
 
 static int set_view(cli_options *options, const char *value)
 {
-    static const char *const names[] = {"iso",  "dimetric", "trimetric", "front", "back",
-                                        "left", "right",    "top",       "bottom"};
+    static const char *const names[] = {"iso",   "dimetric", "trimetric", "front",    "back",   "left",
+                                        "right", "top",      "bottom",    "cavalier", "cabinet"};
     if (roberts_camera_preset(value, &options->camera))
         return EXIT_DONE;
     return unknown_word("--view", value, names, sizeof names / sizeof names[0]);
@@ -158,13 +167,18 @@ static int set_direction(const char *name, const char *value, roberts_vec3 *vect
     return status;
 }
 
-static int set_number(const char *name, const char *value, double max, double *number)
+static int set_number_between(const char *name, const char *value, double min, double max, double *number)
 {
     if (!parse_number(value, number))
         return message_misuse("--%s: \"%s\" is not a number", name, value);
-    if (!(*number >= 0.0 && *number <= max))
-        return message_misuse("--%s: %s is not in 0..%g", name, value, max);
+    if (!(*number >= min && *number <= max))
+        return message_misuse("--%s: %s is not in %g..%g", name, value, min, max);
     return EXIT_DONE;
+}
+
+static int set_number(const char *name, const char *value, double max, double *number)
+{
+    return set_number_between(name, value, 0.0, max, number);
 }
 
 static int set_integer(const char *name, const char *value, uint32_t *number)
@@ -204,6 +218,12 @@ static int apply(parser *p, option_id id, const char *value)
         return set_number(name, value, 179.0, &options->camera.fov_degrees);
     case OPTION_UP:
         return set_direction(name, value, &p->up);
+    case OPTION_AZIMUTH:
+        return set_number_between(name, value, -360.0, 360.0, &p->azimuth);
+    case OPTION_ELEVATION:
+        return set_number_between(name, value, -90.0, 90.0, &p->elevation);
+    case OPTION_ROLL:
+        return set_number_between(name, value, -360.0, 360.0, &p->roll);
     case OPTION_HIDDEN:
         return set_hidden(options, value);
     case OPTION_CREASE:
@@ -333,6 +353,17 @@ static int choose_format(const parser *p)
     return EXIT_DONE;
 }
 
+/* What several options make of the camera, in whatever order they came. */
+static void set_camera(const parser *p)
+{
+    roberts_camera *camera = &p->options->camera;
+    if (p->given[OPTION_AZIMUTH] || p->given[OPTION_ELEVATION])
+        roberts_camera_angles(p->azimuth, p->elevation, 0.0, camera);
+    if (p->given[OPTION_UP])
+        camera->up = p->up;
+    camera->roll_degrees = p->roll;
+}
+
 int options_parse(int argc, char **argv, cli_options *options)
 {
     static char standard_input[] = "-";
@@ -353,11 +384,10 @@ int options_parse(int argc, char **argv, cli_options *options)
     }
     options->input = operands ? argv : nothing_named;
     options->input_count = operands ? (size_t)operands : 1;
-    if (p.given[OPTION_UP])
-        options->camera.up = p.up; /* whatever order --up and --view came in */
     if (options->help || options->version)
         return EXIT_DONE;
     if ((status = check_conflicts(&p)) != EXIT_DONE)
         return status;
+    set_camera(&p);
     return choose_format(&p);
 }

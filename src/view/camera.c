@@ -1,7 +1,8 @@
-/* camera.c - the named views. */
+/* camera.c - the named views, those by angles, and turning about the scene. */
 #include <string.h>
 
-#include "roberts.h"
+#include "base/angle.h"
+#include "model/scene.h"
 
 bool roberts_camera_preset(const char *name, roberts_camera *camera)
 {
@@ -30,4 +31,47 @@ bool roberts_camera_preset(const char *name, roberts_camera *camera)
         }
     }
     return false;
+}
+
+/* With azimuth a and elevation e the viewer is at (sin a cos e, -cos a cos e, sin e); up is the derivative by e, which
+ * has a direction at the zenith too. */
+bool roberts_camera_angles(double azimuth, double elevation, double roll, roberts_camera *camera)
+{
+    if (!isfinite(azimuth) || !isfinite(roll) || !(fabs(elevation) <= 90.0))
+        return false;
+    roberts_vec2 a = angle_unit(azimuth), e = angle_unit(elevation);
+    *camera =
+        (roberts_camera){.dir = {a.y * e.x, -a.x * e.x, e.y}, .up = {-a.y * e.y, a.x * e.y, e.x}, .roll_degrees = roll};
+    return true;
+}
+
+static roberts_vec3 turned(roberts_vec3 v, roberts_vec2 by)
+{
+    return (roberts_vec3){by.x * v.x - by.y * v.y, by.y * v.x + by.x * v.y, v.z};
+}
+
+static roberts_vec3 turned_about(roberts_vec3 centre, roberts_vec3 P, roberts_vec2 by)
+{
+    return vec3_add(centre, turned(vec3_sub(P, centre), by));
+}
+
+static bool is_upright(roberts_vec3 v)
+{
+    return v.x == 0.0 && v.y == 0.0;
+}
+
+/* What is up from straight above or below by default, +y, does not turn by itself as +z does. */
+void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_camera *camera)
+{
+    const roberts_vec3 centre = scene->centre;
+    const roberts_vec2 by = angle_unit(degrees);
+    roberts_vec3 dir = camera->dir;
+    if (camera->projection == ROBERTS_PERSPECTIVE)
+        dir = vec3_sub(camera->eye, camera->has_look_at ? camera->look_at : centre);
+    if (is_upright(dir) && is_upright(camera->up))
+        camera->up = (roberts_vec3){0.0, 1.0, 0.0};
+    camera->dir = turned(camera->dir, by);
+    camera->up = turned(camera->up, by);
+    camera->eye = turned_about(centre, camera->eye, by);
+    camera->look_at = turned_about(centre, camera->look_at, by);
 }

@@ -4,6 +4,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "base/angle.h"
 #include "base/error.h"
 
 /* Touching distance as a part of the scene's diameter: far above rounding (1e-16), far below a pen (1e-4 of a page). */
@@ -45,9 +46,18 @@ static roberts_vec3 unit_vector(roberts_vec3 a)
     return vec3_scale(1.0 / vec3_length(a), a);
 }
 
+/* The drawing counter-clockwise: a point that was right of the origin comes up. */
+static void roll_frame(view *v, double degrees)
+{
+    roberts_vec2 by = angle_unit(degrees);
+    roberts_vec3 right = v->right, up = v->up;
+    v->right = vec3_sub(vec3_scale(by.x, right), vec3_scale(by.y, up));
+    v->up = vec3_add(vec3_scale(by.y, right), vec3_scale(by.x, up));
+}
+
 /* Right and up of the picture: `up` made perpendicular to the line of sight. Where it is zero or parallel to it, +z and
  * then +y take its place. */
-static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up)
+static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up, double roll_degrees)
 {
     const roberts_vec3 choices[] = {unit_vector(up), {0, 0, 1}, {0, 1, 0}};
     v->dir = unit_vector(dir);
@@ -56,6 +66,8 @@ static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up)
         if (vec3_length(right) > PARALLEL) {
             v->right = unit_vector(right);
             v->up = vec3_cross(v->dir, v->right);
+            if (roll_degrees != 0.0) /* else -0 might become 0 */
+                roll_frame(v, roll_degrees);
             return;
         }
     }
@@ -196,7 +208,8 @@ static void set_sight_line(view *v, const roberts_camera *camera)
     frexp(largest(camera->dir), &exponent);
     v->viewpoint = (roberts_vec3){ldexp(camera->dir.x, -exponent), ldexp(camera->dir.y, -exponent),
                                   ldexp(camera->dir.z, -exponent)};
-    v->oblique = camera->oblique;
+    roberts_vec2 by = angle_unit(camera->roll_degrees), oblique = camera->oblique; /* turns with the drawing */
+    v->oblique = (roberts_vec2){by.x * oblique.x - by.y * oblique.y, by.y * oblique.x + by.x * oblique.y};
     if (v->oblique.x != 0.0 || v->oblique.y != 0.0)
         v->viewpoint = vec3_add(v->dir, vec3_add(vec3_scale(v->oblique.x, v->right), vec3_scale(v->oblique.y, v->up)));
     v->viewpoint_depth = vec3_dot(v->viewpoint, v->dir);
@@ -219,8 +232,8 @@ static roberts_status check_camera(const roberts_camera *camera, double epsilon,
         fmax(fabs(camera->oblique.x), fabs(camera->oblique.y)) > OBLIQUE_MOST)
         return error_set(error, ROBERTS_BAD_VIEW, 0, "an oblique view moves a unit of depth by no more than %g",
                          OBLIQUE_MOST);
-    if (!finite3(camera->up))
-        return error_set(error, ROBERTS_BAD_VIEW, 0, "the up vector must be finite");
+    if (!finite3(camera->up) || !isfinite(camera->roll_degrees))
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the up vector and the roll must be finite");
     return ROBERTS_OK;
 }
 
@@ -249,7 +262,7 @@ roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_c
         if (!finite3(dir) || largest(dir) == 0.0)
             return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is at the point that it looks at");
     }
-    set_frame(v, dir, camera->up);
+    set_frame(v, dir, camera->up, camera->roll_degrees);
     if (!v->perspective)
         set_sight_line(v, camera);
     if (v->perspective && (status = set_eye(v, scene, camera, error)) != ROBERTS_OK)
