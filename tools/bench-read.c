@@ -115,7 +115,7 @@ int main(int argc, char **argv)
 {
     double ours[RUNS_MAX], others[RUNS_MAX];
     tally s = {0};
-    int runs = argc == 3 ? atoi(argv[2]) : 1;
+    int runs = argc == 3 ? (int)strtol(argv[2], NULL, 10) : 1;
     if ((argc != 2 && argc != 3) || runs < 1 || runs > RUNS_MAX) {
         fprintf(stderr, "usage: bench-read FILE.off [RUNS]    (RUNS from 1 to %d)\n", RUNS_MAX);
         return 2;

@@ -61,7 +61,6 @@ find_missing() {
         lint)
             need clang has_command clang
             need libomp-dev has_header clang c omp.h
-            need libomp-dev has_header "clang -fopenmp" c omp.h
             need clang-format has_command clang-format
             need clang-tidy has_command clang-tidy
             need cppcheck has_command cppcheck
