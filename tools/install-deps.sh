@@ -26,6 +26,10 @@ has_library() {
     pkg-config --exists "$1" 2>/dev/null
 }
 
+has_fuzzer() {
+    ls "$(clang -print-runtime-dir 2>/dev/null)"/libclang_rt.fuzzer* >/dev/null 2>&1
+}
+
 has_package() {
     [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
@@ -66,7 +70,8 @@ find_missing() {
             need cppcheck has_command cppcheck
             ;;
         fuzz)
-            need clang has_command clang # brings libFuzzer and the sanitizers
+            need clang has_command clang
+            need libclang-rt-dev has_fuzzer
             ;;
         *)
             echo "usage: $0 [build] [test] [lint] [fuzz]" >&2
