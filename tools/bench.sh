@@ -1,11 +1,12 @@
 #!/bin/sh
-# Measures the program: tools/bench.sh [PART]...    (all but `baseline` unless given; `make bench` builds first)
+# Measures the program: tools/bench.sh [PART]...    (the first three unless given; `make bench` builds first)
 #
 #   scenes        lattice, city, wall and plates of a thousand solids to a million, and ../shared/scenes where present:
 #                 each stage, memory, growth; drawn as SVG; read by strtod(); two threads against one
 #   worst         scenes that are hard, each for one reason
 #   instructions  instructions executed, counted by callgrind, against tools/bench-baseline.txt
 #   baseline      the same, and writes that file anew
+#   tables        measures nothing: prints the tables of what was measured last, also of a run that was broken off
 #
 # Prints tables, and writes the same figures, tab-separated, to build/bench/. A row is the run of median CPU time, of
 # nine for a thousand solids down to one for a million. Scenes are made there by make-models and kept, but for those of
@@ -335,6 +336,7 @@ for part in "$@"; do
     worst) worst ;;
     instructions) instructions ;;
     baseline) renew_baseline ;;
+    tables) set -- scenes worst instructions ;;
     *)
         sed -n '2,/^set/s/^# \{0,1\}//p' "$0" >&2
         exit 2
