@@ -49,9 +49,12 @@ die() {
 
 # ---- scenes ----------------------------------------------------------------------------------------------------------
 
+large= # the scene of a million solids that is there, if any; the next one takes its place
+
 # scene FAMILY N: sets `file` to that scene, made where it is not there or the generator is newer
 scene() {
     file=$out/$1-$2.off
+    rm -f "$large"
     if [ ! -s "$file" ] || [ -n "$(find tools/make-models.c tools/models -newer "$file")" ]; then
         "$build/tools/make-models" "$1" "$2" >"$out/scene.part" || die "make-models $1 $2 failed"
         mv "$out/scene.part" "$file"
@@ -187,10 +190,8 @@ scenes() {
         for size in 1000 10000 100000 1000000; do
             [ $size -le "$most" ] || break
             scene $family "$(argument $family $size)"
-            one_scene $family "$file" "$(runs_for $size)"
-            status=$?
-            [ $size -lt 1000000 ] || rm -f "$file"
-            [ $status -eq 0 ] || break
+            [ $size -lt 1000000 ] || large=$file
+            one_scene $family "$file" "$(runs_for $size)" || break
         done
     done
     if [ -d "$shared/scenes" ]; then
@@ -209,10 +210,8 @@ grow() {
     for size in $sizes; do
         [ "$size" -le "$most" ] || break
         scene "$family" "$(argument "$family" "$size")"
-        measure worst stages "$name" "$(runs_for "$size")" 1 null "$@" "$file"
-        status=$?
-        [ "$size" -lt 1000000 ] || rm -f "$file"
-        [ $status -eq 0 ] || break
+        [ "$size" -lt 1000000 ] || large=$file
+        measure worst stages "$name" "$(runs_for "$size")" 1 null "$@" "$file" || break
     done
 }
 
@@ -326,7 +325,7 @@ show() {
 [ -x "$roberts" ] && [ -x "$build/tools/make-models" ] && [ -x "$build/tools/bench-read" ] ||
     die "not built: make all tools"
 mkdir -p "$out" || exit 1
-trap 'rm -f "$out/scene.part" "$out/moved.off" "$out/runs" "$out/stats"' EXIT
+trap 'rm -f "$out/scene.part" "$out/moved.off" "$out/runs" "$out/stats" "$large"' EXIT
 trap 'exit 130' INT TERM
 [ $# -gt 0 ] || set -- scenes worst instructions
 
