@@ -229,6 +229,7 @@ typedef struct roberts_segment {
     roberts_vec2 p0,
         p1;        /**< its ends in the picture, model units; of a clipped part both are where it is cut (0,0 where
                               the whole edge is clipped) */
+    double z0, z1; /**< how near the viewer p0 and p1 are: greater is nearer; linear along the line in the picture */
     uint8_t state; /**< roberts_state */
     uint8_t line;  /**< roberts_line */
 } roberts_segment;
@@ -518,6 +519,26 @@ typedef struct roberts_page {
     double margin_mm;           /**< on all four sides, less than half of the shorter */
 } roberts_page;
 
+/** How a drawing is laid on its page. A zeroed struct fits it into the margins. */
+typedef struct roberts_placement {
+    double scale;   /**< length on paper by length of the model, 0.05 for 1:20; 0 = as large as the margins allow */
+    double unit_mm; /**< a model unit in mm, for `scale`; 0 = 1 */
+    int align_x, align_y; /**< -1 left or bottom, 0 centre, 1 right or top margin */
+} roberts_placement;
+
+/** In which order the pen draws the lines of a class. */
+typedef enum roberts_order {
+    ROBERTS_ORDER_TRAVEL, /**< chained as far as they meet, and ordered for short ways of the lifted pen */
+    ROBERTS_ORDER_NONE,   /**< as in the drawing; chained where a line goes on from the end of the one before */
+} roberts_order;
+
+/** What was drawn on a page. */
+typedef struct roberts_ink {
+    size_t strokes;        /**< how often the pen goes down */
+    double down_mm, up_mm; /**< the ways of the pen on and over the paper, from the first stroke to the last */
+    double scale;          /**< mm on paper by model unit */
+} roberts_ink;
+
 /** Where save has an unfinished file: called with its name just before it is created, and with NULL once it is renamed
  * or removed, so that a program can remove it when it is interrupted. The name is valid between the two calls. */
 typedef void roberts_temporary_fn(void *context, const char *path);
@@ -530,7 +551,13 @@ typedef struct roberts_draw_options {
     roberts_pen outline;             /**< default: 0.5 mm */
     roberts_pen crease;              /**< default: 0.35 mm */
     roberts_pen back;                /**< hidden lines; default: 0.25 mm, dashes of 12 and gaps of 3 widths (ISO 128) */
+    roberts_pen frame;               /**< round what the margins leave; default: off, 0.7 mm (ISO 5457) */
+    roberts_placement placement;     /**< default: fitted, in the middle */
+    roberts_order order;             /**< default: ROBERTS_ORDER_TRAVEL */
+    bool real_dashes;                /**< dashes as strokes of their own, for pens; default: as a pattern of the line */
     double dpi;                      /**< PNG: dots per inch; default: 150 */
+    const char *title, *description; /**< SVG: UTF-8; NULL: none */
+    roberts_ink *ink;                /**< NULL, or filled when a page is written */
     roberts_temporary_fn *temporary; /**< NULL: not needed */
     void *temporary_context;
 } roberts_draw_options;
@@ -543,9 +570,12 @@ typedef bool roberts_write_fn(void *context, const void *bytes, size_t size);
 /**
  * Writes `drawing` in blocks to `write`.
  * options  NULL for the defaults
- * The same drawing and options give the same bytes, on every run and in every locale. SVG is true to 0.0005 mm (0.005
- * mm on pages longer than 4 m). Segments shorter than that on paper are not drawn; tables have them all.
- * Returns ROBERTS_OK, _NO_MEMORY, _IO (a write failed), _BAD_NUMBER (a segment is not finite) or _BAD_ARGUMENT.
+ * The same drawing and options give the same bytes, on every run and in every locale. SVG is true to 0.0005 mm
+ * where nothing is joined (all lengths here times ten on pages longer than 4 m). On pages no line is drawn twice: of
+ * segments that lie on one another the nearest is drawn; parts of one line and class that are 0.001 mm apart or less
+ * are joined, as are ends; and what is no longer than that may be left out. Tables have all segments as they are.
+ * Returns ROBERTS_OK, _NO_MEMORY, _IO (a write failed), _BAD_NUMBER (a segment is not finite) or _BAD_ARGUMENT (also: at
+ * its scale the drawing leaves the page).
  */
 roberts_status roberts_drawing_write(const roberts_drawing *drawing, const roberts_draw_options *options,
                                      roberts_write_fn *write, void *context, roberts_error *error);

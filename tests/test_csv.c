@@ -140,9 +140,9 @@ static void commas_become_points(void **state)
 #define HEAD "solid,v0,v1,t0,t1,state,x0,y0,x1,y1,by\n"
 
 static roberts_segment three[] = {
-    {0, 0, 1, ROBERTS_NONE, 0.0, 0.5, {0.0, -1.5}, {1e-7, 2e20}, ROBERTS_VISIBLE, ROBERTS_OUTLINE},
-    {0, 0, 1, 7, 0.5, 1.0, {1e-7, 2e20}, {0.1, 3.0}, ROBERTS_HIDDEN, ROBERTS_OUTLINE},
-    {4294967294u, 9, 10, ROBERTS_NONE, 0.25, 1.0, {-0.0, 1.0}, {1.0, 1.0}, ROBERTS_CLIPPED, ROBERTS_CREASE},
+    {0, 0, 1, ROBERTS_NONE, 0.0, 0.5, {0.0, -1.5}, {1e-7, 2e20}, 0.0, 0.0, ROBERTS_VISIBLE, ROBERTS_OUTLINE},
+    {0, 0, 1, 7, 0.5, 1.0, {1e-7, 2e20}, {0.1, 3.0}, 0.0, 0.0, ROBERTS_HIDDEN, ROBERTS_OUTLINE},
+    {4294967294u, 9, 10, ROBERTS_NONE, 0.25, 1.0, {-0.0, 1.0}, {1.0, 1.0}, 0.0, 0.0, ROBERTS_CLIPPED, ROBERTS_CREASE},
 };
 
 static const struct {

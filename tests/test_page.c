@@ -77,6 +77,57 @@ static void any_box_fits(void **state)
     }
 }
 
+/* The box 0,0 .. 40,20 on A4. */
+static const struct {
+    const char *name;
+    roberts_placement placement;
+    roberts_vec2 corner; /* where 0,0 comes to lie */
+    double scale;        /* mm by model unit */
+    const char *refused; /* part of the message */
+} lay_cases[] = {
+    {"fitted", {0, 0, 0, 0}, {10, 196}, 4.75, NULL},
+    {"fitted, the unit changes nothing", {0, 1000, 0, 0}, {10, 196}, 4.75, NULL},
+    {"fitted, at the top", {0, 0, 0, 1}, {10, 105}, 4.75, NULL},
+    {"fitted, at the bottom", {0, 0, 0, -1}, {10, 287}, 4.75, NULL},
+    {"fitted, no room to move aside", {0, 0, 1, 0}, {10, 196}, 4.75, NULL},
+    {"1:1", {1, 0, 0, 0}, {85, 158.5}, 1, NULL},
+    {"1:1, lower left", {1, 0, -1, -1}, {10, 287}, 1, NULL},
+    {"1:1, upper right", {1, 0, 1, 1}, {160, 30}, 1, NULL},
+    {"1:20 of metres", {0.05, 1000, -1, -1}, {0, 0}, 50, "1:20 the drawing is 2000 x 1000 mm"},
+    {"1:20 of metres: what would fit", {0.05, 1000, 0, 0}, {0, 0}, 50, "190 x 277; 1:211 would fit"},
+    {"1:211 of metres", {1 / 211.0, 1000, 0, 0}, {105 - 20000 / 211.0, 148.5 + 10000 / 211.0}, 1000 / 211.0, NULL},
+    {"1:210 of metres", {1 / 210.0, 1000, 0, 0}, {0, 0}, 0, "1:211 would fit"},
+    {"inches", {0.1, 25.4, -1, 1}, {10, 60.8}, 2.54, NULL},
+    {"fills the page", {4.75, 1, 0, 0}, {10, 196}, 4.75, NULL},
+    {"5:1", {5, 1, 0, 0}, {0, 0}, 0, "at 5:1 the drawing is 200 x 100 mm and would leave the page"},
+    {"5:1: what would fit", {5, 1, 0, 0}, {0, 0}, 0, "; 4.75:1 would fit"},
+    {"negative", {-1, 1, 0, 0}, {0, 0}, 0, "placement"},
+    {"not a number", {NAN, 1, 0, 0}, {0, 0}, 0, "placement"},
+    {"infinite unit", {1, INFINITY, 0, 0}, {0, 0}, 0, "placement"},
+    {"aligned beyond", {1, 1, 2, 0}, {0, 0}, 0, "placement"},
+};
+
+static void laid(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof lay_cases / sizeof lay_cases[0]; i++) {
+        page_map map;
+        roberts_error error = {0};
+        bool done = page_lay(&a4, &lay_cases[i].placement, (roberts_vec2){0, 0}, (roberts_vec2){40, 20}, &map, &error);
+        print_message("%s: %s\n", lay_cases[i].name, error.message);
+        assert_int_equal(done, lay_cases[i].refused == NULL);
+        if (done) {
+            roberts_vec2 q = page_place(&map, (roberts_vec2){0, 0});
+            print_message("%.17g, %.17g\n", q.x, q.y);
+            assert_true(fabs(q.x - lay_cases[i].corner.x) < 1e-9 && fabs(q.y - lay_cases[i].corner.y) < 1e-9);
+            assert_true(fabs(page_scale(&map) - lay_cases[i].scale) < 1e-9);
+        } else {
+            assert_int_equal(error.status, ROBERTS_BAD_ARGUMENT);
+            assert_non_null(strstr(error.message, lay_cases[i].refused));
+        }
+    }
+}
+
 static const struct {
     const char *name;
     roberts_page page;
@@ -109,13 +160,20 @@ static void pages_are_checked(void **state)
 
 /* ---- strokes ---- */
 
+static strokes made(const roberts_drawing *drawing, const roberts_draw_options *options)
+{
+    strokes s;
+    assert_int_equal(strokes_make(&s, drawing, options, NULL), ROBERTS_OK);
+    return s;
+}
+
 static size_t count_strokes(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_line line)
 {
-    strokes s = strokes_prepare(drawing, options);
-    size_t at = 0, count = 0;
-    stroke next;
-    while (strokes_next(&s, line, &at, &next))
-        count++;
+    strokes s = made(drawing, options);
+    size_t count = 0;
+    for (int i = 0; i < LINE_CLASSES; i++)
+        count += line_order[i] == line ? s.start[i + 1] - s.start[i] : 0;
+    strokes_free(&s);
     return count;
 }
 
@@ -161,18 +219,20 @@ static void what_is_not_drawn_takes_no_room(void **state)
     roberts_draw_options options = roberts_draw_options_default();
     (void)state;
     two[1].state = ROBERTS_HIDDEN;
-    strokes without = strokes_prepare(&drawing, &options);
+    strokes without = made(&drawing, &options);
     options.hidden = ROBERTS_HIDDEN_DASHED;
-    strokes with = strokes_prepare(&drawing, &options);
+    strokes with = made(&drawing, &options);
     assert_true(page_place(&without.map, (roberts_vec2){1, 0}).x == 200.0);
     assert_true(page_place(&with.map, (roberts_vec2){1, 0}).x == 105.0);
+    strokes_free(&without);
+    strokes_free(&with);
 }
 
-/* Edges seen end-on, and those shorter than the page's unit. */
+/* Edges seen end-on, and those whose ends are one place. */
 static void strokes_have_length(void **state)
 {
-    roberts_segment some[] = {line_at(ROBERTS_OUTLINE, 0, 0, 190, 0), line_at(ROBERTS_OUTLINE, 5, 0, 5, 0),
-                              line_at(ROBERTS_OUTLINE, 6, 0, 6.0001, 0), line_at(ROBERTS_OUTLINE, 7, 0, 7.0015, 0)};
+    roberts_segment some[] = {line_at(ROBERTS_OUTLINE, 0, 0, 190, 0), line_at(ROBERTS_OUTLINE, 5, 1, 5, 1),
+                              line_at(ROBERTS_OUTLINE, 6, 2, 6.0001, 2), line_at(ROBERTS_OUTLINE, 7, 3, 7.003, 3)};
     roberts_drawing drawing = {.count = 4, .segment = some};
     roberts_draw_options options = roberts_draw_options_default();
     (void)state;
@@ -186,6 +246,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(fitted),
         cmocka_unit_test(any_box_fits),
+        cmocka_unit_test(laid),
         cmocka_unit_test(pages_are_checked),
         cmocka_unit_test(each_class_has_its_pen),
         cmocka_unit_test(what_is_not_drawn_takes_no_room),

@@ -109,6 +109,7 @@ static void lines_are_true(void **state)
         roberts_drawing drawing = random_drawing(600, true_cases[i].size, true_cases[i].corner);
         roberts_draw_options options = roberts_draw_options_default();
         double worst = 0.0;
+        options.order = ROBERTS_ORDER_NONE;
         options.page = true_cases[i].page;
         options.hidden = ROBERTS_HIDDEN_DASHED;
         char *text = written(&drawing, &options, NULL);
@@ -212,6 +213,7 @@ static void texts(void **state)
     for (size_t i = 0; i < sizeof text_cases / sizeof text_cases[0]; i++) {
         roberts_drawing drawing = {.count = text_cases[i].count, .segment = few + text_cases[i].first};
         roberts_draw_options options = roberts_draw_options_default();
+        options.order = ROBERTS_ORDER_NONE;
         options.page = text_cases[i].page;
         options.hidden = text_cases[i].hidden;
         char *text = written(&drawing, &options, NULL);
@@ -253,8 +255,10 @@ static void no_stroke_is_lost(void **state)
         roberts_drawing drawing = random_drawing(counts[i], 1.0, (roberts_vec2){0, 0});
         roberts_draw_options options = roberts_draw_options_default();
         size_t moves = 0, lines = 0, paths = 0;
+        options.order = ROBERTS_ORDER_NONE;
         for (size_t n = 0; n < drawing.count; n++)
-            drawing.segment[n].state = ROBERTS_VISIBLE, drawing.segment[n].line = ROBERTS_OUTLINE;
+            drawing.segment[n] = line_at(ROBERTS_OUTLINE, (double)(n % 400), (double)(n / 400), (double)(n % 400) + 0.4,
+                                         (double)(n / 400) + 0.2); /* none meets another */
         char *text = written(&drawing, &options, NULL);
         for (const char *at = strstr(text, "<path"); *at; at++) {
             moves += at[0] == 'M' && at[1] == ' ';

@@ -11,7 +11,7 @@ void ink_pen(cairo_t *cairo, const roberts_draw_options *options, roberts_line l
 {
     const roberts_pen *pen = strokes_pen(options, line);
     double dash[2];
-    bool dashed = strokes_dash(options, line, dash);
+    bool dashed = strokes_dash(options, line, dash) && !options->real_dashes;
     cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_width(cairo, pen->width_mm);
@@ -19,18 +19,31 @@ void ink_pen(cairo_t *cairo, const roberts_draw_options *options, roberts_line l
     cairo_set_dash(cairo, dash, dashed ? 2 : 0, 0.0);
 }
 
-size_t ink_strokes(cairo_t *cairo, const strokes *s, roberts_line line, size_t *at, size_t most)
+static void add_line(cairo_t *cairo, const strokes *s, const polyline *line)
 {
-    size_t count = 0;
-    stroke next;
-    while (count < most && strokes_next(s, line, at, &next)) {
-        cairo_move_to(cairo, next.a.x / s->units_per_mm, next.a.y / s->units_per_mm);
-        cairo_line_to(cairo, next.b.x / s->units_per_mm, next.b.y / s->units_per_mm);
-        if (++count % INK_SEGMENTS_PER_STROKE == 0)
+    const page_point *p = s->lines.point + line->first;
+    cairo_move_to(cairo, p->x / s->units_per_mm, p->y / s->units_per_mm);
+    for (uint32_t i = 1; i < line->count; i++)
+        cairo_line_to(cairo, p[i].x / s->units_per_mm, p[i].y / s->units_per_mm);
+    if (line->closed)
+        cairo_close_path(cairo);
+}
+
+size_t ink_strokes(cairo_t *cairo, const strokes *s, size_t *at, size_t end, size_t most)
+{
+    size_t paths = 0, segments = 0, total = 0;
+    while (*at < end && total < most) {
+        const polyline *line = &s->lines.item[(*at)++];
+        add_line(cairo, s, line);
+        segments += line->count;
+        total += line->count;
+        if (segments >= INK_SEGMENTS_PER_STROKE || *at == end || total >= most) {
             cairo_stroke(cairo);
+            segments = 0;
+            paths++;
+        }
     }
-    cairo_stroke(cairo); /* what is left, if any */
-    return count;
+    return paths;
 }
 
 cairo_status_t ink_stream(void *out, const unsigned char *bytes, unsigned size)

@@ -12,9 +12,9 @@ enum { INK_SEGMENTS_PER_STROKE = 1000 };
 /* Width, dashes, caps and colour for a class of lines. `cairo` has mm as its units, here and below. */
 void ink_pen(cairo_t *cairo, const roberts_draw_options *options, roberts_line line);
 
-/* Draws at most `most` strokes of one class from segment `*at` on, which moves on, as paths of
- * INK_SEGMENTS_PER_STROKE. Returns how many strokes there were. */
-size_t ink_strokes(cairo_t *cairo, const strokes *s, roberts_line line, size_t *at, size_t most);
+/* Draws polylines from `*at` on, up to `end` or until there are `most` segments; `*at` moves on. As few paths as hold
+ * INK_SEGMENTS_PER_STROKE each; returns how many. */
+size_t ink_strokes(cairo_t *cairo, const strokes *s, size_t *at, size_t end, size_t most);
 
 /* A writer for Cairo's streams; the closure is an output. Failures are kept there. */
 cairo_status_t ink_stream(void *out, const unsigned char *bytes, unsigned size);

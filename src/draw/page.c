@@ -1,7 +1,9 @@
-/* page.c - fits the drawing's box on the page. */
+/* page.c - fits the drawing's box on the page, or lays it there at a true scale. */
 #include "draw/page.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 #include "base/error.h"
 
@@ -44,4 +46,71 @@ page_map page_fit(const roberts_page *page, roberts_vec2 min, roberts_vec2 max)
     map.half = by_width ? half_x : half_y;
     map.half_mm = by_width ? room_x : room_y;
     return map;
+}
+
+double page_scale(const page_map *map)
+{
+    return map->half_mm / map->half;
+}
+
+/* A scale that is no larger than `scale`, in three digits: "1:42", "2.5:1". */
+static void scale_name(double scale, char *text, size_t size)
+{
+    double ratio = scale < 1.0 ? 1.0 / scale : scale, digit = pow(10.0, floor(log10(ratio)) - 2.0);
+    double slack = 1e-9; /* so that 20 stays 20 */
+    ratio = scale < 1.0 ? ceil(ratio / digit - slack) * digit : floor(ratio / digit + slack) * digit;
+    snprintf(text, size, scale < 1.0 ? "1:%.6g" : "%.6g:1", ratio);
+    for (char *c = text; *c; c++)
+        if (*c == ',')
+            *c = '.'; /* some locales' point */
+}
+
+static void complain(const roberts_page *page, const roberts_placement *placement, const page_map *fitted,
+                     roberts_vec2 drawn_mm, roberts_error *error)
+{
+    char asked[40], fits[40];
+    double unit_mm = placement->unit_mm > 0.0 ? placement->unit_mm : 1.0;
+    scale_name(placement->scale, asked, sizeof asked);
+    scale_name(page_scale(fitted) / unit_mm, fits, sizeof fits);
+    error_set(
+        error, ROBERTS_BAD_ARGUMENT, 0,
+        "at %s the drawing is %.0f x %.0f mm and would leave the page, whose margins leave %.0f x %.0f; %s would fit",
+        asked, ceil(drawn_mm.x), ceil(drawn_mm.y), floor(page->width_mm - 2.0 * page->margin_mm),
+        floor(page->height_mm - 2.0 * page->margin_mm), fits);
+}
+
+static bool placement_is_valid(const roberts_placement *p, roberts_error *error)
+{
+    const double least = 1e-12, most = 1e12;
+    bool scale = p->scale == 0.0 || (p->scale >= least && p->scale <= most);
+    bool unit = p->unit_mm == 0.0 || (p->unit_mm >= least && p->unit_mm <= most);
+    if (scale && unit && abs(p->align_x) <= 1 && abs(p->align_y) <= 1)
+        return true;
+    error_set(error, ROBERTS_BAD_ARGUMENT, 0, "placement: scale and unit are 1e-12 to 1e12, alignments -1, 0 or 1");
+    return false;
+}
+
+bool page_lay(const roberts_page *page, const roberts_placement *placement, roberts_vec2 min, roberts_vec2 max,
+              page_map *map, roberts_error *error)
+{
+    if (!placement_is_valid(placement, error))
+        return false;
+    const page_map fitted = page_fit(page, min, max);
+    const roberts_vec2 half = {max.x / 2.0 - min.x / 2.0, max.y / 2.0 - min.y / 2.0};
+    double room_x = page->width_mm / 2.0 - page->margin_mm, room_y = page->height_mm / 2.0 - page->margin_mm;
+    *map = fitted;
+    if (placement->scale > 0.0) {
+        map->half = 1.0;
+        map->half_mm = placement->scale * (placement->unit_mm > 0.0 ? placement->unit_mm : 1.0);
+    }
+    /* half of the drawing, mm */
+    double x = half.x / map->half * map->half_mm, y = half.y / map->half * map->half_mm;
+    const double slack = 0.0005; /* mm, half of what coordinates are rounded to: a drawing may fill the page */
+    if (placement->scale > 0.0 && !(x <= room_x + slack && y <= room_y + slack)) {
+        complain(page, placement, &fitted, (roberts_vec2){2.0 * x, 2.0 * y}, error);
+        return false;
+    }
+    map->page_mm.x += placement->align_x * fmax(room_x - x, 0.0);
+    map->page_mm.y -= placement->align_y * fmax(room_y - y, 0.0);
+    return true;
 }

@@ -22,6 +22,14 @@ bool page_is_valid(const roberts_page *page, roberts_error *error);
  * lie in the middle, at one mm per model unit. */
 page_map page_fit(const roberts_page *page, roberts_vec2 min, roberts_vec2 max);
 
+/* Lays the box on the page as `placement` says: fitted, or at its scale; aligned by the margins. False: at its scale the
+ * drawing leaves the margins, or the placement is senseless; fills `error`, which says what would fit. */
+bool page_lay(const roberts_page *page, const roberts_placement *placement, roberts_vec2 min, roberts_vec2 max,
+              page_map *map, roberts_error *error);
+
+/* mm on paper by model unit. */
+double page_scale(const page_map *map);
+
 static inline roberts_vec2 page_place(const page_map *map, roberts_vec2 p)
 {
     return (roberts_vec2){map->page_mm.x + (p.x - map->centre.x) / map->half * map->half_mm,

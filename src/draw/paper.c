@@ -71,9 +71,9 @@ static void draw_page(cairo_t *cairo, const strokes *s, double units_per_mm)
 {
     cairo_scale(cairo, units_per_mm, units_per_mm);
     for (int i = 0; i < LINE_CLASSES; i++) {
-        size_t at = 0;
+        size_t at = s->start[i];
         ink_pen(cairo, s->options, line_order[i]);
-        ink_strokes(cairo, s, line_order[i], &at, s->drawing->count);
+        ink_strokes(cairo, s, &at, s->start[i + 1], SIZE_MAX);
     }
 }
 

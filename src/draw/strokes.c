@@ -1,7 +1,14 @@
-/* strokes.c - which segments are drawn with which pen, and from where to where on the page. */
+/* strokes.c - from segments to what the pen does: chosen, placed on the page, cleaned of doubles, chained, ordered. */
 #include "draw/strokes.h"
 
 #include <math.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/error.h"
+#include "draw/dashes.h"
+#include "draw/overlap.h"
+#include "draw/travel.h"
 
 /* Cairo keeps coordinates in 32 bits, 8 of them behind the point, and lets larger ones wrap without a word: a page has
  * less than half of 2^23 units, so that wide pens on its border are safe too. */
@@ -9,11 +16,13 @@ static const double finest_longest_mm = 4000.0, fine_units_per_mm = 1000.0, coar
 
 const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line line)
 {
-    switch (line) {
+    switch ((int)line) {
     case ROBERTS_OUTLINE:
         return &options->outline;
     case ROBERTS_CREASE:
         return &options->crease;
+    case LINE_FRAME:
+        return &options->frame;
     default:
         return &options->back;
     }
@@ -47,13 +56,13 @@ static void enlarge(roberts_vec2 *min, roberts_vec2 *max, roberts_vec2 p)
     max->y = fmax(max->y, p.y);
 }
 
-/* Cuts the part of p..q that lies in the drawing's frame; false where there is none. Liang, Barsky, "A new concept and
+/* Cuts the part of p..q that lies in the drawing's frame, t[0] to t[1]; false where there is none. Liang, Barsky, "A new concept and
  * method for line clipping", ACM TOG 3(1), 1984. */
-static bool frame_cut(const roberts_drawing *drawing, roberts_vec2 *p, roberts_vec2 *q)
+static bool frame_cut(const roberts_drawing *drawing, roberts_vec2 p, roberts_vec2 q, double t[2])
 {
-    const roberts_vec2 low = drawing->window_min, high = drawing->window_max, d = {q->x - p->x, q->y - p->y};
+    const roberts_vec2 low = drawing->window_min, high = drawing->window_max, d = {q.x - p.x, q.y - p.y};
     const double along[4] = {-d.x, d.x, -d.y, d.y};
-    const double room[4] = {p->x - low.x, high.x - p->x, p->y - low.y, high.y - p->y};
+    const double room[4] = {p.x - low.x, high.x - p.x, p.y - low.y, high.y - p.y};
     double t0 = 0.0, t1 = 1.0;
     for (int i = 0; drawing->framed && i < 4; i++) {
         if (along[i] == 0.0 && room[i] < 0.0)
@@ -63,56 +72,155 @@ static bool frame_cut(const roberts_drawing *drawing, roberts_vec2 *p, roberts_v
         else if (along[i] > 0.0)
             t1 = fmin(t1, room[i] / along[i]);
     }
-    if (t0 > t1)
-        return false;
-    if (t1 < 1.0)
-        *q = (roberts_vec2){p->x + t1 * d.x, p->y + t1 * d.y};
-    if (t0 > 0.0)
-        *p = (roberts_vec2){p->x + t0 * d.x, p->y + t0 * d.y};
-    return true;
+    t[0] = t0;
+    t[1] = t1;
+    return t0 <= t1;
 }
 
-strokes strokes_prepare(const roberts_drawing *drawing, const roberts_draw_options *options)
+/* The box of what is drawn, or the frame. */
+static void find_box(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
+                     roberts_vec2 *max)
 {
-    roberts_vec2 min = {INFINITY, INFINITY}, max = {-INFINITY, -INFINITY};
-    const roberts_page *page = &options->page;
     roberts_line line;
+    *min = (roberts_vec2){INFINITY, INFINITY};
+    *max = (roberts_vec2){-INFINITY, -INFINITY};
     if (drawing->framed) {
-        min = drawing->window_min;
-        max = drawing->window_max;
+        *min = drawing->window_min;
+        *max = drawing->window_max;
+        return;
     }
-    for (size_t i = 0; i < drawing->count && !drawing->framed; i++) {
+    for (size_t i = 0; i < drawing->count; i++) {
         const roberts_segment *segment = &drawing->segment[i];
         if (is_drawn(options, segment, &line)) {
-            enlarge(&min, &max, segment->p0);
-            enlarge(&min, &max, segment->p1);
+            enlarge(min, max, segment->p0);
+            enlarge(min, max, segment->p1);
         }
     }
-    if (min.x > max.x)
-        min = max = (roberts_vec2){0.0, 0.0}; /* nothing is drawn */
-    bool fine = fmax(page->width_mm, page->height_mm) <= finest_longest_mm;
-    return (strokes){drawing, options, page_fit(page, min, max), fine ? fine_units_per_mm : coarse_units_per_mm};
+    if (min->x > max->x)
+        *min = *max = (roberts_vec2){0.0, 0.0}; /* nothing is drawn */
+}
+
+static roberts_vec2 between(roberts_vec2 p, roberts_vec2 q, double t)
+{
+    if (t == 0.0 || t == 1.0)
+        return t == 0.0 ? p : q;
+    return (roberts_vec2){p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
 }
 
 static roberts_vec2 place(const strokes *s, roberts_vec2 p)
 {
     roberts_vec2 mm = page_place(&s->map, p);
-    return (roberts_vec2){floor(mm.x * s->units_per_mm + 0.5), floor(mm.y * s->units_per_mm + 0.5)};
+    return (roberts_vec2){mm.x * s->units_per_mm, mm.y * s->units_per_mm};
 }
 
-bool strokes_next(const strokes *s, roberts_line line, size_t *at, stroke *out)
+static bool is_point(const piece *p)
 {
-    while (*at < s->drawing->count) {
-        const roberts_segment *segment = &s->drawing->segment[(*at)++];
-        roberts_line own;
-        if (!is_drawn(s->options, segment, &own) || own != line)
+    return floor(p->a.x + 0.5) == floor(p->b.x + 0.5) && floor(p->a.y + 0.5) == floor(p->b.y + 0.5);
+}
+
+/* The pieces that are drawn; what is of length 0 once rounded is none. `p` has room for all segments. */
+static void collect(const strokes *s, const roberts_drawing *drawing, pieces *p)
+{
+    for (size_t i = 0; i < drawing->count; i++) {
+        const roberts_segment *segment = &drawing->segment[i];
+        roberts_line line;
+        double t[2];
+        if (!is_drawn(s->options, segment, &line) || !frame_cut(drawing, segment->p0, segment->p1, t))
             continue;
-        roberts_vec2 p = segment->p0, q = segment->p1;
-        if (!frame_cut(s->drawing, &p, &q))
-            continue;
-        *out = (stroke){place(s, p), place(s, q)};
-        if (out->a.x != out->b.x || out->a.y != out->b.y)
-            return true;
+        double z = segment->z1 - segment->z0;
+        piece own = {.a = place(s, between(segment->p0, segment->p1, t[0])),
+                     .b = place(s, between(segment->p0, segment->p1, t[1])),
+                     .za = segment->z0 + t[0] * z,
+                     .zb = segment->z0 + t[1] * z,
+                     .number = (uint32_t)i,
+                     .line = (uint8_t)line};
+        if (!is_point(&own))
+            p->item[p->count++] = own;
     }
-    return false;
+}
+
+static bool add_frame(strokes *s)
+{
+    const roberts_page *page = &s->options->page;
+    double x0 = floor(page->margin_mm * s->units_per_mm + 0.5), x1 = page->width_mm * s->units_per_mm - x0;
+    double y1 = page->height_mm * s->units_per_mm - x0;
+    const roberts_vec2 corner[5] = {{x0, x0}, {x1, x0}, {x1, y1}, {x0, y1}, {x0, x0}};
+    piece side[4];
+    for (int i = 0; i < 4; i++)
+        side[i] = (piece){.a = corner[i], .b = corner[i + 1], .line = LINE_FRAME};
+    return s->options->frame.off || chain_in_order(&(pieces){side, 4}, LINE_FRAME, &s->lines);
+}
+
+/* Appends the polylines of one class; the pen comes from `*pen`. */
+static roberts_status add_class(strokes *s, const pieces *p, roberts_line line, page_point *pen, roberts_error *error)
+{
+    size_t first = s->lines.count;
+    double dash[2];
+    bool done;
+    if (line == LINE_FRAME)
+        done = add_frame(s);
+    else if (s->options->order == ROBERTS_ORDER_NONE)
+        done = chain_in_order(p, line, &s->lines);
+    else
+        done = chain_pieces(p, line, &s->lines) && travel_order(&s->lines, first, pen);
+    if (!done)
+        return error_no_memory(error);
+    if (s->options->real_dashes && strokes_dash(s->options, line, dash))
+        return dashes_cut(&s->lines, first, dash[0] * s->units_per_mm, dash[1] * s->units_per_mm, error);
+    return ROBERTS_OK;
+}
+
+roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const roberts_draw_options *options,
+                            roberts_error *error)
+{
+    const double longest = fmax(options->page.width_mm, options->page.height_mm);
+    roberts_vec2 min, max;
+    pieces p = {0};
+    page_point pen = {0, 0}; /* the upper left corner */
+    roberts_status status = ROBERTS_OK;
+    *s = (strokes){.options = options};
+    s->units_per_mm = longest <= finest_longest_mm ? fine_units_per_mm : coarse_units_per_mm;
+    if (drawing->count > INT32_MAX)
+        return error_no_memory(error);
+    find_box(drawing, options, &min, &max);
+    if (!page_lay(&options->page, &options->placement, min, max, &s->map, error))
+        return ROBERTS_BAD_ARGUMENT;
+    p.item = alloc_array(drawing->count, sizeof *p.item);
+    if (p.item)
+        collect(s, drawing, &p);
+    if (!p.item || !overlap_remove(&p, drawing->epsilon))
+        status = error_no_memory(error);
+    for (int i = 0; i < LINE_CLASSES && status == ROBERTS_OK; i++) {
+        s->start[i] = s->lines.count;
+        status = add_class(s, &p, line_order[i], &pen, error);
+        s->start[i + 1] = s->lines.count;
+    }
+    free(p.item);
+    return status;
+}
+
+void strokes_free(strokes *s)
+{
+    polylines_free(&s->lines);
+}
+
+static double distance(page_point p, page_point q)
+{
+    return hypot((double)p.x - q.x, (double)p.y - q.y);
+}
+
+roberts_ink strokes_measure(const strokes *s)
+{
+    roberts_ink ink = {.strokes = s->lines.count, .scale = page_scale(&s->map)};
+    for (size_t i = 0; i < s->lines.count; i++) {
+        const polyline *line = &s->lines.item[i];
+        const page_point *p = s->lines.point + line->first;
+        for (uint32_t k = 1; k < line->count; k++)
+            ink.down_mm += distance(p[k - 1], p[k]) / s->units_per_mm;
+        if (line->closed)
+            ink.down_mm += distance(p[line->count - 1], p[0]) / s->units_per_mm;
+        if (i)
+            ink.up_mm += distance(polyline_end(&s->lines, line - 1), polyline_start(&s->lines, line)) / s->units_per_mm;
+    }
+    return ink;
 }

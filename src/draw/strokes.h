@@ -1,28 +1,33 @@
-/* strokes.h - what the pen does: which segments are drawn with which pen, and from where to where on the page. */
+/* strokes.h - what the pen does: polylines by class, on the page, in the order in which they are drawn. */
 #ifndef ROBERTS_DRAW_STROKES_H
 #define ROBERTS_DRAW_STROKES_H
 
+#include "draw/chain.h"
 #include "draw/page.h"
 
-/* Ends are rounded to the page's unit, 0.001 mm (0.01 mm where the page is longer than 4 m): far finer than a pen,
+/* The border of what the margins leave: a class of its own beside those of roberts_line. */
+#define LINE_FRAME ((roberts_line)(ROBERTS_BACK + 1))
+
+/* Hidden lines lie undermost, outlines on top, the frame over all. */
+enum { LINE_CLASSES = 4 };
+static const roberts_line line_order[LINE_CLASSES] = {ROBERTS_BACK, ROBERTS_CREASE, ROBERTS_OUTLINE, LINE_FRAME};
+
+/* Points are rounded to the page's unit, 0.001 mm (0.01 mm where the page is longer than 4 m): far finer than a pen,
  * short to write, and the same for neighbours that share an end. */
 typedef struct strokes {
-    const roberts_drawing *drawing;
     const roberts_draw_options *options;
     page_map map;
     double units_per_mm;
+    polylines lines;
+    size_t start[LINE_CLASSES + 1]; /* class line_order[i] has the polylines start[i] .. start[i + 1] - 1 */
 } strokes;
 
-typedef struct stroke {
-    roberts_vec2 a, b; /* integers, in units of the page */
-} stroke;
-
-/* Hidden lines lie undermost, outlines on top. */
-enum { LINE_CLASSES = 3 };
-static const roberts_line line_order[LINE_CLASSES] = {ROBERTS_BACK, ROBERTS_CREASE, ROBERTS_OUTLINE};
-
-/* Places the drawing on the page: what is to be drawn is fitted. `options` have been checked. */
-strokes strokes_prepare(const roberts_drawing *drawing, const roberts_draw_options *options);
+/* Lays the drawing on the page and makes strokes of it. What is to be drawn is placed; where the drawing has a frame,
+ * that is, and all is cut to it. `s` is released by strokes_free() in any case. Returns ROBERTS_OK, _NO_MEMORY or
+ * _BAD_ARGUMENT (a scale at which the drawing leaves the page, too many dashes). `options` have been checked. */
+roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const roberts_draw_options *options,
+                            roberts_error *error);
+void strokes_free(strokes *s);
 
 /* The pen for a class of lines. Segments in state hidden are of class ROBERTS_BACK here, whatever their edge is. */
 const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line line);
@@ -32,8 +37,7 @@ const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line
  * a dash no longer than that is a dot. */
 bool strokes_dash(const roberts_draw_options *options, roberts_line line, double dash[2]);
 
-/* The next stroke of class `line` at or after segment `*at`, which moves behind it; false: there is none. What is of
- * length 0 once rounded is no stroke. */
-bool strokes_next(const strokes *s, roberts_line line, size_t *at, stroke *out);
+/* How often and how far the pen goes. */
+roberts_ink strokes_measure(const strokes *s);
 
 #endif

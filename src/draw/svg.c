@@ -16,7 +16,7 @@
 #include "base/error.h"
 #include "draw/ink.h"
 
-enum { STROKES_PER_SURFACE = 50000 };
+enum { SEGMENTS_PER_SURFACE = 50000 };
 
 /* ---- Cairo's stream, path data alone ---- */
 
@@ -29,8 +29,12 @@ typedef enum place {
     PATH_DATA, /* in the value of d */
 } place;
 
+enum { DATA_TAIL = 48 }; /* longer than a command and its numbers */
+
 typedef struct extract {
     output *out;
+    char tail[DATA_TAIL]; /* the last bytes of path data, kept back */
+    size_t tail_length;
     place at;
     char name[8]; /* of a tag or an attribute; the beginning of longer ones */
     size_t length;
@@ -93,6 +97,29 @@ static void extract_byte(extract *e, unsigned char c)
     }
 }
 
+static void data_add(extract *e, const char *bytes, size_t size)
+{
+    size_t total = e->tail_length + size, out = total > DATA_TAIL ? total - DATA_TAIL : 0;
+    size_t of_tail = out < e->tail_length ? out : e->tail_length;
+    output_bytes(e->out, e->tail, of_tail);
+    output_bytes(e->out, bytes, out - of_tail);
+    memmove(e->tail, e->tail + of_tail, e->tail_length - of_tail);
+    e->tail_length -= of_tail;
+    memcpy(e->tail + e->tail_length, bytes + (out - of_tail), size - (out - of_tail));
+    e->tail_length += size - (out - of_tail);
+}
+
+/* Behind a closed line Cairo goes to its start once more, as the start of another line; where none follows, that is not
+ * passed on. */
+static void data_end(extract *e)
+{
+    size_t last = e->tail_length;
+    while (last > 0 && !(e->tail[last - 1] >= 'A' && e->tail[last - 1] <= 'Z'))
+        last--;
+    output_bytes(e->out, e->tail, last > 0 && e->tail[last - 1] == 'M' ? last - 1 : e->tail_length);
+    e->tail_length = 0;
+}
+
 static cairo_status_t extract_stream(void *closure, const unsigned char *bytes, unsigned size)
 {
     extract *e = closure;
@@ -101,10 +128,11 @@ static cairo_status_t extract_stream(void *closure, const unsigned char *bytes, 
         if (e->at == PATH_DATA) {
             const unsigned char *quote = memchr(bytes, '"', (size_t)(end - bytes));
             const unsigned char *stop = quote ? quote : end;
-            output_bytes(e->out, bytes, (size_t)(stop - bytes));
+            data_add(e, (const char *)bytes, (size_t)(stop - bytes));
             bytes = stop;
             if (!quote)
                 break;
+            data_end(e);
             name_start(e, PATH);
         } else {
             extract_byte(e, *bytes);
@@ -144,7 +172,7 @@ static void write_color(output *out, const roberts_pen *pen)
 static void open_layer(output *out, const roberts_draw_options *options, roberts_line line)
 {
     static const char *const name[] = {
-        [ROBERTS_OUTLINE] = "outline", [ROBERTS_CREASE] = "crease", [ROBERTS_BACK] = "hidden"};
+        [ROBERTS_OUTLINE] = "outline", [ROBERTS_CREASE] = "crease", [ROBERTS_BACK] = "hidden", [LINE_FRAME] = "frame"};
     const roberts_pen *pen = strokes_pen(options, line);
     double dash[2];
     output_text(out, "<g id=\"");
@@ -156,7 +184,7 @@ static void open_layer(output *out, const roberts_draw_options *options, roberts
     output_text(out, "\" stroke-width=\"");
     write_mm(out, pen->width_mm);
     output_text(out, "\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
-    if (strokes_dash(options, line, dash)) {
+    if (!options->real_dashes && strokes_dash(options, line, dash)) {
         output_text(out, " stroke-dasharray=\"");
         write_mm(out, dash[0]);
         output_text(out, " ");
@@ -166,8 +194,8 @@ static void open_layer(output *out, const roberts_draw_options *options, roberts
     output_text(out, " d=\"");
 }
 
-/* Draws some strokes from segment `*at` on through a surface of its own; `*count` is how many. */
-static roberts_status write_some(const strokes *s, roberts_line line, size_t *at, size_t *count, extract *e,
+/* Draws some polylines from `*at` on through a surface of its own; `*paths` grows by the number of paths. */
+static roberts_status write_some(const strokes *s, size_t *at, size_t end, size_t *paths, extract *e,
                                  roberts_error *error)
 {
     const roberts_page *page = &s->options->page;
@@ -176,25 +204,23 @@ static roberts_status write_some(const strokes *s, roberts_line line, size_t *at
     cairo_t *cairo = cairo_create(surface);
     cairo_scale(cairo, s->units_per_mm, s->units_per_mm);
     cairo_set_tolerance(cairo, 1e6); /* device units: the roughest outline will do, as only the path is written */
-    *count = ink_strokes(cairo, s, line, at, STROKES_PER_SURFACE);
+    *paths += ink_strokes(cairo, s, at, end, SEGMENTS_PER_SURFACE);
     return ink_finish(cairo, surface, error);
 }
 
-static roberts_status write_layer(const strokes *s, roberts_line line, output *out, roberts_error *error)
+static roberts_status write_layer(const strokes *s, int class, output *out, roberts_error *error)
 {
     extract e = {.out = out};
-    size_t at = 0, peek = 0, count, paths = 0;
-    stroke first;
-    if (!strokes_next(s, line, &peek, &first))
+    size_t at = s->start[class], end = s->start[class + 1], paths = 0;
+    if (at == end)
         return ROBERTS_OK; /* no layer without lines */
-    open_layer(out, s->options, line);
-    do {
+    open_layer(out, s->options, line_order[class]);
+    while (at < end) {
         e.at = BETWEEN;
-        roberts_status status = write_some(s, line, &at, &count, &e, error);
+        roberts_status status = write_some(s, &at, end, &paths, &e, error);
         if (status != ROBERTS_OK || out->failed)
             return status;
-        paths += (count + INK_SEGMENTS_PER_STROKE - 1) / INK_SEGMENTS_PER_STROKE;
-    } while (count == STROKES_PER_SURFACE);
+    }
     output_text(out, "\"/>\n</g>\n");
     if (e.paths != paths)
         return error_set(error, ROBERTS_IO, 0, "this version of Cairo writes SVG in a form that is not understood");
@@ -215,7 +241,7 @@ roberts_status svg_write(const strokes *s, output *out, roberts_error *error)
     write_mm(out, page->height_mm);
     output_text(out, "\">\n");
     for (int i = 0; i < LINE_CLASSES; i++) {
-        roberts_status status = write_layer(s, line_order[i], out, error);
+        roberts_status status = write_layer(s, i, out, error);
         if (status != ROBERTS_OK)
             return status;
     }

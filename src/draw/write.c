@@ -56,6 +56,7 @@ roberts_draw_options roberts_draw_options_default(void)
         .outline = {.width_mm = 0.5},
         .crease = {.width_mm = 0.35},
         .back = {.width_mm = 0.25, .dash_mm = 12 * 0.25, .gap_mm = 3 * 0.25},
+        .frame = {.width_mm = 0.7, .off = true},
         .dpi = 150.0,
     };
 }
@@ -71,8 +72,11 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
 {
     if (options->hidden < ROBERTS_HIDDEN_NONE || options->hidden > ROBERTS_HIDDEN_SOLID)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no such way to draw hidden lines");
-    if (!pen_is_valid(&options->outline) || !pen_is_valid(&options->crease) || !pen_is_valid(&options->back))
+    if (!pen_is_valid(&options->outline) || !pen_is_valid(&options->crease) || !pen_is_valid(&options->back) ||
+        !pen_is_valid(&options->frame))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a pen is 0.001 to 1000 mm wide, dashes and gaps up to that");
+    if (options->order < ROBERTS_ORDER_TRAVEL || options->order > ROBERTS_ORDER_NONE)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no such order");
     return page_is_valid(&options->page, error) ? ROBERTS_OK : ROBERTS_BAD_ARGUMENT;
 }
 
@@ -91,21 +95,30 @@ static roberts_status check_segments(const roberts_drawing *drawing, roberts_err
     return ROBERTS_OK;
 }
 
+static roberts_status write_page(const roberts_drawing *drawing, const roberts_draw_options *options, output *out,
+                                 roberts_error *error)
+{
+    strokes s;
+    roberts_status status = strokes_make(&s, drawing, options, error);
+    if (status == ROBERTS_OK)
+        status = options->format == ROBERTS_SVG ? svg_write(&s, out, error) : paper_write(&s, out, error);
+    if (status == ROBERTS_OK && options->ink)
+        *options->ink = strokes_measure(&s);
+    strokes_free(&s);
+    return status;
+}
+
 static roberts_status write_format(const roberts_drawing *drawing, const roberts_draw_options *options, output *out,
                                    roberts_error *error)
 {
     bool with_hidden = options->hidden != ROBERTS_HIDDEN_NONE;
-    strokes s;
     switch (options->format) {
     case ROBERTS_SVG:
-        s = strokes_prepare(drawing, options);
-        return svg_write(&s, out, error);
     case ROBERTS_PDF:
     case ROBERTS_PS:
     case ROBERTS_EPS:
     case ROBERTS_PNG:
-        s = strokes_prepare(drawing, options);
-        return paper_write(&s, out, error);
+        return write_page(drawing, options, out, error);
     case ROBERTS_CSV:
         table_write_csv(drawing, with_hidden, out);
         return ROBERTS_OK;

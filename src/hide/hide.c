@@ -85,6 +85,8 @@ static bool add_segment(const hide_job *job, hide_chunk *out, const roberts_segm
         return true; /* rounding leaves no length in space */
     segment.p0 = (roberts_vec2){R0.x * v->unit, R0.y * v->unit};
     segment.p1 = (roberts_vec2){R1.x * v->unit, R1.y * v->unit};
+    segment.z0 = R0.z * v->unit;
+    segment.z1 = R1.z * v->unit;
     out->segment[out->count++] = segment;
     return true;
 }

@@ -1,0 +1,339 @@
+/* chain.c - pieces on the page become polylines.
+ *
+ * Places are a hash of reference points: an end belongs to the first point found within PIECE_TOUCH of it. Cells are
+ * four times as wide, so that an end looks into a neighbour only near a border. Then every piece is walked once. Euler:
+ * a connected figure with 2 k places at which an odd number of pieces ends takes k polylines, and one where there is
+ * none; so the walk starts at odd places first, and what is left are closed lines. */
+#include "draw/chain.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+
+#define NO_PLACE UINT32_MAX
+
+enum {
+    PLACE_CELL = 4,  /* units */
+    LOOK_AT_MOST = 8 /* pieces, at a place, for the one that goes straight on */
+};
+
+typedef struct place {
+    page_point at;
+    uint32_t next;        /* in the same cell of the hash */
+    uint32_t start, left; /* its pieces in `leaving`: first, and how many of them are still to be drawn */
+} place;
+
+typedef struct link {
+    uint32_t from, to; /* places */
+    bool drawn;
+} link;
+
+typedef struct net {
+    uint32_t *head, bits; /* of the hash: first place of a cell, NO_PLACE */
+    place *place;
+    link *link;
+    uint32_t *leaving; /* links by place; a link stands at both */
+    uint32_t place_count, link_count;
+} net;
+
+/* ---- polylines ---- */
+
+static page_point rounded(roberts_vec2 p)
+{
+    return (page_point){(int32_t)floor(p.x + 0.5), (int32_t)floor(p.y + 0.5)};
+}
+
+static bool is_same(page_point p, page_point q)
+{
+    return p.x == q.x && p.y == q.y;
+}
+
+static bool start_line(polylines *out)
+{
+    if (!array_reserve(&out->item, &out->room, out->count + 1, sizeof *out->item))
+        return false;
+    out->item[out->count++] = (polyline){.first = (uint32_t)out->point_count};
+    return true;
+}
+
+/* Whether q lies on the way from p to r, exactly. */
+static bool is_between(page_point p, page_point q, page_point r)
+{
+    int64_t ax = q.x - (int64_t)p.x, ay = q.y - (int64_t)p.y, bx = r.x - (int64_t)q.x, by = r.y - (int64_t)q.y;
+    return ax * by == ay * bx && ax * bx + ay * by > 0;
+}
+
+static bool add_point(polylines *out, page_point at)
+{
+    polyline *line = &out->item[out->count - 1];
+    page_point *end = out->point + out->point_count;
+    if (line->count >= 2 && is_between(end[-2], end[-1], at)) {
+        end[-1] = at;
+        return true;
+    }
+    if (!array_reserve(&out->point, &out->point_room, out->point_count + 1, sizeof *out->point))
+        return false;
+    out->point[out->point_count++] = at;
+    line->count++;
+    return true;
+}
+
+/* A line that has come back to where it began is closed; then the first point may be one of the way as well. */
+static void finish_line(polylines *out)
+{
+    polyline *line = &out->item[out->count - 1];
+    page_point *p = out->point + line->first;
+    if (line->count < 4 || !is_same(p[0], p[line->count - 1]))
+        return;
+    line->closed = true;
+    line->count--;
+    out->point_count--;
+    if (line->count > 3 && is_between(p[line->count - 1], p[0], p[1])) {
+        memmove(p, p + 1, (line->count - 1) * sizeof *p);
+        line->count--;
+        out->point_count--;
+    }
+}
+
+void polylines_free(polylines *p)
+{
+    free(p->point);
+    free(p->item);
+    *p = (polylines){0};
+}
+
+/* ---- in the order of the pieces ---- */
+
+bool chain_in_order(const pieces *p, roberts_line line, polylines *out)
+{
+    bool open = false;
+    for (size_t i = 0; i < p->count; i++) {
+        page_point a = rounded(p->item[i].a), b = rounded(p->item[i].b);
+        if (p->item[i].line != line || is_same(a, b))
+            continue;
+        polyline *last = open ? &out->item[out->count - 1] : NULL;
+        page_point *end = out->point + out->point_count;
+        if (open && last->count == 2 && !is_same(end[-1], a) && !is_same(end[-1], b) &&
+            (is_same(end[-2], a) || is_same(end[-2], b))) {
+            page_point swap = end[-1]; /* the first piece may as well be drawn the other way */
+            end[-1] = end[-2];
+            end[-2] = swap;
+        }
+        if (open && last->count < CHAIN_POINTS_MAX && (is_same(end[-1], a) || is_same(end[-1], b))) {
+            if (!add_point(out, is_same(end[-1], a) ? b : a))
+                return false;
+            continue;
+        }
+        if (open)
+            finish_line(out);
+        open = true;
+        if (!start_line(out) || !add_point(out, a) || !add_point(out, b))
+            return false;
+    }
+    if (open)
+        finish_line(out);
+    return true;
+}
+
+/* ---- places ---- */
+
+static uint32_t *cell_of(const net *n, int32_t x, int32_t y)
+{
+    uint64_t key = (uint64_t)(uint32_t)x << 32 | (uint32_t)y;
+    return &n->head[(key * 0x9e3779b97f4a7c15u) >> (64 - n->bits)];
+}
+
+static uint32_t find_in_cell(const net *n, page_point at, int32_t x, int32_t y)
+{
+    uint32_t i = *cell_of(n, x, y);
+    while (i != NO_PLACE && (llabs((int64_t)n->place[i].at.x - at.x) > (int64_t)PIECE_TOUCH ||
+                             llabs((int64_t)n->place[i].at.y - at.y) > (int64_t)PIECE_TOUCH))
+        i = n->place[i].next;
+    return i;
+}
+
+/* The cell of a coordinate and a neighbour that may hold what is within PIECE_TOUCH of it, or itself again. */
+static void cells_near(int32_t value, int32_t cell[2])
+{
+    int32_t in = ((value % PLACE_CELL) + PLACE_CELL) % PLACE_CELL;
+    cell[0] = (value - in) / PLACE_CELL;
+    cell[1] = in == 0 ? cell[0] - 1 : in == PLACE_CELL - 1 ? cell[0] + 1 : cell[0];
+}
+
+static uint32_t place_of(net *n, roberts_vec2 p)
+{
+    page_point at = rounded(p);
+    int32_t x[2], y[2];
+    cells_near(at.x, x);
+    cells_near(at.y, y);
+    for (int i = 0; i <= (x[1] != x[0]); i++)
+        for (int k = 0; k <= (y[1] != y[0]); k++) {
+            uint32_t found = find_in_cell(n, at, x[i], y[k]);
+            if (found != NO_PLACE)
+                return found;
+        }
+    uint32_t *cell = cell_of(n, x[0], y[0]);
+    n->place[n->place_count] = (place){.at = at, .next = *cell};
+    return *cell = n->place_count++;
+}
+
+static void net_free(net *n)
+{
+    free(n->head);
+    free(n->place);
+    free(n->link);
+    free(n->leaving);
+    *n = (net){0};
+}
+
+/* Room for `count` links. */
+static bool net_init(net *n, size_t count)
+{
+    *n = (net){.bits = 4};
+    while (n->bits < 31 && count >> n->bits)
+        n->bits++;
+    n->head = alloc_array((size_t)1 << n->bits, sizeof *n->head);
+    n->place = alloc_array(count, 2 * sizeof *n->place);
+    n->link = alloc_array(count, sizeof *n->link);
+    n->leaving = alloc_array(count, 2 * sizeof *n->leaving);
+    if (!n->head || !n->place || !n->link || !n->leaving)
+        return false;
+    memset(n->head, 0xff, ((size_t)1 << n->bits) * sizeof *n->head);
+    return true;
+}
+
+/* Pieces whose ends are one place are no longer than can be seen. */
+static void add_links(net *n, const pieces *p, roberts_line line)
+{
+    for (size_t i = 0; i < p->count; i++) {
+        if (p->item[i].line != line)
+            continue;
+        uint32_t from = place_of(n, p->item[i].a), to = place_of(n, p->item[i].b);
+        if (from == to)
+            continue;
+        n->link[n->link_count++] = (link){.from = from, .to = to};
+        n->place[from].left++;
+        n->place[to].left++;
+    }
+    uint32_t total = 0;
+    for (uint32_t i = 0; i < n->place_count; i++) {
+        n->place[i].start = total;
+        total += n->place[i].left;
+        n->place[i].left = 0;
+    }
+    for (uint32_t i = 0; i < n->link_count; i++) {
+        place *from = &n->place[n->link[i].from], *to = &n->place[n->link[i].to];
+        n->leaving[from->start + from->left++] = i;
+        n->leaving[to->start + to->left++] = i;
+    }
+}
+
+/* ---- walks ---- */
+
+static uint32_t other_end(const link *l, uint32_t from)
+{
+    return l->from == from ? l->to : l->from;
+}
+
+/* Takes a link off the list of a place; the last of the list comes in its stead. */
+static void leave_out(net *n, uint32_t at, uint32_t index)
+{
+    place *p = &n->place[at];
+    n->leaving[p->start + index] = n->leaving[p->start + --p->left];
+}
+
+/* Drops links that have been drawn from the other end, as far as the next choice would look. */
+static void tidy(net *n, uint32_t at)
+{
+    const place *p = &n->place[at];
+    for (uint32_t i = 0; i < p->left && i < LOOK_AT_MOST;)
+        if (n->link[n->leaving[p->start + i]].drawn)
+            leave_out(n, at, i);
+        else
+            i++;
+}
+
+/* Which of the links at place `at`, an index of its list, goes on as straight as can be for one who comes from `from`;
+ * the first for one who starts there. */
+static uint32_t straightest(const net *n, page_point from, uint32_t at)
+{
+    const place *p = &n->place[at];
+    double ux = (double)p->at.x - from.x, uy = (double)p->at.y - from.y, best = -INFINITY;
+    uint32_t chosen = 0;
+    for (uint32_t i = 0; i < p->left && i < LOOK_AT_MOST; i++) {
+        page_point to = n->place[other_end(&n->link[n->leaving[p->start + i]], at)].at;
+        double vx = (double)to.x - p->at.x, vy = (double)to.y - p->at.y;
+        double cosine = (ux * vx + uy * vy) / sqrt(vx * vx + vy * vy);
+        if (cosine > best) {
+            best = cosine;
+            chosen = i;
+        }
+    }
+    return chosen;
+}
+
+/* Walks from a place until nothing leads on. */
+static bool walk(net *n, uint32_t at, polylines *out)
+{
+    page_point from = n->place[at].at;
+    if (!start_line(out) || !add_point(out, from))
+        return false;
+    for (tidy(n, at); n->place[at].left; tidy(n, at)) {
+        if (out->item[out->count - 1].count >= CHAIN_POINTS_MAX &&
+            (!start_line(out) || !add_point(out, n->place[at].at)))
+            return false;
+        uint32_t index = straightest(n, from, at), chosen = n->leaving[n->place[at].start + index];
+        leave_out(n, at, index);
+        n->link[chosen].drawn = true;
+        from = n->place[at].at;
+        at = other_end(&n->link[chosen], at);
+        if (!add_point(out, n->place[at].at))
+            return false;
+    }
+    finish_line(out);
+    return true;
+}
+
+/* Links at a place that are still to be drawn; drops those that have been. */
+static uint32_t count_left(net *n, uint32_t at)
+{
+    place *p = &n->place[at];
+    for (uint32_t i = 0; i < p->left;)
+        if (n->link[n->leaving[p->start + i]].drawn)
+            leave_out(n, at, i);
+        else
+            i++;
+    return p->left;
+}
+
+/* Loose ends first, so that where three meet, the two that go straight on become one line. */
+static bool walk_all(net *n, polylines *out)
+{
+    for (uint32_t i = 0; i < n->place_count; i++)
+        if (count_left(n, i) == 1 && !walk(n, i, out))
+            return false;
+    for (uint32_t i = 0; i < n->place_count; i++)
+        if (count_left(n, i) % 2 == 1 && !walk(n, i, out))
+            return false;
+    for (uint32_t i = 0; i < n->link_count; i++)
+        if (!n->link[i].drawn && !walk(n, n->link[i].from, out))
+            return false;
+    return true;
+}
+
+bool chain_pieces(const pieces *p, roberts_line line, polylines *out)
+{
+    net n;
+    size_t count = 0;
+    for (size_t i = 0; i < p->count; i++)
+        count += p->item[i].line == line;
+    bool done = net_init(&n, count);
+    if (done) {
+        add_links(&n, p, line);
+        done = walk_all(&n, out);
+    }
+    net_free(&n);
+    return done;
+}

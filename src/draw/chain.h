@@ -1,0 +1,38 @@
+/* chain.h - pieces on the page become polylines. */
+#ifndef ROBERTS_DRAW_CHAIN_H
+#define ROBERTS_DRAW_CHAIN_H
+
+#include <stddef.h>
+
+#include "draw/piece.h"
+
+/* A point of the page, in its units. */
+typedef struct page_point {
+    int32_t x, y;
+} page_point;
+
+/* What the pen draws without being lifted: at least two points, neighbours differ. Closed: on to the first again. */
+typedef struct polyline {
+    uint32_t first, count; /* points */
+    bool closed;
+} polyline;
+
+typedef struct polylines {
+    page_point *point;
+    polyline *item;
+    size_t point_count, count, point_room, room;
+} polylines;
+
+/* Longer ones are cut: Cairo outlines each as a whole, which takes 6 kB of memory a point. */
+enum { CHAIN_POINTS_MAX = 5000 };
+
+/* Appends the pieces of one class as polylines: as few as their ends allow. Ends within PIECE_TOUCH of each other are
+ * one place. Where more than two meet, the line goes on as straight as it can. False: no memory. */
+bool chain_pieces(const pieces *p, roberts_line line, polylines *out);
+
+/* The same in the order of the pieces: a polyline goes on with the next piece where that starts or ends at its end. */
+bool chain_in_order(const pieces *p, roberts_line line, polylines *out);
+
+void polylines_free(polylines *p);
+
+#endif

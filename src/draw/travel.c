@@ -1,0 +1,393 @@
+/* travel.c - in which order polylines are drawn.
+ *
+ * First the nearest end that is left, over and over. Ends lie in a grid, over which coarser ones count what is left, so
+ * that a search in deserted parts takes no longer: where there is nothing in the nine cells around the pen, the nine of
+ * the next coarser grid are asked, and the way leads down again to the cell nearest to the pen. What is found is near,
+ * though not always the nearest. Then 2-opt (Croes, "A method for solving traveling-salesman problems", Operations
+ * Research 6(6), 1958): where two ways of the lifted pen are shortened by drawing all between them backward, that is
+ * done. All searches are bounded by counts, so that the result is the same on any machine. */
+#include "draw/travel.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/vec.h"
+
+enum {
+    ENDS_PER_CELL = 2,
+    LEVELS_MAX = 34,     /* a grid has fewer than 2^33 columns */
+    LOOK_IN_CELL = 64,   /* ends; more of them in one cell lie on a heap */
+    PASSES_MAX = 20,     /* of 2-opt */
+    BACKWARD_MAX = 1000, /* polylines drawn backward at once, where there are more than SMALL of them */
+    SMALL = 20000
+};
+
+/* 2-opt in all: ends compared, and polylines drawn backward. */
+static const uint64_t compared_most = 12000000, turned_most = 50000000;
+
+#define NO_END UINT32_MAX
+
+/* Ends are numbered 2 i and 2 i + 1: where polyline i starts and where it ends. */
+typedef struct tour {
+    uint32_t count; /* polylines */
+    page_point *at; /* [2 count] of ends */
+    /* the grid */
+    double cell, x0, y0;
+    uint32_t nx[LEVELS_MAX], ny[LEVELS_MAX], levels;
+    uint32_t *left[LEVELS_MAX]; /* ends that are left in a cell; each level halves the one before */
+    uint32_t *start;            /* [cells + 1] of level 0, into `end` */
+    uint32_t *end, *slot;       /* ends by cell, those left first; where in it an end is */
+    /* the result */
+    uint32_t *entry;    /* [count] the end at which the k-th polyline begins; its other end is entry ^ 1 */
+    uint32_t *position; /* [count] of a polyline in `entry` */
+    uint64_t compared, turned;
+} tour;
+
+static double distance(page_point p, page_point q)
+{
+    double x = (double)p.x - q.x, y = (double)p.y - q.y;
+    return sqrt(x * x + y * y);
+}
+
+/* ---- the grid ---- */
+
+static uint32_t column_of(const tour *t, page_point p)
+{
+    double c = floor((p.x - t->x0) / t->cell);
+    return c < 0.0 ? 0 : c >= t->nx[0] ? t->nx[0] - 1 : (uint32_t)c;
+}
+
+static uint32_t row_of(const tour *t, page_point p)
+{
+    double r = floor((p.y - t->y0) / t->cell);
+    return r < 0.0 ? 0 : r >= t->ny[0] ? t->ny[0] - 1 : (uint32_t)r;
+}
+
+static size_t cell_of(const tour *t, page_point p)
+{
+    return (size_t)row_of(t, p) * t->nx[0] + column_of(t, p);
+}
+
+/* Square cells, as many as give each ENDS_PER_CELL if the ends were spread evenly, and no more in a narrow box. */
+static void set_frame(tour *t)
+{
+    double x1 = -INFINITY, y1 = -INFINITY;
+    t->x0 = t->y0 = INFINITY;
+    for (uint32_t i = 0; i < 2 * t->count; i++) {
+        t->x0 = lesser(t->x0, t->at[i].x);
+        t->y0 = lesser(t->y0, t->at[i].y);
+        x1 = greater(x1, t->at[i].x);
+        y1 = greater(y1, t->at[i].y);
+    }
+    double w = x1 - t->x0 + 1.0, h = y1 - t->y0 + 1.0, cells = 1.0 + 2.0 * t->count / ENDS_PER_CELL;
+    t->cell = greater(sqrt(w * h / cells), greater(w, h) / cells);
+    t->nx[0] = 1 + (uint32_t)(w / t->cell);
+    t->ny[0] = 1 + (uint32_t)(h / t->cell);
+    t->levels = 1;
+    while (t->levels < LEVELS_MAX && (t->nx[t->levels - 1] > 1 || t->ny[t->levels - 1] > 1)) {
+        t->nx[t->levels] = (t->nx[t->levels - 1] + 1) / 2;
+        t->ny[t->levels] = (t->ny[t->levels - 1] + 1) / 2;
+        t->levels++;
+    }
+}
+
+static bool fill_grid(tour *t)
+{
+    size_t cells = (size_t)t->nx[0] * t->ny[0];
+    for (uint32_t l = 0; l < t->levels; l++)
+        if (!(t->left[l] = alloc_zeroed((size_t)t->nx[l] * t->ny[l], sizeof **t->left)))
+            return false;
+    t->start = alloc_zeroed(cells + 1, sizeof *t->start);
+    t->end = alloc_array(t->count, 2 * sizeof *t->end);
+    t->slot = alloc_array(t->count, 2 * sizeof *t->slot);
+    if (!t->start || !t->end || !t->slot)
+        return false;
+    for (uint32_t i = 0; i < 2 * t->count; i++) {
+        uint32_t x = column_of(t, t->at[i]), y = row_of(t, t->at[i]);
+        t->start[cell_of(t, t->at[i]) + 1]++;
+        for (uint32_t l = 0; l < t->levels; l++)
+            t->left[l][(size_t)(y >> l) * t->nx[l] + (x >> l)]++;
+    }
+    for (size_t c = 0; c < cells; c++)
+        t->start[c + 1] += t->start[c];
+    for (uint32_t i = 0; i < 2 * t->count; i++) { /* `slot` counts for a moment what a cell has got */
+        size_t c = cell_of(t, t->at[i]);
+        t->slot[i] = t->start[c]++;
+        t->end[t->slot[i]] = i;
+    }
+    for (size_t c = cells; c > 0; c--)
+        t->start[c] = t->start[c - 1];
+    t->start[0] = 0;
+    return true;
+}
+
+/* Moves an end behind those that are left in its cell. */
+static void take_out(tour *t, uint32_t e)
+{
+    uint32_t x = column_of(t, t->at[e]), y = row_of(t, t->at[e]);
+    size_t cell = (size_t)y * t->nx[0] + x;
+    uint32_t last = t->start[cell] + t->left[0][cell] - 1, other = t->end[last];
+    t->end[t->slot[e]] = other;
+    t->slot[other] = t->slot[e];
+    t->end[last] = e;
+    t->slot[e] = last;
+    for (uint32_t l = 0; l < t->levels; l++)
+        t->left[l][(size_t)(y >> l) * t->nx[l] + (x >> l)]--;
+}
+
+/* ---- the nearest ---- */
+
+typedef struct found {
+    uint32_t end;
+    double distance;
+} found;
+
+/* Looks through the ends left in cell (x, y); of several at one distance the first is kept. */
+static void look_in(const tour *t, page_point p, uint32_t x, uint32_t y, found *best)
+{
+    size_t cell = (size_t)y * t->nx[0] + x;
+    const uint32_t *end = t->end + t->start[cell];
+    uint32_t count = t->left[0][cell] < LOOK_IN_CELL ? t->left[0][cell] : LOOK_IN_CELL;
+    for (uint32_t i = 0; i < count; i++) {
+        double d = distance(p, t->at[end[i]]);
+        if (d < best->distance || (d == best->distance && end[i] < best->end))
+            *best = (found){end[i], d};
+    }
+}
+
+/* Distance of p from a cell of level l. */
+static double distance_of_cell(const tour *t, page_point p, uint32_t l, uint32_t x, uint32_t y)
+{
+    double size = ldexp(t->cell, (int)l), dx = p.x - (t->x0 + size * x), dy = p.y - (t->y0 + size * y);
+    dx = greater(0.0, greater(-dx, dx - size));
+    dy = greater(0.0, greater(-dy, dy - size));
+    return dx * dx + dy * dy;
+}
+
+/* The nearest cell of level l with something left, within x0..x1, y0..y1 (cut to the grid); false: none. */
+static bool nearest_cell(const tour *t, page_point p, uint32_t l, const int64_t box[4], uint32_t *x, uint32_t *y)
+{
+    double best = INFINITY;
+    for (int64_t j = box[2] < 0 ? 0 : box[2]; j <= box[3] && j < t->ny[l]; j++)
+        for (int64_t i = box[0] < 0 ? 0 : box[0]; i <= box[1] && i < t->nx[l]; i++) {
+            if (!t->left[l][(size_t)j * t->nx[l] + (size_t)i])
+                continue;
+            double d = distance_of_cell(t, p, l, (uint32_t)i, (uint32_t)j);
+            if (d < best) {
+                best = d;
+                *x = (uint32_t)i;
+                *y = (uint32_t)j;
+            }
+        }
+    return best < INFINITY;
+}
+
+/* An end near p among those left, of which there is at least one. */
+static uint32_t nearest(const tour *t, page_point p)
+{
+    uint32_t x = column_of(t, p), y = row_of(t, p), cx = 0, cy = 0, l = 0;
+    found best = {NO_END, INFINITY};
+    for (uint32_t j = y ? y - 1 : 0; j <= y + 1 && j < t->ny[0]; j++)
+        for (uint32_t i = x ? x - 1 : 0; i <= x + 1 && i < t->nx[0]; i++)
+            look_in(t, p, i, j, &best);
+    if (best.end != NO_END)
+        return best.end;
+    for (l = 1; l < t->levels; l++) {
+        int64_t i = x >> l, j = y >> l;
+        if (nearest_cell(t, p, l, (const int64_t[]){i - 1, i + 1, j - 1, j + 1}, &cx, &cy))
+            break;
+    }
+    while (l-- > 0)
+        nearest_cell(t, p, l,
+                     (const int64_t[]){2 * (int64_t)cx, 2 * (int64_t)cx + 1, 2 * (int64_t)cy, 2 * (int64_t)cy + 1}, &cx,
+                     &cy);
+    look_in(t, p, cx, cy, &best);
+    return best.end;
+}
+
+static void greedy(tour *t, page_point pen)
+{
+    for (uint32_t k = 0; k < t->count; k++) {
+        uint32_t e = nearest(t, pen);
+        take_out(t, e);
+        take_out(t, e ^ 1);
+        t->entry[k] = e;
+        t->position[e / 2] = k;
+        pen = t->at[e ^ 1];
+    }
+}
+
+/* ---- 2-opt ---- */
+
+static page_point entry_at(const tour *t, uint32_t k)
+{
+    return t->at[t->entry[k]];
+}
+
+static page_point exit_at(const tour *t, uint32_t k)
+{
+    return t->at[t->entry[k] ^ 1];
+}
+
+/* Draws polylines i..j backward. */
+static void turn(tour *t, uint32_t i, uint32_t j)
+{
+    t->turned += j - i + 1;
+    for (;; i++, j--) {
+        uint32_t front = t->entry[i], back = t->entry[j];
+        t->entry[i] = back ^ 1;
+        t->entry[j] = front ^ 1;
+        t->position[back / 2] = i;
+        t->position[front / 2] = j;
+        if (i + 1 >= j)
+            break;
+    }
+}
+
+/* Units; more than rounding, so that 2-opt comes to an end. */
+static const double least_gain = 1e-3;
+
+/* Turns i+1..j if the pen's ways get shorter by it. */
+static bool try_turn(tour *t, uint32_t i, uint32_t j)
+{
+    if (i >= j || (t->count > SMALL && j - i > BACKWARD_MAX))
+        return false;
+    double now = distance(exit_at(t, i), entry_at(t, i + 1)), then = distance(exit_at(t, i), exit_at(t, j));
+    if (j + 1 < t->count) {
+        now += distance(exit_at(t, j), entry_at(t, j + 1));
+        then += distance(entry_at(t, i + 1), entry_at(t, j + 1));
+    }
+    if (then >= now - least_gain)
+        return false;
+    turn(t, i + 1, j);
+    return true;
+}
+
+/* Tries the ends in a cell as what could follow polyline k (from its exit) or come before k + 1 (from its entry). */
+static bool try_cell(tour *t, uint32_t k, bool from_exit, page_point p, double way, size_t cell)
+{
+    for (uint32_t i = t->start[cell]; i < t->start[cell + 1] && i < t->start[cell] + LOOK_IN_CELL; i++) {
+        uint32_t e = t->end[i], q = t->position[e / 2];
+        bool is_exit = t->entry[q] != e;
+        t->compared++;
+        if (is_exit != from_exit || distance(p, t->at[e]) >= way)
+            continue;
+        uint32_t other = from_exit ? q : q - 1; /* the ways behind k and behind `other` are exchanged */
+        if ((from_exit || q > 0) && (other < k ? try_turn(t, other, k) : try_turn(t, k, other)))
+            return true;
+    }
+    return false;
+}
+
+/* Tries to shorten the way behind polyline k. */
+static bool improve(tour *t, uint32_t k, bool from_exit)
+{
+    page_point p = from_exit ? exit_at(t, k) : entry_at(t, k + 1);
+    double way = distance(exit_at(t, k), entry_at(t, k + 1));
+    uint32_t most = t->count > SMALL ? 2 : 8, x = column_of(t, p), y = row_of(t, p);
+    uint32_t reach = way < (most - 1) * t->cell ? 1 + (uint32_t)(way / t->cell) : most;
+    for (uint32_t j = y > reach ? y - reach : 0; j <= y + reach && j < t->ny[0]; j++)
+        for (uint32_t i = x > reach ? x - reach : 0; i <= x + reach && i < t->nx[0]; i++)
+            if (try_cell(t, k, from_exit, p, way, (size_t)j * t->nx[0] + i))
+                return true;
+    return false;
+}
+
+/* Draws 0..k backward where the way behind them gets shorter by it. */
+static bool try_head(tour *t, uint32_t k)
+{
+    double now = distance(exit_at(t, k), entry_at(t, k + 1)), then = distance(entry_at(t, 0), entry_at(t, k + 1));
+    if ((t->count > SMALL && k > BACKWARD_MAX) || then >= now - least_gain)
+        return false;
+    turn(t, 0, k);
+    return true;
+}
+
+static void two_opt(tour *t)
+{
+    bool shorter = true;
+    for (int pass = 0; pass < PASSES_MAX && shorter; pass++) {
+        shorter = false;
+        for (uint32_t k = 0; k + 1 < t->count; k++) {
+            if (t->compared > compared_most || t->turned > turned_most)
+                return;
+            if (distance(exit_at(t, k), entry_at(t, k + 1)) < 1.0)
+                continue;
+            shorter |= try_head(t, k) || improve(t, k, true) || improve(t, k, false);
+        }
+    }
+}
+
+/* ---- all together ---- */
+
+static void turn_points(page_point *p, uint32_t count)
+{
+    for (uint32_t i = 0, j = count - 1; i < j; i++, j--) {
+        page_point swap = p[i];
+        p[i] = p[j];
+        p[j] = swap;
+    }
+}
+
+/* Puts the polylines in the tour's order; the points stay, but for their order in what is turned round. */
+static bool apply(const tour *t, polylines *p, size_t first)
+{
+    polyline *sorted = alloc_array(t->count, sizeof *sorted);
+    if (!sorted)
+        return false;
+    for (uint32_t k = 0; k < t->count; k++) {
+        sorted[k] = p->item[first + t->entry[k] / 2];
+        if (t->entry[k] % 2 == 1 && !sorted[k].closed)
+            turn_points(p->point + sorted[k].first, sorted[k].count);
+    }
+    memcpy(p->item + first, sorted, t->count * sizeof *sorted);
+    free(sorted);
+    return true;
+}
+
+static void tour_free(tour *t)
+{
+    for (uint32_t l = 0; l < LEVELS_MAX; l++)
+        free(t->left[l]);
+    free(t->at);
+    free(t->start);
+    free(t->end);
+    free(t->slot);
+    free(t->entry);
+    free(t->position);
+}
+
+static bool tour_init(tour *t, const polylines *p, size_t first)
+{
+    *t = (tour){.count = (uint32_t)(p->count - first)};
+    t->at = alloc_array(t->count, 2 * sizeof *t->at);
+    t->entry = alloc_array(t->count, sizeof *t->entry);
+    t->position = alloc_array(t->count, sizeof *t->position);
+    if (!t->at || !t->entry || !t->position)
+        return false;
+    for (uint32_t i = 0; i < t->count; i++) {
+        t->at[2 * i] = polyline_start(p, &p->item[first + i]);
+        t->at[2 * i + 1] = polyline_end(p, &p->item[first + i]);
+    }
+    set_frame(t);
+    return fill_grid(t);
+}
+
+bool travel_order(polylines *p, size_t first, page_point *pen)
+{
+    tour t;
+    if (p->count == first)
+        return true;
+    bool done = tour_init(&t, p, first);
+    if (done) {
+        greedy(&t, *pen);
+        two_opt(&t);
+        done = apply(&t, p, first);
+    }
+    tour_free(&t);
+    if (done)
+        *pen = polyline_end(p, &p->item[p->count - 1]);
+    return done;
+}

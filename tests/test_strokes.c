@@ -1,0 +1,554 @@
+/* From segments to strokes: no line drawn twice, the nearest wins, pieces joined and chained, short ways between. */
+#include <errno.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "draw/strokes.h"
+#include "drawing.h"
+
+enum { SIDE = 100 }; /* of the page, mm; here a model unit is one mm, and 0,0 the lower left corner */
+
+static roberts_draw_options plain_options(roberts_order order)
+{
+    roberts_draw_options options = roberts_draw_options_default();
+    options.page = (roberts_page){.width_mm = SIDE, .height_mm = SIDE, .margin_mm = 0.0};
+    options.hidden = ROBERTS_HIDDEN_SOLID;
+    options.order = order;
+    return options;
+}
+
+static strokes strokes_of(roberts_segment *segment, size_t count, const roberts_draw_options *options)
+{
+    roberts_drawing drawing = {
+        .count = count, .segment = segment, .framed = true, .window_max = {SIDE, SIDE}, .epsilon = 1e-9};
+    strokes s;
+    assert_int_equal(strokes_make(&s, &drawing, options, NULL), ROBERTS_OK);
+    return s;
+}
+
+static void print_strokes(const strokes *s, char *text, size_t size)
+{
+    static const char *const name[] = {"hidden", "crease", "outline", "frame"};
+    size_t used = 0;
+    text[0] = '\0';
+    for (int i = 0; i < LINE_CLASSES; i++)
+        for (size_t k = s->start[i]; k < s->start[i + 1] && used < size; k++) {
+            const polyline *line = &s->lines.item[k];
+            used += (size_t)snprintf(text + used, size - used, "%s%s", used ? "; " : "", name[i]);
+            for (uint32_t n = 0; n < line->count && used < size; n++) {
+                page_point p = s->lines.point[line->first + n];
+                used += (size_t)snprintf(text + used, size - used, " %g,%g", p.x / 1000.0, SIDE - p.y / 1000.0);
+            }
+            if (line->closed && used < size)
+                used += (size_t)snprintf(text + used, size - used, " closed");
+        }
+}
+
+/* ---- doubles ---- */
+
+typedef struct given {
+    char class; /* o, c, h; 0: no more */
+    double x0, y0, x1, y1, z0, z1;
+} given;
+
+static const struct {
+    const char *name;
+    given segment[6];
+    const char *wanted;
+} cases[] = {
+    {"alone", {{'o', 1, 1, 9, 1, 0, 0}}, "outline 1,1 9,1"},
+    {"the same twice", {{'o', 1, 1, 9, 1, 0, 0}, {'o', 1, 1, 9, 1, 0, 0}}, "outline 1,1 9,1"},
+    {"the same backward", {{'o', 1, 1, 9, 1, 0, 0}, {'o', 9, 1, 1, 1, 0, 0}}, "outline 1,1 9,1"},
+    {"the nearer wins: crease", {{'o', 1, 1, 9, 1, 0, 0}, {'c', 1, 1, 9, 1, 1, 1}}, "crease 1,1 9,1"},
+    {"the nearer wins: outline", {{'o', 1, 1, 9, 1, 1, 1}, {'c', 1, 1, 9, 1, 0, 0}}, "outline 1,1 9,1"},
+    {"the nearer wins: hidden", {{'h', 1, 1, 9, 1, 1, 1}, {'c', 1, 1, 9, 1, 0, 0}}, "hidden 1,1 9,1"},
+    {"equally near: outline before crease", {{'c', 1, 1, 9, 1, 0, 0}, {'o', 1, 1, 9, 1, 0, 0}}, "outline 1,1 9,1"},
+    {"equally near: crease before hidden", {{'h', 1, 1, 9, 1, 0, 0}, {'c', 1, 1, 9, 1, 0, 0}}, "crease 1,1 9,1"},
+    {"nearer by less than epsilon: no", {{'c', 1, 1, 9, 1, 5e-10, 5e-10}, {'o', 1, 1, 9, 1, 0, 0}}, "outline 1,1 9,1"},
+    {"nearer by more", {{'c', 1, 1, 9, 1, 2e-9, 2e-9}, {'o', 1, 1, 9, 1, 0, 0}}, "crease 1,1 9,1"},
+    {"overlap, one class", {{'o', 1, 1, 6, 1, 0, 0}, {'o', 4, 1, 9, 1, 1, 1}}, "outline 1,1 9,1"},
+    {"overlap, the second nearer",
+     {{'o', 1, 1, 6, 1, 0, 0}, {'c', 4, 1, 9, 1, 1, 1}},
+     "crease 4,1 9,1; outline 1,1 4,1"},
+    {"overlap, the first nearer",
+     {{'o', 1, 1, 6, 1, 1, 1}, {'c', 4, 1, 9, 1, 0, 0}},
+     "crease 6,1 9,1; outline 1,1 6,1"},
+    {"inside, nearer",
+     {{'o', 1, 1, 9, 1, 0, 0}, {'c', 4, 1, 6, 1, 1, 1}},
+     "crease 4,1 6,1; outline 1,1 4,1; outline 6,1 9,1"},
+    {"inside, farther", {{'o', 1, 1, 9, 1, 1, 1}, {'c', 4, 1, 6, 1, 0, 0}}, "outline 1,1 9,1"},
+    {"nearer on one side, farther on the other, ends cut them apart",
+     {{'o', 0, 1, 4, 1, 8, 0}, {'c', 2, 1, 6, 1, 5, 5}},
+     "crease 2,1 6,1; outline 0,1 2,1"},
+    {"depth is taken where they overlap",
+     {{'o', 0, 1, 8, 1, 8, 0}, {'c', 6, 1, 10, 1, 2, 2}},
+     "crease 6,1 10,1; outline 0,1 6,1"},
+    {"three on one another",
+     {{'h', 1, 1, 9, 1, 0, 0}, {'c', 2, 1, 6, 1, 1, 1}, {'o', 4, 1, 5, 1, 2, 2}},
+     "hidden 1,1 2,1; hidden 6,1 9,1; crease 2,1 4,1; crease 5,1 6,1; outline 4,1 5,1"},
+    {"end to end", {{'o', 1, 1, 5, 1, 0, 0}, {'o', 5, 1, 9, 1, 1, 1}}, "outline 1,1 9,1"},
+    {"end to end, other classes",
+     {{'o', 1, 1, 5, 1, 0, 0}, {'c', 5, 1, 9, 1, 0, 0}},
+     "crease 5,1 9,1; outline 1,1 5,1"},
+    {"a gap of less than touches", {{'o', 1, 1, 5, 1, 0, 0}, {'o', 5.0009, 1, 9, 1, 0, 0}}, "outline 1,1 9,1"},
+    {"a gap of more", {{'o', 1, 1, 5, 1, 0, 0}, {'o', 5.003, 1, 9, 1, 0, 0}}, "outline 1,1 5,1; outline 5.003,1 9,1"},
+    {"parallel, nearer than touches", {{'o', 1, 1, 9, 1, 0, 0}, {'o', 1, 1.0004, 9, 1.0004, 0, 0}}, "outline 1,1 9,1"},
+    {"parallel, farther apart",
+     {{'o', 1, 1, 9, 1, 0, 0}, {'o', 1, 1.003, 9, 1.003, 0, 0}},
+     "outline 1,1 9,1; outline 1,1.003 9,1.003"},
+    {"crossing", {{'o', 1, 1, 9, 9, 0, 0}, {'o', 1, 9, 9, 1, 0, 0}}, "outline 1,1 9,9; outline 1,9 9,1"},
+    {"a bend is none", {{'o', 1, 1, 5, 1, 0, 0}, {'o', 5, 1, 9, 1.01, 0, 0}}, "outline 1,1 5,1 9,1.01"},
+    {"a sliver goes to its neighbour", {{'o', 1, 1, 9, 1, 0, 0}, {'c', 1.0003, 1, 9.0003, 1, 1, 1}}, "crease 1,1 9,1"},
+    {"turned by 30 degrees",
+     {{'o', 0, 0, 8.660254037844386, 5, 0, 0}, {'c', 4.330127018922193, 2.5, 17.32050807568877, 10, 0, 0}},
+     "crease 8.66,5 17.321,10; outline 0,0 8.66,5"},
+    {"steep", {{'o', 50, 0, 50, 80, 0, 0}, {'o', 50, 90, 50.00000000000001, 40, 0, 0}}, "outline 50,0 50,90"},
+    {"no length", {{'o', 5, 5, 5, 5, 0, 0}, {'o', 1, 1, 9, 1, 0, 0}}, "outline 1,1 9,1"},
+    {"leaves the frame",
+     {{'o', -50, 10, 50, 10, 0, 0}, {'o', 10, 50, 10, 150, 0, 0}},
+     "outline 0,10 50,10; outline 10,50 10,100"},
+    {"beyond the frame", {{'o', -50, 10, -40, 10, 0, 0}, {'o', 10, 150, 60, 150, 0, 0}}, ""},
+};
+
+static roberts_segment segment_of(const given *g)
+{
+    roberts_segment s = line_at(g->class == 'c' ? ROBERTS_CREASE : ROBERTS_OUTLINE, g->x0, g->y0, g->x1, g->y1);
+    s.z0 = g->z0;
+    s.z1 = g->z1;
+    if (g->class == 'h')
+        s.state = ROBERTS_HIDDEN;
+    return s;
+}
+
+static void doubles(void **state)
+{
+    roberts_draw_options options = plain_options(ROBERTS_ORDER_NONE);
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        roberts_segment segment[6];
+        size_t count = 0;
+        char text[1000];
+        for (; count < 6 && cases[i].segment[count].class; count++)
+            segment[count] = segment_of(&cases[i].segment[count]);
+        strokes s = strokes_of(segment, count, &options);
+        print_strokes(&s, text, sizeof text);
+        print_message("%s: %s\n", cases[i].name, text);
+        assert_string_equal(text, cases[i].wanted);
+        strokes_free(&s);
+    }
+}
+
+/* ---- chains ---- */
+
+static const struct {
+    const char *name;
+    given segment[6];
+    const char *wanted, *in_order;
+} chain_cases[] = {
+    {"square",
+     {{'o', 1, 1, 9, 1, 0, 0}, {'o', 1, 1, 1, 9, 0, 0}, {'o', 9, 1, 9, 9, 0, 0}, {'o', 1, 9, 9, 9, 0, 0}},
+     "outline 1,1 9,1 9,9 1,9 closed",
+     "outline 9,1 1,1 1,9; outline 9,1 9,9 1,9"},
+    {"square that begins on a side",
+     {{'o', 5, 1, 9, 1, 0, 0},
+      {'o', 9, 1, 9, 9, 0, 0},
+      {'o', 9, 9, 1, 9, 0, 0},
+      {'o', 1, 9, 1, 1, 0, 0},
+      {'o', 1, 1, 5, 1, 0, 0}},
+     "outline 1,1 9,1 9,9 1,9 closed",
+     "outline 1,1 9,1 9,9 1,9 closed"},
+    {"star of three",
+     {{'o', 5, 5, 9, 5, 0, 0}, {'o', 5, 5, 1, 9, 0, 0}, {'o', 5, 5, 1, 1, 0, 0}},
+     "outline 1,9 5,5; outline 9,5 5,5 1,1",
+     "outline 9,5 5,5 1,9; outline 5,5 1,1"},
+    {"two classes do not meet",
+     {{'o', 1, 1, 9, 1, 0, 0}, {'c', 9, 1, 9, 9, 0, 0}},
+     "crease 9,9 9,1; outline 9,1 1,1",
+     "crease 9,1 9,9; outline 1,1 9,1"},
+    {"ends within touch",
+     {{'o', 1, 1, 5, 5, 0, 0}, {'o', 5.0008, 5.0008, 9, 1, 0, 0}},
+     "outline 9,1 5,5 1,1",
+     "outline 1,1 5,5; outline 5.001,5.001 9,1"},
+};
+
+static void chains(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof chain_cases / sizeof chain_cases[0]; i++)
+        for (int order = ROBERTS_ORDER_TRAVEL; order <= ROBERTS_ORDER_NONE; order++) {
+            roberts_draw_options options = plain_options((roberts_order)order);
+            roberts_segment segment[6];
+            size_t count = 0;
+            char text[1000];
+            for (; count < 6 && chain_cases[i].segment[count].class; count++)
+                segment[count] = segment_of(&chain_cases[i].segment[count]);
+            strokes s = strokes_of(segment, count, &options);
+            print_strokes(&s, text, sizeof text);
+            print_message("%s: %s\n", chain_cases[i].name, text);
+            assert_string_equal(text, order == ROBERTS_ORDER_NONE ? chain_cases[i].in_order : chain_cases[i].wanted);
+            strokes_free(&s);
+        }
+}
+
+/* ---- random lines of a lattice: what is drawn is compared step by step with what should be ---- */
+
+enum { LATTICE = 20, DIRECTIONS = 5, LATTICE_MM = 5 };
+
+static const int direction[DIRECTIONS][2] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}, {2, 1}};
+
+/* By direction and starting point: what is drawn on the step from there. */
+typedef struct step {
+    int times;
+    int line; /* roberts_line */
+    double z;
+} step;
+
+typedef step steps[DIRECTIONS][LATTICE + 1][LATTICE + 1];
+
+static uint32_t random_below(uint64_t *seed, uint32_t n)
+{
+    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+    return (uint32_t)((*seed >> 33) % n);
+}
+
+/* A random run of steps, drawn either way, at a random height; `wanted` keeps what is nearest. */
+static roberts_segment random_run(uint64_t *seed, steps wanted)
+{
+    for (;;) {
+        int k = (int)random_below(seed, DIRECTIONS), x = (int)random_below(seed, LATTICE + 1);
+        int y = (int)random_below(seed, LATTICE + 1), n = 1 + (int)random_below(seed, 8);
+        int ex = x + n * direction[k][0], ey = y + n * direction[k][1];
+        if (ex > LATTICE || ey > LATTICE || ey < 0)
+            continue;
+        int class = (int)random_below(seed, 3);
+        double z = random_below(seed, 4), m = LATTICE_MM;
+        roberts_segment s = random_below(seed, 2) ? line_at((roberts_line) class, m * x, m * y, m * ex, m * ey)
+                                                  : line_at((roberts_line) class, m * ex, m * ey, m * x, m * y);
+        s.z0 = s.z1 = z;
+        s.state = class == ROBERTS_BACK ? ROBERTS_HIDDEN : ROBERTS_VISIBLE;
+        for (int i = 0; i < n; i++) {
+            step *w = &wanted[k][x + i * direction[k][0]][y + i * direction[k][1]];
+            if (!w->times || z > w->z || (z == w->z && class < w->line))
+                *w = (step){1, class, z};
+        }
+        return s;
+    }
+}
+
+static void add_side(steps drawn, page_point a, page_point b, int class)
+{
+    const int unit = 1000 * LATTICE_MM;
+    int x = a.x / unit, y = (SIDE * 1000 - a.y) / unit, ex = b.x / unit, ey = (SIDE * 1000 - b.y) / unit;
+    assert_true(a.x % unit == 0 && a.y % unit == 0 && b.x % unit == 0 && b.y % unit == 0);
+    for (int k = 0; k < DIRECTIONS; k++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            int dx = direction[k][0], dy = direction[k][1];
+            int n = dx ? (ex - x) * sign / dx : (ey - y) * sign / dy;
+            if (n <= 0 || x + sign * n * dx != ex || y + sign * n * dy != ey)
+                continue;
+            for (int i = 0; i < n; i++) {
+                int at = sign > 0 ? i : i + 1;
+                step *d = &drawn[k][x + sign * at * dx][y + sign * at * dy];
+                d->times++;
+                d->line = class;
+            }
+            return;
+        }
+    fail_msg("a stroke runs in no direction of the lattice");
+}
+
+/* Places where an odd number of steps of a class ends; half as many lines have to be open. */
+static size_t odd_places(steps drawn, int class)
+{
+    int ends[LATTICE + 1][LATTICE + 1] = {{0}};
+    size_t odd = 0;
+    for (int k = 0; k < DIRECTIONS; k++)
+        for (int x = 0; x <= LATTICE; x++)
+            for (int y = 0; y <= LATTICE; y++)
+                if (drawn[k][x][y].times && drawn[k][x][y].line == class) {
+                    ends[x][y]++;
+                    ends[x + direction[k][0]][y + direction[k][1]]++;
+                }
+    for (int x = 0; x <= LATTICE; x++)
+        for (int y = 0; y <= LATTICE; y++)
+            odd += ends[x][y] % 2;
+    return odd;
+}
+
+static void every_step_is_drawn_once(void **state)
+{
+    static steps wanted, drawn;
+    uint64_t seed = 1;
+    (void)state;
+    for (int round = 0; round < 200; round++) {
+        roberts_segment segment[300];
+        size_t count = 1 + random_below(&seed, round < 100 ? 20 : 300);
+        memset(wanted, 0, sizeof wanted);
+        for (size_t i = 0; i < count; i++)
+            segment[i] = random_run(&seed, wanted);
+        for (int order = ROBERTS_ORDER_TRAVEL; order <= ROBERTS_ORDER_NONE; order++) {
+            roberts_draw_options options = plain_options((roberts_order)order);
+            strokes s = strokes_of(segment, count, &options);
+            memset(drawn, 0, sizeof drawn);
+            for (int c = 0; c < LINE_CLASSES; c++) {
+                size_t open = 0;
+                for (size_t i = s.start[c]; i < s.start[c + 1]; i++) {
+                    const polyline *line = &s.lines.item[i];
+                    const page_point *p = s.lines.point + line->first;
+                    open += !line->closed;
+                    for (uint32_t n = 0; n + !line->closed < line->count; n++)
+                        add_side(drawn, p[n], p[(n + 1) % line->count], line_order[c]);
+                }
+                if (order == ROBERTS_ORDER_TRAVEL)
+                    assert_int_equal(2 * open, odd_places(wanted, line_order[c]));
+            }
+            for (int k = 0; k < DIRECTIONS; k++)
+                for (int x = 0; x <= LATTICE; x++)
+                    for (int y = 0; y <= LATTICE; y++) {
+                        assert_int_equal(drawn[k][x][y].times, wanted[k][x][y].times);
+                        assert_int_equal(drawn[k][x][y].line, wanted[k][x][y].line);
+                    }
+            strokes_free(&s);
+        }
+    }
+}
+
+/* ---- order ---- */
+
+static double random_mm(uint64_t *seed)
+{
+    return random_below(seed, 1000000) * (SIDE / 1e6);
+}
+
+static roberts_segment *random_lines(size_t count, double length)
+{
+    uint64_t seed = 7;
+    roberts_segment *segment = malloc(count * sizeof *segment);
+    assert_non_null(segment);
+    for (size_t i = 0; i < count; i++) {
+        double x = random_mm(&seed), y = random_mm(&seed), angle = random_mm(&seed);
+        segment[i] = line_at(ROBERTS_OUTLINE, x, y, x + length * cos(angle), y + length * sin(angle));
+    }
+    return segment;
+}
+
+/* The pen's ways shrink, the strokes stay the same. A tour through n random places in a square of side a is some
+ * 0.71 a sqrt(n) long (Beardwood, Halton, Hammersley 1959); here each stroke has two ends to choose from. */
+static void ways_are_short(void **state)
+{
+    const size_t counts[] = {1, 2, 3, 10, 1000, 30000};
+    (void)state;
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+        roberts_segment *segment = random_lines(counts[i], 0.2);
+        roberts_draw_options options = plain_options(ROBERTS_ORDER_NONE);
+        strokes none = strokes_of(segment, counts[i], &options);
+        options.order = ROBERTS_ORDER_TRAVEL;
+        strokes ordered = strokes_of(segment, counts[i], &options);
+        roberts_ink a = strokes_measure(&none), b = strokes_measure(&ordered);
+        print_message("%zu: %zu strokes, %.1f mm down, %.1f up; ordered %zu, %.1f, %.1f\n", counts[i], a.strokes,
+                      a.down_mm, a.up_mm, b.strokes, b.down_mm, b.up_mm);
+        assert_true(b.strokes <= a.strokes && b.strokes + counts[i] / 5000 >= a.strokes); /* some happen to meet */
+        assert_true(fabs(a.down_mm - b.down_mm) < 1e-3 * (double)a.strokes);
+        assert_true(b.up_mm <= a.up_mm);
+        if (counts[i] >= 1000)
+            assert_true(b.up_mm < 1.1 * 0.71 * SIDE * sqrt((double)counts[i]));
+        strokes_free(&none);
+        strokes_free(&ordered);
+        free(segment);
+    }
+}
+
+/* A square of four strokes that a greedy pen gets wrong: 2-opt mends it. Greedy from the upper left goes from the long
+ * stroke's far end; the best tour is known by trying all. */
+static double best_tour(const roberts_segment *segment, int count, int done, unsigned used, roberts_vec2 pen)
+{
+    double best = INFINITY;
+    if (done == count)
+        return 0.0;
+    for (int i = 0; i < 2 * count; i++) {
+        if (used & 1u << (i / 2))
+            continue;
+        roberts_vec2 in = i % 2 ? segment[i / 2].p1 : segment[i / 2].p0,
+                     out = i % 2 ? segment[i / 2].p0 : segment[i / 2].p1;
+        double way = done ? hypot(in.x - pen.x, in.y - pen.y) : 0.0;
+        best = fmin(best, way + best_tour(segment, count, done + 1, used | 1u << (i / 2), out));
+    }
+    return best;
+}
+
+static void small_tours_are_nearly_best(void **state)
+{
+    roberts_draw_options options = plain_options(ROBERTS_ORDER_TRAVEL);
+    uint64_t seed = 5;
+    double sum = 0.0, best = 0.0;
+    (void)state;
+    for (int round = 0; round < 200; round++) {
+        roberts_segment segment[5];
+        for (int i = 0; i < 5; i++)
+            segment[i] =
+                line_at(ROBERTS_OUTLINE, random_mm(&seed), random_mm(&seed), random_mm(&seed), random_mm(&seed));
+        strokes s = strokes_of(segment, 5, &options);
+        double own = strokes_measure(&s).up_mm, least = best_tour(segment, 5, 0, 0, (roberts_vec2){0, 0});
+        assert_true(own > least - 0.01);
+        sum += own;
+        best += least;
+        strokes_free(&s);
+    }
+    print_message("%.1f mm, %.1f at best\n", sum, best);
+    assert_true(sum < 1.2 * best);
+}
+
+/* ---- crowds: none of this may take long ---- */
+
+static void crowds(void **state)
+{
+    enum { COUNT = 200000 };
+    roberts_draw_options options = plain_options(ROBERTS_ORDER_TRAVEL);
+    roberts_segment *segment = malloc(COUNT * sizeof *segment);
+    static const char *const names[] = {"one line, at many heights", "a fan", "hatching", "stairs", "a heap"};
+    (void)state;
+    assert_non_null(segment);
+    for (int kind = 0; kind < 5; kind++) {
+        uint64_t seed = 3;
+        for (size_t i = 0; i < COUNT; i++) {
+            double x = random_mm(&seed), y = random_mm(&seed), k = (double)i / COUNT;
+            segment[i] = kind == 0   ? line_at(ROBERTS_OUTLINE, x, 50, y, 50)
+                         : kind == 1 ? line_at(ROBERTS_OUTLINE, 50, 50, 50 + 40 * cos(6 * k), 50 + 40 * sin(6 * k))
+                         : kind == 2 ? line_at(ROBERTS_OUTLINE, 0, 100 * k, 100, 100 * k)
+                         : kind == 3 ? line_at(ROBERTS_OUTLINE, 100 * k, 100 * k, 100 * k + (i % 2 ? 5e-4 : 0),
+                                               100 * k + (i % 2 ? 0 : 5e-4))
+                                     : line_at(ROBERTS_OUTLINE, 50 + x / 1e3, 50 + y / 1e3, 50 + y / 1e3, 50 + x / 1e3);
+            segment[i].z0 = y;
+            segment[i].z1 = x;
+            if (i % 3 == 0)
+                segment[i].line = ROBERTS_CREASE;
+        }
+        strokes s = strokes_of(segment, COUNT, &options);
+        roberts_ink ink = strokes_measure(&s);
+        print_message("%s: %zu strokes, %.1f mm down, %.1f up\n", names[kind], ink.strokes, ink.down_mm, ink.up_mm);
+        if (kind == 0)
+            assert_true(ink.down_mm > 99.9 && ink.down_mm < 100.001);
+        strokes_free(&s);
+    }
+    free(segment);
+}
+
+/* ---- real dashes ---- */
+
+static const struct {
+    const char *name;
+    given segment[3];
+    double dash_mm, gap_mm;
+    const char *wanted;
+} dash_cases[] = {
+    {"3 mm seen, 1 mm gap, of a pen of 1 mm", {{'h', 1, 1, 9, 1, 0, 0}}, 3, 1, "hidden 1,1 3,1; hidden 5,1 7,1"},
+    {"the last is cut off", {{'h', 1, 1, 10, 1, 0, 0}}, 3, 1, "hidden 1,1 3,1; hidden 5,1 7,1; hidden 9,1 10,1"},
+    {"round a corner",
+     {{'h', 1, 1, 2, 1, 0, 0}, {'h', 2, 1, 2, 9, 0, 0}},
+     3,
+     1,
+     "hidden 1,1 2,1 2,2; hidden 2,4 2,6; hidden 2,8 2,9"},
+    {"dots", {{'h', 1, 1, 9, 1, 0, 0}}, 1, 2, "hidden 1,1 1.001,1; hidden 4.001,1 4.002,1; hidden 7.002,1 7.003,1"},
+    {"shorter than a dash", {{'h', 1, 1, 2, 1, 0, 0}}, 3, 1, "hidden 1,1 2,1"},
+    {"unbroken", {{'h', 1, 1, 9, 1, 0, 0}}, 0, 1, "hidden 1,1 9,1"},
+    {"other classes stay", {{'h', 1, 1, 4, 1, 0, 0}, {'o', 1, 5, 9, 5, 0, 0}}, 3, 1, "hidden 1,1 3,1; outline 1,5 9,5"},
+};
+
+static void real_dashes(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof dash_cases / sizeof dash_cases[0]; i++) {
+        roberts_draw_options options = plain_options(ROBERTS_ORDER_NONE);
+        roberts_segment segment[3];
+        size_t count = 0;
+        char text[1000];
+        options.hidden = ROBERTS_HIDDEN_DASHED;
+        options.real_dashes = true;
+        options.back = (roberts_pen){.width_mm = 1, .dash_mm = dash_cases[i].dash_mm, .gap_mm = dash_cases[i].gap_mm};
+        for (; count < 3 && dash_cases[i].segment[count].class; count++)
+            segment[count] = segment_of(&dash_cases[i].segment[count]);
+        strokes s = strokes_of(segment, count, &options);
+        print_strokes(&s, text, sizeof text);
+        print_message("%s: %s\n", dash_cases[i].name, text);
+        assert_string_equal(text, dash_cases[i].wanted);
+        strokes_free(&s);
+    }
+}
+
+/* Closed lines come round to their start; as long as the pattern says, whatever the corners. */
+static void dashes_of_a_closed_line(void **state)
+{
+    roberts_draw_options options = plain_options(ROBERTS_ORDER_TRAVEL);
+    roberts_segment square[4] = {line_at(ROBERTS_OUTLINE, 10, 10, 50, 10), line_at(ROBERTS_OUTLINE, 50, 10, 50, 50),
+                                 line_at(ROBERTS_OUTLINE, 50, 50, 10, 50), line_at(ROBERTS_OUTLINE, 10, 50, 10, 10)};
+    (void)state;
+    options.real_dashes = true;
+    options.outline = (roberts_pen){.width_mm = 0.5, .dash_mm = 3, .gap_mm = 1};
+    strokes s = strokes_of(square, 4, &options);
+    roberts_ink ink = strokes_measure(&s);
+    assert_int_equal(ink.strokes, 40); /* 160 mm, 4 mm each */
+    assert_true(fabs(ink.down_mm - 40 * 2.5) < 1e-6 && fabs(ink.up_mm - 39 * 1.5) < 1e-6);
+    strokes_free(&s);
+}
+
+static void too_many_dashes_are_refused(void **state)
+{
+    roberts_draw_options options = plain_options(ROBERTS_ORDER_NONE);
+    roberts_segment segment = line_at(ROBERTS_OUTLINE, 0, 0, 40000, 0);
+    roberts_drawing drawing = {.count = 1, .segment = &segment};
+    roberts_error error = {0};
+    strokes s;
+    (void)state;
+    options.page = (roberts_page){.width_mm = 40000, .height_mm = 4000, .margin_mm = 0};
+    options.real_dashes = true;
+    options.outline = (roberts_pen){.width_mm = 1e-3, .dash_mm = 1e-3};
+    assert_int_equal(strokes_make(&s, &drawing, &options, &error), ROBERTS_OK); /* at a unit of 0.01 mm */
+    strokes_free(&s);
+    roberts_segment many[10];
+    for (int i = 0; i < 10; i++)
+        many[i] = line_at(ROBERTS_OUTLINE, 0, 100 * i, 40000, 100 * i);
+    drawing = (roberts_drawing){.count = 10, .segment = many};
+    assert_int_equal(strokes_make(&s, &drawing, &options, &error), ROBERTS_BAD_ARGUMENT);
+    assert_non_null(strstr(error.message, "dashes"));
+    strokes_free(&s);
+}
+
+/* ---- the frame ---- */
+
+static void frame_lies_on_the_margins(void **state)
+{
+    roberts_draw_options options = plain_options(ROBERTS_ORDER_TRAVEL);
+    roberts_segment segment = line_at(ROBERTS_OUTLINE, 0, 0, 100, 0);
+    char text[200];
+    (void)state;
+    options.page.margin_mm = 10;
+    options.frame.off = false;
+    strokes s = strokes_of(&segment, 1, &options);
+    print_strokes(&s, text, sizeof text);
+    assert_string_equal(text, "outline 10,10 90,10; frame 10,90 90,90 90,10 10,10 closed");
+    strokes_free(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(doubles),
+        cmocka_unit_test(chains),
+        cmocka_unit_test(every_step_is_drawn_once),
+        cmocka_unit_test(ways_are_short),
+        cmocka_unit_test(small_tours_are_nearly_best),
+        cmocka_unit_test(crowds),
+        cmocka_unit_test(real_dashes),
+        cmocka_unit_test(dashes_of_a_closed_line),
+        cmocka_unit_test(too_many_dashes_are_refused),
+        cmocka_unit_test(frame_lies_on_the_margins),
+    };
+    return cmocka_run_group_tests_name("strokes", tests, NULL, NULL);
+}
