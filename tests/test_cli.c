@@ -210,6 +210,37 @@ static const struct {
     {"--output=", "--output: the name is empty"},
     {"-o a.dxf models/table.off", "a.dxf: no format is known by this ending; say which with -f"},
     {"- -", "standard input (-) can be read only once"},
+    {"--page a7", "--page: \"a7\" is unknown"},
+    {"--page leter", "did you mean letter?"},
+    {"--page 100", "or WxH in mm"},
+    {"--page 100x", "--page: \"100x\" is unknown"},
+    {"--page 100x0", "--page: 100x0: each side has 1 to 40000 mm"},
+    {"--page 50000x100", "each side has 1 to 40000 mm"},
+    {"--page 100x100 --margin 50", "--margin: 50 mm leave no room on a page of 100 x 100 mm"},
+    {"--margin -1", "--margin: -1 is not in"},
+    {"--fit --scale 1:2", "--fit and --scale exclude each other"},
+    {"--scale 1:0", "--scale: 1:0 is not in"},
+    {"--scale -1", "--scale: -1 is not in"},
+    {"--scale 1/20", "--scale: \"1/20\" is not like 1:20"},
+    {"--scale big", "--scale: \"big\" is not like 1:20"},
+    {"--unit inch", "--unit: \"inch\" is unknown; did you mean in?"},
+    {"--align botom-left", "did you mean bottom-left?"},
+    {"--order fast", "--order: \"fast\" is unknown; it can be travel, none"},
+    {"--dash fake", "--dash: \"fake\" is unknown; it can be pattern, real"},
+    {"--dpi 0", "--dpi: 0 gives no image"},
+    {"--dpi 300dpi", "--dpi: \"300dpi\" is not a number"},
+    {"--style outlin:off", "--style: \"outlin\" is unknown; did you mean outline?"},
+    {"--style outline", "--style: \"outline\" is not CLASS:key=value"},
+    {"--style outline:", "--style: \"\" is unknown; it can be width"},
+    {"--style outline:widht=1", "did you mean width?"},
+    {"--style outline:width", "--style: width needs a value"},
+    {"--style outline:off=1", "--style: off takes no value"},
+    {"--style outline:width=0", "--style: width=0 is not in"},
+    {"--style outline:width=wide", "--style: width=wide is not a number"},
+    {"--style outline:color=#12345", "--style: colour: \"#12345\" is unknown"},
+    {"--style outline:color=purpel", "did you mean purple?"},
+    {"--style hidden:dash=1/x", "--style: dash=1/x is neither none nor DASH/GAP"},
+    {"--style hidden:dash=0", "--style: dash=0 is not in"},
 };
 
 static void misuse(void **state)
@@ -264,9 +295,9 @@ static void output_goes_where_it_should(void **state)
     assert_string_equal(last.out, text);
     finish(start("--view=iso", "models/platonic/cube.off", -1));
     assert_int_equal(last.status, 0);
-    assert_string_equal(last.out, text);
+    assert_string_equal(strstr(last.out, "<g "), strstr(text, "<g ")); /* title and description differ */
     finish(start("--view iso - --up 0,0,2", "models/platonic/cube.off", -1));
-    assert_string_equal(last.out, text);
+    assert_string_equal(strstr(last.out, "<g "), strstr(text, "<g "));
     assert_int_equal(run("models/platonic/cube.off -o in/a.csv"), 0);
     read_text("in/a.csv", text);
     assert_int_equal(strncmp(text, "solid,v0,v1,t0,t1,state,x0,y0,x1,y1,by\n0,", 41), 0);
@@ -347,6 +378,101 @@ static void angles_are_views(void **state)
         assert_int_equal(run(line), 0);
         assert_string_equal(last.out, text);
     }
+}
+
+/* The page, its lines and their pens: options of each on a cube, and what of them is in the SVG. */
+static const struct {
+    const char *arguments, *wanted; /* a part of the SVG; not in it where it begins with ! */
+} page_cases[] = {
+    {"", "width=\"210mm\" height=\"297mm\" viewBox=\"0 0 210 297\""},
+    {"--page a3", "width=\"297mm\" height=\"420mm\""},
+    {"--page a0", "width=\"841mm\" height=\"1189mm\""},
+    {"--page a6", "width=\"105mm\" height=\"148mm\""},
+    {"--page letter", "width=\"215.9mm\" height=\"279.4mm\""},
+    {"--page legal", "width=\"215.9mm\" height=\"355.6mm\""},
+    {"--page tabloid", "width=\"279.4mm\" height=\"431.8mm\""},
+    {"--page 100x50.5", "width=\"100mm\" height=\"50.5mm\""},
+    {"--landscape", "width=\"297mm\" height=\"210mm\""},
+    {"--landscape --page a5", "width=\"210mm\" height=\"148mm\""},
+    {"--landscape --page 100x50", "width=\"100mm\" height=\"50mm\""},
+    {"--view top --page 100x100", "M 90 10 L 10 10 L 10 90 L 90 90 Z"},
+    {"--view top --page 100x100 --margin 20 --fit", "M 80 20 L 20 20 L 20 80 L 80 80 Z"},
+    {"--view top --page 100x100 --margin 0 --scale 10:1", "M 60 40 L 40 40 L 40 60 L 60 60 Z"},
+    {"--view top --page 100x100 --scale 10", "M 60 40 L 40 40 L 40 60 L 60 60 Z"},
+    {"--view top --page 100x100 --scale 1:2 --unit cm", "M 55 45 L 45 45 L 45 55 L 55 55 Z"},
+    {"--view top --page 100x100 --scale 1:25 --unit m", "M 90 10 L 10 10 L 10 90 L 90 90 Z"},
+    {"--view top --page 100x100 --scale 1 --unit in", "M 75.4 24.6 L 24.6 24.6 L 24.6 75.4 L 75.4 75.4 Z"},
+    {"--view top --page 100x100 --scale 10 --align top-left", "M 30 10 L 10 10 L 10 30 L 30 30 Z"},
+    {"--view top --page 100x100 --scale 10 --align bottom-right", "M 90 70 L 70 70 L 70 90 L 90 90 Z"},
+    {"--view top --page 100x100 --scale 10 --align right", "M 90 40 L 70 40 L 70 60 L 90 60 Z"},
+    {"--view top --page 100x100 --scale 10 --align bottom", "M 60 70 L 40 70 L 40 90 L 60 90 Z"},
+    {"--frame", "<g id=\"frame\" inkscape:groupmode=\"layer\" inkscape:label=\"frame\">"},
+    {"--frame", "stroke-width=\"0.7\" stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\"M 10 10 L 200 10 L 200 "
+                "287 L 10 287 Z \""},
+    {"", "!id=\"frame\""},
+    {"", "!id=\"hidden\""},
+    {"--hidden dashed", "stroke-dasharray=\"2.75 1\""},
+    {"--hidden solid", "!stroke-dasharray"},
+    {"--hidden solid", "id=\"hidden\""},
+    {"--hidden dashed --dash pattern", "stroke-dasharray"},
+    {"--hidden dashed --dash real", "!stroke-dasharray"},
+    {"--hidden dashed --style hidden:width=0.5",
+     "stroke-width=\"0.5\" stroke-linecap=\"round\" stroke-linejoin=\"round\" stroke-dasharray=\"5.5 2\""},
+    {"--hidden dashed --style hidden:dash=2/1", "stroke-dasharray=\"1.75 1.25\""},
+    {"--hidden dashed --style hidden:dash=4", "stroke-dasharray=\"3.75 1.25\""},
+    {"--hidden dashed --style hidden:dash=none", "!stroke-dasharray"},
+    {"--hidden dashed --style hidden:off", "!id=\"hidden\""},
+    {"--style outline:width=1,colour=#f00", "stroke=\"#ff0000\" stroke-width=\"1\""},
+    {"--style outline:color=#1A2b3c", "stroke=\"#1a2b3c\" stroke-width=\"0.5\""},
+    {"--style crease:color=blue", "stroke=\"#0000ff\" stroke-width=\"0.35\""},
+    {"--style crease:off", "!id=\"crease\""},
+    {"--style crease:off --style crease:on", "id=\"crease\""},
+    {"--style frame:width=2 --frame", "stroke-width=\"2\""},
+    {"--style crease:dash=3/1", "stroke-dasharray=\"2.65 1.35\""},
+    {"-q --threads 1 --grid 3 -f svg --stats", "<desc>roberts models/platonic/cube.off</desc>"},
+    {"--order none --view=top --crease 5",
+     "<desc>roberts --order=none --view=top --crease=5 models/platonic/cube.off</desc>"},
+    {"", "<title>cube.off</title>"},
+};
+
+static void pages_and_pens(void **state)
+{
+    char line[300];
+    (void)state;
+    for (size_t i = 0; i < sizeof page_cases / sizeof page_cases[0]; i++) {
+        const char *wanted = page_cases[i].wanted;
+        snprintf(line, sizeof line, "%s models/platonic/cube.off", page_cases[i].arguments);
+        print_message("%s: %s\n", line, wanted);
+        assert_int_equal(run(line), 0);
+        if (*wanted == '!')
+            assert_null(strstr(last.out, wanted + 1));
+        else if (!strstr(last.out, wanted))
+            fail_msg("%s", last.out);
+    }
+}
+
+static void too_large_for_the_page(void **state)
+{
+    (void)state;
+    assert_int_equal(run("--view top --page 100x100 --scale 1:20 --unit ft models/platonic/cube.off -o in/a.svg"), 0);
+    assert_int_equal(run("--view top --page 100x100 --scale 1:2 --unit ft models/platonic/cube.off -o in/b.svg"), 2);
+    assert_said("in/b.svg: at 1:2 the drawing is 305 x 305 mm and would leave the page, whose margins leave 80 x 80; "
+                "1:7.62 would fit\n");
+    assert_int_equal(run("--view top --page 100x100 --scale 1:7.62 --unit ft models/platonic/cube.off -o in/b.svg"), 0);
+    assert_int_equal(entries("in", false), 2);
+}
+
+/* Engine and place of output change no byte. */
+static void description_depends_on_the_drawing_alone(void **state)
+{
+    static char text[TEXT];
+    (void)state;
+    assert_int_equal(run("models/platonic/cube.off --hidden dashed"), 0);
+    strcpy(text, last.out);
+    assert_int_equal(
+        run("--threads 1 --grid 1 --stats=json --verify --hidden=dashed -o in/a.svg -- models/platonic/cube.off"), 0);
+    read_text("in/a.svg", last.out);
+    assert_string_equal(last.out, text);
 }
 
 static void outputs_that_fail(void **state)
@@ -441,6 +567,14 @@ static void statistics(void **state)
     assert_said("12  edges\n");
     assert_said("epsilon");
     assert_said("  hide\n");
+    assert_null(strstr(last.err, "strokes")); /* no page, no pen */
+    assert_int_equal(run("-o in/a.svg --stats --view top --page 100x100 models/platonic/cube.off"), 0);
+    assert_said("1  strokes\n");
+    assert_said("320.0  mm with the pen down\n");
+    assert_said("0.0  mm with the pen up\n");
+    assert_said("40  mm on paper by model unit\n");
+    assert_int_equal(run("-o in/a.svg --stats=json --view top --page 100x100 models/platonic/cube.off"), 0);
+    assert_said("\"strokes\":1,\"pen_down_mm\":320.000,\"pen_up_mm\":0.000,\"scale\":");
     assert_int_equal(run("-f null -q --stats=json models/platonic/cube.off"), 0);
     assert_int_equal(strncmp(last.err, "{\"version\":\"0.", 14), 0);
     assert_string_equal(last.err + strlen(last.err) - 3, "}}\n");
@@ -586,6 +720,9 @@ int main(void)
         IN_FOLDER(output_goes_where_it_should),
         IN_FOLDER(options_reach_the_library),
         IN_FOLDER(angles_are_views),
+        IN_FOLDER(pages_and_pens),
+        IN_FOLDER(too_large_for_the_page),
+        IN_FOLDER(description_depends_on_the_drawing_alone),
         IN_FOLDER(outputs_that_fail),
         IN_FOLDER(closed_pipe_is_an_error),
         IN_FOLDER(standard_output_by_name),

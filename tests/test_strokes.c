@@ -174,7 +174,7 @@ static const struct {
      "crease 9,1 9,9; outline 1,1 9,1"},
     {"ends within touch",
      {{'o', 1, 1, 5, 5, 0, 0}, {'o', 5.0008, 5.0008, 9, 1, 0, 0}},
-     "outline 9,1 5,5 1,1",
+     "outline 1,1 5,5 9,1",
      "outline 1,1 5,5; outline 5.001,5.001 9,1"},
 };
 

@@ -246,6 +246,73 @@ static void pens(void **state)
     free(text);
 }
 
+static const struct {
+    const char *given, *wanted;
+} xml_cases[] = {
+    {"plain", "plain"},
+    {"", ""},
+    {"a<b>&\"c'", "a&lt;b&gt;&amp;\"c'"},
+    {"tab\tand\nline", "tab\tand\nline"},
+    {"bell\a", "bell?"},
+    {"\xc3\xa9 \xe2\x82\xac \xf0\x9f\x98\x80", "\xc3\xa9 \xe2\x82\xac \xf0\x9f\x98\x80"}, /* 2, 3 and 4 bytes */
+    {"latin \xe9", "latin ?"},
+    {"cut off \xe2\x82", "cut off ??"},
+    {"too long \xc0\xaf", "too long ??"},
+    {"surrogate \xed\xa0\x80", "surrogate ???"},
+    {"no character \xef\xbf\xbf", "no character ???"},
+    {"beyond \xf4\x90\x80\x80", "beyond ????"},
+    {"never \xff\xfe", "never ??"},
+};
+
+static void title_and_description(void **state)
+{
+    roberts_drawing drawing = {.count = 1, .segment = few};
+    roberts_draw_options options = roberts_draw_options_default();
+    (void)state;
+    for (size_t i = 0; i < sizeof xml_cases / sizeof xml_cases[0]; i++) {
+        char wanted[200];
+        options.title = "A & B";
+        options.description = xml_cases[i].given;
+        char *text = written(&drawing, &options, NULL);
+        snprintf(wanted, sizeof wanted, "297\">\n<title>A &amp; B</title>\n<desc>%s</desc>\n<g ", xml_cases[i].wanted);
+        assert_non_null(strstr(text, wanted));
+        free(text);
+    }
+}
+
+/* A line around a square: one figure, closed, with nothing behind it. */
+static void closed_lines_are_closed(void **state)
+{
+    roberts_segment square[] = {line_at(ROBERTS_OUTLINE, 0, 0, 190, 0), line_at(ROBERTS_OUTLINE, 190, 0, 190, 190),
+                                line_at(ROBERTS_OUTLINE, 190, 190, 0, 190), line_at(ROBERTS_OUTLINE, 0, 0, 0, 190)};
+    roberts_drawing drawing = {.count = 4, .segment = square};
+    roberts_draw_options options = roberts_draw_options_default();
+    (void)state;
+    char *text = written(&drawing, &options, NULL);
+    assert_non_null(strstr(text, " d=\"M 10 243.5 L 200 243.5 L 200 53.5 L 10 53.5 Z \"/>"));
+    free(text);
+}
+
+/* The chunk pHYs right behind the header: dots per metre both ways, and the checksum that others compute as well. */
+static void images_know_their_resolution(void **state)
+{
+    static const unsigned char at_300[] = {0,    0, 0, 9,    'p',  'H', 'Y',  's',  0,    0,   0x2e,
+                                           0x23, 0, 0, 0x2e, 0x23, 1,   0x78, 0xa5, 0x3f, 0x76};
+    roberts_drawing drawing = {.count = 1, .segment = few};
+    roberts_draw_options options = roberts_draw_options_default();
+    size_t size;
+    (void)state;
+    options.format = ROBERTS_PNG;
+    options.page = (roberts_page){.width_mm = 25.4, .height_mm = 50.8, .margin_mm = 1};
+    options.dpi = 300;
+    char *bytes = written(&drawing, &options, &size);
+    assert_true(size > 60);
+    assert_memory_equal(bytes + 12, "IHDR\0\0\x01\x2c\0\0\x02\x58", 12); /* 300 x 600 */
+    assert_memory_equal(bytes + 33, at_300, sizeof at_300);
+    assert_memory_equal(bytes + size - 8, "IEND", 4);
+    free(bytes);
+}
+
 /* Whatever the numbers of strokes per path of Cairo's and per surface are, none is lost where one ends. */
 static void no_stroke_is_lost(void **state)
 {
@@ -380,10 +447,17 @@ static void senseless_options_are_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lines_are_true),         cmocka_unit_test(texts),
-        cmocka_unit_test(locale_changes_nothing), cmocka_unit_test(pens),
-        cmocka_unit_test(no_stroke_is_lost),      cmocka_unit_test(bytes_are_the_same_later),
-        cmocka_unit_test(failures_are_told),      cmocka_unit_test(senseless_options_are_refused),
+        cmocka_unit_test(lines_are_true),
+        cmocka_unit_test(texts),
+        cmocka_unit_test(locale_changes_nothing),
+        cmocka_unit_test(pens),
+        cmocka_unit_test(title_and_description),
+        cmocka_unit_test(closed_lines_are_closed),
+        cmocka_unit_test(images_know_their_resolution),
+        cmocka_unit_test(no_stroke_is_lost),
+        cmocka_unit_test(bytes_are_the_same_later),
+        cmocka_unit_test(failures_are_told),
+        cmocka_unit_test(senseless_options_are_refused),
     };
     return cmocka_run_group_tests_name("svg", tests, NULL, NULL);
 }

@@ -58,6 +58,19 @@ done:
     return status;
 }
 
+/* The first file's name without folders, and how many more there are. */
+static const char *write_title(const cli_options *options, char *title, size_t size)
+{
+    const char *first = options->input[0], *slash = strrchr(first, '/'), *name = slash ? slash + 1 : first;
+    if (strcmp(first, "-") == 0)
+        name = "standard input";
+    if (options->input_count > 1)
+        snprintf(title, size, "%s and %zu more", name, options->input_count - 1);
+    else
+        snprintf(title, size, "%s", name);
+    return title;
+}
+
 static int draw(const cli_options *options)
 {
     roberts_drawing drawing = {0};
@@ -68,7 +81,12 @@ static int draw(const cli_options *options)
     roberts_status status = compute(options, &drawing, &run, &error);
     if (status == ROBERTS_OK) {
         roberts_time start = stats_now();
-        status = roberts_drawing_save(&drawing, &options->draw, options->output, &error);
+        roberts_draw_options page = options->draw;
+        char title[256];
+        page.title = write_title(options, title, sizeof title);
+        page.description = options->description.text;
+        page.ink = &run.ink;
+        status = roberts_drawing_save(&drawing, &page, options->output, &error);
         run.draw = stats_since(start);
     }
     run.total = stats_since(begin);

@@ -5,7 +5,10 @@
 #include "cli/nearest.h"
 
 #include <stdbool.h>
+#include <stdio.h>
 #include <string.h>
+
+#include "cli/message.h"
 
 enum { LONGEST = 32, FAR = LONGEST * 2 };
 
@@ -51,4 +54,16 @@ const char *nearest_word(const char *word, const char *const *words, size_t coun
         }
     }
     return best;
+}
+
+int nearest_unknown(const char *what, const char *word, const char *const *words, size_t count, const char *also)
+{
+    const char *meant = nearest_word(word, words, count);
+    if (meant)
+        return message_misuse("%s: \"%s\" is unknown; did you mean %s?", what, word, meant);
+    char list[256] = ""; /* more than all names of any option */
+    for (size_t i = 0, used = 0; i < count && used < sizeof list; i++)
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", words[i]);
+    return message_misuse("%s: \"%s\" is unknown; it can be %s%s%s", what, word, list, also ? ", " : "",
+                          also ? also : "");
 }

@@ -7,4 +7,8 @@
 /* Of `count` words the one that `word` is most like; NULL where none is near enough to be what was meant. */
 const char *nearest_word(const char *word, const char *const *words, size_t count);
 
+/* Says that `word` is no value of `what`, and what was meant or what it can be (`also`: what else than `words`, or NULL);
+ * returns EXIT_MISUSED. */
+int nearest_unknown(const char *what, const char *word, const char *const *words, size_t count, const char *also);
+
 #endif

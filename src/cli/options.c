@@ -12,6 +12,7 @@
 
 #include "cli/message.h"
 #include "cli/nearest.h"
+#include "cli/paper.h"
 #include "cli/parse.h"
 
 typedef enum option_id {
@@ -30,6 +31,18 @@ typedef enum option_id {
     OPTION_HIDDEN,
     OPTION_CREASE,
     OPTION_ALL_EDGES,
+    OPTION_PAGE,
+    OPTION_LANDSCAPE,
+    OPTION_MARGIN,
+    OPTION_FIT,
+    OPTION_SCALE,
+    OPTION_UNIT,
+    OPTION_ALIGN,
+    OPTION_FRAME,
+    OPTION_STYLE,
+    OPTION_DASH,
+    OPTION_ORDER,
+    OPTION_DPI,
     OPTION_STATS,
     OPTION_VERIFY,
     OPTION_PICK,
@@ -65,6 +78,18 @@ static const struct option {
     [OPTION_HIDDEN] = {"hidden", 0, VALUE},
     [OPTION_CREASE] = {"crease", 0, VALUE},
     [OPTION_ALL_EDGES] = {"all-edges", 0, NO_VALUE},
+    [OPTION_PAGE] = {"page", 0, VALUE},
+    [OPTION_LANDSCAPE] = {"landscape", 0, NO_VALUE},
+    [OPTION_MARGIN] = {"margin", 0, VALUE},
+    [OPTION_FIT] = {"fit", 0, NO_VALUE},
+    [OPTION_SCALE] = {"scale", 0, VALUE},
+    [OPTION_UNIT] = {"unit", 0, VALUE},
+    [OPTION_ALIGN] = {"align", 0, VALUE},
+    [OPTION_FRAME] = {"frame", 0, NO_VALUE},
+    [OPTION_STYLE] = {"style", 0, VALUE},
+    [OPTION_DASH] = {"dash", 0, VALUE},
+    [OPTION_ORDER] = {"order", 0, VALUE},
+    [OPTION_DPI] = {"dpi", 0, VALUE},
     [OPTION_STATS] = {"stats", 0, VALUE_OPTIONAL},
     [OPTION_VERIFY] = {"verify", 0, VALUE_OPTIONAL},
     [OPTION_PICK] = {"pick", 0, VALUE},
@@ -83,6 +108,7 @@ static const option_id conflict[][2] = {
     {OPTION_DIR, OPTION_LOOK_AT},   {OPTION_VIEW, OPTION_LOOK_AT},   {OPTION_CREASE, OPTION_ALL_EDGES},
     {OPTION_AZIMUTH, OPTION_DIR},   {OPTION_AZIMUTH, OPTION_VIEW},   {OPTION_AZIMUTH, OPTION_EYE},
     {OPTION_ELEVATION, OPTION_DIR}, {OPTION_ELEVATION, OPTION_VIEW}, {OPTION_ELEVATION, OPTION_EYE},
+    {OPTION_FIT, OPTION_SCALE},
 };
 
 typedef struct parser {
@@ -94,23 +120,12 @@ typedef struct parser {
 
 /* ---- values ---- */
 
-static int unknown_word(const char *what, const char *word, const char *const *words, size_t count)
-{
-    const char *meant = nearest_word(word, words, count);
-    if (meant)
-        return message_misuse("%s: \"%s\" is unknown; did you mean %s?", what, word, meant);
-    char list[128] = ""; /* more than all names of any option */
-    for (size_t i = 0, used = 0; i < count && used < sizeof list; i++)
-        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", words[i]);
-    return message_misuse("%s: \"%s\" is unknown; it can be %s", what, word, list);
-}
-
 static int set_format(cli_options *options, const char *value)
 {
     static const char *const names[] = {"svg", "pdf", "ps", "eps", "png", "csv", "json", "null"};
     if (roberts_format_by_name(value, &options->draw.format))
         return EXIT_DONE;
-    return unknown_word("--format", value, names, sizeof names / sizeof names[0]);
+    return nearest_unknown("--format", value, names, sizeof names / sizeof names[0], NULL);
 }
 
 static int set_view(cli_options *options, const char *value)
@@ -119,7 +134,7 @@ static int set_view(cli_options *options, const char *value)
                                         "right", "top",      "bottom",    "cavalier", "cabinet"};
     if (roberts_camera_preset(value, &options->camera))
         return EXIT_DONE;
-    return unknown_word("--view", value, names, sizeof names / sizeof names[0]);
+    return nearest_unknown("--view", value, names, sizeof names / sizeof names[0], NULL);
 }
 
 static int set_hidden(cli_options *options, const char *value)
@@ -132,14 +147,14 @@ static int set_hidden(cli_options *options, const char *value)
             options->hide.keep_hidden = mode[i] != ROBERTS_HIDDEN_NONE;
             return EXIT_DONE;
         }
-    return unknown_word("--hidden", value, names, sizeof names / sizeof names[0]);
+    return nearest_unknown("--hidden", value, names, sizeof names / sizeof names[0], NULL);
 }
 
 static int set_stats(cli_options *options, const char *value)
 {
     static const char *const names[] = {"json"};
     if (value && strcmp(value, names[0]) != 0)
-        return unknown_word("--stats", value, names, 1);
+        return nearest_unknown("--stats", value, names, 1, NULL);
     options->stats = value ? STATS_JSON : STATS_TEXT;
     return EXIT_DONE;
 }
@@ -190,7 +205,7 @@ static int set_integer(const char *name, const char *value, uint32_t *number)
 
 /* ---- one option ---- */
 
-static int apply(parser *p, option_id id, const char *value)
+static int apply_value(parser *p, option_id id, const char *value)
 {
     cli_options *options = p->options;
     const char *name = option_table[id].name;
@@ -231,6 +246,32 @@ static int apply(parser *p, option_id id, const char *value)
     case OPTION_ALL_EDGES:
         options->hide.all_edges = true;
         return EXIT_DONE;
+    case OPTION_PAGE:
+        return paper_set_page(&options->draw.page, value);
+    case OPTION_MARGIN:
+        return set_number(name, value, 20000.0, &options->draw.page.margin_mm);
+    case OPTION_LANDSCAPE: /* whatever order it and --page come in */
+    case OPTION_FIT:
+        return EXIT_DONE;
+    case OPTION_SCALE:
+        return paper_set_scale(&options->draw.placement, value);
+    case OPTION_UNIT:
+        return paper_set_unit(&options->draw.placement, value);
+    case OPTION_ALIGN:
+        return paper_set_align(&options->draw.placement, value);
+    case OPTION_FRAME:
+        options->draw.frame.off = false;
+        return EXIT_DONE;
+    case OPTION_STYLE:
+        return paper_set_style(&options->draw, value);
+    case OPTION_DASH:
+        return paper_set_dash(&options->draw, value);
+    case OPTION_ORDER:
+        return paper_set_order(&options->draw, value);
+    case OPTION_DPI:
+        if (parse_number(value, &options->draw.dpi) && options->draw.dpi == 0.0)
+            return message_misuse("--dpi: 0 gives no image");
+        return set_number(name, value, 100000.0, &options->draw.dpi);
     case OPTION_STATS:
         return set_stats(options, value);
     case OPTION_VERIFY:
@@ -260,6 +301,38 @@ static int apply(parser *p, option_id id, const char *value)
         break;
     }
     return message_misuse("--%s is unknown", name);
+}
+
+/* Whether an option changes what is drawn: the others are no part of a drawing's description, which does not depend on
+ * where it is written to and what is computed how. */
+static bool is_described(option_id id)
+{
+    switch (id) {
+    case OPTION_OUTPUT:
+    case OPTION_FORMAT:
+    case OPTION_DPI:
+    case OPTION_STATS:
+    case OPTION_VERIFY:
+    case OPTION_PICK:
+    case OPTION_QUIET:
+    case OPTION_THREADS:
+    case OPTION_GRID:
+    case OPTION_EPSILON:
+    case OPTION_TOLERANCE:
+    case OPTION_HELP:
+    case OPTION_VERSION:
+        return false;
+    default:
+        return true;
+    }
+}
+
+static int apply(parser *p, option_id id, const char *value)
+{
+    int status = apply_value(p, id, value);
+    if (status == EXIT_DONE && is_described(id))
+        description_option(&p->options->description, option_table[id].name, value);
+    return status;
 }
 
 static int unknown_option(const char *name)
@@ -333,6 +406,10 @@ static int check_conflicts(const parser *p)
         return message_misuse("--look-at needs --eye");
     if ((p->given[OPTION_NEAR] || p->given[OPTION_FOV]) && !p->given[OPTION_EYE])
         return message_misuse("--%s needs --eye", p->given[OPTION_NEAR] ? "near" : "fov");
+    const roberts_page *page = &p->options->draw.page;
+    if (2.0 * page->margin_mm >= (page->width_mm < page->height_mm ? page->width_mm : page->height_mm))
+        return message_misuse("--margin: %g mm leave no room on a page of %g x %g mm", page->margin_mm, page->width_mm,
+                              page->height_mm);
     size_t streams = 0;
     for (size_t i = 0; i < p->options->input_count; i++)
         streams += strcmp(p->options->input[i], "-") == 0;
@@ -364,6 +441,15 @@ static void set_camera(const parser *p)
     camera->roll_degrees = p->roll;
 }
 
+static void lay_down(roberts_page *page)
+{
+    if (page->width_mm < page->height_mm) {
+        double width = page->width_mm;
+        page->width_mm = page->height_mm;
+        page->height_mm = width;
+    }
+}
+
 int options_parse(int argc, char **argv, cli_options *options)
 {
     static char standard_input[] = "-";
@@ -374,6 +460,7 @@ int options_parse(int argc, char **argv, cli_options *options)
     *options =
         (cli_options){.output = "-", .hide = roberts_hide_options_default(), .draw = roberts_draw_options_default()};
     roberts_camera_preset("iso", &options->camera);
+    description_word(&options->description, "roberts");
     for (int i = 1; i < argc; i++) {
         if (only_operands || argv[i][0] != '-' || argv[i][1] == '\0')
             argv[operands++] = argv[i];
@@ -384,6 +471,10 @@ int options_parse(int argc, char **argv, cli_options *options)
     }
     options->input = operands ? argv : nothing_named;
     options->input_count = operands ? (size_t)operands : 1;
+    if (p.given[OPTION_LANDSCAPE])
+        lay_down(&options->draw.page);
+    for (int i = 0; i < operands; i++)
+        description_word(&options->description, argv[i]);
     if (options->help || options->version)
         return EXIT_DONE;
     if ((status = check_conflicts(&p)) != EXIT_DONE)

@@ -2,6 +2,7 @@
 #ifndef ROBERTS_CLI_OPTIONS_H
 #define ROBERTS_CLI_OPTIONS_H
 
+#include "cli/description.h"
 #include "roberts.h"
 
 typedef enum cli_stats { STATS_NONE, STATS_TEXT, STATS_JSON } cli_stats;
@@ -14,6 +15,7 @@ typedef struct cli_options {
     roberts_camera camera;
     roberts_hide_options hide;
     roberts_draw_options draw;
+    description description; /* of the drawing, as a command */
     cli_stats stats;
     bool verify, pick;
     uint32_t verify_rays; /* per segment; 0 = choose */

@@ -75,6 +75,19 @@ static void print_stages(const stage *stages, size_t count, bool json)
             fprintf(stderr, "%14.3f%12.3f  %s\n", stages[i].time.cpu, stages[i].time.wall, stages[i].name);
 }
 
+/* What the pen did. */
+static void print_ink(const roberts_ink *ink, bool json)
+{
+    if (json)
+        fprintf(stderr, ",\"strokes\":%zu,\"pen_down_mm\":%.3f,\"pen_up_mm\":%.3f,\"scale\":%.17g", ink->strokes,
+                ink->down_mm, ink->up_mm, ink->scale);
+    else if (ink->scale > 0.0)
+        fprintf(stderr,
+                "%14zu  strokes\n%14.1f  mm with the pen down\n%14.1f  mm with the pen up\n%14.6g  mm on paper by "
+                "model unit\n",
+                ink->strokes, ink->down_mm, ink->up_mm, ink->scale);
+}
+
 void stats_print(cli_stats kind, const run_stats *run, const roberts_drawing *d)
 {
     const bool json = kind == STATS_JSON;
@@ -114,6 +127,7 @@ void stats_print(cli_stats kind, const run_stats *run, const roberts_drawing *d)
     };
     fputs(json ? "{\"version\":\"" ROBERTS_VERSION "\"," : "", stderr);
     print_figures(counts, sizeof counts / sizeof counts[0], json);
+    print_ink(&run->ink, json);
     if (json)
         fprintf(stderr, ",\"epsilon\":%.17g,\"scene_diameter\":%.17g,\"tests\":{", d->epsilon, d->scene_diameter);
     else

@@ -8,6 +8,7 @@
 typedef struct run_stats {
     size_t files, vertices, faces;
     roberts_time read, solids, verify, draw, total; /* verify: and picking */
+    roberts_ink ink;                                /* nothing in it: no page was written */
     bool wrong;                                     /* rays contradict the drawing */
 } run_stats;
 

@@ -52,6 +52,54 @@ static cairo_status_t undated_stream(void *closure, const unsigned char *bytes, 
     return u->out->failed ? CAIRO_STATUS_WRITE_ERROR : CAIRO_STATUS_SUCCESS;
 }
 
+/* Passes on a PNG with its resolution, for which Cairo has no words, as a chunk behind the first, the header. */
+typedef struct measured {
+    output *out;
+    size_t passed; /* bytes of Cairo's so far, up to those of signature and header */
+    uint32_t pixels_per_metre;
+} measured;
+
+enum { PNG_HEADER = 8 + 25, PNG_CHUNK = 21 };
+
+/* CRC-32 as PNG has it (ISO 3309). */
+static uint32_t checksum(const unsigned char *bytes, size_t size)
+{
+    uint32_t crc = 0xffffffff;
+    for (size_t i = 0; i < size; i++) {
+        crc ^= bytes[i];
+        for (int bit = 0; bit < 8; bit++)
+            crc = crc >> 1 ^ (crc & 1 ? 0xedb88320 : 0);
+    }
+    return ~crc;
+}
+
+static void put_integer(unsigned char *to, uint32_t n)
+{
+    for (int i = 0; i < 4; i++)
+        to[i] = (unsigned char)(n >> (24 - 8 * i));
+}
+
+static void write_resolution(const measured *m)
+{
+    unsigned char chunk[PNG_CHUNK] = {0, 0, 0, 9, 'p', 'H', 'Y', 's'};
+    put_integer(chunk + 8, m->pixels_per_metre);
+    put_integer(chunk + 12, m->pixels_per_metre);
+    chunk[16] = 1; /* the unit is the metre */
+    put_integer(chunk + 17, checksum(chunk + 4, 13));
+    output_bytes(m->out, chunk, PNG_CHUNK);
+}
+
+static cairo_status_t measured_stream(void *closure, const unsigned char *bytes, unsigned size)
+{
+    measured *m = closure;
+    size_t head = PNG_HEADER - m->passed < size ? PNG_HEADER - m->passed : size;
+    output_bytes(m->out, bytes, head);
+    if (head && (m->passed += head) == PNG_HEADER)
+        write_resolution(m);
+    output_bytes(m->out, bytes + head, size - head);
+    return m->out->failed ? CAIRO_STATUS_WRITE_ERROR : CAIRO_STATUS_SUCCESS;
+}
+
 static cairo_surface_t *document(const strokes *s, output *out, undated *filter)
 {
     const double points = points_per_inch / mm_per_inch;
@@ -90,7 +138,8 @@ static roberts_status write_image(const strokes *s, output *out, roberts_error *
     cairo_paint(cairo);
     draw_page(cairo, s, pixels_per_mm);
     if (cairo_status(cairo) == CAIRO_STATUS_SUCCESS) {
-        cairo_status_t written = cairo_surface_write_to_png_stream(surface, ink_stream, out);
+        measured filter = {.out = out, .pixels_per_metre = (uint32_t)(1000.0 * pixels_per_mm + 0.5)};
+        cairo_status_t written = cairo_surface_write_to_png_stream(surface, measured_stream, &filter);
         if (written == CAIRO_STATUS_NO_MEMORY) {
             ink_finish(cairo, surface, NULL);
             return error_no_memory(error);

@@ -15,6 +15,7 @@
 
 #include "base/error.h"
 #include "draw/ink.h"
+#include "draw/xml.h"
 
 enum { SEGMENTS_PER_SURFACE = 50000 };
 
@@ -227,6 +228,16 @@ static roberts_status write_layer(const strokes *s, int class, output *out, robe
     return ROBERTS_OK;
 }
 
+static void write_text(output *out, const char *tag, const char *text)
+{
+    const char *const parts[] = {"<", tag, ">", text, "</", tag, ">\n"};
+    for (int i = 0; text && i < 7; i++)
+        if (i == 3)
+            xml_text(out, text);
+        else
+            output_text(out, parts[i]);
+}
+
 roberts_status svg_write(const strokes *s, output *out, roberts_error *error)
 {
     const roberts_page *page = &s->options->page;
@@ -240,6 +251,8 @@ roberts_status svg_write(const strokes *s, output *out, roberts_error *error)
     output_text(out, " ");
     write_mm(out, page->height_mm);
     output_text(out, "\">\n");
+    write_text(out, "title", s->options->title);
+    write_text(out, "desc", s->options->description);
     for (int i = 0; i < LINE_CLASSES; i++) {
         roberts_status status = write_layer(s, i, out, error);
         if (status != ROBERTS_OK)
