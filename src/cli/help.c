@@ -1,7 +1,9 @@
 /* help.c - the text of --help. A test runs its examples. */
 #include "cli/help.h"
 
-const char help_text[] =
+#include <stddef.h>
+
+const char *const help_text[] = {
     "Usage: roberts [OPTION]... [FILE.off]...\n"
     "Draws convex polyhedra without their hidden lines, by Roberts' method. Several files share one space; - or\n"
     "nothing is standard input.\n"
@@ -34,7 +36,7 @@ const char help_text[] =
     "                       off, on\n"
     "      --dash MODE      dashes as a pattern of the line, or real: strokes of their own (default: pattern)\n"
     "      --order MODE     travel: for short ways of the lifted pen; none: as in the model (default: travel)\n"
-    "\n"
+    "\n",
     "View\n"
     "      --view NAME      iso (the default: 1,-1,1), dimetric, trimetric, front, back, right, left, top, bottom;\n"
     "                       oblique: cavalier, cabinet\n"
@@ -73,4 +75,6 @@ const char help_text[] =
     "  roberts --hidden dashed --dash real --style hidden:color=blue models/table.off -o plot.svg\n"
     "  roberts --view top -f csv --hidden solid - <models/table.off >table.csv\n"
     "  roberts -f null --stats models/table.off\n"
-    "  roberts -f null --verify --pick 0,5 models/table.off\n";
+    "  roberts -f null --verify --pick 0,5 models/table.off\n",
+    NULL,
+};

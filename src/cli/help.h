@@ -2,6 +2,7 @@
 #ifndef ROBERTS_CLI_HELP_H
 #define ROBERTS_CLI_HELP_H
 
-extern const char help_text[];
+/* In parts, as compilers need not take strings of 4096 characters; NULL behind the last. */
+extern const char *const help_text[];
 
 #endif

@@ -18,6 +18,14 @@ static int print(const char *text)
     return EXIT_FAILED;
 }
 
+static int print_help(void)
+{
+    int status = EXIT_DONE;
+    for (size_t i = 0; help_text[i] && status == EXIT_DONE; i++)
+        status = print(help_text[i]);
+    return status;
+}
+
 static roberts_status read_all(const cli_options *options, roberts_mesh *mesh, roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
@@ -108,7 +116,7 @@ int main(int argc, char **argv)
     if (status != EXIT_DONE)
         return status;
     if (options.help)
-        return print(help_text);
+        return print_help();
     if (options.version)
         return print("roberts " ROBERTS_VERSION "\n");
     options.scene.warnings.warn = options.quiet ? NULL : message_warning;
