@@ -29,9 +29,17 @@ static int entries(const char *path)
 
 static void saving_survives(roberts_format format)
 {
-    roberts_segment one = line_at(ROBERTS_OUTLINE, 0, 0, 1, 1);
-    roberts_drawing drawing = {.count = 1, .segment = &one};
+    /* some that coincide, in all classes: every step from segments to strokes has something to do */
+    roberts_segment some[] = {line_at(ROBERTS_OUTLINE, 0, 0, 9, 9), line_at(ROBERTS_CREASE, 3, 3, 6, 6),
+                              line_at(ROBERTS_OUTLINE, 9, 9, 0, 9), line_at(ROBERTS_CREASE, 5, 0, 9, 0),
+                              line_at(ROBERTS_BACK, 1, 5, 8, 5),    line_at(ROBERTS_BACK, 1, 6, 8, 6)};
+    roberts_drawing drawing = {.count = 6, .segment = some};
     roberts_draw_options options = roberts_draw_options_default();
+    some[1].z0 = some[1].z1 = 1.0;
+    some[4].state = some[5].state = ROBERTS_HIDDEN;
+    options.hidden = ROBERTS_HIDDEN_DASHED;
+    options.real_dashes = true;
+    options.frame.off = false;
     size_t before = memory_blocks, failures = 0;
     options.format = format;
     for (size_t n = 1;; n++) {

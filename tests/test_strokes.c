@@ -320,6 +320,175 @@ static void every_step_is_drawn_once(void **state)
     }
 }
 
+/* ---- whole scenes: all ink is there, and none twice ---- */
+
+static const struct {
+    const char *model, *view; /* NULL: perspective */
+} scene_cases[] = {
+    {"table", "iso"},      {"table", "front"},        {"table", NULL},           {"brick-wall", "front"},
+    {"brick-wall", "iso"}, {"stacked-blocks", "iso"}, {"stacked-blocks", "top"}, {"stacked-blocks", NULL},
+    {"temple", "iso"},     {"temple", "cabinet"},     {"staircase", "right"},    {"compound-of-two-cubes", "top"},
+};
+
+static roberts_drawing drawing_of(const char *model, const char *view)
+{
+    char path[100];
+    roberts_mesh mesh = {0};
+    roberts_scene *scene;
+    roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE, .eye = {150, -120, 90}};
+    roberts_hide_options options = roberts_hide_options_default();
+    roberts_drawing drawing;
+    options.keep_hidden = true;
+    snprintf(path, sizeof path, "models/%s.off", model);
+    assert_true(!view || roberts_camera_preset(view, &camera));
+    assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+    return drawing;
+}
+
+typedef struct side {
+    double x, y, ux, uy, length; /* units of the page; u of length 1 */
+} side;
+
+static side *all_sides(const strokes *s, size_t *count)
+{
+    side *sides = malloc((s->lines.point_count + 1) * sizeof *sides);
+    assert_non_null(sides);
+    *count = 0;
+    for (size_t i = 0; i < s->lines.count; i++) {
+        const polyline *line = &s->lines.item[i];
+        const page_point *p = s->lines.point + line->first;
+        for (uint32_t n = 0; n + !line->closed < line->count; n++) {
+            page_point a = p[n], b = p[(n + 1) % line->count];
+            double x = b.x - a.x, y = b.y - a.y, length = hypot(x, y);
+            assert_true(length > 0.0);
+            sides[(*count)++] = (side){a.x, a.y, x / length, y / length, length};
+        }
+    }
+    return sides;
+}
+
+/* Distance of (x, y) from a side. */
+static double distance_from(const side *s, double x, double y)
+{
+    double t = (x - s->x) * s->ux + (y - s->y) * s->uy;
+    t = fmin(fmax(t, 0.0), s->length);
+    return hypot(x - s->x - t * s->ux, y - s->y - t * s->uy);
+}
+
+/* Whether two sides run along one another. */
+static bool overlap(const side *a, const side *b)
+{
+    const double beside = 0.5, along = 20.0; /* units; a shorter one may well run another way */
+    double x = b->x - a->x, y = b->y - a->y, t0 = x * a->ux + y * a->uy;
+    double t1 = t0 + b->length * (a->ux * b->ux + a->uy * b->uy);
+    double h0 = y * a->ux - x * a->uy, h1 = h0 + b->length * (a->ux * b->uy - a->uy * b->ux);
+    double from = fmax(0.0, fmin(t0, t1)), to = fmin(a->length, fmax(t0, t1));
+    return to - from > along && fabs(h0) < beside && fabs(h1) < beside;
+}
+
+static void scenes_are_drawn_once(void **state)
+{
+    roberts_draw_options options = roberts_draw_options_default();
+    (void)state;
+    options.hidden = ROBERTS_HIDDEN_SOLID;
+    for (size_t i = 0; i < sizeof scene_cases / sizeof scene_cases[0]; i++) {
+        roberts_drawing drawing = drawing_of(scene_cases[i].model, scene_cases[i].view);
+        strokes s;
+        size_t count, doubled = 0;
+        double worst = 0.0, length = 0.0;
+        assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+        side *sides = all_sides(&s, &count);
+        for (size_t a = 0; a < count; a++)
+            for (size_t b = 0; b < count; b++)
+                if (a != b && sides[a].length >= sides[b].length && overlap(&sides[a], &sides[b])) {
+                    print_message("%.0f,%.0f and %.0f,%.0f, %.0f and %.0f long\n", sides[a].x, sides[a].y, sides[b].x,
+                                  sides[b].y, sides[a].length, sides[b].length);
+                    doubled++;
+                }
+        for (size_t n = 0; n < drawing.count; n++)
+            for (int k = 1; k < 8; k++) {
+                const roberts_segment *g = &drawing.segment[n];
+                roberts_vec2 p = {g->p0.x + k / 8.0 * (g->p1.x - g->p0.x), g->p0.y + k / 8.0 * (g->p1.y - g->p0.y)};
+                double least = INFINITY;
+                p = page_place(&s.map, p);
+                for (size_t a = 0; a < count; a++)
+                    least = fmin(least, distance_from(&sides[a], 1000 * p.x, 1000 * p.y));
+                worst = fmax(worst, least);
+            }
+        for (size_t n = 0; n < drawing.count; n++)
+            length += hypot(drawing.segment[n].p1.x - drawing.segment[n].p0.x,
+                            drawing.segment[n].p1.y - drawing.segment[n].p0.y);
+        roberts_ink ink = strokes_measure(&s);
+        print_message("%s, %s: %zu segments, %zu strokes, %.1f mm of %.1f; ink moved by %.4f mm\n",
+                      scene_cases[i].model, scene_cases[i].view ? scene_cases[i].view : "perspective", drawing.count,
+                      ink.strokes, ink.down_mm, length * ink.scale, worst / 1000);
+        assert_int_equal(doubled, 0);
+        assert_true(worst < 2.5); /* joined within a unit, and rounded twice */
+        assert_true(ink.down_mm <= length * ink.scale + 1e-3 * (double)drawing.count);
+        free(sides);
+        strokes_free(&s);
+        roberts_drawing_free(&drawing);
+    }
+}
+
+/* Two blocks of one footprint, one on the other, seen at an angle: where they touch, the lower one's edges are creases,
+ * the upper one's outlines, equally near. And from the front, the edges at the back lie behind those in front. */
+static void what_touches_is_outline(void **state)
+{
+    roberts_draw_options options = roberts_draw_options_default();
+    roberts_mesh mesh = {0};
+    roberts_scene *scene;
+    roberts_camera camera;
+    roberts_hide_options hide = roberts_hide_options_default();
+    static const uint32_t corner[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                          {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+    const size_t wanted[][2] = {{3, 8}, {0, 5}}; /* sides of creases, of outlines: iso, front */
+    (void)state;
+    for (int block = 0; block < 2; block++) {
+        for (int v = 0; v < 8; v++)
+            assert_int_equal(
+                roberts_mesh_add_vertex(&mesh, (roberts_vec3){v & 1, v >> 1 & 1, block + (v >> 2)}, NULL, NULL),
+                ROBERTS_OK);
+        for (int f = 0; f < 6; f++) {
+            uint32_t own[4];
+            for (int k = 0; k < 4; k++)
+                own[k] = corner[f][k] + 8 * (uint32_t)block;
+            assert_int_equal(roberts_mesh_add_face(&mesh, own, 4, NULL), ROBERTS_OK);
+        }
+    }
+    roberts_scene_options solids = {0};
+    assert_int_equal(roberts_scene_build(&mesh, &solids, &scene, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_solid_count(scene), 2);
+    hide.keep_hidden = true;
+    options.hidden = ROBERTS_HIDDEN_SOLID;
+    for (int view = 0; view < 2; view++) {
+        roberts_drawing drawing;
+        strokes s;
+        roberts_camera_preset(view ? "front" : "iso", &camera);
+        assert_int_equal(roberts_hide(scene, &camera, &hide, &drawing, NULL), ROBERTS_OK);
+        assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+        char text[2000];
+        print_strokes(&s, text, sizeof text);
+        print_message("%s\n", text);
+        for (int class = 1; class <= 2; class ++) {
+            size_t sides = 0;
+            for (size_t i = s.start[class]; i < s.start[class + 1]; i++)
+                sides += s.lines.item[i].count - !s.lines.item[i].closed;
+            assert_int_equal(sides, wanted[view][class - 1]);
+        }
+        if (view)
+            assert_int_equal(s.start[1] - s.start[0], 0); /* nothing hidden beside what is seen */
+        strokes_free(&s);
+        roberts_drawing_free(&drawing);
+    }
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+}
+
 /* ---- order ---- */
 
 static double random_mm(uint64_t *seed)
@@ -542,6 +711,8 @@ int main(void)
         cmocka_unit_test(doubles),
         cmocka_unit_test(chains),
         cmocka_unit_test(every_step_is_drawn_once),
+        cmocka_unit_test(scenes_are_drawn_once),
+        cmocka_unit_test(what_touches_is_outline),
         cmocka_unit_test(ways_are_short),
         cmocka_unit_test(small_tours_are_nearly_best),
         cmocka_unit_test(crowds),
