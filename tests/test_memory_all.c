@@ -1,0 +1,148 @@
+/* test_memory_all.c - from a file in memory to its drawing with each allocation failing in turn: solids, the near plane,
+ * grid and covers, hiding, writing. Each failure is ROBERTS_NO_MEMORY and leaves nothing; where none fails any more, all
+ * has gone well. Threads are one, so that the allocations come in one order. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "memory.h"
+#include "roberts.h"
+
+static bool take(void *context, const void *bytes, size_t size)
+{
+    (void)bytes;
+    *(size_t *)context += size;
+    return true;
+}
+
+typedef struct run_case {
+    const char *name, *file, *text; /* one of the two */
+    roberts_camera camera;
+    bool keep_hidden;
+    uint32_t grid;
+    roberts_format format;
+} run_case;
+
+/* Reads, builds, hides, writes; the first status that is not ROBERTS_OK. */
+static roberts_status run(const run_case *c, roberts_error *error, size_t *written)
+{
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    roberts_drawing drawing = {0};
+    roberts_hide_options hide = roberts_hide_options_default();
+    roberts_draw_options draw = roberts_draw_options_default();
+    hide.keep_hidden = c->keep_hidden;
+    hide.grid = c->grid;
+    hide.threads = 1;
+    draw.format = c->format;
+    *written = 0;
+    roberts_status status = c->text ? roberts_mesh_read_memory(&mesh, c->name, c->text, strlen(c->text), NULL, error)
+                                    : roberts_mesh_read_file(&mesh, c->file, NULL, error);
+    if (status == ROBERTS_OK)
+        status = roberts_scene_build(&mesh, NULL, &scene, error);
+    assert_int_equal(scene != NULL, status == ROBERTS_OK);
+    if (status == ROBERTS_OK)
+        status = roberts_hide(scene, &c->camera, &hide, &drawing, error);
+    assert_true(status == ROBERTS_OK || (drawing.count == 0 && !drawing.segment));
+    if (status == ROBERTS_OK)
+        status = roberts_drawing_write(&drawing, &draw, take, written, error);
+    roberts_drawing_free(&drawing);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+    return status;
+}
+
+static void survives(const run_case *c)
+{
+    size_t failures = 0, unharmed = 0, before = memory_blocks, written;
+    print_message("%s\n", c->name);
+    for (size_t n = 1;; n++) {
+        roberts_error error = {0};
+        memory_fail(n);
+        roberts_status status = run(c, &error, &written);
+        bool failed = memory_failed();
+        memory_fail(0);
+        assert_int_equal(memory_blocks, before);
+        if (!failed) {
+            assert_int_equal(status, ROBERTS_OK);
+            assert_true(written > 0 || c->format == ROBERTS_NULL);
+            break;
+        }
+        if (status == ROBERTS_OK) { /* an array that could not be made smaller */
+            unharmed++;
+            continue;
+        }
+        assert_int_equal(status, ROBERTS_NO_MEMORY);
+        assert_int_equal(error.status, ROBERTS_NO_MEMORY);
+        assert_string_equal(error.message, "not enough memory");
+        failures++;
+    }
+    print_message("    %zu allocations failed, %zu without harm\n", failures, unharmed);
+    assert_true(failures >= 40 && unharmed <= 4); /* counted: 64 and more; two arrays of vertices, twice */
+}
+
+#define ISO                                                                                                            \
+    {                                                                                                                  \
+        .dir = { 1, -1, 1 }                                                                                            \
+    }
+#define EYE(x, y, z, near)                                                                                             \
+    {                                                                                                                  \
+        .projection = ROBERTS_PERSPECTIVE, .eye = {x, y, z}, .near_distance = (near)                                   \
+    }
+
+/* A cube whose faces have vertices of their own. */
+static const char soup[] = "OFF 24 6 0\n"
+                           "0 0 0 0 1 0 1 1 0 1 0 0\n"
+                           "0 0 1 1 0 1 1 1 1 0 1 1\n"
+                           "0 0 0 1 0 0 1 0 1 0 0 1\n"
+                           "0 1 0 0 1 1 1 1 1 1 1 0\n"
+                           "0 0 0 0 0 1 0 1 1 0 1 0\n"
+                           "1 0 0 1 1 0 1 1 1 1 0 1\n"
+                           "4 0 1 2 3\n4 4 5 6 7\n4 8 9 10 11\n4 12 13 14 15\n4 16 17 18 19\n4 20 21 22 23\n";
+
+/* Two tetrahedra with an edge in common; their faces stand mixed, so that the angles must tell them apart. */
+static const char hinge[] = "OFF 6 8 0\n"
+                            "0 0 0\n0 0 1\n1 0.2 0\n1 -0.2 0.1\n-1 0.2 0\n-1 -0.2 0.1\n"
+                            "3 0 1 2\n3 0 1 4\n3 0 1 3\n3 0 1 5\n3 0 2 3\n3 0 4 5\n3 1 2 3\n3 1 4 5\n";
+
+/* Cubes: with colours, and a corner that lies on one face's side only; with a bevel narrower than the rounding, which
+ * takes its plane from its neighbours. */
+static const char open_side[] = "COFF 9 7 0\n"
+                                "0 0 0 255 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n.5 0 0\n"
+                                "5 0 2 3 1 8 255 0 0\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n3 0 8 1\n";
+static const char bevel[] = "OFF 10 7 0\n"
+                            "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1.000001 0 1\n0 1 1\n1.000001 1 1\n"
+                            "1 0 .999999\n1 1 .999999\n"
+                            "4 0 2 3 1\n4 4 5 7 6\n5 0 1 8 5 4\n5 2 6 7 9 3\n4 0 4 6 2\n4 1 3 9 8\n4 5 8 9 7\n";
+
+static const run_case cases[] = {
+    {"overlapping solids", "models/compound-of-three-cubes.off", NULL, ISO, false, 0, ROBERTS_SVG},
+    {"hidden lines, a grid", "models/table.off", NULL, ISO, true, 9, ROBERTS_CSV},
+    {"covers", "models/city.off", NULL, ISO, false, 0, ROBERTS_SVG},
+    {"oblique", "models/needles.off", NULL, {.dir = {0, -1, 0}, .oblique = {0.4, 0.3}}, true, 0, ROBERTS_JSON},
+    {"perspective", "models/prisms/prism-60.off", NULL, EYE(9, -7, 5, 0), true, 0, ROBERTS_NULL},
+    {"the near plane", "models/table.off", NULL, EYE(18, -60, 30, 65), true, 0, ROBERTS_SVG},
+    {"welded", NULL, soup, ISO, true, 0, ROBERTS_SVG},
+    {"a corner on a side", NULL, open_side, ISO, true, 0, ROBERTS_CSV},
+    {"a narrow face", NULL, bevel, ISO, true, 0, ROBERTS_SVG},
+    {"many vertices", "models/sphere.off", NULL, ISO, false, 0, ROBERTS_SVG},
+    {"an edge of four faces", NULL, hinge, ISO, true, 0, ROBERTS_SVG},
+};
+
+static void files(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+        survives(&cases[i]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(files)};
+    return cmocka_run_group_tests_name("memory_all", tests, NULL, NULL);
+}
