@@ -169,13 +169,15 @@ bool hide_worker_run(hide_worker *w, uint32_t solid)
     hide_box box = w->line[0].box;
     for (size_t i = 1; i < w->line_count; i++)
         join_box(&box, &w->line[i].box);
+    /* Nothing else could hide them; and a fan of a million triangles lists all of them in the cell of its tip. */
+    bool alone = w->picture->scene->solid_count == 1;
     bool small = w->line_count <= GROUP_EDGES &&
                  scan_column(f, (double)box.x1) - scan_column(f, (double)box.x0) < GROUP_CELLS &&
                  scan_row(f, (double)box.y1) - scan_row(f, (double)box.y0) < GROUP_CELLS;
-    if (small && !run_together(w, solid, &box))
+    if (small && !alone && !run_together(w, solid, &box))
         return false;
     for (size_t i = 0; i < w->line_count; i++) {
-        if (!small && !run_alone(w, solid, i))
+        if (!small && !alone && !run_alone(w, solid, i))
             return false;
         hide_parts_unite(&w->line[i].parts, w->picture->space.epsilon, w->line[i].e.length3);
     }
