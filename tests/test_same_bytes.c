@@ -1,0 +1,135 @@
+/* test_same_bytes.c - the program gives the same bytes whatever the threads and the grid, and however often it is run.
+ * The scene has enough solids for seven threads to share. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+enum { SIDE = 56, RUNS = 20 };
+
+static char program[4096], folder[64], boxes[128];
+
+static const char *const formats[] = {"svg", "pdf", "ps", "eps", "png", "csv", "json"};
+
+/* Boxes on a square, each of some height, some of them touching. */
+static void write_boxes(const char *path)
+{
+    static const int corner[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                     {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fprintf(file, "OFF\n%d %d 0\n", SIDE * SIDE * 8, SIDE * SIDE * 6);
+    for (int i = 0; i < SIDE * SIDE * 8; i++) {
+        int x = i / 8 % SIDE, y = i / 8 / SIDE;
+        fprintf(file, "%d %d %d\n", 3 * x + i % 2 * (2 + (x + y) % 2), 3 * y + i / 2 % 2 * 2,
+                i / 4 % 2 * (1 + (x * 7 + y * 5) % 11));
+    }
+    for (int i = 0; i < SIDE * SIDE * 6; i++) {
+        const int *c = corner[i % 6], first = 8 * (i / 6);
+        fprintf(file, "4 %d %d %d %d\n", first + c[0], first + c[1], first + c[2], first + c[3]);
+    }
+    assert_int_equal(fclose(file), 0);
+}
+
+static char *read_whole(const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    assert_int_equal(fseek(file, 0, SEEK_END), 0);
+    *size = (size_t)ftell(file);
+    rewind(file);
+    char *bytes = malloc(*size + 1);
+    assert_non_null(bytes);
+    assert_int_equal(fread(bytes, 1, *size, file), *size);
+    fclose(file);
+    return bytes;
+}
+
+/* What the program writes of this model with these options; to be freed. */
+static char *draw(const char *model, const char *format, const char *options, size_t *size)
+{
+    char command[8192];
+    snprintf(command, sizeof command, "'%s' %s --hidden dashed --dir 3,-5,4 -o %s/out.%s %s", program, model, folder,
+             format, options);
+    int status = system(command);
+    assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    snprintf(command, sizeof command, "%s/out.%s", folder, format);
+    char *bytes = read_whole(command, size);
+    assert_int_equal(unlink(command), 0);
+    return bytes;
+}
+
+static void require_same(const char *model, const char *format, const char *options, const char *bytes, size_t size)
+{
+    size_t other_size;
+    char *other = draw(model, format, options, &other_size);
+    if (other_size != size || memcmp(bytes, other, size) != 0)
+        fail_msg("%s differs with %s", format, options);
+    free(other);
+}
+
+static void threads_and_grids(void **state)
+{
+    static const int threads[] = {1, 2, 3, 7}, grids[] = {1, 2, 40};
+    char options[64];
+    (void)state;
+    for (size_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
+        size_t size;
+        char *bytes = draw(boxes, formats[f], "", &size);
+        assert_true(size > 1000);
+        for (size_t t = 0; t < sizeof threads / sizeof threads[0]; t++)
+            for (size_t g = 0; g < sizeof grids / sizeof grids[0]; g++) {
+                /* one cell: every edge against every face; once is enough for that */
+                if (grids[g] < 40 && strcmp(formats[f], "csv") != 0 && threads[t] != 7)
+                    continue;
+                snprintf(options, sizeof options, "--threads %d --grid %d", threads[t], grids[g]);
+                require_same(boxes, formats[f], options, bytes, size);
+            }
+        free(bytes);
+    }
+}
+
+static void runs(void **state)
+{
+    (void)state;
+    for (size_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
+        size_t size;
+        char *bytes = draw("models/city.off", formats[f], "", &size);
+        for (int i = 1; i < RUNS; i++)
+            require_same("models/city.off", formats[f], "", bytes, size);
+        free(bytes);
+    }
+}
+
+static int enter_folder(void **state)
+{
+    (void)state;
+    strcpy(folder, "/tmp/roberts-same-XXXXXX");
+    if (!mkdtemp(folder))
+        return -1;
+    snprintf(boxes, sizeof boxes, "%s/boxes.off", folder);
+    write_boxes(boxes);
+    return 0;
+}
+
+static int leave_folder(void **state)
+{
+    (void)state;
+    unlink(boxes);
+    return rmdir(folder);
+}
+
+int main(void)
+{
+    const char *build = getenv("ROBERTS_BUILD");
+    const struct CMUnitTest tests[] = {cmocka_unit_test(threads_and_grids), cmocka_unit_test(runs)};
+    snprintf(program, sizeof program, "%s/roberts", build && *build ? build : "build");
+    return cmocka_run_group_tests_name("same_bytes", tests, enter_folder, leave_folder);
+}
