@@ -206,6 +206,15 @@ bool roberts_camera_angles(double azimuth, double elevation, double roll, robert
  * its direction or eye, look-at point and up. What the drawing shows turns the other way. */
 void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_camera *camera);
 
+/**
+ * The window that roberts_hide() gives the drawing of `scene` seen by `camera`, much sooner. A drawing whose window_min
+ * and window_max are set to the box of several windows, and `framed` to true, is laid on the page by that box: so
+ * pictures from several sides come out at one scale.
+ * Returns ROBERTS_OK, _NO_MEMORY or _BAD_VIEW.
+ */
+roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *camera, roberts_vec2 *min,
+                              roberts_vec2 *max, roberts_error *error);
+
 /* ---- hide: hidden lines removed ---------------------------------------------------------------------------------- */
 
 typedef enum roberts_state {

@@ -1,7 +1,9 @@
 /* The program from outside: exit status, messages, files. Runs $ROBERTS_BUILD/roberts from the top folder. */
+#define _XOPEN_SOURCE 700 /* for a terminal of our own: posix_openpt() */
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -50,6 +52,8 @@ static void put(const char *path, const char *text)
     close(descriptor);
 }
 
+static int start_error = -1; /* standard error of what is started next; -1 for the file "err" */
+
 /* Starts the program with the words of `line` as its arguments. `out`: its standard output, -1 for the file "out". */
 static pid_t start(const char *line, const char *in, int out)
 {
@@ -65,7 +69,7 @@ static pid_t start(const char *line, const char *in, int out)
         return child;
     signal(SIGPIPE, SIG_DFL);
     dup2(open_stream(in ? in : "/dev/null", O_RDONLY), STDIN_FILENO);
-    dup2(open_stream("err", O_WRONLY | O_TRUNC), STDERR_FILENO);
+    dup2(start_error >= 0 ? start_error : open_stream("err", O_WRONLY | O_TRUNC), STDERR_FILENO);
     if (out == CLOSED)
         close(STDOUT_FILENO);
     else
@@ -209,6 +213,22 @@ static const struct {
     {"--format", "--format needs a value"},
     {"--output=", "--output: the name is empty"},
     {"-o a.dxf models/table.off", "a.dxf: no format is known by this ending; say which with -f"},
+    {"--turntable 4", "--turntable needs a name with a place for the number: -o turn-%03d.svg"},
+    {"--turntable 4 -o a.svg", "--turntable needs a name with a place"},
+    {"--turntable 4 -o a-%d-%d.svg", "--turntable needs a name with a place"},
+    {"--turntable 4 -o a-%s.svg", "--turntable needs a name with a place"},
+    {"--turntable 4 -o a-%03.svg", "--turntable needs a name with a place"},
+    {"--turntable 4 -o a-%%d.svg", "--turntable needs a name with a place"},
+    {"--turntable 4 -o a-%n%d.svg", "--turntable needs a name with a place"},
+    {"--turntable 0 -o a-%d.svg", "--turntable: 0 is not in 1..100000"},
+    {"--turntable 100001 -o a-%d.svg", "--turntable: 100001 is not in 1..100000"},
+    {"--batch in -o a.svg a.off", "--batch and --output exclude each other"},
+    {"--batch in --turntable 3 a.off", "--batch and --turntable exclude each other"},
+    {"--batch in", "--batch needs names of files"},
+    {"--batch in a.off -", "--batch needs names of files"},
+    {"--batch= a.off", "--batch: the name is empty"},
+    {"--batch in a.off in/a.off", "--batch: a.off and in/a.off would both be drawn to in/a.svg"},
+    {"-q -v", "--quiet and --verbose exclude each other"},
     {"- -", "standard input (-) can be read only once"},
     {"--page a7", "--page: \"a7\" is unknown"},
     {"--page leter", "did you mean letter?"},
@@ -475,6 +495,152 @@ static void description_depends_on_the_drawing_alone(void **state)
     assert_string_equal(last.out, text);
 }
 
+/* Least and greatest coordinate of the paths of an SVG, in mm. */
+static void svg_box(const char *path, double low[2], double high[2])
+{
+    static char text[TEXT];
+    read_text(path, text);
+    low[0] = low[1] = 1e9;
+    high[0] = high[1] = -1e9;
+    const char *at = text;
+    while ((at = strstr(at, " d=\"")) != NULL) {
+        int axis = 0;
+        for (at += 4; *at && *at != '"'; axis = 1 - axis) {
+            char *end;
+            at += strspn(at, "MLZ ,");
+            double x = strtod(at, &end);
+            if (end == at)
+                break;
+            low[axis] = x < low[axis] ? x : low[axis];
+            high[axis] = x > high[axis] ? x : high[axis];
+            at = end;
+        }
+    }
+}
+
+/* A box of 6 by 2 by 3, off the origin, seen from the front and the right: as wide as its sides, at one scale, about the
+ * page's middle; in perspective the eye goes round and sees the opposite sides alike. */
+static void turntable_keeps_scale_and_centre(void **state)
+{
+    double low[4][2], high[4][2];
+    (void)state;
+    put("box.off", "OFF\n8 6 0\n10 20 0\n16 20 0\n16 22 0\n10 22 0\n10 20 3\n16 20 3\n16 22 3\n10 22 3\n"
+                   "4 0 1 2 3\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+    static const char *const views[] = {"--azimuth 0", "--eye 13,1,1.5"};
+    for (size_t v = 0; v < 2; v++) {
+        char line[256], name[64];
+        snprintf(line, sizeof line, "%s --turntable 4 box.off -o in/t-%%02d.svg", views[v]);
+        assert_int_equal(run(line), 0);
+        assert_int_equal(entries("in", false), 4);
+        for (int i = 0; i < 4; i++) {
+            snprintf(name, sizeof name, "in/t-%02d.svg", i);
+            svg_box(name, low[i], high[i]);
+            assert_true(fabs(low[i][0] + high[i][0] - 210) < 0.01 && fabs(low[i][1] + high[i][1] - 297) < 0.01);
+        }
+        for (int i = 0; i < 2; i++)
+            assert_true(fabs(high[i][0] - high[i + 2][0]) < 0.01 && fabs(high[i][1] - high[i + 2][1]) < 0.01);
+        double front = high[0][0] - low[0][0], side = high[1][0] - low[1][0];
+        double tall = high[0][1] - low[0][1], side_tall = high[1][1] - low[1][1];
+        if (v == 0) {
+            assert_true(fabs(front - 190) < 0.01 && fabs(side - 190 / 3.0) < 0.01);
+            assert_true(fabs(tall - 95) < 0.01 && fabs(side_tall - 95) < 0.01);
+        } else {
+            /* the near faces are 19 and 17 away from the eye: 3 high */
+            assert_true(fabs(side_tall / tall - 19.0 / 17) < 0.001);
+        }
+    }
+    assert_int_equal(run("--turntable 3 -f csv models/platonic/cube.off -o in/u%d"), 0);
+    assert_int_equal(access("in/u0", F_OK) + access("in/u2", F_OK), 0);
+}
+
+static void batch_draws_each_file(void **state)
+{
+    static char text[TEXT];
+    (void)state;
+    put("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n");
+    assert_int_equal(run("--batch in/new bad.off models/table.off missing.off models/platonic/cube.off"), 1);
+    const char *first = strstr(last.err, "roberts: bad.off:6: "), *second = strstr(last.err, "roberts: missing.off: ");
+    assert_true(first == last.err && second > first);
+    assert_int_equal(run("models/table.off -o in/a.svg"), 0);
+    read_text("in/a.svg", text);
+    read_text("in/new/table.svg", last.out);
+    assert_string_equal(last.out, text);
+    assert_int_equal(access("in/new/cube.svg", F_OK), 0);
+    assert_int_equal(entries("in/new", true), 2);
+    assert_int_equal(run("--batch in/new -f csv --threads 2 -v models/table.off models/platonic/cube.off"), 0);
+    assert_true(strstr(last.err, "in/new/table.csv: ") < strstr(last.err, "in/new/cube.csv: "));
+    assert_int_equal(entries("in/new", true), 2);
+    assert_int_equal(run("--batch in/new -f null models/table.off"), 0);
+    assert_int_equal(entries("in/new", false), 0);
+    assert_int_equal(rmdir("in/new"), 0);
+    assert_int_equal(run("--batch missing/new models/table.off"), 1);
+    assert_said("roberts: missing/new: cannot make the folder: No such file or directory");
+}
+
+static void verbose_tells(void **state)
+{
+    (void)state;
+    assert_int_equal(run("-v models/platonic/cube.off -o in/a.svg"), 0);
+    assert_said("roberts: models/platonic/cube.off: 1 solids, 8 vertices, 6 faces; ");
+    assert_said("roberts: in/a.svg: 9 segments; ");
+}
+
+/* Reads a model that comes after `wait_ms`, with standard error as given. */
+static void run_slowly(const char *line, int error, long wait_ms)
+{
+    static char text[TEXT];
+    const struct timespec wait = {wait_ms / 1000, wait_ms % 1000 * 1000000};
+    int ends[2];
+    read_text("models/platonic/cube.off", text);
+    assert_int_equal(pipe(ends), 0);
+    char in[32];
+    snprintf(in, sizeof in, "/dev/fd/%d", ends[0]);
+    start_error = error;
+    pid_t child = start(line, in, -1);
+    start_error = -1;
+    nanosleep(&wait, NULL);
+    assert_int_equal(write(ends[1], text, strlen(text)), strlen(text));
+    close(ends[0]);
+    close(ends[1]);
+    finish(child);
+}
+
+/* What arrives on a terminal; `size` with the end. */
+static void read_terminal(int terminal, char *text, size_t size)
+{
+    fcntl(terminal, F_SETFL, O_NONBLOCK);
+    ssize_t count = read(terminal, text, size - 1);
+    text[count > 0 ? count : 0] = '\0';
+}
+
+static void progress_is_for_terminals(void **state)
+{
+    static char text[TEXT];
+    (void)state;
+    int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0)
+        skip();
+    int side = open(ptsname(terminal), O_RDWR | O_NOCTTY);
+    assert_true(side >= 0);
+    run_slowly("-", side, 1300);
+    assert_int_equal(last.status, 0);
+    read_terminal(terminal, text, sizeof text);
+    assert_non_null(strstr(text, "roberts: reading, 1 s"));
+    assert_int_equal(text[strlen(text) - 1], '\r'); /* and the line is blank again */
+    assert_int_equal(text[strlen(text) - 2], ' ');
+    assert_null(strchr(text, '\033'));
+    run_slowly("-q -", side, 1300);
+    read_terminal(terminal, text, sizeof text);
+    assert_string_equal(text, "");
+    run_slowly("-", side, 0); /* fast */
+    read_terminal(terminal, text, sizeof text);
+    assert_string_equal(text, "");
+    run_slowly("-", -1, 1300); /* into a file */
+    assert_string_equal(last.err, "");
+    close(side);
+    close(terminal);
+}
+
 static void outputs_that_fail(void **state)
 {
     (void)state;
@@ -557,6 +723,10 @@ static void examples_of_the_help_run(void **state)
         }
     }
     assert_true(count >= 4);
+    assert_int_equal(access("turn-000.svg", F_OK), 0);
+    assert_int_equal(access("turn-003.svg", F_OK), 0);
+    assert_int_equal(entries("drawings", true), 2);
+    assert_int_equal(rmdir("drawings"), 0);
 }
 
 static void statistics(void **state)
@@ -723,6 +893,10 @@ int main(void)
         IN_FOLDER(pages_and_pens),
         IN_FOLDER(too_large_for_the_page),
         IN_FOLDER(description_depends_on_the_drawing_alone),
+        IN_FOLDER(turntable_keeps_scale_and_centre),
+        IN_FOLDER(batch_draws_each_file),
+        IN_FOLDER(verbose_tells),
+        IN_FOLDER(progress_is_for_terminals),
         IN_FOLDER(outputs_that_fail),
         IN_FOLDER(closed_pipe_is_an_error),
         IN_FOLDER(standard_output_by_name),

@@ -279,6 +279,44 @@ static void oblique_presets(void **state)
     roberts_scene_free(scene);
 }
 
+static void expect_window(const roberts_scene *scene, const roberts_camera *camera, bool framed)
+{
+    roberts_error error = {0};
+    roberts_drawing drawing;
+    roberts_vec2 min, max;
+    if (roberts_hide(scene, camera, NULL, &drawing, &error) != ROBERTS_OK)
+        fail_msg("refused: %s", error.message);
+    assert_int_equal(drawing.framed, framed);
+    assert_int_equal(roberts_window(scene, camera, &min, &max, &error), ROBERTS_OK);
+    assert_true(min.x == drawing.window_min.x && min.y == drawing.window_min.y);
+    assert_true(max.x == drawing.window_max.x && max.y == drawing.window_max.y);
+    roberts_drawing_free(&drawing);
+}
+
+/* The same as with the drawing: the whole scene, a field of view, a scene that the near plane cuts; or no view. */
+static void windows(void **state)
+{
+    rng r = {24};
+    roberts_scene *scene = cube_scene((roberts_vec3){-1, -1, -1}, 2);
+    roberts_vec2 min, max;
+    (void)state;
+    for (int i = 0; i < 100; i++) {
+        roberts_camera camera = random_camera(&r, i % PROJECTIONS);
+        expect_window(scene, &camera, false);
+        if (camera.projection == ROBERTS_PERSPECTIVE) {
+            camera.fov_degrees = 40;
+            expect_window(scene, &camera, true);
+        }
+    }
+    roberts_camera beside = {.projection = ROBERTS_PERSPECTIVE, .eye = {1.5, 0.5, 0}, .look_at = {1.5, 9, 0}};
+    beside.has_look_at = true;
+    expect_window(scene, &beside, true);
+    roberts_camera inside = {.projection = ROBERTS_PERSPECTIVE, .eye = {0.5, 0, 0}}, nowhere = {0};
+    assert_int_equal(roberts_window(scene, &inside, &min, &max, NULL), ROBERTS_BAD_VIEW);
+    assert_int_equal(roberts_window(scene, &nowhere, &min, &max, NULL), ROBERTS_BAD_VIEW);
+    roberts_scene_free(scene);
+}
+
 static void up_by_table(void **state)
 {
     static const struct {

@@ -12,6 +12,11 @@ const char *const help_text[] = {
     "  -o, --output FILE    where to (default: -, standard output)\n"
     "  -f, --format FORMAT  svg, pdf, ps, eps, png, csv, json, or null: compute, write nothing\n"
     "                       (default: by the ending of FILE, else svg)\n"
+    "      --turntable N    N pictures, the view turned about the upright line through the scene, at one scale; FILE\n"
+    "                       has a place for the number, from 0: turn-%03d.svg\n"
+    "      --batch DIR      draw each FILE.off by itself, into DIR/FILE.svg (or as -f says), several at a time; one "
+    "that\n"
+    "                       fails does not stop the others\n"
     "      --hidden MODE    hidden lines: none, dashed or solid (default: none); in tables, dashed and solid keep "
     "them\n"
     "      --crease DEGREES leave out edges between two front faces that are flatter than this (default: 0.1)\n"
@@ -61,7 +66,8 @@ const char *const help_text[] = {
     "      --verify[=N]     check the drawing by N rays per segment (default: 3), on standard error; exit status 1 if\n"
     "                       any of them contradicts it\n"
     "      --pick X,Y       say which solid and face is seen there (x, y as in the csv) and what lies behind it\n"
-    "  -q, --quiet          no warnings\n"
+    "  -q, --quiet          no warnings, and no line of progress on a terminal\n"
+    "  -v, --verbose        say what was read and written\n"
     "  -h, --help           this text\n"
     "  -V, --version        the version\n"
     "\n"
@@ -75,6 +81,8 @@ const char *const help_text[] = {
     "  roberts --hidden dashed --dash real --style hidden:color=blue models/table.off -o plot.svg\n"
     "  roberts --view top -f csv --hidden solid - <models/table.off >table.csv\n"
     "  roberts -f null --stats models/table.off\n"
+    "  roberts --elevation 30 --turntable 4 models/table.off -o turn-%03d.svg\n"
+    "  roberts --batch drawings -f pdf models/table.off models/tower.off\n"
     "  roberts -f null --verify --pick 0,5 models/table.off\n",
     NULL,
 };

@@ -1,20 +1,23 @@
-/* interrupt.c - what becomes of an unfinished file when the program is interrupted.
+/* interrupt.c - what becomes of unfinished files when the program is interrupted.
  *
- * The handler only reads a name and calls unlink(), signal() and raise(), which are async-signal-safe. The name is
- * whole whenever `unfinished` says so. */
+ * The handler only reads names and calls unlink(), signal() and raise(), which are async-signal-safe. A name is whole
+ * whenever its `unfinished` says so. Each thread that writes has a slot of its own. */
 #include "cli/interrupt.h"
 
 #include <signal.h>
 #include <string.h>
 #include <unistd.h>
 
-static char name[4096 + 64]; /* PATH_MAX; longer ones cannot be opened */
-static volatile sig_atomic_t unfinished;
+static struct slot {
+    char name[4096 + 64]; /* PATH_MAX; longer ones cannot be opened */
+    volatile sig_atomic_t unfinished;
+} slots[INTERRUPT_SLOTS];
 
 static void on_signal(int number)
 {
-    if (unfinished)
-        unlink(name);
+    for (int i = 0; i < INTERRUPT_SLOTS; i++)
+        if (slots[i].unfinished)
+            unlink(slots[i].name);
     signal(number, SIG_DFL);
     raise(number); /* comes when the handler has returned */
 }
@@ -33,12 +36,17 @@ void interrupt_prepare(void)
 #endif
 }
 
+void *interrupt_slot(int number)
+{
+    return &slots[number];
+}
+
 void interrupt_temporary(void *context, const char *path)
 {
-    (void)context;
-    unfinished = 0;
-    if (path && strlen(path) < sizeof name) {
-        strcpy(name, path);
-        unfinished = 1;
+    struct slot *slot = context;
+    slot->unfinished = 0;
+    if (path && strlen(path) < sizeof slot->name) {
+        strcpy(slot->name, path);
+        slot->unfinished = 1;
     }
 }

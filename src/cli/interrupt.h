@@ -1,10 +1,15 @@
-/* interrupt.h - what becomes of an unfinished file when the program is interrupted. */
+/* interrupt.h - what becomes of unfinished files when the program is interrupted. */
 #ifndef ROBERTS_CLI_INTERRUPT_H
 #define ROBERTS_CLI_INTERRUPT_H
 
-/* From now on SIGINT, SIGTERM and SIGHUP remove the unfinished file, if there is one, and then end the program as ever;
- * a closed pipe and the limit on file sizes become errors of write(). */
+enum { INTERRUPT_SLOTS = 64 }; /* files that can be under way at a time */
+
+/* From now on SIGINT, SIGTERM and SIGHUP remove the unfinished files, if there are any, and then end the program as
+ * ever; a closed pipe and the limit on file sizes become errors of write(). */
 void interrupt_prepare(void);
+
+/* The context that interrupt_temporary() wants, one for each thread that writes, from 0. */
+void *interrupt_slot(int number);
 
 /* A roberts_temporary_fn. */
 void interrupt_temporary(void *context, const char *path);

@@ -2,13 +2,15 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
+#include "cli/batch.h"
 #include "cli/help.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/options.h"
-#include "cli/rays.h"
-#include "cli/stats.h"
+#include "cli/picture.h"
+#include "cli/progress.h"
 
 static int print(const char *text)
 {
@@ -26,86 +28,11 @@ static int print_help(void)
     return status;
 }
 
-static roberts_status read_all(const cli_options *options, roberts_mesh *mesh, roberts_error *error)
+/* A line of progress is for a person who looks on, and must not come between the lines of a drawing. */
+static bool is_watched(const cli_options *options)
 {
-    roberts_status status = ROBERTS_OK;
-    for (size_t i = 0; i < options->input_count && status == ROBERTS_OK; i++)
-        status = roberts_mesh_read_file(mesh, options->input[i], &options->scene.warnings, error);
-    return status;
-}
-
-/* From the files to a drawing; what is not needed any more is released on the way. */
-static roberts_status compute(const cli_options *options, roberts_drawing *drawing, run_stats *run,
-                              roberts_error *error)
-{
-    roberts_mesh mesh = {0};
-    roberts_scene *scene = NULL;
-    roberts_time start = stats_now();
-    roberts_status status = read_all(options, &mesh, error);
-    run->read = stats_since(start);
-    if (status != ROBERTS_OK)
-        goto done;
-    start = stats_now();
-    status = roberts_scene_build(&mesh, &options->scene, &scene, error);
-    roberts_mesh_free(&mesh);
-    run->solids = stats_since(start);
-    if (status != ROBERTS_OK)
-        goto done;
-    run->vertices = roberts_scene_vertex_count(scene);
-    run->faces = roberts_scene_face_count(scene);
-    status = roberts_hide(scene, &options->camera, &options->hide, drawing, error);
-    start = stats_now();
-    if (status == ROBERTS_OK && options->verify)
-        status = rays_verify(options, scene, drawing, &run->wrong, error);
-    if (status == ROBERTS_OK && options->pick)
-        status = rays_pick(options, scene, error);
-    run->verify = stats_since(start);
-done:
-    roberts_scene_free(scene);
-    roberts_mesh_free(&mesh);
-    return status;
-}
-
-/* The first file's name without folders, and how many more there are. */
-static const char *write_title(const cli_options *options, char *title, size_t size)
-{
-    const char *first = options->input[0], *slash = strrchr(first, '/'), *name = slash ? slash + 1 : first;
-    if (strcmp(first, "-") == 0)
-        name = "standard input";
-    if (options->input_count > 1)
-        snprintf(title, size, "%s and %zu more", name, options->input_count - 1);
-    else
-        snprintf(title, size, "%s", name);
-    return title;
-}
-
-static int draw(const cli_options *options)
-{
-    roberts_drawing drawing = {0};
-    roberts_error error = {0};
-    run_stats run = {.files = options->input_count};
-    roberts_time begin = stats_now();
-    int result = EXIT_DONE;
-    roberts_status status = compute(options, &drawing, &run, &error);
-    if (status == ROBERTS_OK) {
-        roberts_time start = stats_now();
-        roberts_draw_options page = options->draw;
-        char title[256];
-        page.title = write_title(options, title, sizeof title);
-        page.description = options->description.text;
-        page.ink = &run.ink;
-        status = roberts_drawing_save(&drawing, &page, options->output, &error);
-        run.draw = stats_since(start);
-    }
-    run.total = stats_since(begin);
-    if (status != ROBERTS_OK)
-        result = message_error(&error);
-    else if (run.wrong)
-        result = EXIT_FAILED; /* and the drawing is there to look at */
-    if (status == ROBERTS_OK && options->stats != STATS_NONE)
-        stats_print(options->stats, &run, &drawing);
-    roberts_drawing_free(&drawing);
-    return result;
+    bool to_terminal = !options->batch && strcmp(options->output, "-") == 0 && isatty(STDOUT_FILENO);
+    return isatty(STDERR_FILENO) && !options->quiet && !to_terminal;
 }
 
 int main(int argc, char **argv)
@@ -120,6 +47,12 @@ int main(int argc, char **argv)
     if (options.version)
         return print("roberts " ROBERTS_VERSION "\n");
     options.scene.warnings.warn = options.quiet ? NULL : message_warning;
+    options.scene.warnings.context = options.log = stderr;
     options.draw.temporary = interrupt_temporary;
-    return draw(&options);
+    options.draw.temporary_context = interrupt_slot(0);
+    if (is_watched(&options))
+        progress_begin();
+    status = options.batch ? batch_make(&options) : picture_make(&options);
+    progress_hide();
+    return status;
 }

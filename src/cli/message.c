@@ -4,6 +4,8 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "cli/progress.h"
+
 int message_misuse(const char *format, ...)
 {
     va_list arguments;
@@ -15,25 +17,41 @@ int message_misuse(const char *format, ...)
     return EXIT_MISUSED;
 }
 
-static void say_where(const char *file, size_t line)
+void message_open(FILE *log)
 {
-    fputs("roberts: ", stderr);
-    if (file[0] && line)
-        fprintf(stderr, "%s:%zu: ", file, line);
-    else if (file[0])
-        fprintf(stderr, "%s: ", file);
+    if (log == stderr)
+        progress_hide();
 }
 
-int message_error(const roberts_error *error)
+void message_close(FILE *log)
 {
-    say_where(error->file, error->line);
-    fprintf(stderr, "%s\n", error->message);
+    if (log == stderr)
+        progress_show();
+}
+
+static void say_where(FILE *log, const char *file, size_t line)
+{
+    fputs("roberts: ", log);
+    if (file[0] && line)
+        fprintf(log, "%s:%zu: ", file, line);
+    else if (file[0])
+        fprintf(log, "%s: ", file);
+}
+
+int message_error(FILE *log, const roberts_error *error)
+{
+    message_open(log);
+    say_where(log, error->file, error->line);
+    fprintf(log, "%s\n", error->message);
+    message_close(log);
     return error->status == ROBERTS_BAD_ARGUMENT ? EXIT_MISUSED : EXIT_FAILED;
 }
 
 void message_warning(void *context, const char *file, size_t line, const char *text)
 {
-    (void)context;
-    say_where(file, line);
-    fprintf(stderr, "warning: %s\n", text);
+    FILE *log = context;
+    message_open(log);
+    say_where(log, file, line);
+    fprintf(log, "warning: %s\n", text);
+    message_close(log);
 }

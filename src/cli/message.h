@@ -1,6 +1,9 @@
-/* message.h - what the program says on standard error. Every line begins with "roberts: ". */
+/* message.h - what the program says on standard error, or in a log that goes there in its turn. Every line begins with
+ * "roberts: ". */
 #ifndef ROBERTS_CLI_MESSAGE_H
 #define ROBERTS_CLI_MESSAGE_H
+
+#include <stdio.h>
 
 #include "roberts.h"
 
@@ -15,10 +18,14 @@ enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_MISUSED = 2 };
 /* Says what is wrong with the command and where help is; returns EXIT_MISUSED. */
 int message_misuse(const char *format, ...) MESSAGE_PRINTF;
 
-/* FILE:LINE: what and why; returns the exit status that goes with it. */
-int message_error(const roberts_error *error);
+/* Around what is written to a log: where that is standard error, a line of progress makes room meanwhile. */
+void message_open(FILE *log);
+void message_close(FILE *log);
 
-/* A roberts_warning_fn: FILE:LINE: warning: what. */
+/* FILE:LINE: what and why; returns the exit status that goes with it. */
+int message_error(FILE *log, const roberts_error *error);
+
+/* A roberts_warning_fn, whose context is the log: FILE:LINE: warning: what. */
 void message_warning(void *context, const char *file, size_t line, const char *text);
 
 #endif

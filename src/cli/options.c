@@ -15,6 +15,8 @@
 #include "cli/paper.h"
 #include "cli/parse.h"
 
+enum { TURNTABLE_MOST = 100000, NAME_SIZE = 4096 };
+
 typedef enum option_id {
     OPTION_OUTPUT,
     OPTION_FORMAT,
@@ -47,6 +49,9 @@ typedef enum option_id {
     OPTION_VERIFY,
     OPTION_PICK,
     OPTION_QUIET,
+    OPTION_VERBOSE,
+    OPTION_BATCH,
+    OPTION_TURNTABLE,
     OPTION_THREADS,
     OPTION_GRID,
     OPTION_EPSILON,
@@ -94,6 +99,9 @@ static const struct option {
     [OPTION_VERIFY] = {"verify", 0, VALUE_OPTIONAL},
     [OPTION_PICK] = {"pick", 0, VALUE},
     [OPTION_QUIET] = {"quiet", 'q', NO_VALUE},
+    [OPTION_VERBOSE] = {"verbose", 'v', NO_VALUE},
+    [OPTION_BATCH] = {"batch", 0, VALUE},
+    [OPTION_TURNTABLE] = {"turntable", 0, VALUE},
     [OPTION_THREADS] = {"threads", 0, VALUE},
     [OPTION_GRID] = {"grid", 0, VALUE},
     [OPTION_EPSILON] = {"epsilon", 0, VALUE},
@@ -104,11 +112,12 @@ static const struct option {
 
 /* Options that leave no sense together. */
 static const option_id conflict[][2] = {
-    {OPTION_DIR, OPTION_VIEW},      {OPTION_DIR, OPTION_EYE},        {OPTION_VIEW, OPTION_EYE},
-    {OPTION_DIR, OPTION_LOOK_AT},   {OPTION_VIEW, OPTION_LOOK_AT},   {OPTION_CREASE, OPTION_ALL_EDGES},
-    {OPTION_AZIMUTH, OPTION_DIR},   {OPTION_AZIMUTH, OPTION_VIEW},   {OPTION_AZIMUTH, OPTION_EYE},
-    {OPTION_ELEVATION, OPTION_DIR}, {OPTION_ELEVATION, OPTION_VIEW}, {OPTION_ELEVATION, OPTION_EYE},
-    {OPTION_FIT, OPTION_SCALE},
+    {OPTION_DIR, OPTION_VIEW},        {OPTION_DIR, OPTION_EYE},        {OPTION_VIEW, OPTION_EYE},
+    {OPTION_DIR, OPTION_LOOK_AT},     {OPTION_VIEW, OPTION_LOOK_AT},   {OPTION_CREASE, OPTION_ALL_EDGES},
+    {OPTION_AZIMUTH, OPTION_DIR},     {OPTION_AZIMUTH, OPTION_VIEW},   {OPTION_AZIMUTH, OPTION_EYE},
+    {OPTION_ELEVATION, OPTION_DIR},   {OPTION_ELEVATION, OPTION_VIEW}, {OPTION_ELEVATION, OPTION_EYE},
+    {OPTION_FIT, OPTION_SCALE},       {OPTION_QUIET, OPTION_VERBOSE},  {OPTION_BATCH, OPTION_OUTPUT},
+    {OPTION_BATCH, OPTION_TURNTABLE},
 };
 
 typedef struct parser {
@@ -120,12 +129,23 @@ typedef struct parser {
 
 /* ---- values ---- */
 
+enum { FORMATS = ROBERTS_NULL + 1 };
+
+static const char *const format_names[FORMATS] = {
+    [ROBERTS_SVG] = "svg", [ROBERTS_PDF] = "pdf", [ROBERTS_PS] = "ps",     [ROBERTS_EPS] = "eps",
+    [ROBERTS_PNG] = "png", [ROBERTS_CSV] = "csv", [ROBERTS_JSON] = "json", [ROBERTS_NULL] = "null",
+};
+
+const char *options_format_name(roberts_format format)
+{
+    return format_names[format];
+}
+
 static int set_format(cli_options *options, const char *value)
 {
-    static const char *const names[] = {"svg", "pdf", "ps", "eps", "png", "csv", "json", "null"};
     if (roberts_format_by_name(value, &options->draw.format))
         return EXIT_DONE;
-    return nearest_unknown("--format", value, names, sizeof names / sizeof names[0], NULL);
+    return nearest_unknown("--format", value, format_names, FORMATS, NULL);
 }
 
 static int set_view(cli_options *options, const char *value)
@@ -201,6 +221,14 @@ static int set_integer(const char *name, const char *value, uint32_t *number)
     if (parse_integer(value, number))
         return EXIT_DONE;
     return message_misuse("--%s: \"%s\" is not a whole number from 0 on", name, value);
+}
+
+static int set_turntable(const char *value, uint32_t *number)
+{
+    int status = set_integer("turntable", value, number);
+    if (status == EXIT_DONE && (*number < 1 || *number > TURNTABLE_MOST))
+        return message_misuse("--turntable: %s is not in 1..%d", value, TURNTABLE_MOST);
+    return status;
 }
 
 /* ---- one option ---- */
@@ -283,6 +311,14 @@ static int apply_value(parser *p, option_id id, const char *value)
     case OPTION_QUIET:
         options->quiet = true;
         return EXIT_DONE;
+    case OPTION_VERBOSE:
+        options->verbose = true;
+        return EXIT_DONE;
+    case OPTION_BATCH:
+        options->batch = value;
+        return *value ? EXIT_DONE : message_misuse("--batch: the name is empty");
+    case OPTION_TURNTABLE:
+        return set_turntable(value, &options->turntable);
     case OPTION_THREADS:
         return set_integer(name, value, &options->hide.threads);
     case OPTION_GRID:
@@ -315,6 +351,8 @@ static bool is_described(option_id id)
     case OPTION_VERIFY:
     case OPTION_PICK:
     case OPTION_QUIET:
+    case OPTION_VERBOSE:
+    case OPTION_BATCH: /* each drawing is as if made by itself */
     case OPTION_THREADS:
     case OPTION_GRID:
     case OPTION_EPSILON:
@@ -410,9 +448,14 @@ static int check_conflicts(const parser *p)
     if (2.0 * page->margin_mm >= (page->width_mm < page->height_mm ? page->width_mm : page->height_mm))
         return message_misuse("--margin: %g mm leave no room on a page of %g x %g mm", page->margin_mm, page->width_mm,
                               page->height_mm);
+    char name[NAME_SIZE];
+    if (p->given[OPTION_TURNTABLE] && !parse_numbered(p->options->output, 0, name, sizeof name))
+        return message_misuse("--turntable needs a name with a place for the number: -o turn-%%03d.svg");
     size_t streams = 0;
     for (size_t i = 0; i < p->options->input_count; i++)
         streams += strcmp(p->options->input[i], "-") == 0;
+    if (p->given[OPTION_BATCH] && streams > 0)
+        return message_misuse("--batch needs names of files");
     return streams > 1 ? message_misuse("standard input (-) can be read only once") : EXIT_DONE;
 }
 
@@ -425,7 +468,7 @@ static int choose_format(const parser *p)
         strchr(name + (*name == '.'), '.'))
         return message_misuse("%s: no format is known by this ending; say which with -f", options->output);
     bool binary = options->draw.format == ROBERTS_PDF || options->draw.format == ROBERTS_PNG;
-    if (binary && strcmp(options->output, "-") == 0 && isatty(STDOUT_FILENO))
+    if (binary && !options->batch && strcmp(options->output, "-") == 0 && isatty(STDOUT_FILENO))
         return message_misuse("these bytes are not for a terminal: name a file with -o");
     return EXIT_DONE;
 }
@@ -473,7 +516,7 @@ int options_parse(int argc, char **argv, cli_options *options)
     options->input_count = operands ? (size_t)operands : 1;
     if (p.given[OPTION_LANDSCAPE])
         lay_down(&options->draw.page);
-    for (int i = 0; i < operands; i++)
+    for (int i = 0; i < operands && !options->batch; i++)
         description_word(&options->description, argv[i]);
     if (options->help || options->version)
         return EXIT_DONE;

@@ -2,6 +2,8 @@
 #ifndef ROBERTS_CLI_OPTIONS_H
 #define ROBERTS_CLI_OPTIONS_H
 
+#include <stdio.h>
+
 #include "cli/description.h"
 #include "roberts.h"
 
@@ -11,6 +13,9 @@ typedef struct cli_options {
     char **input; /* [input_count], of argv; "-" is standard input; at least one */
     size_t input_count;
     const char *output; /* "-" is standard output */
+    const char *batch;  /* NULL, or the folder for a picture of each input; then `output` is not used */
+    uint32_t turntable; /* 0, or how many pictures; then `output` holds a place for their numbers */
+    FILE *log;          /* for messages */
     roberts_scene_options scene;
     roberts_camera camera;
     roberts_hide_options hide;
@@ -20,11 +25,14 @@ typedef struct cli_options {
     bool verify, pick;
     uint32_t verify_rays; /* per segment; 0 = choose */
     roberts_vec2 pick_point;
-    bool quiet, help, version;
+    bool quiet, verbose, help, version;
 } cli_options;
 
 /* Fills `options` from the arguments, which are put in order: operands to the end. Returns EXIT_DONE, or EXIT_MISUSED
  * and has said why. */
 int options_parse(int argc, char **argv, cli_options *options);
+
+/* The name that -f and endings of files give to a format. */
+const char *options_format_name(roberts_format format);
 
 #endif

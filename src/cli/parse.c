@@ -1,7 +1,9 @@
 /* parse.c - values of options. The program never sets a locale, so strtod() knows the point alone. */
 #include "cli/parse.h"
 
+#include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -66,4 +68,20 @@ bool parse_vector(const char *text, roberts_vec3 *vector)
         return false;
     *vector = v;
     return true;
+}
+
+bool parse_numbered(const char *pattern, uint32_t number, char *name, size_t size)
+{
+    const char *place = strchr(pattern, '%'), *at = place;
+    int width = 0;
+    if (!place)
+        return false;
+    if (*++at == '0' && at[1] >= '1' && at[1] <= '9') {
+        width = at[1] - '0';
+        at += 2;
+    }
+    if (*at != 'd' || strchr(at, '%'))
+        return false;
+    int length = snprintf(name, size, "%.*s%0*" PRIu32 "%s", (int)(place - pattern), pattern, width, number, at + 1);
+    return length >= 0 && (size_t)length < size;
 }

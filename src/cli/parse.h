@@ -16,4 +16,8 @@ bool parse_point(const char *text, roberts_vec2 *point);
 /* The whole of `text` is X,Y,Z. */
 bool parse_vector(const char *text, roberts_vec3 *vector);
 
+/* Puts `number` in the one place that `pattern` has for it, %d or %03d (digits at the least, up to 9, filled up by
+ * zeros); false where there is none, more than one, another %, or the name does not fit. */
+bool parse_numbered(const char *pattern, uint32_t number, char *name, size_t size);
+
 #endif

@@ -3,25 +3,35 @@
 
 #include <stdio.h>
 
+#include "cli/message.h"
+
 enum { RAYS_TOLD = 20 };
+
+typedef struct telling {
+    FILE *log;
+    size_t told;
+} telling;
 
 static void tell(void *context, const roberts_contradiction *c)
 {
-    size_t *told = context;
-    if ((*told)++ >= RAYS_TOLD)
+    telling *t = context;
+    FILE *log = t->log;
+    if (t->told++ >= RAYS_TOLD)
         return;
-    fprintf(stderr, "roberts: verify: solid %u, edge %u-%u, t = %.17g: drawn %s, but ", (unsigned)c->solid,
+    message_open(log);
+    fprintf(log, "roberts: verify: solid %u, edge %u-%u, t = %.17g: drawn %s, but ", (unsigned)c->solid,
             (unsigned)c->v0, (unsigned)c->v1, c->t, c->drawn == ROBERTS_VISIBLE ? "visible" : "hidden");
     if (c->cast == ROBERTS_HIDDEN)
-        fprintf(stderr, "solid %u hides it\n", (unsigned)c->by);
+        fprintf(log, "solid %u hides it\n", (unsigned)c->by);
     else
-        fputs("nothing hides it\n", stderr);
+        fputs("nothing hides it\n", log);
+    message_close(log);
 }
 
 roberts_status rays_verify(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing,
                            bool *wrong, roberts_error *error)
 {
-    size_t told = 0;
+    telling t = {.log = options->log};
     roberts_verification found;
     roberts_verify_options verify = roberts_verify_options_default();
     verify.rays = options->verify_rays;
@@ -29,14 +39,17 @@ roberts_status rays_verify(const cli_options *options, const roberts_scene *scen
     verify.all_edges = options->hide.all_edges;
     verify.threads = options->hide.threads;
     verify.contradiction = tell;
-    verify.context = &told;
+    verify.context = &t;
     roberts_status status = roberts_verify(scene, &options->camera, drawing, &verify, &found, error);
     *wrong = status == ROBERTS_OK && found.contradictions > 0;
-    if (told > RAYS_TOLD)
-        fprintf(stderr, "roberts: verify: ... and %zu more\n", told - RAYS_TOLD);
+    message_open(options->log);
+    if (t.told > RAYS_TOLD)
+        fprintf(options->log, "roberts: verify: ... and %zu more\n", t.told - RAYS_TOLD);
     if (status == ROBERTS_OK && (*wrong || !options->quiet))
-        fprintf(stderr, "roberts: verify: %zu points of %zu segments checked; contradictions: %zu, undecided: %zu\n",
+        fprintf(options->log,
+                "roberts: verify: %zu points of %zu segments checked; contradictions: %zu, undecided: %zu\n",
                 found.points, found.segments, found.contradictions, found.undecided);
+    message_close(options->log);
     return status;
 }
 
@@ -45,18 +58,21 @@ roberts_status rays_pick(const cli_options *options, const roberts_scene *scene,
     roberts_picked picked;
     roberts_vec2 p = options->pick_point;
     roberts_status status = roberts_pick(scene, &options->camera, p.x, p.y, &picked, error);
+    message_open(options->log);
     if (status == ROBERTS_OK && picked.count == 0)
-        fprintf(stderr, "roberts: pick %.12g,%.12g: nothing is there\n", p.x, p.y);
+        fprintf(options->log, "roberts: pick %.12g,%.12g: nothing is there\n", p.x, p.y);
     for (size_t i = 0; i < picked.count; i++) {
         const roberts_pick_hit *hit = &picked.hit[i];
-        fprintf(stderr, "roberts: pick %.12g,%.12g: %ssolid %u, ", p.x, p.y, i ? "behind it " : "",
+        fprintf(options->log, "roberts: pick %.12g,%.12g: %ssolid %u, ", p.x, p.y, i ? "behind it " : "",
                 (unsigned)hit->solid);
         if (hit->face == ROBERTS_NONE)
-            fputs("cut by the near plane, ", stderr);
+            fputs("cut by the near plane, ", options->log);
         else
-            fprintf(stderr, "face %u, ", (unsigned)hit->face);
-        fprintf(stderr, "depth %.12g, at %.12g,%.12g,%.12g\n", hit->depth, hit->point.x, hit->point.y, hit->point.z);
+            fprintf(options->log, "face %u, ", (unsigned)hit->face);
+        fprintf(options->log, "depth %.12g, at %.12g,%.12g,%.12g\n", hit->depth, hit->point.x, hit->point.y,
+                hit->point.z);
     }
+    message_close(options->log);
     roberts_picked_free(&picked);
     return status;
 }

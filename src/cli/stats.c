@@ -54,41 +54,41 @@ static uint64_t peak_memory(void)
     return (uint64_t)usage.ru_maxrss;
 }
 
-static void print_figures(const figure *figures, size_t count, bool json)
+static void print_figures(FILE *log, const figure *figures, size_t count, bool json)
 {
     for (size_t i = 0; i < count; i++)
         if (json)
-            fprintf(stderr, "%s\"%s\":%" PRIu64, i ? "," : "", figures[i].key, figures[i].value);
+            fprintf(log, "%s\"%s\":%" PRIu64, i ? "," : "", figures[i].key, figures[i].value);
         else
-            fprintf(stderr, "%14" PRIu64 "  %s\n", figures[i].value, figures[i].text);
+            fprintf(log, "%14" PRIu64 "  %s\n", figures[i].value, figures[i].text);
 }
 
-static void print_stages(const stage *stages, size_t count, bool json)
+static void print_stages(FILE *log, const stage *stages, size_t count, bool json)
 {
     if (!json)
-        fputs("           cpu        wall  seconds\n", stderr);
+        fputs("           cpu        wall  seconds\n", log);
     for (size_t i = 0; i < count; i++)
         if (json)
-            fprintf(stderr, "%s\"%s\":{\"cpu\":%.6f,\"wall\":%.6f}", i ? "," : "", stages[i].name, stages[i].time.cpu,
+            fprintf(log, "%s\"%s\":{\"cpu\":%.6f,\"wall\":%.6f}", i ? "," : "", stages[i].name, stages[i].time.cpu,
                     stages[i].time.wall);
         else
-            fprintf(stderr, "%14.3f%12.3f  %s\n", stages[i].time.cpu, stages[i].time.wall, stages[i].name);
+            fprintf(log, "%14.3f%12.3f  %s\n", stages[i].time.cpu, stages[i].time.wall, stages[i].name);
 }
 
 /* What the pen did. */
-static void print_ink(const roberts_ink *ink, bool json)
+static void print_ink(FILE *log, const roberts_ink *ink, bool json)
 {
     if (json)
-        fprintf(stderr, ",\"strokes\":%zu,\"pen_down_mm\":%.3f,\"pen_up_mm\":%.3f,\"scale\":%.17g", ink->strokes,
+        fprintf(log, ",\"strokes\":%zu,\"pen_down_mm\":%.3f,\"pen_up_mm\":%.3f,\"scale\":%.17g", ink->strokes,
                 ink->down_mm, ink->up_mm, ink->scale);
     else if (ink->scale > 0.0)
-        fprintf(stderr,
+        fprintf(log,
                 "%14zu  strokes\n%14.1f  mm with the pen down\n%14.1f  mm with the pen up\n%14.6g  mm on paper by "
                 "model unit\n",
                 ink->strokes, ink->down_mm, ink->up_mm, ink->scale);
 }
 
-void stats_print(cli_stats kind, const run_stats *run, const roberts_drawing *d)
+void stats_print(FILE *log, cli_stats kind, const run_stats *run, const roberts_drawing *d)
 {
     const bool json = kind == STATS_JSON;
     const figure counts[] = {
@@ -125,16 +125,16 @@ void stats_print(cli_stats kind, const run_stats *run, const roberts_drawing *d)
         {"read", run->read},    {"solids", run->solids}, {"view", d->view_time}, {"grid", d->grid_time},
         {"hide", d->hide_time}, {"verify", run->verify}, {"draw", run->draw},    {"total", run->total},
     };
-    fputs(json ? "{\"version\":\"" ROBERTS_VERSION "\"," : "", stderr);
-    print_figures(counts, sizeof counts / sizeof counts[0], json);
-    print_ink(&run->ink, json);
+    fputs(json ? "{\"version\":\"" ROBERTS_VERSION "\"," : "", log);
+    print_figures(log, counts, sizeof counts / sizeof counts[0], json);
+    print_ink(log, &run->ink, json);
     if (json)
-        fprintf(stderr, ",\"epsilon\":%.17g,\"scene_diameter\":%.17g,\"tests\":{", d->epsilon, d->scene_diameter);
+        fprintf(log, ",\"epsilon\":%.17g,\"scene_diameter\":%.17g,\"tests\":{", d->epsilon, d->scene_diameter);
     else
-        fprintf(stderr, "%14.4g  epsilon, model units\n%14.6g  diameter of the scene, model units\n", d->epsilon,
+        fprintf(log, "%14.4g  epsilon, model units\n%14.6g  diameter of the scene, model units\n", d->epsilon,
                 d->scene_diameter);
-    print_figures(tests, sizeof tests / sizeof tests[0], json);
-    fputs(json ? "},\"seconds\":{" : "", stderr);
-    print_stages(stages, sizeof stages / sizeof stages[0], json);
-    fputs(json ? "}}\n" : "", stderr);
+    print_figures(log, tests, sizeof tests / sizeof tests[0], json);
+    fputs(json ? "},\"seconds\":{" : "", log);
+    print_stages(log, stages, sizeof stages / sizeof stages[0], json);
+    fputs(json ? "}}\n" : "", log);
 }

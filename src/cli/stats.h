@@ -18,7 +18,7 @@ roberts_time stats_now(void);
 /* How long it is since `start`. */
 roberts_time stats_since(roberts_time start);
 
-/* To standard error; as one JSON object where `kind` is STATS_JSON. */
-void stats_print(cli_stats kind, const run_stats *run, const roberts_drawing *drawing);
+/* To `log`; as one JSON object where `kind` is STATS_JSON. */
+void stats_print(FILE *log, cli_stats kind, const run_stats *run, const roberts_drawing *drawing);
 
 #endif

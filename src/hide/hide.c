@@ -20,8 +20,7 @@
 #define CHUNK_SOLIDS 64
 #define CHUNKS_PER_THREAD 8 /* with less work than this a thread costs more than it does */
 #define GRID_MOST 4096
-#define FOV_OF_CLIPPED 60.0 /* degrees: what a scene that goes on behind the eye is drawn in */
-#define COVERS_PER_CELL 2   /* per side, where the grid is given; else both are chosen */
+#define COVERS_PER_CELL 2 /* per side, where the grid is given; else both are chosen */
 
 /* Touching distance above which "on" would mean a visible length: a hundredth of the scene. */
 #define EPSILON_MOST 0.01
@@ -349,12 +348,9 @@ static roberts_status check_options(const roberts_hide_options *options, roberts
 /* In perspective the picture may be a square about the look-at point. */
 static void set_frame(const hide_job *job, const roberts_camera *camera, roberts_drawing *drawing)
 {
-    double fov = camera->fov_degrees, unit = job->picture.view.unit;
-    if (fov == 0.0 && job->clip.clipped)
-        fov = FOV_OF_CLIPPED;
-    if (!job->picture.view.perspective || fov == 0.0)
+    double half;
+    if (!view_frame(&job->picture.view, camera, job->clip.clipped, &half))
         return;
-    double half = unit / job->picture.view.inverse_distance * tan(fov * pi / 360.0);
     drawing->framed = true;
     drawing->window_min = (roberts_vec2){-half, -half};
     drawing->window_max = (roberts_vec2){half, half};

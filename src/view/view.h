@@ -58,4 +58,8 @@ int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane 
 double view_to_space(const view *v, double zA, double zB, double s);
 double view_from_space(const view *v, double zA, double zB, double t);
 
+/* True: the picture is the square about the look-at point of `*half` model units each way, because of a field of view
+ * or, `clipped`, because the near plane cuts the scene. */
+bool view_frame(const view *v, const roberts_camera *camera, bool clipped, double *half);
+
 #endif

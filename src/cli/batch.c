@@ -1,0 +1,177 @@
+/* batch.c - one picture for each file, threads over the files.
+ *
+ * Each file has a log in memory; whoever finishes one prints those whose turn it is, so that a large file holds up the
+ * messages of the later ones and not their work. */
+#include "cli/batch.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+#include "cli/interrupt.h"
+#include "cli/message.h"
+#include "cli/picture.h"
+#include "cli/progress.h"
+
+typedef struct batch_file {
+    char *input;         /* of argv */
+    char *output, *text; /* owned; the log's text */
+    int result;
+    bool done;
+} batch_file;
+
+typedef struct batch {
+    const cli_options *options;
+    batch_file *file;
+    size_t count, done, printed; /* printed: logs of the files before this are out */
+} batch;
+
+/* DIR/name.svg for any/where/name.off; NULL: no memory. */
+static char *output_name(const cli_options *options, const char *input)
+{
+    const char *slash = strrchr(input, '/'), *name = slash ? slash + 1 : input;
+    const char *dot = strrchr(name, '.'), *ending = options_format_name(options->draw.format);
+    size_t length = dot && dot > name ? (size_t)(dot - name) : strlen(name);
+    size_t size = strlen(options->batch) + 1 + length + 1 + strlen(ending) + 1;
+    char *output = malloc(size);
+    if (output)
+        snprintf(output, size, "%s/%.*s.%s", options->batch, (int)length, name, ending);
+    return output;
+}
+
+static int by_output(const void *a, const void *b)
+{
+    const batch_file *const *f = a, *const *g = b;
+    return strcmp((*f)->output, (*g)->output);
+}
+
+static int no_memory(void)
+{
+    fputs("roberts: out of memory\n", stderr);
+    return EXIT_FAILED;
+}
+
+/* No two files may be drawn to one name. */
+static int check_names(const batch *b)
+{
+    int result = EXIT_DONE;
+    batch_file **order = malloc(b->count * sizeof *order);
+    if (!order)
+        return no_memory();
+    for (size_t i = 0; i < b->count; i++)
+        order[i] = &b->file[i];
+    qsort(order, b->count, sizeof *order, by_output);
+    for (size_t i = 1; i < b->count && result == EXIT_DONE; i++)
+        if (strcmp(order[i - 1]->output, order[i]->output) == 0)
+            result = message_misuse("--batch: %s and %s would both be drawn to %s", order[i - 1]->input,
+                                    order[i]->input, order[i]->output);
+    free(order);
+    return result;
+}
+
+static int prepare(batch *b)
+{
+    for (size_t i = 0; i < b->count; i++) {
+        b->file[i].input = b->options->input[i];
+        b->file[i].output = output_name(b->options, b->options->input[i]);
+        if (!b->file[i].output)
+            return no_memory();
+    }
+    int result = check_names(b);
+    if (result == EXIT_DONE && mkdir(b->options->batch, 0777) != 0 && errno != EEXIST) {
+        fprintf(stderr, "roberts: %s: cannot make the folder: %s\n", b->options->batch, strerror(errno));
+        result = EXIT_FAILED;
+    }
+    return result;
+}
+
+static void make_one(const batch *b, batch_file *file, int thread)
+{
+    size_t size;
+    cli_options own = *b->options;
+    char *input = file->input;
+    FILE *log = open_memstream(&file->text, &size);
+    file->result = EXIT_FAILED;
+    if (!log)
+        return; /* print() tells */
+    own.input = &input;
+    own.input_count = 1;
+    own.output = file->output;
+    description_word(&own.description, file->input);
+    own.log = log;
+    own.scene.warnings.context = log;
+    own.draw.temporary_context = interrupt_slot(thread);
+    file->result = picture_make(&own);
+    if (fclose(log) != 0) {
+        free(file->text);
+        file->text = NULL;
+    }
+}
+
+/* Prints the logs whose turn it is. One thread at a time. */
+static void finish_one(batch *b, batch_file *file)
+{
+    file->done = true;
+    progress_count(++b->done, b->count);
+    for (; b->printed < b->count && b->file[b->printed].done; b->printed++) {
+        batch_file *next = &b->file[b->printed];
+        if (!next->text || *next->text) {
+            progress_hide();
+            if (next->text)
+                fputs(next->text, stderr);
+            else
+                fprintf(stderr, "roberts: %s: out of memory\n", next->input);
+            progress_show();
+        }
+        free(next->text);
+        next->text = NULL;
+    }
+}
+
+static void make_all(batch *b)
+{
+    long count = (long)b->count;
+#ifdef _OPENMP
+    int threads = b->options->hide.threads ? (int)b->options->hide.threads : omp_get_max_threads();
+    if (threads > INTERRUPT_SLOTS)
+        threads = INTERRUPT_SLOTS;
+    if (threads > count)
+        threads = (int)count;
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+#endif
+    for (long i = 0; i < count; i++) {
+        int thread = 0;
+#ifdef _OPENMP
+        thread = omp_get_thread_num();
+#endif
+        make_one(b, &b->file[i], thread);
+#ifdef _OPENMP
+#pragma omp critical(batch_finish)
+#endif
+        finish_one(b, &b->file[i]);
+    }
+}
+
+int batch_make(const cli_options *options)
+{
+    batch b = {.options = options, .count = options->input_count};
+    b.file = calloc(b.count, sizeof *b.file);
+    if (!b.file)
+        return no_memory();
+    int result = prepare(&b);
+    if (result == EXIT_DONE) {
+        make_all(&b);
+        for (size_t i = 0; i < b.count; i++)
+            if (b.file[i].result != EXIT_DONE)
+                result = EXIT_FAILED;
+    }
+    for (size_t i = 0; i < b.count; i++)
+        free(b.file[i].output);
+    free(b.file);
+    return result;
+}

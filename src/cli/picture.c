@@ -1,0 +1,204 @@
+/* picture.c - from the files to what is written.
+ *
+ * Pictures of a turntable are laid on the page by one window, the box of the windows of all sides, so that they have one
+ * scale and nothing jumps. */
+#include "cli/picture.h"
+
+#include <string.h>
+
+#include "cli/message.h"
+#include "cli/parse.h"
+#include "cli/progress.h"
+#include "cli/rays.h"
+#include "cli/stats.h"
+
+enum { NAME_SIZE = 4096 };
+
+typedef struct picture_window {
+    roberts_vec2 min, max;
+} picture_window;
+
+static roberts_status read_all(const cli_options *options, roberts_mesh *mesh, roberts_error *error)
+{
+    roberts_status status = ROBERTS_OK;
+    for (size_t i = 0; i < options->input_count && status == ROBERTS_OK; i++)
+        status = roberts_mesh_read_file(mesh, options->input[i], &options->scene.warnings, error);
+    return status;
+}
+
+/* What is not needed any more is released on the way. */
+static roberts_status load(const cli_options *options, roberts_scene **scene, run_stats *run, roberts_error *error)
+{
+    roberts_mesh mesh = {0};
+    roberts_time start = stats_now();
+    progress_stage("reading");
+    roberts_status status = read_all(options, &mesh, error);
+    run->read = stats_since(start);
+    if (status == ROBERTS_OK) {
+        start = stats_now();
+        progress_stage("finding the solids");
+        status = roberts_scene_build(&mesh, &options->scene, scene, error);
+        run->solids = stats_since(start);
+    }
+    roberts_mesh_free(&mesh);
+    if (status != ROBERTS_OK)
+        return status;
+    run->vertices = roberts_scene_vertex_count(*scene);
+    run->faces = roberts_scene_face_count(*scene);
+    if (!options->verbose)
+        return status;
+    message_open(options->log);
+    fprintf(options->log, "roberts: %s%s: %zu solids, %zu vertices, %zu faces; %.3f s\n", options->input[0],
+            options->input_count > 1 ? " and others" : "", roberts_scene_solid_count(*scene), run->vertices, run->faces,
+            run->read.wall + run->solids.wall);
+    message_close(options->log);
+    return status;
+}
+
+static roberts_status hide(const cli_options *options, const roberts_scene *scene, roberts_drawing *drawing,
+                           run_stats *run, roberts_error *error)
+{
+    progress_stage("removing hidden lines");
+    roberts_status status = roberts_hide(scene, &options->camera, &options->hide, drawing, error);
+    roberts_time start = stats_now();
+    if (status == ROBERTS_OK && options->verify) {
+        progress_stage("verifying");
+        status = rays_verify(options, scene, drawing, &run->wrong, error);
+    }
+    if (status == ROBERTS_OK && options->pick)
+        status = rays_pick(options, scene, error);
+    run->verify = stats_since(start);
+    return status;
+}
+
+/* The first file's name without folders, and how many more there are. */
+static const char *write_title(const cli_options *options, char *title, size_t size)
+{
+    const char *first = options->input[0], *slash = strrchr(first, '/'), *name = slash ? slash + 1 : first;
+    if (strcmp(first, "-") == 0)
+        name = "standard input";
+    if (options->input_count > 1)
+        snprintf(title, size, "%s and %zu more", name, options->input_count - 1);
+    else
+        snprintf(title, size, "%s", name);
+    return title;
+}
+
+static roberts_status save(const cli_options *options, const roberts_drawing *drawing, run_stats *run,
+                           roberts_error *error)
+{
+    roberts_time start = stats_now();
+    progress_stage("writing");
+    roberts_draw_options page = options->draw;
+    char title[256];
+    page.title = write_title(options, title, sizeof title);
+    page.description = options->description.text;
+    page.ink = &run->ink;
+    roberts_status status = roberts_drawing_save(drawing, &page, options->output, error);
+    run->draw = stats_since(start);
+    return status;
+}
+
+static void tell(const cli_options *options, const run_stats *run, const roberts_drawing *drawing)
+{
+    message_open(options->log);
+    if (options->verbose && options->draw.format != ROBERTS_NULL)
+        fprintf(options->log, "roberts: %s: %zu segments; %.3f s\n", options->output, drawing->count, run->total.wall);
+    if (options->stats != STATS_NONE)
+        stats_print(options->log, options->stats, run, drawing);
+    message_close(options->log);
+}
+
+/* One picture; the scene is released before it is written, where it is the last. Returns the exit status. */
+static int draw(const cli_options *options, roberts_scene **scene, bool last, const picture_window *window,
+                run_stats run, roberts_time begin)
+{
+    roberts_drawing drawing = {0};
+    roberts_error error = {0};
+    roberts_status status = hide(options, *scene, &drawing, &run, &error);
+    if (last) {
+        roberts_scene_free(*scene);
+        *scene = NULL;
+    }
+    if (status == ROBERTS_OK && window) {
+        drawing.framed = true;
+        drawing.window_min = window->min;
+        drawing.window_max = window->max;
+    }
+    if (status == ROBERTS_OK)
+        status = save(options, &drawing, &run, &error);
+    run.total = stats_since(begin);
+    int result = status != ROBERTS_OK ? message_error(options->log, &error) : EXIT_DONE;
+    if (status == ROBERTS_OK && run.wrong)
+        result = EXIT_FAILED; /* and the drawing is there to look at */
+    if (status == ROBERTS_OK)
+        tell(options, &run, &drawing);
+    roberts_drawing_free(&drawing);
+    return result;
+}
+
+static double lesser(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static roberts_camera turned(const cli_options *options, const roberts_scene *scene, uint32_t i)
+{
+    roberts_camera camera = options->camera;
+    roberts_camera_turn(scene, 360.0 * i / options->turntable, &camera);
+    return camera;
+}
+
+static roberts_status find_window(const cli_options *options, const roberts_scene *scene, picture_window *all,
+                                  roberts_error *error)
+{
+    roberts_status status = ROBERTS_OK;
+    for (uint32_t i = 0; i < options->turntable && status == ROBERTS_OK; i++) {
+        picture_window one;
+        roberts_camera camera = turned(options, scene, i);
+        status = roberts_window(scene, &camera, &one.min, &one.max, error);
+        if (status != ROBERTS_OK)
+            break;
+        if (i == 0)
+            *all = one;
+        all->min = (roberts_vec2){lesser(all->min.x, one.min.x), lesser(all->min.y, one.min.y)};
+        all->max = (roberts_vec2){-lesser(-all->max.x, -one.max.x), -lesser(-all->max.y, -one.max.y)};
+    }
+    return status;
+}
+
+static int draw_turntable(const cli_options *options, roberts_scene **scene, const run_stats *run)
+{
+    char name[NAME_SIZE];
+    picture_window window;
+    roberts_error error = {0};
+    int result = EXIT_DONE;
+    if (find_window(options, *scene, &window, &error) != ROBERTS_OK)
+        return message_error(options->log, &error);
+    for (uint32_t i = 0; i < options->turntable && result == EXIT_DONE; i++) {
+        cli_options one = *options;
+        one.camera = turned(options, *scene, i);
+        parse_numbered(options->output, i, name, sizeof name);
+        one.output = name;
+        result = draw(&one, scene, i + 1 == options->turntable, &window, *run, stats_now());
+        progress_count(i + 1, options->turntable);
+    }
+    return result;
+}
+
+int picture_make(const cli_options *options)
+{
+    roberts_scene *scene = NULL;
+    roberts_error error = {0};
+    run_stats run = {.files = options->input_count};
+    roberts_time begin = stats_now();
+    int result;
+    if (load(options, &scene, &run, &error) != ROBERTS_OK)
+        result = message_error(options->log, &error);
+    else if (options->turntable)
+        result = draw_turntable(options, &scene, &run);
+    else
+        result = draw(options, &scene, true, NULL, run, begin);
+    roberts_scene_free(scene);
+    return result;
+}

@@ -1,0 +1,11 @@
+/* picture.h - from the files to what is written: a scene and one picture of it, or one from each of several sides. */
+#ifndef ROBERTS_CLI_PICTURE_H
+#define ROBERTS_CLI_PICTURE_H
+
+#include "cli/options.h"
+
+/* Reads the inputs as one scene and draws it, to `output`, or as --turntable says. What there is to say goes to the
+ * options' log. Returns the exit status. */
+int picture_make(const cli_options *options);
+
+#endif
