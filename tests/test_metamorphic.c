@@ -750,13 +750,13 @@ typedef struct chord {
     double in, out;
 } chord;
 
-/* No farther than `end`, where the near plane is. */
-static chord chord_through(const solid_planes *solid, roberts_vec3 P, roberts_vec3 V, double end)
+/* No farther than `end`, where the near plane is. grow: by how much all planes are moved outward. */
+static chord chord_through(const solid_planes *solid, roberts_vec3 P, roberts_vec3 V, double end, double grow)
 {
     chord c = {-1e9, end};
     for (uint32_t i = 0; i < solid->count; i++) {
         plane F = solid->F[i];
-        double f = plane_at(F, P), slope = F.a * V.x + F.b * V.y + F.c * V.z;
+        double f = plane_at(F, P) + grow, slope = F.a * V.x + F.b * V.y + F.c * V.z;
         if (fabs(slope) < 1e-9) {
             if (f < -1e-9)
                 c.in = fmax(c.in, c.out + 1e6); /* beside this face all along */
@@ -770,11 +770,11 @@ static chord chord_through(const solid_planes *solid, roberts_vec3 P, roberts_ve
     return c;
 }
 
-/* How near to a tie the second opinion stays silent (lattices), or takes it for a tie (crowds, where what is no tie is
- * farther from one). Model units; scenes are some ten across. */
+/* By how much solids are made larger and smaller to see whether a point of a lattice is near a tie; in the crowds, what
+ * counts as a tie (what is none is farther from one). Model units; scenes are some ten across. */
 #define TIE 1e-7
-/* Of rounded coordinates, where a face's plane is anyone's choice within about 1e-5 of its corners, and more far off. */
-#define TIE_ROUNDED 1e-3
+/* Of rounded coordinates, where a face's plane is anyone's choice within about 1e-5 of its corners, and more beyond. */
+#define TIE_ROUNDED 2e-4
 
 typedef struct witness {
     const roberts_camera *camera;
@@ -819,32 +819,27 @@ static double near_plane_at(const roberts_camera *camera, roberts_vec3 P)
     return isinf(beyond) ? 1e9 : vec3_length(vec3_sub(camera->eye, P)) * beyond / (beyond + camera->near_distance);
 }
 
-static chord ask(const witness *w, uint32_t solid, roberts_vec3 P)
+static chord ask(const witness *w, uint32_t solid, roberts_vec3 P, double grow)
 {
     roberts_vec3 V = toward_viewer(w->camera, P);
-    return chord_through(&w->solids[solid], P, V, near_plane_at(w->camera, P));
+    return chord_through(&w->solids[solid], P, V, near_plane_at(w->camera, P), grow);
 }
 
-typedef struct opinion {
-    bool certain, hidden;
-    double nearest; /* largest exit toward the viewer */
-} opinion;
-
 /* A line meets a closed convex solid in a chord whose near end lies on a front face. P, a point of solid `own`, is
- * hidden where another solid's chord ends nearer to the viewer than P. */
-static opinion ask_all(const witness *w, uint32_t own, roberts_vec3 P)
+ * hidden where another solid's chord ends nearer to the viewer than P. *nearest: where the nearest chord ends. */
+static bool is_hidden(const witness *w, uint32_t own, roberts_vec3 P, double grow, double *nearest)
 {
-    opinion o = {true, false, 0.0};
+    double touch = w->ties ? w->tie : 0.0;
+    bool hidden = false;
+    *nearest = 0.0;
     for (uint32_t i = 0; i < w->count; i++) {
-        chord c = ask(w, i, P);
-        bool meets = c.out - c.in >= (w->ties ? -w->tie : w->tie), nearer = c.out > w->tie;
-        if (!w->ties && (fabs(c.out - c.in) < w->tie || fabs(c.out) < w->tie) && i != own && c.out > -w->tie)
-            o.certain = false;
-        if (meets)
-            o.nearest = fmax(o.nearest, c.out);
-        o.hidden = o.hidden || (meets && nearer && i != own);
+        chord c = ask(w, i, P, grow);
+        if (c.out - c.in < -touch)
+            continue;
+        *nearest = fmax(*nearest, c.out);
+        hidden = hidden || (i != own && c.out > touch);
     }
-    return o;
+    return hidden;
 }
 
 static roberts_vec3 point_at(const model *m, const roberts_segment *s, double t)
@@ -861,9 +856,10 @@ static bool agrees(const witness *w, const roberts_segment *s, roberts_vec3 P, b
     *certain = true;
     if (s->state == ROBERTS_CLIPPED || beyond < -w->tie)
         return s->state == ROBERTS_CLIPPED && beyond < w->tie;
-    opinion o = ask_all(w, s->solid, P);
-    *certain = o.certain;
-    return !o.certain || s->line == ROBERTS_BACK || o.hidden == (s->state == ROBERTS_HIDDEN);
+    double grow = w->ties ? 0.0 : w->tie, nearest;
+    bool larger = is_hidden(w, s->solid, P, grow, &nearest), smaller = is_hidden(w, s->solid, P, -grow, &nearest);
+    *certain = larger == smaller;
+    return !*certain || s->line == ROBERTS_BACK || larger == (s->state == ROBERTS_HIDDEN);
 }
 
 /* Points inside each row and close to its ends have its state: with the tiling, each row begins and ends where it
@@ -902,14 +898,15 @@ static void states_as_rays_see_them(void **state)
  * smallest of those that are as near. */
 static bool is_seen(const witness *w, const roberts_segment *s, roberts_vec3 P)
 {
-    opinion o = ask_all(w, ROBERTS_NONE, P);
-    chord c = ask(w, s->by, P);
+    double grow = w->ties ? 0.0 : w->tie, touch = w->ties ? w->tie : 0.0, nearest;
+    is_hidden(w, ROBERTS_NONE, P, -grow, &nearest);
+    chord c = ask(w, s->by, P, grow);
     for (uint32_t i = 0; w->ties && i < s->by; i++) {
-        chord other = ask(w, i, P);
-        if (other.out - other.in >= -w->tie && other.out >= o.nearest - w->tie)
+        chord other = ask(w, i, P, 0.0);
+        if (other.out - other.in >= -touch && other.out >= nearest - touch)
             return false;
     }
-    return c.out - c.in >= -w->tie && c.out >= o.nearest - w->tie;
+    return c.out - c.in >= -touch && c.out >= nearest - touch;
 }
 
 static void check_by(const struct scene_case *scene, const model *m, const struct camera_case *camera,
