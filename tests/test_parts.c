@@ -192,6 +192,54 @@ static void union_of_many(void **state)
     free(again.item);
 }
 
+static bool reach_each_other(hide_part a, hide_part b)
+{
+    return a.t0 - a.e0 <= b.t1 + b.e1 && b.t0 - b.e0 <= a.t1 + a.e1;
+}
+
+/* Whatever reaches each other, if only by way of others, is one part. All numbers are on a scale of 1/4096, so that sums
+ * are exact and many tie. */
+static void reach_joins_in_any_order(void **state)
+{
+    enum { MANY = 24 };
+    hide_parts parts = {0};
+    rng r = {33};
+    (void)state;
+    for (int k = 0; k < 2000; k++) {
+        uint32_t count = (uint32_t)rng_int(&r, 2, MANY), order[MANY], group[MANY];
+        hide_part part[MANY];
+        for (uint32_t i = 0; i < count; i++) {
+            int from = rng_int(&r, 0, 4000), to = from + rng_int(&r, 1, 90);
+            part[i] = (hide_part){from / 4096.0, to / 4096.0, rng_int(&r, 0, 40) / 4096.0, rng_int(&r, 0, 40) / 4096.0};
+            group[i] = i;
+        }
+        for (uint32_t pass = 0; pass < count; pass++) /* the least number spreads through each group */
+            for (uint32_t i = 0; i < count; i++)
+                for (uint32_t j = 0; j < count; j++)
+                    if (reach_each_other(part[i], part[j]) && group[j] < group[i])
+                        group[i] = group[j];
+        rng_permutation(&r, order, count);
+        fill(&parts, part, order, count);
+        hide_parts_unite(&parts, 0, 1);
+        size_t groups = 0;
+        for (uint32_t g = 0; g < count; g++) {
+            double t0 = 2, t1 = -1;
+            bool found = group[g] != g;
+            for (uint32_t i = 0; i < count; i++)
+                if (group[i] == g) {
+                    t0 = fmin(t0, part[i].t0);
+                    t1 = fmax(t1, part[i].t1);
+                }
+            groups += group[g] == g;
+            for (size_t i = 0; i < parts.count; i++)
+                found = found || (parts.item[i].part.t0 == t0 && parts.item[i].part.t1 == t1);
+            assert_true(found);
+        }
+        assert_int_equal(parts.count, groups);
+    }
+    free(parts.item);
+}
+
 /* The union names one of its members. */
 static void union_names_a_member(void **state)
 {
@@ -209,9 +257,8 @@ static void union_names_a_member(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(joined_as_they_come),
-        cmocka_unit_test(union_by_table),
-        cmocka_unit_test(union_of_many),
+        cmocka_unit_test(joined_as_they_come),  cmocka_unit_test(union_by_table),
+        cmocka_unit_test(union_of_many),        cmocka_unit_test(reach_joins_in_any_order),
         cmocka_unit_test(union_names_a_member),
     };
     return cmocka_run_group_tests_name("parts", tests, NULL, NULL);
