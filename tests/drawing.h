@@ -2,6 +2,7 @@
 #ifndef ROBERTS_TESTS_DRAWING_H
 #define ROBERTS_TESTS_DRAWING_H
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,6 +18,26 @@ static inline roberts_segment line_at(roberts_line line, double x0, double y0, d
                              .p1 = {x1, y1},
                              .state = ROBERTS_VISIBLE,
                              .line = (uint8_t)line};
+}
+
+/* models/MODEL.off, seen as the preset `view` or, where that is NULL, in perspective; hidden parts included. */
+static inline roberts_drawing model_drawing(const char *model, const char *view)
+{
+    char path[100];
+    roberts_mesh mesh = {0};
+    roberts_scene *scene;
+    roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE, .eye = {150, -120, 90}};
+    roberts_hide_options options = roberts_hide_options_default();
+    roberts_drawing drawing;
+    options.keep_hidden = true;
+    snprintf(path, sizeof path, "models/%s.off", model);
+    assert_true(!view || roberts_camera_preset(view, &camera));
+    assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+    return drawing;
 }
 
 /* What a writer was given. With `room` above 0 it fails with ENOSPC once it has got that much. */

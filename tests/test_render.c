@@ -13,7 +13,7 @@
 #include <cairo.h>
 #include <cmocka.h>
 
-#include "roberts.h"
+#include "drawing.h"
 
 static char folder[] = "/tmp/roberts-render-XXXXXX";
 
@@ -28,25 +28,6 @@ static const struct {
     {"temple", ROBERTS_HIDDEN_NONE, true, false, true},
     {"interpenetrating-cubes", ROBERTS_HIDDEN_SOLID, false, false, false},
 };
-
-static roberts_drawing drawing_of(const char *model)
-{
-    char path[100];
-    roberts_mesh mesh = {0};
-    roberts_scene *scene;
-    roberts_camera camera;
-    roberts_hide_options options = roberts_hide_options_default();
-    roberts_drawing drawing;
-    options.keep_hidden = true;
-    snprintf(path, sizeof path, "models/%s.off", model);
-    roberts_camera_preset("iso", &camera);
-    assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
-    roberts_scene_free(scene);
-    roberts_mesh_free(&mesh);
-    return drawing;
-}
 
 /* How dark a pixel is, 0 to 255. */
 static int darkness(cairo_surface_t *image, int x, int y)
@@ -100,7 +81,7 @@ static void librsvg_sees_the_same(void **state)
     snprintf(theirs, sizeof theirs, "%s/b.png", folder);
     snprintf(command, sizeof command, "rsvg-convert -d 127 -p 127 -b white -o %s %s", theirs, svg);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        roberts_drawing drawing = drawing_of(cases[i].model);
+        roberts_drawing drawing = model_drawing(cases[i].model, "iso");
         roberts_draw_options options = roberts_draw_options_default();
         options.hidden = cases[i].hidden;
         options.frame.off = !cases[i].frame;

@@ -330,25 +330,6 @@ static const struct {
     {"temple", "iso"},     {"temple", "cabinet"},     {"staircase", "right"},    {"compound-of-two-cubes", "top"},
 };
 
-static roberts_drawing drawing_of(const char *model, const char *view)
-{
-    char path[100];
-    roberts_mesh mesh = {0};
-    roberts_scene *scene;
-    roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE, .eye = {150, -120, 90}};
-    roberts_hide_options options = roberts_hide_options_default();
-    roberts_drawing drawing;
-    options.keep_hidden = true;
-    snprintf(path, sizeof path, "models/%s.off", model);
-    assert_true(!view || roberts_camera_preset(view, &camera));
-    assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
-    roberts_scene_free(scene);
-    roberts_mesh_free(&mesh);
-    return drawing;
-}
-
 typedef struct side {
     double x, y, ux, uy, length; /* units of the page; u of length 1 */
 } side;
@@ -396,7 +377,7 @@ static void scenes_are_drawn_once(void **state)
     (void)state;
     options.hidden = ROBERTS_HIDDEN_SOLID;
     for (size_t i = 0; i < sizeof scene_cases / sizeof scene_cases[0]; i++) {
-        roberts_drawing drawing = drawing_of(scene_cases[i].model, scene_cases[i].view);
+        roberts_drawing drawing = model_drawing(scene_cases[i].model, scene_cases[i].view);
         strokes s;
         size_t count, doubled = 0;
         double worst = 0.0, length = 0.0;

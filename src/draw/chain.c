@@ -50,11 +50,20 @@ static bool is_same(page_point p, page_point q)
     return p.x == q.x && p.y == q.y;
 }
 
-static bool start_line(polylines *out)
+bool polylines_start(polylines *out)
 {
     if (!array_reserve(&out->item, &out->room, out->count + 1, sizeof *out->item))
         return false;
     out->item[out->count++] = (polyline){.first = (uint32_t)out->point_count};
+    return true;
+}
+
+bool polylines_append(polylines *out, page_point at)
+{
+    if (!array_reserve(&out->point, &out->point_room, out->point_count + 1, sizeof *out->point))
+        return false;
+    out->point[out->point_count++] = at;
+    out->item[out->count - 1].count++;
     return true;
 }
 
@@ -65,18 +74,13 @@ static bool is_between(page_point p, page_point q, page_point r)
     return ax * by == ay * bx && ax * bx + ay * by > 0;
 }
 
+/* Appends a point; where the last one lies straight on the way to it, in its stead. */
 static bool add_point(polylines *out, page_point at)
 {
-    polyline *line = &out->item[out->count - 1];
     page_point *end = out->point + out->point_count;
-    if (line->count >= 2 && is_between(end[-2], end[-1], at)) {
-        end[-1] = at;
-        return true;
-    }
-    if (!array_reserve(&out->point, &out->point_room, out->point_count + 1, sizeof *out->point))
-        return false;
-    out->point[out->point_count++] = at;
-    line->count++;
+    if (out->item[out->count - 1].count < 2 || !is_between(end[-2], end[-1], at))
+        return polylines_append(out, at);
+    end[-1] = at;
     return true;
 }
 
@@ -129,7 +133,7 @@ bool chain_in_order(const pieces *p, roberts_line line, polylines *out)
         if (open)
             finish_line(out);
         open = true;
-        if (!start_line(out) || !add_point(out, a) || !add_point(out, b))
+        if (!polylines_start(out) || !add_point(out, a) || !add_point(out, b))
             return false;
     }
     if (open)
@@ -168,8 +172,9 @@ static uint32_t place_of(net *n, roberts_vec2 p)
     int32_t x[2], y[2];
     cells_near(at.x, x);
     cells_near(at.y, y);
-    for (int i = 0; i <= (x[1] != x[0]); i++)
-        for (int k = 0; k <= (y[1] != y[0]); k++) {
+    int columns = x[1] != x[0] ? 2 : 1, rows = y[1] != y[0] ? 2 : 1;
+    for (int i = 0; i < columns; i++)
+        for (int k = 0; k < rows; k++) {
             uint32_t found = find_in_cell(n, at, x[i], y[k]);
             if (found != NO_PLACE)
                 return found;
@@ -278,11 +283,11 @@ static uint32_t straightest(const net *n, page_point from, uint32_t at)
 static bool walk(net *n, uint32_t at, polylines *out)
 {
     page_point from = n->place[at].at;
-    if (!start_line(out) || !add_point(out, from))
+    if (!polylines_start(out) || !add_point(out, from))
         return false;
     for (tidy(n, at); n->place[at].left; tidy(n, at)) {
         if (out->item[out->count - 1].count >= CHAIN_POINTS_MAX &&
-            (!start_line(out) || !add_point(out, n->place[at].at)))
+            (!polylines_start(out) || !add_point(out, n->place[at].at)))
             return false;
         uint32_t index = straightest(n, from, at), chosen = n->leaving[n->place[at].start + index];
         leave_out(n, at, index);

@@ -33,6 +33,10 @@ bool chain_pieces(const pieces *p, roberts_line line, polylines *out);
 /* The same in the order of the pieces: a polyline goes on with the next piece where that starts or ends at its end. */
 bool chain_in_order(const pieces *p, roberts_line line, polylines *out);
 
+/* Begins a polyline; appends a point to the last one. False: no memory. */
+bool polylines_start(polylines *p);
+bool polylines_append(polylines *p, page_point at);
+
 void polylines_free(polylines *p);
 
 #endif

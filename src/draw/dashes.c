@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/array.h"
 #include "base/error.h"
 
 /* Where a walk along a polyline is. */
@@ -41,14 +40,9 @@ static page_point here(const walker *w)
 
 static bool add(polylines *out, page_point at)
 {
-    polyline *line = &out->item[out->count - 1];
-    if (line->count && out->point[out->point_count - 1].x == at.x && out->point[out->point_count - 1].y == at.y)
-        return true;
-    if (!array_reserve(&out->point, &out->point_room, out->point_count + 1, sizeof *out->point))
-        return false;
-    out->point[out->point_count++] = at;
-    line->count++;
-    return true;
+    const page_point *last = out->point + out->point_count;
+    bool same = out->item[out->count - 1].count && last[-1].x == at.x && last[-1].y == at.y;
+    return same || polylines_append(out, at);
 }
 
 /* Goes on by `way`, or to the end; with `out`, corners on the way are added to its last polyline. False: no memory. */
@@ -72,10 +66,7 @@ static bool cut_line(const polylines *from, const polyline *line, double down, d
     walker w = {.p = from->point + line->first, .count = line->count, .closed = line->closed};
     w.length = side_length(&w, 0);
     while (w.side < sides(&w)) {
-        if (!array_reserve(&out->item, &out->room, out->count + 1, sizeof *out->item))
-            return false;
-        out->item[out->count++] = (polyline){.first = (uint32_t)out->point_count};
-        if (!add(out, here(&w)) || !go(&w, down, out))
+        if (!polylines_start(out) || !add(out, here(&w)) || !go(&w, down, out))
             return false;
         if (out->item[out->count - 1].count == 1) { /* the rest of a line, rounded to nothing */
             out->count--;
@@ -96,6 +87,17 @@ static double length_of(const polylines *p, const polyline *line)
     return sum;
 }
 
+static bool copy_line(const polylines *from, const polyline *line, polylines *out)
+{
+    if (!polylines_start(out))
+        return false;
+    out->item[out->count - 1].closed = line->closed;
+    for (uint32_t i = 0; i < line->count; i++)
+        if (!add(out, from->point[line->first + i]))
+            return false;
+    return true;
+}
+
 roberts_status dashes_cut(polylines *p, size_t first, double down, double up, roberts_error *error)
 {
     polylines cut = {0};
@@ -107,14 +109,7 @@ roberts_status dashes_cut(polylines *p, size_t first, double down, double up, ro
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "more than %d dashes: longer ones are needed", DASHES_MAX);
     for (size_t i = 0; i < p->count; i++) {
         const polyline *line = &p->item[i];
-        bool done = i >= first;
-        if (done)
-            done = cut_line(p, line, down, up, &cut);
-        else if ((done = array_reserve(&cut.item, &cut.room, cut.count + 1, sizeof *cut.item))) {
-            cut.item[cut.count++] = (polyline){.first = (uint32_t)cut.point_count, .closed = line->closed};
-            for (uint32_t k = 0; k < line->count && done; k++)
-                done = add(&cut, p->point[line->first + k]);
-        }
+        bool done = i >= first ? cut_line(p, line, down, up, &cut) : copy_line(p, line, &cut);
         if (!done) {
             polylines_free(&cut);
             return error_no_memory(error);

@@ -127,7 +127,8 @@ static uint32_t find_line(const sorter *s, const piece *p, uint32_t **own)
     int64_t direction[2], distance[2];
     uint32_t line = NO_LINE;
     cells_near(at.direction, direction_cell, same_direction, direction);
-    for (int i = 0; i <= (direction[1] != direction[0]) && line == NO_LINE; i++) {
+    int sectors = direction[1] != direction[0] ? 2 : 1;
+    for (int i = 0; i < sectors && line == NO_LINE; i++) {
         bool wraps = direction[i] < 0 || direction[i] >= DIRECTIONS;
         cells_near(wraps ? -at.distance : at.distance, distance_cell(s), s->reach, distance);
         int64_t d = (direction[i] + DIRECTIONS) % DIRECTIONS;
