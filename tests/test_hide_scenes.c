@@ -393,6 +393,40 @@ static void near_plane_by_hand(void **state)
     model_free(&m);
 }
 
+/* A side that is straight within the tolerance only weaves six times through the near plane, 10 before the eye: of the
+ * floor's and the roof's teeth the half beyond it is left, and seen. */
+static void side_that_weaves_through_the_near_plane(void **state)
+{
+    enum { TEETH = 12, CORNERS = TEETH + 3 };
+    roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = {6, -10, 0.5}, .look_at = {6, 0, 0.5}, .has_look_at = true,
+                             .near_distance = 10};
+    roberts_hide_options options = with_hidden();
+    model m = {0};
+    (void)state;
+    uint32_t ring[2][CORNERS];
+    for (uint32_t k = 0; k < 2 * CORNERS; k++) {
+        uint32_t i = k % CORNERS;
+        double y = i > TEETH ? 5 : i % 2 ? 0x1p-23 : -0x1p-23;
+        model_vertex(&m, (roberts_vec3){i == TEETH + 1 ? TEETH : i > TEETH ? 0 : i, y, k / CORNERS});
+        ring[k / CORNERS][i] = k;
+    }
+    model_face(&m, ring[0], CORNERS);
+    model_face(&m, ring[1], CORNERS);
+    for (uint32_t i = 0; i < CORNERS; i++) {
+        uint32_t next = (i + 1) % CORNERS;
+        model_face(&m, (uint32_t[]){i, next, next + CORNERS, i + CORNERS}, 4);
+    }
+    model_close_solid(&m);
+    roberts_drawing d = model_draw(&m, &camera, &options);
+    expect_edge("weaving side", "eye", &d, "0-1 c 1/2 v");
+    expect_edge("weaving side", "eye", &d, "1-2 v 1/2 c");
+    expect_edge("weaving side", "eye", &d, "26-27 v 1/2 c");
+    expect_edge("weaving side", "eye", &d, "13-14 h0");
+    expect_visible("weaving side", "eye", &d, 2 * TEETH);
+    roberts_drawing_free(&d);
+    model_free(&m);
+}
+
 /* The picture is a square about the look-at point, at whose depth lengths are true: 10 tan(fov / 2) to each side. */
 static void field_of_view(void **state)
 {
@@ -694,6 +728,7 @@ int main(void)
         cmocka_unit_test(edge_under_a_corner_of_four),
         cmocka_unit_test(perspective_by_hand),
         cmocka_unit_test(near_plane_by_hand),
+        cmocka_unit_test(side_that_weaves_through_the_near_plane),
         cmocka_unit_test(field_of_view),
         cmocka_unit_test(eyes_refused),
         cmocka_unit_test(flat_edges_by_table),

@@ -22,7 +22,8 @@ typedef struct cutter {
     double *depth;      /* [vertex_count of from] distance from the eye's plane */
     uint32_t *vertex;   /* [vertex_count of from] what it is in the clipped scene, or ROBERTS_NONE */
     uint32_t *cut;      /* [edge_count of from] the vertex where the edge is cut, or ROBERTS_NONE */
-    uint32_t *next;     /* [edge_count of from] cap: which cut edge follows this one, counter-clockwise */
+    uint32_t *next;     /* [edge_count of from] cap: which cut edge follows this one, counter-clockwise. A permutation
+                           of a solid's cut edges: each is entered by in one of its faces and left by in the other */
     roberts_vec3 *ring; /* [corners] scratch: positions of a cut face */
     size_t vertex_room, number_room, start_room, corner_room, plane_room, deviation_room, width_room, face_room;
     size_t edge_room, cap_room, ring_room;
@@ -152,12 +153,13 @@ static bool measure_width(cutter *c, uint32_t first, double *width)
     return true;
 }
 
-/* One face; where it is cut, the cap will run along the cut the other way. */
+/* One face; where it is cut, the cap will run along the cut the other way. A side that is straight only within the
+ * tolerance may weave through the plane: each way in belongs to the way out before it. */
 static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face)
 {
     const roberts_scene *from = c->from;
     uint32_t first = from->face_start[face], end = from->face_start[face + 1], leave = ROBERTS_NONE;
-    uint32_t enter = ROBERTS_NONE, begin = (uint32_t)c->clip->scene.corner_count;
+    uint32_t early = ROBERTS_NONE, begin = (uint32_t)c->clip->scene.corner_count; /* early: in before any way out */
     double width = from->face_width[face];
     for (uint32_t k = first; k < end; k++) {
         uint32_t a = from->corner[k], b = from->corner[k + 1 < end ? k + 1 : first];
@@ -168,24 +170,26 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
         uint32_t edge = find_edge(c, solid, a, b);
         if (is_kept(c, a))
             leave = edge;
+        else if (leave != ROBERTS_NONE)
+            c->next[edge] = leave;
         else
-            enter = edge;
+            early = edge;
         if (!add_corner(c, c->cut[edge]))
             return false;
     }
     *to_face = ROBERTS_NONE;
     if (c->clip->scene.corner_count == begin)
         return true;
-    if (leave != ROBERTS_NONE) {
-        c->next[enter] = leave;
-        if (!measure_width(c, begin, &width))
-            return false;
-    }
+    if (early != ROBERTS_NONE)
+        c->next[early] = leave;
+    if (leave != ROBERTS_NONE && !measure_width(c, begin, &width))
+        return false;
     *to_face = c->clip->scene.face_count;
     return add_face(c, from->face_plane[face], from->face_deviation[face], width, from->face_number[face]);
 }
 
-/* The cap's face; `start` is one of the cut edges. */
+/* The cap's face; `start` is one of the cut edges. Where a side weaves through the plane there are several rings, and
+ * the cap has one of them: the outline is then no single cycle, and the faces hide one by one (see picture.c). */
 static bool add_cap(cutter *c, uint32_t start)
 {
     const roberts_scene *from = c->from;
@@ -220,9 +224,8 @@ static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t c
     for (uint32_t i = first; i < end && cap != ROBERTS_NONE; i++) {
         if (c->cut[i] == ROBERTS_NONE)
             continue;
-        /* the face that the cap meets between cut i and the next is the one that both edges belong to */
-        const uint32_t *f = from->edge[i].f, *g = from->edge[c->next[i]].f;
-        uint32_t face = f[0] == g[0] || f[0] == g[1] ? f[0] : f[1];
+        /* between cut i and the next the cap meets the face that is entered by edge i: v[0] -> v[1] runs round f[0] */
+        uint32_t face = from->edge[i].f[is_kept(c, from->edge[i].v[1]) ? 0 : 1];
         if (!add_edge(c, c->cut[i], c->cut[c->next[i]], cap, map[face], true))
             return false;
     }
