@@ -65,7 +65,7 @@ static bool apart(const hide_box *a, const hide_box *b)
     return a->x1 < b->x0 || a->x0 > b->x1 || a->y1 < b->y0 || a->y0 > b->y1 || a->z1 < b->z0;
 }
 
-/* One edge against one front, `of` it nearer than the edge somewhere. */
+/* One edge against one front that may be nearer somewhere. */
 static bool meet(hide_worker *w, hide_line *line, const hide_front *front)
 {
     hide_part part;
