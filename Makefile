@@ -106,10 +106,18 @@ install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, libraries, heade
 	ln -sf $(SHARED) $(DESTDIR)$(LIBDIR)/$(SONAME)
 	ln -sf $(SONAME) $(DESTDIR)$(LIBDIR)/libroberts.so
 	install -m 644 $(BUILD)/roberts.pc $(DESTDIR)$(LIBDIR)/pkgconfig/
+	install -D -m 644 src/cli/roberts.1 $(DESTDIR)$(PREFIX)/share/man/man1/roberts.1
+	install -D -m 644 src/cli/completions/bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/roberts
+	install -D -m 644 src/cli/completions/zsh $(DESTDIR)$(PREFIX)/share/zsh/site-functions/_roberts
+	install -D -m 644 src/cli/completions/fish $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d/roberts.fish
 
 uninstall: ## takes them away again
 	rm -f $(DESTDIR)$(PREFIX)/bin/roberts $(DESTDIR)$(PREFIX)/include/roberts.h \
-	    $(DESTDIR)$(LIBDIR)/libroberts.a $(DESTDIR)$(LIBDIR)/libroberts.so* $(DESTDIR)$(LIBDIR)/pkgconfig/roberts.pc
+	    $(DESTDIR)$(LIBDIR)/libroberts.a $(DESTDIR)$(LIBDIR)/libroberts.so* $(DESTDIR)$(LIBDIR)/pkgconfig/roberts.pc \
+	    $(DESTDIR)$(PREFIX)/share/man/man1/roberts.1 \
+	    $(DESTDIR)$(PREFIX)/share/bash-completion/completions/roberts \
+	    $(DESTDIR)$(PREFIX)/share/zsh/site-functions/_roberts \
+	    $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d/roberts.fish
 
 ##@ To check
 lint: lint-format lint-tidy lint-cppcheck ## formatter and static checks (tools/install-deps.sh lint)

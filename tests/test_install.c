@@ -108,6 +108,17 @@ static void exports_only_its_own(void **state)
     run(command);
 }
 
+static void brings_manual_and_completions(void **state)
+{
+    char command[4096];
+    (void)state;
+    snprintf(command, sizeof command,
+             "cd %s/share && test -s man/man1/roberts.1 && test -s bash-completion/completions/roberts && "
+             "test -s zsh/site-functions/_roberts && test -s fish/vendor_completions.d/roberts.fish",
+             root);
+    run(command);
+}
+
 static void uninstalls(void **state)
 {
     char command[4096];
@@ -122,8 +133,11 @@ static void uninstalls(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(c_client_draws), cmocka_unit_test(c_client_takes_segments),
-        cmocka_unit_test(cxx_client),     cmocka_unit_test(exports_only_its_own),
+        cmocka_unit_test(c_client_draws),
+        cmocka_unit_test(c_client_takes_segments),
+        cmocka_unit_test(cxx_client),
+        cmocka_unit_test(exports_only_its_own),
+        cmocka_unit_test(brings_manual_and_completions),
         cmocka_unit_test(uninstalls),
     };
     return cmocka_run_group_tests_name("install", tests, set_up, NULL);

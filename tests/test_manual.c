@@ -1,0 +1,223 @@
+/* The manual page and the completions tell the same options as --help, and README's table too. */
+#include <ctype.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+enum { TEXT = 1 << 17, OPTIONS = 200 };
+
+static char help[TEXT], option[OPTIONS][32]; /* "--output", and "-o" where it has a letter */
+static int option_count;
+
+static void read_stream(FILE *stream, char text[TEXT])
+{
+    assert_non_null(stream);
+    size_t size = fread(text, 1, TEXT - 1, stream);
+    text[size] = '\0';
+}
+
+static void read_file(const char *path, char text[TEXT])
+{
+    FILE *file = fopen(path, "r");
+    print_message("%s\n", path);
+    read_stream(file, text);
+    fclose(file);
+}
+
+static size_t word_length(const char *word)
+{
+    size_t length = 0;
+    while (word[length] == '-' || isalnum((unsigned char)word[length]))
+        length++;
+    return length;
+}
+
+/* The options that the lines of the help begin with. */
+static int set_up(void **state)
+{
+    char command[4096];
+    const char *build = getenv("ROBERTS_BUILD");
+    (void)state;
+    snprintf(command, sizeof command, "%s/roberts --help", build ? build : "build");
+    FILE *pipe = popen(command, "r");
+    read_stream(pipe, help);
+    if (pclose(pipe) != 0)
+        return -1;
+    for (const char *line = help; line; line = strchr(line, '\n') ? strchr(line, '\n') + 1 : NULL) {
+        const char *word = line + strspn(line, " ");
+        if (strncmp(line, "  -", 3) == 0 || strncmp(line, "      --", 8) == 0)
+            for (int i = 0; i < 2 && *word == '-'; i++) {
+                size_t length = word_length(word);
+                snprintf(option[option_count++], sizeof option[0], "%.*s", (int)length, word);
+                word += length;
+                word += strspn(word, ", ");
+            }
+    }
+    return option_count > 20 ? 0 : -1;
+}
+
+/* `word` with nothing before or behind it that would make another option of it. */
+static bool has_word(const char *text, const char *word)
+{
+    size_t length = strlen(word);
+    for (const char *at = text; (at = strstr(at, word)); at++) {
+        bool begins = at == text || !(isalnum((unsigned char)at[-1]) || at[-1] == '-');
+        if (begins && word_length(at) == length)
+            return true;
+    }
+    return false;
+}
+
+static bool is_option(const char *word, size_t length)
+{
+    for (int i = 0; i < option_count; i++)
+        if (strlen(option[i]) == length && strncmp(option[i], word, length) == 0)
+            return true;
+    return false;
+}
+
+/* All options of the help stand there, and no long option that is not in the help. */
+static void expect_options(const char *text)
+{
+    for (int i = 0; i < option_count; i++)
+        if (!has_word(text, option[i]))
+            fail_msg("%s is missing", option[i]);
+    for (const char *at = text; (at = strstr(at, "--")); at += 2)
+        if ((at == text || at[-1] != '-') && isalpha((unsigned char)at[2]) && !is_option(at, word_length(at)))
+            fail_msg("%.*s is no option", (int)word_length(at), at);
+}
+
+/* Without roff's backslashes and fonts. */
+static void manual_page(void **state)
+{
+    static char text[TEXT];
+    (void)state;
+    read_file("src/cli/roberts.1", text);
+    char *to = text;
+    for (const char *from = text; *from; from++)
+        if (strncmp(from, "\\fB", 3) == 0 || strncmp(from, "\\fR", 3) == 0 || strncmp(from, "\\fI", 3) == 0)
+            from += 2;
+        else if (*from != '\\')
+            *to++ = *from;
+    *to = '\0';
+    expect_options(text);
+}
+
+static void examples_are_in_the_manual(void **state)
+{
+    static char text[TEXT];
+    (void)state;
+    read_file("src/cli/roberts.1", text);
+    char *to = text;
+    for (const char *from = text; *from; from++)
+        if (*from != '\\')
+            *to++ = *from;
+    *to = '\0';
+    char *line = strstr(help, "\nExamples\n");
+    assert_non_null(line);
+    int count = 0;
+    for (line = strstr(line, "\n  "); line; line = strstr(line + 1, "\n  "), count++) {
+        char example[256];
+        snprintf(example, sizeof example, "\n%.*s\n", (int)strcspn(line + 3, "\n"), line + 3);
+        if (!strstr(text, example))
+            fail_msg("missing:%s", example);
+    }
+    assert_true(count > 4);
+}
+
+static void completions_of_bash_and_zsh(void **state)
+{
+    static char text[TEXT];
+    (void)state;
+    read_file("src/cli/completions/bash", text);
+    expect_options(text);
+    read_file("src/cli/completions/zsh", text);
+    expect_options(text);
+}
+
+/* fish writes -s o -l output. */
+static void completions_of_fish(void **state)
+{
+    static char text[TEXT];
+    (void)state;
+    read_file("src/cli/completions/fish", text);
+    int found = 0;
+    for (int i = 0; i < option_count; i++) {
+        bool is_long = option[i][1] == '-';
+        char word[48];
+        snprintf(word, sizeof word, " -%c %s ", is_long ? 'l' : 's', option[i] + (is_long ? 2 : 1));
+        if (!strstr(text, word))
+            fail_msg("%s is missing", option[i]);
+        found += is_long;
+    }
+    for (const char *at = text; (at = strstr(at, " -l ")); at++)
+        found--;
+    assert_int_equal(found, 0); /* no others */
+}
+
+static void table_of_the_readme(void **state)
+{
+    static char text[TEXT];
+    (void)state;
+    read_file("README.md", text);
+    for (int i = 0; i < option_count; i++)
+        if (!has_word(text, option[i]))
+            fail_msg("%s is missing", option[i]);
+}
+
+/* What bash would offer for the words of a line, the last of them unfinished. */
+static const struct {
+    const char *words, *offered;
+} bash_cases[] = {
+    {"roberts --hi", "--hidden "},
+    {"roberts --view ca", "cavalier cabinet "},
+    {"roberts --view = ca", "cavalier cabinet "},
+    {"roberts -f p", "pdf ps png "},
+    {"roberts models/tab", "models/table.off "},
+    {"roberts -q --format svg models/tab", "models/table.off "},
+    {"roberts --dir 1", ""},
+    {"roberts -- --hi", ""},
+    {"roberts --no-such", ""},
+};
+
+static void bash_completes(void **state)
+{
+    (void)state;
+    if (access("/bin/bash", X_OK) != 0)
+        skip();
+    for (size_t i = 0; i < sizeof bash_cases / sizeof bash_cases[0]; i++) {
+        char command[1024], offered[1024];
+        snprintf(command, sizeof command,
+                 "/bin/bash --norc -c '. src/cli/completions/bash; COMP_WORDS=(%s); COMP_CWORD=$((${#COMP_WORDS[@]} - "
+                 "1)); _roberts roberts \"${COMP_WORDS[COMP_CWORD]}\" \"${COMP_WORDS[COMP_CWORD - 1]}\"; "
+                 "printf \"%%s \" ${COMPREPLY[@]+\"${COMPREPLY[@]}\"}'",
+                 bash_cases[i].words);
+        print_message("%s\n", bash_cases[i].words);
+        FILE *pipe = popen(command, "r");
+        assert_non_null(pipe);
+        offered[fread(offered, 1, sizeof offered - 1, pipe)] = '\0';
+        assert_int_equal(pclose(pipe), 0);
+        assert_string_equal(strcmp(offered, " ") == 0 ? "" : offered, bash_cases[i].offered);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(manual_page),
+        cmocka_unit_test(examples_are_in_the_manual),
+        cmocka_unit_test(completions_of_bash_and_zsh),
+        cmocka_unit_test(completions_of_fish),
+        cmocka_unit_test(table_of_the_readme),
+        cmocka_unit_test(bash_completes),
+    };
+    return cmocka_run_group_tests_name("manual", tests, set_up, NULL);
+}
