@@ -169,6 +169,8 @@ $(FUZZER): $(BUILD)/fuzz/%: $(BUILD)/obj/tests/fuzz/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
 	$(LINK) -fsanitize=fuzzer -Wl,--defsym=LLVMFuzzerTestOneInput=$* $(CAIRO_LIBS) -lm
 
+# It holds a source of the program, which has something to say.
+$(BUILD)/tests/test_verify_report: $(call object,src/cli/message.c src/cli/progress.c)
 $(BUILD)/tests/test_fuzz: $(call object,$(FUZZ_SRC))
 
 # The exact oracle: C++ with CGAL, for tests alone.
