@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
+#include <poll.h>
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -605,12 +606,18 @@ static void run_slowly(const char *line, int error, long wait_ms)
     finish(child);
 }
 
-/* What arrives on a terminal; `size` with the end. */
+/* What arrives on a terminal, until nothing more comes for a while: the system passes it on in pieces, and later. */
 static void read_terminal(int terminal, char *text, size_t size)
 {
-    fcntl(terminal, F_SETFL, O_NONBLOCK);
-    ssize_t count = read(terminal, text, size - 1);
-    text[count > 0 ? count : 0] = '\0';
+    struct pollfd wait = {.fd = terminal, .events = POLLIN};
+    size_t used = 0;
+    while (used + 1 < size && poll(&wait, 1, 200) > 0 && (wait.revents & POLLIN)) {
+        ssize_t count = read(terminal, text + used, size - 1 - used);
+        if (count <= 0)
+            break;
+        used += (size_t)count;
+    }
+    text[used] = '\0';
 }
 
 static void progress_is_for_terminals(void **state)
