@@ -1,10 +1,12 @@
 /* test_memory_all.c - from a file in memory to its drawing with each allocation failing in turn: solids, the near plane,
  * grid and covers, hiding, writing. Each failure is ROBERTS_NO_MEMORY and leaves nothing; where none fails any more, all
  * has gone well. Threads are one, so that the allocations come in one order. */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -120,6 +122,30 @@ static const char bevel[] = "OFF 10 7 0\n"
                             "1 0 .999999\n1 1 .999999\n"
                             "4 0 2 3 1\n4 4 5 7 6\n5 0 1 8 5 4\n5 2 6 7 9 3\n4 0 4 6 2\n4 1 3 9 8\n4 5 8 9 7\n";
 
+/* A prism of 41 sides, two of which meet in a dent of half the tolerance: too many corners to compare all with all planes. */
+static const char *dented_prism(void)
+{
+    enum { SIDES = 41 };
+    static char text[16000];
+    size_t n = (size_t)sprintf(text, "OFF %d %d 0\n", 2 * SIDES, SIDES + 2);
+    for (int i = 0; i < 2 * SIDES; i++) {
+        double step = 8 * atan(1) / (SIDES - 1), angle = (i / 2 - 0.5 * (i / 2 == 1) - (i / 2 > 1)) * step;
+        double radius = i / 2 == 1 ? cos(step / 2) - 1e-5 : 1;
+        n += (size_t)sprintf(text + n, "%.17g %.17g %d\n", radius * cos(angle), radius * sin(angle), i % 2);
+    }
+    for (int i = 0; i < SIDES; i++) {
+        int k = (i + 1) % SIDES;
+        n += (size_t)sprintf(text + n, "4 %d %d %d %d\n", 2 * i, 2 * k, 2 * k + 1, 2 * i + 1);
+    }
+    for (int top = 0; top < 2; top++) {
+        n += (size_t)sprintf(text + n, "%d", SIDES);
+        for (int i = 0; i < SIDES; i++)
+            n += (size_t)sprintf(text + n, " %d", top + 2 * (top ? i : SIDES - 1 - i));
+        n += (size_t)sprintf(text + n, "\n");
+    }
+    return text;
+}
+
 static const run_case cases[] = {
     {"overlapping solids", "models/compound-of-three-cubes.off", NULL, ISO, false, 0, ROBERTS_SVG},
     {"hidden lines, a grid", "models/table.off", NULL, ISO, true, 9, ROBERTS_CSV},
@@ -139,6 +165,7 @@ static void files(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
         survives(&cases[i]);
+    survives(&(run_case){"a dent", NULL, dented_prism(), ISO, true, 0, ROBERTS_SVG});
 }
 
 int main(void)
