@@ -77,8 +77,10 @@ static bool is_between(page_point p, page_point q, page_point r)
 /* Appends a point; where the last one lies straight on the way to it, in its stead. */
 static bool add_point(polylines *out, page_point at)
 {
+    if (out->item[out->count - 1].count < 2)
+        return polylines_append(out, at); /* at the very first, out->point is NULL */
     page_point *end = out->point + out->point_count;
-    if (out->item[out->count - 1].count < 2 || !is_between(end[-2], end[-1], at))
+    if (!is_between(end[-2], end[-1], at))
         return polylines_append(out, at);
     end[-1] = at;
     return true;
