@@ -532,7 +532,7 @@ static void add_covers(cover *c, front *g, rng *r)
             face[k] = face_of(g[i].face[k]);
         bool by_cell = rng_int(r, 0, 1);
         cover_add(c, g[i].outline.P, g[i].outline.corner, g[i].outline.count, g[i].least, by_cell ? face : NULL,
-                  by_cell ? g[i].faces : 0, SLACK, (uint32_t)i);
+                  by_cell ? g[i].faces : 0, SLACK, (uint32_t)i, 0.0);
     }
 }
 
@@ -575,9 +575,9 @@ static void covers_are_not_wasted(void **state)
         front g = random_front(&r, ROUND);
         double z = rng_between(&r, -3, 3);
         assert_true(cover_init(&c, frame_of((size_t)i % FRAMES)));
-        cover_add(&c, g.outline.P, g.outline.corner, g.outline.count, z, NULL, 0, SLACK, 7);
-        cover_add(&c, g.outline.P, g.outline.corner, g.outline.count, z - 1, NULL, 0, SLACK,
-                  8); /* farther: changes nothing */
+        cover_add(&c, g.outline.P, g.outline.corner, g.outline.count, z, NULL, 0, SLACK, 7, 0.0);
+        cover_add(&c, g.outline.P, g.outline.corner, g.outline.count, z - 1, NULL, 0, SLACK, 8,
+                  0.0); /* farther: changes nothing */
         for (uint32_t cell = 0; cell < scan_cells(&c.frame); cell++) {
             roberts_vec3 q[4];
             bool well = true;
@@ -641,7 +641,7 @@ static void no_covers(void **state)
     hide_box box = {0, 1, 3, 4, -9, -8};
     (void)state;
     assert_true(cover_init(&c, (scan_frame){0}));
-    cover_add(&c, g.P, g.corner, g.count, 5, NULL, 0, SLACK, 0);
+    cover_add(&c, g.P, g.corner, g.count, 5, NULL, 0, SLACK, 0, 0.0);
     assert_false(cover_hides(&c, &box));
     assert_false(cover_hides_edge(&c, (roberts_vec3){0, 3, -9}, (roberts_vec3){1, 4, -9}));
     cover_free(&c);

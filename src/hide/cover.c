@@ -42,11 +42,13 @@ static double depth_over(const scan_frame *f, uint32_t i, uint32_t j, const hide
 }
 
 void cover_add(cover *c, const roberts_vec3 *P, const uint32_t *corner, uint32_t count, double depth,
-               const hide_face *face, uint32_t face_count, double slack, uint32_t by)
+               const hide_face *face, uint32_t face_count, double slack, uint32_t by, double loose)
 {
-    const scan_frame *f = &c->frame;
+    scan_frame wider = c->frame;
+    const scan_frame *f = &wider;
     if (!c->depth)
         return;
+    wider.margin += loose;
     scan_polygon(&c->scan, f, P, corner, count);
     for (uint32_t i = c->scan.inner_first; i <= c->scan.inner_last; i++) {
         uint32_t first, last;

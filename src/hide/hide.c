@@ -1,7 +1,7 @@
 /* hide.c - the scene edge by edge: which are drawn, which parts of them are hidden, and the segments that follow.
  *
- * Solids are taken in chunks that threads work on at the same time; each thread keeps its chunk's segments until those
- * of the chunks before are laid down. Nothing else is shared, so that the result does not depend on the threads. */
+ * Solids are taken in chunks that threads work on at the same time; each chunk keeps its segments until those of the
+ * chunks before are laid down. Nothing else is shared, so that the result does not depend on the threads. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,9 @@
 #include "view/clip.h"
 
 #define CHUNK_SOLIDS 64
+#define CHUNK_SEGMENTS 1024 /* room to begin with: nine visible edges of each block, and then some */
 #define CHUNKS_PER_THREAD 8 /* with less work than this a thread costs more than it does */
+#define CHUNKS_PER_WAVE 256 /* 16,384 solids: threads wait for one another once a wave */
 #define GRID_MOST 4096
 #define COVERS_PER_CELL 2 /* per side, where the grid is given; else both are chosen */
 
@@ -190,6 +192,8 @@ static bool add_edge(const hide_job *job, hide_worker *w, hide_chunk *out, uint3
     clip_edge left = {edge, 0.0, 1.0};
     if (job->clip.clipped)
         left = job->clip.origin[edge];
+    if (left.edge != ROBERTS_NONE && (!line || (line->hidden && !job->options->keep_hidden)))
+        return true;
     int fronts = line ? front_count(job, &job->scene->edge[line->edge]) : 0;
     roberts_segment pattern = {.solid = solid,
                                .v0 = job->source->number[source->v[0]],
@@ -205,8 +209,6 @@ static bool add_edge(const hide_job *job, hide_worker *w, hide_chunk *out, uint3
         bool drawn = job->options->all_edges || !is_flat(job, job->source, source);
         return !job->options->keep_hidden || !drawn || add_clipped(out, pattern, 0.0, 1.0, (roberts_vec2){0.0, 0.0});
     }
-    if (!line || (line->hidden && !job->options->keep_hidden))
-        return true;
     return add_line(job, w, out, &pattern, line);
 }
 
@@ -232,13 +234,15 @@ static bool do_chunk(const hide_job *job, hide_worker *w, hide_sums *sums, hide_
     uint32_t first = index * CHUNK_SOLIDS, count = job->scene->solid_count;
     uint32_t end = count - first < CHUNK_SOLIDS ? count : first + CHUNK_SOLIDS;
     out->count = 0;
+    if (!array_reserve(&out->segment, &out->room, CHUNK_SEGMENTS, sizeof *out->segment))
+        return false;
     for (uint32_t s = first; s < end; s++)
         if (!do_solid(job, w, sums, out, s))
             return false;
     return true;
 }
 
-/* Lays the chunk's segments down behind those of the chunks before. */
+/* Lays segments down behind those of the chunks before. */
 static roberts_status lay_down(const hide_job *job, roberts_drawing *drawing, size_t *room, const hide_chunk *chunk)
 {
     if (chunk->count == 0)
@@ -272,48 +276,75 @@ static void add_sums(roberts_drawing *drawing, const hide_sums *sums, const hide
     to->refined += w->sides.refined;
 }
 
-/* All chunks, by as many threads as are asked for. After a failure no thread begins another. */
+/* Threads for so many chunks: with little work a further one costs more than it does. */
+static int choose_threads(const hide_job *job, uint32_t chunks)
+{
+#ifdef _OPENMP
+    uint32_t threads = job->options->threads ? job->options->threads : (uint32_t)omp_get_max_threads();
+    return (int)(threads > 1 + chunks / CHUNKS_PER_THREAD ? 1 + chunks / CHUNKS_PER_THREAD : threads);
+#else
+    (void)job;
+    (void)chunks;
+    return 1;
+#endif
+}
+
+/* The chunks first..end-1, one for each of `chunk`, by `threads` threads with a worker each. */
+static bool do_wave(const hide_job *job, hide_worker *worker, hide_sums *sums, int threads, hide_chunk *chunk,
+                    uint32_t first, uint32_t end)
+{
+    bool lost = false;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) reduction(|| : lost)
+#else
+    (void)threads;
+#endif
+    for (uint32_t i = first; i < end; i++) {
+#ifdef _OPENMP
+        int self = omp_get_thread_num();
+#else
+        int self = 0;
+#endif
+        lost = lost || !do_chunk(job, &worker[self], &sums[self], &chunk[i - first], i);
+    }
+    return !lost;
+}
+
+/* All chunks, wave by wave, so that no more segments wait than those of one wave. (Laying each chunk down when its turn
+ * comes, by an ordered loop, keeps threads spinning on a busy machine.) */
 static roberts_status do_chunks(const hide_job *job, roberts_drawing *drawing)
 {
-    roberts_status status = ROBERTS_OK;
-    size_t room = 0;
     uint32_t count = (job->scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
-#ifdef _OPENMP
-    int threads = job->options->threads ? (int)job->options->threads : omp_get_max_threads();
-    if ((uint32_t)threads > 1 + count / CHUNKS_PER_THREAD)
-        threads = (int)(1 + count / CHUNKS_PER_THREAD);
-#pragma omp parallel num_threads(threads)
-#endif
-    {
-        hide_worker w;
-        hide_sums own = {0};
-        hide_chunk chunk = {0};
-        bool lost = !hide_worker_init(&w, &job->picture, &job->grid);
-#ifdef _OPENMP
-#pragma omp for ordered schedule(dynamic, 1)
-#endif
-        for (uint32_t i = 0; i < count; i++) {
-            lost = lost || !do_chunk(job, &w, &own, &chunk, i);
-#ifdef _OPENMP
-#pragma omp ordered
-#endif
-            {
-                if (status == ROBERTS_OK)
-                    status = lost ? ROBERTS_NO_MEMORY : lay_down(job, drawing, &room, &chunk);
-                lost = lost || status != ROBERTS_OK;
-            }
-        }
-#ifdef _OPENMP
-#pragma omp critical
-#endif
-        {
-            if (lost && status == ROBERTS_OK)
-                status = ROBERTS_NO_MEMORY;
-            add_sums(drawing, &own, &w);
-        }
-        free(chunk.segment);
-        hide_worker_free(&w);
+    uint32_t wave = count < CHUNKS_PER_WAVE ? count : CHUNKS_PER_WAVE;
+    int threads = choose_threads(job, count);
+    roberts_status status = ROBERTS_NO_MEMORY;
+    size_t room = 0;
+    hide_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
+    hide_sums *sums = alloc_zeroed((size_t)threads, sizeof *sums);
+    hide_chunk *chunk = alloc_zeroed(wave, sizeof *chunk);
+    if (!worker || !sums || !chunk)
+        goto done;
+    for (int i = 0; i < threads; i++)
+        if (!hide_worker_init(&worker[i], &job->picture, &job->grid))
+            goto done;
+    status = ROBERTS_OK;
+    for (uint32_t first = 0; status == ROBERTS_OK && first < count; first += wave) {
+        uint32_t end = count - first < wave ? count : first + wave;
+        if (!do_wave(job, worker, sums, threads, chunk, first, end))
+            status = ROBERTS_NO_MEMORY;
+        for (uint32_t i = first; status == ROBERTS_OK && i < end; i++)
+            status = lay_down(job, drawing, &room, &chunk[i - first]);
     }
+    for (int i = 0; i < threads; i++)
+        add_sums(drawing, &sums[i], &worker[i]);
+done:
+    for (int i = 0; worker && i < threads; i++)
+        hide_worker_free(&worker[i]);
+    for (uint32_t i = 0; chunk && i < wave; i++)
+        free(chunk[i].segment);
+    free(worker);
+    free(sums);
+    free(chunk);
     return status;
 }
 

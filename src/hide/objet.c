@@ -13,8 +13,10 @@
  * two rows is taken for the polygon. */
 static void list_front(objet *grid, const hide_picture *picture, uint32_t index, scan *s, bool fill)
 {
-    const scan_frame *f = &grid->frame;
+    scan_frame wider = grid->frame;
+    const scan_frame *f = &wider;
     const hide_box *box = &picture->front_box[index];
+    wider.margin += picture->front[index].loose;
     double m = f->margin;
     uint32_t first = scan_column(f, (double)box->x0 - m), last = scan_column(f, (double)box->x1 + m);
     uint32_t low = scan_row(f, (double)box->y0 - m), high = scan_row(f, (double)box->y1 + m);

@@ -8,7 +8,9 @@
  *   3. and 4. as for one face, with the outline's sides in place of a face's; the part found is cut where AB pierces the
  *      plane of any of the faces, if A and B are not both behind all of them.
  *
- * A front of one face is asked by tests 1 to 4 as they stand. */
+ * Planes are asked far from their faces here. An edge out of the reach of what they can be trusted (see set_trust() in
+ * picture.c: beyond a thousand widths of a face, or at once for models given to few digits) meets the faces one by one,
+ * tests 1 to 4 each, and the hull of what they hide is the front's part. So does it a front of one face. */
 #ifndef ROBERTS_HIDE_PAIR_H
 #define ROBERTS_HIDE_PAIR_H
 

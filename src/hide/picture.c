@@ -25,40 +25,47 @@ typedef struct build {
     uint32_t *key;
 } build;
 
-static void widen(hide_box *box, roberts_vec3 p)
+/* A box of view points as they are; one of none is empty. */
+typedef struct span {
+    roberts_vec3 low, high;
+} span;
+
+static const span empty_span = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+static void widen(span *s, roberts_vec3 p)
 {
-    float x0 = hide_float_below(p.x), x1 = hide_float_above(p.x), y0 = hide_float_below(p.y);
-    float y1 = hide_float_above(p.y), z0 = hide_float_below(p.z), z1 = hide_float_above(p.z);
-    box->x0 = x0 < box->x0 ? x0 : box->x0;
-    box->x1 = x1 > box->x1 ? x1 : box->x1;
-    box->y0 = y0 < box->y0 ? y0 : box->y0;
-    box->y1 = y1 > box->y1 ? y1 : box->y1;
-    box->z0 = z0 < box->z0 ? z0 : box->z0;
-    box->z1 = z1 > box->z1 ? z1 : box->z1;
+    s->low = (roberts_vec3){lesser(s->low.x, p.x), lesser(s->low.y, p.y), lesser(s->low.z, p.z)};
+    s->high = (roberts_vec3){greater(s->high.x, p.x), greater(s->high.y, p.y), greater(s->high.z, p.z)};
 }
 
-static const hide_box empty_box = {INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
+static hide_box box_of(const span *s)
+{
+    if (s->low.x > s->high.x)
+        return (hide_box){INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
+    return (hide_box){hide_float_below(s->low.x),  hide_float_above(s->high.x), hide_float_below(s->low.y),
+                      hide_float_above(s->high.y), hide_float_below(s->low.z),  hide_float_above(s->high.z)};
+}
 
 /* Boxes of all solids, and the window. */
 static void box_solids(hide_picture *picture)
 {
     const roberts_scene *scene = picture->scene;
-    roberts_vec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
+    span all = empty_span;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
-        hide_box box = empty_box;
-        for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex; v++) {
-            roberts_vec3 p = view_point(&picture->view, scene->point[v]);
-            widen(&box, p);
-            low = (roberts_vec2){lesser(low.x, p.x), lesser(low.y, p.y)};
-            high = (roberts_vec2){greater(high.x, p.x), greater(high.y, p.y)};
+        span own = empty_span;
+        for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex; v++)
+            widen(&own, view_point(&picture->view, scene->point[v]));
+        picture->box[s] = box_of(&own);
+        if (scene->solid[s].vertex < scene->solid[s + 1].vertex) { /* the near plane has left something */
+            widen(&all, own.low);
+            widen(&all, own.high);
         }
-        picture->box[s] = box;
     }
-    picture->low = low;
-    picture->high = high;
+    picture->low = (roberts_vec2){all.low.x, all.low.y};
+    picture->high = (roberts_vec2){all.high.x, all.high.y};
 }
 
-/* How far a distance from the face's plane can be trusted: `touch` near the face, `limit` anywhere in the scene. The
+/* How far a distance from the face's plane can be trusted: `touch` within `reach` of it, `limit` anywhere. The
  * plane of a face of width w is known to about its rounding (and the face's own departure from it) at the face, and to
  * that times r / w at a distance r. */
 static void set_trust(const hide_picture *picture, uint32_t solid, double stretch, hide_face *f)
@@ -72,8 +79,9 @@ static void set_trust(const hide_picture *picture, uint32_t solid, double stretc
         departure *= stretch * grown;
         width *= shrunk * shrunk;
     }
-    double far_error = (4.0 * v->rounding + departure) * (1.0 + 2.0 * v->extent / width);
+    double error = 4.0 * v->rounding + departure, far_error = error * (1.0 + 2.0 * v->extent / width);
     f->touch = v->epsilon + departure;
+    f->reach = width * (0.5 * f->touch / error - 1.0);
     f->limit = far_error > 0.5 * f->touch ? f->touch - far_error : f->touch;
 }
 
@@ -158,10 +166,10 @@ static bool add_front(hide_picture *picture, hide_front front, hide_box box)
 static bool add_single_fronts(hide_picture *picture, uint32_t solid, uint32_t first)
 {
     for (uint32_t k = first; k < picture->face_count; k++) {
-        hide_box box = empty_box;
+        span own = empty_span;
         for (uint32_t i = 0; i < picture->face[k].count; i++)
-            widen(&box, picture->P[picture->face[k].corner[i]]);
-        if (!add_front(picture, (hide_front){.solid = solid, .face = k, .face_count = 1}, box))
+            widen(&own, picture->P[picture->face[k].corner[i]]);
+        if (!add_front(picture, (hide_front){.solid = solid, .face = k, .face_count = 1}, box_of(&own)))
             return false;
     }
     return true;
@@ -170,7 +178,8 @@ static bool add_single_fronts(hide_picture *picture, uint32_t solid, uint32_t fi
 /* What the front covers. Nothing of it is farther than the farthest corner of its outline, since its depth is a concave
  * function; a point that much behind it that it is behind each face by more than `touch` is certainly hidden. Gives the
  * depth from which that is so. */
-static float cover_front(hide_picture *picture, uint32_t solid, uint32_t first, uint32_t corners, bool trusted)
+static float cover_front(hide_picture *picture, uint32_t solid, uint32_t first, uint32_t corners, bool whole,
+                         bool trusted)
 {
     const uint32_t *corner = picture->outline + picture->outline_count;
     const hide_box *box = &picture->box[solid];
@@ -185,7 +194,8 @@ static float cover_front(hide_picture *picture, uint32_t solid, uint32_t first, 
     bool wide = trusted && ((double)(box->x1 - box->x0) > COVER_WIDE * picture->cover.frame.dx ||
                             (double)(box->y1 - box->y0) > COVER_WIDE * picture->cover.frame.dy);
     cover_add(&picture->cover, picture->P, corner, corners, depth, picture->face + first,
-              wide ? picture->face_count - first : 0, slack, trusted ? picture->front_count : ROBERTS_NONE);
+              wide ? picture->face_count - first : 0, slack, whole ? picture->front_count : ROBERTS_NONE,
+              4.0 * (touch - picture->view.epsilon));
     return hide_float_below(depth - slack);
 }
 
@@ -195,24 +205,32 @@ static bool add_solid(build *b, uint32_t solid)
     hide_picture *picture = b->picture;
     const roberts_scene *scene = picture->scene;
     uint32_t first = picture->face_count, corners;
-    bool trusted = true;
     float depth = -INFINITY;
     for (uint32_t v = scene->solid[solid].vertex; v < scene->solid[solid + 1].vertex; v++)
         picture->P[v] = view_point(&picture->view, scene->point[v]);
     if (!add_faces(picture, solid) || !find_outline(b, solid, &corners))
         return false;
+    const hide_box *box = &picture->box[solid];
     uint32_t count = picture->face_count - first;
-    for (uint32_t k = first; k < picture->face_count; k++)
-        trusted = trusted && picture->face[k].limit == picture->face[k].touch;
-    trusted = trusted && count <= FACES_OF_ONE_FRONT;
+    double size = (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0) + (double)(box->z1 - box->z0);
+    double reach = INFINITY, loose = 0.0;
+    for (uint32_t k = first; k < picture->face_count; k++) {
+        reach = lesser(reach, picture->face[k].reach - size);
+        loose = greater(loose, 4.0 * (picture->face[k].touch - picture->view.epsilon));
+    }
+    if (reach > 6.0 * picture->view.extent)
+        reach = INFINITY; /* nothing is farther away, along three axes */
+    bool whole = corners && count <= FACES_OF_ONE_FRONT;
     if (corners && picture->cover.depth)
-        depth = cover_front(picture, solid, first, corners, trusted);
-    if (!corners || !trusted)
+        depth = cover_front(picture, solid, first, corners, whole, whole && reach > size);
+    if (!whole)
         return add_single_fronts(picture, solid, first);
     hide_front front = {.solid = solid,
                         .face = first,
                         .face_count = count,
                         .depth = depth,
+                        .reach = reach,
+                        .loose = loose,
                         .outline = (uint32_t)picture->outline_count,
                         .corners = corners};
     picture->outline_count += corners;

@@ -1,8 +1,8 @@
 /* picture.h - the scene in view space: boxes of all solids, fronts of those that are not wholly hidden.
  *
  * A front is what one solid shows: its front faces under their common outline (the cycle of its edges with one front
- * face). The outline does in one go for all faces what tests 2 to 4 ask about sides. Solids whose front has many faces,
- * or faces whose planes cannot be trusted far from them, are entered face by face instead, each a front of its own.
+ * face). The outline does in one go for all faces what tests 2 to 4 ask about sides. A solid whose front has many
+ * faces is entered face by face instead, each a front of its own.
  *
  * Solids are taken nearest first, and a solid whose box lies behind the covers of those before it is culled: it is
  * neither mapped nor cut, and as it hides nothing that the covers do not hide, it is no front either. */
@@ -15,6 +15,8 @@
 typedef struct hide_front {
     uint32_t solid;
     uint32_t face, face_count; /* of hide_picture.face */
+    double loose;              /* by how much its faces may leave its outline: by what they depart from their planes */
+    double reach;              /* distance from it up to which the planes of its faces can be trusted */
     bool listed;               /* false: culled after all, or a copy of another front */
     float depth; /* where covers are kept: what is nowhere nearer is behind it wherever it is inside the outline */
     uint32_t outline, corners; /* of hide_picture.outline; corners == 0: the one face's own */

@@ -38,6 +38,7 @@ typedef struct hide_face {
     uint32_t count;
     uint32_t face; /* compact face number */
     double touch;  /* F within +-touch is on the plane: epsilon and the face's own departure from it */
+    double reach;  /* distance from the face up to which its plane is good to half of `touch` */
     double limit;  /* F(A) <= limit is in front or on even at the far end of the scene, where the plane of a small face
                       cannot be trusted to `touch`; see test 1 */
 } hide_face;
