@@ -233,8 +233,7 @@ static bool do_chunk(const hide_job *job, hide_worker *w, hide_sums *sums, hide_
 {
     uint32_t first = index * CHUNK_SOLIDS, count = job->scene->solid_count;
     uint32_t end = count - first < CHUNK_SOLIDS ? count : first + CHUNK_SOLIDS;
-    out->count = 0;
-    if (!array_reserve(&out->segment, &out->room, CHUNK_SEGMENTS, sizeof *out->segment))
+    if (!array_reserve(&out->segment, &out->room, out->count + CHUNK_SEGMENTS, sizeof *out->segment))
         return false;
     for (uint32_t s = first; s < end; s++)
         if (!do_solid(job, w, sums, out, s))
@@ -305,6 +304,7 @@ static bool do_wave(const hide_job *job, hide_worker *worker, hide_sums *sums, i
 #else
         int self = 0;
 #endif
+        chunk[i - first].count = 0;
         lost = lost || !do_chunk(job, &worker[self], &sums[self], &chunk[i - first], i);
     }
     return !lost;
@@ -328,6 +328,14 @@ static roberts_status do_chunks(const hide_job *job, roberts_drawing *drawing)
         if (!hide_worker_init(&worker[i], &job->picture, &job->grid))
             goto done;
     status = ROBERTS_OK;
+    if (threads == 1 && !job->each) { /* what is in order anyway need not wait */
+        for (uint32_t i = 0; status == ROBERTS_OK && i < count; i++)
+            status = do_chunk(job, &worker[0], &sums[0], &chunk[0], i) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
+        drawing->segment = chunk[0].segment;
+        drawing->count = chunk[0].count;
+        chunk[0] = (hide_chunk){0};
+        count = 0;
+    }
     for (uint32_t first = 0; status == ROBERTS_OK && first < count; first += wave) {
         uint32_t end = count - first < wave ? count : first + wave;
         if (!do_wave(job, worker, sums, threads, chunk, first, end))
