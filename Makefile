@@ -174,7 +174,7 @@ $(BUILD)/tests/test_verify_report: $(call object,src/cli/message.c src/cli/progr
 $(BUILD)/tests/test_fuzz: $(call object,$(FUZZ_SRC))
 
 # It calls src/cli/rays.c, whose messages go through message.c.
-$(BUILD)/tests/test_verify_report: $(BUILD)/obj/src/cli/message.o
+$(BUILD)/tests/test_verify_report: $(BUILD)/obj/src/cli/message.o $(BUILD)/obj/src/cli/progress.o
 
 # The exact oracle: C++ with CGAL, for tests alone.
 ORACLE_OBJ  := $(call object,$(ORACLE)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.o)
