@@ -173,9 +173,6 @@ $(FUZZER): $(BUILD)/fuzz/%: $(BUILD)/obj/tests/fuzz/%.o $(BUILD)/libroberts.a
 $(BUILD)/tests/test_verify_report: $(call object,src/cli/message.c src/cli/progress.c)
 $(BUILD)/tests/test_fuzz: $(call object,$(FUZZ_SRC))
 
-# It calls src/cli/rays.c, whose messages go through message.c.
-$(BUILD)/tests/test_verify_report: $(BUILD)/obj/src/cli/message.o $(BUILD)/obj/src/cli/progress.o
-
 # The exact oracle: C++ with CGAL, for tests alone.
 ORACLE_OBJ  := $(call object,$(ORACLE)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.o)
 ORACLE_LIBS := -lgmp -lmpfr -lstdc++

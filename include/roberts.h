@@ -243,11 +243,12 @@ typedef struct roberts_segment {
     uint8_t line;  /**< roberts_line */
 } roberts_segment;
 
-/** How many pairs of edge and front face each test decided (DESIGN of the lecture: tests 1 to 4, cheapest first). */
+/** How many pairs of an edge and a front each test decided (lecture: tests 1 to 4, cheapest first). A front is all that
+ * one solid shows under its outline, or one front face of a solid that shows very many. */
 typedef struct roberts_tally {
-    uint64_t pairs;           /**< pairs of edge and face compared */
-    uint64_t test1_visible;   /**< both ends in front of the face's plane */
-    uint64_t test2_visible;   /**< the sight plane of the edge misses the face */
+    uint64_t pairs;           /**< pairs of edge and front compared */
+    uint64_t test1_visible;   /**< both ends in front of a face's plane */
+    uint64_t test2_visible;   /**< the sight plane of the edge misses the outline */
     uint64_t test3_visible;   /**< outside one side */
     uint64_t test3_invisible; /**< inside all sides (up to where the edge pierces the face) */
     uint64_t test4;           /**< cut at the crossings */

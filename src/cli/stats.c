@@ -112,7 +112,7 @@ void stats_print(FILE *log, cli_stats kind, const run_stats *run, const roberts_
         {"peak_memory_kb", "kB of memory at the most", peak_memory()},
     };
     const figure tests[] = {
-        {"pairs", "pairs of edge and front face", d->tally.pairs},
+        {"pairs", "pairs of edge and front", d->tally.pairs},
         {"test1_visible", "test 1: in front of the plane, visible", d->tally.test1_visible},
         {"test2_visible", "test 2: the sight plane misses the face, visible", d->tally.test2_visible},
         {"test3_visible", "test 3: outside one side, visible", d->tally.test3_visible},

@@ -14,12 +14,15 @@
 /* The more boxes lie over one another, the more is gained by smaller cells: from this depth on they shrink with it. */
 #define COVER_DEPTH_OF_SMALLER 40.0
 #define COVER_SHRINKING 0.3
+#define COVER_SMALLEST 0.3
 /* Mean number of boxes over a point of the picture from which covers pay. In flat scenes they cost a little. */
 #define COVER_DEPTH 2.5
 /* Cells per box, and cells that cost nothing to speak of. */
 #define CELLS_PER_BOX 4.0
 #define COVER_CELLS_PER_BOX 32.0
 #define CELLS_FREE 65536.0
+/* Cells for covers per side at the most where the number is given: 8 MB of them. */
+#define COVER_SIDE_GIVEN 1024
 /* Cells per side at the most, so that their numbers stay in 32 bits. */
 #define SIDE_MOST 16384.0
 
@@ -83,11 +86,14 @@ scan_frame cells_for_covers(const hide_box *box, uint32_t count, roberts_vec2 lo
 {
     double nx, ny;
     sizes s = measure(box, count, low, high);
-    if (n)
+    if (n) {
+        n = n < COVER_SIDE_GIVEN ? n : COVER_SIDE_GIVEN;
         return scan_frame_over(low, high, n, n, margin);
+    }
     if (!(s.area > COVER_DEPTH) || !(s.width > 0.0) || !(s.height > 0.0))
         return (scan_frame){0};
     double smaller = s.area > COVER_DEPTH_OF_SMALLER ? pow(COVER_DEPTH_OF_SMALLER / s.area, COVER_SHRINKING) : 1.0;
+    smaller = greater(smaller, COVER_SMALLEST); /* each front enters all cells that it covers */
     divide(&s, count, BOXES_PER_COVER_CELL * smaller, COVER_CELLS_PER_BOX * count + CELLS_FREE, &nx, &ny);
     return scan_frame_over(low, high, whole(nx), whole(ny), margin);
 }

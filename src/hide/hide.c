@@ -483,6 +483,11 @@ roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camer
 {
     hide_job job = {.source = scene, .options = options, .each = each, .context = context};
     roberts_drawing counted;
+    if (!each) {
+        if (summary)
+            *summary = (roberts_drawing){0};
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no function to receive the segments");
+    }
     return hide(&job, camera, summary ? summary : &counted, error);
 }
 

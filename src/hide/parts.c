@@ -5,6 +5,9 @@
 
 #include "base/array.h"
 
+/* With more parts than this a new one is not held against each: they are joined when all are there. */
+#define FEW 32
+
 static bool touch(const hide_part *a, const hide_part *b)
 {
     return a->t0 - a->e0 <= b->t1 + b->e1 && b->t0 - b->e0 <= a->t1 + a->e1;
@@ -22,10 +25,11 @@ static hide_part joined(const hide_part *a, const hide_part *b)
 
 bool hide_parts_add(hide_parts *parts, uint32_t solid, hide_part part)
 {
-    for (size_t i = parts->count; i-- > 0;) {
+    for (size_t i = parts->count; parts->count <= FEW && i-- > 0;) {
         if (!touch(&parts->item[i].part, &part))
             continue;
         part = joined(&parts->item[i].part, &part);
+        solid = parts->item[i].solid < solid ? parts->item[i].solid : solid;
         parts->item[i] = parts->item[--parts->count];
         i = parts->count; /* the greater part may touch what the smaller did not */
     }
@@ -73,6 +77,8 @@ void hide_parts_unite(hide_parts *parts, double epsilon, double length)
         hide_part *last = kept ? &parts->item[kept - 1].part : NULL;
         if (last && (touch(last, &next) || (next.t0 - last->t1) * length <= epsilon)) {
             *last = joined(last, &next);
+            if (parts->item[i].solid < parts->item[kept - 1].solid)
+                parts->item[kept - 1].solid = parts->item[i].solid;
         } else {
             parts->item[kept++] = parts->item[i];
         }

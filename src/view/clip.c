@@ -307,7 +307,8 @@ static bool set_near(cutter *c, const roberts_camera *camera)
     roberts_vec3 centre = c->from->centre, back = vec3_sub(camera->eye, camera->has_look_at ? camera->look_at : centre);
     double largest = fmax(fabs(back.x), fmax(fabs(back.y), fabs(back.z)));
     double diameter = vec3_length(vec3_sub(c->from->box_max, c->from->box_min));
-    if (!(largest > 0.0) || !isfinite(largest) || !isfinite(camera->near_distance))
+    if (!isfinite(back.x) || !isfinite(back.y) || !isfinite(back.z) || !(largest > 0.0) ||
+        !isfinite(camera->near_distance))
         return false;
     back = (roberts_vec3){back.x / largest, back.y / largest, back.z / largest};
     c->eye = camera->eye;
