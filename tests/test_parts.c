@@ -28,8 +28,9 @@ static void joined_as_they_come(void **state)
     for (size_t i = 0; i < 2 * (sizeof table / sizeof table[0]); i++) {
         hide_parts parts = {0};
         size_t k = i / 2;
-        assert_true(hide_parts_add(&parts, 5, i % 2 ? table[k].second : table[k].first));
-        assert_true(hide_parts_add(&parts, 7, i % 2 ? table[k].first : table[k].second));
+        hide_part one = i % 2 ? table[k].second : table[k].first, two = i % 2 ? table[k].first : table[k].second;
+        assert_true(hide_parts_add(&parts, 5, &one));
+        assert_true(hide_parts_add(&parts, 7, &two));
         hide_part part = parts.item[0].part;
         if (parts.count != table[k].count ||
             (parts.count == 1 && (part.t0 != table[k].t0 || part.t1 != table[k].t1 ||
@@ -44,8 +45,10 @@ static void joined_as_they_come(void **state)
 static void fill(hide_parts *parts, const hide_part *part, const uint32_t *order, uint32_t count)
 {
     parts->count = 0;
-    for (uint32_t i = 0; i < count; i++)
-        assert_true(hide_parts_add(parts, order[i], part[order[i]]));
+    for (uint32_t i = 0; i < count; i++) {
+        hide_part one = part[order[i]];
+        assert_true(hide_parts_add(parts, order[i], &one));
+    }
 }
 
 static uint32_t count_of(const hide_part *part)

@@ -21,8 +21,6 @@
 #define CELLS_PER_BOX 4.0
 #define COVER_CELLS_PER_BOX 32.0
 #define CELLS_FREE 65536.0
-/* Cells for covers per side at the most where the number is given: 8 MB of them. */
-#define COVER_SIDE_GIVEN 1024
 /* Cells per side at the most, so that their numbers stay in 32 bits. */
 #define SIDE_MOST 16384.0
 
@@ -81,15 +79,10 @@ scan_frame cells_for_lists(const hide_box *box, uint32_t count, roberts_vec2 low
     return scan_frame_over(low, high, whole(nx), whole(ny), margin);
 }
 
-scan_frame cells_for_covers(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, uint32_t n,
-                            double margin)
+scan_frame cells_for_covers(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, double margin)
 {
     double nx, ny;
     sizes s = measure(box, count, low, high);
-    if (n) {
-        n = n < COVER_SIDE_GIVEN ? n : COVER_SIDE_GIVEN;
-        return scan_frame_over(low, high, n, n, margin);
-    }
     if (!(s.area > COVER_DEPTH) || !(s.width > 0.0) || !(s.height > 0.0))
         return (scan_frame){0};
     double smaller = s.area > COVER_DEPTH_OF_SMALLER ? pow(COVER_DEPTH_OF_SMALLER / s.area, COVER_SHRINKING) : 1.0;

@@ -12,7 +12,6 @@ scan_frame cells_for_lists(const hide_box *box, uint32_t count, roberts_vec2 low
 
 /* Cells for covers: much smaller than a mean box. Without columns where covers would not pay: where few boxes lie over
  * one another. */
-scan_frame cells_for_covers(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, uint32_t n,
-                            double margin);
+scan_frame cells_for_covers(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, double margin);
 
 #endif

@@ -23,8 +23,10 @@ bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *
 
 void hide_worker_free(hide_worker *w)
 {
-    for (size_t i = 0; i < w->line_room; i++)
+    for (size_t i = 0; i < w->line_room; i++) {
         free(w->line[i].parts.item);
+        free(w->line[i].hulls.item);
+    }
     free(w->line);
     free(w->sides.H);
     free(w->walk.item);
@@ -54,7 +56,7 @@ hide_line *hide_worker_add(hide_worker *w, uint32_t edge)
     e.length3 = vec3_length(AB);
     line->e = e;
     line->box = box_of(e.A, e.B, hide_margin(&picture->space));
-    line->parts.count = 0;
+    line->parts.count = line->hulls.count = 0;
     line->hidden = false;
     line->edge = edge;
     return line;
@@ -71,9 +73,9 @@ static bool meet(hide_worker *w, hide_line *line, const hide_front *front)
     hide_part part;
     if (!hide_by_front(w->picture, front, &line->e, &w->sides, &w->tally, &part))
         return true;
-    if (!hide_parts_add(&line->parts, front->solid, part))
+    if (front->corners == 0 ? !hide_parts_hull(&line->hulls, front->solid, &part)
+                            : !hide_parts_add(&line->parts, front->solid, &part))
         return false;
-    part = line->parts.item[line->parts.count - 1].part; /* joined with what it touches */
     if (part.t0 == 0.0 && part.t1 == 1.0) {
         line->hidden = true;
         w->live--;
@@ -179,6 +181,9 @@ bool hide_worker_run(hide_worker *w, uint32_t solid)
     for (size_t i = 0; i < w->line_count; i++) {
         if (!small && !alone && !run_alone(w, solid, i))
             return false;
+        for (size_t k = 0; k < w->line[i].hulls.count; k++)
+            if (!hide_parts_add(&w->line[i].parts, w->line[i].hulls.item[k].solid, &w->line[i].hulls.item[k].part))
+                return false;
         hide_parts_unite(&w->line[i].parts, w->picture->space.epsilon, w->line[i].e.length3);
     }
     return true;

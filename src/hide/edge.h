@@ -11,6 +11,7 @@ typedef struct hide_line {
     hide_edge e;
     hide_box box;
     hide_parts parts; /* hidden so far */
+    hide_parts hulls; /* ... by solids entered face by face: one interval for each of them */
     bool hidden;      /* wholly: nothing more need be asked */
     uint32_t edge;    /* of the scene */
 } hide_line;

@@ -22,7 +22,6 @@
 #define CHUNKS_PER_THREAD 8 /* with less work than this a thread costs more than it does */
 #define CHUNKS_PER_WAVE 256 /* 16,384 solids: threads wait for one another once a wave */
 #define GRID_MOST 4096
-#define COVERS_PER_CELL 2 /* per side, where the grid is given; else both are chosen */
 
 /* Touching distance above which "on" would mean a visible length: a hundredth of the scene. */
 #define EPSILON_MOST 0.01
@@ -177,7 +176,7 @@ static bool take_edges(const hide_job *job, hide_worker *w, hide_sums *sums, uin
             return false;
         if (fronts == 0) {
             line->hidden = true;
-            if (!hide_parts_add(&line->parts, solid, (hide_part){0.0, 1.0, 0.0, 0.0}))
+            if (!hide_parts_add(&line->parts, solid, &(hide_part){0.0, 1.0, 0.0, 0.0}))
                 return false;
         }
     }
@@ -415,8 +414,8 @@ static void describe(const hide_job *job, const roberts_camera *camera, roberts_
     set_frame(job, camera, drawing);
 }
 
-/* Covers are kept in cells that divide those of the grid where its number is given. Hidden segments are wanted with
- * whom the viewer sees there: then nothing is culled. */
+/* What is culled does not depend on the grid: where borders coincide in the picture, another solid's border may differ in
+ * the last bit. Hidden segments are wanted with whom the viewer sees there: then nothing is culled. */
 static roberts_status build(hide_job *job, const roberts_camera *camera, roberts_drawing *drawing, roberts_error *error)
 {
     const roberts_hide_options *options = job->options;
@@ -425,8 +424,7 @@ static roberts_status build(hide_job *job, const roberts_camera *camera, roberts
     if (status != ROBERTS_OK)
         return status;
     job->scene = job->clip.clipped ? &job->clip.scene : job->source;
-    status = hide_picture_build(&job->picture, job->scene, camera, options->epsilon, !options->keep_hidden,
-                                options->grid * COVERS_PER_CELL, error);
+    status = hide_picture_build(&job->picture, job->scene, camera, options->epsilon, !options->keep_hidden, error);
     if (status != ROBERTS_OK)
         return status;
     const view *v = &job->picture.view;

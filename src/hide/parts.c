@@ -23,20 +23,36 @@ static hide_part joined(const hide_part *a, const hide_part *b)
     return all;
 }
 
-bool hide_parts_add(hide_parts *parts, uint32_t solid, hide_part part)
+static bool append(hide_parts *parts, uint32_t solid, const hide_part *part)
+{
+    if (!array_reserve(&parts->item, &parts->room, parts->count + 1, sizeof *parts->item))
+        return false;
+    parts->item[parts->count++] = (hide_solid_part){*part, solid};
+    return true;
+}
+
+bool hide_parts_add(hide_parts *parts, uint32_t solid, hide_part *part)
 {
     for (size_t i = parts->count; parts->count <= FEW && i-- > 0;) {
-        if (!touch(&parts->item[i].part, &part))
+        if (!touch(&parts->item[i].part, part))
             continue;
-        part = joined(&parts->item[i].part, &part);
+        *part = joined(&parts->item[i].part, part);
         solid = parts->item[i].solid < solid ? parts->item[i].solid : solid;
         parts->item[i] = parts->item[--parts->count];
         i = parts->count; /* the greater part may touch what the smaller did not */
     }
-    if (!array_reserve(&parts->item, &parts->room, parts->count + 1, sizeof *parts->item))
-        return false;
-    parts->item[parts->count++] = (hide_solid_part){part, solid};
-    return true;
+    return append(parts, solid, part);
+}
+
+/* From the end: the faces of a solid mostly come one after another. */
+bool hide_parts_hull(hide_parts *hulls, uint32_t solid, hide_part *part)
+{
+    for (size_t i = hulls->count; i-- > 0;)
+        if (hulls->item[i].solid == solid) {
+            hulls->item[i].part = *part = joined(&hulls->item[i].part, part);
+            return true;
+        }
+    return append(hulls, solid, part);
 }
 
 /* By where a part can first touch another; ties fall by what is left, so that the order in which the parts were found

@@ -17,9 +17,13 @@ typedef struct hide_parts {
     size_t count, room;
 } hide_parts;
 
-/* Adds what a front of `solid` hides, joined with the parts that it overlaps or touches within their e0, e1 (as
- * long as these are few). False: no memory. */
-bool hide_parts_add(hide_parts *parts, uint32_t solid, hide_part part);
+/* Adds what a front of `solid` hides, joined with the parts that it overlaps or touches within their e0, e1 (as long as
+ * these are few); `*part` becomes what it has grown to. False: no memory. */
+bool hide_parts_add(hide_parts *parts, uint32_t solid, hide_part *part);
+
+/* Adds what one face of `solid` hides to the hull of what its other faces do, which `*part` becomes: faces given to few
+ * digits, or cut by the near plane, leave gaps between them, and the solid none. False: no memory. */
+bool hide_parts_hull(hide_parts *hulls, uint32_t solid, hide_part *part);
 
 /* Unites the parts in place: afterwards they ascend and are disjoint, with more than `epsilon` between them and between
  * them and the ends of the edge, `length` long (in space, the unit of epsilon). `solid` of a union is the smallest

@@ -418,7 +418,7 @@ static void set_space(hide_picture *picture)
 }
 
 roberts_status hide_picture_build(hide_picture *picture, const roberts_scene *scene, const roberts_camera *camera,
-                                  double epsilon, bool cull, uint32_t cells, roberts_error *error)
+                                  double epsilon, bool cull, roberts_error *error)
 {
     build b = {.picture = picture};
     *picture = (hide_picture){.scene = scene};
@@ -432,7 +432,7 @@ roberts_status hide_picture_build(hide_picture *picture, const roberts_scene *sc
     set_space(picture);
     scan_frame frame = {0};
     if (cull)
-        frame = cells_for_covers(picture->box, scene->solid_count, picture->low, picture->high, cells,
+        frame = cells_for_covers(picture->box, scene->solid_count, picture->low, picture->high,
                                  hide_margin(&picture->space));
     if (!cover_init(&picture->cover, frame) || !add_solids(&b))
         goto done;

@@ -45,10 +45,10 @@ typedef struct hide_picture {
     roberts_vec2 low, high; /* box of the picture, view units */
 } hide_picture;
 
-/* cull: leave out solids that are wholly hidden. cells: per side of the covers' grid; 0 = choose.
+/* cull: leave out solids that are wholly hidden.
  * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT; after a failure the picture is empty. */
 roberts_status hide_picture_build(hide_picture *picture, const roberts_scene *scene, const roberts_camera *camera,
-                                  double epsilon, bool cull, uint32_t cells, roberts_error *error);
+                                  double epsilon, bool cull, roberts_error *error);
 void hide_picture_free(hide_picture *picture);
 
 /* The outline of a front as a polygon for tests 2 to 4; its plane is not set, or that of its only face. */
