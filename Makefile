@@ -39,7 +39,7 @@ LIBDIR   ?= $(PREFIX)/lib
 object    = $(1:%.c=$(BUILD)/obj/%.o)
 TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
 TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
-DEMO     := table temple tower staircase interpenetrating-cubes city lattice
+DEMO     := table temple tower staircase city lattice
 EDGES    ?= 5000000
 SANITIZE := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 FUZZER   := $(BUILD)/fuzz/fuzz_read $(BUILD)/fuzz/fuzz_pipeline

@@ -34,6 +34,7 @@ static const struct scene_case {
     {"crowd", CROWD, 24, 0, 13, false, 0},
     {"dense crowd", CROWD, 40, 0, 14, false, 0},
     {"crowd of copies", COPIES, 16, 0, 20, false, 0},
+    {"other copies", COPIES, 16, 0, 2081, false, 0},
     {"wall", WALL, 4, 0, 21, false, 0},
     {"crooked wall", CROOKED_WALL, 4, 0, 22, false, 0},
 };
@@ -593,13 +594,15 @@ static void check_visible_alone(const struct scene_case *scene, const model *m, 
     static const uint32_t grids[] = {0, 1, 2, 3, 31, 200};
     roberts_hide_options options = with_hidden();
     roberts_drawing visible = model_draw(m, &camera->camera, &options);
+    /* what is culled hides nothing, but where borders coincide in the picture its border may be off in the last bit */
+    allowance may = {.t = may_tie(scene) ? T_BOUND : 0.0, .p = may_tie(scene) ? picture_bound(drawing) : 0.0};
     assert_int_equal(visible.count, drawing->count);
     filter(&visible, is_visible);
     options.keep_hidden = false;
     for (size_t i = 0; i < sizeof grids / sizeof grids[0]; i++) {
         options.grid = grids[i];
         roberts_drawing alone = model_draw(m, &camera->camera, &options);
-        expect_same("visible rows alone", scene->name, camera->name, &visible, &alone, (allowance){0});
+        expect_same("visible rows alone", scene->name, camera->name, &visible, &alone, may);
         roberts_drawing_free(&alone);
     }
     roberts_drawing_free(&visible);
@@ -673,6 +676,45 @@ static void all_edges_add_flat_ones_only(void **state)
 {
     (void)state;
     for_each(check_creases);
+}
+
+/* What one convex solid hides of an edge of another is one interval, whatever its faces' planes and sides are rounded
+ * to: two solids at a time. */
+static void one_solid_hides_one_interval(void **state)
+{
+    rng r = {26};
+    size_t parts = 0;
+    (void)state;
+    for (int i = 0; i < 400; i++) {
+        roberts_hide_options options = with_hidden();
+        roberts_camera camera = {.dir = {0, 0, 1}, .up = {0, 1, 0}};
+        model m = {0};
+        if (i % 2) /* the near plane cuts the upper solid */
+            camera = (roberts_camera){ROBERTS_PERSPECTIVE, .eye = {0.1, 0.2, 2.1}, .near_distance = 1.1};
+        for (int k = 0; k < 2; k++) {
+            double size = rng_between(&r, 0.3, 0.6);
+            mat3 map = mat3_times(mat3_turn(&r), mat3_scale(size, size * 0.8, size * rng_between(&r, 0.3, 1)));
+            roberts_vec3 at = {rng_between(&r, -0.3, 0.3), rng_between(&r, -0.3, 0.3), k};
+            if (i % 4 < 2)
+                model_round(&m, 80, i % 8 < 4, map, at);
+            else
+                model_add(&m, &shapes[i % 3 ? SHAPE_CUT : rng_int(&r, 0, SHAPES - 1)], map, at);
+        }
+        model_to_digits(&m, 5 + i / 8 % 2);
+        roberts_drawing d = model_draw(&m, &camera, &options);
+        for (size_t k = 0; k < d.count; k++) {
+            bool hidden = d.segment[k].state == ROBERTS_HIDDEN && d.segment[k].line != ROBERTS_BACK;
+            parts += hidden;
+            if (hidden && k >= 2 && same_edge(&d.segment[k - 2], &d.segment[k]) &&
+                d.segment[k - 2].state == ROBERTS_HIDDEN) {
+                print_row("gap", &d.segment[k - 1]);
+                fail_msg("pair %d: two parts hidden", i);
+            }
+        }
+        roberts_drawing_free(&d);
+        model_free(&m);
+    }
+    assert_true(parts > 1000);
 }
 
 /* ---- perspective -------------------------------------------------------------------------------------------------- */
@@ -947,6 +989,7 @@ int main(void)
         cmocka_unit_test(visible_rows_alone),
         cmocka_unit_test(rows_tile_every_edge),
         cmocka_unit_test(all_edges_add_flat_ones_only),
+        cmocka_unit_test(one_solid_hides_one_interval),
         cmocka_unit_test(far_eye_comes_to_orthographic),
         cmocka_unit_test(states_as_rays_see_them),
         cmocka_unit_test(by_as_rays_see_it),

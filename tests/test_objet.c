@@ -431,7 +431,7 @@ static void lists_are_complete_and_in_order(void **state)
             roberts_camera camera = {.dir = {i % 2 ? 1 : 0, -1, scene}};
             hide_picture picture;
             objet grid;
-            assert_int_equal(hide_picture_build(&picture, built, &camera, 0, false, 0, NULL), ROBERTS_OK);
+            assert_int_equal(hide_picture_build(&picture, built, &camera, 0, false, NULL), ROBERTS_OK);
             assert_int_equal(picture.culled_count, 0);
             scan_frame frame = cells_for_lists(picture.front_box, picture.front_count, picture.low, picture.high,
                                                sides[i], hide_margin(&picture.space));
@@ -462,7 +462,7 @@ static void copies_count_once(void **state)
         for (int k = 0; k < 4; k++)
             model_box(&m, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1 + k * table[i].change});
         roberts_scene *built = model_build(&m);
-        assert_int_equal(hide_picture_build(&picture, built, &camera, 0, false, 0, NULL), ROBERTS_OK);
+        assert_int_equal(hide_picture_build(&picture, built, &camera, 0, false, NULL), ROBERTS_OK);
         if (listed_count(&picture) != table[i].fronts || !picture.front[0].listed)
             fail_msg("%s: %u fronts", table[i].name, listed_count(&picture));
         hide_picture_free(&picture);
@@ -699,7 +699,7 @@ static void cells_by_table(void **state)
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         make_boxes(box, table[i].huge, table[i].w, table[i].h, &r);
         scan_frame f = cells_for_lists(box, BOXES, window_low, window_high, 0, MARGIN);
-        scan_frame c = cells_for_covers(box, BOXES, window_low, window_high, 0, MARGIN);
+        scan_frame c = cells_for_covers(box, BOXES, window_low, window_high, MARGIN);
         double listed = entries(&f, box), cells = (double)scan_cells(&f), covers = (double)scan_cells(&c);
         if (listed > 40.0 * BOXES || cells > 8.0 * BOXES || cells < table[i].least_cells || covers > 64.0 * BOXES)
             fail_msg("%s: %g cells, %g entries, %g cells of covers", table[i].name, cells, listed, covers);
@@ -718,7 +718,7 @@ static void cells_given_or_few(void **state)
     assert_true(f.nx == 1 && f.ny == 1);
     f = cells_for_lists(box, 2, window_low, upright, 0, MARGIN); /* no width */
     assert_true(f.nx >= 1 && f.ny >= 1 && f.dx > 0 && f.dy > 0);
-    f = cells_for_covers(box, 2, window_low, upright, 0, MARGIN);
+    f = cells_for_covers(box, 2, window_low, upright, MARGIN);
     assert_int_equal(scan_cells(&f), 0);
 }
 
