@@ -90,8 +90,10 @@ static void c_client_takes_segments(void **state)
 
 static void cxx_client(void **state)
 {
+    char flags[1024];
     (void)state;
-    build_client(setting("CXX", "c++"), "segments.cpp", "-std=c++17", "$(pkg-config --libs roberts)");
+    snprintf(flags, sizeof flags, "-std=c++17 %s", setting("CFLAGS_USED", ""));
+    build_client(setting("CXX", "c++"), "segments.cpp", flags, "$(pkg-config --libs roberts)");
     run_client("models/platonic/cube.off", "solid 0: 4 segments");
 }
 

@@ -148,7 +148,7 @@ static void sort_to_lines(sorter *s)
     for (uint32_t i = 0; i < s->p->count; i++) {
         const piece *p = &s->p->item[i];
         bearing at = bearing_of(s, p);
-        uint32_t *own, line = find_line(s, p, at, &own);
+        uint32_t *own = NULL, line = find_line(s, p, at, &own);
         if (line == NO_LINE) {
             line = s->line_count++;
             s->line[line] = (carrier){.distance = fabs(at.distance), .longest = i, .next = *own};
