@@ -1,5 +1,6 @@
 /* The program from outside: exit status, messages, files. Runs $ROBERTS_BUILD/roberts from the top folder. */
-#define _XOPEN_SOURCE 700 /* for a terminal of our own: posix_openpt() */
+/* for a terminal of our own: posix_openpt() */
+#define _XOPEN_SOURCE 700 /* NOLINT(bugprone-reserved-identifier): that is its name */
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>

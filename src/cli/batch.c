@@ -60,12 +60,13 @@ static int no_memory(void)
 static int check_names(const batch *b)
 {
     int result = EXIT_DONE;
-    batch_file **order = malloc(b->count * sizeof *order);
+    /* an array of pointers, which the check takes for a slip */
+    batch_file **order = malloc(b->count * sizeof *order); /* NOLINT(bugprone-sizeof-expression) */
     if (!order)
         return no_memory();
     for (size_t i = 0; i < b->count; i++)
         order[i] = &b->file[i];
-    qsort(order, b->count, sizeof *order, by_output);
+    qsort(order, b->count, sizeof *order, by_output); /* NOLINT(bugprone-sizeof-expression) */
     for (size_t i = 1; i < b->count && result == EXIT_DONE; i++)
         if (strcmp(order[i - 1]->output, order[i]->output) == 0)
             result = message_misuse("--batch: %s and %s would both be drawn to %s", order[i - 1]->input,
