@@ -36,6 +36,16 @@ static inline double vec3_length(roberts_vec3 a)
     return sqrt(vec3_dot(a, a));
 }
 
+/* Order by x, then y, then z: -1, 0 or 1; -0 and +0 are alike. */
+static inline int vec3_compare(roberts_vec3 a, roberts_vec3 b)
+{
+    if (a.x != b.x)
+        return a.x < b.x ? -1 : 1;
+    if (a.y != b.y)
+        return a.y < b.y ? -1 : 1;
+    return (a.z > b.z) - (a.z < b.z);
+}
+
 /* Lesser and greater of two numbers, neither of them NaN: fmin() and fmax() are calls, for the sake of NaN. */
 static inline double lesser(double a, double b)
 {

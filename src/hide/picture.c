@@ -12,7 +12,7 @@
 
 /* A front of more faces than this is entered face by face: an edge that passes it would be compared with all. */
 #define FACES_OF_ONE_FRONT 24
-/* From this many cells (four mean boxes) across, a cover's depth is taken cell by cell and not once for all of it. */
+/* From this many cells (five or six mean boxes) across, a cover's depth is taken cell by cell and not once for all of it. */
 #define COVER_WIDE 50.0
 /* Side of a tile in cells of covers: 256 kB of them. */
 #define TILE_CELLS 256

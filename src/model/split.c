@@ -198,12 +198,9 @@ static int compare_wall_keys(const void *a, const void *b)
 static int compare_starts(const void *a, const void *b)
 {
     const start_key *p = a, *q = b;
-    if (p->at.x != q->at.x)
-        return p->at.x < q->at.x ? -1 : 1;
-    if (p->at.y != q->at.y)
-        return p->at.y < q->at.y ? -1 : 1;
-    if (p->at.z != q->at.z)
-        return p->at.z < q->at.z ? -1 : 1;
+    int order = vec3_compare(p->at, q->at);
+    if (order)
+        return order;
     if (p->facing != q->facing)
         return p->facing > q->facing ? -1 : 1;
     return (p->wall > q->wall) - (p->wall < q->wall);

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/vec.h"
 
 enum { SHORT_BUCKET = 16 };
 
@@ -20,12 +21,9 @@ typedef struct spot {
 static int compare_spots(const void *a, const void *b)
 {
     const spot *p = a, *q = b;
-    if (p->at.x != q->at.x)
-        return p->at.x < q->at.x ? -1 : 1;
-    if (p->at.y != q->at.y)
-        return p->at.y < q->at.y ? -1 : 1;
-    if (p->at.z != q->at.z)
-        return p->at.z < q->at.z ? -1 : 1;
+    int order = vec3_compare(p->at, q->at);
+    if (order)
+        return order;
     return (p->vertex > q->vertex) - (p->vertex < q->vertex);
 }
 
