@@ -147,6 +147,7 @@ typedef struct roberts_scene_options {
         tolerance; /**< how far a corner may lie outside a face or beside its plane, as a part of the solid's size (the
                            diagonal of its box) or of its largest coordinate, whichever is larger; 0 = 1e-5 */
     roberts_warnings warnings;
+    uint32_t threads; /**< 0 = what there is; the result does not depend on it */
 } roberts_scene_options;
 
 /**

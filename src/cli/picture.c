@@ -30,14 +30,16 @@ static roberts_status read_all(const cli_options *options, roberts_mesh *mesh, r
 static roberts_status load(const cli_options *options, roberts_scene **scene, run_stats *run, roberts_error *error)
 {
     roberts_mesh mesh = {0};
+    roberts_scene_options solids = options->scene;
     roberts_time start = stats_now();
+    solids.threads = options->hide.threads;
     progress_stage("reading");
     roberts_status status = read_all(options, &mesh, error);
     run->read = stats_since(start);
     if (status == ROBERTS_OK) {
         start = stats_now();
         progress_stage("finding the solids");
-        status = roberts_scene_build(&mesh, &options->scene, scene, error);
+        status = roberts_scene_build(&mesh, &solids, scene, error);
         run->solids = stats_since(start);
     }
     roberts_mesh_free(&mesh);

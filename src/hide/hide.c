@@ -7,12 +7,9 @@
 #include <string.h>
 #include <time.h>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 #include "base/array.h"
 #include "base/error.h"
+#include "base/threads.h"
 #include "hide/cells.h"
 #include "hide/edge.h"
 #include "view/clip.h"
@@ -274,19 +271,6 @@ static void add_sums(roberts_drawing *drawing, const hide_sums *sums, const hide
     to->refined += w->sides.refined;
 }
 
-/* Threads for so many chunks: with little work a further one costs more than it does. */
-static int choose_threads(const hide_job *job, uint32_t chunks)
-{
-#ifdef _OPENMP
-    uint32_t threads = job->options->threads ? job->options->threads : (uint32_t)omp_get_max_threads();
-    return (int)(threads > 1 + chunks / CHUNKS_PER_THREAD ? 1 + chunks / CHUNKS_PER_THREAD : threads);
-#else
-    (void)job;
-    (void)chunks;
-    return 1;
-#endif
-}
-
 /* The chunks first..end-1, one for each of `chunk`, by `threads` threads with a worker each. */
 static bool do_wave(const hide_job *job, hide_worker *worker, hide_sums *sums, int threads, hide_chunk *chunk,
                     uint32_t first, uint32_t end)
@@ -298,11 +282,7 @@ static bool do_wave(const hide_job *job, hide_worker *worker, hide_sums *sums, i
     (void)threads;
 #endif
     for (uint32_t i = first; i < end; i++) {
-#ifdef _OPENMP
-        int self = omp_get_thread_num();
-#else
-        int self = 0;
-#endif
+        int self = thread_self();
         chunk[i - first].count = 0;
         lost = lost || !do_chunk(job, &worker[self], &sums[self], &chunk[i - first], i);
     }
@@ -315,7 +295,7 @@ static roberts_status do_chunks(const hide_job *job, roberts_drawing *drawing)
 {
     uint32_t count = (job->scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
     uint32_t wave = count < CHUNKS_PER_WAVE ? count : CHUNKS_PER_WAVE;
-    int threads = choose_threads(job, count);
+    int threads = threads_for(job->options->threads, 1 + count / CHUNKS_PER_THREAD);
     roberts_status status = ROBERTS_NO_MEMORY;
     size_t room = 0;
     hide_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
@@ -378,8 +358,8 @@ static roberts_status check_options(const roberts_hide_options *options, roberts
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "the crease angle must be between 0 and 180 degrees");
     if (options->grid > GRID_MOST)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a grid of more than %d cells per side", GRID_MOST);
-    if (options->threads > 1024)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "more than 1024 threads");
+    if (options->threads > THREADS_MOST)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "more than %d threads", THREADS_MOST);
     return ROBERTS_OK;
 }
 

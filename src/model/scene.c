@@ -1,17 +1,40 @@
 /* scene.c - from polygons to solids: the stages in order. */
 #include "model/scene.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 
 #include "base/array.h"
 #include "base/error.h"
+#include "base/threads.h"
 #include "model/components.h"
 #include "model/layout.h"
 #include "model/regroup.h"
 #include "model/solid_build.h"
 
+#define CHUNK_SOLIDS 256
+#define CHUNKS_PER_THREAD 4 /* with less work than this a thread costs more than it does */
+
 /* Published polyhedra are given to six digits. */
 static const double DEFAULT_TOLERANCE = 1e-5;
+
+/* What the threads that build solids share. */
+typedef struct construction {
+    roberts_scene *scene;
+    const roberts_mesh *mesh;
+    double tolerance;
+    uint8_t *open; /* [solid_count] which are not closed; NULL: that is an error */
+    atomic_bool any_open;
+    atomic_uint refused; /* the first solid known to be refused; ROBERTS_NONE: none */
+} construction;
+
+/* What each has for itself. */
+typedef struct construction_worker {
+    builder tools;
+    roberts_error error;
+    uint32_t refused; /* the first solid that it refused, for the reason in `error` */
+    bool no_memory;
+} construction_worker;
 
 static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh)
 {
@@ -32,32 +55,103 @@ static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh)
     return true;
 }
 
+/* Where each solid's edges begin: each has half as many as its faces have corners. */
+static void number_edges(roberts_scene *scene)
+{
+    uint32_t sum = 0;
+    for (uint32_t s = 0; s < scene->solid_count; s++) {
+        const scene_solid *first = scene->solid + s;
+        scene->solid[s].edge = sum;
+        sum += (scene->face_start[first[1].face] - scene->face_start[first->face]) / 2;
+    }
+    scene->solid[scene->solid_count].edge = sum;
+    scene->edge_count = sum;
+}
+
+/* Builds solid s. What has already been found by any thread spares work: once a solid is open, the others are only asked
+ * whether they are closed, since their numbers will change; so are those behind one that is refused. */
+static void build_solid(construction *c, construction_worker *worker, uint32_t s)
+{
+    const bool only_ask = atomic_load_explicit(&c->any_open, memory_order_relaxed) ||
+                          s > atomic_load_explicit(&c->refused, memory_order_relaxed);
+    roberts_error found = {0};
+    build_result result;
+    uint32_t least;
+    if (only_ask && !c->open)
+        return;
+    result = only_ask ? solid_is_closed(c->scene, &worker->tools, s, &found)
+                      : solid_build(c->scene, &worker->tools, s, c->mesh, c->tolerance, !c->open, &found);
+    if (result == BUILD_OPEN && c->open) {
+        c->open[s] = 1;
+        atomic_store_explicit(&c->any_open, true, memory_order_relaxed);
+        return;
+    }
+    if (result == BUILD_OPEN) {
+        error_set(&found, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed", s);
+        result = BUILD_REFUSED;
+    }
+    if (result != BUILD_REFUSED)
+        return;
+    worker->no_memory |= found.status == ROBERTS_NO_MEMORY;
+    if (s < worker->refused) {
+        worker->refused = s;
+        worker->error = found;
+    }
+    least = atomic_load_explicit(&c->refused, memory_order_relaxed);
+    while (s < least &&
+           !atomic_compare_exchange_weak_explicit(&c->refused, &least, s, memory_order_relaxed, memory_order_relaxed))
+        ;
+}
+
+/* The refusal of the first solid that is refused, whichever thread met it; a lack of memory comes before all. */
+static roberts_status first_refusal(const construction *c, const construction_worker *worker, int threads,
+                                    roberts_error *error)
+{
+    const construction_worker *first = worker;
+    for (int i = 0; i < threads; i++) {
+        if (worker[i].no_memory)
+            return error_no_memory(error);
+        if (worker[i].refused < first->refused)
+            first = &worker[i];
+    }
+    if (first->refused == ROBERTS_NONE || atomic_load(&c->any_open))
+        return ROBERTS_OK;
+    *error = first->error;
+    return first->error.status;
+}
+
 /* Builds the solids as laid out. `open`: NULL where all must be closed; else it receives a mark for each solid that is
- * not, and *any_open whether there is one; once there is, the others are only asked whether they are closed, since their
- * numbers will change. */
-static roberts_status build_solids(roberts_scene *scene, builder *work, const roberts_mesh *mesh, double tolerance,
+ * not, and *any_open whether there is one. The result does not depend on the threads. */
+static roberts_status build_solids(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                                    uint8_t *open, bool *any_open, roberts_error *error)
 {
-    roberts_status refused = ROBERTS_OK;
-    *any_open = false;
+    construction c = {.scene = scene, .mesh = mesh, .tolerance = options->tolerance, .open = open};
+    uint32_t chunks = (scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
+    int threads = threads_for(options->threads, 1 + chunks / CHUNKS_PER_THREAD);
+    construction_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
+    roberts_status status;
+    if (!worker)
+        return error_no_memory(error);
+    atomic_init(&c.any_open, false);
+    atomic_init(&c.refused, ROBERTS_NONE);
+    for (int i = 0; i < threads; i++)
+        worker[i].refused = ROBERTS_NONE;
     scene->centre = vec3_scale(0.5, vec3_add(scene->box_min, scene->box_max));
-    for (uint32_t s = 0; s < scene->solid_count; s++) {
-        build_result result = *any_open || refused != ROBERTS_OK
-                                  ? solid_is_closed(scene, work, s, error)
-                                  : solid_build(scene, work, s, mesh, tolerance, !open, error);
-        if (result == BUILD_OPEN && !open)
-            return error_set(error, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed", s);
-        if (result == BUILD_OPEN) {
-            *any_open = true;
-            open[s] = 1;
-        }
-        if (result == BUILD_REFUSED)
-            refused = error->status;
-        if (refused == ROBERTS_NO_MEMORY || (refused != ROBERTS_OK && !open))
-            return refused;
+    number_edges(scene);
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+#endif
+    for (uint32_t chunk = 0; chunk < chunks; chunk++) {
+        uint32_t first = chunk * CHUNK_SOLIDS, left = scene->solid_count - first;
+        for (uint32_t s = first; s < first + (left < CHUNK_SOLIDS ? left : CHUNK_SOLIDS); s++)
+            build_solid(&c, &worker[thread_self()], s);
     }
-    scene->edge_count = scene->solid[scene->solid_count].edge;
-    return *any_open ? ROBERTS_OK : refused;
+    *any_open = atomic_load(&c.any_open);
+    status = first_refusal(&c, worker, threads, error);
+    for (int i = 0; i < threads; i++)
+        builder_free(&worker[i].tools);
+    free(worker);
+    return status;
 }
 
 static roberts_status refuse_empty(roberts_error *error)
@@ -74,11 +168,10 @@ static void warn_repeated(const polygons *faces, const roberts_mesh *mesh, const
 }
 
 /* Components first; where some are open, solids once more from what welding and splitting makes of them. */
-static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, double tolerance,
-                            const roberts_warnings *warnings, roberts_error *error)
+static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
+                            roberts_error *error)
 {
     polygons faces;
-    builder work = {0};
     uint8_t *open = NULL;
     bool any_open = false;
     roberts_status status = polygons_of_mesh(&faces, mesh, error);
@@ -87,14 +180,14 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, doub
     status = ROBERTS_NO_MEMORY;
     if (!components_lay_out(scene, &faces, mesh))
         goto done;
-    warn_repeated(&faces, mesh, warnings);
+    warn_repeated(&faces, mesh, &options->warnings);
     if (!(open = alloc_zeroed(scene->solid_count, sizeof *open)))
         goto done;
-    status = build_solids(scene, &work, mesh, tolerance, open, &any_open, error);
+    status = build_solids(scene, mesh, options, open, &any_open, error);
     if (status == ROBERTS_OK && any_open) {
         status = regroup(scene, open, &faces, mesh, error);
         if (status == ROBERTS_OK)
-            status = build_solids(scene, &work, mesh, tolerance, NULL, &any_open, error);
+            status = build_solids(scene, mesh, options, NULL, &any_open, error);
     }
     if (status == ROBERTS_OK && scene->solid_count == 0)
         status = refuse_empty(error);
@@ -102,7 +195,6 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, doub
         status = ROBERTS_NO_MEMORY;
 done:
     free(open);
-    builder_free(&work);
     polygons_free(&faces);
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
@@ -110,16 +202,21 @@ done:
 roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,
                                    roberts_scene **scene, roberts_error *error)
 {
-    double tolerance = options && options->tolerance != 0.0 ? options->tolerance : DEFAULT_TOLERANCE;
+    roberts_scene_options chosen = options ? *options : (roberts_scene_options){0};
     roberts_error found = {0};
     roberts_status status;
     *scene = NULL;
-    if (!(tolerance > 0.0 && tolerance <= 1.0)) {
-        status = error_set(&found, ROBERTS_BAD_ARGUMENT, 0, "the tolerance, %g, is not between 0 and 1", tolerance);
+    if (chosen.tolerance == 0.0)
+        chosen.tolerance = DEFAULT_TOLERANCE;
+    if (!(chosen.tolerance > 0.0 && chosen.tolerance <= 1.0)) {
+        status =
+            error_set(&found, ROBERTS_BAD_ARGUMENT, 0, "the tolerance, %g, is not between 0 and 1", chosen.tolerance);
+    } else if (chosen.threads > THREADS_MOST) {
+        status = error_set(&found, ROBERTS_BAD_ARGUMENT, 0, "more than %d threads", THREADS_MOST);
     } else if (!(*scene = alloc_zeroed(1, sizeof **scene))) {
         status = error_no_memory(&found);
     } else {
-        status = build(*scene, mesh, tolerance, options ? &options->warnings : NULL, &found);
+        status = build(*scene, mesh, &chosen, &found);
     }
     if (status != ROBERTS_OK) {
         roberts_scene_free(*scene);

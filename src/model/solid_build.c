@@ -53,7 +53,6 @@ static roberts_status refuse_turned(const roberts_scene *scene, const solid_fram
 build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const roberts_mesh *mesh, double tolerance,
                          bool must_close, roberts_error *error)
 {
-    const scene_solid *first = scene->solid + s;
     const bool sphere = like_a_sphere(scene, s);
     edge_pairing pairing;
     roberts_status status = frame_enter(&work->frame, scene, s, tolerance);
@@ -67,7 +66,6 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
         return error_no_memory(error), BUILD_REFUSED;
     if (pairing == EDGES_OPEN || (!must_close && !sphere))
         return BUILD_OPEN;
-    scene->solid[s + 1].edge = first->edge + (scene->face_start[first[1].face] - scene->face_start[first->face]) / 2;
     if (pairing == EDGES_MIXED && wind(scene, work, s, error) != ROBERTS_OK)
         return BUILD_REFUSED;
     if (solid_check(scene, &work->frame, mesh, error) != ROBERTS_OK)

@@ -10,12 +10,9 @@
  * Edges are taken in chunks, by any number of threads; a chunk keeps what it finds, and the findings come in order. */
 #include <stdlib.h>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 #include "base/array.h"
 #include "base/error.h"
+#include "base/threads.h"
 #include "ray/occluders.h"
 #include "view/clip.h"
 
@@ -265,9 +262,7 @@ static void check_chunk(verifier *f, uint32_t index)
 static void check_chunks(verifier *f)
 {
 #ifdef _OPENMP
-    int threads = f->options.threads ? (int)f->options.threads : omp_get_max_threads();
-    int useful = 1 + (int)(f->chunk_count / CHUNKS_PER_THREAD);
-    threads = threads < useful ? threads : useful;
+    int threads = threads_for(f->options.threads, 1 + f->chunk_count / CHUNKS_PER_THREAD);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 #endif
     for (uint32_t i = 0; i < f->chunk_count; i++)

@@ -1,0 +1,37 @@
+/* threads.h - how many threads, and which one this is, also where the program is built without OpenMP. */
+#ifndef ROBERTS_BASE_THREADS_H
+#define ROBERTS_BASE_THREADS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+#define THREADS_MOST 1024
+
+/* Threads for a parallel loop: as many as asked for (0: as there are), but no more than have something to do. */
+static inline int threads_for(uint32_t asked, size_t useful)
+{
+#ifdef _OPENMP
+    size_t threads = asked ? asked : (size_t)omp_get_max_threads();
+    return threads < useful ? (int)threads : useful ? (int)useful : 1;
+#else
+    (void)asked;
+    (void)useful;
+    return 1;
+#endif
+}
+
+/* The number of this thread among those of the loop, from 0. */
+static inline int thread_self(void)
+{
+#ifdef _OPENMP
+    return omp_get_thread_num();
+#else
+    return 0;
+#endif
+}
+
+#endif

@@ -1,0 +1,144 @@
+/* test_solid_threads.c - solids built by several threads: the same scene, and of several faults always the first. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "model/scene.h"
+#include "scenes.h"
+
+enum { CUBES = 6000 }; /* enough for seven threads to have something to do */
+
+static const uint32_t face[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+
+/* What may be wrong with a cube. */
+typedef enum fault { SOUND, DENTED, FLAT, OPEN } fault;
+
+static fault fault_of(uint32_t cube, const uint32_t *faulty, const fault *kind, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (faulty[i] == cube)
+            return kind[i];
+    return SOUND;
+}
+
+/* Cubes in a row, some of them with a fault. */
+static roberts_mesh row_of_cubes(const uint32_t *faulty, const fault *kind, size_t count)
+{
+    roberts_mesh mesh = {0};
+    for (uint32_t cube = 0; cube < CUBES; cube++) {
+        fault wrong = fault_of(cube, faulty, kind, count);
+        uint32_t first = (uint32_t)mesh.vertex_count, v[4];
+        for (int c = 0; c < 8; c++) {
+            roberts_vec3 p = {2.0 * cube + (c & 1), c >> 1 & 1, wrong == FLAT ? 0.0 : c >> 2};
+            if (wrong == DENTED && c == 7)
+                p = vec3_add(p, (roberts_vec3){-0.25, -0.25, 0.5});
+            assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
+        }
+        for (int side = wrong == OPEN; side < 6; side++) {
+            for (int i = 0; i < 4; i++)
+                v[i] = first + face[side][i];
+            assert_int_equal(roberts_mesh_add_face(&mesh, v, 4, NULL), ROBERTS_OK);
+        }
+    }
+    return mesh;
+}
+
+static void expect_refusal(const char *what, const roberts_mesh *mesh, roberts_status status, const char *message)
+{
+    static const uint32_t threads[] = {1, 2, 3, 7};
+    for (size_t i = 0; i < sizeof threads / sizeof *threads; i++)
+        for (int run = 0; run < 5; run++) {
+            roberts_scene_options options = {.threads = threads[i]};
+            roberts_scene *scene;
+            roberts_error error = {0};
+            if (roberts_scene_build(mesh, &options, &scene, &error) != status || !strstr(error.message, message))
+                fail_msg("%s, %u threads: status %d, \"%s\"", what, threads[i], (int)error.status, error.message);
+            assert_null(scene);
+        }
+}
+
+static void the_first_fault_is_told(void **state)
+{
+    static const struct {
+        const char *what;
+        size_t count;
+        uint32_t faulty[4];
+        fault kind[4];
+        roberts_status status;
+        const char *message;
+    } cases[] = {
+        {"one", 1, {4321}, {FLAT}, ROBERTS_FLAT, "solid 4321 is flat"},
+        {"the last", 1, {CUBES - 1}, {FLAT}, ROBERTS_FLAT, "solid 5999 is flat"},
+        {"two kinds", 2, {5000, 100}, {FLAT, DENTED}, ROBERTS_NOT_PLANAR, "of solid 100 "},
+        {"two kinds, the other way", 2, {5000, 100}, {DENTED, FLAT}, ROBERTS_FLAT, "solid 100 is flat"},
+        {"four in one chunk", 4, {259, 258, 257, 256}, {FLAT, FLAT, DENTED, FLAT}, ROBERTS_FLAT, "solid 256 is flat"},
+        /* what is open and cannot be mended is told before all else */
+        {"open and flat", 2, {10, 5000}, {OPEN, FLAT}, ROBERTS_NOT_CLOSED, "not closed"},
+        {"flat and open", 2, {10, 5000}, {FLAT, OPEN}, ROBERTS_NOT_CLOSED, "not closed"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        roberts_mesh mesh = row_of_cubes(cases[i].faulty, cases[i].kind, cases[i].count);
+        expect_refusal(cases[i].what, &mesh, cases[i].status, cases[i].message);
+        roberts_mesh_free(&mesh);
+    }
+}
+
+static void expect_equal(const roberts_scene *a, const roberts_scene *b)
+{
+    assert_int_equal(a->solid_count, b->solid_count);
+    assert_int_equal(a->edge_count, b->edge_count);
+    assert_memory_equal(a->solid, b->solid, (a->solid_count + 1) * sizeof *a->solid);
+    assert_memory_equal(a->point, b->point, a->vertex_count * sizeof *a->point);
+    assert_memory_equal(a->corner, b->corner, a->corner_count * sizeof *a->corner);
+    assert_memory_equal(a->face_plane, b->face_plane, a->face_count * sizeof *a->face_plane);
+    assert_memory_equal(a->face_width, b->face_width, a->face_count * sizeof *a->face_width);
+    assert_memory_equal(a->face_deviation, b->face_deviation, a->face_count * sizeof *a->face_deviation);
+    assert_memory_equal(a->edge, b->edge, a->edge_count * sizeof *a->edge);
+}
+
+static void the_scene_is_the_same(void **state)
+{
+    roberts_mesh mesh = row_of_cubes(NULL, NULL, 0);
+    roberts_scene_options one = {.threads = 1};
+    roberts_scene *expected;
+    (void)state;
+    assert_int_equal(roberts_scene_build(&mesh, &one, &expected, NULL), ROBERTS_OK);
+    assert_int_equal(expected->solid_count, CUBES);
+    assert_int_equal(expected->edge_count, 12 * CUBES);
+    for (uint32_t threads = 0; threads <= 7; threads++) {
+        roberts_scene_options options = {.threads = threads};
+        roberts_scene *scene;
+        assert_int_equal(roberts_scene_build(&mesh, &options, &scene, NULL), ROBERTS_OK);
+        expect_equal(scene, expected);
+        roberts_scene_free(scene);
+    }
+    roberts_scene_free(expected);
+    roberts_mesh_free(&mesh);
+}
+
+static void too_many_threads_are_refused(void **state)
+{
+    roberts_mesh mesh = {0};
+    (void)state;
+    for (uint32_t threads = 1025; threads; threads *= 2) {
+        roberts_scene_options options = {.threads = threads};
+        roberts_scene *scene;
+        assert_int_equal(roberts_scene_build(&mesh, &options, &scene, NULL), ROBERTS_BAD_ARGUMENT);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_first_fault_is_told),
+        cmocka_unit_test(the_scene_is_the_same),
+        cmocka_unit_test(too_many_threads_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
