@@ -21,134 +21,7 @@
 
 #include <cmocka.h>
 
-enum { ARGUMENTS = 16, TEXT = 65536, CLOSED = -2 };
-
-static char top[2048], program[4096], folder[64]; /* the source's top folder; the program; of the test that runs */
-
-/* What a run left: exit status, or 1000 + signal; the beginnings of its two streams. */
-typedef struct result {
-    int status;
-    char out[TEXT], err[TEXT];
-} result;
-
-static result last;
-
-static void read_text(const char *path, char text[TEXT])
-{
-    int descriptor = open(path, O_RDONLY);
-    ssize_t size = descriptor < 0 ? 0 : read(descriptor, text, TEXT - 1);
-    text[size > 0 ? size : 0] = '\0';
-    if (descriptor >= 0)
-        close(descriptor);
-}
-
-static int open_stream(const char *path, int flags)
-{
-    return open(path, flags | O_CREAT, 0600);
-}
-
-static void put(const char *path, const char *text)
-{
-    int descriptor = open_stream(path, O_WRONLY | O_TRUNC);
-    assert_int_equal(write(descriptor, text, strlen(text)), strlen(text));
-    close(descriptor);
-}
-
-static int start_error = -1; /* standard error of what is started next; -1 for the file "err" */
-
-/* Starts the program with the words of `line` as its arguments. `out`: its standard output, -1 for the file "out". */
-static pid_t start(const char *line, const char *in, int out)
-{
-    static char words[4096];
-    char *argv[ARGUMENTS + 1] = {program};
-    int count = 1;
-    snprintf(words, sizeof words, "%s", line);
-    for (char *word = strtok(words, " "); word && count < ARGUMENTS; word = strtok(NULL, " "))
-        argv[count++] = word;
-    fflush(stdout);
-    pid_t child = fork();
-    if (child != 0)
-        return child;
-    signal(SIGPIPE, SIG_DFL);
-    dup2(open_stream(in ? in : "/dev/null", O_RDONLY), STDIN_FILENO);
-    dup2(start_error >= 0 ? start_error : open_stream("err", O_WRONLY | O_TRUNC), STDERR_FILENO);
-    if (out == CLOSED)
-        close(STDOUT_FILENO);
-    else
-        dup2(out >= 0 ? out : open_stream("out", O_WRONLY | O_TRUNC), STDOUT_FILENO);
-    for (int i = 3; i < 64; i++)
-        close(i);
-    execv(program, argv);
-    _exit(127);
-}
-
-static void finish(pid_t child)
-{
-    int status;
-    assert_int_equal(waitpid(child, &status, 0), child);
-    last.status = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
-    read_text("out", last.out);
-    read_text("err", last.err);
-}
-
-static int run(const char *line)
-{
-    finish(start(line, NULL, -1));
-    return last.status;
-}
-
-static int run_into(const char *line, const char *device)
-{
-    int out = open(device, O_WRONLY);
-    assert_true(out >= 0);
-    finish(start(line, NULL, out));
-    close(out);
-    return last.status;
-}
-
-static void assert_said(const char *text)
-{
-    if (strstr(last.err, text) == NULL)
-        fail_msg("said: %s\nnot: %s", last.err, text);
-}
-
-/* Each test has a folder of its own, with a link to models/. */
-static int enter_folder(void **state)
-{
-    char models[4096];
-    (void)state;
-    snprintf(models, sizeof models, "%s/models", top);
-    strcpy(folder, "/tmp/roberts-cli-XXXXXX");
-    return mkdtemp(folder) && chdir(folder) == 0 && mkdir("in", 0777) == 0 ? symlink(models, "models") : -1;
-}
-
-static int entries(const char *path, bool clear)
-{
-    int count = 0;
-    DIR *directory = opendir(path);
-    struct dirent *entry;
-    char name[600];
-    while (directory && (entry = readdir(directory))) {
-        if (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0)
-            continue;
-        count++;
-        snprintf(name, sizeof name, "%s/%s", path, entry->d_name);
-        if (clear)
-            unlink(name);
-    }
-    if (directory)
-        closedir(directory);
-    return count;
-}
-
-static int leave_folder(void **state)
-{
-    (void)state;
-    entries("in", true);
-    rmdir("in");
-    entries(".", true);
-    return chdir(top) == 0 && rmdir(folder) == 0 ? 0 : -1;
-}
+#include "program.h"
 
 /* ---- misuse ---- */
 
@@ -882,16 +755,10 @@ static void picks(void **state)
                                   "roberts: pick -2,-2: behind it solid 1, face 7, depth 3.5, at 1,1,-5\n");
 }
 
-#define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)
-
 int main(void)
 {
-    const char *build = getenv("ROBERTS_BUILD");
-    if (!build)
-        build = "build";
-    if (!getcwd(top, sizeof top))
+    if (!program_find())
         return 1;
-    snprintf(program, sizeof program, "%s%s%s/roberts", build[0] == '/' ? "" : top, build[0] == '/' ? "" : "/", build);
     const struct CMUnitTest tests[] = {
         IN_FOLDER(misuse),
         IN_FOLDER(failing_input),

@@ -392,7 +392,7 @@ static void the_input_that_holds_the_face_is_named(void **state)
     assert_int_equal(roberts_mesh_read_memory(&mesh, "dent.off", second, strlen(second), NULL, NULL), ROBERTS_OK);
     assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, &error), ROBERTS_NOT_CONVEX);
     assert_string_equal(error.file, "dent.off");
-    assert_string_equal(error.message, "solid 1 is not convex: vertex 14 lies 0.514496 outside face 7");
+    assert_string_equal(error.message, "solid 0 is not convex: vertex 6 lies 0.514496 outside face 1");
     roberts_mesh_free(&mesh);
 }
 

@@ -18,6 +18,33 @@ typedef struct picture_window {
     roberts_vec2 min, max;
 } picture_window;
 
+/* What to call the inputs: the first of them, and how many more there are. */
+static const char *name_inputs(const cli_options *options, const char *first, char *name, size_t size)
+{
+    if (strcmp(first, "-") == 0)
+        first = "standard input";
+    if (options->input_count > 1)
+        snprintf(name, size, "%s and %zu more", first, options->input_count - 1);
+    else
+        snprintf(name, size, "%s", first);
+    return name;
+}
+
+/* The same without folders. */
+static const char *write_title(const cli_options *options, char *title, size_t size)
+{
+    const char *first = options->input[0], *slash = strrchr(first, '/');
+    return name_inputs(options, slash ? slash + 1 : first, title, size);
+}
+
+/* What went wrong concerns the inputs, where it names no file. Returns the exit status. */
+static int fail(const cli_options *options, roberts_error *error)
+{
+    if (!error->file[0] && error->status != ROBERTS_BAD_ARGUMENT)
+        name_inputs(options, options->input[0], error->file, sizeof error->file);
+    return message_error(options->log, error);
+}
+
 static roberts_status read_all(const cli_options *options, roberts_mesh *mesh, roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
@@ -29,6 +56,7 @@ static roberts_status read_all(const cli_options *options, roberts_mesh *mesh, r
 /* What is not needed any more is released on the way. */
 static roberts_status load(const cli_options *options, roberts_scene **scene, run_stats *run, roberts_error *error)
 {
+    char name[NAME_SIZE];
     roberts_mesh mesh = {0};
     roberts_scene_options solids = options->scene;
     roberts_time start = stats_now();
@@ -50,9 +78,9 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     if (!options->verbose)
         return status;
     message_open(options->log);
-    fprintf(options->log, "roberts: %s%s: %zu solids, %zu vertices, %zu faces; %.3f s\n", options->input[0],
-            options->input_count > 1 ? " and others" : "", roberts_scene_solid_count(*scene), run->vertices, run->faces,
-            run->read.wall + run->solids.wall);
+    fprintf(options->log, "roberts: %s: %zu solids, %zu vertices, %zu faces; %.3f s\n",
+            name_inputs(options, options->input[0], name, sizeof name), roberts_scene_solid_count(*scene),
+            run->vertices, run->faces, run->read.wall + run->solids.wall);
     message_close(options->log);
     return status;
 }
@@ -71,19 +99,6 @@ static roberts_status hide(const cli_options *options, const roberts_scene *scen
         status = rays_pick(options, scene, error);
     run->verify = stats_since(start);
     return status;
-}
-
-/* The first file's name without folders, and how many more there are. */
-static const char *write_title(const cli_options *options, char *title, size_t size)
-{
-    const char *first = options->input[0], *slash = strrchr(first, '/'), *name = slash ? slash + 1 : first;
-    if (strcmp(first, "-") == 0)
-        name = "standard input";
-    if (options->input_count > 1)
-        snprintf(title, size, "%s and %zu more", name, options->input_count - 1);
-    else
-        snprintf(title, size, "%s", name);
-    return title;
 }
 
 static roberts_status save(const cli_options *options, const roberts_drawing *drawing, run_stats *run,
@@ -130,7 +145,7 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     if (status == ROBERTS_OK)
         status = save(options, &drawing, &run, &error);
     run.total = stats_since(begin);
-    int result = status != ROBERTS_OK ? message_error(options->log, &error) : EXIT_DONE;
+    int result = status != ROBERTS_OK ? fail(options, &error) : EXIT_DONE;
     if (status == ROBERTS_OK && run.wrong)
         result = EXIT_FAILED; /* and the drawing is there to look at */
     if (status == ROBERTS_OK)
@@ -176,7 +191,7 @@ static int draw_turntable(const cli_options *options, roberts_scene **scene, con
     roberts_error error = {0};
     int result = EXIT_DONE;
     if (find_window(options, *scene, &window, &error) != ROBERTS_OK)
-        return message_error(options->log, &error);
+        return fail(options, &error);
     for (uint32_t i = 0; i < options->turntable && result == EXIT_DONE; i++) {
         cli_options one = *options;
         one.camera = turned(options, *scene, i);
@@ -196,7 +211,7 @@ int picture_make(const cli_options *options)
     roberts_time begin = stats_now();
     int result;
     if (load(options, &scene, &run, &error) != ROBERTS_OK)
-        result = message_error(options->log, &error);
+        result = fail(options, &error);
     else if (options->turntable)
         result = draw_turntable(options, &scene, &run);
     else

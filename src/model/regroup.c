@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "model/edges.h"
 #include "model/layout.h"
+#include "model/place.h"
 #include "model/split.h"
 #include "model/weld.h"
 
@@ -110,11 +111,31 @@ static uint32_t number_solids(uint32_t *of, uint32_t id_count, const polygons *f
     return count;
 }
 
-/* Says that solid s, which is the group `group`, is not closed: its first edge (by vertices) that has not two faces. */
-static roberts_status refuse_open(uint32_t s, uint32_t group, const split_groups *groups, const roberts_scene *loose,
-                                  const edge_scratch *edges, const roberts_mesh *mesh, roberts_error *error)
+/* Where solid s comes from, by the solid of each face: all vertices and faces of the solids of earlier files are smaller. */
+static place place_of_group(uint32_t s, const uint32_t *of, const polygons *faces, const roberts_mesh *mesh)
 {
-    uint32_t start = 0, others = 0, v0 = 0, v1 = 0, has = 0, face = 0;
+    uint32_t v[2] = {ROBERTS_NONE, 0}, f[2] = {ROBERTS_NONE, 0};
+    for (uint32_t face = 0; face < faces->face_count; face++)
+        for (uint32_t i = faces->start[face]; i < faces->start[face + 1] && of[face] == s; i++) {
+            v[0] = faces->corner[i] < v[0] ? faces->corner[i] : v[0];
+            v[1] = faces->corner[i] > v[1] ? faces->corner[i] : v[1];
+            f[0] = face < f[0] ? face : f[0];
+            f[1] = face;
+        }
+    place at = place_find(mesh, v[0], v[1], f[0], f[1]);
+    for (uint32_t face = 0; face < faces->face_count; face++)
+        for (uint32_t i = faces->start[face]; i < faces->start[face + 1] && of[face] != ROBERTS_NONE; i++)
+            if (faces->corner[i] < at.vertex && of[face] >= at.solid)
+                at.solid = of[face] + 1;
+    return at;
+}
+
+/* Says that solid s, which is the group `group` and comes from `at`, is not closed: its first edge (by vertices) that has
+ * not two faces. */
+static roberts_status refuse_open(uint32_t s, place at, uint32_t group, const split_groups *groups,
+                                  const roberts_scene *loose, const edge_scratch *edges, roberts_error *error)
+{
+    uint32_t start = 0, others = 0, v0 = 0, v1 = 0, has = 0;
     for (uint32_t v = 0; v < loose->vertex_count; start = edges->end[v++])
         for (uint32_t i = start, to; i < edges->end[v]; i = to) {
             bool here = false;
@@ -125,16 +146,12 @@ static roberts_status refuse_open(uint32_t s, uint32_t group, const split_groups
             others++;
             if (has || !here)
                 continue;
-            v0 = loose->number[v];
-            v1 = loose->number[edges->half[i] >> 32];
+            v0 = loose->number[v] - at.vertex;
+            v1 = loose->number[edges->half[i] >> 32] - at.vertex;
             has = to - i;
-            face = loose->face_number[edges->face_of[(uint32_t)edges->half[i]]];
         }
-    for (size_t i = mesh->source_count; i-- > 0;)
-        if (mesh->source[i].name && mesh->source[i].first_face <= face) {
-            error_set_file(error, mesh->source[i].name);
-            break;
-        }
+    error_set_file(error, at.file);
+    s -= at.solid;
     if (!has)
         return error_set(error, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed", s);
     if (others > 1)
@@ -161,7 +178,8 @@ static roberts_status lay_out_again(roberts_scene *scene, const roberts_scene *l
         status = error_no_memory(error);
     for (uint32_t s = 0; status == ROBERTS_OK && s < solids; s++)
         if (id_of[s] >= components && !groups->closed[id_of[s] - components])
-            status = refuse_open(s, id_of[s] - components, groups, loose, edges, mesh, error);
+            status =
+                refuse_open(s, place_of_group(s, of, faces, mesh), id_of[s] - components, groups, loose, edges, error);
     if (status == ROBERTS_OK) {
         layout_clear(scene);
         if (!layout_solids(scene, faces, of, solids, mesh->vertex))

@@ -9,6 +9,7 @@
 #include "base/threads.h"
 #include "model/components.h"
 #include "model/layout.h"
+#include "model/place.h"
 #include "model/regroup.h"
 #include "model/solid_build.h"
 
@@ -87,13 +88,15 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
         return;
     }
     if (result == BUILD_OPEN) {
-        error_set(&found, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed", s);
+        error_set(&found, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed",
+                  s - place_of_solid(c->scene, s, c->mesh).solid);
         result = BUILD_REFUSED;
     }
     if (result != BUILD_REFUSED)
         return;
     worker->no_memory |= found.status == ROBERTS_NO_MEMORY;
     if (s < worker->refused) {
+        error_set_file(&found, place_of_solid(c->scene, s, c->mesh).file);
         worker->refused = s;
         worker->error = found;
     }

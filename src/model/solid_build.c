@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "model/narrow_face.h"
+#include "model/place.h"
 #include "model/solid_check.h"
 
 /* Euler's formula: V - E + F = 2 for a surface like a sphere. Others are two solids that share a vertex, or have
@@ -33,7 +34,8 @@ static roberts_status wind(roberts_scene *scene, builder *work, uint32_t s, robe
     if (status == ROBERTS_NO_MEMORY)
         return error_no_memory(error);
     if (status != ROBERTS_OK)
-        return error_set(error, status, 0, "solid %u is not convex: its surface has one side only", s);
+        return error_set(error, status, 0, "solid %u is not convex: its surface has one side only",
+                         s - place_of_solid(scene, s, work->frame.mesh).solid);
     return edges_pair(scene, s, &work->edges) == EDGES_PAIRED ? ROBERTS_OK : error_no_memory(error);
 }
 
@@ -42,11 +44,13 @@ static roberts_status wind(roberts_scene *scene, builder *work, uint32_t s, robe
 static roberts_status refuse_turned(const roberts_scene *scene, const solid_frame *frame, roberts_error *error)
 {
     for (uint32_t f = 0; f < frame->face_count; f++)
-        if (plane_at(frame->face[f].F, frame->barycentre) < 0.0)
+        if (plane_at(frame->face[f].F, frame->barycentre) < 0.0) {
+            place at = place_of_solid(scene, frame->solid, frame->mesh);
             return error_set(error, ROBERTS_NOT_CONVEX, 0,
-                             "solid %u is not convex: its middle lies %.6g outside face %u", frame->solid,
+                             "solid %u is not convex: its middle lies %.6g outside face %u", frame->solid - at.solid,
                              -plane_at(frame->face[f].F, frame->barycentre) * frame->unit,
-                             scene->face_number[frame->face_first + f]);
+                             scene->face_number[frame->face_first + f] - at.face);
+        }
     return ROBERTS_OK;
 }
 
@@ -56,10 +60,13 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
     const bool sphere = like_a_sphere(scene, s);
     edge_pairing pairing;
     roberts_status status = frame_enter(&work->frame, scene, s, tolerance);
+    work->frame.mesh = mesh;
     if (status == ROBERTS_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
     if (status != ROBERTS_OK)
-        return error_set(error, status, 0, "a vertex of solid %u is not a finite number up to 1e150", s), BUILD_REFUSED;
+        return error_set(error, status, 0, "a vertex of solid %u is not a finite number up to 1e150",
+                         s - place_of_solid(scene, s, mesh).solid),
+               BUILD_REFUSED;
     frame_fit_faces(&work->frame, scene);
     pairing = edges_pair(scene, s, &work->edges);
     if (pairing == EDGES_NO_MEMORY)
@@ -68,10 +75,11 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
         return BUILD_OPEN;
     if (pairing == EDGES_MIXED && wind(scene, work, s, error) != ROBERTS_OK)
         return BUILD_REFUSED;
-    if (solid_check(scene, &work->frame, mesh, error) != ROBERTS_OK)
+    if (solid_check(scene, &work->frame, error) != ROBERTS_OK)
         return BUILD_REFUSED;
     if (!sphere)
-        return error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: its surface has holes", s),
+        return error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: its surface has holes",
+                         s - place_of_solid(scene, s, mesh).solid),
                BUILD_REFUSED;
     if (narrow_mend(scene, &work->frame) != ROBERTS_OK)
         return error_no_memory(error), BUILD_REFUSED;

@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "model/face_polygon.h"
+#include "model/place.h"
 #include "model/vertex_tree.h"
 
 enum { ALL_PAIRS = 2048 }; /* pairs of vertex and face; up to so many, comparing them all is quicker than a tree */
@@ -20,25 +21,20 @@ enum { ALL_PAIRS = 2048 }; /* pairs of vertex and face; up to so many, comparing
 /* The edges' inward bends may add up to this part of the tolerance without a closer look. */
 static const double BEND_PART = 0.1;
 
+/* Numbers as messages give them, within the solid's file. */
+static uint32_t input_solid(const roberts_scene *scene, const solid_frame *frame)
+{
+    return frame->solid - place_of_solid(scene, frame->solid, frame->mesh).solid;
+}
+
 static uint32_t input_face(const roberts_scene *scene, const solid_frame *frame, uint32_t f)
 {
-    return scene->face_number[frame->face_first + f];
+    return scene->face_number[frame->face_first + f] - place_of_solid(scene, frame->solid, frame->mesh).face;
 }
 
 static uint32_t input_vertex(const roberts_scene *scene, const solid_frame *frame, uint32_t v)
 {
-    return scene->number[frame->vertex_first + v];
-}
-
-/* Names the input that holds the face. */
-static void name_input(const roberts_scene *scene, const solid_frame *frame, uint32_t f, const roberts_mesh *mesh,
-                       roberts_error *error)
-{
-    for (size_t i = mesh->source_count; i-- > 0;)
-        if (mesh->source[i].name && mesh->source[i].first_face <= input_face(scene, frame, f)) {
-            error_set_file(error, mesh->source[i].name);
-            return;
-        }
+    return scene->number[frame->vertex_first + v] - place_of_solid(scene, frame->solid, frame->mesh).vertex;
 }
 
 /* The face by itself: corners in one plane, a convex simple polygon. */
@@ -50,7 +46,7 @@ static roberts_status check_face(const roberts_scene *scene, const solid_frame *
     if (face->deviation > frame->allowed)
         return error_set(error, ROBERTS_NOT_PLANAR, 0,
                          "face %u of solid %u is not planar: its corners lie up to %.6g beside their plane",
-                         input_face(scene, frame, f), frame->solid, face->deviation * frame->unit);
+                         input_face(scene, frame, f), input_solid(scene, frame), face->deviation * frame->unit);
     if (face->strict)
         return ROBERTS_OK;
     n = frame_ring(frame, scene, f);
@@ -63,11 +59,11 @@ static roberts_status check_face(const roberts_scene *scene, const solid_frame *
         return error_no_memory(error);
     if (dent == INFINITY)
         return error_set(error, ROBERTS_NOT_CONVEX, 0, "face %u of solid %u is not a convex polygon: it crosses itself",
-                         input_face(scene, frame, f), frame->solid);
+                         input_face(scene, frame, f), input_solid(scene, frame));
     if (dent > frame->allowed)
         return error_set(error, ROBERTS_NOT_CONVEX, 0,
                          "face %u of solid %u is not a convex polygon: vertex %u lies %.6g inside its outline",
-                         input_face(scene, frame, f), frame->solid,
+                         input_face(scene, frame, f), input_solid(scene, frame),
                          input_vertex(scene, frame, scene->corner[start + deepest] - frame->vertex_first),
                          dent * frame->unit);
     return ROBERTS_OK;
@@ -84,13 +80,15 @@ static roberts_status refuse_vertex(const roberts_scene *scene, const solid_fram
 {
     double outside = -plane_at(frame->face[f].F, frame->point[v]);
     return error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: vertex %u lies %.6g outside face %u",
-                     frame->solid, input_vertex(scene, frame, v), outside * frame->unit, input_face(scene, frame, f));
+                     input_solid(scene, frame), input_vertex(scene, frame, v), outside * frame->unit,
+                     input_face(scene, frame, f));
 }
 
-static roberts_status refuse_flat(const solid_frame *frame, double thickness, roberts_error *error)
+static roberts_status refuse_flat(const roberts_scene *scene, const solid_frame *frame, double thickness,
+                                  roberts_error *error)
 {
-    return error_set(error, ROBERTS_FLAT, 0, "solid %u is flat: %.6g thick where it is %.6g across", frame->solid,
-                     thickness * frame->unit, frame->size * frame->unit);
+    return error_set(error, ROBERTS_FLAT, 0, "solid %u is flat: %.6g thick where it is %.6g across",
+                     input_solid(scene, frame), thickness * frame->unit, frame->size * frame->unit);
 }
 
 /* The least F of the solid's vertices. */
@@ -161,12 +159,11 @@ static double inward_bend(const roberts_scene *scene, const solid_frame *frame)
 }
 
 /* Every vertex against every plane. */
-static roberts_status check_pairs(const roberts_scene *scene, solid_frame *frame, roberts_error *error, uint32_t *at)
+static roberts_status check_pairs(const roberts_scene *scene, solid_frame *frame, roberts_error *error)
 {
     for (uint32_t f = 0; f < frame->face_count; f++) {
         local_face *face = &frame->face[f];
         double outside = -least_distance(frame, face->F);
-        *at = f;
         if (outside <= frame->allowed)
             continue;
         if (outside > allowance(frame, face))
@@ -177,7 +174,7 @@ static roberts_status check_pairs(const roberts_scene *scene, solid_frame *frame
 }
 
 /* Every plane against the tree of vertices. */
-static roberts_status check_by_tree(const roberts_scene *scene, solid_frame *frame, roberts_error *error, uint32_t *at)
+static roberts_status check_by_tree(const roberts_scene *scene, solid_frame *frame, roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
     vertex_tree tree;
@@ -189,7 +186,6 @@ static roberts_status check_by_tree(const roberts_scene *scene, solid_frame *fra
         uint32_t v = face->area > 0.0 ? vertex_tree_outermost(&tree, face->F, -bound) : ROBERTS_NONE;
         if (v == ROBERTS_NONE)
             continue;
-        *at = f;
         frame->any_lean = face->lean = true;
         if (-plane_at(face->F, frame->point[v]) > allowance(frame, face))
             status = refuse_vertex(scene, frame, f, v, error);
@@ -199,18 +195,17 @@ static roberts_status check_by_tree(const roberts_scene *scene, solid_frame *fra
 }
 
 /* The faces by themselves, then together. Four points cannot lie but convexly. */
-static roberts_status check_faces(const roberts_scene *scene, solid_frame *frame, roberts_error *error, uint32_t *at)
+static roberts_status check_faces(const roberts_scene *scene, solid_frame *frame, roberts_error *error)
 {
     for (uint32_t f = 0; frame->any_doubt && f < frame->face_count; f++) {
         roberts_status status;
-        *at = f;
         if ((frame->face[f].deviation > frame->allowed || !frame->face[f].strict) &&
             (status = check_face(scene, frame, f, error)) != ROBERTS_OK)
             return status;
     }
     if (frame->vertex_count == 4 || inward_bend(scene, frame) * frame->size <= BEND_PART * frame->allowed)
         return ROBERTS_OK;
-    return is_large(frame) ? check_by_tree(scene, frame, error, at) : check_pairs(scene, frame, error, at);
+    return is_large(frame) ? check_by_tree(scene, frame, error) : check_pairs(scene, frame, error);
 }
 
 /* Whether the ray from the barycentre passes through the face: it lies on or inside every plane through the barycentre
@@ -255,23 +250,22 @@ static bool too_few_to_wind(const roberts_scene *scene, const solid_frame *frame
     return !frame->any_doubt && !frame->any_lean && 2 * edges < 3 * (uint64_t)frame->vertex_count + 4;
 }
 
-roberts_status solid_check(const roberts_scene *scene, solid_frame *frame, const roberts_mesh *mesh,
-                           roberts_error *error)
+roberts_status solid_check(const roberts_scene *scene, solid_frame *frame, roberts_error *error)
 {
-    uint32_t at = 0, count;
+    uint32_t count;
     roberts_status status;
     if (frame->size == 0.0)
-        status = error_set(error, ROBERTS_FLAT, 0, "solid %u is flat: all its vertices lie in one point", frame->solid);
+        status = error_set(error, ROBERTS_FLAT, 0, "solid %u is flat: all its vertices lie in one point",
+                           input_solid(scene, frame));
     else if (!(frame->face[frame->widest].area > 0.0))
-        status = error_set(error, ROBERTS_FLAT, 0, "solid %u is flat: none of its faces has an area", frame->solid);
+        status = error_set(error, ROBERTS_FLAT, 0, "solid %u is flat: none of its faces has an area",
+                           input_solid(scene, frame));
     else if (frame->any_shallow && least_thickness(frame) < frame->flat)
-        status = refuse_flat(frame, least_thickness(frame), error);
+        status = refuse_flat(scene, frame, least_thickness(frame), error);
     else
-        status = check_faces(scene, frame, error, &at);
+        status = check_faces(scene, frame, error);
     if (status == ROBERTS_OK && !too_few_to_wind(scene, frame) && (count = count_covers(scene, frame)) != 1)
         status = error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: its faces go round it %u times",
-                           frame->solid, count);
-    if (status != ROBERTS_OK)
-        name_input(scene, frame, at, mesh, error);
+                           input_solid(scene, frame), count);
     return status;
 }

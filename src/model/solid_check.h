@@ -5,9 +5,7 @@
 #include "model/solid_frame.h"
 
 /* Checks a solid whose edges are paired. Returns ROBERTS_OK, _NOT_PLANAR, _NOT_CONVEX, _FLAT or _NO_MEMORY; `error` then
- * says which solid, face or vertex and how much, in the numbers of the input, which `mesh` names. Marks faces that have to lean on
- * their neighbours. */
-roberts_status solid_check(const roberts_scene *scene, solid_frame *frame, const roberts_mesh *mesh,
-                           roberts_error *error);
+ * says which solid, face or vertex and how much, in the numbers of its file. Marks faces that have to lean on their neighbours. */
+roberts_status solid_check(const roberts_scene *scene, solid_frame *frame, roberts_error *error);
 
 #endif

@@ -17,7 +17,8 @@ typedef struct local_face {
 /* One solid relative to its first vertex and, where it is very large or very small, scaled by a power of two. The arrays
  * serve solid after solid; zeroed = empty. */
 typedef struct solid_frame {
-    uint32_t solid; /* its number */
+    uint32_t solid;           /* its number */
+    const roberts_mesh *mesh; /* for messages */
     uint32_t vertex_first, vertex_count, face_first, face_count;
     roberts_vec3 *point;     /* [vertex_count] */
     local_face *face;        /* [face_count] */

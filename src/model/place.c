@@ -1,0 +1,45 @@
+/* place.c - where a solid comes from.
+ *
+ * Inputs follow one another in a mesh, and solids are numbered by their smallest vertex: those of a file are numbered in
+ * a row. A solid whose faces or welded vertices belong to several files has no file; its numbers count over all. */
+#include "model/place.h"
+
+/* The last source that begins at or before the vertex, and at or before the face; an empty source holds nothing. */
+static size_t source_of_vertex(const roberts_mesh *mesh, uint32_t v)
+{
+    size_t i = mesh->source_count;
+    while (i-- > 1 && mesh->source[i].first_vertex > v)
+        continue;
+    return i;
+}
+
+static size_t source_of_face(const roberts_mesh *mesh, uint32_t f)
+{
+    size_t i = mesh->source_count;
+    while (i-- > 1 && mesh->source[i].first_face > f)
+        continue;
+    return i;
+}
+
+place place_find(const roberts_mesh *mesh, uint32_t v_least, uint32_t v_most, uint32_t f_least, uint32_t f_most)
+{
+    const place none = {.file = ""};
+    if (mesh->source_count == 0)
+        return none;
+    size_t i = source_of_face(mesh, f_least);
+    if (source_of_face(mesh, f_most) != i || source_of_vertex(mesh, v_least) != i ||
+        source_of_vertex(mesh, v_most) != i || !mesh->source[i].name)
+        return none;
+    return (place){mesh->source[i].name, 0, mesh->source[i].first_face, mesh->source[i].first_vertex};
+}
+
+/* Vertices and faces of a solid ascend. */
+place place_of_solid(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh)
+{
+    const scene_solid *first = scene->solid + s;
+    place at = place_find(mesh, scene->number[first->vertex], scene->number[first[1].vertex - 1],
+                          scene->face_number[first->face], scene->face_number[first[1].face - 1]);
+    while (at.solid < s && scene->number[scene->solid[at.solid].vertex] < at.vertex)
+        at.solid++;
+    return at;
+}
