@@ -1,10 +1,14 @@
-/* test_readme.c - what the README shows works as it stands there.
+/* test_readme.c - what the README shows works as it stands there, and what it links to is there.
  *
- * In a new folder with links to build, include and models, each command of a ```sh block is run as printed, and the ```c
- * block is compiled, as example.c, by the README's own command, where `cc` is the compiler that built the library (CC).
- * `make` itself is left out: it is what runs this. */
+ * In a new folder with links to build, include and models, each line of a ```sh block is run as printed, with `roberts` the one
+ * in build, and the ```c block is compiled, as example.c, by the README's own command, where `cc` is the compiler that
+ * built the library (CC). A block with a name behind its language (```python seen.py) is first written to a file of
+ * that name. Lines that need a program that is not installed are left out with a message, and so is `make` itself, which
+ * is what runs this. */
+#include <glob.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -60,14 +64,14 @@ static long size_of(const char *name)
     return stat(path, &about) == 0 ? (long)about.st_size : -1;
 }
 
-/* Runs one command of the README in the folder: it succeeds and leaves something in `output` there. */
+/* Runs one command of the README in the folder: it succeeds and leaves something in `output` there, or prints it. */
 static void run_command(const char *command, const char *output)
 {
     char script[512], line[1024];
     snprintf(script, sizeof script, "%s/command.sh", folder);
     FILE *f = fopen(script, "w");
     assert_non_null(f);
-    fprintf(f, "cc() { command ${CC:-cc} \"$@\"; }\n%s\n", command);
+    fprintf(f, "cc() { command ${CC:-cc} \"$@\"; }\nPATH=$PWD/build:$PATH HOME=$PWD\n%s\n", command);
     assert_int_equal(fclose(f), 0);
     snprintf(line, sizeof line, "cd %s && sh -e command.sh >printed 2>&1", folder);
     int status = shell(line);
@@ -78,13 +82,44 @@ static void run_command(const char *command, const char *output)
     }
 }
 
-/* The file that a command line writes: what follows "-o " or "> ", else what is printed. */
-static void output_of(const char *command, char output[64])
+/* The file that a command line writes: what follows "-o " or "> ", of a numbered row the first one; else the last word, where
+ * that has an ending and no such file is there yet; else what is printed. */
+static void output_of(const char *line, char output[64])
 {
-    const char *o = strstr(command, " -o "), *redirect = strstr(command, " > ");
-    snprintf(output, 64, "printed");
+    char command[1024];
+    snprintf(command, sizeof command, "%s", line);
+    char *comment = strstr(command, " #");
+    if (comment)
+        *comment = '\0';
+    const char *o = strstr(command, " -o "), *redirect = strstr(command, " > "), *last = strrchr(command, ' ');
+    char name[64] = "printed";
     if (o || redirect)
-        sscanf(o ? o + 4 : redirect + 3, "%63s", output);
+        sscanf(o ? o + 4 : redirect + 3, "%63s", name);
+    else if (last && strchr(last, '.') && !strpbrk(last, "*/") && size_of(last + 1) < 0)
+        sscanf(last, "%63s", name);
+    const char *number = strstr(name, "%03d");
+    if (number)
+        snprintf(output, 64, "%.*s000%s", (int)(number - name), name, number + 4);
+    else
+        snprintf(output, 64, "%s", name);
+}
+
+/* Whether the line calls a program that is not installed. */
+static bool lacks_program(const char *line)
+{
+    static const char *const programs[] = {"rbox",     "qconvex", "inkscape", "vpype",
+                                           "pdflatex", "ffmpeg",  "python3",  "gnuplot"};
+    for (size_t i = 0; i < sizeof programs / sizeof programs[0]; i++) {
+        char called[16], piped[32], probe[64];
+        snprintf(called, sizeof called, "%s ", programs[i]);
+        snprintf(piped, sizeof piped, "| %s", called);
+        snprintf(probe, sizeof probe, "command -v %s >/dev/null", programs[i]);
+        if ((strncmp(line, called, strlen(called)) == 0 || strstr(line, piped)) && shell(probe) != 0) {
+            print_message("no %s: %s\n", programs[i], line);
+            return true;
+        }
+    }
+    return false;
 }
 
 /* Copies the lines of the README's ````language` blocks, one after the other, to `use`. */
@@ -107,10 +142,38 @@ static int each_line(const char *language, void use(const char *line, void *cont
     return count;
 }
 
+/* Writes the blocks that have a name to files of that name. */
+static void write_named_blocks(void)
+{
+    FILE *readme = fopen("README.md", "r"), *file = NULL;
+    char line[1024], name[64], path[512];
+    bool inside = false;
+    assert_non_null(readme);
+    while (fgets(line, sizeof line, readme)) {
+        if (strncmp(line, "```", 3) != 0) {
+            if (file)
+                fputs(line, file);
+            continue;
+        }
+        if (file)
+            assert_int_equal(fclose(file), 0);
+        file = NULL;
+        inside = !inside;
+        if (inside && sscanf(line, "```%*s %63s", name) == 1) {
+            snprintf(path, sizeof path, "%s/%s", folder, name);
+            file = fopen(path, "w");
+            assert_non_null(file);
+        }
+    }
+    assert_null(file);
+    fclose(readme);
+}
+
 static void try_command(const char *line, void *context)
 {
     char output[64];
-    if (strncmp(line, "make ", 5) == 0 || strncmp(line, "cc ", 3) == 0)
+    bool our_make = strncmp(line, "make ", 5) == 0 && strncmp(line, "make -f ", 8) != 0;
+    if (our_make || strncmp(line, "cc ", 3) == 0 || lacks_program(line))
         return;
     output_of(line, output);
     run_command(line, output);
@@ -121,8 +184,9 @@ static void test_commands(void **state)
 {
     (void)state;
     int tried = 0;
+    write_named_blocks();
     each_line("sh", try_command, &tried);
-    assert_true(tried > 0);
+    assert_true(tried > 15);
 }
 
 static void write_line(const char *line, void *context)
@@ -159,9 +223,45 @@ static void test_example(void **state)
     run_command("test $(wc -l < segments) -eq $(grep -c visible rows.csv) && echo same", "printed");
 }
 
+/* The relative links of one text, from [...](target), lead to files. Returns how many. */
+static int check_links(const char *path)
+{
+    char line[2048], target[512];
+    int links = 0, length = (int)(strrchr(path, '/') ? strrchr(path, '/') + 1 - path : 0);
+    FILE *text = fopen(path, "r");
+    assert_non_null(text);
+    while (fgets(line, sizeof line, text))
+        for (const char *at = line; (at = strstr(at, "](")); at += 2) {
+            int size = (int)strcspn(at + 2, "#)");
+            if (size == 0 || strncmp(at + 2, "http", 4) == 0)
+                continue;
+            snprintf(target, sizeof target, "%.*s%.*s", length, path, size, at + 2);
+            if (access(target, F_OK) != 0)
+                fail_msg("%s: there is no %s", path, target);
+            links++;
+        }
+    fclose(text);
+    return links;
+}
+
+static void test_links(void **state)
+{
+    glob_t texts;
+    int links = 0;
+    (void)state;
+    assert_int_equal(glob("README.md", 0, NULL, &texts), 0);
+    assert_int_equal(glob("*/README.md", GLOB_APPEND, NULL, &texts), 0);
+    assert_int_equal(glob("src/*/README.md", GLOB_APPEND, NULL, &texts), 0);
+    for (size_t i = 0; i < texts.gl_pathc; i++)
+        links += check_links(texts.gl_pathv[i]);
+    globfree(&texts);
+    assert_true(links > 4);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_links),
         cmocka_unit_test(test_commands),
         cmocka_unit_test(test_example),
     };
