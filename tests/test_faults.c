@@ -140,24 +140,41 @@ static void feed_large_face(int pipe)
     fclose(file);
 }
 
-/* A pyramid, and its base has a million corners, many of them equal, on a square. */
-static void feed_large_pyramid(int pipe)
+/* A pyramid, and its base has a million corners on a square, with a cube beside its tip or without. */
+static void feed_pyramid(int pipe, int cubes)
 {
     enum { QUARTER = 250000, CORNERS = 4 * QUARTER };
     FILE *file = fdopen(dup(pipe), "w");
-    fprintf(file, "OFF\n%d %d 0\n0 0 500000\n", CORNERS + 1, CORNERS + 1);
+    fprintf(file, "OFF\n%d %d 0\n0 0 500000\n", CORNERS + 1 + 8 * cubes, CORNERS + 1 + 6 * cubes);
     for (int side = 0; side < 4; side++)
         for (int i = 0; i < QUARTER; i++) {
             int a = 2 * i - QUARTER, x = side % 2 ? QUARTER : a, y = side % 2 ? a : -QUARTER;
             fprintf(file, "%d %d 0\n", side < 2 ? x : -x, side < 2 ? y : -y);
         }
+    for (int i = 0; i < 8 * cubes; i++)
+        fprintf(file, "%d %d %d\n", i & 1 ? 100000 : 200000, i & 2 ? 100000 : 200000, i & 4 ? 400000 : 500000);
     fprintf(file, "%d", CORNERS);
     for (int i = CORNERS; i > 0; i--)
         fprintf(file, " %d", i);
     for (int i = 1; i <= CORNERS; i++)
         fprintf(file, "\n3 0 %d %d", i, i % CORNERS + 1);
+    for (int axis = 0; axis < 3 * cubes; axis++)
+        for (int side = 0; side < 2; side++) {
+            int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, first = CORNERS + 1 + (side << axis);
+            fprintf(file, "\n4 %d %d %d %d", first, first + u, first + u + v, first + v);
+        }
     fputc('\n', file);
     fclose(file);
+}
+
+static void feed_large_pyramid(int pipe)
+{
+    feed_pyramid(pipe, 0);
+}
+
+static void feed_pyramid_and_cube(int pipe)
+{
+    feed_pyramid(pipe, 1);
 }
 
 /* The same face again and again. */
@@ -212,6 +229,7 @@ static const struct {
     {"a face of a million corners", feed_large_face, NULL, 512, 1, "is not closed"},
     {"a face of a million corners, three of them different", feed_one_corner, NULL, 256, 1, "solid 0"},
     {"a pyramid on a million corners", feed_large_pyramid, NULL, 2000, 0, NULL},
+    {"the same and a cube", feed_pyramid_and_cube, NULL, 2000, 0, NULL},
     {"NaN", feed_nan, NULL, 128, 1, "standard input:"},
     {"infinity", feed_infinity, NULL, 128, 1, "standard input:"},
     {"1e999", feed_overflow, NULL, 128, 1, "standard input:"},
@@ -246,7 +264,8 @@ static int run(size_t i, char *said, size_t room)
         limit(RLIMIT_CPU, SECONDS);
         if (!SANITIZED)
             limit(RLIMIT_AS, (rlim_t)cases[i].megabytes * MEGABYTE);
-        execl(program, program, "-f", "null", "--threads", "1", cases[i].file ? cases[i].file : "-", (char *)NULL);
+        execl(program, program, "-q", "-f", "null", "--verify=1", "--threads", "1", cases[i].file ? cases[i].file : "-",
+              (char *)NULL);
         _exit(127);
     }
     close(in[0]), close(out[1]);

@@ -89,9 +89,14 @@ static bool meet_cell(hide_worker *w, uint32_t solid, size_t first, size_t end, 
                       float far)
 {
     const objet *grid = w->grid;
-    for (uint32_t k = grid->start[cell]; w->live && k < grid->start[cell + 1]; k++) {
+    for (uint32_t k = grid->start[cell], after; w->live && k < grid->start[cell + 1]; k = after) {
         uint32_t index = grid->front[k];
         const hide_box *other = &w->picture->front_box[index];
+        after = k + 1;
+        if (grid->next && w->picture->front[index].solid == solid) {
+            after = grid->next[k];
+            continue;
+        }
         if (other->z1 < far)
             break; /* and so are all that follow: none of them has a point nearer than the lines here */
         if (apart(other, box) || w->seen[index] == w->stamp)

@@ -107,6 +107,24 @@ static bool sort_lists(objet *grid, const hide_picture *picture)
     return true;
 }
 
+/* Fills `next`, from each list's end. */
+static bool link_lists(objet *grid, const hide_picture *picture)
+{
+    size_t cells = scan_cells(&grid->frame);
+    bool single = false;
+    for (uint32_t k = 0; k < picture->front_count && !single; k++)
+        single = picture->front[k].listed && picture->front[k].corners == 0;
+    if (!single)
+        return true;
+    grid->next = alloc_array(grid->start[cells], sizeof *grid->next);
+    for (size_t c = 0; grid->next && c < cells; c++)
+        for (uint32_t end = grid->start[c + 1], k = end; k-- > grid->start[c];) {
+            bool same = k + 1 < end && picture->front[grid->front[k]].solid == picture->front[grid->front[k + 1]].solid;
+            grid->next[k] = same ? grid->next[k + 1] : k + 1;
+        }
+    return grid->next != NULL;
+}
+
 roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame frame)
 {
     roberts_status status = ROBERTS_NO_MEMORY;
@@ -124,7 +142,7 @@ roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame 
         if (picture->front[k].listed)
             list_front(grid, picture, k, &s, true);
     restore_starts(grid);
-    if (sort_lists(grid, picture))
+    if (sort_lists(grid, picture) && link_lists(grid, picture))
         status = ROBERTS_OK;
 done:
     scan_free(&s);
@@ -137,6 +155,7 @@ void objet_free(objet *grid)
 {
     free(grid->start);
     free(grid->front);
+    free(grid->next);
     *grid = (objet){0};
 }
 

@@ -13,6 +13,9 @@ typedef struct objet {
     scan_frame frame;
     uint32_t *start; /* [nx * ny + 1] cell c lists front[start[c]] .. front[start[c + 1] - 1] */
     uint32_t *front; /* fronts of the picture */
+    /* [as front] where a cell's list goes on with another solid, or ends: so a solid need not pass its own faces one by
+     * one, all of which a fan of very many triangles has in the cell of its tip. NULL where no solid is listed face by face. */
+    uint32_t *next;
 } objet;
 
 /* A cell that an edge meets, and between which of the edge's parameters. */

@@ -145,7 +145,7 @@ static bool add_face(const occluders *o, uint32_t face, box_list *list)
 }
 
 /* The tree over the faces that may hide, each in boxes that hold whatever counts as touching it. */
-static bool build_tree(occluders *o, double rays)
+static bool build_tree(occluders *o, const double *rays)
 {
     const roberts_scene *scene = o->s.scene;
     box_list list = {0};
@@ -154,10 +154,12 @@ static bool build_tree(occluders *o, double rays)
     for (uint32_t i = 0; i < scene->vertex_count; i++)
         extend(&all, picture_point(o, o->s.P[i]));
     list.floor = all.lo.z;
-    list.rays_per_shadow = 2.0 * rays / tree_box_shadow(all, all.lo.z); /* rays start at half the height on average */
-    for (uint32_t face = 0; built && face < scene->face_count; face++)
-        if (o->s.facing[face] != SIGHT_NOT_FRONT)
-            built = add_face(o, face, &list);
+    for (uint32_t solid = 0; solid < scene->solid_count; solid++) {
+        list.rays_per_shadow = 2.0 * rays[solid] / tree_box_shadow(all, all.lo.z); /* they start at half the height */
+        for (uint32_t face = scene->solid[solid].face; built && face < scene->solid[solid + 1].face; face++)
+            if (o->s.facing[face] != SIGHT_NOT_FRONT)
+                built = add_face(o, face, &list);
+    }
     built = built && list.count < UINT32_MAX && tree_build(&o->t, list.box, list.solid, (uint32_t)list.count);
     o->box_face = list.face;
     free(list.box);
@@ -165,7 +167,7 @@ static bool build_tree(occluders *o, double rays)
     return built;
 }
 
-bool occluders_build(occluders *o, const roberts_scene *scene, const view *v, double rays)
+bool occluders_build(occluders *o, const roberts_scene *scene, const view *v, const double *rays)
 {
     *o = (occluders){.face_solid = alloc_array(scene->face_count, sizeof *o->face_solid),
                      .slack = alloc_zeroed(scene->solid_count, sizeof *o->slack)};

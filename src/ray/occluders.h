@@ -15,8 +15,9 @@ typedef struct occluders {
                              where coordinates are rounded: by what all its faces depart from their planes */
 } occluders;
 
-/* Prepares `o` for `scene` seen by `v`; `rays`: about how many will be cast. False: no memory, and `o` is empty. */
-bool occluders_build(occluders *o, const roberts_scene *scene, const view *v, double rays);
+/* Prepares `o` for `scene` seen by `v`; rays: [solid_count] about how many will be cast that ask for the solid's faces.
+ * False: no memory, and `o` is empty. */
+bool occluders_build(occluders *o, const roberts_scene *scene, const view *v, const double *rays);
 void occluders_free(occluders *o);
 
 /* What may hide X, a point of an edge of `solid`: faces of all other solids, and if `own` those of that one too. */

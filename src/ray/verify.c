@@ -289,15 +289,39 @@ static roberts_status report(const verifier *f, roberts_verification *result, ro
     return ROBERTS_OK;
 }
 
-static bool prepare(verifier *f, const view *v)
+/* About how many rays will ask for the faces of each solid: all but those from edges that the solid itself shows. */
+static void count_rays(const verifier *f, double *rays)
+{
+    const roberts_drawing *drawing = f->drawing;
+    double all = (double)drawing->count + f->scene->edge_count;
+    for (uint32_t s = 0; s < f->scene->solid_count; s++)
+        rays[s] = all - (f->scene->solid[s + 1].edge - f->scene->solid[s].edge);
+    for (size_t i = 0; i < drawing->count; i++)
+        rays[drawing->segment[i].solid] -= drawing->segment[i].line != ROBERTS_BACK;
+    for (uint32_t s = 0; s < f->scene->solid_count; s++)
+        rays[s] *= f->options.rays;
+}
+
+static bool build_occluders(verifier *f, const view *v)
+{
+    double *rays = alloc_array(f->scene->solid_count, sizeof *rays);
+    bool built = false;
+    if (rays) {
+        count_rays(f, rays);
+        built = occluders_build(&f->o, f->seen, v, rays);
+    }
+    free(rays);
+    return built;
+}
+
+static bool prepare(verifier *f)
 {
     uint32_t edges = f->scene->edge_count;
     f->chunk_count = edges / CHUNK_EDGES + (edges % CHUNK_EDGES != 0);
     f->chunk = alloc_zeroed(f->chunk_count, sizeof *f->chunk);
     f->row_start = alloc_zeroed((size_t)edges + 1, sizeof *f->row_start);
     f->row = alloc_array(f->drawing->count, sizeof *f->row);
-    return f->chunk && f->row_start && f->row &&
-           occluders_build(&f->o, f->seen, v, (double)f->options.rays * ((double)f->drawing->count + edges));
+    return f->chunk && f->row_start && f->row;
 }
 
 static void release(verifier *f)
@@ -328,7 +352,9 @@ roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *
     f.seen = f.clip.clipped ? &f.clip.scene : scene;
     if ((status = view_prepare(&v, f.seen, camera, drawing->epsilon, error)) != ROBERTS_OK)
         goto done;
-    status = prepare(&f, &v) ? assign_rows(&f, error) : error_no_memory(error);
+    status = prepare(&f) ? assign_rows(&f, error) : error_no_memory(error);
+    if (status == ROBERTS_OK && !build_occluders(&f, &v))
+        status = error_no_memory(error);
     if (status == ROBERTS_OK) {
         check_chunks(&f);
         status = report(&f, result, error);
