@@ -67,7 +67,7 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     if (status == ROBERTS_OK) {
         start = stats_now();
         progress_stage("finding the solids");
-        status = roberts_scene_build(&mesh, &solids, scene, error);
+        status = roberts_scene_take(&mesh, &solids, scene, error);
         run->solids = stats_since(start);
     }
     roberts_mesh_free(&mesh);

@@ -14,18 +14,18 @@
 #include "base/array.h"
 #include "model/layout.h"
 
-typedef struct set_node {
-    uint32_t parent; /* an earlier vertex of the component or the vertex itself; ROBERTS_NONE: no face uses it. Later
-                        the component's number, then the vertex's compact number */
-    uint32_t stamp;  /* 1 + the last face that has the vertex */
-} set_node;
+/* For each vertex its parent: an earlier vertex of the component or the vertex itself; ROBERTS_NONE: no face uses it.
+ * Later the component's number, then the vertex's compact number. */
+typedef uint32_t set_node;
+
+enum { FEW_CORNERS = 8 }; /* of a face; up to so many, comparing all pairs is quicker than marking vertices */
 
 /* Root of v's set; halves the path on the way. */
 static uint32_t find_root(set_node *node, uint32_t v)
 {
-    while (node[v].parent != v) {
-        node[v].parent = node[node[v].parent].parent;
-        v = node[v].parent;
+    while (node[v] != v) {
+        node[v] = node[node[v]];
+        v = node[v];
     }
     return v;
 }
@@ -33,53 +33,88 @@ static uint32_t find_root(set_node *node, uint32_t v)
 /* Puts v into the set with this root; returns the root of the joined set. */
 static inline uint32_t join(set_node *node, uint32_t root, uint32_t v)
 {
-    uint32_t other = node[v].parent;
+    uint32_t other = node[v];
     if (other == root)
         return root;
     if (other == ROBERTS_NONE) {
-        node[v].parent = v < root ? v : root;
+        node[v] = v < root ? v : root;
         other = v;
     } else {
         other = find_root(node, v);
     }
     if (other >= root) {
-        node[other].parent = root;
+        node[other] = root;
         return root;
     }
-    node[root].parent = other;
+    node[root] = other;
     return other;
 }
 
-/* Joins the vertices of each face, and counts faces and corners. Returns how many corners repeat an earlier one of their
- * face. */
-static size_t join_corners(roberts_scene *scene, set_node *node, const polygons *faces)
+/* Whether some corner repeats an earlier one: all pairs of a face of a few corners, stamps on the vertices of others. */
+static inline bool few_repeat(const uint32_t *corner, const uint32_t *end)
+{
+    for (const uint32_t *p = corner + 1; p < end; p++)
+        for (const uint32_t *q = corner; q < p; q++)
+            if (*p == *q)
+                return true;
+    return false;
+}
+
+static bool many_repeat(const uint32_t *corner, const uint32_t *end, uint32_t *stamp, uint32_t mark)
+{
+    bool repeat = false;
+    for (; corner < end; corner++) {
+        repeat |= stamp[*corner] == mark;
+        stamp[*corner] = mark;
+    }
+    return repeat;
+}
+
+static bool some_corner_repeats(const polygons *faces, bool *repeat)
+{
+    const uint32_t *start = faces->start;
+    uint32_t *stamp = NULL; /* 1 + the last large face that has the vertex */
+    *repeat = false;
+    for (uint32_t f = 0; f < faces->face_count && !*repeat; f++) {
+        uint32_t n = start[f + 1] - start[f];
+        if (n < 3)
+            continue; /* without corners at all, faces->corner may be NULL */
+        const uint32_t *corner = faces->corner + start[f];
+        if (n <= FEW_CORNERS)
+            *repeat = few_repeat(corner, corner + n);
+        else if (stamp || (stamp = alloc_zeroed(faces->vertex_count, sizeof *stamp)))
+            *repeat = many_repeat(corner, corner + n, stamp, f + 1);
+        else
+            return false;
+    }
+    free(stamp);
+    return true;
+}
+
+/* Joins the vertices of each face, and counts faces and corners. */
+static void join_corners(roberts_scene *scene, set_node *node, const polygons *faces)
 {
     const uint32_t *start = faces->start;
     const uint32_t vertex_count = faces->vertex_count, face_count = faces->face_count;
-    size_t repeated = 0, corner_count = 0;
+    size_t corner_count = 0;
     uint32_t counted = 0;
     for (uint32_t v = 0; v < vertex_count; v++)
-        node[v] = (set_node){ROBERTS_NONE, 0};
+        node[v] = ROBERTS_NONE;
     for (uint32_t f = 0; f < face_count; f++) {
-        if (start[f + 1] - start[f] < 3)
-            continue; /* without corners at all, faces->corner may be NULL */
-        const uint32_t *corner = faces->corner + start[f], *end = faces->corner + start[f + 1];
-        uint32_t root;
+        uint32_t n = start[f + 1] - start[f], root;
+        if (n < 3)
+            continue;
+        const uint32_t *corner = faces->corner + start[f], *end = corner + n;
         counted++;
-        corner_count += (size_t)(end - corner);
-        if (node[*corner].parent == ROBERTS_NONE)
-            node[*corner].parent = *corner;
+        corner_count += n;
+        if (node[*corner] == ROBERTS_NONE)
+            node[*corner] = *corner;
         root = find_root(node, *corner);
-        for (; corner < end; corner++) {
-            uint32_t v = *corner;
-            repeated += node[v].stamp == f + 1;
-            node[v].stamp = f + 1;
-            root = join(node, root, v);
-        }
+        while (++corner < end)
+            root = join(node, root, *corner);
     }
     scene->face_count = counted;
     scene->corner_count = corner_count;
-    return repeated;
 }
 
 /* Turns parents into component numbers: a parent comes before its children and has been turned already. Counts
@@ -91,11 +126,11 @@ static bool number_components(roberts_scene *scene, set_node *node, const polygo
     uint32_t solid_count = 0, used = 0, vertex_count = faces->vertex_count, before = 0;
     bool in_order = true;
     for (uint32_t v = 0; v < vertex_count; v++) {
-        uint32_t parent = node[v].parent, component;
+        uint32_t parent = node[v], component;
         if (parent == ROBERTS_NONE)
             continue;
-        component = parent == v ? solid_count++ : node[parent].parent;
-        node[v].parent = component;
+        component = parent == v ? solid_count++ : node[parent];
+        node[v] = component;
         in_order &= component >= before;
         before = component;
         used++;
@@ -111,26 +146,33 @@ static bool number_components(roberts_scene *scene, set_node *node, const polygo
 /* The component of face f, which has corners. */
 static inline uint32_t component_of(const set_node *node, const polygons *faces, uint32_t f)
 {
-    return node[faces->corner[faces->start[f]]].parent;
+    return node[faces->corner[faces->start[f]]];
 }
 
-/* Counts vertices and faces per component, as the solids' first ones. */
-static void count_members(roberts_scene *scene, const set_node *node, const polygons *faces)
+/* Counts vertices and faces per component, as the solids' first ones. Returns whether every face is in use and they are
+ * in order, as with vertices. */
+static bool count_members(roberts_scene *scene, const set_node *node, const polygons *faces)
 {
     scene_solid sum = {0, 0, 0}, *solid = scene->solid;
-    uint32_t vertex_count = faces->vertex_count, face_count = faces->face_count;
+    uint32_t vertex_count = faces->vertex_count, face_count = faces->face_count, before = 0;
+    bool in_order = face_count > 0 && scene->face_count == face_count; /* a mesh without faces has no starts */
     for (uint32_t v = 0; v < vertex_count; v++)
-        if (node[v].parent != ROBERTS_NONE)
-            solid[node[v].parent].vertex++;
+        if (node[v] != ROBERTS_NONE)
+            solid[node[v]].vertex++;
     for (uint32_t f = 0; f < face_count; f++)
-        if (polygon_size(faces, f) >= 3)
-            solid[component_of(node, faces, f)].face++;
+        if (polygon_size(faces, f) >= 3) {
+            uint32_t component = component_of(node, faces, f);
+            solid[component].face++;
+            in_order &= component >= before;
+            before = component;
+        }
     for (uint32_t s = 0; s <= scene->solid_count; s++) {
         scene_solid count = solid[s];
         solid[s] = sum;
         sum.vertex += count.vertex;
         sum.face += count.face;
     }
+    return in_order;
 }
 
 static void place_faces(roberts_scene *scene, const set_node *node, const polygons *faces)
@@ -151,10 +193,10 @@ static void place_vertices(roberts_scene *scene, set_node *node, const polygons 
     scene_solid *solid = scene->solid;
     uint32_t *number = scene->number, vertex_count = faces->vertex_count;
     for (uint32_t v = 0; v < vertex_count; v++) {
-        if (node[v].parent == ROBERTS_NONE)
+        if (node[v] == ROBERTS_NONE)
             continue;
-        uint32_t to = solid[node[v].parent].vertex++;
-        node[v].parent = to;
+        uint32_t to = solid[node[v]].vertex++;
+        node[v] = to;
         number[to] = v;
         scene->point[to] = point[v];
     }
@@ -163,14 +205,16 @@ static void place_vertices(roberts_scene *scene, set_node *node, const polygons 
     solid[0].vertex = 0;
 }
 
-/* The same where they are in order. */
-static void keep_vertices(roberts_scene *scene, const roberts_vec3 *point)
+static void number_as_they_are(uint32_t *number, uint32_t count)
 {
-    uint32_t *number = scene->number, vertex_count = scene->vertex_count;
-    for (uint32_t v = 0; v < vertex_count; v++)
-        number[v] = v;
-    if (vertex_count > 0) /* a mesh without vertices has no array of them */
-        memcpy(scene->point, point, vertex_count * sizeof *point);
+    for (uint32_t i = 0; i < count; i++)
+        number[i] = i;
+}
+
+static void copy_array(void *to, const void *from, size_t count, size_t size)
+{
+    if (count > 0) /* a mesh without vertices has no array of them */
+        memcpy(to, from, count * size);
 }
 
 /* Copies the corners of all faces, in the mesh's numbers. */
@@ -187,30 +231,52 @@ static void copy_corners(roberts_scene *scene, const polygons *faces)
     face_start[face_count] = (uint32_t)(to - scene->corner);
 }
 
-bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh)
+/* Vertices and faces keep their numbers where they are in order: then it is the mesh's own arrays that are kept. */
+static void place(roberts_scene *scene, set_node *node, const polygons *faces, const roberts_vec3 *point,
+                  bool vertices_keep, bool faces_keep)
+{
+    if (faces_keep) {
+        number_as_they_are(scene->face_number, scene->face_count);
+        if (!(scene->lent & LENT_FACE_START))
+            copy_array(scene->face_start, faces->start, (size_t)scene->face_count + 1, sizeof *scene->face_start);
+        copy_array(scene->corner, faces->corner, scene->corner_count, sizeof *scene->corner);
+    } else {
+        place_faces(scene, node, faces);
+        copy_corners(scene, faces);
+    }
+    if (vertices_keep) {
+        number_as_they_are(scene->number, scene->vertex_count);
+        if (!(scene->lent & LENT_POINT))
+            copy_array(scene->point, point, scene->vertex_count, sizeof *point);
+    } else {
+        place_vertices(scene, node, faces, point);
+        for (size_t i = 0; i < scene->corner_count; i++)
+            scene->corner[i] = node[scene->corner[i]];
+    }
+}
+
+bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh, bool lend)
 {
     set_node *node = alloc_array(faces->vertex_count, sizeof *node);
-    bool done = false, in_order;
-    if (!node)
-        return false;
-    if (join_corners(scene, node, faces) > 0) {
-        if (!polygons_clean(faces, NULL))
-            goto done;
-        join_corners(scene, node, faces);
+    bool done = false, vertices_keep, faces_keep, repeat;
+    if (!node || !some_corner_repeats(faces, &repeat) || (repeat && !polygons_clean(faces, NULL)))
+        goto done;
+    join_corners(scene, node, faces);
+    vertices_keep = number_components(scene, node, faces, mesh->vertex);
+    if (!(scene->solid = alloc_zeroed((size_t)scene->solid_count + 1, sizeof *scene->solid)))
+        goto done;
+    faces_keep = count_members(scene, node, faces);
+    if (lend && vertices_keep && mesh->vertex) {
+        scene->point = mesh->vertex;
+        scene->lent |= LENT_POINT;
     }
-    in_order = number_components(scene, node, faces, mesh->vertex);
+    if (lend && faces_keep && mesh->face_start && faces->start == mesh->face_start) {
+        scene->face_start = mesh->face_start;
+        scene->lent |= LENT_FACE_START;
+    }
     if (!layout_alloc(scene))
         goto done;
-    count_members(scene, node, faces);
-    place_faces(scene, node, faces);
-    copy_corners(scene, faces);
-    if (in_order) {
-        keep_vertices(scene, mesh->vertex);
-    } else {
-        place_vertices(scene, node, faces, mesh->vertex);
-        for (size_t i = 0; i < scene->corner_count; i++)
-            scene->corner[i] = node[scene->corner[i]].parent;
-    }
+    place(scene, node, faces, mesh->vertex, vertices_keep, faces_keep);
     done = true;
 done:
     free(node);

@@ -9,7 +9,8 @@
  * and corners in compact numbers, corners in the order of the file, and the box round them. No planes and no edges yet.
  * Components need not be closed: there is room for half as many edges as corners.
  * `faces` is cleaned first if some corner repeats an earlier one of its face.
+ * Where the mesh may `lend` its arrays and the scene's would be equal, the scene points to them: scene->lent tells which.
  * False: no memory. */
-bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh);
+bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh, bool lend);
 
 #endif

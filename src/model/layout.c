@@ -12,10 +12,13 @@ enum { DENSE = 4 }; /* a range of vertex numbers at most so many times as long a
 bool layout_alloc(roberts_scene *scene)
 {
     size_t faces = scene->face_count, edges = scene->corner_count / 2;
-    scene->solid = alloc_zeroed((size_t)scene->solid_count + 1, sizeof *scene->solid);
-    scene->point = alloc_array(scene->vertex_count, sizeof *scene->point);
+    if (!scene->solid)
+        scene->solid = alloc_zeroed((size_t)scene->solid_count + 1, sizeof *scene->solid);
+    if (!scene->point)
+        scene->point = alloc_array(scene->vertex_count, sizeof *scene->point);
     scene->number = alloc_array(scene->vertex_count, sizeof *scene->number);
-    scene->face_start = alloc_array(faces + 1, sizeof *scene->face_start);
+    if (!scene->face_start)
+        scene->face_start = alloc_array(faces + 1, sizeof *scene->face_start);
     scene->corner = alloc_array(scene->corner_count, sizeof *scene->corner);
     scene->face_plane = alloc_array(faces, sizeof *scene->face_plane);
     scene->face_deviation = alloc_array(faces, sizeof *scene->face_deviation);
@@ -29,9 +32,11 @@ bool layout_alloc(roberts_scene *scene)
 void layout_clear(roberts_scene *scene)
 {
     free(scene->solid);
-    free(scene->point);
+    if (!(scene->lent & LENT_POINT))
+        free(scene->point);
     free(scene->number);
-    free(scene->face_start);
+    if (!(scene->lent & LENT_FACE_START))
+        free(scene->face_start);
     free(scene->corner);
     free(scene->face_plane);
     free(scene->face_deviation);

@@ -5,11 +5,11 @@
 #include "model/polygons.h"
 #include "model/scene.h"
 
-/* Allocates the arrays for the scene's counts of solids, vertices, faces and corners, and half as many edges as
- * corners. False: no memory; roberts_scene_free() releases what there is. */
+/* Allocates those arrays that there are not yet, for the scene's counts of solids, vertices, faces and corners, and half as
+ * many edges as corners. False: no memory; roberts_scene_free() releases what there is. */
 bool layout_alloc(roberts_scene *scene);
 
-/* Releases all arrays and leaves an empty scene. */
+/* Releases all arrays but those lent and leaves an empty scene. */
 void layout_clear(roberts_scene *scene);
 
 /* Allocates the scene's arrays and lays out solids 0 .. solid_count - 1, face f belonging to solid of[f] (ROBERTS_NONE:

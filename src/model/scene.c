@@ -171,8 +171,8 @@ static void warn_repeated(const polygons *faces, const roberts_mesh *mesh, const
 }
 
 /* Components first; where some are open, solids once more from what welding and splitting makes of them. */
-static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
-                            roberts_error *error)
+static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool lend,
+                            const roberts_scene_options *options, roberts_error *error)
 {
     polygons faces;
     uint8_t *open = NULL;
@@ -181,7 +181,7 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, cons
     if (status != ROBERTS_OK)
         return status;
     status = ROBERTS_NO_MEMORY;
-    if (!components_lay_out(scene, &faces, mesh))
+    if (!components_lay_out(scene, &faces, mesh, lend))
         goto done;
     warn_repeated(&faces, mesh, &options->warnings);
     if (!(open = alloc_zeroed(scene->solid_count, sizeof *open)))
@@ -202,8 +202,8 @@ done:
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
 
-roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,
-                                   roberts_scene **scene, roberts_error *error)
+static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const roberts_scene_options *options,
+                                  roberts_scene **scene, roberts_error *error)
 {
     roberts_scene_options chosen = options ? *options : (roberts_scene_options){0};
     roberts_error found = {0};
@@ -219,7 +219,7 @@ roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene
     } else if (!(*scene = alloc_zeroed(1, sizeof **scene))) {
         status = error_no_memory(&found);
     } else {
-        status = build(*scene, mesh, &chosen, &found);
+        status = build(*scene, mesh, lend, &chosen, &found);
     }
     if (status != ROBERTS_OK) {
         roberts_scene_free(*scene);
@@ -228,6 +228,27 @@ roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene
             *error = found;
     }
     return status;
+}
+
+roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,
+                                   roberts_scene **scene, roberts_error *error)
+{
+    return build_scene(mesh, false, options, scene, error);
+}
+
+roberts_status roberts_scene_take(roberts_mesh *mesh, const roberts_scene_options *options, roberts_scene **scene,
+                                  roberts_error *error)
+{
+    roberts_status status = build_scene(mesh, true, options, scene, error);
+    if (status != ROBERTS_OK)
+        return status;
+    if ((*scene)->lent & LENT_POINT)
+        mesh->vertex = NULL;
+    if ((*scene)->lent & LENT_FACE_START)
+        mesh->face_start = NULL;
+    (*scene)->lent = 0;
+    roberts_mesh_free(mesh);
+    return ROBERTS_OK;
 }
 
 void roberts_scene_free(roberts_scene *scene)

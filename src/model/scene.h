@@ -24,8 +24,12 @@ typedef struct scene_edge {
     uint32_t f[2]; /* compact face numbers; v[0] -> v[1] runs counter-clockwise round f[0] */
 } scene_edge;
 
+/* Arrays that belong to the mesh while solids are built. */
+enum { LENT_POINT = 1, LENT_FACE_START = 2 };
+
 struct roberts_scene {
     uint32_t solid_count, vertex_count, face_count, edge_count;
+    unsigned lent; /* LENT_...; none once the scene is built */
     size_t corner_count;
     scene_solid *solid;     /* [solid_count + 1] */
     roberts_vec3 *point;    /* [vertex_count] as read, so that exact arithmetic can go back to it */

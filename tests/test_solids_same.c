@@ -1,4 +1,5 @@
-/* test_solid_threads.c - solids built by several threads: the same scene, and of several faults always the first. */
+/* test_solids_same.c - solids built by several threads, or from a mesh that is taken over: the same scene, and of
+ * several faults always the first. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -122,6 +123,83 @@ static void the_scene_is_the_same(void **state)
     roberts_mesh_free(&mesh);
 }
 
+/* Vertices and faces in the order of their solids, or not. */
+static roberts_mesh two_cubes(bool vertices_mixed, bool faces_mixed, bool open)
+{
+    roberts_mesh mesh = {0};
+    for (uint32_t i = 0; i < 16; i++) {
+        uint32_t cube = vertices_mixed ? i % 2 : i / 8, c = vertices_mixed ? i / 2 : i % 8;
+        roberts_vec3 p = {3.0 * cube + (c & 1), c >> 1 & 1, c >> 2};
+        assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
+    }
+    for (uint32_t i = 0; i < (open ? 11u : 12u); i++) {
+        uint32_t cube = faces_mixed ? i % 2 : i / 6, side = faces_mixed ? i / 2 : i % 6, v[4];
+        for (int k = 0; k < 4; k++)
+            v[k] = vertices_mixed ? 2 * face[side][k] + cube : 8 * cube + face[side][k];
+        assert_int_equal(roberts_mesh_add_face(&mesh, v, 4, NULL), ROBERTS_OK);
+    }
+    return mesh;
+}
+
+static void a_mesh_taken_over_gives_the_same(void **state)
+{
+    (void)state;
+    for (int mixed = 0; mixed < 4; mixed++) {
+        roberts_mesh mesh = two_cubes(mixed & 1, mixed & 2, false);
+        const roberts_vec3 *vertex = mesh.vertex;
+        roberts_scene *built, *taken;
+        assert_int_equal(roberts_scene_build(&mesh, NULL, &built, NULL), ROBERTS_OK);
+        assert_int_equal(built->solid_count, 2);
+        assert_ptr_equal(mesh.vertex, vertex);
+        assert_ptr_not_equal(built->point, vertex);
+        assert_int_equal(roberts_scene_take(&mesh, NULL, &taken, NULL), ROBERTS_OK);
+        expect_equal(taken, built);
+        assert_true((taken->point == vertex) == !(mixed & 1));
+        assert_int_equal(mesh.vertex_count + mesh.face_count + mesh.corner_count, 0);
+        assert_null(mesh.vertex);
+        roberts_mesh_free(&mesh);
+        roberts_scene_free(taken);
+        roberts_scene_free(built);
+    }
+}
+
+/* Cubes of loose squares are welded: nothing of the mesh can be kept. */
+static void a_mesh_taken_over_may_be_welded(void **state)
+{
+    roberts_mesh cubes = two_cubes(false, false, false), loose = {0};
+    roberts_scene *built, *taken;
+    (void)state;
+    for (size_t i = 0; i < cubes.corner_count; i++)
+        assert_int_equal(roberts_mesh_add_vertex(&loose, cubes.vertex[cubes.corner[i]], NULL, NULL), ROBERTS_OK);
+    for (uint32_t i = 0; i < cubes.corner_count; i += 4)
+        assert_int_equal(roberts_mesh_add_face(&loose, (uint32_t[]){i, i + 1, i + 2, i + 3}, 4, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_build(&loose, NULL, &built, NULL), ROBERTS_OK);
+    assert_int_equal(built->solid_count, 2);
+    assert_int_equal(roberts_scene_take(&loose, NULL, &taken, NULL), ROBERTS_OK);
+    expect_equal(taken, built);
+    roberts_scene_free(taken);
+    roberts_scene_free(built);
+    roberts_mesh_free(&cubes);
+}
+
+static void a_mesh_refused_stays_as_it_was(void **state)
+{
+    roberts_mesh mesh = two_cubes(false, false, true), copy = two_cubes(false, false, true);
+    roberts_scene *scene;
+    (void)state;
+    assert_int_equal(roberts_scene_take(&mesh, NULL, &scene, NULL), ROBERTS_NOT_CLOSED);
+    assert_null(scene);
+    assert_int_equal(mesh.vertex_count, copy.vertex_count);
+    assert_int_equal(mesh.face_count, copy.face_count);
+    assert_memory_equal(mesh.vertex, copy.vertex, copy.vertex_count * sizeof *copy.vertex);
+    assert_memory_equal(mesh.face_start, copy.face_start, (copy.face_count + 1) * sizeof *copy.face_start);
+    assert_memory_equal(mesh.corner, copy.corner, copy.corner_count * sizeof *copy.corner);
+    roberts_mesh_free(&mesh);
+    roberts_mesh_free(&copy);
+    assert_int_equal(roberts_scene_take(&mesh, NULL, &scene, NULL), ROBERTS_NOT_CLOSED); /* without a face */
+    roberts_mesh_free(&mesh);
+}
+
 static void too_many_threads_are_refused(void **state)
 {
     roberts_mesh mesh = {0};
@@ -136,9 +214,9 @@ static void too_many_threads_are_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_first_fault_is_told),
-        cmocka_unit_test(the_scene_is_the_same),
-        cmocka_unit_test(too_many_threads_are_refused),
+        cmocka_unit_test(the_first_fault_is_told),          cmocka_unit_test(the_scene_is_the_same),
+        cmocka_unit_test(a_mesh_taken_over_gives_the_same), cmocka_unit_test(a_mesh_taken_over_may_be_welded),
+        cmocka_unit_test(a_mesh_refused_stays_as_it_was),   cmocka_unit_test(too_many_threads_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
