@@ -569,6 +569,7 @@ typedef struct roberts_draw_options {
     roberts_pen crease;              /**< default: 0.35 mm */
     roberts_pen back;                /**< hidden lines; default: 0.25 mm, dashes of 12 and gaps of 3 widths (ISO 128) */
     roberts_pen frame;               /**< round what the margins leave; default: off, 0.7 mm (ISO 5457) */
+    roberts_pen symbol;              /**< projection symbol of a sheet; default: 0.35 mm */
     roberts_placement placement;     /**< default: fitted, in the middle */
     roberts_order order;             /**< default: ROBERTS_ORDER_TRAVEL */
     bool real_dashes;                /**< dashes as strokes of their own, for pens; default: as a pattern of the line */
@@ -605,6 +606,43 @@ roberts_status roberts_drawing_write(const roberts_drawing *drawing, const rober
  */
 roberts_status roberts_drawing_save(const roberts_drawing *drawing, const roberts_draw_options *options,
                                     const char *path, roberts_error *error);
+
+/* ---- draw: sheets, several views on one page ----------------------------------------------------------------------- */
+
+/** Where the views stand, seen from the front view (ISO 5456-2). */
+typedef enum roberts_sheet_angle {
+    ROBERTS_FIRST_ANGLE, /**< top view below, view from the left at the right */
+    ROBERTS_THIRD_ANGLE, /**< top view above, view from the right at the right */
+} roberts_sheet_angle;
+
+enum {
+    ROBERTS_SHEET_FRONT,
+    ROBERTS_SHEET_TOP,
+    ROBERTS_SHEET_SIDE, /**< from the left or from the right, as the angle wants it */
+    ROBERTS_SHEET_ISO,  /**< in the cell that is left; from front, top and the side that is shown */
+    ROBERTS_SHEET_VIEWS
+};
+
+/** Drawings of one scene, each from roberts_hide() with the camera of its view; borrowed. */
+typedef struct roberts_sheet {
+    roberts_sheet_angle angle;
+    double gap_mm;                                    /**< between views; 0 = 15 */
+    const roberts_drawing *view[ROBERTS_SHEET_VIEWS]; /**< NULL: left out */
+} roberts_sheet;
+
+/** The camera of a view, ROBERTS_SHEET_FRONT to ROBERTS_SHEET_ISO; false where there is none of that number. */
+bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *camera);
+
+/**
+ * Writes the views of a sheet on one page, at one scale, in line with one another, and the symbol of their angle into its
+ * lower right corner. The placement holds for all of them together: fitted, they are as large as margins, gaps and symbol
+ * allow. With a frame views keep 10 mm from it. Strokes of all views are in the same layers. Else as
+ * roberts_drawing_write() and roberts_drawing_save(); tables cannot hold a sheet: ROBERTS_BAD_ARGUMENT.
+ */
+roberts_status roberts_sheet_write(const roberts_sheet *sheet, const roberts_draw_options *options,
+                                   roberts_write_fn *write, void *context, roberts_error *error);
+roberts_status roberts_sheet_save(const roberts_sheet *sheet, const roberts_draw_options *options, const char *path,
+                                  roberts_error *error);
 
 #ifdef __cplusplus
 }

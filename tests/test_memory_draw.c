@@ -27,7 +27,7 @@ static int entries(const char *path)
     return count;
 }
 
-static void saving_survives(roberts_format format)
+static void saving_survives(roberts_format format, bool sheet)
 {
     /* some that coincide, in all classes: every step from segments to strokes has something to do */
     roberts_segment some[] = {line_at(ROBERTS_OUTLINE, 0, 0, 9, 9), line_at(ROBERTS_CREASE, 3, 3, 6, 6),
@@ -40,12 +40,15 @@ static void saving_survives(roberts_format format)
     options.hidden = ROBERTS_HIDDEN_DASHED;
     options.real_dashes = true;
     options.frame.off = false;
+    roberts_sheet both = {.view = {&drawing, &drawing}};
+    drawing.window_max = (roberts_vec2){9, 9};
     size_t before = memory_blocks, failures = 0;
     options.format = format;
     for (size_t n = 1;; n++) {
         roberts_error error = {0};
         memory_fail(n);
-        roberts_status status = roberts_drawing_save(&drawing, &options, "link", &error);
+        roberts_status status = sheet ? roberts_sheet_save(&both, &options, "link", &error)
+                                      : roberts_drawing_save(&drawing, &options, "link", &error);
         bool failed = memory_failed();
         memory_fail(0);
         assert_int_equal(memory_blocks, before);
@@ -75,7 +78,9 @@ static void saving(void **state)
     assert_non_null(file);
     fclose(file);
     for (int format = ROBERTS_SVG; format < ROBERTS_NULL; format++)
-        saving_survives((roberts_format)format);
+        saving_survives((roberts_format)format, false);
+    for (int format = ROBERTS_SVG; format < ROBERTS_CSV; format++)
+        saving_survives((roberts_format)format, true);
     unlink("link");
     unlink("file");
     assert_int_equal(chdir(top), 0);

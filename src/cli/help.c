@@ -14,6 +14,8 @@ const char *const help_text[] = {
     "                       (default: by the ending of FILE, else svg)\n"
     "      --turntable N    N pictures, the view turned about the upright line through the scene, at one scale; FILE\n"
     "                       has a place for the number, from 0: turn-%03d.svg\n"
+    "      --sheet ANGLE    first or third angle projection: front, top, side and isometric view on one page, at one\n"
+    "                       scale, with the symbol\n"
     "      --batch DIR      draw each FILE.off by itself, into DIR/FILE.svg (or as -f says), several at a time; one "
     "that\n"
     "                       fails does not stop the others\n"
@@ -35,10 +37,9 @@ const char *const help_text[] = {
     "      --dpi N          resolution of png (default: 150)\n"
     "\n"
     "Lines\n"
-    "      --style CLASS:KEY=VALUE,...  a pen; CLASS: outline, crease, hidden or frame (default: 0.5, 0.35, 0.25 "
-    "dashed,\n"
-    "                       0.7 mm, black). width=MM; color=NAME or #rrggbb; dash=DASH/GAP in mm as seen, or none;\n"
-    "                       off, on\n"
+    "      --style CLASS:KEY=VALUE,...  a pen; CLASS: outline, crease, hidden, frame or symbol (default: 0.5, 0.35,\n"
+    "                       0.25 dashed, 0.7, 0.35 mm, black). width=MM; color=NAME or #rrggbb; dash=DASH/GAP in mm\n"
+    "                       as seen, or none; off, on\n"
     "      --dash MODE      dashes as a pattern of the line, or real: strokes of their own (default: pattern)\n"
     "      --order MODE     travel: for short ways of the lifted pen; none: as in the model (default: travel)\n"
     "\n",
@@ -82,6 +83,7 @@ const char *const help_text[] = {
     "  roberts --view top -f csv --hidden solid - <models/table.off >table.csv\n"
     "  roberts -f null --stats models/table.off\n"
     "  roberts --elevation 30 --turntable 4 models/table.off -o turn-%03d.svg\n"
+    "  roberts --sheet first --landscape --hidden dashed models/table.off -o sheet.pdf\n"
     "  roberts --batch drawings -f pdf models/table.off models/tower.off\n"
     "  roberts -f null --verify --pick 0,5 models/table.off\n",
     NULL,

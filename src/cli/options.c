@@ -52,6 +52,7 @@ typedef enum option_id {
     OPTION_VERBOSE,
     OPTION_BATCH,
     OPTION_TURNTABLE,
+    OPTION_SHEET,
     OPTION_THREADS,
     OPTION_GRID,
     OPTION_EPSILON,
@@ -102,6 +103,7 @@ static const struct option {
     [OPTION_VERBOSE] = {"verbose", 'v', NO_VALUE},
     [OPTION_BATCH] = {"batch", 0, VALUE},
     [OPTION_TURNTABLE] = {"turntable", 0, VALUE},
+    [OPTION_SHEET] = {"sheet", 0, VALUE},
     [OPTION_THREADS] = {"threads", 0, VALUE},
     [OPTION_GRID] = {"grid", 0, VALUE},
     [OPTION_EPSILON] = {"epsilon", 0, VALUE},
@@ -117,7 +119,10 @@ static const option_id conflict[][2] = {
     {OPTION_AZIMUTH, OPTION_DIR},     {OPTION_AZIMUTH, OPTION_VIEW},   {OPTION_AZIMUTH, OPTION_EYE},
     {OPTION_ELEVATION, OPTION_DIR},   {OPTION_ELEVATION, OPTION_VIEW}, {OPTION_ELEVATION, OPTION_EYE},
     {OPTION_FIT, OPTION_SCALE},       {OPTION_QUIET, OPTION_VERBOSE},  {OPTION_BATCH, OPTION_OUTPUT},
-    {OPTION_BATCH, OPTION_TURNTABLE},
+    {OPTION_BATCH, OPTION_TURNTABLE}, {OPTION_SHEET, OPTION_VIEW},     {OPTION_SHEET, OPTION_DIR},
+    {OPTION_SHEET, OPTION_EYE},       {OPTION_SHEET, OPTION_AZIMUTH},  {OPTION_SHEET, OPTION_ELEVATION},
+    {OPTION_SHEET, OPTION_UP},        {OPTION_SHEET, OPTION_ROLL},     {OPTION_SHEET, OPTION_TURNTABLE},
+    {OPTION_SHEET, OPTION_PICK},
 };
 
 typedef struct parser {
@@ -177,6 +182,14 @@ static int set_stats(cli_options *options, const char *value)
         return nearest_unknown("--stats", value, names, 1, NULL);
     options->stats = value ? STATS_JSON : STATS_TEXT;
     return EXIT_DONE;
+}
+
+static int set_sheet(cli_options *options, const char *value)
+{
+    static const char *const names[] = {"first", "third"};
+    options->is_sheet = true;
+    options->sheet = strcmp(value, names[0]) == 0 ? ROBERTS_FIRST_ANGLE : ROBERTS_THIRD_ANGLE;
+    return strcmp(value, names[options->sheet]) == 0 ? EXIT_DONE : nearest_unknown("--sheet", value, names, 2, NULL);
 }
 
 static int set_vector(const char *name, const char *value, roberts_vec3 *vector)
@@ -319,6 +332,8 @@ static int apply_value(parser *p, option_id id, const char *value)
         return *value ? EXIT_DONE : message_misuse("--batch: the name is empty");
     case OPTION_TURNTABLE:
         return set_turntable(value, &options->turntable);
+    case OPTION_SHEET:
+        return set_sheet(options, value);
     case OPTION_THREADS:
         return set_integer(name, value, &options->hide.threads);
     case OPTION_GRID:
@@ -467,6 +482,10 @@ static int choose_format(const parser *p)
     if (!p->given[OPTION_FORMAT] && !roberts_format_by_path(options->output, &options->draw.format) &&
         strchr(name + (*name == '.'), '.'))
         return message_misuse("%s: no format is known by this ending; say which with -f", options->output);
+    bool is_table = options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
+    if (options->is_sheet && is_table)
+        return message_misuse("--sheet makes a page, not a table: choose another format than %s",
+                              options_format_name(options->draw.format));
     bool binary = options->draw.format == ROBERTS_PDF || options->draw.format == ROBERTS_PNG;
     if (binary && !options->batch && strcmp(options->output, "-") == 0 && isatty(STDOUT_FILENO))
         return message_misuse("these bytes are not for a terminal: name a file with -o");

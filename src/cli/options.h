@@ -15,7 +15,9 @@ typedef struct cli_options {
     const char *output; /* "-" is standard output */
     const char *batch;  /* NULL, or the folder for a picture of each input; then `output` is not used */
     uint32_t turntable; /* 0, or how many pictures; then `output` holds a place for their numbers */
-    FILE *log;          /* for messages */
+    bool is_sheet;      /* several views on one page; then the camera is not used */
+    roberts_sheet_angle sheet;
+    FILE *log; /* for messages */
     roberts_scene_options scene;
     roberts_camera camera;
     roberts_hide_options hide;

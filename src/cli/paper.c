@@ -225,8 +225,9 @@ static int set_key(roberts_pen *pen, const char *item)
 
 int paper_set_style(roberts_draw_options *options, const char *value)
 {
-    static const char *const names[] = {"outline", "crease", "hidden", "frame"};
-    roberts_pen *const pens[] = {&options->outline, &options->crease, &options->back, &options->frame};
+    static const char *const names[] = {"outline", "crease", "hidden", "frame", "symbol"};
+    roberts_pen *const pens[] = {&options->outline, &options->crease, &options->back, &options->frame,
+                                 &options->symbol};
     char word[64];
     bool fits;
     const char *rest = take_word(value, ':', word, sizeof word, &fits);

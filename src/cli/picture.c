@@ -18,6 +18,12 @@ typedef struct picture_window {
     roberts_vec2 min, max;
 } picture_window;
 
+/* What comes on one page: one view, or those of a sheet. */
+typedef struct views {
+    roberts_drawing drawing[ROBERTS_SHEET_VIEWS];
+    size_t count;
+} views;
+
 /* What to call the inputs: the first of them, and how many more there are. */
 static const char *name_inputs(const cli_options *options, const char *first, char *name, size_t size)
 {
@@ -85,44 +91,75 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     return status;
 }
 
+/* One view; what it takes and finds is added to `run`. */
 static roberts_status hide(const cli_options *options, const roberts_scene *scene, roberts_drawing *drawing,
                            run_stats *run, roberts_error *error)
 {
+    bool wrong = false;
     progress_stage("removing hidden lines");
     roberts_status status = roberts_hide(scene, &options->camera, &options->hide, drawing, error);
     roberts_time start = stats_now();
     if (status == ROBERTS_OK && options->verify) {
         progress_stage("verifying");
-        status = rays_verify(options, scene, drawing, &run->wrong, error);
+        status = rays_verify(options, scene, drawing, &wrong, error);
     }
     if (status == ROBERTS_OK && options->pick)
         status = rays_pick(options, scene, error);
-    run->verify = stats_since(start);
+    run->verify = stats_sum(run->verify, stats_since(start));
+    run->wrong = run->wrong || wrong;
     return status;
 }
 
-static roberts_status save(const cli_options *options, const roberts_drawing *drawing, run_stats *run,
-                           roberts_error *error)
+static roberts_status hide_all(const cli_options *options, const roberts_scene *scene, views *v, run_stats *run,
+                               roberts_error *error)
+{
+    roberts_status status = ROBERTS_OK;
+    *v = (views){.count = options->is_sheet ? ROBERTS_SHEET_VIEWS : 1};
+    for (size_t i = 0; i < v->count && status == ROBERTS_OK; i++) {
+        cli_options one = *options;
+        if (options->is_sheet) {
+            roberts_sheet_camera(options->sheet, (int)i, &one.camera);
+            one.hide.keep_hidden = options->hide.keep_hidden && i != ROBERTS_SHEET_ISO; /* as ISO 5456-3 prefers */
+        }
+        status = hide(&one, scene, &v->drawing[i], run, error);
+    }
+    return status;
+}
+
+static void free_views(views *v)
+{
+    for (size_t i = 0; i < v->count; i++)
+        roberts_drawing_free(&v->drawing[i]);
+}
+
+static roberts_status save(const cli_options *options, const views *v, run_stats *run, roberts_error *error)
 {
     roberts_time start = stats_now();
     progress_stage("writing");
     roberts_draw_options page = options->draw;
+    roberts_sheet sheet = {.angle = options->sheet};
     char title[256];
     page.title = write_title(options, title, sizeof title);
     page.description = options->description.text;
     page.ink = &run->ink;
-    roberts_status status = roberts_drawing_save(drawing, &page, options->output, error);
+    for (size_t i = 0; i < v->count; i++)
+        sheet.view[i] = &v->drawing[i];
+    roberts_status status = options->is_sheet ? roberts_sheet_save(&sheet, &page, options->output, error)
+                                              : roberts_drawing_save(&v->drawing[0], &page, options->output, error);
     run->draw = stats_since(start);
     return status;
 }
 
-static void tell(const cli_options *options, const run_stats *run, const roberts_drawing *drawing)
+static void tell(const cli_options *options, const run_stats *run, const views *v)
 {
+    size_t segments = 0;
+    for (size_t i = 0; i < v->count; i++)
+        segments += v->drawing[i].count;
     message_open(options->log);
     if (options->verbose && options->draw.format != ROBERTS_NULL)
-        fprintf(options->log, "roberts: %s: %zu segments; %.3f s\n", options->output, drawing->count, run->total.wall);
+        fprintf(options->log, "roberts: %s: %zu segments; %.3f s\n", options->output, segments, run->total.wall);
     if (options->stats != STATS_NONE)
-        stats_print(options->log, options->stats, run, drawing);
+        stats_print(options->log, options->stats, run, v->drawing, v->count);
     message_close(options->log);
 }
 
@@ -130,27 +167,27 @@ static void tell(const cli_options *options, const run_stats *run, const roberts
 static int draw(const cli_options *options, roberts_scene **scene, bool last, const picture_window *window,
                 run_stats run, roberts_time begin)
 {
-    roberts_drawing drawing = {0};
+    views v;
     roberts_error error = {0};
-    roberts_status status = hide(options, *scene, &drawing, &run, &error);
+    roberts_status status = hide_all(options, *scene, &v, &run, &error);
     if (last) {
         roberts_scene_free(*scene);
         *scene = NULL;
     }
     if (status == ROBERTS_OK && window) {
-        drawing.framed = true;
-        drawing.window_min = window->min;
-        drawing.window_max = window->max;
+        v.drawing[0].framed = true;
+        v.drawing[0].window_min = window->min;
+        v.drawing[0].window_max = window->max;
     }
     if (status == ROBERTS_OK)
-        status = save(options, &drawing, &run, &error);
+        status = save(options, &v, &run, &error);
     run.total = stats_since(begin);
     int result = status != ROBERTS_OK ? fail(options, &error) : EXIT_DONE;
     if (status == ROBERTS_OK && run.wrong)
         result = EXIT_FAILED; /* and the drawing is there to look at */
     if (status == ROBERTS_OK)
-        tell(options, &run, &drawing);
-    roberts_drawing_free(&drawing);
+        tell(options, &run, &v);
+    free_views(&v);
     return result;
 }
 

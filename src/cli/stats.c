@@ -24,6 +24,11 @@ roberts_time stats_since(roberts_time start)
     return (roberts_time){now.cpu - start.cpu, now.wall - start.wall};
 }
 
+roberts_time stats_sum(roberts_time a, roberts_time b)
+{
+    return (roberts_time){a.cpu + b.cpu, a.wall + b.wall};
+}
+
 typedef struct figure {
     const char *key; /* in JSON */
     const char *text;
@@ -35,12 +40,48 @@ typedef struct stage {
     roberts_time time;
 } stage;
 
-static uint64_t count_state(const roberts_drawing *drawing, roberts_state state)
+static uint64_t count_state(const roberts_drawing *drawing, size_t views, roberts_state state)
 {
     uint64_t count = 0;
-    for (size_t i = 0; i < drawing->count; i++)
-        count += drawing->segment[i].state == state;
+    for (const roberts_drawing *d = drawing; d < drawing + views; d++)
+        for (size_t i = 0; i < d->count; i++)
+            count += d->segment[i].state == state;
     return count;
+}
+
+static void add_tally(roberts_tally *sum, const roberts_tally *t)
+{
+    sum->pairs += t->pairs;
+    sum->test1_visible += t->test1_visible;
+    sum->test2_visible += t->test2_visible;
+    sum->test3_visible += t->test3_visible;
+    sum->test3_invisible += t->test3_invisible;
+    sum->test4 += t->test4;
+    sum->covered += t->covered;
+    sum->refined += t->refined;
+}
+
+/* Of the views after the first what was counted and timed; without segments. */
+static roberts_drawing add_up(const roberts_drawing *drawing, size_t views)
+{
+    roberts_drawing sum = *drawing;
+    for (const roberts_drawing *d = drawing + 1; d < drawing + views; d++) {
+        sum.count += d->count;
+        sum.solids += d->solids;
+        sum.culled_solids += d->culled_solids;
+        sum.front_faces += d->front_faces;
+        sum.back_faces += d->back_faces;
+        sum.edge_on_faces += d->edge_on_faces;
+        sum.edges += d->edges;
+        sum.surviving_edges += d->surviving_edges;
+        sum.drawn_edges += d->drawn_edges;
+        add_tally(&sum.tally, &d->tally);
+        sum.view_time = stats_sum(sum.view_time, d->view_time);
+        sum.grid_time = stats_sum(sum.grid_time, d->grid_time);
+        sum.hide_time = stats_sum(sum.hide_time, d->hide_time);
+    }
+    sum.segment = NULL;
+    return sum;
 }
 
 /* kB; Linux and the BSDs count in these, others in bytes. */
@@ -88,15 +129,16 @@ static void print_ink(FILE *log, const roberts_ink *ink, bool json)
                 ink->strokes, ink->down_mm, ink->up_mm, ink->scale);
 }
 
-void stats_print(FILE *log, cli_stats kind, const run_stats *run, const roberts_drawing *d)
+void stats_print(FILE *log, cli_stats kind, const run_stats *run, const roberts_drawing *drawing, size_t views)
 {
     const bool json = kind == STATS_JSON;
+    const roberts_drawing sum = add_up(drawing, views), *d = &sum;
     const figure counts[] = {
         {"files", "files", run->files},
         {"solids", "solids", d->solids},
         {"culled_solids", "of them culled, wholly hidden", d->culled_solids},
-        {"vertices", "vertices", run->vertices},
-        {"faces", "faces", run->faces},
+        {"vertices", "vertices", run->vertices * views},
+        {"faces", "faces", run->faces * views},
         {"front_faces", "of them front", d->front_faces},
         {"back_faces", "back", d->back_faces},
         {"edge_on_faces", "edge-on", d->edge_on_faces},
@@ -104,9 +146,9 @@ void stats_print(FILE *log, cli_stats kind, const run_stats *run, const roberts_
         {"surviving_edges", "of them with a front face", d->surviving_edges},
         {"drawn_edges", "of them not flatter than the crease", d->drawn_edges},
         {"segments", "segments", d->count},
-        {"visible", "of them visible", count_state(d, ROBERTS_VISIBLE)},
-        {"hidden", "hidden", count_state(d, ROBERTS_HIDDEN)},
-        {"clipped", "clipped", count_state(d, ROBERTS_CLIPPED)},
+        {"visible", "of them visible", count_state(drawing, views, ROBERTS_VISIBLE)},
+        {"hidden", "hidden", count_state(drawing, views, ROBERTS_HIDDEN)},
+        {"clipped", "clipped", count_state(drawing, views, ROBERTS_CLIPPED)},
         {"grid", "columns of the grid", d->grid},
         {"grid_rows", "rows", d->grid_rows},
         {"peak_memory_kb", "kB of memory at the most", peak_memory()},
@@ -126,6 +168,8 @@ void stats_print(FILE *log, cli_stats kind, const run_stats *run, const roberts_
         {"hide", d->hide_time}, {"verify", run->verify}, {"draw", run->draw},    {"total", run->total},
     };
     fputs(json ? "{\"version\":\"" ROBERTS_VERSION "\"," : "", log);
+    if (views > 1)
+        fprintf(log, json ? "\"views\":%zu," : "%14zu  views, counted together\n", views);
     print_figures(log, counts, sizeof counts / sizeof counts[0], json);
     print_ink(log, &run->ink, json);
     if (json)

@@ -18,7 +18,9 @@ roberts_time stats_now(void);
 /* How long it is since `start`. */
 roberts_time stats_since(roberts_time start);
 
-/* To `log`; as one JSON object where `kind` is STATS_JSON. */
-void stats_print(FILE *log, cli_stats kind, const run_stats *run, const roberts_drawing *drawing);
+roberts_time stats_sum(roberts_time a, roberts_time b);
+
+/* To `log`; as one JSON object where `kind` is STATS_JSON. What is counted in `views` drawings of one scene is added up. */
+void stats_print(FILE *log, cli_stats kind, const run_stats *run, const roberts_drawing *drawing, size_t views);
 
 #endif

@@ -65,13 +65,13 @@ static void scale_name(double scale, char *text, size_t size)
             *c = '.'; /* some locales' point */
 }
 
-static void complain(const roberts_page *page, const roberts_placement *placement, const page_map *fitted,
-                     roberts_vec2 drawn_mm, roberts_error *error)
+void page_refuse(const roberts_page *page, const roberts_placement *placement, double fitting, roberts_vec2 drawn_mm,
+                 roberts_error *error)
 {
     char asked[40], fits[40];
     double unit_mm = placement->unit_mm > 0.0 ? placement->unit_mm : 1.0;
     scale_name(placement->scale, asked, sizeof asked);
-    scale_name(page_scale(fitted) / unit_mm, fits, sizeof fits);
+    scale_name(fitting / unit_mm, fits, sizeof fits);
     error_set(
         error, ROBERTS_BAD_ARGUMENT, 0,
         "at %s the drawing is %.0f x %.0f mm and would leave the page, whose margins leave %.0f x %.0f; %s would fit",
@@ -79,7 +79,7 @@ static void complain(const roberts_page *page, const roberts_placement *placemen
         floor(page->height_mm - 2.0 * page->margin_mm), fits);
 }
 
-static bool placement_is_valid(const roberts_placement *p, roberts_error *error)
+bool page_placement_is_valid(const roberts_placement *p, roberts_error *error)
 {
     const double least = 1e-12, most = 1e12;
     bool scale = p->scale == 0.0 || (p->scale >= least && p->scale <= most);
@@ -93,7 +93,7 @@ static bool placement_is_valid(const roberts_placement *p, roberts_error *error)
 bool page_lay(const roberts_page *page, const roberts_placement *placement, roberts_vec2 min, roberts_vec2 max,
               page_map *map, roberts_error *error)
 {
-    if (!placement_is_valid(placement, error))
+    if (!page_placement_is_valid(placement, error))
         return false;
     const page_map fitted = page_fit(page, min, max);
     const roberts_vec2 half = {max.x / 2.0 - min.x / 2.0, max.y / 2.0 - min.y / 2.0};
@@ -107,7 +107,7 @@ bool page_lay(const roberts_page *page, const roberts_placement *placement, robe
     double x = half.x / map->half * map->half_mm, y = half.y / map->half * map->half_mm;
     const double slack = 0.0005; /* mm, half of what coordinates are rounded to: a drawing may fill the page */
     if (placement->scale > 0.0 && !(x <= room_x + slack && y <= room_y + slack)) {
-        complain(page, placement, &fitted, (roberts_vec2){2.0 * x, 2.0 * y}, error);
+        page_refuse(page, placement, page_scale(&fitted), (roberts_vec2){2.0 * x, 2.0 * y}, error);
         return false;
     }
     map->page_mm.x += placement->align_x * fmax(room_x - x, 0.0);

@@ -17,6 +17,14 @@ typedef struct page_map {
 /* Whether there is room between the margins; fills `error` where not. */
 bool page_is_valid(const roberts_page *page, roberts_error *error);
 
+/* Whether scale, unit and alignment have sense; fills `error` where not. */
+bool page_placement_is_valid(const roberts_placement *placement, roberts_error *error);
+
+/* Says that the drawing, so large on paper, leaves the page at the placement's scale, and which scale fits: `fitting` mm by
+ * model unit. */
+void page_refuse(const roberts_page *page, const roberts_placement *placement, double fitting, roberts_vec2 drawn_mm,
+                 roberts_error *error);
+
 /* Fits the box from `min` to `max`, finite, into the page's margins, as large as possible and centred. A box without
  * width or height is fitted by its other side; a point (and an empty drawing, whose box is taken as a point) comes to
  * lie in the middle, at one mm per model unit. */

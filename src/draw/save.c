@@ -19,6 +19,7 @@
 
 #include "base/error.h"
 #include "draw/output.h"
+#include "draw/write.h"
 
 enum { LINKS_MAX = 40 /* as the kernel's own limit */, NAMES_TRIED = 100 };
 
@@ -194,7 +195,7 @@ static roberts_status close_target(target *t, const roberts_draw_options *option
     return status == ROBERTS_OK && reason ? output_error(error, "cannot write", reason) : status;
 }
 
-static roberts_status save_file(const roberts_drawing *drawing, const roberts_draw_options *options, const char *path,
+static roberts_status save_file(const subject *what, const roberts_draw_options *options, const char *path,
                                 roberts_error *error)
 {
     target t = {.path = beside("", path), .descriptor = -1};
@@ -203,7 +204,7 @@ static roberts_status save_file(const roberts_drawing *drawing, const roberts_dr
     if (reason) {
         status = reason == ENOMEM ? error_no_memory(error) : output_error(error, "cannot write", reason);
     } else {
-        status = roberts_drawing_write(drawing, options, write_descriptor, &t.descriptor, error);
+        status = write_subject(what, options, write_descriptor, &t.descriptor, error);
         status = close_target(&t, options, status, error);
     }
     free(t.temporary);
@@ -211,20 +212,32 @@ static roberts_status save_file(const roberts_drawing *drawing, const roberts_dr
     return status;
 }
 
-roberts_status roberts_drawing_save(const roberts_drawing *drawing, const roberts_draw_options *options,
-                                    const char *path, roberts_error *error)
+static roberts_status save(const subject *what, const roberts_draw_options *options, const char *path,
+                           roberts_error *error)
 {
-    roberts_draw_options defaults = roberts_draw_options_default();
+    const roberts_draw_options defaults = roberts_draw_options_default();
     int standard_output = STDOUT_FILENO;
     bool to_standard_output = strcmp(path, "-") == 0;
     roberts_status status;
     if (!options)
         options = &defaults;
     if (to_standard_output || options->format == ROBERTS_NULL)
-        status = roberts_drawing_write(drawing, options, write_descriptor, &standard_output, error);
+        status = write_subject(what, options, write_descriptor, &standard_output, error);
     else
-        status = save_file(drawing, options, path, error);
+        status = save_file(what, options, path, error);
     if (status != ROBERTS_OK)
         error_set_file(error, to_standard_output ? "standard output" : path);
     return status;
+}
+
+roberts_status roberts_drawing_save(const roberts_drawing *drawing, const roberts_draw_options *options,
+                                    const char *path, roberts_error *error)
+{
+    return save(&(subject){.drawing = drawing}, options, path, error);
+}
+
+roberts_status roberts_sheet_save(const roberts_sheet *sheet, const roberts_draw_options *options, const char *path,
+                                  roberts_error *error)
+{
+    return save(&(subject){.sheet = sheet}, options, path, error);
 }

@@ -8,6 +8,8 @@
 #include "base/error.h"
 #include "draw/dashes.h"
 #include "draw/overlap.h"
+#include "draw/sheet.h"
+#include "draw/symbol.h"
 #include "draw/travel.h"
 
 /* Cairo keeps coordinates in 32 bits, 8 of them behind the point, and lets larger ones wrap without a word: a page has
@@ -23,6 +25,8 @@ const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line
         return &options->crease;
     case LINE_FRAME:
         return &options->frame;
+    case LINE_SYMBOL:
+        return &options->symbol;
     default:
         return &options->back;
     }
@@ -107,9 +111,15 @@ static roberts_vec2 between(roberts_vec2 p, roberts_vec2 q, double t)
     return (roberts_vec2){p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
 }
 
-static roberts_vec2 place(const strokes *s, roberts_vec2 p)
+/* A drawing and its place on the page. */
+typedef struct placed {
+    const roberts_drawing *drawing;
+    page_map map;
+} placed;
+
+static roberts_vec2 place(const strokes *s, const page_map *map, roberts_vec2 p)
 {
-    roberts_vec2 mm = page_place(&s->map, p);
+    roberts_vec2 mm = page_place(map, p);
     return (roberts_vec2){mm.x * s->units_per_mm, mm.y * s->units_per_mm};
 }
 
@@ -118,21 +128,22 @@ static bool is_point(const piece *p)
     return floor(p->a.x + 0.5) == floor(p->b.x + 0.5) && floor(p->a.y + 0.5) == floor(p->b.y + 0.5);
 }
 
-/* The pieces that are drawn; what is of length 0 once rounded is none. `p` has room for all segments. */
-static void collect(const strokes *s, const roberts_drawing *drawing, pieces *p)
+/* The pieces that are drawn, numbered from `number` on; what is of length 0 once rounded is none. `p` has room for all
+ * segments. */
+static void collect(const strokes *s, const placed *view, size_t number, pieces *p)
 {
-    for (size_t i = 0; i < drawing->count; i++) {
-        const roberts_segment *segment = &drawing->segment[i];
+    for (size_t i = 0; i < view->drawing->count; i++) {
+        const roberts_segment *segment = &view->drawing->segment[i];
         roberts_line line;
         double t[2];
-        if (!is_drawn(s->options, segment, &line) || !frame_cut(drawing, segment->p0, segment->p1, t))
+        if (!is_drawn(s->options, segment, &line) || !frame_cut(view->drawing, segment->p0, segment->p1, t))
             continue;
         double z = segment->z1 - segment->z0;
-        piece own = {.a = place(s, between(segment->p0, segment->p1, t[0])),
-                     .b = place(s, between(segment->p0, segment->p1, t[1])),
+        piece own = {.a = place(s, &view->map, between(segment->p0, segment->p1, t[0])),
+                     .b = place(s, &view->map, between(segment->p0, segment->p1, t[1])),
                      .za = segment->z0 + t[0] * z,
                      .zb = segment->z0 + t[1] * z,
-                     .number = (uint32_t)i,
+                     .number = (uint32_t)(number + i),
                      .line = (uint8_t)line};
         if (!is_point(&own))
             p->item[p->count++] = own;
@@ -151,6 +162,12 @@ static bool add_frame(strokes *s)
     return s->options->frame.off || chain_in_order(&(pieces){side, 4}, LINE_FRAME, &s->lines);
 }
 
+static bool add_symbol(strokes *s)
+{
+    return !s->sheet || s->options->symbol.off ||
+           symbol_draw(s->sheet->angle, s->symbol_mm, s->units_per_mm, &s->lines);
+}
+
 /* Appends the polylines of one class; the pen comes from `*pen`. */
 static roberts_status add_class(strokes *s, const pieces *p, roberts_line line, page_point *pen, roberts_error *error)
 {
@@ -159,6 +176,8 @@ static roberts_status add_class(strokes *s, const pieces *p, roberts_line line, 
     bool done;
     if (line == LINE_FRAME)
         done = add_frame(s);
+    else if (line == LINE_SYMBOL)
+        done = add_symbol(s);
     else if (s->options->order == ROBERTS_ORDER_NONE)
         done = chain_in_order(p, line, &s->lines);
     else
@@ -170,25 +189,24 @@ static roberts_status add_class(strokes *s, const pieces *p, roberts_line line, 
     return ROBERTS_OK;
 }
 
-roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const roberts_draw_options *options,
-                            roberts_error *error)
+/* Strokes of all views together. `s` holds all but its lines. */
+static roberts_status draw(strokes *s, const placed *view, size_t views, roberts_error *error)
 {
-    const double longest = fmax(options->page.width_mm, options->page.height_mm);
-    roberts_vec2 min, max;
+    size_t total = 0, number = 0;
+    double epsilon = 0.0;
     pieces p = {0};
     page_point pen = {0, 0}; /* the upper left corner */
     roberts_status status = ROBERTS_OK;
-    *s = (strokes){.options = options};
-    s->units_per_mm = longest <= finest_longest_mm ? fine_units_per_mm : coarse_units_per_mm;
-    if (drawing->count > INT32_MAX)
+    for (size_t i = 0; i < views; i++) {
+        total += view[i].drawing->count;
+        epsilon = fmax(epsilon, view[i].drawing->epsilon);
+    }
+    p.item = total <= INT32_MAX ? alloc_array(total, sizeof *p.item) : NULL;
+    if (!p.item)
         return error_no_memory(error);
-    find_box(drawing, options, &min, &max);
-    if (!page_lay(&options->page, &options->placement, min, max, &s->map, error))
-        return ROBERTS_BAD_ARGUMENT;
-    p.item = alloc_array(drawing->count, sizeof *p.item);
-    if (p.item)
-        collect(s, drawing, &p);
-    if (!p.item || !overlap_remove(&p, drawing->epsilon))
+    for (size_t i = 0; i < views; number += view[i++].drawing->count)
+        collect(s, &view[i], number, &p);
+    if (!overlap_remove(&p, epsilon))
         status = error_no_memory(error);
     for (int i = 0; i < LINE_CLASSES && status == ROBERTS_OK; i++) {
         s->start[i] = s->lines.count;
@@ -197,6 +215,41 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
     }
     free(p.item);
     return status;
+}
+
+static strokes nothing_drawn(const roberts_draw_options *options)
+{
+    bool is_fine = fmax(options->page.width_mm, options->page.height_mm) <= finest_longest_mm;
+    return (strokes){.options = options, .units_per_mm = is_fine ? fine_units_per_mm : coarse_units_per_mm};
+}
+
+roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const roberts_draw_options *options,
+                            roberts_error *error)
+{
+    roberts_vec2 min, max;
+    *s = nothing_drawn(options);
+    find_box(drawing, options, &min, &max);
+    if (!page_lay(&options->page, &options->placement, min, max, &s->map, error))
+        return ROBERTS_BAD_ARGUMENT;
+    return draw(s, &(placed){drawing, s->map}, 1, error);
+}
+
+roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const roberts_draw_options *options,
+                                  roberts_error *error)
+{
+    sheet_map map;
+    placed view[ROBERTS_SHEET_VIEWS];
+    size_t views = 0;
+    *s = nothing_drawn(options);
+    if (!sheet_lay(sheet, options, &map, error))
+        return ROBERTS_BAD_ARGUMENT;
+    for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)
+        if (sheet->view[i])
+            view[views++] = (placed){sheet->view[i], map.view[i]};
+    s->map = map.view[ROBERTS_SHEET_FRONT];
+    s->sheet = sheet;
+    s->symbol_mm = map.symbol_mm;
+    return draw(s, view, views, error);
 }
 
 void strokes_free(strokes *s)

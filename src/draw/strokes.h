@@ -5,19 +5,23 @@
 #include "draw/chain.h"
 #include "draw/page.h"
 
-/* The border of what the margins leave: a class of its own beside those of roberts_line. */
+/* The border of what the margins leave and the symbol of a sheet: classes of their own beside those of roberts_line. */
 #define LINE_FRAME ((roberts_line)(ROBERTS_BACK + 1))
+#define LINE_SYMBOL ((roberts_line)(ROBERTS_BACK + 2))
 
-/* Hidden lines lie undermost, outlines on top, the frame over all. */
-enum { LINE_CLASSES = 4 };
-static const roberts_line line_order[LINE_CLASSES] = {ROBERTS_BACK, ROBERTS_CREASE, ROBERTS_OUTLINE, LINE_FRAME};
+/* Hidden lines lie undermost, outlines on top, frame and symbol over all. */
+enum { LINE_CLASSES = 5 };
+static const roberts_line line_order[LINE_CLASSES] = {ROBERTS_BACK, ROBERTS_CREASE, ROBERTS_OUTLINE, LINE_FRAME,
+                                                      LINE_SYMBOL};
 
 /* Points are rounded to the page's unit, 0.001 mm (0.01 mm where the page is longer than 4 m): far finer than a pen,
  * short to write, and the same for neighbours that share an end. */
 typedef struct strokes {
     const roberts_draw_options *options;
-    page_map map;
+    page_map map; /* of a sheet: of its front view */
     double units_per_mm;
+    const roberts_sheet *sheet; /* NULL: a single drawing */
+    roberts_vec2 symbol_mm;     /* lower right corner of its symbol */
     polylines lines;
     size_t start[LINE_CLASSES + 1]; /* class line_order[i] has the polylines start[i] .. start[i + 1] - 1 */
 } strokes;
@@ -27,6 +31,9 @@ typedef struct strokes {
  * _BAD_ARGUMENT (a scale at which the drawing leaves the page, too many dashes). `options` have been checked. */
 roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const roberts_draw_options *options,
                             roberts_error *error);
+/* The same with the views of a sheet, and with its symbol. */
+roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const roberts_draw_options *options,
+                                  roberts_error *error);
 void strokes_free(strokes *s);
 
 /* The pen for a class of lines. Segments in state hidden are of class ROBERTS_BACK here, whatever their edge is. */

@@ -172,8 +172,11 @@ static void write_color(output *out, const roberts_pen *pen)
 
 static void open_layer(output *out, const roberts_draw_options *options, roberts_line line)
 {
-    static const char *const name[] = {
-        [ROBERTS_OUTLINE] = "outline", [ROBERTS_CREASE] = "crease", [ROBERTS_BACK] = "hidden", [LINE_FRAME] = "frame"};
+    static const char *const name[] = {[ROBERTS_OUTLINE] = "outline",
+                                       [ROBERTS_CREASE] = "crease",
+                                       [ROBERTS_BACK] = "hidden",
+                                       [LINE_FRAME] = "frame",
+                                       [LINE_SYMBOL] = "symbol"};
     const roberts_pen *pen = strokes_pen(options, line);
     double dash[2];
     output_text(out, "<g id=\"");

@@ -10,6 +10,9 @@
 #include "draw/strokes.h"
 #include "draw/svg.h"
 #include "draw/table.h"
+#include "draw/write.h"
+
+static const double widest_gap = 1000.0; /* mm, between the views of a sheet */
 
 static const struct {
     const char *name; /* also the ending of file names */
@@ -57,6 +60,7 @@ roberts_draw_options roberts_draw_options_default(void)
         .crease = {.width_mm = 0.35},
         .back = {.width_mm = 0.25, .dash_mm = 12 * 0.25, .gap_mm = 3 * 0.25},
         .frame = {.width_mm = 0.7, .off = true},
+        .symbol = {.width_mm = 0.35},
         .dpi = 150.0,
     };
 }
@@ -73,7 +77,7 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
     if (options->hidden < ROBERTS_HIDDEN_NONE || options->hidden > ROBERTS_HIDDEN_SOLID)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no such way to draw hidden lines");
     if (!pen_is_valid(&options->outline) || !pen_is_valid(&options->crease) || !pen_is_valid(&options->back) ||
-        !pen_is_valid(&options->frame))
+        !pen_is_valid(&options->frame) || !pen_is_valid(&options->symbol))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a pen is 0.001 to 1000 mm wide, dashes and gaps up to that");
     if (options->order < ROBERTS_ORDER_TRAVEL || options->order > ROBERTS_ORDER_NONE)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no such order");
@@ -95,11 +99,12 @@ static roberts_status check_segments(const roberts_drawing *drawing, roberts_err
     return ROBERTS_OK;
 }
 
-static roberts_status write_page(const roberts_drawing *drawing, const roberts_draw_options *options, output *out,
+static roberts_status write_page(const subject *what, const roberts_draw_options *options, output *out,
                                  roberts_error *error)
 {
     strokes s;
-    roberts_status status = strokes_make(&s, drawing, options, error);
+    roberts_status status = what->sheet ? strokes_make_sheet(&s, what->sheet, options, error)
+                                        : strokes_make(&s, what->drawing, options, error);
     if (status == ROBERTS_OK)
         status = options->format == ROBERTS_SVG ? svg_write(&s, out, error) : paper_write(&s, out, error);
     if (status == ROBERTS_OK && options->ink)
@@ -108,46 +113,79 @@ static roberts_status write_page(const roberts_drawing *drawing, const roberts_d
     return status;
 }
 
-static roberts_status write_format(const roberts_drawing *drawing, const roberts_draw_options *options, output *out,
-                                   roberts_error *error)
+static roberts_status write_table(const subject *what, const roberts_draw_options *options, output *out,
+                                  roberts_error *error)
 {
     bool with_hidden = options->hidden != ROBERTS_HIDDEN_NONE;
+    if (what->sheet)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a table cannot hold a sheet of several views");
+    if (options->format == ROBERTS_CSV)
+        table_write_csv(what->drawing, with_hidden, out);
+    else
+        table_write_json(what->drawing, with_hidden, out);
+    return ROBERTS_OK;
+}
+
+static roberts_status write_format(const subject *what, const roberts_draw_options *options, output *out,
+                                   roberts_error *error)
+{
     switch (options->format) {
     case ROBERTS_SVG:
     case ROBERTS_PDF:
     case ROBERTS_PS:
     case ROBERTS_EPS:
     case ROBERTS_PNG:
-        return write_page(drawing, options, out, error);
+        return write_page(what, options, out, error);
     case ROBERTS_CSV:
-        table_write_csv(drawing, with_hidden, out);
-        return ROBERTS_OK;
     case ROBERTS_JSON:
-        table_write_json(drawing, with_hidden, out);
-        return ROBERTS_OK;
+        return write_table(what, options, out, error);
     case ROBERTS_NULL:
         return ROBERTS_OK;
     }
     return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no such format");
 }
 
-roberts_status roberts_drawing_write(const roberts_drawing *drawing, const roberts_draw_options *options,
-                                     roberts_write_fn *write, void *context, roberts_error *error)
+static roberts_status check_subject(const subject *what, roberts_error *error)
 {
-    roberts_draw_options defaults = roberts_draw_options_default();
+    roberts_status status = ROBERTS_OK;
+    if (!what->sheet)
+        return check_segments(what->drawing, error);
+    if (!(what->sheet->gap_mm >= 0.0 && what->sheet->gap_mm <= widest_gap))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "sheet: its gap has 0 to 1000 mm");
+    for (int i = 0; i < ROBERTS_SHEET_VIEWS && status == ROBERTS_OK; i++)
+        if (what->sheet->view[i])
+            status = check_segments(what->sheet->view[i], error);
+    return status;
+}
+
+roberts_status write_subject(const subject *what, const roberts_draw_options *options, roberts_write_fn *write,
+                             void *context, roberts_error *error)
+{
     roberts_status status, written;
-    if (!options)
-        options = &defaults;
     if ((status = check_options(options, error)) != ROBERTS_OK)
         return status;
-    if ((status = check_segments(drawing, error)) != ROBERTS_OK)
+    if ((status = check_subject(what, error)) != ROBERTS_OK)
         return status;
     output *out = malloc(sizeof *out);
     if (!out)
         return error_no_memory(error);
     output_start(out, write, context);
-    status = write_format(drawing, options, out, error);
+    status = write_format(what, options, out, error);
     written = status == ROBERTS_OK || out->failed ? output_finish(out, error) : status;
     free(out);
     return status == ROBERTS_OK ? written : status;
+}
+
+roberts_status roberts_drawing_write(const roberts_drawing *drawing, const roberts_draw_options *options,
+                                     roberts_write_fn *write, void *context, roberts_error *error)
+{
+    const roberts_draw_options defaults = roberts_draw_options_default();
+    return write_subject(&(subject){.drawing = drawing}, options ? options : &defaults, write, context, error);
+}
+
+roberts_status roberts_sheet_write(const roberts_sheet *sheet, const roberts_draw_options *options,
+                                   roberts_write_fn *write, void *context, roberts_error *error)
+{
+    const roberts_draw_options defaults = roberts_draw_options_default();
+    return write_subject(&(subject){.sheet = sheet}, options ? options : &defaults, write, context, error);
 }

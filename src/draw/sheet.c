@@ -1,0 +1,186 @@
+/* sheet.c - where the views of a sheet come to lie on the paper.
+ *
+ * Two columns and two rows: the front view stands in the first column, the top view above or below it, the side view
+ * beside it, and the isometric view in the middle of the cell that is left. All views of one scene have its centre at
+ * 0, 0, so that front and top view have one x, front and side view one y. Below all a strip is kept for the symbol.
+ *
+ * Lengths of the model are taken as parts of the largest of all, so that nothing overflows. */
+#include "draw/sheet.h"
+
+#include <math.h>
+
+#include "base/error.h"
+#include "draw/symbol.h"
+
+/* mm */
+static const double default_gap = 15.0;
+static const double views_from_frame = 10.0;
+static const double symbol_from_frame = 5.0, symbol_from_views = 5.0;
+
+enum { FRONT = ROBERTS_SHEET_FRONT, TOP = ROBERTS_SHEET_TOP, SIDE = ROBERTS_SHEET_SIDE, ISO = ROBERTS_SHEET_ISO };
+
+/* Along one axis of the picture; low > high: empty. */
+typedef struct range {
+    double low, high;
+} range;
+
+/* The columns of a sheet, or its rows: that of the front view and that of the isometric view. */
+typedef struct cells {
+    double front, iso;       /* widths, parts of layout.half */
+    double gap_mm;           /* between them */
+    double front_mm, iso_mm; /* where they begin, from the left or upper border of the page */
+} cells;
+
+typedef struct layout {
+    double half;                                          /* the largest coordinate, model units */
+    range x[ROBERTS_SHEET_VIEWS], y[ROBERTS_SHEET_VIEWS]; /* of each view, parts of `half` */
+    cells columns, rows;
+    double half_mm; /* what `half` is on paper */
+} layout;
+
+static range join(range a, range b)
+{
+    return (range){fmin(a.low, b.low), fmax(a.high, b.high)};
+}
+
+static double length(range a)
+{
+    return fmax(a.high - a.low, 0.0);
+}
+
+static double middle(range a)
+{
+    return a.low <= a.high ? (a.low + a.high) / 2.0 : 0.0;
+}
+
+static void take_windows(const roberts_sheet *sheet, layout *l)
+{
+    double most = 0.0;
+    for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++) {
+        const roberts_drawing *d = sheet->view[i];
+        if (d)
+            most = fmax(most, fmax(fmax(fabs(d->window_min.x), fabs(d->window_max.x)),
+                                   fmax(fabs(d->window_min.y), fabs(d->window_max.y))));
+    }
+    l->half = most > 0.0 ? most : 1.0;
+    for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++) {
+        const roberts_drawing *d = sheet->view[i];
+        l->x[i] = l->y[i] = (range){INFINITY, -INFINITY};
+        if (d) {
+            l->x[i] = (range){d->window_min.x / l->half, d->window_max.x / l->half};
+            l->y[i] = (range){d->window_min.y / l->half, d->window_max.y / l->half};
+        }
+    }
+}
+
+static cells widths(range front, range beside, range iso, double gap_mm)
+{
+    cells c = {.front = length(front), .iso = fmax(length(beside), length(iso))};
+    c.gap_mm = c.front > 0.0 && c.iso > 0.0 ? gap_mm : 0.0;
+    return c;
+}
+
+/* Front and top view share their x, front and side view their y. */
+static void divide(const roberts_sheet *sheet, layout *l)
+{
+    const double gap_mm = sheet->gap_mm > 0.0 ? sheet->gap_mm : default_gap;
+    l->x[FRONT] = l->x[TOP] = join(l->x[FRONT], l->x[TOP]);
+    l->y[FRONT] = l->y[SIDE] = join(l->y[FRONT], l->y[SIDE]);
+    l->columns = widths(l->x[FRONT], l->x[SIDE], l->x[ISO], gap_mm);
+    l->rows = widths(l->y[FRONT], l->y[TOP], l->y[ISO], gap_mm);
+}
+
+/* What there is for the views and their gaps, as a page with margins of its own. */
+static bool find_room(const layout *l, const roberts_draw_options *options, roberts_page *room, roberts_error *error)
+{
+    const roberts_page *page = &options->page;
+    double edge = page->margin_mm + (options->frame.off ? 0.0 : views_from_frame);
+    double below = options->frame.off ? page->margin_mm : page->margin_mm + symbol_from_frame;
+    below += SYMBOL_HEIGHT + symbol_from_views;
+    *room = (roberts_page){page->width_mm - 2.0 * edge, page->height_mm - edge, 0.0};
+    room->height_mm -= options->symbol.off ? edge : fmax(edge, below);
+    bool symbol_fits = options->symbol.off || room->width_mm >= SYMBOL_WIDTH;
+    if (symbol_fits && room->width_mm > l->columns.gap_mm && room->height_mm > l->rows.gap_mm)
+        return true;
+    error_set(error, ROBERTS_BAD_ARGUMENT, 0, "page: margins, gaps and symbol leave no room for the views of a sheet");
+    return false;
+}
+
+/* Fills l->half_mm. */
+static bool find_scale(layout *l, const roberts_placement *placement, const roberts_page *room, roberts_error *error)
+{
+    const double slack = 0.0005; /* mm, half of what coordinates are rounded to: a sheet may fill the page */
+    const roberts_vec2 gap = {l->columns.gap_mm, l->rows.gap_mm};
+    const roberts_vec2 views = {l->columns.front + l->columns.iso, l->rows.front + l->rows.iso};
+    double fitted = fmin((room->width_mm - gap.x) / views.x, (room->height_mm - gap.y) / views.y);
+    l->half_mm = isfinite(fitted) ? fitted : 1.0;
+    if (placement->scale == 0.0)
+        return true;
+    l->half_mm = placement->scale * (placement->unit_mm > 0.0 ? placement->unit_mm : 1.0) * l->half;
+    roberts_vec2 drawn = {views.x * l->half_mm + gap.x, views.y * l->half_mm + gap.y};
+    if (drawn.x <= room->width_mm + slack && drawn.y <= room->height_mm + slack)
+        return true;
+    page_refuse(room, placement, fitted / l->half, drawn, error);
+    return false;
+}
+
+/* Where a line of cells begins that has `room_mm` from `start_mm` on. align: -1 at the start, 1 at the end. */
+static void place_cells(cells *c, double half_mm, double start_mm, double room_mm, int align, bool iso_first)
+{
+    double front = c->front * half_mm, iso = c->iso * half_mm, free_mm = room_mm - front - c->gap_mm - iso;
+    start_mm += (1 + align) / 2.0 * fmax(free_mm, 0.0);
+    c->front_mm = iso_first ? start_mm + iso + c->gap_mm : start_mm;
+    c->iso_mm = iso_first ? start_mm : start_mm + front + c->gap_mm;
+}
+
+/* Where 0, 0 of each view comes to lie. */
+static roberts_vec2 origin(const layout *l, int view, bool top_is_above)
+{
+    const double k = l->half_mm, column = l->columns.iso_mm, row = l->rows.iso_mm;
+    roberts_vec2 at = {l->columns.front_mm - l->x[FRONT].low * k, l->rows.front_mm + l->y[FRONT].high * k};
+    if (view == SIDE)
+        at.x = column - l->x[SIDE].low * k;
+    if (view == TOP) /* next to the front view, whose gap it keeps */
+        at.y = top_is_above ? row + (l->rows.iso + l->y[TOP].low) * k : row + l->y[TOP].high * k;
+    if (view == ISO) {
+        at.x = column + (l->columns.iso / 2.0 - middle(l->x[ISO])) * k;
+        at.y = row + (l->rows.iso / 2.0 + middle(l->y[ISO])) * k;
+    }
+    return at;
+}
+
+bool sheet_lay(const roberts_sheet *sheet, const roberts_draw_options *options, sheet_map *map, roberts_error *error)
+{
+    const roberts_page *page = &options->page;
+    const roberts_placement *placement = &options->placement;
+    const bool third = sheet->angle == ROBERTS_THIRD_ANGLE;
+    roberts_page room;
+    layout l;
+    if (!page_placement_is_valid(placement, error))
+        return false;
+    take_windows(sheet, &l);
+    divide(sheet, &l);
+    if (!find_room(&l, options, &room, error) || !find_scale(&l, placement, &room, error))
+        return false;
+    double edge = (page->width_mm - room.width_mm) / 2.0;
+    place_cells(&l.columns, l.half_mm, edge, room.width_mm, placement->align_x, false);
+    place_cells(&l.rows, l.half_mm, edge, room.height_mm, -placement->align_y, third);
+    for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)
+        map->view[i] = (page_map){.half = l.half, .half_mm = l.half_mm, .page_mm = origin(&l, i, third)};
+    edge = page->margin_mm + (options->frame.off ? 0.0 : symbol_from_frame);
+    map->symbol_mm = (roberts_vec2){page->width_mm - edge, page->height_mm - edge};
+    return true;
+}
+
+/* The isometric view is from the side that the side view shows. */
+bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *camera)
+{
+    const bool first = angle == ROBERTS_FIRST_ANGLE;
+    const char *const name[ROBERTS_SHEET_VIEWS] = {
+        [FRONT] = "front", [TOP] = "top", [SIDE] = first ? "left" : "right", [ISO] = "iso"};
+    if (view < 0 || view >= ROBERTS_SHEET_VIEWS || !roberts_camera_preset(name[view], camera))
+        return false;
+    if (view == ISO && first)
+        camera->dir.x = -camera->dir.x;
+    return true;
+}
