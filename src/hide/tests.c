@@ -7,9 +7,6 @@
 #include "base/array.h"
 #include "hide/refine.h"
 
-/* A computed distance is trusted for its sign where its error is at most this part of epsilon. */
-#define TRUSTED 0.125
-
 bool hide_sides_reserve(hide_sides *sides, size_t count)
 {
     return array_reserve(&sides->H, &sides->room, count, sizeof *sides->H);
@@ -52,7 +49,7 @@ bool hide_test2(const hide_space *space, const hide_face *F, const hide_edge *e)
             double error = line_error(space, fabs(px) + fabs(py), e->length);
             if (fabs(Q) <= (space->epsilon + error) * e->length) {
                 near++;
-                certain = certain && error <= TRUSTED * space->epsilon;
+                certain = certain && error <= HIDE_TRUSTED * space->epsilon;
                 continue;
             }
         }
@@ -92,7 +89,8 @@ static side_line measure(const hide_space *space, const hide_face *F, uint32_t i
 static int sign_closely(const hide_space *space, const side_line *s, uint32_t x, double h, double error,
                         uint64_t *refined)
 {
-    if (error > TRUSTED * space->epsilon * s->length && fabs(h) <= space->epsilon * s->length + error && space->scene) {
+    if (error > HIDE_TRUSTED * space->epsilon * s->length && fabs(h) <= space->epsilon * s->length + error &&
+        space->scene) {
         h = refine_side(space, s->p, s->q, x) * s->length;
         ++*refined;
     }
@@ -138,12 +136,6 @@ hide_verdict hide_test3(const hide_space *space, const hide_face *F, const hide_
     return inside ? HIDE_INVISIBLE : HIDE_UNDECIDED;
 }
 
-/* Is a parameter with this error good enough, along the edge and as a length? */
-static bool accurate(const hide_space *space, const hide_edge *e, double error)
-{
-    return error <= HIDE_T_ACCURACY && error * e->length3 <= TRUSTED * space->epsilon;
-}
-
 /* t_i, and how far along the edge it may be from another crossing that touches it. */
 static double crossing(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, uint32_t i,
                        double *touch)
@@ -151,7 +143,7 @@ static double crossing(const hide_space *space, const hide_face *F, const hide_e
     side_line s = measure(space, F, i, e);
     double apart = fabs(s.a - s.b);
     *touch = space->epsilon * s.length / apart;
-    if (accurate(space, e, (s.error_a + s.error_b) / apart) || !space->scene)
+    if (hide_accurate(space, e, (s.error_a + s.error_b) / apart) || !space->scene)
         return s.a / (s.a - s.b);
     sides->refined++;
     return refine_crossing(space, s.p, s.q, e);
@@ -193,7 +185,7 @@ bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e
         return true;
     double width = part->t1 - part->t0, slope = fabs(f0 - f1);
     double t = part->t0 + width * (f0 / (f0 - f1));
-    if (!accurate(space, e, width * 4.0 * space->rounding / slope) && space->scene) {
+    if (!hide_accurate(space, e, width * 4.0 * space->rounding / slope) && space->scene) {
         t = fmin(fmax(refine_pierce(space, F, e), part->t0), part->t1);
         sides->refined++;
     }

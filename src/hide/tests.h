@@ -17,7 +17,11 @@
 #ifndef ROBERTS_HIDE_TESTS_H
 #define ROBERTS_HIDE_TESTS_H
 
+#include "hide/quick.h"
 #include "hide/space.h"
+
+/* A computed distance is trusted for its sign where its error is at most this part of epsilon. */
+#define HIDE_TRUSTED 0.125
 
 typedef enum hide_verdict { HIDE_UNDECIDED, HIDE_VISIBLE, HIDE_INVISIBLE } hide_verdict;
 
@@ -29,7 +33,8 @@ typedef struct hide_side {
 typedef struct hide_sides {
     hide_side *H; /* [room] */
     size_t room;
-    uint64_t refined; /* signs and crossings computed in twice the precision */
+    uint64_t refined;    /* signs and crossings computed in twice the precision */
+    quick_outline quick; /* the outline that was asked last */
 } hide_sides;
 
 /* Room for faces of up to `count` corners; false: no memory. Start from a zeroed struct; free(sides->H) ends it. */
@@ -46,6 +51,12 @@ bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e,
 
 /* Cuts `part`, all of it inside the sides, where e pierces F's plane; false where nothing of it lies behind. */
 bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part);
+
+/* Is a parameter with this error good enough, along the edge and as a length? */
+static inline bool hide_accurate(const hide_space *space, const hide_edge *e, double error)
+{
+    return error <= HIDE_T_ACCURACY && error * e->length3 <= HIDE_TRUSTED * space->epsilon;
+}
 
 /* Tests 3 and 4, counted in `tally`: the part of e inside all sides; false where there is none. */
 bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,

@@ -1,0 +1,196 @@
+/* Lanes against plain C, and tests 2 to 4 at a stroke against the tests one by one. */
+#include "base/lanes.h"
+#include "hide/tests.h"
+#include "scenes.h"
+
+#define EPSILON 1e-9
+#define ROUNDING 1e-15
+
+/* Signed zeros, infinities, denormals and numbers of all sizes. */
+static double any_double(rng *r)
+{
+    static const double odd[] = {0.0, -0.0, INFINITY, -INFINITY, 5e-324, -5e-324, 1.0, -1.0};
+    if (rng_int(r, 0, 2) == 0)
+        return odd[rng_int(r, 0, 7)];
+    return ldexp(rng_between(r, -1.0, 1.0), rng_int(r, -1000, 1000));
+}
+
+static void assert_same_two(two a, two_plain b)
+{
+    double lane[2];
+    two_store(lane, a);
+    assert_memory_equal(lane, b.v, sizeof lane);
+}
+
+static void lanes_are_scalars(void **state)
+{
+    rng r = {7};
+    (void)state;
+    for (int i = 0; i < 100000; i++) {
+        double p[2] = {any_double(&r), any_double(&r)}, q[2] = {any_double(&r), any_double(&r)};
+        two a = two_load(p), b = two_load(q);
+        two_plain c = two_plain_load(p), d = two_plain_load(q);
+        if (isfinite(p[0]) && isfinite(p[1]) && isfinite(q[0]) && isfinite(q[1])) {
+            assert_same_two(two_add(a, b), two_plain_add(c, d));
+            assert_same_two(two_sub(a, b), two_plain_sub(c, d));
+            assert_same_two(two_mul(a, b), two_plain_mul(c, d));
+        }
+        assert_same_two(two_lesser(a, b), two_plain_lesser(c, d));
+        assert_same_two(two_greater(a, b), two_plain_greater(c, d));
+        assert_same_two(two_abs(a), two_plain_abs(c));
+        assert_same_two(two_all(p[0]), two_plain_all(p[0]));
+        assert_same_two(two_of(p[0], q[1]), two_plain_of(p[0], q[1]));
+        assert_int_equal(two_signs(a), two_plain_signs(c));
+        assert_int_equal(two_at_most(a, b), two_plain_at_most(c, d));
+        assert_true(two_least(a) == two_plain_least(c));
+    }
+}
+
+static void lanes_of_four_are_scalars(void **state)
+{
+    static const float values[] = {0.0f, -0.0f, INFINITY, -INFINITY, 1.0f, -1.0f, 2.5f, 1e-45f};
+    rng r = {8};
+    (void)state;
+    for (int i = 0; i < 100000; i++) {
+        float p[4], q[4];
+        for (int k = 0; k < 4; k++) {
+            p[k] = values[rng_int(&r, 0, 7)];
+            q[k] = values[rng_int(&r, 0, 7)];
+        }
+        assert_int_equal(four_less(four_load(p), four_load(q)),
+                         four_plain_less(four_plain_load(p), four_plain_load(q)));
+        assert_int_equal(four_less(four_all(p[0]), four_load(q)),
+                         four_plain_less(four_plain_all(p[0]), four_plain_load(q)));
+    }
+}
+
+/* ---- edges and outlines ------------------------------------------------------------------------------------------ */
+
+enum { CORNERS = 12 };
+
+typedef struct fixture {
+    roberts_vec3 P[CORNERS + 2];
+    uint32_t corner[CORNERS];
+    hide_space space;
+    hide_face face;
+    hide_edge edge;
+} fixture;
+
+static roberts_vec3 place(rng *r, bool whole)
+{
+    if (whole) /* where much lies on much */
+        return (roberts_vec3){rng_int(r, -4, 4), rng_int(r, -4, 4), 0.0};
+    return (roberts_vec3){rng_between(r, -4.0, 4.0), rng_between(r, -4.0, 4.0), 0.0};
+}
+
+/* Corners on an ellipse, numbered at random; or a rectangle with whole corners. */
+static void set_outline(fixture *f, rng *r, bool whole)
+{
+    uint32_t count = whole ? 4 : (uint32_t)rng_int(r, 3, CORNERS);
+    double turn = rng_between(r, 0.0, 6.0), w = rng_between(r, 0.01, 3.0), h = rng_between(r, 0.01, 3.0);
+    int x = rng_int(r, -3, 2), y = rng_int(r, -3, 2), right = rng_int(r, x + 1, 3), top = rng_int(r, y + 1, 3);
+    rng_permutation(r, f->corner, count);
+    for (uint32_t i = 0; i < count; i++) {
+        double angle = turn + 6.283185307179586 * i / count;
+        f->P[f->corner[i]] = (roberts_vec3){w * cos(angle), h * sin(angle), 0.0};
+        if (whole)
+            f->P[f->corner[i]] = (roberts_vec3){i == 1 || i == 2 ? right : x, i >= 2 ? top : y, 0.0};
+    }
+    f->face = (hide_face){.corner = f->corner, .count = count};
+}
+
+static void set_up(fixture *f, rng *r)
+{
+    bool whole = rng_int(r, 0, 1) == 1;
+    *f = (fixture){0};
+    set_outline(f, r, whole);
+    uint32_t a = f->face.count, b = a + 1;
+    f->P[a] = place(r, whole);
+    f->P[b] = place(r, whole);
+    f->space =
+        (hide_space){.P = f->P, .epsilon = EPSILON, .rounding = ROUNDING, .plain = hide_plain(12.0, EPSILON, ROUNDING)};
+    f->edge = (hide_edge){.A = f->P[a], .B = f->P[b], .a = a, .b = b};
+    f->edge.length = f->edge.length3 = hypot(f->P[b].x - f->P[a].x, f->P[b].y - f->P[a].y);
+}
+
+/* What the tests one by one find. */
+static bool one_by_one(const fixture *f, hide_sides *sides, hide_part *part)
+{
+    roberts_tally tally = {0};
+    return !hide_test2(&f->space, &f->face, &f->edge) &&
+           hide_by_sides(&f->space, &f->face, &f->edge, sides, &tally, part);
+}
+
+static void agrees_with_the_tests(void **state)
+{
+    rng r = {17};
+    size_t seen[QUICK_EMPTY + 1] = {0};
+    hide_sides sides = {0};
+    (void)state;
+    assert_true(hide_sides_reserve(&sides, CORNERS));
+    for (int i = 0; i < 200000; i++) {
+        fixture f;
+        hide_part part = {0}, expected = {0};
+        quick_outline outline;
+        set_up(&f, &r);
+        quick_take(&outline, f.P, f.corner, f.face.count);
+        quick_verdict verdict = quick_test(&outline, &f.space, &f.edge, &part);
+        seen[verdict]++;
+        if (verdict == QUICK_UNCLEAR)
+            continue;
+        assert_int_equal(one_by_one(&f, &sides, &expected), verdict == QUICK_INSIDE || verdict == QUICK_CUT);
+        if (verdict == QUICK_INSIDE || verdict == QUICK_CUT)
+            assert_memory_equal(&part, &expected, sizeof part);
+        if (verdict == QUICK_MISSED)
+            assert_true(hide_test2(&f.space, &f.face, &f.edge));
+    }
+    free(sides.H);
+    for (int v = QUICK_UNCLEAR; v < QUICK_EMPTY; v++) /* an edge that misses the outline has missed it before test 4 */
+        assert_true(seen[v] > 1000);
+}
+
+/* An edge in contact is never decided at a stroke, unless it lies outside of another side. */
+static void contact_is_unclear(void **state)
+{
+    static const struct {
+        const char *name;
+        roberts_vec3 A, B;
+        quick_verdict verdict;
+    } cases[] = {
+        {"along a side", {-2, -1, 0}, {2, -1, 0}, QUICK_UNCLEAR},
+        {"along a side, beside it", {2, -1, 0}, {3, -1, 0}, QUICK_OUTSIDE},
+        {"touches a corner", {-2, 0, 0}, {0, -2, 0}, QUICK_UNCLEAR},
+        {"ends on a side", {0, -1, 0}, {0, -3, 0}, QUICK_UNCLEAR},
+        {"ends on a side within epsilon", {0, -1 - 0.5 * EPSILON, 0}, {0, 3, 0}, QUICK_UNCLEAR},
+        {"through two corners", {-2, -2, 0}, {2, 2, 0}, QUICK_UNCLEAR},
+        {"end-on, outside", {2, 0, 0}, {2, 0, -1}, QUICK_OUTSIDE},
+        {"end-on, inside", {0.5, 0, 0}, {0.5, 0, -1}, QUICK_INSIDE},
+        {"inside", {0.5, 0.5, 0}, {-0.5, 0.25, 0}, QUICK_INSIDE},
+        {"across", {-2, 0.5, 0}, {2, 0.25, 0}, QUICK_CUT},
+        {"goes out", {0.5, 0.5, 0}, {2, 0.25, 0}, QUICK_CUT},
+        {"misses a corner", {-2.5, 0, 0}, {0, -2.5, 0}, QUICK_MISSED},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        fixture f = {.P = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, .corner = {0, 1, 2, 3}};
+        hide_part part;
+        quick_outline outline;
+        f.edge = (hide_edge){.A = cases[i].A, .B = cases[i].B, .a = 4, .b = 5, .length = 1.0, .length3 = 1.0};
+        f.space = (hide_space){
+            .P = f.P, .epsilon = EPSILON, .rounding = ROUNDING, .plain = hide_plain(5.0, EPSILON, ROUNDING)};
+        quick_take(&outline, f.P, f.corner, 4);
+        if (quick_test(&outline, &f.space, &f.edge, &part) != cases[i].verdict)
+            fail_msg("%s", cases[i].name);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(lanes_are_scalars),
+        cmocka_unit_test(lanes_of_four_are_scalars),
+        cmocka_unit_test(agrees_with_the_tests),
+        cmocka_unit_test(contact_is_unclear),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
