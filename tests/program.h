@@ -49,7 +49,8 @@ static inline void put(const char *path, const char *text)
     close(descriptor);
 }
 
-static int start_error = -1; /* standard error of what is started next; -1 for the file "err" */
+static int start_error = -1;                     /* standard error of what is started next; -1 for the file "err" */
+static void (*start_pipe_signal)(int) = SIG_DFL; /* what it does about SIGPIPE */
 
 /* Starts the program with the words of `line` as its arguments. `out`: its standard output, -1 for the file "out". */
 static inline pid_t start(const char *line, const char *in, int out)
@@ -64,7 +65,7 @@ static inline pid_t start(const char *line, const char *in, int out)
     pid_t child = fork();
     if (child != 0)
         return child;
-    signal(SIGPIPE, SIG_DFL);
+    signal(SIGPIPE, start_pipe_signal);
     dup2(open_stream(in ? in : "/dev/null", O_RDONLY), STDIN_FILENO);
     dup2(start_error >= 0 ? start_error : open_stream("err", O_WRONLY | O_TRUNC), STDERR_FILENO);
     if (out == CLOSED)

@@ -68,13 +68,142 @@ static void every_refusal_names_the_file(void **state)
     assert_said("roberts: models/table.off: the eye is inside solid 0\n");
 }
 
+/* ---- misuse that says what was meant ---- */
+
+static const struct {
+    const char *arguments, *said;
+} misuse_cases[] = {
+    {"--page b7", "\"b7\" is unknown; it can be a0, a1, a2, a3, a4, a5, a6, b0, b1, b2, b3, b4, b5, b6, letter, legal, "
+                  "tabloid, or WxH in mm, as 210x297\n"},
+    {"--page leter", "\"leter\" is unknown; did you mean letter? It can be a0, "},
+    {"--unit km", "\"km\" is unknown; it can be mm, cm, m, in, ft\n"}, /* and nothing is meant by two wrong letters */
+    {"--hidden dahsed", "did you mean dashed? It can be none, dashed, solid\n"},
+    {"--dashed", "--dashed is unknown; did you mean --hidden dashed?"},
+    {"--paper a4", "--paper is unknown; did you mean --page?"},
+    {"--color red", "--color is unknown; did you mean --style outline:color=NAME?"},
+    {"--front", "--front is unknown; did you mean --view front?"},
+    {"--pdf", "--pdf is unknown; did you mean -f pdf?"},
+    {"-hidden dashed", "-hidden is unknown; did you mean --hidden?"},
+    {"-output a.svg", "-output is unknown; did you mean --output?"}, /* and no file "utput" */
+    {"-format=svg", "-format=svg is unknown; did you mean --format=svg?"},
+    {"--stats json models/table.off", "json: there is no such file; did you mean --stats=json?"},
+    {"models/table.off --verify 10", "10: there is no such file; did you mean --verify=10?"},
+    {"--verify=0", "--verify: 0 rays check nothing; it takes 1 or more (3 where none is given)"},
+    {"--fov 0 --eye 9,9,9", "--fov: 0 shows nothing; an angle of view is greater, up to 179 degrees"},
+    {"--fov 180 --eye 9,9,9", "--fov: 180 is not in 0..179"},
+    {"--near -1 --eye 9,9,9", "--near: -1 is less than 0\n"},
+    {"--near 1", "--near needs --eye"},
+    {"--dpi 3000 models/table.off -o a.png",
+     "3000 dpi make an image of 24804 x 35079 pixels; it has 1 to 32767 a side, on this page at most 2802 dpi\n"},
+    {"--turntable 4 -o a%d-%d.svg", "turn-%03d.svg; \"a%d-%d.svg\" has more than one %\n"},
+    {"--turntable 4 -o a-%s.svg", "turn-%03d.svg; \"a-%s.svg\" has a % of another kind\n"},
+    {"--batch models/table.off models/tower.off",
+     "--batch: models/table.off is a file, where the folder for the drawings should be: --batch DIR FILE.off..."},
+    {"--batch models/table.off", "--batch: models/table.off is a file, where the folder"},
+    {"--batch no.OFF models/tower.off", "--batch: no.OFF is the name of a file, where the folder"},
+    {"--batch in", "--batch needs names of files: --batch DIR FILE.off..."},
+    {"--style outline=red", "\"outline=red\" is not CLASS:key=value,..., as outline:width=0.7,color=red"},
+    {"--style outline:red", "\"red\" is unknown; it can be width, color, colour, dash, off, on, as in outline:width="},
+    {"--style outline:color=red:width=2", "there is a comma between two values, as outline:width=0.7,color=red"},
+    {"models/table.off out.svg", "out.svg: there is no such file to read; to draw into it: -o out.svg"},
+    {"copy.off -f csv -o copy.off", "--output: copy.off is an input; the drawing would take its place"},
+};
+
+static void misuse_tells_what_was_meant(void **state)
+{
+    (void)state;
+    put_cube("copy.off", 0, 0, 6);
+    int before = entries(".", false) + 2; /* and what the runs say */
+    for (size_t i = 0; i < sizeof misuse_cases / sizeof misuse_cases[0]; i++) {
+        print_message("roberts %s\n", misuse_cases[i].arguments);
+        assert_int_equal(run(misuse_cases[i].arguments), 2);
+        assert_said(misuse_cases[i].said);
+        assert_string_equal(last.out, "");
+    }
+    assert_int_equal(entries(".", false), before);
+    assert_int_equal(run("copy.off"), 0);
+}
+
+/* ---- options that change nothing ---- */
+
+/* What is warned of, after "roberts: warning: "; empty: nothing. */
+static const struct {
+    const char *arguments, *said;
+} idle_cases[] = {
+    {"--unit in", "--unit has no effect: the drawing is fitted on the page, and not true to --scale\n"},
+    {"--unit in --scale 1:1", ""},
+    {"--dpi 300", "--dpi has no effect: only png has a resolution\n"},
+    {"--dpi 20 -o in/a.png", ""},
+    {"--style hidden:color=red", "--style hidden has no effect: hidden lines are not drawn without --hidden dashed or "
+                                 "solid\n"},
+    {"--style hidden:width=1 --hidden none", "--style hidden has no effect"},
+    {"--style hidden:color=red --hidden solid", ""},
+    {"--style hidden:off", ""},
+    {"--style frame:width=2", "--style frame has no effect: it is not drawn without --frame\n"},
+    {"--style frame:width=2 --frame", ""},
+    {"--style frame:width=2,on", ""},
+    {"--style symbol:width=2", "--style symbol has no effect: it is not drawn without --sheet\n"},
+    {"--style symbol:width=2 --sheet first --landscape", ""},
+    {"--dash real", "--dash real has no effect: no lines are dashed, as by --hidden dashed\n"},
+    {"--dash real --hidden solid", "--dash real has no effect"},
+    {"--dash real --hidden dashed", ""},
+    {"--dash real --style crease:dash=2", ""},
+    {"--dash pattern", ""},
+    {"-f csv --page a3", "--page has no effect: csv has no page\n"},
+    {"-f json --scale 1:2 --unit in --margin 5 --landscape --frame",
+     "--landscape, --margin, --scale, --unit, --frame have no effect: json has no page\n"},
+    {"-f null --order none --dpi 9", "--order, --dpi have no effect: null has no page\n"},
+    {"-f null -o in/b.svg", "--output has no effect: the format null writes nothing\n"},
+    {"-f csv --hidden dashed --crease 5", ""},
+};
+
+static void idle_options_are_warned_of(void **state)
+{
+    char line[300], said[300];
+    (void)state;
+    for (size_t i = 0; i < sizeof idle_cases / sizeof idle_cases[0]; i++) {
+        snprintf(line, sizeof line, "%s models/platonic/cube.off", idle_cases[i].arguments);
+        print_message("roberts %s\n", line);
+        assert_int_equal(run(line), 0);
+        if (idle_cases[i].said[0]) {
+            snprintf(said, sizeof said, "roberts: warning: %s", idle_cases[i].said);
+            assert_int_equal(strncmp(last.err, said, strlen(said)), 0);
+        } else {
+            assert_string_equal(last.err, "");
+        }
+        snprintf(line, sizeof line, "-q %s models/platonic/cube.off", idle_cases[i].arguments);
+        assert_int_equal(run(line), 0);
+        assert_string_equal(last.err, "");
+    }
+}
+
+static void several_points_are_picked(void **state)
+{
+    (void)state;
+    assert_int_equal(run("--pick 2.5,-2 --pick=-1e6,0 --view top -f null models/cube-behind-cube.off"), 0);
+    assert_string_equal(last.err, "roberts: pick 2.5,-2: solid 0, face 0, depth -2.5, at 2,1.5,4\n"
+                                  "roberts: pick -1000000,0: nothing is there\n");
+}
+
+static void sizes_of_paper(void **state)
+{
+    (void)state;
+    assert_int_equal(run("--page B5 models/platonic/cube.off"), 0);
+    assert_non_null(strstr(last.out, "width=\"176mm\" height=\"250mm\""));
+    assert_int_equal(run("--page b0 models/platonic/cube.off"), 0);
+    assert_non_null(strstr(last.out, "width=\"1000mm\" height=\"1414mm\""));
+    assert_int_equal(run("--page Letter models/platonic/cube.off"), 0);
+    assert_non_null(strstr(last.out, "width=\"215.9mm\" height=\"279.4mm\""));
+}
+
 int main(void)
 {
     if (!program_find())
         return 1;
     const struct CMUnitTest tests[] = {
-        IN_FOLDER(messages_name_the_file),
-        IN_FOLDER(every_refusal_names_the_file),
+        IN_FOLDER(messages_name_the_file),      IN_FOLDER(every_refusal_names_the_file),
+        IN_FOLDER(misuse_tells_what_was_meant), IN_FOLDER(idle_options_are_warned_of),
+        IN_FOLDER(several_points_are_picked),   IN_FOLDER(sizes_of_paper),
     };
     return cmocka_run_group_tests_name("cli_messages", tests, NULL, NULL);
 }

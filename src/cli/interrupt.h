@@ -4,8 +4,9 @@
 
 enum { INTERRUPT_SLOTS = 64 }; /* files that can be under way at a time */
 
-/* From now on SIGINT, SIGTERM and SIGHUP remove the unfinished files, if there are any, and then end the program as
- * ever; a closed pipe and the limit on file sizes become errors of write(). */
+/* From now on SIGINT, SIGTERM, SIGHUP and SIGPIPE (whoever read what is written is gone) remove the unfinished files, if
+ * there are any, and then end the program as ever; a signal that was ignored stays so, and a closed pipe is then an error
+ * of write(), as the limit on file sizes is always. */
 void interrupt_prepare(void);
 
 /* The context that interrupt_temporary() wants, one for each thread that writes, from 0. */

@@ -44,11 +44,11 @@ const char *nearest_word(const char *word, const char *const *words, size_t coun
     size_t length = strlen(word), best_distance = FAR;
     for (size_t i = 0; i < count; i++) {
         /* What is the beginning of a word means that word, and "isometric" means iso; else a third of the letters may
-         * be wrong. */
+         * be wrong, of two none. */
         size_t shorter = least(length, strlen(words[i]));
         bool begins = shorter >= 2 && strncmp(words[i], word, shorter) == 0;
         size_t d = begins ? 0 : distance(word, words[i]);
-        if (d < best_distance && (begins || 3 * d <= shorter + 1)) {
+        if (d < best_distance && (begins || (shorter > 2 && 3 * d <= shorter + 1))) {
             best = words[i];
             best_distance = d;
         }
@@ -56,14 +56,54 @@ const char *nearest_word(const char *word, const char *const *words, size_t coun
     return best;
 }
 
+const char *nearest_option(const char *word)
+{
+    static const struct {
+        const char *word, *option;
+    } known[] = {
+        {"angle", "fov"},
+        {"camera", "eye"},
+        {"color", "style outline:color=NAME"},
+        {"colour", "style outline:color=NAME"},
+        {"dashed", "hidden dashed"},
+        {"debug", "stats"},
+        {"direction", "dir"},
+        {"height", "page WxH"},
+        {"jobs", "threads"},
+        {"line-width", "style outline:width=MM"},
+        {"linewidth", "style outline:width=MM"},
+        {"paper", "page"},
+        {"perspective", "eye"},
+        {"portrait", "page"},
+        {"position", "eye"},
+        {"projection", "view"},
+        {"resolution", "dpi"},
+        {"rotate", "azimuth"},
+        {"silent", "quiet"},
+        {"size", "page"},
+        {"stroke-width", "style outline:width=MM"},
+        {"target", "look-at"},
+        {"type", "format"},
+        {"units", "unit"},
+        {"viewpoint", "eye"},
+        {"width", "style outline:width=MM"},
+        {"zoom", "scale"},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (strcmp(word, known[i].word) == 0)
+            return known[i].option;
+    return NULL;
+}
+
 int nearest_unknown(const char *what, const char *word, const char *const *words, size_t count, const char *also)
 {
     const char *meant = nearest_word(word, words, count);
-    if (meant)
-        return message_misuse("%s: \"%s\" is unknown; did you mean %s?", what, word, meant);
     char list[256] = ""; /* more than all names of any option */
     for (size_t i = 0, used = 0; i < count && used < sizeof list; i++)
         used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", words[i]);
+    if (meant)
+        return message_misuse("%s: \"%s\" is unknown; did you mean %s? It can be %s%s%s", what, word, meant, list,
+                              also ? ", " : "", also ? also : "");
     return message_misuse("%s: \"%s\" is unknown; it can be %s%s%s", what, word, list, also ? ", " : "",
                           also ? also : "");
 }

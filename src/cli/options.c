@@ -14,8 +14,9 @@
 #include "cli/nearest.h"
 #include "cli/paper.h"
 #include "cli/parse.h"
+#include "cli/sense.h"
 
-enum { TURNTABLE_MOST = 100000, NAME_SIZE = 4096 };
+enum { TURNTABLE_MOST = 100000 };
 
 typedef enum option_id {
     OPTION_OUTPUT,
@@ -219,6 +220,8 @@ static int set_number_between(const char *name, const char *value, double min, d
 {
     if (!parse_number(value, number))
         return message_misuse("--%s: \"%s\" is not a number", name, value);
+    if (*number < min && max == DBL_MAX)
+        return message_misuse("--%s: %s is less than %g", name, value, min);
     if (!(*number >= min && *number <= max))
         return message_misuse("--%s: %s is not in %g..%g", name, value, min, max);
     return EXIT_DONE;
@@ -234,6 +237,29 @@ static int set_integer(const char *name, const char *value, uint32_t *number)
     if (parse_integer(value, number))
         return EXIT_DONE;
     return message_misuse("--%s: \"%s\" is not a whole number from 0 on", name, value);
+}
+
+static int set_angle_of_view(const char *value, double *degrees)
+{
+    int status = set_number("fov", value, 179.0, degrees);
+    if (status == EXIT_DONE && *degrees == 0.0)
+        return message_misuse("--fov: 0 shows nothing; an angle of view is greater, up to 179 degrees");
+    return status;
+}
+
+static int set_rays(const char *value, uint32_t *rays)
+{
+    int status = set_integer("verify", value, rays);
+    if (status == EXIT_DONE && *rays == 0)
+        return message_misuse("--verify: 0 rays check nothing; it takes 1 or more (3 where none is given)");
+    return status;
+}
+
+static int add_pick(cli_options *options, const char *value)
+{
+    if (options->pick_count == PICKS_MOST)
+        return message_misuse("--pick: %d points are the most", PICKS_MOST);
+    return set_point("pick", value, &options->pick[options->pick_count++]);
 }
 
 static int set_turntable(const char *value, uint32_t *number)
@@ -271,7 +297,7 @@ static int apply_value(parser *p, option_id id, const char *value)
     case OPTION_NEAR:
         return set_number(name, value, DBL_MAX, &options->camera.near_distance);
     case OPTION_FOV:
-        return set_number(name, value, 179.0, &options->camera.fov_degrees);
+        return set_angle_of_view(value, &options->camera.fov_degrees);
     case OPTION_UP:
         return set_direction(name, value, &p->up);
     case OPTION_AZIMUTH:
@@ -317,10 +343,9 @@ static int apply_value(parser *p, option_id id, const char *value)
         return set_stats(options, value);
     case OPTION_VERIFY:
         options->verify = true;
-        return value ? set_integer(name, value, &options->verify_rays) : EXIT_DONE;
+        return value ? set_rays(value, &options->verify_rays) : EXIT_DONE;
     case OPTION_PICK:
-        options->pick = true;
-        return set_point(name, value, &options->pick_point);
+        return add_pick(options, value);
     case OPTION_QUIET:
         options->quiet = true;
         return EXIT_DONE;
@@ -388,14 +413,32 @@ static int apply(parser *p, option_id id, const char *value)
     return status;
 }
 
+/* The option called `name`, or OPTION_COUNT. */
+static option_id find_option(const char *name, size_t length)
+{
+    int id = 0;
+    while (id < OPTION_COUNT &&
+           !(strlen(option_table[id].name) == length && strncmp(option_table[id].name, name, length) == 0))
+        id++;
+    return (option_id)id;
+}
+
+/* The option that was meant: one of like letters, one that is called otherwise elsewhere, or the value of one. */
 static int unknown_option(const char *name)
 {
-    const char *words[OPTION_COUNT];
+    const char *words[OPTION_COUNT], *meant = nearest_option(name);
+    roberts_camera camera;
+    roberts_format format;
     for (int i = 0; i < OPTION_COUNT; i++)
         words[i] = option_table[i].name;
-    const char *meant = nearest_word(name, words, OPTION_COUNT);
+    if (!meant)
+        meant = nearest_word(name, words, OPTION_COUNT);
     if (meant)
         return message_misuse("--%s is unknown; did you mean --%s?", name, meant);
+    if (roberts_camera_preset(name, &camera))
+        return message_misuse("--%s is unknown; did you mean --view %s?", name, name);
+    if (roberts_format_by_name(name, &format))
+        return message_misuse("--%s is unknown; did you mean -f %s?", name, name);
     return message_misuse("--%s is unknown", name);
 }
 
@@ -405,10 +448,7 @@ static int take_long(parser *p, int argc, char **argv, int *i)
     const char *name = argv[*i] + 2, *equals = strchr(name, '=');
     size_t length = equals ? (size_t)(equals - name) : strlen(name);
     const char *value = equals ? equals + 1 : NULL;
-    int id = 0;
-    while (id < OPTION_COUNT &&
-           !(strlen(option_table[id].name) == length && strncmp(option_table[id].name, name, length) == 0))
-        id++;
+    option_id id = find_option(name, length);
     if (id == OPTION_COUNT) {
         char word[64];
         snprintf(word, sizeof word, "%.*s", length < sizeof word ? (int)length : (int)sizeof word - 1, name);
@@ -421,12 +461,15 @@ static int take_long(parser *p, int argc, char **argv, int *i)
             return message_misuse("--%s needs a value", option_table[id].name);
         value = argv[++*i];
     }
-    return apply(p, (option_id)id, value);
+    return apply(p, id, value);
 }
 
-/* argv[*i] is -x, -xyz or -xvalue; as above. */
+/* argv[*i] is -x, -xyz or -xvalue; as above. One minus before a long name is a slip, which else might name a file. */
 static int take_short(parser *p, int argc, char **argv, int *i)
 {
+    const char *word = argv[*i] + 1;
+    if (word[1] && find_option(word, strcspn(word, "=")) != OPTION_COUNT)
+        return message_misuse("-%s is unknown; did you mean --%s?", word, word);
     for (const char *letter = argv[*i] + 1; *letter; letter++) {
         int id = 0, status;
         while (id < OPTION_COUNT && option_table[id].letter != *letter)
@@ -447,6 +490,17 @@ static int take_short(parser *p, int argc, char **argv, int *i)
     return EXIT_DONE;
 }
 
+/* An operand that was meant as the value of the option before it, which takes one only behind "=". */
+static int misplaced_value(const char *option, const char *operand)
+{
+    uint32_t number;
+    bool meant = (strcmp(option, "--stats") == 0 && strcmp(operand, "json") == 0) ||
+                 (strcmp(option, "--verify") == 0 && parse_integer(operand, &number));
+    if (!meant || access(operand, F_OK) == 0)
+        return EXIT_DONE;
+    return message_misuse("%s: there is no such file; did you mean %s=%s?", operand, option, operand);
+}
+
 /* ---- all together ---- */
 
 static int check_conflicts(const parser *p)
@@ -455,23 +509,7 @@ static int check_conflicts(const parser *p)
         if (p->given[conflict[i][0]] && p->given[conflict[i][1]])
             return message_misuse("--%s and --%s exclude each other", option_table[conflict[i][0]].name,
                                   option_table[conflict[i][1]].name);
-    if (p->given[OPTION_LOOK_AT] && !p->given[OPTION_EYE])
-        return message_misuse("--look-at needs --eye");
-    if ((p->given[OPTION_NEAR] || p->given[OPTION_FOV]) && !p->given[OPTION_EYE])
-        return message_misuse("--%s needs --eye", p->given[OPTION_NEAR] ? "near" : "fov");
-    const roberts_page *page = &p->options->draw.page;
-    if (2.0 * page->margin_mm >= (page->width_mm < page->height_mm ? page->width_mm : page->height_mm))
-        return message_misuse("--margin: %g mm leave no room on a page of %g x %g mm", page->margin_mm, page->width_mm,
-                              page->height_mm);
-    char name[NAME_SIZE];
-    if (p->given[OPTION_TURNTABLE] && !parse_numbered(p->options->output, 0, name, sizeof name))
-        return message_misuse("--turntable needs a name with a place for the number: -o turn-%%03d.svg");
-    size_t streams = 0;
-    for (size_t i = 0; i < p->options->input_count; i++)
-        streams += strcmp(p->options->input[i], "-") == 0;
-    if (p->given[OPTION_BATCH] && streams > 0)
-        return message_misuse("--batch needs names of files");
-    return streams > 1 ? message_misuse("standard input (-) can be read only once") : EXIT_DONE;
+    return EXIT_DONE;
 }
 
 /* The format, where -f has not told it: by the ending of the output's name; SVG where that has none. */
@@ -503,6 +541,16 @@ static void set_camera(const parser *p)
     camera->roll_degrees = p->roll;
 }
 
+/* Names of the options that were given, in the order of the table; how many there are. */
+static size_t list_given(const parser *p, const char *names[OPTION_COUNT])
+{
+    size_t count = 0;
+    for (int i = 0; i < OPTION_COUNT; i++)
+        if (p->given[i])
+            names[count++] = option_table[i].name;
+    return count;
+}
+
 static void lay_down(roberts_page *page)
 {
     if (page->width_mm < page->height_mm) {
@@ -524,9 +572,11 @@ int options_parse(int argc, char **argv, cli_options *options)
     roberts_camera_preset("iso", &options->camera);
     description_word(&options->description, "roberts");
     for (int i = 1; i < argc; i++) {
-        if (only_operands || argv[i][0] != '-' || argv[i][1] == '\0')
+        if (only_operands || argv[i][0] != '-' || argv[i][1] == '\0') {
+            if (!only_operands && i > 1 && (status = misplaced_value(argv[i - 1], argv[i])) != EXIT_DONE)
+                return status;
             argv[operands++] = argv[i];
-        else if (strcmp(argv[i], "--") == 0)
+        } else if (strcmp(argv[i], "--") == 0)
             only_operands = true;
         else if ((status = (argv[i][1] == '-' ? take_long : take_short)(&p, argc, argv, &i)) != EXIT_DONE)
             return status;
@@ -539,8 +589,12 @@ int options_parse(int argc, char **argv, cli_options *options)
         description_word(&options->description, argv[i]);
     if (options->help || options->version)
         return EXIT_DONE;
-    if ((status = check_conflicts(&p)) != EXIT_DONE)
+    const char *names[OPTION_COUNT];
+    const sense_given given = {names, list_given(&p, names)};
+    if ((status = check_conflicts(&p)) != EXIT_DONE || (status = choose_format(&p)) != EXIT_DONE ||
+        (status = sense_check(options, given)) != EXIT_DONE)
         return status;
+    sense_warn(options, given);
     set_camera(&p);
-    return choose_format(&p);
+    return EXIT_DONE;
 }

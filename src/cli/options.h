@@ -7,6 +7,8 @@
 #include "cli/description.h"
 #include "roberts.h"
 
+enum { PICKS_MOST = 64 };
+
 typedef enum cli_stats { STATS_NONE, STATS_TEXT, STATS_JSON } cli_stats;
 
 typedef struct cli_options {
@@ -24,9 +26,10 @@ typedef struct cli_options {
     roberts_draw_options draw;
     description description; /* of the drawing, as a command */
     cli_stats stats;
-    bool verify, pick;
+    bool verify;
     uint32_t verify_rays; /* per segment; 0 = choose */
-    roberts_vec2 pick_point;
+    roberts_vec2 pick[PICKS_MOST];
+    size_t pick_count;
     bool quiet, verbose, help, version;
 } cli_options;
 

@@ -19,6 +19,15 @@ static size_t find_word(const char *word, const char *const *words, size_t count
     return i;
 }
 
+/* What of `text` fits, in small letters. */
+static void lower_case(const char *text, char *word, size_t size)
+{
+    size_t i = 0;
+    for (; text[i] && i + 1 < size; i++)
+        word[i] = (char)(text[i] >= 'A' && text[i] <= 'Z' ? text[i] - 'A' + 'a' : text[i]);
+    word[i] = '\0';
+}
+
 /* Copies what stands before the first `end` (or all); returns what stands behind it, NULL: there is no `end`. False in
  * `*fits`: longer than any value is. */
 static const char *take_word(const char *text, char end, char *word, size_t size, bool *fits)
@@ -41,10 +50,16 @@ static bool parse_pair(const char *value, char sign, double *a, double *b)
 
 int paper_set_page(roberts_page *page, const char *value)
 {
-    static const char *const names[] = {"a0", "a1", "a2", "a3", "a4", "a5", "a6", "letter", "legal", "tabloid"};
-    static const double sizes[][2] = {{841, 1189}, {594, 841}, {420, 594},     {297, 420},     {210, 297},
-                                      {148, 210},  {105, 148}, {215.9, 279.4}, {215.9, 355.6}, {279.4, 431.8}};
-    size_t i = find_word(value, names, COUNT(names));
+    /* ISO 216, and what North America uses */
+    static const char *const names[] = {"a0", "a1", "a2", "a3", "a4", "a5",     "a6",    "b0",     "b1",
+                                        "b2", "b3", "b4", "b5", "b6", "letter", "legal", "tabloid"};
+    static const double sizes[][2] = {{841, 1189},    {594, 841},    {420, 594},   {297, 420},  {210, 297},
+                                      {148, 210},     {105, 148},    {1000, 1414}, {707, 1000}, {500, 707},
+                                      {353, 500},     {250, 353},    {176, 250},   {125, 176},  {215.9, 279.4},
+                                      {215.9, 355.6}, {279.4, 431.8}};
+    char word[16];
+    lower_case(value, word, sizeof word); /* as in "A4" */
+    size_t i = find_word(word, names, COUNT(names));
     if (i < COUNT(names)) {
         page->width_mm = sizes[i][0];
         page->height_mm = sizes[i][1];
@@ -52,7 +67,7 @@ int paper_set_page(roberts_page *page, const char *value)
     }
     double width, height;
     if (!parse_pair(value, 'x', &width, &height))
-        return nearest_unknown("--page", value, names, COUNT(names), "or WxH in mm");
+        return nearest_unknown("--page", value, names, COUNT(names), "or WxH in mm, as 210x297");
     if (!(width >= 1.0 && width <= 40000.0 && height >= 1.0 && height <= 40000.0))
         return message_misuse("--page: %s: each side has 1 to 40000 mm", value);
     page->width_mm = width;
@@ -206,7 +221,7 @@ static int set_key(roberts_pen *pen, const char *item)
     const char *value = take_word(item, '=', key, sizeof key, &fits);
     size_t i = find_word(key, names, COUNT(names));
     if (i == COUNT(names))
-        return nearest_unknown("--style", key, names, COUNT(names), NULL);
+        return nearest_unknown("--style", key, names, COUNT(names), "as in outline:width=0.7,color=red");
     if ((i < 4) != (value != NULL))
         return message_misuse("--style: %s %s", key, i < 4 ? "needs a value" : "takes no value");
     switch (i) {
@@ -233,10 +248,13 @@ int paper_set_style(roberts_draw_options *options, const char *value)
     const char *rest = take_word(value, ':', word, sizeof word, &fits);
     size_t i = find_word(word, names, COUNT(names));
     int status = EXIT_DONE;
+    if (!rest && (i < COUNT(names) || strchr(value, '=')))
+        return message_misuse("--style: \"%s\" is not CLASS:key=value,..., as outline:width=0.7,color=red", value);
     if (i == COUNT(names))
         return nearest_unknown("--style", word, names, COUNT(names), NULL);
-    if (!rest)
-        return message_misuse("--style: \"%s\" is not CLASS:key=value,...", value);
+    if (strchr(rest, ':'))
+        return message_misuse("--style: \"%s\": there is a comma between two values, as outline:width=0.7,color=red",
+                              value);
     while (rest && status == EXIT_DONE) {
         rest = take_word(rest, ',', word, sizeof word, &fits);
         status = fits ? set_key(pens[i], word) : message_misuse("--style: \"%s...\" is too long", word);

@@ -103,7 +103,7 @@ static roberts_status hide(const cli_options *options, const roberts_scene *scen
         progress_stage("verifying");
         status = rays_verify(options, scene, drawing, &wrong, error);
     }
-    if (status == ROBERTS_OK && options->pick)
+    if (status == ROBERTS_OK)
         status = rays_pick(options, scene, error);
     run->verify = stats_sum(run->verify, stats_since(start));
     run->wrong = run->wrong || wrong;

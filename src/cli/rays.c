@@ -53,10 +53,10 @@ roberts_status rays_verify(const cli_options *options, const roberts_scene *scen
     return status;
 }
 
-roberts_status rays_pick(const cli_options *options, const roberts_scene *scene, roberts_error *error)
+static roberts_status pick_one(const cli_options *options, const roberts_scene *scene, roberts_vec2 p,
+                               roberts_error *error)
 {
     roberts_picked picked;
-    roberts_vec2 p = options->pick_point;
     roberts_status status = roberts_pick(scene, &options->camera, p.x, p.y, &picked, error);
     message_open(options->log);
     if (status == ROBERTS_OK && picked.count == 0)
@@ -74,5 +74,13 @@ roberts_status rays_pick(const cli_options *options, const roberts_scene *scene,
     }
     message_close(options->log);
     roberts_picked_free(&picked);
+    return status;
+}
+
+roberts_status rays_pick(const cli_options *options, const roberts_scene *scene, roberts_error *error)
+{
+    roberts_status status = ROBERTS_OK;
+    for (size_t i = 0; i < options->pick_count && status == ROBERTS_OK; i++)
+        status = pick_one(options, scene, options->pick[i], error);
     return status;
 }

@@ -9,7 +9,7 @@
 roberts_status rays_verify(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing,
                            bool *wrong, roberts_error *error);
 
-/* Tells what is seen at the point that --pick names and what lies behind it, nearest first, one a line. */
+/* Tells what is seen at each point that --pick names and what lies behind it, nearest first, one a line. */
 roberts_status rays_pick(const cli_options *options, const roberts_scene *scene, roberts_error *error);
 
 #endif

@@ -131,7 +131,11 @@ static roberts_status write_image(const strokes *s, output *out, roberts_error *
     double pixels_per_mm = s->options->dpi / mm_per_inch;
     double width = ceil(page->width_mm * pixels_per_mm), height = ceil(page->height_mm * pixels_per_mm);
     if (!(width >= 1.0 && height >= 1.0 && width <= PIXELS_MAX && height <= PIXELS_MAX))
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "an image has at most %d pixels a side", PIXELS_MAX);
+        return error_set(
+            error, ROBERTS_BAD_ARGUMENT, 0,
+            "%g dpi make an image of %.0f x %.0f pixels; it has 1 to %d a side, on this page at most %.0f dpi",
+            s->options->dpi, width, height, PIXELS_MAX,
+            floor(PIXELS_MAX * mm_per_inch / fmax(page->width_mm, page->height_mm)));
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)width, (int)height);
     cairo_t *cairo = cairo_create(surface);
     cairo_set_source_rgb(cairo, 1.0, 1.0, 1.0);

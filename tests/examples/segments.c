@@ -35,6 +35,6 @@ int main(int argc, char **argv)
     if (status == ROBERTS_OK)
         printf("%lu segments, %.10g long\n", s.count, s.length);
     else
-        fprintf(stderr, "%s\n", error.message);
+        fprintf(stderr, "%s: %s\n", error.file, error.message);
     return status == ROBERTS_OK ? 0 : 1;
 }

@@ -22,7 +22,7 @@ int main(int argc, char **argv)
     if (status == ROBERTS_OK)
         status = roberts_hide(scene.get(), &camera, nullptr, &drawing, &error);
     if (status != ROBERTS_OK) {
-        std::cerr << error.message << '\n';
+        std::cerr << error.file << ": " << error.message << '\n';
         return 1;
     }
     for (size_t i = 0; i < drawing.count; i++)

@@ -1,0 +1,192 @@
+/* sense.c - whether options make sense together.
+ *
+ * The rule: what would draw something else than is meant, or lose a file, is misuse. What changes nothing is a warning, so
+ * that a script can give the same options to every run; --quiet drops it. */
+#include "cli/sense.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "cli/message.h"
+#include "cli/parse.h"
+
+#define COUNT(array) (sizeof(array) / sizeof(array)[0])
+
+enum { NAME_SIZE = 4096, LIST_SIZE = 512 };
+
+static bool is_given(sense_given given, const char *name)
+{
+    for (size_t i = 0; i < given.count; i++)
+        if (strcmp(given.name[i], name) == 0)
+            return true;
+    return false;
+}
+
+static bool has_page(roberts_format format)
+{
+    return format != ROBERTS_CSV && format != ROBERTS_JSON && format != ROBERTS_NULL;
+}
+
+/* ---- misuse ---- */
+
+static int check_margin(const cli_options *options)
+{
+    const roberts_page *page = &options->draw.page;
+    if (2.0 * page->margin_mm < (page->width_mm < page->height_mm ? page->width_mm : page->height_mm))
+        return EXIT_DONE;
+    return message_misuse("--margin: %g mm leave no room on a page of %g x %g mm", page->margin_mm, page->width_mm,
+                          page->height_mm);
+}
+
+static int check_turntable(const cli_options *options)
+{
+    static const char how[] = "--turntable needs a name with a place for the number: -o turn-%03d.svg";
+    char name[NAME_SIZE];
+    const char *place = strchr(options->output, '%');
+    if (options->turntable == 0 || parse_numbered(options->output, 0, name, sizeof name))
+        return EXIT_DONE;
+    if (!place)
+        return message_misuse("%s", how);
+    if (strchr(place + 1, '%'))
+        return message_misuse("%s; \"%s\" has more than one %%", how, options->output);
+    if (strlen(options->output) + 10 > sizeof name)
+        return message_misuse("%s; this one is too long", how);
+    return message_misuse("%s; \"%s\" has a %% of another kind", how, options->output);
+}
+
+static bool ends_like_input(const char *name)
+{
+    size_t length = strlen(name);
+    return length >= 4 && name[length - 4] == '.' && strchr("oO", name[length - 3]) && strchr("fF", name[length - 2]) &&
+           strchr("fF", name[length - 1]);
+}
+
+/* A file forgotten behind --batch, or the folder: then the first file is taken for the folder. */
+static int check_batch(const cli_options *options)
+{
+    static const char how[] = "--batch DIR FILE.off...";
+    struct stat found;
+    if (!options->batch)
+        return EXIT_DONE;
+    bool there = stat(options->batch, &found) == 0;
+    if ((there && !S_ISDIR(found.st_mode)) || (!there && ends_like_input(options->batch)))
+        return message_misuse("--batch: %s is %s, where the folder for the drawings should be: %s", options->batch,
+                              there ? "a file" : "the name of a file", how);
+    for (size_t i = 0; i < options->input_count; i++)
+        if (strcmp(options->input[i], "-") == 0)
+            return message_misuse("--batch needs names of files: %s", how);
+    return EXIT_DONE;
+}
+
+static bool is_same_file(const struct stat *a, const struct stat *b)
+{
+    return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
+/* The drawing must not take the place of a model, and a name for the drawing is not one of a model. */
+static int check_files(const cli_options *options, bool output_given)
+{
+    struct stat output, input;
+    size_t streams = 0;
+    bool there = output_given && options->draw.format != ROBERTS_NULL && stat(options->output, &output) == 0;
+    for (size_t i = 0; i < options->input_count; i++) {
+        roberts_format format;
+        const char *name = options->input[i];
+        streams += strcmp(name, "-") == 0;
+        if (stat(name, &input) == 0) {
+            if (there && S_ISREG(output.st_mode) && is_same_file(&output, &input))
+                return message_misuse("--output: %s is an input; the drawing would take its place", options->output);
+        } else if (!output_given && !options->batch && roberts_format_by_path(name, &format)) {
+            return message_misuse("%s: there is no such file to read; to draw into it: -o %s", name, name);
+        }
+    }
+    return streams > 1 ? message_misuse("standard input (-) can be read only once") : EXIT_DONE;
+}
+
+int sense_check(const cli_options *options, sense_given given)
+{
+    static const char *const of_eye[] = {"look-at", "near", "fov"};
+    int status;
+    for (size_t i = 0; i < COUNT(of_eye); i++)
+        if (is_given(given, of_eye[i]) && !is_given(given, "eye"))
+            return message_misuse("--%s needs --eye", of_eye[i]);
+    if ((status = check_margin(options)) != EXIT_DONE || (status = check_turntable(options)) != EXIT_DONE ||
+        (status = check_batch(options)) != EXIT_DONE)
+        return status;
+    return check_files(options, is_given(given, "output"));
+}
+
+/* ---- warnings ---- */
+
+static void warn(const char *what, const char *why)
+{
+    fprintf(stderr, "roberts: warning: %s has no effect: %s\n", what, why);
+}
+
+/* Those of `names` that were given, as "--a, --b"; how many they are. */
+static size_t list_given(sense_given given, const char *const *names, size_t count, char list[LIST_SIZE])
+{
+    size_t found = 0, used = 0;
+    list[0] = '\0';
+    for (size_t i = 0; i < count && used < LIST_SIZE; i++)
+        if (is_given(given, names[i]))
+            used += (size_t)snprintf(list + used, LIST_SIZE - used, "%s--%s", found++ ? ", " : "", names[i]);
+    return found;
+}
+
+static bool same_pen(const roberts_pen *a, const roberts_pen *b)
+{
+    return a->width_mm == b->width_mm && a->dash_mm == b->dash_mm && a->gap_mm == b->gap_mm && a->red == b->red &&
+           a->green == b->green && a->blue == b->blue;
+}
+
+static bool is_dashed(const roberts_pen *pen)
+{
+    return pen->dash_mm > 0.0 && !pen->off;
+}
+
+static void warn_tables(const cli_options *options, sense_given given)
+{
+    static const char *const names[] = {"page",  "landscape", "margin", "fit",  "scale", "unit",
+                                        "align", "frame",     "style",  "dash", "order", "dpi"};
+    char list[LIST_SIZE];
+    size_t found = list_given(given, names, COUNT(names), list);
+    if (found > 0)
+        fprintf(stderr, "roberts: warning: %s %s no effect: %s has no page\n", list, found > 1 ? "have" : "has",
+                options_format_name(options->draw.format));
+}
+
+static void warn_pages(const cli_options *options, sense_given given)
+{
+    const roberts_draw_options *draw = &options->draw, usual = roberts_draw_options_default();
+    const bool hidden = draw->hidden != ROBERTS_HIDDEN_NONE;
+    if (is_given(given, "dpi") && draw->format != ROBERTS_PNG)
+        warn("--dpi", "only png has a resolution");
+    if (is_given(given, "unit") && !is_given(given, "scale"))
+        warn("--unit", "the drawing is fitted on the page, and not true to --scale");
+    if (!hidden && !same_pen(&draw->back, &usual.back))
+        warn("--style hidden", "hidden lines are not drawn without --hidden dashed or solid");
+    if (draw->frame.off && !same_pen(&draw->frame, &usual.frame))
+        warn("--style frame", "it is not drawn without --frame");
+    if (!options->is_sheet && !same_pen(&draw->symbol, &usual.symbol))
+        warn("--style symbol", "it is not drawn without --sheet");
+    if (draw->real_dashes && !is_dashed(&draw->outline) && !is_dashed(&draw->crease) &&
+        !(draw->hidden == ROBERTS_HIDDEN_DASHED && is_dashed(&draw->back)))
+        warn("--dash real", "no lines are dashed, as by --hidden dashed");
+}
+
+void sense_warn(const cli_options *options, sense_given given)
+{
+    if (options->quiet)
+        return;
+    if (options->draw.format == ROBERTS_NULL && is_given(given, "output") && !options->turntable)
+        warn("--output", "the format null writes nothing");
+    if (has_page(options->draw.format))
+        warn_pages(options, given);
+    else
+        warn_tables(options, given);
+    if (isatty(STDIN_FILENO) && strcmp(options->input[0], "-") == 0)
+        fputs("roberts: reads the model from the terminal, as no file is named; ctrl-D ends it\n", stderr);
+}
