@@ -137,41 +137,86 @@ hide_verdict hide_test3(const hide_space *space, const hide_face *F, const hide_
 }
 
 /* t_i, and how far along the edge it may be from another crossing that touches it. */
-static double crossing(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, uint32_t i,
-                       double *touch)
+typedef struct crossing {
+    double t, touch;
+    double error; /* bound of t's error where it is not accurate, 0 where it is */
+    uint32_t p, q;
+} crossing;
+
+/* Sharper than the errors of A and B where the crossing lies near a side that is short, or that AB crosses far from its
+ * ends. With a and b off by da and db, t is off by ((1 - t) da + t db) / (a - b): by the error that the distance of the
+ * crossing X itself would have. Moved by `rounding` in each coordinate, P, Q and X change the cross product by no more
+ * than 2 rounding (|PQ| + |PX|), both norms sums of coordinates, and the products' own rounding adds less than
+ * 2 rounding |PQ|. X is taken where it was found: it may be off by t's error times |AB|, which at most doubles the
+ * bound as long as 4 rounding |AB| <= |a - b|. */
+static double error_at_crossing(const hide_space *space, const side_line *s, const hide_edge *e, double t)
+{
+    roberts_vec3 P = space->P[s->p], Q = space->P[s->q], X = hide_edge_at(e, t);
+    double side = fabs(Q.x - P.x) + fabs(Q.y - P.y), reach = fabs(X.x - P.x) + fabs(X.y - P.y);
+    double run = fabs(e->B.x - e->A.x) + fabs(e->B.y - e->A.y), apart = fabs(s->a - s->b);
+    return 4.0 * space->rounding * run <= apart ? 4.0 * space->rounding * (2.0 * side + reach) / apart : INFINITY;
+}
+
+static crossing cross_side(const hide_space *space, const hide_face *F, uint32_t i, const hide_edge *e)
 {
     side_line s = measure(space, F, i, e);
-    double apart = fabs(s.a - s.b);
-    *touch = space->epsilon * s.length / apart;
-    if (hide_accurate(space, e, (s.error_a + s.error_b) / apart) || !space->scene)
-        return s.a / (s.a - s.b);
-    sides->refined++;
-    return refine_crossing(space, s.p, s.q, e);
+    double apart = fabs(s.a - s.b), error = (s.error_a + s.error_b) / apart;
+    crossing c = {.t = s.a / (s.a - s.b), .touch = space->epsilon * s.length / apart, .p = s.p, .q = s.q};
+    if (hide_accurate(space, e, error) || !space->scene)
+        return c;
+    error = lesser(error_at_crossing(space, &s, e, c.t), error);
+    c.error = hide_accurate(space, e, error) ? 0.0 : error;
+    return c;
+}
+
+/* Twice the precision, where that is needed. */
+static void settle(const hide_space *space, const hide_edge *e, crossing *c, uint64_t *refined)
+{
+    if (c->error == 0.0)
+        return;
+    c->t = refine_crossing(space, c->p, c->q, e);
+    c->error = 0.0;
+    ++*refined;
+}
+
+/* Takes c for *last where it comes later along the edge (direction 1), or earlier (-1). What is certain without is not
+ * refined. (No number, of a side that AB is parallel to, is not certain.) */
+static void take_later(const hide_space *space, const hide_edge *e, double direction, crossing *last, crossing c,
+                       uint64_t *refined)
+{
+    double ahead = direction * (c.t - last->t), error = c.error + last->error;
+    if (ahead <= -error)
+        return;
+    if (!(ahead > error)) {
+        settle(space, e, last, refined);
+        settle(space, e, &c, refined);
+        ahead = direction * (c.t - last->t);
+    }
+    if (ahead > 0.0)
+        *last = c;
 }
 
 /* TEST 4. t_i is the crossing of AB with side plane H_i. Of those by which AB comes in, the last lies on the side itself
  * (0 <= s_i <= 1), and so does the first by which it goes out, unless AB misses the face: then they come in the wrong
- * order. So the s_i need not be computed. */
+ * order. So the s_i need not be computed, and of the crossings at most those two closely. */
 bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part)
 {
-    *part = (hide_part){0.0, 1.0, 0.0, 0.0};
+    crossing in = {.t = 0.0}, out = {.t = 1.0};
     for (uint32_t i = 0; i < F->count; i++) {
         hide_side H = sides->H[i];
-        double touch, t;
         if (H.a >= 0 && H.b >= 0)
             continue;
-        t = crossing(space, F, e, sides, i, &touch);
-        if (H.a < 0 && t > part->t0) {
-            part->t0 = t;
-            part->e0 = touch;
-        }
-        if (H.b < 0 && t < part->t1) {
-            part->t1 = t;
-            part->e1 = touch;
-        }
-        if (part->t0 >= part->t1)
+        crossing c = cross_side(space, F, i, e);
+        if (H.a < 0)
+            take_later(space, e, 1.0, &in, c, &sides->refined);
+        if (H.b < 0)
+            take_later(space, e, -1.0, &out, c, &sides->refined);
+        if (in.t - in.error >= out.t + out.error)
             return false;
     }
+    settle(space, e, &in, &sides->refined);
+    settle(space, e, &out, &sides->refined);
+    *part = (hide_part){in.t, out.t, in.touch, out.touch};
     return (part->t1 - part->t0) * e->length3 > space->epsilon;
 }
 
