@@ -63,6 +63,9 @@ tools: $(TOOL_BIN) ## what helps to build and measure, to build/tools/
 models: $(BUILD)/tools/make-models ## the files of models/, anew
 	$< --all models
 
+figures: $(BUILD)/roberts ## the figures of src/*/README.md, anew, to models/figures/
+	ROBERTS_BUILD=$(BUILD) tools/draw-figures.sh
+
 drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
 	@echo "drawn: $(sort $^)"
 
@@ -98,7 +101,7 @@ test-threads: ## calls the library from several threads at once under the thread
 	TSAN_OPTIONS=suppressions=tests/threads.supp build/threads/tests/test_threads
 
 ##@ To install
-install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, libraries, header and roberts.pc below DESTDIR/PREFIX
+install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, man page, completions, libraries, header and roberts.pc
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(PREFIX)/include
 	install -m 755 $(BUILD)/roberts $(DESTDIR)$(PREFIX)/bin/
 	install -m 644 include/roberts.h $(DESTDIR)$(PREFIX)/include/
@@ -127,7 +130,7 @@ clean: ## removes build/
 
 help: ## lists the targets
 	@sed -n -e 's/^##@ \(.*\)/\n\1:/p' -e 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 24
-	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS LDFLAGS WERROR=-Werror OPENMP= BUILD=folder\n'
+	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS LDFLAGS WERROR=-Werror OPENMP= BUILD=folder PREFIX=/usr/local LIBDIR DESTDIR\n'
 
 # How things are made
 $(BUILD)/libroberts.a: $(call object,$(LIB_SRC))
@@ -228,7 +231,7 @@ lint-cppcheck:
 	cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
-.PHONY: all demo check check-long install uninstall test-threads tools models drawings test test-sanitize fuzz fuzzers bench bench-baseline lint \
+.PHONY: all demo figures check check-long install uninstall test-threads tools models drawings test test-sanitize fuzz fuzzers bench bench-baseline lint \
     lint-format lint-tidy lint-cppcheck clean help force
 .SECONDARY:
 .DELETE_ON_ERROR:

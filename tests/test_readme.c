@@ -2,9 +2,10 @@
  *
  * In a new folder with links to build, include and models, each line of a ```sh block is run as printed, with `roberts` the one
  * in build, and the ```c block is compiled, as example.c, by the README's own command, where `cc` is the compiler that
- * built the library (CC). A block with a name behind its language (```python seen.py) is first written to a file of
+ * built the library (CC). What the pages on the stages say of constants and files holds too. A block with a name behind its language (```python seen.py) is first written to a file of
  * that name. Lines that need a program that is not installed are left out with a message, and so is `make` itself, which
  * is what runs this. */
+#include <ctype.h>
 #include <glob.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -223,7 +224,7 @@ static void test_example(void **state)
     run_command("test $(wc -l < segments) -eq $(grep -c visible rows.csv) && echo same", "printed");
 }
 
-/* The relative links of one text, from [...](target), lead to files. Returns how many. */
+/* The relative links of one text, from [...](target) and src="target", lead to files. Returns how many. */
 static int check_links(const char *path)
 {
     char line[2048], target[512];
@@ -231,11 +232,14 @@ static int check_links(const char *path)
     FILE *text = fopen(path, "r");
     assert_non_null(text);
     while (fgets(line, sizeof line, text))
-        for (const char *at = line; (at = strstr(at, "](")); at += 2) {
-            int size = (int)strcspn(at + 2, "#)");
-            if (size == 0 || strncmp(at + 2, "http", 4) == 0)
+        for (const char *at = line, *link, *image; *at; at++) {
+            link = strncmp(at, "](", 2) == 0 ? at + 2 : NULL;
+            image = strncmp(at, "src=\"", 5) == 0 ? at + 5 : NULL;
+            int size = link ? (int)strcspn(link, "#)") : image ? (int)strcspn(image, "\"") : 0;
+            link = link ? link : image;
+            if (size == 0 || strncmp(link, "http", 4) == 0)
                 continue;
-            snprintf(target, sizeof target, "%.*s%.*s", length, path, size, at + 2);
+            snprintf(target, sizeof target, "%.*s%.*s", length, path, size, link);
             if (access(target, F_OK) != 0)
                 fail_msg("%s: there is no %s", path, target);
             links++;
@@ -251,17 +255,95 @@ static void test_links(void **state)
     (void)state;
     assert_int_equal(glob("README.md", 0, NULL, &texts), 0);
     assert_int_equal(glob("*/README.md", GLOB_APPEND, NULL, &texts), 0);
-    (void)glob("src/*/README.md", GLOB_APPEND, NULL, &texts);
+    assert_int_equal(glob("src/*/README.md", GLOB_APPEND, NULL, &texts), 0);
     for (size_t i = 0; i < texts.gl_pathc; i++)
         links += check_links(texts.gl_pathv[i]);
     globfree(&texts);
     assert_true(links > 4);
 }
 
+/* ---- pages on the stages ---- */
+
+/* Whether some line of a source of the room holds both words. */
+static bool stands_in_room(const char *room, const char *name, const char *value)
+{
+    char pattern[256], line[2048];
+    bool found = false;
+    glob_t sources;
+    snprintf(pattern, sizeof pattern, "%s*.[ch]", room);
+    assert_int_equal(glob(pattern, 0, NULL, &sources), 0);
+    for (size_t i = 0; i < sources.gl_pathc && !found; i++) {
+        FILE *source = fopen(sources.gl_pathv[i], "r");
+        assert_non_null(source);
+        while (!found && fgets(line, sizeof line, source)) {
+            const char *at = strstr(line, name);
+            found = at && strstr(at + strlen(name), value);
+        }
+        fclose(source);
+    }
+    globfree(&sources);
+    return found;
+}
+
+/* What stands between the first two backquotes from `at` on; returns what follows them, NULL where there are none. */
+static const char *quoted(const char *at, char word[64])
+{
+    const char *open = strchr(at, '`'), *close = open ? strchr(open + 1, '`') : NULL;
+    if (!close || close - open > 63)
+        return NULL;
+    snprintf(word, 64, "%.*s", (int)(close - open - 1), open + 1);
+    return close + 1;
+}
+
+/* Rows of tables that begin with a file are of files that are there; those of a name and a value, both in backquotes, are
+ * constants of the room with that value. Returns how many. */
+static int check_page(const char *path)
+{
+    char line[2048], room[64], first[64], second[64], file[192];
+    int checked = 0;
+    FILE *page = fopen(path, "r");
+    assert_non_null(page);
+    snprintf(room, sizeof room, "%.*s", (int)(strrchr(path, '/') + 1 - path), path);
+    while (fgets(line, sizeof line, page)) {
+        const char *rest;
+        if (strncmp(line, "| `", 3) != 0 || !(rest = quoted(line, first)))
+            continue;
+        bool is_file = strstr(first, ".c") || strstr(first, ".h");
+        bool is_name = isalpha((unsigned char)first[0]) && strcspn(first, "-. /") == strlen(first);
+        if (is_name && strncmp(rest, " | `", 4) == 0 && quoted(rest, second)) {
+            if (!stands_in_room(room, first, second))
+                fail_msg("%s: no %s of %s in the sources", path, first, second);
+            checked++;
+        }
+        char *end = strstr(line + 2, " | "); /* of the first column */
+        if (is_file && end)
+            *end = '\0';
+        for (const char *at = line; is_file && (at = quoted(at, first)); checked++) {
+            snprintf(file, sizeof file, "%s%s", room, first);
+            if (access(file, F_OK) != 0)
+                fail_msg("%s: there is no %s", path, file);
+        }
+    }
+    fclose(page);
+    return checked;
+}
+
+static void test_pages(void **state)
+{
+    glob_t pages;
+    (void)state;
+    assert_int_equal(glob("src/*/README.md", 0, NULL, &pages), 0);
+    assert_int_equal(pages.gl_pathc, 5);
+    for (size_t i = 0; i < pages.gl_pathc; i++)
+        assert_true(check_page(pages.gl_pathv[i]) > 8);
+    globfree(&pages);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_links),
+        cmocka_unit_test(test_pages),
         cmocka_unit_test(test_commands),
         cmocka_unit_test(test_example),
     };

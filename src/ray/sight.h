@@ -1,7 +1,7 @@
 /* sight.h - sight lines against faces, in model space: what verify and pick have in common.
  *
  * A sight line runs from a point X toward the viewer: along dir, or to the eye. It meets a face F where X is behind F
- * and where the line passes all its sides AB on the inner side: v . (XA x XB) >= 0, twice the volume of the tetrahedron
+ * and where the line passes all its sides AB on the inner side: v . (XA x XB) >= 0, six times the volume of the tetrahedron
  * that the pieces v and AB of two lines span. Divided by |v x AB| that is the distance of the lines from each other, so
  * it can be compared with a length, in both projections alike.
  *

@@ -1,0 +1,27 @@
+#!/bin/sh
+# Draws the figures of src/*/README.md: tools/draw-figures.sh [FOLDER] (default: models/figures). `make figures` calls it.
+set -eu
+cd "$(dirname "$0")/.."
+roberts=${ROBERTS_BUILD:-build}/roberts
+folder=${1:-models/figures}
+mkdir -p "$folder"
+
+# figure NAME WIDTHxHEIGHT OPTION... MODEL
+figure() {
+    name=$1 size=$2
+    shift 2
+    "$roberts" --page "$size" --margin 2 "$@" -o "$folder/$name.svg"
+}
+
+for outcome in test1-in-front test2-all-left test3-inside test3-pierced test4-two-crossings; do
+    figure $outcome 50x40 --dir 3,-6,9 --hidden dashed models/tests/$outcome.off
+done
+
+cubes=models/cube-behind-cube.off
+figure view-iso 50x50 --hidden dashed $cubes
+figure view-cavalier 50x50 --view cavalier --hidden dashed $cubes
+figure view-perspective 50x50 --eye 8,-8,7 --hidden dashed $cubes
+figure view-near 50x50 --eye 8,-8,7 --near 11 --fov 34 --hidden dashed $cubes
+
+figure draw-pattern 60x45 --hidden dashed models/stella-octangula.off
+figure draw-real 60x45 --hidden dashed --dash real --style outline:color=red --style crease:color=blue models/stella-octangula.off
