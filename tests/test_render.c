@@ -1,5 +1,5 @@
-/* The SVG as other programs see it: the pictures that librsvg and Chromium make of it beside each other and beside our own,
- * drawn by Cairo without the way through the file. Each of the two is skipped where it is not installed. */
+/* The SVG as other programs see it: the pictures that librsvg, Inkscape and Chromium make of it beside each other and beside
+ * our own, drawn by Cairo without the way through the file. Each of these is skipped where it is not installed. */
 #include <errno.h>
 #include <math.h>
 #include <setjmp.h>
@@ -189,6 +189,33 @@ static void librsvg_sees_the_same(void **state)
     }
 }
 
+/* ---- Inkscape ---- */
+
+/* It draws with Cairo as well, and knows the layers by name. */
+static void inkscape_sees_the_same(void **state)
+{
+    (void)state;
+    const size_t table = 1;
+    char command[600];
+    snprintf(command, sizeof command, "HOME=%s inkscape --version >/dev/null 2>&1", folder);
+    if (system(command) != 0) {
+        print_message("no Inkscape: skipped\n");
+        skip();
+    }
+    roberts_drawing drawing = model_drawing(cases[table].model, "iso");
+    roberts_draw_options options = options_for_browser(table);
+    save(&drawing, options, ROBERTS_SVG, "a.svg");
+    save(&drawing, options, ROBERTS_PNG, "own.png");
+    snprintf(
+        command, sizeof command,
+        "cd %s && HOME=%s inkscape -d 192 -b white -o inkscape.png a.svg 2>/dev/null && test -s inkscape.png && "
+        "HOME=%s inkscape --query-all a.svg 2>/dev/null | grep -c -E '^(hidden|crease|outline|frame),' | grep -qx 4",
+        folder, folder, folder);
+    assert_int_equal(system(command), 0);
+    assert_alike(cases[table].model, path("own.png"), path("inkscape.png"), true);
+    roberts_drawing_free(&drawing);
+}
+
 /* ---- Chromium ---- */
 
 /* Draws a page to chromium.png, as large as our own is; false where there is no picture afterwards. The name of the
@@ -317,9 +344,8 @@ static int tear_down(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(librsvg_sees_the_same),
-        cmocka_unit_test(chromium_sees_the_same),
-        cmocka_unit_test(a_missing_line_is_seen),
+        cmocka_unit_test(librsvg_sees_the_same),  cmocka_unit_test(inkscape_sees_the_same),
+        cmocka_unit_test(chromium_sees_the_same), cmocka_unit_test(a_missing_line_is_seen),
         cmocka_unit_test(a_wrong_pen_is_seen),
     };
     return cmocka_run_group_tests_name("render", tests, set_up, tear_down);
