@@ -663,6 +663,38 @@ static void families_have_the_number_of_solids_they_promise(void **state)
     }
 }
 
+/* Of a crystal the faces of its forms: as many as symmetry makes of each, none cut off by others. */
+static void figures_have_the_faces_they_promise(void **state)
+{
+    static const struct {
+        const char *model;
+        size_t solids;
+        size_t faces[8]; /* of the first solids; 0: not counted */
+    } cases[] = {
+        {"chair", 17, {6, 6, 6, 6, 6, 6, 6, 6}},
+        {"spiral-staircase", 2 + 26 + 26 + 25, {34, 18, 6, 6}},
+        {"octahedra", 216, {8, 8, 8, 8, 8, 8, 8, 8}},
+        {"icosahedra", 144, {20, 20, 20, 20, 20, 20, 20, 20}},
+        {"cubic-space", 64 + 3 * 48, {6, 6, 6, 6, 6, 6, 6, 6}},
+        {"platonic-solids", 6, {6, 4, 6, 8, 12, 20}},
+        {"archimedean-solids", 13, {8, 14, 14, 14, 26, 26, 38, 32}},
+        {"crystals", 8, {6 + 8, 12 + 24, 12 + 6, 4 + 8, 6 + 6 + 6, 12 + 6, 4 + 4 + 8 + 2, 8 + 8 + 4 + 2}},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char path[PATH_ROOM];
+        snprintf(path, sizeof path, "models/%s.off", cases[i].model);
+        roberts_mesh mesh = read_mesh(path);
+        roberts_scene *scene = build_scene(&mesh, path);
+        print_message("%s: %u solids\n", path, (unsigned)scene->solid_count);
+        assert_int_equal(scene->solid_count, cases[i].solids);
+        for (int s = 0; s < 8 && cases[i].faces[s]; s++)
+            assert_int_equal(scene->solid[s + 1].face - scene->solid[s].face, cases[i].faces[s]);
+        roberts_scene_free(scene);
+        roberts_mesh_free(&mesh);
+    }
+}
+
 static void seeds_make_a_difference(void **state)
 {
     char output[PATH_ROOM], *first, *second;
@@ -693,7 +725,7 @@ static void z_range(const roberts_scene *scene, uint32_t solid, double *lo, doub
 static void nothing_floats(void **state)
 {
     static const char *const scenes[] = {"table",     "temple",     "tower", "stacked-blocks",
-                                         "staircase", "brick-wall", "city"};
+                                         "staircase", "brick-wall", "city",  "platonic-solids"};
     (void)state;
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         char path[PATH_ROOM];
@@ -729,6 +761,7 @@ int main(void)
         cmocka_unit_test(cases_have_the_outcome_they_claim),
         cmocka_unit_test(all_models_are_scenes_without_a_warning),
         cmocka_unit_test(families_have_the_number_of_solids_they_promise),
+        cmocka_unit_test(figures_have_the_faces_they_promise),
         cmocka_unit_test(seeds_make_a_difference),
         cmocka_unit_test(nothing_floats),
     };

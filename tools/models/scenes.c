@@ -1,7 +1,9 @@
 /* scenes.c - the scenes that are looked at. What stands on something stands on it exactly: heights are integers or
  * halves, and the lowest face of a turned solid is given its height. */
 #include "exact.h"
+#include "figures.h"
 #include "models.h"
+#include "stand.h"
 #include "uniform.h"
 
 /* ---- cubes -------------------------------------------------------------------------------------------------------- */
@@ -95,56 +97,6 @@ static void tower(body *b)
 }
 
 /* ---- the table ---------------------------------------------------------------------------------------------------- */
-
-/* Adds `part` scaled, standing on its face f with the middle of that face at `at`, the corner that comes first in it in
- * the direction of (c, s). The corners of the face get the height of `at` itself, so that it lies in that plane. */
-static void stand(body *b, const body *part, size_t f, double scale, roberts_vec3 at, roberts_vec2 direction)
-{
-    size_t first = body_face_start(part, f), count = part->face_end[f] - first, base = b->vertex_count;
-    roberts_vec3 middle = {0}, down = body_face_normal(part, f), u, v, w = vec3_scale(-1 / vec3_length(down), down);
-    motion move;
-    for (size_t i = 0; i < count; i++)
-        middle = vec3_add(middle, vec3_scale(1.0 / (double)count, part->vertex[part->corner[first + i]]));
-    u = vec3_sub(part->vertex[part->corner[first]], middle);
-    u = vec3_scale(1 / vec3_length(u), u);
-    v = vec3_cross(w, u);
-    roberts_vec3 x = vec3_sub(vec3_scale(direction.x, u), vec3_scale(direction.y, v));
-    roberts_vec3 y = vec3_add(vec3_scale(direction.y, u), vec3_scale(direction.x, v));
-    move =
-        (motion){{{scale * x.x, scale * x.y, scale * x.z},
-                  {scale * y.x, scale * y.y, scale * y.z},
-                  {scale * w.x, scale * w.y, scale * w.z}},
-                 vec3_sub(at, vec3_scale(scale, vec3(vec3_dot(x, middle), vec3_dot(y, middle), vec3_dot(w, middle))))};
-    body_add(b, part, move);
-    for (size_t i = 0; i < count; i++)
-        b->vertex[base + part->corner[first + i]].z = at.z;
-}
-
-/* The first face of `part` with this many corners. */
-static size_t face_of(const body *part, size_t corners)
-{
-    size_t f = 0;
-    while (f + 1 < part->face_count && part->face_end[f] - body_face_start(part, f) != corners)
-        f++;
-    return f;
-}
-
-static void stand_uniform(body *b, int solid, size_t corners, double scale, roberts_vec3 at, roberts_vec2 direction)
-{
-    body part = {0};
-    uniform_make(&part, solid);
-    stand(b, &part, face_of(&part, corners), scale, at, direction);
-    body_free(&part);
-}
-
-/* A column or cone over a regular polygon, standing at `at`. */
-static void stand_round(body *b, bool pointed, uint32_t n, double radius, double height, roberts_vec3 at)
-{
-    body part = {0};
-    (pointed ? cone_make : column_make)(&part, n, radius, 0, height);
-    body_add(b, &part, turn(1, 0, 0, 0, 1, at));
-    body_free(&part);
-}
 
 enum { TABLE_HEIGHT = 16 };
 
@@ -264,6 +216,29 @@ static const scene scenes[] = {
      "A tower of 24 square floors, each turned against the one below by the angle whose half has tangent 1/24.", tower},
     {"temple", "A temple: steps, columns with twelve sides, a room, beams and a roof, all of which touch.", temple},
     {"table", "A table, made of boxes that touch, and solids that stand on it exactly.", table},
+    {"chair", "A chair, in centimetres; all its parts touch.", chair},
+    {"spiral-staircase",
+     "A spiral staircase: 16 steps a turn, each of them touching a side of the column, with posts and a rail.",
+     spiral_staircase},
+    {"octahedra", "An octahedron of 216 octahedra that touch at their corners: six at half the size, three times over.",
+     octahedra},
+    {"icosahedra",
+     "An icosahedron of 144 icosahedra that touch along edges: twelve, smaller by the golden section's square, twice "
+     "over.",
+     icosahedra},
+    {"cubic-space", "Cubes at the points of a cubic lattice, and the bars that join them; all touch.", cubic_space},
+    {"platonic-solids", "The five regular solids in a row on a board, each with its corners on a sphere of one size.",
+     platonic_solids},
+    {"archimedean-solids",
+     "The thirteen half-regular solids side by side, each with its corners on a sphere of one size.",
+     archimedean_solids},
+    {"crystals",
+     "Crystals by their forms, axial ratios after Dana: galena {100} {111}, garnet {110} {211}, pyrite {210} {100}, "
+     "zircon\n"
+     "{100} {111}; quartz {10-10} {10-11} {01-11}, calcite {21-31} {10-11}, topaz {110} {021} {111} {001}, sulphur "
+     "{111}\n"
+     "{113} {011} {001}.",
+     crystals},
 };
 
 size_t scene_count(void)
