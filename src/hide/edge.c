@@ -9,14 +9,15 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/bits.h"
+#include "base/lanes.h"
 
-/* A solid of more columns or rows than this, or more edges, is taken edge by edge. */
+/* A solid of more columns or rows than this is taken edge by edge. */
 #define GROUP_CELLS 3
-#define GROUP_EDGES 64
 
 bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *grid)
 {
-    *w = (hide_worker){.picture = picture, .grid = grid};
+    *w = (hide_worker){.picture = picture, .grid = grid, .margin = hide_margin(&picture->space)};
     w->seen = alloc_zeroed(picture->front_count, sizeof *w->seen);
     return w->seen && hide_sides_reserve(&w->sides, picture->most_corners);
 }
@@ -34,28 +35,65 @@ void hide_worker_free(hide_worker *w)
     *w = (hide_worker){0};
 }
 
-static hide_box box_of(roberts_vec3 A, roberts_vec3 B, double margin)
+/* All of these lie side by side in memory: x, y and then z of points, x0 .. z1 of boxes. */
+static hide_box box_of(const hide_edge *e, double margin)
 {
-    return (hide_box){hide_float_below(lesser(A.x, B.x) - margin), hide_float_above(greater(A.x, B.x) + margin),
-                      hide_float_below(lesser(A.y, B.y) - margin), hide_float_above(greater(A.y, B.y) + margin),
-                      hide_float_below(lesser(A.z, B.z) - margin), hide_float_above(greater(A.z, B.z) + margin)};
+    hide_box box;
+    float low[2], high[2];
+    two a = two_load(&e->A.x), b = two_load(&e->B.x), m = two_all(margin), ulp = two_all(0x1p-23);
+    two from = two_sub(two_lesser(a, b), m), to = two_add(two_greater(a, b), m);
+    two_store_floats(low, two_sub(from, two_mul(two_abs(from), ulp))); /* as hide_float_below(), hide_float_above() */
+    two_store_floats(high, two_add(to, two_mul(two_abs(to), ulp)));
+    box = (hide_box){low[0], high[0], low[1], high[1], 0.0f, 0.0f};
+    box.z0 = hide_float_below(lesser(e->A.z, e->B.z) - margin);
+    box.z1 = hide_float_above(greater(e->A.z, e->B.z) + margin);
+    return box;
+}
+
+static void join_box(hide_box *all, const hide_box *box)
+{
+    all->x0 = box->x0 < all->x0 ? box->x0 : all->x0;
+    all->x1 = box->x1 > all->x1 ? box->x1 : all->x1;
+    all->y0 = box->y0 < all->y0 ? box->y0 : all->y0;
+    all->y1 = box->y1 > all->y1 ? box->y1 : all->y1;
+    all->z0 = box->z0 < all->z0 ? box->z0 : all->z0;
+    all->z1 = box->z1 > all->z1 ? box->z1 : all->z1;
+}
+
+static bool more_lines(hide_worker *w)
+{
+    size_t room = w->line_room;
+    if (!array_grow(&w->line, &w->line_room, w->line_count + 1, sizeof *w->line))
+        return false;
+    memset(w->line + room, 0, (w->line_room - room) * sizeof *w->line);
+    return true;
 }
 
 hide_line *hide_worker_add(hide_worker *w, uint32_t edge)
 {
     const hide_picture *picture = w->picture;
     const scene_edge *from = &picture->scene->edge[edge];
-    size_t room = w->line_room;
-    if (!array_reserve(&w->line, &w->line_room, w->line_count + 1, sizeof *w->line))
+    size_t n = w->line_count;
+    if (n == w->line_room && !more_lines(w))
         return NULL;
-    memset(w->line + room, 0, (w->line_room - room) * sizeof *w->line);
     hide_line *line = &w->line[w->line_count++];
-    hide_edge e = {.A = picture->P[from->v[0]], .B = picture->P[from->v[1]], .a = from->v[0], .b = from->v[1]};
-    roberts_vec3 AB = vec3_sub(e.B, e.A);
-    e.length = sqrt(AB.x * AB.x + AB.y * AB.y);
-    e.length3 = vec3_length(AB);
-    line->e = e;
-    line->box = box_of(e.A, e.B, hide_margin(&picture->space));
+    hide_edge *e = &line->e;
+    e->A = picture->P[from->v[0]];
+    e->B = picture->P[from->v[1]];
+    e->a = from->v[0];
+    e->b = from->v[1];
+    roberts_vec3 AB = vec3_sub(e->B, e->A);
+    e->length = sqrt(AB.x * AB.x + AB.y * AB.y);
+    e->length3 = vec3_length(AB);
+    hide_box box = box_of(e, w->margin);
+    join_box(&w->box, &box);
+    if (n < HIDE_GROUP) {
+        w->x0[n] = box.x0;
+        w->x1[n] = box.x1;
+        w->y0[n] = box.y0;
+        w->y1[n] = box.y1;
+        w->z0[n] = box.z0;
+    }
     line->parts.count = line->hulls.count = 0;
     line->hidden = false;
     line->edge = edge;
@@ -68,10 +106,10 @@ static bool apart(const hide_box *a, const hide_box *b)
 }
 
 /* One edge against one front that may be nearer somewhere. */
-static bool meet(hide_worker *w, hide_line *line, const hide_front *front)
+static inline bool meet(hide_worker *w, hide_line *line, const hide_front *front, hide_approach approach)
 {
     hide_part part;
-    if (!hide_by_front(w->picture, front, &line->e, &w->sides, &w->tally, &part))
+    if (!hide_by_front(w->picture, front, approach, &line->e, &w->sides, &w->tally, &part))
         return true;
     if (front->corners == 0 ? !hide_parts_hull(&line->hulls, front->solid, &part)
                             : !hide_parts_add(&line->parts, front->solid, &part))
@@ -83,20 +121,34 @@ static bool meet(hide_worker *w, hide_line *line, const hide_front *front)
     return true;
 }
 
-/* The lines first..end-1, all within `box` (but for depth, of which `far` is the farthest), against one cell's fronts,
- * as long as one of them is not wholly hidden. */
-static bool meet_cell(hide_worker *w, uint32_t solid, size_t first, size_t end, const hide_box *box, uint32_t cell,
-                      float far)
+/* The group's lines against one front, as far as their boxes meet. */
+static bool meet_group(hide_worker *w, const hide_front *front, const hide_box *box)
+{
+    four x0 = four_all(box->x0), x1 = four_all(box->x1), y0 = four_all(box->y0), y1 = four_all(box->y1);
+    four z1 = four_all(box->z1);
+    hide_approach approach = hide_approach_front(w->picture, front, &w->box);
+    for (size_t i = 0; i < w->line_count; i += 4) {
+        unsigned apart_xy = four_less(x1, four_load(w->x0 + i)) | four_less(four_load(w->x1 + i), x0) |
+                            four_less(y1, four_load(w->y0 + i)) | four_less(four_load(w->y1 + i), y0);
+        for (unsigned met = 15u & ~(apart_xy | four_less(z1, four_load(w->z0 + i))); met; met &= met - 1) {
+            size_t n = i + (size_t)bits_trailing_zeros(met);
+            if (!meet(w, &w->line[n], front, approach))
+                return false;
+            if (w->line[n].hidden)
+                w->x0[n] = INFINITY;
+        }
+    }
+    return true;
+}
+
+/* A line, or the group's where it is NULL, within `box` (but for depth, of which `far` is the farthest), against one
+ * cell's fronts, as long as one of them is not wholly hidden. */
+static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t cell, float far)
 {
     const objet *grid = w->grid;
-    for (uint32_t k = grid->start[cell], after; w->live && k < grid->start[cell + 1]; k = after) {
+    for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; w->live && k < end; k++) {
         uint32_t index = grid->front[k];
         const hide_box *other = &w->picture->front_box[index];
-        after = k + 1;
-        if (grid->next && w->picture->front[index].solid == solid) {
-            after = grid->next[k];
-            continue;
-        }
         if (other->z1 < far)
             break; /* and so are all that follow: none of them has a point nearer than the lines here */
         if (apart(other, box) || w->seen[index] == w->stamp)
@@ -105,9 +157,8 @@ static bool meet_cell(hide_worker *w, uint32_t solid, size_t first, size_t end, 
         const hide_front *front = &w->picture->front[index];
         if (front->solid == solid)
             continue;
-        for (size_t i = first; i < end; i++)
-            if (!w->line[i].hidden && !apart(other, &w->line[i].box) && !meet(w, &w->line[i], front))
-                return false;
+        if (line ? !meet(w, line, front, hide_approach_front(w->picture, front, box)) : !meet_group(w, front, other))
+            return false;
     }
     return true;
 }
@@ -122,74 +173,70 @@ static void next_stamp(hide_worker *w)
 }
 
 /* One edge through the cells that it crosses. */
-static bool run_alone(hide_worker *w, uint32_t solid, size_t index)
+static bool run_alone(hide_worker *w, uint32_t solid, hide_line *line)
 {
-    const hide_edge *e = &w->line[index].e;
-    double m = hide_margin(&w->picture->space);
-    if (w->line[index].hidden)
+    const hide_edge *e = &line->e;
+    if (line->hidden)
         return true;
     w->live = 1;
     next_stamp(w);
     if (!objet_cells(w->grid, e->A, e->B, &w->walk))
         return false;
+    hide_box box = box_of(e, w->margin);
     for (size_t i = 0; w->live && i < w->walk.count; i++) {
         objet_stretch s = w->walk.item[i];
-        float far = hide_float_below(lesser(hide_edge_at(e, s.t0).z, hide_edge_at(e, s.t1).z) - m);
-        if (!meet_cell(w, solid, index, index + 1, &w->line[index].box, s.cell, far))
+        float far = hide_float_below(lesser(hide_edge_at(e, s.t0).z, hide_edge_at(e, s.t1).z) - w->margin);
+        if (!meet_cell(w, solid, line, &box, s.cell, far))
             return false;
     }
     return true;
 }
 
 /* All edges through the cells of their common box. */
-static bool run_together(hide_worker *w, uint32_t solid, const hide_box *box)
+static bool run_together(hide_worker *w, uint32_t solid, uint32_t left, uint32_t right, uint32_t low, uint32_t high)
 {
-    const scan_frame *f = &w->grid->frame;
-    uint32_t last = scan_column(f, (double)box->x1), low = scan_row(f, (double)box->y0);
-    uint32_t high = scan_row(f, (double)box->y1);
     w->live = 0;
-    for (size_t i = 0; i < w->line_count; i++)
+    for (size_t i = 0; i < w->line_count; i++) {
         w->live += !w->line[i].hidden;
+        if (w->line[i].hidden)
+            w->x0[i] = INFINITY;
+    }
+    for (size_t i = w->line_count; i % 4; i++)
+        w->x0[i] = INFINITY;
     next_stamp(w);
-    for (uint32_t i = scan_column(f, (double)box->x0); w->live && i <= last; i++)
+    for (uint32_t i = left; w->live && i <= right; i++)
         for (uint32_t j = low; j <= high; j++)
-            if (!meet_cell(w, solid, 0, w->line_count, box, i * f->ny + j, box->z0))
+            if (!meet_cell(w, solid, NULL, &w->box, i * w->grid->frame.ny + j, w->box.z0))
                 return false;
     return true;
 }
 
-static void join_box(hide_box *all, const hide_box *box)
+/* By the way that costs less. */
+static bool run_lines(hide_worker *w, uint32_t solid)
 {
-    all->x0 = box->x0 < all->x0 ? box->x0 : all->x0;
-    all->x1 = box->x1 > all->x1 ? box->x1 : all->x1;
-    all->y0 = box->y0 < all->y0 ? box->y0 : all->y0;
-    all->y1 = box->y1 > all->y1 ? box->y1 : all->y1;
-    all->z0 = box->z0 < all->z0 ? box->z0 : all->z0;
-    all->z1 = box->z1 > all->z1 ? box->z1 : all->z1;
+    const scan_frame *f = &w->grid->frame;
+    uint32_t left = scan_column(f, (double)w->box.x0), right = scan_column(f, (double)w->box.x1);
+    uint32_t low = scan_row(f, (double)w->box.y0), high = scan_row(f, (double)w->box.y1);
+    if (w->line_count <= HIDE_GROUP && right - left < GROUP_CELLS && high - low < GROUP_CELLS)
+        return run_together(w, solid, left, right, low, high);
+    for (size_t i = 0; i < w->line_count; i++)
+        if (!run_alone(w, solid, &w->line[i]))
+            return false;
+    return true;
 }
 
 bool hide_worker_run(hide_worker *w, uint32_t solid)
 {
-    const scan_frame *f = &w->grid->frame;
-    if (w->line_count == 0)
-        return true;
-    hide_box box = w->line[0].box;
-    for (size_t i = 1; i < w->line_count; i++)
-        join_box(&box, &w->line[i].box);
     /* Nothing else could hide them; and a fan of a million triangles lists all of them in the cell of its tip. */
     bool alone = w->picture->scene->solid_count == 1;
-    bool small = w->line_count <= GROUP_EDGES &&
-                 scan_column(f, (double)box.x1) - scan_column(f, (double)box.x0) < GROUP_CELLS &&
-                 scan_row(f, (double)box.y1) - scan_row(f, (double)box.y0) < GROUP_CELLS;
-    if (small && !alone && !run_together(w, solid, &box))
+    if (w->line_count > 0 && !alone && !run_lines(w, solid))
         return false;
-    for (size_t i = 0; i < w->line_count; i++) {
-        if (!small && !alone && !run_alone(w, solid, i))
-            return false;
-        for (size_t k = 0; k < w->line[i].hulls.count; k++)
-            if (!hide_parts_add(&w->line[i].parts, w->line[i].hulls.item[k].solid, &w->line[i].hulls.item[k].part))
+    for (hide_line *line = w->line, *end = line + w->line_count; line < end; line++) {
+        for (size_t k = 0; k < line->hulls.count; k++)
+            if (!hide_parts_add(&line->parts, line->hulls.item[k].solid, &line->hulls.item[k].part))
                 return false;
-        hide_parts_unite(&w->line[i].parts, w->picture->space.epsilon, w->line[i].e.length3);
+        if (line->parts.count)
+            hide_parts_unite(&line->parts, w->picture->space.epsilon, line->e.length3);
     }
     return true;
 }

@@ -156,7 +156,7 @@ static bool is_covered(const hide_job *job, const scene_edge *edge)
 static bool take_edges(const hide_job *job, hide_worker *w, hide_sums *sums, uint32_t solid)
 {
     const roberts_scene *scene = job->scene;
-    w->line_count = 0;
+    hide_worker_begin(w);
     for (uint32_t i = scene->solid[solid].edge; i < scene->solid[solid + 1].edge; i++) {
         int fronts = front_count(job, &scene->edge[i]);
         sums->surviving += fronts > 0;

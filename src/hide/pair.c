@@ -4,36 +4,51 @@
 #include "base/bits.h"
 #include "base/lanes.h"
 
-/* Test 1 for all faces: HIDE_VISIBLE where one has A and B in front of it or on it, HIDE_INVISIBLE (as far as depth
- * goes) where both are behind all of them. A and B go side by side. */
-static hide_verdict test1_of_all(const hide_face *face, uint32_t count, const hide_edge *e)
+/* A and B side by side. */
+typedef struct ends {
+    two x, y, z;
+} ends;
+
+static inline ends ends_of(const hide_edge *e)
 {
-    two x = two_of(e->A.x, e->B.x), y = two_of(e->A.y, e->B.y), z = two_of(e->A.z, e->B.z);
-    unsigned any = 0;
-    for (const hide_face *end = face + count; face < end; face++) {
-        two ab = two_add(two_mul(two_all(face->F.a), x), two_mul(two_all(face->F.b), y));
-        two at = two_add(two_add(ab, two_mul(two_all(face->F.c), z)), two_all(face->F.d));
-        unsigned front = two_at_most(at, two_all(face->touch));
+    return (ends){two_of(e->A.x, e->B.x), two_of(e->A.y, e->B.y), two_of(e->A.z, e->B.z)};
+}
+
+/* Test 1 for all faces: HIDE_VISIBLE where one has A and B in front of it or on it, HIDE_INVISIBLE (as far as depth
+ * goes) where both are behind all of them. `*near`: bit i for face i that AB is not clear of, by twice the distance that
+ * counts as touching: only these can be pierced. */
+static inline hide_verdict test1_of_all(const hide_face *face, uint32_t count, ends e, uint32_t *near)
+{
+    bool any = false;
+    *near = 0;
+    for (uint32_t i = 0; i < count; i++, face++) {
+        two ab = two_add(two_mul(two_all(face->F.a), e.x), two_mul(two_all(face->F.b), e.y));
+        two at = two_add(two_add(ab, two_mul(two_all(face->F.c), e.z)), two_all(face->F.d)),
+            touch = two_all(face->touch);
+        if (!two_at_most(at, two_add(touch, touch)))
+            continue;
+        unsigned front = two_at_most(at, touch);
         if (front == 3)
             return HIDE_VISIBLE;
-        any |= front;
+        any = any || front;
+        *near |= 1u << i;
     }
     return any ? HIDE_UNDECIDED : HIDE_INVISIBLE;
 }
 
-/* Cuts the part where e pierces the planes of the faces; false where nothing of it is left behind them all. */
-static bool pierce_all(const hide_picture *picture, const hide_front *front, const hide_edge *e, hide_sides *sides,
-                       hide_part *part)
+/* Cuts the part where e pierces the planes of the faces given by bits; false where nothing of it is left behind them. */
+static bool pierce_all(const hide_picture *picture, const hide_face *face, uint32_t bits, const hide_edge *e,
+                       hide_sides *sides, hide_part *part)
 {
-    for (uint32_t k = front->face; k < front->face + front->face_count; k++)
-        if (!hide_pierce(&picture->space, &picture->face[k], e, sides, part))
+    for (; bits; bits &= bits - 1)
+        if (!hide_pierce(&picture->space, face + bits_trailing_zeros(bits), e, sides, part))
             return false;
     return true;
 }
 
 /* The same by tests 2 to 4 themselves. */
-BITS_RARE static bool by_outline_closely(const hide_picture *picture, const uint32_t *corner, uint32_t count,
-                                         const hide_edge *e, hide_sides *sides, roberts_tally *tally, hide_part *part)
+static bool by_outline_closely(const hide_picture *picture, const uint32_t *corner, uint32_t count, const hide_edge *e,
+                               hide_sides *sides, roberts_tally *tally, hide_part *part)
 {
     hide_face F = {.corner = corner, .count = count};
     if (hide_test2(&picture->space, &F, e)) {
@@ -115,33 +130,50 @@ static bool face_by_face(const hide_picture *picture, const hide_front *front, c
     return found;
 }
 
-static double distance(roberts_vec3 a, roberts_vec3 b)
-{
-    return fabs(a.x - b.x) + fabs(a.y - b.y) + fabs(a.z - b.z);
-}
-
-static bool within_reach(const hide_picture *picture, const hide_front *front, const hide_edge *e)
+/* Are A and B within the reach of what the planes can be trusted, along three axes? */
+static inline bool within_reach(const hide_picture *picture, const hide_front *front, ends e)
 {
     roberts_vec3 C = picture->P[picture->outline[front->outline]];
-    return distance(e->A, C) <= front->reach && distance(e->B, C) <= front->reach;
+    two x = two_abs(two_sub(e.x, two_all(C.x))), y = two_abs(two_sub(e.y, two_all(C.y)));
+    two z = two_abs(two_sub(e.z, two_all(C.z)));
+    return two_at_most(two_add(two_add(x, y), z), two_all(front->reach)) == 3;
 }
 
-bool hide_by_front(const hide_picture *picture, const hide_front *front, const hide_edge *e, hide_sides *sides,
-                   roberts_tally *tally, hide_part *part)
+/* The same for all points of a box. */
+static bool box_within_reach(const hide_picture *picture, const hide_front *front, const hide_box *box)
+{
+    roberts_vec3 C = picture->P[picture->outline[front->outline]];
+    double x = greater((double)box->x1 - C.x, C.x - (double)box->x0);
+    double y = greater((double)box->y1 - C.y, C.y - (double)box->y0);
+    double z = greater((double)box->z1 - C.z, C.z - (double)box->z0);
+    return x + y + z <= 0.999 * front->reach; /* the rest is for rounding */
+}
+
+hide_approach hide_approach_front(const hide_picture *picture, const hide_front *front, const hide_box *box)
+{
+    if (front->corners == 0)
+        return HIDE_ONE_FACE;
+    return front->reach == INFINITY || box_within_reach(picture, front, box) ? HIDE_WITHIN_REACH : HIDE_ASK_REACH;
+}
+
+bool hide_by_front(const hide_picture *picture, const hide_front *front, hide_approach approach, const hide_edge *e,
+                   hide_sides *sides, roberts_tally *tally, hide_part *part)
 {
     const hide_face *face = &picture->face[front->face];
-    if (front->corners == 0)
+    ends both = ends_of(e);
+    uint32_t near = 0;
+    if (approach == HIDE_ONE_FACE)
         return by_face(picture, face, e, sides, tally, part);
-    if (front->reach != INFINITY && !within_reach(picture, front, e))
+    if (approach == HIDE_ASK_REACH && !within_reach(picture, front, both))
         return face_by_face(picture, front, e, sides, tally, part);
     tally->pairs++;
     hide_verdict depth = HIDE_INVISIBLE;
-    if (!(e->A.z < (double)front->depth && e->B.z < (double)front->depth))
-        depth = test1_of_all(face, front->face_count, e);
+    if (two_at_most(two_all((double)front->depth), both.z)) /* else behind all of it */
+        depth = test1_of_all(face, front->face_count, both, &near);
     if (depth == HIDE_VISIBLE) {
         tally->test1_visible++;
         return false;
     }
     return by_outline(picture, picture->outline + front->outline, front->corners, e, sides, tally, part) &&
-           (depth == HIDE_INVISIBLE || pierce_all(picture, front, e, sides, part));
+           (depth == HIDE_INVISIBLE || pierce_all(picture, face, near, e, sides, part));
 }

@@ -17,8 +17,18 @@
 #include "hide/picture.h"
 #include "hide/tests.h"
 
+/* How edges are held against a front. */
+typedef enum hide_approach {
+    HIDE_ONE_FACE,     /* it is one face of a solid of many */
+    HIDE_WITHIN_REACH, /* all faces at once: the edges are within the reach of all planes */
+    HIDE_ASK_REACH,    /* ... where that turns out to be so, else face by face */
+} hide_approach;
+
+/* That for edges within `box`. */
+hide_approach hide_approach_front(const hide_picture *picture, const hide_front *front, const hide_box *box);
+
 /* False where the front hides nothing of e. sides: room for the picture's most_corners. */
-bool hide_by_front(const hide_picture *picture, const hide_front *front, const hide_edge *e, hide_sides *sides,
-                   roberts_tally *tally, hide_part *part);
+bool hide_by_front(const hide_picture *picture, const hide_front *front, hide_approach approach, const hide_edge *e,
+                   hide_sides *sides, roberts_tally *tally, hide_part *part);
 
 #endif
