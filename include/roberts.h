@@ -280,7 +280,8 @@ typedef struct roberts_drawing {
     size_t solids, culled_solids; /**< all; known to be wholly hidden before they were cut (their faces and edges are
                                        not among the following) */
     size_t front_faces, back_faces, edge_on_faces;
-    size_t edges, surviving_edges, drawn_edges; /**< all; with a front face; without those flatter than the crease */
+    size_t edges, surviving_edges; /**< all; with a front face */
+    size_t drawn_edges; /**< of these, or of all where hidden segments are kept, those not flatter than the crease */
     roberts_tally tally;
     roberts_time view_time, grid_time, hide_time;
 } roberts_drawing;

@@ -7,6 +7,7 @@
 #include <cmocka.h>
 
 #include "program.h"
+#include "roberts.h"
 
 /* ---- which file ---- */
 
@@ -65,7 +66,7 @@ static void every_refusal_names_the_file(void **state)
     assert_int_equal(run("models/table.off point.off"), 1);
     assert_said("roberts: point.off: solid 0 is flat: all its vertices lie in one point\n");
     assert_int_equal(run("--eye 18,12,15.5 models/table.off"), 1);
-    assert_said("roberts: models/table.off: the eye is inside solid 0\n");
+    assert_said("roberts: models/table.off: the eye is inside solid 0 (see --eye, --look-at, --near)\n");
 }
 
 /* ---- misuse that says what was meant ---- */
@@ -182,7 +183,8 @@ static void several_points_are_picked(void **state)
     (void)state;
     assert_int_equal(run("--pick 2.5,-2 --pick=-1e6,0 --view top -f null models/cube-behind-cube.off"), 0);
     assert_string_equal(last.err, "roberts: pick 2.5,-2: solid 0, face 0, depth -2.5, at 2,1.5,4\n"
-                                  "roberts: pick -1000000,0: nothing is there\n");
+                                  "roberts: pick -1000000,0: nothing is there; the picture reaches from "
+                                  "-4.5,-3.5 to 4.5,3.5\n");
 }
 
 static void sizes_of_paper(void **state)
@@ -196,14 +198,136 @@ static void sizes_of_paper(void **state)
     assert_non_null(strstr(last.out, "width=\"215.9mm\" height=\"279.4mm\""));
 }
 
+/* ---- drawings that show nothing ---- */
+
+static const struct {
+    const char *arguments, *why; /* empty: the drawing shows something */
+} empty_cases[] = {
+    {"--eye 20,10,500 --look-at 200,200,490 --fov 10",
+     "no line of the scene lies in the field of view; --look-at turns "},
+    {"--eye 20,10,500 --look-at 200,200,490 --fov 10 -f null", "no line of the scene lies in the field of view; "},
+    {"--eye 20,10,500 --look-at 200,200,490 --fov 10 -f csv", ""}, /* tables have what lies outside, too */
+    {"--eye 20,10,500 --fov 1", ""},                               /* looks at the middle by itself */
+    {"--eye 20,12,-100 --look-at 20,12,0 --fov .1",
+     "no line of the scene lies in the field of view; "}, /* a face alone */
+    {"--eye 1e17,0,0", "the scene is smaller than what counts as touching from so far; bring --eye nearer, or "},
+    {"--eye 1e17,0,0 -f json", "the scene is smaller than what counts as touching from so far"},
+    {"--style outline:off --style crease:off", "--style has turned off all lines that would be seen\n"},
+    {"--style outline:off --style crease:off --hidden solid", ""},
+    {"--view top", ""},
+};
+
+static void empty_drawings_are_warned_of(void **state)
+{
+    char line[300], said[300];
+    (void)state;
+    for (size_t i = 0; i < sizeof empty_cases / sizeof empty_cases[0]; i++) {
+        snprintf(line, sizeof line, "%s models/table.off", empty_cases[i].arguments);
+        print_message("roberts %s\n", line);
+        assert_int_equal(run(line), 0);
+        bool is_null = strstr(line, "null") != NULL;
+        snprintf(said, sizeof said, "roberts: %s: warning: the drawing is empty: %s",
+                 is_null ? "models/table.off" : "standard output", empty_cases[i].why);
+        if (empty_cases[i].why[0] && strncmp(last.err, said, strlen(said)) != 0)
+            fail_msg("%s\nis not %s", last.err, said);
+        if (!empty_cases[i].why[0])
+            assert_string_equal(last.err, "");
+        snprintf(line, sizeof line, "-q %s models/table.off", empty_cases[i].arguments);
+        assert_int_equal(run(line), 0);
+        assert_string_equal(last.err, "");
+    }
+    assert_int_equal(run("--eye 20,10,500 --look-at 200,200,490 --fov 10 models/table.off -o in/a.png"), 0);
+    assert_said("roberts: in/a.png: warning: the drawing is empty: ");
+    assert_int_equal(run("--eye 70,-60,60 --look-at 500,-500,500 models/table.off"), 1);
+    assert_said(
+        "roberts: models/table.off: nothing of the scene lies in front of the eye (see --eye, --look-at, --near)\n");
+    assert_int_equal(run("--eye 20,10,500 --near 600 models/table.off models/tower.off"), 1);
+    assert_said("roberts: models/table.off and 1 more: nothing of the scene lies in front of the eye (see ");
+}
+
+/* ---- several pictures ---- */
+
+/* Line `number` of what was said, from 0. */
+static void assert_line(int number, const char *begins)
+{
+    const char *line = last.err;
+    for (int i = 0; i < number && strchr(line, '\n'); i++)
+        line = strchr(line, '\n') + 1;
+    if (strncmp(line, begins, strlen(begins)) != 0)
+        fail_msg("line %d is: %.200s\nnot: %s", number, line, begins);
+}
+
+#define JSON_BEGINS "{\"version\":\"" ROBERTS_VERSION "\",\"file\":"
+
+static void each_of_several_pictures_is_named(void **state)
+{
+    (void)state;
+    assert_int_equal(run("--batch in -f null --verify --pick 0,0 --pick 1e6,0 --stats=json models/platonic/cube.off "
+                         "models/platonic/octahedron.off"),
+                     0);
+    assert_line(0, "roberts: models/platonic/cube.off: verify: ");
+    assert_line(1, "roberts: models/platonic/cube.off: pick 0,0: solid 0, ");
+    assert_line(2, "roberts: models/platonic/cube.off: pick 1000000,0: nothing is there");
+    assert_line(3, JSON_BEGINS "\"models/platonic/cube.off\",\"output\":null,\"files\":1,");
+    assert_line(4, "roberts: models/platonic/octahedron.off: verify: ");
+    assert_line(7, JSON_BEGINS "\"models/platonic/octahedron.off\",");
+    assert_int_equal(run("--batch in --stats models/platonic/cube.off models/platonic/octahedron.off"), 0);
+    assert_line(0, "roberts: models/platonic/cube.off: statistics\n");
+    assert_said("\nroberts: models/platonic/octahedron.off: statistics\n");
+    assert_int_equal(run("--turntable 2 -o in/t-%d.svg --verify --stats=json models/platonic/cube.off"), 0);
+    assert_line(0, "roberts: in/t-0.svg: verify: ");
+    assert_line(1, JSON_BEGINS "\"models/platonic/cube.off\",\"output\":\"in/t-0.svg\",");
+    assert_line(2, "roberts: in/t-1.svg: verify: ");
+    assert_int_equal(run("--sheet third --verify models/platonic/cube.off"), 0);
+    assert_line(0, "roberts: front: verify: ");
+    assert_line(1, "roberts: top: verify: ");
+    assert_line(2, "roberts: right: verify: ");
+    assert_line(3, "roberts: iso: verify: ");
+    assert_int_equal(run("--batch in --sheet first --verify models/platonic/cube.off"), 0);
+    assert_line(2, "roberts: models/platonic/cube.off: left: verify: ");
+}
+
+static void names_in_json(void **state)
+{
+    (void)state;
+    put_cube("q\"\\\t\x01\xc3\xa9\xff\xe0\x80.off", 0, 0, 6);
+    assert_int_equal(run("--stats=json q\"\\\t\x01\xc3\xa9\xff\xe0\x80.off"), 0);
+    assert_said(",\"file\":\"q\\\"\\\\\\u0009\\u0001\xc3\xa9\\ufffd\\ufffd\\ufffd.off\",\"output\":\"-\",");
+}
+
+/* What --stats counts adds up, and --verify tells which segments it looks at. */
+static void counts_agree(void **state)
+{
+    unsigned points, checked;
+    (void)state;
+    assert_int_equal(run("--stats --verify -f null models/table.off --hidden dashed"), 0);
+    assert_int_equal(sscanf(last.err, "roberts: verify: %u points of %u segments checked", &points, &checked), 2);
+    assert_said(" segments checked, visible and hidden ones; ");
+    const char *segments = strstr(last.err, "  segments\n");
+    assert_true(segments && segments - last.err > 14);
+    assert_int_equal(strtoul(segments - 14, NULL, 10), checked);
+    assert_said("508  to draw: those at the back too, none flatter than the crease\n");
+    assert_int_equal(run("--stats -f null models/table.off"), 0);
+    assert_said("345  to draw: none at the back, none flatter than the crease\n");
+    assert_int_equal(run("--stats=json -f null models/table.off"), 0);
+    assert_said(",\"strokes\":null,\"pen_down_mm\":null,\"pen_up_mm\":null,\"scale\":null,");
+}
+
 int main(void)
 {
     if (!program_find())
         return 1;
     const struct CMUnitTest tests[] = {
-        IN_FOLDER(messages_name_the_file),      IN_FOLDER(every_refusal_names_the_file),
-        IN_FOLDER(misuse_tells_what_was_meant), IN_FOLDER(idle_options_are_warned_of),
-        IN_FOLDER(several_points_are_picked),   IN_FOLDER(sizes_of_paper),
+        IN_FOLDER(messages_name_the_file),
+        IN_FOLDER(every_refusal_names_the_file),
+        IN_FOLDER(misuse_tells_what_was_meant),
+        IN_FOLDER(idle_options_are_warned_of),
+        IN_FOLDER(several_points_are_picked),
+        IN_FOLDER(sizes_of_paper),
+        IN_FOLDER(empty_drawings_are_warned_of),
+        IN_FOLDER(each_of_several_pictures_is_named),
+        IN_FOLDER(names_in_json),
+        IN_FOLDER(counts_agree),
     };
     return cmocka_run_group_tests_name("cli_messages", tests, NULL, NULL);
 }

@@ -61,17 +61,23 @@ static void test_report(void **state)
     assert_string_equal(text, ""); /* right, and quiet */
     options.quiet = false;
     assert_false(report(&options, &drawing, text, sizeof text));
-    assert_string_equal(text, "roberts: verify: 8 points of 8 segments checked; contradictions: 0, undecided: 0\n");
+    assert_string_equal(
+        text,
+        "roberts: verify: 8 points of 8 segments checked, visible and hidden ones; contradictions: 0, undecided: 0\n");
     drawing.count = 5;
     options.quiet = true; /* what is wrong is said all the same */
     assert_true(report(&options, &drawing, text, sizeof text));
-    assert_string_equal(text, "roberts: verify: solid 0, edge 4-5, t = 0.5: drawn visible, but solid 1 hides it\n"
-                              "roberts: verify: 8 points of 8 segments checked; contradictions: 1, undecided: 0\n");
+    assert_string_equal(
+        text,
+        "roberts: verify: solid 0, edge 4-5, t = 0.5: drawn visible, but solid 1 hides it\n"
+        "roberts: verify: 8 points of 8 segments checked, visible and hidden ones; contradictions: 1, undecided: 0\n");
     rows[0].state = ROBERTS_HIDDEN;
     drawing.count = 4;
     assert_true(report(&options, &drawing, text, sizeof text));
-    assert_string_equal(text, "roberts: verify: solid 1, edge 12-13, t = 0.5: drawn hidden, but nothing hides it\n"
-                              "roberts: verify: 8 points of 8 segments checked; contradictions: 1, undecided: 0\n");
+    assert_string_equal(
+        text,
+        "roberts: verify: solid 1, edge 12-13, t = 0.5: drawn hidden, but nothing hides it\n"
+        "roberts: verify: 8 points of 8 segments checked, visible and hidden ones; contradictions: 1, undecided: 0\n");
     options.verify_rays = 40;
     assert_true(report(&options, &drawing, text, sizeof text));
     assert_non_null(strstr(text, "roberts: verify: ... and 20 more\n"));

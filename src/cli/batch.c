@@ -103,6 +103,7 @@ static void make_one(const batch *b, batch_file *file, int thread)
     own.input = &input;
     own.input_count = 1;
     own.output = file->output;
+    own.label = file->input;
     description_word(&own.description, file->input);
     own.log = log;
     own.scene.warnings.context = log;

@@ -65,7 +65,7 @@ const char *const help_text[] = {
     "\n"
     "Messages\n"
     "      --stats[=json]   counts, tests and times, on standard error\n"
-    "      --verify[=N]     check the drawing by N rays per segment (default: 3), on standard error; exit status 1 if\n"
+    "      --verify[=N]     check the drawing by N rays per visible or hidden segment (default: 3); exit status 1 if\n"
     "                       any of them contradicts it\n"
     "      --pick X,Y       say which solid and face is seen there (x, y as in the csv) and what lies behind it; may "
     "be\n"

@@ -29,6 +29,11 @@ void message_close(FILE *log)
         progress_show();
 }
 
+void message_begin(FILE *log, const char *label)
+{
+    fprintf(log, "roberts: %s%s", label ? label : "", label ? ": " : "");
+}
+
 static void say_where(FILE *log, const char *file, size_t line)
 {
     fputs("roberts: ", log);

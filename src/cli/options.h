@@ -19,7 +19,8 @@ typedef struct cli_options {
     uint32_t turntable; /* 0, or how many pictures; then `output` holds a place for their numbers */
     bool is_sheet;      /* several views on one page; then the camera is not used */
     roberts_sheet_angle sheet;
-    FILE *log; /* for messages */
+    FILE *log;         /* for messages */
+    const char *label; /* NULL, or which of several pictures this is: begins what is said of it */
     roberts_scene_options scene;
     roberts_camera camera;
     roberts_hide_options hide;

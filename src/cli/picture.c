@@ -6,6 +6,7 @@
 
 #include <string.h>
 
+#include "cli/empty.h"
 #include "cli/message.h"
 #include "cli/parse.h"
 #include "cli/progress.h"
@@ -46,8 +47,11 @@ static const char *write_title(const cli_options *options, char *title, size_t s
 /* What went wrong concerns the inputs, where it names no file. Returns the exit status. */
 static int fail(const cli_options *options, roberts_error *error)
 {
+    size_t length = strlen(error->message);
     if (!error->file[0] && error->status != ROBERTS_BAD_ARGUMENT)
         name_inputs(options, options->input[0], error->file, sizeof error->file);
+    if (error->status == ROBERTS_BAD_VIEW && options->camera.projection == ROBERTS_PERSPECTIVE)
+        snprintf(error->message + length, sizeof error->message - length, " (see --eye, --look-at, --near)");
     return message_error(options->log, error);
 }
 
@@ -59,10 +63,20 @@ static roberts_status read_all(const cli_options *options, roberts_mesh *mesh, r
     return status;
 }
 
+static void tell_scene(const cli_options *options, const roberts_scene *scene, const run_stats *run)
+{
+    char name[NAME_SIZE];
+    size_t solids = roberts_scene_solid_count(scene);
+    message_open(options->log);
+    fprintf(options->log, "roberts: %s: %zu solid%s, %zu vertices, %zu faces; %.3f s\n",
+            name_inputs(options, options->input[0], name, sizeof name), solids, solids == 1 ? "" : "s", run->vertices,
+            run->faces, run->read.wall + run->solids.wall);
+    message_close(options->log);
+}
+
 /* What is not needed any more is released on the way. */
 static roberts_status load(const cli_options *options, roberts_scene **scene, run_stats *run, roberts_error *error)
 {
-    char name[NAME_SIZE];
     roberts_mesh mesh = {0};
     roberts_scene_options solids = options->scene;
     roberts_time start = stats_now();
@@ -81,13 +95,8 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
         return status;
     run->vertices = roberts_scene_vertex_count(*scene);
     run->faces = roberts_scene_face_count(*scene);
-    if (!options->verbose)
-        return status;
-    message_open(options->log);
-    fprintf(options->log, "roberts: %s: %zu solids, %zu vertices, %zu faces; %.3f s\n",
-            name_inputs(options, options->input[0], name, sizeof name), roberts_scene_solid_count(*scene),
-            run->vertices, run->faces, run->read.wall + run->solids.wall);
-    message_close(options->log);
+    if (options->verbose)
+        tell_scene(options, *scene, run);
     return status;
 }
 
@@ -110,14 +119,28 @@ static roberts_status hide(const cli_options *options, const roberts_scene *scen
     return status;
 }
 
+/* A view of a sheet, as messages call it. */
+static const char *name_view(const cli_options *options, size_t i, char *name, size_t size)
+{
+    const bool first = options->sheet == ROBERTS_FIRST_ANGLE;
+    const char *const names[ROBERTS_SHEET_VIEWS] = {[ROBERTS_SHEET_FRONT] = "front",
+                                                    [ROBERTS_SHEET_TOP] = "top",
+                                                    [ROBERTS_SHEET_SIDE] = first ? "left" : "right",
+                                                    [ROBERTS_SHEET_ISO] = "iso"};
+    snprintf(name, size, "%s%s%s", options->label ? options->label : "", options->label ? ": " : "", names[i]);
+    return name;
+}
+
 static roberts_status hide_all(const cli_options *options, const roberts_scene *scene, views *v, run_stats *run,
                                roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
     *v = (views){.count = options->is_sheet ? ROBERTS_SHEET_VIEWS : 1};
     for (size_t i = 0; i < v->count && status == ROBERTS_OK; i++) {
+        char label[NAME_SIZE];
         cli_options one = *options;
         if (options->is_sheet) {
+            one.label = name_view(options, i, label, sizeof label);
             roberts_sheet_camera(options->sheet, (int)i, &one.camera);
             one.hide.keep_hidden = options->hide.keep_hidden && i != ROBERTS_SHEET_ISO; /* as ISO 5456-3 prefers */
         }
@@ -150,16 +173,38 @@ static roberts_status save(const cli_options *options, const views *v, run_stats
     return status;
 }
 
+/* What to call the drawing. */
+static const char *name_output(const cli_options *options, char *name, size_t size)
+{
+    if (options->draw.format == ROBERTS_NULL)
+        return name_inputs(options, options->input[0], name, size);
+    return strcmp(options->output, "-") == 0 ? "standard output" : options->output;
+}
+
+/* A page on which there is nothing is hardly what was meant. */
+static void warn_empty(const cli_options *options, const views *v)
+{
+    const char *why = options->quiet ? NULL : empty_reason(options, v->drawing, v->count);
+    char text[256], name[NAME_SIZE];
+    if (!why)
+        return;
+    snprintf(text, sizeof text, "the drawing is empty: %s", why);
+    message_warning(options->log, name_output(options, name, sizeof name), 0, text);
+}
+
 static void tell(const cli_options *options, const run_stats *run, const views *v)
 {
+    char name[NAME_SIZE];
     size_t segments = 0;
+    warn_empty(options, v);
     for (size_t i = 0; i < v->count; i++)
         segments += v->drawing[i].count;
     message_open(options->log);
     if (options->verbose && options->draw.format != ROBERTS_NULL)
-        fprintf(options->log, "roberts: %s: %zu segments; %.3f s\n", options->output, segments, run->total.wall);
+        fprintf(options->log, "roberts: %s: %zu segment%s; %.3f s\n", name_output(options, name, sizeof name), segments,
+                segments == 1 ? "" : "s", run->total.wall);
     if (options->stats != STATS_NONE)
-        stats_print(options->log, options->stats, run, v->drawing, v->count);
+        stats_print(options, run, v->drawing, v->count);
     message_close(options->log);
 }
 
@@ -233,7 +278,7 @@ static int draw_turntable(const cli_options *options, roberts_scene **scene, con
         cli_options one = *options;
         one.camera = turned(options, *scene, i);
         parse_numbered(options->output, i, name, sizeof name);
-        one.output = name;
+        one.output = one.label = name;
         result = draw(&one, scene, i + 1 == options->turntable, &window, *run, stats_now());
         progress_count(i + 1, options->turntable);
     }

@@ -8,19 +8,20 @@
 enum { RAYS_TOLD = 20 };
 
 typedef struct telling {
-    FILE *log;
+    const cli_options *options;
     size_t told;
 } telling;
 
 static void tell(void *context, const roberts_contradiction *c)
 {
     telling *t = context;
-    FILE *log = t->log;
+    FILE *log = t->options->log;
     if (t->told++ >= RAYS_TOLD)
         return;
     message_open(log);
-    fprintf(log, "roberts: verify: solid %u, edge %u-%u, t = %.17g: drawn %s, but ", (unsigned)c->solid,
-            (unsigned)c->v0, (unsigned)c->v1, c->t, c->drawn == ROBERTS_VISIBLE ? "visible" : "hidden");
+    message_begin(log, t->options->label);
+    fprintf(log, "verify: solid %u, edge %u-%u, t = %.17g: drawn %s, but ", (unsigned)c->solid, (unsigned)c->v0,
+            (unsigned)c->v1, c->t, c->drawn == ROBERTS_VISIBLE ? "visible" : "hidden");
     if (c->cast == ROBERTS_HIDDEN)
         fprintf(log, "solid %u hides it\n", (unsigned)c->by);
     else
@@ -31,7 +32,8 @@ static void tell(void *context, const roberts_contradiction *c)
 roberts_status rays_verify(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing,
                            bool *wrong, roberts_error *error)
 {
-    telling t = {.log = options->log};
+    telling t = {.options = options};
+    FILE *log = options->log;
     roberts_verification found;
     roberts_verify_options verify = roberts_verify_options_default();
     verify.rays = options->verify_rays;
@@ -42,15 +44,32 @@ roberts_status rays_verify(const cli_options *options, const roberts_scene *scen
     verify.context = &t;
     roberts_status status = roberts_verify(scene, &options->camera, drawing, &verify, &found, error);
     *wrong = status == ROBERTS_OK && found.contradictions > 0;
-    message_open(options->log);
-    if (t.told > RAYS_TOLD)
-        fprintf(options->log, "roberts: verify: ... and %zu more\n", t.told - RAYS_TOLD);
-    if (status == ROBERTS_OK && (*wrong || !options->quiet))
-        fprintf(options->log,
-                "roberts: verify: %zu points of %zu segments checked; contradictions: %zu, undecided: %zu\n",
+    message_open(log);
+    if (t.told > RAYS_TOLD) {
+        message_begin(log, options->label);
+        fprintf(log, "verify: ... and %zu more\n", t.told - RAYS_TOLD);
+    }
+    if (status == ROBERTS_OK && (*wrong || !options->quiet)) {
+        message_begin(log, options->label);
+        fprintf(log,
+                "verify: %zu points of %zu segments checked, visible and hidden ones; contradictions: %zu, undecided: "
+                "%zu\n",
                 found.points, found.segments, found.contradictions, found.undecided);
-    message_close(options->log);
+    }
+    message_close(log);
     return status;
+}
+
+/* Somebody who misses the whole picture may have taken it for millimetres of the page. */
+static void tell_nothing(const cli_options *options, const roberts_scene *scene, roberts_vec2 p)
+{
+    roberts_vec2 low, high;
+    bool known = roberts_window(scene, &options->camera, &low, &high, NULL) == ROBERTS_OK;
+    message_begin(options->log, options->label);
+    fprintf(options->log, "pick %.12g,%.12g: nothing is there", p.x, p.y);
+    if (known && (p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y))
+        fprintf(options->log, "; the picture reaches from %.6g,%.6g to %.6g,%.6g", low.x, low.y, high.x, high.y);
+    fputs("\n", options->log);
 }
 
 static roberts_status pick_one(const cli_options *options, const roberts_scene *scene, roberts_vec2 p,
@@ -60,11 +79,11 @@ static roberts_status pick_one(const cli_options *options, const roberts_scene *
     roberts_status status = roberts_pick(scene, &options->camera, p.x, p.y, &picked, error);
     message_open(options->log);
     if (status == ROBERTS_OK && picked.count == 0)
-        fprintf(options->log, "roberts: pick %.12g,%.12g: nothing is there\n", p.x, p.y);
+        tell_nothing(options, scene, p);
     for (size_t i = 0; i < picked.count; i++) {
         const roberts_pick_hit *hit = &picked.hit[i];
-        fprintf(options->log, "roberts: pick %.12g,%.12g: %ssolid %u, ", p.x, p.y, i ? "behind it " : "",
-                (unsigned)hit->solid);
+        message_begin(options->log, options->label);
+        fprintf(options->log, "pick %.12g,%.12g: %ssolid %u, ", p.x, p.y, i ? "behind it " : "", (unsigned)hit->solid);
         if (hit->face == ROBERTS_NONE)
             fputs("cut by the near plane, ", options->log);
         else

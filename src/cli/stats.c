@@ -6,6 +6,9 @@
 #include <sys/resource.h>
 #include <time.h>
 
+#include "cli/json.h"
+#include "cli/message.h"
+
 static double seconds(clockid_t clock)
 {
     struct timespec now = {0};
@@ -116,10 +119,12 @@ static void print_stages(FILE *log, const stage *stages, size_t count, bool json
             fprintf(log, "%14.3f%12.3f  %s\n", stages[i].time.cpu, stages[i].time.wall, stages[i].name);
 }
 
-/* What the pen did. */
+/* What the pen did; nothing where there was no page. */
 static void print_ink(FILE *log, const roberts_ink *ink, bool json)
 {
-    if (json)
+    if (json && !(ink->scale > 0.0))
+        fputs(",\"strokes\":null,\"pen_down_mm\":null,\"pen_up_mm\":null,\"scale\":null", log);
+    else if (json)
         fprintf(log, ",\"strokes\":%zu,\"pen_down_mm\":%.3f,\"pen_up_mm\":%.3f,\"scale\":%.17g", ink->strokes,
                 ink->down_mm, ink->up_mm, ink->scale);
     else if (ink->scale > 0.0)
@@ -129,9 +134,25 @@ static void print_ink(FILE *log, const roberts_ink *ink, bool json)
                 ink->strokes, ink->down_mm, ink->up_mm, ink->scale);
 }
 
-void stats_print(FILE *log, cli_stats kind, const run_stats *run, const roberts_drawing *drawing, size_t views)
+/* Which picture it is. */
+static void print_name(const cli_options *options)
 {
-    const bool json = kind == STATS_JSON;
+    if (options->stats == STATS_JSON) {
+        fputs("\"file\":", options->log);
+        json_string(options->log, options->input[0]);
+        fputs(",\"output\":", options->log);
+        json_string(options->log, options->draw.format == ROBERTS_NULL ? NULL : options->output);
+        fputs(",", options->log);
+    } else if (options->label) {
+        message_begin(options->log, options->label);
+        fputs("statistics\n", options->log);
+    }
+}
+
+void stats_print(const cli_options *options, const run_stats *run, const roberts_drawing *drawing, size_t views)
+{
+    FILE *log = options->log;
+    const bool json = options->stats == STATS_JSON;
     const roberts_drawing sum = add_up(drawing, views), *d = &sum;
     const figure counts[] = {
         {"files", "files", run->files},
@@ -144,7 +165,10 @@ void stats_print(FILE *log, cli_stats kind, const run_stats *run, const roberts_
         {"edge_on_faces", "edge-on", d->edge_on_faces},
         {"edges", "edges", d->edges},
         {"surviving_edges", "of them with a front face", d->surviving_edges},
-        {"drawn_edges", "of them not flatter than the crease", d->drawn_edges},
+        {"drawn_edges",
+         options->hide.keep_hidden ? "to draw: those at the back too, none flatter than the crease"
+                                   : "to draw: none at the back, none flatter than the crease",
+         d->drawn_edges},
         {"segments", "segments", d->count},
         {"visible", "of them visible", count_state(drawing, views, ROBERTS_VISIBLE)},
         {"hidden", "hidden", count_state(drawing, views, ROBERTS_HIDDEN)},
@@ -168,6 +192,7 @@ void stats_print(FILE *log, cli_stats kind, const run_stats *run, const roberts_
         {"hide", d->hide_time}, {"verify", run->verify}, {"draw", run->draw},    {"total", run->total},
     };
     fputs(json ? "{\"version\":\"" ROBERTS_VERSION "\"," : "", log);
+    print_name(options);
     if (views > 1)
         fprintf(log, json ? "\"views\":%zu," : "%14zu  views, counted together\n", views);
     print_figures(log, counts, sizeof counts / sizeof counts[0], json);

@@ -20,7 +20,8 @@ roberts_time stats_since(roberts_time start);
 
 roberts_time stats_sum(roberts_time a, roberts_time b);
 
-/* To `log`; as one JSON object where `kind` is STATS_JSON. What is counted in `views` drawings of one scene is added up. */
-void stats_print(FILE *log, cli_stats kind, const run_stats *run, const roberts_drawing *drawing, size_t views);
+/* To the options' log, as they want it: for people, or as one JSON object. What is counted in `views` drawings of one scene
+ * is added up. */
+void stats_print(const cli_options *options, const run_stats *run, const roberts_drawing *drawing, size_t views);
 
 #endif
