@@ -21,7 +21,7 @@ cubes=models/cube-behind-cube.off
 figure view-iso 50x50 --hidden dashed $cubes
 figure view-cavalier 50x50 --view cavalier --hidden dashed $cubes
 figure view-perspective 50x50 --eye 8,-8,7 --hidden dashed $cubes
-figure view-near 50x50 --eye 8,-8,7 --near 11 --fov 34 --hidden dashed $cubes
+figure view-near 50x50 --eye 8,-8,7 --near 11 --fov 40 --hidden dashed $cubes
 
 figure draw-pattern 60x45 --hidden dashed models/stella-octangula.off
 figure draw-real 60x45 --hidden dashed --dash real --style outline:color=red --style crease:color=blue models/stella-octangula.off
