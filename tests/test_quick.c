@@ -34,7 +34,17 @@ static void lanes_are_scalars(void **state)
             assert_same_two(two_add(a, b), two_plain_add(c, d));
             assert_same_two(two_sub(a, b), two_plain_sub(c, d));
             assert_same_two(two_mul(a, b), two_plain_mul(c, d));
+            if (q[0] != 0.0 && q[1] != 0.0)
+                assert_same_two(two_div(a, b), two_plain_div(c, d));
+            assert_same_two(two_sqrt(two_abs(a)), two_plain_sqrt(two_plain_abs(c)));
         }
+        assert_same_two(two_side(a), two_plain_side(c));
+        assert_same_two(two_low(a, b), two_plain_low(c, d));
+        assert_same_two(two_high(a, b), two_plain_high(c, d));
+        double lane[2], plain[2];
+        two_part(&lane[0], &lane[1], a);
+        two_plain_part(&plain[0], &plain[1], c);
+        assert_memory_equal(lane, plain, sizeof lane);
         assert_same_two(two_lesser(a, b), two_plain_lesser(c, d));
         assert_same_two(two_greater(a, b), two_plain_greater(c, d));
         assert_same_two(two_abs(a), two_plain_abs(c));

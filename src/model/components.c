@@ -53,6 +53,11 @@ static inline uint32_t join(set_node *node, uint32_t root, uint32_t v)
 /* Whether some corner repeats an earlier one: all pairs of a face of a few corners, stamps on the vertices of others. */
 static inline bool few_repeat(const uint32_t *corner, const uint32_t *end)
 {
+    bool three = corner[0] == corner[1] || corner[0] == corner[2] || corner[1] == corner[2];
+    if (end - corner == 3)
+        return three;
+    if (end - corner == 4)
+        return three || corner[3] == corner[0] || corner[3] == corner[1] || corner[3] == corner[2];
     for (const uint32_t *p = corner + 1; p < end; p++)
         for (const uint32_t *q = corner; q < p; q++)
             if (*p == *q)

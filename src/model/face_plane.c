@@ -62,13 +62,36 @@ static double chord_of_extents(const roberts_vec3 *corner, uint32_t count, rober
     return greatest * greatest;
 }
 
+/* One lane of both. */
+static fitted_plane lane_of(const two_planes *faces)
+{
+    double values[7], other;
+    if (faces->empty & 1)
+        return (fitted_plane){0};
+    two_part(&values[0], &other, faces->n.x);
+    two_part(&values[1], &other, faces->n.y);
+    two_part(&values[2], &other, faces->n.z);
+    two_part(&values[3], &other, faces->mean);
+    two_part(&values[4], &other, faces->deviation);
+    two_part(&values[5], &other, faces->area);
+    two_part(&values[6], &other, faces->width);
+    return (fitted_plane){
+        {values[0], values[1], values[2]}, values[3], values[4], values[5], values[6], faces->strict & 1};
+}
+
+static two_vec3 in_both(roberts_vec3 a)
+{
+    return (two_vec3){two_all(a.x), two_all(a.y), two_all(a.z)};
+}
+
 fitted_plane face_plane_fit(const roberts_vec3 *corner, uint32_t count)
 {
-    double length, sum = 0.0, least = 0.0, most = 0.0;
+    double length, sum = 0.0, least = 0.0, most = 0.0, chord_squared;
     roberts_vec3 n;
-    fitted_plane face;
-    if (count == 3)
-        return face_plane_of_triangle(corner[1], corner[2]);
+    if (count == 3) {
+        two_planes same = two_planes_of_triangles(in_both(corner[1]), in_both(corner[2]));
+        return lane_of(&same);
+    }
     n = newell(corner, count);
     length = vec3_length(n);
     if (!(length > 0.0))
@@ -80,9 +103,11 @@ fitted_plane face_plane_fit(const roberts_vec3 *corner, uint32_t count)
         least = lesser(least, height);
         most = greater(most, height);
     }
-    face = face_plane_of(n, length,
-                         count <= PAIRS_UP_TO ? chord_of_pairs(corner, count) : chord_of_extents(corner, count, n),
-                         least, most, sum / count);
-    face.strict = polygon_strictly_convex(corner, count, n);
-    return face;
+    chord_squared = count <= PAIRS_UP_TO ? chord_of_pairs(corner, count) : chord_of_extents(corner, count, n);
+    return (fitted_plane){.n = n,
+                          .mean = sum / count,
+                          .deviation = greater(most - sum / count, sum / count - least),
+                          .area = 0.5 * length,
+                          .width = 0.5 * length / sqrt(chord_squared),
+                          .strict = polygon_strictly_convex(corner, count, n)};
 }

@@ -2,6 +2,7 @@
 #ifndef ROBERTS_MODEL_FACE_PLANE_H
 #define ROBERTS_MODEL_FACE_PLANE_H
 
+#include "base/lanes.h"
 #include "base/vec.h"
 
 typedef struct fitted_plane {
@@ -17,50 +18,103 @@ typedef struct fitted_plane {
  * must survive being taken to the fourth power. */
 fitted_plane face_plane_fit(const roberts_vec3 *corner, uint32_t count);
 
-/* What follows from the sum of the cross products, the square of the greatest chord, and the corners' heights. */
-static inline fitted_plane face_plane_of(roberts_vec3 n, double length, double chord_squared, double least, double most,
-                                         double mean)
+/* ---- two faces of three or four corners, which nearly all have, at a time ------------------------------------------ */
+
+typedef struct two_vec3 {
+    two x, y, z;
+} two_vec3;
+
+/* As in fitted_plane, lane by lane. */
+typedef struct two_planes {
+    two_vec3 n;
+    two mean, deviation, area, width;
+    unsigned strict; /* bit i: of lane i */
+    unsigned empty;  /* bit i: lane i has no area, and nothing of it is defined */
+} two_planes;
+
+static inline two_vec3 two_vec3_sub(two_vec3 a, two_vec3 b)
 {
-    double area = 0.5 * length;
-    return (fitted_plane){n, mean, greater(most - mean, mean - least), area, area / sqrt(chord_squared), true};
+    return (two_vec3){two_sub(a.x, b.x), two_sub(a.y, b.y), two_sub(a.z, b.z)};
 }
 
-/* The same for the two kinds that make up nearly all faces, without loops: a third of the instructions. */
-static inline fitted_plane face_plane_of_triangle(roberts_vec3 a, roberts_vec3 b)
+static inline two_vec3 two_vec3_add(two_vec3 a, two_vec3 b)
 {
-    roberts_vec3 n = vec3_cross(a, b), c = vec3_sub(b, a);
-    double length = vec3_length(n), ha, hb;
-    if (!(length > 0.0))
-        return (fitted_plane){0};
-    n = (roberts_vec3){n.x / length, n.y / length, n.z / length}; /* not times 1 / length: an axis stays exact */
-    ha = vec3_dot(n, a);                                          /* nothing but rounding */
-    hb = vec3_dot(n, b);
-    return face_plane_of(n, length, greater(greater(vec3_dot(a, a), vec3_dot(b, b)), vec3_dot(c, c)),
-                         lesser(lesser(ha, hb), 0.0), greater(greater(ha, hb), 0.0), (ha + hb) / 3);
+    return (two_vec3){two_add(a.x, b.x), two_add(a.y, b.y), two_add(a.z, b.z)};
 }
 
-static inline fitted_plane face_plane_of_quadrilateral(roberts_vec3 a, roberts_vec3 b, roberts_vec3 c)
+static inline two two_vec3_dot(two_vec3 a, two_vec3 b)
 {
-    roberts_vec3 ab = vec3_cross(a, b), bc = vec3_cross(b, c), n = vec3_add(ab, bc);
-    roberts_vec3 p = vec3_sub(b, a), q = vec3_sub(c, b), r = vec3_sub(c, a);
-    double length = vec3_length(n), ha, hb, hc, at_a, at_c, at_origin;
-    fitted_plane face;
-    if (!(length > 0.0))
-        return (fitted_plane){0};
-    n = (roberts_vec3){n.x / length, n.y / length, n.z / length};
-    ha = vec3_dot(n, a);
-    hb = vec3_dot(n, b);
-    hc = vec3_dot(n, c);
-    face = face_plane_of(n, length,
-                         greater(greater(greater(vec3_dot(a, a), vec3_dot(b, b)), vec3_dot(c, c)),
-                                 greater(greater(vec3_dot(p, p), vec3_dot(q, q)), vec3_dot(r, r))),
-                         lesser(lesser(ha, hb), lesser(hc, 0.0)), greater(greater(ha, hb), greater(hc, 0.0)),
-                         (ha + hb + hc) / 4);
-    at_a = vec3_dot(n, ab); /* areas of the triangles at the four corners: four left turns make up one whole turn */
-    at_c = vec3_dot(n, bc);
-    at_origin = vec3_dot(n, vec3_cross(a, c));
-    face.strict = at_a > 0.0 && at_c > 0.0 && at_origin > 0.0 && at_a + at_c - at_origin > 0.0;
-    return face;
+    return two_add(two_add(two_mul(a.x, b.x), two_mul(a.y, b.y)), two_mul(a.z, b.z));
+}
+
+static inline two_vec3 two_vec3_cross(two_vec3 a, two_vec3 b)
+{
+    return (two_vec3){two_sub(two_mul(a.y, b.z), two_mul(a.z, b.y)), two_sub(two_mul(a.z, b.x), two_mul(a.x, b.z)),
+                      two_sub(two_mul(a.x, b.y), two_mul(a.y, b.x))};
+}
+
+static inline two two_square(two_vec3 a)
+{
+    return two_vec3_dot(a, a);
+}
+
+/* Length 1; not times 1 / length: an axis stays exact. */
+static inline two_vec3 two_vec3_unit(two_vec3 sum, two length)
+{
+    return (two_vec3){two_div(sum.x, length), two_div(sum.y, length), two_div(sum.z, length)};
+}
+
+/* What follows from the length of the sum of the cross products, the square of the greatest chord, and the corners'
+ * heights: their least and greatest, the origin's 0 among them, and the mean. */
+static inline two_planes two_planes_of(two_vec3 n, two length, two chord_squared, two least, two most, two mean)
+{
+    two area = two_mul(two_all(0.5), length), zero = two_all(0.0);
+    least = two_lesser(least, zero);
+    most = two_greater(most, zero);
+    return (two_planes){n,
+                        mean,
+                        two_greater(two_sub(most, mean), two_sub(mean, least)),
+                        area,
+                        two_div(area, two_sqrt(chord_squared)),
+                        3,
+                        two_at_most(length, zero)};
+}
+
+/* Triangles 0, a, b. */
+static inline two_planes two_planes_of_triangles(two_vec3 a, two_vec3 b)
+{
+    two_vec3 sum = two_vec3_cross(a, b), n;
+    two length = two_sqrt(two_square(sum)), ha, hb;
+    n = two_vec3_unit(sum, length);
+    ha = two_vec3_dot(n, a); /* nothing but rounding */
+    hb = two_vec3_dot(n, b);
+    return two_planes_of(n, length,
+                         two_greater(two_greater(two_square(a), two_square(b)), two_square(two_vec3_sub(b, a))),
+                         two_lesser(ha, hb), two_greater(ha, hb), two_div(two_add(ha, hb), two_all(3.0)));
+}
+
+/* Quadrilaterals 0, a, b, c. */
+static inline two_planes two_planes_of_quadrilaterals(two_vec3 a, two_vec3 b, two_vec3 c)
+{
+    two_vec3 ab = two_vec3_cross(a, b), bc = two_vec3_cross(b, c), sum = two_vec3_add(ab, bc), n;
+    two length = two_sqrt(two_square(sum)), ha, hb, hc, at_a, at_c, at_origin, at_b, zero = two_all(0.0);
+    two from_origin = two_greater(two_greater(two_square(a), two_square(b)), two_square(c));
+    two others = two_greater(two_greater(two_square(two_vec3_sub(b, a)), two_square(two_vec3_sub(c, b))),
+                             two_square(two_vec3_sub(c, a)));
+    two_planes faces;
+    n = two_vec3_unit(sum, length);
+    ha = two_vec3_dot(n, a);
+    hb = two_vec3_dot(n, b);
+    hc = two_vec3_dot(n, c);
+    faces = two_planes_of(n, length, two_greater(from_origin, others), two_lesser(two_lesser(ha, hb), hc),
+                          two_greater(two_greater(ha, hb), hc), two_div(two_add(two_add(ha, hb), hc), two_all(4.0)));
+    at_a = two_vec3_dot(n, ab); /* areas of the triangles at the four corners: four left turns make up one whole turn */
+    at_c = two_vec3_dot(n, bc);
+    at_origin = two_vec3_dot(n, two_vec3_cross(a, c));
+    at_b = two_sub(two_add(at_a, at_c), at_origin);
+    faces.strict =
+        ~(two_at_most(at_a, zero) | two_at_most(at_c, zero) | two_at_most(at_origin, zero) | two_at_most(at_b, zero));
+    return faces;
 }
 
 #endif

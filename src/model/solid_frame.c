@@ -101,7 +101,7 @@ static void reverse(uint32_t *corner, uint32_t count)
     }
 }
 
-static inline void store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean)
+void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean)
 {
     const local_face *face = &frame->face[f];
     uint32_t to = frame->face_first + f;
@@ -116,32 +116,14 @@ static inline void store(const solid_frame *frame, roberts_scene *scene, uint32_
     scene->face_width[to] = face->width * unit;
 }
 
-void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean)
-{
-    store(frame, scene, f, mean);
-}
-
-/* Fills in face f; returns the mean for store(). */
-static inline double fit_face(solid_frame *frame, roberts_scene *scene, uint32_t f)
+/* Fills in face f, of five corners or more. */
+static void fit_face(solid_frame *frame, roberts_scene *scene, uint32_t f)
 {
     local_face *face = &frame->face[f];
-    const uint32_t *start = scene->face_start + frame->face_first + f, base = frame->vertex_first;
-    const roberts_vec3 *point = frame->point;
-    uint32_t *corner = scene->corner + start[0], n = start[1] - start[0];
-    roberts_vec3 origin = point[corner[0] - base], b = vec3_sub(frame->barycentre, origin);
-    fitted_plane fit;
-    double side, depth;
-    if (n == 3)
-        fit = face_plane_of_triangle(vec3_sub(point[corner[1] - base], origin),
-                                     vec3_sub(point[corner[2] - base], origin));
-    else if (n == 4)
-        fit = face_plane_of_quadrilateral(vec3_sub(point[corner[1] - base], origin),
-                                          vec3_sub(point[corner[2] - base], origin),
-                                          vec3_sub(point[corner[3] - base], origin));
-    else
-        fit = face_plane_fit(frame->ring, frame_ring(frame, scene, f));
-    depth = vec3_dot(fit.n, b) - fit.mean;
-    side = depth < 0.0 ? -1.0 : 1.0;
+    const uint32_t *start = scene->face_start + frame->face_first + f;
+    roberts_vec3 origin = frame_origin(frame, scene, f), b = vec3_sub(frame->barycentre, origin);
+    fitted_plane fit = face_plane_fit(frame->ring, frame_ring(frame, scene, f));
+    double depth = vec3_dot(fit.n, b) - fit.mean, side = depth < 0.0 ? -1.0 : 1.0;
     face->F.a = side * fit.n.x;
     face->F.b = side * fit.n.y;
     face->F.c = side * fit.n.z;
@@ -153,17 +135,102 @@ static inline double fit_face(solid_frame *frame, roberts_scene *scene, uint32_t
     face->strict = fit.strict;
     face->lean = !(fit.area > 0.0);
     if (side > 0.0) /* counter-clockwise about the inward normal is clockwise seen from outside */
-        reverse(corner, n);
-    return side * fit.mean;
+        reverse(scene->corner + start[0], start[1] - start[0]);
+    frame_store(frame, scene, f, side * fit.mean);
+}
+
+static inline two_vec3 gather(const roberts_vec3 *p, const roberts_vec3 *q)
+{
+    return (two_vec3){two_of(p->x, q->x), two_of(p->y, q->y), two_of(p->z, q->z)};
+}
+
+/* A face without area: as fitted_plane has it. */
+static void store_empty(solid_frame *frame, roberts_scene *scene, uint32_t f)
+{
+    frame->face[f] = (local_face){.lean = true};
+    frame_store(frame, scene, f, 0.0);
+}
+
+/* Fills in faces f and g, both of `n` corners, 3 or 4; f and g may be the same. */
+static void fit_two(solid_frame *frame, roberts_scene *scene, uint32_t f, uint32_t g, uint32_t n)
+{
+    const roberts_vec3 *point = frame->point - frame->vertex_first;
+    local_face *p = &frame->face[f], *q = &frame->face[g];
+    uint32_t *c = scene->corner + scene->face_start[frame->face_first + f];
+    uint32_t *d = scene->corner + scene->face_start[frame->face_first + g];
+    plane *G = &scene->face_plane[frame->face_first + f], *H = &scene->face_plane[frame->face_first + g];
+    two_vec3 origin = gather(&point[c[0]], &point[d[0]]);
+    two_vec3 a = two_vec3_sub(gather(&point[c[1]], &point[d[1]]), origin);
+    two_vec3 b = two_vec3_sub(gather(&point[c[2]], &point[d[2]]), origin);
+    two_vec3 middle = {two_all(frame->barycentre.x), two_all(frame->barycentre.y), two_all(frame->barycentre.z)};
+    two_vec3 centre = {two_all(scene->centre.x), two_all(scene->centre.y), two_all(scene->centre.z)};
+    two_vec3 first = two_vec3_sub(gather(&scene->point[c[0]], &scene->point[d[0]]), centre);
+    two_planes fit = n == 3
+                         ? two_planes_of_triangles(a, b)
+                         : two_planes_of_quadrilaterals(a, b, two_vec3_sub(gather(&point[c[3]], &point[d[3]]), origin));
+    two depth = two_sub(two_vec3_dot(fit.n, two_vec3_sub(middle, origin)), fit.mean), side = two_side(depth);
+    two_vec3 F = {two_mul(side, fit.n.x), two_mul(side, fit.n.y), two_mul(side, fit.n.z)};
+    two zero = two_all(0.0), unit = two_all(frame->unit);
+    two Fd = two_mul(side, two_sub(two_sub(zero, two_vec3_dot(fit.n, origin)), fit.mean));
+    two Gd = two_sub(two_sub(zero, two_vec3_dot(F, first)), two_mul(two_mul(side, fit.mean), unit));
+    unsigned outward = two_at_most(side, zero);
+    two_store(&p->F.a, two_low(F.x, F.y));
+    two_store(&p->F.c, two_low(F.z, Fd));
+    two_store(&q->F.a, two_high(F.x, F.y));
+    two_store(&q->F.c, two_high(F.z, Fd));
+    two_store(&G->a, two_low(F.x, F.y));
+    two_store(&G->c, two_low(F.z, Gd));
+    two_store(&H->a, two_high(F.x, F.y));
+    two_store(&H->c, two_high(F.z, Gd));
+    two_part(&p->depth, &q->depth, two_mul(side, depth));
+    two_part(&p->deviation, &q->deviation, fit.deviation);
+    two_part(&p->area, &q->area, fit.area);
+    two_part(&p->width, &q->width, fit.width);
+    two_part(&scene->face_deviation[frame->face_first + f], &scene->face_deviation[frame->face_first + g],
+             two_mul(fit.deviation, unit));
+    two_part(&scene->face_width[frame->face_first + f], &scene->face_width[frame->face_first + g],
+             two_mul(fit.width, unit));
+    p->strict = fit.strict & 1;
+    q->strict = fit.strict >> 1 & 1;
+    p->lean = q->lean = false;
+    if (!(outward & 1)) /* counter-clockwise about the inward normal is clockwise seen from outside */
+        reverse(c, n);
+    if (!(outward & 2) && f != g)
+        reverse(d, n);
+    if (fit.empty & 1)
+        store_empty(frame, scene, f);
+    if (fit.empty & 2 && f != g)
+        store_empty(frame, scene, g);
+}
+
+/* Triangles and quadrilaterals two at a time, each with the next of its kind. */
+static void fit_all(solid_frame *frame, roberts_scene *scene)
+{
+    uint32_t waiting[2] = {ROBERTS_NONE, ROBERTS_NONE};
+    const uint32_t *start = scene->face_start + frame->face_first;
+    for (uint32_t f = 0; f < frame->face_count; f++) {
+        uint32_t n = start[f + 1] - start[f], *other = &waiting[n == 4];
+        if (n > 4) {
+            fit_face(frame, scene, f);
+        } else if (*other == ROBERTS_NONE) {
+            *other = f;
+        } else {
+            fit_two(frame, scene, *other, f, n);
+            *other = ROBERTS_NONE;
+        }
+    }
+    for (uint32_t i = 0; i < 2; i++)
+        if (waiting[i] != ROBERTS_NONE)
+            fit_two(frame, scene, waiting[i], waiting[i], 3 + i);
 }
 
 void frame_fit_faces(solid_frame *frame, roberts_scene *scene)
 {
     bool lean = false, doubt = false, shallow = false;
     uint32_t widest = 0;
+    fit_all(frame, scene);
     for (uint32_t f = 0; f < frame->face_count; f++) {
         const local_face *face = &frame->face[f];
-        store(frame, scene, f, fit_face(frame, scene, f));
         lean |= face->lean;
         doubt |= face->deviation > frame->allowed || !face->strict;
         shallow |= face->depth < frame->flat;
