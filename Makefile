@@ -66,6 +66,9 @@ models: $(BUILD)/tools/make-models ## the files of models/, anew
 figures: $(BUILD)/roberts ## the figures of src/*/README.md, anew, to models/figures/
 	ROBERTS_BUILD=$(BUILD) tools/draw-figures.sh
 
+gallery: $(BUILD)/roberts ## the pictures of README's gallery, anew, to models/gallery/
+	ROBERTS_BUILD=$(BUILD) tools/draw-gallery.sh
+
 drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
 	@echo "drawn: $(sort $^)"
 
@@ -231,7 +234,7 @@ lint-cppcheck:
 	cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
-.PHONY: all demo figures check check-long install uninstall test-threads tools models drawings test test-sanitize fuzz fuzzers bench bench-baseline lint \
+.PHONY: all demo figures gallery check check-long install uninstall test-threads tools models drawings test test-sanitize fuzz fuzzers bench bench-baseline lint \
     lint-format lint-tidy lint-cppcheck clean help force
 .SECONDARY:
 .DELETE_ON_ERROR:

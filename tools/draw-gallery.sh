@@ -1,0 +1,15 @@
+#!/bin/sh
+# Draws the pictures of README.md's gallery by the commands that stand there: tools/draw-gallery.sh [FOLDER] (default:
+# models/gallery). `make gallery` calls it.
+set -eu
+cd "$(dirname "$0")/.."
+build=$(cd "${ROBERTS_BUILD:-build}" && pwd)
+mkdir -p "${1:-models/gallery}"
+folder=$(cd "${1:-models/gallery}" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+ln -s "$PWD/models" "$work/models"
+sed -n '/^## Gallery/,/^## [^G]/s/^roberts .*/&/p' README.md >"$work/commands"
+cd "$work"
+PATH=$build:$PATH sh -e commands
+mv ./*.svg "$folder"
