@@ -100,13 +100,34 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     return status;
 }
 
+/* Where nothing is written of the segments, no ray asks for them, and a page could only be empty where there are none,
+ * none is kept: the drawing then has no more than what was counted. */
+static bool is_counted_only(const cli_options *options)
+{
+    const roberts_draw_options *page = &options->draw;
+    return page->format == ROBERTS_NULL && !options->verify && !options->is_sheet &&
+           options->camera.projection == ROBERTS_ORTHOGRAPHIC && !page->outline.off && !page->crease.off &&
+           !page->back.off;
+}
+
+static roberts_status hide_and_count(const cli_options *options, const roberts_scene *scene, roberts_drawing *drawing,
+                                     run_stats *run, roberts_error *error)
+{
+    if (is_counted_only(options))
+        return roberts_hide_each(scene, &options->camera, &options->hide, stats_count, run, drawing, error);
+    roberts_status status = roberts_hide(scene, &options->camera, &options->hide, drawing, error);
+    for (size_t i = 0; i < drawing->count && options->stats != STATS_NONE; i++)
+        stats_count(run, &drawing->segment[i]);
+    return status;
+}
+
 /* One view; what it takes and finds is added to `run`. */
 static roberts_status hide(const cli_options *options, const roberts_scene *scene, roberts_drawing *drawing,
                            run_stats *run, roberts_error *error)
 {
     bool wrong = false;
     progress_stage("removing hidden lines");
-    roberts_status status = roberts_hide(scene, &options->camera, &options->hide, drawing, error);
+    roberts_status status = hide_and_count(options, scene, drawing, run, error);
     roberts_time start = stats_now();
     if (status == ROBERTS_OK && options->verify) {
         progress_stage("verifying");
@@ -167,8 +188,11 @@ static roberts_status save(const cli_options *options, const views *v, run_stats
     page.ink = &run->ink;
     for (size_t i = 0; i < v->count; i++)
         sheet.view[i] = &v->drawing[i];
+    roberts_drawing drawing = v->drawing[0];
+    if (is_counted_only(options))
+        drawing.count = 0;
     roberts_status status = options->is_sheet ? roberts_sheet_save(&sheet, &page, options->output, error)
-                                              : roberts_drawing_save(&v->drawing[0], &page, options->output, error);
+                                              : roberts_drawing_save(&drawing, &page, options->output, error);
     run->draw = stats_since(start);
     return status;
 }
@@ -184,7 +208,8 @@ static const char *name_output(const cli_options *options, char *name, size_t si
 /* A page on which there is nothing is hardly what was meant. */
 static void warn_empty(const cli_options *options, const views *v)
 {
-    const char *why = options->quiet ? NULL : empty_reason(options, v->drawing, v->count);
+    bool known = is_counted_only(options) && v->drawing[0].count > 0;
+    const char *why = options->quiet || known ? NULL : empty_reason(options, v->drawing, v->count);
     char text[256], name[NAME_SIZE];
     if (!why)
         return;

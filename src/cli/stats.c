@@ -43,13 +43,10 @@ typedef struct stage {
     roberts_time time;
 } stage;
 
-static uint64_t count_state(const roberts_drawing *drawing, size_t views, roberts_state state)
+bool stats_count(void *run, const roberts_segment *segment)
 {
-    uint64_t count = 0;
-    for (const roberts_drawing *d = drawing; d < drawing + views; d++)
-        for (size_t i = 0; i < d->count; i++)
-            count += d->segment[i].state == state;
-    return count;
+    ((run_stats *)run)->segments[segment->state]++;
+    return true;
 }
 
 static void add_tally(roberts_tally *sum, const roberts_tally *t)
@@ -170,9 +167,9 @@ void stats_print(const cli_options *options, const run_stats *run, const roberts
                                    : "to draw: none at the back, none flatter than the crease",
          d->drawn_edges},
         {"segments", "segments", d->count},
-        {"visible", "of them visible", count_state(drawing, views, ROBERTS_VISIBLE)},
-        {"hidden", "hidden", count_state(drawing, views, ROBERTS_HIDDEN)},
-        {"clipped", "clipped", count_state(drawing, views, ROBERTS_CLIPPED)},
+        {"visible", "of them visible", run->segments[ROBERTS_VISIBLE]},
+        {"hidden", "hidden", run->segments[ROBERTS_HIDDEN]},
+        {"clipped", "clipped", run->segments[ROBERTS_CLIPPED]},
         {"grid", "columns of the grid", d->grid},
         {"grid_rows", "rows", d->grid_rows},
         {"peak_memory_kb", "kB of memory at the most", peak_memory()},

@@ -9,6 +9,7 @@ typedef struct run_stats {
     size_t files, vertices, faces;
     roberts_time read, solids, verify, draw, total; /* verify: and picking */
     roberts_ink ink;                                /* nothing in it: no page was written */
+    uint64_t segments[ROBERTS_CLIPPED + 1];         /* in each state */
     bool wrong;                                     /* rays contradict the drawing */
 } run_stats;
 
@@ -19,6 +20,9 @@ roberts_time stats_now(void);
 roberts_time stats_since(roberts_time start);
 
 roberts_time stats_sum(roberts_time a, roberts_time b);
+
+/* Counts one segment among those of its state: a roberts_segment_fn, whose context is the run. */
+bool stats_count(void *run, const roberts_segment *segment);
 
 /* To the options' log, as they want it: for people, or as one JSON object. What is counted in `views` drawings of one scene
  * is added up. */

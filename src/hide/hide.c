@@ -28,6 +28,7 @@ static const double pi = 3.14159265358979323846;
 typedef struct hide_chunk {
     roberts_segment *segment;
     size_t count, room;
+    size_t place; /* of its first segment in the drawing */
 } hide_chunk;
 
 typedef struct hide_job {
@@ -67,24 +68,32 @@ static bool is_flat(const hide_job *job, const roberts_scene *scene, const scene
     return a * a + b * b + c * c < job->crease_chord;
 }
 
+/* Where on the edge in space a point of its picture is; view_to_space() without a call where it has nothing to do. */
+static inline double to_space(const view *v, const hide_edge *e, double s)
+{
+    return v->perspective ? view_to_space(v, e->A.z, e->B.z, s) : s;
+}
+
 static bool add_segment(const hide_job *job, hide_chunk *out, const roberts_segment *pattern, const hide_edge *e,
                         double s0, double s1)
 {
     const view *v = &job->picture.view;
-    roberts_vec3 R0 = hide_edge_at(e, s0), R1 = hide_edge_at(e, s1);
-    roberts_segment segment = *pattern;
+    double unit = v->unit, width = pattern->t1 - pattern->t0; /* of what the near plane leaves of the edge, mostly 1 */
+    double t0 = pattern->t0 + width * to_space(v, e, s0);
+    double t1 = s1 == 1.0 ? pattern->t1 : pattern->t0 + width * to_space(v, e, s1);
+    if (t0 >= t1)
+        return true; /* rounding leaves no length in space */
     if (!array_reserve(&out->segment, &out->room, out->count + 1, sizeof *out->segment))
         return false;
-    double width = pattern->t1 - pattern->t0; /* of what is left of the edge by the near plane, mostly 1 */
-    segment.t0 = pattern->t0 + width * view_to_space(v, e->A.z, e->B.z, s0);
-    segment.t1 = s1 == 1.0 ? pattern->t1 : pattern->t0 + width * view_to_space(v, e->A.z, e->B.z, s1);
-    if (segment.t0 >= segment.t1)
-        return true; /* rounding leaves no length in space */
-    segment.p0 = (roberts_vec2){R0.x * v->unit, R0.y * v->unit};
-    segment.p1 = (roberts_vec2){R1.x * v->unit, R1.y * v->unit};
-    segment.z0 = R0.z * v->unit;
-    segment.z1 = R1.z * v->unit;
-    out->segment[out->count++] = segment;
+    roberts_vec3 R0 = hide_edge_at(e, s0), R1 = hide_edge_at(e, s1);
+    roberts_segment *segment = &out->segment[out->count++];
+    *segment = *pattern;
+    segment->t0 = t0;
+    segment->t1 = t1;
+    segment->p0 = (roberts_vec2){R0.x * unit, R0.y * unit};
+    segment->p1 = (roberts_vec2){R1.x * unit, R1.y * unit};
+    segment->z0 = R0.z * unit;
+    segment->z1 = R1.z * unit;
     return true;
 }
 
@@ -130,12 +139,12 @@ static bool add_line(const hide_job *job, hide_worker *w, hide_chunk *out, const
         !add_clipped(out, *pattern, 0.0, pattern->t0, (roberts_vec2){e->A.x * unit, e->A.y * unit}))
         return false;
     for (size_t i = 0; i < line->parts.count; i++) {
-        hide_part part = line->parts.item[i].part;
-        if (part.t0 > from && !add_segment(job, out, pattern, e, from, part.t0))
+        const hide_part *part = &line->parts.item[i].part;
+        if (part->t0 > from && !add_segment(job, out, pattern, e, from, part->t0))
             return false;
-        if (all && !add_hidden(job, w, out, *pattern, e, part.t0, part.t1, line->parts.item[i].solid))
+        if (all && !add_hidden(job, w, out, *pattern, e, part->t0, part->t1, line->parts.item[i].solid))
             return false;
-        from = part.t1;
+        from = part->t1;
     }
     if (from < 1.0 && !add_segment(job, out, pattern, e, from, 1.0))
         return false;
@@ -208,18 +217,21 @@ static bool add_edge(const hide_job *job, hide_worker *w, hide_chunk *out, uint3
     return add_line(job, w, out, &pattern, line);
 }
 
-/* The lines come in the order of the edges, of which some are not drawn and some are clipped away. */
+/* The lines come in the order of the edges, of which some are not drawn and some, by the near plane, clipped away. */
 static bool do_solid(const hide_job *job, hide_worker *w, hide_sums *sums, hide_chunk *out, uint32_t solid)
 {
     if (job->picture.culled[solid] && !(job->clip.clipped && job->options->keep_hidden))
         return true;
     if (!take_edges(job, w, sums, solid) || !hide_worker_run(w, solid))
         return false;
-    size_t next = 0;
-    for (uint32_t i = job->source->solid[solid].edge; i < job->source->solid[solid + 1].edge; i++) {
-        uint32_t edge = job->clip.clipped ? job->clip.origin[i].edge : i;
-        const hide_line *line = next < w->line_count && w->line[next].edge == edge ? &w->line[next++] : NULL;
-        if (!add_edge(job, w, out, solid, i, line))
+    const hide_line *line = w->line, *end = line + w->line_count;
+    for (; !job->clip.clipped && line < end; line++)
+        if (!add_edge(job, w, out, solid, line->edge, line))
+            return false;
+    for (uint32_t i = job->source->solid[solid].edge; job->clip.clipped && i < job->source->solid[solid + 1].edge;
+         i++) {
+        bool drawn = line < end && line->edge == job->clip.origin[i].edge;
+        if (!add_edge(job, w, out, solid, i, drawn ? line++ : NULL))
             return false;
     }
     return true;
@@ -235,24 +247,6 @@ static bool do_chunk(const hide_job *job, hide_worker *w, hide_sums *sums, hide_
         if (!do_solid(job, w, sums, out, s))
             return false;
     return true;
-}
-
-/* Lays segments down behind those of the chunks before. */
-static roberts_status lay_down(const hide_job *job, roberts_drawing *drawing, size_t *room, const hide_chunk *chunk)
-{
-    if (chunk->count == 0)
-        return ROBERTS_OK;
-    if (job->each) {
-        for (size_t i = 0; i < chunk->count; i++, drawing->count++)
-            if (!job->each(job->context, &chunk->segment[i]))
-                return ROBERTS_STOPPED;
-        return ROBERTS_OK;
-    }
-    if (!array_reserve(&drawing->segment, room, drawing->count + chunk->count, sizeof *drawing->segment))
-        return ROBERTS_NO_MEMORY;
-    memcpy(drawing->segment + drawing->count, chunk->segment, chunk->count * sizeof *chunk->segment);
-    drawing->count += chunk->count;
-    return ROBERTS_OK;
 }
 
 static void add_sums(roberts_drawing *drawing, const hide_sums *sums, const hide_worker *w)
@@ -289,13 +283,45 @@ static bool do_wave(const hide_job *job, hide_worker *worker, hide_sums *sums, i
     return !lost;
 }
 
+static roberts_status give_away(const hide_job *job, roberts_drawing *drawing, const hide_chunk *chunk, uint32_t count)
+{
+    for (uint32_t k = 0; k < count; k++)
+        for (size_t i = 0; i < chunk[k].count; i++, drawing->count++)
+            if (!job->each(job->context, &chunk[k].segment[i]))
+                return ROBERTS_STOPPED;
+    return ROBERTS_OK;
+}
+
+/* Lays the segments of a wave down behind those of the waves before: all threads, since the memory is new to the program
+ * and the system has to bring it, which takes longer than the copying. */
+static roberts_status lay_down(roberts_drawing *drawing, size_t *room, hide_chunk *chunk, uint32_t count, int threads)
+{
+    size_t total = drawing->count;
+    for (uint32_t k = 0; k < count; k++) {
+        chunk[k].place = total;
+        total += chunk[k].count;
+    }
+    if (!array_reserve(&drawing->segment, room, total, sizeof *drawing->segment))
+        return ROBERTS_NO_MEMORY;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(threads)
+#else
+    (void)threads;
+#endif
+    for (uint32_t k = 0; k < count; k++)
+        if (chunk[k].count)
+            memcpy(drawing->segment + chunk[k].place, chunk[k].segment, chunk[k].count * sizeof *chunk[k].segment);
+    drawing->count = total;
+    return ROBERTS_OK;
+}
+
 /* All chunks, wave by wave, so that no more segments wait than those of one wave. (Laying each chunk down when its turn
- * comes, by an ordered loop, keeps threads spinning on a busy machine.) */
+ * comes, by an ordered loop, keeps threads spinning on a busy machine.) A single thread needs no waves. */
 static roberts_status do_chunks(const hide_job *job, roberts_drawing *drawing)
 {
     uint32_t count = (job->scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
-    uint32_t wave = count < CHUNKS_PER_WAVE ? count : CHUNKS_PER_WAVE;
     int threads = threads_for(job->options->threads, 1 + count / CHUNKS_PER_THREAD);
+    uint32_t wave = threads == 1 ? 1 : count < CHUNKS_PER_WAVE ? count : CHUNKS_PER_WAVE;
     roberts_status status = ROBERTS_NO_MEMORY;
     size_t room = 0;
     hide_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
@@ -307,7 +333,7 @@ static roberts_status do_chunks(const hide_job *job, roberts_drawing *drawing)
         if (!hide_worker_init(&worker[i], &job->picture, &job->grid))
             goto done;
     status = ROBERTS_OK;
-    if (threads == 1 && !job->each) { /* what is in order anyway need not wait */
+    if (threads == 1 && !job->each) { /* what is in order anyway stays where it is */
         for (uint32_t i = 0; status == ROBERTS_OK && i < count; i++)
             status = do_chunk(job, &worker[0], &sums[0], &chunk[0], i) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
         drawing->segment = chunk[0].segment;
@@ -319,8 +345,10 @@ static roberts_status do_chunks(const hide_job *job, roberts_drawing *drawing)
         uint32_t end = count - first < wave ? count : first + wave;
         if (!do_wave(job, worker, sums, threads, chunk, first, end))
             status = ROBERTS_NO_MEMORY;
-        for (uint32_t i = first; status == ROBERTS_OK && i < end; i++)
-            status = lay_down(job, drawing, &room, &chunk[i - first]);
+        else if (job->each)
+            status = give_away(job, drawing, chunk, end - first);
+        else
+            status = lay_down(drawing, &room, chunk, end - first, threads);
     }
     for (int i = 0; i < threads; i++)
         add_sums(drawing, &sums[i], &worker[i]);
