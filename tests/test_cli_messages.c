@@ -1,4 +1,6 @@
 /* What the program says to people: which file and what in it, options that change nothing, drawings that come out empty. */
+/* for a terminal of our own: posix_openpt() */
+#define _XOPEN_SOURCE 700 /* NOLINT(bugprone-reserved-identifier): that is its name */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -125,6 +127,23 @@ static void misuse_tells_what_was_meant(void **state)
     assert_int_equal(run("copy.off"), 0);
 }
 
+static void empty_names(void **state)
+{
+    (void)state;
+    put_cube("one.off", 0, 0, 6);
+    char *const words[] = {program, "one.off", "", NULL};
+    fflush(stdout);
+    pid_t child = fork();
+    if (child == 0) {
+        dup2(open_stream("err", O_WRONLY | O_TRUNC), STDERR_FILENO);
+        execv(program, words);
+        _exit(127);
+    }
+    finish(child);
+    assert_int_equal(last.status, 2);
+    assert_said("roberts: the name of an input is empty\n");
+}
+
 /* ---- options that change nothing ---- */
 
 /* What is warned of, after "roberts: warning: "; empty: nothing. */
@@ -176,6 +195,26 @@ static void idle_options_are_warned_of(void **state)
         assert_int_equal(run(line), 0);
         assert_string_equal(last.err, "");
     }
+}
+
+/* Somebody waits for a drawing, and the program for a model. */
+static void terminals_are_told_of(void **state)
+{
+    (void)state;
+    int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0)
+        skip();
+    for (int quiet = 0; quiet < 2; quiet++) {
+        assert_int_equal(write(terminal, "\004", 1), 1); /* ctrl-D */
+        finish(start(quiet ? "-q" : "--view top", ptsname(terminal), -1));
+        assert_int_equal(last.status, 1);
+        assert_true((strstr(last.err, "roberts: reading the model from the terminal; ctrl-D ends it") != NULL) !=
+                    quiet);
+        assert_said("roberts: standard input:1: the input is empty\n");
+    }
+    close(terminal);
+    finish(start("--view top", "/dev/null", -1));
+    assert_string_equal(last.err, "roberts: standard input:1: the input is empty\n");
 }
 
 static void several_points_are_picked(void **state)
@@ -321,7 +360,9 @@ int main(void)
         IN_FOLDER(messages_name_the_file),
         IN_FOLDER(every_refusal_names_the_file),
         IN_FOLDER(misuse_tells_what_was_meant),
+        IN_FOLDER(empty_names),
         IN_FOLDER(idle_options_are_warned_of),
+        IN_FOLDER(terminals_are_told_of),
         IN_FOLDER(several_points_are_picked),
         IN_FOLDER(sizes_of_paper),
         IN_FOLDER(empty_drawings_are_warned_of),

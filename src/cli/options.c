@@ -180,7 +180,7 @@ static int set_stats(cli_options *options, const char *value)
 {
     static const char *const names[] = {"json"};
     if (value && strcmp(value, names[0]) != 0)
-        return nearest_unknown("--stats", value, names, 1, NULL);
+        return nearest_unknown("--stats", value, names, 1, "or left out");
     options->stats = value ? STATS_JSON : STATS_TEXT;
     return EXIT_DONE;
 }

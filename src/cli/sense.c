@@ -95,6 +95,8 @@ static int check_files(const cli_options *options, bool output_given)
         roberts_format format;
         const char *name = options->input[i];
         streams += strcmp(name, "-") == 0;
+        if (!*name)
+            return message_misuse("the name of an input is empty");
         if (stat(name, &input) == 0) {
             if (there && S_ISREG(output.st_mode) && is_same_file(&output, &input))
                 return message_misuse("--output: %s is an input; the drawing would take its place", options->output);
@@ -188,5 +190,7 @@ void sense_warn(const cli_options *options, sense_given given)
     else
         warn_tables(options, given);
     if (isatty(STDIN_FILENO) && strcmp(options->input[0], "-") == 0)
-        fputs("roberts: reads the model from the terminal, as no file is named; ctrl-D ends it\n", stderr);
+        fputs(
+            "roberts: reading the model from the terminal; ctrl-D ends it (roberts --help tells how to name a file)\n",
+            stderr);
 }

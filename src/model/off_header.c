@@ -149,7 +149,7 @@ roberts_status off_read_header(off_reader *r)
     if (length <= OFF_TOKEN_MAX)
         word = keyword(r->in.at, length, &r->header);
     if (word == 0 && (*r->in.at < '0' || *r->in.at > '9'))
-        return off_expected(r, ROBERTS_BAD_SYNTAX, "the keyword OFF (or STCN4nOFF in part) or the counts");
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "the beginning of an OFF file (keyword OFF, or the counts)");
     r->in.at += word;
     if (word == length && (status = binary_word(r)) != ROBERTS_OK)
         return status;

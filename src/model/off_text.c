@@ -161,8 +161,9 @@ static roberts_status bad_corner(off_reader *r, uint64_t f, uint64_t i, uint64_t
                             (unsigned long long)i + 1, (unsigned long long)count, (unsigned long long)f,
                             (unsigned long long)r->header.faces);
     }
-    return off_fail(r, ROBERTS_BAD_INDEX, "face %llu names vertex %s%llu, but there are %llu", (unsigned long long)f,
-                    negative ? "-" : "", (unsigned long long)index, (unsigned long long)r->header.vertices);
+    return off_fail(r, ROBERTS_BAD_INDEX, "face %llu names vertex %s%llu, but there are %llu%s", (unsigned long long)f,
+                    negative ? "-" : "", (unsigned long long)index, (unsigned long long)r->header.vertices,
+                    index == r->header.vertices ? ", numbered from 0" : ""); /* who counts from 1 comes here */
 }
 
 /* Reads the corners of face f into the mesh. Room is made as they come: a declared count takes no memory. */
