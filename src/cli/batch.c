@@ -17,6 +17,7 @@
 #include "cli/message.h"
 #include "cli/picture.h"
 #include "cli/progress.h"
+#include "cli/values.h"
 
 typedef struct batch_file {
     char *input;         /* of argv */
@@ -35,7 +36,7 @@ typedef struct batch {
 static char *output_name(const cli_options *options, const char *input)
 {
     const char *slash = strrchr(input, '/'), *name = slash ? slash + 1 : input;
-    const char *dot = strrchr(name, '.'), *ending = options_format_name(options->draw.format);
+    const char *dot = strrchr(name, '.'), *ending = values_format_name(options->draw.format);
     size_t length = dot && dot > name ? (size_t)(dot - name) : strlen(name);
     size_t size = strlen(options->batch) + 1 + length + 1 + strlen(ending) + 1;
     char *output = malloc(size);

@@ -15,8 +15,7 @@
 #include "cli/paper.h"
 #include "cli/parse.h"
 #include "cli/sense.h"
-
-enum { TURNTABLE_MOST = 100000 };
+#include "cli/values.h"
 
 typedef enum option_id {
     OPTION_OUTPUT,
@@ -133,143 +132,6 @@ typedef struct parser {
     double azimuth, elevation, roll; /* degrees */
 } parser;
 
-/* ---- values ---- */
-
-enum { FORMATS = ROBERTS_NULL + 1 };
-
-static const char *const format_names[FORMATS] = {
-    [ROBERTS_SVG] = "svg", [ROBERTS_PDF] = "pdf", [ROBERTS_PS] = "ps",     [ROBERTS_EPS] = "eps",
-    [ROBERTS_PNG] = "png", [ROBERTS_CSV] = "csv", [ROBERTS_JSON] = "json", [ROBERTS_NULL] = "null",
-};
-
-const char *options_format_name(roberts_format format)
-{
-    return format_names[format];
-}
-
-static int set_format(cli_options *options, const char *value)
-{
-    if (roberts_format_by_name(value, &options->draw.format))
-        return EXIT_DONE;
-    return nearest_unknown("--format", value, format_names, FORMATS, NULL);
-}
-
-static int set_view(cli_options *options, const char *value)
-{
-    static const char *const names[] = {"iso",   "dimetric", "trimetric", "front",    "back",   "left",
-                                        "right", "top",      "bottom",    "cavalier", "cabinet"};
-    if (roberts_camera_preset(value, &options->camera))
-        return EXIT_DONE;
-    return nearest_unknown("--view", value, names, sizeof names / sizeof names[0], NULL);
-}
-
-static int set_hidden(cli_options *options, const char *value)
-{
-    static const char *const names[] = {"none", "dashed", "solid"};
-    static const roberts_hidden mode[] = {ROBERTS_HIDDEN_NONE, ROBERTS_HIDDEN_DASHED, ROBERTS_HIDDEN_SOLID};
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
-        if (strcmp(value, names[i]) == 0) {
-            options->draw.hidden = mode[i];
-            options->hide.keep_hidden = mode[i] != ROBERTS_HIDDEN_NONE;
-            return EXIT_DONE;
-        }
-    return nearest_unknown("--hidden", value, names, sizeof names / sizeof names[0], NULL);
-}
-
-static int set_stats(cli_options *options, const char *value)
-{
-    static const char *const names[] = {"json"};
-    if (value && strcmp(value, names[0]) != 0)
-        return nearest_unknown("--stats", value, names, 1, "or left out");
-    options->stats = value ? STATS_JSON : STATS_TEXT;
-    return EXIT_DONE;
-}
-
-static int set_sheet(cli_options *options, const char *value)
-{
-    static const char *const names[] = {"first", "third"};
-    options->is_sheet = true;
-    options->sheet = strcmp(value, names[0]) == 0 ? ROBERTS_FIRST_ANGLE : ROBERTS_THIRD_ANGLE;
-    return strcmp(value, names[options->sheet]) == 0 ? EXIT_DONE : nearest_unknown("--sheet", value, names, 2, NULL);
-}
-
-static int set_vector(const char *name, const char *value, roberts_vec3 *vector)
-{
-    if (parse_vector(value, vector))
-        return EXIT_DONE;
-    return message_misuse("--%s: \"%s\" is not X,Y,Z (three numbers, point for decimals)", name, value);
-}
-
-static int set_point(const char *name, const char *value, roberts_vec2 *point)
-{
-    if (parse_point(value, point))
-        return EXIT_DONE;
-    return message_misuse("--%s: \"%s\" is not X,Y (two numbers, point for decimals)", name, value);
-}
-
-/* A vector that has to point somewhere. */
-static int set_direction(const char *name, const char *value, roberts_vec3 *vector)
-{
-    int status = set_vector(name, value, vector);
-    if (status == EXIT_DONE && vector->x == 0.0 && vector->y == 0.0 && vector->z == 0.0)
-        return message_misuse("--%s: 0,0,0 is no direction", name);
-    return status;
-}
-
-static int set_number_between(const char *name, const char *value, double min, double max, double *number)
-{
-    if (!parse_number(value, number))
-        return message_misuse("--%s: \"%s\" is not a number", name, value);
-    if (*number < min && max == DBL_MAX)
-        return message_misuse("--%s: %s is less than %g", name, value, min);
-    if (!(*number >= min && *number <= max))
-        return message_misuse("--%s: %s is not in %g..%g", name, value, min, max);
-    return EXIT_DONE;
-}
-
-static int set_number(const char *name, const char *value, double max, double *number)
-{
-    return set_number_between(name, value, 0.0, max, number);
-}
-
-static int set_integer(const char *name, const char *value, uint32_t *number)
-{
-    if (parse_integer(value, number))
-        return EXIT_DONE;
-    return message_misuse("--%s: \"%s\" is not a whole number from 0 on", name, value);
-}
-
-static int set_angle_of_view(const char *value, double *degrees)
-{
-    int status = set_number("fov", value, 179.0, degrees);
-    if (status == EXIT_DONE && *degrees == 0.0)
-        return message_misuse("--fov: 0 shows nothing; an angle of view is greater, up to 179 degrees");
-    return status;
-}
-
-static int set_rays(const char *value, uint32_t *rays)
-{
-    int status = set_integer("verify", value, rays);
-    if (status == EXIT_DONE && *rays == 0)
-        return message_misuse("--verify: 0 rays check nothing; it takes 1 or more (3 where none is given)");
-    return status;
-}
-
-static int add_pick(cli_options *options, const char *value)
-{
-    if (options->pick_count == PICKS_MOST)
-        return message_misuse("--pick: %d points are the most", PICKS_MOST);
-    return set_point("pick", value, &options->pick[options->pick_count++]);
-}
-
-static int set_turntable(const char *value, uint32_t *number)
-{
-    int status = set_integer("turntable", value, number);
-    if (status == EXIT_DONE && (*number < 1 || *number > TURNTABLE_MOST))
-        return message_misuse("--turntable: %s is not in 1..%d", value, TURNTABLE_MOST);
-    return status;
-}
-
 /* ---- one option ---- */
 
 static int apply_value(parser *p, option_id id, const char *value)
@@ -282,41 +144,41 @@ static int apply_value(parser *p, option_id id, const char *value)
         options->output = value;
         return *value ? EXIT_DONE : message_misuse("--output: the name is empty");
     case OPTION_FORMAT:
-        return set_format(options, value);
+        return values_set_format(options, value);
     case OPTION_DIR:
         options->camera.projection = ROBERTS_ORTHOGRAPHIC;
-        return set_direction(name, value, &options->camera.dir);
+        return values_set_direction(name, value, &options->camera.dir);
     case OPTION_VIEW:
-        return set_view(options, value);
+        return values_set_view(options, value);
     case OPTION_EYE:
         options->camera.projection = ROBERTS_PERSPECTIVE;
-        return set_vector(name, value, &options->camera.eye);
+        return values_set_vector(name, value, &options->camera.eye);
     case OPTION_LOOK_AT:
         options->camera.has_look_at = true;
-        return set_vector(name, value, &options->camera.look_at);
+        return values_set_vector(name, value, &options->camera.look_at);
     case OPTION_NEAR:
-        return set_number(name, value, DBL_MAX, &options->camera.near_distance);
+        return values_set_number(name, value, DBL_MAX, &options->camera.near_distance);
     case OPTION_FOV:
-        return set_angle_of_view(value, &options->camera.fov_degrees);
+        return values_set_angle_of_view(value, &options->camera.fov_degrees);
     case OPTION_UP:
-        return set_direction(name, value, &p->up);
+        return values_set_direction(name, value, &p->up);
     case OPTION_AZIMUTH:
-        return set_number_between(name, value, -360.0, 360.0, &p->azimuth);
+        return values_set_number_between(name, value, -360.0, 360.0, &p->azimuth);
     case OPTION_ELEVATION:
-        return set_number_between(name, value, -90.0, 90.0, &p->elevation);
+        return values_set_number_between(name, value, -90.0, 90.0, &p->elevation);
     case OPTION_ROLL:
-        return set_number_between(name, value, -360.0, 360.0, &p->roll);
+        return values_set_number_between(name, value, -360.0, 360.0, &p->roll);
     case OPTION_HIDDEN:
-        return set_hidden(options, value);
+        return values_set_hidden(options, value);
     case OPTION_CREASE:
-        return set_number(name, value, 180.0, &options->hide.crease_degrees);
+        return values_set_number(name, value, 180.0, &options->hide.crease_degrees);
     case OPTION_ALL_EDGES:
         options->hide.all_edges = true;
         return EXIT_DONE;
     case OPTION_PAGE:
         return paper_set_page(&options->draw.page, value);
     case OPTION_MARGIN:
-        return set_number(name, value, 20000.0, &options->draw.page.margin_mm);
+        return values_set_number(name, value, 20000.0, &options->draw.page.margin_mm);
     case OPTION_LANDSCAPE: /* whatever order it and --page come in */
     case OPTION_FIT:
         return EXIT_DONE;
@@ -338,14 +200,14 @@ static int apply_value(parser *p, option_id id, const char *value)
     case OPTION_DPI:
         if (parse_number(value, &options->draw.dpi) && options->draw.dpi == 0.0)
             return message_misuse("--dpi: 0 gives no image");
-        return set_number(name, value, 100000.0, &options->draw.dpi);
+        return values_set_number(name, value, 100000.0, &options->draw.dpi);
     case OPTION_STATS:
-        return set_stats(options, value);
+        return values_set_stats(options, value);
     case OPTION_VERIFY:
         options->verify = true;
-        return value ? set_rays(value, &options->verify_rays) : EXIT_DONE;
+        return value ? values_set_rays(value, &options->verify_rays) : EXIT_DONE;
     case OPTION_PICK:
-        return add_pick(options, value);
+        return values_add_pick(options, value);
     case OPTION_QUIET:
         options->quiet = true;
         return EXIT_DONE;
@@ -356,17 +218,17 @@ static int apply_value(parser *p, option_id id, const char *value)
         options->batch = value;
         return *value ? EXIT_DONE : message_misuse("--batch: the name is empty");
     case OPTION_TURNTABLE:
-        return set_turntable(value, &options->turntable);
+        return values_set_turntable(value, &options->turntable);
     case OPTION_SHEET:
-        return set_sheet(options, value);
+        return values_set_sheet(options, value);
     case OPTION_THREADS:
-        return set_integer(name, value, &options->hide.threads);
+        return values_set_integer(name, value, &options->hide.threads);
     case OPTION_GRID:
-        return set_integer(name, value, &options->hide.grid);
+        return values_set_integer(name, value, &options->hide.grid);
     case OPTION_EPSILON:
-        return set_number(name, value, 1e150, &options->hide.epsilon);
+        return values_set_number(name, value, 1e150, &options->hide.epsilon);
     case OPTION_TOLERANCE:
-        return set_number(name, value, 1.0, &options->scene.tolerance);
+        return values_set_number(name, value, 1.0, &options->scene.tolerance);
     case OPTION_HELP:
         options->help = true;
         return EXIT_DONE;
@@ -523,7 +385,7 @@ static int choose_format(const parser *p)
     bool is_table = options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
     if (options->is_sheet && is_table)
         return message_misuse("--sheet makes a page, not a table: choose another format than %s",
-                              options_format_name(options->draw.format));
+                              values_format_name(options->draw.format));
     bool binary = options->draw.format == ROBERTS_PDF || options->draw.format == ROBERTS_PNG;
     if (binary && !options->batch && strcmp(options->output, "-") == 0 && isatty(STDOUT_FILENO))
         return message_misuse("these bytes are not for a terminal: name a file with -o");

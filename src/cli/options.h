@@ -38,7 +38,4 @@ typedef struct cli_options {
  * and has said why. */
 int options_parse(int argc, char **argv, cli_options *options);
 
-/* The name that -f and endings of files give to a format. */
-const char *options_format_name(roberts_format format);
-
 #endif

@@ -11,6 +11,7 @@
 
 #include "cli/message.h"
 #include "cli/parse.h"
+#include "cli/values.h"
 
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
@@ -157,7 +158,7 @@ static void warn_tables(const cli_options *options, sense_given given)
     size_t found = list_given(given, names, COUNT(names), list);
     if (found > 0)
         fprintf(stderr, "roberts: warning: %s %s no effect: %s has no page\n", list, found > 1 ? "have" : "has",
-                options_format_name(options->draw.format));
+                values_format_name(options->draw.format));
 }
 
 static void warn_pages(const cli_options *options, sense_given given)
