@@ -231,6 +231,8 @@ static void sizes_of_paper(void **state)
     (void)state;
     assert_int_equal(run("--page B5 models/platonic/cube.off"), 0);
     assert_non_null(strstr(last.out, "width=\"176mm\" height=\"250mm\""));
+    assert_int_equal(run("--page 100X50.5 models/platonic/cube.off"), 0);
+    assert_non_null(strstr(last.out, "width=\"100mm\" height=\"50.5mm\""));
     assert_int_equal(run("--page b0 models/platonic/cube.off"), 0);
     assert_non_null(strstr(last.out, "width=\"1000mm\" height=\"1414mm\""));
     assert_int_equal(run("--page Letter models/platonic/cube.off"), 0);

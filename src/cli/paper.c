@@ -57,8 +57,8 @@ int paper_set_page(roberts_page *page, const char *value)
                                       {148, 210},     {105, 148},    {1000, 1414}, {707, 1000}, {500, 707},
                                       {353, 500},     {250, 353},    {176, 250},   {125, 176},  {215.9, 279.4},
                                       {215.9, 355.6}, {279.4, 431.8}};
-    char word[16];
-    lower_case(value, word, sizeof word); /* as in "A4" */
+    char word[64];
+    lower_case(value, word, sizeof word); /* as in "A4", "210X297" */
     size_t i = find_word(word, names, COUNT(names));
     if (i < COUNT(names)) {
         page->width_mm = sizes[i][0];
@@ -66,7 +66,7 @@ int paper_set_page(roberts_page *page, const char *value)
         return EXIT_DONE;
     }
     double width, height;
-    if (!parse_pair(value, 'x', &width, &height))
+    if (strlen(value) >= sizeof word || !parse_pair(word, 'x', &width, &height))
         return nearest_unknown("--page", value, names, COUNT(names), "or WxH in mm, as 210x297");
     if (!(width >= 1.0 && width <= 40000.0 && height >= 1.0 && height <= 40000.0))
         return message_misuse("--page: %s: each side has 1 to 40000 mm", value);
