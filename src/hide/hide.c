@@ -10,8 +10,8 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/threads.h"
+#include "hide/ahead.h"
 #include "hide/cells.h"
-#include "hide/edge.h"
 #include "view/clip.h"
 
 #define CHUNK_SOLIDS 64
@@ -40,6 +40,7 @@ typedef struct hide_job {
     const roberts_hide_options *options;
     hide_picture picture;
     objet grid;
+    ahead ahead;         /* what was found before its turn, if anything */
     double crease_chord; /* distance of two unit normals that meet at the crease angle, squared */
 } hide_job;
 
@@ -222,7 +223,8 @@ static bool do_solid(const hide_job *job, hide_worker *w, hide_sums *sums, hide_
 {
     if (job->picture.culled[solid] && !(job->clip.clipped && job->options->keep_hidden))
         return true;
-    if (!take_edges(job, w, sums, solid) || !hide_worker_run(w, solid))
+    if (job->ahead.order ? !ahead_recall(&job->ahead, solid, w)
+                         : !take_edges(job, w, sums, solid) || !hide_worker_run(w, solid))
         return false;
     const hide_line *line = w->line, *end = line + w->line_count;
     for (; !job->clip.clipped && line < end; line++)
@@ -247,6 +249,44 @@ static bool do_chunk(const hide_job *job, hide_worker *w, hide_sums *sums, hide_
         if (!do_solid(job, w, sums, out, s))
             return false;
     return true;
+}
+
+/* The solids of one chunk of the order in which they lie in the picture. */
+static bool look_ahead(hide_job *job, hide_worker *w, hide_sums *sums, uint32_t index)
+{
+    uint32_t first = index * AHEAD_CHUNK, count = job->ahead.count;
+    uint32_t end = count - first < AHEAD_CHUNK ? count : first + AHEAD_CHUNK;
+    for (uint32_t k = first; k < end; k++) {
+        uint32_t s = job->ahead.order[k];
+        w->line_count = 0;
+        if (!job->picture.culled[s] && (!take_edges(job, w, sums, s) || !hide_worker_run(w, s)))
+            return false;
+        if (!ahead_keep(&job->ahead, k, w))
+            return false;
+    }
+    return true;
+}
+
+/* All of them, where the order of the file is not as good. Hidden segments are looked up in the picture at their own turn
+ * anyway. */
+static bool look_ahead_at_all(hide_job *job, hide_worker *worker, hide_sums *sums, int threads)
+{
+    bool lost = false;
+    if (job->options->keep_hidden)
+        return true;
+    if (!ahead_init(&job->ahead, &job->picture))
+        return false;
+    uint32_t chunks = job->ahead.order ? (job->ahead.count + AHEAD_CHUNK - 1) / AHEAD_CHUNK : 0;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) reduction(|| : lost)
+#else
+    (void)threads;
+#endif
+    for (uint32_t i = 0; i < chunks; i++) {
+        int self = thread_self();
+        lost = lost || !look_ahead(job, &worker[self], &sums[self], i);
+    }
+    return !lost;
 }
 
 static void add_sums(roberts_drawing *drawing, const hide_sums *sums, const hide_worker *w)
@@ -317,7 +357,7 @@ static roberts_status lay_down(roberts_drawing *drawing, size_t *room, hide_chun
 
 /* All chunks, wave by wave, so that no more segments wait than those of one wave. (Laying each chunk down when its turn
  * comes, by an ordered loop, keeps threads spinning on a busy machine.) A single thread needs no waves. */
-static roberts_status do_chunks(const hide_job *job, roberts_drawing *drawing)
+static roberts_status do_chunks(hide_job *job, roberts_drawing *drawing)
 {
     uint32_t count = (job->scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
     int threads = threads_for(job->options->threads, 1 + count / CHUNKS_PER_THREAD);
@@ -332,6 +372,8 @@ static roberts_status do_chunks(const hide_job *job, roberts_drawing *drawing)
     for (int i = 0; i < threads; i++)
         if (!hide_worker_init(&worker[i], &job->picture, &job->grid))
             goto done;
+    if (!look_ahead_at_all(job, worker, sums, threads))
+        goto done;
     status = ROBERTS_OK;
     if (threads == 1 && !job->each) { /* what is in order anyway stays where it is */
         for (uint32_t i = 0; status == ROBERTS_OK && i < count; i++)
@@ -464,6 +506,7 @@ static roberts_status hide(hide_job *job, const roberts_camera *camera, roberts_
         status = do_chunks(job, drawing);
         drawing->hide_time = lap(&clock);
     }
+    ahead_free(&job->ahead);
     objet_free(&job->grid);
     hide_picture_free(&job->picture);
     view_clip_free(&job->clip);

@@ -1,0 +1,144 @@
+/* ahead.c - see ahead.h. */
+#include "hide/ahead.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/radix.h"
+
+/* Fewer solids than this do not leave the cache. */
+#define MANY_SOLIDS 32768
+/* The picture is counted in so many columns and rows for the order... */
+#define SIDE 1024
+/* ... and if one solid lies on average farther than this from the last, the file has them as they come. Rows, heaps and
+ * lattices that were built one beside the other have less than 30, random ones more than 600. */
+#define FAR_APART 100.0
+
+/* Bits 0 to 9 of x apart, with one bit between each and the next. */
+static uint32_t spread(uint32_t x)
+{
+    x = (x | x << 8) & 0x00ff00ffu;
+    x = (x | x << 4) & 0x0f0f0f0fu;
+    x = (x | x << 2) & 0x33333333u;
+    return (x | x << 1) & 0x55555555u;
+}
+
+static double apart(uint32_t a, uint32_t b)
+{
+    return a < b ? b - a : a - b;
+}
+
+/* Fills `key` so that the solids' order follows Morton's curve through the picture (G. M. Morton, "A computer oriented
+ * geodetic data base", IBM 1966). Gives how far one is from the last, on average. */
+static double find_keys(const hide_picture *picture, uint32_t *key)
+{
+    uint32_t count = picture->scene->solid_count, last_i = 0, last_j = 0;
+    double way = 0.0;
+    scan_frame frame = scan_frame_over(picture->low, picture->high, SIDE, SIDE, hide_margin(&picture->space));
+    for (uint32_t s = 0; s < count; s++) {
+        const hide_box *box = &picture->box[s];
+        uint32_t i = scan_column(&frame, 0.5 * ((double)box->x0 + (double)box->x1));
+        uint32_t j = scan_row(&frame, 0.5 * ((double)box->y0 + (double)box->y1));
+        way += apart(i, last_i) + apart(j, last_j);
+        key[s] = spread(i) << 1 | spread(j);
+        last_i = i;
+        last_j = j;
+    }
+    return way / count;
+}
+
+bool ahead_init(ahead *a, const hide_picture *picture)
+{
+    *a = (ahead){.count = picture->scene->solid_count};
+    if (a->count < MANY_SOLIDS)
+        return true;
+    uint32_t *key = alloc_array(a->count, sizeof *key);
+    if (!key)
+        return false;
+    bool far = find_keys(picture, key) > FAR_APART, done = true;
+    if (far) {
+        a->order = alloc_array(a->count, sizeof *a->order);
+        a->place = alloc_array(a->count, sizeof *a->place);
+        a->chunk = alloc_zeroed((a->count + AHEAD_CHUNK - 1) / AHEAD_CHUNK, sizeof *a->chunk);
+        done = a->order && a->place && a->chunk && radix_order(key, a->count, a->order);
+        for (uint32_t k = 0; done && k < a->count; k++)
+            a->place[a->order[k]] = k;
+    }
+    free(key);
+    return done;
+}
+
+void ahead_free(ahead *a)
+{
+    for (uint32_t c = 0; a->chunk && c < (a->count + AHEAD_CHUNK - 1) / AHEAD_CHUNK; c++) {
+        free(a->chunk[c].line);
+        free(a->chunk[c].t);
+    }
+    free(a->order);
+    free(a->place);
+    free(a->chunk);
+    *a = (ahead){0};
+}
+
+static bool wholly_hidden(const hide_line *line)
+{
+    return line->hidden ||
+           (line->parts.count == 1 && line->parts.item[0].part.t0 == 0.0 && line->parts.item[0].part.t1 == 1.0);
+}
+
+static bool keep_line(ahead_chunk *c, const hide_line *line)
+{
+    size_t parts = line->parts.count;
+    if (!array_reserve(&c->line, &c->line_room, c->line_count + 1, sizeof *c->line) ||
+        !array_reserve(&c->t, &c->t_room, c->t_count + 2 * parts, sizeof *c->t) || parts > UINT32_MAX ||
+        c->t_count + 2 * parts > UINT32_MAX)
+        return false;
+    c->line[c->line_count++] = (ahead_line){line->edge, (uint32_t)parts};
+    for (size_t i = 0; i < parts; i++) {
+        c->t[c->t_count++] = line->parts.item[i].part.t0;
+        c->t[c->t_count++] = line->parts.item[i].part.t1;
+    }
+    return true;
+}
+
+/* What a chunk has not used; arrays that cannot be made smaller stay as they are. */
+static void shrink(ahead_chunk *c)
+{
+    void *line = c->line_count ? realloc(c->line, c->line_count * sizeof *c->line) : NULL;
+    void *t = c->t_count ? realloc(c->t, c->t_count * sizeof *c->t) : NULL;
+    c->line = line ? line : c->line;
+    c->t = t ? t : c->t;
+}
+
+bool ahead_keep(ahead *a, uint32_t place, const hide_worker *w)
+{
+    ahead_chunk *c = &a->chunk[place / AHEAD_CHUNK];
+    uint32_t k = place % AHEAD_CHUNK;
+    for (size_t i = 0; i < w->line_count; i++)
+        if (!wholly_hidden(&w->line[i]) && !keep_line(c, &w->line[i]))
+            return false;
+    c->first_line[k + 1] = (uint32_t)c->line_count;
+    c->first_t[k + 1] = (uint32_t)c->t_count;
+    if (k + 1 == AHEAD_CHUNK || place + 1 == a->count)
+        shrink(c);
+    return true;
+}
+
+bool ahead_recall(const ahead *a, uint32_t solid, hide_worker *w)
+{
+    const ahead_chunk *c = &a->chunk[a->place[solid] / AHEAD_CHUNK];
+    uint32_t k = a->place[solid] % AHEAD_CHUNK, end = c->first_line[k + 1];
+    const double *t = c->t + c->first_t[k];
+    w->line_count = 0;
+    for (uint32_t i = c->first_line[k]; i < end; i++) {
+        hide_line *line = hide_worker_add(w, c->line[i].edge);
+        if (!line)
+            return false;
+        hide_parts *parts = &line->parts;
+        if (!array_reserve(&parts->item, &parts->room, c->line[i].parts, sizeof *parts->item))
+            return false;
+        for (parts->count = 0; parts->count < c->line[i].parts; t += 2)
+            parts->item[parts->count++] = (hide_solid_part){{t[0], t[1], 0.0, 0.0}, ROBERTS_NONE};
+    }
+    return true;
+}

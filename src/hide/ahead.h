@@ -1,0 +1,43 @@
+/* ahead.h - what is hidden of the edges, found in the order of the picture and kept until it is their solid's turn.
+ *
+ * Edges come out in the order of the file. Where solids that follow one another in it lie anywhere in the picture, and
+ * are more than a cache holds, each edge would fetch the fronts around it from memory; so there solids are taken as they
+ * lie beside one another first, and of their edges no more is kept than the parameters of what is hidden. */
+#ifndef ROBERTS_HIDE_AHEAD_H
+#define ROBERTS_HIDE_AHEAD_H
+
+#include "hide/edge.h"
+
+#define AHEAD_CHUNK 64 /* solids: their edges are kept together */
+
+/* An edge of which something may be visible. */
+typedef struct ahead_line {
+    uint32_t edge, parts;
+} ahead_line;
+
+typedef struct ahead_chunk {
+    ahead_line *line; /* [line_count] */
+    double *t;        /* [t_count] t0, t1 of each line's parts */
+    size_t line_count, line_room, t_count, t_room;
+    uint32_t first_line[AHEAD_CHUNK + 1], first_t[AHEAD_CHUNK + 1]; /* of each solid; the next one's is the end */
+} ahead_chunk;
+
+typedef struct ahead {
+    uint32_t count;
+    uint32_t *order;    /* [count] solids; NULL: the order of the file serves as well, nothing is kept */
+    uint32_t *place;    /* [count] where in `order` a solid is */
+    ahead_chunk *chunk; /* one for every AHEAD_CHUNK solids of `order` */
+} ahead;
+
+/* Finds the order. False: no memory; ahead_free() is due in any case. */
+bool ahead_init(ahead *a, const hide_picture *picture);
+void ahead_free(ahead *a);
+
+/* Keeps the worker's lines, of the solid order[place], as hide_worker_run() has left them; within a chunk solids come one
+ * after the other. Of a solid that is culled the lines are none. False: no memory. */
+bool ahead_keep(ahead *a, uint32_t place, const hide_worker *w);
+
+/* Gives the worker the solid's lines back, those that are not wholly hidden. False: no memory. */
+bool ahead_recall(const ahead *a, uint32_t solid, hide_worker *w);
+
+#endif
