@@ -258,7 +258,7 @@ static bool look_ahead(hide_job *job, hide_worker *w, hide_sums *sums, uint32_t 
     uint32_t end = count - first < AHEAD_CHUNK ? count : first + AHEAD_CHUNK;
     for (uint32_t k = first; k < end; k++) {
         uint32_t s = job->ahead.order[k];
-        w->line_count = 0;
+        hide_worker_begin(w);
         if (!job->picture.culled[s] && (!take_edges(job, w, sums, s) || !hide_worker_run(w, s)))
             return false;
         if (!ahead_keep(&job->ahead, k, w))
