@@ -218,6 +218,7 @@ static void scan_is_conservative_and_tight(void **state)
         for (int i = 0; i < 100 * KINDS; i++) {
             polygon g = random_polygon(&r, i % KINDS);
             scan_polygon(&s, &f, g.P, g.corner, g.count);
+            scan_inner(&s, &f, g.P, g.corner, g.count);
             expect_scan(&s, &f, &g, i % KINDS);
         }
         scan_free(&s);
@@ -237,7 +238,9 @@ static void scan_forgets(void **state)
         uint32_t a0, a1, b0, b1;
         assert_true(scan_init(&fresh, f.nx));
         scan_polygon(&used, &f, g.P, g.corner, g.count);
+        scan_inner(&used, &f, g.P, g.corner, g.count);
         scan_polygon(&fresh, &f, g.P, g.corner, g.count);
+        scan_inner(&fresh, &f, g.P, g.corner, g.count);
         assert_true(used.first == fresh.first && used.last == fresh.last && used.inner_first == fresh.inner_first &&
                     used.inner_last == fresh.inner_last);
         for (uint32_t c = used.first; c <= used.last; c++) {

@@ -49,15 +49,16 @@ void cover_add(cover *c, const roberts_vec3 *P, const uint32_t *corner, uint32_t
     if (!c->depth)
         return;
     wider.margin += loose;
-    scan_polygon(&c->scan, f, P, corner, count);
+    scan_inner(&c->scan, f, P, corner, count);
+    float bound = hide_float_below(depth - slack);
     for (uint32_t i = c->scan.inner_first; i <= c->scan.inner_last; i++) {
         uint32_t first, last;
         float *cell = c->depth + (size_t)i * f->ny;
         if (!scan_inside(&c->scan, f, i, &first, &last))
             continue;
         for (uint32_t j = first; j <= last; j++) {
-            double at = face_count ? greater(depth, depth_over(f, i, j, face, face_count)) : depth;
-            float bound = hide_float_below(at - slack);
+            if (face_count)
+                bound = hide_float_below(greater(depth, depth_over(f, i, j, face, face_count)) - slack);
             if (bound > cell[j]) {
                 cell[j] = bound;
                 c->by[(size_t)i * f->ny + j] = by;
@@ -99,7 +100,8 @@ uint32_t cover_at(const cover *c, double x, double y, float z)
     return c->depth[cell] > z ? c->by[cell] : ROBERTS_NONE;
 }
 
-/* Column by column, as scan.c walks a polygon's side: in each the rows that AB has there, and its nearest depth. */
+/* Column by column, as scan.c walks a polygon's side: in each the rows that AB has there, and its nearest depth. Both are
+ * linear in the column's number; the line is taken a margin further on all sides, which also makes up for rounding. */
 bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
 {
     const scan_frame *f = &c->frame;
@@ -109,25 +111,26 @@ bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
     size_t middle = (size_t)scan_column(f, 0.5 * (A.x + B.x)) * f->ny + scan_row(f, 0.5 * (A.y + B.y));
     if (!((double)c->depth[middle] > 0.5 * (A.z + B.z)))
         return false;
-    double m = f->margin, run = B.x - A.x;
-    double low = lesser(A.y, B.y) - m, high = greater(A.y, B.y) + m, near = greater(A.z, B.z) + m;
+    double m = f->margin, run = B.x - A.x, near = greater(A.z, B.z) + m;
+    double low = (lesser(A.y, B.y) - m - f->y0) * f->per_dy, high = (greater(A.y, B.y) + m - f->y0) * f->per_dy;
     uint32_t first = scan_column(f, lesser(A.x, B.x) - m), last = scan_column(f, greater(A.x, B.x) + m);
-    bool steep = first == last || fabs(run) <= 4.0 * m;
-    double slope = steep ? 0.0 : (B.y - A.y) / run, incline = steep ? 0.0 : (B.z - A.z) / run;
-    for (uint32_t i = first; i <= last; i++) {
-        double y0 = low, y1 = high, z = near;
-        if (!steep) {
-            double from = f->x0 + i * f->dx - m - A.x, to = from + f->dx + 2.0 * m;
-            double ya = A.y + from * slope, yb = A.y + to * slope;
-            y0 = greater(low, lesser(ya, yb) - m);
-            y1 = lesser(high, greater(ya, yb) + m);
-            z = lesser(near, A.z + greater(from * incline, to * incline) + m);
-        }
-        const float *cell = c->depth + (size_t)i * f->ny;
-        uint32_t end = scan_row(f, y1);
-        for (uint32_t j = scan_row(f, y0); j <= end; j++)
-            if (!((double)cell[j] > z))
-                return false;
+    double row = low, row_end = high, row_step = 0.0, z = near, z_step = 0.0;
+    if (first < last && fabs(run) > 4.0 * m) {
+        double slope = (B.y - A.y) / run, incline = (B.z - A.z) / run, from = f->x0 + first * f->dx - A.x;
+        double y = A.y + from * slope - f->y0, rise = f->dx * slope, climb = f->dx * incline;
+        double wide = m * (1.0 + fabs(slope));
+        row = (y + lesser(0.0, rise) - wide) * f->per_dy;
+        row_end = (y + greater(0.0, rise) + wide) * f->per_dy;
+        row_step = rise * f->per_dy;
+        z = A.z + from * incline + greater(0.0, climb) + m * (1.0 + fabs(incline));
+        z_step = climb;
+    }
+    for (uint32_t k = 0; k <= last - first; k++) {
+        uint32_t j = scan_clamp(greater(low, row + k * row_step), f->ny);
+        uint32_t end = scan_clamp(lesser(high, row_end + k * row_step), f->ny);
+        float nearest = hide_float_above(lesser(near, z + k * z_step));
+        if (!all_nearer(c->depth + (size_t)(first + k) * f->ny + j, end - j + 1, nearest))
+            return false;
     }
     return true;
 }

@@ -31,6 +31,12 @@ void cover_add(cover *c, const roberts_vec3 *P, const uint32_t *corner, uint32_t
 /* Lies all of the box certainly behind covers? */
 bool cover_hides(const cover *c, const hide_box *box);
 
+/* Is what covers the cell of picture point (x, y) certainly nearer than z? */
+static inline bool cover_nearer(const cover *c, double x, double y, float z)
+{
+    return c->depth[(size_t)scan_column(&c->frame, x) * c->frame.ny + scan_row(&c->frame, y)] > z;
+}
+
 /* What covers the cell of picture point (x, y), if that is certainly nearer than z; else ROBERTS_NONE. */
 uint32_t cover_at(const cover *c, double x, double y, float z);
 

@@ -343,11 +343,15 @@ static bool is_hidden(const hide_picture *picture, uint32_t solid)
     const scan_frame *f = &picture->cover.frame;
     static const float at[5][2] = {{0.5f, 0.5f}, {0, 0}, {0, 1}, {1, 0}, {1, 1}};
     uint32_t last = ROBERTS_NONE;
+    /* most that are not hidden are not in their middle */
+    if (!picture->cover.depth || !cover_nearer(&picture->cover, 0.5 * ((double)box->x0 + (double)box->x1),
+                                               0.5 * ((double)box->y0 + (double)box->y1), box->z1))
+        return false;
     if (cover_hides(&picture->cover, box))
         return true;
     float dx = 1.5f * (float)f->dx, dy = 1.5f * (float)f->dy;
     hide_box inner = {box->x0 + dx, box->x1 - dx, box->y0 + dy, box->y1 - dy, box->z0, box->z1};
-    if (!picture->cover.depth || inner.x0 > inner.x1 || inner.y0 > inner.y1 || !cover_hides(&picture->cover, &inner))
+    if (inner.x0 > inner.x1 || inner.y0 > inner.y1 || !cover_hides(&picture->cover, &inner))
         return false;
     for (int k = 0; k < 5; k++) {
         float x = inner.x0 + at[k][0] * (inner.x1 - inner.x0), y = inner.y0 + at[k][1] * (inner.y1 - inner.y0);

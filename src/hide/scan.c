@@ -18,12 +18,12 @@ scan_frame scan_frame_over(roberts_vec2 low, roberts_vec2 high, uint32_t nx, uin
 
 bool scan_init(scan *s, uint32_t nx)
 {
-    *s = (scan){.bas = alloc_array((size_t)nx * 4, sizeof *s->bas)};
+    *s = (scan){.bas = alloc_array((size_t)nx * 4 + 2, sizeof *s->bas)};
     if (!s->bas)
         return false;
     s->haut = s->bas + nx;
     s->under = s->haut + nx;
-    s->over = s->under + nx;
+    s->over = s->under + nx + 1;
     return true;
 }
 
@@ -33,18 +33,6 @@ void scan_free(scan *s)
     *s = (scan){0};
 }
 
-/* Column i, in which a side that runs to the right (which bounds the polygon from below) or to the left (from above)
- * has the ordinates y0..y1; a vertical side bounds nothing that its neighbours do not bound. */
-static void note(scan *s, uint32_t i, double y0, double y1, double to_right)
-{
-    s->bas[i] = lesser(s->bas[i], y0);
-    s->haut[i] = greater(s->haut[i], y1);
-    if (to_right > 0.0)
-        s->under[i] = greater(s->under[i], y1);
-    else if (to_right < 0.0)
-        s->over[i] = lesser(s->over[i], y0);
-}
-
 /* One side. At the borders of a column its line is taken a margin further out, which also makes up for the rounding of
  * a steep line's ordinate; its ordinates never leave those of its ends. */
 static void scan_side(scan *s, const scan_frame *f, roberts_vec3 P, roberts_vec3 Q)
@@ -52,51 +40,113 @@ static void scan_side(scan *s, const scan_frame *f, roberts_vec3 P, roberts_vec3
     double m = f->margin, run = Q.x - P.x;
     double least = lesser(P.x, Q.x), greatest = greater(P.x, Q.x), low = lesser(P.y, Q.y), high = greater(P.y, Q.y);
     uint32_t first = scan_column(f, least - m), last = scan_column(f, greatest + m);
-    if (first == last || greatest - least <= 4.0 * m) {
-        for (uint32_t i = first; i <= last; i++)
-            note(s, i, low, high, run);
-        return;
-    }
-    double slope = (Q.y - P.y) / run;
+    bool steep = first == last || greatest - least <= 4.0 * m;
+    double slope = steep ? 0.0 : (Q.y - P.y) / run;
     for (uint32_t i = first; i <= last; i++) {
-        double from = greater(least, f->x0 + i * f->dx - m), to = lesser(greatest, f->x0 + (i + 1) * f->dx + m);
-        double ya = P.y + (from - P.x) * slope, yb = P.y + (to - P.x) * slope;
-        note(s, i, greater(low, lesser(lesser(ya, yb), high)), lesser(high, greater(greater(ya, yb), low)), run);
+        double y0 = low, y1 = high;
+        if (!steep) {
+            double from = greater(least, f->x0 + i * f->dx - m), to = lesser(greatest, f->x0 + (i + 1) * f->dx + m);
+            double ya = P.y + (from - P.x) * slope, yb = P.y + (to - P.x) * slope;
+            y0 = greater(low, lesser(lesser(ya, yb), high));
+            y1 = lesser(high, greater(greater(ya, yb), low));
+        }
+        s->bas[i] = lesser(s->bas[i], y0);
+        s->haut[i] = greater(s->haut[i], y1);
+    }
+}
+
+/* Least and greatest abscissa. */
+static void find_width(const roberts_vec3 *P, const uint32_t *corner, uint32_t count, double *least, double *greatest)
+{
+    *least = INFINITY;
+    *greatest = -INFINITY;
+    for (uint32_t k = 0; k < count; k++) {
+        *least = lesser(*least, P[corner[k]].x);
+        *greatest = greater(*greatest, P[corner[k]].x);
     }
 }
 
 void scan_polygon(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
 {
-    double least = INFINITY, greatest = -INFINITY;
-    for (uint32_t k = 0; k < count; k++) {
-        least = lesser(least, P[corner[k]].x);
-        greatest = greater(greatest, P[corner[k]].x);
-    }
+    double least, greatest;
+    find_width(P, corner, count, &least, &greatest);
     s->first = scan_column(f, least - f->margin);
     s->last = scan_column(f, greatest + f->margin);
     for (uint32_t i = s->first; i <= s->last; i++) {
-        s->bas[i] = s->over[i] = INFINITY;
-        s->haut[i] = s->under[i] = -INFINITY;
+        s->bas[i] = INFINITY;
+        s->haut[i] = -INFINITY;
     }
     for (uint32_t k = 0; k < count; k++)
         scan_side(s, f, P[corner[k]], P[corner[k + 1 < count ? k + 1 : 0]]);
-    double inner_first = ceil((least + f->margin - f->x0) * f->per_dx);
-    double inner_last = floor((greatest - f->margin - f->x0) * f->per_dx) - 1.0;
-    s->inner_first = 1;
-    s->inner_last = 0;
-    if (inner_first <= inner_last && inner_last >= 0.0) {
-        s->inner_first = scan_clamp(inner_first, f->nx);
-        s->inner_last = scan_clamp(inner_last, f->nx);
-    }
 }
 
-bool scan_inside(const scan *s, const scan_frame *f, uint32_t i, uint32_t *first, uint32_t *last)
+/* The inner columns' borders between two abscissas: *first .. *last. */
+static inline bool borders_between(const scan *s, const scan_frame *f, double from, double to, uint32_t *first,
+                                   uint32_t *last)
 {
-    double low = ceil((s->under[i] + f->margin - f->y0) * f->per_dy);
-    double high = floor((s->over[i] - f->margin - f->y0) * f->per_dy) - 1.0;
-    if (!(low <= high) || high < 0.0)
+    double low = (from - f->x0) * f->per_dx, high = (to - f->x0) * f->per_dx;
+    *first = s->inner_first;
+    *last = s->inner_last + 1;
+    if (!(low <= *last) || !(high >= *first))
         return false;
-    *first = scan_clamp(low, f->ny);
-    *last = scan_clamp(high, f->ny);
-    return true;
+    if (low > *first) {
+        *first = (uint32_t)low;
+        *first += *first < low;
+    }
+    if (high < *last)
+        *last = (uint32_t)high;
+    return *first <= *last;
+}
+
+/* Near an end C of a side, from which it rises by `rise` within three margins, this bounds the side at the borders. */
+static inline void scan_end(const scan *s, const scan_frame *f, double *bound, double x, double y, double rise)
+{
+    uint32_t first, last;
+    if (!borders_between(s, f, x - 2.0 * f->margin, x + 2.0 * f->margin, &first, &last))
+        return;
+    for (uint32_t i = first; i <= last; i++)
+        bound[i] = greater(bound[i], greater(y, y + rise));
+}
+
+/* A side's ordinates at the borders of columns. The sides below the polygon are a convex function of x, those above a
+ * concave one: over a column they are highest, or lowest, at its borders. Those above are taken upside down. At a border
+ * the line is taken a margin further both ways, which also makes up for its rounding; so where the border is that near to
+ * a corner, both sides there have a say. A vertical side bounds nothing that its neighbours do not bound. */
+static void scan_borders(scan *s, const scan_frame *f, roberts_vec3 P, roberts_vec3 Q)
+{
+    bool below = Q.x > P.x;
+    double m = f->margin, *bound = below ? s->under : s->over;
+    double left = below ? P.x : Q.x, right = below ? Q.x : P.x, from = below ? P.y : -Q.y, to = below ? Q.y : -P.y;
+    double slope = (to - from) / (right - left), lift = fabs(slope) * m;
+    double rise = slope > 0.0 ? lesser(3.0 * lift, to - from) : greater(-3.0 * lift, to - from);
+    uint32_t first, last;
+    if (Q.x == P.x)
+        return;
+    scan_end(s, f, bound, left, from, rise);
+    scan_end(s, f, bound, right, to, -rise);
+    if (!borders_between(s, f, left + m, right - m, &first, &last))
+        return;
+    for (uint32_t i = first; i <= last; i++)
+        bound[i] = greater(bound[i], from + (f->x0 + i * f->dx - left) * slope + lift);
+}
+
+void scan_inner(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
+{
+    double least, greatest;
+    find_width(P, corner, count, &least, &greatest);
+    double low = (least + f->margin - f->x0) * f->per_dx, high = (greatest - f->margin - f->x0) * f->per_dx;
+    s->inner_first = 1;
+    s->inner_last = 0;
+    if (!(low < f->nx) || !(high >= 1.0))
+        return;
+    uint32_t first = low > 0.0 ? (uint32_t)low : 0, last = (high < f->nx ? (uint32_t)high : f->nx) - 1;
+    first += first < low; /* rounded up */
+    if (first > last)
+        return;
+    s->inner_first = first;
+    s->inner_last = last;
+    for (uint32_t i = first; i <= last + 1; i++)
+        s->under[i] = s->over[i] = -INFINITY;
+    for (uint32_t k = 0; k < count; k++)
+        scan_borders(s, f, P[corner[k]], P[corner[k + 1 < count ? k + 1 : 0]]);
 }

@@ -47,20 +47,24 @@ static inline uint32_t scan_row(const scan_frame *f, double y)
     return scan_clamp((y - f->y0) * f->per_dy, f->ny);
 }
 
-/* What the scan of one polygon finds, column by column from `first` to `last`. */
+/* What the scan of one polygon finds. */
 typedef struct scan {
     uint32_t first, last;             /* columns touched */
-    uint32_t inner_first, inner_last; /* columns within the polygon's width; none where first > last */
     double *bas, *haut;               /* [nx] least and greatest ordinate in the column */
-    double *under, *over; /* [nx] between `under` and `over` the whole column is inside; inner columns only */
+    uint32_t inner_first, inner_last; /* columns within the polygon's width; none where first > last */
+    double *under, *over; /* [nx + 1] at the left borders of inner columns, and at the right one of the last: above the
+                             greatest ordinate of the sides below, and minus what is below the least of those above */
 } scan;
 
 /* Arrays for grids of nx columns; false: no memory. scan_free() takes a zeroed scan. */
 bool scan_init(scan *s, uint32_t nx);
 void scan_free(scan *s);
 
-/* Scans the convex polygon P[corner[0]], P[corner[1]], ..., counter-clockwise. */
+/* Which cells the convex polygon P[corner[0]], P[corner[1]], ..., counter-clockwise, touches: for scan_touched(). */
 void scan_polygon(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
+
+/* Which cells lie wholly inside: for scan_inside(). */
+void scan_inner(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
 
 /* Rows touched in column i. */
 static inline void scan_touched(const scan *s, const scan_frame *f, uint32_t i, uint32_t *first, uint32_t *last)
@@ -70,6 +74,16 @@ static inline void scan_touched(const scan *s, const scan_frame *f, uint32_t i, 
 }
 
 /* Rows wholly inside in inner column i; false where there are none. */
-bool scan_inside(const scan *s, const scan_frame *f, uint32_t i, uint32_t *first, uint32_t *last);
+static inline bool scan_inside(const scan *s, const scan_frame *f, uint32_t i, uint32_t *first, uint32_t *last)
+{
+    double low = (greater(s->under[i], s->under[i + 1]) + f->margin - f->y0) * f->per_dy;
+    double high = (-greater(s->over[i], s->over[i + 1]) - f->margin - f->y0) * f->per_dy;
+    if (!(low < f->ny) || !(high >= 1.0))
+        return false;
+    uint32_t below = low > 0.0 ? (uint32_t)low : 0;
+    *first = below + (below < low); /* rounded up */
+    *last = (high < f->ny ? (uint32_t)high : f->ny) - 1;
+    return *first <= *last;
+}
 
 #endif
