@@ -49,7 +49,7 @@ static inline void put(const char *path, const char *text)
     close(descriptor);
 }
 
-static int start_error = -1;                     /* standard error of what is started next; -1 for the file "err" */
+static int start_error = -1; /* standard error of what is started next; -1 for the file "err", or CLOSED */
 static void (*start_pipe_signal)(int) = SIG_DFL; /* what it does about SIGPIPE */
 
 /* Starts the program with the words of `line` as its arguments. `out`: its standard output, -1 for the file "out". */
@@ -67,12 +67,13 @@ static inline pid_t start(const char *line, const char *in, int out)
         return child;
     signal(SIGPIPE, start_pipe_signal);
     dup2(open_stream(in ? in : "/dev/null", O_RDONLY), STDIN_FILENO);
-    dup2(start_error >= 0 ? start_error : open_stream("err", O_WRONLY | O_TRUNC), STDERR_FILENO);
+    if (start_error != CLOSED)
+        dup2(start_error >= 0 ? start_error : open_stream("err", O_WRONLY | O_TRUNC), STDERR_FILENO);
     if (out == CLOSED)
         close(STDOUT_FILENO);
     else
         dup2(out >= 0 ? out : open_stream("out", O_WRONLY | O_TRUNC), STDOUT_FILENO);
-    for (int i = 3; i < 64; i++)
+    for (int i = start_error == CLOSED ? STDERR_FILENO : 3; i < 64; i++)
         close(i);
     execv(program, argv);
     _exit(127);

@@ -217,6 +217,20 @@ static void terminals_are_told_of(void **state)
     assert_string_equal(last.err, "roberts: standard input:1: the input is empty\n");
 }
 
+/* No file that is opened later takes the number of a closed stream, and with it what is said. */
+static void closed_streams_stay_taken(void **state)
+{
+    (void)state;
+    put("err", "");
+    start_error = CLOSED;
+    int written = run("models/platonic/cube.off -v -f svg -o /dev/fd/2"); /* would not be there to be opened */
+    int missing = run("missing.off");
+    start_error = -1;
+    assert_int_equal(written, 0);
+    assert_int_equal(missing, 1);
+    assert_string_equal(last.err, "");
+}
+
 static void several_points_are_picked(void **state)
 {
     (void)state;
@@ -365,6 +379,7 @@ int main(void)
         IN_FOLDER(empty_names),
         IN_FOLDER(idle_options_are_warned_of),
         IN_FOLDER(terminals_are_told_of),
+        IN_FOLDER(closed_streams_stay_taken),
         IN_FOLDER(several_points_are_picked),
         IN_FOLDER(sizes_of_paper),
         IN_FOLDER(empty_drawings_are_warned_of),

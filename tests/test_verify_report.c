@@ -78,6 +78,11 @@ static void test_report(void **state)
         text,
         "roberts: verify: solid 1, edge 12-13, t = 0.5: drawn hidden, but nothing hides it\n"
         "roberts: verify: 8 points of 8 segments checked, visible and hidden ones; contradictions: 1, undecided: 0\n");
+    options.label = "turn-3.svg"; /* one of several pictures */
+    assert_true(report(&options, &drawing, text, sizeof text));
+    assert_int_equal(strncmp(text, "roberts: turn-3.svg: verify: solid 1, edge 12-13, t = 0.5: ", 59), 0);
+    assert_non_null(strstr(text, "\nroberts: turn-3.svg: verify: 8 points of 8 segments checked, "));
+    options.label = NULL;
     options.verify_rays = 40;
     assert_true(report(&options, &drawing, text, sizeof text));
     assert_non_null(strstr(text, "roberts: verify: ... and 20 more\n"));

@@ -1,5 +1,6 @@
 /* main.c - the program: reads the options, calls the library, writes. A client of roberts.h like any other. */
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -35,9 +36,19 @@ static bool is_watched(const cli_options *options)
     return isatty(STDERR_FILENO) && !options->quiet && !to_terminal;
 }
 
+/* A file must not take the place of a stream that is closed: messages would come into it. What takes that place fails to read
+ * or to write as a closed stream does; messages are lost. */
+static void hold_streams(void)
+{
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++)
+        if (fcntl(stream, F_GETFD) == -1 && errno == EBADF)
+            (void)open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_WRONLY); /* the least number that is free */
+}
+
 int main(int argc, char **argv)
 {
     cli_options options;
+    hold_streams();
     interrupt_prepare();
     int status = options_parse(argc, argv, &options);
     if (status != EXIT_DONE)
