@@ -146,9 +146,14 @@ static bool meet_group(hide_worker *w, const hide_front *front, const hide_box *
 static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t cell, float far)
 {
     const objet *grid = w->grid;
-    for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; w->live && k < end; k++) {
+    for (uint32_t k = grid->start[cell], end = grid->start[cell + 1], after; w->live && k < end; k = after) {
         uint32_t index = grid->front[k];
         const hide_box *other = &w->picture->front_box[index];
+        after = k + 1;
+        if (grid->next && w->picture->front[index].solid == solid) {
+            after = grid->next[k];
+            continue;
+        }
         if (other->z1 < far)
             break; /* and so are all that follow: none of them has a point nearer than the lines here */
         if (apart(other, box) || w->seen[index] == w->stamp)
