@@ -49,8 +49,8 @@ static void add_box(roberts_mesh *mesh, roberts_vec3 lo, roberts_vec3 hi)
 }
 
 /* clang-format off */
-#define TOP {0, 0, 1, 0}
-#define CORNER {1, 1, 1, 0}
+#define TOP {.z = 1}
+#define CORNER {.x = 1, .y = 1, .z = 1}
 #define ONE_CUBE {0, 0, 0}, {0, 0, 0}
 
 /* The unit cube, a second box where its two corners differ, and a tetrahedron; judged is the tetrahedron's edge from its
@@ -110,9 +110,9 @@ static const struct {
      {{-3.5, -3, -3}, {-3, -3.5, -3}, {-4, -4, -3}, {-4, -4, -6}}, ORACLE_YES, 1, {{0, 1}}},
     {"behind the hexagon, along its border", CORNER, ONE_CUBE,
      {{-1, -2, -2}, {-1, 1, -2}, {-1, 0, -4}, {-3, 0, -3}}, ORACLE_YES, 1, {{0, 1.0 / 3}}},
-    {"from an eye above the middle", {0.5, 0.5, 5, 1}, ONE_CUBE,
+    {"from an eye above the middle", {.x = 0.5, .y = 0.5, .z = 5, .w = 1}, ONE_CUBE,
      {{-1.5, 0.5, -3}, {2.5, 0.5, -3}, {0, 0.6, -5}, {0, 0.4, -5}}, ORACLE_YES, 1, {{0.25, 0.75}}},
-    {"from an eye, along the border", {0.5, 0.5, 5, 1}, ONE_CUBE,
+    {"from an eye, along the border", {.x = 0.5, .y = 0.5, .z = 5, .w = 1}, ONE_CUBE,
      {{-1.5, -0.5, -3}, {2.5, -0.5, -3}, {0, 0.6, -5}, {0, -1, -5}}, ORACLE_YES, 1, {{0.25, 0.75}}},
 };
 /* clang-format on */
@@ -141,6 +141,53 @@ static void test_by_hand(void **state)
             if (fabs(got->t0 - want->t0) > 1e-15 || fabs(got->t1 - want->t1) > 1e-15)
                 fail_msg("%s: [%.17g, %.17g]", cases[i].name, got->t0, got->t1);
         }
+        oracle_free(&result);
+        roberts_mesh_free(&mesh);
+    }
+}
+
+/* clang-format off */
+/* From an eye above the middle of the unit cube, with a near plane half way down it: the cube's section hides what lies
+ * behind it. Judged is the edge from the first to the second point of a tetrahedron, and what is left of it. */
+static const struct {
+    const char *name;
+    roberts_vec3 p[4];
+    double t0, t1;
+    size_t count;
+    oracle_interval hidden;
+} near_cases[] = {
+    {"behind the section", {{-2.5, 0.5, -4}, {3.5, 0.5, -4}, {0, 0.6, -6}, {0, 0.4, -6}}, 0, 1, 1, {1.0 / 3, 2.0 / 3}},
+    {"from the section away", {{0.5, 0.5, 0.5}, {0.5, 2.5, -4}, {0.7, 1, -5}, {0.3, 1, -5}}, 0, 1, 1, {0, 1.0 / 3}},
+    {"through the near plane", {{2, 0.5, 2}, {2, 0.5, -4}, {2.5, 0.6, -6}, {2.5, 0.4, -6}}, 0.25, 1, 0, {0, 0}},
+    {"before the near plane", {{-1, 0.5, 2}, {2, 0.5, 2}, {0, 0.6, -6}, {0, 0.4, -6}}, 1, 1, 0, {0, 0}},
+    {"in the near plane", {{2, 0, 0.5}, {2, 1, 0.5}, {2.8, 0.5, -0.9}, {2.2, 0.5, -1.1}}, 0, 1, 0, {0, 0}},
+    {"in a section", {{2, 0, 0.5}, {2, 1, 0.5}, {2.8, 0.5, 0.9}, {2.2, 0.5, -1.1}}, 1, 1, 0, {0, 0}},
+    {"all before, but for this edge", {{2, 0, 0.5}, {2, 1, 0.5}, {2.8, 0.5, 0.9}, {2.2, 0.5, 1}}, 1, 1, 0, {0, 0}},
+};
+/* clang-format on */
+
+static void test_near(void **state)
+{
+    oracle_view view = {.x = 0.5, .y = 0.5, .z = 5, .w = 1, .cut = true, .near = {0.5, 0.5, 0.5}};
+    (void)state;
+    for (size_t i = 0; i < sizeof near_cases / sizeof *near_cases; i++) {
+        roberts_mesh mesh = {0};
+        oracle_result result;
+        const oracle_edge *e;
+        add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
+        add_tetrahedron(&mesh, near_cases[i].p);
+        if (!oracle_run(&mesh, &view, NULL, &result))
+            fail_msg("%s: %s", near_cases[i].name, result.error);
+        for (e = result.edge; e->v0 != 8 || e->v1 != 9; e++)
+            assert_true(e < result.edge + result.edge_count);
+        if (fabs(e->t0 - near_cases[i].t0) > 1e-15 || fabs(e->t1 - near_cases[i].t1) > 1e-15)
+            fail_msg("%s: left is [%.17g, %.17g]", near_cases[i].name, e->t0, e->t1);
+        if (e->sure_count != near_cases[i].count)
+            fail_msg("%s: %zu intervals", near_cases[i].name, e->sure_count);
+        if (e->sure_count && (fabs(result.interval[e->sure].t0 - near_cases[i].hidden.t0) > 1e-15 ||
+                              fabs(result.interval[e->sure].t1 - near_cases[i].hidden.t1) > 1e-15))
+            fail_msg("%s: [%.17g, %.17g]", near_cases[i].name, result.interval[e->sure].t0,
+                     result.interval[e->sure].t1);
         oracle_free(&result);
         roberts_mesh_free(&mesh);
     }
@@ -188,7 +235,7 @@ static void test_refusals(void **state)
     static const uint32_t open_face[] = {0, 1, 2};
     roberts_mesh mesh = {0};
     oracle_result result;
-    oracle_view view = TOP, within = {0.5, 0.5, 1.5, 1};
+    oracle_view view = TOP, before = {.x = 0.5, .y = 0.5, .z = 1.5, .w = 1};
     (void)state;
     add_tetrahedron(&mesh, flat);
     assert_false(oracle_run(&mesh, &view, NULL, &result));
@@ -199,6 +246,8 @@ static void test_refusals(void **state)
     roberts_mesh_free(&mesh);
     add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
     add_box(&mesh, (roberts_vec3){0, 0, 2}, (roberts_vec3){1, 1, 3});
+    oracle_view within = {.x = 0.5, .y = 0.5, .z = 2.5, .w = 1, .cut = true, .near = {0.5, 0.5, 0.5}};
+    assert_false(oracle_run(&mesh, &before, NULL, &result)); /* and no near plane */
     assert_false(oracle_run(&mesh, &within, NULL, &result));
     roberts_mesh_free(&mesh);
 }
@@ -255,7 +304,7 @@ static void test_rays(void **state)
                 random = random * 6364136223846793005u + 1442695040888963407u;
                 const oracle_edge *e = result.edge + (random >> 33) % result.edge_count;
                 double t = (double)(random >> 11 & 0xffffff) / 0x1000000;
-                if (e->survives != ORACLE_YES)
+                if (e->survives != ORACLE_YES || t < e->t0 || t > e->t1)
                     continue;
                 bool ray = oracle_point_hidden(&scene.mesh, result.vertex_solid, &scene.view, e->v0, e->v1, t);
                 if (ray != within(result.interval + e->sure, e->sure_count, t))
@@ -295,11 +344,27 @@ static void test_program(void **state)
     assert_int_equal(total.disagreements, 0);
 }
 
+/* The near plane through two edges of a cube: what was left of its faces as lines made a spike of the outline. */
+static void test_near_contact(void **state)
+{
+    test_scene scene = {.view = {.x = 3.5, .y = -0.5, .z = 1.5, .w = 1, .cut = true, .near = {3.5, 0, 2}},
+                        .look_at = {3.5, 1.5, 3.5}};
+    judge_total total = {0};
+    (void)state;
+    add_box(&scene.mesh, (roberts_vec3){1, 1, 0}, (roberts_vec3){2, 2, 1});
+    add_box(&scene.mesh, (roberts_vec3){0, 2, 0}, (roberts_vec3){1, 3, 1});
+    assert_true(judge_scene("near-contact", &scene, build_folder(), &total, stderr));
+    assert_int_equal(total.edges, 24);
+    assert_true(total.clipped > 0 && total.cut > 0);
+    test_scene_free(&scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_by_hand), cmocka_unit_test(test_slack), cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_filter),  cmocka_unit_test(test_rays),  cmocka_unit_test(test_program),
+        cmocka_unit_test(test_by_hand),  cmocka_unit_test(test_near),         cmocka_unit_test(test_slack),
+        cmocka_unit_test(test_refusals), cmocka_unit_test(test_filter),       cmocka_unit_test(test_rays),
+        cmocka_unit_test(test_program),  cmocka_unit_test(test_near_contact),
     };
     return cmocka_run_group_tests_name("oracle", tests, NULL, NULL);
 }

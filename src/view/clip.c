@@ -2,6 +2,7 @@
  * 1974, face by face; the cap is what the cuts of the faces join to. */
 #include "view/clip.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -13,12 +14,16 @@
  * scene's diameter. Nearer things would be drawn a thousand times as large as at the look-at point. */
 #define NEAR_OF_DISTANCE 1e-3
 #define NEAR_OF_DIAMETER 1e-5
+/* What is nearer to the near plane than this lies in it, to rounding; in ulps of the largest coordinate, the eye's
+ * included. */
+#define TOUCHING_ULPS 16.0
 
 typedef struct cutter {
     view_clip *clip;
     const roberts_scene *from;
     roberts_vec3 eye, dir; /* dir: from the look-at point to the eye, unit */
     double near;
+    bool whole;         /* the solid at hand is not cut: none of its vertices is nearer than the near plane */
     double *depth;      /* [vertex_count of from] distance from the eye's plane */
     uint32_t *vertex;   /* [vertex_count of from] what it is in the clipped scene, or ROBERTS_NONE */
     uint32_t *cut;      /* [edge_count of from] the vertex where the edge is cut, or ROBERTS_NONE */
@@ -29,9 +34,10 @@ typedef struct cutter {
     size_t edge_room, cap_room, ring_room;
 } cutter;
 
+/* What lies in the plane goes with what lies before it: so no face is left as a line, and no cap lies on a face. */
 static bool is_kept(const cutter *c, uint32_t v)
 {
-    return c->depth[v] >= c->near;
+    return c->depth[v] > c->near || c->whole;
 }
 
 static bool add_vertex(cutter *c, roberts_vec3 point, uint32_t number)
@@ -250,6 +256,9 @@ static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, robert
     to->solid[solid] = (scene_solid){to->vertex_count, to->face_count, to->edge_count};
     if (holds_eye(c, solid))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is inside solid %u", (unsigned)solid);
+    c->whole = true;
+    for (uint32_t v = from->solid[solid].vertex; v < from->solid[solid + 1].vertex; v++)
+        c->whole = c->whole && c->depth[v] >= c->near;
     if (!cut_vertices(c, solid))
         return error_no_memory(error);
     for (uint32_t f = from->solid[solid].face; f < from->solid[solid + 1].face; f++)
@@ -268,9 +277,15 @@ static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, robert
 /* Distances from the eye's plane; the least of them. */
 static double measure_depths(cutter *c)
 {
-    double least = INFINITY;
+    const roberts_vec3 corners[] = {c->from->box_min, c->from->box_max, c->eye};
+    double least = INFINITY, touching = 0.0;
+    for (size_t i = 0; i < sizeof corners / sizeof corners[0]; i++)
+        touching = fmax(touching, fmax(fabs(corners[i].x), fmax(fabs(corners[i].y), fabs(corners[i].z))));
+    touching *= TOUCHING_ULPS * DBL_EPSILON;
     for (uint32_t v = 0; v < c->from->vertex_count; v++) {
         c->depth[v] = vec3_dot(c->dir, vec3_sub(c->eye, c->from->point[v]));
+        if (fabs(c->depth[v] - c->near) <= touching)
+            c->depth[v] = c->near;
         least = lesser(least, c->depth[v]);
     }
     return least;

@@ -40,13 +40,13 @@ static bool parse_view(const char *text, int w, oracle_view *view)
             return false;
         text = end + 1;
     }
-    *view = (oracle_view){v[0], v[1], v[2], w};
+    *view = (oracle_view){.x = v[0], .y = v[1], .z = v[2], .w = w};
     return true;
 }
 
 static bool parse(int argc, char **argv, arguments *a)
 {
-    *a = (arguments){.folder = "build", .seed = 1, .view = {1, -1, 1, 0}};
+    *a = (arguments){.folder = "build", .seed = 1, .view = {.x = 1, .y = -1, .z = 1}};
     for (int i = 1; i < argc; i++) {
         const char *option = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
         if (!strcmp(option, "--list")) {
@@ -111,6 +111,7 @@ static void add(judge_total *sum, const judge_total *t)
     sum->edges += t->edges;
     sum->drawn += t->drawn;
     sum->cut += t->cut;
+    sum->clipped += t->clipped;
     sum->disagreements += t->disagreements;
     sum->unjudged += t->unjudged;
     sum->worst = sum->worst > t->worst ? sum->worst : t->worst;
@@ -121,10 +122,11 @@ static void add(judge_total *sum, const judge_total *t)
 
 static void print(const char *name, const judge_total *t)
 {
-    printf("%-14s %9zu edges (%zu drawn, %zu cut) of %zu scenes: %zu disagreements; greatest difference %.1e; "
+    printf("%-14s %9zu edges (%zu drawn, %zu cut, %zu at the near plane) of %zu scenes: %zu disagreements; greatest "
+           "difference %.1e; "
            "not judged: %.5g edges; %zu segments' `by`; %zu of %zu pairs by rational numbers\n",
-           name, t->edges, t->drawn, t->cut, t->scenes, t->disagreements, t->worst, t->unjudged, t->seen, t->exact,
-           t->pairs);
+           name, t->edges, t->drawn, t->cut, t->clipped, t->scenes, t->disagreements, t->worst, t->unjudged, t->seen,
+           t->exact, t->pairs);
     fflush(stdout);
 }
 

@@ -7,402 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- random numbers: splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014) -- */
-
-typedef struct dice {
-    uint64_t state;
-} dice;
-
-static uint64_t dice_next(dice *d)
-{
-    uint64_t z = d->state += 0x9E3779B97F4A7C15u;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return z ^ (z >> 31);
-}
-
-/* A whole number of lo .. hi. */
-static int dice_int(dice *d, int lo, int hi)
-{
-    return lo + (int)(dice_next(d) % (uint64_t)(hi - lo + 1));
-}
-
-/* A double of -1 .. 1. */
-static double dice_real(dice *d)
-{
-    return (double)(int64_t)dice_next(d) / 9223372036854775808.0;
-}
-
-/* ---- shapes: convex polyhedra with whole coordinates ------------------------------------------------------------- */
-
-enum { SHAPE_POINTS = 64, SHAPE_CORNERS = 512 };
-
-/* Coordinates are below 2^18 in size, so that every determinant of three differences fits 64 bits. */
-typedef struct shape {
-    int point_count, face_count, corner_count;
-    int64_t point[SHAPE_POINTS][3];
-    int face_start[SHAPE_CORNERS]; /* [face_count + 1] */
-    int corner[SHAPE_CORNERS];
-} shape;
-
-static int64_t det3(const int64_t *o, const int64_t *a, const int64_t *b, const int64_t *c)
-{
-    int64_t u[3], v[3], w[3];
-    for (int i = 0; i < 3; i++) {
-        u[i] = a[i] - o[i];
-        v[i] = b[i] - o[i];
-        w[i] = c[i] - o[i];
-    }
-    return u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
-}
-
-static void normal3(const int64_t *o, const int64_t *a, const int64_t *b, int64_t *n)
-{
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        n[i] = (a[j] - o[j]) * (b[k] - o[k]) - (a[k] - o[k]) * (b[j] - o[j]);
-    }
-}
-
-/* Walks round the points of one plane, from corner to corner of their convex polygon (gift wrapping), n to the left. */
-static int wrap_face(const shape *s, const int *on, int count, const int64_t *n, int *corner)
-{
-    int first = on[0], axis = n[0] ? 0 : n[1] ? 1 : 2, at, used = 0;
-    for (int i = 1; i < count; i++) /* the least point in lexical order is a corner */
-        for (int k = 0; k < 3; k++)
-            if (s->point[on[i]][k] != s->point[first][k]) {
-                first = s->point[on[i]][k] < s->point[first][k] ? on[i] : first;
-                break;
-            }
-    at = first;
-    do {
-        int next = -1;
-        corner[used++] = at;
-        for (int i = 0; i < count; i++) {
-            int64_t m[3], far = 0, near = 0;
-            int turn;
-            if (on[i] == at)
-                continue;
-            if (next < 0) {
-                next = on[i];
-                continue;
-            }
-            normal3(s->point[at], s->point[next], s->point[on[i]], m);
-            turn = ((m[axis] > 0) - (m[axis] < 0)) * (n[axis] > 0 ? 1 : -1); /* m is parallel to n, or zero */
-            for (int k = 0; k < 3; k++) {
-                far += llabs(s->point[on[i]][k] - s->point[at][k]);
-                near += llabs(s->point[next][k] - s->point[at][k]);
-            }
-            if (turn < 0 || (turn == 0 && far > near))
-                next = on[i];
-        }
-        at = next;
-    } while (at != first && used < count);
-    return used;
-}
-
-/* Leaves the convex hull of the shape's points in the shape; false where they are flat or the hull is too large. Each
- * plane with all points on one side is a face: plain enough to be believed, and fast enough for 64 points. */
-static bool shape_hull(shape *s)
-{
-    uint64_t seen[SHAPE_CORNERS];
-    bool used[SHAPE_POINTS] = {false};
-    int number[SHAPE_POINTS], kept = 0;
-    s->face_count = s->corner_count = 0;
-    s->face_start[0] = 0;
-    for (int i = 0; i < s->point_count; i++)
-        for (int j = i + 1; j < s->point_count; j++)
-            for (int k = j + 1; k < s->point_count; k++) {
-                int on[SHAPE_POINTS], count = 0, f = 0;
-                bool above = false, below = false;
-                uint64_t mask = 0;
-                int64_t n[3];
-                normal3(s->point[i], s->point[j], s->point[k], n);
-                if (!n[0] && !n[1] && !n[2])
-                    continue;
-                for (int m = 0; m < s->point_count && !(above && below); m++) {
-                    int64_t d = det3(s->point[i], s->point[j], s->point[k], s->point[m]);
-                    above |= d > 0;
-                    below |= d < 0;
-                    if (d == 0) {
-                        on[count++] = m;
-                        mask |= (uint64_t)1 << m;
-                    }
-                }
-                if (above == below) /* points on both sides; or all in the plane */
-                    continue;
-                while (f < s->face_count && seen[f] != mask)
-                    f++;
-                if (f < s->face_count)
-                    continue;
-                if (s->corner_count + count > SHAPE_CORNERS || s->face_count + 2 > SHAPE_CORNERS)
-                    return false;
-                seen[s->face_count++] = mask;
-                s->corner_count += wrap_face(s, on, count, n, s->corner + s->corner_count);
-                s->face_start[s->face_count] = s->corner_count;
-            }
-    for (int i = 0; i < s->corner_count; i++)
-        used[s->corner[i]] = true;
-    for (int i = 0; i < s->point_count; i++)
-        if (used[i]) {
-            number[i] = kept;
-            memcpy(s->point[kept++], s->point[i], sizeof s->point[0]);
-        }
-    for (int i = 0; i < s->corner_count; i++)
-        s->corner[i] = number[s->corner[i]];
-    s->point_count = kept;
-    return s->face_count >= 4;
-}
-
-static void shape_point(shape *s, int64_t x, int64_t y, int64_t z)
-{
-    int64_t p[3] = {x, y, z};
-    for (int i = 0; i < s->point_count; i++)
-        if (memcmp(s->point[i], p, sizeof p) == 0)
-            return;
-    if (s->point_count < SHAPE_POINTS)
-        memcpy(s->point[s->point_count++], p, sizeof p);
-}
-
-static shape shape_box(int x, int y, int z)
-{
-    shape s = {0};
-    for (int i = 0; i < 8; i++)
-        shape_point(&s, i & 1 ? x : 0, i & 2 ? y : 0, i & 4 ? z : 0);
-    shape_hull(&s);
-    return s;
-}
-
-/* The hull of `count` random points with coordinates of 0 .. size. Small sizes give many-cornered faces. */
-static shape shape_random(dice *d, int count, int size)
-{
-    shape s;
-    do {
-        s = (shape){0};
-        for (int i = 0; i < count; i++)
-            shape_point(&s, dice_int(d, 0, size), dice_int(d, 0, size), dice_int(d, 0, size));
-    } while (!shape_hull(&s));
-    return s;
-}
-
-/* A prism or a pyramid, leaning, over a polygon of up to 16 corners whose sides are the first whole vectors by angle. */
-static shape shape_prism(dice *d)
-{
-    static const int side[16][2] = {{1, 0},  {2, 1},   {1, 1},   {1, 2},   {0, 1},  {-1, 2}, {-1, 1}, {-2, 1},
-                                    {-1, 0}, {-2, -1}, {-1, -1}, {-1, -2}, {0, -1}, {1, -2}, {1, -1}, {2, -1}};
-    shape s = {0};
-    int x = 0, y = 0, lean_x = dice_int(d, -2, 2), lean_y = dice_int(d, -2, 2), high = dice_int(d, 1, 5);
-    int step = 1 << dice_int(d, 0, 2), axis = dice_int(d, 0, 2);
-    bool pyramid = dice_int(d, 0, 2) == 0;
-    for (int i = 0; i < 16; i += step) {
-        shape_point(&s, x, y, 0);
-        if (!pyramid)
-            shape_point(&s, x + lean_x, y + lean_y, high);
-        x += side[i][0];
-        y += side[i][1];
-    }
-    if (pyramid)
-        shape_point(&s, lean_x, lean_y + 3, high);
-    for (int i = 0; i < s.point_count; i++) { /* lay it along another axis */
-        int64_t p[3] = {s.point[i][0], s.point[i][1], s.point[i][2]};
-        for (int k = 0; k < 3; k++)
-            s.point[i][k] = p[(k + axis) % 3];
-    }
-    shape_hull(&s);
-    return s;
-}
-
-static shape shape_any(dice *d)
-{
-    switch (dice_int(d, 0, 5)) {
-    case 0:
-        return shape_box(dice_int(d, 1, 4), dice_int(d, 1, 4), dice_int(d, 1, 4));
-    case 1:
-        return shape_prism(d);
-    case 2:
-        return shape_random(d, 4, 3);
-    case 3:
-        return shape_random(d, 6, 2);
-    case 4:
-        return shape_random(d, 10, 3);
-    default:
-        return shape_random(d, 20, 4);
-    }
-}
-
-/* ---- scenes ------------------------------------------------------------------------------------------------------ */
-
-typedef struct studio {
-    test_scene *scene;
-    dice d;
-    double unit;    /* the eye's coordinates are multiples of it */
-    bool eye;       /* perspective wanted */
-    bool no_memory; /* checked once, at the end */
-} studio;
-
-/* Adds the shape, each of its points sent to at + m p; rows of m are the images' coordinates. */
-static void put_mapped(studio *st, const shape *s, roberts_vec3 at, double m[3][3])
-{
-    roberts_mesh *mesh = &st->scene->mesh;
-    uint32_t base = (uint32_t)mesh->vertex_count;
-    for (int i = 0; i < s->point_count && !st->no_memory; i++) {
-        double p[3] = {(double)s->point[i][0], (double)s->point[i][1], (double)s->point[i][2]};
-        roberts_vec3 v = {at.x + (m[0][0] * p[0] + m[0][1] * p[1] + m[0][2] * p[2]),
-                          at.y + (m[1][0] * p[0] + m[1][1] * p[1] + m[1][2] * p[2]),
-                          at.z + (m[2][0] * p[0] + m[2][1] * p[1] + m[2][2] * p[2])};
-        st->no_memory = roberts_mesh_add_vertex(mesh, v, NULL, NULL) != ROBERTS_OK;
-    }
-    for (int f = 0; f < s->face_count && !st->no_memory; f++) {
-        uint32_t face[SHAPE_CORNERS];
-        int count = s->face_start[f + 1] - s->face_start[f], first = dice_int(&st->d, 0, count - 1);
-        bool back = dice_int(&st->d, 0, 1);
-        for (int i = 0; i < count; i++)
-            face[i] = base + (uint32_t)s->corner[s->face_start[f] + (first + (back ? count - i : i)) % count];
-        st->no_memory = roberts_mesh_add_face(mesh, face, (size_t)count, NULL) != ROBERTS_OK;
-    }
-}
-
-static void put_scaled(studio *st, const shape *s, roberts_vec3 at, double x, double y, double z)
-{
-    double m[3][3] = {{x, 0, 0}, {0, y, 0}, {0, 0, z}};
-    put_mapped(st, s, at, m);
-}
-
-static void put(studio *st, const shape *s, double x, double y, double z)
-{
-    put_scaled(st, s, (roberts_vec3){x, y, z}, 1, 1, 1);
-}
-
-/* A corner takes its numbers as they are: nothing is computed, nothing rounded. */
-static void put_box(studio *st, double x0, double y0, double z0, double x1, double y1, double z1)
-{
-    shape unit = shape_box(1, 1, 1);
-    size_t base = st->scene->mesh.vertex_count;
-    put(st, &unit, 0, 0, 0);
-    for (size_t i = 0; i < 8 && !st->no_memory; i++)
-        st->scene->mesh.vertex[base + i] =
-            (roberts_vec3){unit.point[i][0] ? x1 : x0, unit.point[i][1] ? y1 : y0, unit.point[i][2] ? z1 : z0};
-}
-
-static void put_turned(studio *st, const shape *s, roberts_vec3 at, double size)
-{
-    double q[4], m[3][3], l;
-    do {
-        l = 0;
-        for (int i = 0; i < 4; i++) {
-            q[i] = dice_real(&st->d);
-            l += q[i] * q[i];
-        }
-    } while (l > 1 || l < 0.01);
-    for (int i = 0; i < 3; i++) /* the rotation of a quaternion */
-        for (int j = 0; j < 3; j++) {
-            int k = 3 - i - j, sign = (j + 3 - i) % 3 == 1 ? -1 : 1;
-            double diagonal =
-                l - 2 * (q[1 + (i + 1) % 3] * q[1 + (i + 1) % 3] + q[1 + (i + 2) % 3] * q[1 + (i + 2) % 3]);
-            m[i][j] = i == j ? size * diagonal / l : size * 2 * (q[1 + i] * q[1 + j] + sign * q[0] * q[1 + k]) / l;
-        }
-    put_mapped(st, s, at, m);
-}
-
-/* ---- views ------------------------------------------------------------------------------------------------------- */
-
-static void look(studio *st, double x, double y, double z)
-{
-    st->scene->view = (oracle_view){x, y, z, 0};
-}
-
-static void look_small(studio *st, int size)
-{
-    int x, y, z;
-    do {
-        x = dice_int(&st->d, -size, size);
-        y = dice_int(&st->d, -size, size);
-        z = dice_int(&st->d, -size, size);
-    } while (!x && !y && !z);
-    look(st, x, y, z);
-}
-
-static void look_axis(studio *st)
-{
-    double v[3] = {0, 0, 0};
-    v[dice_int(&st->d, 0, 2)] = dice_int(&st->d, 0, 1) ? 1 : -1;
-    look(st, v[0], v[1], v[2]);
-}
-
-static void look_corner(studio *st)
-{
-    look(st, dice_int(&st->d, 0, 1) ? 1 : -1, dice_int(&st->d, 0, 1) ? 1 : -1, dice_int(&st->d, 0, 1) ? 1 : -1);
-}
-
-static void look_random(studio *st)
-{
-    look(st, dice_real(&st->d), dice_real(&st->d), dice_real(&st->d));
-}
-
-static void look_any(studio *st)
-{
-    switch (dice_int(&st->d, 0, 5)) {
-    case 0:
-        look_axis(st);
-        break;
-    case 1:
-        look_corner(st);
-        break;
-    case 2:
-        look(st, 1, 2, 1.5);
-        break;
-    case 3:
-        look_small(st, 2);
-        break;
-    case 4:
-        look_small(st, 1000);
-        break;
-    default:
-        look_random(st);
-    }
-}
-
-/* ---- what is not judged ------------------------------------------------------------------------------------------ */
-
-/* Where contacts are rounded: moves of this part of the largest coordinate. */
-#define ROUNDING 1e-13
-
-/* What lies nearer than 1e-11 of the scene's diameter counts as touching, by the specification. Where a family makes
- * clearances of any size, those up to twice as large are not judged. Call it last. */
-#define TOUCHING 2e-11
-
-static double diameter(const roberts_mesh *mesh, roberts_vec3 *lo, roberts_vec3 *hi)
-{
-    *lo = *hi = mesh->vertex[0];
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        roberts_vec3 p = mesh->vertex[i];
-        *lo = (roberts_vec3){fmin(lo->x, p.x), fmin(lo->y, p.y), fmin(lo->z, p.z)};
-        *hi = (roberts_vec3){fmax(hi->x, p.x), fmax(hi->y, p.y), fmax(hi->z, p.z)};
-    }
-    return hypot(hypot(hi->x - lo->x, hi->y - lo->y), hi->z - lo->z);
-}
-
-static void near_touching(studio *st)
-{
-    roberts_vec3 lo, hi;
-    if (!st->no_memory)
-        st->scene->slack = TOUCHING * diameter(&st->scene->mesh, &lo, &hi);
-}
-
-/* ---- eyes -------------------------------------------------------------------------------------------------------- */
-
-/* Moves the viewer from infinity to an eye with whole coordinates (times the scene's unit), well before the scene. */
-static void look_from_eye(studio *st)
-{
-    oracle_view *view = &st->scene->view;
-    roberts_vec3 lo, hi;
-    double away = diameter(&st->scene->mesh, &lo, &hi) * dice_int(&st->d, 3, 9) / 2;
-    away /= hypot(hypot(view->x, view->y), view->z);
-    view->x = st->unit * ceil(((lo.x + hi.x) / 2 + away * view->x) / st->unit);
-    view->y = st->unit * ceil(((lo.y + hi.y) / 2 + away * view->y) / st->unit);
-    view->z = st->unit * ceil(((lo.z + hi.z) / 2 + away * view->z) / st->unit);
-    view->w = 1;
-}
+#include "studio.h"
 
 /* ---- families in general position -------------------------------------------------------------------------------- */
 
@@ -440,6 +45,18 @@ static void swarm(studio *st)
         put_turned(st, &s, at, pow(10, dice_real(&st->d) - 1.7));
     }
     look(st, 0.2 * dice_real(&st->d), 0.2 * dice_real(&st->d), 1);
+}
+
+/* Solids of so many faces that they do not hide as one. */
+static void round_solids(studio *st)
+{
+    int count = dice_int(&st->d, 3, 8);
+    for (int i = 0; i < count; i++) {
+        shape s = shape_random(&st->d, 60, 40);
+        roberts_vec3 at = {dice_real(&st->d), dice_real(&st->d), dice_real(&st->d)};
+        put_turned(st, &s, at, 0.02);
+    }
+    look_random(st);
 }
 
 /* Solids that pierce one another, anyhow. */
@@ -646,7 +263,7 @@ static void touching_from_eye(studio *st)
             before = s;
         }
     }
-    *view = (oracle_view){(double)eye[0], (double)eye[1], (double)eye[2], 1};
+    *view = (oracle_view){.x = (double)eye[0], .y = (double)eye[1], .z = (double)eye[2], .w = 1};
 }
 
 /* Solids within solids about common centres, some of the same size. */
@@ -707,6 +324,12 @@ static void plates(studio *st)
     heap(st, ldexp(1, dice_int(&st->d, 0, 1) ? -10 : -20));
 }
 
+/* Where a near plane cuts plates of a millionth, what lies behind the cuts lies nearer to them than what counts as touching. */
+static void thicker_plates(studio *st)
+{
+    heap(st, 0x1p-10);
+}
+
 /* Thickness 1e-3 or 1e-6, and not judged what rounding of that might change. */
 static void decimal_plates(studio *st)
 {
@@ -739,7 +362,8 @@ static void end_on(studio *st)
     roberts_vec3 a = mesh->vertex[mesh->corner[first]], b = mesh->vertex[mesh->corner[first + 1]];
     look(st, b.x - a.x, b.y - a.y, b.z - a.z);
     if (st->eye)
-        st->scene->view = (oracle_view){a.x + 48 * (b.x - a.x), a.y + 48 * (b.y - a.y), a.z + 48 * (b.z - a.z), 1};
+        st->scene->view = (oracle_view){
+            .x = a.x + 48 * (b.x - a.x), .y = a.y + 48 * (b.y - a.y), .z = a.z + 48 * (b.z - a.z), .w = 1};
 }
 
 /* Solids of sizes 2^-most .. 2^most together; all coordinates are small multiples of a power of two. */
@@ -775,14 +399,6 @@ static void any_exact(studio *st)
 {
     static void (*const make[])(studio *) = {blocks, bricks, checker, polytopes, crowd, touching, nested, twice};
     make[dice_int(&st->d, 0, sizeof make / sizeof *make - 1)](st);
-}
-
-static void map_vertices(studio *st, double scale, roberts_vec3 shift)
-{
-    roberts_mesh *mesh = &st->scene->mesh;
-    for (size_t i = 0; i < mesh->vertex_count; i++)
-        mesh->vertex[i] = (roberts_vec3){scale * mesh->vertex[i].x + shift.x, scale * mesh->vertex[i].y + shift.y,
-                                         scale * mesh->vertex[i].z + shift.z};
 }
 
 /* Times 1e8, which keeps whole numbers and halves whole. */
@@ -848,50 +464,6 @@ static void crooked(studio *st)
 
 /* ---- families whose contacts rounding has spoiled ---------------------------------------------------------------- */
 
-static bool copy_mesh(const roberts_mesh *from, roberts_mesh *to)
-{
-    bool ok = true;
-    for (size_t i = 0; i < from->vertex_count; i++)
-        ok = ok && roberts_mesh_add_vertex(to, from->vertex[i], NULL, NULL) == ROBERTS_OK;
-    for (size_t f = 0; f < from->face_count; f++)
-        ok = ok && roberts_mesh_add_face(to, from->corner + from->face_start[f],
-                                         from->face_start[f + 1] - from->face_start[f], NULL) == ROBERTS_OK;
-    return ok;
-}
-
-/* Keeps the scene as the original and sends every vertex, and the viewer with them, through m. What moves by 1e-13 of
- * the largest coordinate is not judged. */
-static void spoil(studio *st, double m[3][3])
-{
-    test_scene *scene = st->scene;
-    double largest = 0;
-    if (st->eye)
-        look_from_eye(st);
-    st->eye = false;
-    scene->has_original = true;
-    scene->original_view = scene->view;
-    st->no_memory = st->no_memory || !copy_mesh(&scene->mesh, &scene->original);
-    for (size_t i = 0; i <= scene->mesh.vertex_count && !st->no_memory; i++) {
-        roberts_vec3 *v = scene->mesh.vertex + i, p;
-        p = i < scene->mesh.vertex_count ? *v : (roberts_vec3){scene->view.x, scene->view.y, scene->view.z};
-        p = (roberts_vec3){m[0][0] * p.x + m[0][1] * p.y + m[0][2] * p.z, m[1][0] * p.x + m[1][1] * p.y + m[1][2] * p.z,
-                           m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z};
-        if (i < scene->mesh.vertex_count)
-            *v = p;
-        else
-            scene->view = (oracle_view){p.x, p.y, p.z, scene->view.w};
-        if (i < scene->mesh.vertex_count || scene->view.w)
-            largest = fmax(largest, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
-    }
-    scene->slack = ROUNDING * largest;
-}
-
-static void spoil_scale(studio *st, double scale)
-{
-    double m[3][3] = {{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}};
-    spoil(st, m);
-}
-
 static void turned(studio *st)
 {
     any_exact(st);
@@ -918,62 +490,87 @@ static void tiny(studio *st)
 static const struct {
     const char *name;
     void (*make)(studio *);
-    bool eye;
+    enum { INFINITELY_FAR, FROM_EYE, FROM_AMID, OBLIQUELY } viewer;
 } families[] = {
-    {"lattice", lattice, false},
-    {"hulls", hulls, false},
-    {"crossing", crossing, false},
-    {"swarm", swarm, false},
-    {"shaft", shaft, false},
-    {"slanted-plates", slanted_plates, false},
-    {"needles", needles, false},
-    {"blocks", blocks, false},
-    {"bricks", bricks, false},
-    {"checker", checker, false},
-    {"polytopes", polytopes, false},
-    {"crowd", crowd, false},
-    {"touching", touching, false},
-    {"nested", nested, false},
-    {"twice", twice, false},
-    {"plates", plates, false},
-    {"decimal-plates", decimal_plates, false},
-    {"tower", tower, false},
-    {"end-on", end_on, false},
-    {"sizes", sizes, false},
-    {"giants", giants, false},
-    {"huge", huge, false},
-    {"small", small, false},
-    {"far", far_away, false},
-    {"nudged", nudged, false},
-    {"crooked", crooked, false},
-    {"turned", turned, false},
-    {"tenth", tenth, false},
-    {"tiny", tiny, false},
-    {"lattice@eye", lattice, true},
-    {"hulls@eye", hulls, true},
-    {"crossing@eye", crossing, true},
-    {"swarm@eye", swarm, true},
-    {"shaft@eye", shaft, true},
-    {"slanted-plates@eye", slanted_plates, true},
-    {"needles@eye", needles, true},
-    {"blocks@eye", blocks, true},
-    {"bricks@eye", bricks, true},
-    {"checker@eye", checker, true},
-    {"polytopes@eye", polytopes, true},
-    {"crowd@eye", crowd, true},
-    {"touching@eye", touching_from_eye, true},
-    {"nested@eye", nested, true},
-    {"twice@eye", twice, true},
-    {"plates@eye", plates, true},
-    {"tower@eye", tower, true},
-    {"end-on@eye", end_on, true},
-    {"sizes@eye", sizes, true},
-    {"huge@eye", huge, true},
-    {"small@eye", small, true},
-    {"far@eye", far_away, true},
-    {"crooked@eye", crooked, true},
-    {"turned@eye", turned, true},
-    {"tenth@eye", tenth, true},
+    {"lattice", lattice, INFINITELY_FAR},
+    {"hulls", hulls, INFINITELY_FAR},
+    {"crossing", crossing, INFINITELY_FAR},
+    {"swarm", swarm, INFINITELY_FAR},
+    {"round", round_solids, INFINITELY_FAR},
+    {"shaft", shaft, INFINITELY_FAR},
+    {"slanted-plates", slanted_plates, INFINITELY_FAR},
+    {"needles", needles, INFINITELY_FAR},
+    {"blocks", blocks, INFINITELY_FAR},
+    {"bricks", bricks, INFINITELY_FAR},
+    {"checker", checker, INFINITELY_FAR},
+    {"polytopes", polytopes, INFINITELY_FAR},
+    {"crowd", crowd, INFINITELY_FAR},
+    {"touching", touching, INFINITELY_FAR},
+    {"nested", nested, INFINITELY_FAR},
+    {"twice", twice, INFINITELY_FAR},
+    {"plates", plates, INFINITELY_FAR},
+    {"decimal-plates", decimal_plates, INFINITELY_FAR},
+    {"tower", tower, INFINITELY_FAR},
+    {"end-on", end_on, INFINITELY_FAR},
+    {"sizes", sizes, INFINITELY_FAR},
+    {"giants", giants, INFINITELY_FAR},
+    {"huge", huge, INFINITELY_FAR},
+    {"small", small, INFINITELY_FAR},
+    {"far", far_away, INFINITELY_FAR},
+    {"nudged", nudged, INFINITELY_FAR},
+    {"crooked", crooked, INFINITELY_FAR},
+    {"turned", turned, INFINITELY_FAR},
+    {"tenth", tenth, INFINITELY_FAR},
+    {"tiny", tiny, INFINITELY_FAR},
+    {"lattice@eye", lattice, FROM_EYE},
+    {"hulls@eye", hulls, FROM_EYE},
+    {"crossing@eye", crossing, FROM_EYE},
+    {"swarm@eye", swarm, FROM_EYE},
+    {"round@eye", round_solids, FROM_EYE},
+    {"shaft@eye", shaft, FROM_EYE},
+    {"slanted-plates@eye", slanted_plates, FROM_EYE},
+    {"needles@eye", needles, FROM_EYE},
+    {"blocks@eye", blocks, FROM_EYE},
+    {"bricks@eye", bricks, FROM_EYE},
+    {"checker@eye", checker, FROM_EYE},
+    {"polytopes@eye", polytopes, FROM_EYE},
+    {"crowd@eye", crowd, FROM_EYE},
+    {"touching@eye", touching_from_eye, FROM_EYE},
+    {"nested@eye", nested, FROM_EYE},
+    {"twice@eye", twice, FROM_EYE},
+    {"plates@eye", plates, FROM_EYE},
+    {"tower@eye", tower, FROM_EYE},
+    {"end-on@eye", end_on, FROM_EYE},
+    {"sizes@eye", sizes, FROM_EYE},
+    {"huge@eye", huge, FROM_EYE},
+    {"small@eye", small, FROM_EYE},
+    {"far@eye", far_away, FROM_EYE},
+    {"crooked@eye", crooked, FROM_EYE},
+    {"turned@eye", turned, FROM_EYE},
+    {"tenth@eye", tenth, FROM_EYE},
+    {"lattice@near", lattice, FROM_AMID},
+    {"hulls@near", hulls, FROM_AMID},
+    {"crossing@near", crossing, FROM_AMID},
+    {"swarm@near", swarm, FROM_AMID},
+    {"slanted-plates@near", slanted_plates, FROM_AMID},
+    {"needles@near", needles, FROM_AMID},
+    {"round@near", round_solids, FROM_AMID},
+    {"blocks@near", blocks, FROM_AMID},
+    {"shaft@near", shaft, FROM_AMID},
+    {"bricks@near", bricks, FROM_AMID},
+    {"checker@near", checker, FROM_AMID},
+    {"polytopes@near", polytopes, FROM_AMID},
+    {"crowd@near", crowd, FROM_AMID},
+    {"touching@near", touching, FROM_AMID},
+    {"twice@near", twice, FROM_AMID},
+    {"plates@near", thicker_plates, FROM_AMID},
+    {"tower@near", tower, FROM_AMID},
+    {"sizes@near", sizes, FROM_AMID},
+    {"huge@near", huge, FROM_AMID},
+    {"small@near", small, FROM_AMID},
+    {"lattice@oblique", lattice, OBLIQUELY},
+    {"blocks@oblique", blocks, OBLIQUELY},
+    {"crowd@oblique", crowd, OBLIQUELY},
 };
 
 size_t scene_family_count(void)
@@ -990,7 +587,7 @@ bool scene_make(const char *family, uint64_t seed, test_scene *scene)
 {
     *scene = (test_scene){0};
     for (size_t i = 0; i < scene_family_count(); i++) {
-        studio st = {scene, {seed}, 1, families[i].eye, false};
+        studio st = {.scene = scene, .d = {seed}, .unit = 1, .eye = families[i].viewer == FROM_EYE};
         if (strcmp(family, families[i].name) != 0)
             continue;
         for (const char *c = family; *c; c++)
@@ -1000,6 +597,10 @@ bool scene_make(const char *family, uint64_t seed, test_scene *scene)
         families[i].make(&st);
         if (st.eye && !scene->view.w && !st.no_memory)
             look_from_eye(&st);
+        if (families[i].viewer == FROM_AMID && !st.no_memory)
+            look_from_amid(&st);
+        if (families[i].viewer == OBLIQUELY)
+            look_oblique(&st);
         if (st.no_memory)
             test_scene_free(scene);
         return !st.no_memory;

@@ -105,7 +105,7 @@ static double largest_coordinate(const roberts_mesh *mesh)
 static bool oracle_agrees(const golden_file *g, const roberts_mesh *mesh, const roberts_camera *camera,
                           golden_total *total, FILE *out)
 {
-    oracle_view view = {camera->dir.x, camera->dir.y, camera->dir.z, 0};
+    oracle_view view = {.x = camera->dir.x, .y = camera->dir.y, .z = camera->dir.z};
     oracle_options options = {g->slack * largest_coordinate(mesh), false};
     oracle_result truth;
     oracle_interval *gap = calloc(g->count + 2, sizeof *gap);
@@ -195,7 +195,7 @@ static bool golden_read(const char *path, golden_file *g, FILE *out)
 /* Every edge with its ends in space and its hidden parts, for somebody with a pencil. */
 static void list_edges(const roberts_mesh *mesh, const roberts_camera *camera, FILE *file)
 {
-    oracle_view view = {camera->dir.x, camera->dir.y, camera->dir.z, 0};
+    oracle_view view = {.x = camera->dir.x, .y = camera->dir.y, .z = camera->dir.z};
     oracle_result truth;
     if (!oracle_run(mesh, &view, NULL, &truth))
         return;

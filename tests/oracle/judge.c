@@ -14,15 +14,26 @@ enum {
     SEEN_FACES = 200 /* plain rays are slow: only in scenes this small */
 };
 
-roberts_camera judge_camera(const oracle_view *view)
+roberts_camera judge_camera(const test_scene *scene)
 {
+    const oracle_view *view = &scene->view;
     roberts_camera camera = {0};
     roberts_vec3 v = {view->x, view->y, view->z};
+    roberts_vec3 ahead = {view->near.x - v.x, view->near.y - v.y, view->near.z - v.z};
     camera.projection = view->w ? ROBERTS_PERSPECTIVE : ROBERTS_ORTHOGRAPHIC;
     if (view->w)
         camera.eye = v;
     else
         camera.dir = v;
+    if (scene->oblique) {
+        camera.dir = (roberts_vec3){0, -1, 0};
+        camera.oblique = (roberts_vec2){v.x, v.z};
+    }
+    if (view->cut) {
+        camera.has_look_at = true;
+        camera.look_at = scene->look_at;
+        camera.near_distance = hypot(hypot(ahead.x, ahead.y), ahead.z);
+    }
     return camera;
 }
 
@@ -51,7 +62,7 @@ static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, robe
                            roberts_error *error)
 {
     roberts_scene *scene = NULL;
-    roberts_camera camera = judge_camera(&how->view);
+    roberts_camera camera = judge_camera(how);
     roberts_hide_options options = roberts_hide_options_default();
     options.all_edges = true;
     options.keep_hidden = true;
@@ -65,11 +76,13 @@ static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, robe
     return status;
 }
 
-/* The segments of one edge, from *at on; leaves its hidden intervals and tells whether the segments tile it. */
+/* The segments of one edge, from *at on; leaves its hidden intervals and what the near plane leaves of it, and tells whether
+ * the segments tile it. */
 typedef struct edge_segments {
     const roberts_segment *segment;
     size_t count, hidden_count;
     oracle_interval *hidden; /* room for all segments of the drawing */
+    double t0, t1;           /* 1, 1: all of it is clipped */
     bool tiled;
 } edge_segments;
 
@@ -79,14 +92,19 @@ static void take_edge(const roberts_drawing *drawing, size_t *at, const oracle_e
     out->segment = drawing->segment + *at;
     out->count = out->hidden_count = 0;
     out->tiled = true;
+    out->t0 = 0, out->t1 = 1;
     while (*at < drawing->count) {
         const roberts_segment *s = drawing->segment + *at;
         if (s->solid != edge->solid || s->v0 != edge->v0 || s->v1 != edge->v1)
             break;
-        out->tiled = out->tiled && s->t0 == t && s->t1 > s->t0 && s->state <= ROBERTS_HIDDEN &&
-                     (out->count == 0 || s->state != s[-1].state);
+        out->tiled =
+            out->tiled && s->t0 == t && s->t1 > s->t0 && out->t1 == 1 && (out->count == 0 || s->state != s[-1].state);
         if (s->state == ROBERTS_HIDDEN)
             out->hidden[out->hidden_count++] = (oracle_interval){s->t0, s->t1};
+        if (s->state == ROBERTS_CLIPPED && s->t0 == 0)
+            out->t0 = s->t1;
+        else if (s->state == ROBERTS_CLIPPED)
+            out->t1 = s->t0;
         t = s->t1;
         out->count++;
         ++*at;
@@ -99,7 +117,8 @@ static double wrong_length(const edge_segments *mine, const oracle_result *truth
 {
     if (!mine->tiled)
         return 1;
-    return judge_outside(mine->hidden, mine->hidden_count, truth->interval + edge->maybe, edge->maybe_count) +
+    return fabs(mine->t0 - edge->t0) + fabs(mine->t1 - edge->t1) +
+           judge_outside(mine->hidden, mine->hidden_count, truth->interval + edge->maybe, edge->maybe_count) +
            judge_outside(truth->interval + edge->sure, edge->sure_count, mine->hidden, mine->hidden_count);
 }
 
@@ -208,6 +227,9 @@ static void print_one(FILE *out, const char *what, const one_edge *one)
     print_intervals(out, "program hides", one->mine.hidden, one->mine.hidden_count);
     if (!one->mine.tiled)
         fprintf(out, "  the program's %zu segments do not tile the edge in turns\n", one->mine.count);
+    if (one->mine.t0 > 0 || one->mine.t1 < 1 || one->edge.t0 > 0 || one->edge.t1 < 1)
+        fprintf(out, "  of the near plane the program leaves [%.17g, %.17g], the oracle [%.17g, %.17g]\n", one->mine.t0,
+                one->mine.t1, one->edge.t0, one->edge.t1);
     print_intervals(out, "oracle hides", one->truth.interval + one->edge.sure, one->edge.sure_count);
     if (one->edge.survives != ORACLE_NO && one->truth.interval)
         print_intervals(out, "or at most", one->truth.interval + one->edge.maybe, one->edge.maybe_count);
@@ -216,14 +238,21 @@ static void print_one(FILE *out, const char *what, const one_edge *one)
 static void write_failure(const char *name, size_t nth, const char *folder, const test_scene *how,
                           const roberts_mesh *mesh, FILE *out)
 {
-    char path[512], command[512], comment[1200];
-    const oracle_view *v = &how->view;
+    char path[512], command[800], comment[1200];
+    roberts_camera c = judge_camera(how);
+    bool eye = c.projection == ROBERTS_PERSPECTIVE;
+    roberts_vec3 v = eye ? c.eye : c.dir;
+    int used = 0;
     snprintf(path, sizeof path, "%s/failures", folder);
     mkdir(folder, 0777);
     mkdir(path, 0777);
     snprintf(path, sizeof path, "%s/failures/%s-%zu.off", folder, name, nth);
-    snprintf(command, sizeof command, "--all-edges --hidden solid -f csv --grid %u --threads %u --%s=%.17g,%.17g,%.17g",
-             how->grid, how->threads, v->w ? "eye" : "dir", v->x, v->y, v->z);
+    used = snprintf(command, sizeof command,
+                    "--all-edges --hidden solid -f csv --grid %u --threads %u --%s=%.17g,%.17g,%.17g", how->grid,
+                    how->threads, eye ? "eye" : "dir", v.x, v.y, v.z);
+    if (c.has_look_at)
+        snprintf(command + used, sizeof command - (size_t)used, " --look-at=%.17g,%.17g,%.17g --near %.17g",
+                 c.look_at.x, c.look_at.y, c.look_at.z, c.near_distance);
     snprintf(comment, sizeof comment, "%s; slack %.17g", command, how->slack);
     if (judge_write_off(path, mesh, comment))
         fprintf(out, "  build/roberts %s %s\n", command, path);
@@ -297,7 +326,8 @@ static void count_edge(const oracle_result *truth, const oracle_edge *e, judge_t
 {
     const oracle_interval *maybe = truth->interval + e->maybe, *sure = truth->interval + e->sure;
     total->edges++;
-    total->drawn += e->survives != ORACLE_NO;
+    total->drawn += e->survives != ORACLE_NO && e->t0 < e->t1;
+    total->clipped += e->t0 > 0 || e->t1 < 1;
     total->cut += e->maybe_count > 1 || (e->maybe_count == 1 && (maybe->t0 > 0 || maybe->t1 < 1));
     total->unjudged += judge_outside(maybe, e->maybe_count, sure, e->sure_count);
 }

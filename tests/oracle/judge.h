@@ -11,6 +11,7 @@
 
 typedef struct judge_total {
     size_t scenes, edges, drawn, cut; /* compared; not wholly behind their own solid; cut by a border at least once */
+    size_t clipped;                   /* reach the near plane */
     size_t disagreements;             /* edges, or whole scenes that the program refused */
     double unjudged;                  /* length of t that was not judged, because of slack; whole edges count 1 */
     double worst;                     /* greatest difference on an edge that did not fail */
@@ -23,8 +24,8 @@ typedef struct judge_total {
  * FOLDER/failures/, and the command that draws it. Returns whether everything agreed. */
 bool judge_scene(const char *name, const test_scene *scene, const char *folder, judge_total *total, FILE *out);
 
-/* The camera of the library for the oracle's viewer. */
-roberts_camera judge_camera(const oracle_view *view);
+/* The camera of the library for the scene's viewer. */
+roberts_camera judge_camera(const test_scene *scene);
 
 /* Writes a mesh as OFF, every coordinate with 17 digits, after a comment; false: errno. */
 bool judge_write_off(const char *path, const roberts_mesh *mesh, const char *comment);

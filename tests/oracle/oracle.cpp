@@ -5,6 +5,11 @@
  *   - g > 0 for the plane of each front face, n inward: strictly behind the front of the solid;
  *   - g >= 0 for each silhouette edge ab (one face front, the other not), the plane through a, b and the viewer, n to
  *     the side of the front face: in or on the border of the solid's projection.
+ * A near plane h(X) = n.(X - near) = 0, n away from the eye E, leaves less of a solid to hide something:
+ *   - h > 0: strictly behind it, where it closes the solid like a front face;
+ *   - g(E) h - h(E) g >= 0 for each face that is not front, the plane through the eye and the line in which the face meets
+ *     the near plane: in or on the border of that section's projection. (Both factors are >= 0, so what is left of the
+ *     solid, where g >= 0 and h >= 0, lies within; where the face does not reach the near plane this says nothing new.)
  * Along an edge X(t) each g is linear in t, so the hidden part is one interval; single points are dropped. The solid is
  * the convex hull of its vertices (CGAL, exact predicates): a face whose corners do not lie in one plane to the last
  * bit counts as the triangles that the hull makes of it, a planar one as coplanar triangles, which cut alike.
@@ -109,10 +114,12 @@ double length(const vec<rational> &v)
 
 /* ---- what a solid hides ------------------------------------------------------------------------------------------ */
 
-/* One half-space of the hidden region: behind the front triangle abc, or inside the silhouette edge ab. */
+/* One half-space of the hidden region: behind the front triangle abc, or inside the silhouette edge ab; behind the near
+ * plane, or inside its section with the plane of the triangle abc. */
 struct wall {
-    bool front;
+    enum { FRONT, SILHOUETTE, NEAR, SECTION } kind;
     roberts_vec3 a, b, c;
+    roberts_vec3 on; /* a point of the half-space's border */
     vec<interval> n; /* the inward normal, kept for speed */
 };
 
@@ -135,7 +142,8 @@ struct solid {
     std::vector<uint32_t> vertex;
     std::vector<face> faces;
     std::vector<wall> walls;
-    box shadow; /* of its projection, with a margin for rounding */
+    bool there = true, cut = false; /* some corner lies beyond the near plane, some on the eye's side of it */
+    box shadow;                     /* of its projection, with a margin for rounding */
 };
 
 struct edge_work {
@@ -154,12 +162,12 @@ struct oracle {
     std::vector<edge_work> edges;
     roberts_vec3 centre{}, right{}, up{}, toward{}; /* doubles, for boxes only */
     double margin = 0;
-    std::array<std::vector<uint32_t>, 256> columns; /* of the picture: the solids whose boxes touch each */
-    double left = 0, width = 1;
 
     oracle(const roberts_mesh &m, const oracle_view &v, const oracle_options &o)
         : mesh(m), view(v), slack(o.slack), exact_only(o.exact_only)
     {
+        if (view.cut && (!view.w || slack != 0))
+            throw std::runtime_error("a near plane needs an eye and exact coordinates");
         find_solids();
         frame();
         for (size_t s = 0; s < solids.size(); s++) {
@@ -171,11 +179,21 @@ struct oracle {
         }
     }
 
+    roberts_vec3 viewer() const
+    {
+        return {view.x, view.y, view.z};
+    }
+
     /* From p toward the viewer. */
     template <class N> vec<N> to_viewer(const roberts_vec3 &p) const
     {
-        roberts_vec3 viewer{view.x, view.y, view.z};
-        return view.w ? sub<N>(viewer, p) : vec<N>{N(view.x), N(view.y), N(view.z)};
+        return view.w ? sub<N>(viewer(), p) : vec<N>{N(view.x), N(view.y), N(view.z)};
+    }
+
+    /* h(p): > 0 beyond the near plane. */
+    template <class N> N beyond(const roberts_vec3 &p) const
+    {
+        return dot(sub<N>(view.near, viewer()), sub<N>(p, view.near));
     }
 
     /* -- solids: connected components of the faces, numbered by smallest vertex -- */
@@ -276,7 +294,9 @@ struct oracle {
             if (faces.size() != 2)
                 throw std::runtime_error("edge " + std::to_string(v[0]) + "-" + std::to_string(v[1]) + " has " +
                                          std::to_string(faces.size()) + " faces");
-            edge_work work{{number, v[0], v[1], ORACLE_NO, 180, 0, 0, 0, 0}, {}, {}};
+            edge_work work{{number, v[0], v[1], ORACLE_NO, 180, 0, 1, 0, 0, 0, 0}, {}, {}};
+            if (view.cut)
+                cut_edge(s, work.edge);
             const face &f = *faces[0], &g = *faces[1];
             if (f.front == ORACLE_YES || g.front == ORACLE_YES)
                 work.edge.survives = ORACLE_YES;
@@ -289,6 +309,20 @@ struct oracle {
                     bend({f.normal[0], f.normal[1], f.normal[2]}, {g.normal[0], g.normal[1], g.normal[2]});
             edges.push_back(work);
         }
+    }
+
+    /* What the near plane leaves of the edge. */
+    void cut_edge(const solid &s, oracle_edge &e)
+    {
+        exactly(exact_only, &exact, [&](auto zero) {
+            using N = decltype(zero);
+            N t0(0), t1(1), p = beyond<N>(mesh.vertex[e.v0]), q = beyond<N>(mesh.vertex[e.v1]);
+            bool within = s.cut && sign_of(p) == 0 && sign_of(q) == 0; /* part of the section */
+            bool any = s.there && !within && keep(p, q, t0, t1);
+            e.t0 = any ? rounded(t0) : 1;
+            e.t1 = any ? rounded(t1) : 1;
+            return any;
+        });
     }
 
     static double bend(const vec<double> &m, const vec<double> &n)
@@ -310,33 +344,59 @@ struct oracle {
             const kernel::Point_3 &p = hull.point(v);
             return roberts_vec3{p.x(), p.y(), p.z()};
         };
-        std::vector<bool> front(hull.number_of_faces());
-        for (auto f : hull.faces()) { /* hull faces run counter-clockwise seen from outside */
+        std::vector<int> side(hull.number_of_faces()); /* of the face on which the viewer is; < 0: it is front */
+        for (auto f : hull.faces()) {                  /* hull faces run counter-clockwise seen from outside */
             auto h = hull.halfedge(f);
-            wall w{true, at(hull.source(h)), at(hull.target(h)), at(hull.target(hull.next(h))), {}};
-            front[f] = exactly(exact_only, &exact, [&](auto zero) {
+            roberts_vec3 a = at(hull.source(h)), b = at(hull.target(h)), c = at(hull.target(hull.next(h)));
+            wall w{wall::FRONT, a, b, c, a, {}};
+            side[f] = exactly(exact_only, &exact, [&](auto zero) {
                 using N = decltype(zero);
-                return sign_of(dot(inward<N>(w), to_viewer<N>(w.a))) < 0;
+                return sign_of(dot(inward<N>(w), to_viewer<N>(a)));
             });
-            if (front[f])
+            if (side[f] < 0)
                 s.walls.push_back(w);
+            else if (view.cut)
+                s.walls.push_back({wall::SECTION, a, b, c, viewer(), {}});
         }
         for (auto h : hull.halfedges()) {
             if (hull.is_border(h) || hull.is_border(hull.opposite(h)))
                 throw std::runtime_error("a solid is flat");
-            if (front[hull.face(h)] && !front[hull.face(hull.opposite(h))])
-                s.walls.push_back({false, at(hull.source(h)), at(hull.target(h)), {}, {}});
+            if (side[hull.face(h)] < 0 && side[hull.face(hull.opposite(h))] >= 0)
+                s.walls.push_back(
+                    {wall::SILHOUETTE, at(hull.source(h)), at(hull.target(h)), {}, at(hull.source(h)), {}});
         }
+        if (view.w && *std::min_element(side.begin(), side.end()) > 0)
+            throw std::runtime_error("the eye is within a solid");
+        if (view.cut)
+            cut_solid(s);
         CGAL::Protect_FPU_rounding<true> upward;
         for (wall &w : s.walls)
             w.n = inward<interval>(w);
     }
 
+    void cut_solid(solid &s)
+    {
+        s.there = false;
+        s.walls.push_back({wall::NEAR, {}, {}, {}, view.near, {}});
+        for (uint32_t v : s.vertex) {
+            int side =
+                exactly(exact_only, &exact, [&](auto zero) { return sign_of(beyond<decltype(zero)>(mesh.vertex[v])); });
+            s.there = s.there || side > 0;
+            s.cut = s.cut || side < 0;
+        }
+    }
+
     template <class N> vec<N> inward(const wall &w) const
     {
-        if (w.front)
-            return cross(sub<N>(w.c, w.a), sub<N>(w.b, w.a));
-        return cross(to_viewer<N>(w.a), sub<N>(w.b, w.a));
+        if (w.kind == wall::SILHOUETTE)
+            return cross(to_viewer<N>(w.a), sub<N>(w.b, w.a));
+        vec<N> n = cross(sub<N>(w.c, w.a), sub<N>(w.b, w.a)), m = sub<N>(view.near, viewer());
+        if (w.kind == wall::FRONT)
+            return n;
+        if (w.kind == wall::NEAR)
+            return m;
+        N g = dot(n, to_viewer<N>(w.a)), h = dot(m, m); /* of the eye; h with the other sign */
+        return {g * m.x + h * n.x, g * m.y + h * n.y, g * m.z + h * n.z};
     }
 
     const vec<interval> &normal(const wall &w, interval) const
@@ -351,6 +411,20 @@ struct oracle {
 
     /* -- clipping -- */
 
+    /* Leaves of t0..t1 where a function that goes evenly from gp at 0 to gq at 1 is not negative; false: not more than a
+     * point. */
+    template <class N> static bool keep(const N &gp, const N &gq, N &t0, N &t1)
+    {
+        int sp = sign_of(gp), sq = sign_of(gq);
+        if (sp + sq < 0)
+            return false;
+        if (sp < 0)
+            t0 = CGAL::max(t0, N(gp / (gp - gq)));
+        if (sq < 0)
+            t1 = CGAL::min(t1, N(gp / (gp - gq)));
+        return true;
+    }
+
     /* The part of the edge from p to q that lies in the region, each wall moved outward by `grow`. */
     template <class N>
     bool clip(const std::vector<wall> &walls, const roberts_vec3 &p, const roberts_vec3 &q, double grow,
@@ -359,22 +433,14 @@ struct oracle {
         N t0(0), t1(1);
         for (const wall &w : walls) {
             const vec<N> &n = normal(w, N());
-            N gp = dot(n, sub<N>(p, w.a)), gq = dot(n, sub<N>(q, w.a));
+            N gp = dot(n, sub<N>(p, w.on)), gq = dot(n, sub<N>(q, w.on));
             if (grow != 0) {
                 N more(grow * length(n));
                 gp = gp + more, gq = gq + more;
             }
-            int sp = sign_of(gp), sq = sign_of(gq);
-            if (sp < 0 && sq < 0)
+            bool strict = w.kind == wall::FRONT || w.kind == wall::NEAR; /* in it is not behind it */
+            if (!keep(gp, gq, t0, t1) || (strict && sign_of(gp) == 0 && sign_of(gq) == 0))
                 return false;
-            if (sp == 0 && sq == 0 && w.front) /* in the plane of a front face: not behind it */
-                return false;
-            if (sp + sq < 0) /* one end outside, the other on: a single point, or none */
-                return false;
-            if (sp < 0)
-                t0 = CGAL::max(t0, N(gp / (gp - gq)));
-            if (sq < 0)
-                t1 = CGAL::min(t1, N(gp / (gp - gq)));
         }
         if (sign_of(N(t1 - t0)) <= 0)
             return false;
@@ -394,18 +460,16 @@ struct oracle {
      * in proportion to the distance from the eye. */
     void hide(double stretch)
     {
-        sort_into_columns();
         for (edge_work &w : edges) {
             if (w.edge.survives == ORACLE_NO) {
-                w.sure = w.maybe = {{0, 1}};
+                if (w.edge.t0 < w.edge.t1)
+                    w.sure = w.maybe = {{w.edge.t0, w.edge.t1}};
                 continue;
             }
             box b = projected({w.edge.v0, w.edge.v1});
-            for (size_t c = column_of(b.x0); c <= column_of(b.x1); c++)
-                for (uint32_t s : columns[c])
-                    if (s != w.edge.solid && !apart(b, solids[s].shadow) &&
-                        c == column_of(std::max(b.x0, solids[s].shadow.x0))) /* once, in the first column of both */
-                        hide_by(solids[s], w, 2 * slack * stretch);
+            for (const solid &s : solids)
+                if (&s != &solids[w.edge.solid] && s.there && !apart(b, s.shadow))
+                    hide_by(s, w, 2 * slack * stretch);
             if (slack == 0)
                 w.sure = w.maybe;
             if (w.edge.survives == ORACLE_UNSURE)
@@ -425,23 +489,6 @@ struct oracle {
 
     /* -- boxes in the picture: only to leave out pairs that are far from each other, by doubles and a wide margin -- */
 
-    void sort_into_columns()
-    {
-        double x1 = -HUGE_VAL;
-        left = HUGE_VAL;
-        for (const solid &s : solids)
-            left = std::min(left, s.shadow.x0), x1 = std::max(x1, s.shadow.x1);
-        width = (x1 - left) / (double)(columns.size() - 1);
-        for (size_t s = 0; s < solids.size(); s++)
-            for (size_t c = column_of(solids[s].shadow.x0); c <= column_of(solids[s].shadow.x1); c++)
-                columns[c].push_back((uint32_t)s);
-    }
-
-    size_t column_of(double x) const
-    {
-        return (size_t)std::clamp((x - left) / width, 0.0, (double)(columns.size() - 1));
-    }
-
     void frame()
     {
         roberts_vec3 lo{HUGE_VAL, HUGE_VAL, HUGE_VAL}, hi{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
@@ -455,7 +502,7 @@ struct oracle {
             largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
         }
         centre = {(lo.x + hi.x) / 2, (lo.y + hi.y) / 2, (lo.z + hi.z) / 2};
-        vec<double> d = to_viewer<double>(centre);
+        vec<double> d = to_viewer<double>(view.cut ? view.near : centre);
         double l = std::hypot(d.x, d.y, d.z);
         toward = {d.x / l, d.y / l, d.z / l};
         vec<double> t{toward.x, toward.y, toward.z};
@@ -481,6 +528,8 @@ struct oracle {
             double x = dot(d, {right.x, right.y, right.z}), y = dot(d, {up.x, up.y, up.z}), w = 1, m = margin;
             if (view.w) {
                 w = -dot(d, {toward.x, toward.y, toward.z});
+                if (!(w >= 1e-3 * length_of(d)) && view.cut)
+                    return {-HUGE_VAL, HUGE_VAL, -HUGE_VAL, HUGE_VAL}; /* it may be anywhere */
                 if (!(w >= 1e-3 * length_of(d)))
                     throw std::runtime_error("the scene is not in front of the eye");
                 m = margin / w * (1 + 1e3);

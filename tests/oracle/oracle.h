@@ -16,10 +16,16 @@ extern "C" {
 #endif
 
 /* The viewer: w == 0: infinitely far in direction (x, y, z), which points from the scene toward the viewer; w == 1: an
- * eye at (x, y, z), with the whole scene in front of it. */
+ * eye at (x, y, z).
+ * An eye with the whole scene in front of it needs no more. Else the near plane runs through `near`, square to the line from
+ * the eye to that point, and what lies on the eye's side of it is not there: edges end on it, and solids that it passes
+ * through are closed by it. A solid that only touches it from that side is not there either; nor is an edge that lies in it,
+ * unless all of its solid lies beyond. */
 typedef struct oracle_view {
     double x, y, z;
     int w;
+    bool cut; /* there is a near plane; w is 1 then, and no slack can be given */
+    roberts_vec3 near;
 } oracle_view;
 
 typedef enum oracle_answer { ORACLE_NO, ORACLE_YES, ORACLE_UNSURE } oracle_answer;
@@ -35,6 +41,7 @@ typedef struct oracle_edge {
     oracle_answer survives; /* has a front face; UNSURE only with slack */
     double bend_degrees;    /* between its two faces where both are front; 180 where not both are (an outline);
                                -1 where that is unsure */
+    double t0, t1;          /* the part of it beyond the near plane; 1, 1 where there is none */
     size_t sure, sure_count, maybe, maybe_count; /* into oracle_result.interval */
 } oracle_edge;
 
@@ -53,7 +60,8 @@ typedef struct oracle_options {
 } oracle_options;
 
 /* Finds the hidden intervals of every edge of `mesh`. The solids are its components by shared vertices, numbered by
- * smallest vertex, each convex (its convex hull is what hides). Winding is not looked at. options: NULL for none.
+ * smallest vertex, each convex (its convex hull is what hides). Winding is not looked at. options: NULL for none. The eye
+ * must not be within a solid.
  * False: *result holds nothing but an error. Release with oracle_free(). */
 bool oracle_run(const roberts_mesh *mesh, const oracle_view *view, const oracle_options *options,
                 oracle_result *result);

@@ -3,6 +3,7 @@
 #include "oracle.h"
 
 #include <array>
+#include <map>
 #include <vector>
 
 #include <CGAL/Exact_rational.h>
@@ -43,17 +44,21 @@ struct scene {
     }
 };
 
-} // namespace
-
-namespace
-{
-
 /* A front face met by a ray, as X + r dir; n.(Y - a) = 0 is its plane. */
 struct hit {
     uint32_t solid;
     number r;
     point a, n;
 };
+
+struct ray {
+    point X, dir;
+};
+
+number dot(const point &a, const point &b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 /* Everything the ray from X meets at r >= 0, front faces only. */
 std::vector<hit> cast(const scene &s, const point &X, const point &dir)
@@ -85,9 +90,35 @@ std::vector<hit> cast(const scene &s, const point &X, const point &dir)
     return hits;
 }
 
-struct ray {
-    point X, dir;
-};
+/* What remains of the hits on the ray where a near plane cuts, and those on the sections with which it closes the solids:
+ * where the ray passes through it within a solid, some corner of which lies beyond. */
+std::vector<hit> cut(const scene &s, const oracle_view &view, const ray &ray, const std::vector<hit> &hits)
+{
+    std::vector<hit> left;
+    point a{number(view.near.x), number(view.near.y), number(view.near.z)};
+    point n = minus(a, {number(view.x), number(view.y), number(view.z)});
+    number r = dot(n, minus(a, ray.X)) / dot(n, ray.dir);
+    point C{ray.X[0] + r * ray.dir[0], ray.X[1] + r * ray.dir[1], ray.X[2] + r * ray.dir[2]};
+    std::map<uint32_t, bool> within; /* is C within what is left of the solid? */
+    for (const hit &h : hits)
+        if (h.r <= r)
+            left.push_back(h);
+    for (uint32_t v = 0; v < s.mesh.vertex_count; v++)
+        if (s.vertex_solid[v] != ROBERTS_NONE && dot(n, minus(s.at(v), a)) > 0)
+            within[s.vertex_solid[v]] = true;
+    for (size_t f = 0; f < s.mesh.face_count; f++) {
+        const uint32_t *corner = s.mesh.corner + s.mesh.face_start[f];
+        uint32_t solid = s.vertex_solid[corner[0]];
+        point p = s.at(corner[0]), q = s.at(corner[1]), t = s.at(corner[2]);
+        number side = det(minus(q, p), minus(t, p), minus(C, p));
+        if (side != 0 && (side > 0 ? 1 : -1) != s.solid_side(p, q, t, solid))
+            within[solid] = false;
+    }
+    for (const auto &[solid, is_within] : within)
+        if (is_within)
+            left.push_back({solid, r, a, n});
+    return left;
+}
 
 ray toward_viewer(const scene &s, const oracle_view &view, uint32_t v0, uint32_t v1, double t)
 {
@@ -97,6 +128,12 @@ ray toward_viewer(const scene &s, const oracle_view &view, uint32_t v0, uint32_t
     return {X, view.w ? minus(viewer, X) : viewer};
 }
 
+std::vector<hit> seen_along(const scene &s, const oracle_view &view, const ray &ray)
+{
+    std::vector<hit> hits = cast(s, ray.X, ray.dir);
+    return view.cut ? cut(s, view, ray, hits) : hits;
+}
+
 } // namespace
 
 bool oracle_point_hidden(const roberts_mesh *mesh, const uint32_t *vertex_solid, const oracle_view *view, uint32_t v0,
@@ -104,7 +141,7 @@ bool oracle_point_hidden(const roberts_mesh *mesh, const uint32_t *vertex_solid,
 {
     scene s{*mesh, vertex_solid};
     ray ray = toward_viewer(s, *view, v0, v1, t);
-    for (const hit &h : cast(s, ray.X, ray.dir))
+    for (const hit &h : seen_along(s, *view, ray))
         if (h.r > 0 && h.solid != vertex_solid[v0])
             return true;
     return false;
@@ -115,7 +152,7 @@ bool oracle_point_seen(const roberts_mesh *mesh, const uint32_t *vertex_solid, c
 {
     scene s{*mesh, vertex_solid};
     ray ray = toward_viewer(s, *view, v0, v1, t);
-    std::vector<hit> hits = cast(s, ray.X, ray.dir);
+    std::vector<hit> hits = seen_along(s, *view, ray);
     number nearest(-1);
     *seen = ROBERTS_NONE;
     for (const hit &h : hits)

@@ -1,0 +1,214 @@
+/* shapes.c - see shapes.h. */
+#include "shapes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- random numbers: splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014) -- */
+
+uint64_t dice_next(dice *d)
+{
+    uint64_t z = d->state += 0x9E3779B97F4A7C15u;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    return z ^ (z >> 31);
+}
+
+/* A whole number of lo .. hi. */
+int dice_int(dice *d, int lo, int hi)
+{
+    return lo + (int)(dice_next(d) % (uint64_t)(hi - lo + 1));
+}
+
+/* A double of -1 .. 1. */
+double dice_real(dice *d)
+{
+    return (double)(int64_t)dice_next(d) / 9223372036854775808.0;
+}
+
+/* ---- shapes: convex polyhedra with whole coordinates ------------------------------------------------------------- */
+
+static int64_t det3(const int64_t *o, const int64_t *a, const int64_t *b, const int64_t *c)
+{
+    int64_t u[3], v[3], w[3];
+    for (int i = 0; i < 3; i++) {
+        u[i] = a[i] - o[i];
+        v[i] = b[i] - o[i];
+        w[i] = c[i] - o[i];
+    }
+    return u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
+}
+
+static void normal3(const int64_t *o, const int64_t *a, const int64_t *b, int64_t *n)
+{
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        n[i] = (a[j] - o[j]) * (b[k] - o[k]) - (a[k] - o[k]) * (b[j] - o[j]);
+    }
+}
+
+/* Walks round the points of one plane, from corner to corner of their convex polygon (gift wrapping), n to the left. */
+static int wrap_face(const shape *s, const int *on, int count, const int64_t *n, int *corner)
+{
+    int first = on[0], axis = n[0] ? 0 : n[1] ? 1 : 2, at, used = 0;
+    for (int i = 1; i < count; i++) /* the least point in lexical order is a corner */
+        for (int k = 0; k < 3; k++)
+            if (s->point[on[i]][k] != s->point[first][k]) {
+                first = s->point[on[i]][k] < s->point[first][k] ? on[i] : first;
+                break;
+            }
+    at = first;
+    do {
+        int next = -1;
+        corner[used++] = at;
+        for (int i = 0; i < count; i++) {
+            int64_t m[3], far = 0, near = 0;
+            int turn;
+            if (on[i] == at)
+                continue;
+            if (next < 0) {
+                next = on[i];
+                continue;
+            }
+            normal3(s->point[at], s->point[next], s->point[on[i]], m);
+            turn = ((m[axis] > 0) - (m[axis] < 0)) * (n[axis] > 0 ? 1 : -1); /* m is parallel to n, or zero */
+            for (int k = 0; k < 3; k++) {
+                far += llabs(s->point[on[i]][k] - s->point[at][k]);
+                near += llabs(s->point[next][k] - s->point[at][k]);
+            }
+            if (turn < 0 || (turn == 0 && far > near))
+                next = on[i];
+        }
+        at = next;
+    } while (at != first && used < count);
+    return used;
+}
+
+/* Leaves the convex hull of the shape's points in the shape; false where they are flat or the hull is too large. Each
+ * plane with all points on one side is a face: plain enough to be believed, and fast enough for 64 points. */
+bool shape_hull(shape *s)
+{
+    uint64_t seen[SHAPE_CORNERS];
+    bool used[SHAPE_POINTS] = {false};
+    int number[SHAPE_POINTS], kept = 0;
+    s->face_count = s->corner_count = 0;
+    s->face_start[0] = 0;
+    for (int i = 0; i < s->point_count; i++)
+        for (int j = i + 1; j < s->point_count; j++)
+            for (int k = j + 1; k < s->point_count; k++) {
+                int on[SHAPE_POINTS], count = 0, f = 0;
+                bool above = false, below = false;
+                uint64_t mask = 0;
+                int64_t n[3];
+                normal3(s->point[i], s->point[j], s->point[k], n);
+                if (!n[0] && !n[1] && !n[2])
+                    continue;
+                for (int m = 0; m < s->point_count && !(above && below); m++) {
+                    int64_t d = det3(s->point[i], s->point[j], s->point[k], s->point[m]);
+                    above |= d > 0;
+                    below |= d < 0;
+                    if (d == 0) {
+                        on[count++] = m;
+                        mask |= (uint64_t)1 << m;
+                    }
+                }
+                if (above == below) /* points on both sides; or all in the plane */
+                    continue;
+                while (f < s->face_count && seen[f] != mask)
+                    f++;
+                if (f < s->face_count)
+                    continue;
+                if (s->corner_count + count > SHAPE_CORNERS || s->face_count + 2 > SHAPE_CORNERS)
+                    return false;
+                seen[s->face_count++] = mask;
+                s->corner_count += wrap_face(s, on, count, n, s->corner + s->corner_count);
+                s->face_start[s->face_count] = s->corner_count;
+            }
+    for (int i = 0; i < s->corner_count; i++)
+        used[s->corner[i]] = true;
+    for (int i = 0; i < s->point_count; i++)
+        if (used[i]) {
+            number[i] = kept;
+            memcpy(s->point[kept++], s->point[i], sizeof s->point[0]);
+        }
+    for (int i = 0; i < s->corner_count; i++)
+        s->corner[i] = number[s->corner[i]];
+    s->point_count = kept;
+    return s->face_count >= 4;
+}
+
+void shape_point(shape *s, int64_t x, int64_t y, int64_t z)
+{
+    int64_t p[3] = {x, y, z};
+    for (int i = 0; i < s->point_count; i++)
+        if (memcmp(s->point[i], p, sizeof p) == 0)
+            return;
+    if (s->point_count < SHAPE_POINTS)
+        memcpy(s->point[s->point_count++], p, sizeof p);
+}
+
+shape shape_box(int x, int y, int z)
+{
+    shape s = {0};
+    for (int i = 0; i < 8; i++)
+        shape_point(&s, i & 1 ? x : 0, i & 2 ? y : 0, i & 4 ? z : 0);
+    shape_hull(&s);
+    return s;
+}
+
+/* The hull of `count` random points with coordinates of 0 .. size. Small sizes give many-cornered faces. */
+shape shape_random(dice *d, int count, int size)
+{
+    shape s;
+    do {
+        s = (shape){0};
+        for (int i = 0; i < count; i++)
+            shape_point(&s, dice_int(d, 0, size), dice_int(d, 0, size), dice_int(d, 0, size));
+    } while (!shape_hull(&s));
+    return s;
+}
+
+/* A prism or a pyramid, leaning, over a polygon of up to 16 corners whose sides are the first whole vectors by angle. */
+shape shape_prism(dice *d)
+{
+    static const int side[16][2] = {{1, 0},  {2, 1},   {1, 1},   {1, 2},   {0, 1},  {-1, 2}, {-1, 1}, {-2, 1},
+                                    {-1, 0}, {-2, -1}, {-1, -1}, {-1, -2}, {0, -1}, {1, -2}, {1, -1}, {2, -1}};
+    shape s = {0};
+    int x = 0, y = 0, lean_x = dice_int(d, -2, 2), lean_y = dice_int(d, -2, 2), high = dice_int(d, 1, 5);
+    int step = 1 << dice_int(d, 0, 2), axis = dice_int(d, 0, 2);
+    bool pyramid = dice_int(d, 0, 2) == 0;
+    for (int i = 0; i < 16; i += step) {
+        shape_point(&s, x, y, 0);
+        if (!pyramid)
+            shape_point(&s, x + lean_x, y + lean_y, high);
+        x += side[i][0];
+        y += side[i][1];
+    }
+    if (pyramid)
+        shape_point(&s, lean_x, lean_y + 3, high);
+    for (int i = 0; i < s.point_count; i++) { /* lay it along another axis */
+        int64_t p[3] = {s.point[i][0], s.point[i][1], s.point[i][2]};
+        for (int k = 0; k < 3; k++)
+            s.point[i][k] = p[(k + axis) % 3];
+    }
+    shape_hull(&s);
+    return s;
+}
+
+shape shape_any(dice *d)
+{
+    switch (dice_int(d, 0, 5)) {
+    case 0:
+        return shape_box(dice_int(d, 1, 4), dice_int(d, 1, 4), dice_int(d, 1, 4));
+    case 1:
+        return shape_prism(d);
+    case 2:
+        return shape_random(d, 4, 3);
+    case 3:
+        return shape_random(d, 6, 2);
+    case 4:
+        return shape_random(d, 10, 3);
+    default:
+        return shape_random(d, 20, 4);
+    }
+}

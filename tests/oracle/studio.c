@@ -1,0 +1,348 @@
+/* studio.c - see studio.h. */
+#include "studio.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- scenes ------------------------------------------------------------------------------------------------------ */
+
+/* Adds the shape, each of its points sent to at + m p; rows of m are the images' coordinates. */
+void put_mapped(studio *st, const shape *s, roberts_vec3 at, double m[3][3])
+{
+    roberts_mesh *mesh = &st->scene->mesh;
+    uint32_t base = (uint32_t)mesh->vertex_count;
+    if (st->solid_count < STUDIO_SOLIDS)
+        st->first_face[st->solid_count++] = (uint32_t)mesh->face_count;
+    for (int i = 0; i < s->point_count && !st->no_memory; i++) {
+        double p[3] = {(double)s->point[i][0], (double)s->point[i][1], (double)s->point[i][2]};
+        roberts_vec3 v = {at.x + (m[0][0] * p[0] + m[0][1] * p[1] + m[0][2] * p[2]),
+                          at.y + (m[1][0] * p[0] + m[1][1] * p[1] + m[1][2] * p[2]),
+                          at.z + (m[2][0] * p[0] + m[2][1] * p[1] + m[2][2] * p[2])};
+        st->no_memory = roberts_mesh_add_vertex(mesh, v, NULL, NULL) != ROBERTS_OK;
+    }
+    for (int f = 0; f < s->face_count && !st->no_memory; f++) {
+        uint32_t face[SHAPE_CORNERS];
+        int count = s->face_start[f + 1] - s->face_start[f], first = dice_int(&st->d, 0, count - 1);
+        bool back = dice_int(&st->d, 0, 1);
+        for (int i = 0; i < count; i++)
+            face[i] = base + (uint32_t)s->corner[s->face_start[f] + (first + (back ? count - i : i)) % count];
+        st->no_memory = roberts_mesh_add_face(mesh, face, (size_t)count, NULL) != ROBERTS_OK;
+    }
+}
+
+void put_scaled(studio *st, const shape *s, roberts_vec3 at, double x, double y, double z)
+{
+    double m[3][3] = {{x, 0, 0}, {0, y, 0}, {0, 0, z}};
+    put_mapped(st, s, at, m);
+}
+
+void put(studio *st, const shape *s, double x, double y, double z)
+{
+    put_scaled(st, s, (roberts_vec3){x, y, z}, 1, 1, 1);
+}
+
+/* A corner takes its numbers as they are: nothing is computed, nothing rounded. */
+void put_box(studio *st, double x0, double y0, double z0, double x1, double y1, double z1)
+{
+    shape unit = shape_box(1, 1, 1);
+    size_t base = st->scene->mesh.vertex_count;
+    put(st, &unit, 0, 0, 0);
+    for (size_t i = 0; i < 8 && !st->no_memory; i++)
+        st->scene->mesh.vertex[base + i] =
+            (roberts_vec3){unit.point[i][0] ? x1 : x0, unit.point[i][1] ? y1 : y0, unit.point[i][2] ? z1 : z0};
+}
+
+void put_turned(studio *st, const shape *s, roberts_vec3 at, double size)
+{
+    double q[4], m[3][3], l;
+    do {
+        l = 0;
+        for (int i = 0; i < 4; i++) {
+            q[i] = dice_real(&st->d);
+            l += q[i] * q[i];
+        }
+    } while (l > 1 || l < 0.01);
+    for (int i = 0; i < 3; i++) /* the rotation of a quaternion */
+        for (int j = 0; j < 3; j++) {
+            int k = 3 - i - j, sign = (j + 3 - i) % 3 == 1 ? -1 : 1;
+            double diagonal =
+                l - 2 * (q[1 + (i + 1) % 3] * q[1 + (i + 1) % 3] + q[1 + (i + 2) % 3] * q[1 + (i + 2) % 3]);
+            m[i][j] = i == j ? size * diagonal / l : size * 2 * (q[1 + i] * q[1 + j] + sign * q[0] * q[1 + k]) / l;
+        }
+    put_mapped(st, s, at, m);
+}
+
+/* ---- views ------------------------------------------------------------------------------------------------------- */
+
+void look(studio *st, double x, double y, double z)
+{
+    st->scene->view = (oracle_view){.x = x, .y = y, .z = z};
+}
+
+void look_small(studio *st, int size)
+{
+    int x, y, z;
+    do {
+        x = dice_int(&st->d, -size, size);
+        y = dice_int(&st->d, -size, size);
+        z = dice_int(&st->d, -size, size);
+    } while (!x && !y && !z);
+    look(st, x, y, z);
+}
+
+void look_axis(studio *st)
+{
+    double v[3] = {0, 0, 0};
+    v[dice_int(&st->d, 0, 2)] = dice_int(&st->d, 0, 1) ? 1 : -1;
+    look(st, v[0], v[1], v[2]);
+}
+
+void look_corner(studio *st)
+{
+    look(st, dice_int(&st->d, 0, 1) ? 1 : -1, dice_int(&st->d, 0, 1) ? 1 : -1, dice_int(&st->d, 0, 1) ? 1 : -1);
+}
+
+void look_random(studio *st)
+{
+    look(st, dice_real(&st->d), dice_real(&st->d), dice_real(&st->d));
+}
+
+void look_any(studio *st)
+{
+    switch (dice_int(&st->d, 0, 5)) {
+    case 0:
+        look_axis(st);
+        break;
+    case 1:
+        look_corner(st);
+        break;
+    case 2:
+        look(st, 1, 2, 1.5);
+        break;
+    case 3:
+        look_small(st, 2);
+        break;
+    case 4:
+        look_small(st, 1000);
+        break;
+    default:
+        look_random(st);
+    }
+}
+
+/* ---- what is not judged ------------------------------------------------------------------------------------------ */
+
+/* What lies nearer than 1e-11 of the scene's diameter counts as touching, by the specification. Where a family makes
+ * clearances of any size, those up to twice as large are not judged. Call it last. */
+#define TOUCHING 2e-11
+
+static double diameter(const roberts_mesh *mesh, roberts_vec3 *lo, roberts_vec3 *hi)
+{
+    *lo = *hi = mesh->vertex[0];
+    for (size_t i = 0; i < mesh->vertex_count; i++) {
+        roberts_vec3 p = mesh->vertex[i];
+        *lo = (roberts_vec3){fmin(lo->x, p.x), fmin(lo->y, p.y), fmin(lo->z, p.z)};
+        *hi = (roberts_vec3){fmax(hi->x, p.x), fmax(hi->y, p.y), fmax(hi->z, p.z)};
+    }
+    return hypot(hypot(hi->x - lo->x, hi->y - lo->y), hi->z - lo->z);
+}
+
+void near_touching(studio *st)
+{
+    roberts_vec3 lo, hi;
+    if (!st->no_memory)
+        st->scene->slack = TOUCHING * diameter(&st->scene->mesh, &lo, &hi);
+}
+
+/* ---- eyes -------------------------------------------------------------------------------------------------------- */
+
+/* Moves the viewer from infinity to an eye with whole coordinates (times the scene's unit), well before the scene. */
+void look_from_eye(studio *st)
+{
+    oracle_view *view = &st->scene->view;
+    roberts_vec3 lo, hi;
+    double away = diameter(&st->scene->mesh, &lo, &hi) * dice_int(&st->d, 3, 9) / 2;
+    away /= hypot(hypot(view->x, view->y), view->z);
+    view->x = st->unit * ceil(((lo.x + hi.x) / 2 + away * view->x) / st->unit);
+    view->y = st->unit * ceil(((lo.y + hi.y) / 2 + away * view->y) / st->unit);
+    view->z = st->unit * ceil(((lo.z + hi.z) / 2 + away * view->z) / st->unit);
+    view->w = 1;
+}
+
+/* ---- eyes amid the scene, and near planes ------------------------------------------------------------------------ */
+
+static roberts_vec3 mean_of(const roberts_mesh *mesh, uint32_t first_corner, uint32_t end)
+{
+    roberts_vec3 sum = {0, 0, 0};
+    for (uint32_t k = first_corner; k < end; k++) {
+        roberts_vec3 p = mesh->vertex[mesh->corner[k]];
+        sum = (roberts_vec3){sum.x + p.x, sum.y + p.y, sum.z + p.z};
+    }
+    double n = end - first_corner;
+    return (roberts_vec3){sum.x / n, sum.y / n, sum.z / n};
+}
+
+static uint32_t face_end(const studio *st, uint32_t solid)
+{
+    return solid + 1 < st->solid_count ? st->first_face[solid + 1] : (uint32_t)st->scene->mesh.face_count;
+}
+
+static roberts_vec3 middle_of(const studio *st, uint32_t solid)
+{
+    const roberts_mesh *mesh = &st->scene->mesh;
+    return mean_of(mesh, mesh->face_start[st->first_face[solid]], mesh->face_start[face_end(st, solid)]);
+}
+
+/* Six times the volume of abcp, with the sign of the side of abc on which p lies. */
+static double volume(const roberts_vec3 *vertex, const uint32_t *corner, roberts_vec3 p)
+{
+    roberts_vec3 a = vertex[corner[0]], b = vertex[corner[1]], c = vertex[corner[2]];
+    roberts_vec3 u = {b.x - a.x, b.y - a.y, b.z - a.z}, v = {c.x - a.x, c.y - a.y, c.z - a.z};
+    roberts_vec3 w = {p.x - a.x, p.y - a.y, p.z - a.z};
+    return w.x * (u.y * v.z - u.z * v.y) + w.y * (u.z * v.x - u.x * v.z) + w.z * (u.x * v.y - u.y * v.x);
+}
+
+/* Has each solid a face with the eye clearly in front of it? */
+static bool is_outside(const studio *st, roberts_vec3 eye)
+{
+    const roberts_mesh *mesh = &st->scene->mesh;
+    for (uint32_t solid = 0; solid < st->solid_count; solid++) {
+        roberts_vec3 middle = middle_of(st, solid);
+        bool outside = false;
+        for (uint32_t f = st->first_face[solid]; f < face_end(st, solid) && !outside; f++) {
+            const uint32_t *corner = mesh->corner + mesh->face_start[f];
+            outside = volume(mesh->vertex, corner, eye) / volume(mesh->vertex, corner, middle) < -1e-9;
+        }
+        if (!outside)
+            return false;
+    }
+    return true;
+}
+
+/* A point beside a solid: a face's middle or one of its corners, moved away from the solid's middle by half of their
+ * distance or by as little as a thousandth. */
+static roberts_vec3 beside_solid(studio *st)
+{
+    const roberts_mesh *mesh = &st->scene->mesh;
+    uint32_t solid = (uint32_t)dice_int(&st->d, 0, (int)st->solid_count - 1);
+    uint32_t face = (uint32_t)dice_int(&st->d, (int)st->first_face[solid], (int)face_end(st, solid) - 1);
+    uint32_t first = mesh->face_start[face], end = dice_int(&st->d, 0, 2) ? mesh->face_start[face + 1] : first + 1;
+    roberts_vec3 m = middle_of(st, solid), p = mean_of(mesh, first, end);
+    double part = ldexp(1, -dice_int(&st->d, 1, 10));
+    return (roberts_vec3){p.x + part * (p.x - m.x), p.y + part * (p.y - m.y), p.z + part * (p.z - m.z)};
+}
+
+/* A point of the scene's box. */
+static roberts_vec3 amid_scene(studio *st, roberts_vec3 lo, roberts_vec3 hi)
+{
+    return (roberts_vec3){lo.x + (hi.x - lo.x) * (dice_real(&st->d) + 1) / 2,
+                          lo.y + (hi.y - lo.y) * (dice_real(&st->d) + 1) / 2,
+                          lo.z + (hi.z - lo.z) * (dice_real(&st->d) + 1) / 2};
+}
+
+static bool any_beyond(const roberts_mesh *mesh, roberts_vec3 near, roberts_vec3 ahead)
+{
+    for (size_t i = 0; i < mesh->vertex_count; i++) {
+        roberts_vec3 p = mesh->vertex[i];
+        if ((p.x - near.x) * ahead.x + (p.y - near.y) * ahead.y + (p.z - near.z) * ahead.z > 0)
+            return true;
+    }
+    return false;
+}
+
+/* Eye and near plane have coordinates that are multiples of `grain`, a power of two: coarse, it brings contact with
+ * whole coordinates; fine, the eye may be very near a solid. The near plane is between a thousandth and a quarter of the scene's
+ * size away, the look-at point at least half of it. False: the eye is within a solid, or all of the scene behind it. */
+static bool place_amid(studio *st)
+{
+    oracle_view *view = &st->scene->view;
+    roberts_vec3 lo, hi;
+    double size = diameter(&st->scene->mesh, &lo, &hi) / st->unit, step, far = 1;
+    bool coarse = dice_int(&st->d, 0, 1) && size > 4 && size < 512;
+    roberts_vec3 eye = dice_int(&st->d, 0, 2) ? amid_scene(st, lo, hi) : beside_solid(st), ahead;
+    size = st->unit * ldexp(1, (int)floor(log2(size)));
+    double grain = coarse ? st->unit / 2 : size * 0x1p-24;
+    eye = (roberts_vec3){grain * floor(eye.x / grain), grain * floor(eye.y / grain), grain * floor(eye.z / grain)};
+    look_small(st, 2);
+    step = coarse ? grain * dice_int(&st->d, 1, 3) : size * ldexp(1, -dice_int(&st->d, 3, 10));
+    ahead = (roberts_vec3){-step * view->x, -step * view->y, -step * view->z};
+    while (far * step < size / 2)
+        far *= 2;
+    *view = (oracle_view){.x = eye.x, .y = eye.y, .z = eye.z, .w = 1, .cut = true};
+    view->near = (roberts_vec3){eye.x + ahead.x, eye.y + ahead.y, eye.z + ahead.z};
+    st->scene->look_at = (roberts_vec3){eye.x + far * ahead.x, eye.y + far * ahead.y, eye.z + far * ahead.z};
+    return is_outside(st, eye) && any_beyond(&st->scene->mesh, view->near, ahead);
+}
+
+void look_from_amid(studio *st)
+{
+    oracle_view before = st->scene->view;
+    for (int i = 0; i < 1000; i++)
+        if (place_amid(st))
+            return;
+    st->scene->view = before; /* there is no room */
+    look_from_eye(st);
+}
+
+void look_oblique(studio *st)
+{
+    st->scene->view = (oracle_view){.x = dice_int(&st->d, -4, 4) / 4.0, .y = -1, .z = dice_int(&st->d, 1, 4) / 4.0};
+    st->scene->oblique = true;
+}
+
+/* ---- changes of a whole scene ------------------------------------------------------------------------------------ */
+
+void map_vertices(studio *st, double scale, roberts_vec3 shift)
+{
+    roberts_mesh *mesh = &st->scene->mesh;
+    for (size_t i = 0; i < mesh->vertex_count; i++)
+        mesh->vertex[i] = (roberts_vec3){scale * mesh->vertex[i].x + shift.x, scale * mesh->vertex[i].y + shift.y,
+                                         scale * mesh->vertex[i].z + shift.z};
+}
+
+/* ---- families whose contacts rounding has spoiled ---------------------------------------------------------------- */
+
+static bool copy_mesh(const roberts_mesh *from, roberts_mesh *to)
+{
+    bool ok = true;
+    for (size_t i = 0; i < from->vertex_count; i++)
+        ok = ok && roberts_mesh_add_vertex(to, from->vertex[i], NULL, NULL) == ROBERTS_OK;
+    for (size_t f = 0; f < from->face_count; f++)
+        ok = ok && roberts_mesh_add_face(to, from->corner + from->face_start[f],
+                                         from->face_start[f + 1] - from->face_start[f], NULL) == ROBERTS_OK;
+    return ok;
+}
+
+/* Keeps the scene as the original and sends every vertex, and the viewer with them, through m. What moves by 1e-13 of
+ * the largest coordinate is not judged. */
+void spoil(studio *st, double m[3][3])
+{
+    test_scene *scene = st->scene;
+    double largest = 0;
+    if (st->eye)
+        look_from_eye(st);
+    st->eye = false;
+    scene->has_original = true;
+    scene->original_view = scene->view;
+    st->no_memory = st->no_memory || !copy_mesh(&scene->mesh, &scene->original);
+    for (size_t i = 0; i <= scene->mesh.vertex_count && !st->no_memory; i++) {
+        roberts_vec3 *v = scene->mesh.vertex + i, p;
+        p = i < scene->mesh.vertex_count ? *v : (roberts_vec3){scene->view.x, scene->view.y, scene->view.z};
+        p = (roberts_vec3){m[0][0] * p.x + m[0][1] * p.y + m[0][2] * p.z, m[1][0] * p.x + m[1][1] * p.y + m[1][2] * p.z,
+                           m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z};
+        if (i < scene->mesh.vertex_count)
+            *v = p;
+        else
+            scene->view = (oracle_view){.x = p.x, .y = p.y, .z = p.z, .w = scene->view.w};
+        if (i < scene->mesh.vertex_count || scene->view.w)
+            largest = fmax(largest, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
+    }
+    scene->slack = ROUNDING * largest;
+}
+
+void spoil_scale(studio *st, double scale)
+{
+    double m[3][3] = {{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}};
+    spoil(st, m);
+}

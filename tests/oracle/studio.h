@@ -1,0 +1,51 @@
+/* studio.h - where the families build their scenes: solids are put, then looked at. */
+#ifndef ROBERTS_TESTS_STUDIO_H
+#define ROBERTS_TESTS_STUDIO_H
+
+#include "families.h"
+#include "shapes.h"
+
+enum { STUDIO_SOLIDS = 1024 };
+
+/* Where contacts are rounded: moves of this part of the largest coordinate are not judged. */
+#define ROUNDING 1e-13
+
+typedef struct studio {
+    test_scene *scene;
+    dice d;
+    double unit;    /* the eye's coordinates are multiples of it */
+    bool eye;       /* perspective wanted, from outside */
+    bool no_memory; /* checked once, at the end */
+    uint32_t solid_count, first_face[STUDIO_SOLIDS];
+} studio;
+
+/* Adds the shape, each of its points sent to at + m p; rows of m are the images' coordinates. Each face gets either
+ * winding. */
+void put_mapped(studio *st, const shape *s, roberts_vec3 at, double m[3][3]);
+void put_scaled(studio *st, const shape *s, roberts_vec3 at, double x, double y, double z);
+void put(studio *st, const shape *s, double x, double y, double z);
+void put_box(studio *st, double x0, double y0, double z0, double x1, double y1, double z1);
+void put_turned(studio *st, const shape *s, roberts_vec3 at, double size);
+
+/* A viewer at infinity. */
+void look(studio *st, double x, double y, double z);
+void look_small(studio *st, int size);
+void look_axis(studio *st);
+void look_corner(studio *st);
+void look_random(studio *st);
+void look_any(studio *st);
+/* The same direction from an eye well before the scene; from an eye amid the scene, with a near plane that cuts some of it;
+ * obliquely. Once all solids are there. */
+void look_from_eye(studio *st);
+void look_from_amid(studio *st);
+void look_oblique(studio *st);
+
+/* Does not judge what lies about as near as what counts as touching. Call it last. */
+void near_touching(studio *st);
+
+void map_vertices(studio *st, double scale, roberts_vec3 shift);
+/* Keeps the scene as the original and sends every vertex, and the viewer with them, through m, or scales them. */
+void spoil(studio *st, double m[3][3]);
+void spoil_scale(studio *st, double scale);
+
+#endif
