@@ -17,7 +17,8 @@ LINK      = $(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter
 # Asked for only where used: `make demo` has to start without pkg-config.
 NEEDS        =
 CAIRO_CFLAGS = $(shell pkg-config --cflags cairo)
-CAIRO_LIBS   = $(shell pkg-config --libs cairo)
+QHULL_CFLAGS = $(shell pkg-config --cflags qhull_r)
+LIBS         = $(shell pkg-config --libs cairo qhull_r) -lm
 CMOCKA_LIBS  = $(shell pkg-config --libs cmocka)
 
 LIB_SRC  := $(sort $(wildcard $(foreach room,base model view hide ray draw,src/$(room)/*.c)))
@@ -143,28 +144,28 @@ $(BUILD)/libroberts.a: $(call object,$(LIB_SRC))
 $(BUILD)/$(SHARED): $(call object,$(LIB_SRC))
 	@printf '{ global: roberts_*; local: *; };\n' >$(BUILD)/exported.map
 	$(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) -Wl,--version-script,$(BUILD)/exported.map \
-	    -Wl,-z,defs -o $@ $^ $(CAIRO_LIBS) -lm
+	    -Wl,-z,defs -o $@ $^ $(LIBS)
 
 # What a program that links the static library needs besides stands under Libs.private.
 $(BUILD)/roberts.pc: force
 	@mkdir -p $(@D)
 	@printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: roberts' \
 	    'Description: line drawings of convex polyhedra with the hidden lines removed' 'Version: $(VERSION)' \
-	    'Requires.private: cairo' 'Libs: -L$${libdir} -lroberts' 'Libs.private: $(OPENMP) -lm' \
+	    'Requires.private: cairo qhull_r' 'Libs: -L$${libdir} -lroberts' 'Libs.private: $(OPENMP) -lm' \
 	    'Cflags: -I$${includedir}' >$@
 
 $(BUILD)/roberts: $(call object,$(CLI_SRC)) $(BUILD)/libroberts.a
-	$(LINK) $(CAIRO_LIBS) -lm
+	$(LINK) $(LIBS)
 
 $(TOOL_BIN): $(BUILD)/%: $(BUILD)/obj/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
-	$(LINK) $(CAIRO_LIBS) -lm
+	$(LINK) $(LIBS)
 
 $(BUILD)/tools/make-models: $(call object,$(MODEL_SRC))
 
 $(TEST_BIN): $(BUILD)/%: $(BUILD)/obj/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
-	$(LINK) $(TEST_LIBS) $(CMOCKA_LIBS) $(CAIRO_LIBS) -lm
+	$(LINK) $(TEST_LIBS) $(CMOCKA_LIBS) $(LIBS)
 
 # Tests in which allocations fail: tests/memory.h
 $(BUILD)/tests/test_memory_%: TEST_LIBS = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
@@ -173,7 +174,7 @@ $(BUILD)/tests/test_memory_%: TEST_LIBS = -Wl,--wrap=malloc,--wrap=calloc,--wrap
 fuzzers: $(FUZZER)
 $(FUZZER): $(BUILD)/fuzz/%: $(BUILD)/obj/tests/fuzz/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
-	$(LINK) -fsanitize=fuzzer -Wl,--defsym=LLVMFuzzerTestOneInput=$* $(CAIRO_LIBS) -lm
+	$(LINK) -fsanitize=fuzzer -Wl,--defsym=LLVMFuzzerTestOneInput=$* $(LIBS)
 
 # It holds a source of the program, which has something to say.
 $(BUILD)/tests/test_verify_report: $(call object,src/cli/message.c src/cli/progress.c)
@@ -187,7 +188,7 @@ $(BUILD)/tests/test_oracle $(BUILD)/tests/test_golden: TEST_LIBS = $(ORACLE_LIBS
 
 $(ORACLE_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(ORACLE_OBJ) $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
-	$(LINK) $(ORACLE_LIBS) $(CAIRO_LIBS) -lm
+	$(LINK) $(ORACLE_LIBS) $(LIBS)
 
 # -frounding-math: intervals of doubles set the rounding mode, which the compiler must not assume.
 $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
@@ -195,6 +196,7 @@ $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 	$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math $(CXXFLAGS) -Iinclude -MMD -MP -c -o $@ $<
 
 $(BUILD)/obj/src/draw/%.o $(BUILD)/obj/tests/test_render.o: NEEDS = $(CAIRO_CFLAGS)
+$(BUILD)/obj/src/model/qhull.o: NEEDS = $(QHULL_CFLAGS)
 
 $(BUILD)/obj/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -225,7 +227,7 @@ lint-tidy:
 	@mkdir -p $(BUILD)
 	@echo clang-tidy on $(words $(C_SRC)) files
 	@printf '%s\n' $(C_SRC) | xargs -P $(CPUS) -I FILE \
-	    clang-tidy --quiet FILE -- $(STD) $(WARN) -Iinclude -Isrc $(CAIRO_CFLAGS:-I%=-isystem%) 2>$(BUILD)/tidy.err || \
+	    clang-tidy --quiet FILE -- $(STD) $(WARN) -Iinclude -Isrc $(patsubst -I%,-isystem%,$(CAIRO_CFLAGS) $(QHULL_CFLAGS)) 2>$(BUILD)/tidy.err || \
 	    { cat $(BUILD)/tidy.err; exit 1; }
 
 # uninitvar: it takes an address for a use, and two loops of one length for two lengths; both compilers and the analyzer

@@ -146,6 +146,7 @@ typedef struct roberts_scene_options {
     double
         tolerance; /**< how far a corner may lie outside a face or beside its plane, as a part of the solid's size (the
                            diagonal of its box) or of its largest coordinate, whichever is larger; 0 = 1e-5 */
+    bool hull;     /**< solids that would be refused, and inputs of points without faces, become their convex hulls */
     roberts_warnings warnings;
     uint32_t threads; /**< 0 = what there is; the result does not depend on it */
 } roberts_scene_options;
@@ -155,11 +156,16 @@ typedef struct roberts_scene_options {
  * are open are welded with one another where positions are exactly equal; what then hangs together by edges is a solid, or
  * comes apart into several where four or more faces meet in an edge. Corners that repeat another of their face, and faces
  * that this leaves with fewer than three, are ignored with a warning.
+ * With options->hull, what would be refused becomes its convex hull, by Qhull: a closed component that is no convex solid;
+ * of what is open, all that hangs together by vertices once it is welded and no closed solid splits off it; and an input without
+ * a face of three corners, all its points. A hull's vertices are vertices of the input, its faces its own (ROBERTS_NONE, and
+ * without colours); points that lie outside a face by less than the tolerance, or 1e-5 of the size, may be left out.
+ * Solids are still numbered by their smallest vertex, whether the hull has it or not.
  * mesh     only read, and not needed afterwards
  * options  NULL for the defaults
  * scene    owned by the caller, released by roberts_scene_free(); NULL on failure
  * Returns ROBERTS_OK, _NO_MEMORY, _NOT_CLOSED (also where there is no face with three corners), _NOT_PLANAR, _NOT_CONVEX,
- * _FLAT, _BAD_NUMBER or _BAD_ARGUMENT. The message names the solid, the vertex or face and by how much, in numbers of the file
+ * _FLAT (of a hull: points in one plane), _BAD_NUMBER or _BAD_ARGUMENT. The message names the solid, the vertex or face and by how much, in numbers of the file
  * that error->file names, from 0; of the whole mesh where it names none, as of a solid made of several files.
  */
 roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,

@@ -35,7 +35,7 @@ static bool keep(void *context, const void *data, size_t size)
     return true;
 }
 
-/* Reads, builds, hides and writes; with `scene` only the last two. Empty on failure. */
+/* Reads, builds, hides and writes, two of them the hull of all points; with `scene` only the last two. Empty on failure. */
 static bytes draw(unsigned which, const roberts_scene *scene)
 {
     static const char *const view[] = {"iso", "front", "cabinet"};
@@ -50,9 +50,13 @@ static bytes draw(unsigned which, const roberts_scene *scene)
     hide.keep_hidden = which % 2;
     options.format = which % 2 ? ROBERTS_CSV : ROBERTS_SVG;
     roberts_camera_preset(view[which % 3], &camera);
-    if (!scene && roberts_mesh_read_file(&mesh, model[which % 3], NULL, NULL) == ROBERTS_OK &&
-        roberts_scene_build(&mesh, NULL, &own, NULL) == ROBERTS_OK)
-        scene = own;
+    if (!scene && roberts_mesh_read_file(&mesh, model[which % 3], NULL, NULL) == ROBERTS_OK) {
+        roberts_scene_options build = {.hull = which > 3};
+        if (build.hull)
+            mesh.face_count = mesh.corner_count = 0;
+        if (roberts_scene_build(&mesh, &build, &own, NULL) == ROBERTS_OK)
+            scene = own;
+    }
     if (scene && roberts_hide(scene, &camera, &hide, &drawing, NULL) == ROBERTS_OK)
         (void)roberts_drawing_write(&drawing, &options, keep, &out, NULL);
     roberts_drawing_free(&drawing);

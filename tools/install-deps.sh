@@ -50,6 +50,7 @@ find_missing() {
             need libc6-dev has_header "$cc" c stdio.h
             need pkg-config has_command pkg-config
             need libcairo2-dev has_library cairo-svg
+            need libqhull-dev has_library qhull_r
             if has_command "$cc"; then # gcc brings its own
                 need libomp-dev has_header "$cc" c omp.h
             fi

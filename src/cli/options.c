@@ -53,6 +53,7 @@ typedef enum option_id {
     OPTION_BATCH,
     OPTION_TURNTABLE,
     OPTION_SHEET,
+    OPTION_HULL,
     OPTION_THREADS,
     OPTION_GRID,
     OPTION_EPSILON,
@@ -104,6 +105,7 @@ static const struct option {
     [OPTION_BATCH] = {"batch", 0, VALUE},
     [OPTION_TURNTABLE] = {"turntable", 0, VALUE},
     [OPTION_SHEET] = {"sheet", 0, VALUE},
+    [OPTION_HULL] = {"hull", 0, NO_VALUE},
     [OPTION_THREADS] = {"threads", 0, VALUE},
     [OPTION_GRID] = {"grid", 0, VALUE},
     [OPTION_EPSILON] = {"epsilon", 0, VALUE},
@@ -221,6 +223,9 @@ static int apply_value(parser *p, option_id id, const char *value)
         return values_set_turntable(value, &options->turntable);
     case OPTION_SHEET:
         return values_set_sheet(options, value);
+    case OPTION_HULL:
+        options->scene.hull = true;
+        return EXIT_DONE;
     case OPTION_THREADS:
         return values_set_integer(name, value, &options->hide.threads);
     case OPTION_GRID:

@@ -85,7 +85,7 @@ static roberts_status pick_one(const cli_options *options, const roberts_scene *
         message_begin(options->log, options->label);
         fprintf(options->log, "pick %.12g,%.12g: %ssolid %u, ", p.x, p.y, i ? "behind it " : "", (unsigned)hit->solid);
         if (hit->face == ROBERTS_NONE)
-            fputs("cut by the near plane, ", options->log);
+            fputs(options->scene.hull ? "a face of its hull, " : "cut by the near plane, ", options->log);
         else
             fprintf(options->log, "face %u, ", (unsigned)hit->face);
         fprintf(options->log, "depth %.12g, at %.12g,%.12g,%.12g\n", hit->depth, hit->point.x, hit->point.y,

@@ -5,6 +5,7 @@
  * off_text.c    vertices and faces as text
  * off_binary.c  vertices and faces as 32-bit words
  * off_color.c   what the numbers of a colour mean
+ * off_foreign.c other formats, by how they begin
  * off_input.c   blocks and tokens */
 #ifndef ROBERTS_MODEL_OFF_H
 #define ROBERTS_MODEL_OFF_H
@@ -70,6 +71,9 @@ roberts_status off_read_binary(off_reader *r);
 
 /* Says that there are fewer faces than declared. */
 void off_warn_fewer(off_reader *r, uint64_t found);
+
+/* The name of the format that begins with this word; NULL: not known. */
+const char *off_foreign(const char *word, size_t length);
 
 enum { COLOR_MOST = 4 };
 

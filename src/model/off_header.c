@@ -2,7 +2,10 @@
  *
  * The keyword is [ST][C][N][4][n]OFF by the format; prefixes are taken in any order, since MeshLab writes NCSTOFF. It
  * may be missing, in lower case (then n stands for N), glued to the first count, and followed by BINARY. Without it, a
- * first line that holds one integer is a dimension (qhull). The edge count, which nobody needs, may be missing. */
+ * first line that holds one integer is a dimension (qhull). The edge count, which nobody needs, may be missing.
+ *
+ * A dimension with words behind it ("3 rbox 50 s") begins points without faces, of which only the number follows: so rbox
+ * writes them and qhull reads them. */
 #include "model/off.h"
 
 #include <string.h>
@@ -140,6 +143,43 @@ static roberts_status counts(off_reader *r)
     return ROBERTS_OK;
 }
 
+/* Whether an unsigned integer stands here and a word, which begins with a letter, behind it on the line. */
+static bool titled_integer(off_reader *r)
+{
+    size_t i = 0;
+    while (input_need(&r->in, i + 1) && r->in.at[i] >= '0' && r->in.at[i] <= '9' && i < OFF_TOKEN_MAX)
+        i++;
+    for (size_t digits = i; input_need(&r->in, i + 1) && i < digits + OFF_TOKEN_MAX; i++) {
+        char c = r->in.at[i];
+        if (c != ' ' && c != '\t')
+            return i > digits && digits > 0 && ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'));
+    }
+    return false;
+}
+
+/* The rest of the line, which is a title, and the number of points. */
+static roberts_status count_points(off_reader *r)
+{
+    size_t start = r->in.taken;
+    while (input_skip_in_line(&r->in)) {
+        if (r->in.taken - start > OFF_BLANK_MAX)
+            return off_fail(r, ROBERTS_BAD_SYNTAX, "the first line does not end");
+        input_pass_token(&r->in);
+    }
+    if (!input_skip(&r->in) || !lonely_integer(r) || !off_integer(r, &r->header.vertices))
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of points, alone on its line,");
+    return ROBERTS_OK;
+}
+
+/* What begins with a word that is no keyword. */
+static roberts_status refuse_word(off_reader *r, size_t length)
+{
+    const char *format = off_foreign(r->in.at, length);
+    if (format)
+        return off_fail(r, ROBERTS_BAD_SYNTAX, "this is %s, but only OFF can be read", format);
+    return off_expected(r, ROBERTS_BAD_SYNTAX, "the beginning of an OFF file (keyword OFF, or the counts)");
+}
+
 roberts_status off_read_header(off_reader *r)
 {
     roberts_status status = opening(r);
@@ -149,12 +189,14 @@ roberts_status off_read_header(off_reader *r)
     if (length <= OFF_TOKEN_MAX)
         word = keyword(r->in.at, length, &r->header);
     if (word == 0 && (*r->in.at < '0' || *r->in.at > '9'))
-        return off_expected(r, ROBERTS_BAD_SYNTAX, "the beginning of an OFF file (keyword OFF, or the counts)");
+        return refuse_word(r, length);
     r->in.at += word;
     if (word == length && (status = binary_word(r)) != ROBERTS_OK)
         return status;
     if (r->header.binary)
         return ROBERTS_OK; /* dimension and counts are binary too */
+    if (word == 0 && titled_integer(r))
+        return (status = dimension(r)) == ROBERTS_OK ? count_points(r) : status;
     if (r->header.dimension || (word == 0 && lonely_integer(r)))
         status = dimension(r);
     return status == ROBERTS_OK ? counts(r) : status;

@@ -33,13 +33,32 @@ place place_find(const roberts_mesh *mesh, uint32_t v_least, uint32_t v_most, ui
     return (place){mesh->source[i].name, 0, mesh->source[i].first_face, mesh->source[i].first_vertex};
 }
 
+/* The same with the number of the file's first solid. */
+static place count_solids(const roberts_scene *scene, uint32_t s, place at)
+{
+    while (at.solid < s && scene->number[scene->solid[at.solid].vertex] < at.vertex)
+        at.solid++;
+    return at;
+}
+
 /* Vertices and faces of a solid ascend. */
 place place_of_solid(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh)
 {
     const scene_solid *first = scene->solid + s;
-    place at = place_find(mesh, scene->number[first->vertex], scene->number[first[1].vertex - 1],
-                          scene->face_number[first->face], scene->face_number[first[1].face - 1]);
-    while (at.solid < s && scene->number[scene->solid[at.solid].vertex] < at.vertex)
-        at.solid++;
-    return at;
+    return count_solids(scene, s,
+                        place_find(mesh, scene->number[first->vertex], scene->number[first[1].vertex - 1],
+                                   scene->face_number[first->face], scene->face_number[first[1].face - 1]));
+}
+
+place place_of_points(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh)
+{
+    const place none = {.file = ""};
+    const scene_solid *first = scene->solid + s;
+    if (mesh->source_count == 0)
+        return none;
+    size_t i = source_of_vertex(mesh, scene->number[first->vertex]);
+    if (source_of_vertex(mesh, scene->number[first[1].vertex - 1]) != i || !mesh->source[i].name)
+        return none;
+    return count_solids(scene, s,
+                        (place){mesh->source[i].name, 0, mesh->source[i].first_face, mesh->source[i].first_vertex});
 }

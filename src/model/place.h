@@ -16,4 +16,7 @@ place place_find(const roberts_mesh *mesh, uint32_t v_least, uint32_t v_most, ui
 /* The file of solid s, which is laid out. For messages: it takes time in proportion to the number of solids. */
 place place_of_solid(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh);
 
+/* The same by the solid's vertices alone, where its faces are none of the file's. */
+place place_of_points(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh);
+
 #endif

@@ -163,10 +163,41 @@ static roberts_status refuse_open(uint32_t s, place at, uint32_t group, const sp
                      has == 1 ? "" : "s");
 }
 
+static uint32_t find_root(uint32_t *parent, uint32_t g)
+{
+    for (; parent[g] != g; g = parent[g])
+        parent[g] = parent[parent[g]];
+    return g;
+}
+
+/* Makes one of the groups that are open and share a vertex. False: no memory. */
+static bool join_open(split_groups *groups, const roberts_scene *loose)
+{
+    uint32_t *parent = alloc_array(groups->count, sizeof *parent);
+    uint32_t *owner = alloc_array(loose->vertex_count, sizeof *owner); /* the first open group that has the vertex */
+    bool enough = parent && owner;
+    for (uint32_t g = 0; enough && g < groups->count; g++)
+        parent[g] = g;
+    for (uint32_t v = 0; enough && v < loose->vertex_count; v++)
+        owner[v] = ROBERTS_NONE;
+    for (uint32_t f = 0; enough && f < loose->face_count; f++)
+        for (uint32_t i = loose->face_start[f]; i < loose->face_start[f + 1] && !groups->closed[groups->of[f]]; i++) {
+            uint32_t *first = &owner[loose->corner[i]];
+            if (*first == ROBERTS_NONE)
+                *first = groups->of[f];
+            parent[find_root(parent, groups->of[f])] = find_root(parent, *first);
+        }
+    for (uint32_t f = 0; enough && f < loose->face_count; f++)
+        groups->of[f] = find_root(parent, groups->of[f]);
+    free(parent);
+    free(owner);
+    return enough;
+}
+
 /* Splits the loose faces, numbers all solids, and lays them out in place of the components. */
 static roberts_status lay_out_again(roberts_scene *scene, const roberts_scene *loose, const edge_scratch *edges,
                                     split_groups *groups, uint32_t *of, const polygons *faces, const roberts_mesh *mesh,
-                                    roberts_error *error)
+                                    bool keep_open, roberts_error *error)
 {
     uint32_t components = scene->solid_count, solids;
     uint32_t *id_of = alloc_array((size_t)components + groups->count, sizeof *id_of);
@@ -176,7 +207,7 @@ static roberts_status lay_out_again(roberts_scene *scene, const roberts_scene *l
     solids = id_of ? number_solids(of, components + groups->count, faces, id_of) : ROBERTS_NONE;
     if (solids == ROBERTS_NONE)
         status = error_no_memory(error);
-    for (uint32_t s = 0; status == ROBERTS_OK && s < solids; s++)
+    for (uint32_t s = 0; status == ROBERTS_OK && s < solids && !keep_open; s++)
         if (id_of[s] >= components && !groups->closed[id_of[s] - components])
             status =
                 refuse_open(s, place_of_group(s, of, faces, mesh), id_of[s] - components, groups, loose, edges, error);
@@ -190,7 +221,7 @@ static roberts_status lay_out_again(roberts_scene *scene, const roberts_scene *l
 }
 
 roberts_status regroup(roberts_scene *scene, const uint8_t *open, polygons *faces, const roberts_mesh *mesh,
-                       roberts_error *error)
+                       bool keep_open, roberts_error *error)
 {
     roberts_status status = weld_open(scene, open, faces, mesh, error);
     roberts_scene loose = {0};
@@ -206,9 +237,9 @@ roberts_status regroup(roberts_scene *scene, const uint8_t *open, polygons *face
         goto done;
     if (list_open(scene, open, faces, of, loose_of) > 0 &&
         (!layout_solids(&loose, faces, loose_of, 1, mesh->vertex) || !edges_sort(&loose, 0, &edges) ||
-         !split_faces(&groups, &loose, &edges)))
+         !split_faces(&groups, &loose, &edges) || (keep_open && !join_open(&groups, &loose))))
         goto done;
-    status = lay_out_again(scene, &loose, &edges, &groups, of, faces, mesh, error);
+    status = lay_out_again(scene, &loose, &edges, &groups, of, faces, mesh, keep_open, error);
 done:
     layout_clear(&loose);
     edge_scratch_free(&edges);

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/threads.h"
 #include "model/components.h"
+#include "model/hull.h"
 #include "model/layout.h"
 #include "model/place.h"
 #include "model/regroup.h"
@@ -50,8 +51,12 @@ static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh)
         scene->face_color = alloc_array(scene->face_count, sizeof *scene->face_color);
         if (!scene->face_color)
             return false;
-        for (uint32_t f = 0; f < scene->face_count; f++)
-            scene->face_color[f] = mesh->face_color[scene->face_number[f]];
+        for (uint32_t f = 0; f < scene->face_count; f++) {
+            uint32_t number = scene->face_number[f];
+            scene->face_color[f] = (roberts_color){0};
+            if (number != ROBERTS_NONE)
+                scene->face_color[f] = mesh->face_color[number];
+        }
     }
     return true;
 }
@@ -188,7 +193,7 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
         goto done;
     status = build_solids(scene, mesh, options, open, &any_open, error);
     if (status == ROBERTS_OK && any_open) {
-        status = regroup(scene, open, &faces, mesh, error);
+        status = regroup(scene, open, &faces, mesh, false, error);
         if (status == ROBERTS_OK)
             status = build_solids(scene, mesh, options, NULL, &any_open, error);
     }
@@ -198,6 +203,53 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
         status = ROBERTS_NO_MEMORY;
 done:
     free(open);
+    polygons_free(&faces);
+    return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
+}
+
+/* Marks the components that are open, but for those that stand for a bare input. */
+static roberts_status find_open(roberts_scene *scene, builder *work, const roberts_mesh *mesh, uint8_t *open,
+                                bool *any_open, roberts_error *error)
+{
+    for (uint32_t s = 0; s < scene->solid_count; s++) {
+        build_result result = solid_is_closed(scene, work, s, error);
+        if (result == BUILD_REFUSED)
+            return error->status;
+        open[s] = result == BUILD_OPEN && scene->face_number[scene->solid[s].face] < mesh->face_count;
+        *any_open |= open[s];
+    }
+    return ROBERTS_OK;
+}
+
+/* The same where hulls take the place of what is refused: components and what welding and splitting makes of the open ones,
+ * bare inputs as further components, then hulls. Warnings have been given. */
+static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
+                                  roberts_error *error)
+{
+    polygons faces;
+    builder work = {0};
+    uint8_t *open = NULL;
+    bool any_open = false;
+    roberts_status status = polygons_of_mesh(&faces, mesh, error);
+    if (status == ROBERTS_OK)
+        status = hull_add_inputs(&faces, mesh, error);
+    if (status == ROBERTS_OK &&
+        !(components_lay_out(scene, &faces, mesh, false) && (open = alloc_zeroed(scene->solid_count, sizeof *open))))
+        status = ROBERTS_NO_MEMORY;
+    if (status == ROBERTS_OK)
+        status = find_open(scene, &work, mesh, open, &any_open, error);
+    if (status == ROBERTS_OK && any_open)
+        status = regroup(scene, open, &faces, mesh, true, error);
+    if (status == ROBERTS_OK && scene->solid_count == 0)
+        status = refuse_empty(error);
+    if (status == ROBERTS_OK)
+        status = hull_solids(scene, &work, mesh, options->tolerance, error);
+    if (status == ROBERTS_OK)
+        status = build_solids(scene, mesh, options, NULL, &any_open, error);
+    if (status == ROBERTS_OK && !copy_colors(scene, mesh))
+        status = ROBERTS_NO_MEMORY;
+    free(open);
+    builder_free(&work);
     polygons_free(&faces);
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
@@ -220,6 +272,11 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
         status = error_no_memory(&found);
     } else {
         status = build(*scene, mesh, lend, &chosen, &found);
+        if (chosen.hull && status != ROBERTS_NO_MEMORY && (status != ROBERTS_OK || hull_bare_input(mesh))) {
+            layout_clear(*scene);
+            found = (roberts_error){0};
+            status = build_hulls(*scene, mesh, &chosen, &found);
+        }
     }
     if (status != ROBERTS_OK) {
         roberts_scene_free(*scene);

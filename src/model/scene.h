@@ -5,7 +5,7 @@
  *
  * Invariants: every face has at least three different corners, counter-clockwise seen from outside; its plane F has
  * F > 0 inside. Solids are numbered by their smallest input vertex (of several that share it, by their smallest face; a
- * vertex that several solids use is there once for each); vertices and faces of a solid ascend by input number; edges
+ * vertex that several solids use is there once for each; a hull by that of all its points); vertices and faces of a solid ascend by input number; edges
  * ascend by (number of v[0], number of v[1]) and v[0] < v[1]. A face that is narrower than the tolerance, or has no area,
  * is wound like its neighbours and may have a plane that leans on theirs; it is the only kind of face whose corners may
  * turn the other way about its plane. An edge may come to have one face only (f[1] ==
@@ -39,7 +39,7 @@ struct roberts_scene {
     plane *face_plane;      /* [face_count] of points relative to `centre` */
     double *face_deviation; /* [face_count] greatest distance of a corner from the fitted plane, model units */
     double *face_width;     /* [face_count] area over greatest chord: between half of the least width and all of it */
-    uint32_t *face_number;  /* [face_count] face number in the input */
+    uint32_t *face_number;  /* [face_count] face number in the input; ROBERTS_NONE: a face of a hull */
     scene_edge *edge;       /* [edge_count] */
     roberts_color *vertex_color, *face_color; /* as in the input, compact numbering; NULL where there are none */
     roberts_vec3 box_min, box_max;            /* box round all vertices that faces use */

@@ -1,0 +1,330 @@
+/* hull.c - convex hulls in place of what is no convex solid.
+ *
+ * Each solid is tried as it stands; one that is refused gets the faces of its hull, and these are tried in the same way
+ * before they are taken. So a hull that a drawing is made of has passed all checks, whatever rounding has done to it. First
+ * Qhull is given a width, so that what the tolerance calls planar becomes one face and not a fan of slivers; where the
+ * solid is too thin for that, none.
+ *
+ * A hull's vertices are vertices of the input. Those that lie inside are no part of the solid any more, which keeps its
+ * number all the same. */
+#include "model/hull.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/error.h"
+#include "model/layout.h"
+#include "model/place.h"
+#include "model/qhull.h"
+
+/* Facets come out as planar as a few widths: a tenth of the tolerance keeps them within it. */
+static const double WIDTH_PART = 0.1;
+
+/* As parts of the size. More than the greatest might be seen, with whatever tolerance and wherever the solid stands; less than
+ * the least is left to Qhull, whose own width for rounding is some 1e-15. */
+static const double GREATEST_WIDTH = 1e-5, LEAST_WIDTH = 1e-14;
+
+/* Faces of all solids, in the mesh's vertex numbers. */
+typedef struct face_list {
+    uint32_t *start, *corner;
+    uint32_t *solid;  /* [count] */
+    uint32_t *origin; /* [count] number of the face in the input, or ROBERTS_NONE */
+    size_t count, corner_count, start_room, corner_room, solid_room, origin_room;
+} face_list;
+
+/* Scratch memory for one hull after the other. */
+typedef struct hull_maker {
+    hull_facets facets;
+    solid_frame frame;
+    builder work;
+    uint32_t *zero; /* [facets] */
+    size_t zero_room;
+} hull_maker;
+
+/* ---- bare inputs --------------------------------------------------------------------------------------------------- */
+
+/* The vertices and faces of input i; all of the mesh where it was not read from inputs. */
+typedef struct input_range {
+    size_t vertex, vertex_end, face, face_end;
+} input_range;
+
+static size_t input_count(const roberts_mesh *mesh)
+{
+    return mesh->source_count ? mesh->source_count : 1;
+}
+
+static input_range input_at(const roberts_mesh *mesh, size_t i)
+{
+    input_range range = {0, mesh->vertex_count, 0, mesh->face_count};
+    if (i > 0) {
+        range.vertex = mesh->source[i].first_vertex;
+        range.face = mesh->source[i].first_face;
+    }
+    if (i + 1 < mesh->source_count) {
+        range.vertex_end = mesh->source[i + 1].first_vertex;
+        range.face_end = mesh->source[i + 1].first_face;
+    }
+    return range;
+}
+
+static bool is_bare(const roberts_mesh *mesh, input_range range)
+{
+    for (size_t f = range.face; f < range.face_end; f++)
+        if (mesh->face_start[f + 1] - mesh->face_start[f] >= 3)
+            return false;
+    return range.vertex < range.vertex_end;
+}
+
+bool hull_bare_input(const roberts_mesh *mesh)
+{
+    for (size_t i = 0; i < input_count(mesh); i++)
+        if (is_bare(mesh, input_at(mesh, i)))
+            return true;
+    return false;
+}
+
+static roberts_status refuse_few(const char *name, input_range range, roberts_error *error)
+{
+    size_t points = range.vertex_end - range.vertex;
+    error_set_file(error, name ? name : "");
+    return error_set(error, ROBERTS_FLAT, 0, "a convex hull takes four points, but there %s %zu",
+                     points == 1 ? "is" : "are", points);
+}
+
+roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, roberts_error *error)
+{
+    size_t corners = mesh->corner_count, count = mesh->face_count;
+    for (size_t i = 0; i < input_count(mesh); i++) {
+        input_range range = input_at(mesh, i);
+        if (!is_bare(mesh, range))
+            continue;
+        if (range.vertex_end - range.vertex < 4)
+            return refuse_few(mesh->source_count ? mesh->source[i].name : NULL, range, error);
+        corners += range.vertex_end - range.vertex;
+        count++;
+    }
+    if (count == mesh->face_count)
+        return ROBERTS_OK;
+    if (count >= ROBERTS_NONE || corners >= ROBERTS_NONE)
+        return error_no_memory(error);
+    uint32_t *start = alloc_array(count + 1, sizeof *start), *corner = alloc_array(corners, sizeof *corner);
+    if (!start || !corner) {
+        free(start);
+        free(corner);
+        return error_no_memory(error);
+    }
+    start[0] = 0;
+    if (mesh->face_count > 0)
+        memcpy(start, mesh->face_start, (mesh->face_count + 1) * sizeof *start);
+    if (mesh->corner_count > 0)
+        memcpy(corner, mesh->corner, mesh->corner_count * sizeof *corner);
+    faces->face_count = (uint32_t)mesh->face_count;
+    for (size_t i = 0; i < input_count(mesh); i++) {
+        input_range range = input_at(mesh, i);
+        if (!is_bare(mesh, range))
+            continue;
+        uint32_t to = start[faces->face_count];
+        for (size_t v = range.vertex; v < range.vertex_end; v++)
+            corner[to++] = (uint32_t)v;
+        start[++faces->face_count] = to;
+    }
+    faces->start = faces->own_start = start;
+    faces->corner = faces->own_corner = corner;
+    return ROBERTS_OK;
+}
+
+/* ---- faces --------------------------------------------------------------------------------------------------------- */
+
+static void face_list_free(face_list *list)
+{
+    free(list->start);
+    free(list->corner);
+    free(list->solid);
+    free(list->origin);
+}
+
+/* Appends a face of solid s; its corners are compact vertex numbers from `first` on. False: no memory. */
+static bool add_face(face_list *list, const roberts_scene *scene, uint32_t s, const uint32_t *corner, size_t count,
+                     uint32_t first, uint32_t origin)
+{
+    if (count >= ROBERTS_NONE - list->corner_count || list->count + 1 >= ROBERTS_NONE ||
+        !array_reserve(&list->start, &list->start_room, list->count + 2, sizeof *list->start) ||
+        !array_reserve(&list->corner, &list->corner_room, list->corner_count + count, sizeof *list->corner) ||
+        !array_reserve(&list->solid, &list->solid_room, list->count + 1, sizeof *list->solid) ||
+        !array_reserve(&list->origin, &list->origin_room, list->count + 1, sizeof *list->origin))
+        return false;
+    list->start[0] = 0;
+    for (size_t i = 0; i < count; i++)
+        list->corner[list->corner_count++] = scene->number[first + corner[i]];
+    list->solid[list->count] = s;
+    list->origin[list->count] = origin;
+    list->start[++list->count] = (uint32_t)list->corner_count;
+    return true;
+}
+
+static bool keep_faces(face_list *list, const roberts_scene *scene, uint32_t s)
+{
+    for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++)
+        if (!add_face(list, scene, s, scene->corner + scene->face_start[f],
+                      scene->face_start[f + 1] - scene->face_start[f], 0, scene->face_number[f]))
+            return false;
+    return true;
+}
+
+static bool add_facets(face_list *list, const roberts_scene *scene, uint32_t s, const hull_facets *facets)
+{
+    for (uint32_t f = 0; f < facets->count; f++)
+        if (!add_face(list, scene, s, facets->corner + facets->start[f], facets->start[f + 1] - facets->start[f],
+                      scene->solid[s].vertex, ROBERTS_NONE))
+            return false;
+    return true;
+}
+
+/* ---- hulls --------------------------------------------------------------------------------------------------------- */
+
+/* The edges of solid s come first, in place of those of another solid that is done with. */
+static void number_edges(roberts_scene *scene, uint32_t s)
+{
+    scene_solid *first = scene->solid + s;
+    first->edge = 0;
+    first[1].edge = (scene->face_start[first[1].face] - scene->face_start[first->face]) / 2;
+}
+
+static hull_result result_of(build_result built, roberts_status refusal)
+{
+    if (built == BUILD_OK)
+        return HULL_OK;
+    if (built == BUILD_REFUSED && refusal == ROBERTS_NO_MEMORY)
+        return HULL_NO_MEMORY;
+    return built == BUILD_REFUSED && refusal == ROBERTS_FLAT ? HULL_FLAT : HULL_FAILED;
+}
+
+/* Whether the facets make a solid: it is built by itself. */
+static hull_result try_facets(hull_maker *maker, const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh,
+                              double tolerance)
+{
+    const hull_facets *facets = &maker->facets;
+    polygons faces = {.face_count = facets->count, .start = facets->start, .corner = facets->corner};
+    roberts_scene trial = {0};
+    roberts_error refusal = {0};
+    hull_result result = HULL_NO_MEMORY;
+    if (array_reserve(&maker->zero, &maker->zero_room, facets->count, sizeof *maker->zero)) {
+        memset(maker->zero, 0, facets->count * sizeof *maker->zero);
+        if (layout_solids(&trial, &faces, maker->zero, 1, scene->point + scene->solid[s].vertex)) {
+            number_edges(&trial, 0);
+            build_result built = solid_build(&trial, &maker->work, 0, mesh, tolerance, true, &refusal);
+            result = result_of(built, refusal.status);
+        }
+    }
+    layout_clear(&trial);
+    return result;
+}
+
+/* Takes the hull of solid s, in the maker's frame, to maker->facets. All points have to lie within it, by `allowed`: the solid's
+ * checks look at those alone that have become vertices. */
+static hull_result try_width(hull_maker *maker, const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh,
+                             double tolerance, double width, double allowed)
+{
+    const solid_frame *frame = &maker->frame;
+    hull_result result = hull_take(&maker->facets, frame->point, frame->vertex_count, width);
+    if (result == HULL_OK && maker->facets.outside > allowed)
+        return HULL_FAILED;
+    return result == HULL_OK ? try_facets(maker, scene, s, mesh, tolerance) : result;
+}
+
+/* The same with the width that suits, after the frame has been scaled to a size of about 1. */
+static hull_result make_hull(hull_maker *maker, const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh,
+                             double tolerance)
+{
+    solid_frame *frame = &maker->frame;
+    hull_result wide = HULL_FLAT, narrow;
+    double part = fmin(WIDTH_PART * frame->allowed / frame->size, GREATEST_WIDTH), scale;
+    int exponent;
+    frexp(frame->size, &exponent);
+    scale = ldexp(1.0, -exponent);
+    for (uint32_t v = 0; v < frame->vertex_count; v++)
+        frame->point[v] = vec3_scale(scale, frame->point[v]);
+    if (part > LEAST_WIDTH)
+        wide = try_width(maker, scene, s, mesh, tolerance, part * frame->size * scale, frame->allowed * scale);
+    if (wide == HULL_OK || wide == HULL_NO_MEMORY)
+        return wide;
+    narrow = try_width(maker, scene, s, mesh, tolerance, 0.0, frame->allowed * scale);
+    return narrow == HULL_FAILED && part > LEAST_WIDTH ? wide : narrow;
+}
+
+static roberts_status refuse(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh, roberts_status status,
+                             const char *why, roberts_error *error)
+{
+    place at = place_of_points(scene, s, mesh);
+    error_set_file(error, at.file);
+    return error_set(error, status, 0, "the convex hull of solid %u, of %u points, %s", s - at.solid,
+                     scene->solid[s + 1].vertex - scene->solid[s].vertex, why);
+}
+
+/* Appends the faces of the hull of solid s, which has been refused. */
+static roberts_status replace(face_list *list, hull_maker *maker, const roberts_scene *scene, uint32_t s,
+                              const roberts_mesh *mesh, double tolerance, roberts_error *error)
+{
+    roberts_status status = frame_enter(&maker->frame, scene, s, tolerance);
+    if (status == ROBERTS_NO_MEMORY)
+        return error_no_memory(error);
+    if (status != ROBERTS_OK)
+        return refuse(scene, s, mesh, status, "has none: one of them is not of finite numbers up to 1e150", error);
+    switch (maker->frame.size > 0.0 ? make_hull(maker, scene, s, mesh, tolerance) : HULL_FLAT) {
+    case HULL_OK:
+        return add_facets(list, scene, s, &maker->facets) ? ROBERTS_OK : error_no_memory(error);
+    case HULL_FLAT:
+        return refuse(scene, s, mesh, ROBERTS_FLAT, "is flat: they lie in one plane, or nearly so", error);
+    case HULL_FAILED:
+        return refuse(scene, s, mesh, ROBERTS_NOT_CONVEX, "could not be found: rounding is too much for it", error);
+    case HULL_NO_MEMORY:
+        break;
+    }
+    return error_no_memory(error);
+}
+
+static roberts_status collect(face_list *list, hull_maker *maker, roberts_scene *scene, builder *work,
+                              const roberts_mesh *mesh, double tolerance, roberts_error *error)
+{
+    roberts_status status = ROBERTS_OK;
+    for (uint32_t s = 0; s < scene->solid_count && status == ROBERTS_OK; s++) {
+        roberts_error refusal = {0};
+        bool bare = scene->face_number[scene->solid[s].face] >= mesh->face_count;
+        number_edges(scene, s);
+        build_result built = bare ? BUILD_OPEN : solid_build(scene, work, s, mesh, tolerance, true, &refusal);
+        if (built == BUILD_OK)
+            status = keep_faces(list, scene, s) ? ROBERTS_OK : error_no_memory(error);
+        else if (refusal.status == ROBERTS_NO_MEMORY)
+            status = error_no_memory(error);
+        else
+            status = replace(list, maker, scene, s, mesh, tolerance, error);
+    }
+    return status;
+}
+
+roberts_status hull_solids(roberts_scene *scene, builder *work, const roberts_mesh *mesh, double tolerance,
+                           roberts_error *error)
+{
+    face_list list = {0};
+    hull_maker maker = {0};
+    uint32_t solids = scene->solid_count;
+    roberts_status status = collect(&list, &maker, scene, work, mesh, tolerance, error);
+    if (status == ROBERTS_OK) {
+        polygons faces = {.face_count = (uint32_t)list.count,
+                          .vertex_count = (uint32_t)mesh->vertex_count,
+                          .start = list.start,
+                          .corner = list.corner};
+        layout_clear(scene);
+        if (!layout_solids(scene, &faces, list.solid, solids, mesh->vertex))
+            status = error_no_memory(error);
+        for (uint32_t f = 0; status == ROBERTS_OK && f < scene->face_count; f++)
+            scene->face_number[f] = list.origin[scene->face_number[f]];
+    }
+    face_list_free(&list);
+    hull_facets_free(&maker.facets);
+    frame_free(&maker.frame);
+    builder_free(&maker.work);
+    free(maker.zero);
+    return status;
+}

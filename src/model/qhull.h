@@ -1,0 +1,30 @@
+/* qhull.h - the facets of a convex hull, by libqhull. The only place that includes it. */
+#ifndef ROBERTS_MODEL_QHULL_H
+#define ROBERTS_MODEL_QHULL_H
+
+#include "roberts.h"
+
+/* Facets as polygons: each corner a point's number. The arrays serve hull after hull; zeroed = empty. */
+typedef struct hull_facets {
+    uint32_t count;
+    uint32_t *start;  /* [count + 1] into corner */
+    uint32_t *corner; /* in order round the facet */
+    uint32_t *next;   /* [points] scratch: the corner that follows */
+    double outside;   /* how far a point lies outside a facet at most, according to Qhull */
+    size_t start_room, corner_room, next_room;
+} hull_facets;
+
+typedef enum hull_result {
+    HULL_OK,
+    HULL_FLAT, /* the points lie in one plane, as far as can be told */
+    HULL_NO_MEMORY,
+    HULL_FAILED, /* rounding was too much for Qhull */
+} hull_result;
+
+/* Takes the convex hull of `count` points, finite and of about 1 in size. `width`: what is so near to a facet counts as lying in
+ * it, and what is coplanar to that makes one facet; 0 = what rounding asks for. */
+hull_result hull_take(hull_facets *facets, const roberts_vec3 *point, uint32_t count, double width);
+
+void hull_facets_free(hull_facets *facets);
+
+#endif

@@ -1,0 +1,482 @@
+/* test_hull.c - convex hulls in place of what is no convex solid. Hulls of points with small whole coordinates are held
+ * against whole-number arithmetic, in which there is no doubt; the rest by counts, by drawings and by what is said. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "model/scene.h"
+#include "scenes.h"
+
+#include "program.h"
+
+/* Counts of a scene. */
+typedef struct counts {
+    size_t solids, vertices, faces;
+} counts;
+
+static counts counts_of(const roberts_scene *scene)
+{
+    return (counts){roberts_scene_solid_count(scene), roberts_scene_vertex_count(scene),
+                    roberts_scene_face_count(scene)};
+}
+
+static roberts_status build(const roberts_mesh *mesh, bool hull, double tolerance, roberts_scene **scene,
+                            roberts_error *error)
+{
+    roberts_scene_options options = {.hull = hull, .tolerance = tolerance};
+    return roberts_scene_build(mesh, &options, scene, error);
+}
+
+static void read_off(roberts_mesh *mesh, const char *name, const char *off)
+{
+    roberts_error error = {0};
+    if (roberts_mesh_read_memory(mesh, name, off, strlen(off), NULL, &error) != ROBERTS_OK)
+        fail_msg("%s: line %zu: %s", name, error.line, error.message);
+}
+
+/* ---- whole numbers --------------------------------------------------------------------------------------------------- */
+
+typedef struct whole {
+    int64_t x, y, z;
+} whole;
+
+static whole minus(whole a, whole b)
+{
+    return (whole){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static whole cross(whole a, whole b)
+{
+    return (whole){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static int64_t dot(whole a, whole b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static whole corner_at(const roberts_scene *scene, uint32_t f, uint32_t i)
+{
+    uint32_t start = scene->face_start[f], n = scene->face_start[f + 1] - start;
+    roberts_vec3 p = scene->point[scene->corner[start + i % n]];
+    return (whole){(int64_t)p.x, (int64_t)p.y, (int64_t)p.z};
+}
+
+/* The normal of face f outward, by its first three corners. */
+static whole outward(const roberts_scene *scene, uint32_t f)
+{
+    whole a = corner_at(scene, f, 0);
+    return cross(minus(corner_at(scene, f, 1), a), minus(corner_at(scene, f, 2), a));
+}
+
+/* Each face is strictly convex, all of it in one plane, with all points behind that or in it; and no two neighbours are in
+ * one plane: there is one such polyhedron alone. */
+static void assert_exact_hull(const roberts_scene *scene, const roberts_mesh *mesh)
+{
+    for (uint32_t f = 0; f < scene->face_count; f++) {
+        whole n = outward(scene, f), a = corner_at(scene, f, 0);
+        assert_true(dot(n, n) > 0);
+        for (uint32_t i = 0; i < scene->face_start[f + 1] - scene->face_start[f]; i++) {
+            whole p = corner_at(scene, f, i), q = corner_at(scene, f, i + 1), r = corner_at(scene, f, i + 2);
+            assert_int_equal(dot(n, minus(p, a)), 0);
+            assert_true(dot(n, cross(minus(q, p), minus(r, q))) > 0);
+        }
+        for (size_t v = 0; v < mesh->vertex_count; v++) {
+            roberts_vec3 p = mesh->vertex[v];
+            assert_true(dot(n, minus((whole){(int64_t)p.x, (int64_t)p.y, (int64_t)p.z}, a)) <= 0);
+        }
+    }
+    for (uint32_t e = 0; e < scene->edge_count; e++) {
+        whole n = outward(scene, scene->edge[e].f[0]), m = outward(scene, scene->edge[e].f[1]), c = cross(n, m);
+        assert_true(c.x || c.y || c.z);
+    }
+}
+
+static bool all_in_one_plane(const roberts_mesh *mesh)
+{
+    whole p[64], n = {0, 0, 0}, u = {0, 0, 0};
+    for (size_t v = 0; v < mesh->vertex_count; v++) {
+        p[v] = (whole){(int64_t)mesh->vertex[v].x, (int64_t)mesh->vertex[v].y, (int64_t)mesh->vertex[v].z};
+        if (dot(u, u) == 0)
+            u = minus(p[v], p[0]);
+        if (dot(n, n) == 0)
+            n = cross(u, minus(p[v], p[0]));
+    }
+    for (size_t v = 0; v < mesh->vertex_count; v++)
+        if (dot(n, minus(p[v], p[0])) != 0)
+            return false;
+    return true;
+}
+
+static void whole_points(void **state)
+{
+    static const struct {
+        int size;         /* coordinates are 0 .. size */
+        double tolerance; /* small enough that no plane through points passes others by less */
+    } kind[] = {{1, 0}, {2, 0}, {3, 0}, {7, 0}, {12, 0}, {1000, 1e-11}};
+    (void)state;
+    rng r = {2026};
+    size_t flat = 0, hulls = 0;
+    for (size_t k = 0; k < sizeof kind / sizeof kind[0]; k++)
+        for (int round = 0; round < 300; round++) {
+            roberts_mesh mesh = {0};
+            roberts_scene *scene = NULL;
+            roberts_error error = {0};
+            int count = rng_int(&r, 4, 60);
+            for (int i = 0; i < count; i++) {
+                roberts_vec3 p = {rng_int(&r, 0, kind[k].size), rng_int(&r, 0, kind[k].size),
+                                  rng_int(&r, 0, kind[k].size)};
+                assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
+            }
+            roberts_status status = build(&mesh, true, kind[k].tolerance, &scene, &error);
+            if (status != (all_in_one_plane(&mesh) ? ROBERTS_FLAT : ROBERTS_OK))
+                fail_msg("size %d, round %d: status %d, %s", kind[k].size, round, status, error.message);
+            if (status == ROBERTS_OK)
+                assert_exact_hull(scene, &mesh);
+            flat += status != ROBERTS_OK;
+            hulls += status == ROBERTS_OK;
+            roberts_scene_free(scene);
+            roberts_mesh_free(&mesh);
+        }
+    print_message("%zu hulls, %zu flat\n", hulls, flat);
+    assert_true(hulls > 1500 && flat > 0);
+}
+
+/* ---- points in doubles ------------------------------------------------------------------------------------------------ */
+
+/* Turned grids, places that many points have, and spheres, all moved by up to `noise` and in sizes far apart: hulls are found,
+ * and all points lie within them by the tolerance. */
+static void noisy_points(void **state)
+{
+    static const double noises[] = {0, 1e-17, 1e-15, 1e-13, 1e-11, 1e-9, 1e-7, 1e-5, 1e-3};
+    static const double sizes[] = {1, 1e-300, 1e-9, 1e9, 1e149};
+    (void)state;
+    rng r = {7};
+    for (size_t n = 0; n < sizeof noises / sizeof noises[0]; n++)
+        for (int round = 0; round < 60; round++) {
+            double size = sizes[round % 5], noise = noises[n];
+            mat3 turn = mat3_turn(&r);
+            roberts_mesh mesh = {0};
+            roberts_scene *scene = NULL;
+            roberts_error error = {0};
+            for (int i = 0; i < 125; i++) {
+                double z = (i + 0.5) / 62.5 - 1, ring = sqrt(1 - z * z);
+                roberts_vec3 grid = {i % 5 / 4.0, i / 5 % 5 / 4.0, i / 25 / 4.0};
+                roberts_vec3 few = {i % 7 / 7.0, i % 5 / 5.0 + i % 7 / 9.0, i % 3}; /* many at one place */
+                roberts_vec3 sphere = {ring * cos(i * 2.4), ring * sin(i * 2.4), z};
+                roberts_vec3 p = mat3_map(turn, round % 3 == 0 ? grid : round % 3 == 1 ? few : sphere);
+                p = (roberts_vec3){size * (p.x + noise * rng_between(&r, -1, 1)),
+                                   size * (p.y + noise * rng_between(&r, -1, 1)),
+                                   size * (p.z + noise * rng_between(&r, -1, 1))};
+                assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
+            }
+            if (build(&mesh, true, 0, &scene, &error) != ROBERTS_OK)
+                fail_msg("noise %g, round %d: %s", noise, round, error.message);
+            roberts_vec3 across = vec3_sub(scene->box_max, scene->box_min);
+            double bound = 1e-5 * size * vec3_length(vec3_scale(1 / size, across)); /* squares must not vanish */
+            for (uint32_t f = 0; f < scene->face_count; f++)
+                for (size_t v = 0; v < mesh.vertex_count; v++) {
+                    double inside = plane_at(scene->face_plane[f], vec3_sub(mesh.vertex[v], scene->centre));
+                    if (scene->face_width[f] > 1e-3 * size && !(inside >= -bound))
+                        fail_msg("noise %g, round %d: vertex %zu is %g outside face %u", noise, round, v, -inside, f);
+                }
+            roberts_scene_free(scene);
+            roberts_mesh_free(&mesh);
+        }
+}
+
+static double six_decimals(double x)
+{
+    return round(x * 1e6) / 1e6;
+}
+
+/* A prism of eight sides, turned, as points of six digits: it has ten faces, though none of them is quite plane. */
+static void six_digits(void **state)
+{
+    (void)state;
+    rng r = {11};
+    for (int round = 0; round < 50; round++) {
+        mat3 turn = mat3_turn(&r);
+        roberts_mesh mesh = {0};
+        roberts_scene *scene = NULL;
+        for (int i = 0; i < 16; i++) {
+            double angle = atan(1) * (i / 2);
+            roberts_vec3 p = mat3_map(turn, (roberts_vec3){cos(angle), sin(angle), i % 2});
+            p = (roberts_vec3){six_decimals(p.x), six_decimals(p.y), six_decimals(p.z)};
+            assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
+        }
+        assert_int_equal(build(&mesh, true, 0, &scene, NULL), ROBERTS_OK);
+        assert_int_equal(roberts_scene_face_count(scene), 10);
+        assert_int_equal(roberts_scene_vertex_count(scene), 16);
+        roberts_scene_free(scene);
+        roberts_mesh_free(&mesh);
+    }
+}
+
+/* ---- what becomes of what ---------------------------------------------------------------------------------------------- */
+
+#define CUBE_POINTS "0 0 0 1 0 0 0 1 0 1 1 0 0 0 1 1 0 1 0 1 1 1 1 1\n"
+#define CUBE_FACES "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n"
+
+/* An L of 12 corners and 8 faces: its hull loses the two of the inner edge. */
+#define L_POINTS "0 0 0 2 0 0 2 1 0 1 1 0 1 2 0 0 2 0 0 0 1 2 0 1 2 1 1 1 1 1 1 2 1 0 2 1\n"
+#define L_FACES "6 0 5 4 3 2 1\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n4 5 0 6 11\n"
+
+static const struct {
+    const char *name, *off;
+    counts hull;
+} made[] = {
+    {"points of a cube", "OFF\n8 0 0\n" CUBE_POINTS, {1, 8, 6}},
+    {"... and some inside, on faces and on edges, the first of them",
+     "OFF\n12 0 0\n.5 .5 .5\n.5 .5 1\n.5 0 0\n.1 .2 .3\n" CUBE_POINTS,
+     {1, 8, 6}},
+    {"... each twice", "OFF\n16 0 0\n" CUBE_POINTS CUBE_POINTS, {1, 8, 6}},
+    {"points with one- and two-cornered faces", "OFF\n8 3 0\n" CUBE_POINTS "1 0\n2 0 1\n1 7\n", {1, 8, 6}},
+    {"a whole cube", "OFF\n8 6 0\n" CUBE_POINTS CUBE_FACES, {1, 8, 6}},
+    {"a cube without a side",
+     "OFF\n8 5 0\n" CUBE_POINTS "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n",
+     {1, 8, 6}},
+    {"a cube with a point that no face uses",
+     "OFF\n9 5 0\n" CUBE_POINTS "9 9 9\n4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n"
+     "4 2 6 7 3\n4 0 4 6 2\n",
+     {1, 8, 6}},
+    {"a cube of two loose sides that share no edge", "OFF\n8 2 0\n" CUBE_POINTS "4 0 2 3 1\n4 0 1 5 4\n", {1, 6, 5}},
+    {"an L", "OFF\n12 8 0\n" L_POINTS L_FACES, {1, 10, 7}},
+    {"an L without an end",
+     "OFF\n12 7 0\n" L_POINTS "6 0 5 4 3 2 1\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n"
+     "4 3 4 10 9\n4 5 0 6 11\n",
+     {1, 10, 7}},
+    {"a cube within an L's hull, a solid of its own, before it",
+     "OFF\n20 14 0\n" CUBE_POINTS
+     "-1 -1 -1 9 -1 -1 9 4 -1 4 4 -1 4 9 -1 -1 9 -1 -1 -1 8 9 -1 8 9 4 8 4 4 8 4 9 8 -1 9 8\n" CUBE_FACES
+     "6 8 13 12 11 10 9\n6 14 15 16 17 18 19\n4 8 9 15 14\n4 9 10 16 15\n4 10 11 17 16\n4 11 12 18 17\n"
+     "4 12 13 19 18\n4 13 8 14 19\n",
+     {2, 18, 13}},
+    {"two cubes that share a corner, one of them open: still two",
+     "OFF\n15 11 0\n" CUBE_POINTS "2 1 1 1 2 1 2 2 1 1 1 2 2 1 2 1 2 2 2 2 2\n" CUBE_FACES
+     "4 7 9 10 8\n4 11 12 14 13\n4 7 8 12 11\n4 9 13 14 10\n4 7 11 13 9\n",
+     {2, 16, 12}},
+    {"two cubes that share an edge, one of them open: they do not come apart",
+     "OFF\n14 11 0\n" CUBE_POINTS "2 1 0 1 2 0 2 2 0 2 1 1 1 2 1 2 2 1\n" CUBE_FACES
+     "4 3 8 10 9\n4 7 12 13 11\n4 3 7 11 8\n4 8 11 13 10\n4 10 13 12 9\n",
+     {1, 12, 8}},
+    {"two triangles that share a position, and no edge",
+     "OFF\n6 2 0\n0 0 0 1 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n3 0 1 2\n3 3 4 5\n",
+     {1, 4, 4}},
+    {"a quadrilateral bent by a tenth, in a closed solid",
+     "OFF\n8 6 0\n0 0 0 1 0 0 0 1 0 1 1 0 0 0 1 1 0 1 0 1 1 1 1 1.1\n" CUBE_FACES,
+     {1, 8, 7}},
+};
+
+static void solids(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof made / sizeof made[0]; i++) {
+        roberts_mesh mesh = {0};
+        roberts_scene *scene = NULL;
+        roberts_error error = {0};
+        read_off(&mesh, made[i].name, made[i].off);
+        if (build(&mesh, true, 0, &scene, &error) != ROBERTS_OK)
+            fail_msg("%s: %s", made[i].name, error.message);
+        counts found = counts_of(scene), wanted = made[i].hull;
+        if (found.solids != wanted.solids || found.vertices != wanted.vertices || found.faces != wanted.faces)
+            fail_msg("%s: %zu solids, %zu vertices, %zu faces", made[i].name, found.solids, found.vertices,
+                     found.faces);
+        roberts_scene_free(scene);
+        roberts_mesh_free(&mesh);
+    }
+}
+
+/* Of several files each keeps its numbers: a hull is numbered by all its points. */
+static void several_files(void **state)
+{
+    (void)state;
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    roberts_error error = {0};
+    read_off(&mesh, "points", "OFF\n9 0 0\n.5 .5 .5\n" CUBE_POINTS);
+    read_off(&mesh, "L", "OFF\n12 8 0\n" L_POINTS L_FACES);
+    read_off(&mesh, "cube",
+             "COFF\n8 6 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n1 1 0 1 0 0 1\n0 0 1 1 0 0 1\n"
+             "1 0 1 1 0 0 1\n0 1 1 1 0 0 1\n1 1 1 1 0 0 1\n4 0 2 3 1 255 0 0\n4 4 5 7 6 255 0 0\n"
+             "4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n");
+    assert_int_equal(build(&mesh, false, 0, &scene, &error), ROBERTS_NOT_CONVEX);
+    assert_int_equal(build(&mesh, true, 0, &scene, &error), ROBERTS_OK);
+    assert_int_equal(scene->solid_count, 3);
+    for (uint32_t s = 0; s < 3; s++) {
+        static const uint32_t first[] = {1, 9, 21}; /* vertices that the solids have */
+        assert_int_equal(scene->number[scene->solid[s].vertex], first[s]);
+        for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++) {
+            uint32_t place = f - scene->solid[s].face; /* the cube's faces are those of the file, with its colours */
+            assert_int_equal(scene->face_number[f], s < 2 ? ROBERTS_NONE : 8 + place);
+            assert_int_equal(scene->face_color[f].count, s == 2 && place < 2 ? 3 : 0);
+        }
+    }
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+}
+
+static const struct {
+    const char *name, *off;
+    double tolerance;
+    roberts_status status;
+    const char *message;
+} refused[] = {
+    {"nothing", "OFF\n0 0 0\n", 0, ROBERTS_NOT_CLOSED, "no solid: there is no face with three or more corners"},
+    {"one point", "OFF\n1 0 0\n0 0 0\n", 0, ROBERTS_FLAT, "a convex hull takes four points, but there is 1"},
+    {"three points", "OFF\n3 0 0\n0 0 0 1 0 0 0 1 0\n", 0, ROBERTS_FLAT,
+     "a convex hull takes four points, but there are 3"},
+    {"four points at one place", "OFF\n4 0 0\n1 2 3 1 2 3 1 2 3 1 2 3\n", 0, ROBERTS_FLAT,
+     "the convex hull of solid 0, of 4 points, is flat: they lie in one plane, or nearly so"},
+    {"points in a line", "OFF\n5 0 0\n0 0 0 1 2 3 2 4 6 3 6 9 4 8 12\n", 0, ROBERTS_FLAT,
+     "the convex hull of solid 0, of 5 points, is flat: they lie in one plane, or nearly so"},
+    {"points in a plane", "OFF\n5 0 0\n0 0 0 1 0 1 0 1 1 1 1 2 5 3 8\n", 0, ROBERTS_FLAT,
+     "the convex hull of solid 0, of 5 points, is flat: they lie in one plane, or nearly so"},
+    {"points nearly in a plane", "OFF\n4 0 0\n0 0 0 1 0 0 0 1 0 1 1 1e-11\n", 0, ROBERTS_FLAT,
+     "the convex hull of solid 0, of 4 points, is flat: they lie in one plane, or nearly so"},
+    {"a triangle", "OFF\n3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n", 0, ROBERTS_FLAT,
+     "the convex hull of solid 0, of 3 points, is flat: they lie in one plane, or nearly so"},
+    {"a triangle beside a cube", "OFF\n11 7 0\n" CUBE_POINTS "0 0 9 1 0 9 0 1 9\n" CUBE_FACES "3 8 9 10\n", 0,
+     ROBERTS_FLAT, "the convex hull of solid 1, of 3 points, is flat: they lie in one plane, or nearly so"},
+    {"a tolerance out of range", "OFF\n8 0 0\n" CUBE_POINTS, 2, ROBERTS_BAD_ARGUMENT,
+     "the tolerance, 2, is not between 0 and 1"},
+};
+
+static void refusals(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        roberts_mesh mesh = {0};
+        roberts_scene *scene = NULL;
+        roberts_error error = {0};
+        read_off(&mesh, refused[i].name, refused[i].off);
+        roberts_status status = build(&mesh, true, refused[i].tolerance, &scene, &error);
+        if (status != refused[i].status || strcmp(error.message, refused[i].message) != 0)
+            fail_msg("%s: status %d, %s", refused[i].name, status, error.message);
+        if (status == ROBERTS_FLAT)
+            assert_string_equal(error.file, refused[i].name);
+        assert_null(scene);
+        roberts_mesh_free(&mesh);
+    }
+}
+
+/* Plates down to 3^-18, some 2.6e-9, of their size: any solid may be as thin as 1e-9. */
+static void thin_plates(void **state)
+{
+    (void)state;
+    for (int k = 0; k <= 18; k++) {
+        double height = pow(3, -k);
+        roberts_mesh mesh = {0};
+        roberts_scene *scene = NULL;
+        roberts_error error = {0};
+        for (int i = 0; i < 8; i++) {
+            roberts_vec3 p = {i & 1, i >> 1 & 1, height * (i >> 2)};
+            assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
+        }
+        if (build(&mesh, true, 0, &scene, &error) != ROBERTS_OK || roberts_scene_face_count(scene) != 6)
+            fail_msg("height %g: %s", height, error.message);
+        roberts_scene_free(scene);
+        roberts_mesh_free(&mesh);
+    }
+}
+
+/* ---- drawings ---------------------------------------------------------------------------------------------------------- */
+
+static void draw(const char *path, bool bare, bool hull, roberts_drawing *drawing)
+{
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    roberts_error error = {0};
+    roberts_hide_options options = roberts_hide_options_default();
+    roberts_camera camera = {.dir = {0.31, -0.47, 0.83}};
+    options.keep_hidden = true;
+    if (roberts_mesh_read_file(&mesh, path, NULL, &error) != ROBERTS_OK)
+        fail_msg("%s: %s", path, error.message);
+    if (bare)
+        mesh.face_count = mesh.corner_count = mesh.source[0].first_face = 0;
+    if (build(&mesh, hull, 0, &scene, &error) != ROBERTS_OK ||
+        roberts_hide(scene, &camera, &options, drawing, &error) != ROBERTS_OK)
+        fail_msg("%s: %s", path, error.message);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+}
+
+static void assert_same_drawing(const char *path, bool bare)
+{
+    roberts_drawing as_is = {0}, hull = {0};
+    draw(path, false, false, &as_is);
+    draw(path, bare, true, &hull);
+    assert_int_equal(as_is.count, hull.count);
+    assert_true(as_is.count > 0);
+    for (size_t i = 0; i < as_is.count; i++) {
+        const roberts_segment *s = &as_is.segment[i], *t = &hull.segment[i];
+        assert_true(s->solid == t->solid && s->v0 == t->v0 && s->v1 == t->v1 && s->by == t->by);
+        assert_true(s->state == t->state && s->line == t->line);
+        assert_true(s->t0 == t->t0 && s->t1 == t->t1);
+        assert_memory_equal(&s->p0, &t->p0, sizeof s->p0);
+        assert_memory_equal(&s->p1, &t->p1, sizeof s->p1);
+    }
+    roberts_drawing_free(&as_is);
+    roberts_drawing_free(&hull);
+}
+
+/* Scenes of sound solids are drawn as without; single solids also from their points alone. */
+static void same_drawings(void **state)
+{
+    static const char *const many[] = {"models/table.off", "models/city.off", "models/stella-octangula.off"};
+    static const char *const one[] = {"models/platonic/cube.off",
+                                      "models/platonic/dodecahedron.off",
+                                      "models/archimedean/truncated-icosahedron.off",
+                                      "models/catalan/rhombic-triacontahedron.off",
+                                      "models/prisms/prism-60.off",
+                                      "models/sphere.off"};
+    (void)state;
+    for (size_t i = 0; i < sizeof many / sizeof many[0]; i++)
+        assert_same_drawing(many[i], false);
+    for (size_t i = 0; i < sizeof one / sizeof one[0]; i++)
+        assert_same_drawing(one[i], true);
+}
+
+/* ---- the program ------------------------------------------------------------------------------------------------------- */
+
+static void program_draws_hulls(void **state)
+{
+    (void)state;
+    put("in/cube.off", "OFF\n8 0 0\n" CUBE_POINTS);
+    put("in/rbox", "3 rbox c\n8\n" CUBE_POINTS);
+    put("in/flat.off", "OFF\n4 0 0\n0 0 0 1 0 0 0 1 0 1 1 0\n");
+    assert_int_equal(run("in/cube.off -f csv"), 1);
+    assert_said("in/cube.off: no solid: there is no face with three or more corners");
+    assert_int_equal(run("--hull -v -f null in/cube.off"), 0);
+    assert_said("in/cube.off: 1 solid, 8 vertices, 6 faces");
+    assert_int_equal(run("--hull -v -f null in/rbox"), 0);
+    assert_said("in/rbox: 1 solid, 8 vertices, 6 faces");
+    assert_int_equal(run("--hull in/flat.off"), 1);
+    assert_string_equal(last.err,
+                        "roberts: in/flat.off: the convex hull of solid 0, of 4 points, is flat: they lie in one "
+                        "plane, or nearly so\n");
+    assert_string_equal(last.out, "");
+    assert_int_equal(run("--hull -f null --view top --pick 0,0 in/cube.off"), 0);
+    assert_said("solid 0, a face of its hull, ");
+    assert_int_equal(run("--hull in/cube.off"), 0);
+    assert_non_null(strstr(last.out, "roberts --hull in/cube.off")); /* the description: it changes the drawing */
+    assert_int_equal(run("--hull=1 in/cube.off"), 2);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(whole_points), cmocka_unit_test(noisy_points),  cmocka_unit_test(six_digits),
+        cmocka_unit_test(solids),       cmocka_unit_test(several_files), cmocka_unit_test(refusals),
+        cmocka_unit_test(thin_plates),  cmocka_unit_test(same_drawings), IN_FOLDER(program_draws_hulls),
+    };
+    program_find();
+    return cmocka_run_group_tests_name("hull", tests, NULL, NULL);
+}
