@@ -490,7 +490,7 @@ static void tiny(studio *st)
 static const struct {
     const char *name;
     void (*make)(studio *);
-    enum { INFINITELY_FAR, FROM_EYE, FROM_AMID, OBLIQUELY } viewer;
+    enum { INFINITELY_FAR, FROM_EYE, FROM_AMID, OBLIQUELY, AS_SOUP } way;
 } families[] = {
     {"lattice", lattice, INFINITELY_FAR},
     {"hulls", hulls, INFINITELY_FAR},
@@ -571,6 +571,10 @@ static const struct {
     {"lattice@oblique", lattice, OBLIQUELY},
     {"blocks@oblique", blocks, OBLIQUELY},
     {"crowd@oblique", crowd, OBLIQUELY},
+    {"lattice@soup", lattice, AS_SOUP},
+    {"crossing@soup", crossing, AS_SOUP},
+    {"swarm@soup", swarm, AS_SOUP},
+    {"round@soup", round_solids, AS_SOUP},
 };
 
 size_t scene_family_count(void)
@@ -587,7 +591,7 @@ bool scene_make(const char *family, uint64_t seed, test_scene *scene)
 {
     *scene = (test_scene){0};
     for (size_t i = 0; i < scene_family_count(); i++) {
-        studio st = {.scene = scene, .d = {seed}, .unit = 1, .eye = families[i].viewer == FROM_EYE};
+        studio st = {.scene = scene, .d = {seed}, .unit = 1, .eye = families[i].way == FROM_EYE};
         if (strcmp(family, families[i].name) != 0)
             continue;
         for (const char *c = family; *c; c++)
@@ -597,10 +601,12 @@ bool scene_make(const char *family, uint64_t seed, test_scene *scene)
         families[i].make(&st);
         if (st.eye && !scene->view.w && !st.no_memory)
             look_from_eye(&st);
-        if (families[i].viewer == FROM_AMID && !st.no_memory)
+        if (families[i].way == FROM_AMID && !st.no_memory)
             look_from_amid(&st);
-        if (families[i].viewer == OBLIQUELY)
+        if (families[i].way == OBLIQUELY)
             look_oblique(&st);
+        if (families[i].way == AS_SOUP && !st.no_memory)
+            give_as_soup(&st);
         if (st.no_memory)
             test_scene_free(scene);
         return !st.no_memory;
@@ -611,6 +617,7 @@ bool scene_make(const char *family, uint64_t seed, test_scene *scene)
 void test_scene_free(test_scene *scene)
 {
     roberts_mesh_free(&scene->mesh);
+    roberts_mesh_free(&scene->soup);
     roberts_mesh_free(&scene->original);
     *scene = (test_scene){0};
 }

@@ -12,6 +12,10 @@ typedef struct test_scene {
     bool oblique;           /* the program is asked for an oblique view from the front; view.y is -1 */
     double slack;           /* model units; 0: judged strictly, else oracle_options.slack */
     uint32_t grid, threads; /* what the program is asked to use: it must not matter */
+    /* What the program is given instead of `mesh`: the same faces, no two of which share a vertex. Where it welds them they
+     * come to the vertices of `mesh`. */
+    bool has_soup;
+    roberts_mesh soup;
     /* Where rounding has spoiled contacts: the scene before that, whose drawing it must still be. */
     bool has_original;
     roberts_mesh original;
@@ -22,7 +26,8 @@ size_t scene_family_count(void);
 const char *scene_family_name(size_t index);
 
 /* Makes the scene `seed` of a family; false: no family of that name, or no memory. A name that ends in "@eye" is that
- * family in perspective, in "@near" from an eye amid the scene, in "@oblique" in an oblique view. Release with test_scene_free(). */
+ * family in perspective, in "@near" from an eye amid the scene, in "@oblique" in an oblique view, in "@soup" given as
+ * triangles one by one, as text. Release with test_scene_free(). */
 bool scene_make(const char *family, uint64_t seed, test_scene *scene);
 void test_scene_free(test_scene *scene);
 

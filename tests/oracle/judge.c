@@ -57,7 +57,7 @@ double judge_outside(const oracle_interval *a, size_t a_count, const oracle_inte
 
 /* ---- the two sides ----------------------------------------------------------------------------------------------- */
 
-/* Draws `mesh`, which may be a part of the scene, as the scene is to be drawn. */
+/* Draws `mesh`, which may be a part of the scene, as the scene is to be drawn; all of it as the program is given it. */
 static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, roberts_drawing *drawing,
                            roberts_error *error)
 {
@@ -69,6 +69,8 @@ static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, robe
     options.grid = how->grid;
     options.threads = how->threads;
     *drawing = (roberts_drawing){0};
+    if (how->has_soup && mesh == &how->mesh)
+        mesh = &how->soup;
     roberts_status status = roberts_scene_build(mesh, NULL, &scene, error);
     if (status == ROBERTS_OK)
         status = roberts_hide(scene, &camera, &options, drawing, error);
@@ -254,7 +256,7 @@ static void write_failure(const char *name, size_t nth, const char *folder, cons
         snprintf(command + used, sizeof command - (size_t)used, " --look-at=%.17g,%.17g,%.17g --near %.17g",
                  c.look_at.x, c.look_at.y, c.look_at.z, c.near_distance);
     snprintf(comment, sizeof comment, "%s; slack %.17g", command, how->slack);
-    if (judge_write_off(path, mesh, comment))
+    if (judge_write_off(path, how->has_soup && mesh == &how->mesh ? &how->soup : mesh, comment))
         fprintf(out, "  build/roberts %s %s\n", command, path);
     else
         fprintf(out, "  (%s: %s)\n", path, strerror(errno));

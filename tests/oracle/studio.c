@@ -2,6 +2,7 @@
 #include "studio.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -302,6 +303,84 @@ void map_vertices(studio *st, double scale, roberts_vec3 shift)
 }
 
 /* ---- families whose contacts rounding has spoiled ---------------------------------------------------------------- */
+
+typedef struct triangle {
+    uint32_t corner[3];
+} triangle;
+
+/* The faces cut into triangles, from any of their corners, in any order. */
+static triangle *shuffled_triangles(studio *st, size_t *count)
+{
+    const roberts_mesh *mesh = &st->scene->mesh;
+    triangle *list = malloc((mesh->corner_count + 1) * sizeof *list);
+    *count = 0;
+    for (size_t f = 0; list && f < mesh->face_count; f++) {
+        const uint32_t *corner = mesh->corner + mesh->face_start[f];
+        uint32_t n = mesh->face_start[f + 1] - mesh->face_start[f], k = (uint32_t)dice_int(&st->d, 0, (int)n - 1);
+        for (uint32_t i = 1; i + 1 < n; i++)
+            list[(*count)++] = (triangle){{corner[k], corner[(k + i) % n], corner[(k + i + 1) % n]}};
+    }
+    for (size_t i = *count; list && i > 1; i--) {
+        size_t k = (size_t)dice_int(&st->d, 0, (int)i - 1);
+        triangle swap = list[k];
+        list[k] = list[i - 1];
+        list[i - 1] = swap;
+    }
+    return list;
+}
+
+/* Corner i of triangle k becomes vertex 3 k + i; in `welded` all corners in one place become the first of them. */
+static bool add_triangles(const roberts_mesh *from, const triangle *list, size_t count, roberts_mesh *welded)
+{
+    uint32_t *first = malloc((from->vertex_count + 1) * sizeof *first);
+    bool ok = first != NULL;
+    for (size_t v = 0; ok && v < from->vertex_count; v++)
+        first[v] = ROBERTS_NONE;
+    for (size_t k = 0; ok && k < count; k++) {
+        uint32_t face[3];
+        for (uint32_t i = 0; ok && i < 3; i++) {
+            uint32_t old = list[k].corner[i];
+            if (first[old] == ROBERTS_NONE)
+                first[old] = (uint32_t)(3 * k + i);
+            face[i] = first[old];
+            ok = roberts_mesh_add_vertex(welded, from->vertex[old], NULL, NULL) == ROBERTS_OK;
+        }
+        ok = ok && roberts_mesh_add_face(welded, face, 3, NULL) == ROBERTS_OK;
+    }
+    free(first);
+    return ok;
+}
+
+static bool read_soup(const roberts_mesh *welded, roberts_mesh *soup)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *file = open_memstream(&text, &size);
+    if (!file)
+        return false;
+    fprintf(file, "OFF\n%zu %zu 0\n", welded->vertex_count, welded->face_count);
+    for (size_t v = 0; v < welded->vertex_count; v++)
+        fprintf(file, "%.17g %.17g %.17g\n", welded->vertex[v].x, welded->vertex[v].y, welded->vertex[v].z);
+    for (size_t f = 0; f < welded->face_count; f++)
+        fprintf(file, "3 %zu %zu %zu\n", 3 * f, 3 * f + 1, 3 * f + 2);
+    bool ok = fclose(file) == 0;
+    ok = ok && roberts_mesh_read_memory(soup, "soup", text, size, NULL, NULL) == ROBERTS_OK;
+    free(text);
+    return ok;
+}
+
+void give_as_soup(studio *st)
+{
+    roberts_mesh welded = {0};
+    size_t count;
+    triangle *list = shuffled_triangles(st, &count);
+    bool ok = list && add_triangles(&st->scene->mesh, list, count, &welded) && read_soup(&welded, &st->scene->soup);
+    roberts_mesh_free(&st->scene->mesh);
+    st->scene->mesh = welded;
+    st->scene->has_soup = true;
+    st->no_memory = st->no_memory || !ok;
+    free(list);
+}
 
 static bool copy_mesh(const roberts_mesh *from, roberts_mesh *to)
 {

@@ -40,6 +40,10 @@ void look_from_eye(studio *st);
 void look_from_amid(studio *st);
 void look_oblique(studio *st);
 
+/* Gives the program the faces as triangles without shared vertices, in any order, by way of its reader. No two solids may
+ * have a corner in one place. */
+void give_as_soup(studio *st);
+
 /* Does not judge what lies about as near as what counts as touching. Call it last. */
 void near_touching(studio *st);
 
