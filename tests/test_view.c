@@ -394,6 +394,36 @@ static void orthographic_is_a_rigid_motion(void **state)
     roberts_scene_free(scene);
 }
 
+/* Points together are what they are one by one, bit for bit, and faces are turned as their planes are. */
+static void together_as_one_by_one(void **state)
+{
+    rng r = {25};
+    roberts_scene *scene = cube_scene((roberts_vec3){-4, -4, -4}, 8);
+    (void)state;
+    for (int i = 0; i < 3000; i++) {
+        roberts_camera camera = random_camera(&r, i % PROJECTIONS);
+        roberts_vec3 out[8], one[8];
+        if (i % 2)
+            camera.oblique = (roberts_vec2){0.0, 0.0};
+        if (i % 5 == 0)
+            camera.dir = (roberts_vec3){rng_int(&r, -1, 1), rng_int(&r, -1, 1), 1};
+        view v = prepare(scene, &camera);
+        view_points(&v, scene->point, scene->vertex_count, out);
+        for (uint32_t k = 0; k < scene->vertex_count; k++)
+            one[k] = view_point(&v, scene->point[k]);
+        assert_memory_equal(out, one, sizeof one);
+        for (uint32_t face = 0; face < scene->face_count; face++) {
+            double stretch, expected_stretch;
+            plane F, expected = view_plane(&v, scene, face, &expected_stretch);
+            int facing = view_face(&v, scene, face, out, &F, &stretch);
+            assert_int_equal(facing, view_facing(&v, scene, face, expected, out));
+            if (facing == VIEW_FRONT)
+                assert_true(memcmp(&F, &expected, sizeof F) == 0 && stretch == expected_stretch);
+        }
+    }
+    roberts_scene_free(scene);
+}
+
 /* Points of a sight line have one picture, the nearer one the greater depth; in the plane through the look-at point all
  * lengths are true; the picture of any point is where its sight line meets that plane. */
 static void perspective_pictures(void **state)
@@ -730,6 +760,7 @@ int main(void)
         cmocka_unit_test(up_by_table),
         cmocka_unit_test(frames_at_random),
         cmocka_unit_test(orthographic_is_a_rigid_motion),
+        cmocka_unit_test(together_as_one_by_one),
         cmocka_unit_test(perspective_pictures),
         cmocka_unit_test(parameters_along_lines),
         cmocka_unit_test(oblique_sight_lines),

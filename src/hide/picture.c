@@ -46,15 +46,31 @@ static hide_box box_of(const span *s)
                       hide_float_above(s->high.y), hide_float_below(s->low.z),  hide_float_above(s->high.z)};
 }
 
+enum { POINTS_AT_ONCE = 64 };
+
+/* The box of a solid's view points. */
+static span measure_solid(const hide_picture *picture, uint32_t solid)
+{
+    const roberts_scene *scene = picture->scene;
+    uint32_t end = scene->solid[solid + 1].vertex;
+    roberts_vec3 P[POINTS_AT_ONCE];
+    span own = empty_span;
+    for (uint32_t v = scene->solid[solid].vertex; v < end; v += POINTS_AT_ONCE) {
+        uint32_t count = end - v < POINTS_AT_ONCE ? end - v : POINTS_AT_ONCE;
+        view_points(&picture->view, scene->point + v, count, P);
+        for (uint32_t i = 0; i < count; i++)
+            widen(&own, P[i]);
+    }
+    return own;
+}
+
 /* Boxes of all solids, and the window. */
 static void box_solids(hide_picture *picture)
 {
     const roberts_scene *scene = picture->scene;
     span all = empty_span;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
-        span own = empty_span;
-        for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex; v++)
-            widen(&own, view_point(&picture->view, scene->point[v]));
+        span own = measure_solid(picture, s);
         picture->box[s] = box_of(&own);
         if (scene->solid[s].vertex < scene->solid[s + 1].vertex) { /* the near plane has left something */
             widen(&all, own.low);
@@ -65,14 +81,14 @@ static void box_solids(hide_picture *picture)
     picture->high = (roberts_vec2){all.high.x, all.high.y};
 }
 
-/* How far a distance from the face's plane can be trusted: `touch` within `reach` of it, `limit` anywhere. The
+/* How far a distance from the face's plane can be trusted: `touch` within the reach that is returned, `limit` anywhere. The
  * plane of a face of width w is known to about its rounding (and the face's own departure from it) at the face, and to
  * that times r / w at a distance r. */
-static void set_trust(const hide_picture *picture, uint32_t solid, double stretch, hide_face *f)
+static double set_trust(const hide_picture *picture, uint32_t solid, uint32_t face, double stretch, hide_face *f)
 {
     const view *v = &picture->view;
-    double departure = picture->scene->face_deviation[f->face] / v->unit;
-    double width = picture->scene->face_width[f->face] / v->unit;
+    double departure = picture->scene->face_deviation[face] * v->per_unit;
+    double width = picture->scene->face_width[face] * v->per_unit;
     if (v->perspective) {
         double grown = 1.0 + (double)picture->box[solid].z1 * v->inverse_distance; /* D / w at the nearest corner */
         double shrunk = lesser(1.0, 1.0 + (double)picture->box[solid].z0 * v->inverse_distance);
@@ -81,33 +97,37 @@ static void set_trust(const hide_picture *picture, uint32_t solid, double stretc
     }
     double error = 4.0 * v->rounding + departure, far_error = error * (1.0 + 2.0 * v->extent / width);
     f->touch = v->epsilon + departure;
-    f->reach = width * (0.5 * f->touch / error - 1.0);
-    f->limit = far_error > 0.5 * f->touch ? f->touch - far_error : f->touch;
+    f->limit = hide_float_below(far_error > 0.5 * f->touch ? f->touch - far_error : f->touch);
+    return width * (0.5 * f->touch / error - 1.0);
 }
 
-/* Classifies the solid's faces and collects its front faces; false: no memory. */
-static bool add_faces(hide_picture *picture, uint32_t solid)
+/* Classifies the solid's faces and collects its front faces. `*reach`, `*touch`: the least and greatest of theirs. False: no
+ * memory. */
+static bool add_faces(hide_picture *picture, uint32_t solid, double *reach, double *touch)
 {
     const roberts_scene *scene = picture->scene;
-    for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {
+    uint32_t first = scene->solid[solid].face, end = scene->solid[solid + 1].face;
+    *reach = INFINITY;
+    *touch = 0.0;
+    if (!array_reserve(&picture->face, &picture->face_room, (size_t)picture->face_count + end - first,
+                       sizeof(hide_face)))
+        return false;
+    for (uint32_t face = first; face < end; face++) {
         double stretch = 1.0;
-        plane F = view_plane(&picture->view, scene, face, &stretch);
-        int facing = view_facing(&picture->view, scene, face, F, picture->P);
+        hide_face *f = &picture->face[picture->face_count];
+        int facing = view_face(&picture->view, scene, face, picture->P, &f->F, &stretch);
         picture->facing[face] = (unsigned char)facing;
         picture->back += facing == VIEW_BACK;
         picture->edge_on += facing == VIEW_EDGE_ON;
         if (facing != VIEW_FRONT)
             continue;
-        if (!array_reserve(&picture->face, &picture->face_room, (size_t)picture->face_count + 1, sizeof(hide_face)))
-            return false;
-        hide_face *f = &picture->face[picture->face_count++];
-        *f = (hide_face){.F = F,
-                         .corner = scene->corner + scene->face_start[face],
-                         .count = scene->face_start[face + 1] - scene->face_start[face],
-                         .face = face};
-        set_trust(picture, solid, stretch, f);
+        f->corner = scene->corner + scene->face_start[face];
+        f->count = scene->face_start[face + 1] - scene->face_start[face];
+        *reach = lesser(*reach, set_trust(picture, solid, face, stretch, f));
+        *touch = greater(*touch, f->touch);
         if (f->count > picture->most_corners)
             picture->most_corners = f->count;
+        picture->face_count++;
     }
     return true;
 }
@@ -175,28 +195,36 @@ static bool add_single_fronts(hide_picture *picture, uint32_t solid, uint32_t fi
     return true;
 }
 
-/* What the front covers. Nothing of it is farther than the farthest corner of its outline, since its depth is a concave
- * function; a point that much behind it that it is behind each face by more than `touch` is certainly hidden. Gives the
- * depth from which that is so. */
-static float cover_front(hide_picture *picture, uint32_t solid, uint32_t first, uint32_t corners, bool whole,
-                         bool trusted)
+/* By how much nearer than a front's farthest corner a point must be to count as touching it. Nothing of a front is farther
+ * than the farthest corner of its outline, since its depth is a concave function; a point that much behind it that it is
+ * behind each face by more than `touch` is certainly hidden, wherever it is inside the outline. */
+static double find_slack(const hide_picture *picture, uint32_t first, double touch)
 {
-    const uint32_t *corner = picture->outline + picture->outline_count;
-    const hide_box *box = &picture->box[solid];
-    double depth = INFINITY, touch = 0.0, steepest = 1.0;
+    double steepest = 1.0;
+    for (uint32_t k = first; k < picture->face_count; k++)
+        steepest = lesser(steepest, -picture->face[k].F.c);
+    return 2.0 * (touch + hide_margin(&picture->space)) / steepest;
+}
+
+static double farthest(const hide_picture *picture, const uint32_t *corner, uint32_t corners)
+{
+    double depth = INFINITY;
     for (uint32_t i = 0; i < corners; i++)
         depth = lesser(depth, picture->P[corner[i]].z);
-    for (uint32_t k = first; k < picture->face_count; k++) {
-        touch = greater(touch, picture->face[k].touch);
-        steepest = lesser(steepest, -picture->face[k].F.c);
-    }
-    double slack = 2.0 * (touch + hide_margin(&picture->space)) / steepest;
-    bool wide = trusted && ((double)(box->x1 - box->x0) > COVER_WIDE * picture->cover.frame.dx ||
-                            (double)(box->y1 - box->y0) > COVER_WIDE * picture->cover.frame.dy);
-    cover_add(&picture->cover, picture->P, corner, corners, depth, picture->face + first,
-              wide ? picture->face_count - first : 0, slack, whole ? picture->front_count : ROBERTS_NONE,
-              4.0 * (touch - picture->view.epsilon));
-    return hide_float_below(depth - slack);
+    return depth;
+}
+
+/* Enters what the front of faces from `first` on covers. */
+static void cover_front(hide_picture *picture, const hide_front *front, bool whole, bool trusted, double depth,
+                        double slack, uint32_t faces)
+{
+    const hide_box *box = &picture->box[front->solid];
+    const scan_frame *f = &picture->cover.frame;
+    bool wide = trusted &&
+                ((double)(box->x1 - box->x0) > COVER_WIDE * f->dx || (double)(box->y1 - box->y0) > COVER_WIDE * f->dy);
+    cover_add(&picture->cover, picture->P, picture->outline + front->outline, front->corners, depth,
+              picture->face + front->face, wide ? faces : 0, slack, whole ? picture->front_count : ROBERTS_NONE,
+              (double)front->loose);
 }
 
 /* Maps a solid and enters its front; false: no memory. */
@@ -204,35 +232,32 @@ static bool add_solid(build *b, uint32_t solid)
 {
     hide_picture *picture = b->picture;
     const roberts_scene *scene = picture->scene;
-    uint32_t first = picture->face_count, corners;
-    float depth = -INFINITY;
-    for (uint32_t v = scene->solid[solid].vertex; v < scene->solid[solid + 1].vertex; v++)
-        picture->P[v] = view_point(&picture->view, scene->point[v]);
-    if (!add_faces(picture, solid) || !find_outline(b, solid, &corners))
+    uint32_t first = picture->face_count, corners, vertex = scene->solid[solid].vertex;
+    double reach, touch;
+    view_points(&picture->view, scene->point + vertex, scene->solid[solid + 1].vertex - vertex, picture->P + vertex);
+    if (!add_faces(picture, solid, &reach, &touch) || !find_outline(b, solid, &corners))
         return false;
     const hide_box *box = &picture->box[solid];
     uint32_t count = picture->face_count - first;
     double size = (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0) + (double)(box->z1 - box->z0);
-    double reach = INFINITY, loose = 0.0;
-    for (uint32_t k = first; k < picture->face_count; k++) {
-        reach = lesser(reach, picture->face[k].reach - size);
-        loose = greater(loose, 4.0 * (picture->face[k].touch - picture->view.epsilon));
-    }
+    reach -= size;
     if (reach > 6.0 * picture->view.extent)
         reach = INFINITY; /* nothing is farther away, along three axes */
     bool whole = corners && count <= FACES_OF_ONE_FRONT;
-    if (corners && picture->cover.depth)
-        depth = cover_front(picture, solid, first, corners, whole, whole && reach > size);
-    if (!whole)
-        return add_single_fronts(picture, solid, first);
+    double depth = corners ? farthest(picture, picture->outline + picture->outline_count, corners) : -INFINITY;
+    double slack = find_slack(picture, first, touch);
     hide_front front = {.solid = solid,
                         .face = first,
-                        .face_count = count,
-                        .depth = depth,
+                        .face_count = whole ? (unsigned char)count : 0,
+                        .depth = hide_float_below(depth - slack),
                         .reach = reach,
-                        .loose = loose,
+                        .loose = hide_float_above(4.0 * (touch - picture->view.epsilon)),
                         .outline = (uint32_t)picture->outline_count,
                         .corners = corners};
+    if (corners && picture->cover.depth)
+        cover_front(picture, &front, whole, whole && reach > size, depth, slack, count);
+    if (!whole)
+        return add_single_fronts(picture, solid, first);
     picture->outline_count += corners;
     return picture->outline_count <= UINT32_MAX && add_front(picture, front, picture->box[solid]);
 }

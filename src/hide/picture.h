@@ -13,13 +13,14 @@
 #include "hide/space.h"
 
 typedef struct hide_front {
+    double reach; /* distance from it up to which the planes of its faces can be trusted */
     uint32_t solid;
-    uint32_t face, face_count; /* of hide_picture.face */
-    double loose;              /* by how much its faces may leave its outline: by what they depart from their planes */
-    double reach;              /* distance from it up to which the planes of its faces can be trusted */
-    bool listed;               /* false: culled after all, or a copy of another front */
-    float depth; /* where covers are kept: what is nowhere nearer is behind it wherever it is inside the outline */
+    uint32_t face;             /* of hide_picture.face, the first */
     uint32_t outline, corners; /* of hide_picture.outline; corners == 0: the one face's own */
+    float loose;               /* by how much its faces may leave its outline: by what they depart from their planes */
+    float depth;               /* what is nowhere nearer is behind it wherever it is inside the outline */
+    unsigned char face_count;
+    bool listed; /* false: culled after all, or a copy of another front */
 } hide_front;
 
 typedef struct hide_picture {

@@ -35,12 +35,10 @@ typedef struct hide_box {
 typedef struct hide_face {
     plane F;                /* view space, inward: F(P) < 0 in front of it */
     const uint32_t *corner; /* [count] compact vertex numbers */
+    double touch;           /* F within +-touch is on the plane: epsilon and the face's own departure from it */
     uint32_t count;
-    uint32_t face; /* compact face number */
-    double touch;  /* F within +-touch is on the plane: epsilon and the face's own departure from it */
-    double reach;  /* distance from the face up to which its plane is good to half of `touch` */
-    double limit;  /* F(A) <= limit is in front or on even at the far end of the scene, where the plane of a small face
-                      cannot be trusted to `touch`; see test 1 */
+    float limit; /* F(A) <= limit is in front or on even at the far end of the scene, where the plane of a small face
+                    cannot be trusted to `touch`; see test 1 */
 } hide_face;
 
 /* The edge AB under test. */

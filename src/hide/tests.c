@@ -29,7 +29,7 @@ static double line_error(const hide_space *space, double reach, double length)
  * plane is uncertain at A and B; such a face is left to the later tests, which look at its plane near it only. */
 bool hide_test1(const hide_face *F, const hide_edge *e)
 {
-    return plane_at(F->F, e->A) <= F->limit && plane_at(F->F, e->B) <= F->limit;
+    return plane_at(F->F, e->A) <= (double)F->limit && plane_at(F->F, e->B) <= (double)F->limit;
 }
 
 /* TEST 2. Q(X) = 0 is the sight plane through AB, Q(X) the distance from it (here times the length of AB). A corner whose

@@ -6,6 +6,7 @@
 
 #include "base/angle.h"
 #include "base/error.h"
+#include "base/lanes.h"
 
 /* Touching distance as a part of the scene's diameter: far above rounding (1e-16), far below a pen (1e-4 of a page). */
 #define EPSILON_OF_DIAMETER 1e-11
@@ -84,6 +85,30 @@ roberts_vec3 view_point(const view *v, roberts_vec3 P)
     return p;
 }
 
+/* x and y side by side; each is what view_point() makes of it, to the last bit. */
+static void points_in_parallel(const view *v, const roberts_vec3 *P, size_t count, roberts_vec3 *out)
+{
+    two ax = two_of(v->right.x, v->up.x), ay = two_of(v->right.y, v->up.y), az = two_of(v->right.z, v->up.z);
+    two oblique = two_of(v->oblique.x, v->oblique.y);
+    for (size_t i = 0; i < count; i++) {
+        roberts_vec3 q = vec3_scale(v->per_unit, vec3_sub(P[i], v->origin));
+        two xy = two_add(two_add(two_mul(ax, two_all(q.x)), two_mul(ay, two_all(q.y))), two_mul(az, two_all(q.z)));
+        double z = vec3_dot(v->dir, q);
+        two_store(&out[i].x, two_sub(xy, two_mul(oblique, two_all(z))));
+        out[i].z = z;
+    }
+}
+
+void view_points(const view *v, const roberts_vec3 *P, size_t count, roberts_vec3 *out)
+{
+    if (!v->perspective) {
+        points_in_parallel(v, P, count, out);
+        return;
+    }
+    for (size_t i = 0; i < count; i++)
+        out[i] = view_point(v, P[i]);
+}
+
 plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, double *stretch)
 {
     plane F = scene->face_plane[face];
@@ -145,6 +170,20 @@ int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane 
         picture_width(scene, face, F, P) <= v->epsilon)
         return VIEW_EDGE_ON;
     return F.c < 0.0 ? VIEW_FRONT : F.c > 0.0 ? VIEW_BACK : VIEW_EDGE_ON;
+}
+
+/* Of a plain view at right angles, a back face needs no more than how deep its normal looks. */
+int view_face(const view *v, const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, plane *F,
+              double *stretch)
+{
+    if (!v->perspective && v->oblique.x == 0.0 && v->oblique.y == 0.0) {
+        const plane *G = &scene->face_plane[face];
+        double c = vec3_dot(v->dir, (roberts_vec3){G->a, G->b, G->c});
+        if (c > 0.0 && c * scene->face_width[face] > 4.0 * v->epsilon * v->unit)
+            return VIEW_BACK;
+    }
+    *F = view_plane(v, scene, face, stretch);
+    return view_facing(v, scene, face, *F, P);
 }
 
 /* With weights w = 1 - e / D = 1 / (1 + z / D): R(t) in space is (1-t) A + t B, whose picture divides the picture of AB

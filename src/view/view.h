@@ -45,6 +45,9 @@ roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_c
 /* Where a point of the model lies in view space, in view units. */
 roberts_vec3 view_point(const view *v, roberts_vec3 P);
 
+/* The same of `count` points. */
+void view_points(const view *v, const roberts_vec3 *P, size_t count, roberts_vec3 *out);
+
 /* A face's plane in view space (view units, unit normal) from its plane in the model. `*stretch`, where not NULL: by
  * how much distances from the plane grow per unit of 1 + z / D (1 for the orthographic view). */
 plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, double *stretch);
@@ -52,6 +55,10 @@ plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, doubl
 /* Front, back, or edge-on: the projection is no wider than epsilon. P: view points of all vertices of the scene;
  * F: the face's plane in view space. */
 int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P);
+
+/* Both: how the face is turned; and its plane, where it is front. */
+int view_face(const view *v, const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, plane *F,
+              double *stretch);
 
 /* The parameter along an edge in space that belongs to parameter `s` along its picture, and back. zA, zB: view depths
  * of its ends. The same for the orthographic view; else the edge's points crowd where it is far from the eye. */
