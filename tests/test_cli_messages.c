@@ -217,6 +217,24 @@ static void terminals_are_told_of(void **state)
     assert_string_equal(last.err, "roberts: standard input:1: the input is empty\n");
 }
 
+/* A terminal must not obey what is in a name. */
+static void names_are_printed_plainly(void **state)
+{
+    (void)state;
+    assert_int_equal(run("a\x1b[31m\x7f.off"), 1);
+    assert_string_equal(last.err, "roberts: a\\x1b[31m\\x7f.off: No such file or directory\n");
+    assert_int_equal(run("models/platonic/cube.off --view \x1b[1m"), 2);
+    assert_null(strchr(last.err, '\x1b'));
+    put_cube("b\x07.off", 0, 0, 6);
+    assert_int_equal(run("-v -f csv b\x07.off -o c\x07 --verify --turntable 1 -o c\x07%d.csv --stats"), 0);
+    assert_said("roberts: b\\x07.off: 1 solid, ");
+    assert_said("roberts: c\\x07"
+                "0.csv: verify: ");
+    assert_said("roberts: c\\x07"
+                "0.csv: 9 segments; ");
+    assert_null(strchr(last.err, '\x07'));
+}
+
 /* No file that is opened later takes the number of a closed stream, and with it what is said. */
 static void closed_streams_stay_taken(void **state)
 {
@@ -379,6 +397,7 @@ int main(void)
         IN_FOLDER(empty_names),
         IN_FOLDER(idle_options_are_warned_of),
         IN_FOLDER(terminals_are_told_of),
+        IN_FOLDER(names_are_printed_plainly),
         IN_FOLDER(closed_streams_stay_taken),
         IN_FOLDER(several_points_are_picked),
         IN_FOLDER(sizes_of_paper),

@@ -86,7 +86,9 @@ static int prepare(batch *b)
     }
     int result = check_names(b);
     if (result == EXIT_DONE && mkdir(b->options->batch, 0777) != 0 && errno != EEXIST) {
-        fprintf(stderr, "roberts: %s: cannot make the folder: %s\n", b->options->batch, strerror(errno));
+        const char *reason = strerror(errno);
+        message_begin(stderr, b->options->batch);
+        fprintf(stderr, "cannot make the folder: %s\n", reason);
         result = EXIT_FAILED;
     }
     return result;
@@ -125,10 +127,9 @@ static void finish_one(batch *b, batch_file *file)
         batch_file *next = &b->file[b->printed];
         if (!next->text || *next->text) {
             progress_hide();
-            if (next->text)
-                fputs(next->text, stderr);
-            else
-                fprintf(stderr, "roberts: %s: out of memory\n", next->input);
+            if (!next->text)
+                message_begin(stderr, next->input);
+            fputs(next->text ? next->text : "out of memory\n", stderr);
             progress_show();
         }
         free(next->text);

@@ -6,13 +6,27 @@
 
 #include "cli/progress.h"
 
+enum { MISUSE_SIZE = 8192 }; /* two names of files and what is wrong with them */
+
+/* Names of files may hold anything; a terminal must not obey it. */
+static void put_plain(FILE *log, const char *text)
+{
+    for (; *text; text++)
+        if ((unsigned char)*text < 0x20 || *text == 0x7f)
+            fprintf(log, "\\x%02x", (unsigned)(unsigned char)*text);
+        else
+            fputc(*text, log);
+}
+
 int message_misuse(const char *format, ...)
 {
+    char text[MISUSE_SIZE];
     va_list arguments;
-    fputs("roberts: ", stderr);
     va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    fputs("roberts: ", stderr);
+    put_plain(stderr, text);
     fputs("\nroberts --help tells how it is used.\n", stderr);
     return EXIT_MISUSED;
 }
@@ -31,16 +45,19 @@ void message_close(FILE *log)
 
 void message_begin(FILE *log, const char *label)
 {
-    fprintf(log, "roberts: %s%s", label ? label : "", label ? ": " : "");
+    fputs("roberts: ", log);
+    put_plain(log, label ? label : "");
+    fputs(label ? ": " : "", log);
 }
 
 static void say_where(FILE *log, const char *file, size_t line)
 {
     fputs("roberts: ", log);
+    put_plain(log, file);
     if (file[0] && line)
-        fprintf(log, "%s:%zu: ", file, line);
+        fprintf(log, ":%zu: ", line);
     else if (file[0])
-        fprintf(log, "%s: ", file);
+        fputs(": ", log);
 }
 
 int message_error(FILE *log, const roberts_error *error)

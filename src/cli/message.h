@@ -22,7 +22,7 @@ int message_misuse(const char *format, ...) MESSAGE_PRINTF;
 void message_open(FILE *log);
 void message_close(FILE *log);
 
-/* "roberts: ", and which picture it is about where there are several. */
+/* "roberts: ", and what it is about: a file or a picture; NULL: nothing else. */
 void message_begin(FILE *log, const char *label);
 
 /* FILE:LINE: what and why; returns the exit status that goes with it. */

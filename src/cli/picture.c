@@ -68,9 +68,9 @@ static void tell_scene(const cli_options *options, const roberts_scene *scene, c
     char name[NAME_SIZE];
     size_t solids = roberts_scene_solid_count(scene);
     message_open(options->log);
-    fprintf(options->log, "roberts: %s: %zu solid%s, %zu vertices, %zu faces; %.3f s\n",
-            name_inputs(options, options->input[0], name, sizeof name), solids, solids == 1 ? "" : "s", run->vertices,
-            run->faces, run->read.wall + run->solids.wall);
+    message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
+    fprintf(options->log, "%zu solid%s, %zu vertices, %zu faces; %.3f s\n", solids, solids == 1 ? "" : "s",
+            run->vertices, run->faces, run->read.wall + run->solids.wall);
     message_close(options->log);
 }
 
@@ -225,9 +225,10 @@ static void tell(const cli_options *options, const run_stats *run, const views *
     for (size_t i = 0; i < v->count; i++)
         segments += v->drawing[i].count;
     message_open(options->log);
-    if (options->verbose && options->draw.format != ROBERTS_NULL)
-        fprintf(options->log, "roberts: %s: %zu segment%s; %.3f s\n", name_output(options, name, sizeof name), segments,
-                segments == 1 ? "" : "s", run->total.wall);
+    if (options->verbose && options->draw.format != ROBERTS_NULL) {
+        message_begin(options->log, name_output(options, name, sizeof name));
+        fprintf(options->log, "%zu segment%s; %.3f s\n", segments, segments == 1 ? "" : "s", run->total.wall);
+    }
     if (options->stats != STATS_NONE)
         stats_print(options, run, v->drawing, v->count);
     message_close(options->log);
