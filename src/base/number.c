@@ -23,7 +23,6 @@
 #include "base/power.h"
 
 enum {
-    MAX_DIGITS = 19,        /* every integer of 19 digits is below 2^64 */
     MANTISSA_BITS = 52,     /* stored; a 53rd bit is implied */
     LEAST_EXPONENT = -1022, /* of a normal double */
     EXPONENTS = 2045,       /* of normal doubles from there on, the greatest left out: rounding may step over it */
@@ -31,6 +30,14 @@ enum {
     MIDDLE_DIGITS = 768,    /* the middle between two doubles has at most 767 digits that count */
     EXPONENT_CLAMP = 100000 /* further away than NUMBER_LENGTH_MAX digits can bring back */
 };
+
+const double number_power[NUMBER_MOST_FRACTION + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
+                                                       1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
+
+const uint64_t number_short_power[8] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
+
+const int16_t number_exponent[NUMBER_MOST_FRACTION + 1] = {1085, 1081, 1078, 1075, 1071, 1068, 1065, 1061, 1058, 1055,
+                                                           1051, 1048, 1045, 1041, 1038, 1035, 1031, 1028, 1025};
 
 /* floor(log2(10^q)) for |q| <= 350: 217706 / 65536 is log2(10) cut off, and never crosses an integer in this range.
  * The offset keeps the shifted value positive. */
@@ -53,7 +60,7 @@ static inline uint64_t rest_of(uint64_t high)
 
 /* The bits of w * 10^q, given its 63 or 64 highest ones, on the right side of the middle; 0 where it is no normal
  * double. zeros: by how much w was shifted. */
-BITS_INLINE uint64_t round_product(uint64_t high, int q, int zeros)
+static uint64_t round_product(uint64_t high, int q, int zeros)
 {
     int upper = (int)(high >> 63);
     unsigned exponent = (unsigned)(floor_log2_power(q) + 63 - zeros + upper - LEAST_EXPONENT);
@@ -63,20 +70,8 @@ BITS_INLINE uint64_t round_product(uint64_t high, int q, int zeros)
     return ((uint64_t)exponent << MANTISSA_BITS) + (((high >> (9 + upper)) + 1) >> 1);
 }
 
-/* The double nearest to w * 10^q, w > 0, as its bits, by one product; 0 where the middle is within one unit of `high`
- * above, or was just passed, or where the result is no normal double. */
-BITS_INLINE uint64_t nearest_quickly(uint64_t w, int q)
-{
-    if ((unsigned)(q - POWER_MIN) > POWER_MAX - POWER_MIN)
-        return 0;
-    int zeros = bits_leading_zeros(w);
-    uint64_t low, high = bits_multiply(w << zeros, power_table[q - POWER_MIN].high, &low);
-    if (rest_of(high) + 1 - middle_of(high) <= 1)
-        return 0;
-    return round_product(high, q, zeros);
-}
-
-/* The same with both products; 0 where the middle is possible even so. */
+/* The double nearest to w * 10^q, w > 0, as its bits, by both products; 0 where the middle is possible even so, and where
+ * the result is no normal double. */
 static uint64_t nearest(uint64_t w, int q)
 {
     if (q < POWER_MIN || q > POWER_MAX)
@@ -132,14 +127,11 @@ static double read_again(const char *text, const char *end, int q)
 /* Adds digits to w, wrapping after 19 of them. After sixteen taken by eights hardly more than one follows. */
 static inline const char *digits(const char *text, uint64_t *w)
 {
-    static const uint64_t power[8] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
     for (int i = 0; i < 2; i++, text += 8) {
         uint64_t chunk = bits_load(text) ^ NUMBER_DIGITS;
         int count = number_digit_count(chunk);
-        if (count == 0)
-            return text;
         if (count < 8) {
-            *w = *w * power[count] + number_eight_digits(chunk << (64 - 8 * count));
+            *w = *w * number_short_power[count] + number_eight_digits(chunk << 8 * (7 - count) << 8);
             return text + count;
         }
         *w = *w * 100000000 + number_eight_digits(chunk);
@@ -175,7 +167,7 @@ static double many_digits(const char *text, const char *end, int q)
     for (const char *c = text; c < end; c++) {
         if (*c == '.' || (w == 0 && *c == '0'))
             continue;
-        if (taken < MAX_DIGITS) {
+        if (taken < NUMBER_MOST_DIGITS) {
             w = 10 * w + (uint64_t)(*c - '0');
             taken++;
         } else {
@@ -191,20 +183,31 @@ static double many_digits(const char *text, const char *end, int q)
     return value;
 }
 
-/* The rest of number_parse() for numbers with an exponent, with many digits, and for what nearest_quickly() left open.
- * c: after the last of `count` digits, `fraction` of them after the point. */
-BITS_RARE static const char *finish(const char *text, const char *c, uint64_t w, ptrdiff_t count, ptrdiff_t fraction,
-                                    double *value)
+/* number_parse() for what number_usual() leaves. */
+BITS_RARE static const char *parse_any(const char *text, double *value)
 {
-    const char *end = c, *first = text + (*text == '-' || *text == '+');
+    const char *first = text + (*text == '-' || *text == '+'), *c = first, *end;
+    uint64_t w = 0, bits = 0;
+    ptrdiff_t count, fraction = 0;
     int q = 0;
-    uint64_t bits = 0;
+    for (; *c >= '0' && *c <= '9'; c++)
+        w = 10 * w + (uint64_t)(*c - '0');
+    count = c - first;
+    if (*c == '.') {
+        const char *point = c + 1;
+        c = digits(point, &w);
+        fraction = c - point;
+        count += fraction;
+    }
+    end = c;
+    if (count == 0)
+        return NULL;
     if ((*c | 0x20) == 'e')
         c = exponent_part(c, &q);
     if (c - text > NUMBER_LENGTH_MAX)
         return NULL;
     q -= (int)fraction;
-    if (count <= MAX_DIGITS && w)
+    if (count <= NUMBER_MOST_DIGITS && w)
         bits = nearest(w, q);
     if (bits)
         memcpy(value, &bits, sizeof bits);
@@ -217,29 +220,9 @@ BITS_RARE static const char *finish(const char *text, const char *c, uint64_t w,
 
 const char *number_parse(const char *text, double *value)
 {
-    const char *first = text + (*text == '-' || *text == '+'), *c = first;
-    uint64_t w = 0, bits;
-    ptrdiff_t count, fraction = 0;
-    /* most coordinates have one to three digits before the point: not worth eight at once */
-    for (; *c >= '0' && *c <= '9'; c++)
-        w = 10 * w + (uint64_t)(*c - '0');
-    count = c - first;
-    if (*c == '.') {
-        const char *point = c++;
-        c = digits(c, &w);
-        fraction = c - point - 1;
-        count += fraction;
-    }
-    if (count == 0)
-        return NULL;
-    if (count > MAX_DIGITS || w == 0 || (*c | 0x20) == 'e')
-        return finish(text, c, w, count, fraction, value);
-    bits = nearest_quickly(w, -(int)fraction);
-    if (!bits)
-        return finish(text, c, w, count, fraction, value);
-    bits |= (uint64_t)(*text == '-') << 63;
-    memcpy(value, &bits, sizeof bits);
-    return c;
+    number_guess guess = number_guess_digits(8);
+    const char *end = number_usual(text, &guess, value);
+    return end && (*end | 0x20) != 'e' ? end : parse_any(text, value);
 }
 
 const char *number_integer(const char *text, uint64_t *value)

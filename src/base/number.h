@@ -5,7 +5,13 @@
 #ifndef ROBERTS_BASE_NUMBER_H
 #define ROBERTS_BASE_NUMBER_H
 
+#include <float.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <string.h>
+
 #include "base/bits.h"
+#include "base/power.h"
 
 #define NUMBER_PADDING 8
 
@@ -21,20 +27,49 @@ const char *number_parse(const char *text, double *value);
 /* Eight characters XOR this: a digit becomes its value, anything else 10 or more. */
 #define NUMBER_DIGITS 0x3030303030303030u
 
-/* How many of eight characters (first in the lowest byte, each XOR '0') are digits before the first other one. */
-static inline int number_digit_count(uint64_t chunk)
+/* Of eight characters (first in the lowest byte, each XOR '0') marks by their highest bits those that are no digits,
+ * without fail the first of them. */
+static inline uint64_t number_not_digits(uint64_t chunk)
 {
     /* 0..9 + 0x76 stays below 0x80, 10..127 does not; a carry out of a byte only reaches characters after it */
-    uint64_t other = ((chunk + 0x7676767676767676u) | chunk) & 0x8080808080808080u;
+    return ((chunk + 0x7676767676767676u) | chunk) & 0x8080808080808080u;
+}
+
+/* How many of them are digits before the first other one. */
+static inline int number_digit_count(uint64_t chunk)
+{
+    uint64_t other = number_not_digits(chunk);
     return other ? bits_trailing_zeros(other) >> 3 : 8;
 }
 
-/* The number that eight digit values make, the first digit in the lowest byte: pairs, then fours and eight at once. */
+/* A guess at how many digits come, namely as many as the last time. Asking whether it is right, instead of how many there
+ * are, lets the processor go on to what follows without waiting for the answer. */
+typedef struct number_guess {
+    int digits;          /* 0..8 */
+    uint64_t mark, upto; /* the mark of number_not_digits() after so many digits, and where to look for marks */
+} number_guess;
+
+BITS_INLINE number_guess number_guess_digits(int digits)
+{
+    uint64_t mark = UINT64_C(0x80) << 4 * digits << 4 * digits; /* after eight digits there is none */
+    return (number_guess){digits, mark, 2 * mark - 1};
+}
+
+/* How many of eight characters (each XOR '0') are digits. */
+BITS_INLINE int number_guessed_count(uint64_t chunk, number_guess *guess)
+{
+    if ((number_not_digits(chunk) & guess->upto) != guess->mark)
+        *guess = number_guess_digits(number_digit_count(chunk));
+    return guess->digits;
+}
+
+/* The number that eight digit values make, the first digit in the lowest byte: pairs, fours, all eight. (Two products
+ * side by side in the place of the last two have a shorter chain, but more instructions, and measured no faster.) */
 static inline uint64_t number_eight_digits(uint64_t chunk)
 {
-    chunk = chunk * 10 + (chunk >> 8); /* bytes 0, 2, 4, 6 hold pairs */
-    uint64_t pairs = chunk & 0x000000ff000000ffu, others = (chunk >> 16) & 0x000000ff000000ffu;
-    return (uint32_t)((pairs * (100 + (UINT64_C(1000000) << 32)) + others * (1 + (UINT64_C(10000) << 32))) >> 32);
+    chunk = (chunk * (10 * 256 + 1) >> 8) & 0x00ff00ff00ff00ffu;
+    chunk = (chunk * (UINT64_C(100) * 65536 + 1) >> 16) & 0x0000ffff0000ffffu;
+    return chunk * ((UINT64_C(10000) << 32) + 1) >> 32;
 }
 
 /* Reads an unsigned integer of at most seven digits, the usual case; returns its digits, 0 where there is no digit or
@@ -47,6 +82,115 @@ static inline int number_short_integer(const char *text, uint32_t *value)
         return 0;
     *value = (uint32_t)number_eight_digits(chunk << (64 - 8 * count)); /* leading zeros come in */
     return count;
+}
+
+/* ---- the usual number ---------------------------------------------------------------------------------------------- */
+
+/* Digits that make w * 10^-fraction: every integer of 19 digits is below 2^64, and at least one stands before the point. */
+#define NUMBER_MOST_DIGITS 19
+#define NUMBER_MOST_WHOLE 11
+#define NUMBER_MOST_FRACTION (NUMBER_MOST_DIGITS - 1)
+
+/* Whether a quotient of doubles is rounded to double at once. */
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD == 0
+#define NUMBER_EXACT_QUOTIENT 1
+#else
+#define NUMBER_EXACT_QUOTIENT 0
+#endif
+
+/* What a normal double's exponent field holds beside the implied bit, for w * 10^-fraction with w's highest bit at 63 and
+ * the product's at 126: floor(log2(10^-fraction)) + 63 + 1022. */
+extern const int16_t number_exponent[NUMBER_MOST_FRACTION + 1];
+extern const uint64_t number_short_power[8];
+extern const double number_power[NUMBER_MOST_FRACTION + 1]; /* 10^fraction, exact */
+
+/* The bits of the double nearest to w * 10^-fraction, w > 0, by one product with the upper half of the power; 0 where the
+ * middle between two doubles may be as near as the lower half counts (see number.c). */
+BITS_INLINE uint64_t number_nearest(uint64_t w, ptrdiff_t fraction)
+{
+    int zeros = bits_leading_zeros(w);
+    uint64_t low, high = bits_multiply(w << zeros, power_table[-fraction - POWER_MIN].high, &low);
+    int upper = (int)(high >> 63); /* 64 bits, else 63 */
+    /* the middle is 2^9 or 2^10, so that where the nine last bits are neither all 0 nor all 1, one unit more or less
+     * does not reach it; more often than needed, but two instructions */
+    if (((high + 1) & 0x1ff) <= 1)
+        return 0;
+    /* the highest bit is the implied one and adds 1 to the exponent field, as a carry from rounding rightly does */
+    return ((uint64_t)(unsigned)(number_exponent[fraction] - zeros + upper) << 52) + (((high >> (9 + upper)) + 1) >> 1);
+}
+
+/* The bits of w / 10^fraction where w < 2^53; both are exact then, and the quotient is rounded once. */
+BITS_INLINE uint64_t number_quotient(uint64_t w, ptrdiff_t fraction)
+{
+    double value = (double)(int64_t)w / number_power[fraction];
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+/* Adds the digits after the eighth after the point to *w; returns the first other character, or the eleventh digit. (Of 17
+ * digits in all, now 15 and now 18 stand after the point. Code without a branch for that, which has to wait for the count,
+ * measured slower than the branches that are guessed wrong.) */
+BITS_INLINE const char *number_far_digits(const char *text, uint64_t *w)
+{
+    uint64_t chunk = bits_load(text) ^ NUMBER_DIGITS;
+    int count = number_digit_count(chunk);
+    if (count < 8) {
+        *w = *w * number_short_power[count] + number_eight_digits(chunk << 8 * (7 - count) << 8); /* 0 may be left */
+        return text + count;
+    }
+    *w = *w * 100000000 + number_eight_digits(chunk);
+    text += 8;
+    for (count = 0; count < 2 && (unsigned char)(*text - '0') < 10; count++, text++)
+        *w = 10 * *w + (uint64_t)(*text - '0');
+    return text;
+}
+
+/* Reads [-] digits [. digits] with 1 to NUMBER_MOST_WHOLE digits before the point and at most 19 in all: nearly every
+ * coordinate there is. Returns the first character after them, which may be an 'e'; NULL where number_parse() has to see to
+ * it. */
+BITS_INLINE const char *number_usual(const char *text, number_guess *guess, double *value)
+{
+    bool negative = *text == '-';
+    const char *c = text + negative;
+    uint64_t w = 0, bits;
+    ptrdiff_t count;
+    /* digit by digit: mostly they are one to three, and while the processor guesses where they end it need not wait for
+     * the answer, as it must when they are counted */
+    for (; (unsigned char)(*c - '0') < 10; c++)
+        w = 10 * w + (uint64_t)(*c - '0');
+    count = c - text - negative;
+    if (count == 0 || count > NUMBER_MOST_WHOLE)
+        return NULL;
+    if (*c != '.') {
+        bits = number_quotient(w, 0);
+    } else {
+        uint64_t chunk = bits_load(c + 1) ^ NUMBER_DIGITS;
+        int fraction = number_guessed_count(chunk, guess);
+        if (fraction < 8) {
+            w = w * number_short_power[fraction] + number_eight_digits(chunk << 8 * (7 - fraction) << 8);
+            c += 1 + fraction;
+            if (w >> DBL_MANT_DIG || !NUMBER_EXACT_QUOTIENT)
+                return NULL;
+            bits = number_quotient(w, fraction);
+        } else {
+            const char *point = c;
+            w = w * 100000000 + number_eight_digits(chunk);
+            c = number_far_digits(c + 9, &w);
+            fraction = (int)(c - point - 1);
+            if (count + fraction > NUMBER_MOST_DIGITS || (unsigned char)(*c - '0') < 10 || w == 0)
+                return NULL;
+            bits = number_nearest(w, fraction);
+            if (!bits) {
+                if (w >> DBL_MANT_DIG || !NUMBER_EXACT_QUOTIENT)
+                    return NULL;
+                bits = number_quotient(w, fraction);
+            }
+        }
+    }
+    bits |= (uint64_t)negative << 63;
+    memcpy(value, &bits, sizeof bits);
+    return c;
 }
 
 /* Reads an unsigned integer of any length; returns the first character after its digits, NULL where there is none.

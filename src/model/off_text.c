@@ -9,7 +9,15 @@
 #include <math.h>
 #include <string.h>
 
-enum { TEXTURE = 2, NORMAL = 3, CORNERS_AT_ONCE = 256 };
+#include "model/off_plain.h"
+
+enum {
+    TEXTURE = 2,
+    NORMAL = 3,
+    CORNERS_AT_ONCE = 256,
+    PATIENCE = 4, /* lines in a row that turn out not to be plain ... */
+    PAUSE = 60    /* ... and how many are not tried then */
+};
 
 /* Reads one number of a colour; *real where it has a point or an exponent. */
 static bool color_number(off_reader *r, double *value, bool *real)
@@ -18,6 +26,25 @@ static bool color_number(off_reader *r, double *value, bool *real)
     for (size_t i = 0; i < length; i++)
         *real |= r->in.at[i] == '.' || r->in.at[i] == 'e' || r->in.at[i] == 'E';
     return off_number(r, value);
+}
+
+/* Whether plain lines are worth trying: after lines that were none, as many more are left to the other parser. */
+typedef struct patience {
+    uint32_t wait, fruitless;
+} patience;
+
+static bool worth_trying(patience *p)
+{
+    if (p->wait == 0)
+        return true;
+    p->wait--;
+    return false;
+}
+
+static void tried(patience *p, size_t found)
+{
+    p->fruitless = found ? 0 : p->fruitless + (p->fruitless < PATIENCE);
+    p->wait = p->fruitless == PATIENCE ? PAUSE : 0;
 }
 
 /* ---- vertices --------------------------------------------------------------------------------------------------- */
@@ -93,31 +120,58 @@ static roberts_status too_large(off_reader *r, uint64_t v, double w)
                     MESH_COORDINATE_MAX);
 }
 
-static roberts_status read_vertices(off_reader *r)
+static roberts_status read_vertex(off_reader *r, uint64_t v)
 {
     static const char *const part[4] = {"x", "y", "z", "w"};
     const int size = r->header.homogeneous ? 4 : 3;
-    const bool extras = r->header.color || r->header.texture;
     roberts_mesh *mesh = r->mesh;
-    roberts_status status;
+    roberts_status status = ROBERTS_OK;
     double p[4] = {0, 0, 0, 1};
-    for (uint64_t v = 0; v < r->header.vertices; v++) {
-        for (int i = 0; i < size; i++) {
-            if (!input_skip(&r->in) || !off_number(r, &p[i]))
-                return bad_vertex(r, v, part[i]);
+    for (int i = 0; i < size; i++) {
+        if (!input_skip(&r->in) || !off_number(r, &p[i]))
+            return bad_vertex(r, v, part[i]);
+    }
+    if (size == 4) {
+        for (int i = 0; i < 3; i++)
+            p[i] /= p[3];
+    }
+    if (!off_coordinate(p[0]) || !off_coordinate(p[1]) || !off_coordinate(p[2]))
+        return too_large(r, v, p[3]);
+    if (!mesh_vertex_room(mesh))
+        return error_no_memory(r->error);
+    mesh->vertex[mesh->vertex_count++] = (roberts_vec3){p[0], p[1], p[2]};
+    if (r->header.normal)
+        status = skip_normal(r, v);
+    if (status == ROBERTS_OK && (r->header.color || r->header.texture))
+        status = vertex_extras(r, v);
+    return status;
+}
+
+/* Reads plain lines of the buffer as far as there is room in the mesh; returns how many vertices. */
+static size_t take_vertices(off_reader *r, uint64_t left)
+{
+    roberts_mesh *mesh = r->mesh;
+    size_t room = mesh->vertex_room - mesh->vertex_count, count;
+    r->in.at = plain_vertices(r->in.at, mesh->vertex + mesh->vertex_count, room < left ? room : (size_t)left, &count);
+    r->in.line += count;
+    mesh->vertex_count += count;
+    return count;
+}
+
+static roberts_status read_vertices(off_reader *r)
+{
+    const bool plain = !(r->header.color || r->header.texture || r->header.normal || r->header.homogeneous);
+    patience lines = {0};
+    roberts_status status;
+    for (uint64_t v = 0; v < r->header.vertices;) {
+        if (plain && r->mesh->vertex_count < r->mesh->vertex_room && worth_trying(&lines)) {
+            size_t count = take_vertices(r, r->header.vertices - v);
+            tried(&lines, count);
+            v += count;
+            if (v == r->header.vertices)
+                break;
         }
-        if (size == 4) {
-            for (int i = 0; i < 3; i++)
-                p[i] /= p[3];
-        }
-        if (!off_coordinate(p[0]) || !off_coordinate(p[1]) || !off_coordinate(p[2]))
-            return too_large(r, v, p[3]);
-        if (!mesh_vertex_room(mesh))
-            return error_no_memory(r->error);
-        mesh->vertex[mesh->vertex_count++] = (roberts_vec3){p[0], p[1], p[2]};
-        if (r->header.normal && (status = skip_normal(r, v)) != ROBERTS_OK)
-            return status;
-        if (extras && (status = vertex_extras(r, v)) != ROBERTS_OK)
+        if ((status = read_vertex(r, v++)) != ROBERTS_OK)
             return status;
     }
     return ROBERTS_OK;
@@ -216,24 +270,58 @@ static roberts_status face_color(off_reader *r)
     return off_color_face(r, &raw);
 }
 
+/* Reads a face that is there. */
+static roberts_status read_face(off_reader *r, uint64_t f)
+{
+    uint64_t count;
+    if (!index_number(r, UINT64_MAX, &count))
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of corners of face %llu of %llu", (unsigned long long)f,
+                            (unsigned long long)r->header.faces);
+    roberts_status status = read_corners(r, f, count);
+    if (status == ROBERTS_OK && *r->in.at != '\n')
+        status = face_color(r);
+    return status;
+}
+
+/* As take_vertices(). */
+static size_t take_faces(off_reader *r, uint64_t left)
+{
+    roberts_mesh *mesh = r->mesh;
+    size_t room = mesh->face_room - mesh->face_count - 1;
+    plain_faces faces = {.corner = mesh->corner,
+                         .end = mesh->face_start + mesh->face_count + 1,
+                         .corner_room = mesh->corner_room,
+                         .room = room < left ? room : (size_t)left,
+                         .first = (uint32_t)r->mark.vertices,
+                         .limit = r->header.vertices < UINT32_MAX ? (uint32_t)r->header.vertices : UINT32_MAX,
+                         .corner_count = mesh->corner_count};
+    r->in.at = plain_read_faces(r->in.at, &faces);
+    r->in.line += faces.count;
+    r->thin_faces += faces.thin;
+    mesh->corner_count = faces.corner_count;
+    mesh->face_count += faces.count;
+    return faces.count;
+}
+
 static roberts_status read_faces(off_reader *r)
 {
+    patience lines = {0};
     roberts_status status;
-    uint64_t count;
     for (uint64_t f = 0; f < r->header.faces; f++) {
+        if (r->mesh->face_count + 1 < r->mesh->face_room && worth_trying(&lines)) {
+            size_t count = take_faces(r, r->header.faces - f);
+            tried(&lines, count);
+            f += count;
+            if (f == r->header.faces)
+                break;
+        }
         if (!input_skip(&r->in) || (*r->in.at == '}' && r->header.braces)) {
             if (r->in.failure || r->in.too_blank)
                 return off_expected(r, ROBERTS_BAD_SYNTAX, "face %llu", (unsigned long long)f);
             off_warn_fewer(r, f);
             return ROBERTS_OK;
         }
-        if (!index_number(r, UINT64_MAX, &count))
-            return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of corners of face %llu of %llu",
-                                (unsigned long long)f, (unsigned long long)r->header.faces);
-        status = read_corners(r, f, count);
-        if (status == ROBERTS_OK && *r->in.at != '\n')
-            status = face_color(r);
-        if (status != ROBERTS_OK)
+        if ((status = read_face(r, f)) != ROBERTS_OK)
             return status;
     }
     return ROBERTS_OK;
