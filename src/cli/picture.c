@@ -77,7 +77,7 @@ static void tell_scene(const cli_options *options, const roberts_scene *scene, c
 /* What is not needed any more is released on the way. */
 static roberts_status load(const cli_options *options, roberts_scene **scene, run_stats *run, roberts_error *error)
 {
-    roberts_mesh mesh = {0};
+    roberts_mesh mesh = {.threads = options->hide.threads};
     roberts_scene_options solids = options->scene;
     roberts_time start = stats_now();
     solids.threads = options->hide.threads;

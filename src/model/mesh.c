@@ -79,6 +79,20 @@ bool mesh_more_corners(roberts_mesh *mesh, size_t more)
            reserve(&mesh->corner, &mesh->corner_room, mesh->corner_count + more, UINT32_MAX, sizeof *mesh->corner);
 }
 
+bool mesh_room(roberts_mesh *mesh, size_t vertices, size_t faces, size_t corners)
+{
+    if (!reserve(&mesh->vertex, &mesh->vertex_room, vertices, MESH_MOST, sizeof *mesh->vertex) ||
+        !reserve(&mesh->corner, &mesh->corner_room, corners, UINT32_MAX, sizeof *mesh->corner))
+        return false;
+    if (faces == 0)
+        return true;
+    if (!reserve(&mesh->face_start, &mesh->face_room, faces + 1, MESH_MOST, sizeof *mesh->face_start))
+        return false;
+    if (mesh->face_count == 0)
+        mesh->face_start[0] = 0;
+    return true;
+}
+
 /* Makes colours up to `count`, those from `filled` on without colour. */
 static bool fill(roberts_color **color, size_t *room, size_t filled, size_t count)
 {

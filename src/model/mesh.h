@@ -27,6 +27,9 @@ bool mesh_more_vertices(roberts_mesh *mesh);
 bool mesh_more_faces(roberts_mesh *mesh);
 bool mesh_more_corners(roberts_mesh *mesh, size_t more);
 
+/* Room for so many in all. */
+bool mesh_room(roberts_mesh *mesh, size_t vertices, size_t faces, size_t corners);
+
 static inline bool mesh_vertex_room(roberts_mesh *mesh)
 {
     return mesh->vertex_count < mesh->vertex_room || mesh_more_vertices(mesh);

@@ -1,5 +1,5 @@
 /* off.c - reading OFF: from a function, a file or memory into a mesh, which stays as it was where anything fails. */
-#include "model/off.h"
+#include "model/off_pieces.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -113,9 +113,8 @@ static roberts_status read_all(off_reader *r)
     return ROBERTS_OK;
 }
 
-/* finite: reading up to the end of the input cannot wait for ever. */
-static roberts_status read_input(roberts_mesh *mesh, const char *name, roberts_read_fn *read, void *context,
-                                 bool finite, const roberts_warnings *warnings, roberts_error *error)
+roberts_status off_read(roberts_mesh *mesh, const char *name, const off_source *source, const off_division *division,
+                        const roberts_warnings *warnings, roberts_error *error)
 {
     roberts_status status = ROBERTS_NO_MEMORY;
     off_reader r = {.mesh = mesh,
@@ -123,11 +122,11 @@ static roberts_status read_input(roberts_mesh *mesh, const char *name, roberts_r
                     .name = name,
                     .warnings = warnings,
                     .error = error,
-                    .finite = finite,
+                    .division = division,
                     .vertices_filled = mesh->vertex_color ? mesh->vertex_count : 0,
                     .faces_filled = mesh->face_color ? mesh->face_count : 0};
     error_set_file(error, name);
-    if (!input_open(&r.in, read, context))
+    if (!input_open(&r.in, source))
         error_no_memory(error);
     else
         status = read_all(&r);
@@ -137,19 +136,67 @@ static roberts_status read_input(roberts_mesh *mesh, const char *name, roberts_r
     return status;
 }
 
+static roberts_status read_source(roberts_mesh *mesh, const char *name, const off_source *source,
+                                  const roberts_warnings *warnings, roberts_error *error)
+{
+    off_division division = off_divide(mesh->threads);
+    return off_read(mesh, name, source, &division, warnings, error);
+}
+
 roberts_status roberts_mesh_read(roberts_mesh *mesh, const char *name, roberts_read_fn *read, void *context,
                                  const roberts_warnings *warnings, roberts_error *error)
 {
-    return read_input(mesh, name, read, context, false, warnings, error);
+    const off_source source = {.read = read, .context = context};
+    return read_source(mesh, name, &source, warnings, error);
 }
 
-static ptrdiff_t read_descriptor(void *context, void *buffer, size_t size)
+/* ---- files --------------------------------------------------------------------------------------------------------- */
+
+typedef struct file {
+    int descriptor;
+    off_t start; /* where it stood when it was given to us: not at 0 where standard input is the rest of a file */
+} file;
+
+static ptrdiff_t read_file(void *context, void *buffer, size_t size)
 {
+    const file *f = context;
     ssize_t got;
     do
-        got = read(*(int *)context, buffer, size);
+        got = read(f->descriptor, buffer, size);
     while (got < 0 && errno == EINTR);
     return got;
+}
+
+static ptrdiff_t read_file_at(void *context, uint64_t offset, void *buffer, size_t size)
+{
+    const file *f = context;
+    ssize_t got;
+    do
+        got = pread(f->descriptor, buffer, size, f->start + (off_t)offset);
+    while (got < 0 && errno == EINTR);
+    return got;
+}
+
+static bool go_in_file(void *context, uint64_t offset)
+{
+    const file *f = context;
+    return lseek(f->descriptor, f->start + (off_t)offset, SEEK_SET) >= 0;
+}
+
+static off_source source_of(file *f)
+{
+    off_source source = {.read = read_file, .context = f};
+    struct stat about;
+    if (fstat(f->descriptor, &about) != 0 || !S_ISREG(about.st_mode))
+        return source;
+    source.finite = true;
+    f->start = lseek(f->descriptor, 0, SEEK_CUR);
+    if (f->start >= 0 && about.st_size > f->start) {
+        source.read_at = read_file_at;
+        source.go = go_in_file;
+        source.size = (uint64_t)(about.st_size - f->start);
+    }
+    return source;
 }
 
 roberts_status roberts_mesh_read_file(roberts_mesh *mesh, const char *path, const roberts_warnings *warnings,
@@ -157,41 +204,61 @@ roberts_status roberts_mesh_read_file(roberts_mesh *mesh, const char *path, cons
 {
     bool standard = strcmp(path, "-") == 0;
     const char *name = standard ? "standard input" : path;
-    int descriptor = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) {
+    file f = {.descriptor = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC)};
+    if (f.descriptor < 0) {
         char reason[128];
         if (strerror_r(errno, reason, sizeof reason) != 0)
             snprintf(reason, sizeof reason, "it cannot be opened");
         error_set_file(error, name);
         return error_set(error, ROBERTS_IO, 0, "%s", reason);
     }
-    struct stat about;
-    bool finite = fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode);
-    roberts_status status = read_input(mesh, name, read_descriptor, &descriptor, finite, warnings, error);
+    const off_source source = source_of(&f);
+    roberts_status status = read_source(mesh, name, &source, warnings, error);
     if (!standard)
-        close(descriptor);
+        close(f.descriptor);
     return status;
 }
 
+/* ---- memory -------------------------------------------------------------------------------------------------------- */
+
 typedef struct memory {
-    const char *at;
-    size_t left;
+    const char *bytes;
+    size_t size, at;
 } memory;
 
-static ptrdiff_t read_from_memory(void *context, void *buffer, size_t size)
+static ptrdiff_t read_memory_at(void *context, uint64_t offset, void *buffer, size_t size)
+{
+    const memory *m = context;
+    size_t left = offset < m->size ? m->size - (size_t)offset : 0, taken = left < size ? left : size;
+    if (taken)
+        memcpy(buffer, m->bytes + offset, taken);
+    return (ptrdiff_t)taken;
+}
+
+static ptrdiff_t read_memory(void *context, void *buffer, size_t size)
 {
     memory *m = context;
-    size_t taken = m->left < size ? m->left : size;
-    if (taken)
-        memcpy(buffer, m->at, taken);
-    m->at += taken;
-    m->left -= taken;
-    return (ptrdiff_t)taken;
+    ptrdiff_t got = read_memory_at(m, m->at, buffer, size);
+    m->at += (size_t)got;
+    return got;
+}
+
+static bool go_in_memory(void *context, uint64_t offset)
+{
+    memory *m = context;
+    m->at = (size_t)offset;
+    return true;
 }
 
 roberts_status roberts_mesh_read_memory(roberts_mesh *mesh, const char *name, const void *bytes, size_t size,
                                         const roberts_warnings *warnings, roberts_error *error)
 {
-    memory m = {bytes, size};
-    return read_input(mesh, name, read_from_memory, &m, true, warnings, error);
+    memory m = {bytes, size, 0};
+    const off_source source = {.read = read_memory,
+                               .context = &m,
+                               .read_at = read_memory_at,
+                               .go = go_in_memory,
+                               .size = size,
+                               .finite = true};
+    return read_source(mesh, name, &source, warnings, error);
 }

@@ -3,6 +3,8 @@
  * off.c         the public functions: sources, warnings, going back after an error
  * off_header.c  keyword, dimension, counts
  * off_text.c    vertices and faces as text
+ * off_plain.c   most of them: plain lines
+ * off_pieces.c  plain lines by several threads
  * off_binary.c  vertices and faces as 32-bit words
  * off_color.c   what the numbers of a colour mean
  * off_foreign.c other formats, by how they begin
@@ -24,6 +26,8 @@ typedef struct off_header {
     uint64_t vertices, faces; /* as declared: nothing is allocated for them */
 } off_header;
 
+struct off_division;
+
 typedef struct off_reader {
     off_input in;
     off_header header;
@@ -32,9 +36,10 @@ typedef struct off_reader {
     const char *name;
     const roberts_warnings *warnings;
     roberts_error *error;
-    bool finite;                          /* the input has an end that can be read up to without waiting */
     size_t vertices_filled, faces_filled; /* whose colours are set */
     size_t thin_faces;                    /* with fewer than 3 corners */
+    const struct off_division *division;  /* into pieces for threads */
+    unsigned tries_in_vain;               /* of pieces */
     size_t odd_colors, first_odd_color;   /* colours that make no sense, and the line of the first */
 } off_reader;
 
@@ -63,6 +68,12 @@ static inline bool off_number(off_reader *r, double *value)
 static inline bool off_coordinate(double x)
 {
     return x <= MESH_COORDINATE_MAX && x >= -MESH_COORDINATE_MAX;
+}
+
+/* What is above all vertex numbers of plain lines, which have no more than seven digits. */
+static inline uint32_t off_index_limit(const off_reader *r)
+{
+    return r->header.vertices < UINT32_MAX ? (uint32_t)r->header.vertices : UINT32_MAX;
 }
 
 roberts_status off_read_header(off_reader *r);

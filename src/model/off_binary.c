@@ -259,7 +259,7 @@ roberts_status off_read_binary(off_reader *r)
         status = read_faces(r, &w);
     if (status != ROBERTS_OK)
         return status;
-    r->in.ended |= !r->finite; /* as for text: what may wait for ever is not read on */
+    r->in.ended |= !r->in.source.finite; /* as for text: what may wait for ever is not read on */
     while (input_need(&r->in, 1) && (input_separator(*r->in.at) || *r->in.at == '}'))
         r->in.at++;
     if (r->in.at < r->in.end)

@@ -7,9 +7,9 @@
 
 #include "base/array.h"
 
-bool input_open(off_input *in, roberts_read_fn *read, void *context)
+bool input_open(off_input *in, const off_source *source)
 {
-    *in = (off_input){.line = 1, .read = read, .context = context};
+    *in = (off_input){.line = 1, .source = *source};
     in->buffer = alloc_zeroed(1 + OFF_BLOCK + 1 + NUMBER_PADDING, 1);
     in->at = in->end = in->buffer ? in->buffer + 1 : NULL;
     return in->buffer;
@@ -29,7 +29,7 @@ bool input_more(off_input *in)
     memmove(in->buffer, in->at - 1, kept + 1);
     char *to = in->buffer + 1 + kept;
     errno = 0;
-    ptrdiff_t got = in->read(in->context, to, OFF_BLOCK - kept);
+    ptrdiff_t got = in->source.read(in->source.context, to, OFF_BLOCK - kept);
     if (got <= 0) {
         in->ended = true;
         if (got < 0)
@@ -41,6 +41,18 @@ bool input_more(off_input *in)
     in->taken += (size_t)got;
     memset(to + got, 0, 1 + NUMBER_PADDING);
     return got > 0;
+}
+
+void input_go(off_input *in, uint64_t offset)
+{
+    errno = 0;
+    in->ended = !in->source.go(in->source.context, offset);
+    if (in->ended)
+        in->failure = errno ? errno : EIO;
+    in->taken = offset;
+    in->at = in->end = in->buffer + 1;
+    in->buffer[0] = ' '; /* no CR */
+    memset(in->buffer + 1, 0, 1 + NUMBER_PADDING);
 }
 
 bool input_need(off_input *in, size_t count)
@@ -64,7 +76,7 @@ static const char *comment(const char *c)
 static bool skip(off_input *in, bool lines)
 {
     const char *c = in->at;
-    size_t start = in->taken;
+    uint64_t start = in->taken;
     bool commented = false; /* within a comment, which a '\0' does not end */
     for (;;) {
         if (commented)

@@ -20,24 +20,44 @@
  * endless one must end some time. */
 #define OFF_BLANK_MAX ((size_t)1 << 26)
 
+/* Where bytes come from. */
+typedef struct off_source {
+    roberts_read_fn *read;
+    void *context;
+    /* Where any place can be read at any time, by several threads: size bytes from `offset` on into the buffer, as
+     * roberts_read_fn, and going there with `read`; else NULL. */
+    ptrdiff_t (*read_at)(void *context, uint64_t offset, void *buffer, size_t size);
+    bool (*go)(void *context, uint64_t offset);
+    uint64_t size; /* bytes in all, as far as is known; only with read_at */
+    bool finite;   /* reading up to the end cannot wait for ever */
+} off_source;
+
 typedef struct off_input {
     const char *at, *end; /* what is not yet taken; *end is '\0' */
     size_t line;          /* of `at`, from 1 */
     char *buffer;         /* [1 + OFF_BLOCK + 1 + NUMBER_PADDING] */
-    roberts_read_fn *read;
-    void *context;
+    off_source source;
     bool ended;     /* nothing follows `end` */
     int failure;    /* errno of a failed read; 0: none */
     bool too_blank; /* more than OFF_BLANK_MAX without a token */
-    size_t taken;   /* bytes that were read before `end` */
+    uint64_t taken; /* bytes that were read before `end` */
 } off_input;
 
 /* False: no memory. Closed by input_close(), also then. */
-bool input_open(off_input *in, roberts_read_fn *read, void *context);
+bool input_open(off_input *in, const off_source *source);
 void input_close(off_input *in);
 
 /* Reads on, keeping what is not yet taken; `at` moves. False: nothing more comes, or the buffer is full. */
 bool input_more(off_input *in);
+
+/* Bytes before `at`. */
+static inline uint64_t input_offset(const off_input *in)
+{
+    return in->taken - (uint64_t)(in->end - in->at);
+}
+
+/* Goes to where a token has ended, in an input that can be read at any place; a failure is one of reading. */
+void input_go(off_input *in, uint64_t offset);
 
 /* Makes `count` bytes stand at `at`; count <= OFF_BLOCK. False: the input ends before. */
 bool input_need(off_input *in, size_t count);

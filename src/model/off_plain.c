@@ -1,6 +1,8 @@
 /* off_plain.c - plain lines, with everything written out in two loops: this is where reading spends its time. */
 #include "model/off_plain.h"
 
+#include <math.h>
+
 #include "base/number.h"
 #include "model/mesh.h"
 
@@ -37,12 +39,24 @@ BITS_INLINE const char *next_token(const char *at)
     return c == at ? NULL : c;
 }
 
-static inline bool ends_token(char c)
+static inline bool line_ends(const char *at)
 {
-    return (unsigned char)(c - 1) < ' ';
+    return *at == '\n' || plain_next_line(at);
 }
 
-/* (What number_usual() takes is far below MESH_COORDINATE_MAX.) */
+/* Any number, that is one in some hundred; NULL where it is none, or too large a coordinate. */
+BITS_RARE static const char *any_coordinate(const char *c, double *value)
+{
+    c = number_parse(c, value);
+    return c && fabs(*value) <= MESH_COORDINATE_MAX ? c : NULL;
+}
+
+BITS_INLINE const char *coordinate(const char *c, number_guess *guess, double *value)
+{
+    const char *end = number_usual(c, guess, value); /* which is far below MESH_COORDINATE_MAX */
+    return end && (*end | 0x20) != 'e' ? end : any_coordinate(c, value);
+}
+
 const char *plain_vertices(const char *at, roberts_vec3 *vertex, size_t room, size_t *count)
 {
     number_guess guess[3] = {number_guess_digits(8), number_guess_digits(8), number_guess_digits(8)};
@@ -50,9 +64,9 @@ const char *plain_vertices(const char *at, roberts_vec3 *vertex, size_t room, si
     for (; n < room; n++) {
         roberts_vec3 p;
         const char *c = begin_line(at);
-        if (!c || !(c = number_usual(c, &guess[0], &p.x)) || !(c = next_token(c)) ||
-            !(c = number_usual(c, &guess[1], &p.y)) || !(c = next_token(c)) ||
-            !(c = number_usual(c, &guess[2], &p.z)) || !ends_token(*c))
+        if (!c || !(c = coordinate(c, &guess[0], &p.x)) || !(c = next_token(c)) ||
+            !(c = coordinate(c, &guess[1], &p.y)) || !(c = next_token(c)) || !(c = coordinate(c, &guess[2], &p.z)) ||
+            !line_ends(c))
             break;
         vertex[n] = p;
         at = c;
@@ -97,7 +111,7 @@ const char *plain_read_faces(const char *at, plain_faces *faces)
         if (digits == 0 || count > PLAIN_CORNERS || count > f.corner_room - f.corner_count)
             break;
         c = read_corners(c + digits, &f, &guess, f.corner + f.corner_count, count);
-        if (!c || !(*c == '\n' || plain_next_line(c)))
+        if (!c || !line_ends(c))
             break;
         f.corner_count += count;
         f.end[f.count++] = (uint32_t)f.corner_count;

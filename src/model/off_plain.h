@@ -1,8 +1,8 @@
 /* off_plain.h - plain lines: a vertex or a face each, as nearly all lines of large files are.
  *
  * Three numbers, or a count of at most PLAIN_CORNERS and as many vertex numbers; between them blanks (spaces and tabs),
- * before and after them blanks too; the line ends with LF or CR LF. No comments, no colours, no '+', no vertex numbers
- * of eight digits. What is taken here means what off_text.c would make of it; where anything else stands, the plain lines
+ * before and after them blanks too; the line ends with LF or CR LF. No comments, no colours, no vertex numbers of eight
+ * digits. What is taken here means what off_text.c would make of it; where anything else stands, the plain lines
  * end, and the reader that knows all forms goes on from there.
  *
  * `at` is the first character after a token, and the first line begins after the line end that follows it. The text ends in

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/off_pieces.h"
 #include "model/off_plain.h"
 
 enum {
@@ -158,20 +159,25 @@ static size_t take_vertices(off_reader *r, uint64_t left)
     return count;
 }
 
+static uint64_t vertices_read(const off_reader *r)
+{
+    return r->mesh->vertex_count - r->mark.vertices;
+}
+
 static roberts_status read_vertices(off_reader *r)
 {
     const bool plain = !(r->header.color || r->header.texture || r->header.normal || r->header.homogeneous);
+    const uint64_t count = r->header.vertices;
     patience lines = {0};
-    roberts_status status;
-    for (uint64_t v = 0; v < r->header.vertices;) {
-        if (plain && r->mesh->vertex_count < r->mesh->vertex_room && worth_trying(&lines)) {
-            size_t count = take_vertices(r, r->header.vertices - v);
-            tried(&lines, count);
-            v += count;
-            if (v == r->header.vertices)
-                break;
-        }
-        if ((status = read_vertex(r, v++)) != ROBERTS_OK)
+    while (vertices_read(r) < count) {
+        if (plain && vertices_read(r) > 0) /* the counts' line may go on */
+            off_read_pieces(r);
+        if (plain && r->mesh->vertex_count < r->mesh->vertex_room && worth_trying(&lines))
+            tried(&lines, take_vertices(r, count - vertices_read(r)));
+        if (vertices_read(r) == count)
+            break;
+        roberts_status status = read_vertex(r, vertices_read(r));
+        if (status != ROBERTS_OK)
             return status;
     }
     return ROBERTS_OK;
@@ -253,7 +259,7 @@ static roberts_status face_color(off_reader *r)
 {
     off_color_numbers raw = {0};
     bool good = true;
-    size_t start = r->in.taken;
+    uint64_t start = r->in.taken;
     while (input_skip_in_line(&r->in) && !(*r->in.at == '}' && r->header.braces)) {
         if (r->in.taken - start > OFF_BLANK_MAX)
             return off_fail(r, ROBERTS_BAD_SYNTAX, "the line of face %zu does not end",
@@ -293,7 +299,7 @@ static size_t take_faces(off_reader *r, uint64_t left)
                          .corner_room = mesh->corner_room,
                          .room = room < left ? room : (size_t)left,
                          .first = (uint32_t)r->mark.vertices,
-                         .limit = r->header.vertices < UINT32_MAX ? (uint32_t)r->header.vertices : UINT32_MAX,
+                         .limit = off_index_limit(r),
                          .corner_count = mesh->corner_count};
     r->in.at = plain_read_faces(r->in.at, &faces);
     r->in.line += faces.count;
@@ -303,25 +309,31 @@ static size_t take_faces(off_reader *r, uint64_t left)
     return faces.count;
 }
 
+static uint64_t faces_read(const off_reader *r)
+{
+    return r->mesh->face_count - r->mark.faces;
+}
+
 static roberts_status read_faces(off_reader *r)
 {
+    const uint64_t count = r->header.faces;
     patience lines = {0};
-    roberts_status status;
-    for (uint64_t f = 0; f < r->header.faces; f++) {
-        if (r->mesh->face_count + 1 < r->mesh->face_room && worth_trying(&lines)) {
-            size_t count = take_faces(r, r->header.faces - f);
-            tried(&lines, count);
-            f += count;
-            if (f == r->header.faces)
-                break;
-        }
+    while (faces_read(r) < count) {
+        if (faces_read(r) > 0)
+            off_read_pieces(r);
+        if (r->mesh->face_count + 1 < r->mesh->face_room && worth_trying(&lines))
+            tried(&lines, take_faces(r, count - faces_read(r)));
+        uint64_t f = faces_read(r);
+        if (f == count)
+            break;
         if (!input_skip(&r->in) || (*r->in.at == '}' && r->header.braces)) {
             if (r->in.failure || r->in.too_blank)
                 return off_expected(r, ROBERTS_BAD_SYNTAX, "face %llu", (unsigned long long)f);
             off_warn_fewer(r, f);
             return ROBERTS_OK;
         }
-        if ((status = read_face(r, f)) != ROBERTS_OK)
+        roberts_status status = read_face(r, f);
+        if (status != ROBERTS_OK)
             return status;
     }
     return ROBERTS_OK;
@@ -332,7 +344,7 @@ static roberts_status read_faces(off_reader *r)
 static roberts_status ending(off_reader *r)
 {
     off_input *in = &r->in;
-    if (!r->finite)
+    if (!r->in.source.finite)
         in->ended = true;
     for (; r->header.braces && input_skip(in) && *in->at == '}'; r->header.braces--)
         in->at++;
