@@ -100,9 +100,10 @@ bench-baseline: all tools ## counts instructions (valgrind) and keeps them in to
 	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh baseline
 
 test-threads: ## calls the library from several threads at once under the thread sanitizer, in build/threads/
-	@$(MAKE) --no-print-directory build/threads/tests/test_threads BUILD=build/threads OPENMP= \
-	    CFLAGS='-O1 -g -fsanitize=thread'
+	@$(MAKE) --no-print-directory build/threads/tests/test_threads build/threads/tests/test_off_pieces \
+	    BUILD=build/threads OPENMP= CFLAGS='-O1 -g -fsanitize=thread'
 	TSAN_OPTIONS=suppressions=tests/threads.supp build/threads/tests/test_threads
+	build/threads/tests/test_off_pieces
 
 ##@ To install
 install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, man page, completions, libraries, header and roberts.pc

@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "memory.h"
-#include "roberts.h"
+#include "model/off_pieces.h"
 
 /* Long enough that every array grows several times. */
 static size_t make_input(char *text, bool binary)
@@ -81,6 +81,70 @@ static void binary_survives(void **state)
     reading_survives(true);
 }
 
+static ptrdiff_t read_at(void *context, uint64_t offset, void *buffer, size_t size)
+{
+    const char *text = context;
+    size_t length = strlen(text), left = offset < length ? length - (size_t)offset : 0, n = left < size ? left : size;
+    memcpy(buffer, text + (offset < length ? offset : 0), n);
+    return (ptrdiff_t)n;
+}
+
+static size_t place; /* of the one reader in the text */
+
+static ptrdiff_t read_on(void *context, void *buffer, size_t size)
+{
+    ptrdiff_t got = read_at(context, place, buffer, size < 50 ? size : 50);
+    place += (size_t)got;
+    return got;
+}
+
+static bool go(void *context, uint64_t offset)
+{
+    (void)context;
+    place = (size_t)offset;
+    return true;
+}
+
+static void run_in_turn(off_work_fn *work, void *job, uint32_t threads)
+{
+    for (uint32_t i = 0; i < threads; i++)
+        work(job, i);
+}
+
+/* In pieces: what only they need may be missing, for one thread can do it. */
+static void pieces_survive(void **state)
+{
+    static char text[4000];
+    const off_division division = {2, 60, 40, 1, run_in_turn};
+    size_t length = (size_t)sprintf(text, "OFF\n60 60 0\n"), failures = 0, before = memory_blocks;
+    (void)state;
+    for (int i = 0; i < 60; i++)
+        length += (size_t)sprintf(text + length, "%d 0 0\n", i);
+    for (int i = 0; i < 60; i++)
+        length += (size_t)sprintf(text + length, "3 0 1 %d\n", i);
+    const off_source source = {
+        .read = read_on, .context = text, .read_at = read_at, .go = go, .size = length, .finite = true};
+    for (size_t n = 1;; n++) {
+        roberts_mesh mesh = {0};
+        roberts_error error;
+        place = 0;
+        memory_fail(n);
+        roberts_status status = off_read(&mesh, "pieces", &source, &division, NULL, &error);
+        bool failed = memory_failed();
+        memory_fail(0);
+        failures += status == ROBERTS_NO_MEMORY;
+        assert_true(status == ROBERTS_OK ? mesh.vertex_count == 60 && mesh.face_count == 60
+                                         : failed && status == ROBERTS_NO_MEMORY && mesh.vertex_count == 0);
+        roberts_mesh_free(&mesh);
+        assert_int_equal(memory_blocks, before);
+        if (!failed) {
+            assert_true(n > failures + 10); /* slots, and texts of the threads */
+            break;
+        }
+    }
+    assert_true(failures >= 4); /* block, source, name, vertices; what then fails in pieces is tried again */
+}
+
 static void adding_survives(void **state)
 {
     static const char colored[] = "COFF 1 1 0\n0 0 0 1. 0 0\n3 0 0 0 7\n";
@@ -147,6 +211,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(text_survives),
         cmocka_unit_test(binary_survives),
+        cmocka_unit_test(pieces_survive),
         cmocka_unit_test(adding_survives),
         cmocka_unit_test(declared_counts_take_no_memory),
     };

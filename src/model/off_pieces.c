@@ -37,20 +37,26 @@ typedef struct piece {
     uint64_t begin;        /* of the line end before its first line */
     uint64_t middle, stop; /* after the last vertex, after the last face */
     uint64_t next;         /* `begin` of the next piece, where this one is plain to its end; else 0 */
-    bool ready;            /* read, and not yet joined */
 } piece;
+
+typedef struct slot {
+    piece piece;
+    bool ready; /* read, and not yet joined */
+} slot;
 
 typedef struct pieces_job {
     off_reader *r; /* whose mesh is touched by the one thread that is joining */
     const off_division *division;
-    piece *slot;          /* [slots] piece i is in slot i modulo `slots` */
+    slot *slot;           /* [slots] piece i is in slot i modulo `slots` */
     char **text;          /* [threads] what a thread reads a piece into */
     size_t slots, count;  /* count: of pieces in all */
     uint64_t start;       /* of the first piece, the end of a token */
-    pthread_mutex_t lock; /* over what follows, and the slots' `ready` */
+    pthread_mutex_t lock; /* over what follows down to `vertices`, and the slots' `ready` */
     pthread_cond_t room;  /* a slot is free, or it is over */
     size_t taken, joined; /* pieces */
     bool joining, over;
+    bool vertices; /* some are left */
+    /* and of the thread that is joining: */
     uint64_t vertices_left, faces_left;
     uint64_t at, begin; /* the reader's place, and where the next piece has to begin */
 } pieces_job;
@@ -175,13 +181,14 @@ static bool join(pieces_job *job, piece *p)
 /* Joins what is ready, in order. Holds the lock, but for joining itself. */
 static void join_ready(pieces_job *job)
 {
-    piece *p;
+    slot *s;
     job->joining = true;
-    while (!job->over && (p = &job->slot[job->joined % job->slots])->ready) {
+    while (!job->over && (s = &job->slot[job->joined % job->slots])->ready) {
         pthread_mutex_unlock(&job->lock);
-        bool good = join(job, p);
+        bool good = join(job, &s->piece);
         pthread_mutex_lock(&job->lock);
-        p->ready = false;
+        s->ready = false;
+        job->vertices = job->vertices_left > 0;
         job->over = !good || ++job->joined == job->count;
         pthread_cond_broadcast(&job->room);
     }
@@ -201,12 +208,12 @@ static void work(void *context, uint32_t thread)
         if (job->over || job->taken == job->count)
             break;
         size_t i = job->taken++;
-        bool vertices = job->vertices_left > 0;
+        bool vertices = job->vertices;
         pthread_mutex_unlock(&job->lock);
-        piece *p = &job->slot[i % job->slots];
-        read_piece(job, i, vertices, p, job->text[thread]);
+        slot *s = &job->slot[i % job->slots];
+        read_piece(job, i, vertices, &s->piece, job->text[thread]);
         pthread_mutex_lock(&job->lock);
-        p->ready = true;
+        s->ready = true;
         if (!job->joining)
             join_ready(job);
     }
@@ -242,7 +249,7 @@ off_division off_divide(uint32_t threads)
 static void job_free(pieces_job *job, uint32_t threads)
 {
     for (size_t i = 0; job->slot && i < job->slots; i++)
-        free(job->slot[i].vertex);
+        free(job->slot[i].piece.vertex);
     for (uint32_t i = 0; job->text && i < threads; i++)
         free(job->text[i]);
     free(job->slot);
@@ -261,7 +268,7 @@ static bool job_init(pieces_job *job, uint32_t threads)
         if (!(job->text[i] = alloc_array(most + 1 + NUMBER_PADDING, 1)))
             return false;
     for (size_t i = 0; i < job->slots; i++)
-        if (!(job->slot[i].vertex = alloc_array(most, SPREAD)))
+        if (!(job->slot[i].piece.vertex = alloc_array(most, SPREAD)))
             return false;
     return true;
 }
@@ -296,6 +303,7 @@ void off_read_pieces(off_reader *r)
                       .begin = start,
                       .vertices_left = r->header.vertices - (r->mesh->vertex_count - r->mark.vertices),
                       .faces_left = r->header.faces - (r->mesh->face_count - r->mark.faces)};
+    job.vertices = job.vertices_left > 0;
     if (job_init(&job, threads)) {
         do_job(&job, threads);
         input_go(&r->in, job.at);

@@ -85,8 +85,8 @@ BITS_INLINE const char *read_corners(const char *c, const plain_faces *f, number
             return NULL;
         uint64_t chunk = bits_load(c) ^ NUMBER_DIGITS;
         int digits = number_guessed_count(chunk, guess);
-        if (digits == 0 || digits == 8)
-            return NULL;
+        if (digits == 0)
+            return NULL; /* and a ninth digit is no blank */
         uint32_t index = (uint32_t)number_eight_digits(chunk << (64 - 8 * digits));
         if (index >= f->limit)
             return NULL;

@@ -1,7 +1,7 @@
 /* off_plain.h - plain lines: a vertex or a face each, as nearly all lines of large files are.
  *
  * Three numbers, or a count of at most PLAIN_CORNERS and as many vertex numbers; between them blanks (spaces and tabs),
- * before and after them blanks too; the line ends with LF or CR LF. No comments, no colours, no vertex numbers of eight
+ * before and after them blanks too; the line ends with LF or CR LF. No comments, no colours, no vertex numbers of nine
  * digits. What is taken here means what off_text.c would make of it; where anything else stands, the plain lines
  * end, and the reader that knows all forms goes on from there.
  *
