@@ -101,9 +101,8 @@ typedef struct roberts_mesh {
     roberts_color *face_color;   /**< [face_count], or NULL where no face has a colour */
     roberts_source *source;      /**< [source_count] */
     size_t vertex_room, face_room, corner_room, vertex_color_room, face_color_room, source_room; /**< private */
-    uint32_t
-        threads; /**< yours to set before reading: threads that read a large file; 0 = what there is. What is read does
-                           not depend on it */
+    uint32_t threads; /**< to be set by you before reading: how many may read a large file; 0 = what there is. What is
+                           read does not depend on it */
 } roberts_mesh;
 
 /** Gives up to `size` bytes into `buffer`; returns how many, 0 at the end of the input, -1 on failure (errno set). */
