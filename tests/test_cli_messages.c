@@ -37,20 +37,24 @@ static void messages_name_the_file(void **state)
     put_cube("half.off", 10, 0, 4);
     put("dented.off", "OFF\n5 6 0\n3 0 0\n0 3 0\n0 0 0\n0 0 3\n.5 .5 .5\n"
                       "3 0 1 4\n3 1 2 4\n3 2 0 4\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+    put("tri.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     put("empty.off", "OFF\n0 0 0\n");
     assert_int_equal(run("good.off bent.off good.off"), 1);
     assert_said("roberts: bent.off: face 0 of solid 0 is not planar: ");
     assert_int_equal(run("good.off models/table.off empty.off dented.off --tolerance 0.001"), 1);
-    assert_said("roberts: dented.off: solid 0 is not convex: vertex 2 lies 0.707107 outside face 0\n");
+    assert_said("roberts: dented.off: solid 0 is not convex: vertex 2 lies 0.707107 outside face 0 (see --hull, "
+                "--tolerance)\n");
     assert_int_equal(run("good.off models/table.off --tolerance 1e-17"), 1);
     assert_said("roberts: models/table.off: face 77 of solid 12 is not planar: ");
     assert_int_equal(run("good.off open.off good.off"), 1);
     assert_said("roberts: open.off: solid 0 is not closed: edge 0-3 belongs to 1 face instead of 2");
     assert_int_equal(run("models/table.off empty.off"), 0);
+    assert_int_equal(run("tri.off --hull"), 1); /* and no hint at what was tried */
+    assert_null(strstr(last.err, "see --hull"));
     assert_int_equal(run("open.off half.off"), 1); /* one solid of two files, by positions */
     assert_said("roberts: open.off and 1 more: solid 0 is not closed: edge ");
     assert_int_equal(run("empty.off empty.off"), 1);
-    assert_said("roberts: empty.off and 1 more: no solid: there is no face with three or more corners\n");
+    assert_said("roberts: empty.off and 1 more: no solid: there is no face with three or more corners (see --hull)\n");
 }
 
 /* A solid that its neighbours' windings turn, which no check but the last one sees; and a surface of one side. */
@@ -62,7 +66,8 @@ static void every_refusal_names_the_file(void **state)
     put("flat.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n");
     put("point.off", "OFF\n4 4 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n");
     assert_int_equal(run("models/table.off moebius.off"), 1);
-    assert_said("roberts: moebius.off: solid 0 is not convex: its surface has one side only\n");
+    assert_said(
+        "roberts: moebius.off: solid 0 is not convex: its surface has one side only (see --hull, --tolerance)\n");
     assert_int_equal(run("models/table.off flat.off models/table.off"), 1);
     assert_said("roberts: flat.off: solid 0 is flat: ");
     assert_int_equal(run("models/table.off point.off"), 1);

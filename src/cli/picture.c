@@ -44,14 +44,25 @@ static const char *write_title(const cli_options *options, char *title, size_t s
     return name_inputs(options, slash ? slash + 1 : first, title, size);
 }
 
+/* Which options have a say in it. */
+static const char *hint(const cli_options *options, roberts_status status)
+{
+    if (status == ROBERTS_BAD_VIEW && options->camera.projection == ROBERTS_PERSPECTIVE)
+        return " (see --eye, --look-at, --near)";
+    if (status == ROBERTS_NOT_CLOSED && !options->scene.hull)
+        return " (see --hull)";
+    if ((status == ROBERTS_NOT_PLANAR || status == ROBERTS_NOT_CONVEX) && !options->scene.hull)
+        return " (see --hull, --tolerance)";
+    return "";
+}
+
 /* What went wrong concerns the inputs, where it names no file. Returns the exit status. */
 static int fail(const cli_options *options, roberts_error *error)
 {
     size_t length = strlen(error->message);
     if (!error->file[0] && error->status != ROBERTS_BAD_ARGUMENT)
         name_inputs(options, options->input[0], error->file, sizeof error->file);
-    if (error->status == ROBERTS_BAD_VIEW && options->camera.projection == ROBERTS_PERSPECTIVE)
-        snprintf(error->message + length, sizeof error->message - length, " (see --eye, --look-at, --near)");
+    snprintf(error->message + length, sizeof error->message - length, "%s", hint(options, error->status));
     return message_error(options->log, error);
 }
 
