@@ -490,7 +490,7 @@ static void tiny(studio *st)
 static const struct {
     const char *name;
     void (*make)(studio *);
-    enum { INFINITELY_FAR, FROM_EYE, FROM_AMID, OBLIQUELY, AS_SOUP } way;
+    enum { INFINITELY_FAR, FROM_EYE, FROM_AMID, OBLIQUELY, AS_SOUP, AS_POINTS } way;
 } families[] = {
     {"lattice", lattice, INFINITELY_FAR},
     {"hulls", hulls, INFINITELY_FAR},
@@ -575,6 +575,9 @@ static const struct {
     {"crossing@soup", crossing, AS_SOUP},
     {"swarm@soup", swarm, AS_SOUP},
     {"round@soup", round_solids, AS_SOUP},
+    {"hulls@points", hulls, AS_POINTS},
+    {"polytopes@points", polytopes, AS_POINTS},
+    {"blocks@points", blocks, AS_POINTS},
 };
 
 size_t scene_family_count(void)
@@ -607,6 +610,8 @@ bool scene_make(const char *family, uint64_t seed, test_scene *scene)
             look_oblique(&st);
         if (families[i].way == AS_SOUP && !st.no_memory)
             give_as_soup(&st);
+        if (families[i].way == AS_POINTS && !st.no_memory)
+            give_as_points(&st);
         if (st.no_memory)
             test_scene_free(scene);
         return !st.no_memory;

@@ -13,8 +13,8 @@ typedef struct test_scene {
     double slack;           /* model units; 0: judged strictly, else oracle_options.slack */
     uint32_t grid, threads; /* what the program is asked to use: it must not matter */
     /* What the program is given instead of `mesh`: the same faces, no two of which share a vertex. Where it welds them they
-     * come to the vertices of `mesh`. */
-    bool has_soup;
+     * come to the vertices of `mesh`. Or each solid's points as an input, of which it has to take the hull. */
+    bool has_soup, hull;
     roberts_mesh soup;
     /* Where rounding has spoiled contacts: the scene before that, whose drawing it must still be. */
     bool has_original;
@@ -27,7 +27,7 @@ const char *scene_family_name(size_t index);
 
 /* Makes the scene `seed` of a family; false: no family of that name, or no memory. A name that ends in "@eye" is that
  * family in perspective, in "@near" from an eye amid the scene, in "@oblique" in an oblique view, in "@soup" given as
- * triangles one by one, as text. Release with test_scene_free(). */
+ * triangles one by one, as text, in "@points" without its faces. Release with test_scene_free(). */
 bool scene_make(const char *family, uint64_t seed, test_scene *scene);
 void test_scene_free(test_scene *scene);
 

@@ -63,6 +63,8 @@ static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, robe
 {
     roberts_scene *scene = NULL;
     roberts_camera camera = judge_camera(how);
+    /* so that no faces are made one that are not coplanar */
+    roberts_scene_options solids = {.hull = how->hull, .tolerance = how->hull ? 1e-10 : 0};
     roberts_hide_options options = roberts_hide_options_default();
     options.all_edges = true;
     options.keep_hidden = true;
@@ -71,7 +73,7 @@ static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, robe
     *drawing = (roberts_drawing){0};
     if (how->has_soup && mesh == &how->mesh)
         mesh = &how->soup;
-    roberts_status status = roberts_scene_build(mesh, NULL, &scene, error);
+    roberts_status status = roberts_scene_build(mesh, &solids, &scene, error);
     if (status == ROBERTS_OK)
         status = roberts_hide(scene, &camera, &options, drawing, error);
     roberts_scene_free(scene);

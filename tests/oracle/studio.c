@@ -382,6 +382,41 @@ void give_as_soup(studio *st)
     free(list);
 }
 
+/* Appends vertices first .. end - 1 as a file of points; the program's coordinates are doubles, as %.17g writes them. */
+static bool read_points(const roberts_mesh *from, size_t first, size_t end, roberts_mesh *points)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *file = open_memstream(&text, &size);
+    if (!file)
+        return false;
+    fprintf(file, "3 points\n%zu\n", end - first);
+    for (size_t v = first; v < end; v++)
+        fprintf(file, "%.17g %.17g %.17g\n", from->vertex[v].x, from->vertex[v].y, from->vertex[v].z);
+    bool ok = fclose(file) == 0;
+    ok = ok && roberts_mesh_read_memory(points, "points", text, size, NULL, NULL) == ROBERTS_OK;
+    free(text);
+    return ok;
+}
+
+/* Solids have been put one after the other: each ends with its greatest vertex. */
+void give_as_points(studio *st)
+{
+    const roberts_mesh *mesh = &st->scene->mesh;
+    size_t first = 0;
+    bool ok = true;
+    for (uint32_t s = 0; ok && s < st->solid_count; s++) {
+        uint32_t end_face = s + 1 < st->solid_count ? st->first_face[s + 1] : (uint32_t)mesh->face_count;
+        size_t end = first;
+        for (uint32_t i = mesh->face_start[st->first_face[s]]; i < mesh->face_start[end_face]; i++)
+            end = mesh->corner[i] >= end ? mesh->corner[i] + (size_t)1 : end;
+        ok = read_points(mesh, first, end, &st->scene->soup);
+        first = end;
+    }
+    st->scene->has_soup = st->scene->hull = true;
+    st->no_memory = st->no_memory || !ok || first != mesh->vertex_count;
+}
+
 static bool copy_mesh(const roberts_mesh *from, roberts_mesh *to)
 {
     bool ok = true;

@@ -44,6 +44,9 @@ void look_oblique(studio *st);
  * have a corner in one place. */
 void give_as_soup(studio *st);
 
+/* Gives the program the points of each solid alone, to take the hulls of. */
+void give_as_points(studio *st);
+
 /* Does not judge what lies about as near as what counts as touching. Call it last. */
 void near_touching(studio *st);
 
