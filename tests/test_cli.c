@@ -671,6 +671,27 @@ static void statistics(void **state)
     assert_true(depth == 0 && quotes % 2 == 0);
 }
 
+/* Of a sheet all views are counted: of a cube three show 4 edges, the isometric one 9. */
+static void sheets(void **state)
+{
+    static char text[TEXT];
+    (void)state;
+    assert_int_equal(run("--sheet first -o in/a.svg --stats=json --page 150x100 models/platonic/cube.off"), 0);
+    assert_said("\"views\":4,");
+    assert_said("\"solids\":4,");
+    assert_said("\"vertices\":32,");
+    assert_said("\"faces\":24,\"front_faces\":6,\"back_faces\":6,\"edge_on_faces\":12,");
+    assert_said("\"segments\":21,");
+    assert_int_equal(run("--sheet first -f null --stats models/platonic/cube.off"), 0);
+    assert_said("4  views, counted together\n");
+    assert_int_equal(run("-f null --stats models/platonic/cube.off"), 0);
+    assert_null(strstr(last.err, "views"));
+    read_text("in/a.svg", text);
+    assert_int_equal(run("--sheet first --batch in --page 150x100 models/platonic/cube.off"), 0);
+    read_text("in/cube.svg", last.out);
+    assert_string_equal(last.out, text);
+}
+
 static void warnings_can_be_silenced(void **state)
 {
     (void)state;
@@ -809,6 +830,7 @@ int main(void)
         IN_FOLDER(tells_version_and_help),
         IN_FOLDER(examples_of_the_help_run),
         IN_FOLDER(statistics),
+        IN_FOLDER(sheets),
         IN_FOLDER(warnings_can_be_silenced),
         IN_FOLDER(interruption_leaves_no_partial_file),
         IN_FOLDER(locale_changes_nothing),
