@@ -159,7 +159,7 @@ static void agrees_with_the_tests(void **state)
         assert_true(seen[v] > 1000);
 }
 
-/* An edge in contact is never decided at a stroke, unless it lies outside of another side. */
+/* An edge in contact is decided at a stroke only where it lies outside of another side, or ends well inside. */
 static void contact_is_unclear(void **state)
 {
     static const struct {
@@ -170,6 +170,10 @@ static void contact_is_unclear(void **state)
         {"along a side", {-2, -1, 0}, {2, -1, 0}, QUICK_UNCLEAR},
         {"along a side, beside it", {2, -1, 0}, {3, -1, 0}, QUICK_OUTSIDE},
         {"touches a corner", {-2, 0, 0}, {0, -2, 0}, QUICK_UNCLEAR},
+        {"inside, starts on a side", {0, -1, 0}, {0, 0.5, 0}, QUICK_INSIDE},
+        {"inside, starts beyond a side within epsilon", {0, -1 - 0.9 * EPSILON, 0}, {0, 0.5, 0}, QUICK_INSIDE},
+        {"inside, starts beyond a side", {0, -1 - 1.1 * EPSILON, 0}, {0, 0.5, 0}, QUICK_CUT},
+        {"comes in from where a side would go on", {-2, -1, 0}, {0.5, 0.25, 0}, QUICK_CUT},
         {"ends on a side", {0, -1, 0}, {0, -3, 0}, QUICK_UNCLEAR},
         {"ends on a side within epsilon", {0, -1 - 0.5 * EPSILON, 0}, {0, 3, 0}, QUICK_UNCLEAR},
         {"through two corners", {-2, -2, 0}, {2, 2, 0}, QUICK_UNCLEAR},

@@ -47,8 +47,8 @@ static bool pierce_all(const hide_picture *picture, const hide_face *face, uint3
 }
 
 /* The same by tests 2 to 4 themselves. */
-static bool by_outline_closely(const hide_picture *picture, const uint32_t *corner, uint32_t count, const hide_edge *e,
-                               hide_sides *sides, roberts_tally *tally, hide_part *part)
+BITS_RARE static bool by_outline_closely(const hide_picture *picture, const uint32_t *corner, uint32_t count,
+                                         const hide_edge *e, hide_sides *sides, roberts_tally *tally, hide_part *part)
 {
     hide_face F = {.corner = corner, .count = count};
     if (hide_test2(&picture->space, &F, e)) {
@@ -60,8 +60,8 @@ static bool by_outline_closely(const hide_picture *picture, const uint32_t *corn
 
 /* Tests 2 to 4, counted: the part of e inside an outline; false where there is none. Where all signs are plain the tests
  * are asked together: what is outside one side is then counted for test 3 also where test 2 would have said so. */
-static bool by_outline(const hide_picture *picture, const uint32_t *corner, uint32_t count, const hide_edge *e,
-                       hide_sides *sides, roberts_tally *tally, hide_part *part)
+BITS_INLINE bool by_outline(const hide_picture *picture, const uint32_t *corner, uint32_t count, const hide_edge *e,
+                            hide_sides *sides, roberts_tally *tally, hide_part *part)
 {
     if (count > QUICK_CORNERS)
         return by_outline_closely(picture, corner, count, e, sides, tally, part);

@@ -8,6 +8,9 @@
  * whose rounding could exceed it is computed again in twice the precision. No unit. */
 #define HIDE_T_ACCURACY 1e-10
 
+/* A computed distance is trusted for its sign where its error is at most this part of epsilon. */
+#define HIDE_TRUSTED 0.125
+
 typedef struct hide_space {
     const roberts_vec3 *P;      /* view points of all vertices, by compact number */
     double epsilon;             /* touching distance, view units */
@@ -62,6 +65,12 @@ static inline roberts_vec3 hide_edge_at(const hide_edge *e, double t)
         return e->B;
     return (roberts_vec3){e->A.x + t * (e->B.x - e->A.x), e->A.y + t * (e->B.y - e->A.y),
                           e->A.z + t * (e->B.z - e->A.z)};
+}
+
+/* Is a parameter with this error good enough, along the edge and as a length? */
+static inline bool hide_accurate(const hide_space *space, const hide_edge *e, double error)
+{
+    return error <= HIDE_T_ACCURACY && error * e->length3 <= HIDE_TRUSTED * space->epsilon;
 }
 
 /* A float certainly not greater (not less) than x: rounding moves x by half of 2^-23 of it at the most. */

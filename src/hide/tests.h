@@ -20,9 +20,6 @@
 #include "hide/quick.h"
 #include "hide/space.h"
 
-/* A computed distance is trusted for its sign where its error is at most this part of epsilon. */
-#define HIDE_TRUSTED 0.125
-
 typedef enum hide_verdict { HIDE_UNDECIDED, HIDE_VISIBLE, HIDE_INVISIBLE } hide_verdict;
 
 /* Signs of A and B against one side plane H_i: -1 outside, 0 on, 1 inside. */
@@ -51,12 +48,6 @@ bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e,
 
 /* Cuts `part`, all of it inside the sides, where e pierces F's plane; false where nothing of it lies behind. */
 bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part);
-
-/* Is a parameter with this error good enough, along the edge and as a length? */
-static inline bool hide_accurate(const hide_space *space, const hide_edge *e, double error)
-{
-    return error <= HIDE_T_ACCURACY && error * e->length3 <= HIDE_TRUSTED * space->epsilon;
-}
 
 /* Tests 3 and 4, counted in `tally`: the part of e inside all sides; false where there is none. */
 bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
