@@ -76,6 +76,48 @@ static int check_names(const batch *b)
     return result;
 }
 
+/* Which file a name stands for. */
+typedef struct place {
+    dev_t device;
+    ino_t number;
+} place;
+
+static int by_place(const void *a, const void *b)
+{
+    const place *p = a, *q = b;
+    if (p->device != q->device)
+        return p->device < q->device ? -1 : 1;
+    return (p->number > q->number) - (p->number < q->number);
+}
+
+static bool find_place(const char *name, place *at)
+{
+    struct stat found;
+    if (stat(name, &found) != 0 || !S_ISREG(found.st_mode))
+        return false;
+    *at = (place){found.st_dev, found.st_ino};
+    return true;
+}
+
+/* No drawing may take the place of a model. */
+static int check_places(const batch *b)
+{
+    place *input = malloc(b->count * sizeof *input), output;
+    size_t count = 0;
+    int result = EXIT_DONE;
+    if (!input)
+        return no_memory();
+    for (size_t i = 0; i < b->count; i++)
+        count += find_place(b->file[i].input, &input[count]);
+    qsort(input, count, sizeof *input, by_place);
+    for (size_t i = 0; i < b->count && result == EXIT_DONE; i++)
+        if (find_place(b->file[i].output, &output) && bsearch(&output, input, count, sizeof *input, by_place))
+            result = message_misuse("--batch: %s is an input; the drawing of %s would take its place",
+                                    b->file[i].output, b->file[i].input);
+    free(input);
+    return result;
+}
+
 static int prepare(batch *b)
 {
     for (size_t i = 0; i < b->count; i++) {
@@ -85,6 +127,8 @@ static int prepare(batch *b)
             return no_memory();
     }
     int result = check_names(b);
+    if (result == EXIT_DONE && b->options->draw.format != ROBERTS_NULL)
+        result = check_places(b);
     if (result == EXIT_DONE && mkdir(b->options->batch, 0777) != 0 && errno != EEXIST) {
         const char *reason = strerror(errno);
         message_begin(stderr, b->options->batch);
