@@ -17,6 +17,8 @@
 #define COVER_SMALLEST 0.3
 /* Mean number of boxes over a point of the picture from which covers pay. In flat scenes they cost a little. */
 #define COVER_DEPTH 2.5
+/* ... and from which covers of two fronts together pay: twice that costs nothing, half of it a tenth of the whole. */
+#define UNION_DEPTH 12.0
 /* Cells per box, and cells that cost nothing to speak of. */
 #define CELLS_PER_BOX 4.0
 #define COVER_CELLS_PER_BOX 32.0
@@ -89,4 +91,9 @@ scan_frame cells_for_covers(const hide_box *box, uint32_t count, roberts_vec2 lo
     smaller = greater(smaller, COVER_SMALLEST); /* each front enters all cells that it covers */
     divide(&s, count, BOXES_PER_COVER_CELL * smaller, COVER_CELLS_PER_BOX * count + CELLS_FREE, &nx, &ny);
     return scan_frame_over(low, high, whole(nx), whole(ny), margin);
+}
+
+bool cells_worth_uniting(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high)
+{
+    return measure(box, count, low, high).area > UNION_DEPTH;
 }

@@ -14,4 +14,7 @@ scan_frame cells_for_lists(const hide_box *box, uint32_t count, roberts_vec2 low
  * one another. */
 scan_frame cells_for_covers(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, double margin);
 
+/* Do so many boxes lie over one another that covers of two fronts together pay? */
+bool cells_worth_uniting(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high);
+
 #endif

@@ -25,6 +25,7 @@ void cover_free(cover *c)
 {
     free(c->depth);
     free(c->by);
+    free(c->rest);
     scan_free(&c->scan);
     *c = (cover){0};
 }

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/radix.h"
 #include "hide/cells.h"
+#include "hide/unite.h"
 
 /* A front of more faces than this is entered face by face: an edge that passes it would be compared with all. */
 #define FACES_OF_ONE_FRONT 24
@@ -233,6 +234,7 @@ static bool add_solid(build *b, uint32_t solid)
     hide_picture *picture = b->picture;
     const roberts_scene *scene = picture->scene;
     uint32_t first = picture->face_count, corners, vertex = scene->solid[solid].vertex;
+    size_t back = picture->back, edge_on = picture->edge_on;
     double reach, touch;
     view_points(&picture->view, scene->point + vertex, scene->solid[solid + 1].vertex - vertex, picture->P + vertex);
     if (!add_faces(picture, solid, &reach, &touch) || !find_outline(b, solid, &corners))
@@ -244,6 +246,13 @@ static bool add_solid(build *b, uint32_t solid)
     if (reach > 6.0 * picture->view.extent)
         reach = INFINITY; /* nothing is farther away, along three axes */
     bool whole = corners && count <= FACES_OF_ONE_FRONT;
+    if (whole && unite_hides(picture, picture->outline + picture->outline_count, corners, box->z1)) {
+        picture->culled[solid] = true;
+        picture->face_count = first;
+        picture->back = back;
+        picture->edge_on = edge_on;
+        return true;
+    }
     double depth = corners ? farthest(picture, picture->outline + picture->outline_count, corners) : -INFINITY;
     double slack = find_slack(picture, first, touch);
     hide_front front = {.solid = solid,
@@ -259,7 +268,10 @@ static bool add_solid(build *b, uint32_t solid)
     if (!whole)
         return add_single_fronts(picture, solid, first);
     picture->outline_count += corners;
-    return picture->outline_count <= UINT32_MAX && add_front(picture, front, picture->box[solid]);
+    if (picture->outline_count > UINT32_MAX || !add_front(picture, front, picture->box[solid]))
+        return false;
+    unite_offer(picture, picture->front_count - 1);
+    return true;
 }
 
 /* Nearest first, but tile by tile of the picture: what a tile's solids touch of the covers then stays in the cache. A
@@ -405,6 +417,12 @@ static bool add_solids(build *b)
         if (!picture->culled[s] && !add_solid(b, s))
             return false;
     }
+    for (uint32_t k = 0; picture->cover.rest && k < picture->front_count; k++) {
+        const hide_front *front = &picture->front[k];
+        unsigned char *culled = &picture->culled[front->solid];
+        *culled = *culled ||
+                  unite_hides(picture, picture->outline + front->outline, front->corners, picture->front_box[k].z1);
+    }
     for (uint32_t k = 0; covers && k < count; k++) {
         uint32_t s = b->order[k];
         picture->culled[s] = picture->culled[s] || is_hidden(picture, s);
@@ -463,7 +481,8 @@ roberts_status hide_picture_build(hide_picture *picture, const roberts_scene *sc
     if (cull)
         frame = cells_for_covers(picture->box, scene->solid_count, picture->low, picture->high,
                                  hide_margin(&picture->space));
-    if (!cover_init(&picture->cover, frame) || !add_solids(&b))
+    bool unite = frame.nx && cells_worth_uniting(picture->box, scene->solid_count, picture->low, picture->high);
+    if (!cover_init(&picture->cover, frame) || (unite && !unite_init(&picture->cover)) || !add_solids(&b))
         goto done;
     status = ROBERTS_OK;
 done:
