@@ -36,7 +36,7 @@ void hide_worker_free(hide_worker *w)
 }
 
 /* All of these lie side by side in memory: x, y and then z of points, x0 .. z1 of boxes. */
-static hide_box box_of(const hide_edge *e, double margin)
+BITS_INLINE hide_box box_of(const hide_edge *e, double margin)
 {
     hide_box box;
     float low[2], high[2];
@@ -111,9 +111,14 @@ static inline bool meet(hide_worker *w, hide_line *line, const hide_front *front
     hide_part part;
     if (!hide_by_front(w->picture, front, approach, &line->e, &w->sides, &w->tally, &part))
         return true;
-    if (front->corners == 0 ? !hide_parts_hull(&line->hulls, front->solid, &part)
-                            : !hide_parts_add(&line->parts, front->solid, &part))
+    if (front->corners == 0) {
+        if (!hide_parts_hull(&line->hulls, front->solid, &part))
+            return false;
+    } else if (line->parts.count == 0 && line->parts.room > 0) { /* as hide_parts_add() does, without a call */
+        line->parts.item[line->parts.count++] = (hide_solid_part){part, front->solid};
+    } else if (!hide_parts_add(&line->parts, front->solid, &part)) {
         return false;
+    }
     if (part.t0 == 0.0 && part.t1 == 1.0) {
         line->hidden = true;
         w->live--;

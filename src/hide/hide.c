@@ -267,15 +267,10 @@ static bool look_ahead(hide_job *job, hide_worker *w, hide_sums *sums, uint32_t 
     return true;
 }
 
-/* All of them, where the order of the file is not as good. Hidden segments are looked up in the picture at their own turn
- * anyway. */
+/* All of them, where the order of the file is not as good. */
 static bool look_ahead_at_all(hide_job *job, hide_worker *worker, hide_sums *sums, int threads)
 {
     bool lost = false;
-    if (job->options->keep_hidden)
-        return true;
-    if (!ahead_init(&job->ahead, &job->picture))
-        return false;
     uint32_t chunks = job->ahead.order ? (job->ahead.count + AHEAD_CHUNK - 1) / AHEAD_CHUNK : 0;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads) reduction(|| : lost)
@@ -483,6 +478,10 @@ static roberts_status build(hide_job *job, const roberts_camera *camera, roberts
                          options->epsilon, v->diameter * v->unit);
     drawing->view_time = lap(&clock);
     const hide_picture *picture = &job->picture;
+    /* Hidden segments are looked up in the picture at their own turn anyway. */
+    if (!options->keep_hidden && !ahead_init(&job->ahead, picture))
+        return ROBERTS_NO_MEMORY;
+    hide_picture_drop_boxes(&job->picture);
     scan_frame frame = cells_for_lists(picture->front_box, picture->front_count, picture->low, picture->high,
                                        options->grid, hide_margin(&picture->space));
     status = objet_build(&job->grid, picture, frame);

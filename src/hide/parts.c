@@ -69,7 +69,7 @@ static int compare(const void *pa, const void *pb)
 }
 
 /* Few parts, as there mostly are, are put in their places one by one. */
-static void sort(hide_parts *parts)
+static inline void sort(hide_parts *parts)
 {
     if (parts->count > 16) {
         qsort(parts->item, parts->count, sizeof *parts->item, compare);
@@ -86,9 +86,9 @@ static void sort(hide_parts *parts)
 
 void hide_parts_unite(hide_parts *parts, double epsilon, double length)
 {
-    size_t kept = 0;
+    size_t kept = parts->count < 2 ? parts->count : 0;
     sort(parts);
-    for (size_t i = 0; i < parts->count; i++) {
+    for (size_t i = kept; i < parts->count; i++) {
         hide_part next = parts->item[i].part;
         hide_part *last = kept ? &parts->item[kept - 1].part : NULL;
         if (last && (touch(last, &next) || (next.t0 - last->t1) * length <= epsilon)) {

@@ -496,6 +496,12 @@ done:
     return status;
 }
 
+void hide_picture_drop_boxes(hide_picture *picture)
+{
+    free(picture->box);
+    picture->box = NULL;
+}
+
 void hide_picture_free(hide_picture *picture)
 {
     free(picture->box);

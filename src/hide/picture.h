@@ -27,7 +27,7 @@ typedef struct hide_picture {
     const roberts_scene *scene;
     view view;
     hide_space space;
-    hide_box *box;         /* [solid_count] */
+    hide_box *box;         /* [solid_count], until they are dropped */
     unsigned char *culled; /* [solid_count] */
     roberts_vec3 *P;       /* [vertex_count] view points of solids not culled */
     unsigned char *facing; /* [face_count] VIEW_FRONT, _BACK or _EDGE_ON, likewise */
@@ -51,6 +51,9 @@ typedef struct hide_picture {
 roberts_status hide_picture_build(hide_picture *picture, const roberts_scene *scene, const roberts_camera *camera,
                                   double epsilon, bool cull, roberts_error *error);
 void hide_picture_free(hide_picture *picture);
+
+/* Releases the boxes of solids: edges ask those of fronts only. */
+void hide_picture_drop_boxes(hide_picture *picture);
 
 /* The outline of a front as a polygon for tests 2 to 4; its plane is not set, or that of its only face. */
 static inline hide_face hide_outline(const hide_picture *picture, const hide_front *front)
