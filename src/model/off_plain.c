@@ -108,7 +108,7 @@ const char *plain_read_faces(const char *at, plain_faces *faces)
         int digits = 1;
         if (count > 9 || c[1] != ' ')
             digits = number_short_integer(c, &count);
-        if (digits == 0 || count > PLAIN_CORNERS || count > f.corner_room - f.corner_count)
+        if (digits == 0 || count == 0 || count > PLAIN_CORNERS || count > f.corner_room - f.corner_count)
             break;
         c = read_corners(c + digits, &f, &guess, f.corner + f.corner_count, count);
         if (!c || !line_ends(c))
