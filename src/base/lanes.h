@@ -76,17 +76,6 @@ static inline two_plain two_plain_side(two_plain a)
     return (two_plain){{a.v[0] < 0.0 ? -1.0 : 1.0, a.v[1] < 0.0 ? -1.0 : 1.0}};
 }
 
-/* Lane 0 of both; lane 1 of both. */
-static inline two_plain two_plain_low(two_plain a, two_plain b)
-{
-    return (two_plain){{a.v[0], b.v[0]}};
-}
-
-static inline two_plain two_plain_high(two_plain a, two_plain b)
-{
-    return (two_plain){{a.v[1], b.v[1]}};
-}
-
 /* Lane 0 to *p, lane 1 to *q. */
 static inline void two_plain_part(double *p, double *q, two_plain a)
 {
@@ -206,16 +195,6 @@ static inline two two_side(two a)
     return _mm_or_pd(_mm_set1_pd(1.0), _mm_and_pd(_mm_set1_pd(-0.0), _mm_cmplt_pd(a, _mm_setzero_pd())));
 }
 
-static inline two two_low(two a, two b)
-{
-    return _mm_unpacklo_pd(a, b);
-}
-
-static inline two two_high(two a, two b)
-{
-    return _mm_unpackhi_pd(a, b);
-}
-
 static inline void two_part(double *p, double *q, two a)
 {
     _mm_storel_pd(p, a);
@@ -282,8 +261,6 @@ typedef four_plain four;
 #define two_div two_plain_div
 #define two_sqrt two_plain_sqrt
 #define two_side two_plain_side
-#define two_low two_plain_low
-#define two_high two_plain_high
 #define two_part two_plain_part
 #define two_lesser two_plain_lesser
 #define two_greater two_plain_greater

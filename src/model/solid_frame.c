@@ -154,34 +154,35 @@ static void store_empty(solid_frame *frame, roberts_scene *scene, uint32_t f)
 /* Fills in faces f and g, both of `n` corners, 3 or 4; f and g may be the same. */
 static void fit_two(solid_frame *frame, roberts_scene *scene, uint32_t f, uint32_t g, uint32_t n)
 {
-    const roberts_vec3 *point = frame->point - frame->vertex_first;
+    const roberts_vec3 *point = frame->point;
+    const uint32_t base = frame->vertex_first;
     local_face *p = &frame->face[f], *q = &frame->face[g];
     uint32_t *c = scene->corner + scene->face_start[frame->face_first + f];
     uint32_t *d = scene->corner + scene->face_start[frame->face_first + g];
     plane *G = &scene->face_plane[frame->face_first + f], *H = &scene->face_plane[frame->face_first + g];
-    two_vec3 origin = gather(&point[c[0]], &point[d[0]]);
-    two_vec3 a = two_vec3_sub(gather(&point[c[1]], &point[d[1]]), origin);
-    two_vec3 b = two_vec3_sub(gather(&point[c[2]], &point[d[2]]), origin);
+    two_vec3 origin = gather(&point[c[0] - base], &point[d[0] - base]);
+    two_vec3 a = two_vec3_sub(gather(&point[c[1] - base], &point[d[1] - base]), origin);
+    two_vec3 b = two_vec3_sub(gather(&point[c[2] - base], &point[d[2] - base]), origin);
     two_vec3 middle = {two_all(frame->barycentre.x), two_all(frame->barycentre.y), two_all(frame->barycentre.z)};
     two_vec3 centre = {two_all(scene->centre.x), two_all(scene->centre.y), two_all(scene->centre.z)};
     two_vec3 first = two_vec3_sub(gather(&scene->point[c[0]], &scene->point[d[0]]), centre);
-    two_planes fit = n == 3
-                         ? two_planes_of_triangles(a, b)
-                         : two_planes_of_quadrilaterals(a, b, two_vec3_sub(gather(&point[c[3]], &point[d[3]]), origin));
+    two_planes fit = n == 3 ? two_planes_of_triangles(a, b)
+                            : two_planes_of_quadrilaterals(
+                                  a, b, two_vec3_sub(gather(&point[c[3] - base], &point[d[3] - base]), origin));
     two depth = two_sub(two_vec3_dot(fit.n, two_vec3_sub(middle, origin)), fit.mean), side = two_side(depth);
     two_vec3 F = {two_mul(side, fit.n.x), two_mul(side, fit.n.y), two_mul(side, fit.n.z)};
     two zero = two_all(0.0), unit = two_all(frame->unit);
     two Fd = two_mul(side, two_sub(two_sub(zero, two_vec3_dot(fit.n, origin)), fit.mean));
     two Gd = two_sub(two_sub(zero, two_vec3_dot(F, first)), two_mul(two_mul(side, fit.mean), unit));
     unsigned outward = two_at_most(side, zero);
-    two_store(&p->F.a, two_low(F.x, F.y));
-    two_store(&p->F.c, two_low(F.z, Fd));
-    two_store(&q->F.a, two_high(F.x, F.y));
-    two_store(&q->F.c, two_high(F.z, Fd));
-    two_store(&G->a, two_low(F.x, F.y));
-    two_store(&G->c, two_low(F.z, Gd));
-    two_store(&H->a, two_high(F.x, F.y));
-    two_store(&H->c, two_high(F.z, Gd));
+    two_part(&p->F.a, &q->F.a, F.x);
+    two_part(&p->F.b, &q->F.b, F.y);
+    two_part(&p->F.c, &q->F.c, F.z);
+    two_part(&p->F.d, &q->F.d, Fd);
+    two_part(&G->a, &H->a, F.x);
+    two_part(&G->b, &H->b, F.y);
+    two_part(&G->c, &H->c, F.z);
+    two_part(&G->d, &H->d, Gd);
     two_part(&p->depth, &q->depth, two_mul(side, depth));
     two_part(&p->deviation, &q->deviation, fit.deviation);
     two_part(&p->area, &q->area, fit.area);
