@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/sets.h"
 #include "model/layout.h"
 
 /* For each vertex its parent: an earlier vertex of the component or the vertex itself; ROBERTS_NONE: no face uses it.
@@ -19,16 +20,6 @@
 typedef uint32_t set_node;
 
 enum { FEW_CORNERS = 8 }; /* of a face; up to so many, comparing all pairs is quicker than marking vertices */
-
-/* Root of v's set; halves the path on the way. */
-static uint32_t find_root(set_node *node, uint32_t v)
-{
-    while (node[v] != v) {
-        node[v] = node[node[v]];
-        v = node[v];
-    }
-    return v;
-}
 
 /* Puts v into the set with this root; returns the root of the joined set. */
 static inline uint32_t join(set_node *node, uint32_t root, uint32_t v)
@@ -40,7 +31,7 @@ static inline uint32_t join(set_node *node, uint32_t root, uint32_t v)
         node[v] = v < root ? v : root;
         other = v;
     } else {
-        other = find_root(node, v);
+        other = sets_root(node, v);
     }
     if (other >= root) {
         node[other] = root;
@@ -114,7 +105,7 @@ static void join_corners(roberts_scene *scene, set_node *node, const polygons *f
         corner_count += n;
         if (node[*corner] == ROBERTS_NONE)
             node[*corner] = *corner;
-        root = find_root(node, *corner);
+        root = sets_root(node, *corner);
         while (++corner < end)
             root = join(node, root, *corner);
     }
@@ -236,7 +227,7 @@ static void copy_corners(roberts_scene *scene, const polygons *faces)
     face_start[face_count] = (uint32_t)(to - scene->corner);
 }
 
-/* Vertices and faces keep their numbers where they are in order: then it is the mesh's own arrays that are kept. */
+/* Vertices and faces keep their numbers where they are in order: then the mesh's arrays are copied, unless they are lent. */
 static void place(roberts_scene *scene, set_node *node, const polygons *faces, const roberts_vec3 *point,
                   bool vertices_keep, bool faces_keep)
 {

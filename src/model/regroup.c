@@ -10,6 +10,7 @@
 
 #include "base/array.h"
 #include "base/error.h"
+#include "base/sets.h"
 #include "model/edges.h"
 #include "model/layout.h"
 #include "model/place.h"
@@ -163,13 +164,6 @@ static roberts_status refuse_open(uint32_t s, place at, uint32_t group, const sp
                      has == 1 ? "" : "s");
 }
 
-static uint32_t find_root(uint32_t *parent, uint32_t g)
-{
-    for (; parent[g] != g; g = parent[g])
-        parent[g] = parent[parent[g]];
-    return g;
-}
-
 /* Makes one of the groups that are open and share a vertex. False: no memory. */
 static bool join_open(split_groups *groups, const roberts_scene *loose)
 {
@@ -185,10 +179,10 @@ static bool join_open(split_groups *groups, const roberts_scene *loose)
             uint32_t *first = &owner[loose->corner[i]];
             if (*first == ROBERTS_NONE)
                 *first = groups->of[f];
-            parent[find_root(parent, groups->of[f])] = find_root(parent, *first);
+            parent[sets_root(parent, groups->of[f])] = sets_root(parent, *first);
         }
     for (uint32_t f = 0; enough && f < loose->face_count; f++)
-        groups->of[f] = find_root(parent, groups->of[f]);
+        groups->of[f] = sets_root(parent, groups->of[f]);
     free(parent);
     free(owner);
     return enough;

@@ -19,6 +19,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/sets.h"
 #include "model/face_plane.h"
 #include "model/solid_frame.h"
 
@@ -46,19 +47,10 @@ typedef struct splitter {
 
 /* ---- pieces -------------------------------------------------------------------------------------------------------- */
 
-static uint32_t find_root(uint32_t *parent, uint32_t f)
-{
-    while (parent[f] != f) {
-        parent[f] = parent[parent[f]];
-        f = parent[f];
-    }
-    return f;
-}
-
 static void unite(uint32_t *parent, uint32_t a, uint32_t b)
 {
-    a = find_root(parent, a);
-    b = find_root(parent, b);
+    a = sets_root(parent, a);
+    b = sets_root(parent, b);
     parent[a < b ? b : a] = a < b ? a : b;
 }
 
@@ -101,7 +93,7 @@ static void group_run(splitter *s, uint32_t *parent, uint32_t from, uint32_t to)
             unite(parent, f, s->last[s->edge_of[c]]);
     }
     for (uint32_t i = from; i < to; i++) {
-        uint32_t f = s->order[i], root = find_root(parent, f); /* the root is the smallest and comes first */
+        uint32_t f = s->order[i], root = sets_root(parent, f); /* the root is the smallest and comes first */
         s->groups->of[f] = root == f ? new_group(s, true) : s->groups->of[root];
     }
 }
@@ -421,7 +413,7 @@ static uint32_t sort_pieces(splitter *s, uint32_t *end)
 {
     uint32_t pieces = 0, sum = 0;
     for (uint32_t f = 0; f < s->face_count; f++)
-        s->parent[f] = find_root(s->parent, f);
+        s->parent[f] = sets_root(s->parent, f);
     for (uint32_t f = 0; f < s->face_count; f++) { /* a root comes before its faces */
         s->parent[f] = s->parent[f] == f ? pieces++ : s->parent[s->parent[f]];
         end[s->parent[f]]++;
