@@ -17,7 +17,7 @@ enum { CUBES = 6000 }; /* enough for seven threads to have something to do */
 static const uint32_t face[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
 
 /* What may be wrong with a cube. */
-typedef enum fault { SOUND, DENTED, FLAT, OPEN } fault;
+typedef enum fault { SOUND, DENTED, FLAT, OPEN, ENDLESS /* and open */ } fault;
 
 static fault fault_of(uint32_t cube, const uint32_t *faulty, const fault *kind, size_t count)
 {
@@ -40,7 +40,9 @@ static roberts_mesh row_of_cubes(const uint32_t *faulty, const fault *kind, size
                 p = vec3_add(p, (roberts_vec3){-0.25, -0.25, 0.5});
             assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
         }
-        for (int side = wrong == OPEN; side < 6; side++) {
+        if (wrong == ENDLESS)
+            mesh.vertex[first].x = INFINITY; /* which roberts_mesh_add_vertex() refuses */
+        for (int side = wrong == OPEN || wrong == ENDLESS; side < 6; side++) {
             for (int i = 0; i < 4; i++)
                 v[i] = first + face[side][i];
             assert_int_equal(roberts_mesh_add_face(&mesh, v, 4, NULL), ROBERTS_OK);
@@ -81,6 +83,8 @@ static void the_first_fault_is_told(void **state)
         /* what is open and cannot be mended is told before all else */
         {"open and flat", 2, {10, 5000}, {OPEN, FLAT}, ROBERTS_NOT_CLOSED, "not closed"},
         {"flat and open", 2, {10, 5000}, {FLAT, OPEN}, ROBERTS_NOT_CLOSED, "not closed"},
+        {"endless", 1, {4321}, {ENDLESS}, ROBERTS_BAD_NUMBER, "vertex 34568 is not a finite number"},
+        {"flat and endless", 2, {10, 300}, {FLAT, ENDLESS}, ROBERTS_BAD_NUMBER, "vertex 2400 is not a finite number"},
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

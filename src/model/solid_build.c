@@ -39,6 +39,19 @@ static roberts_status wind(roberts_scene *scene, builder *work, uint32_t s, robe
     return edges_pair(scene, s, &work->edges) == EDGES_PAIRED ? ROBERTS_OK : error_no_memory(error);
 }
 
+/* Of a vertex that is no finite number. An open solid is told of when it is welded, so that what is told does not depend on
+ * whether it was built or only asked. */
+static build_result refuse_numbers(roberts_scene *scene, builder *work, uint32_t s, bool must_close,
+                                   roberts_error *error)
+{
+    build_result result = must_close ? BUILD_OK : solid_is_closed(scene, work, s, error);
+    if (result != BUILD_OK)
+        return result;
+    error_set(error, ROBERTS_BAD_NUMBER, 0, "a vertex of solid %u is not a finite number up to 1e150",
+              s - place_of_solid(scene, s, work->frame.mesh).solid);
+    return BUILD_REFUSED;
+}
+
 /* A face that its neighbours have turned, and that has not been mended, may be within a wide tolerance and still look away
  * from the inside: F > 0 there is promised. */
 static roberts_status refuse_turned(const roberts_scene *scene, const solid_frame *frame, roberts_error *error)
@@ -64,9 +77,7 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
     if (status == ROBERTS_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
     if (status != ROBERTS_OK)
-        return error_set(error, status, 0, "a vertex of solid %u is not a finite number up to 1e150",
-                         s - place_of_solid(scene, s, mesh).solid),
-               BUILD_REFUSED;
+        return refuse_numbers(scene, work, s, must_close, error);
     frame_fit_faces(&work->frame, scene);
     pairing = edges_pair(scene, s, &work->edges);
     if (pairing == EDGES_NO_MEMORY)
