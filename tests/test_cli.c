@@ -464,11 +464,14 @@ static void batch_draws_each_file(void **state)
     assert_int_equal(access("in/new/cube.svg", F_OK), 0);
     assert_int_equal(entries("in/new", true), 2);
     assert_int_equal(run("--batch in/new -f csv --threads 2 -v models/table.off models/platonic/cube.off"), 0);
-    assert_true(strstr(last.err, "in/new/table.csv: ") < strstr(last.err, "in/new/cube.csv: "));
+    first = strstr(last.err, "in/new/table.csv: ");
+    assert_true(first && strstr(first, "in/new/cube.csv: "));
     assert_int_equal(entries("in/new", true), 2);
     assert_int_equal(run("--batch in/new -f null models/table.off"), 0);
     assert_int_equal(entries("in/new", false), 0);
     assert_int_equal(rmdir("in/new"), 0);
+    assert_int_equal(run("--batch in --threads 4294967295 models/table.off"), 1);
+    assert_said("roberts: more than 1024 threads\n");
     assert_int_equal(run("--batch missing/new models/table.off"), 1);
     assert_said("roberts: missing/new: cannot make the folder: No such file or directory");
 }

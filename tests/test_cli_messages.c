@@ -149,6 +149,17 @@ static void empty_names(void **state)
     assert_said("roberts: the name of an input is empty\n");
 }
 
+/* It is the streams that are meant by -, also where a file is called so. */
+static void a_file_called_minus(void **state)
+{
+    (void)state;
+    put_cube("one.off", 0, 0, 6);
+    put("-", "");
+    finish(start("- -o -", "one.off", -1));
+    assert_int_equal(last.status, 0);
+    assert_non_null(strstr(last.out, "<svg"));
+}
+
 /* ---- options that change nothing ---- */
 
 /* What is warned of, after "roberts: warning: "; empty: nothing. */
@@ -400,6 +411,7 @@ int main(void)
         IN_FOLDER(every_refusal_names_the_file),
         IN_FOLDER(misuse_tells_what_was_meant),
         IN_FOLDER(empty_names),
+        IN_FOLDER(a_file_called_minus),
         IN_FOLDER(idle_options_are_warned_of),
         IN_FOLDER(terminals_are_told_of),
         IN_FOLDER(names_are_printed_plainly),

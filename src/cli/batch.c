@@ -185,9 +185,8 @@ static void make_all(batch *b)
 {
     long count = (long)b->count;
 #ifdef _OPENMP
-    int threads = b->options->hide.threads ? (int)b->options->hide.threads : omp_get_max_threads();
-    if (threads > INTERRUPT_SLOTS)
-        threads = INTERRUPT_SLOTS;
+    uint32_t asked = b->options->hide.threads ? b->options->hide.threads : (uint32_t)omp_get_max_threads();
+    int threads = asked < INTERRUPT_SLOTS ? (int)asked : INTERRUPT_SLOTS;
     if (threads > count)
         threads = (int)count;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)

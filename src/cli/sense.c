@@ -91,14 +91,16 @@ static int check_files(const cli_options *options, bool output_given)
 {
     struct stat output, input;
     size_t streams = 0;
-    bool there = output_given && options->draw.format != ROBERTS_NULL && stat(options->output, &output) == 0;
+    bool there = output_given && options->draw.format != ROBERTS_NULL && strcmp(options->output, "-") != 0 &&
+                 stat(options->output, &output) == 0;
     for (size_t i = 0; i < options->input_count; i++) {
         roberts_format format;
         const char *name = options->input[i];
-        streams += strcmp(name, "-") == 0;
         if (!*name)
             return message_misuse("the name of an input is empty");
-        if (stat(name, &input) == 0) {
+        if (strcmp(name, "-") == 0) {
+            streams++;
+        } else if (stat(name, &input) == 0) {
             if (there && S_ISREG(output.st_mode) && is_same_file(&output, &input))
                 return message_misuse("--output: %s is an input; the drawing would take its place", options->output);
         } else if (!output_given && !options->batch && roberts_format_by_path(name, &format)) {
