@@ -483,7 +483,7 @@ roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *
 /** A front face that a sight line meets. */
 typedef struct roberts_pick_hit {
     uint32_t solid;     /**< number of the solid */
-    uint32_t face;      /**< number of the face in the input; ROBERTS_NONE: where the near plane cuts the solid */
+    uint32_t face;      /**< number of the face in the input; ROBERTS_NONE: a hull's, or where the near plane cuts */
     double depth;       /**< along the line of sight's axis, behind the plane through the scene's centre or the look-at
                              point (< 0: in front of it), model units */
     roberts_vec3 point; /**< where it is met, model space */

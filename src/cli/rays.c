@@ -72,6 +72,15 @@ static void tell_nothing(const cli_options *options, const roberts_scene *scene,
     fputs("\n", options->log);
 }
 
+/* A face that the input does not have. */
+static const char *name_unnumbered(const cli_options *options)
+{
+    if (!options->scene.hull)
+        return "cut by the near plane";
+    return options->camera.projection == ROBERTS_PERSPECTIVE ? "a face of its hull, or cut by the near plane"
+                                                             : "a face of its hull";
+}
+
 static roberts_status pick_one(const cli_options *options, const roberts_scene *scene, roberts_vec2 p,
                                roberts_error *error)
 {
@@ -85,7 +94,7 @@ static roberts_status pick_one(const cli_options *options, const roberts_scene *
         message_begin(options->log, options->label);
         fprintf(options->log, "pick %.12g,%.12g: %ssolid %u, ", p.x, p.y, i ? "behind it " : "", (unsigned)hit->solid);
         if (hit->face == ROBERTS_NONE)
-            fputs(options->scene.hull ? "a face of its hull, " : "cut by the near plane, ", options->log);
+            fprintf(options->log, "%s, ", name_unnumbered(options));
         else
             fprintf(options->log, "face %u, ", (unsigned)hit->face);
         fprintf(options->log, "depth %.12g, at %.12g,%.12g,%.12g\n", hit->depth, hit->point.x, hit->point.y,

@@ -70,7 +70,7 @@ static inline bool off_coordinate(double x)
     return x <= MESH_COORDINATE_MAX && x >= -MESH_COORDINATE_MAX;
 }
 
-/* What is above all vertex numbers of plain lines, which have no more than seven digits. */
+/* What is above all vertex numbers of plain lines, which have no more than eight digits. */
 static inline uint32_t off_index_limit(const off_reader *r)
 {
     return r->header.vertices < UINT32_MAX ? (uint32_t)r->header.vertices : UINT32_MAX;
