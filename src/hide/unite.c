@@ -2,6 +2,7 @@
 #include "hide/unite.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/array.h"
 #include "hide/tests.h"
@@ -212,8 +213,9 @@ void unite_offer(hide_picture *picture, uint32_t front)
     const scan *s = &picture->cover.scan;
     const scan_frame *f = &picture->cover.frame;
     sides own;
-    if (!picture->cover.rest || !sides_of(picture, front, &own))
-        return;
+    bool again = front > 0 && memcmp(&picture->front_box[front], &picture->front_box[front - 1], sizeof(hide_box)) == 0;
+    if (!picture->cover.rest || again || !sides_of(picture, front, &own))
+        return; /* many at one place, mostly copies, offer nothing new */
     for (uint32_t i = s->first; i <= s->last; i++) {
         uint32_t low, high, first = 1, last = 0;
         scan_touched(s, f, i, &low, &high);
