@@ -93,9 +93,14 @@ BITS_INLINE quick_verdict quick_cut(const quick_outline *o, const hide_space *sp
         double length = sqrt(dx * dx + dy * dy), apart = fabs(a - b);
         double error_a = 2.0 * space->rounding * (length + fabs(e->A.x - ox) + fabs(e->A.y - oy));
         double error_b = 2.0 * space->rounding * (length + fabs(e->B.x - ox) + fabs(e->B.y - oy));
-        if (!hide_accurate(space, e, (error_a + error_b) / apart))
-            return QUICK_UNCLEAR;
-        double t = a / (a - b);
+        double t = a / (a - b), error = (error_a + error_b) / apart;
+        if (!hide_accurate(space, e, error)) {
+            error = lesser(hide_crossing_error(space, e, t, ox, oy, dx, dy, apart), error);
+            if (a < 0.0 ? t + error <= part->t0 : t - error >= part->t1)
+                continue;
+            if (!hide_accurate(space, e, error))
+                return QUICK_UNCLEAR;
+        }
         if (a < 0.0) {
             if (t > part->t0) {
                 part->t0 = t;

@@ -73,6 +73,22 @@ static inline bool hide_accurate(const hide_space *space, const hide_edge *e, do
     return error <= HIDE_T_ACCURACY && error * e->length3 <= HIDE_TRUSTED * space->epsilon;
 }
 
+/* Bound of the error of the parameter t at which AB crosses the line through P along (dx, dy), a side from corner to corner;
+ * apart: |a - b| for its signed distances a, b of A and B, times the side's length. It is sharper than the errors of a
+ * and b where the crossing lies near a side that is short, or far from the ends of AB: with a and b off by da and db,
+ * t is off by ((1 - t) da + t db) / (a - b), by the error that the distance of the crossing X itself would have. Moved
+ * by `rounding` in each coordinate, P, Q and X change the cross product by no more than 2 rounding (|PQ| + |PX|), both
+ * norms sums of coordinates, and the products' own rounding adds less than 2 rounding |PQ|. X is taken where it was
+ * found: it may be off by t's error times |AB|, which at most doubles the bound as long as 4 rounding |AB| <= apart. */
+static inline double hide_crossing_error(const hide_space *space, const hide_edge *e, double t, double px, double py,
+                                         double dx, double dy, double apart)
+{
+    roberts_vec3 X = hide_edge_at(e, t);
+    double side = fabs(dx) + fabs(dy), reach = fabs(X.x - px) + fabs(X.y - py);
+    double run = fabs(e->B.x - e->A.x) + fabs(e->B.y - e->A.y);
+    return 4.0 * space->rounding * run <= apart ? 4.0 * space->rounding * (2.0 * side + reach) / apart : INFINITY;
+}
+
 /* A float certainly not greater (not less) than x: rounding moves x by half of 2^-23 of it at the most. */
 static inline float hide_float_below(double x)
 {

@@ -143,20 +143,6 @@ typedef struct crossing {
     uint32_t p, q;
 } crossing;
 
-/* Sharper than the errors of A and B where the crossing lies near a side that is short, or that AB crosses far from its
- * ends. With a and b off by da and db, t is off by ((1 - t) da + t db) / (a - b): by the error that the distance of the
- * crossing X itself would have. Moved by `rounding` in each coordinate, P, Q and X change the cross product by no more
- * than 2 rounding (|PQ| + |PX|), both norms sums of coordinates, and the products' own rounding adds less than
- * 2 rounding |PQ|. X is taken where it was found: it may be off by t's error times |AB|, which at most doubles the
- * bound as long as 4 rounding |AB| <= |a - b|. */
-static double error_at_crossing(const hide_space *space, const side_line *s, const hide_edge *e, double t)
-{
-    roberts_vec3 P = space->P[s->p], Q = space->P[s->q], X = hide_edge_at(e, t);
-    double side = fabs(Q.x - P.x) + fabs(Q.y - P.y), reach = fabs(X.x - P.x) + fabs(X.y - P.y);
-    double run = fabs(e->B.x - e->A.x) + fabs(e->B.y - e->A.y), apart = fabs(s->a - s->b);
-    return 4.0 * space->rounding * run <= apart ? 4.0 * space->rounding * (2.0 * side + reach) / apart : INFINITY;
-}
-
 static crossing cross_side(const hide_space *space, const hide_face *F, uint32_t i, const hide_edge *e)
 {
     side_line s = measure(space, F, i, e);
@@ -164,7 +150,8 @@ static crossing cross_side(const hide_space *space, const hide_face *F, uint32_t
     crossing c = {.t = s.a / (s.a - s.b), .touch = space->epsilon * s.length / apart, .p = s.p, .q = s.q};
     if (hide_accurate(space, e, error) || !space->scene)
         return c;
-    error = lesser(error_at_crossing(space, &s, e, c.t), error);
+    roberts_vec3 P = space->P[s.p], Q = space->P[s.q];
+    error = lesser(hide_crossing_error(space, e, c.t, P.x, P.y, Q.x - P.x, Q.y - P.y, apart), error);
     c.error = hide_accurate(space, e, error) ? 0.0 : error;
     return c;
 }
