@@ -7,13 +7,15 @@
 
 #include <stdint.h>
 
-/* For the few functions whose inlining, or not, was measured to matter. */
+/* For the few functions and tables whose inlining, or not, and place were measured to matter. */
 #if defined(__GNUC__)
 #define BITS_INLINE static inline __attribute__((__always_inline__))
-#define BITS_RARE __attribute__((__noinline__, __cold__))
+#define BITS_RARE __attribute__((__noinline__))
+#define BITS_HIDDEN __attribute__((__visibility__("hidden"))) /* read without a detour in a shared library */
 #else
 #define BITS_INLINE static inline
 #define BITS_RARE
+#define BITS_HIDDEN
 #endif
 
 /* Zero bits above the highest one. word != 0. */

@@ -27,12 +27,16 @@ const char *number_parse(const char *text, double *value);
 /* Eight characters XOR this: a digit becomes its value, anything else 10 or more. */
 #define NUMBER_DIGITS 0x3030303030303030u
 
+/* See number_not_digits(). */
+#define NUMBER_CARRY 0x7676767676767676u
+#define NUMBER_MARKS 0x8080808080808080u
+
 /* Of eight characters (first in the lowest byte, each XOR '0') marks by their highest bits those that are no digits,
  * without fail the first of them. */
 static inline uint64_t number_not_digits(uint64_t chunk)
 {
     /* 0..9 + 0x76 stays below 0x80, 10..127 does not; a carry out of a byte only reaches characters after it */
-    return ((chunk + 0x7676767676767676u) | chunk) & 0x8080808080808080u;
+    return ((chunk + NUMBER_CARRY) | chunk) & NUMBER_MARKS;
 }
 
 /* How many of them are digits before the first other one. */
@@ -46,19 +50,25 @@ static inline int number_digit_count(uint64_t chunk)
  * are, lets the processor go on to what follows without waiting for the answer. */
 typedef struct number_guess {
     int digits;          /* 0..8 */
-    uint64_t mark, upto; /* the mark of number_not_digits() after so many digits, and where to look for marks */
+    uint64_t mark, upto; /* the mark of number_not_digits() after so many digits, and all marks up to it */
 } number_guess;
 
 BITS_INLINE number_guess number_guess_digits(int digits)
 {
     uint64_t mark = UINT64_C(0x80) << 4 * digits << 4 * digits; /* after eight digits there is none */
-    return (number_guess){digits, mark, 2 * mark - 1};
+    return (number_guess){digits, mark, (2 * mark - 1) & NUMBER_MARKS};
 }
 
-/* How many of eight characters (each XOR '0') are digits. */
+/* Whether as many of eight characters (each XOR '0') are digits, and no more. */
+BITS_INLINE bool number_guess_right(uint64_t chunk, const number_guess *guess)
+{
+    return (((chunk + NUMBER_CARRY) | chunk) & guess->upto) == guess->mark;
+}
+
+/* How many of eight characters are digits. */
 BITS_INLINE int number_guessed_count(uint64_t chunk, number_guess *guess)
 {
-    if ((number_not_digits(chunk) & guess->upto) != guess->mark)
+    if (!number_guess_right(chunk, guess))
         *guess = number_guess_digits(number_digit_count(chunk));
     return guess->digits;
 }
@@ -100,9 +110,9 @@ static inline int number_short_integer(const char *text, uint32_t *value)
 
 /* What a normal double's exponent field holds beside the implied bit, for w * 10^-fraction with w's highest bit at 63 and
  * the product's at 126: floor(log2(10^-fraction)) + 63 + 1022. */
-extern const int16_t number_exponent[NUMBER_MOST_FRACTION + 1];
-extern const uint64_t number_short_power[8];
-extern const double number_power[NUMBER_MOST_FRACTION + 1]; /* 10^fraction, exact */
+extern BITS_HIDDEN const int16_t number_exponent[NUMBER_MOST_FRACTION + 1];
+extern BITS_HIDDEN const uint64_t number_short_power[8];
+extern BITS_HIDDEN const double number_power[NUMBER_MOST_FRACTION + 1]; /* 10^fraction, exact */
 
 /* The bits of the double nearest to w * 10^-fraction, w > 0, by one product with the upper half of the power; 0 where the
  * middle between two doubles may be as near as the lower half counts (see number.c). */
@@ -128,21 +138,22 @@ BITS_INLINE uint64_t number_quotient(uint64_t w, ptrdiff_t fraction)
     return bits;
 }
 
-/* Adds the digits after the eighth after the point to *w; returns the first other character, or the eleventh digit. (Of 17
- * digits in all, now 15 and now 18 stand after the point. Code without a branch for that, which has to wait for the count,
- * measured slower than the branches that are guessed wrong.) */
+/* Adds the digits after the eighth after the point to *w, wrapping where they are too many; returns the first other
+ * character. (Of 17 digits in all, now 15 and now 18 stand after the point. Code without a branch for that, which has to wait
+ * for the count, measured slower than the branches that are guessed wrong.) */
 BITS_INLINE const char *number_far_digits(const char *text, uint64_t *w)
 {
-    uint64_t chunk = bits_load(text) ^ NUMBER_DIGITS;
+    uint64_t chunk = bits_load(text) ^ NUMBER_DIGITS, value = *w;
     int count = number_digit_count(chunk);
     if (count < 8) {
-        *w = *w * number_short_power[count] + number_eight_digits(chunk << 8 * (7 - count) << 8); /* 0 may be left */
+        *w = value * number_short_power[count] + number_eight_digits(chunk << 8 * (7 - count) << 8); /* 0 may be left */
         return text + count;
     }
-    *w = *w * 100000000 + number_eight_digits(chunk);
-    text += 8;
-    for (count = 0; count < 2 && (unsigned char)(*text - '0') < 10; count++, text++)
-        *w = 10 * *w + (uint64_t)(*text - '0');
+    value = value * 100000000 + number_eight_digits(chunk);
+    unsigned digit;
+    for (text += 8; (digit = (unsigned char)*text - (unsigned)'0') < 10; text++)
+        value = 10 * value + digit;
+    *w = value;
     return text;
 }
 
@@ -152,18 +163,18 @@ BITS_INLINE const char *number_far_digits(const char *text, uint64_t *w)
 BITS_INLINE const char *number_usual(const char *text, number_guess *guess, double *value)
 {
     bool negative = *text == '-';
-    const char *c = text + negative;
+    const char *first = text + negative, *c = first;
     uint64_t w = 0, bits;
-    ptrdiff_t count;
+    unsigned digit;
     /* digit by digit: mostly they are one to three, and while the processor guesses where they end it need not wait for
      * the answer, as it must when they are counted */
-    for (; (unsigned char)(*c - '0') < 10; c++)
-        w = 10 * w + (uint64_t)(*c - '0');
-    count = c - text - negative;
-    if (count == 0 || count > NUMBER_MOST_WHOLE)
+    for (; (digit = (unsigned char)*c - (unsigned)'0') < 10; c++)
+        w = 10 * w + digit;
+    if ((size_t)(c - first) - 1 >= NUMBER_MOST_WHOLE)
         return NULL;
     if (*c != '.') {
-        bits = number_quotient(w, 0);
+        double whole = (double)(int64_t)w;
+        memcpy(&bits, &whole, sizeof bits);
     } else {
         uint64_t chunk = bits_load(c + 1) ^ NUMBER_DIGITS;
         int fraction = number_guessed_count(chunk, guess);
@@ -177,14 +188,13 @@ BITS_INLINE const char *number_usual(const char *text, number_guess *guess, doub
             const char *point = c;
             w = w * 100000000 + number_eight_digits(chunk);
             c = number_far_digits(c + 9, &w);
-            fraction = (int)(c - point - 1);
-            if (count + fraction > NUMBER_MOST_DIGITS || (unsigned char)(*c - '0') < 10 || w == 0)
+            if (c - first - 1 > NUMBER_MOST_DIGITS || w == 0)
                 return NULL;
-            bits = number_nearest(w, fraction);
+            bits = number_nearest(w, c - point - 1);
             if (!bits) {
                 if (w >> DBL_MANT_DIG || !NUMBER_EXACT_QUOTIENT)
                     return NULL;
-                bits = number_quotient(w, fraction);
+                bits = number_quotient(w, c - point - 1);
             }
         }
     }

@@ -5,6 +5,8 @@
 
 #include <stdint.h>
 
+#include "base/bits.h"
+
 #define POWER_MIN (-326) /* 19 digits times 10^-326 can just reach the least normal double, 2.2e-308 */
 #define POWER_MAX 308    /* 1 times 10^309 is beyond the greatest double */
 
@@ -12,6 +14,6 @@ typedef struct power_ten {
     uint64_t high, low;
 } power_ten;
 
-extern const power_ten power_table[POWER_MAX - POWER_MIN + 1]; /* [q - POWER_MIN] */
+extern BITS_HIDDEN const power_ten power_table[POWER_MAX - POWER_MIN + 1]; /* [q - POWER_MIN] */
 
 #endif

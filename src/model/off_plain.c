@@ -11,10 +11,16 @@ static inline bool is_blank(char c)
     return c == ' ' || c == '\t';
 }
 
-const char *plain_next_line(const char *at)
+static inline const char *pass_blanks(const char *at)
 {
     while (is_blank(*at))
         at++;
+    return at;
+}
+
+const char *plain_next_line(const char *at)
+{
+    at = pass_blanks(at);
     at += *at == '\r';
     return *at == '\n' ? at + 1 : NULL;
 }
@@ -23,20 +29,7 @@ const char *plain_next_line(const char *at)
 BITS_INLINE const char *begin_line(const char *at)
 {
     const char *c = *at == '\n' ? at + 1 : plain_next_line(at);
-    while (c && is_blank(*c))
-        c++;
-    return c;
-}
-
-/* The next token of the line; where there is none or no blank before it, something that is not plain. */
-BITS_INLINE const char *next_token(const char *at)
-{
-    const char *c = at + (*at == ' ');
-    if ((unsigned char)*c <= ' ') {
-        while (is_blank(*c))
-            c++;
-    }
-    return c == at ? NULL : c;
+    return c ? pass_blanks(c) : NULL;
 }
 
 static inline bool line_ends(const char *at)
@@ -48,13 +41,16 @@ static inline bool line_ends(const char *at)
 BITS_RARE static const char *any_coordinate(const char *c, double *value)
 {
     c = number_parse(c, value);
-    return c && fabs(*value) <= MESH_COORDINATE_MAX ? c : NULL;
+    return c && (unsigned char)*c <= ' ' && fabs(*value) <= MESH_COORDINATE_MAX ? c : NULL;
 }
 
+/* Reads a coordinate and goes to the next token of the line; at the end of the line stays there. */
 BITS_INLINE const char *coordinate(const char *c, number_guess *guess, double *value)
 {
     const char *end = number_usual(c, guess, value); /* which is far below MESH_COORDINATE_MAX */
-    return end && (*end | 0x20) != 'e' ? end : any_coordinate(c, value);
+    if (!end || (unsigned char)*end > ' ')
+        end = any_coordinate(c, value);
+    return end ? pass_blanks(end) : NULL;
 }
 
 const char *plain_vertices(const char *at, roberts_vec3 *vertex, size_t room, size_t *count)
@@ -64,9 +60,8 @@ const char *plain_vertices(const char *at, roberts_vec3 *vertex, size_t room, si
     for (; n < room; n++) {
         roberts_vec3 p;
         const char *c = begin_line(at);
-        if (!c || !(c = coordinate(c, &guess[0], &p.x)) || !(c = next_token(c)) ||
-            !(c = coordinate(c, &guess[1], &p.y)) || !(c = next_token(c)) || !(c = coordinate(c, &guess[2], &p.z)) ||
-            !line_ends(c))
+        if (!c || !(c = coordinate(c, &guess[0], &p.x)) || !(c = coordinate(c, &guess[1], &p.y)) ||
+            !(c = coordinate(c, &guess[2], &p.z)) || !line_ends(c))
             break;
         vertex[n] = p;
         at = c;
@@ -75,25 +70,38 @@ const char *plain_vertices(const char *at, roberts_vec3 *vertex, size_t room, si
     return at;
 }
 
+/* Where the next number is not as long as the last one, after one blank: the place of its digits, and *chunk and *guess for
+ * them; NULL where there are none. */
+static const char *guess_again(const char *at, uint64_t *chunk, number_guess *guess)
+{
+    const char *c = pass_blanks(at);
+    *chunk = bits_load(c) ^ NUMBER_DIGITS;
+    int digits = number_digit_count(*chunk);
+    if (c == at || digits == 0)
+        return NULL;
+    *guess = number_guess_digits(digits);
+    return c;
+}
+
 /* Reads `count` vertex numbers; NULL where one is not plain or out of range. */
-BITS_INLINE const char *read_corners(const char *c, const plain_faces *f, number_guess *guess, uint32_t *corner,
+BITS_INLINE const char *read_corners(const char *at, const plain_faces *f, number_guess *guess, uint32_t *corner,
                                      uint32_t count)
 {
-    for (uint32_t i = 0; i < count; i++) {
-        c = next_token(c);
-        if (!c)
-            return NULL;
+    for (const uint32_t *end = corner + count; corner < end; corner++) {
+        const char *c = at + 1;
         uint64_t chunk = bits_load(c) ^ NUMBER_DIGITS;
-        int digits = number_guessed_count(chunk, guess);
-        if (digits == 0)
-            return NULL; /* and a ninth digit is no blank */
-        uint32_t index = (uint32_t)number_eight_digits(chunk << (64 - 8 * digits));
+        if (!number_guess_right(chunk, guess) || *at != ' ') {
+            c = guess_again(at, &chunk, guess);
+            if (!c)
+                return NULL;
+        }
+        uint32_t index = (uint32_t)number_eight_digits(chunk << (64 - 8 * guess->digits));
         if (index >= f->limit)
             return NULL;
-        corner[i] = f->first + index;
-        c += digits;
+        *corner = f->first + index;
+        at = c + guess->digits; /* where a ninth digit is no blank */
     }
-    return c;
+    return at;
 }
 
 const char *plain_read_faces(const char *at, plain_faces *faces)
