@@ -99,7 +99,7 @@ bench: all tools ## measures speed and memory, 10 minutes; shorter: BENCH_MAX=1e
 bench-baseline: all tools ## counts instructions (valgrind) and keeps them in tools/bench-baseline.txt
 	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh baseline
 
-test-threads: ## calls the library from several threads at once under the thread sanitizer, in build/threads/
+test-threads: ## calls the library from several threads at once, and reads by them, under the thread sanitizer, in build/threads/
 	@$(MAKE) --no-print-directory build/threads/tests/test_threads build/threads/tests/test_off_pieces \
 	    BUILD=build/threads OPENMP= CFLAGS='-O1 -g -fsanitize=thread'
 	TSAN_OPTIONS=suppressions=tests/threads.supp build/threads/tests/test_threads

@@ -84,6 +84,15 @@ static const struct {
     {"00000000000000000000000000000000000000001.5", ""},
     {"0.00000000000000000000000000000000000000012345678901234567", ""},
     {"0000000000000000000000000000000000000000000000000000000000", ""},
+    {"0.00000000", ""}, /* as "%.8f" writes 0 and other numbers that doubles are */
+    {"-0.00000000", ""},
+    {"-1.0000000000", ""},
+    {"12345678901.12345678", ""}, /* 11 digits before the point, 19 in all; then 12, and 20 */
+    {"123456789012.1234567", ""},
+    {"12345678901.123456789", ""},
+    {"0.123456789012345678", ""},
+    {"0.1234567890123456789", ""},
+    {"90071992547.40993", ""}, /* 2^53 + 1 without its point: no exact quotient */
     {"0e999999999999999999999", ""},
     {"1e999999999999999999999", ""},
     {"1e-999999999999999999999", ""},
@@ -328,6 +337,8 @@ static void powers_belong_together(void **state)
 {
     (void)state;
     assert_true(power_table[-POWER_MIN].high == UINT64_C(1) << 63 && power_table[-POWER_MIN].low == 0);
+    for (int fraction = 0; fraction <= NUMBER_MOST_FRACTION; fraction++)
+        assert_true(number_scales[fraction].high == power_table[-fraction - POWER_MIN].high);
     for (int q = 0; q < POWER_MAX - POWER_MIN; q++) {
         power_ten a = power_table[q], b = power_table[q + 1];
         uint64_t low, carry = bits_multiply(a.low, 10, &low), high, top = bits_multiply(a.high, 10, &high);

@@ -6,6 +6,7 @@
 #define ROBERTS_BASE_BITS_H
 
 #include <stdint.h>
+#include <string.h>
 
 /* For the few functions and tables whose inlining, or not, and place were measured to matter. */
 #if defined(__GNUC__)
@@ -73,12 +74,18 @@ static inline uint64_t bits_multiply(uint64_t a, uint64_t b, uint64_t *low)
 #endif
 }
 
-/* Eight characters, the first in the lowest byte, on any machine (compilers make one load of it). */
+/* Eight characters, the first in the lowest byte, on any machine. */
 static inline uint64_t bits_load(const char *text)
 {
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    uint64_t word;
+    memcpy(&word, text, sizeof word);
+    return word;
+#else
     const unsigned char *c = (const unsigned char *)text;
     return (uint64_t)c[0] | (uint64_t)c[1] << 8 | (uint64_t)c[2] << 16 | (uint64_t)c[3] << 24 | (uint64_t)c[4] << 32 |
            (uint64_t)c[5] << 40 | (uint64_t)c[6] << 48 | (uint64_t)c[7] << 56;
+#endif
 }
 
 #endif

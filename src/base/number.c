@@ -36,8 +36,12 @@ const double number_power[NUMBER_MOST_FRACTION + 1] = {1e0,  1e1,  1e2,  1e3,  1
 
 const uint64_t number_short_power[8] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
 
-const int16_t number_exponent[NUMBER_MOST_FRACTION + 1] = {1085, 1081, 1078, 1075, 1071, 1068, 1065, 1061, 1058, 1055,
-                                                           1051, 1048, 1045, 1041, 1038, 1035, 1031, 1028, 1025};
+const number_scale number_scales[NUMBER_MOST_FRACTION + 1] = {
+    {0x8000000000000000u, 1085}, {0xccccccccccccccccu, 1081}, {0xa3d70a3d70a3d70au, 1078}, {0x83126e978d4fdf3bu, 1075},
+    {0xd1b71758e219652bu, 1071}, {0xa7c5ac471b478423u, 1068}, {0x8637bd05af6c69b5u, 1065}, {0xd6bf94d5e57a42bcu, 1061},
+    {0xabcc77118461cefcu, 1058}, {0x89705f4136b4a597u, 1055}, {0xdbe6fecebdedd5beu, 1051}, {0xafebff0bcb24aafeu, 1048},
+    {0x8cbccc096f5088cbu, 1045}, {0xe12e13424bb40e13u, 1041}, {0xb424dc35095cd80fu, 1038}, {0x901d7cf73ab0acd9u, 1035},
+    {0xe69594bec44de15bu, 1031}, {0xb877aa3236a4b449u, 1028}, {0x9392ee8e921d5d07u, 1025}};
 
 /* floor(log2(10^q)) for |q| <= 350: 217706 / 65536 is log2(10) cut off, and never crosses an integer in this range.
  * The offset keeps the shifted value positive. */

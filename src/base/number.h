@@ -11,7 +11,6 @@
 #include <string.h>
 
 #include "base/bits.h"
-#include "base/power.h"
 
 #define NUMBER_PADDING 8
 
@@ -49,14 +48,14 @@ static inline int number_digit_count(uint64_t chunk)
 /* A guess at how many digits come, namely as many as the last time. Asking whether it is right, instead of how many there
  * are, lets the processor go on to what follows without waiting for the answer. */
 typedef struct number_guess {
-    int digits;          /* 0..8 */
+    uint64_t digits;     /* 0..8 */
     uint64_t mark, upto; /* the mark of number_not_digits() after so many digits, and all marks up to it */
 } number_guess;
 
 BITS_INLINE number_guess number_guess_digits(int digits)
 {
     uint64_t mark = UINT64_C(0x80) << 4 * digits << 4 * digits; /* after eight digits there is none */
-    return (number_guess){digits, mark, (2 * mark - 1) & NUMBER_MARKS};
+    return (number_guess){(uint64_t)digits, mark, (2 * mark - 1) & NUMBER_MARKS};
 }
 
 /* Whether as many of eight characters (each XOR '0') are digits, and no more. */
@@ -66,7 +65,7 @@ BITS_INLINE bool number_guess_right(uint64_t chunk, const number_guess *guess)
 }
 
 /* How many of eight characters are digits. */
-BITS_INLINE int number_guessed_count(uint64_t chunk, number_guess *guess)
+BITS_INLINE uint64_t number_guessed_count(uint64_t chunk, number_guess *guess)
 {
     if (!number_guess_right(chunk, guess))
         *guess = number_guess_digits(number_digit_count(chunk));
@@ -108,25 +107,29 @@ static inline int number_short_integer(const char *text, uint32_t *value)
 #define NUMBER_EXACT_QUOTIENT 0
 #endif
 
-/* What a normal double's exponent field holds beside the implied bit, for w * 10^-fraction with w's highest bit at 63 and
- * the product's at 126: floor(log2(10^-fraction)) + 63 + 1022. */
-extern BITS_HIDDEN const int16_t number_exponent[NUMBER_MOST_FRACTION + 1];
-extern BITS_HIDDEN const uint64_t number_short_power[8];
-extern BITS_HIDDEN const double number_power[NUMBER_MOST_FRACTION + 1]; /* 10^fraction, exact */
+/* 10^-fraction: the upper half of its 128 bits, as in power.h, and what a normal double's exponent field holds beside the
+ * implied bit for w * 10^-fraction, w's highest bit at 63 and the product's at 126: floor(log2(10^-fraction)) + 63 + 1022. */
+typedef struct number_scale {
+    uint64_t high, exponent;
+} number_scale;
+
+extern BITS_HIDDEN const number_scale number_scales[NUMBER_MOST_FRACTION + 1]; /* [fraction] */
+extern BITS_HIDDEN const uint64_t number_short_power[8];                       /* 10^0 .. 10^7 */
+extern BITS_HIDDEN const double number_power[NUMBER_MOST_FRACTION + 1];        /* 10^fraction, exact */
 
 /* The bits of the double nearest to w * 10^-fraction, w > 0, by one product with the upper half of the power; 0 where the
  * middle between two doubles may be as near as the lower half counts (see number.c). */
 BITS_INLINE uint64_t number_nearest(uint64_t w, ptrdiff_t fraction)
 {
+    const number_scale *scale = &number_scales[fraction];
     int zeros = bits_leading_zeros(w);
-    uint64_t low, high = bits_multiply(w << zeros, power_table[-fraction - POWER_MIN].high, &low);
-    int upper = (int)(high >> 63); /* 64 bits, else 63 */
+    uint64_t low, high = bits_multiply(w << zeros, scale->high, &low), upper = high >> 63; /* 64 bits, else 63 */
     /* the middle is 2^9 or 2^10, so that where the nine last bits are neither all 0 nor all 1, one unit more or less
      * does not reach it; more often than needed, but two instructions */
     if (((high + 1) & 0x1ff) <= 1)
         return 0;
     /* the highest bit is the implied one and adds 1 to the exponent field, as a carry from rounding rightly does */
-    return ((uint64_t)(unsigned)(number_exponent[fraction] - zeros + upper) << 52) + (((high >> (9 + upper)) + 1) >> 1);
+    return ((scale->exponent - (unsigned)zeros + upper) << 52) + (((high >> (9 + upper)) + 1) >> 1);
 }
 
 /* The bits of w / 10^fraction where w < 2^53; both are exact then, and the quotient is rounded once. */
@@ -143,10 +146,10 @@ BITS_INLINE uint64_t number_quotient(uint64_t w, ptrdiff_t fraction)
  * for the count, measured slower than the branches that are guessed wrong.) */
 BITS_INLINE const char *number_far_digits(const char *text, uint64_t *w)
 {
-    uint64_t chunk = bits_load(text) ^ NUMBER_DIGITS, value = *w;
-    int count = number_digit_count(chunk);
-    if (count < 8) {
-        *w = value * number_short_power[count] + number_eight_digits(chunk << 8 * (7 - count) << 8); /* 0 may be left */
+    uint64_t chunk = bits_load(text) ^ NUMBER_DIGITS, value = *w, others = number_not_digits(chunk);
+    if (others) {
+        unsigned mark = (unsigned)bits_trailing_zeros(others), count = mark >> 3;
+        *w = value * number_short_power[count] + number_eight_digits(chunk << 1 << (70 - mark)); /* 0 may be left */
         return text + count;
     }
     value = value * 100000000 + number_eight_digits(chunk);
@@ -177,20 +180,20 @@ BITS_INLINE const char *number_usual(const char *text, number_guess *guess, doub
         memcpy(&bits, &whole, sizeof bits);
     } else {
         uint64_t chunk = bits_load(c + 1) ^ NUMBER_DIGITS;
-        int fraction = number_guessed_count(chunk, guess);
+        uint64_t fraction = number_guessed_count(chunk, guess);
         if (fraction < 8) {
             w = w * number_short_power[fraction] + number_eight_digits(chunk << 8 * (7 - fraction) << 8);
             c += 1 + fraction;
             if (w >> DBL_MANT_DIG || !NUMBER_EXACT_QUOTIENT)
                 return NULL;
-            bits = number_quotient(w, fraction);
+            bits = number_quotient(w, (ptrdiff_t)fraction);
         } else {
             const char *point = c;
             w = w * 100000000 + number_eight_digits(chunk);
             c = number_far_digits(c + 9, &w);
-            if (c - first - 1 > NUMBER_MOST_DIGITS || w == 0)
+            if (c - first - 1 > NUMBER_MOST_DIGITS)
                 return NULL;
-            bits = number_nearest(w, c - point - 1);
+            bits = w ? number_nearest(w, c - point - 1) : 0;
             if (!bits) {
                 if (w >> DBL_MANT_DIG || !NUMBER_EXACT_QUOTIENT)
                     return NULL;

@@ -29,7 +29,7 @@ const char *plain_next_line(const char *at)
 BITS_INLINE const char *begin_line(const char *at)
 {
     const char *c = *at == '\n' ? at + 1 : plain_next_line(at);
-    return c ? pass_blanks(c) : NULL;
+    return c && (unsigned char)*c <= ' ' ? pass_blanks(c) : c;
 }
 
 static inline bool line_ends(const char *at)
@@ -50,7 +50,9 @@ BITS_INLINE const char *coordinate(const char *c, number_guess *guess, double *v
     const char *end = number_usual(c, guess, value); /* which is far below MESH_COORDINATE_MAX */
     if (!end || (unsigned char)*end > ' ')
         end = any_coordinate(c, value);
-    return end ? pass_blanks(end) : NULL;
+    if (!end)
+        return NULL;
+    return *end == ' ' && (unsigned char)end[1] > ' ' ? end + 1 : pass_blanks(end);
 }
 
 const char *plain_vertices(const char *at, roberts_vec3 *vertex, size_t room, size_t *count)
@@ -58,25 +60,23 @@ const char *plain_vertices(const char *at, roberts_vec3 *vertex, size_t room, si
     number_guess guess[3] = {number_guess_digits(8), number_guess_digits(8), number_guess_digits(8)};
     size_t n = 0;
     for (; n < room; n++) {
-        roberts_vec3 p;
+        roberts_vec3 *p = &vertex[n];
         const char *c = begin_line(at);
-        if (!c || !(c = coordinate(c, &guess[0], &p.x)) || !(c = coordinate(c, &guess[1], &p.y)) ||
-            !(c = coordinate(c, &guess[2], &p.z)) || !line_ends(c))
+        if (!c || !(c = coordinate(c, &guess[0], &p->x)) || !(c = coordinate(c, &guess[1], &p->y)) ||
+            !(c = coordinate(c, &guess[2], &p->z)) || !line_ends(c))
             break;
-        vertex[n] = p;
         at = c;
     }
     *count = n;
     return at;
 }
 
-/* Where the next number is not as long as the last one, after one blank: the place of its digits, and *chunk and *guess for
- * them; NULL where there are none. */
-static const char *guess_again(const char *at, uint64_t *chunk, number_guess *guess)
+/* Where the next vertex number is not as long as the last one, after one blank: its place, and the guess for it; NULL where
+ * there is none. */
+BITS_RARE static const char *guess_again(const char *at, number_guess *guess)
 {
     const char *c = pass_blanks(at);
-    *chunk = bits_load(c) ^ NUMBER_DIGITS;
-    int digits = number_digit_count(*chunk);
+    int digits = number_digit_count(bits_load(c) ^ NUMBER_DIGITS);
     if (c == at || digits == 0)
         return NULL;
     *guess = number_guess_digits(digits);
@@ -87,18 +87,20 @@ static const char *guess_again(const char *at, uint64_t *chunk, number_guess *gu
 BITS_INLINE const char *read_corners(const char *at, const plain_faces *f, number_guess *guess, uint32_t *corner,
                                      uint32_t count)
 {
+    const uint32_t first = f->first, limit = f->limit;
     for (const uint32_t *end = corner + count; corner < end; corner++) {
         const char *c = at + 1;
         uint64_t chunk = bits_load(c) ^ NUMBER_DIGITS;
         if (!number_guess_right(chunk, guess) || *at != ' ') {
-            c = guess_again(at, &chunk, guess);
+            c = guess_again(at, guess);
             if (!c)
                 return NULL;
+            chunk = bits_load(c) ^ NUMBER_DIGITS;
         }
         uint32_t index = (uint32_t)number_eight_digits(chunk << (64 - 8 * guess->digits));
-        if (index >= f->limit)
+        if (index >= limit)
             return NULL;
-        *corner = f->first + index;
+        *corner = first + index;
         at = c + guess->digits; /* where a ninth digit is no blank */
     }
     return at;

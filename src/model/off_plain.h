@@ -6,7 +6,7 @@
  * end, and the reader that knows all forms goes on from there.
  *
  * `at` is the first character after a token, and the first line begins after the line end that follows it. The text ends in
- * NUMBER_PADDING zeros, so that a line that may go on beyond them is not taken. */
+ * 1 + NUMBER_PADDING zeros, so that a line that may go on beyond them is not taken. */
 #ifndef ROBERTS_MODEL_OFF_PLAIN_H
 #define ROBERTS_MODEL_OFF_PLAIN_H
 
