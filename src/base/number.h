@@ -195,8 +195,8 @@ BITS_INLINE const char *number_usual(const char *text, number_guess *guess, doub
                 return NULL;
             bits = w ? number_nearest(w, c - point - 1) : 0;
             if (!bits) {
-                if (w >> DBL_MANT_DIG || !NUMBER_EXACT_QUOTIENT)
-                    return NULL;
+                if (w >> DBL_MANT_DIG || !NUMBER_EXACT_QUOTIENT || c - point - 1 > NUMBER_MOST_FRACTION)
+                    return NULL; /* the last never, but analyzers do not see that */
                 bits = number_quotient(w, c - point - 1);
             }
         }
