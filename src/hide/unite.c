@@ -9,7 +9,8 @@
 
 /* Corners of the outlines that are looked at. */
 #define MOST_CORNERS 16
-/* A polygon gets four corners more in a cell, and one by each side that cuts it. */
+/* A convex polygon gets four corners more in a cell, and one by each side that cuts it. One with dents, within the tolerance,
+ * may get more: then it is not looked at any further. */
 #define MOST_PIECE (2 * MOST_CORNERS + 8)
 /* How far a front reaches beyond a point is kept in parts of a cell; it takes another's place when it reaches so many
  * parts farther, so that a cell changes its fronts a few times at most. */
@@ -86,11 +87,13 @@ static void add_point(piece *p, double x, double y)
     p->y[p->count++] = y;
 }
 
-/* Divides the polygon by the line a x + b y + d = 0; points on it belong to both. */
-static void divide(const piece *whole, double a, double b, double d, piece *inner, piece *outer)
+/* Divides the polygon by the line a x + b y + d = 0; points on it belong to both. False: more corners than there is room for. */
+static bool divide(const piece *whole, double a, double b, double d, piece *inner, piece *outer)
 {
     inner->count = outer->count = 0;
     for (uint32_t i = 0; i < whole->count; i++) {
+        if (inner->count + 2 > MOST_PIECE || outer->count + 2 > MOST_PIECE)
+            return false;
         uint32_t k = i + 1 < whole->count ? i + 1 : 0;
         double px = whole->x[i], py = whole->y[i], qx = whole->x[k], qy = whole->y[k];
         double p = a * px + b * py + d, q = a * qx + b * qy + d;
@@ -104,6 +107,7 @@ static void divide(const piece *whole, double a, double b, double d, piece *inne
             add_point(outer, px + t * (qx - px), py + t * (qy - py));
         }
     }
+    return true;
 }
 
 /* The least of a x + b y + d over the polygon. */
@@ -127,8 +131,7 @@ static bool hold(const sides *first, const sides *second, const piece *polygon)
         piece *inner = polygon == &room[0] ? &room[1] : &room[0];
         if (!second)
             return false;
-        divide(polygon, a, b, d, inner, &outer);
-        if (!all_inside(second, &outer))
+        if (!divide(polygon, a, b, d, inner, &outer) || !all_inside(second, &outer))
             return false;
         polygon = inner;
     }
@@ -229,7 +232,8 @@ void unite_offer(hide_picture *picture, uint32_t front)
     }
 }
 
-/* The polygon's part in the cell, in one of `room`, or the polygon itself where the cell holds all of it. */
+/* The polygon's part in the cell, in one of `room`, or the polygon itself where the cell holds all of it. NULL: it has too many
+ * corners. */
 static const piece *cut_to_cell(const piece *polygon, const scan_frame *f, uint32_t i, uint32_t j, piece room[2])
 {
     piece cell = cell_of(f, i, j), outer;
@@ -238,7 +242,8 @@ static const piece *cut_to_cell(const piece *polygon, const scan_frame *f, uint3
         piece *inner = polygon == &room[0] ? &room[1] : &room[0];
         if (least_of(polygon, line[k][0], line[k][1], line[k][2]) >= 0.0)
             continue;
-        divide(polygon, line[k][0], line[k][1], line[k][2], inner, &outer);
+        if (!divide(polygon, line[k][0], line[k][1], line[k][2], inner, &outer))
+            return NULL;
         polygon = inner;
     }
     return polygon;
@@ -256,7 +261,8 @@ static bool hidden_in_cell(const hide_picture *picture, const piece *polygon, ui
     if (a == ROBERTS_NONE || !(picture->front[a].depth > z1) || !sides_of(picture, a, &first))
         return false;
     bool both = b != ROBERTS_NONE && picture->front[b].depth > z1 && sides_of(picture, b, &second);
-    return hold(&first, both ? &second : NULL, cut_to_cell(polygon, &c->frame, i, j, room));
+    const piece *part = cut_to_cell(polygon, &c->frame, i, j, room);
+    return part && hold(&first, both ? &second : NULL, part);
 }
 
 /* Of most solids that are hidden by two fronts these cover cells at their corners: then no cell need be asked. */
