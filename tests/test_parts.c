@@ -154,26 +154,32 @@ static void union_by_table(void **state)
     free(parts.item);
 }
 
-/* Many parts on a scale of 1/256: what is covered stays covered, what is not is not, and between two parts of the union
+/* Many parts on a scale of 1/1024, every third time beginning at few places, every fifth so close together that
+ * floats are all the same: what is covered stays covered, what is not is not, and between two parts of the union
  * there is something not covered. Every order gives the same bits. */
 static void union_of_many(void **state)
 {
-    enum { MANY = 40, CELLS = 256 };
+    enum { MANY = 1200, CELLS = 1024 };
     hide_parts parts = {0}, again = {0};
+    size_t most = 0;
     rng r = {32};
     (void)state;
     for (int k = 0; k < 500; k++) {
-        uint32_t count = (uint32_t)rng_int(&r, 1, MANY), order[MANY];
+        uint32_t count = (uint32_t)rng_int(&r, 1, k % 2 ? 40 : MANY), order[MANY];
         hide_part part[MANY];
         bool covered[CELLS] = {false};
+        double low = k % 5 ? 0.0 : 0.5, unit = k % 5 ? 1.0 / CELLS : 0x1p-40;
         for (uint32_t i = 0; i < count; i++) {
-            int from = rng_int(&r, 0, CELLS - 1), to = rng_int(&r, from + 1, from + 8 < CELLS ? from + 8 : CELLS);
-            part[i] = (hide_part){from / (double)CELLS, to / (double)CELLS, 0, 0};
+            int from =
+                rng_int(&r, 0, CELLS / 16 - 1) * (k % 3 ? 1 : 16) + (k % 3 ? rng_int(&r, 0, CELLS * 15 / 16) : 0);
+            int to = rng_int(&r, from + 1, from + 8 < CELLS ? from + 8 : CELLS);
+            part[i] = (hide_part){low + from * unit, low + to * unit, 0, 0};
             for (int c = from; c < to; c++)
                 covered[c] = true;
         }
         rng_permutation(&r, order, count);
         fill(&parts, part, order, count);
+        most = parts.count > most ? parts.count : most;
         hide_parts_unite(&parts, 0, 1);
         rng_permutation(&r, order, count);
         fill(&again, part, order, count);
@@ -183,7 +189,7 @@ static void union_of_many(void **state)
             hide_part p = parts.item[i].part, q = again.item[i].part;
             assert_true(p.t0 == q.t0 && p.t1 == q.t1 && p.t0 < p.t1);
             assert_true(i == 0 || p.t0 > parts.item[i - 1].part.t1);
-            for (int c = (int)(p.t0 * CELLS); c < (int)(p.t1 * CELLS); c++) {
+            for (int c = (int)((p.t0 - low) / unit); c < (int)((p.t1 - low) / unit); c++) {
                 assert_true(covered[c]);
                 covered[c] = false;
             }
@@ -191,6 +197,7 @@ static void union_of_many(void **state)
         for (int c = 0; c < CELLS; c++)
             assert_false(covered[c]);
     }
+    assert_true(most > 900); /* those that came after many others were not joined at once */
     free(parts.item);
     free(again.item);
 }

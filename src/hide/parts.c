@@ -2,11 +2,16 @@
 #include "hide/parts.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
+#include "base/radix.h"
 
 /* With more parts than this a new one is not held against each: they are joined when all are there. */
 #define FEW 32
+/* So many are put in order one by one; and from so many on comparing takes longer than counting digits. */
+#define SHORT_RUN 16
+#define MANY 256
 
 static bool touch(const hide_part *a, const hide_part *b)
 {
@@ -68,19 +73,63 @@ static int compare(const void *pa, const void *pb)
     return (a->solid > b->solid) - (a->solid < b->solid);
 }
 
-/* Few parts, as there mostly are, are put in their places one by one. */
-static inline void sort(hide_parts *parts)
+/* A run in which few are far from their places, one by one. */
+static void put_in_place(hide_solid_part *item, size_t count)
 {
-    if (parts->count > 16) {
-        qsort(parts->item, parts->count, sizeof *parts->item, compare);
+    for (size_t i = 1; i < count; i++) {
+        hide_solid_part moved = item[i];
+        size_t k = i;
+        for (; k > 0 && compare(&item[k - 1], &moved) > 0; k--)
+            item[k] = item[k - 1];
+        item[k] = moved;
+    }
+}
+
+/* By a float's worth of where they begin, without comparing; false: no memory. */
+static bool sort_roughly(hide_solid_part *item, uint32_t count)
+{
+    uint32_t *key = alloc_array(count, sizeof *key), *order = alloc_array(count, sizeof *order);
+    hide_solid_part *sorted = alloc_array(count, sizeof *sorted);
+    bool done = key && order && sorted;
+    for (uint32_t i = 0; done && i < count; i++)
+        key[i] = ~radix_key_descending((float)(item[i].part.t0 - item[i].part.e0));
+    done = done && radix_order(key, count, order);
+    for (uint32_t i = 0; done && i < count; i++)
+        sorted[i] = item[order[i]];
+    if (done)
+        memcpy(item, sorted, count * sizeof *item);
+    free(key);
+    free(order);
+    free(sorted);
+    return done;
+}
+
+static float begins(const hide_solid_part *p)
+{
+    return (float)(p->part.t0 - p->part.e0);
+}
+
+/* Few parts, as there mostly are, are put in their places one by one. Of many, those that begin in the same float are
+ * left to be sorted; without memory, all. */
+static void sort(hide_parts *parts)
+{
+    size_t count = parts->count;
+    hide_solid_part *item = parts->item;
+    if (count <= SHORT_RUN) {
+        put_in_place(item, count);
         return;
     }
-    for (size_t i = 1; i < parts->count; i++) {
-        hide_solid_part moved = parts->item[i];
-        size_t k = i;
-        for (; k > 0 && compare(&parts->item[k - 1], &moved) > 0; k--)
-            parts->item[k] = parts->item[k - 1];
-        parts->item[k] = moved;
+    if (count < MANY || count > UINT32_MAX || !sort_roughly(item, (uint32_t)count)) {
+        qsort(item, count, sizeof *item, compare);
+        return;
+    }
+    for (size_t first = 0, end; first < count; first = end) {
+        for (end = first + 1; end < count && begins(&item[end]) == begins(&item[first]); end++) {
+        }
+        if (end - first <= SHORT_RUN)
+            put_in_place(item + first, end - first);
+        else
+            qsort(item + first, end - first, sizeof *item, compare);
     }
 }
 
