@@ -344,19 +344,35 @@ static void test_program(void **state)
     assert_int_equal(total.disagreements, 0);
 }
 
-/* The near plane through two edges of a cube: what was left of its faces as lines made a spike of the outline. */
+/* The near plane through edges of solids. */
+/* clang-format off */
+static const struct {
+    const char *name;
+    roberts_vec3 box[2][2], eye, near, look_at;
+} contact_cases[] = {
+    {"what was left of faces as lines made a spike of the outline",
+     {{{1, 1, 0}, {2, 2, 1}}, {{0, 2, 0}, {1, 3, 1}}}, {3.5, -0.5, 1.5}, {3.5, 0, 2}, {3.5, 1.5, 3.5}},
+    {"far aside, an edge in the near plane lay behind a section there, to rounding",
+     {{{1, 7, 133}, {2, 8, 142}}, {{0, 5, 138}, {1, 8, 142}}}, {4, 6, 123.5}, {3.5, 5.5, 123.5}, {-124, -122, 123.5}},
+};
+/* clang-format on */
+
 static void test_near_contact(void **state)
 {
-    test_scene scene = {.view = {.x = 3.5, .y = -0.5, .z = 1.5, .w = 1, .cut = true, .near = {3.5, 0, 2}},
-                        .look_at = {3.5, 1.5, 3.5}};
-    judge_total total = {0};
     (void)state;
-    add_box(&scene.mesh, (roberts_vec3){1, 1, 0}, (roberts_vec3){2, 2, 1});
-    add_box(&scene.mesh, (roberts_vec3){0, 2, 0}, (roberts_vec3){1, 3, 1});
-    assert_true(judge_scene("near-contact", &scene, build_folder(), &total, stderr));
-    assert_int_equal(total.edges, 24);
-    assert_true(total.clipped > 0 && total.cut > 0);
-    test_scene_free(&scene);
+    for (size_t i = 0; i < sizeof contact_cases / sizeof *contact_cases; i++) {
+        test_scene scene = {.look_at = contact_cases[i].look_at};
+        roberts_vec3 eye = contact_cases[i].eye;
+        judge_total total = {0};
+        scene.view = (oracle_view){eye.x, eye.y, eye.z, 1, true, contact_cases[i].near};
+        for (int k = 0; k < 2; k++)
+            add_box(&scene.mesh, contact_cases[i].box[k][0], contact_cases[i].box[k][1]);
+        if (!judge_scene("near-contact", &scene, build_folder(), &total, stderr))
+            fail_msg("%s", contact_cases[i].name);
+        assert_int_equal(total.edges, 24);
+        assert_true(total.clipped > 0 && total.cut > 0);
+        test_scene_free(&scene);
+    }
 }
 
 int main(void)

@@ -23,6 +23,7 @@ typedef struct cutter {
     const roberts_scene *from;
     roberts_vec3 eye, dir; /* dir: from the look-at point to the eye, unit */
     double near;
+    double touching;    /* what is nearer to the near plane than this lies in it; model units */
     bool whole;         /* the solid at hand is not cut: none of its vertices is nearer than the near plane */
     double *depth;      /* [vertex_count of from] distance from the eye's plane */
     uint32_t *vertex;   /* [vertex_count of from] what it is in the clipped scene, or ROBERTS_NONE */
@@ -194,8 +195,9 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
     return add_face(c, from->face_plane[face], from->face_deviation[face], width, from->face_number[face]);
 }
 
-/* The cap's face; `start` is one of the cut edges. Where a side weaves through the plane there are several rings, and
- * the cap has one of them: the outline is then no single cycle, and the faces hide one by one (see picture.c). */
+/* The cap's face, as plane as its corners lie in the near plane; `start` is one of the cut edges. Where a side weaves
+ * through the plane there are several rings, and the cap has one of them: the outline is then no single cycle, and the
+ * faces hide one by one (see picture.c). */
 static bool add_cap(cutter *c, uint32_t start)
 {
     const roberts_scene *from = c->from;
@@ -208,7 +210,7 @@ static bool add_cap(cutter *c, uint32_t start)
         e = c->next[e];
     } while (e != start);
     F.d = vec3_dot(c->dir, vec3_sub(c->eye, from->centre)) - c->near;
-    return measure_width(c, begin, &width) && add_face(c, F, 0.0, width, ROBERTS_NONE);
+    return measure_width(c, begin, &width) && add_face(c, F, c->touching, width, ROBERTS_NONE);
 }
 
 /* Edges that stay, wholly or in part, in their order; those along the cap last. map: faces to faces of the clipped
@@ -278,13 +280,13 @@ static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, robert
 static double measure_depths(cutter *c)
 {
     const roberts_vec3 corners[] = {c->from->box_min, c->from->box_max, c->eye};
-    double least = INFINITY, touching = 0.0;
+    double least = INFINITY;
     for (size_t i = 0; i < sizeof corners / sizeof corners[0]; i++)
-        touching = fmax(touching, fmax(fabs(corners[i].x), fmax(fabs(corners[i].y), fabs(corners[i].z))));
-    touching *= TOUCHING_ULPS * DBL_EPSILON;
+        c->touching = fmax(c->touching, fmax(fabs(corners[i].x), fmax(fabs(corners[i].y), fabs(corners[i].z))));
+    c->touching *= TOUCHING_ULPS * DBL_EPSILON;
     for (uint32_t v = 0; v < c->from->vertex_count; v++) {
         c->depth[v] = vec3_dot(c->dir, vec3_sub(c->eye, c->from->point[v]));
-        if (fabs(c->depth[v] - c->near) <= touching)
+        if (fabs(c->depth[v] - c->near) <= c->touching)
             c->depth[v] = c->near;
         least = lesser(least, c->depth[v]);
     }
