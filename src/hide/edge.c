@@ -35,12 +35,11 @@ void hide_worker_free(hide_worker *w)
     *w = (hide_worker){0};
 }
 
-/* All of these lie side by side in memory: x, y and then z of points, x0 .. z1 of boxes. */
 BITS_INLINE hide_box box_of(const hide_edge *e, double margin)
 {
     hide_box box;
     float low[2], high[2];
-    two a = two_load(&e->A.x), b = two_load(&e->B.x), m = two_all(margin), ulp = two_all(0x1p-23);
+    two a = two_of(e->A.x, e->A.y), b = two_of(e->B.x, e->B.y), m = two_all(margin), ulp = two_all(0x1p-23);
     two from = two_sub(two_lesser(a, b), m), to = two_add(two_greater(a, b), m);
     two_store_floats(low, two_sub(from, two_mul(two_abs(from), ulp))); /* as hide_float_below(), hide_float_above() */
     two_store_floats(high, two_add(to, two_mul(two_abs(to), ulp)));

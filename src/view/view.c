@@ -94,7 +94,7 @@ static void points_in_parallel(const view *v, const roberts_vec3 *P, size_t coun
         roberts_vec3 q = vec3_scale(v->per_unit, vec3_sub(P[i], v->origin));
         two xy = two_add(two_add(two_mul(ax, two_all(q.x)), two_mul(ay, two_all(q.y))), two_mul(az, two_all(q.z)));
         double z = vec3_dot(v->dir, q);
-        two_store(&out[i].x, two_sub(xy, two_mul(oblique, two_all(z))));
+        two_part(&out[i].x, &out[i].y, two_sub(xy, two_mul(oblique, two_all(z))));
         out[i].z = z;
     }
 }
