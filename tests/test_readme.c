@@ -328,14 +328,36 @@ static int check_page(const char *path)
     return checked;
 }
 
+/* Every source of the room stands in the page. */
+static void check_files(const char *path)
+{
+    static char text[65536];
+    char pattern[64], name[128];
+    glob_t sources;
+    FILE *page = fopen(path, "r");
+    assert_non_null(page);
+    text[fread(text, 1, sizeof text - 1, page)] = '\0';
+    fclose(page);
+    snprintf(pattern, sizeof pattern, "%.*s*.[ch]", (int)(strrchr(path, '/') + 1 - path), path);
+    assert_int_equal(glob(pattern, 0, NULL, &sources), 0);
+    for (size_t i = 0; i < sources.gl_pathc; i++) {
+        snprintf(name, sizeof name, "`%s`", strrchr(sources.gl_pathv[i], '/') + 1);
+        if (!strstr(text, name))
+            fail_msg("%s does not name %s", path, name);
+    }
+    globfree(&sources);
+}
+
 static void test_pages(void **state)
 {
     glob_t pages;
     (void)state;
     assert_int_equal(glob("src/*/README.md", 0, NULL, &pages), 0);
     assert_int_equal(pages.gl_pathc, 5);
-    for (size_t i = 0; i < pages.gl_pathc; i++)
+    for (size_t i = 0; i < pages.gl_pathc; i++) {
         assert_true(check_page(pages.gl_pathv[i]) > 8);
+        check_files(pages.gl_pathv[i]);
+    }
     globfree(&pages);
 }
 
