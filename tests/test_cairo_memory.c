@@ -1,7 +1,5 @@
 /* test_cairo_memory.c - drawings with each of Cairo's own allocations failing in turn: a failure or a drawing, no crash.
- * The functions here take the place of the C library's for the whole process, Cairo included; that those are called
- * __libc_malloc() is a matter of glibc, and a sanitizer brings its own: without the one or with the other the test is
- * skipped. What leaks inside Cairo is not looked at: it keeps some blocks for the next time. PNG is left out: Cairo 1.16
+ * What leaks inside Cairo is not looked at: it keeps some blocks for the next time. PNG is left out: Cairo 1.16
  * itself crashes in cairo_stroke() where an allocation fails that it makes to fill an image. */
 #include <errno.h>
 #include <setjmp.h>
@@ -15,52 +13,7 @@
 #include <cmocka.h>
 
 #include "drawing.h"
-
-#if defined(__SANITIZE_ADDRESS__)
-#define REPLACED 0
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define REPLACED 0
-#endif
-#endif
-#if !defined(REPLACED)
-#ifdef __GLIBC__
-#define REPLACED 1
-#else
-#define REPLACED 0
-#endif
-#endif
-
-static size_t calls, failing; /* since when it was set; the one that fails, 0: none */
-
-#if REPLACED
-/* glibc's names.
- * NOLINTBEGIN(bugprone-reserved-identifier,readability-inconsistent-declaration-parameter-name) */
-void *__libc_malloc(size_t size);
-void *__libc_calloc(size_t count, size_t size);
-void *__libc_realloc(void *block, size_t size);
-
-static bool allowed(void)
-{
-    return ++calls != failing;
-}
-
-void *malloc(size_t size)
-{
-    return allowed() ? __libc_malloc(size) : NULL;
-}
-
-void *calloc(size_t count, size_t size)
-{
-    return allowed() ? __libc_calloc(count, size) : NULL;
-}
-
-void *realloc(void *block, size_t size)
-{
-    return allowed() ? __libc_realloc(block, size) : NULL;
-}
-/* NOLINTEND(bugprone-reserved-identifier,readability-inconsistent-declaration-parameter-name) */
-#endif
+#include "process_memory.h"
 
 static bool take(void *context, const void *bytes, size_t size)
 {
@@ -93,11 +46,11 @@ static void drawings(void **state)
         size_t written, refused = 0, n = 0;
         for (bool failed = true; failed;) {
             roberts_error error = {0};
-            calls = 0;
-            failing = ++n;
+            memory.calls = 0;
+            memory.failing = ++n;
             roberts_status status = write_once(formats[f], &written, &error);
-            failed = calls >= failing;
-            failing = 0;
+            failed = memory.calls >= memory.failing;
+            memory.failing = 0;
             refused += status != ROBERTS_OK;
             /* PostScript: without memory for its temporary file Cairo says that there was an error writing that */
             if (status != ROBERTS_OK && status != ROBERTS_NO_MEMORY && status != ROBERTS_IO)

@@ -1,8 +1,6 @@
 /* test_hull_memory.c - convex hulls with each of Qhull's own allocations failing in turn: no memory, or the hull; no exit, no word
  * on standard error. Ours alone fail in test_memory_all.c, which goes on to solids.
- * The functions here take the place of the C library's for the whole process, Qhull included; that those are called
- * __libc_malloc() is a matter of glibc, and a sanitizer brings its own: without the one or with the other the test is
- * skipped. What leaks inside Qhull is counted and told. */
+ * What leaks inside Qhull is counted and told. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -15,66 +13,7 @@
 #include <cmocka.h>
 
 #include "model/qhull.h"
-
-#if defined(__SANITIZE_ADDRESS__)
-#define REPLACED 0
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define REPLACED 0
-#endif
-#endif
-#if !defined(REPLACED)
-#ifdef __GLIBC__
-#define REPLACED 1
-#else
-#define REPLACED 0
-#endif
-#endif
-
-static size_t calls, failing; /* since when it was set; the one that fails, 0: none */
-static long blocks;           /* not freed yet */
-
-#if REPLACED
-/* glibc's names.
- * NOLINTBEGIN(bugprone-reserved-identifier,readability-inconsistent-declaration-parameter-name) */
-void *__libc_malloc(size_t size);
-void *__libc_calloc(size_t count, size_t size);
-void *__libc_realloc(void *block, size_t size);
-void __libc_free(void *block);
-
-static bool allowed(void)
-{
-    return ++calls != failing;
-}
-
-void *malloc(size_t size)
-{
-    void *block = allowed() ? __libc_malloc(size) : NULL;
-    blocks += block != NULL;
-    return block;
-}
-
-void *calloc(size_t count, size_t size)
-{
-    void *block = allowed() ? __libc_calloc(count, size) : NULL;
-    blocks += block != NULL;
-    return block;
-}
-
-void *realloc(void *block, size_t size)
-{
-    void *grown = allowed() ? __libc_realloc(block, size) : NULL;
-    blocks += !block && grown;
-    return grown;
-}
-
-void free(void *block)
-{
-    blocks -= block != NULL;
-    __libc_free(block);
-}
-/* NOLINTEND(bugprone-reserved-identifier,readability-inconsistent-declaration-parameter-name) */
-#endif
+#include "process_memory.h"
 
 enum { POINTS = 1000 };
 
@@ -101,21 +40,21 @@ static void allocations_fail(const char *name, bool grid, double width)
     assert_int_equal(hull_take(&whole, point, POINTS, width), HULL_OK);
     for (bool failed = true; failed;) {
         hull_facets facets = {0};
-        long before = blocks;
-        calls = 0;
-        failing = ++n;
+        long before = memory.blocks;
+        memory.calls = 0;
+        memory.failing = ++n;
         hull_result result = hull_take(&facets, point, POINTS, width);
-        failed = calls >= failing;
-        failing = 0;
+        failed = memory.calls >= memory.failing;
+        memory.failing = 0;
         if (result != HULL_OK && result != HULL_NO_MEMORY)
             fail_msg("%s, allocation %zu: result %d", name, n, result);
         refused += result != HULL_OK;
         assert_true(failed || result == HULL_OK);
         assert_true(result != HULL_OK || facets.count == whole.count);
         hull_facets_free(&facets);
-        lost += blocks - before;
+        lost += memory.blocks - before;
         if (!failed)
-            assert_int_equal(blocks, before);
+            assert_int_equal(memory.blocks, before);
     }
     hull_facets_free(&whole);
     print_message("%s: %zu allocations, without %zu of them no hull, %ld blocks lost\n", name, n - 1, refused, lost);

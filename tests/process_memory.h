@@ -1,0 +1,73 @@
+/* process_memory.h - makes one allocation of the whole process fail, those of other libraries included. The functions here
+ * take the place of the C library's; that those are called __libc_malloc() is a matter of glibc, and a sanitizer brings its
+ * own: without the one or with the other REPLACED is 0. Include it in one file only. (memory.h does the same with the
+ * allocations of our own code, everywhere.) */
+#ifndef ROBERTS_TESTS_PROCESS_MEMORY_H
+#define ROBERTS_TESTS_PROCESS_MEMORY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#if defined(__SANITIZE_ADDRESS__)
+#define REPLACED 0
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define REPLACED 0
+#endif
+#endif
+#if !defined(REPLACED)
+#ifdef __GLIBC__
+#define REPLACED 1
+#else
+#define REPLACED 0
+#endif
+#endif
+
+static struct process_memory {
+    size_t calls, failing; /* since when it was set; the one that fails, 0: none */
+    long blocks;           /* not freed yet */
+} memory;
+
+#if REPLACED
+/* glibc's names.
+ * NOLINTBEGIN(bugprone-reserved-identifier,readability-inconsistent-declaration-parameter-name) */
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t count, size_t size);
+void *__libc_realloc(void *block, size_t size);
+void __libc_free(void *block);
+
+static bool allowed(void)
+{
+    return ++memory.calls != memory.failing;
+}
+
+void *malloc(size_t size)
+{
+    void *block = allowed() ? __libc_malloc(size) : NULL;
+    memory.blocks += block != NULL;
+    return block;
+}
+
+void *calloc(size_t count, size_t size)
+{
+    void *block = allowed() ? __libc_calloc(count, size) : NULL;
+    memory.blocks += block != NULL;
+    return block;
+}
+
+void *realloc(void *block, size_t size)
+{
+    void *grown = allowed() ? __libc_realloc(block, size) : NULL;
+    memory.blocks += !block && grown;
+    return grown;
+}
+
+void free(void *block)
+{
+    memory.blocks -= block != NULL;
+    __libc_free(block);
+}
+/* NOLINTEND(bugprone-reserved-identifier,readability-inconsistent-declaration-parameter-name) */
+#endif
+
+#endif
