@@ -58,7 +58,7 @@ BITS_INLINE bool quick_signs(const quick_outline *o, double plain, const hide_ed
         outmost = two_lesser(outmost, two_greater(a, b));
         nearest = two_lesser(nearest, two_lesser(two_abs(a), two_abs(b)));
     }
-    uint32_t all = (2u << (o->count - 1)) - 1; /* and not the side that stands twice */
+    uint32_t all = (1u << o->count) - 1; /* and not the side that stands twice */
     H->out_a = out_a & all;
     H->out_b = out_b & all;
     *outside = two_least(outmost) < -plain;
@@ -70,7 +70,7 @@ BITS_INLINE quick_verdict quick_corners(const quick_outline *o, double plain, co
 {
     two ax = two_all(e->A.x), ay = two_all(e->A.y), dx = two_all(e->B.x - e->A.x), dy = two_all(e->B.y - e->A.y);
     two nearest = two_all(INFINITY);
-    uint32_t right = 0, all = (2u << (o->count - 1)) - 1;
+    uint32_t right = 0, all = (1u << o->count) - 1;
     for (uint32_t i = 0; i < o->count; i += 2) {
         two Q = two_sub(two_mul(dx, two_sub(two_load(o->y + i), ay)), two_mul(dy, two_sub(two_load(o->x + i), ax)));
         nearest = two_lesser(nearest, two_abs(Q));
