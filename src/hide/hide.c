@@ -17,7 +17,7 @@
 #define CHUNK_SOLIDS 64
 #define CHUNK_SEGMENTS 1024 /* room to begin with: nine visible edges of each block, and then some */
 #define CHUNKS_PER_THREAD 8 /* with less work than this a thread costs more than it does */
-#define CHUNKS_PER_WAVE 256 /* 16,384 solids: threads wait for one another once a wave */
+#define CHUNKS_PER_WAVE 64  /* 4,096 solids, whose segments a cache holds: threads wait for one another once a wave */
 #define GRID_MOST 4096
 
 /* Touching distance above which "on" would mean a visible length: a hundredth of the scene. */
