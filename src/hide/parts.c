@@ -85,6 +85,11 @@ static void put_in_place(hide_solid_part *item, size_t count)
     }
 }
 
+static float begins(const hide_solid_part *p)
+{
+    return (float)(p->part.t0 - p->part.e0);
+}
+
 /* By a float's worth of where they begin, without comparing; false: no memory. */
 static bool sort_roughly(hide_solid_part *item, uint32_t count)
 {
@@ -92,7 +97,7 @@ static bool sort_roughly(hide_solid_part *item, uint32_t count)
     hide_solid_part *sorted = alloc_array(count, sizeof *sorted);
     bool done = key && order && sorted;
     for (uint32_t i = 0; done && i < count; i++)
-        key[i] = ~radix_key_descending((float)(item[i].part.t0 - item[i].part.e0));
+        key[i] = ~radix_key_descending(begins(&item[i]));
     done = done && radix_order(key, count, order);
     for (uint32_t i = 0; done && i < count; i++)
         sorted[i] = item[order[i]];
@@ -102,11 +107,6 @@ static bool sort_roughly(hide_solid_part *item, uint32_t count)
     free(order);
     free(sorted);
     return done;
-}
-
-static float begins(const hide_solid_part *p)
-{
-    return (float)(p->part.t0 - p->part.e0);
 }
 
 /* Few parts, as there mostly are, are put in their places one by one. Of many, those that begin in the same float are

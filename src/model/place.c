@@ -33,11 +33,16 @@ place place_find(const roberts_mesh *mesh, uint32_t v_least, uint32_t v_most, ui
     return (place){mesh->source[i].name, 0, mesh->source[i].first_face, mesh->source[i].first_vertex};
 }
 
-/* The same with the number of the file's first solid. */
+/* The same with the number of the file's first solid. First vertices ascend with the solids. */
 static place count_solids(const roberts_scene *scene, uint32_t s, place at)
 {
-    while (at.solid < s && scene->number[scene->solid[at.solid].vertex] < at.vertex)
-        at.solid++;
+    for (uint32_t end = s; at.solid < end;) {
+        uint32_t middle = at.solid + (end - at.solid) / 2;
+        if (scene->number[scene->solid[middle].vertex] < at.vertex)
+            at.solid = middle + 1;
+        else
+            end = middle;
+    }
     return at;
 }
 

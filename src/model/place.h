@@ -13,7 +13,7 @@ typedef struct place {
  * left 0. */
 place place_find(const roberts_mesh *mesh, uint32_t v_least, uint32_t v_most, uint32_t f_least, uint32_t f_most);
 
-/* The file of solid s, which is laid out. For messages: it takes time in proportion to the number of solids. */
+/* The file of solid s, which is laid out. */
 place place_of_solid(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh);
 
 /* The same by the solid's vertices alone, where its faces are none of the file's. */
