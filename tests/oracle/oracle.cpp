@@ -14,9 +14,10 @@
  * the convex hull of its vertices (CGAL, exact predicates): a face whose corners do not lie in one plane to the last
  * bit counts as the triangles that the hull makes of it, a planar one as coplanar triangles, which cut alike.
  *
- * Numbers: each question is asked first with intervals of doubles, which know their own error. Where a sign or an end
- * remains uncertain, it is asked again with rational numbers (`exactly` below). */
+ * Each question is asked by exactly() (exact.h): first with intervals of doubles, then, if need be, with rational numbers. */
 #include "oracle.h"
+
+#include "exact.h"
 
 #include <algorithm>
 #include <array>
@@ -28,8 +29,6 @@
 #include <vector>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Interval_nt.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
@@ -38,79 +37,6 @@ namespace
 
 using kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using hull_mesh = CGAL::Surface_mesh<kernel::Point_3>;
-using interval = CGAL::Interval_nt_advanced;
-using rational = CGAL::Exact_rational;
-using uncertain = CGAL::Uncertain_conversion_exception;
-
-/* ---- numbers and vectors ----------------------------------------------------------------------------------------- */
-
-template <class N> struct vec {
-    N x, y, z;
-};
-
-template <class N> vec<N> sub(const roberts_vec3 &p, const roberts_vec3 &q)
-{
-    return {N(p.x) - N(q.x), N(p.y) - N(q.y), N(p.z) - N(q.z)};
-}
-
-template <class N> vec<N> cross(const vec<N> &a, const vec<N> &b)
-{
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-template <class N> N dot(const vec<N> &a, const vec<N> &b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-/* Asks work(N()) with intervals, and with rational numbers where that throws. */
-template <class W> auto exactly(bool exact_only, size_t *exact, W work) -> decltype(work(rational()))
-{
-    if (!exact_only) {
-        try {
-            CGAL::Protect_FPU_rounding<true> upward;
-            return work(interval());
-        } catch (const uncertain &) {
-        }
-    }
-    ++*exact;
-    return work(rational());
-}
-
-/* The sign of a number; throws where an interval holds more than one. */
-template <class N> int sign_of(const N &x)
-{
-    CGAL::Sign sign = CGAL::sign(x);
-    return sign;
-}
-
-/* The double nearest to a value that lies in the interval, to 1e-14. */
-double rounded(const interval &x)
-{
-    if (x.sup() - x.inf() > 1e-14)
-        throw uncertain("too wide");
-    return CGAL::to_double(x);
-}
-
-double rounded(const rational &x)
-{
-    return CGAL::to_double(x);
-}
-
-/* Length of a vector to a thousandth, which is enough to turn a slack into a bound on g. */
-double length(const vec<interval> &v)
-{
-    double x = CGAL::to_double(v.x), y = CGAL::to_double(v.y), z = CGAL::to_double(v.z), l = std::hypot(x, y, z);
-    for (const interval &c : {v.x, v.y, v.z})
-        if (!(c.sup() - c.inf() <= 1e-4 * l))
-            throw uncertain("too wide");
-    return l;
-}
-
-double length(const vec<rational> &v)
-{
-    return std::hypot(CGAL::to_double(v.x), CGAL::to_double(v.y), CGAL::to_double(v.z));
-}
 
 /* ---- what a solid hides ------------------------------------------------------------------------------------------ */
 
