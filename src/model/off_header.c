@@ -160,7 +160,7 @@ static bool titled_integer(off_reader *r)
 /* The rest of the line, which is a title, and the number of points. */
 static roberts_status count_points(off_reader *r)
 {
-    size_t start = r->in.taken;
+    uint64_t start = r->in.taken;
     while (input_skip_in_line(&r->in)) {
         if (r->in.taken - start > OFF_BLANK_MAX)
             return off_fail(r, ROBERTS_BAD_SYNTAX, "the first line does not end");
