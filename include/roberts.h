@@ -167,8 +167,9 @@ typedef struct roberts_scene_options {
  * options  NULL for the defaults
  * scene    owned by the caller, released by roberts_scene_free(); NULL on failure
  * Returns ROBERTS_OK, _NO_MEMORY, _NOT_CLOSED (also where there is no face with three corners), _NOT_PLANAR, _NOT_CONVEX,
- * _FLAT (of a hull: points in one plane), _BAD_NUMBER or _BAD_ARGUMENT. The message names the solid, the vertex or face and by how much, in numbers of the file
- * that error->file names, from 0; of the whole mesh where it names none, as of a solid made of several files.
+ * _FLAT (of a hull: points in one plane), _BAD_NUMBER or _BAD_ARGUMENT. The message names the solid, the vertex or face
+ * and by how much, in numbers of the file that error->file names, from 0; of the whole mesh where it names none, as of a
+ * solid made of several files.
  */
 roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,
                                    roberts_scene **scene, roberts_error *error);

@@ -2,9 +2,9 @@
  *
  * In a new folder with links to build, include and models, each line of a ```sh block is run as printed, with `roberts` the one
  * in build, and the ```c block is compiled, as example.c, by the README's own command, where `cc` is the compiler that
- * built the library (CC). What the pages on the stages say of constants and files holds too. A block with a name behind its language (```python seen.py) is first written to a file of
- * that name. Lines that need a program that is not installed are left out with a message, and so is `make` itself, which
- * is what runs this. */
+ * built the library (CC). What the pages on the stages say of constants and files holds too. A block with a name behind
+ * its language (```python seen.py) is first written to a file of that name. Lines that need a program that is not
+ * installed are left out with a message, and so is `make` itself, which is what runs this. */
 #include <ctype.h>
 #include <glob.h>
 #include <setjmp.h>

@@ -160,9 +160,9 @@ static bool is_covered(const hide_job *job, const scene_edge *edge)
     return cover_hides_edge(&picture->cover, picture->P[edge->v[0]], picture->P[edge->v[1]]);
 }
 
-/* Takes up the edges of a solid that are drawn and not covered. A surviving edge has a front face. An outline (one front face) is always
- * drawn; an edge whose two faces look the same way is not where it is flat, whether they are front or, among hidden
- * lines, back. */
+/* Takes up the edges of a solid that are drawn and not covered. A surviving edge has a front face. An outline (one front
+ * face) is always drawn; an edge whose two faces look the same way is not where it is flat, whether they are front or,
+ * among hidden lines, back. */
 static bool take_edges(const hide_job *job, hide_worker *w, hide_sums *sums, uint32_t solid)
 {
     const roberts_scene *scene = job->scene;

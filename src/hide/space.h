@@ -23,7 +23,8 @@ typedef struct hide_space {
 
 /* |u x v| is the distance of one point from the line through two others, times their distance l. It is more than
  * epsilon, with certainty, where |u x v| > epsilon l + 2 rounding (l + reach), and l is no more than 3 and the
- * reach no more than 6 extents, and the products' own rounding adds no more than 3 extents times rounding. (One bound for the whole scene: where it says nothing, the numbers are looked at closely.) */
+ * reach no more than 6 extents, and the products' own rounding adds no more than 3 extents times rounding. (One bound
+ * for the whole scene: where it says nothing, the numbers are looked at closely.) */
 static inline double hide_plain(double extent, double epsilon, double rounding)
 {
     return 4.0 * extent * (epsilon + 8.0 * rounding);

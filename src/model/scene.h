@@ -5,10 +5,10 @@
  *
  * Invariants: every face has at least three different corners, counter-clockwise seen from outside; its plane F has
  * F > 0 inside. Solids are numbered by their smallest input vertex (of several that share it, by their smallest face; a
- * vertex that several solids use is there once for each; a hull by that of all its points); vertices and faces of a solid ascend by input number; edges
- * ascend by (number of v[0], number of v[1]) and v[0] < v[1]. A face that is narrower than the tolerance, or has no area,
- * is wound like its neighbours and may have a plane that leans on theirs; it is the only kind of face whose corners may
- * turn the other way about its plane. An edge may come to have one face only (f[1] ==
+ * vertex that several solids use is there once for each; a hull by that of all its points); vertices and faces of a solid
+ * ascend by input number; edges ascend by (number of v[0], number of v[1]) and v[0] < v[1]. A face that is narrower than
+ * the tolerance, or has no area, is wound like its neighbours and may have a plane that leans on theirs; it is the only
+ * kind of face whose corners may turn the other way about its plane. An edge may come to have one face only (f[1] ==
  * ROBERTS_NONE) once open meshes are drawn; today every edge has two. */
 #ifndef ROBERTS_MODEL_SCENE_H
 #define ROBERTS_MODEL_SCENE_H

@@ -6,8 +6,9 @@
  *     (x, y, e)  ->  (x, y, e) / (1 - e / D)
  *
  * keeps lines, planes and convexity and sends the eye to z = +infinity; for D = infinity (1 / D = 0) it is the
- * orthographic view (which may be oblique: x and y then move with -e, before anything else). A plane a x + b y + c e + d = 0 becomes a x + b y + (c + d / D) z + d = 0, so that a face is front
- * (c' < 0) exactly where the eye is outside its plane. Lengths at the origin's depth stay what they are.
+ * orthographic view (which may be oblique: x and y then move with -e, before anything else). A plane
+ * a x + b y + c e + d = 0 becomes a x + b y + (c + d / D) z + d = 0, so that a face is front (c' < 0) exactly where
+ * the eye is outside its plane. Lengths at the origin's depth stay what they are.
  *
  * View space is counted in `unit`, the power of two next to the scene's diameter: no product of a few coordinates can
  * overflow or vanish whatever the model's unit, and a scene times 2^k gives the same bits. */
