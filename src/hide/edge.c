@@ -15,11 +15,21 @@
 /* A solid of more columns or rows than this is taken edge by edge. */
 #define GROUP_CELLS 3
 
+static bool more_lines(hide_worker *w)
+{
+    size_t room = w->line_room;
+    if (!array_grow(&w->line, &w->line_room, w->line_count + 1, sizeof *w->line))
+        return false;
+    memset(w->line + room, 0, (w->line_room - room) * sizeof *w->line);
+    return true;
+}
+
 bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *grid)
 {
     *w = (hide_worker){.picture = picture, .grid = grid, .margin = hide_margin(&picture->space)};
     w->seen = alloc_zeroed(picture->front_count, sizeof *w->seen);
-    return w->seen && hide_sides_reserve(&w->sides, picture->most_corners);
+    return w->seen && hide_sides_reserve(&w->sides, picture->most_corners) &&
+           more_lines(w); /* a line at least: where there is none, its array can be pointed into */
 }
 
 void hide_worker_free(hide_worker *w)
@@ -57,15 +67,6 @@ static void join_box(hide_box *all, const hide_box *box)
     all->y1 = box->y1 > all->y1 ? box->y1 : all->y1;
     all->z0 = box->z0 < all->z0 ? box->z0 : all->z0;
     all->z1 = box->z1 > all->z1 ? box->z1 : all->z1;
-}
-
-static bool more_lines(hide_worker *w)
-{
-    size_t room = w->line_room;
-    if (!array_grow(&w->line, &w->line_room, w->line_count + 1, sizeof *w->line))
-        return false;
-    memset(w->line + room, 0, (w->line_room - room) * sizeof *w->line);
-    return true;
 }
 
 hide_line *hide_worker_add(hide_worker *w, uint32_t edge)

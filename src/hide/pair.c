@@ -88,7 +88,7 @@ BITS_INLINE bool by_outline(const hide_picture *picture, const uint32_t *corner,
     }
 }
 
-/* As hide_by_face(). */
+/* Tests 1 to 4 of one face; false where it hides nothing of e. */
 static bool by_face(const hide_picture *picture, const hide_face *F, const hide_edge *e, hide_sides *sides,
                     roberts_tally *tally, hide_part *part)
 {

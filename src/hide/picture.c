@@ -53,12 +53,13 @@ enum { POINTS_AT_ONCE = 64 };
 static span measure_solid(const hide_picture *picture, uint32_t solid)
 {
     const roberts_scene *scene = picture->scene;
-    uint32_t end = scene->solid[solid + 1].vertex;
+    const roberts_vec3 *point = scene->point + scene->solid[solid].vertex;
+    uint32_t left = scene->solid[solid + 1].vertex - scene->solid[solid].vertex;
     roberts_vec3 P[POINTS_AT_ONCE];
     span own = empty_span;
-    for (uint32_t v = scene->solid[solid].vertex; v < end; v += POINTS_AT_ONCE) {
-        uint32_t count = end - v < POINTS_AT_ONCE ? end - v : POINTS_AT_ONCE;
-        view_points(&picture->view, scene->point + v, count, P);
+    for (uint32_t count; left > 0; left -= count, point += count) {
+        count = left < POINTS_AT_ONCE ? left : POINTS_AT_ONCE;
+        view_points(&picture->view, point, count, P);
         for (uint32_t i = 0; i < count; i++)
             widen(&own, P[i]);
     }

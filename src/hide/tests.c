@@ -247,18 +247,3 @@ bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge 
         return hide_test4(space, F, e, sides, part);
     }
 }
-
-bool hide_by_face(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
-                  roberts_tally *tally, hide_part *part)
-{
-    tally->pairs++;
-    if (hide_test1(F, e)) {
-        tally->test1_visible++;
-        return false;
-    }
-    if (hide_test2(space, F, e)) {
-        tally->test2_visible++;
-        return false;
-    }
-    return hide_by_sides(space, F, e, sides, tally, part) && hide_pierce(space, F, e, sides, part);
-}

@@ -53,8 +53,4 @@ bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e
 bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
                    roberts_tally *tally, hide_part *part);
 
-/* Tests 1 to 4 in their order, counted in `tally`; false where F hides nothing of e. */
-bool hide_by_face(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
-                  roberts_tally *tally, hide_part *part);
-
 #endif

@@ -14,6 +14,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <libqhull_r/qhull_ra.h>
 
@@ -91,6 +92,7 @@ static hull_result copy_facets(hull_facets *facets, const qhT *qh, uint32_t poin
         !array_reserve(&facets->corner, &facets->corner_room, corners, sizeof *facets->corner) ||
         !array_reserve(&facets->next, &facets->next_room, points, sizeof *facets->next))
         return HULL_NO_MEMORY;
+    memset(facets->next, 0, points * sizeof *facets->next); /* a point's number, were some facet's ridges no cycle */
     facets->count = 0;
     facets->start[0] = 0;
     facets->outside = qh->max_outside;
