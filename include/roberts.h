@@ -578,7 +578,7 @@ typedef struct roberts_draw_options {
     roberts_pen outline;             /**< default: 0.5 mm */
     roberts_pen crease;              /**< default: 0.35 mm */
     roberts_pen back;                /**< hidden lines; default: 0.25 mm, dashes of 12 and gaps of 3 widths (ISO 128) */
-    roberts_pen frame;               /**< round what the margins leave; default: off, 0.7 mm (ISO 5457) */
+    roberts_pen frame;               /**< on the margins, 5 mm off the drawing unless `framed`; default: off, 0.7 mm */
     roberts_pen symbol;              /**< projection symbol of a sheet; default: 0.35 mm */
     roberts_placement placement;     /**< default: fitted, in the middle */
     roberts_order order;             /**< default: ROBERTS_ORDER_TRAVEL */

@@ -4,6 +4,7 @@
  * CACM 7(3), 1964: a letter left out, added, wrong, or two changed places. */
 #include "cli/nearest.h"
 
+#include <ctype.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -17,6 +18,12 @@ static size_t least(size_t a, size_t b)
     return a < b ? a : b;
 }
 
+/* "ISO" means iso: what is near is so in any case of letters. */
+static bool same(char a, char b)
+{
+    return tolower((unsigned char)a) == tolower((unsigned char)b);
+}
+
 static size_t distance(const char *a, const char *b)
 {
     size_t n = strlen(a), m = strlen(b);
@@ -28,9 +35,9 @@ static size_t distance(const char *a, const char *b)
     for (size_t i = 1; i <= n; i++) {
         row[2][0] = i;
         for (size_t j = 1; j <= m; j++) {
-            size_t change = row[1][j - 1] + (a[i - 1] != b[j - 1]);
+            size_t change = row[1][j - 1] + !same(a[i - 1], b[j - 1]);
             row[2][j] = least(change, least(row[1][j], row[2][j - 1]) + 1);
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+            if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1]))
                 row[2][j] = least(row[2][j], row[0][j - 2] + 1);
         }
         memmove(row[0], row[1], 2 * sizeof row[0]);

@@ -16,6 +16,8 @@
  * less than half of 2^23 units, so that wide pens on its border are safe too. */
 static const double finest_longest_mm = 4000.0, fine_units_per_mm = 1000.0, coarse_units_per_mm = 100.0;
 
+static const double from_frame_mm = 5.0; /* what is drawn, so that no outline lies on the frame */
+
 const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line line)
 {
     switch ((int)line) {
@@ -223,13 +225,25 @@ static strokes nothing_drawn(const roberts_draw_options *options)
     return (strokes){.options = options, .units_per_mm = is_fine ? fine_units_per_mm : coarse_units_per_mm};
 }
 
+/* The page that the drawing is laid on: within a frame it keeps 5 mm from it, on small pages a tenth of the shorter side that
+ * the margins leave; but nothing where the frame is the window's border, at which the drawing may be cut off. */
+static roberts_page page_within_frame(const roberts_drawing *drawing, const roberts_draw_options *options)
+{
+    roberts_page page = options->page;
+    double room_mm = fmin(page.width_mm, page.height_mm) - 2.0 * page.margin_mm;
+    if (!options->frame.off && !drawing->framed)
+        page.margin_mm += fmin(from_frame_mm, room_mm / 10.0);
+    return page;
+}
+
 roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const roberts_draw_options *options,
                             roberts_error *error)
 {
     roberts_vec2 min, max;
+    const roberts_page page = page_within_frame(drawing, options);
     *s = nothing_drawn(options);
     find_box(drawing, options, &min, &max);
-    if (!page_lay(&options->page, &options->placement, min, max, &s->map, error))
+    if (!page_lay(&page, &options->placement, min, max, &s->map, error))
         return ROBERTS_BAD_ARGUMENT;
     return draw(s, &(placed){drawing, s->map}, 1, error);
 }
