@@ -1,4 +1,4 @@
-# Tables from the rows of bench.sh: awk -v table=stages|draw|threads|read|goals|instructions -f bench-table.awk FILE.tsv...
+# Tables from the rows of bench.sh: awk -v table=stages|draw|threads|verify|read|goals|instructions -f bench-table.awk FILE.tsv...
 # Columns go by the names in a file's first row.
 BEGIN {
     FS = "\t"
@@ -35,16 +35,19 @@ FNR == 1 {
     if (NR > 1)
         next
     if (table == "stages") {
-        title("Stages, seconds; one thread, nothing written. draw: SVG, in a run of its own, not in the total. growth: exponent over\n" \
+        title("Stages, seconds; one thread, nothing written. draw: SVG with --order none, in a run of its own, not in the total. growth: exponent over\n" \
               "the number of edges. MB: memory at the most; beyond: the same less the size of the input, bytes per solid.\n" \
               "pairs/edge: how many fronts or faces an edge is tested against.")
     } else if (table == "draw") {
-        title("Drawn as SVG. more: memory at the most beyond that of the same run with nothing written.")
+        title("Drawn as SVG with --order none, and ordered for short travel (small drawings with more care). more: memory at the most beyond that of the same run with nothing written.")
         printf "%-24s%12s%12s%10s%10s%16s%10s\n", "", "solids", "segments", "cpu s", "wall s", "s / M segments", "more MB"
     } else if (table == "threads") {
         title("Two threads against one, wall-clock seconds; means little where other work is going on")
         printf "%-24s%12s%8s%8s%9s%8s%8s%9s%8s%8s%9s\n", "", "solids", "read 1", "2", "times", "hide 1", "2", "times", \
             "total 1", "2", "times"
+    } else if (table == "verify") {
+        title("Checked by rays (--verify, three points of each segment) against hidden (view, grid and hide), CPU seconds")
+        printf "%-24s%12s%12s%10s%10s%8s\n", "", "solids", "segments", "hidden", "checked", "times"
     } else if (table == "read") {
         title("Reading, and the same numbers by strtod(), CPU seconds")
         printf "%-24s%14s%14s%10s%10s%8s%8s\n", "", "bytes", "numbers", "read", "strtod", "times", "MB/s"
@@ -128,10 +131,16 @@ function more_mb() {
     return (value("peak_memory_kb") - kb[value("scene"), value("bytes")]) / 1024
 }
 
-table == "draw" && value("kind") == "draw" && value("runs") > 0 {
+table == "draw" && (value("kind") == "draw" || value("kind") == "plot") && value("runs") > 0 {
     key = value("scene") SUBSEP value("bytes")
-    printf "%-24s%12s%12s%10.3f%10.3f%16.2f%10d\n", value("scene"), grouped(value("solids")), grouped(value("segments")), \
+    printf "%-24s%12s%12s%10.3f%10.3f%16.2f%10d\n", value("scene") (value("kind") == "plot" ? ", ordered" : ""), grouped(value("solids")), grouped(value("segments")), \
         value("draw_cpu"), value("draw_wall"), value("draw_cpu") * 1e6 / value("segments"), more_mb()
+}
+
+table == "verify" && value("kind") == "verify" && value("runs") > 0 {
+    hiding = value("view_cpu") + value("grid_cpu") + value("hide_cpu")
+    printf "%-24s%12s%12s%10.3f%10.3f%8s\n", value("scene"), grouped(value("solids")), grouped(value("segments")), \
+        hiding, value("verify_cpu"), times(value("verify_cpu"), hiding)
 }
 
 function times(a, b) {
@@ -181,7 +190,7 @@ table == "goals" && ("kind" in column) && value("runs") > 0 {
     } else if (value("kind") == "draw") {
         svg[key] = sprintf("%8.2f%8s", value("draw_cpu") * 1e6 / value("segments"), \
             value("segments") < 1e5 ? "-" : sprintf("%d", more_mb() * 1e6 / value("segments")))
-    } else {
+    } else if (value("kind") == "threads") {
         two[key] = sprintf("%8s%8s", times(one_hide[key], value("hide_wall")), times(one_read[key], value("read_wall")))
     }
 }

@@ -2,7 +2,8 @@
 # Measures the program: tools/bench.sh [PART]...    (the first three unless given; `make bench` builds first)
 #
 #   scenes        lattice, city, wall and plates of a thousand solids to a million, and ../shared/scenes where present:
-#                 each stage, memory, growth; drawn as SVG; read by strtod(); two threads against one
+#                 each stage, memory, growth; drawn as SVG; checked by --verify; read by strtod(); two threads
+#                 against one
 #   worst         scenes that are hard, each for one reason
 #   instructions  instructions executed, counted by callgrind, against tools/bench-baseline.txt
 #   baseline      the same, and writes that file anew
@@ -32,7 +33,7 @@ general='--dir .31,.47,.83' # no face of our scenes is edge-on, no two corners l
 tab=$(printf '\t')
 counts='solids culled_solids vertices faces front_faces edges surviving_edges drawn_edges segments grid peak_memory_kb
     pairs test1_visible test2_visible test3_visible test3_invisible test4 covered refined'
-stages='read solids view grid hide draw total'
+stages='read solids view grid hide verify draw total'
 
 # Not by ulimit -t: under it, Linux tells CPU time by ticks of 4 ms.
 guard=
@@ -178,8 +179,10 @@ measure() {
 # one_scene NAME FILE RUNS: all that is measured of a scene
 one_scene() {
     measure scenes stages "$1" "$3" 1 null $general "$2" || return
-    measure scenes draw "$1" 1 1 svg $general "$2"
+    measure scenes draw "$1" 1 1 svg --order none $general "$2"
+    measure scenes plot "$1" 1 1 svg $general "$2"
     measure scenes threads "$1" "$3" 2 null $general "$2"
+    [ "$3" -eq 1 ] || measure scenes verify "$1" "$3" 1 null --verify $general "$2" # not of a million solids
     row=$(OMP_NUM_THREADS=1 "$build/tools/bench-read" "$2" "$3") && printf '%s\t%s\n' "$1" "$row" >>"$out/read.tsv"
 }
 
@@ -351,6 +354,7 @@ for which in "$@"; do
         show stages scenes
         show draw scenes
         show threads scenes
+        show verify scenes
         show read read
         show goals read scenes
         ;;
