@@ -118,6 +118,8 @@ install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, man page, comple
 	install -D -m 644 src/cli/completions/bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/roberts
 	install -D -m 644 src/cli/completions/zsh $(DESTDIR)$(PREFIX)/share/zsh/site-functions/_roberts
 	install -D -m 644 src/cli/completions/fish $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d/roberts.fish
+	@# The loader's cache, where the loader looks into LIBDIR: root alone can renew it, and packages (DESTDIR) do it themselves.
+	@if [ -z "$(DESTDIR)" ] && [ "$$(id -u)" = 0 ] && ldconfig -v -N -X 2>/dev/null | grep -q "^$(LIBDIR):"; then ldconfig; fi
 
 uninstall: ## takes them away again
 	rm -f $(DESTDIR)$(PREFIX)/bin/roberts $(DESTDIR)$(PREFIX)/include/roberts.h \

@@ -121,6 +121,31 @@ static void brings_manual_and_completions(void **state)
     run(command);
 }
 
+/* Root's installation renews the loader's cache; that of others, into DESTDIR, or where the loader never looks does not. */
+static void tells_the_loader(void **state)
+{
+    static const struct {
+        const char *user, *destdir, *looked_into, *wanted;
+    } table[] = {{"0", "", "$PWD/$d/usr/lib", "told"},
+                 {"1000", "", "$PWD/$d/usr/lib", ""},
+                 {"0", "$PWD/", "$d/usr/lib", ""},
+                 {"0", "", "$PWD/$d/usr", ""}};
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        char command[4096];
+        snprintf(
+            command, sizeof command,
+            "d=%s/loader; mkdir -p $d/bin; rm -f $d/told; echo \"#!/bin/sh\" >$d/bin/id; cp $d/bin/id $d/bin/ldconfig; "
+            "echo echo %s >>$d/bin/id; chmod +x $d/bin/*; "
+            "echo \"[ \\$# = 0 ] && echo told >$d/told || echo %s: \" >>$d/bin/ldconfig; "
+            "PATH=\"$PWD/$d/bin:$PATH\" make --no-print-directory install BUILD=%s DESTDIR=%s PREFIX=%s$d/usr && "
+            "test \"$(cat $d/told 2>/dev/null)\" = '%s'",
+            root, table[i].user, table[i].looked_into, setting("ROBERTS_BUILD", "build"), table[i].destdir,
+            *table[i].destdir ? "" : "$PWD/", table[i].wanted);
+        run(command);
+    }
+}
+
 static void uninstalls(void **state)
 {
     char command[4096];
@@ -141,6 +166,7 @@ int main(void)
         cmocka_unit_test(exports_only_its_own),
         cmocka_unit_test(brings_manual_and_completions),
         cmocka_unit_test(uninstalls),
+        cmocka_unit_test(tells_the_loader),
     };
     return cmocka_run_group_tests_name("install", tests, set_up, NULL);
 }
