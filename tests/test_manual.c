@@ -173,7 +173,7 @@ static void table_of_the_readme(void **state)
             fail_msg("%s is missing", option[i]);
 }
 
-/* What bash would offer for the words of a line, the last of them unfinished. */
+/* What bash would offer for the words of a line, the last of them unfinished; of a "=" it hands over nothing. */
 static const struct {
     const char *words, *offered;
 } bash_cases[] = {
@@ -181,6 +181,12 @@ static const struct {
     {"roberts --view ca", "cavalier cabinet "},
     {"roberts --view = ca", "cavalier cabinet "},
     {"roberts -f p", "pdf ps png "},
+    {"roberts --format = p", "pdf ps png "},
+    {"roberts --stats =", "json "},
+    {"roberts --stats = j", "json "},
+    {"roberts --stats models/tab", "models/table.off "},
+    {"roberts --verify = models/tab", ""},
+    {"roberts --style ou", "outline: "},
     {"roberts models/tab", "models/table.off "},
     {"roberts -q --format svg models/tab", "models/table.off "},
     {"roberts --dir 1", ""},
@@ -197,7 +203,7 @@ static void bash_completes(void **state)
         char command[1024], offered[1024];
         snprintf(command, sizeof command,
                  "/bin/bash --norc -c '. src/cli/completions/bash; COMP_WORDS=(%s); COMP_CWORD=$((${#COMP_WORDS[@]} - "
-                 "1)); _roberts roberts \"${COMP_WORDS[COMP_CWORD]}\" \"${COMP_WORDS[COMP_CWORD - 1]}\"; "
+                 "1)); _roberts roberts \"${COMP_WORDS[COMP_CWORD]#=}\" \"${COMP_WORDS[COMP_CWORD - 1]}\"; "
                  "printf \"%%s \" ${COMPREPLY[@]+\"${COMPREPLY[@]}\"}'",
                  bash_cases[i].words);
         print_message("%s\n", bash_cases[i].words);
