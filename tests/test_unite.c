@@ -6,7 +6,7 @@
 
 static const roberts_camera top = {.dir = {0, 0, 1}, .up = {0, 1, 0}};
 
-enum { BEHIND = 40 };
+enum { BEHIND = 160 };
 
 /* Boxes above; below them a heap of plates from (0, 0) to (4, 4), of which all are culled, or none but those behind the
  * first. */
@@ -57,7 +57,7 @@ static void fill(model *m, int kind, uint64_t seed)
 {
     rng r = {seed};
     if (kind == 2) {
-        model_crowd(m, 250, 3, seed);
+        model_crowd(m, 600, 3, seed);
         return;
     }
     for (int i = 0; i < 300; i++) {

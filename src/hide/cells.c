@@ -17,8 +17,9 @@
 #define COVER_SMALLEST 0.3
 /* Mean number of boxes over a point of the picture from which covers pay. In flat scenes they cost a little. */
 #define COVER_DEPTH 2.5
-/* ... and from which covers of two fronts together pay: twice that costs nothing, half of it a tenth of the whole. */
-#define UNION_DEPTH 12.0
+/* ... and from which covers of two fronts together pay. At half of it they cost a fifth of the whole in a lattice and save a
+ * fifth in a city seen from the front; at twice that they save more than half in such a city. */
+#define UNION_DEPTH 40.0
 /* Cells per box, and cells that cost nothing to speak of. */
 #define CELLS_PER_BOX 4.0
 #define COVER_CELLS_PER_BOX 32.0
