@@ -65,6 +65,9 @@ static inline pid_t start(const char *line, const char *in, int out)
     pid_t child = fork();
     if (child != 0)
         return child;
+    signal(SIGINT, SIG_DFL); /* which commands in the background, or under nohup, are started without */
+    signal(SIGHUP, SIG_DFL);
+    signal(SIGTERM, SIG_DFL);
     signal(SIGPIPE, start_pipe_signal);
     dup2(open_stream(in ? in : "/dev/null", O_RDONLY), STDIN_FILENO);
     if (start_error != CLOSED)
