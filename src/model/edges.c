@@ -13,11 +13,6 @@
 
 enum { SHORT_BUCKET = 24 }; /* half-edges; up to so many, insertion beats the library's sort */
 
-static uint32_t corners_of(const roberts_scene *scene, uint32_t s)
-{
-    return scene->face_start[scene->solid[s + 1].face] - scene->face_start[scene->solid[s].face];
-}
-
 /* Fills the table; bit b of row[a] tells whether a face passes from a to b. False where two do. */
 static bool fill_table(const roberts_scene *scene, uint32_t s, uint32_t passing[][EDGES_SMALL], uint32_t *row)
 {
@@ -39,7 +34,7 @@ static bool fill_table(const roberts_scene *scene, uint32_t s, uint32_t passing[
 static bool pair_by_table(roberts_scene *scene, uint32_t s, uint32_t passing[][EDGES_SMALL])
 {
     uint32_t row[EDGES_SMALL], base = scene->solid[s].vertex, count = scene->solid[s + 1].vertex - base;
-    scene_edge *edge = scene->edge + scene->solid[s].edge, *end = edge + corners_of(scene, s) / 2;
+    scene_edge *edge = scene->edge + scene->solid[s].edge, *end = edge + scene_corners(scene, s) / 2;
     for (uint32_t v = 0; v < count; v++)
         row[v] = 0;
     if (!fill_table(scene, s, passing, row))
@@ -106,7 +101,7 @@ static void count_half_edges(const roberts_scene *scene, uint32_t s, uint32_t *e
 bool edges_sort(const roberts_scene *scene, uint32_t s, edge_scratch *scratch)
 {
     const scene_solid *first = scene->solid + s;
-    uint32_t vertices = first[1].vertex - first->vertex, corners = corners_of(scene, s), start = 0;
+    uint32_t vertices = first[1].vertex - first->vertex, corners = scene_corners(scene, s), start = 0;
     uint32_t base = scene->face_start[first->face];
     if (!array_reserve(&scratch->end, &scratch->end_room, vertices, sizeof *scratch->end) ||
         !array_reserve(&scratch->half, &scratch->half_room, corners, sizeof *scratch->half) ||
@@ -153,7 +148,7 @@ static edge_pairing edges_from_sorted(roberts_scene *scene, uint32_t s, edge_scr
 
 edge_pairing edges_pair(roberts_scene *scene, uint32_t s, edge_scratch *scratch)
 {
-    uint32_t vertices = scene->solid[s + 1].vertex - scene->solid[s].vertex, corners = corners_of(scene, s);
+    uint32_t vertices = scene->solid[s + 1].vertex - scene->solid[s].vertex, corners = scene_corners(scene, s);
     if (corners % 2)
         return EDGES_OPEN;
     if (vertices <= EDGES_SMALL && pair_by_table(scene, s, scratch->passing))

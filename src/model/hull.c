@@ -186,9 +186,8 @@ static bool add_facets(face_list *list, const roberts_scene *scene, uint32_t s, 
 /* The edges of solid s come first, in place of those of another solid that is done with. */
 static void number_edges(roberts_scene *scene, uint32_t s)
 {
-    scene_solid *first = scene->solid + s;
-    first->edge = 0;
-    first[1].edge = (scene->face_start[first[1].face] - scene->face_start[first->face]) / 2;
+    scene->solid[s].edge = 0;
+    scene->solid[s + 1].edge = scene_corners(scene, s) / 2;
 }
 
 static hull_result result_of(build_result built, roberts_status refusal)

@@ -21,7 +21,7 @@ typedef struct face_edges {
 static bool collect_edges(face_edges *of, const roberts_scene *scene, const solid_frame *frame)
 {
     const scene_solid *first = scene->solid + frame->solid;
-    uint32_t count = scene->face_start[first[1].face] - scene->face_start[first->face];
+    uint32_t count = scene_corners(scene, frame->solid);
     of->start = alloc_zeroed((size_t)frame->face_count + 2, sizeof *of->start);
     of->edge = alloc_array(count, sizeof *of->edge);
     if (!of->start || !of->edge)
@@ -75,7 +75,7 @@ static void turn_face(roberts_scene *scene, solid_frame *frame, uint32_t f)
 static bool agree(const roberts_scene *scene, const solid_frame *frame, const uint8_t *alike, const uint8_t *decision)
 {
     const scene_solid *first = scene->solid + frame->solid;
-    uint32_t count = (scene->face_start[first[1].face] - scene->face_start[first->face]) / 2;
+    uint32_t count = scene_corners(scene, frame->solid) / 2;
     for (uint32_t e = 0; e < count; e++) {
         const scene_edge *edge = &scene->edge[first->edge + e];
         bool turned = decision[edge->f[0] - first->face] != decision[edge->f[1] - first->face];

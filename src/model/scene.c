@@ -66,9 +66,8 @@ static void number_edges(roberts_scene *scene)
 {
     uint32_t sum = 0;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
-        const scene_solid *first = scene->solid + s;
         scene->solid[s].edge = sum;
-        sum += (scene->face_start[first[1].face] - scene->face_start[first->face]) / 2;
+        sum += scene_corners(scene, s) / 2;
     }
     scene->solid[scene->solid_count].edge = sum;
     scene->edge_count = sum;

@@ -46,4 +46,10 @@ struct roberts_scene {
     roberts_vec3 centre;                      /* middle of that box */
 };
 
+/* How many corners the faces of solid s have: where it is closed, twice the number of its edges. */
+static inline uint32_t scene_corners(const roberts_scene *scene, uint32_t s)
+{
+    return scene->face_start[scene->solid[s + 1].face] - scene->face_start[scene->solid[s].face];
+}
+
 #endif

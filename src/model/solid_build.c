@@ -15,7 +15,7 @@
 static bool like_a_sphere(const roberts_scene *scene, uint32_t s)
 {
     const scene_solid *first = scene->solid + s;
-    uint64_t corners = scene->face_start[first[1].face] - scene->face_start[first->face];
+    uint64_t corners = scene_corners(scene, s);
     uint64_t vertices = first[1].vertex - first->vertex, faces = first[1].face - first->face;
     return vertices + faces == corners / 2 + 2;
 }
