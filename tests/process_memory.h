@@ -8,19 +8,12 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#if defined(__SANITIZE_ADDRESS__)
-#define REPLACED 0
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define REPLACED 0
-#endif
-#endif
-#if !defined(REPLACED)
-#ifdef __GLIBC__
+#include "sanitized.h"
+
+#if defined(__GLIBC__) && !SANITIZED
 #define REPLACED 1
 #else
 #define REPLACED 0
-#endif
 #endif
 
 static struct process_memory {

@@ -10,17 +10,7 @@
 #include <stdio.h>
 
 #include "program.h"
-
-#if defined(__SANITIZE_ADDRESS__)
-#define SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define SANITIZED 1
-#endif
-#endif
-#ifndef SANITIZED
-#define SANITIZED 0
-#endif
+#include "sanitized.h"
 
 static const char cube_name[] = "models/platonic/cube.off";
 static char cube[TEXT], table[TEXT]; /* the cube, and its drawing as CSV */

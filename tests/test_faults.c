@@ -16,16 +16,7 @@
 
 #include <cmocka.h>
 
-#if defined(__SANITIZE_ADDRESS__)
-#define SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define SANITIZED 1
-#endif
-#endif
-#ifndef SANITIZED
-#define SANITIZED 0
-#endif
+#include "sanitized.h"
 
 /* Seconds of processor time; with the sanitizers things take some ten times as long. */
 enum { SECONDS = SANITIZED ? 60 : 8, MEGABYTE = 1 << 20 };

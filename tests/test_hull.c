@@ -15,6 +15,7 @@
 #include "scenes.h"
 
 #include "program.h"
+#include "whole.h"
 
 /* Counts of a scene. */
 typedef struct counts {
@@ -43,25 +44,6 @@ static void read_off(roberts_mesh *mesh, const char *name, const char *off)
 
 /* ---- whole numbers --------------------------------------------------------------------------------------------------- */
 
-typedef struct whole {
-    int64_t x, y, z;
-} whole;
-
-static whole minus(whole a, whole b)
-{
-    return (whole){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-static whole cross(whole a, whole b)
-{
-    return (whole){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-static int64_t dot(whole a, whole b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 static whole corner_at(const roberts_scene *scene, uint32_t f, uint32_t i)
 {
     uint32_t start = scene->face_start[f], n = scene->face_start[f + 1] - start;
@@ -73,7 +55,7 @@ static whole corner_at(const roberts_scene *scene, uint32_t f, uint32_t i)
 static whole outward(const roberts_scene *scene, uint32_t f)
 {
     whole a = corner_at(scene, f, 0);
-    return cross(minus(corner_at(scene, f, 1), a), minus(corner_at(scene, f, 2), a));
+    return whole_cross(whole_sub(corner_at(scene, f, 1), a), whole_sub(corner_at(scene, f, 2), a));
 }
 
 /* Each face is strictly convex, all of it in one plane, with all points behind that or in it; and no two neighbours are in
@@ -82,19 +64,19 @@ static void assert_exact_hull(const roberts_scene *scene, const roberts_mesh *me
 {
     for (uint32_t f = 0; f < scene->face_count; f++) {
         whole n = outward(scene, f), a = corner_at(scene, f, 0);
-        assert_true(dot(n, n) > 0);
+        assert_true(whole_dot(n, n) > 0);
         for (uint32_t i = 0; i < scene->face_start[f + 1] - scene->face_start[f]; i++) {
             whole p = corner_at(scene, f, i), q = corner_at(scene, f, i + 1), r = corner_at(scene, f, i + 2);
-            assert_int_equal(dot(n, minus(p, a)), 0);
-            assert_true(dot(n, cross(minus(q, p), minus(r, q))) > 0);
+            assert_int_equal(whole_dot(n, whole_sub(p, a)), 0);
+            assert_true(whole_dot(n, whole_cross(whole_sub(q, p), whole_sub(r, q))) > 0);
         }
         for (size_t v = 0; v < mesh->vertex_count; v++) {
             roberts_vec3 p = mesh->vertex[v];
-            assert_true(dot(n, minus((whole){(int64_t)p.x, (int64_t)p.y, (int64_t)p.z}, a)) <= 0);
+            assert_true(whole_dot(n, whole_sub((whole){(int64_t)p.x, (int64_t)p.y, (int64_t)p.z}, a)) <= 0);
         }
     }
     for (uint32_t e = 0; e < scene->edge_count; e++) {
-        whole n = outward(scene, scene->edge[e].f[0]), m = outward(scene, scene->edge[e].f[1]), c = cross(n, m);
+        whole n = outward(scene, scene->edge[e].f[0]), m = outward(scene, scene->edge[e].f[1]), c = whole_cross(n, m);
         assert_true(c.x || c.y || c.z);
     }
 }
@@ -104,13 +86,13 @@ static bool all_in_one_plane(const roberts_mesh *mesh)
     whole p[64], n = {0, 0, 0}, u = {0, 0, 0};
     for (size_t v = 0; v < mesh->vertex_count; v++) {
         p[v] = (whole){(int64_t)mesh->vertex[v].x, (int64_t)mesh->vertex[v].y, (int64_t)mesh->vertex[v].z};
-        if (dot(u, u) == 0)
-            u = minus(p[v], p[0]);
-        if (dot(n, n) == 0)
-            n = cross(u, minus(p[v], p[0]));
+        if (whole_dot(u, u) == 0)
+            u = whole_sub(p[v], p[0]);
+        if (whole_dot(n, n) == 0)
+            n = whole_cross(u, whole_sub(p[v], p[0]));
     }
     for (size_t v = 0; v < mesh->vertex_count; v++)
-        if (dot(n, minus(p[v], p[0])) != 0)
+        if (whole_dot(n, whole_sub(p[v], p[0])) != 0)
             return false;
     return true;
 }

@@ -17,6 +17,7 @@
 #include <cmocka.h>
 
 #include "model/off_pieces.h"
+#include "same_mesh.h"
 
 /* ---- threads ------------------------------------------------------------------------------------------------------- */
 
@@ -116,27 +117,6 @@ static void read_input(input *in, const off_division *division, result *r)
         assert_int_equal(roberts_mesh_add_vertex(&r->mesh, (roberts_vec3){1, 2, 3}, NULL, NULL), ROBERTS_OK);
     in->at = in->read = 0;
     (void)off_read(&r->mesh, "t", &source, division, &warnings, &r->error);
-}
-
-static bool same_colors(const roberts_color *a, const roberts_color *b, size_t count)
-{
-    if (!a != !b)
-        return false;
-    for (size_t i = 0; a && i < count; i++)
-        if (a[i].count != b[i].count || memcmp(a[i].value, b[i].value, a[i].count * sizeof *a->value) != 0)
-            return false;
-    return true;
-}
-
-static bool same_mesh(const roberts_mesh *a, const roberts_mesh *b)
-{
-    return a->vertex_count == b->vertex_count && a->face_count == b->face_count && a->corner_count == b->corner_count &&
-           (!a->vertex_count || memcmp(a->vertex, b->vertex, a->vertex_count * sizeof *a->vertex) == 0) &&
-           (!a->corner_count || memcmp(a->corner, b->corner, a->corner_count * sizeof *a->corner) == 0) &&
-           !a->face_start == !b->face_start &&
-           (!a->face_start || memcmp(a->face_start, b->face_start, (a->face_count + 1) * sizeof *a->face_start) == 0) &&
-           same_colors(a->vertex_color, b->vertex_color, a->vertex_count) &&
-           same_colors(a->face_color, b->face_color, a->face_count);
 }
 
 static void compare(const result *one, const result *other, const input *in, const char *way)

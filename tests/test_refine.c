@@ -2,6 +2,7 @@
  * determinants fit into 63 bits; which of them vanish or all but vanish is up to each test. */
 #include "hide/refine.h"
 #include "scenes.h"
+#include "whole.h"
 
 /* Half a unit of the last place of a parameter in space, and a few more on its way to the picture. */
 #define T_BOUND 1e-15
@@ -14,37 +15,18 @@ typedef struct fixture {
     hide_space space;
 } fixture;
 
-typedef struct ivec {
-    int64_t x, y, z;
-} ivec;
-
-static ivec isub(ivec a, ivec b)
-{
-    return (ivec){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-static ivec icross(ivec a, ivec b)
-{
-    return (ivec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-static int64_t idot(ivec a, ivec b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static roberts_vec3 real(ivec a)
+static roberts_vec3 real(whole a)
 {
     return (roberts_vec3){(double)a.x, (double)a.y, (double)a.z};
 }
 
-static ivec random_ivec(rng *r, int size)
+static whole random_whole(rng *r, int size)
 {
-    return (ivec){rng_int(r, -size, size), rng_int(r, -size, size), rng_int(r, -size, size)};
+    return (whole){rng_int(r, -size, size), rng_int(r, -size, size), rng_int(r, -size, size)};
 }
 
 /* Solid 0 is a tetrahedron of vertices 0..3, solid 1 one of 4..7. */
-static void add_tetrahedron(model *m, const ivec p[4])
+static void add_tetrahedron(model *m, const whole p[4])
 {
     static const uint32_t corner[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
     uint32_t first = (uint32_t)m->mesh.vertex_count;
@@ -55,9 +37,9 @@ static void add_tetrahedron(model *m, const ivec p[4])
     model_close_solid(m);
 }
 
-static int64_t volume(const ivec p[4])
+static int64_t volume(const whole p[4])
 {
-    return idot(icross(isub(p[1], p[0]), isub(p[2], p[0])), isub(p[3], p[0]));
+    return whole_dot(whole_cross(whole_sub(p[1], p[0]), whole_sub(p[2], p[0])), whole_sub(p[3], p[0]));
 }
 
 static void set_up(fixture *f, const model *m, const roberts_camera *camera)
@@ -78,40 +60,40 @@ static hide_edge edge_between(const fixture *f, uint32_t a, uint32_t b)
 }
 
 /* The viewpoint V: a direction, or an eye well off all points, which lie within +-2^10; the scene looks at it. */
-static roberts_camera camera_from(ivec V, bool perspective)
+static roberts_camera camera_from(whole V, bool perspective)
 {
     if (perspective)
         return (roberts_camera){ROBERTS_PERSPECTIVE, .eye = real(V)};
     return (roberts_camera){.dir = real(V)};
 }
 
-static ivec random_viewpoint(rng *r, bool perspective)
+static whole random_viewpoint(rng *r, bool perspective)
 {
-    ivec V = random_ivec(r, 1000);
+    whole V = random_whole(r, 1000);
     V.z = perspective ? rng_int(r, 20000, 200000) : rng_int(r, 1, 1000);
     return V;
 }
 
 /* > 0 where x is left of p -> q seen from V. */
-static int64_t side(ivec p, ivec q, ivec x, ivec V, bool perspective)
+static int64_t side(whole p, whole q, whole x, whole V, bool perspective)
 {
     if (perspective)
-        return -idot(icross(isub(p, V), isub(q, V)), isub(x, V));
-    return idot(icross(isub(q, p), isub(x, p)), V);
+        return -whole_dot(whole_cross(whole_sub(p, V), whole_sub(q, V)), whole_sub(x, V));
+    return whole_dot(whole_cross(whole_sub(q, p), whole_sub(x, p)), V);
 }
 
 /* Two tetrahedra of random corners; of every two, one has vertex 4 in or all but in the sight plane through 0 and 1. */
-static void random_scene(rng *r, fixture *f, ivec p[8], ivec *V, bool perspective, bool close)
+static void random_scene(rng *r, fixture *f, whole p[8], whole *V, bool perspective, bool close)
 {
     model m = {0};
     for (;;) {
         for (int i = 0; i < 8; i++)
-            p[i] = random_ivec(r, 1000);
+            p[i] = random_whole(r, 1000);
         *V = random_viewpoint(r, perspective);
         if (close) {
             int k = rng_int(r, -3, 3), away = perspective ? 0 : rng_int(r, 0, 2);
-            p[4] = (ivec){p[0].x + k * (p[1].x - p[0].x) + away * V->x, p[0].y + k * (p[1].y - p[0].y) + away * V->y,
-                          p[0].z + k * (p[1].z - p[0].z) + away * V->z};
+            p[4] = (whole){p[0].x + k * (p[1].x - p[0].x) + away * V->x, p[0].y + k * (p[1].y - p[0].y) + away * V->y,
+                           p[0].z + k * (p[1].z - p[0].z) + away * V->z};
             p[4].x += rng_int(r, -1, 1);
         }
         double size = 1e-3 * 2000.0 * 2000.0 * 2000.0; /* well beyond what counts as flat */
@@ -133,7 +115,7 @@ static void sides_against_integers(void **state)
     (void)state;
     for (int i = 0; i < 4000; i++) {
         fixture f;
-        ivec p[8], V;
+        whole p[8], V;
         bool perspective = i % 2;
         random_scene(&r, &f, p, &V, perspective, i % 4 > 1);
         int64_t exact = side(p[0], p[1], p[4], V, perspective);
@@ -159,7 +141,7 @@ static void crossings_against_fractions(void **state)
     (void)state;
     for (int i = 0; i < 4000; i++) {
         fixture f;
-        ivec p[8], V;
+        whole p[8], V;
         bool perspective = i % 2;
         random_scene(&r, &f, p, &V, perspective, i % 4 > 1);
         int64_t a = side(p[0], p[1], p[4], V, perspective), b = side(p[0], p[1], p[5], V, perspective);
@@ -186,10 +168,10 @@ static void piercings_against_fractions(void **state)
     (void)state;
     for (int i = 0; i < 4000; i++) {
         fixture f;
-        ivec p[8], V;
+        whole p[8], V;
         random_scene(&r, &f, p, &V, i % 2, false);
-        ivec n = icross(isub(p[1], p[0]), isub(p[2], p[0]));
-        int64_t a = idot(n, isub(p[4], p[0])), b = idot(n, isub(p[5], p[0]));
+        whole n = whole_cross(whole_sub(p[1], p[0]), whole_sub(p[2], p[0]));
+        int64_t a = whole_dot(n, whole_sub(p[4], p[0])), b = whole_dot(n, whole_sub(p[5], p[0]));
         if ((a < 0) != (b < 0)) {
             static const uint32_t corner[3][3] = {{0, 1, 2}, {1, 2, 0}, {2, 1, 0}};
             hide_face F = {.corner = corner[i % 3], .count = 3};

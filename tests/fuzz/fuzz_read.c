@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "fuzz.h"
-#include "roberts.h"
+#include "../same_mesh.h"
 
 /* The input, given out in pieces of 1 to 97 bytes, whatever is asked for. */
 typedef struct pieces {
@@ -38,16 +38,6 @@ static void take_warning(void *context, const char *file, size_t line, const cha
 static bool same(const void *a, const void *b, size_t size)
 {
     return size == 0 || memcmp(a, b, size) == 0;
-}
-
-static bool same_colors(const roberts_color *a, const roberts_color *b, size_t count)
-{
-    if (!a || !b)
-        return a == b;
-    for (size_t i = 0; i < count; i++)
-        if (a[i].count != b[i].count || memcmp(a[i].value, b[i].value, a[i].count * sizeof a[i].value[0]) != 0)
-            return false;
-    return true;
 }
 
 static void require_same(const roberts_mesh *a, const roberts_mesh *b)
