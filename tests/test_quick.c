@@ -142,7 +142,7 @@ static void agrees_with_the_tests(void **state)
         quick_outline outline;
         set_up(&f, &r);
         quick_take(&outline, f.P, f.corner, f.face.count);
-        quick_verdict verdict = quick_test(&outline, &f.space, &f.edge, &part);
+        quick_verdict verdict = quick_test(&outline, &f.space, &f.edge, 20.0, &part);
         seen[verdict]++;
         if (verdict == QUICK_UNCLEAR)
             continue;
@@ -191,7 +191,7 @@ static void contact_is_unclear(void **state)
         f.space = (hide_space){
             .P = f.P, .epsilon = EPSILON, .rounding = ROUNDING, .plain = hide_plain(5.0, EPSILON, ROUNDING)};
         quick_take(&outline, f.P, f.corner, 4);
-        if (quick_test(&outline, &f.space, &f.edge, &part) != cases[i].verdict)
+        if (quick_test(&outline, &f.space, &f.edge, 20.0, &part) != cases[i].verdict)
             fail_msg("%s", cases[i].name);
     }
 }

@@ -22,6 +22,12 @@ static inline two_plain two_plain_load(const double *p)
     return (two_plain){{p[0], p[1]}};
 }
 
+/* The same from a multiple of 16 bytes. */
+static inline two_plain two_plain_load_aligned(const double *p)
+{
+    return (two_plain){{p[0], p[1]}};
+}
+
 static inline void two_plain_store(double *p, two_plain a)
 {
     p[0] = a.v[0];
@@ -145,6 +151,11 @@ static inline two two_load(const double *p)
     return _mm_loadu_pd(p);
 }
 
+static inline two two_load_aligned(const double *p)
+{
+    return _mm_load_pd(p);
+}
+
 static inline void two_store(double *p, two a)
 {
     _mm_storeu_pd(p, a);
@@ -251,6 +262,7 @@ static inline unsigned four_less(four a, four b)
 typedef two_plain two;
 typedef four_plain four;
 #define two_load two_plain_load
+#define two_load_aligned two_plain_load_aligned
 #define two_store two_plain_store
 #define two_store_floats two_plain_store_floats
 #define two_all two_plain_all

@@ -15,7 +15,7 @@
 /* A solid of more columns or rows than this is taken edge by edge. */
 #define GROUP_CELLS 3
 
-static bool more_lines(hide_worker *w)
+bool hide_worker_more(hide_worker *w)
 {
     size_t room = w->line_room;
     if (!array_grow(&w->line, &w->line_room, w->line_count + 1, sizeof *w->line))
@@ -29,7 +29,7 @@ bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *
     *w = (hide_worker){.picture = picture, .grid = grid, .margin = hide_margin(&picture->space)};
     w->seen = alloc_zeroed(picture->front_count, sizeof *w->seen);
     return w->seen && hide_sides_reserve(&w->sides, picture->most_corners) &&
-           more_lines(w); /* a line at least: where there is none, its array can be pointed into */
+           hide_worker_more(w); /* a line at least: where there is none, its array can be pointed into */
 }
 
 void hide_worker_free(hide_worker *w)
@@ -45,105 +45,59 @@ void hide_worker_free(hide_worker *w)
     *w = (hide_worker){0};
 }
 
-BITS_INLINE hide_box box_of(const hide_edge *e, double margin)
+static inline bool add_part(hide_line *line, const hide_front *front, hide_part *part)
 {
-    hide_box box;
-    float low[2], high[2];
-    two a = two_of(e->A.x, e->A.y), b = two_of(e->B.x, e->B.y), m = two_all(margin), ulp = two_all(0x1p-23);
-    two from = two_sub(two_lesser(a, b), m), to = two_add(two_greater(a, b), m);
-    two_store_floats(low, two_sub(from, two_mul(two_abs(from), ulp))); /* as hide_float_below(), hide_float_above() */
-    two_store_floats(high, two_add(to, two_mul(two_abs(to), ulp)));
-    box = (hide_box){low[0], high[0], low[1], high[1], 0.0f, 0.0f};
-    box.z0 = hide_float_below(lesser(e->A.z, e->B.z) - margin);
-    box.z1 = hide_float_above(greater(e->A.z, e->B.z) + margin);
-    return box;
-}
-
-static void join_box(hide_box *all, const hide_box *box)
-{
-    all->x0 = box->x0 < all->x0 ? box->x0 : all->x0;
-    all->x1 = box->x1 > all->x1 ? box->x1 : all->x1;
-    all->y0 = box->y0 < all->y0 ? box->y0 : all->y0;
-    all->y1 = box->y1 > all->y1 ? box->y1 : all->y1;
-    all->z0 = box->z0 < all->z0 ? box->z0 : all->z0;
-    all->z1 = box->z1 > all->z1 ? box->z1 : all->z1;
-}
-
-hide_line *hide_worker_add(hide_worker *w, uint32_t edge)
-{
-    const hide_picture *picture = w->picture;
-    const scene_edge *from = &picture->scene->edge[edge];
-    size_t n = w->line_count;
-    if (n == w->line_room && !more_lines(w))
-        return NULL;
-    hide_line *line = &w->line[w->line_count++];
-    hide_edge *e = &line->e;
-    e->A = picture->P[from->v[0]];
-    e->B = picture->P[from->v[1]];
-    e->a = from->v[0];
-    e->b = from->v[1];
-    roberts_vec3 AB = vec3_sub(e->B, e->A);
-    e->length = sqrt(AB.x * AB.x + AB.y * AB.y);
-    e->length3 = vec3_length(AB);
-    hide_box box = box_of(e, w->margin);
-    join_box(&w->box, &box);
-    if (n < HIDE_GROUP) {
-        w->x0[n] = box.x0;
-        w->x1[n] = box.x1;
-        w->y0[n] = box.y0;
-        w->y1[n] = box.y1;
-        w->z0[n] = box.z0;
-    }
-    line->parts.count = line->hulls.count = 0;
-    line->hidden = false;
-    line->edge = edge;
-    return line;
-}
-
-static bool apart(const hide_box *a, const hide_box *b)
-{
-    return a->x1 < b->x0 || a->x0 > b->x1 || a->y1 < b->y0 || a->y0 > b->y1 || a->z1 < b->z0;
-}
-
-/* One edge against one front that may be nearer somewhere. */
-static inline bool meet(hide_worker *w, hide_line *line, const hide_front *front, hide_approach approach)
-{
-    hide_part part;
-    if (!hide_by_front(w->picture, front, approach, &line->e, &w->sides, &w->tally, &part))
-        return true;
-    if (front->corners == 0) {
-        if (!hide_parts_hull(&line->hulls, front->solid, &part))
-            return false;
-    } else if (line->parts.count == 0 && line->parts.room > 0) { /* as hide_parts_add() does, without a call */
-        line->parts.item[line->parts.count++] = (hide_solid_part){part, front->solid};
-    } else if (!hide_parts_add(&line->parts, front->solid, &part)) {
-        return false;
-    }
-    if (part.t0 == 0.0 && part.t1 == 1.0) {
-        line->hidden = true;
-        w->live--;
-    }
+    hide_parts *parts = &line->parts;
+    if (front->corners == 0)
+        return hide_parts_hull(&line->hulls, front->solid, part);
+    if (parts->count > 0 || parts->room == 0)
+        return hide_parts_add(parts, front->solid, part);
+    parts->item[parts->count++] = (hide_solid_part){*part, front->solid}; /* as hide_parts_add() does, without a call */
     return true;
 }
 
-/* The group's lines against one front, as far as their boxes meet. */
-static bool meet_group(hide_worker *w, const hide_front *front, const hide_box *box)
+/* Of the lines from `first` on, within `box`, those given by bits against a front that may be nearer somewhere. */
+static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box *box, uint32_t index)
 {
-    four x0 = four_all(box->x0), x1 = four_all(box->x1), y0 = four_all(box->y0), y1 = four_all(box->y1);
-    four z1 = four_all(box->z1);
-    hide_approach approach = hide_approach_front(w->picture, front, &w->box);
-    for (size_t i = 0; i < w->line_count; i += 4) {
-        unsigned apart_xy = four_less(x1, four_load(w->x0 + i)) | four_less(four_load(w->x1 + i), x0) |
-                            four_less(y1, four_load(w->y0 + i)) | four_less(four_load(w->y1 + i), y0);
-        for (unsigned met = 15u & ~(apart_xy | four_less(z1, four_load(w->z0 + i))); met; met &= met - 1) {
-            size_t n = i + (size_t)bits_trailing_zeros(met);
-            if (!meet(w, &w->line[n], front, approach))
-                return false;
-            if (w->line[n].hidden)
-                w->x0[n] = INFINITY;
+    const hide_picture *picture = w->picture;
+    const hide_front *front = &picture->front[index];
+    hide_meeting meeting = hide_meet(front, &picture->front_box[index], box);
+    for (; bits; bits &= bits - 1) {
+        hide_line *line = first + bits_trailing_zeros(bits);
+        hide_part part;
+        if (!hide_by_front(picture, front, &meeting, &line->e, &w->sides, &w->tally, &part))
+            continue;
+        if (!add_part(line, front, &part))
+            return false;
+        if (part.t0 == 0.0 && part.t1 == 1.0) {
+            line->hidden = true;
+            w->x0[line - first] = INFINITY; /* a line that goes alone is not asked for it */
+            w->live--;
         }
     }
     return true;
+}
+
+/* Which of the group's lines have boxes that meet another. */
+static inline uint64_t met_by(const hide_worker *w, const hide_box *box)
+{
+    four x0 = four_all(box->x0), x1 = four_all(box->x1), y0 = four_all(box->y0), y1 = four_all(box->y1);
+    four z1 = four_all(box->z1);
+    uint64_t bits = 0;
+    for (size_t i = 0; i < w->line_count; i += 4) {
+        unsigned apart_xy = four_less(x1, four_load(w->x0 + i)) | four_less(four_load(w->x1 + i), x0) |
+                            four_less(y1, four_load(w->y0 + i)) | four_less(four_load(w->y1 + i), y0);
+        bits |= (uint64_t)(15u & ~(apart_xy | four_less(z1, four_load(w->z0 + i)))) << i;
+    }
+    return bits;
+}
+
+/* Has the box, x0, x1, y0, y1 as lanes, a side that is below the least or above the most that it may be? */
+static inline bool apart(const hide_box *box, four least, four most)
+{
+    float side[4];
+    memcpy(side, box, sizeof side);
+    return four_less(four_load(side), least) | four_less(most, four_load(side));
 }
 
 /* A line, or the group's where it is NULL, within `box` (but for depth, of which `far` is the farthest), against one
@@ -151,24 +105,30 @@ static bool meet_group(hide_worker *w, const hide_front *front, const hide_box *
 static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t cell, float far)
 {
     const objet *grid = w->grid;
-    for (uint32_t k = grid->start[cell], end = grid->start[cell + 1], after; w->live && k < end; k = after) {
+    const uint32_t *next = grid->next;
+    const hide_picture *picture = w->picture;
+    const float least_side[4] = {-INFINITY, box->x0, -INFINITY, box->y0};
+    const float most_side[4] = {box->x1, INFINITY, box->y1, INFINITY};
+    four least = four_load(least_side), most = four_load(most_side);
+    for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end; k++) {
         uint32_t index = grid->front[k];
-        const hide_box *other = &w->picture->front_box[index];
-        after = k + 1;
-        if (grid->next && w->picture->front[index].solid == solid) {
-            after = grid->next[k];
-            continue;
-        }
+        const hide_box *other = &picture->front_box[index];
         if (other->z1 < far)
             break; /* and so are all that follow: none of them has a point nearer than the lines here */
-        if (apart(other, box) || w->seen[index] == w->stamp)
+        if (next && picture->front[index].solid == solid) {
+            k = next[k] - 1;
+            continue;
+        }
+        if (apart(other, least, most) || w->seen[index] == w->stamp)
             continue;
         w->seen[index] = w->stamp;
-        const hide_front *front = &w->picture->front[index];
-        if (front->solid == solid)
+        uint64_t bits = line ? 1 : met_by(w, other);
+        if (!bits || picture->front[index].solid == solid)
             continue;
-        if (line ? !meet(w, line, front, hide_approach_front(w->picture, front, box)) : !meet_group(w, front, other))
+        if (!meet(w, line ? line : w->line, bits, box, index))
             return false;
+        if (!w->live)
+            break;
     }
     return true;
 }
@@ -192,7 +152,7 @@ static bool run_alone(hide_worker *w, uint32_t solid, hide_line *line)
     next_stamp(w);
     if (!objet_cells(w->grid, e->A, e->B, &w->walk))
         return false;
-    hide_box box = box_of(e, w->margin);
+    hide_box box = hide_edge_box(e, w->margin);
     for (size_t i = 0; w->live && i < w->walk.count; i++) {
         objet_stretch s = w->walk.item[i];
         float far = hide_float_below(lesser(hide_edge_at(e, s.t0).z, hide_edge_at(e, s.t1).z) - w->margin);
@@ -211,8 +171,6 @@ static bool run_together(hide_worker *w, uint32_t solid, uint32_t left, uint32_t
         if (w->line[i].hidden)
             w->x0[i] = INFINITY;
     }
-    for (size_t i = w->line_count; i % 4; i++)
-        w->x0[i] = INFINITY;
     next_stamp(w);
     for (uint32_t i = left; w->live && i <= right; i++)
         for (uint32_t j = low; j <= high; j++)
@@ -221,14 +179,34 @@ static bool run_together(hide_worker *w, uint32_t solid, uint32_t left, uint32_t
     return true;
 }
 
+/* The box of all of a group; what fills up the last four lanes meets nothing. */
+static void box_lines(hide_worker *w)
+{
+    hide_box all = {INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
+    for (size_t i = 0; i < w->line_count; i++) {
+        all.x0 = w->x0[i] < all.x0 ? w->x0[i] : all.x0;
+        all.x1 = w->x1[i] > all.x1 ? w->x1[i] : all.x1;
+        all.y0 = w->y0[i] < all.y0 ? w->y0[i] : all.y0;
+        all.y1 = w->y1[i] > all.y1 ? w->y1[i] : all.y1;
+        all.z0 = w->z0[i] < all.z0 ? w->z0[i] : all.z0;
+        all.z1 = w->z1[i] > all.z1 ? w->z1[i] : all.z1;
+    }
+    for (size_t i = w->line_count; i % 4; i++)
+        w->x0[i] = INFINITY;
+    w->box = all;
+}
+
 /* By the way that costs less. */
 static bool run_lines(hide_worker *w, uint32_t solid)
 {
     const scan_frame *f = &w->grid->frame;
-    uint32_t left = scan_column(f, (double)w->box.x0), right = scan_column(f, (double)w->box.x1);
-    uint32_t low = scan_row(f, (double)w->box.y0), high = scan_row(f, (double)w->box.y1);
-    if (w->line_count <= HIDE_GROUP && right - left < GROUP_CELLS && high - low < GROUP_CELLS)
-        return run_together(w, solid, left, right, low, high);
+    if (w->line_count <= HIDE_GROUP) {
+        box_lines(w);
+        uint32_t left = scan_column(f, (double)w->box.x0), right = scan_column(f, (double)w->box.x1);
+        uint32_t low = scan_row(f, (double)w->box.y0), high = scan_row(f, (double)w->box.y1);
+        if (right - left < GROUP_CELLS && high - low < GROUP_CELLS)
+            return run_together(w, solid, left, right, low, high);
+    }
     for (size_t i = 0; i < w->line_count; i++)
         if (!run_alone(w, solid, &w->line[i]))
             return false;

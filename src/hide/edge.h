@@ -27,10 +27,10 @@ typedef struct hide_worker {
     double margin;   /* hide_margin() */
     hide_line *line; /* [line_count] the edges at work, all of one solid; those beyond keep their memory */
     size_t line_count, line_room;
-    hide_box box; /* of all of them */
+    hide_box box; /* of all of them, if they are no more than a group */
     /* Boxes of the first of them, rounded outward, side by side; one that is wholly hidden begins at infinity, and so
      * do those that fill up the last four. */
-    float x0[HIDE_GROUP], x1[HIDE_GROUP], y0[HIDE_GROUP], y1[HIDE_GROUP], z0[HIDE_GROUP];
+    float x0[HIDE_GROUP], x1[HIDE_GROUP], y0[HIDE_GROUP], y1[HIDE_GROUP], z0[HIDE_GROUP], z1[HIDE_GROUP];
     size_t live;    /* lines of the group at work that are not wholly hidden */
     uint32_t *seen; /* [front_count] the last group of edges that met the front */
     uint32_t stamp; /* of the group at work */
@@ -41,15 +41,61 @@ typedef struct hide_worker {
 bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *grid);
 void hide_worker_free(hide_worker *w);
 
+/* Room for one more line. */
+bool hide_worker_more(hide_worker *w);
+
 /* Begins a solid. */
 static inline void hide_worker_begin(hide_worker *w)
 {
     w->line_count = 0;
-    w->box = (hide_box){INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
+}
+
+/* The edge's box, rounded outward. */
+BITS_INLINE hide_box hide_edge_box(const hide_edge *e, double margin)
+{
+    float low[2], high[2];
+    two a = two_of(e->A.x, e->A.y), b = two_of(e->B.x, e->B.y), m = two_all(margin), ulp = two_all(0x1p-23);
+    two from = two_sub(two_lesser(a, b), m), to = two_add(two_greater(a, b), m);
+    two_store_floats(low, two_sub(from, two_mul(two_abs(from), ulp))); /* as hide_float_below(), hide_float_above() */
+    two_store_floats(high, two_add(to, two_mul(two_abs(to), ulp)));
+    return (hide_box){low[0],
+                      high[0],
+                      low[1],
+                      high[1],
+                      hide_float_below(lesser(e->A.z, e->B.z) - margin),
+                      hide_float_above(greater(e->A.z, e->B.z) + margin)};
 }
 
 /* Takes up one more edge of the scene; NULL: no memory. */
-hide_line *hide_worker_add(hide_worker *w, uint32_t edge);
+BITS_INLINE hide_line *hide_worker_add(hide_worker *w, uint32_t edge)
+{
+    const scene_edge *from = &w->picture->scene->edge[edge];
+    size_t n = w->line_count;
+    if (n == w->line_room && !hide_worker_more(w))
+        return NULL;
+    hide_line *line = &w->line[w->line_count++];
+    hide_edge *e = &line->e;
+    e->a = from->v[0];
+    e->b = from->v[1];
+    e->A = w->picture->P[e->a];
+    e->B = w->picture->P[e->b];
+    roberts_vec3 AB = vec3_sub(e->B, e->A);
+    e->length = sqrt(AB.x * AB.x + AB.y * AB.y);
+    e->length3 = vec3_length(AB);
+    if (n < HIDE_GROUP) {
+        hide_box box = hide_edge_box(e, w->margin);
+        w->x0[n] = box.x0;
+        w->x1[n] = box.x1;
+        w->y0[n] = box.y0;
+        w->y1[n] = box.y1;
+        w->z0[n] = box.z0;
+        w->z1[n] = box.z1;
+    }
+    line->parts.count = line->hulls.count = 0;
+    line->hidden = false;
+    line->edge = edge;
+    return line;
+}
 
 /* Finds what the other solids hide of the lines taken up, edges of `solid`: their parts ascend and are disjoint. False:
  * no memory. */

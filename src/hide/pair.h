@@ -24,11 +24,110 @@ typedef enum hide_approach {
     HIDE_ASK_REACH,    /* ... where that turns out to be so, else face by face */
 } hide_approach;
 
-/* That for edges within `box`. */
-hide_approach hide_approach_front(const hide_picture *picture, const hide_front *front, const hide_box *box);
+/* A front and edges that lie within a box. */
+typedef struct hide_meeting {
+    hide_approach approach;
+    double span; /* no two points of theirs are farther apart, along x and y together */
+} hide_meeting;
 
-/* False where the front hides nothing of e. sides: room for the picture's most_corners. */
-bool hide_by_front(const hide_picture *picture, const hide_front *front, hide_approach approach, const hide_edge *e,
+/* The boxes are rounded outward, and this sum up by far more than its rounding to floats. */
+BITS_INLINE hide_meeting hide_meet(const hide_front *front, const hide_box *own, const hide_box *edges)
+{
+    float x = (own->x1 > edges->x1 ? own->x1 : edges->x1) - (own->x0 < edges->x0 ? own->x0 : edges->x0);
+    float y = (own->y1 > edges->y1 ? own->y1 : edges->y1) - (own->y0 < edges->y0 ? own->y0 : edges->y0);
+    float z = (own->z1 > edges->z1 ? own->z1 : edges->z1) - (own->z0 < edges->z0 ? own->z0 : edges->z0);
+    hide_approach approach = 1.001 * (double)(x + y + z) <= front->reach ? HIDE_WITHIN_REACH : HIDE_ASK_REACH;
+    return (hide_meeting){front->corners ? approach : HIDE_ONE_FACE, 1.001 * (double)(x + y)};
+}
+
+/* Where not all faces can be asked at once. */
+bool hide_by_faces(const hide_picture *picture, const hide_front *front, double span, const hide_edge *e,
                    hide_sides *sides, roberts_tally *tally, hide_part *part);
+
+/* Are A and B within the reach of what the planes can be trusted, along three axes? */
+bool hide_within_reach(const hide_picture *picture, const hide_front *front, const hide_edge *e);
+
+/* Test 1 for all faces: HIDE_VISIBLE where one has A and B in front of it or on it, HIDE_INVISIBLE (as far as depth
+ * goes) where both are behind all of them. `*near`: bit i for face i that AB is not clear of, by twice the distance that
+ * counts as touching: only these can be pierced. */
+BITS_INLINE hide_verdict hide_test1_of_all(const hide_face *face, uint32_t count, const hide_edge *e, uint32_t *near)
+{
+    two x = two_of(e->A.x, e->B.x), y = two_of(e->A.y, e->B.y), z = two_of(e->A.z, e->B.z);
+    bool any = false;
+    *near = 0;
+    for (uint32_t i = 0; i < count; i++, face++) {
+        two ab = two_add(two_mul(two_all(face->F.a), x), two_mul(two_all(face->F.b), y));
+        two at = two_add(two_add(ab, two_mul(two_all(face->F.c), z)), two_all(face->F.d)), touch = two_all(face->touch);
+        if (!two_at_most(at, two_add(touch, touch)))
+            continue;
+        unsigned front = two_at_most(at, touch);
+        if (front == 3)
+            return HIDE_VISIBLE;
+        any = any || front;
+        *near |= 1u << i;
+    }
+    return any ? HIDE_UNDECIDED : HIDE_INVISIBLE;
+}
+
+/* Cuts the part where e pierces the planes of the faces given by bits; false where nothing of it is left behind them. */
+bool hide_pierce_all(const hide_picture *picture, const hide_face *face, uint32_t bits, const hide_edge *e,
+                     hide_sides *sides, hide_part *part);
+
+/* Tests 2 to 4 by themselves. */
+bool hide_by_outline_closely(const hide_picture *picture, const uint32_t *corner, uint32_t count, const hide_edge *e,
+                             hide_sides *sides, roberts_tally *tally, hide_part *part);
+
+/* Tests 2 to 4, counted: the part of e inside an outline; false where there is none. Where all signs are plain the tests
+ * are asked together: what is outside one side is then counted for test 3 also where test 2 would have said so. */
+BITS_INLINE bool hide_by_outline(const hide_picture *picture, const uint32_t *corner, uint32_t count, double span,
+                                 const hide_edge *e, hide_sides *sides, roberts_tally *tally, hide_part *part)
+{
+    if (count > QUICK_CORNERS)
+        return hide_by_outline_closely(picture, corner, count, e, sides, tally, part);
+    if (sides->quick.corner != corner)
+        quick_take(&sides->quick, picture->P, corner, count);
+    switch (quick_test(&sides->quick, &picture->space, e, span, part)) {
+    case QUICK_MISSED:
+        tally->test2_visible++;
+        return false;
+    case QUICK_OUTSIDE:
+        tally->test3_visible++;
+        return false;
+    case QUICK_INSIDE:
+        tally->test3_invisible++;
+        return true;
+    case QUICK_CUT:
+        tally->test4++;
+        return true;
+    case QUICK_EMPTY:
+        tally->test4++;
+        return false;
+    default:
+        return hide_by_outline_closely(picture, corner, count, e, sides, tally, part);
+    }
+}
+
+/* False where the front hides nothing of e, which lies in the meeting's box. sides: room for the picture's
+ * most_corners. */
+BITS_INLINE bool hide_by_front(const hide_picture *picture, const hide_front *front, const hide_meeting *meeting,
+                               const hide_edge *e, hide_sides *sides, roberts_tally *tally, hide_part *part)
+{
+    const hide_face *face = &picture->face[front->face];
+    uint32_t near = 0;
+    hide_verdict depth = HIDE_INVISIBLE;
+    if (meeting->approach != HIDE_WITHIN_REACH &&
+        (meeting->approach == HIDE_ONE_FACE || !hide_within_reach(picture, front, e)))
+        return hide_by_faces(picture, front, meeting->span, e, sides, tally, part);
+    tally->pairs++;
+    if (!(e->A.z < (double)front->depth && e->B.z < (double)front->depth)) /* else behind all of it */
+        depth = hide_test1_of_all(face, front->face_count, e, &near);
+    if (depth == HIDE_VISIBLE) {
+        tally->test1_visible++;
+        return false;
+    }
+    return hide_by_outline(picture, picture->outline + front->outline, front->corners, meeting->span, e, sides, tally,
+                           part) &&
+           (depth == HIDE_INVISIBLE || hide_pierce_all(picture, face, near, e, sides, part));
+}
 
 #endif

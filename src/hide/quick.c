@@ -5,61 +5,101 @@
 
 void quick_take(quick_outline *o, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
 {
-    uint32_t last = count - 1;
+    uint32_t first = corner[0];
+    two p = two_of(P[first].x, P[first].y);
     o->corner = corner;
-    o->count = count;
+    o->count = count + count % 2;
     for (uint32_t i = 0; i < count; i++) {
-        o->x[i] = P[corner[i]].x;
-        o->y[i] = P[corner[i]].y;
-    }
-    o->x[count] = o->x[0];
-    o->y[count] = o->y[0];
-    for (uint32_t i = 0; i < last; i++) {
-        bool second = corner[i] > corner[i + 1];
-        o->ox[i] = o->x[i + second];
-        o->oy[i] = o->y[i + second];
-    }
-    o->ox[last] = corner[last] < corner[0] ? o->x[last] : o->x[0];
-    o->oy[last] = corner[last] < corner[0] ? o->y[last] : o->y[0];
-    for (uint32_t i = 0; i < count; i += 2) {
-        two_store(o->dx + i, two_sub(two_load(o->x + i + 1), two_load(o->x + i)));
-        two_store(o->dy + i, two_sub(two_load(o->y + i + 1), two_load(o->y + i)));
+        uint32_t second = corner[i + 1 < count ? i + 1 : 0], lower = first < second ? first : second;
+        two q = two_of(P[second].x, P[second].y);
+        two_part(&o->x[i], &o->y[i], p);
+        two_part(&o->ox[i], &o->oy[i], two_of(P[lower].x, P[lower].y));
+        two_part(&o->dx[i], &o->dy[i], two_sub(q, p));
+        first = second;
+        p = q;
     }
     if (count % 2) {
-        o->ox[count] = o->ox[last];
-        o->oy[count] = o->oy[last];
-        o->dx[count] = o->dx[last];
-        o->dy[count] = o->dy[last];
+        o->x[count] = o->x[0];
+        o->y[count] = o->y[0];
+        o->ox[count] = o->ox[count - 1];
+        o->oy[count] = o->oy[count - 1];
+        o->dx[count] = o->dx[count - 1];
+        o->dy[count] = o->dy[count - 1];
     }
 }
 
-static bool all_above(const double *h, uint32_t count, double least)
+static bool all_above(const double *h, size_t count, double least)
 {
-    for (uint32_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++)
         if (!(h[i] > least))
             return false;
     return true;
 }
 
-/* As look_closely() in tests.c. */
-bool quick_settle(const quick_outline *o, const hide_space *space, const hide_edge *e, quick_sides *H)
+static bool outside_one(const quick_sides *H, size_t count, double plain)
+{
+    for (size_t i = 0; i < count; i++)
+        if (H->a[i] < -plain && H->b[i] < -plain)
+            return true;
+    return false;
+}
+
+/* Signs that are not plain as look_closely() in tests.c has them. */
+quick_verdict quick_settle(const quick_outline *o, const hide_space *space, const hide_edge *e, quick_sides *H)
 {
     bool a_inside = all_above(H->a, o->count, space->plain);
     const double *h = a_inside ? H->b : H->a;
     roberts_vec3 X = a_inside ? e->B : e->A;
     uint32_t out = 0;
     if (!a_inside && !all_above(H->b, o->count, space->plain))
-        return false;
-    for (uint32_t i = 0; i < o->count; i++) {
+        return outside_one(H, o->count, space->plain) ? QUICK_OUTSIDE : QUICK_UNCLEAR;
+    for (size_t i = 0; i < o->count; i++) {
+        if (fabs(h[i]) > space->plain) {
+            out |= (h[i] < 0.0 ? 1u : 0u) << i;
+            continue;
+        }
         double length = sqrt(o->dx[i] * o->dx[i] + o->dy[i] * o->dy[i]), on = space->epsilon * length;
         double error = 2.0 * space->rounding * (length + fabs(X.x - o->ox[i]) + fabs(X.y - o->oy[i]));
         if (length <= space->epsilon)
             continue;
         if (error > HIDE_TRUSTED * on && fabs(h[i]) <= on + error)
-            return false;
+            return QUICK_UNCLEAR;
         out |= (h[i] < -on ? 1u : 0u) << i;
     }
     H->out_a = a_inside ? 0 : out;
     H->out_b = a_inside ? out : 0;
-    return true;
+    return QUICK_CUT;
+}
+
+quick_verdict quick_cut_closely(const quick_outline *o, const hide_space *space, const hide_edge *e,
+                                const quick_sides *H, hide_part *part)
+{
+    *part = (hide_part){0.0, 1.0, 0.0, 0.0};
+    for (uint32_t out = H->out_a | H->out_b; out; out &= out - 1) {
+        int i = bits_trailing_zeros(out);
+        double a = H->a[i], b = H->b[i], dx = o->dx[i], dy = o->dy[i], ox = o->ox[i], oy = o->oy[i];
+        double length = sqrt(dx * dx + dy * dy), apart = fabs(a - b);
+        double error_a = 2.0 * space->rounding * (length + fabs(e->A.x - ox) + fabs(e->A.y - oy));
+        double error_b = 2.0 * space->rounding * (length + fabs(e->B.x - ox) + fabs(e->B.y - oy));
+        double t = a / (a - b), error = (error_a + error_b) / apart;
+        if (!hide_accurate(space, e, error)) {
+            error = lesser(hide_crossing_error(space, e, t, ox, oy, dx, dy, apart), error);
+            if (a < 0.0 ? t + error <= part->t0 : t - error >= part->t1)
+                continue;
+            if (!hide_accurate(space, e, error))
+                return QUICK_UNCLEAR;
+        }
+        if (a < 0.0) {
+            if (t > part->t0) {
+                part->t0 = t;
+                part->e0 = space->epsilon * length / apart;
+            }
+        } else if (t < part->t1) {
+            part->t1 = t;
+            part->e1 = space->epsilon * length / apart;
+        }
+        if (part->t0 >= part->t1)
+            return QUICK_EMPTY;
+    }
+    return (part->t1 - part->t0) * e->length3 > space->epsilon ? QUICK_CUT : QUICK_EMPTY;
 }

@@ -14,13 +14,14 @@
 /* Corners of the outlines that are taken up; those of more are left to tests.c. Even. */
 #define QUICK_CORNERS 16
 
-/* An outline at hand, drawn together from the picture. An odd number of sides is made even: the last stands twice. */
+/* An outline at hand, drawn together from the picture. An odd number of sides is made even: the last stands twice, and so
+ * does the first corner. */
 typedef struct quick_outline {
-    const uint32_t *corner; /* whose; NULL: nobody's */
-    uint32_t count;
-    double x[QUICK_CORNERS + 2], y[QUICK_CORNERS + 2]; /* corners, the first once more at the end */
-    double ox[QUICK_CORNERS], oy[QUICK_CORNERS];       /* of side i the end of smaller number */
-    double dx[QUICK_CORNERS], dy[QUICK_CORNERS];       /* ... and from its first corner to the next */
+    const uint32_t *corner;                                 /* whose; NULL: nobody's */
+    size_t count;                                           /* even */
+    _Alignas(16) double x[QUICK_CORNERS], y[QUICK_CORNERS]; /* corners */
+    double ox[QUICK_CORNERS], oy[QUICK_CORNERS];            /* of side i the end of smaller number */
+    double dx[QUICK_CORNERS], dy[QUICK_CORNERS];            /* ... and from its first corner to the next */
 } quick_outline;
 
 typedef enum quick_verdict {
@@ -37,31 +38,30 @@ void quick_take(quick_outline *o, const roberts_vec3 *P, const uint32_t *corner,
 
 /* H_i(A) and H_i(B), times the lengths of the sides; > 0 inside. */
 typedef struct quick_sides {
-    double a[QUICK_CORNERS], b[QUICK_CORNERS];
+    _Alignas(16) double a[QUICK_CORNERS], b[QUICK_CORNERS];
     uint32_t out_a, out_b; /* bit i: A, B is outside of side i */
 } quick_sides;
 
-/* Test 3. The signs count as found only where it returns true. */
-BITS_INLINE bool quick_signs(const quick_outline *o, double plain, const hide_edge *e, quick_sides *H, bool *outside)
+/* Test 3. True: all signs are plain. */
+BITS_INLINE bool quick_signs(const quick_outline *o, double plain, const hide_edge *e, quick_sides *H)
 {
     two ax = two_all(e->A.x), ay = two_all(e->A.y), bx = two_all(e->B.x), by = two_all(e->B.y);
-    two nearest = two_all(INFINITY), outmost = nearest;
-    uint32_t out_a = 0, out_b = 0;
-    for (uint32_t i = 0; i < o->count; i += 2) {
-        two ox = two_load(o->ox + i), oy = two_load(o->oy + i), dx = two_load(o->dx + i), dy = two_load(o->dy + i);
+    two nearest = two_all(INFINITY);
+    unsigned out_a = 0, out_b = 0;
+    for (size_t i = o->count; i > 0;) { /* from the end, so that bits need only move up */
+        i -= 2;
+        two ox = two_load_aligned(o->ox + i), oy = two_load_aligned(o->oy + i);
+        two dx = two_load_aligned(o->dx + i), dy = two_load_aligned(o->dy + i);
         two a = two_sub(two_mul(dx, two_sub(ay, oy)), two_mul(dy, two_sub(ax, ox)));
         two b = two_sub(two_mul(dx, two_sub(by, oy)), two_mul(dy, two_sub(bx, ox)));
         two_store(H->a + i, a);
         two_store(H->b + i, b);
-        out_a |= two_signs(a) << i;
-        out_b |= two_signs(b) << i;
-        outmost = two_lesser(outmost, two_greater(a, b));
+        out_a = 4 * out_a + two_signs(a);
+        out_b = 4 * out_b + two_signs(b);
         nearest = two_lesser(nearest, two_lesser(two_abs(a), two_abs(b)));
     }
-    uint32_t all = (1u << o->count) - 1; /* and not the side that stands twice */
-    H->out_a = out_a & all;
-    H->out_b = out_b & all;
-    *outside = two_least(outmost) < -plain;
+    H->out_a = out_a;
+    H->out_b = out_b;
     return two_least(nearest) > plain;
 }
 
@@ -70,66 +70,78 @@ BITS_INLINE quick_verdict quick_corners(const quick_outline *o, double plain, co
 {
     two ax = two_all(e->A.x), ay = two_all(e->A.y), dx = two_all(e->B.x - e->A.x), dy = two_all(e->B.y - e->A.y);
     two nearest = two_all(INFINITY);
-    uint32_t right = 0, all = (1u << o->count) - 1;
-    for (uint32_t i = 0; i < o->count; i += 2) {
-        two Q = two_sub(two_mul(dx, two_sub(two_load(o->y + i), ay)), two_mul(dy, two_sub(two_load(o->x + i), ax)));
+    unsigned right = 0, all = (1u << o->count) - 1;
+    for (size_t i = o->count; i > 0;) {
+        i -= 2;
+        two px = two_sub(two_load_aligned(o->x + i), ax), py = two_sub(two_load_aligned(o->y + i), ay);
+        two Q = two_sub(two_mul(dx, py), two_mul(dy, px));
         nearest = two_lesser(nearest, two_abs(Q));
-        right |= two_signs(Q) << i;
+        right = 4 * right + two_signs(Q);
     }
     if (!(two_least(nearest) > plain))
         return QUICK_UNCLEAR;
-    right &= all;
     return right == 0 || right == all ? QUICK_MISSED : QUICK_CUT;
 }
 
-/* Test 4, as hide_test4() has it. */
-BITS_INLINE quick_verdict quick_cut(const quick_outline *o, const hide_space *space, const hide_edge *e,
-                                    const quick_sides *H, hide_part *part)
+/* Test 4 where some crossing is not accurate by the bound for all of them: as hide_test4() has it. */
+quick_verdict quick_cut_closely(const quick_outline *o, const hide_space *space, const hide_edge *e,
+                                const quick_sides *H, hide_part *part);
+
+/* epsilon along the edge where it crosses side i. */
+BITS_INLINE double quick_touch(const quick_outline *o, const hide_space *space, const quick_sides *H, int i)
 {
-    *part = (hide_part){0.0, 1.0, 0.0, 0.0};
-    for (uint32_t out = H->out_a | H->out_b; out; out &= out - 1) {
-        int i = bits_trailing_zeros(out);
-        double a = H->a[i], b = H->b[i], dx = o->dx[i], dy = o->dy[i], ox = o->ox[i], oy = o->oy[i];
-        double length = sqrt(dx * dx + dy * dy), apart = fabs(a - b);
-        double error_a = 2.0 * space->rounding * (length + fabs(e->A.x - ox) + fabs(e->A.y - oy));
-        double error_b = 2.0 * space->rounding * (length + fabs(e->B.x - ox) + fabs(e->B.y - oy));
-        double t = a / (a - b), error = (error_a + error_b) / apart;
-        if (!hide_accurate(space, e, error)) {
-            error = lesser(hide_crossing_error(space, e, t, ox, oy, dx, dy, apart), error);
-            if (a < 0.0 ? t + error <= part->t0 : t - error >= part->t1)
-                continue;
-            if (!hide_accurate(space, e, error))
-                return QUICK_UNCLEAR;
-        }
-        if (a < 0.0) {
-            if (t > part->t0) {
-                part->t0 = t;
-                part->e0 = space->epsilon * length / apart;
-            }
-        } else if (t < part->t1) {
-            part->t1 = t;
-            part->e1 = space->epsilon * length / apart;
-        }
-        if (part->t0 >= part->t1)
-            return QUICK_EMPTY;
-    }
-    return (part->t1 - part->t0) * e->length3 > space->epsilon ? QUICK_CUT : QUICK_EMPTY;
+    double length = sqrt(o->dx[i] * o->dx[i] + o->dy[i] * o->dy[i]);
+    return space->epsilon * length / fabs(H->a[i] - H->b[i]);
 }
 
-/* Where one end is plainly inside, and the other near to some side: the signs that tests.c would find. False where that
- * takes twice the precision, and where no end is plainly inside. */
-bool quick_settle(const quick_outline *o, const hide_space *space, const hide_edge *e, quick_sides *H);
+/* Test 4. The error of a t_i is that of the two distances, 2 rounding (side + reach) each, over their difference, and side
+ * and reach are no more than `span`. */
+BITS_INLINE quick_verdict quick_cut(const quick_outline *o, const hide_space *space, const hide_edge *e, double span,
+                                    const quick_sides *H, hide_part *part)
+{
+    int in = -1, out = -1;
+    double t0 = 0.0, t1 = 1.0, apart = INFINITY;
+    for (uint32_t crossed = H->out_a | H->out_b; crossed; crossed &= crossed - 1) {
+        int i = bits_trailing_zeros(crossed);
+        double a = H->a[i], difference = a - H->b[i], t = a / difference;
+        apart = lesser(apart, fabs(difference));
+        if (a < 0.0) {
+            if (t > t0) {
+                t0 = t;
+                in = i;
+            }
+        } else if (t < t1) {
+            t1 = t;
+            out = i;
+        }
+    }
+    if (!hide_accurate(space, e, 8.0 * space->rounding * span / apart))
+        return quick_cut_closely(o, space, e, H, part);
+    if (t0 >= t1 || !((t1 - t0) * e->length3 > space->epsilon))
+        return QUICK_EMPTY;
+    *part =
+        (hide_part){t0, t1, in < 0 ? 0.0 : quick_touch(o, space, H, in), out < 0 ? 0.0 : quick_touch(o, space, H, out)};
+    return QUICK_CUT;
+}
 
-/* Fills `part` where the verdict is QUICK_INSIDE or QUICK_CUT. */
-BITS_INLINE quick_verdict quick_test(const quick_outline *o, const hide_space *space, const hide_edge *e,
+/* Where not all signs are plain. QUICK_OUTSIDE: of one side plainly, whatever the others say. QUICK_CUT: one end is plainly
+ * inside, the other near to some side, and H has the signs that tests.c would find. QUICK_UNCLEAR: that takes twice the
+ * precision, or no end is plainly inside. */
+quick_verdict quick_settle(const quick_outline *o, const hide_space *space, const hide_edge *e, quick_sides *H);
+
+/* span: no two points of outline and edge are farther apart, along x and y together. Fills `part` where the verdict is
+ * QUICK_INSIDE or QUICK_CUT. */
+BITS_INLINE quick_verdict quick_test(const quick_outline *o, const hide_space *space, const hide_edge *e, double span,
                                      hide_part *part)
 {
     quick_sides H;
-    bool outside, plain = quick_signs(o, space->plain, e, &H, &outside);
-    if (outside)
-        return QUICK_OUTSIDE; /* of one side plainly, whatever the others say */
-    if (!plain && !quick_settle(o, space, e, &H))
-        return QUICK_UNCLEAR;
+    if (!quick_signs(o, space->plain, e, &H)) {
+        quick_verdict verdict = quick_settle(o, space, e, &H);
+        if (verdict != QUICK_CUT)
+            return verdict;
+    }
+    if (H.out_a & H.out_b)
+        return QUICK_OUTSIDE;
     if (!(H.out_a | H.out_b)) {
         *part = (hide_part){0.0, 1.0, 0.0, 0.0};
         return QUICK_INSIDE;
@@ -139,7 +151,7 @@ BITS_INLINE quick_verdict quick_test(const quick_outline *o, const hide_space *s
         if (verdict != QUICK_CUT)
             return verdict;
     }
-    return quick_cut(o, space, e, &H, part);
+    return quick_cut(o, space, e, span, &H, part);
 }
 
 #endif
