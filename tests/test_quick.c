@@ -65,10 +65,14 @@ static void lanes_of_four_are_scalars(void **state)
             p[k] = values[rng_int(&r, 0, 7)];
             q[k] = values[rng_int(&r, 0, 7)];
         }
-        assert_int_equal(four_less(four_load(p), four_load(q)),
-                         four_plain_less(four_plain_load(p), four_plain_load(q)));
-        assert_int_equal(four_less(four_all(p[0]), four_load(q)),
-                         four_plain_less(four_plain_all(p[0]), four_plain_load(q)));
+        four below = four_below(four_load(p), four_load(q)), first = four_below(four_all(p[0]), four_load(q));
+        four_plain below_plain = four_plain_below(four_plain_load(p), four_plain_load(q));
+        four_plain first_plain = four_plain_below(four_plain_all(p[0]), four_plain_load(q));
+        assert_int_equal(four_signs(below), four_plain_signs(below_plain));
+        assert_int_equal(four_signs(first), four_plain_signs(first_plain));
+        assert_int_equal(four_signs(four_either(below, first)),
+                         four_plain_signs(four_plain_either(below_plain, first_plain)));
+        assert_int_equal(four_signs(below) & 1u, p[0] < q[0]);
     }
 }
 

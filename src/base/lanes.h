@@ -132,11 +132,26 @@ static inline four_plain four_plain_all(float x)
     return (four_plain){{x, x, x, x}};
 }
 
-/* Bit i: a[i] < b[i]. */
-static inline unsigned four_plain_less(four_plain a, four_plain b)
+/* Where a[i] < b[i]; for four_plain_either() and four_plain_signs() alone. */
+static inline four_plain four_plain_below(four_plain a, four_plain b)
 {
-    return (a.v[0] < b.v[0] ? 1u : 0u) | (a.v[1] < b.v[1] ? 2u : 0u) | (a.v[2] < b.v[2] ? 4u : 0u) |
-           (a.v[3] < b.v[3] ? 8u : 0u);
+    return (four_plain){{a.v[0] < b.v[0] ? -1.0f : 0.0f, a.v[1] < b.v[1] ? -1.0f : 0.0f, a.v[2] < b.v[2] ? -1.0f : 0.0f,
+                         a.v[3] < b.v[3] ? -1.0f : 0.0f}};
+}
+
+/* Where one of two comparisons holds. */
+static inline four_plain four_plain_either(four_plain a, four_plain b)
+{
+    for (int i = 0; i < 4; i++)
+        a.v[i] = a.v[i] < b.v[i] ? a.v[i] : b.v[i];
+    return a;
+}
+
+/* Bit i: the comparison holds in lane i. */
+static inline unsigned four_plain_signs(four_plain a)
+{
+    return (a.v[0] < 0.0f ? 1u : 0u) | (a.v[1] < 0.0f ? 2u : 0u) | (a.v[2] < 0.0f ? 4u : 0u) |
+           (a.v[3] < 0.0f ? 8u : 0u);
 }
 
 #if defined(__SSE2__)
@@ -252,9 +267,19 @@ static inline four four_all(float x)
     return _mm_set1_ps(x);
 }
 
-static inline unsigned four_less(four a, four b)
+static inline four four_below(four a, four b)
 {
-    return (unsigned)_mm_movemask_ps(_mm_cmplt_ps(a, b));
+    return _mm_cmplt_ps(a, b);
+}
+
+static inline four four_either(four a, four b)
+{
+    return _mm_or_ps(a, b);
+}
+
+static inline unsigned four_signs(four a)
+{
+    return (unsigned)_mm_movemask_ps(a);
 }
 
 #else
@@ -282,7 +307,9 @@ typedef four_plain four;
 #define two_least two_plain_least
 #define four_load four_plain_load
 #define four_all four_plain_all
-#define four_less four_plain_less
+#define four_below four_plain_below
+#define four_either four_plain_either
+#define four_signs four_plain_signs
 
 #endif
 

@@ -27,6 +27,8 @@ bool hide_worker_more(hide_worker *w)
 bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *grid)
 {
     *w = (hide_worker){.picture = picture, .grid = grid, .margin = hide_margin(&picture->space)};
+    w->least[0] = w->least[2] = -INFINITY;
+    w->most[1] = w->most[3] = INFINITY;
     w->seen = alloc_zeroed(picture->front_count, sizeof *w->seen);
     return w->seen && hide_sides_reserve(&w->sides, picture->most_corners) &&
            hide_worker_more(w); /* a line at least: where there is none, its array can be pointed into */
@@ -61,11 +63,11 @@ static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box
 {
     const hide_picture *picture = w->picture;
     const hide_front *front = &picture->front[index];
-    hide_meeting meeting = hide_meet(front, &picture->front_box[index], box);
+    hide_meeting meeting = hide_meet(picture, front, &picture->front_box[index], box);
     for (; bits; bits &= bits - 1) {
         hide_line *line = first + bits_trailing_zeros(bits);
         hide_part part;
-        if (!hide_by_front(picture, front, &meeting, &line->e, &w->sides, &w->tally, &part))
+        if (!hide_by_front(picture, &meeting, &line->e, &w->sides, &w->tally, &part))
             continue;
         if (!add_part(line, front, &part))
             return false;
@@ -85,9 +87,10 @@ static inline uint64_t met_by(const hide_worker *w, const hide_box *box)
     four z1 = four_all(box->z1);
     uint64_t bits = 0;
     for (size_t i = 0; i < w->line_count; i += 4) {
-        unsigned apart_xy = four_less(x1, four_load(w->x0 + i)) | four_less(four_load(w->x1 + i), x0) |
-                            four_less(y1, four_load(w->y0 + i)) | four_less(four_load(w->y1 + i), y0);
-        bits |= (uint64_t)(15u & ~(apart_xy | four_less(z1, four_load(w->z0 + i)))) << i;
+        four x = four_either(four_below(x1, four_load(w->x0 + i)), four_below(four_load(w->x1 + i), x0));
+        four y = four_either(four_below(y1, four_load(w->y0 + i)), four_below(four_load(w->y1 + i), y0));
+        four apart = four_either(four_either(x, y), four_below(z1, four_load(w->z0 + i)));
+        bits |= (uint64_t)(15u ^ four_signs(apart)) << i;
     }
     return bits;
 }
@@ -97,7 +100,7 @@ static inline bool apart(const hide_box *box, four least, four most)
 {
     float side[4];
     memcpy(side, box, sizeof side);
-    return four_less(four_load(side), least) | four_less(most, four_load(side));
+    return four_signs(four_either(four_below(four_load(side), least), four_below(most, four_load(side)))) != 0;
 }
 
 /* A line, or the group's where it is NULL, within `box` (but for depth, of which `far` is the farthest), against one
@@ -107,9 +110,7 @@ static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hid
     const objet *grid = w->grid;
     const uint32_t *next = grid->next;
     const hide_picture *picture = w->picture;
-    const float least_side[4] = {-INFINITY, box->x0, -INFINITY, box->y0};
-    const float most_side[4] = {box->x1, INFINITY, box->y1, INFINITY};
-    four least = four_load(least_side), most = four_load(most_side);
+    four least = four_load(w->least), most = four_load(w->most);
     for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end; k++) {
         uint32_t index = grid->front[k];
         const hide_box *other = &picture->front_box[index];
@@ -133,6 +134,15 @@ static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hid
     return true;
 }
 
+/* What a front's box must reach, so as to meet this one. */
+static void set_reach(hide_worker *w, const hide_box *box)
+{
+    w->least[1] = box->x0;
+    w->most[0] = box->x1;
+    w->least[3] = box->y0;
+    w->most[2] = box->y1;
+}
+
 /* A new stamp; when they run out, all start again. */
 static void next_stamp(hide_worker *w)
 {
@@ -153,6 +163,7 @@ static bool run_alone(hide_worker *w, uint32_t solid, hide_line *line)
     if (!objet_cells(w->grid, e->A, e->B, &w->walk))
         return false;
     hide_box box = hide_edge_box(e, w->margin);
+    set_reach(w, &box);
     for (size_t i = 0; w->live && i < w->walk.count; i++) {
         objet_stretch s = w->walk.item[i];
         float far = hide_float_below(lesser(hide_edge_at(e, s.t0).z, hide_edge_at(e, s.t1).z) - w->margin);
@@ -172,6 +183,7 @@ static bool run_together(hide_worker *w, uint32_t solid, uint32_t left, uint32_t
             w->x0[i] = INFINITY;
     }
     next_stamp(w);
+    set_reach(w, &w->box);
     for (uint32_t i = left; w->live && i <= right; i++)
         for (uint32_t j = low; j <= high; j++)
             if (!meet_cell(w, solid, NULL, &w->box, i * w->grid->frame.ny + j, w->box.z0))

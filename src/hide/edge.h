@@ -31,9 +31,10 @@ typedef struct hide_worker {
     /* Boxes of the first of them, rounded outward, side by side; one that is wholly hidden begins at infinity, and so
      * do those that fill up the last four. */
     float x0[HIDE_GROUP], x1[HIDE_GROUP], y0[HIDE_GROUP], y1[HIDE_GROUP], z0[HIDE_GROUP], z1[HIDE_GROUP];
-    size_t live;    /* lines of the group at work that are not wholly hidden */
-    uint32_t *seen; /* [front_count] the last group of edges that met the front */
-    uint32_t stamp; /* of the group at work */
+    float least[4], most[4]; /* of x0, x1, y0, y1 of a front that meets the box of the edges at work */
+    size_t live;             /* lines of the group at work that are not wholly hidden */
+    uint32_t *seen;          /* [front_count] the last group of edges that met the front */
+    uint32_t stamp;          /* of the group at work */
     roberts_tally tally;
 } hide_worker;
 

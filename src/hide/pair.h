@@ -26,18 +26,30 @@ typedef enum hide_approach {
 
 /* A front and edges that lie within a box. */
 typedef struct hide_meeting {
+    const hide_front *front;
+    const hide_face *face;
+    const uint32_t *outline; /* [corners] */
+    uint32_t corners;
     hide_approach approach;
-    double span; /* no two points of theirs are farther apart, along x and y together */
+    double depth; /* of the front */
+    double span;  /* no two points of front and edges are farther apart, along x and y together */
 } hide_meeting;
 
-/* The boxes are rounded outward, and this sum up by far more than its rounding to floats. */
-BITS_INLINE hide_meeting hide_meet(const hide_front *front, const hide_box *own, const hide_box *edges)
+/* The boxes are rounded outward, and their common width and height up by far more than they are rounded to floats. */
+BITS_INLINE hide_meeting hide_meet(const hide_picture *picture, const hide_front *front, const hide_box *own,
+                                   const hide_box *edges)
 {
     float x = (own->x1 > edges->x1 ? own->x1 : edges->x1) - (own->x0 < edges->x0 ? own->x0 : edges->x0);
     float y = (own->y1 > edges->y1 ? own->y1 : edges->y1) - (own->y0 < edges->y0 ? own->y0 : edges->y0);
     float z = (own->z1 > edges->z1 ? own->z1 : edges->z1) - (own->z0 < edges->z0 ? own->z0 : edges->z0);
     hide_approach approach = 1.001 * (double)(x + y + z) <= front->reach ? HIDE_WITHIN_REACH : HIDE_ASK_REACH;
-    return (hide_meeting){front->corners ? approach : HIDE_ONE_FACE, 1.001 * (double)(x + y)};
+    return (hide_meeting){.front = front,
+                          .face = picture->face + front->face,
+                          .outline = picture->outline + front->outline,
+                          .corners = front->corners,
+                          .approach = front->corners ? approach : HIDE_ONE_FACE,
+                          .depth = (double)front->depth,
+                          .span = 1.001 * (double)(x + y)};
 }
 
 /* Where not all faces can be asked at once. */
@@ -107,27 +119,23 @@ BITS_INLINE bool hide_by_outline(const hide_picture *picture, const uint32_t *co
     }
 }
 
-/* False where the front hides nothing of e, which lies in the meeting's box. sides: room for the picture's
- * most_corners. */
-BITS_INLINE bool hide_by_front(const hide_picture *picture, const hide_front *front, const hide_meeting *meeting,
-                               const hide_edge *e, hide_sides *sides, roberts_tally *tally, hide_part *part)
+/* False where the front hides nothing of e. sides: room for the picture's most_corners. */
+BITS_INLINE bool hide_by_front(const hide_picture *picture, const hide_meeting *m, const hide_edge *e,
+                               hide_sides *sides, roberts_tally *tally, hide_part *part)
 {
-    const hide_face *face = &picture->face[front->face];
     uint32_t near = 0;
     hide_verdict depth = HIDE_INVISIBLE;
-    if (meeting->approach != HIDE_WITHIN_REACH &&
-        (meeting->approach == HIDE_ONE_FACE || !hide_within_reach(picture, front, e)))
-        return hide_by_faces(picture, front, meeting->span, e, sides, tally, part);
+    if (m->approach != HIDE_WITHIN_REACH && (m->approach == HIDE_ONE_FACE || !hide_within_reach(picture, m->front, e)))
+        return hide_by_faces(picture, m->front, m->span, e, sides, tally, part);
     tally->pairs++;
-    if (!(e->A.z < (double)front->depth && e->B.z < (double)front->depth)) /* else behind all of it */
-        depth = hide_test1_of_all(face, front->face_count, e, &near);
+    if (!(e->A.z < m->depth && e->B.z < m->depth)) /* else behind all of it */
+        depth = hide_test1_of_all(m->face, m->front->face_count, e, &near);
     if (depth == HIDE_VISIBLE) {
         tally->test1_visible++;
         return false;
     }
-    return hide_by_outline(picture, picture->outline + front->outline, front->corners, meeting->span, e, sides, tally,
-                           part) &&
-           (depth == HIDE_INVISIBLE || hide_pierce_all(picture, face, near, e, sides, part));
+    return hide_by_outline(picture, m->outline, m->corners, m->span, e, sides, tally, part) &&
+           (depth == HIDE_INVISIBLE || hide_pierce_all(picture, m->face, near, e, sides, part));
 }
 
 #endif
