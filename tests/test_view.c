@@ -447,6 +447,43 @@ static void perspective_pictures(void **state)
 }
 
 /* Lines stay lines, and the parameters along them are those that view_to_space() and view_from_space() tell. */
+/* From (6, 12, 12), looking at the origin from D = 18: at h before the eye and s aside of the axis, a point has its picture
+ * at a distance of s D / h from the middle and a depth of (D - h) D / h; both right to the last places, and within the
+ * bound of rounding, down to some millionths of the scene's size. All numbers here are exact. */
+static void close_to_the_eye(void **state)
+{
+    const roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE, .eye = {6, 12, 12}, .has_look_at = true};
+    const double D = 18;
+    (void)state;
+    for (int k = 2; k <= 16; k++) {
+        const double h = 3 * ldexp(1, -k), s = 0.5 * h, part = h / 3;
+        /* the axis is (1, 2, 2) / 3, and (2, -1, 0), (2, 4, -5) are square to it */
+        const roberts_vec3 aside[] = {{0, 0, 0}, {2, -1, 0}, {2, 4, -5}};
+        model m = {0};
+        roberts_vec3 before = {6 - part, 12 - 2 * part, 12 - 2 * part}; /* a small tetrahedron's corner */
+        const roberts_vec3 tetrahedron[] = {before, {5, 8, 9}, {4, 8, 9}, {5, 9, 8}};
+        static const uint32_t face[4][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 2, 3}};
+        for (int i = 0; i < 4; i++)
+            model_vertex(&m, tetrahedron[i]);
+        for (int i = 0; i < 4; i++)
+            model_face(&m, face[i], 3);
+        model_close_solid(&m);
+        model_box(&m, (roberts_vec3){-6, -6, -6}, (roberts_vec3){2, 2, 2});
+        roberts_scene *scene = model_build(&m);
+        model_free(&m);
+        view v = prepare(scene, &camera);
+        for (size_t i = 0; i < sizeof aside / sizeof aside[0]; i++) {
+            double length = vec3_length(aside[i]);
+            roberts_vec3 p = vec3_scale(v.unit, view_point(&v, vec3_add(before, vec3_scale(s, aside[i]))));
+            double far = s * length * D / h, depth = (D - h) * D / h;
+            assert_true(fabs(hypot(p.x, p.y) - far) <= 8 * DBL_EPSILON * fmax(far, D));
+            assert_true(fabs(p.z - depth) <= 8 * DBL_EPSILON * depth);
+            assert_true(fabs(p.z - depth) <= v.rounding * v.unit);
+        }
+        roberts_scene_free(scene);
+    }
+}
+
 static void parameters_along_lines(void **state)
 {
     rng r = {24};
@@ -762,6 +799,7 @@ int main(void)
         cmocka_unit_test(orthographic_is_a_rigid_motion),
         cmocka_unit_test(together_as_one_by_one),
         cmocka_unit_test(perspective_pictures),
+        cmocka_unit_test(close_to_the_eye),
         cmocka_unit_test(parameters_along_lines),
         cmocka_unit_test(oblique_sight_lines),
         cmocka_unit_test(planes_stay_planes),

@@ -94,7 +94,7 @@ static double set_trust(const hide_picture *picture, uint32_t solid, uint32_t fa
     if (v->perspective) {
         double grown = 1.0 + (double)picture->box[solid].z1 * v->inverse_distance; /* D / w at the nearest corner */
         double shrunk = lesser(1.0, 1.0 + (double)picture->box[solid].z0 * v->inverse_distance);
-        departure *= stretch * grown;
+        departure = (departure + v->plane_rounding) * stretch * grown;
         width *= shrunk * shrunk;
     }
     double error = 4.0 * v->rounding + departure, far_error = error * (1.0 + 2.0 * v->extent / width);

@@ -3,16 +3,24 @@
 
 #include "base/dd.h"
 
+/* Vertex a from where `from` is, in view units; low: what is to be added to that place. */
+static dd3 seen_from(const hide_space *space, uint32_t a, roberts_vec3 from, roberts_vec3 low)
+{
+    const roberts_scene *scene = space->scene;
+    double k = 1.0 / space->view->unit; /* a power of two: scaling is exact, and products stay in range */
+    dd3 p = dd3_between(vec3_scale(k, scene->point[a]), vec3_scale(k, from));
+    return scene->low ? dd3_add(p, dd3_from(vec3_scale(k, vec3_sub(scene->low[a], low)))) : p;
+}
+
 static dd3 between(const hide_space *space, uint32_t a, uint32_t b)
 {
-    double k = 1.0 / space->view->unit; /* a power of two: scaling is exact, and products stay in range */
-    return dd3_between(vec3_scale(k, space->scene->point[a]), vec3_scale(k, space->scene->point[b]));
+    roberts_vec3 none = {0.0, 0.0, 0.0};
+    return seen_from(space, a, space->scene->point[b], space->scene->low ? space->scene->low[b] : none);
 }
 
 static dd3 from_eye(const hide_space *space, uint32_t a)
 {
-    double k = 1.0 / space->view->unit;
-    return dd3_between(vec3_scale(k, space->scene->point[a]), vec3_scale(k, space->view->viewpoint));
+    return seen_from(space, a, space->view->viewpoint, (roberts_vec3){0.0, 0.0, 0.0});
 }
 
 /* A multiple, positive and the same for every x, of the distance of x from the sight plane through p and q. */

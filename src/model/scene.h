@@ -33,6 +33,7 @@ struct roberts_scene {
     size_t corner_count;
     scene_solid *solid;     /* [solid_count + 1] */
     roberts_vec3 *point;    /* [vertex_count] as read, so that exact arithmetic can go back to it */
+    roberts_vec3 *low;      /* [vertex_count] what rounding took from `point`; NULL but where the near plane cuts */
     uint32_t *number;       /* [vertex_count] vertex number in the input; of welded vertices the smallest */
     uint32_t *face_start;   /* [face_count + 1] into corner; a face has fewer than 2^32 corners in all */
     uint32_t *corner;       /* [corner_count] compact vertex numbers */

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/dd.h"
 #include "base/error.h"
 #include "model/face_plane.h"
 
@@ -31,7 +32,8 @@ typedef struct cutter {
     uint32_t *next;     /* [edge_count of from] cap: which cut edge follows this one, counter-clockwise. A permutation
                            of a solid's cut edges: each is entered by in one of its faces and left by in the other */
     roberts_vec3 *ring; /* [corners] scratch: positions of a cut face */
-    size_t vertex_room, number_room, start_room, corner_room, plane_room, deviation_room, width_room, face_room;
+    size_t vertex_room, low_room, number_room, start_room, corner_room, plane_room, deviation_room, width_room,
+        face_room;
     size_t edge_room, cap_room, ring_room;
 } cutter;
 
@@ -41,14 +43,16 @@ static bool is_kept(const cutter *c, uint32_t v)
     return c->depth[v] > c->near || c->whole;
 }
 
-static bool add_vertex(cutter *c, roberts_vec3 point, uint32_t number)
+static bool add_vertex(cutter *c, roberts_vec3 point, roberts_vec3 low, uint32_t number)
 {
     roberts_scene *to = &c->clip->scene;
     size_t need = (size_t)to->vertex_count + 1;
     if (!array_reserve(&to->point, &c->vertex_room, need, sizeof *to->point) ||
+        !array_reserve(&to->low, &c->low_room, need, sizeof *to->low) ||
         !array_reserve(&to->number, &c->number_room, need, sizeof *to->number))
         return false;
     to->point[to->vertex_count] = point;
+    to->low[to->vertex_count] = low;
     to->number[to->vertex_count++] = number;
     return true;
 }
@@ -110,13 +114,28 @@ static uint32_t find_edge(const cutter *c, uint32_t solid, uint32_t a, uint32_t 
     return low;
 }
 
+/* a + t (b - a), which a double holds only to its last place: near the eye that is a wide angle. */
+static double divide(double a, double b, double t, double *low)
+{
+    dd p = dd_add((dd){a, 0.0}, dd_mul((dd){t, 0.0}, dd_two_diff(b, a)));
+    *low = p.lo;
+    return p.hi;
+}
+
+/* Adds the vertex that divides the edge from A to B at t. */
+static bool add_cut(cutter *c, roberts_vec3 A, roberts_vec3 B, double t)
+{
+    roberts_vec3 low, point = {divide(A.x, B.x, t, &low.x), divide(A.y, B.y, t, &low.y), divide(A.z, B.z, t, &low.z)};
+    return add_vertex(c, point, low, ROBERTS_NONE);
+}
+
 /* Vertices that stay, and one on each edge that the plane cuts. */
 static bool cut_vertices(cutter *c, uint32_t solid)
 {
     const roberts_scene *from = c->from;
     for (uint32_t v = from->solid[solid].vertex; v < from->solid[solid + 1].vertex; v++) {
         c->vertex[v] = is_kept(c, v) ? c->clip->scene.vertex_count : ROBERTS_NONE;
-        if (is_kept(c, v) && !add_vertex(c, from->point[v], from->number[v]))
+        if (is_kept(c, v) && !add_vertex(c, from->point[v], (roberts_vec3){0.0, 0.0, 0.0}, from->number[v]))
             return false;
     }
     for (uint32_t i = from->solid[solid].edge; i < from->solid[solid + 1].edge; i++) {
@@ -127,13 +146,12 @@ static bool cut_vertices(cutter *c, uint32_t solid)
         if (is_kept(c, a) == is_kept(c, b))
             continue;
         double t = (c->near - c->depth[a]) / (c->depth[b] - c->depth[a]);
-        roberts_vec3 A = from->point[a], B = from->point[b];
         c->cut[i] = c->clip->scene.vertex_count;
         if (is_kept(c, a))
             origin->t1 = t;
         else
             origin->t0 = t;
-        if (!add_vertex(c, vec3_add(vec3_scale(1.0 - t, A), vec3_scale(t, B)), ROBERTS_NONE))
+        if (!add_cut(c, from->point[a], from->point[b], t))
             return false;
     }
     return true;
@@ -374,6 +392,7 @@ void view_clip_free(view_clip *clip)
 {
     free(clip->scene.solid);
     free(clip->scene.point);
+    free(clip->scene.low);
     free(clip->scene.number);
     free(clip->scene.face_start);
     free(clip->scene.corner);

@@ -74,15 +74,28 @@ static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up, double roll_de
     }
 }
 
+/* Divides by the weight w = 1 - e / D. Nearer to the eye than to the look-at point, x, y and w are taken from the eye, which
+ * is on the axis of sight: there the two terms of w nearly cancel, as do those of x and y, while the difference of P and
+ * the eye is exact or nearly so. */
+static roberts_vec3 perspective_point(const view *v, roberts_vec3 P, roberts_vec3 p)
+{
+    double w = 1.0 - p.z * v->inverse_distance;
+    if (w < 0.5) {
+        roberts_vec3 q = vec3_scale(v->per_unit, vec3_sub(P, v->viewpoint));
+        p.x = vec3_dot(v->right, q);
+        p.y = vec3_dot(v->up, q);
+        w = -vec3_dot(v->dir, q) * v->inverse_distance;
+    }
+    return vec3_scale(1.0 / w, p);
+}
+
 roberts_vec3 view_point(const view *v, roberts_vec3 P)
 {
     roberts_vec3 q = vec3_scale(v->per_unit, vec3_sub(P, v->origin));
     roberts_vec3 p = {vec3_dot(v->right, q), vec3_dot(v->up, q), vec3_dot(v->dir, q)};
     p.x -= v->oblique.x * p.z;
     p.y -= v->oblique.y * p.z;
-    if (v->perspective)
-        p = vec3_scale(1.0 / (1.0 - p.z * v->inverse_distance), p);
-    return p;
+    return v->perspective ? perspective_point(v, P, p) : p;
 }
 
 /* x and y side by side; each is what view_point() makes of it, to the last bit. */
@@ -119,9 +132,9 @@ plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, doubl
     if (!v->perspective && v->oblique.x == 0.0 && v->oblique.y == 0.0)
         return G; /* turning keeps the normal's length */
     G.c += v->oblique.x * G.a + v->oblique.y * G.b;
-    if (v->perspective) {
+    if (v->perspective) { /* c' = c + d / D, the eye's distance from the plane as a part of D: from the eye itself */
         G.d += vec3_dot(n, vec3_sub(v->origin, scene->centre)) * v->per_unit;
-        G.c += G.d * v->inverse_distance;
+        G.c = (F.d + vec3_dot(n, vec3_sub(v->viewpoint, scene->centre))) * v->per_unit * v->inverse_distance;
     }
     double length = sqrt(G.a * G.a + G.b * G.b + G.c * G.c);
     if (stretch)
@@ -234,6 +247,10 @@ static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
     if (v->perspective)
         raw = fmax(raw, fmax(largest(v->viewpoint), largest(v->origin)) / v->unit);
     v->rounding = ROUNDINGS * 0.5 * DBL_EPSILON * v->extent;
+    if (v->perspective)
+        v->plane_rounding =
+            ROUNDINGS * 0.5 * DBL_EPSILON *
+            fmax(v->diameter, vec3_length(vec3_scale(v->per_unit, vec3_sub(v->viewpoint, scene->centre))));
     v->epsilon = epsilon > 0.0
                      ? epsilon / v->unit
                      : fmax(EPSILON_OF_DIAMETER * v->diameter, EPSILON_ULPS * DBL_EPSILON * fmax(raw, v->extent));

@@ -35,6 +35,8 @@ typedef struct view {
     double extent;   /* no view coordinate is larger than this, view units; at least the diameter */
     double epsilon;  /* touching distance, view units */
     double rounding; /* bound of the rounding error of one view coordinate, view units */
+    double
+        plane_rounding; /* perspective: bound of that of the eye's distance from a face's plane, view units; else 0 */
 } view;
 
 /* Prepares the map of `scene` seen by `camera`. epsilon: touching distance in model units, 0 = choose (1e-11 of the

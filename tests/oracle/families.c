@@ -490,7 +490,7 @@ static void tiny(studio *st)
 static const struct {
     const char *name;
     void (*make)(studio *);
-    enum { INFINITELY_FAR, FROM_EYE, FROM_AMID, OBLIQUELY, AS_SOUP, AS_POINTS } way;
+    enum { INFINITELY_FAR, FROM_EYE, FROM_AMID, FROM_CLOSE, OBLIQUELY, AS_SOUP, AS_POINTS } way;
 } families[] = {
     {"lattice", lattice, INFINITELY_FAR},
     {"hulls", hulls, INFINITELY_FAR},
@@ -568,6 +568,10 @@ static const struct {
     {"sizes@near", sizes, FROM_AMID},
     {"huge@near", huge, FROM_AMID},
     {"small@near", small, FROM_AMID},
+    {"lattice@close", lattice, FROM_CLOSE},
+    {"hulls@close", hulls, FROM_CLOSE},
+    {"crossing@close", crossing, FROM_CLOSE},
+    {"polytopes@close", polytopes, FROM_CLOSE},
     {"lattice@oblique", lattice, OBLIQUELY},
     {"blocks@oblique", blocks, OBLIQUELY},
     {"crowd@oblique", crowd, OBLIQUELY},
@@ -606,6 +610,8 @@ bool scene_make(const char *family, uint64_t seed, test_scene *scene)
             look_from_eye(&st);
         if (families[i].way == FROM_AMID && !st.no_memory)
             look_from_amid(&st);
+        if (families[i].way == FROM_CLOSE && !st.no_memory)
+            look_from_close(&st);
         if (families[i].way == OBLIQUELY)
             look_oblique(&st);
         if (families[i].way == AS_SOUP && !st.no_memory)

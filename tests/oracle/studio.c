@@ -286,6 +286,37 @@ void look_from_amid(studio *st)
     look_from_eye(st);
 }
 
+/* A millionth of the scene's size before a corner and in no line with it, with the near plane between: as near as the
+ * program allows. Eye, near plane and look-at point are exact, as in place_amid(). False: the eye is within a solid. */
+static bool place_close(studio *st)
+{
+    const roberts_mesh *mesh = &st->scene->mesh;
+    oracle_view *view = &st->scene->view;
+    roberts_vec3 lo, hi, corner = mesh->vertex[dice_int(&st->d, 0, (int)mesh->vertex_count - 1)], ahead;
+    double size = diameter(mesh, &lo, &hi), grain = ldexp(1, (int)floor(log2(size)) - 26);
+    look_small(st, 2);
+    double near = 1.01e-6 * size / hypot(hypot(view->x, view->y), view->z), step = grain * ceil(near / grain);
+    ahead = (roberts_vec3){-step * view->x, -step * view->y, -step * view->z};
+    roberts_vec3 eye = {corner.x - 1.25 * ahead.x + 0.25 * step * dice_real(&st->d),
+                        corner.y - 1.25 * ahead.y + 0.25 * step * dice_real(&st->d),
+                        corner.z - 1.25 * ahead.z + 0.25 * step * dice_real(&st->d)};
+    eye = (roberts_vec3){grain * floor(eye.x / grain), grain * floor(eye.y / grain), grain * floor(eye.z / grain)};
+    *view = (oracle_view){.x = eye.x, .y = eye.y, .z = eye.z, .w = 1, .cut = true};
+    view->near = (roberts_vec3){eye.x + ahead.x, eye.y + ahead.y, eye.z + ahead.z};
+    st->scene->look_at = (roberts_vec3){eye.x + 0x1p17 * ahead.x, eye.y + 0x1p17 * ahead.y, eye.z + 0x1p17 * ahead.z};
+    return is_outside(st, eye);
+}
+
+void look_from_close(studio *st)
+{
+    oracle_view before = st->scene->view;
+    for (int i = 0; i < 1000; i++)
+        if (place_close(st))
+            return;
+    st->scene->view = before; /* there is no room */
+    look_from_eye(st);
+}
+
 void look_oblique(studio *st)
 {
     st->scene->view = (oracle_view){.x = dice_int(&st->d, -4, 4) / 4.0, .y = -1, .z = dice_int(&st->d, 1, 4) / 4.0};

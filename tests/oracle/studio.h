@@ -38,6 +38,7 @@ void look_any(studio *st);
  * obliquely. Once all solids are there. */
 void look_from_eye(studio *st);
 void look_from_amid(studio *st);
+void look_from_close(studio *st);
 void look_oblique(studio *st);
 
 /* Gives the program the faces as triangles without shared vertices, in any order, by way of its reader. No two solids may
