@@ -76,7 +76,8 @@ static void assert_exact_hull(const roberts_scene *scene, const roberts_mesh *me
         }
     }
     for (uint32_t e = 0; e < scene->edge_count; e++) {
-        whole n = outward(scene, scene->edge[e].f[0]), m = outward(scene, scene->edge[e].f[1]), c = whole_cross(n, m);
+        scene_edge edge = scene_edge_at(scene, scene_solid_of_edge(scene, e), e);
+        whole n = outward(scene, edge.f[0]), m = outward(scene, edge.f[1]), c = whole_cross(n, m);
         assert_true(c.x || c.y || c.z);
     }
 }
@@ -166,7 +167,7 @@ static void noisy_points(void **state)
             for (uint32_t f = 0; f < scene->face_count; f++)
                 for (size_t v = 0; v < mesh.vertex_count; v++) {
                     double inside = plane_at(scene->face_plane[f], vec3_sub(mesh.vertex[v], scene->centre));
-                    if (scene->face_width[f] > 1e-3 * size && !(inside >= -bound))
+                    if (scene_width(scene, f) > 1e-3 * size && !(inside >= -bound))
                         fail_msg("noise %g, round %d: vertex %zu is %g outside face %u", noise, round, v, -inside, f);
                 }
             roberts_scene_free(scene);
@@ -294,10 +295,10 @@ static void several_files(void **state)
     assert_int_equal(scene->solid_count, 3);
     for (uint32_t s = 0; s < 3; s++) {
         static const uint32_t first[] = {1, 9, 21}; /* vertices that the solids have */
-        assert_int_equal(scene->number[scene->solid[s].vertex], first[s]);
+        assert_int_equal(scene_vertex_number(scene, scene->solid[s].vertex), first[s]);
         for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++) {
             uint32_t place = f - scene->solid[s].face; /* the cube's faces are those of the file, with its colours */
-            assert_int_equal(scene->face_number[f], s < 2 ? ROBERTS_NONE : 8 + place);
+            assert_int_equal(scene_face_number(scene, f), s < 2 ? ROBERTS_NONE : 8 + place);
             assert_int_equal(scene->face_color[f].count, s == 2 && place < 2 ? 3 : 0);
         }
     }

@@ -43,6 +43,10 @@ static void lanes_are_scalars(void **state)
         two_part(&lane[0], &lane[1], a);
         two_plain_part(&plain[0], &plain[1], c);
         assert_memory_equal(lane, plain, sizeof lane);
+        float part[2], plain_part[2];
+        two_part_floats(&part[0], &part[1], a);
+        two_plain_part_floats(&plain_part[0], &plain_part[1], c);
+        assert_memory_equal(part, plain_part, sizeof part);
         assert_same_two(two_lesser(a, b), two_plain_lesser(c, d));
         assert_same_two(two_greater(a, b), two_plain_greater(c, d));
         assert_same_two(two_abs(a), two_plain_abs(c));

@@ -154,31 +154,34 @@ static void check_face(const roberts_scene *scene, uint32_t s, uint32_t f, doubl
         assert_in_range(scene->corner[start + i], first->vertex, first[1].vertex - 1);
         for (uint32_t k = 0; k < i; k++)
             assert_true(scene->corner[start + i] != scene->corner[start + k]);
-        assert_true(fabs(plane_at(F, a)) <= scene->face_deviation[f] * (1.0 + 1e-9) + slack);
+        assert_true(fabs(plane_at(F, a)) <= scene_deviation(scene, f) * (1.0 + 1e-9) + slack);
         volume +=
             vec3_dot((roberts_vec3){F.a, F.b, F.c}, vec3_cross(part(a, at(scene, scene->corner[start]), largest),
                                                                part(b, at(scene, scene->corner[start]), largest)));
     }
-    if (scene->face_width[f] > slack)
+    if (scene_width(scene, f) > slack)
         assert_true(volume < 0.0);
     for (uint32_t v = first->vertex; v < first[1].vertex; v++) /* convex, and the right side */
-        assert_true(plane_at(F, at(scene, v)) >= -slack - scene->face_deviation[f]);
+        assert_true(plane_at(F, at(scene, v)) >= -slack - scene_deviation(scene, f));
 }
 
 static void check_edges(const roberts_scene *scene, uint32_t s)
 {
     const scene_solid *first = scene->solid + s;
+    scene_edge before = {0};
     for (uint32_t e = first->edge; e < first[1].edge; e++) {
-        const scene_edge *edge = &scene->edge[e], *before = edge - 1;
-        assert_true(edge->v[0] < edge->v[1] && edge->f[0] != edge->f[1]);
-        assert_in_range(edge->v[0], first->vertex, first[1].vertex - 1);
-        assert_in_range(edge->v[1], first->vertex, first[1].vertex - 1);
-        assert_true(e == first->edge || before->v[0] < edge->v[0] ||
-                    (before->v[0] == edge->v[0] && before->v[1] < edge->v[1]));
+        const scene_edge edge = scene_edge_at(scene, s, e);
+        assert_int_equal(scene_solid_of_edge(scene, e), s);
+        assert_true(edge.v[0] < edge.v[1] && edge.f[0] != edge.f[1]);
+        assert_in_range(edge.v[0], first->vertex, first[1].vertex - 1);
+        assert_in_range(edge.v[1], first->vertex, first[1].vertex - 1);
+        assert_true(e == first->edge || before.v[0] < edge.v[0] ||
+                    (before.v[0] == edge.v[0] && before.v[1] < edge.v[1]));
         for (int i = 0; i < 2; i++) {
-            assert_in_range(edge->f[i], first->face, first[1].face - 1);
-            assert_true(passes(scene, edge->f[i], edge->v[i], edge->v[1 - i]));
+            assert_in_range(edge.f[i], first->face, first[1].face - 1);
+            assert_true(passes(scene, edge.f[i], edge.v[i], edge.v[1 - i]));
         }
+        before = edge;
     }
 }
 
@@ -201,11 +204,11 @@ static void check_scene(const roberts_scene *scene, double slack)
         assert_int_equal((first[1].vertex - first->vertex) + (first[1].face - first->face),
                          (first[1].edge - first->edge) + 2);
         if (s > 0)
-            assert_true(scene->number[first[-1].vertex] <= scene->number[first->vertex]);
+            assert_true(scene_vertex_number(scene, first[-1].vertex) <= scene_vertex_number(scene, first->vertex));
         for (uint32_t v = first->vertex + 1; v < first[1].vertex; v++)
-            assert_true(scene->number[v - 1] < scene->number[v]);
+            assert_true(scene_vertex_number(scene, v - 1) < scene_vertex_number(scene, v));
         for (uint32_t f = first->face + 1; f < first[1].face; f++)
-            assert_true(scene->face_number[f - 1] < scene->face_number[f]);
+            assert_true(scene_face_number(scene, f - 1) < scene_face_number(scene, f));
         for (uint32_t f = first->face; f < first[1].face; f++)
             check_face(scene, s, f, largest, slack * largest);
         check_edges(scene, s);
@@ -480,8 +483,10 @@ static void planes_are_exact(void **state)
         for (uint32_t f = 0; f < 6; f++) {
             plane F = scene->face_plane[f];
             assert_true(fabs(F.a) + fabs(F.b) + fabs(F.c) == 1.0);
-            assert_true(F.d == scale[i] && scene->face_deviation[f] == 0.0);
-            assert_true(fabs(scene->face_width[f] / scale[i] - sqrt(2.0)) < 1e-15); /* 4 over a diagonal of 2 sqrt 2 */
+            assert_true(F.d == scale[i] && scene_deviation(scene, f) == 0.0);
+            double width =
+                scene_width(scene, f) / scale[i]; /* 4 over a diagonal of 2 sqrt 2, rounded down to a float */
+            assert_true(width <= sqrt(2.0) && width > sqrt(2.0) * (1.0 - 0x1p-22));
         }
         roberts_scene_free(scene);
         roberts_mesh_free(&mesh);
@@ -514,7 +519,7 @@ static void scale_changes_nothing(void **state)
         for (uint32_t f = 0; f < 6 && !coarse; f++) {
             plane F = one->face_plane[f], G = scene->face_plane[f];
             assert_true(F.a == G.a && F.b == G.b && F.c == G.c && ldexp(F.d, powers[i]) == G.d);
-            assert_true(ldexp(one->face_width[f], powers[i]) == scene->face_width[f]);
+            assert_true(ldexp(scene_width(one, f), powers[i]) == scene_width(scene, f));
         }
         roberts_scene_free(scene);
     }
@@ -743,10 +748,11 @@ static void closed_components_are_not_welded(void **state)
     add_cube(&mesh, 0, 0, 0, SQUARES);
     roberts_scene *scene = accept("whole and loose", &mesh, 1e-15);
     assert_int_equal(scene->solid_count, 4);
-    assert_int_equal(scene->number[scene->solid[0].vertex], 0);
-    assert_int_equal(scene->number[scene->solid[1].vertex], 8);
-    assert_int_equal(scene->number[scene->solid[2].vertex], 8); /* the loose ones share vertex 8, at 1 0 0 */
-    assert_int_equal(scene->number[scene->solid[3].vertex], 32);
+    assert_int_equal(scene_vertex_number(scene, scene->solid[0].vertex), 0);
+    assert_int_equal(scene_vertex_number(scene, scene->solid[1].vertex), 8);
+    assert_int_equal(scene_vertex_number(scene, scene->solid[2].vertex),
+                     8); /* the loose ones share vertex 8, at 1 0 0 */
+    assert_int_equal(scene_vertex_number(scene, scene->solid[3].vertex), 32);
     roberts_scene_free(scene);
     roberts_mesh_free(&mesh);
 }
@@ -813,7 +819,7 @@ static void a_face_may_have_many_corners(void **state)
     for (uint32_t i = 0; i < N; i++)
         add_face(&mesh, (uint32_t[]){0, corner[i], corner[(i + 1) % N]}, 3);
     roberts_scene *scene = accept("pyramid", &mesh, 1e-14);
-    assert_true(fabs(scene->face_width[0] - 3.14159265358979323846 / 2) < 0.01); /* area pi over chord 2 */
+    assert_true(fabs(scene_width(scene, 0) - 3.14159265358979323846 / 2) < 0.01); /* area pi over chord 2 */
     roberts_scene_free(scene);
     roberts_mesh_free(&mesh);
     free(corner);

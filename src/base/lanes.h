@@ -89,6 +89,13 @@ static inline void two_plain_part(double *p, double *q, two_plain a)
     *q = a.v[1];
 }
 
+/* The same, rounded to floats. */
+static inline void two_plain_part_floats(float *p, float *q, two_plain a)
+{
+    *p = (float)a.v[0];
+    *q = (float)a.v[1];
+}
+
 static inline two_plain two_plain_lesser(two_plain a, two_plain b)
 {
     return (two_plain){{a.v[0] < b.v[0] ? a.v[0] : b.v[0], a.v[1] < b.v[1] ? a.v[1] : b.v[1]}};
@@ -227,6 +234,13 @@ static inline void two_part(double *p, double *q, two a)
     _mm_storeh_pd(q, a);
 }
 
+static inline void two_part_floats(float *p, float *q, two a)
+{
+    four both = _mm_cvtpd_ps(a);
+    _mm_store_ss(p, both);
+    _mm_store_ss(q, _mm_shuffle_ps(both, both, 1));
+}
+
 static inline two two_lesser(two a, two b)
 {
     return _mm_min_pd(a, b);
@@ -299,6 +313,7 @@ typedef four_plain four;
 #define two_sqrt two_plain_sqrt
 #define two_side two_plain_side
 #define two_part two_plain_part
+#define two_part_floats two_plain_part_floats
 #define two_lesser two_plain_lesser
 #define two_greater two_plain_greater
 #define two_abs two_plain_abs

@@ -126,12 +126,14 @@ bool ahead_keep(ahead *a, uint32_t place, const hide_worker *w)
 
 bool ahead_recall(const ahead *a, uint32_t solid, hide_worker *w)
 {
+    const roberts_scene *scene = w->picture->scene;
     const ahead_chunk *c = &a->chunk[a->place[solid] / AHEAD_CHUNK];
     uint32_t k = a->place[solid] % AHEAD_CHUNK, end = c->first_line[k + 1];
     const double *t = c->t ? c->t + c->first_t[k] : NULL; /* all may be visible */
     hide_worker_begin(w);
     for (uint32_t i = c->first_line[k]; i < end; i++) {
-        hide_line *line = hide_worker_add(w, c->line[i].edge);
+        uint32_t edge = c->line[i].edge;
+        hide_line *line = hide_worker_add(w, edge, scene_edge_stored(scene, solid, edge), scene->solid[solid].vertex);
         if (!line)
             return false;
         hide_parts *parts = &line->parts;

@@ -67,17 +67,17 @@ BITS_INLINE hide_box hide_edge_box(const hide_edge *e, double margin)
                       hide_float_above(greater(e->A.z, e->B.z) + margin)};
 }
 
-/* Takes up one more edge of the scene; NULL: no memory. */
-BITS_INLINE hide_line *hide_worker_add(hide_worker *w, uint32_t edge)
+/* Takes up one more edge of the scene, which is stored with its solid as `from`; `first`: the solid's first vertex. NULL: no
+ * memory. */
+BITS_INLINE hide_line *hide_worker_add(hide_worker *w, uint32_t edge, const scene_edge *from, uint32_t first)
 {
-    const scene_edge *from = &w->picture->scene->edge[edge];
     size_t n = w->line_count;
     if (n == w->line_room && !hide_worker_more(w))
         return NULL;
     hide_line *line = &w->line[w->line_count++];
     hide_edge *e = &line->e;
-    e->a = from->v[0];
-    e->b = from->v[1];
+    e->a = first + from->v[0];
+    e->b = first + from->v[1];
     e->A = w->picture->P[e->a];
     e->B = w->picture->P[e->b];
     roberts_vec3 AB = vec3_sub(e->B, e->A);

@@ -54,17 +54,12 @@ roberts_hide_options roberts_hide_options_default(void)
     return (roberts_hide_options){.crease_degrees = 0.1};
 }
 
-static bool is_front(const hide_job *job, uint32_t face)
+/* Flatter than the crease angle; the normals of the model are compared, which perspective does not bend. `edge` is stored
+ * with the solid. */
+static bool is_flat(const hide_job *job, const roberts_scene *scene, uint32_t solid, const scene_edge *edge)
 {
-    return face != ROBERTS_NONE && job->picture.facing[face] == VIEW_FRONT;
-}
-
-/* Flatter than the crease angle; the normals of the model are compared, which perspective does not bend. */
-static bool is_flat(const hide_job *job, const roberts_scene *scene, const scene_edge *edge)
-{
-    if (edge->f[0] == ROBERTS_NONE || edge->f[1] == ROBERTS_NONE)
-        return false;
-    plane F = scene->face_plane[edge->f[0]], G = scene->face_plane[edge->f[1]];
+    const plane *of = scene->face_plane + scene->solid[solid].face;
+    plane F = of[edge->f[0]], G = of[edge->f[1]];
     double a = F.a - G.a, b = F.b - G.b, c = F.c - G.c;
     return a * a + b * b + c * c < job->crease_chord;
 }
@@ -111,9 +106,16 @@ static bool add_hidden(const hide_job *job, hide_worker *w, hide_chunk *out, rob
     return add_segment(job, out, &pattern, e, s0, s1);
 }
 
-static int front_count(const hide_job *job, const scene_edge *edge)
+/* How the faces of a solid look, from its first on. */
+static const unsigned char *facing_of(const hide_job *job, uint32_t solid)
 {
-    return is_front(job, edge->f[0]) + is_front(job, edge->f[1]);
+    return job->picture.facing + job->scene->solid[solid].face;
+}
+
+/* How many of the two faces of a stored edge are front. */
+static int front_count(const unsigned char *facing, const scene_edge *edge)
+{
+    return (facing[edge->f[0]] == VIEW_FRONT) + (facing[edge->f[1]] == VIEW_FRONT);
 }
 
 static bool add_clipped(hide_chunk *out, roberts_segment pattern, double t0, double t1, roberts_vec2 at)
@@ -154,10 +156,10 @@ static bool add_line(const hide_job *job, hide_worker *w, hide_chunk *out, const
 }
 
 /* What lies behind the covers is hidden at once; covers are kept only where hidden lines are not wanted. */
-static bool is_covered(const hide_job *job, const scene_edge *edge)
+static bool is_covered(const hide_job *job, uint32_t solid, const scene_edge *edge)
 {
-    const hide_picture *picture = &job->picture;
-    return cover_hides_edge(&picture->cover, picture->P[edge->v[0]], picture->P[edge->v[1]]);
+    const roberts_vec3 *P = job->picture.P + job->scene->solid[solid].vertex;
+    return cover_hides_edge(&job->picture.cover, P[edge->v[0]], P[edge->v[1]]);
 }
 
 /* Takes up the edges of a solid that are drawn and not covered. A surviving edge has a front face. An outline (one front
@@ -166,19 +168,21 @@ static bool is_covered(const hide_job *job, const scene_edge *edge)
 static bool take_edges(const hide_job *job, hide_worker *w, hide_sums *sums, uint32_t solid)
 {
     const roberts_scene *scene = job->scene;
+    const unsigned char *facing = facing_of(job, solid);
+    const scene_edge *edge = scene->edge + scene->solid[solid].stored;
     hide_worker_begin(w);
-    for (uint32_t i = scene->solid[solid].edge; i < scene->solid[solid + 1].edge; i++) {
-        int fronts = front_count(job, &scene->edge[i]);
+    for (uint32_t i = scene->solid[solid].edge; i < scene->solid[solid + 1].edge; i++, edge++) {
+        int fronts = front_count(facing, edge);
         sums->surviving += fronts > 0;
         if ((fronts == 0 && !job->options->keep_hidden) || (job->clip.clipped && job->clip.cap[i]) ||
-            (fronts != 1 && !job->options->all_edges && is_flat(job, scene, &scene->edge[i])))
+            (fronts != 1 && !job->options->all_edges && is_flat(job, scene, solid, edge)))
             continue;
         sums->drawn++;
-        if (is_covered(job, &scene->edge[i])) {
+        if (is_covered(job, solid, edge)) {
             w->tally.covered++;
             continue;
         }
-        hide_line *line = hide_worker_add(w, i);
+        hide_line *line = hide_worker_add(w, i, edge, scene->solid[solid].vertex);
         if (!line)
             return false;
         if (fronts == 0) {
@@ -194,16 +198,17 @@ static bool take_edges(const hide_job *job, hide_worker *w, hide_sums *sums, uin
 static bool add_edge(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t solid, uint32_t edge,
                      const hide_line *line)
 {
-    const scene_edge *source = &job->source->edge[edge];
+    const scene_edge *source = scene_edge_stored(job->source, solid, edge);
+    uint32_t first = job->source->solid[solid].vertex;
     clip_edge left = {edge, 0.0, 1.0};
     if (job->clip.clipped)
         left = job->clip.origin[edge];
     if (left.edge != ROBERTS_NONE && (!line || (line->hidden && !job->options->keep_hidden)))
         return true;
-    int fronts = line ? front_count(job, &job->scene->edge[line->edge]) : 0;
+    int fronts = line ? front_count(facing_of(job, solid), scene_edge_stored(job->scene, solid, line->edge)) : 0;
     roberts_segment pattern = {.solid = solid,
-                               .v0 = job->source->number[source->v[0]],
-                               .v1 = job->source->number[source->v[1]],
+                               .v0 = scene_vertex_number(job->source, first + source->v[0]),
+                               .v1 = scene_vertex_number(job->source, first + source->v[1]),
                                .by = ROBERTS_NONE,
                                .t0 = left.t0,
                                .t1 = left.t1,
@@ -212,7 +217,7 @@ static bool add_edge(const hide_job *job, hide_worker *w, hide_chunk *out, uint3
                                        : fronts == 2 ? ROBERTS_CREASE
                                                      : ROBERTS_BACK};
     if (left.edge == ROBERTS_NONE || left.t0 >= left.t1) { /* equal: it ends on the near plane, to rounding */
-        bool drawn = job->options->all_edges || !is_flat(job, job->source, source);
+        bool drawn = job->options->all_edges || !is_flat(job, job->source, solid, source);
         return !job->options->keep_hidden || !drawn || add_clipped(out, pattern, 0.0, 1.0, (roberts_vec2){0.0, 0.0});
     }
     return add_line(job, w, out, &pattern, line);

@@ -89,8 +89,8 @@ static void box_solids(hide_picture *picture)
 static double set_trust(const hide_picture *picture, uint32_t solid, uint32_t face, double stretch, hide_face *f)
 {
     const view *v = &picture->view;
-    double departure = picture->scene->face_deviation[face] * v->per_unit;
-    double width = picture->scene->face_width[face] * v->per_unit;
+    double departure = scene_deviation(picture->scene, face) * v->per_unit;
+    double width = scene_width(picture->scene, face) * v->per_unit;
     if (v->perspective) {
         double grown = 1.0 + (double)picture->box[solid].z1 * v->inverse_distance; /* D / w at the nearest corner */
         double shrunk = lesser(1.0, 1.0 + (double)picture->box[solid].z0 * v->inverse_distance);
@@ -142,19 +142,20 @@ static bool find_outline(build *b, uint32_t solid, uint32_t *corners)
     hide_picture *picture = b->picture;
     const roberts_scene *scene = picture->scene;
     uint32_t base = scene->solid[solid].vertex, size = scene->solid[solid + 1].vertex - base;
+    const unsigned char *facing = picture->facing + scene->solid[solid].face;
     uint32_t edges = 0, start = ROBERTS_NONE, found = 0;
     *corners = 0;
     for (uint32_t v = 0; v < size; v++)
         b->next[v] = ROBERTS_NONE;
     for (uint32_t i = scene->solid[solid].edge; i < scene->solid[solid + 1].edge; i++) {
-        const scene_edge *e = &scene->edge[i];
-        bool left = picture->facing[e->f[0]] == VIEW_FRONT;
-        if (left == (e->f[1] != ROBERTS_NONE && picture->facing[e->f[1]] == VIEW_FRONT))
+        const scene_edge *e = scene_edge_stored(scene, solid, i);
+        bool left = facing[e->f[0]] == VIEW_FRONT;
+        if (left == (facing[e->f[1]] == VIEW_FRONT))
             continue;
-        start = e->v[!left] - base; /* v[0] -> v[1] runs counter-clockwise round f[0] */
+        start = e->v[!left]; /* v[0] -> v[1] runs counter-clockwise round f[0] */
         if (b->next[start] != ROBERTS_NONE)
             return true;
-        b->next[start] = e->v[left] - base;
+        b->next[start] = e->v[left];
         edges++;
     }
     if (edges < 3)

@@ -134,8 +134,7 @@ static bool number_components(roberts_scene *scene, set_node *node, const polygo
     }
     scene->solid_count = solid_count;
     scene->vertex_count = used;
-    scene->box_min = lo;
-    scene->box_max = hi;
+    layout_set_box(scene, lo, hi);
     return in_order && used == vertex_count;
 }
 
@@ -149,7 +148,7 @@ static inline uint32_t component_of(const set_node *node, const polygons *faces,
  * in order, as with vertices. */
 static bool count_members(roberts_scene *scene, const set_node *node, const polygons *faces)
 {
-    scene_solid sum = {0, 0, 0}, *solid = scene->solid;
+    scene_solid sum = {0}, *solid = scene->solid;
     uint32_t vertex_count = faces->vertex_count, face_count = faces->face_count, before = 0;
     bool in_order = face_count > 0 && scene->face_count == face_count; /* a mesh without faces has no starts */
     for (uint32_t v = 0; v < vertex_count; v++)
@@ -201,12 +200,6 @@ static void place_vertices(roberts_scene *scene, set_node *node, const polygons 
     solid[0].vertex = 0;
 }
 
-static void number_as_they_are(uint32_t *number, uint32_t count)
-{
-    for (uint32_t i = 0; i < count; i++)
-        number[i] = i;
-}
-
 static void copy_array(void *to, const void *from, size_t count, size_t size)
 {
     if (count > 0) /* a mesh without vertices has no array of them */
@@ -229,10 +222,9 @@ static void copy_corners(roberts_scene *scene, const polygons *faces)
 
 /* Vertices and faces keep their numbers where they are in order: then the mesh's arrays are copied, unless they are lent. */
 static void place(roberts_scene *scene, set_node *node, const polygons *faces, const roberts_vec3 *point,
-                  bool vertices_keep, bool faces_keep)
+                  layout_kept kept)
 {
-    if (faces_keep) {
-        number_as_they_are(scene->face_number, scene->face_count);
+    if (kept.faces) {
         if (!(scene->lent & LENT_FACE_START))
             copy_array(scene->face_start, faces->start, (size_t)scene->face_count + 1, sizeof *scene->face_start);
         copy_array(scene->corner, faces->corner, scene->corner_count, sizeof *scene->corner);
@@ -240,8 +232,7 @@ static void place(roberts_scene *scene, set_node *node, const polygons *faces, c
         place_faces(scene, node, faces);
         copy_corners(scene, faces);
     }
-    if (vertices_keep) {
-        number_as_they_are(scene->number, scene->vertex_count);
+    if (kept.vertices) {
         if (!(scene->lent & LENT_POINT))
             copy_array(scene->point, point, scene->vertex_count, sizeof *point);
     } else {
@@ -254,25 +245,26 @@ static void place(roberts_scene *scene, set_node *node, const polygons *faces, c
 bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh, bool lend)
 {
     set_node *node = alloc_array(faces->vertex_count, sizeof *node);
-    bool done = false, vertices_keep, faces_keep, repeat;
+    bool done = false, repeat;
+    layout_kept kept;
     if (!node || !some_corner_repeats(faces, &repeat) || (repeat && !polygons_clean(faces, NULL)))
         goto done;
     join_corners(scene, node, faces);
-    vertices_keep = number_components(scene, node, faces, mesh->vertex);
+    kept.vertices = number_components(scene, node, faces, mesh->vertex);
     if (!(scene->solid = alloc_zeroed((size_t)scene->solid_count + 1, sizeof *scene->solid)))
         goto done;
-    faces_keep = count_members(scene, node, faces);
-    if (lend && vertices_keep && mesh->vertex) {
+    kept.faces = count_members(scene, node, faces);
+    if (lend && kept.vertices && mesh->vertex) {
         scene->point = mesh->vertex;
         scene->lent |= LENT_POINT;
     }
-    if (lend && faces_keep && mesh->face_start && faces->start == mesh->face_start) {
+    if (lend && kept.faces && mesh->face_start && faces->start == mesh->face_start) {
         scene->face_start = mesh->face_start;
         scene->lent |= LENT_FACE_START;
     }
-    if (!layout_alloc(scene))
+    if (!layout_alloc(scene, kept))
         goto done;
-    place(scene, node, faces, mesh->vertex, vertices_keep, faces_keep);
+    place(scene, node, faces, mesh->vertex, kept);
     done = true;
 done:
     free(node);

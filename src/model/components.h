@@ -5,9 +5,9 @@
 #include "model/polygons.h"
 #include "model/scene.h"
 
-/* Allocates the scene's arrays and lays out all components of `faces` in it, by their smallest vertex: vertices, faces
+/* Allocates the scene's arrays, but for the edges, and lays out all components of `faces` in it, by their smallest vertex: vertices, faces
  * and corners in compact numbers, corners in the order of the file, and the box round them. No planes and no edges yet.
- * Components need not be closed: there is room for half as many edges as corners.
+ * Components need not be closed.
  * `faces` is cleaned first if some corner repeats an earlier one of its face.
  * Where the mesh may `lend` its arrays and the scene's would be equal, the scene points to them: scene->lent tells which.
  * False: no memory. */

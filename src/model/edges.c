@@ -16,8 +16,9 @@ enum { SHORT_BUCKET = 24 }; /* half-edges; up to so many, insertion beats the li
 /* Fills the table; bit b of row[a] tells whether a face passes from a to b. False where two do. */
 static bool fill_table(const roberts_scene *scene, uint32_t s, uint32_t passing[][EDGES_SMALL], uint32_t *row)
 {
-    const uint32_t *start = scene->face_start, end = scene->solid[s + 1].face, base = scene->solid[s].vertex;
-    for (uint32_t f = scene->solid[s].face; f < end; f++) {
+    const uint32_t *start = scene->face_start + scene->solid[s].face, base = scene->solid[s].vertex;
+    const uint32_t count = scene->solid[s + 1].face - scene->solid[s].face;
+    for (uint32_t f = 0; f < count; f++) {
         const uint32_t *corner = scene->corner + start[f], *last = scene->corner + start[f + 1] - 1;
         for (uint32_t from = *last - base, to; corner <= last; corner++, from = to) {
             to = *corner - base;
@@ -31,10 +32,11 @@ static bool fill_table(const roberts_scene *scene, uint32_t s, uint32_t passing[
 }
 
 /* Pairs the half-edges of a small solid. False where they do not make up pairs of opposite ones. */
-static bool pair_by_table(roberts_scene *scene, uint32_t s, uint32_t passing[][EDGES_SMALL])
+static bool pair_by_table(const roberts_scene *scene, uint32_t s, edge_scratch *scratch)
 {
-    uint32_t row[EDGES_SMALL], base = scene->solid[s].vertex, count = scene->solid[s + 1].vertex - base;
-    scene_edge *edge = scene->edge + scene->solid[s].edge, *end = edge + scene_corners(scene, s) / 2;
+    uint32_t row[EDGES_SMALL], count = scene->solid[s + 1].vertex - scene->solid[s].vertex;
+    uint32_t(*passing)[EDGES_SMALL] = scratch->passing;
+    scene_edge *edge = scratch->edge, *end = edge + scene_corners(scene, s) / 2;
     for (uint32_t v = 0; v < count; v++)
         row[v] = 0;
     if (!fill_table(scene, s, passing, row))
@@ -46,8 +48,8 @@ static bool pair_by_table(roberts_scene *scene, uint32_t s, uint32_t passing[][E
                 continue;
             if (edge == end || !(row[w] >> v & 1))
                 return false;
-            edge->v[0] = base + v;
-            edge->v[1] = base + w;
+            edge->v[0] = v;
+            edge->v[1] = w;
             edge->f[0] = passing[v][w];
             edge->f[1] = passing[w][v];
             edge++;
@@ -123,11 +125,11 @@ bool edges_sort(const roberts_scene *scene, uint32_t s, edge_scratch *scratch)
 }
 
 /* Edges from the sorted half-edges: each must have exactly one partner. */
-static edge_pairing edges_from_sorted(roberts_scene *scene, uint32_t s, edge_scratch *scratch)
+static edge_pairing edges_from_sorted(const roberts_scene *scene, uint32_t s, edge_scratch *scratch)
 {
     const scene_solid *first = scene->solid + s;
     uint32_t vertices = first[1].vertex - first->vertex, start = 0, base = scene->face_start[first->face], made = 0;
-    scene_edge *edge = scene->edge + first->edge;
+    scene_edge *edge = scratch->edge;
     bool mixed = false;
     for (uint32_t v = 0; v < vertices; start = scratch->end[v++])
         for (uint32_t i = start; i < scratch->end[v]; i += 2) {
@@ -136,22 +138,22 @@ static edge_pairing edges_from_sorted(roberts_scene *scene, uint32_t s, edge_scr
                 return EDGES_OPEN;
             bool up_a = scene->corner[base + (uint32_t)a] - first->vertex == v;
             bool up_b = scene->corner[base + (uint32_t)b] - first->vertex == v;
-            uint32_t fa = first->face + scratch->face_of[(uint32_t)a];
-            uint32_t fb = first->face + scratch->face_of[(uint32_t)b];
-            edge[made] = (scene_edge){{first->vertex + v, first->vertex + (uint32_t)(a >> 32)},
-                                      {up_a ? fa : fb, up_a ? fb : fa}};
+            uint32_t fa = scratch->face_of[(uint32_t)a], fb = scratch->face_of[(uint32_t)b];
+            edge[made] = (scene_edge){{v, (uint32_t)(a >> 32)}, {up_a ? fa : fb, up_a ? fb : fa}};
             scratch->alike[made++] = up_a == up_b;
             mixed |= up_a == up_b;
         }
     return mixed ? EDGES_MIXED : EDGES_PAIRED;
 }
 
-edge_pairing edges_pair(roberts_scene *scene, uint32_t s, edge_scratch *scratch)
+edge_pairing edges_pair(const roberts_scene *scene, uint32_t s, edge_scratch *scratch)
 {
     uint32_t vertices = scene->solid[s + 1].vertex - scene->solid[s].vertex, corners = scene_corners(scene, s);
     if (corners % 2)
         return EDGES_OPEN;
-    if (vertices <= EDGES_SMALL && pair_by_table(scene, s, scratch->passing))
+    if (!array_reserve(&scratch->edge, &scratch->edge_room, corners / 2, sizeof *scratch->edge))
+        return EDGES_NO_MEMORY;
+    if (vertices <= EDGES_SMALL && pair_by_table(scene, s, scratch))
         return EDGES_PAIRED;
     if (!edges_sort(scene, s, scratch) ||
         !array_reserve(&scratch->alike, &scratch->alike_room, corners / 2, sizeof *scratch->alike))
@@ -161,6 +163,7 @@ edge_pairing edges_pair(roberts_scene *scene, uint32_t s, edge_scratch *scratch)
 
 void edge_scratch_free(edge_scratch *scratch)
 {
+    free(scratch->edge);
     free(scratch->end);
     free(scratch->half);
     free(scratch->face_of);

@@ -8,11 +8,12 @@ enum { EDGES_SMALL = 32 }; /* vertices; up to so many, a solid's half-edges are 
 
 /* Scratch memory that serves solid after solid; zeroed = empty. */
 typedef struct edge_scratch {
+    scene_edge *edge;  /* [corners / 2] what edges_pair() has found */
     uint32_t *end;     /* [vertices] where the half-edges of each smaller vertex end in `half` */
     uint64_t *half;    /* [corners] sorted half-edges: larger vertex << 32 | corner where it starts */
     uint32_t *face_of; /* [corners] */
     uint8_t *alike;    /* [corners / 2] for each edge, whether its faces pass it in the same direction */
-    size_t end_room, half_room, face_of_room, alike_room;
+    size_t edge_room, end_room, half_room, face_of_room, alike_room;
     uint32_t passing[EDGES_SMALL][EDGES_SMALL]; /* the face that passes from the one to the other vertex */
 } edge_scratch;
 
@@ -23,9 +24,9 @@ typedef enum edge_pairing {
     EDGES_NO_MEMORY,
 } edge_pairing;
 
-/* Writes the edges of solid s to scene->edge from scene->solid[s].edge on, sorted, half as many as the solid's faces
- * have corners. Where the solid is open, they are left undefined. */
-edge_pairing edges_pair(roberts_scene *scene, uint32_t s, edge_scratch *scratch);
+/* Writes the edges of solid s to scratch->edge as they are stored in a scene, sorted, half as many as the solid's faces have
+ * corners. Where the solid is open, they are left undefined. */
+edge_pairing edges_pair(const roberts_scene *scene, uint32_t s, edge_scratch *scratch);
 
 /* Sorts the half-edges of solid s into scratch->half by (smaller vertex, larger vertex, corner). Vertices and corners
  * count from the solid's first. scratch->end and ->face_of are filled too. False: no memory. */

@@ -156,7 +156,7 @@ static bool add_face(face_list *list, const roberts_scene *scene, uint32_t s, co
         return false;
     list->start[0] = 0;
     for (size_t i = 0; i < count; i++)
-        list->corner[list->corner_count++] = scene->number[first + corner[i]];
+        list->corner[list->corner_count++] = scene_vertex_number(scene, first + corner[i]);
     list->solid[list->count] = s;
     list->origin[list->count] = origin;
     list->start[++list->count] = (uint32_t)list->corner_count;
@@ -167,7 +167,7 @@ static bool keep_faces(face_list *list, const roberts_scene *scene, uint32_t s)
 {
     for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++)
         if (!add_face(list, scene, s, scene->corner + scene->face_start[f],
-                      scene->face_start[f + 1] - scene->face_start[f], 0, scene->face_number[f]))
+                      scene->face_start[f + 1] - scene->face_start[f], 0, scene_face_number(scene, f)))
             return false;
     return true;
 }
@@ -182,13 +182,6 @@ static bool add_facets(face_list *list, const roberts_scene *scene, uint32_t s, 
 }
 
 /* ---- hulls --------------------------------------------------------------------------------------------------------- */
-
-/* The edges of solid s come first, in place of those of another solid that is done with. */
-static void number_edges(roberts_scene *scene, uint32_t s)
-{
-    scene->solid[s].edge = 0;
-    scene->solid[s + 1].edge = scene_corners(scene, s) / 2;
-}
 
 static hull_result result_of(build_result built, roberts_status refusal)
 {
@@ -211,7 +204,6 @@ static hull_result try_facets(hull_maker *maker, const roberts_scene *scene, uin
     if (array_reserve(&maker->zero, &maker->zero_room, facets->count, sizeof *maker->zero)) {
         memset(maker->zero, 0, facets->count * sizeof *maker->zero);
         if (layout_solids(&trial, &faces, maker->zero, 1, scene->point + scene->solid[s].vertex)) {
-            number_edges(&trial, 0);
             build_result built = solid_build(&trial, &maker->work, 0, mesh, tolerance, true, &refusal);
             result = result_of(built, refusal.status);
         }
@@ -289,8 +281,7 @@ static roberts_status collect(face_list *list, hull_maker *maker, roberts_scene 
     roberts_status status = ROBERTS_OK;
     for (uint32_t s = 0; s < scene->solid_count && status == ROBERTS_OK; s++) {
         roberts_error refusal = {0};
-        bool bare = scene->face_number[scene->solid[s].face] >= mesh->face_count;
-        number_edges(scene, s);
+        bool bare = scene_face_number(scene, scene->solid[s].face) >= mesh->face_count;
         build_result built = bare ? BUILD_OPEN : solid_build(scene, work, s, mesh, tolerance, true, &refusal);
         if (built == BUILD_OK)
             status = keep_faces(list, scene, s) ? ROBERTS_OK : error_no_memory(error);

@@ -7,26 +7,30 @@
 
 #include "base/array.h"
 
+enum { LEAST_EXPONENT = -1000 }; /* of the unit: 1 / 2^-1074 would overflow */
+
 enum { DENSE = 4 }; /* a range of vertex numbers at most so many times as long as the corners is marked in a table */
 
-bool layout_alloc(roberts_scene *scene)
+bool layout_alloc(roberts_scene *scene, layout_kept kept)
 {
-    size_t faces = scene->face_count, edges = scene->corner_count / 2;
+    size_t faces = scene->face_count;
     if (!scene->solid)
         scene->solid = alloc_zeroed((size_t)scene->solid_count + 1, sizeof *scene->solid);
     if (!scene->point)
         scene->point = alloc_array(scene->vertex_count, sizeof *scene->point);
-    scene->number = alloc_array(scene->vertex_count, sizeof *scene->number);
+    if (!kept.vertices)
+        scene->number = alloc_array(scene->vertex_count, sizeof *scene->number);
     if (!scene->face_start)
         scene->face_start = alloc_array(faces + 1, sizeof *scene->face_start);
-    scene->corner = alloc_array(scene->corner_count, sizeof *scene->corner);
+    if (!scene->corner)
+        scene->corner = alloc_array(scene->corner_count, sizeof *scene->corner);
     scene->face_plane = alloc_array(faces, sizeof *scene->face_plane);
     scene->face_deviation = alloc_array(faces, sizeof *scene->face_deviation);
     scene->face_width = alloc_array(faces, sizeof *scene->face_width);
-    scene->face_number = alloc_array(faces, sizeof *scene->face_number);
-    scene->edge = alloc_array(edges, sizeof *scene->edge);
-    return scene->solid && scene->point && scene->number && scene->face_start && scene->corner && scene->face_plane &&
-           scene->face_deviation && scene->face_width && scene->face_number && scene->edge;
+    if (!kept.faces)
+        scene->face_number = alloc_array(faces, sizeof *scene->face_number);
+    return scene->solid && scene->point && (scene->number || kept.vertices) && scene->face_start && scene->corner &&
+           scene->face_plane && scene->face_deviation && scene->face_width && (scene->face_number || kept.faces);
 }
 
 void layout_clear(roberts_scene *scene)
@@ -46,6 +50,18 @@ void layout_clear(roberts_scene *scene)
     free(scene->vertex_color);
     free(scene->face_color);
     *scene = (roberts_scene){0};
+}
+
+void layout_set_box(roberts_scene *scene, roberts_vec3 lo, roberts_vec3 hi)
+{
+    double size = fmax(hi.x - lo.x, fmax(hi.y - lo.y, hi.z - lo.z));
+    int exponent = 0;
+    scene->box_min = lo;
+    scene->box_max = hi;
+    scene->centre = vec3_scale(0.5, vec3_add(lo, hi));
+    if (size > 0.0 && isfinite(size))
+        frexp(size, &exponent);
+    scene->unit = ldexp(1.0, exponent > LEAST_EXPONENT ? exponent : LEAST_EXPONENT);
 }
 
 static int compare_numbers(const void *a, const void *b)
@@ -164,6 +180,7 @@ static void trim(roberts_scene *scene)
 bool layout_solids(roberts_scene *scene, const polygons *faces, const uint32_t *of, uint32_t solid_count,
                    const roberts_vec3 *point)
 {
+    roberts_vec3 lo = {INFINITY, INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY, -INFINITY};
     size_t corners = 0;
     scene->solid_count = solid_count;
     for (uint32_t f = 0; f < faces->face_count; f++)
@@ -173,17 +190,16 @@ bool layout_solids(roberts_scene *scene, const polygons *faces, const uint32_t *
         }
     scene->corner_count = corners;
     scene->vertex_count = (uint32_t)corners; /* no more than that */
-    if (!layout_alloc(scene))
+    if (!layout_alloc(scene, (layout_kept){false, false}))
         return false;
     place_faces(scene, faces, of);
     if (!number_vertices(scene))
         return false;
-    scene->box_min = (roberts_vec3){INFINITY, INFINITY, INFINITY};
-    scene->box_max = (roberts_vec3){-INFINITY, -INFINITY, -INFINITY};
     for (uint32_t v = 0; v < scene->vertex_count; v++) {
         scene->point[v] = point[scene->number[v]];
-        box_add(&scene->box_min, &scene->box_max, scene->point[v]);
+        box_add(&lo, &hi, scene->point[v]);
     }
+    layout_set_box(scene, lo, hi);
     trim(scene);
     return true;
 }

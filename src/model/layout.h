@@ -5,9 +5,17 @@
 #include "model/polygons.h"
 #include "model/scene.h"
 
-/* Allocates those arrays that there are not yet, for the scene's counts of solids, vertices, faces and corners, and half as
- * many edges as corners. False: no memory; roberts_scene_free() releases what there is. */
-bool layout_alloc(roberts_scene *scene);
+/* What the vertices and faces of a scene keep of the mesh's numbering. */
+typedef struct layout_kept {
+    bool vertices, faces;
+} layout_kept;
+
+/* Allocates those arrays that there are not yet, for the scene's counts of solids, vertices, faces and corners; none for
+ * numbers that are kept, and none for edges. False: no memory; roberts_scene_free() releases what there is. */
+bool layout_alloc(roberts_scene *scene, layout_kept kept);
+
+/* Sets the scene's box, and what follows from it. */
+void layout_set_box(roberts_scene *scene, roberts_vec3 lo, roberts_vec3 hi);
 
 /* Releases all arrays but those lent and leaves an empty scene. */
 void layout_clear(roberts_scene *scene);

@@ -18,36 +18,34 @@ typedef struct face_edges {
     uint32_t *start, *edge;
 } face_edges;
 
-static bool collect_edges(face_edges *of, const roberts_scene *scene, const solid_frame *frame)
+static bool collect_edges(face_edges *of, const solid_frame *frame)
 {
-    const scene_solid *first = scene->solid + frame->solid;
-    uint32_t count = scene_corners(scene, frame->solid);
+    uint32_t count = 2 * frame->edge_count;
     of->start = alloc_zeroed((size_t)frame->face_count + 2, sizeof *of->start);
     of->edge = alloc_array(count, sizeof *of->edge);
     if (!of->start || !of->edge)
         return false;
     for (uint32_t e = 0; e < count; e++)
-        of->start[scene->edge[first->edge + e / 2].f[e % 2] - first->face + 2]++;
+        of->start[frame->edge[e / 2].f[e % 2] + 2]++;
     for (uint32_t f = 0; f < frame->face_count; f++)
         of->start[f + 2] += of->start[f + 1];
     for (uint32_t e = 0; e < count; e++)
-        of->edge[of->start[scene->edge[first->edge + e / 2].f[e % 2] - first->face + 1]++] = e / 2;
+        of->edge[of->start[frame->edge[e / 2].f[e % 2] + 1]++] = e / 2;
     return true;
 }
 
 /* Decides all faces that are connected with `seed` by edges. */
-static void flood(const roberts_scene *scene, const solid_frame *frame, const face_edges *of, const uint8_t *alike,
-                  uint32_t seed, uint8_t *decision, uint32_t *queue)
+static void flood(const solid_frame *frame, const face_edges *of, const uint8_t *alike, uint32_t seed,
+                  uint8_t *decision, uint32_t *queue)
 {
-    const scene_edge *edge = scene->edge + scene->solid[frame->solid].edge;
     uint32_t head = 0, tail = 0;
     decision[seed] = KEEP;
     queue[tail++] = seed;
     while (head < tail) {
         uint32_t f = queue[head++];
         for (uint32_t i = of->start[f]; i < of->start[f + 1]; i++) {
-            const scene_edge *e = edge + of->edge[i];
-            uint32_t other = (e->f[0] - frame->face_first == f ? e->f[1] : e->f[0]) - frame->face_first;
+            const scene_edge *e = frame->edge + of->edge[i];
+            uint32_t other = e->f[0] == f ? e->f[1] : e->f[0];
             if (decision[other] != UNSEEN)
                 continue;
             decision[other] = alike[of->edge[i]] == (decision[f] == KEEP) ? TURN : KEEP;
@@ -72,13 +70,11 @@ static void turn_face(roberts_scene *scene, solid_frame *frame, uint32_t f)
 }
 
 /* Whether the decisions leave the two faces of each edge passing it in opposite directions. */
-static bool agree(const roberts_scene *scene, const solid_frame *frame, const uint8_t *alike, const uint8_t *decision)
+static bool agree(const solid_frame *frame, const uint8_t *alike, const uint8_t *decision)
 {
-    const scene_solid *first = scene->solid + frame->solid;
-    uint32_t count = scene_corners(scene, frame->solid) / 2;
-    for (uint32_t e = 0; e < count; e++) {
-        const scene_edge *edge = &scene->edge[first->edge + e];
-        bool turned = decision[edge->f[0] - first->face] != decision[edge->f[1] - first->face];
+    for (uint32_t e = 0; e < frame->edge_count; e++) {
+        const scene_edge *edge = &frame->edge[e];
+        bool turned = decision[edge->f[0]] != decision[edge->f[1]];
         if (turned != (alike[e] != 0))
             return false;
     }
@@ -91,13 +87,13 @@ roberts_status narrow_wind(roberts_scene *scene, solid_frame *frame, const edge_
     uint8_t *decision = alloc_zeroed(frame->face_count, sizeof *decision);
     uint32_t *queue = alloc_array(frame->face_count, sizeof *queue);
     roberts_status status = ROBERTS_NO_MEMORY;
-    if (!decision || !queue || !collect_edges(&of, scene, frame))
+    if (!decision || !queue || !collect_edges(&of, frame))
         goto done;
-    flood(scene, frame, &of, edges->alike, frame->widest, decision, queue);
+    flood(frame, &of, edges->alike, frame->widest, decision, queue);
     for (uint32_t f = 0; f < frame->face_count; f++)
         if (decision[f] == UNSEEN)
-            flood(scene, frame, &of, edges->alike, f, decision, queue);
-    status = agree(scene, frame, edges->alike, decision) ? ROBERTS_OK : ROBERTS_NOT_CONVEX;
+            flood(frame, &of, edges->alike, f, decision, queue);
+    status = agree(frame, edges->alike, decision) ? ROBERTS_OK : ROBERTS_NOT_CONVEX;
     for (uint32_t f = 0; f < frame->face_count && status == ROBERTS_OK; f++)
         if (decision[f] == TURN)
             turn_face(scene, frame, f);
@@ -112,8 +108,8 @@ done:
 /* Adds to `sum` the neighbour's normal, weighed by the length of the edge, if the neighbour stands by itself. */
 static void add_neighbour(const solid_frame *frame, const scene_edge *edge, uint32_t neighbour, roberts_vec3 *sum)
 {
-    const local_face *face = &frame->face[neighbour - frame->face_first];
-    roberts_vec3 a = frame->point[edge->v[0] - frame->vertex_first], b = frame->point[edge->v[1] - frame->vertex_first];
+    const local_face *face = &frame->face[neighbour];
+    roberts_vec3 a = frame->point[edge->v[0]], b = frame->point[edge->v[1]];
     if (!face->lean)
         *sum = vec3_add(*sum, vec3_scale(vec3_length(vec3_sub(b, a)), (roberts_vec3){face->F.a, face->F.b, face->F.c}));
 }
@@ -156,17 +152,15 @@ static void mend_face(roberts_scene *scene, solid_frame *frame, uint32_t f, robe
 
 roberts_status narrow_mend(roberts_scene *scene, solid_frame *frame)
 {
-    const scene_solid *first = scene->solid + frame->solid;
     roberts_vec3 *sum;
     if (!frame->any_lean)
         return ROBERTS_OK;
     sum = alloc_zeroed(frame->face_count, sizeof *sum); /* all bits zero are 0.0 */
     if (!sum)
         return ROBERTS_NO_MEMORY;
-    for (uint32_t e = first->edge; e < first[1].edge; e++) {
-        const scene_edge *edge = &scene->edge[e];
-        add_neighbour(frame, edge, edge->f[0], &sum[edge->f[1] - frame->face_first]);
-        add_neighbour(frame, edge, edge->f[1], &sum[edge->f[0] - frame->face_first]);
+    for (const scene_edge *edge = frame->edge; edge < frame->edge + frame->edge_count; edge++) {
+        add_neighbour(frame, edge, edge->f[0], &sum[edge->f[1]]);
+        add_neighbour(frame, edge, edge->f[1], &sum[edge->f[0]]);
     }
     for (uint32_t f = 0; f < frame->face_count; f++)
         if (frame->face[f].lean)

@@ -38,7 +38,7 @@ static place count_solids(const roberts_scene *scene, uint32_t s, place at)
 {
     for (uint32_t end = s; at.solid < end;) {
         uint32_t middle = at.solid + (end - at.solid) / 2;
-        if (scene->number[scene->solid[middle].vertex] < at.vertex)
+        if (scene_vertex_number(scene, scene->solid[middle].vertex) < at.vertex)
             at.solid = middle + 1;
         else
             end = middle;
@@ -51,8 +51,9 @@ place place_of_solid(const roberts_scene *scene, uint32_t s, const roberts_mesh 
 {
     const scene_solid *first = scene->solid + s;
     return count_solids(scene, s,
-                        place_find(mesh, scene->number[first->vertex], scene->number[first[1].vertex - 1],
-                                   scene->face_number[first->face], scene->face_number[first[1].face - 1]));
+                        place_find(mesh, scene_vertex_number(scene, first->vertex),
+                                   scene_vertex_number(scene, first[1].vertex - 1),
+                                   scene_face_number(scene, first->face), scene_face_number(scene, first[1].face - 1)));
 }
 
 place place_of_points(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh)
@@ -61,8 +62,8 @@ place place_of_points(const roberts_scene *scene, uint32_t s, const roberts_mesh
     const scene_solid *first = scene->solid + s;
     if (mesh->source_count == 0)
         return none;
-    size_t i = source_of_vertex(mesh, scene->number[first->vertex]);
-    if (source_of_vertex(mesh, scene->number[first[1].vertex - 1]) != i || !mesh->source[i].name)
+    size_t i = source_of_vertex(mesh, scene_vertex_number(scene, first->vertex));
+    if (source_of_vertex(mesh, scene_vertex_number(scene, first[1].vertex - 1)) != i || !mesh->source[i].name)
         return none;
     return count_solids(scene, s,
                         (place){mesh->source[i].name, 0, mesh->source[i].first_face, mesh->source[i].first_vertex});

@@ -47,10 +47,10 @@ static roberts_status weld_open(const roberts_scene *scene, const uint8_t *open,
         name[v] = v;
     for (uint32_t s = 0; s < scene->solid_count && enough; s++)
         for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex && open[s]; v++) {
-            listed[count++] = scene->number[v];
+            listed[count++] = scene_vertex_number(scene, v);
             if (!is_finite(scene->point[v]))
                 status = error_set(error, ROBERTS_BAD_NUMBER, 0, "vertex %u is not a finite number up to 1e150",
-                                   scene->number[v]);
+                                   scene_vertex_number(scene, v));
         }
     if (status == ROBERTS_OK &&
         !(enough && weld_vertices(name, listed, count, mesh->vertex) && polygons_clean(faces, name)))
@@ -69,7 +69,7 @@ static uint32_t list_open(const roberts_scene *scene, const uint8_t *open, const
     memset(loose_of, 0xff, faces->face_count * sizeof *loose_of);
     for (uint32_t s = 0; s < scene->solid_count; s++)
         for (uint32_t i = scene->solid[s].face; i < scene->solid[s + 1].face; i++) {
-            uint32_t f = scene->face_number[i];
+            uint32_t f = scene_face_number(scene, i);
             if (!open[s]) {
                 of[f] = s;
             } else if (polygon_size(faces, f) >= 3) { /* welding may have left fewer */

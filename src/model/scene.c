@@ -3,6 +3,7 @@
 
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
 #include "base/error.h"
@@ -45,14 +46,14 @@ static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh)
         if (!scene->vertex_color)
             return false;
         for (uint32_t v = 0; v < scene->vertex_count; v++)
-            scene->vertex_color[v] = mesh->vertex_color[scene->number[v]];
+            scene->vertex_color[v] = mesh->vertex_color[scene_vertex_number(scene, v)];
     }
     if (mesh->face_color) {
         scene->face_color = alloc_array(scene->face_count, sizeof *scene->face_color);
         if (!scene->face_color)
             return false;
         for (uint32_t f = 0; f < scene->face_count; f++) {
-            uint32_t number = scene->face_number[f];
+            uint32_t number = scene_face_number(scene, f);
             scene->face_color[f] = (roberts_color){0};
             if (number != ROBERTS_NONE)
                 scene->face_color[f] = mesh->face_color[number];
@@ -61,16 +62,22 @@ static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh)
     return true;
 }
 
-/* Where each solid's edges begin: each has half as many as its faces have corners. */
-static void number_edges(roberts_scene *scene)
+/* Where each solid's edges begin: each has half as many as its faces have corners. False: no memory. */
+static bool number_edges(roberts_scene *scene)
 {
     uint32_t sum = 0;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
-        scene->solid[s].edge = sum;
+        scene->solid[s].edge = scene->solid[s].stored = sum;
         sum += scene_corners(scene, s) / 2;
     }
     scene->solid[scene->solid_count].edge = sum;
     scene->edge_count = sum;
+    return (scene->edge = alloc_array(sum, sizeof *scene->edge)) != NULL;
+}
+
+static void store_edges(roberts_scene *scene, uint32_t s, const solid_frame *frame)
+{
+    memcpy(scene->edge + scene->solid[s].stored, frame->edge, frame->edge_count * sizeof *frame->edge);
 }
 
 /* Builds solid s. What has already been found by any thread spares work: once a solid is open, the others are only asked
@@ -96,6 +103,8 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
                   s - place_of_solid(c->scene, s, c->mesh).solid);
         result = BUILD_REFUSED;
     }
+    if (result == BUILD_OK && !only_ask)
+        store_edges(c->scene, s, &worker->tools.frame);
     if (result != BUILD_REFUSED)
         return;
     worker->no_memory |= found.status == ROBERTS_NO_MEMORY;
@@ -137,14 +146,14 @@ static roberts_status build_solids(roberts_scene *scene, const roberts_mesh *mes
     int threads = threads_for(options->threads, 1 + chunks / CHUNKS_PER_THREAD);
     construction_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
     roberts_status status;
-    if (!worker)
+    if (!worker || !number_edges(scene)) {
+        free(worker);
         return error_no_memory(error);
+    }
     atomic_init(&c.any_open, false);
     atomic_init(&c.refused, ROBERTS_NONE);
     for (int i = 0; i < threads; i++)
         worker[i].refused = ROBERTS_NONE;
-    scene->centre = vec3_scale(0.5, vec3_add(scene->box_min, scene->box_max));
-    number_edges(scene);
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 #endif
@@ -214,7 +223,7 @@ static roberts_status find_open(roberts_scene *scene, builder *work, const rober
         build_result result = solid_is_closed(scene, work, s, error);
         if (result == BUILD_REFUSED)
             return error->status;
-        open[s] = result == BUILD_OPEN && scene->face_number[scene->solid[s].face] < mesh->face_count;
+        open[s] = result == BUILD_OPEN && scene_face_number(scene, scene->solid[s].face) < mesh->face_count;
         *any_open |= open[s];
     }
     return ROBERTS_OK;

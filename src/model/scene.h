@@ -1,15 +1,16 @@
 /* scene.h - solids: the model in the form that all later stages read.
  *
  * Everything is numbered compactly and solid by solid: solid s owns vertices solid[s].vertex .. solid[s+1].vertex - 1,
- * and in the same way its faces and edges (a sentinel solid closes the list). `number` leads back to the input.
+ * and in the same way its faces and edges (a sentinel solid closes the list). `number` leads back to the input; in most
+ * files the numbers are the input's own, and then there is none. What a stored edge names is counted from its solid's first
+ * vertex and face.
  *
  * Invariants: every face has at least three different corners, counter-clockwise seen from outside; its plane F has
  * F > 0 inside. Solids are numbered by their smallest input vertex (of several that share it, by their smallest face; a
  * vertex that several solids use is there once for each; a hull by that of all its points); vertices and faces of a solid
  * ascend by input number; edges ascend by (number of v[0], number of v[1]) and v[0] < v[1]. A face that is narrower than
  * the tolerance, or has no area, is wound like its neighbours and may have a plane that leans on theirs; it is the only
- * kind of face whose corners may turn the other way about its plane. An edge may come to have one face only (f[1] ==
- * ROBERTS_NONE) once open meshes are drawn; today every edge has two. */
+ * kind of face whose corners may turn the other way about its plane. Every edge has two faces. */
 #ifndef ROBERTS_MODEL_SCENE_H
 #define ROBERTS_MODEL_SCENE_H
 
@@ -17,11 +18,12 @@
 
 typedef struct scene_solid {
     uint32_t vertex, face, edge; /* first of each; the next solid's first ends them */
+    uint32_t stored;             /* where scene->edge has its edges */
 } scene_solid;
 
 typedef struct scene_edge {
-    uint32_t v[2]; /* compact vertex numbers, v[0] < v[1] */
-    uint32_t f[2]; /* compact face numbers; v[0] -> v[1] runs counter-clockwise round f[0] */
+    uint32_t v[2]; /* vertices, v[0] < v[1] */
+    uint32_t f[2]; /* faces; v[0] -> v[1] runs counter-clockwise round f[0] */
 } scene_edge;
 
 /* Arrays that belong to the mesh while solids are built. */
@@ -31,21 +33,86 @@ struct roberts_scene {
     uint32_t solid_count, vertex_count, face_count, edge_count;
     unsigned lent; /* LENT_...; none once the scene is built */
     size_t corner_count;
-    scene_solid *solid;     /* [solid_count + 1] */
-    roberts_vec3 *point;    /* [vertex_count] as read, so that exact arithmetic can go back to it */
-    roberts_vec3 *low;      /* [vertex_count] what rounding took from `point`; NULL but where the near plane cuts */
-    uint32_t *number;       /* [vertex_count] vertex number in the input; of welded vertices the smallest */
-    uint32_t *face_start;   /* [face_count + 1] into corner; a face has fewer than 2^32 corners in all */
-    uint32_t *corner;       /* [corner_count] compact vertex numbers */
-    plane *face_plane;      /* [face_count] of points relative to `centre` */
-    double *face_deviation; /* [face_count] greatest distance of a corner from the fitted plane, model units */
-    double *face_width;     /* [face_count] area over greatest chord: between half of the least width and all of it */
-    uint32_t *face_number;  /* [face_count] face number in the input; ROBERTS_NONE: a face of a hull */
-    scene_edge *edge;       /* [edge_count] */
+    scene_solid *solid;    /* [solid_count + 1] */
+    roberts_vec3 *point;   /* [vertex_count] as read, so that exact arithmetic can go back to it */
+    roberts_vec3 *low;     /* [vertex_count] what rounding took from `point`; NULL but where the near plane cuts */
+    uint32_t *number;      /* [vertex_count] see scene_vertex_number(); NULL: the same */
+    uint32_t *face_start;  /* [face_count + 1] into corner; a face has fewer than 2^32 corners in all */
+    uint32_t *corner;      /* [corner_count] compact vertex numbers */
+    plane *face_plane;     /* [face_count] of points relative to `centre` */
+    float *face_deviation; /* [face_count] see scene_deviation() */
+    float *face_width;     /* [face_count] see scene_width() */
+    uint32_t *face_number; /* [face_count] see scene_face_number(); NULL: the same */
+    scene_edge *edge;      /* see scene_edge_at() */
     roberts_color *vertex_color, *face_color; /* as in the input, compact numbering; NULL where there are none */
     roberts_vec3 box_min, box_max;            /* box round all vertices that faces use */
     roberts_vec3 centre;                      /* middle of that box */
+    double unit; /* about the box's size, a power of two; of face_deviation and face_width */
 };
+
+/* The vertex in the input; of welded vertices the smallest. */
+static inline uint32_t scene_vertex_number(const roberts_scene *scene, uint32_t v)
+{
+    return scene->number ? scene->number[v] : v;
+}
+
+/* The face in the input; ROBERTS_NONE: a face of a hull. */
+static inline uint32_t scene_face_number(const roberts_scene *scene, uint32_t f)
+{
+    return scene->face_number ? scene->face_number[f] : f;
+}
+
+/* Edge e, which is one of solid s, as it is stored: vertices and faces count from the solid's first. */
+static inline const scene_edge *scene_edge_stored(const roberts_scene *scene, uint32_t s, uint32_t e)
+{
+    return scene->edge + scene->solid[s].stored + (e - scene->solid[s].edge);
+}
+
+/* The same with compact numbers. */
+static inline scene_edge scene_edge_at(const roberts_scene *scene, uint32_t s, uint32_t e)
+{
+    const scene_solid *solid = scene->solid + s;
+    const scene_edge *edge = scene_edge_stored(scene, s, e);
+    return (scene_edge){{edge->v[0] + solid->vertex, edge->v[1] + solid->vertex},
+                        {edge->f[0] + solid->face, edge->f[1] + solid->face}};
+}
+
+/* The solid that has edge e. */
+static inline uint32_t scene_solid_of_edge(const roberts_scene *scene, uint32_t e)
+{
+    uint32_t low = 0, high = scene->solid_count;
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2;
+        if (scene->solid[middle].edge <= e)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Greatest distance of a corner of the face from the fitted plane, model units, and its width, which is area over greatest
+ * chord: between half of the least width and all of it. Both are bounds: rounded to floats, the deviation upward and the
+ * width downward (to 1e-45 of the scene's size). */
+static inline double scene_deviation(const roberts_scene *scene, uint32_t face)
+{
+    return scene->unit * (double)scene->face_deviation[face];
+}
+
+static inline double scene_width(const roberts_scene *scene, uint32_t face)
+{
+    return scene->unit * (double)scene->face_width[face];
+}
+
+/* One and a half units in the last place of a float: what rounding to one can take away, and more. */
+#define SCENE_UPWARD (1.0 + 0x1p-23)
+#define SCENE_DOWNWARD (1.0 - 0x1p-23)
+
+static inline void scene_set_bounds(roberts_scene *scene, uint32_t face, double deviation, double width)
+{
+    scene->face_deviation[face] = (float)(deviation / scene->unit * SCENE_UPWARD);
+    scene->face_width[face] = (float)(width / scene->unit * SCENE_DOWNWARD);
+}
 
 /* How many corners the faces of solid s have: where it is closed, twice the number of its edges. */
 static inline uint32_t scene_corners(const roberts_scene *scene, uint32_t s)

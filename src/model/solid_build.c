@@ -20,7 +20,7 @@ static bool like_a_sphere(const roberts_scene *scene, uint32_t s)
     return vertices + faces == corners / 2 + 2;
 }
 
-build_result solid_is_closed(roberts_scene *scene, builder *work, uint32_t s, roberts_error *error)
+build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t s, roberts_error *error)
 {
     edge_pairing pairing = edges_pair(scene, s, &work->edges);
     if (pairing == EDGES_NO_MEMORY)
@@ -62,7 +62,7 @@ static roberts_status refuse_turned(const roberts_scene *scene, const solid_fram
             return error_set(error, ROBERTS_NOT_CONVEX, 0,
                              "solid %u is not convex: its middle lies %.6g outside face %u", frame->solid - at.solid,
                              -plane_at(frame->face[f].F, frame->barycentre) * frame->unit,
-                             scene->face_number[frame->face_first + f] - at.face);
+                             scene_face_number(scene, frame->face_first + f) - at.face);
         }
     return ROBERTS_OK;
 }
@@ -84,6 +84,7 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
         return error_no_memory(error), BUILD_REFUSED;
     if (pairing == EDGES_OPEN || (!must_close && !sphere))
         return BUILD_OPEN;
+    work->frame.edge = work->edges.edge;
     if (pairing == EDGES_MIXED && wind(scene, work, s, error) != ROBERTS_OK)
         return BUILD_REFUSED;
     if (solid_check(scene, &work->frame, error) != ROBERTS_OK)

@@ -17,12 +17,11 @@ typedef enum build_result {
     BUILD_REFUSED, /* `error` says why */
 } build_result;
 
-/* Whether solid s is closed: each edge has two faces, and corners, sides and faces number as on a sphere. Writes edges,
- * whose faces are in no order. BUILD_REFUSED: no memory. */
-build_result solid_is_closed(roberts_scene *scene, builder *work, uint32_t s, roberts_error *error);
+/* Whether solid s is closed: each edge has two faces, and corners, sides and faces number as on a sphere. BUILD_REFUSED: no
+ * memory. */
+build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t s, roberts_error *error);
 
-/* Makes solid s: planes, corners counter-clockwise from outside, edges from scene->solid[s].edge on, and checks it.
- * Where `must_close`, a surface with holes is refused, not BUILD_OPEN. */
+/* Makes solid s: planes, corners counter-clockwise from outside, its edges in work->frame.edge, and checks it. Where `must_close`, a surface with holes is refused, not BUILD_OPEN. */
 build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const roberts_mesh *mesh, double tolerance,
                          bool must_close, roberts_error *error);
 

@@ -29,12 +29,13 @@ static uint32_t input_solid(const roberts_scene *scene, const solid_frame *frame
 
 static uint32_t input_face(const roberts_scene *scene, const solid_frame *frame, uint32_t f)
 {
-    return scene->face_number[frame->face_first + f] - place_of_solid(scene, frame->solid, frame->mesh).face;
+    return scene_face_number(scene, frame->face_first + f) - place_of_solid(scene, frame->solid, frame->mesh).face;
 }
 
 static uint32_t input_vertex(const roberts_scene *scene, const solid_frame *frame, uint32_t v)
 {
-    return scene->number[frame->vertex_first + v] - place_of_solid(scene, frame->solid, frame->mesh).vertex;
+    return scene_vertex_number(scene, frame->vertex_first + v) -
+           place_of_solid(scene, frame->solid, frame->mesh).vertex;
 }
 
 /* The face by itself: corners in one plane, a convex simple polygon. */
@@ -140,14 +141,12 @@ static double least_thickness(const solid_frame *frame)
 }
 
 /* Sum of the angles (their sines; 1 for more than a right one) by which edges bend inward. */
-static double inward_bend(const roberts_scene *scene, const solid_frame *frame)
+static double inward_bend(const solid_frame *frame)
 {
     double sum = 0.0;
-    for (uint32_t e = scene->solid[frame->solid].edge; e < scene->solid[frame->solid + 1].edge; e++) {
-        const scene_edge *edge = &scene->edge[e];
-        plane F = frame->face[edge->f[0] - frame->face_first].F, G = frame->face[edge->f[1] - frame->face_first].F;
-        roberts_vec3 along =
-            vec3_sub(frame->point[edge->v[1] - frame->vertex_first], frame->point[edge->v[0] - frame->vertex_first]);
+    for (const scene_edge *edge = frame->edge; edge < frame->edge + frame->edge_count; edge++) {
+        plane F = frame->face[edge->f[0]].F, G = frame->face[edge->f[1]].F;
+        roberts_vec3 along = vec3_sub(frame->point[edge->v[1]], frame->point[edge->v[0]]);
         roberts_vec3 m = {F.a, F.b, F.c}, n = {G.a, G.b, G.c};
         double bend = vec3_dot(vec3_cross(m, n), along); /* > 0: outward */
         if (vec3_dot(m, n) <= 0.0 && bend <= 0.0)
@@ -203,7 +202,7 @@ static roberts_status check_faces(const roberts_scene *scene, solid_frame *frame
             (status = check_face(scene, frame, f, error)) != ROBERTS_OK)
             return status;
     }
-    if (frame->vertex_count == 4 || inward_bend(scene, frame) * frame->size <= BEND_PART * frame->allowed)
+    if (frame->vertex_count == 4 || inward_bend(frame) * frame->size <= BEND_PART * frame->allowed)
         return ROBERTS_OK;
     return is_large(frame) ? check_by_tree(scene, frame, error) : check_pairs(scene, frame, error);
 }
@@ -244,10 +243,10 @@ static uint32_t count_covers(const roberts_scene *scene, const solid_frame *fram
 /* Whether the faces cannot but cover each direction once. To cover them k times, a sphere's surface has to go round some two
  * vertices twice or more (2 k - 2 times too often in all, by Riemann and Hurwitz). Seen from the barycentre a face takes less
  * than a half turn round its corner, so that these two vertices have five edges at least, and all others three. */
-static bool too_few_to_wind(const roberts_scene *scene, const solid_frame *frame)
+static bool too_few_to_wind(const solid_frame *frame)
 {
-    uint64_t edges = scene->solid[frame->solid + 1].edge - scene->solid[frame->solid].edge;
-    return !frame->any_doubt && !frame->any_lean && 2 * edges < 3 * (uint64_t)frame->vertex_count + 4;
+    return !frame->any_doubt && !frame->any_lean &&
+           2 * (uint64_t)frame->edge_count < 3 * (uint64_t)frame->vertex_count + 4;
 }
 
 roberts_status solid_check(const roberts_scene *scene, solid_frame *frame, roberts_error *error)
@@ -264,7 +263,7 @@ roberts_status solid_check(const roberts_scene *scene, solid_frame *frame, rober
         status = refuse_flat(scene, frame, least_thickness(frame), error);
     else
         status = check_faces(scene, frame, error);
-    if (status == ROBERTS_OK && !too_few_to_wind(scene, frame) && (count = count_covers(scene, frame)) != 1)
+    if (status == ROBERTS_OK && !too_few_to_wind(frame) && (count = count_covers(scene, frame)) != 1)
         status = error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: its faces go round it %u times",
                            input_solid(scene, frame), count);
     return status;

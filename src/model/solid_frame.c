@@ -54,6 +54,7 @@ roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint3
     frame->vertex_count = first[1].vertex - first->vertex;
     frame->face_first = first->face;
     frame->face_count = first[1].face - first->face;
+    frame->edge_count = scene_corners(scene, s) / 2;
     if (!make_room(frame, scene))
         return ROBERTS_NO_MEMORY;
     for (uint32_t v = 0; v < frame->vertex_count; v++)
@@ -73,6 +74,7 @@ roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint3
     largest = hi.z > largest ? hi.z : largest;
     frame->barycentre = vec3_scale(1.0 / frame->vertex_count, sum);
     frame->unit = 1.0 / scale;
+    frame->scene_units = frame->unit / scene->unit;
     frame->size = vec3_length(vec3_scale(scale, diagonal));
     frame->allowed = tolerance * (largest * scale > frame->size ? largest * scale : frame->size);
     frame->flat = FLAT_PART * frame->size;
@@ -112,8 +114,7 @@ void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, dou
     G->b = F.b;
     G->c = F.c;
     G->d = -(F.a * p.x + F.b * p.y + F.c * p.z) - mean * unit;
-    scene->face_deviation[to] = face->deviation * unit;
-    scene->face_width[to] = face->width * unit;
+    scene_set_bounds(scene, to, face->deviation * unit, face->width * unit);
 }
 
 /* Fills in face f, of five corners or more. */
@@ -187,10 +188,10 @@ static void fit_two(solid_frame *frame, roberts_scene *scene, uint32_t f, uint32
     two_part(&p->deviation, &q->deviation, fit.deviation);
     two_part(&p->area, &q->area, fit.area);
     two_part(&p->width, &q->width, fit.width);
-    two_part(&scene->face_deviation[frame->face_first + f], &scene->face_deviation[frame->face_first + g],
-             two_mul(fit.deviation, unit));
-    two_part(&scene->face_width[frame->face_first + f], &scene->face_width[frame->face_first + g],
-             two_mul(fit.width, unit));
+    two_part_floats(&scene->face_deviation[frame->face_first + f], &scene->face_deviation[frame->face_first + g],
+                    two_mul(fit.deviation, two_all(frame->scene_units * SCENE_UPWARD)));
+    two_part_floats(&scene->face_width[frame->face_first + f], &scene->face_width[frame->face_first + g],
+                    two_mul(fit.width, two_all(frame->scene_units * SCENE_DOWNWARD)));
     p->strict = fit.strict & 1;
     q->strict = fit.strict >> 1 & 1;
     p->lean = q->lean = false;

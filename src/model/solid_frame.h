@@ -20,8 +20,10 @@ typedef struct solid_frame {
     uint32_t solid;           /* its number */
     const roberts_mesh *mesh; /* for messages */
     uint32_t vertex_first, vertex_count, face_first, face_count;
-    roberts_vec3 *point;     /* [vertex_count] */
-    local_face *face;        /* [face_count] */
+    roberts_vec3 *point;    /* [vertex_count] */
+    local_face *face;       /* [face_count] */
+    const scene_edge *edge; /* [edge_count] as they are stored in a scene, once they are paired */
+    uint32_t edge_count;
     roberts_vec3 *ring;      /* room for the corners of any one face */
     uint32_t widest;         /* the face of greatest width */
     bool any_lean;           /* some face is lean */
@@ -29,6 +31,7 @@ typedef struct solid_frame {
     bool any_shallow;        /* some face is nearer to the barycentre than a solid may be thick */
     roberts_vec3 barycentre; /* mean of the vertices: inside, if the solid is convex */
     double unit;             /* model units per unit of this frame */
+    double scene_units;      /* the scene's units (of deviation and width) per unit of this frame */
     double size;             /* diagonal of the box */
     double allowed;          /* the tolerance as a length */
     double flat;             /* thinner than this, the solid is flat */

@@ -176,7 +176,7 @@ bool occluders_build(occluders *o, const roberts_scene *scene, const view *v, co
     for (uint32_t solid = 0; solid < scene->solid_count; solid++) {
         for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {
             o->face_solid[face] = solid;
-            o->slack[solid] = fmax(o->slack[solid], SIGHT_MARGIN * scene->face_deviation[face] / o->s.unit);
+            o->slack[solid] = fmax(o->slack[solid], SIGHT_MARGIN * scene_deviation(scene, face) / o->s.unit);
         }
     }
     set_picture(o, v);

@@ -54,12 +54,12 @@ static bool pick_solid(picker *p, uint32_t solid)
             roberts_pick_hit *hit = &p->picked->hit[i];
             if (fabs(hit->depth / p->s.unit - depth) <= p->s.loose + p->s.rounding) {
                 again = true;
-                if (scene->face_number[face] < hit->face)
-                    hit->face = scene->face_number[face];
+                if (scene_face_number(scene, face) < hit->face)
+                    hit->face = scene_face_number(scene, face);
             }
         }
         roberts_vec3 point = vec3_add(vec3_scale(p->s.unit, X), scene->centre);
-        if (!again && !append(p, (roberts_pick_hit){solid, scene->face_number[face], depth * p->s.unit, point}))
+        if (!again && !append(p, (roberts_pick_hit){solid, scene_face_number(scene, face), depth * p->s.unit, point}))
             return false;
     }
     return true;

@@ -125,7 +125,7 @@ sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_
 {
     if (s->facing[face] == SIGHT_NOT_FRONT)
         return SIGHT_NO;
-    double behind = sight_behind(s, face, X), deviation = s->scene->face_deviation[face] / s->unit;
+    double behind = sight_behind(s, face, X), deviation = scene_deviation(s->scene, face) / s->unit;
     if (!(behind > s->rounding))
         return SIGHT_NO;
     sight_answer through = sight_through(s, face, X, v, slack);

@@ -112,9 +112,9 @@ typedef struct stretch {
 /* Whether the ray from point t of the edge surely contradicts the drawing; `*answer` is what it says. */
 static bool contradicted(const verifier *f, stretch *e, double t, sight_answer *answer)
 {
-    const scene_edge *edge = &f->scene->edge[e->edge];
-    roberts_vec3 A = sight_point(&f->o.s, f->scene->point[edge->v[0]]);
-    roberts_vec3 AB = vec3_sub(sight_point(&f->o.s, f->scene->point[edge->v[1]]), A);
+    const scene_edge edge = scene_edge_at(f->scene, e->solid, e->edge);
+    roberts_vec3 A = sight_point(&f->o.s, f->scene->point[edge.v[0]]);
+    roberts_vec3 AB = vec3_sub(sight_point(&f->o.s, f->scene->point[edge.v[1]]), A);
     const sight_question q = {vec3_add(A, vec3_scale(t, AB)), e->solid, e->class == EDGE_BACK};
     *answer = e->class == EDGE_UNSURE ? SIGHT_POSSIBLY : occluders_cast(&f->o, &q, &e->hider);
     return *answer == (e->drawn == ROBERTS_HIDDEN ? SIGHT_NO : SIGHT_SURELY);
@@ -122,10 +122,14 @@ static bool contradicted(const verifier *f, stretch *e, double t, sight_answer *
 
 static void contradict(const verifier *f, chunk *out, const stretch *e, double t, uint32_t hider)
 {
-    const scene_edge *edge = &f->scene->edge[e->edge];
-    roberts_contradiction c = {
-        e->solid,    f->scene->number[edge->v[0]], f->scene->number[edge->v[1]], t, e->drawn, ROBERTS_VISIBLE,
-        ROBERTS_NONE};
+    const scene_edge edge = scene_edge_at(f->scene, e->solid, e->edge);
+    roberts_contradiction c = {e->solid,
+                               scene_vertex_number(f->scene, edge.v[0]),
+                               scene_vertex_number(f->scene, edge.v[1]),
+                               t,
+                               e->drawn,
+                               ROBERTS_VISIBLE,
+                               ROBERTS_NONE};
     if (e->drawn == ROBERTS_VISIBLE) {
         c.cast = ROBERTS_HIDDEN;
         c.by = f->o.face_solid[hider];
@@ -164,15 +168,14 @@ static clip_edge left_of(const verifier *f, uint32_t index)
 }
 
 /* The rows of an edge, and between them, where the edge has to be drawn, the gaps: hidden and left out. */
-static void check_edge(const verifier *f, chunk *out, uint32_t index)
+static void check_edge(const verifier *f, chunk *out, uint32_t solid, uint32_t index)
 {
     clip_edge left = left_of(f, index);
     if (left.edge == ROBERTS_NONE)
         return;
-    const scene_edge *edge = &f->seen->edge[left.edge];
-    bool gaps = surely_drawn(f, edge);
-    stretch e = {
-        .solid = f->o.face_solid[edge->f[0]], .edge = index, .class = edge_class(f, edge), .hider = ROBERTS_NONE};
+    const scene_edge edge = scene_edge_at(f->seen, solid, left.edge);
+    bool gaps = surely_drawn(f, &edge);
+    stretch e = {.solid = solid, .edge = index, .class = edge_class(f, &edge), .hider = ROBERTS_NONE};
     double end = left.t0;
     for (uint32_t k = f->row_start[index]; k <= f->row_start[index + 1]; k++) {
         const roberts_segment *row = k < f->row_start[index + 1] ? &f->drawing->segment[f->row[k]] : NULL;
@@ -202,8 +205,8 @@ static uint32_t find_edge(const roberts_scene *scene, const roberts_segment *row
     uint32_t low = scene->solid[row->solid].edge, high = scene->solid[row->solid + 1].edge;
     while (low < high) {
         uint32_t middle = low + (high - low) / 2;
-        const scene_edge *e = &scene->edge[middle];
-        uint32_t v0 = scene->number[e->v[0]], v1 = scene->number[e->v[1]];
+        const scene_edge e = scene_edge_at(scene, row->solid, middle);
+        uint32_t v0 = scene_vertex_number(scene, e.v[0]), v1 = scene_vertex_number(scene, e.v[1]);
         if (v0 == row->v0 && v1 == row->v1)
             return middle;
         if (v0 < row->v0 || (v0 == row->v0 && v1 < row->v1))
@@ -255,8 +258,12 @@ static roberts_status assign_rows(verifier *f, roberts_error *error)
 static void check_chunk(verifier *f, uint32_t index)
 {
     uint32_t first = index * CHUNK_EDGES, left = f->scene->edge_count - first;
-    for (uint32_t i = 0; i < (left < CHUNK_EDGES ? left : CHUNK_EDGES); i++)
-        check_edge(f, &f->chunk[index], first + i);
+    uint32_t solid = scene_solid_of_edge(f->scene, first);
+    for (uint32_t i = first; i < first + (left < CHUNK_EDGES ? left : CHUNK_EDGES); i++) {
+        while (f->scene->solid[solid + 1].edge <= i)
+            solid++;
+        check_edge(f, &f->chunk[index], solid, i);
+    }
 }
 
 static void check_chunks(verifier *f)

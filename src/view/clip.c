@@ -25,6 +25,7 @@ typedef struct cutter {
     roberts_vec3 eye, dir; /* dir: from the look-at point to the eye, unit */
     double near;
     double touching;    /* what is nearer to the near plane than this lies in it; model units */
+    scene_solid first;  /* of the solid at hand in the clipped scene */
     bool whole;         /* the solid at hand is not cut: none of its vertices is nearer than the near plane */
     double *depth;      /* [vertex_count of from] distance from the eye's plane */
     uint32_t *vertex;   /* [vertex_count of from] what it is in the clipped scene, or ROBERTS_NONE */
@@ -79,8 +80,7 @@ static bool add_face(cutter *c, plane F, double deviation, double width, uint32_
         !array_reserve(&to->face_number, &c->face_room, need, sizeof *to->face_number))
         return false;
     to->face_plane[f] = F;
-    to->face_deviation[f] = deviation;
-    to->face_width[f] = width;
+    scene_set_bounds(to, (uint32_t)f, deviation, width);
     to->face_number[f] = number;
     to->face_start[++to->face_count] = (uint32_t)to->corner_count;
     return true;
@@ -94,7 +94,8 @@ static bool add_edge(cutter *c, uint32_t v0, uint32_t v1, uint32_t f0, uint32_t 
         !array_reserve(&c->clip->cap, &c->cap_room, need, sizeof *c->clip->cap))
         return false;
     c->clip->cap[to->edge_count] = cap;
-    to->edge[to->edge_count++] = (scene_edge){{v0, v1}, {f0, f1}};
+    to->edge[to->edge_count++] =
+        (scene_edge){{v0 - c->first.vertex, v1 - c->first.vertex}, {f0 - c->first.face, f1 - c->first.face}};
     return true;
 }
 
@@ -105,8 +106,8 @@ static uint32_t find_edge(const cutter *c, uint32_t solid, uint32_t a, uint32_t 
     uint32_t v0 = a < b ? a : b, v1 = a < b ? b : a;
     while (high - low > 1) {
         uint32_t middle = low + (high - low) / 2;
-        const scene_edge *e = &c->from->edge[middle];
-        if (e->v[0] < v0 || (e->v[0] == v0 && e->v[1] <= v1))
+        const scene_edge e = scene_edge_at(c->from, solid, middle);
+        if (e.v[0] < v0 || (e.v[0] == v0 && e.v[1] <= v1))
             low = middle;
         else
             high = middle;
@@ -135,11 +136,13 @@ static bool cut_vertices(cutter *c, uint32_t solid)
     const roberts_scene *from = c->from;
     for (uint32_t v = from->solid[solid].vertex; v < from->solid[solid + 1].vertex; v++) {
         c->vertex[v] = is_kept(c, v) ? c->clip->scene.vertex_count : ROBERTS_NONE;
-        if (is_kept(c, v) && !add_vertex(c, from->point[v], (roberts_vec3){0.0, 0.0, 0.0}, from->number[v]))
+        if (is_kept(c, v) &&
+            !add_vertex(c, from->point[v], (roberts_vec3){0.0, 0.0, 0.0}, scene_vertex_number(from, v)))
             return false;
     }
     for (uint32_t i = from->solid[solid].edge; i < from->solid[solid + 1].edge; i++) {
-        uint32_t a = from->edge[i].v[0], b = from->edge[i].v[1];
+        const scene_edge edge = scene_edge_at(from, solid, i);
+        uint32_t a = edge.v[0], b = edge.v[1];
         clip_edge *origin = &c->clip->origin[i];
         *origin = (clip_edge){ROBERTS_NONE, 0.0, 1.0};
         c->cut[i] = ROBERTS_NONE;
@@ -185,7 +188,7 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
     const roberts_scene *from = c->from;
     uint32_t first = from->face_start[face], end = from->face_start[face + 1], leave = ROBERTS_NONE;
     uint32_t early = ROBERTS_NONE, begin = (uint32_t)c->clip->scene.corner_count; /* early: in before any way out */
-    double width = from->face_width[face];
+    double width = scene_width(from, face);
     for (uint32_t k = first; k < end; k++) {
         uint32_t a = from->corner[k], b = from->corner[k + 1 < end ? k + 1 : first];
         if (is_kept(c, a) && !add_corner(c, c->vertex[a]))
@@ -210,7 +213,7 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
     if (leave != ROBERTS_NONE && !measure_width(c, begin, &width))
         return false;
     *to_face = c->clip->scene.face_count;
-    return add_face(c, from->face_plane[face], from->face_deviation[face], width, from->face_number[face]);
+    return add_face(c, from->face_plane[face], scene_deviation(from, face), width, scene_face_number(from, face));
 }
 
 /* The cap's face, as plane as its corners lie in the near plane; `start` is one of the cut edges. Where a side weaves
@@ -238,20 +241,22 @@ static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t c
     const roberts_scene *from = c->from;
     uint32_t first = from->solid[solid].edge, end = from->solid[solid + 1].edge;
     for (uint32_t i = first; i < end; i++) {
+        const scene_edge edge = scene_edge_at(from, solid, i);
         uint32_t v[2];
         for (int k = 0; k < 2; k++)
-            v[k] = is_kept(c, from->edge[i].v[k]) ? c->vertex[from->edge[i].v[k]] : c->cut[i];
+            v[k] = is_kept(c, edge.v[k]) ? c->vertex[edge.v[k]] : c->cut[i];
         if (v[0] == ROBERTS_NONE || v[1] == ROBERTS_NONE)
             continue;
         c->clip->origin[i].edge = c->clip->scene.edge_count;
-        if (!add_edge(c, v[0], v[1], map[from->edge[i].f[0]], map[from->edge[i].f[1]], false))
+        if (!add_edge(c, v[0], v[1], map[edge.f[0]], map[edge.f[1]], false))
             return false;
     }
     for (uint32_t i = first; i < end && cap != ROBERTS_NONE; i++) {
         if (c->cut[i] == ROBERTS_NONE)
             continue;
         /* between cut i and the next the cap meets the face that is entered by edge i: v[0] -> v[1] runs round f[0] */
-        uint32_t face = from->edge[i].f[is_kept(c, from->edge[i].v[1]) ? 0 : 1];
+        const scene_edge edge = scene_edge_at(from, solid, i);
+        uint32_t face = edge.f[is_kept(c, edge.v[1]) ? 0 : 1];
         if (!add_edge(c, c->cut[i], c->cut[c->next[i]], cap, map[face], true))
             return false;
     }
@@ -273,7 +278,8 @@ static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, robert
     const roberts_scene *from = c->from;
     roberts_scene *to = &c->clip->scene;
     uint32_t start = ROBERTS_NONE, cap = ROBERTS_NONE;
-    to->solid[solid] = (scene_solid){to->vertex_count, to->face_count, to->edge_count};
+    c->first = (scene_solid){to->vertex_count, to->face_count, to->edge_count, to->edge_count};
+    to->solid[solid] = c->first;
     if (holds_eye(c, solid))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is inside solid %u", (unsigned)solid);
     c->whole = true;
@@ -322,6 +328,7 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
     to->box_min = from->box_min;
     to->box_max = from->box_max;
     to->centre = from->centre;
+    to->unit = from->unit;
     if (!map || !to->solid || !array_reserve(&to->face_start, &c->start_room, 1, sizeof *to->face_start)) {
         free(map);
         return error_no_memory(error);
@@ -329,7 +336,7 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
     to->face_start[0] = 0;
     for (uint32_t s = 0; status == ROBERTS_OK && s < from->solid_count; s++)
         status = cut_solid(c, s, map, error);
-    to->solid[to->solid_count] = (scene_solid){to->vertex_count, to->face_count, to->edge_count};
+    to->solid[to->solid_count] = (scene_solid){to->vertex_count, to->face_count, to->edge_count, to->edge_count};
     if (status == ROBERTS_OK && to->vertex_count == 0)
         status = error_set(error, ROBERTS_BAD_VIEW, 0, "nothing of the scene lies in front of the eye");
     free(map);

@@ -179,7 +179,7 @@ int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane 
         shrunk = lesser(1.0, 1.0 + z * v->inverse_distance);
         shrunk *= shrunk;
     }
-    if (fabs(F.c) * scene->face_width[face] * shrunk <= 4.0 * v->epsilon * v->unit &&
+    if (fabs(F.c) * scene_width(scene, face) * shrunk <= 4.0 * v->epsilon * v->unit &&
         picture_width(scene, face, F, P) <= v->epsilon)
         return VIEW_EDGE_ON;
     return F.c < 0.0 ? VIEW_FRONT : F.c > 0.0 ? VIEW_BACK : VIEW_EDGE_ON;
@@ -192,7 +192,7 @@ int view_face(const view *v, const roberts_scene *scene, uint32_t face, const ro
     if (!v->perspective && v->oblique.x == 0.0 && v->oblique.y == 0.0) {
         const plane *G = &scene->face_plane[face];
         double c = vec3_dot(v->dir, (roberts_vec3){G->a, G->b, G->c});
-        if (c > 0.0 && c * scene->face_width[face] > 4.0 * v->epsilon * v->unit)
+        if (c > 0.0 && c * scene_width(scene, face) > 4.0 * v->epsilon * v->unit)
             return VIEW_BACK;
     }
     *F = view_plane(v, scene, face, stretch);
