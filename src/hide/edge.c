@@ -235,8 +235,7 @@ bool hide_worker_run(hide_worker *w, uint32_t solid)
         for (size_t k = 0; k < line->hulls.count; k++)
             if (!hide_parts_add(&line->parts, line->hulls.item[k].solid, &line->hulls.item[k].part))
                 return false;
-        if (line->parts.count)
-            hide_parts_unite(&line->parts, w->picture->space.epsilon, line->e.length3);
+        hide_parts_unite(&line->parts, w->picture->space.epsilon, line->e.length3);
     }
     return true;
 }

@@ -113,7 +113,7 @@ static const unsigned char *facing_of(const hide_job *job, uint32_t solid)
 }
 
 /* How many of the two faces of a stored edge are front. */
-static int front_count(const unsigned char *facing, const scene_edge *edge)
+static inline int front_count(const unsigned char *facing, const scene_edge *edge)
 {
     return (facing[edge->f[0]] == VIEW_FRONT) + (facing[edge->f[1]] == VIEW_FRONT);
 }
@@ -155,11 +155,47 @@ static bool add_line(const hide_job *job, hide_worker *w, hide_chunk *out, const
            add_clipped(out, *pattern, pattern->t1, 1.0, (roberts_vec2){e->B.x * unit, e->B.y * unit});
 }
 
-/* What lies behind the covers is hidden at once; covers are kept only where hidden lines are not wanted. */
-static bool is_covered(const hide_job *job, uint32_t solid, const scene_edge *edge)
+/* The same of an edge that the near plane leaves whole, where its visible segments are all that is wanted. It has a front
+ * face. */
+static bool add_visible(const hide_job *job, hide_chunk *out, uint32_t solid, const unsigned char *facing,
+                        const hide_line *line)
 {
-    const roberts_vec3 *P = job->picture.P + job->scene->solid[solid].vertex;
-    return cover_hides_edge(&job->picture.cover, P[edge->v[0]], P[edge->v[1]]);
+    const view *v = &job->picture.view;
+    const hide_edge *e = &line->e;
+    const scene_edge *edge = scene_edge_stored(job->scene, solid, line->edge);
+    roberts_line kind = front_count(facing, edge) == 2 ? ROBERTS_CREASE : ROBERTS_OUTLINE;
+    double from = 0.0, unit = v->unit;
+    size_t parts = line->parts.count;
+    if (!array_reserve(&out->segment, &out->room, out->count + parts + 1, sizeof *out->segment))
+        return false;
+    for (size_t i = 0; i <= parts; i++) {
+        const hide_part *part = i < parts ? &line->parts.item[i].part : NULL;
+        double to = part ? part->t0 : 1.0, t0 = to_space(v, e, from), t1 = to == 1.0 ? 1.0 : to_space(v, e, to);
+        if (to > from && t0 < t1) {
+            roberts_vec3 R0 = hide_edge_at(e, from), R1 = hide_edge_at(e, to);
+            out->segment[out->count++] = (roberts_segment){.solid = solid,
+                                                           .v0 = scene_vertex_number(job->scene, e->a),
+                                                           .v1 = scene_vertex_number(job->scene, e->b),
+                                                           .by = ROBERTS_NONE,
+                                                           .t0 = t0,
+                                                           .t1 = t1,
+                                                           .p0 = {R0.x * unit, R0.y * unit},
+                                                           .p1 = {R1.x * unit, R1.y * unit},
+                                                           .z0 = R0.z * unit,
+                                                           .z1 = R1.z * unit,
+                                                           .state = ROBERTS_VISIBLE,
+                                                           .line = (uint8_t)kind};
+        }
+        from = part ? part->t1 : 1.0;
+    }
+    return true;
+}
+
+/* What lies behind the covers is hidden at once; covers are kept only where hidden lines are not wanted. P: view points of
+ * the solid. */
+static inline bool is_covered(const cover *c, const roberts_vec3 *P, const scene_edge *edge)
+{
+    return c->depth && cover_hides_edge(c, P[edge->v[0]], P[edge->v[1]]);
 }
 
 /* Takes up the edges of a solid that are drawn and not covered. A surviving edge has a front face. An outline (one front
@@ -170,15 +206,18 @@ static bool take_edges(const hide_job *job, hide_worker *w, hide_sums *sums, uin
     const roberts_scene *scene = job->scene;
     const unsigned char *facing = facing_of(job, solid);
     const scene_edge *edge = scene->edge + scene->solid[solid].stored;
+    const roberts_vec3 *P = job->picture.P + scene->solid[solid].vertex;
+    const bool *cap = job->clip.clipped ? job->clip.cap : NULL;
+    bool keep_hidden = job->options->keep_hidden, all = job->options->all_edges;
     hide_worker_begin(w);
-    for (uint32_t i = scene->solid[solid].edge; i < scene->solid[solid + 1].edge; i++, edge++) {
+    for (uint32_t i = scene->solid[solid].edge, end = scene->solid[solid + 1].edge; i < end; i++, edge++) {
         int fronts = front_count(facing, edge);
         sums->surviving += fronts > 0;
-        if ((fronts == 0 && !job->options->keep_hidden) || (job->clip.clipped && job->clip.cap[i]) ||
-            (fronts != 1 && !job->options->all_edges && is_flat(job, scene, solid, edge)))
+        if ((fronts == 0 && !keep_hidden) || (cap && cap[i]) ||
+            (fronts != 1 && !all && is_flat(job, scene, solid, edge)))
             continue;
         sums->drawn++;
-        if (is_covered(job, solid, edge)) {
+        if (is_covered(&job->picture.cover, P, edge)) {
             w->tally.covered++;
             continue;
         }
@@ -232,6 +271,11 @@ static bool do_solid(const hide_job *job, hide_worker *w, hide_sums *sums, hide_
                          : !take_edges(job, w, sums, solid) || !hide_worker_run(w, solid))
         return false;
     const hide_line *line = w->line, *end = line + w->line_count;
+    const unsigned char *facing = facing_of(job, solid);
+    bool visible = !job->clip.clipped && !job->options->keep_hidden;
+    for (; visible && line < end; line++)
+        if (!line->hidden && !add_visible(job, out, solid, facing, line))
+            return false;
     for (; !job->clip.clipped && line < end; line++)
         if (!add_edge(job, w, out, solid, line->edge, line))
             return false;

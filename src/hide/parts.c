@@ -133,11 +133,11 @@ static void sort(hide_parts *parts)
     }
 }
 
-void hide_parts_unite(hide_parts *parts, double epsilon, double length)
+void hide_parts_join(hide_parts *parts, double epsilon, double length)
 {
-    size_t kept = parts->count < 2 ? parts->count : 0;
+    size_t kept = 0;
     sort(parts);
-    for (size_t i = kept; i < parts->count; i++) {
+    for (size_t i = 0; i < parts->count; i++) {
         hide_part next = parts->item[i].part;
         hide_part *last = kept ? &parts->item[kept - 1].part : NULL;
         if (last && (touch(last, &next) || (next.t0 - last->t1) * length <= epsilon)) {
@@ -149,11 +149,4 @@ void hide_parts_unite(hide_parts *parts, double epsilon, double length)
         }
     }
     parts->count = kept;
-    if (kept) {
-        hide_part *first = &parts->item[0].part, *last = &parts->item[kept - 1].part;
-        if (first->t0 * length <= epsilon)
-            first->t0 = 0.0;
-        if ((1.0 - last->t1) * length <= epsilon)
-            last->t1 = 1.0;
-    }
 }

@@ -25,9 +25,28 @@ bool hide_parts_add(hide_parts *parts, uint32_t solid, hide_part *part);
  * digits, or cut by the near plane, leave gaps between them, and the solid none. False: no memory. */
 bool hide_parts_hull(hide_parts *hulls, uint32_t solid, hide_part *part);
 
+/* Parts nearer than `epsilon` to an end of the edge reach it. */
+static inline void hide_parts_reach_ends(hide_parts *parts, double epsilon, double length)
+{
+    hide_part *first = &parts->item[0].part, *last = &parts->item[parts->count - 1].part;
+    if (first->t0 * length <= epsilon)
+        first->t0 = 0.0;
+    if ((1.0 - last->t1) * length <= epsilon)
+        last->t1 = 1.0;
+}
+
+/* Puts several parts in order and joins those that touch. */
+void hide_parts_join(hide_parts *parts, double epsilon, double length);
+
 /* Unites the parts in place: afterwards they ascend and are disjoint, with more than `epsilon` between them and between
  * them and the ends of the edge, `length` long (in space, the unit of epsilon). `solid` of a union is the smallest
  * of its members'. */
-void hide_parts_unite(hide_parts *parts, double epsilon, double length);
+static inline void hide_parts_unite(hide_parts *parts, double epsilon, double length)
+{
+    if (parts->count > 1)
+        hide_parts_join(parts, epsilon, length);
+    if (parts->count)
+        hide_parts_reach_ends(parts, epsilon, length);
+}
 
 #endif
