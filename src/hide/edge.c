@@ -47,17 +47,6 @@ void hide_worker_free(hide_worker *w)
     *w = (hide_worker){0};
 }
 
-static inline bool add_part(hide_line *line, const hide_front *front, hide_part *part)
-{
-    hide_parts *parts = &line->parts;
-    if (front->corners == 0)
-        return hide_parts_hull(&line->hulls, front->solid, part);
-    if (parts->count > 0 || parts->room == 0)
-        return hide_parts_add(parts, front->solid, part);
-    parts->item[parts->count++] = (hide_solid_part){*part, front->solid}; /* as hide_parts_add() does, without a call */
-    return true;
-}
-
 /* Of the lines from `first` on, within `box`, those given by bits against a front that may be nearer somewhere. */
 static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box *box, uint32_t index)
 {
@@ -69,7 +58,8 @@ static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box
         hide_part part;
         if (!hide_by_front(picture, &meeting, &line->e, &w->sides, &w->tally, &part))
             continue;
-        if (!add_part(line, front, &part))
+        if (front->corners == 0 ? !hide_parts_hull(&line->hulls, front->solid, &part)
+                                : !hide_parts_add(&line->parts, front->solid, &part))
             return false;
         if (part.t0 == 0.0 && part.t1 == 1.0) {
             line->hidden = true;

@@ -13,21 +13,6 @@
 #define SHORT_RUN 16
 #define MANY 256
 
-static bool touch(const hide_part *a, const hide_part *b)
-{
-    return a->t0 - a->e0 <= b->t1 + b->e1 && b->t0 - b->e0 <= a->t1 + a->e1;
-}
-
-/* Their union, which reaches as far as either of them, also where the shorter one reaches farther. */
-static hide_part joined(const hide_part *a, const hide_part *b)
-{
-    double reach0 = lesser(a->t0 - a->e0, b->t0 - b->e0), reach1 = greater(a->t1 + a->e1, b->t1 + b->e1);
-    hide_part all = {.t0 = lesser(a->t0, b->t0), .t1 = greater(a->t1, b->t1)};
-    all.e0 = all.t0 - reach0;
-    all.e1 = reach1 - all.t1;
-    return all;
-}
-
 static bool append(hide_parts *parts, uint32_t solid, const hide_part *part)
 {
     if (!array_reserve(&parts->item, &parts->room, parts->count + 1, sizeof *parts->item))
@@ -36,12 +21,12 @@ static bool append(hide_parts *parts, uint32_t solid, const hide_part *part)
     return true;
 }
 
-bool hide_parts_add(hide_parts *parts, uint32_t solid, hide_part *part)
+bool hide_parts_add_closely(hide_parts *parts, uint32_t solid, hide_part *part)
 {
     for (size_t i = parts->count; parts->count <= FEW && i-- > 0;) {
-        if (!touch(&parts->item[i].part, part))
+        if (!hide_parts_touch(&parts->item[i].part, part))
             continue;
-        *part = joined(&parts->item[i].part, part);
+        *part = hide_parts_joined(&parts->item[i].part, part);
         solid = parts->item[i].solid < solid ? parts->item[i].solid : solid;
         parts->item[i] = parts->item[--parts->count];
         i = parts->count; /* the greater part may touch what the smaller did not */
@@ -54,7 +39,7 @@ bool hide_parts_hull(hide_parts *hulls, uint32_t solid, hide_part *part)
 {
     for (size_t i = hulls->count; i-- > 0;)
         if (hulls->item[i].solid == solid) {
-            hulls->item[i].part = *part = joined(&hulls->item[i].part, part);
+            hulls->item[i].part = *part = hide_parts_joined(&hulls->item[i].part, part);
             return true;
         }
     return append(hulls, solid, part);
@@ -140,8 +125,8 @@ void hide_parts_join(hide_parts *parts, double epsilon, double length)
     for (size_t i = 0; i < parts->count; i++) {
         hide_part next = parts->item[i].part;
         hide_part *last = kept ? &parts->item[kept - 1].part : NULL;
-        if (last && (touch(last, &next) || (next.t0 - last->t1) * length <= epsilon)) {
-            *last = joined(last, &next);
+        if (last && (hide_parts_touch(last, &next) || (next.t0 - last->t1) * length <= epsilon)) {
+            *last = hide_parts_joined(last, &next);
             if (parts->item[i].solid < parts->item[kept - 1].solid)
                 parts->item[kept - 1].solid = parts->item[i].solid;
         } else {

@@ -17,9 +17,39 @@ typedef struct hide_parts {
     size_t count, room;
 } hide_parts;
 
-/* Adds what a front of `solid` hides, joined with the parts that it overlaps or touches within their e0, e1 (as long as
- * these are few); `*part` becomes what it has grown to. False: no memory. */
-bool hide_parts_add(hide_parts *parts, uint32_t solid, hide_part *part);
+/* Within their e0, e1. */
+static inline bool hide_parts_touch(const hide_part *a, const hide_part *b)
+{
+    return a->t0 - a->e0 <= b->t1 + b->e1 && b->t0 - b->e0 <= a->t1 + a->e1;
+}
+
+/* Their union, which reaches as far as either of them, also where the shorter one reaches farther. */
+static inline hide_part hide_parts_joined(const hide_part *a, const hide_part *b)
+{
+    double reach0 = lesser(a->t0 - a->e0, b->t0 - b->e0), reach1 = greater(a->t1 + a->e1, b->t1 + b->e1);
+    hide_part all = {.t0 = lesser(a->t0, b->t0), .t1 = greater(a->t1, b->t1)};
+    all.e0 = all.t0 - reach0;
+    all.e1 = reach1 - all.t1;
+    return all;
+}
+
+bool hide_parts_add_closely(hide_parts *parts, uint32_t solid, hide_part *part);
+
+/* Adds what a front of `solid` hides, joined with the parts that it overlaps or touches (as long as these are few);
+ * `*part` becomes what it has grown to. False: no memory. Mostly there is one part, or none. */
+static inline bool hide_parts_add(hide_parts *parts, uint32_t solid, hide_part *part)
+{
+    hide_solid_part *only = parts->item;
+    if (parts->count == 1 && hide_parts_touch(&only->part, part)) {
+        only->part = *part = hide_parts_joined(&only->part, part);
+        only->solid = solid < only->solid ? solid : only->solid;
+        return true;
+    }
+    if (parts->count > 0 || parts->room == 0)
+        return hide_parts_add_closely(parts, solid, part);
+    parts->item[parts->count++] = (hide_solid_part){*part, solid};
+    return true;
+}
 
 /* Adds what one face of `solid` hides to the hull of what its other faces do, which `*part` becomes: faces given to few
  * digits, or cut by the near plane, leave gaps between them, and the solid none. False: no memory. */
