@@ -378,6 +378,35 @@ static void test_threads(void **state)
     roberts_scene_free(scene);
 }
 
+/* Five copies of a box at one place, of which the tree takes two, between a box below and a smaller one inside: right, and
+ * no row of any of them can be turned unnoticed. */
+static void test_copies(void **state)
+{
+    static const uint32_t first = 1, copies = 5;
+    roberts_mesh mesh = {0};
+    roberts_camera camera = preset("trimetric"), eye = {.projection = ROBERTS_PERSPECTIVE, .eye = {9, -8, 20}};
+    size_t flipped = 0;
+    (void)state;
+    add_box(&mesh, (roberts_vec3){-1, -1, -3}, (roberts_vec3){3, 3, -1});
+    for (uint32_t i = 0; i < copies; i++)
+        add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){2, 2, 2});
+    add_box(&mesh, (roberts_vec3){0.5, 0.5, 0.5}, (roberts_vec3){1, 1, 1});
+    roberts_scene *scene = build(&mesh);
+    check_right("copies", scene, &camera, 5);
+    check_right("copies", scene, &eye, 5);
+    roberts_drawing drawing = hide(scene, &camera, true);
+    for (size_t i = 0; i < drawing.count; i++) {
+        roberts_segment *row = &drawing.segment[i], sound = *row;
+        row->state = row->state == ROBERTS_VISIBLE ? ROBERTS_HIDDEN : ROBERTS_VISIBLE;
+        assert_int_equal(find_spoiled(scene, &camera, &drawing, &sound), 3);
+        *row = sound;
+        flipped += row->solid >= first && row->solid < first + copies;
+    }
+    assert_true(flipped >= 12 * copies);
+    roberts_drawing_free(&drawing);
+    roberts_scene_free(scene);
+}
+
 /* Long thin bars across one another, which the tree takes in slices. */
 static void test_bars(void **state)
 {
@@ -682,38 +711,69 @@ static void test_pick_agrees(void **state)
 
 /* ---- the tree of boxes ------------------------------------------------------------------------------------------ */
 
-/* Every box that the kernel's slab test meets on the way up is found, each once; those of the owner that is skipped may be
- * missing. */
-static void check_tree(const tree_box *box, uint32_t count, rng *r, int rays)
+/* What a walk of some points together finds: each box that the kernel's slab test meets above a point, once; those of the
+ * owner that the point skips may be missing. Point `gone` is dropped at the first leaf: nothing is found for it after. */
+static size_t check_walk(const tree *t, const tree_box *box, uint32_t count, const roberts_vec3 *point,
+                         const uint32_t *skip, uint32_t points, uint32_t gone)
 {
-    tree t;
-    uint32_t owner[500];
-    unsigned char found[500];
+    static unsigned char found[TREE_POINTS][500];
+    static tree_walk walk;
+    tree_points p = {0};
+    tree_leaf leaf;
     size_t extra = 0;
-    for (uint32_t i = 0; i < count; i++)
-        owner[i] = i / 50;
-    assert_true(tree_build(&t, box, owner, count));
-    for (int i = 0; i < rays; i++) {
-        roberts_ray ray = {draw_vec3(r, 2.0), {0, 0, 1}};
-        uint32_t skip = i % 3 ? ROBERTS_NONE : (uint32_t)i % 10;
-        const uint32_t *item;
-        tree_walk walk;
-        if (i % 7 == 0 && count)
-            ray.origin = i % 2 ? box[(uint32_t)i % count].lo : box[(uint32_t)i % count].hi; /* on borders */
-        memset(found, 0, sizeof found);
-        tree_walk_start(&walk, &t, ray.origin, skip);
-        for (uint32_t n; (n = tree_walk_next(&walk, &item)) > 0;)
-            for (uint32_t k = 0; k < n; k++)
-                assert_int_equal(found[item[k]]++, 0);
+    memset(found, 0, sizeof found);
+    for (uint32_t i = 0; i < points; i++)
+        tree_points_add(&p, point[i], skip[i]);
+    tree_walk_start(&walk, t, &p);
+    for (bool first = true; tree_walk_next(&walk, &leaf); first = false) {
+        assert_true(leaf.point_count > 0 && leaf.item_count > 0);
+        for (uint32_t k = 0; k < leaf.point_count; k++) {
+            for (uint32_t i = 0; i < leaf.item_count; i++) {
+                assert_int_equal(leaf.item[i].count, 1);
+                assert_int_equal(found[leaf.point[k]][leaf.item[i].first]++, 0);
+            }
+            assert_true(first || leaf.point[k] != gone);
+        }
+        if (first && gone < points)
+            tree_points_drop(&p, gone);
+    }
+    for (uint32_t i = 0; i < points; i++) {
         for (uint32_t k = 0; k < count; k++) {
             roberts_span span;
-            bool met = roberts_ray_box(ray, box[k].lo, box[k].hi, &span);
-            if (met && (skip == ROBERTS_NONE || owner[k] != skip))
-                assert_int_equal(found[k], 1);
-            extra += found[k] && !met;
+            bool met = roberts_ray_box((roberts_ray){point[i], {0, 0, 1}}, box[k].lo, box[k].hi, &span);
+            if (met && k / 50 != skip[i] && i != gone)
+                assert_int_equal(found[i][k], 1);
+            extra += found[i][k] && !met;
         }
     }
-    assert_true(extra <= (2 + count / 20) * (size_t)rays); /* neighbours in a leaf, no more */
+    return extra;
+}
+
+/* The boxes, each fifty an owner's, against random points and some on borders, one at a time and many together. No more
+ * boxes than `more` to a point are found without need: neighbours in a leaf. */
+static void check_tree(const tree_box *box, uint32_t count, rng *r, int walks, size_t more)
+{
+    static tree_entry entry[500];
+    roberts_vec3 point[TREE_POINTS];
+    uint32_t skip[TREE_POINTS];
+    tree t;
+    size_t extra = 0, rays = 0;
+    for (uint32_t i = 0; i < count; i++)
+        entry[i] = tree_entry_of(box[i], i / 50, (tree_item){i, 1});
+    assert_true(tree_build(&t, entry, count));
+    for (int i = 0; i < walks; i++) {
+        uint32_t points = i % 3 ? 1 : 1 + (uint32_t)(i * 37) % TREE_POINTS;
+        double near = i % 6 ? 2.0 : 0.25; /* all over the scene, or close together */
+        roberts_vec3 middle = draw_vec3(r, 2.0 - near);
+        for (uint32_t k = 0; k < points; k++, rays++) {
+            point[k] = vec3_add(middle, draw_vec3(r, near));
+            skip[k] = rays % 3 ? 99 : (uint32_t)rays % 10;
+            if (rays % 7 == 0 && count)
+                point[k] = rays % 2 ? box[(uint32_t)rays % count].lo : box[(uint32_t)rays % count].hi; /* on borders */
+        }
+        extra += check_walk(&t, box, count, point, skip, points, i % 2 ? points / 2 : points);
+    }
+    assert_true(extra <= more * rays);
     tree_free(&t);
 }
 
@@ -723,21 +783,22 @@ static void test_tree(void **state)
     static tree_box box[MANY];
     rng r = {4};
     (void)state;
-    check_tree(box, 0, &r, 10);
+    check_tree(box, 0, &r, 10, 0);
     for (int k = 0; k < MANY; k++) { /* some flat, some points */
         roberts_vec3 a = draw_vec3(&r, 1.5), size = {draw(&r, 0, 0.5), k % 3 ? draw(&r, 0, 0.5) : 0, k % 7 ? 0.25 : 0};
         box[k] = (tree_box){a, vec3_add(a, size)};
     }
     for (uint32_t count = 1; count <= MANY; count += count < 10 ? 1 : 49)
-        check_tree(box, count, &r, 200);
+        check_tree(box, count, &r, 200, 1);
     for (int k = 0; k < MANY; k++) /* all in one place: nothing to split by */
         box[k] = (tree_box){{-1, -1, -1}, {1, 1, 1}};
-    check_tree(box, MANY, &r, 100);
-    for (int k = 0; k < MANY; k++) { /* each half as large as the last: no good plane, and the depth has to end */
+    check_tree(box, MANY, &r, 100, 0);
+    for (int k = 0; k < MANY; k++) { /* each a quarter as large as the last: no good plane, the depth has to end,
+                                        and most are nothing in single precision */
         double s = ldexp(1.0, -2 * k);
         box[k] = (tree_box){{s, s, s}, {2 * s, 2 * s, 2 * s}};
     }
-    check_tree(box, MANY, &r, 100);
+    check_tree(box, MANY, &r, 100, 60);
 }
 
 int main(void)
@@ -750,6 +811,7 @@ int main(void)
         cmocka_unit_test(test_oblique_and_near),
         cmocka_unit_test(test_pick_cut),
         cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_copies),
         cmocka_unit_test(test_bars),
         cmocka_unit_test(test_rule),
         cmocka_unit_test(test_corner_over_edge),

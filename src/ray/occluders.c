@@ -2,8 +2,10 @@
 #include "ray/occluders.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
+#include "base/radix.h"
 
 /* How far boxes reach beyond their faces, in loose epsilons: a corner of angle a, grown by epsilon, sticks out by
  * epsilon / sin (a / 2). */
@@ -13,6 +15,8 @@
 #define SLICES 256
 #define SLICE_GAIN 0.75
 #define SLICE_COST 20.0
+/* A solid of so many faces at the most stands in the tree as one. */
+#define FACES_TOGETHER 12
 
 /* ---- the picture ------------------------------------------------------------------------------------------------ */
 
@@ -40,26 +44,22 @@ static roberts_vec3 picture_point(const occluders *o, roberts_vec3 X)
 
 /* ---- the tree --------------------------------------------------------------------------------------------------- */
 
-/* Boxes on their way into the tree, and the faces that they belong to. */
+/* Boxes on their way into the tree. */
 typedef struct box_list {
-    tree_box *box;
-    uint32_t *face, *solid;
-    size_t count, box_room, face_room, solid_room;
+    tree_entry *entry;
+    size_t count, room;
     double floor, rays_per_shadow;
 } box_list;
 
-static const tree_box no_box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-
 static void extend(tree_box *box, roberts_vec3 p)
 {
-    box->lo = (roberts_vec3){lesser(box->lo.x, p.x), lesser(box->lo.y, p.y), lesser(box->lo.z, p.z)};
-    box->hi = (roberts_vec3){greater(box->hi.x, p.x), greater(box->hi.y, p.y), greater(box->hi.z, p.z)};
+    *box = tree_box_union(*box, (tree_box){p, p});
 }
 
 static tree_box face_box(const occluders *o, uint32_t face)
 {
     const roberts_scene *scene = o->s.scene;
-    tree_box box = no_box;
+    tree_box box = tree_no_box;
     for (uint32_t k = scene->face_start[face]; k < scene->face_start[face + 1]; k++)
         extend(&box, picture_point(o, o->s.P[scene->corner[k]]));
     return box;
@@ -73,7 +73,7 @@ static void slice_face(const occluders *o, uint32_t face, tree_box whole, tree_b
     bool along_x = whole.hi.x - whole.lo.x > whole.hi.y - whole.lo.y;
     double low = along_x ? whole.lo.x : whole.lo.y, step = ((along_x ? whole.hi.x : whole.hi.y) - low) / count;
     for (uint32_t i = 0; i < count; i++)
-        slice[i] = no_box;
+        slice[i] = tree_no_box;
     uint32_t end = scene->face_start[face + 1];
     roberts_vec3 A = picture_point(o, o->s.P[scene->corner[end - 1]]);
     for (uint32_t k = scene->face_start[face]; k < end; k++) {
@@ -127,21 +127,47 @@ static tree_box grown(const occluders *o, tree_box box, double margin)
     return (tree_box){vec3_sub(box.lo, m), vec3_add(box.hi, m)};
 }
 
-static bool add_face(const occluders *o, uint32_t face, box_list *list)
+static bool add_entry(const occluders *o, tree_box box, uint32_t solid, tree_item faces, box_list *list)
 {
     double margin = BOX_MARGIN * (o->s.loose + o->s.rounding);
-    tree_box slice[SLICES];
-    uint32_t count = boxes_of_face(o, face, list, slice);
-    if (!array_reserve(&list->box, &list->box_room, list->count + count, sizeof *list->box) ||
-        !array_reserve(&list->face, &list->face_room, list->count + count, sizeof *list->face) ||
-        !array_reserve(&list->solid, &list->solid_room, list->count + count, sizeof *list->solid))
+    if (!array_reserve(&list->entry, &list->room, list->count + 1, sizeof *list->entry))
         return false;
-    for (uint32_t i = 0; i < count; i++) {
-        list->box[list->count] = grown(o, slice[i], margin);
-        list->solid[list->count] = o->face_solid[face];
-        list->face[list->count++] = face;
+    list->entry[list->count++] = tree_entry_of(grown(o, box, margin), solid, faces);
+    return true;
+}
+
+/* The front faces of a solid, each in its own boxes. */
+static bool add_faces(const occluders *o, uint32_t solid, box_list *list)
+{
+    const roberts_scene *scene = o->s.scene;
+    tree_box slice[SLICES];
+    for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {
+        uint32_t count = o->s.facing[face] == SIGHT_NOT_FRONT ? 0 : boxes_of_face(o, face, list, slice);
+        for (uint32_t i = 0; i < count; i++)
+            if (!add_entry(o, slice[i], solid, (tree_item){face, 1}, list))
+                return false;
     }
     return true;
+}
+
+/* A small solid goes into the tree as one: of its front faces a ray meets one, mostly, and a tree of a third of the size
+ * is built and walked sooner. Not where a face is better cut into slices. */
+static bool add_solid(const occluders *o, uint32_t solid, box_list *list)
+{
+    const roberts_scene *scene = o->s.scene;
+    uint32_t first = scene->solid[solid].face, count = scene->solid[solid + 1].face - first, fronts = 0;
+    tree_box slice[SLICES], all = tree_no_box;
+    if (count > FACES_TOGETHER)
+        return add_faces(o, solid, list);
+    for (uint32_t face = first; face < first + count; face++) {
+        if (o->s.facing[face] == SIGHT_NOT_FRONT)
+            continue;
+        if (boxes_of_face(o, face, list, slice) > 1)
+            return add_faces(o, solid, list);
+        all = tree_box_union(all, slice[0]);
+        fronts++;
+    }
+    return fronts == 0 || add_entry(o, all, solid, (tree_item){first, count}, list);
 }
 
 /* The tree over the faces that may hide, each in boxes that hold whatever counts as touching it. */
@@ -149,29 +175,95 @@ static bool build_tree(occluders *o, const double *rays)
 {
     const roberts_scene *scene = o->s.scene;
     box_list list = {0};
-    tree_box all = no_box;
     bool built = true;
+    o->window = tree_no_box;
     for (uint32_t i = 0; i < scene->vertex_count; i++)
-        extend(&all, picture_point(o, o->s.P[i]));
-    list.floor = all.lo.z;
-    for (uint32_t solid = 0; solid < scene->solid_count; solid++) {
-        list.rays_per_shadow = 2.0 * rays[solid] / tree_box_shadow(all, all.lo.z); /* they start at half the height */
-        for (uint32_t face = scene->solid[solid].face; built && face < scene->solid[solid + 1].face; face++)
-            if (o->s.facing[face] != SIGHT_NOT_FRONT)
-                built = add_face(o, face, &list);
+        extend(&o->window, picture_point(o, o->s.P[i]));
+    list.floor = o->window.lo.z;
+    double shadow = tree_box_shadow(o->window, list.floor);
+    for (uint32_t solid = 0; built && solid < scene->solid_count; solid++) {
+        list.rays_per_shadow = 2.0 * rays[solid] / shadow; /* they start at half the height */
+        if (o->twin[solid] == solid)
+            built = add_solid(o, solid, &list);
     }
-    built = built && list.count < UINT32_MAX && tree_build(&o->t, list.box, list.solid, (uint32_t)list.count);
-    o->box_face = list.face;
-    free(list.box);
-    free(list.solid);
+    built = built && list.count < UINT32_MAX && tree_build(&o->t, list.entry, (uint32_t)list.count);
+    free(list.entry);
     return built;
 }
+
+/* ---- copies ----------------------------------------------------------------------------------------------------- */
+
+/* FNV-1a over the bits of a solid's points, word by word. */
+static uint32_t solid_key(const occluders *o, uint32_t solid)
+{
+    const scene_solid *s = &o->s.scene->solid[solid];
+    uint32_t key = 2166136261u, word[sizeof(roberts_vec3) / sizeof(uint32_t)];
+    for (uint32_t v = s->vertex; v < s[1].vertex; v++) {
+        memcpy(word, &o->s.P[v], sizeof word);
+        for (size_t i = 0; i < sizeof word / sizeof word[0]; i++)
+            key = (key ^ word[i]) * 16777619u;
+    }
+    return key;
+}
+
+/* Whether two solids have the same points and the same faces, in the same order, to the last bit. */
+static bool is_copy(const occluders *o, uint32_t a, uint32_t b)
+{
+    const roberts_scene *scene = o->s.scene;
+    const scene_solid *s = &scene->solid[a], *z = &scene->solid[b];
+    uint32_t vertices = s[1].vertex - s->vertex, faces = s[1].face - s->face, corners = scene_corners(scene, a);
+    const uint32_t *start = scene->face_start;
+    if (z[1].vertex - z->vertex != vertices || z[1].face - z->face != faces || scene_corners(scene, b) != corners ||
+        memcmp(o->s.P + s->vertex, o->s.P + z->vertex, vertices * sizeof *o->s.P) != 0 ||
+        memcmp(o->s.facing + s->face, o->s.facing + z->face, faces) != 0 ||
+        memcmp(scene->face_plane + s->face, scene->face_plane + z->face, faces * sizeof(plane)) != 0 ||
+        memcmp(scene->face_deviation + s->face, scene->face_deviation + z->face,
+               faces * sizeof *scene->face_deviation) != 0)
+        return false;
+    for (uint32_t i = 0; i < faces; i++)
+        if (start[s->face + i] - start[s->face] != start[z->face + i] - start[z->face])
+            return false;
+    for (uint32_t i = 0; i < corners; i++)
+        if (scene->corner[start[s->face] + i] - s->vertex != scene->corner[start[z->face] + i] - z->vertex)
+            return false;
+    return true;
+}
+
+/* Of a solid that is there many times at one place two are enough, so that for each of them there is another one: a
+ * thousand copies would else be asked by the rays of a thousand. A stable order of the keys brings copies together. */
+static bool find_twins(occluders *o)
+{
+    uint32_t count = o->s.scene->solid_count;
+    uint32_t *key = alloc_array(count, sizeof *key), *order = alloc_array(count, sizeof *order);
+    bool done = key && order;
+    for (uint32_t i = 0; done && i < count; i++) {
+        key[i] = solid_key(o, i);
+        o->twin[i] = i;
+    }
+    done = done && radix_order(key, count, order);
+    uint32_t first = 0, alike = 0; /* solids kept since order[first], which is kept */
+    for (uint32_t k = 0; done && k < count; k++) {
+        if (alike > 0 && key[order[k]] == key[order[first]] && is_copy(o, order[first], order[k])) {
+            if (++alike > 2)
+                o->twin[order[k]] = order[first];
+        } else {
+            first = k;
+            alike = 1;
+        }
+    }
+    free(key);
+    free(order);
+    return done;
+}
+
+/* ---- the whole -------------------------------------------------------------------------------------------------- */
 
 bool occluders_build(occluders *o, const roberts_scene *scene, const view *v, const double *rays)
 {
     *o = (occluders){.face_solid = alloc_array(scene->face_count, sizeof *o->face_solid),
+                     .twin = alloc_array(scene->solid_count, sizeof *o->twin),
                      .slack = alloc_zeroed(scene->solid_count, sizeof *o->slack)};
-    if (!o->face_solid || !o->slack || !sight_prepare(&o->s, scene, v))
+    if (!o->face_solid || !o->twin || !o->slack || !sight_prepare(&o->s, scene, v) || !find_twins(o))
         goto failed;
     for (uint32_t solid = 0; solid < scene->solid_count; solid++) {
         for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {
@@ -191,42 +283,82 @@ void occluders_free(occluders *o)
 {
     sight_free(&o->s);
     tree_free(&o->t);
-    free(o->box_face);
     free(o->face_solid);
+    free(o->twin);
     free(o->slack);
     *o = (occluders){0};
 }
 
-/* ---- casting ---------------------------------------------------------------------------------------------------- */
+/* ---- places ----------------------------------------------------------------------------------------------------- */
 
-static sight_answer ask(const occluders *o, const sight_question *q, uint32_t face, roberts_vec3 v)
+/* x from low to high as 0 .. 65535, its bits at every other place. */
+static uint32_t spread(double x, double low, double high)
 {
-    bool own = o->face_solid[face] == q->solid;
-    if (own && !q->own)
-        return SIGHT_NO;
-    return sight_hides(&o->s, face, q->X, v, own ? o->slack[q->solid] : 0.0);
+    double part = (x - low) / (high - low);
+    uint32_t bits = part >= 1.0 ? 65535 : part > 0.0 ? (uint32_t)(65536.0 * part) : 0; /* 0 for NaN too */
+    bits = (bits | bits << 8) & 0x00FF00FFu;
+    bits = (bits | bits << 4) & 0x0F0F0F0Fu;
+    bits = (bits | bits << 2) & 0x33333333u;
+    return (bits | bits << 1) & 0x55555555u;
 }
 
-sight_answer occluders_cast(const occluders *o, const sight_question *q, uint32_t *hider)
+/* After G. M. Morton, "A computer oriented geodetic data base and a new technique in file sequencing", IBM 1966. */
+uint32_t occluders_place(const occluders *o, roberts_vec3 X)
 {
-    roberts_vec3 v = sight_from(&o->s, q->X);
-    sight_answer answer = SIGHT_NO;
-    const uint32_t *item;
-    tree_walk walk;
-    if (*hider != ROBERTS_NONE && ask(o, q, *hider, v) == SIGHT_SURELY)
-        return SIGHT_SURELY;
-    tree_walk_start(&walk, &o->t, picture_point(o, q->X), q->own ? ROBERTS_NONE : q->solid);
-    for (uint32_t count; (count = tree_walk_next(&walk, &item)) > 0;) {
-        for (uint32_t i = 0; i < count; i++) {
-            uint32_t face = o->box_face[item[i]];
-            sight_answer one = ask(o, q, face, v);
-            if (one == SIGHT_SURELY) {
-                *hider = face;
-                return SIGHT_SURELY;
-            }
-            if (one == SIGHT_POSSIBLY)
-                answer = one;
+    roberts_vec3 p = picture_point(o, X);
+    return spread(p.x, o->window.lo.x, o->window.hi.x) | spread(p.y, o->window.lo.y, o->window.hi.y) << 1;
+}
+
+/* ---- casting ---------------------------------------------------------------------------------------------------- */
+
+/* Questions on their way through the tree. */
+typedef struct casting {
+    const occluders *o;
+    sight_question *question;
+    roberts_vec3 v[TREE_POINTS]; /* toward the viewer */
+    tree_points points;
+    uint32_t open; /* questions not yet answered by surely */
+} casting;
+
+/* Asks the face on behalf of those of the points whose answer it may change. */
+static void ask(casting *c, uint32_t face, const tree_leaf *leaf)
+{
+    const occluders *o = c->o;
+    uint32_t solid = o->face_solid[face];
+    for (uint32_t k = 0; k < leaf->point_count; k++) {
+        uint32_t i = leaf->point[k];
+        sight_question *q = &c->question[i];
+        bool own = solid == (q->own ? o->twin[q->solid] : q->solid);
+        if (q->answer == SIGHT_SURELY || (own && !q->own))
+            continue;
+        sight_answer answer = sight_hides(&o->s, face, q->X, c->v[i], own ? o->slack[q->solid] : 0.0);
+        if (answer > q->answer)
+            q->answer = answer;
+        if (answer == SIGHT_SURELY) {
+            q->hider = face;
+            tree_points_drop(&c->points, i);
+            c->open--;
         }
     }
-    return answer;
+}
+
+void occluders_cast(const occluders *o, sight_question *question, uint32_t count)
+{
+    casting c = {.o = o, .question = question, .open = count};
+    tree_walk walk;
+    tree_leaf leaf;
+    c.points.count = c.points.dropped = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        sight_question *q = &question[i];
+        q->answer = SIGHT_NO;
+        q->hider = ROBERTS_NONE;
+        c.v[i] = sight_from(&o->s, q->X);
+        tree_points_add(&c.points, picture_point(o, q->X), q->own ? o->s.scene->solid_count : q->solid);
+    }
+    tree_walk_start(&walk, &o->t, &c.points);
+    while (c.open && tree_walk_next(&walk, &leaf))
+        for (const tree_item *item = leaf.item; item < leaf.item + leaf.item_count; item++)
+            for (uint32_t face = item->first; face < item->first + item->count; face++)
+                if (o->s.facing[face] != SIGHT_NOT_FRONT)
+                    ask(&c, face, &leaf);
 }

@@ -8,9 +8,10 @@
 typedef struct occluders {
     sight s;
     roberts_vec3 right, up, toward; /* the picture that the tree's boxes live in */
-    tree t;
-    uint32_t *box_face;   /* [items of the tree] front faces, or nearly; a long one has several boxes */
+    tree_box window;                /* the scene's in it */
+    tree t;               /* its items are ranges of faces, of which the front ones count, or nearly front ones */
     uint32_t *face_solid; /* [face_count] */
+    uint32_t *twin;       /* [solid_count] the solid itself; where it is left out, a copy of it that is in the tree */
     double *slack;        /* [solid_count] how far a back edge may stick out of the picture of its solid's front faces
                              where coordinates are rounded: by what all its faces depart from their planes */
 } occluders;
@@ -20,15 +21,21 @@ typedef struct occluders {
 bool occluders_build(occluders *o, const roberts_scene *scene, const view *v, const double *rays);
 void occluders_free(occluders *o);
 
-/* What may hide X, a point of an edge of `solid`: faces of all other solids, and if `own` those of that one too. */
+/* A key for X's place in the picture: points of like keys are near each other. */
+uint32_t occluders_place(const occluders *o, roberts_vec3 X);
+
+/* What may hide X, a point of an edge of `solid`: faces of all other solids, and if `own` those of that one too.
+ * `hider`: where the answer is SIGHT_SURELY, a face that does. */
 typedef struct sight_question {
     roberts_vec3 X;
     uint32_t solid;
     bool own;
+    sight_answer answer;
+    uint32_t hider;
 } sight_question;
 
-/* Whether anything hides X. `*hider`: a face to ask first, or ROBERTS_NONE; where the answer is SIGHT_SURELY, a face
- * that does. Points next to each other are mostly hidden by the same one. */
-sight_answer occluders_cast(const occluders *o, const sight_question *q, uint32_t *hider);
+/* Fills in the answers to `count` questions, TREE_POINTS at the most: whether anything hides X. Points next to each other
+ * are asked best together, for they have to do with the same faces. */
+void occluders_cast(const occluders *o, sight_question *question, uint32_t count);
 
 #endif

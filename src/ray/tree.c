@@ -11,125 +11,10 @@ enum {
     BIN_DEPTH = 60, /* from here on nodes are halved by number, which ends after 32 more levels */
 };
 
-static const tree_box empty_box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-
-static roberts_vec3 least(roberts_vec3 a, roberts_vec3 b)
-{
-    return (roberts_vec3){a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.z < b.z ? a.z : b.z};
-}
-
-static roberts_vec3 most(roberts_vec3 a, roberts_vec3 b)
-{
-    return (roberts_vec3){a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y, a.z > b.z ? a.z : b.z};
-}
-
-static tree_box box_union(tree_box a, tree_box b)
-{
-    return (tree_box){least(a.lo, b.lo), most(a.hi, b.hi)};
-}
-
 double tree_box_shadow(tree_box a, double floor)
 {
     double x = a.hi.x - a.lo.x, y = a.hi.y - a.lo.y, z = a.hi.z - floor;
     return x < 0.0 ? 0.0 : x * y * z;
-}
-
-static double component(roberts_vec3 a, int axis)
-{
-    return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
-}
-
-/* Twice the middle of a box along an axis. */
-static double box_middle(tree_box a, int axis)
-{
-    return component(a.lo, axis) + component(a.hi, axis);
-}
-
-typedef struct builder {
-    tree *t;
-    const tree_box *box;
-    const uint32_t *owner;
-    double floor; /* the least z of all boxes */
-} builder;
-
-/* Where boxes are divided: along `axis`, those whose bin is below `bin` go first; 0: nowhere. */
-typedef struct split {
-    int axis, bin;
-    double low, bins_per_length, cost;
-} split;
-
-static int bin_of(split s, tree_box box)
-{
-    int bin = (int)((box_middle(box, s.axis) - s.low) * s.bins_per_length);
-    return bin < BINS ? bin : BINS - 1;
-}
-
-/* The cheapest plane across one axis; the boxes' middles (twice) reach from `low` over `length`. */
-static split find_plane(const builder *b, uint32_t first, uint32_t count, int axis, double low, double length)
-{
-    split s = {axis, 0, low, BINS / length, INFINITY};
-    tree_box bin_box[BINS], side = empty_box;
-    uint32_t bin_count[BINS] = {0}, below = 0;
-    double cost[BINS];
-    if (!(length > 0.0) || !isfinite(s.bins_per_length))
-        return s;
-    for (int k = 0; k < BINS; k++)
-        bin_box[k] = empty_box;
-    for (uint32_t i = first; i < first + count; i++) {
-        tree_box box = b->box[b->t->item[i]];
-        int k = bin_of(s, box);
-        bin_count[k]++;
-        bin_box[k] = box_union(bin_box[k], box);
-    }
-    for (int k = 0; k < BINS - 1; k++) { /* boxes in bins 0 .. k ... */
-        side = box_union(side, bin_box[k]);
-        below += bin_count[k];
-        cost[k + 1] = below * tree_box_shadow(side, b->floor);
-    }
-    side = empty_box;
-    below = 0;
-    for (int k = BINS - 1; k > 0; k--) { /* ... against those in bins k .. */
-        side = box_union(side, bin_box[k]);
-        below += bin_count[k];
-        double both = cost[k] + below * tree_box_shadow(side, b->floor);
-        if (below > 0 && below < count && both < s.cost) {
-            s.cost = both;
-            s.bin = k;
-        }
-    }
-    return s;
-}
-
-static split find_split(const builder *b, uint32_t first, uint32_t count)
-{
-    tree_box middles = empty_box;
-    split best = {.cost = INFINITY};
-    for (uint32_t i = first; i < first + count; i++) {
-        tree_box box = b->box[b->t->item[i]];
-        roberts_vec3 m = vec3_add(box.lo, box.hi);
-        middles = box_union(middles, (tree_box){m, m});
-    }
-    for (int axis = 0; axis < 3; axis++) {
-        double low = component(middles.lo, axis);
-        split s = find_plane(b, first, count, axis, low, component(middles.hi, axis) - low);
-        if (s.cost < best.cost)
-            best = s;
-    }
-    return best;
-}
-
-/* Moves the items below the split to the front, the others behind them; returns how many are below. */
-static uint32_t divide(const builder *b, uint32_t first, uint32_t count, split s)
-{
-    uint32_t *item = b->t->item + first, below = 0;
-    for (uint32_t i = 0; i < count; i++) {
-        if (bin_of(s, b->box[item[i]]) < s.bin) {
-            uint32_t swap = item[i];
-            item[i] = item[below];
-            item[below++] = swap;
-        }
-    }
-    return below;
 }
 
 static float round_down(double x)
@@ -143,36 +28,165 @@ static float round_up(double x)
     return -round_down(-x);
 }
 
-/* A leaf over some items: their box, and the owner that all of them have. */
-static tree_node make_leaf(const builder *b, uint32_t first, uint32_t count)
+tree_entry tree_entry_of(tree_box box, uint32_t owner, tree_item item)
 {
-    tree_box box = empty_box;
-    uint32_t owner = b->owner[b->t->item[first]];
-    for (uint32_t i = first; i < first + count; i++) {
-        box = box_union(box, b->box[b->t->item[i]]);
-        owner = b->owner[b->t->item[i]] == owner ? owner : ROBERTS_NONE;
+    return (tree_entry){{round_down(box.lo.x), round_down(box.lo.y), round_down(box.lo.z)},
+                        {round_up(box.hi.x), round_up(box.hi.y), round_up(box.hi.z)},
+                        owner,
+                        item};
+}
+
+/* ---- building --------------------------------------------------------------------------------------------------- */
+
+/* What counts of a box. */
+typedef struct cover {
+    float lo_x, lo_y, hi_x, hi_y, hi_z;
+} cover;
+
+static const cover no_cover = {INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY};
+
+static inline float less(float a, float b)
+{
+    return a < b ? a : b;
+}
+
+static inline float more(float a, float b)
+{
+    return a > b ? a : b;
+}
+
+static inline cover cover_union(cover a, cover b)
+{
+    return (cover){less(a.lo_x, b.lo_x), less(a.lo_y, b.lo_y), more(a.hi_x, b.hi_x), more(a.hi_y, b.hi_y),
+                   more(a.hi_z, b.hi_z)};
+}
+
+static inline cover cover_of(const tree_entry *e)
+{
+    return (cover){e->lo[0], e->lo[1], e->hi[0], e->hi[1], e->hi[2]};
+}
+
+static float shadow(cover a, float floor)
+{
+    return a.hi_x < a.lo_x ? 0.0f : (a.hi_x - a.lo_x) * (a.hi_y - a.lo_y) * (a.hi_z - floor);
+}
+
+typedef struct builder {
+    tree *t;
+    tree_entry *entry;
+    float floor; /* the least z of all boxes */
+} builder;
+
+/* Planes across an axis: those whose bin is below `bin` go first; 0: nowhere. Middles of boxes (twice) begin at `low`. */
+typedef struct split {
+    int axis, bin, bins;
+    float low, bins_per_length, cost;
+} split;
+
+/* Twice the middle of a box along an axis. */
+static inline float middle(const tree_entry *e, int axis)
+{
+    return e->lo[axis] + e->hi[axis];
+}
+
+static inline int bin_of(const split *s, const tree_entry *e)
+{
+    float bin = (middle(e, s->axis) - s->low) * s->bins_per_length;
+    return bin < (float)s->bins ? (int)bin : s->bins - 1; /* the last one for NaN too */
+}
+
+/* The cheapest of an axis's planes. */
+static void find_plane(split *s, const cover *bin, const uint32_t *bin_count, float floor)
+{
+    cover side = no_cover;
+    uint32_t below = 0, above = 0;
+    float cost[BINS];
+    for (int k = 0; k < s->bins - 1; k++) { /* boxes in bins 0 .. k ... */
+        side = cover_union(side, bin[k]);
+        below += bin_count[k];
+        cost[k + 1] = below ? (float)below * shadow(side, floor) : INFINITY;
     }
-    return (tree_node){round_down(box.lo.x),
-                       round_down(box.lo.y),
-                       round_up(box.hi.x),
-                       round_up(box.hi.y),
-                       round_up(box.hi.z),
-                       first,
-                       count,
-                       owner};
+    side = no_cover;
+    for (int k = s->bins - 1; k > 0; k--) { /* ... against those in bins k .. */
+        side = cover_union(side, bin[k]);
+        above += bin_count[k];
+        float both = cost[k] + (float)above * shadow(side, floor);
+        if (above > 0 && both < s->cost) {
+            s->cost = both;
+            s->bin = k;
+        }
+    }
+}
+
+/* The best plane of all axes; the boxes' middles (twice) reach from `low` to `high`. */
+static split find_split(const builder *b, uint32_t first, uint32_t count, const float *low, const float *high)
+{
+    cover bin[3][BINS];
+    uint32_t bin_count[3][BINS] = {{0}};
+    split s[3], best = {.cost = INFINITY};
+    int bins = count < BINS ? (int)count : BINS, axes = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        float length = high[axis] - low[axis], scale = (float)bins / length;
+        if (!(length > 0.0f) || !isfinite(length) || !isfinite(scale))
+            continue;
+        for (int k = 0; k < bins; k++)
+            bin[axes][k] = no_cover;
+        s[axes++] = (split){axis, 0, bins, low[axis], scale, INFINITY};
+    }
+    for (const tree_entry *e = b->entry + first; e < b->entry + first + count; e++) {
+        cover c = cover_of(e);
+        for (int i = 0; i < axes; i++) {
+            int k = bin_of(&s[i], e);
+            bin_count[i][k]++;
+            bin[i][k] = cover_union(bin[i][k], c);
+        }
+    }
+    for (int i = 0; i < axes; i++) {
+        find_plane(&s[i], bin[i], bin_count[i], b->floor);
+        if (s[i].cost < best.cost)
+            best = s[i];
+    }
+    return best;
+}
+
+/* Moves the entries below the split to the front, the others behind them; returns how many are below. */
+static uint32_t divide(const builder *b, uint32_t first, uint32_t count, const split *s)
+{
+    tree_entry *entry = b->entry + first;
+    uint32_t below = 0, end = count;
+    while (below < end) {
+        if (bin_of(s, &entry[below]) < s->bin) {
+            below++;
+            continue;
+        }
+        tree_entry swap = entry[below];
+        entry[below] = entry[--end];
+        entry[end] = swap;
+    }
+    return below;
 }
 
 static void build_node(const builder *b, uint32_t first, uint32_t count, int depth)
 {
     tree *t = b->t;
-    uint32_t index = t->node_count++, below = count / 2;
-    t->node[index] = make_leaf(b, first, count);
+    uint32_t index = t->node_count++, below = count / 2, owner = b->entry[first].owner;
+    float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    cover all = no_cover;
+    for (const tree_entry *e = b->entry + first; e < b->entry + first + count; e++) {
+        all = cover_union(all, cover_of(e));
+        owner = e->owner == owner ? owner : ROBERTS_NONE;
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] = less(low[axis], middle(e, axis));
+            high[axis] = more(high[axis], middle(e, axis));
+        }
+    }
+    t->node[index] = (tree_node){all.lo_x, all.lo_y, all.hi_x, all.hi_y, all.hi_z, first, count, owner};
     if (count <= LEAF_ITEMS)
         return;
     if (depth < BIN_DEPTH) {
-        split s = find_split(b, first, count);
+        split s = find_split(b, first, count, low, high);
         if (s.bin > 0)
-            below = divide(b, first, count, s);
+            below = divide(b, first, count, &s);
     }
     build_node(b, first, below, depth + 1);
     t->node[index].first = t->node_count;
@@ -180,20 +194,20 @@ static void build_node(const builder *b, uint32_t first, uint32_t count, int dep
     build_node(b, first + below, count - below, depth + 1);
 }
 
-bool tree_build(tree *t, const tree_box *box, const uint32_t *owner, uint32_t count)
+bool tree_build(tree *t, tree_entry *entry, uint32_t count)
 {
-    builder b = {t, box, owner, INFINITY};
+    builder b = {t, entry, INFINITY};
     *t = (tree){alloc_array(2 * (size_t)count + 1, sizeof *t->node), alloc_array(count, sizeof *t->item), 0};
     if (!t->node || !t->item) {
         tree_free(t);
         return false;
     }
-    for (uint32_t i = 0; i < count; i++) {
-        t->item[i] = i;
-        b.floor = box[i].lo.z < b.floor ? box[i].lo.z : b.floor;
-    }
+    for (uint32_t i = 0; i < count; i++)
+        b.floor = less(entry[i].lo[2], b.floor);
     if (count)
         build_node(&b, 0, count, 0);
+    for (uint32_t i = 0; i < count; i++)
+        t->item[i] = entry[i].item;
     return true;
 }
 
@@ -206,34 +220,96 @@ void tree_free(tree *t)
     *t = (tree){0};
 }
 
-void tree_walk_start(tree_walk *w, const tree *t, roberts_vec3 point, uint32_t skip)
+/* ---- walking ---------------------------------------------------------------------------------------------------- */
+
+static const tree_crowd no_crowd = {0, 0, 0, INFINITY, INFINITY, -INFINITY, -INFINITY, INFINITY, -INFINITY};
+
+/* Takes point i, which is on the list already, into the crowd's box. */
+static inline void join(tree_crowd *c, const tree_points *p, uint32_t i)
 {
+    c->lo_x = less(p->x[i], c->lo_x);
+    c->lo_y = less(p->y[i], c->lo_y);
+    c->lo_z = less(p->z[i], c->lo_z);
+    c->hi_x = more(p->x[i], c->hi_x);
+    c->hi_y = more(p->y[i], c->hi_y);
+    c->hi_z = more(p->z[i], c->hi_z);
+}
+
+static void push(tree_walk *w, uint32_t node, const tree_crowd *crowd)
+{
+    w->stack[w->depth].node = node;
+    w->stack[w->depth++].crowd = *crowd;
+}
+
+void tree_walk_start(tree_walk *w, const tree *t, const tree_points *points)
+{
+    tree_crowd all = no_crowd;
     w->t = t;
-    w->point = point;
-    w->skip = skip;
+    w->points = points;
     w->depth = 0;
+    for (uint32_t i = 0; i < points->count; i++) {
+        w->list[i] = (unsigned char)i;
+        join(&all, points, i);
+    }
+    all.count = points->count;
     if (t->node_count)
-        w->stack[w->depth++] = 0;
+        push(w, 0, &all);
 }
 
-static bool is_over(const tree_node *n, roberts_vec3 p)
+/* Those of the crowd that the node's box is over, and which do not skip it, behind it on the list. */
+static tree_crowd find_under(tree_walk *w, const tree_node *n, const tree_crowd *c)
 {
-    return n->lo_x <= p.x && p.x <= n->hi_x && n->lo_y <= p.y && p.y <= n->hi_y && p.z <= n->hi_z;
+    const tree_points *p = w->points;
+    const unsigned char *list = w->list + c->start;
+    unsigned char *over = w->list + c->start + c->count;
+    const float lo_x = n->lo_x, lo_y = n->lo_y, hi_x = n->hi_x, hi_y = n->hi_y, hi_z = n->hi_z;
+    const uint32_t owner = n->owner;
+    uint32_t found = 0;
+    for (uint32_t k = 0; k < c->count; k++) {
+        uint32_t i = list[k];
+        over[found] = (unsigned char)i;
+        found += (uint32_t)((lo_x <= p->x[i]) & (p->x[i] <= hi_x) & (lo_y <= p->y[i]) & (p->y[i] <= hi_y) &
+                            (p->z[i] <= hi_z) & (p->skip[i] != owner)); /* no jumps: none could be foreseen */
+    }
+    tree_crowd under = no_crowd;
+    for (uint32_t k = 0; k < found; k++)
+        join(&under, p, over[k]);
+    under.start = c->start + c->count;
+    under.count = found;
+    under.dropped = p->dropped;
+    return under;
 }
 
-uint32_t tree_walk_next(tree_walk *w, const uint32_t **item)
+static bool is_over_none(const tree_node *n, const tree_crowd *c)
+{
+    return n->lo_x > c->hi_x || n->hi_x < c->lo_x || n->lo_y > c->hi_y || n->hi_y < c->lo_y || n->hi_z < c->lo_z;
+}
+
+static bool is_over_all(const tree_node *n, const tree_crowd *c)
+{
+    return n->lo_x <= c->lo_x && c->hi_x <= n->hi_x && n->lo_y <= c->lo_y && c->hi_y <= n->hi_y && c->hi_z <= n->hi_z;
+}
+
+bool tree_walk_next(tree_walk *w, tree_leaf *leaf)
 {
     while (w->depth) {
-        uint32_t index = w->stack[--w->depth];
+        uint32_t index = w->stack[--w->depth].node;
         const tree_node *node = &w->t->node[index];
-        if (!is_over(node, w->point) || (node->owner == w->skip && w->skip != ROBERTS_NONE))
+        tree_crowd crowd = w->stack[w->depth].crowd;
+        if (is_over_none(node, &crowd))
+            continue;
+        if (crowd.dropped != w->points->dropped || node->owner != ROBERTS_NONE || !is_over_all(node, &crowd))
+            crowd = find_under(w, node, &crowd);
+        if (crowd.count == 0)
             continue;
         if (node->count) {
-            *item = w->t->item + node->first;
-            return node->count;
+            *leaf = (tree_leaf){w->t->item + node->first, w->list + crowd.start, node->count, crowd.count};
+            return true;
         }
-        w->stack[w->depth++] = node->first;
-        w->stack[w->depth++] = index + 1;
+        uint32_t one = index + 1, other = node->first;
+        bool other_nearer = w->t->node[other].hi_z > w->t->node[one].hi_z;
+        push(w, other_nearer ? one : other, &crowd);
+        push(w, other_nearer ? other : one, &crowd);
     }
-    return 0;
+    return false;
 }

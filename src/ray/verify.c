@@ -7,11 +7,14 @@
  * Every question has three answers: surely, possibly, no. A point surely hidden that is drawn visible, or not even
  * possibly hidden and drawn hidden, is a contradiction; what is only possible is left undecided.
  *
- * Edges are taken in chunks, by any number of threads; a chunk keeps what it finds, and the findings come in order. */
+ * Edges are taken in runs, and runs by where they are in the picture, so that rays cast after one another have to do with
+ * the same faces. Chunks of runs are for any number of threads; a chunk keeps what it finds, and the findings come in
+ * the edges' order. */
 #include <stdlib.h>
 
 #include "base/array.h"
 #include "base/error.h"
+#include "base/radix.h"
 #include "base/threads.h"
 #include "ray/occluders.h"
 #include "view/clip.h"
@@ -25,15 +28,27 @@
 #define GAP 1e-15
 /* An angle so near the crease angle may be taken for either side of it; degrees. */
 #define CREASE_MARGIN 1e-6
-/* Edges in a chunk: enough to forget the cost of sharing them out. */
-#define CHUNK_EDGES 512
+/* Edges of one solid that stay together, at the most. */
+#define RUN_EDGES 32
+/* Runs in a chunk: enough to forget the cost of sharing them out. */
+#define CHUNK_RUNS 32
 /* With less work than this a thread costs more than it does. */
 #define CHUNKS_PER_THREAD 4
 
-/* What a chunk of edges came to. */
+/* Edges of one solid, up to the next run's first. */
+typedef struct edge_run {
+    uint32_t solid, edge;
+} edge_run;
+
+typedef struct finding {
+    roberts_contradiction what;
+    uint32_t run;
+} finding;
+
+/* What a chunk of runs came to. */
 typedef struct chunk {
     size_t segments, points, undecided;
-    roberts_contradiction *found;
+    finding *found;
     size_t count, room;
     bool lost; /* no memory */
 } chunk;
@@ -47,8 +62,10 @@ typedef struct verifier {
     occluders o;
     uint32_t *row_start; /* [edge_count + 1] */
     uint32_t *row;       /* [segments] rows of the drawing, edge by edge, by t */
+    edge_run *run;       /* [run_count + 1] the last one ends them */
+    uint32_t *order;     /* [run_count] runs by where they are in the picture */
     chunk *chunk;        /* [chunk_count] */
-    uint32_t chunk_count;
+    uint32_t run_count, chunk_count;
 } verifier;
 
 roberts_verify_options roberts_verify_options_default(void)
@@ -106,58 +123,102 @@ typedef struct stretch {
     int class;
     double t0, t1;
     roberts_state drawn;
-    uint32_t hider; /* the face that hid a point of the edge last */
 } stretch;
 
-/* Whether the ray from point t of the edge surely contradicts the drawing; `*answer` is what it says. */
-static bool contradicted(const verifier *f, stretch *e, double t, sight_answer *answer)
+/* A point of a stretch. */
+typedef struct probe {
+    double t, step; /* where, and how far its neighbours are */
+    uint32_t edge, run;
+    roberts_state drawn;
+} probe;
+
+/* Points of a chunk's edges, in order, that are asked together. */
+typedef struct batch {
+    chunk *out;
+    uint32_t run, count;
+    probe probe[TREE_POINTS];
+    sight_question question[TREE_POINTS];
+} batch;
+
+static roberts_vec3 point_of(const verifier *f, uint32_t solid, uint32_t edge, double t)
 {
-    const scene_edge edge = scene_edge_at(f->scene, e->solid, e->edge);
-    roberts_vec3 A = sight_point(&f->o.s, f->scene->point[edge.v[0]]);
-    roberts_vec3 AB = vec3_sub(sight_point(&f->o.s, f->scene->point[edge.v[1]]), A);
-    const sight_question q = {vec3_add(A, vec3_scale(t, AB)), e->solid, e->class == EDGE_BACK};
-    *answer = e->class == EDGE_UNSURE ? SIGHT_POSSIBLY : occluders_cast(&f->o, &q, &e->hider);
-    return *answer == (e->drawn == ROBERTS_HIDDEN ? SIGHT_NO : SIGHT_SURELY);
+    const scene_edge e = scene_edge_at(f->scene, solid, edge);
+    roberts_vec3 A = sight_point(&f->o.s, f->scene->point[e.v[0]]);
+    roberts_vec3 AB = vec3_sub(sight_point(&f->o.s, f->scene->point[e.v[1]]), A);
+    return vec3_add(A, vec3_scale(t, AB));
 }
 
-static void contradict(const verifier *f, chunk *out, const stretch *e, double t, uint32_t hider)
+/* Whether the answer surely contradicts the drawing. */
+static bool contradicts(const probe *p, const sight_question *q)
 {
-    const scene_edge edge = scene_edge_at(f->scene, e->solid, e->edge);
-    roberts_contradiction c = {e->solid,
+    return q->answer == (p->drawn == ROBERTS_HIDDEN ? SIGHT_NO : SIGHT_SURELY);
+}
+
+/* Whether a neighbour of the point contradicts the drawing as well. */
+static bool contradicted_beside(const verifier *f, const probe *p, const sight_question *q)
+{
+    sight_question beside[2] = {*q, *q};
+    beside[0].X = point_of(f, q->solid, p->edge, p->t - p->step);
+    beside[1].X = point_of(f, q->solid, p->edge, p->t + p->step);
+    occluders_cast(&f->o, beside, 2);
+    return contradicts(p, &beside[0]) || contradicts(p, &beside[1]);
+}
+
+static void contradict(const verifier *f, chunk *out, const probe *p, const sight_question *q)
+{
+    const scene_edge edge = scene_edge_at(f->scene, q->solid, p->edge);
+    roberts_contradiction c = {q->solid,
                                scene_vertex_number(f->scene, edge.v[0]),
                                scene_vertex_number(f->scene, edge.v[1]),
-                               t,
-                               e->drawn,
+                               p->t,
+                               p->drawn,
                                ROBERTS_VISIBLE,
                                ROBERTS_NONE};
-    if (e->drawn == ROBERTS_VISIBLE) {
+    if (p->drawn == ROBERTS_VISIBLE) {
         c.cast = ROBERTS_HIDDEN;
-        c.by = f->o.face_solid[hider];
+        c.by = f->o.face_solid[q->hider];
     }
     if (array_reserve(&out->found, &out->room, out->count + 1, sizeof *out->found))
-        out->found[out->count++] = c;
+        out->found[out->count++] = (finding){c, p->run};
     else
         out->lost = true;
 }
 
-/* Judges the points of a stretch. Where an edge passes behind a mere corner the rule hides one point of it, and the
- * drawing rightly shows nothing of that: only what is contradicted at a neighbouring point too counts. */
-static void check_stretch(const verifier *f, chunk *out, stretch *e)
+/* Casts the rays of the points that wait, and judges them. Where an edge passes behind a mere corner the rule hides one
+ * point of it, and the drawing rightly shows nothing of that: only what is contradicted at a neighbouring point too
+ * counts. */
+static void judge(const verifier *f, batch *b)
 {
-    double length = e->t1 - e->t0, step = NEIGHBOUR * length;
-    out->segments++;
+    occluders_cast(&f->o, b->question, b->count);
+    for (uint32_t i = 0; i < b->count; i++) {
+        const sight_question *q = &b->question[i];
+        if (!contradicts(&b->probe[i], q))
+            b->out->undecided += q->answer == SIGHT_POSSIBLY;
+        else if (contradicted_beside(f, &b->probe[i], q))
+            contradict(f, b->out, &b->probe[i], q);
+        else
+            b->out->undecided++;
+    }
+    b->count = 0;
+}
+
+/* The points of a stretch. */
+static void check_stretch(const verifier *f, batch *b, const stretch *e)
+{
+    double length = e->t1 - e->t0;
+    b->out->segments++;
+    b->out->points += f->options.rays;
+    if (e->class == EDGE_UNSURE) {
+        b->out->undecided += f->options.rays;
+        return;
+    }
     for (uint32_t k = 0; k < f->options.rays; k++) {
         double t = e->t0 + length * position(k, f->options.rays);
-        sight_answer answer, beside;
-        bool wrong = contradicted(f, e, t, &answer);
-        uint32_t hider = e->hider;
-        out->points++;
-        if (!wrong)
-            out->undecided += answer == SIGHT_POSSIBLY;
-        else if (contradicted(f, e, t - step, &beside) || contradicted(f, e, t + step, &beside))
-            contradict(f, out, e, t, hider);
-        else
-            out->undecided++;
+        if (b->count == TREE_POINTS)
+            judge(f, b);
+        b->probe[b->count] = (probe){t, NEIGHBOUR * length, e->edge, b->run, e->drawn};
+        b->question[b->count++] =
+            (sight_question){.X = point_of(f, e->solid, e->edge, t), .solid = e->solid, .own = e->class == EDGE_BACK};
     }
 }
 
@@ -168,14 +229,14 @@ static clip_edge left_of(const verifier *f, uint32_t index)
 }
 
 /* The rows of an edge, and between them, where the edge has to be drawn, the gaps: hidden and left out. */
-static void check_edge(const verifier *f, chunk *out, uint32_t solid, uint32_t index)
+static void check_edge(const verifier *f, batch *b, uint32_t solid, uint32_t index)
 {
     clip_edge left = left_of(f, index);
     if (left.edge == ROBERTS_NONE)
         return;
     const scene_edge edge = scene_edge_at(f->seen, solid, left.edge);
     bool gaps = surely_drawn(f, &edge);
-    stretch e = {.solid = solid, .edge = index, .class = edge_class(f, &edge), .hider = ROBERTS_NONE};
+    stretch e = {.solid = solid, .edge = index, .class = edge_class(f, &edge)};
     double end = left.t0;
     for (uint32_t k = f->row_start[index]; k <= f->row_start[index + 1]; k++) {
         const roberts_segment *row = k < f->row_start[index + 1] ? &f->drawing->segment[f->row[k]] : NULL;
@@ -183,14 +244,14 @@ static void check_edge(const verifier *f, chunk *out, uint32_t solid, uint32_t i
         e.t1 = row ? fmin(row->t0, left.t1) : left.t1;
         e.drawn = ROBERTS_HIDDEN;
         if (gaps && e.t1 - e.t0 > GAP)
-            check_stretch(f, out, &e);
+            check_stretch(f, b, &e);
         if (!row)
             return;
         e.t0 = row->t0;
         e.t1 = row->t1;
         e.drawn = (roberts_state)row->state;
         if (e.drawn != ROBERTS_CLIPPED)
-            check_stretch(f, out, &e);
+            check_stretch(f, b, &e);
         end = fmax(end, row->t1);
     }
 }
@@ -257,13 +318,17 @@ static roberts_status assign_rows(verifier *f, roberts_error *error)
 
 static void check_chunk(verifier *f, uint32_t index)
 {
-    uint32_t first = index * CHUNK_EDGES, left = f->scene->edge_count - first;
-    uint32_t solid = scene_solid_of_edge(f->scene, first);
-    for (uint32_t i = first; i < first + (left < CHUNK_EDGES ? left : CHUNK_EDGES); i++) {
-        while (f->scene->solid[solid + 1].edge <= i)
-            solid++;
-        check_edge(f, &f->chunk[index], solid, i);
+    uint32_t first = index * CHUNK_RUNS, left = f->run_count - first;
+    batch b;
+    b.out = &f->chunk[index];
+    b.count = 0;
+    for (uint32_t i = 0; i < (left < CHUNK_RUNS ? left : CHUNK_RUNS); i++) {
+        b.run = f->order[first + i];
+        const edge_run *r = &f->run[b.run];
+        for (uint32_t edge = r->edge; edge < r[1].edge; edge++)
+            check_edge(f, &b, r->solid, edge);
     }
+    judge(f, &b);
 }
 
 static void check_chunks(verifier *f)
@@ -276,24 +341,73 @@ static void check_chunks(verifier *f)
         check_chunk(f, i);
 }
 
-/* Sums the chunks up, and tells their contradictions in order. */
+/* Tells the contradictions in the order of the edges: run by run, each of which has its own together, in order. */
+static bool tell(const verifier *f, roberts_verification *result)
+{
+    struct {
+        const finding *first;
+        size_t count;
+    } *of = alloc_zeroed(f->run_count, sizeof *of);
+    for (uint32_t i = 0; of && i < f->chunk_count; i++) {
+        for (const finding *found = f->chunk[i].found; found < f->chunk[i].found + f->chunk[i].count; found++) {
+            if (of[found->run].count++ == 0)
+                of[found->run].first = found;
+        }
+    }
+    for (uint32_t run = 0; of && run < f->run_count; run++) {
+        for (size_t k = 0; k < of[run].count; k++) {
+            if (result->contradictions++ == 0)
+                result->first = of[run].first[k].what;
+            if (f->options.contradiction)
+                f->options.contradiction(f->options.context, &of[run].first[k].what);
+        }
+    }
+    free(of);
+    return of != NULL;
+}
+
+/* Sums the chunks up, and tells their contradictions. */
 static roberts_status report(const verifier *f, roberts_verification *result, roberts_error *error)
 {
-    for (uint32_t i = 0; i < f->chunk_count; i++)
-        if (f->chunk[i].lost)
-            return error_no_memory(error);
+    bool lost = false, found = false;
     for (uint32_t i = 0; i < f->chunk_count; i++) {
-        const chunk *c = &f->chunk[i];
-        result->segments += c->segments;
-        result->points += c->points;
-        result->undecided += c->undecided;
-        if (c->count && result->contradictions == 0)
-            result->first = c->found[0];
-        result->contradictions += c->count;
-        for (size_t k = 0; f->options.contradiction && k < c->count; k++)
-            f->options.contradiction(f->options.context, &c->found[k]);
+        lost |= f->chunk[i].lost;
+        found |= f->chunk[i].count > 0;
+    }
+    if (lost || (found && !tell(f, result)))
+        return error_no_memory(error);
+    for (uint32_t i = 0; i < f->chunk_count; i++) {
+        result->segments += f->chunk[i].segments;
+        result->points += f->chunk[i].points;
+        result->undecided += f->chunk[i].undecided;
     }
     return ROBERTS_OK;
+}
+
+/* ---- before it -------------------------------------------------------------------------------------------------- */
+
+/* Cuts the solids' edges into runs. */
+static void find_runs(verifier *f)
+{
+    const roberts_scene *scene = f->scene;
+    f->run_count = 0;
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        for (uint32_t edge = scene->solid[s].edge; edge < scene->solid[s + 1].edge; edge += RUN_EDGES)
+            f->run[f->run_count++] = (edge_run){s, edge};
+    f->run[f->run_count] = (edge_run){scene->solid_count, scene->edge_count};
+}
+
+/* Puts the runs in the order of their places in the picture. */
+static bool order_runs(verifier *f)
+{
+    uint32_t *key = alloc_array(f->run_count, sizeof *key);
+    for (uint32_t i = 0; key && i < f->run_count; i++) {
+        const scene_edge e = scene_edge_at(f->scene, f->run[i].solid, f->run[i].edge);
+        key[i] = occluders_place(&f->o, sight_point(&f->o.s, f->scene->point[e.v[0]]));
+    }
+    bool done = key && radix_order(key, f->run_count, f->order);
+    free(key);
+    return done;
 }
 
 /* About how many rays will ask for the faces of each solid: all but those from edges that the solid itself shows. */
@@ -323,12 +437,17 @@ static bool build_occluders(verifier *f, const view *v)
 
 static bool prepare(verifier *f)
 {
-    uint32_t edges = f->scene->edge_count;
-    f->chunk_count = edges / CHUNK_EDGES + (edges % CHUNK_EDGES != 0);
-    f->chunk = alloc_zeroed(f->chunk_count, sizeof *f->chunk);
-    f->row_start = alloc_zeroed((size_t)edges + 1, sizeof *f->row_start);
+    size_t edges = f->scene->edge_count, most = edges / RUN_EDGES + f->scene->solid_count; /* runs */
+    f->run = alloc_array(most + 1, sizeof *f->run);
+    f->order = alloc_array(most, sizeof *f->order);
+    f->row_start = alloc_zeroed(edges + 1, sizeof *f->row_start);
     f->row = alloc_array(f->drawing->count, sizeof *f->row);
-    return f->chunk && f->row_start && f->row;
+    if (!f->run || !f->order || !f->row_start || !f->row)
+        return false;
+    find_runs(f);
+    f->chunk_count = f->run_count / CHUNK_RUNS + (f->run_count % CHUNK_RUNS != 0);
+    f->chunk = alloc_zeroed(f->chunk_count, sizeof *f->chunk);
+    return f->chunk;
 }
 
 static void release(verifier *f)
@@ -336,6 +455,8 @@ static void release(verifier *f)
     for (uint32_t i = 0; f->chunk && i < f->chunk_count; i++)
         free(f->chunk[i].found);
     free(f->chunk);
+    free(f->run);
+    free(f->order);
     free(f->row_start);
     free(f->row);
     occluders_free(&f->o);
@@ -360,7 +481,7 @@ roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *
     if ((status = view_prepare(&v, f.seen, camera, drawing->epsilon, error)) != ROBERTS_OK)
         goto done;
     status = prepare(&f) ? assign_rows(&f, error) : error_no_memory(error);
-    if (status == ROBERTS_OK && !build_occluders(&f, &v))
+    if (status == ROBERTS_OK && !(build_occluders(&f, &v) && order_runs(&f)))
         status = error_no_memory(error);
     if (status == ROBERTS_OK) {
         check_chunks(&f);
