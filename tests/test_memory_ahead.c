@@ -64,7 +64,7 @@ static bool is_worth(const roberts_scene *scene)
 {
     hide_picture picture;
     ahead a;
-    assert_int_equal(hide_picture_build(&picture, scene, &camera, 0.0, true, NULL), ROBERTS_OK);
+    assert_int_equal(hide_picture_build(&picture, scene, &camera, 0.0, true, 1, NULL), ROBERTS_OK);
     assert_true(ahead_init(&a, &picture));
     bool worth = a.order != NULL;
     for (uint32_t i = 0; worth && i < COUNT; i++)

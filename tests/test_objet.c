@@ -434,7 +434,7 @@ static void lists_are_complete_and_in_order(void **state)
             roberts_camera camera = {.dir = {i % 2 ? 1 : 0, -1, scene}};
             hide_picture picture;
             objet grid;
-            assert_int_equal(hide_picture_build(&picture, built, &camera, 0, false, NULL), ROBERTS_OK);
+            assert_int_equal(hide_picture_build(&picture, built, &camera, 0, false, 1, NULL), ROBERTS_OK);
             assert_int_equal(picture.culled_count, 0);
             scan_frame frame = cells_for_lists(picture.front_box, picture.front_count, picture.low, picture.high,
                                                sides[i], hide_margin(&picture.space));
@@ -465,7 +465,7 @@ static void copies_count_once(void **state)
         for (int k = 0; k < 4; k++)
             model_box(&m, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1 + k * table[i].change});
         roberts_scene *built = model_build(&m);
-        assert_int_equal(hide_picture_build(&picture, built, &camera, 0, false, NULL), ROBERTS_OK);
+        assert_int_equal(hide_picture_build(&picture, built, &camera, 0, false, 1, NULL), ROBERTS_OK);
         if (listed_count(&picture) != table[i].fronts || !picture.front[0].listed)
             fail_msg("%s: %u fronts", table[i].name, listed_count(&picture));
         hide_picture_free(&picture);
@@ -525,7 +525,7 @@ static double nearest_at(const front *g, int count, double x, double y)
 enum { FRONTS = 12 };
 #define SLACK 1e-3
 
-static void add_covers(cover *c, front *g, rng *r)
+static void add_covers(cover *c, scan *s, front *g, rng *r)
 {
     for (int i = 0; i < FRONTS; i++) {
         static const int kinds[] = {ROUND, BORDERS, ROUND, WHOLE, NEEDLE, CORNER};
@@ -534,7 +534,7 @@ static void add_covers(cover *c, front *g, rng *r)
         for (uint32_t k = 0; k < g[i].faces; k++)
             face[k] = face_of(g[i].face[k]);
         bool by_cell = rng_int(r, 0, 1);
-        cover_add(c, g[i].outline.P, g[i].outline.corner, g[i].outline.count, g[i].least, by_cell ? face : NULL,
+        cover_add(c, s, g[i].outline.P, g[i].outline.corner, g[i].outline.count, g[i].least, by_cell ? face : NULL,
                   by_cell ? g[i].faces : 0, SLACK, (uint32_t)i, 0.0);
     }
 }
@@ -547,9 +547,10 @@ static void covers_cover(void **state)
     (void)state;
     for (int i = 0; i < 70; i++) {
         cover c;
+        scan scratch;
         front g[FRONTS];
-        assert_true(cover_init(&c, frame_of((size_t)i % FRAMES)));
-        add_covers(&c, g, &r);
+        assert_true(cover_init(&c, frame_of((size_t)i % FRAMES)) && scan_init(&scratch, c.frame.nx));
+        add_covers(&c, &scratch, g, &r);
         for (uint32_t cell = 0; cell < scan_cells(&c.frame); cell++) {
             if (c.depth[cell] == -INFINITY)
                 continue;
@@ -563,6 +564,7 @@ static void covers_cover(void **state)
             }
         }
         cover_free(&c);
+        scan_free(&scratch);
     }
     assert_true(covered > 1000);
 }
@@ -575,11 +577,12 @@ static void covers_are_not_wasted(void **state)
     (void)state;
     for (int i = 0; i < 70; i++) {
         cover c;
+        scan scratch;
         front g = random_front(&r, ROUND);
         double z = rng_between(&r, -3, 3);
-        assert_true(cover_init(&c, frame_of((size_t)i % FRAMES)));
-        cover_add(&c, g.outline.P, g.outline.corner, g.outline.count, z, NULL, 0, SLACK, 7, 0.0);
-        cover_add(&c, g.outline.P, g.outline.corner, g.outline.count, z - 1, NULL, 0, SLACK, 8,
+        assert_true(cover_init(&c, frame_of((size_t)i % FRAMES)) && scan_init(&scratch, c.frame.nx));
+        cover_add(&c, &scratch, g.outline.P, g.outline.corner, g.outline.count, z, NULL, 0, SLACK, 7, 0.0);
+        cover_add(&c, &scratch, g.outline.P, g.outline.corner, g.outline.count, z - 1, NULL, 0, SLACK, 8,
                   0.0); /* farther: changes nothing */
         for (uint32_t cell = 0; cell < scan_cells(&c.frame); cell++) {
             roberts_vec3 q[4];
@@ -594,6 +597,7 @@ static void covers_are_not_wasted(void **state)
             assert_int_equal(cover_at(&c, x, y, (float)z), ROBERTS_NONE);
         }
         cover_free(&c);
+        scan_free(&scratch);
     }
 }
 
@@ -605,9 +609,10 @@ static void what_covers_hide_is_hidden(void **state)
     (void)state;
     for (int i = 0; i < 70; i++) {
         cover c;
+        scan scratch;
         front g[FRONTS];
-        assert_true(cover_init(&c, frame_of((size_t)i % FRAMES)));
-        add_covers(&c, g, &r);
+        assert_true(cover_init(&c, frame_of((size_t)i % FRAMES)) && scan_init(&scratch, c.frame.nx));
+        add_covers(&c, &scratch, g, &r);
         for (int k = 0; k < 200; k++) {
             roberts_vec3 A, B;
             random_line(&r, k % LINES, &A, &B);
@@ -632,6 +637,7 @@ static void what_covers_hide_is_hidden(void **state)
             }
         }
         cover_free(&c);
+        scan_free(&scratch);
     }
     assert_true(boxes > 500 && edges > boxes);
 }
@@ -640,11 +646,12 @@ static void what_covers_hide_is_hidden(void **state)
 static void no_covers(void **state)
 {
     cover c;
+    scan scratch = {0};
     polygon g = rectangle(-1, 2, 7, 6);
     hide_box box = {0, 1, 3, 4, -9, -8};
     (void)state;
     assert_true(cover_init(&c, (scan_frame){0}));
-    cover_add(&c, g.P, g.corner, g.count, 5, NULL, 0, SLACK, 0, 0.0);
+    cover_add(&c, &scratch, g.P, g.corner, g.count, 5, NULL, 0, SLACK, 0, 0.0);
     assert_false(cover_hides(&c, &box));
     assert_false(cover_hides_edge(&c, (roberts_vec3){0, 3, -9}, (roberts_vec3){1, 4, -9}));
     cover_free(&c);

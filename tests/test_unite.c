@@ -42,7 +42,7 @@ static void covers_together(void **state)
         for (int k = 1; k <= BEHIND; k++)
             model_box(&m, (roberts_vec3){0, 0, -k - 0.5}, (roberts_vec3){4, 4, -k});
         roberts_scene *scene = model_build(&m);
-        assert_int_equal(hide_picture_build(&picture, scene, &top, 0.0, true, NULL), ROBERTS_OK);
+        assert_int_equal(hide_picture_build(&picture, scene, &top, 0.0, true, 1, NULL), ROBERTS_OK);
         assert_non_null(picture.cover.rest);
         if (picture.culled_count != (cases[i].hidden ? BEHIND : BEHIND - 1))
             fail_msg("%s: %zu culled", cases[i].name, picture.culled_count);
@@ -87,7 +87,7 @@ static void same_as_without(void **state)
                 fill(&m, kind, seed);
                 hide_picture picture;
                 roberts_scene *scene = model_build(&m);
-                assert_int_equal(hide_picture_build(&picture, scene, &cameras[k].camera, 0.0, true, NULL), ROBERTS_OK);
+                assert_int_equal(hide_picture_build(&picture, scene, &cameras[k].camera, 0.0, true, 1, NULL), ROBERTS_OK);
                 if (kind < 2 && cameras[k].together && picture.culled_count < 50)
                     fail_msg("kind %d, camera %zu: only %zu culled", kind, k, picture.culled_count);
                 scenes += picture.cover.rest != NULL;

@@ -14,7 +14,7 @@ bool cover_init(cover *c, scan_frame frame)
         return true;
     c->depth = alloc_array(cells, sizeof *c->depth);
     c->by = alloc_array(cells, sizeof *c->by); /* meaningless while there is no cover */
-    if (!c->depth || !c->by || !scan_init(&c->scan, frame.nx))
+    if (!c->depth || !c->by)
         return false;
     for (size_t i = 0; i < cells; i++)
         c->depth[i] = -INFINITY;
@@ -26,7 +26,6 @@ void cover_free(cover *c)
     free(c->depth);
     free(c->by);
     free(c->rest);
-    scan_free(&c->scan);
     *c = (cover){0};
 }
 
@@ -42,7 +41,7 @@ static double depth_over(const scan_frame *f, uint32_t i, uint32_t j, const hide
     return least;
 }
 
-void cover_add(cover *c, const roberts_vec3 *P, const uint32_t *corner, uint32_t count, double depth,
+void cover_add(cover *c, scan *s, const roberts_vec3 *P, const uint32_t *corner, uint32_t count, double depth,
                const hide_face *face, uint32_t face_count, double slack, uint32_t by, double loose)
 {
     scan_frame wider = c->frame;
@@ -50,12 +49,12 @@ void cover_add(cover *c, const roberts_vec3 *P, const uint32_t *corner, uint32_t
     if (!c->depth)
         return;
     wider.margin += loose;
-    scan_inner(&c->scan, f, P, corner, count);
+    scan_inner(s, f, P, corner, count);
     float bound = hide_float_below(depth - slack);
-    for (uint32_t i = c->scan.inner_first; i <= c->scan.inner_last; i++) {
+    for (uint32_t i = s->inner_first; i <= s->inner_last; i++) {
         uint32_t first, last;
         float *cell = c->depth + (size_t)i * f->ny;
-        if (!scan_inside(&c->scan, f, i, &first, &last))
+        if (!scan_inside(s, f, i, &first, &last))
             continue;
         for (uint32_t j = first; j <= last; j++) {
             if (face_count)

@@ -19,7 +19,6 @@ typedef struct cover_rest {
 
 typedef struct cover {
     scan_frame frame;
-    scan scan;        /* scratch */
     float *depth;     /* [nx * ny] -infinity without cover; NULL: no covers are kept, nothing is ever behind one */
     uint32_t *by;     /* [nx * ny] what covers the cell, as cover_add() was told */
     cover_rest *rest; /* [nx * ny] NULL: not kept */
@@ -29,11 +28,11 @@ typedef struct cover {
 bool cover_init(cover *c, scan_frame frame);
 void cover_free(cover *c);
 
-/* Enters a convex outline of corners P[corner[..]], counter-clockwise, whose front is nowhere over it farther away than
+/* Enters a convex outline (s: scratch for as many columns) of corners P[corner[..]], counter-clockwise, whose front is nowhere over it farther away than
  * `depth`; where faces are given the front is the nearer side of them all, and its depth in each cell is taken. slack:
  * how much nearer than the cover a thing must be to count as touching it, in depth. by: kept with the cells. loose: by how much
  * the front may fail to fill its outline. */
-void cover_add(cover *c, const roberts_vec3 *P, const uint32_t *corner, uint32_t count, double depth,
+void cover_add(cover *c, scan *s, const roberts_vec3 *P, const uint32_t *corner, uint32_t count, double depth,
                const hide_face *face, uint32_t face_count, double slack, uint32_t by, double loose);
 
 /* Lies all of the box certainly behind covers? */

@@ -518,7 +518,8 @@ static roberts_status build(hide_job *job, const roberts_camera *camera, roberts
     if (status != ROBERTS_OK)
         return status;
     job->scene = job->clip.clipped ? &job->clip.scene : job->source;
-    status = hide_picture_build(&job->picture, job->scene, camera, options->epsilon, !options->keep_hidden, error);
+    status = hide_picture_build(&job->picture, job->scene, camera, options->epsilon, !options->keep_hidden,
+                                options->threads, error);
     if (status != ROBERTS_OK)
         return status;
     const view *v = &job->picture.view;

@@ -20,7 +20,7 @@ typedef struct hide_front {
     float loose;               /* by how much its faces may leave its outline: by what they depart from their planes */
     float depth;               /* what is nowhere nearer is behind it wherever it is inside the outline */
     unsigned char face_count;
-    bool listed; /* false: culled after all, or a copy of another front */
+    bool listed; /* false: a copy of another front */
 } hide_front;
 
 typedef struct hide_picture {
@@ -31,25 +31,21 @@ typedef struct hide_picture {
     unsigned char *culled; /* [solid_count] */
     roberts_vec3 *P;       /* [vertex_count] view points of solids not culled */
     unsigned char *facing; /* [face_count] VIEW_FRONT, _BACK or _EDGE_ON, likewise */
-    hide_face *face;       /* [face_count] front faces */
-    size_t face_room;
-    uint32_t face_count;
-    hide_front *front;   /* [front_count] */
-    hide_box *front_box; /* [front_count] */
-    size_t front_room, front_box_room;
+    hide_face *face;       /* front faces; each front's lie together, but there is room between some */
+    hide_front *front;     /* [front_count] */
+    hide_box *front_box;   /* [front_count] */
     uint32_t front_count;
-    uint32_t *outline; /* [outline_count] compact vertex numbers */
-    size_t outline_count, outline_room;
+    uint32_t *outline; /* compact vertex numbers, likewise */
     cover cover;
     uint32_t most_corners; /* of a face or an outline */
-    size_t back, edge_on, culled_count;
+    size_t face_count, back, edge_on, culled_count;
     roberts_vec2 low, high; /* box of the picture, view units */
 } hide_picture;
 
-/* cull: leave out solids that are wholly hidden.
+/* cull: leave out solids that are wholly hidden. threads: 0 = as many as there are; what comes out is the same.
  * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT; after a failure the picture is empty. */
 roberts_status hide_picture_build(hide_picture *picture, const roberts_scene *scene, const roberts_camera *camera,
-                                  double epsilon, bool cull, roberts_error *error);
+                                  double epsilon, bool cull, uint32_t threads, roberts_error *error);
 void hide_picture_free(hide_picture *picture);
 
 /* Releases the boxes of solids: edges ask those of fronts only. */

@@ -211,12 +211,12 @@ static void offer(hide_picture *picture, uint32_t index, const sides *own, uint3
     c->by[at] = ROBERTS_NONE;
 }
 
-void unite_offer(hide_picture *picture, uint32_t front)
+void unite_offer(hide_picture *picture, const scan *s, uint32_t front, uint32_t first_front)
 {
-    const scan *s = &picture->cover.scan;
     const scan_frame *f = &picture->cover.frame;
     sides own;
-    bool again = front > 0 && memcmp(&picture->front_box[front], &picture->front_box[front - 1], sizeof(hide_box)) == 0;
+    bool again = front > first_front &&
+                 memcmp(&picture->front_box[front], &picture->front_box[front - 1], sizeof(hide_box)) == 0;
     if (!picture->cover.rest || again || !sides_of(picture, front, &own))
         return; /* many at one place, mostly copies, offer nothing new */
     for (uint32_t i = s->first; i <= s->last; i++) {
@@ -293,20 +293,21 @@ static bool hidden_by_two(const hide_picture *picture, const piece *polygon, flo
            hold(&first, &second, polygon);
 }
 
-bool unite_hides(hide_picture *picture, const uint32_t *corner, uint32_t count, float z1)
+bool unite_hides(const hide_picture *picture, scan *s, const uint32_t *corner, uint32_t count, float z1)
 {
-    cover *c = &picture->cover;
-    piece polygon = {.count = 0};
+    const cover *c = &picture->cover;
+    piece polygon;
     if (!c->rest || count < 3 || count > MOST_CORNERS)
         return false;
+    polygon.count = 0;
     for (uint32_t k = 0; k < count; k++)
         add_point(&polygon, picture->P[corner[k]].x, picture->P[corner[k]].y);
     if (hidden_by_two(picture, &polygon, z1))
         return true;
-    scan_polygon(&c->scan, &c->frame, picture->P, corner, count);
-    for (uint32_t i = c->scan.first; i <= c->scan.last; i++) {
+    scan_polygon(s, &c->frame, picture->P, corner, count);
+    for (uint32_t i = s->first; i <= s->last; i++) {
         uint32_t low, high;
-        scan_touched(&c->scan, &c->frame, i, &low, &high);
+        scan_touched(s, &c->frame, i, &low, &high);
         for (uint32_t j = low; j <= high; j++)
             if (!hidden_in_cell(picture, &polygon, i, j, z1))
                 return false;

@@ -12,10 +12,11 @@
 /* Lets the cells remember, from now on. False: no memory. */
 bool unite_init(cover *c);
 
-/* Offers a front, as cover_add() has just entered it, to the cells that it does not cover. */
-void unite_offer(hide_picture *picture, uint32_t front);
+/* Offers a front, as unite_hides() has just looked at it and cover_add() entered it with the same scan, to the cells that it
+ * does not cover. first_front: the first of those that this thread has entered. */
+void unite_offer(hide_picture *picture, const scan *s, uint32_t front, uint32_t first_front);
 
 /* Is a solid with this outline (numbers of view points) and no point nearer than z1 certainly hidden? */
-bool unite_hides(hide_picture *picture, const uint32_t *corner, uint32_t count, float z1);
+bool unite_hides(const hide_picture *picture, scan *s, const uint32_t *corner, uint32_t count, float z1);
 
 #endif

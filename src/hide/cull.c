@@ -1,0 +1,51 @@
+/* cull.c - see cull.h. */
+#include "hide/cull.h"
+
+#include <math.h>
+
+/* Does the front hide the solid, all of whose vertices lie inside its outline or on it? */
+static bool hides_solid(const hide_picture *picture, const hide_front *front, uint32_t solid)
+{
+    const roberts_scene *scene = picture->scene;
+    const uint32_t *corner = picture->outline + front->outline;
+    if (!(front->depth > picture->box[solid].z1))
+        return false;
+    for (uint32_t v = scene->solid[solid].vertex; v < scene->solid[solid + 1].vertex; v++) {
+        roberts_vec3 X = view_point(&picture->view, scene->point[v]);
+        for (uint32_t i = 0; i < front->corners; i++) {
+            roberts_vec3 P = picture->P[corner[i]], Q = picture->P[corner[i + 1 < front->corners ? i + 1 : 0]];
+            double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (X.y - P.y) - dy * (X.x - P.x);
+            if (H < 0.0 && H < -0.5 * picture->space.epsilon * sqrt(dx * dx + dy * dy))
+                return false;
+        }
+    }
+    return true;
+}
+
+/* A solid whose border lies on the border of what hides it is in cells that are not wholly covered. So, where the cells
+ * further in are, the fronts that cover its middle and its corners are asked themselves. */
+bool cull_hides(const hide_picture *picture, uint32_t solid)
+{
+    const hide_box *box = &picture->box[solid];
+    const scan_frame *f = &picture->cover.frame;
+    static const float at[5][2] = {{0.5f, 0.5f}, {0, 0}, {0, 1}, {1, 0}, {1, 1}};
+    uint32_t last = ROBERTS_NONE;
+    /* most that are not hidden are not in their middle */
+    if (!picture->cover.depth || !cover_nearer(&picture->cover, 0.5 * ((double)box->x0 + (double)box->x1),
+                                               0.5 * ((double)box->y0 + (double)box->y1), box->z1))
+        return false;
+    if (cover_hides(&picture->cover, box))
+        return true;
+    float dx = 1.5f * (float)f->dx, dy = 1.5f * (float)f->dy;
+    hide_box inner = {box->x0 + dx, box->x1 - dx, box->y0 + dy, box->y1 - dy, box->z0, box->z1};
+    if (inner.x0 > inner.x1 || inner.y0 > inner.y1 || !cover_hides(&picture->cover, &inner))
+        return false;
+    for (int k = 0; k < 5; k++) {
+        float x = inner.x0 + at[k][0] * (inner.x1 - inner.x0), y = inner.y0 + at[k][1] * (inner.y1 - inner.y0);
+        uint32_t front = cover_at(&picture->cover, (double)x, (double)y, box->z1);
+        if (front != ROBERTS_NONE && front != last && hides_solid(picture, &picture->front[front], solid))
+            return true;
+        last = front;
+    }
+    return false;
+}

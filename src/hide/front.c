@@ -1,0 +1,189 @@
+/* front.c - see front.h. */
+#include "hide/front.h"
+
+#include <math.h>
+
+#include "base/array.h"
+#include "hide/span.h"
+#include "hide/unite.h"
+
+/* A front of more faces than this is entered face by face: an edge that passes it would be compared with all. */
+#define FACES_OF_ONE_FRONT 24
+/* From this many cells (five or six mean boxes) across, a cover's depth is taken cell by cell and not once for all of it. */
+#define COVER_WIDE 50.0
+
+/* The front faces of a solid. */
+typedef struct front_faces {
+    hide_face *face; /* [count] */
+    uint32_t count;
+    double reach, touch; /* the least and greatest of theirs */
+    double steepest;     /* least of -c */
+    uint32_t back, edge_on;
+} front_faces;
+
+/* How far a distance from the face's plane can be trusted: `touch` within the reach that is returned, `limit` anywhere. The
+ * plane of a face of width w is known to about its rounding (and the face's own departure from it) at the face, and to
+ * that times r / w at a distance r. */
+static double set_trust(const hide_picture *picture, uint32_t solid, uint32_t face, double stretch, hide_face *f)
+{
+    const view *v = &picture->view;
+    double departure = scene_deviation(picture->scene, face) * v->per_unit;
+    double width = scene_width(picture->scene, face) * v->per_unit;
+    if (v->perspective) {
+        double grown = 1.0 + (double)picture->box[solid].z1 * v->inverse_distance; /* D / w at the nearest corner */
+        double shrunk = lesser(1.0, 1.0 + (double)picture->box[solid].z0 * v->inverse_distance);
+        departure = (departure + v->plane_rounding) * stretch * grown;
+        width *= shrunk * shrunk;
+    }
+    double error = 4.0 * v->rounding + departure, far_error = error * (1.0 + 2.0 * v->extent / width);
+    f->touch = v->epsilon + departure;
+    f->limit = hide_float_below(far_error > 0.5 * f->touch ? f->touch - far_error : f->touch);
+    return width * (0.5 * f->touch / error - 1.0);
+}
+
+/* Classifies the solid's faces and collects its front faces, from the tile's place on. */
+static front_faces find_faces(hide_picture *picture, picture_tile *tile, uint32_t solid)
+{
+    const roberts_scene *scene = picture->scene;
+    uint32_t end = scene->solid[solid + 1].face;
+    front_faces found = {.face = picture->face + tile->face, .reach = INFINITY, .steepest = 1.0};
+    for (uint32_t face = scene->solid[solid].face; face < end; face++) {
+        double stretch = 1.0;
+        plane F;
+        int facing = view_face(&picture->view, scene, face, picture->P, &F, &stretch);
+        picture->facing[face] = (unsigned char)facing;
+        if (facing != VIEW_FRONT) {
+            found.back += facing == VIEW_BACK;
+            found.edge_on += facing == VIEW_EDGE_ON;
+            continue;
+        }
+        hide_face *f = &found.face[found.count++];
+        f->F = F;
+        f->corner = scene->corner + scene->face_start[face];
+        f->count = scene->face_start[face + 1] - scene->face_start[face];
+        found.reach = lesser(found.reach, set_trust(picture, solid, face, stretch, f));
+        found.touch = greater(found.touch, f->touch);
+        found.steepest = lesser(found.steepest, -F.c);
+        tile->most_corners = f->count > tile->most_corners ? f->count : tile->most_corners;
+    }
+    return found;
+}
+
+/* The outline: edges with one front face, which they run round counter-clockwise, joined to a cycle. Gives its number of
+ * corners, or 0 where the edges are not one cycle: epsilon may have called faces of a very small or flat solid edge-on. */
+static uint32_t find_outline(const hide_picture *picture, uint32_t solid, uint32_t *next, uint32_t *outline)
+{
+    const scene_solid *own = &picture->scene->solid[solid];
+    const scene_edge *e = picture->scene->edge + own->stored, *end = e + (own[1].edge - own->edge);
+    const unsigned char *facing = picture->facing + own->face;
+    uint32_t edges = 0, start = ROBERTS_NONE, count = 0, size = own[1].vertex - own->vertex;
+    for (uint32_t v = 0; v < size; v++)
+        next[v] = ROBERTS_NONE;
+    for (; e < end; e++) {
+        bool left = facing[e->f[0]] == VIEW_FRONT;
+        if (left == (facing[e->f[1]] == VIEW_FRONT))
+            continue;
+        start = e->v[!left]; /* v[0] -> v[1] runs counter-clockwise round f[0] */
+        if (next[start] != ROBERTS_NONE)
+            return 0;
+        next[start] = e->v[left];
+        edges++;
+    }
+    if (edges < 3)
+        return 0;
+    uint32_t v = start;
+    do {
+        outline[count++] = v + own->vertex;
+        v = next[v];
+    } while (v != start && v != ROBERTS_NONE && count < edges);
+    return v == start && count == edges ? edges : 0;
+}
+
+/* Each of the faces as a front of its own. */
+static bool add_single_fronts(const hide_picture *picture, picture_tile *tile, uint32_t solid, const front_faces *found)
+{
+    size_t need = tile->single_count + found->count;
+    if (!array_reserve(&tile->single, &tile->single_room, need, sizeof *tile->single) ||
+        !array_reserve(&tile->single_box, &tile->single_box_room, need, sizeof *tile->single_box))
+        return false;
+    for (uint32_t k = 0; k < found->count; k++) {
+        span own = empty_span;
+        for (uint32_t i = 0; i < found->face[k].count; i++)
+            span_widen(&own, picture->P[found->face[k].corner[i]]);
+        tile->single_box[tile->single_count] = span_box(&own);
+        tile->single[tile->single_count++] =
+            (hide_front){.solid = solid, .face = tile->face + k, .face_count = 1, .listed = true};
+    }
+    return true;
+}
+
+static double farthest(const hide_picture *picture, const uint32_t *corner, uint32_t corners)
+{
+    double depth = INFINITY;
+    for (uint32_t i = 0; i < corners; i++)
+        depth = lesser(depth, picture->P[corner[i]].z);
+    return depth;
+}
+
+/* Enters what a front covers. trusted: the planes of its faces say how far it is. by: its number, ROBERTS_NONE if it will
+ * have none. */
+static void cover_front(hide_picture *picture, scan *s, const hide_front *front, const front_faces *found, bool trusted,
+                        double depth, double slack, uint32_t by)
+{
+    const hide_box *box = &picture->box[front->solid];
+    const scan_frame *f = &picture->cover.frame;
+    bool wide = trusted &&
+                ((double)(box->x1 - box->x0) > COVER_WIDE * f->dx || (double)(box->y1 - box->y0) > COVER_WIDE * f->dy);
+    cover_add(&picture->cover, s, picture->P, picture->outline + front->outline, front->corners, depth, found->face,
+              wide ? found->count : 0, slack, by, (double)front->loose);
+}
+
+bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile, uint32_t solid)
+{
+    const roberts_scene *scene = picture->scene;
+    const hide_box *box = &picture->box[solid];
+    uint32_t vertex = scene->solid[solid].vertex, *outline = picture->outline + tile->outline;
+    view_points(&picture->view, scene->point + vertex, scene->solid[solid + 1].vertex - vertex, picture->P + vertex);
+    front_faces found = find_faces(picture, tile, solid);
+    uint32_t corners = find_outline(picture, solid, scratch->next, outline);
+    bool whole = corners && found.count <= FACES_OF_ONE_FRONT;
+    if (whole && unite_hides(picture, &scratch->scan, outline, corners, box->z1)) {
+        picture->culled[solid] = true;
+        tile->culled++;
+        return true;
+    }
+    double size = (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0) + (double)(box->z1 - box->z0);
+    double reach = found.reach - size;
+    if (reach > 6.0 * picture->view.extent)
+        reach = INFINITY; /* nothing is farther away, along three axes */
+    /* By how much nearer than the front's farthest corner a point must be to count as touching it. Nothing of a front is
+     * farther than the farthest corner of its outline, since its depth is a concave function; a point that much behind it
+     * that it is behind each face by more than `touch` is certainly hidden, wherever it is inside the outline. */
+    double slack = 2.0 * (found.touch + hide_margin(&picture->space)) / found.steepest;
+    double depth = corners ? farthest(picture, outline, corners) : -INFINITY;
+    hide_front front = {.solid = solid,
+                        .face = tile->face,
+                        .face_count = whole ? (unsigned char)found.count : 0,
+                        .depth = hide_float_below(depth - slack),
+                        .reach = reach,
+                        .loose = hide_float_above(4.0 * (found.touch - picture->view.epsilon)),
+                        .outline = tile->outline,
+                        .corners = corners};
+    if (corners && picture->cover.depth)
+        cover_front(picture, &scratch->scan, &front, &found, whole && reach > size, depth, slack,
+                    whole ? tile->front : ROBERTS_NONE);
+    if (!whole && !add_single_fronts(picture, tile, solid, &found))
+        return false;
+    tile->face += found.count;
+    tile->faces += found.count;
+    tile->back += found.back;
+    tile->edge_on += found.edge_on;
+    if (!whole)
+        return true;
+    tile->outline += corners;
+    tile->most_corners = corners > tile->most_corners ? corners : tile->most_corners;
+    picture->front_box[tile->front] = *box;
+    picture->front[tile->front] = front;
+    unite_offer(picture, &scratch->scan, tile->front++, tile->first);
+    return true;
+}

@@ -1,0 +1,16 @@
+/* front.h - one solid: mapped, its faces classified, and its front entered. */
+#ifndef ROBERTS_HIDE_FRONT_H
+#define ROBERTS_HIDE_FRONT_H
+
+#include "hide/tiles.h"
+
+/* What a thread needs for itself. */
+typedef struct front_scratch {
+    scan scan;
+    uint32_t *next; /* [vertices of a solid] the outline's next corner */
+} front_scratch;
+
+/* Maps a solid of the tile and enters its front, unless two others hide it: then it is culled. False: no memory. */
+bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile, uint32_t solid);
+
+#endif

@@ -1,0 +1,28 @@
+/* span.h - boxes of view points, first as they are and then rounded outward. */
+#ifndef ROBERTS_HIDE_SPAN_H
+#define ROBERTS_HIDE_SPAN_H
+
+#include "hide/space.h"
+
+/* A box of view points as they are; one of none is empty. */
+typedef struct span {
+    roberts_vec3 low, high;
+} span;
+
+static const span empty_span = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+static inline void span_widen(span *s, roberts_vec3 p)
+{
+    s->low = (roberts_vec3){lesser(s->low.x, p.x), lesser(s->low.y, p.y), lesser(s->low.z, p.z)};
+    s->high = (roberts_vec3){greater(s->high.x, p.x), greater(s->high.y, p.y), greater(s->high.z, p.z)};
+}
+
+static inline hide_box span_box(const span *s)
+{
+    if (s->low.x > s->high.x)
+        return (hide_box){INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
+    return (hide_box){hide_float_below(s->low.x),  hide_float_above(s->high.x), hide_float_below(s->low.y),
+                      hide_float_above(s->high.y), hide_float_below(s->low.z),  hide_float_above(s->high.z)};
+}
+
+#endif
