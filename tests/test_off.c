@@ -226,6 +226,23 @@ static const struct {
      "8: text after the last face ignored;"},
     {"numbers of all kinds", "OFF 3 0 0\n+1 -0 1.\n.5 1e3 -1E-3\n0.1 1e150 -1e-320\n",
      "(1 -0 1)(0.5 1000 -0.001)(0.10000000000000001 9.9999999999999998e+149 -9.9998886718268301e-321)", ""},
+    {"a number missing", "OFF\n4 2 0\n0 0 0\n1 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n",
+     "(0 0 0)(1 0 0)(1 0 0)(0 1 3)[][0 2 3]",
+     "0: 1 face with fewer than 3 corners ignored;7: 1 colour that makes no sense ignored;"
+     "4: is a number missing? line 4 has 2 words, and the vertices before it have 3;"},
+    {"a number missing at once", "OFF\n4 2 0\n# none\n\n0 0\n1 0 0 # 7\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n",
+     "(0 0 1)(0 0 0)(1 0 0)(0 1 3)[][0 2 3]",
+     "0: 1 face with fewer than 3 corners ignored;9: 1 colour that makes no sense ignored;"
+     "5: is a number missing? line 5 has 2 words, and the next vertices have 3;"},
+    {"a vertex missing", "OFF\r\n5 2 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n0 0 1\r\n3 0 1 2\r\n3 0 2 3\r\n",
+     "(0 0 0)(1 0 0)(0 1 0)(0 0 1)(3 0 1)[3 0]",
+     "0: 2 faces declared, but there are 1;0: 1 face with fewer than 3 corners ignored;"
+     "8: 1 colour that makes no sense ignored;7: is a vertex missing? line 7 has 4 words, and the vertices before it "
+     "have 3;"},
+    {"vertices with colours or without, and a thin face", "COFF\n3 2 0\n0 0 0\n1 0 0 255 0 0\n0 1 0\n2 0 1\n3 0 1 2\n",
+     "(0 0 0)(1 0 0/1,0,0)(0 1 0)[0 1][0 1 2]", "0: 1 face with fewer than 3 corners ignored;"},
+    {"all numbers on lines of their own, and a thin face", "OFF\n3 2 0\n0\n0\n0\n1 0\n0\n0\n1\n0\n2 0 1\n3 0 1 2\n",
+     "(0 0 0)(1 0 0)(0 1 0)[0 1][0 1 2]", "0: 1 face with fewer than 3 corners ignored;"},
     {"unused vertices", "OFF 5 1 0\n9 9 9\n" POINTS "8 8 8\n3 1 2 3\n", "(9 9 9)(0 0 0)(1 0 0)(0 1 0)(8 8 8)[1 2 3]",
      ""},
 };
@@ -314,7 +331,8 @@ static const struct {
     {"dimension 2 of qhull", "2\n5 10 10\n", ROBERTS_BAD_SYNTAX, 1, "the dimension is 2, but only 3 can be drawn"},
     {"dimension missing", "nOFF\nx\n", ROBERTS_BAD_SYNTAX, 2, "the dimension expected, found \"x\""},
     {"vertex missing", "OFF\n1000 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 999", ROBERTS_BAD_SYNTAX, 6,
-     "y of vertex 4 of 1000 expected, but the input ends here"},
+     "y of vertex 4 of 1000 expected, but the input ends here; look: line 6 has 4 words, and the vertices before it "
+     "have 3"},
     {"all vertices missing", "OFF\n3 1 0\n", ROBERTS_BAD_SYNTAX, 3,
      "x of vertex 0 of 3 expected, but the input ends here"},
     {"word for a coordinate", "OFF\n3 1 0\n0 0 0\n1 O 0\n0 1 0\n3 0 1 2\n", ROBERTS_BAD_SYNTAX, 4,
@@ -371,6 +389,27 @@ static const struct {
     {"more vertices than can be counted", "OFF\n99999999999999999999999 1 0\n0 0 0\n", ROBERTS_BAD_SYNTAX, 4,
      "x of vertex 1 of 18446744073709551615 expected, but the input ends here"},
     {"brace too early", "{OFF\n3 1 0\n0 0 0\n}", ROBERTS_BAD_SYNTAX, 4, "x of vertex 1 of 3 expected, found \"}\""},
+    {"a number missing", "OFF\n4 2 0\n0 0 0\n1 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 9\n", ROBERTS_BAD_INDEX, 8,
+     "face 1 names vertex 9, but there are 4; look: line 4 has 2 words, and the vertices before it have 3"},
+    {"a normal too few", "NOFF\n3 2 0\n0 0 0 0 0 1\n1 0 0 0 0\n0 1 0 0 0 1\n3 0 1 2\n3 0 x 2\n", ROBERTS_BAD_SYNTAX, 7,
+     "corner 2 of 3 of face 1 of 2 expected, found \"x\"; look: line 4 has 5 words, and the vertices before it have 6"},
+    {"points", "0.5 0 0\n1 0 0\n\n0 1 0\n", ROBERTS_BAD_SYNTAX, 0,
+     "this looks like points, 3 numbers on each line, not like OFF; with two lines before them, \"3 points\" and "
+     "\"3\", they can be read as points to take the hull of"},
+    {"whole points", "1 2 3\n4 5 6\n7 8 9\n1 5 2", ROBERTS_BAD_INDEX, 0,
+     "this looks like points, 3 numbers on each line, not like OFF; with two lines before them, \"3 points\" and "
+     "\"4\", they can be read as points to take the hull of"},
+    {"points with a minus", "-1 2 3\r\n4 5 6\r\n", ROBERTS_BAD_SYNTAX, 0,
+     "this looks like points, 3 numbers on each line, not like OFF; with two lines before them, \"3 points\" and "
+     "\"2\", they can be read as points to take the hull of"},
+    {"a table", "1.5,2,3\n4,5,6\n", ROBERTS_BAD_SYNTAX, 0,
+     "this looks like a table, 3 numbers on each line with commas, not like OFF; of points, \"3 points\" and their "
+     "number are read, and then three numbers for each, with blanks between"},
+    {"points with normals", ".5 2 3 0 0 1\n4 5 6 0 0 1\n", ROBERTS_BAD_SYNTAX, 0,
+     "this looks like a table, 6 numbers on each line, not like OFF; of points, \"3 points\" and their number are "
+     "read, and then three numbers for each, with blanks between"},
+    {"no keyword, and faces", "3 1 0\n" POINTS "3 0 1 3\n", ROBERTS_BAD_INDEX, 5,
+     "face 0 names vertex 3, but there are 3, numbered from 0"},
     {"BINARY with a tail", "OFF BINARY 3\n", ROBERTS_BAD_SYNTAX, 1,
      "the end of the line after BINARY expected, found \"3\""},
     {"BINARY and nothing", "OFF BINARY\n", ROBERTS_BAD_SYNTAX, 0, "the input ends in count 0 of 3"},

@@ -77,6 +77,16 @@ static void check_mesh(const roberts_mesh *mesh)
     assert_true(mesh->source_count == 1);
 }
 
+/* What can be read twice is looked at once more after an error: then more is said, or that it is no OFF. */
+static bool same_complaint(const roberts_error *once, const roberts_error *twice)
+{
+    size_t length = strlen(once->message);
+    if (strncmp(twice->message, "this looks like ", 16) == 0)
+        return twice->line == 0;
+    return once->line == twice->line && strncmp(once->message, twice->message, length) == 0 &&
+           (twice->message[length] == '\0' || strncmp(twice->message + length, "; look: line ", 13) == 0);
+}
+
 /* Reads the input in two ways and compares. */
 static void check(bytes input)
 {
@@ -89,15 +99,16 @@ static void check(bytes input)
         check_mesh(&whole);
     } else {
         assert_true(status == ROBERTS_BAD_SYNTAX || status == ROBERTS_BAD_INDEX || status == ROBERTS_BAD_NUMBER);
-        assert_true(error.status == status && strlen(error.message) > 10 && strlen(error.message) < 250);
+        assert_true(error.status == status && strlen(error.message) > 10 &&
+                    strlen(error.message) < sizeof error.message - 1);
         assert_true(strcmp(error.file, "any.off") == 0 && error.line <= input.length + 1);
         for (const char *c = error.message; *c; c++)
             assert_true(*c >= ' ' && *c <= '~');
         assert_true(!whole.vertex_count && !whole.face_count && !whole.source_count && !whole.vertex_color &&
                     !whole.face_color && !whole.face_start);
     }
-    if (roberts_mesh_read(&pieces, "any.off", read_feed, &source, NULL, &other) != status || other.line != error.line ||
-        strcmp(other.message, error.message) != 0 || !same_mesh(&whole, &pieces)) {
+    if (roberts_mesh_read(&pieces, "any.off", read_feed, &source, NULL, &other) != status ||
+        (status != ROBERTS_OK && !same_complaint(&other, &error)) || !same_mesh(&whole, &pieces)) {
         fprintf(stderr, "input:");
         for (size_t i = 0; i < input.length; i++)
             fprintf(stderr, " %02x", (unsigned char)input.text[i]);

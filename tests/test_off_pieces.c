@@ -106,12 +106,8 @@ static void keep_warning(void *context, const char *file, size_t line, const cha
 static void read_input(input *in, const off_division *division, result *r)
 {
     const roberts_warnings warnings = {keep_warning, r->warnings};
-    const off_source source = {.read = read_on,
-                               .context = in,
-                               .read_at = division->threads > 1 ? read_at : NULL,
-                               .go = go,
-                               .size = in->size,
-                               .finite = true};
+    const off_source source = {
+        .read = read_on, .context = in, .read_at = read_at, .go = go, .size = in->size, .finite = true};
     *r = (result){0};
     for (size_t i = 0; i < in->first; i++)
         assert_int_equal(roberts_mesh_add_vertex(&r->mesh, (roberts_vec3){1, 2, 3}, NULL, NULL), ROBERTS_OK);

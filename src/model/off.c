@@ -102,14 +102,18 @@ static roberts_status read_all(off_reader *r)
     roberts_status status = off_read_header(r);
     if (status != ROBERTS_OK)
         return status;
+    r->header.line = r->in.line;
     if (!mesh_source(r->mesh, r->name))
         return error_no_memory(r->error);
     status = r->header.binary ? off_read_binary(r) : off_read_text(r);
     if (status != ROBERTS_OK)
         return status;
+    bool faces_missing = r->mesh->face_count - r->mark.faces < r->header.faces;
     if (!mesh_color_rest(r->mesh, r->vertices_filled, r->faces_filled))
         return error_no_memory(r->error);
     warn(r);
+    if (r->thin_faces || r->odd_colors || faces_missing)
+        off_explain_warning(r);
     return ROBERTS_OK;
 }
 
@@ -130,6 +134,8 @@ roberts_status off_read(roberts_mesh *mesh, const char *name, const off_source *
         error_no_memory(error);
     else
         status = read_all(&r);
+    if (status == ROBERTS_BAD_SYNTAX || status == ROBERTS_BAD_INDEX)
+        off_explain_error(&r);
     input_close(&r.in);
     if (status != ROBERTS_OK)
         mesh_back(mesh, r.mark);

@@ -8,6 +8,7 @@
  * off_binary.c  vertices and faces as 32-bit words
  * off_color.c   what the numbers of a colour mean
  * off_foreign.c other formats, by how they begin
+ * off_explain.c after an error: which line may be the reason
  * off_input.c   blocks and tokens */
 #ifndef ROBERTS_MODEL_OFF_H
 #define ROBERTS_MODEL_OFF_H
@@ -22,6 +23,8 @@
 typedef struct off_header {
     bool texture, color, normal, homogeneous, dimension; /* prefixes ST, C, N, 4, n */
     bool binary;
+    bool bare;                /* no keyword */
+    size_t line;              /* where the counts end; 0: not yet read */
     size_t braces;            /* opened, and to be closed after the last face */
     uint64_t vertices, faces; /* as declared: nothing is allocated for them */
 } off_header;
@@ -82,6 +85,11 @@ roberts_status off_read_binary(off_reader *r);
 
 /* Says that there are fewer faces than declared. */
 void off_warn_fewer(off_reader *r, uint64_t found);
+
+/* Reads a text once more, when all is done, and adds to its error which of its lines may be the reason, or says instead that
+ * it is no OFF; or warns of a line in which a number seems to be missing. The reader's buffer is lost. */
+void off_explain_error(off_reader *r);
+void off_explain_warning(off_reader *r);
 
 /* The name of the format that begins with this word; NULL: not known. */
 const char *off_foreign(const char *word, size_t length);

@@ -188,6 +188,7 @@ roberts_status off_read_header(off_reader *r)
     size_t length = input_token(&r->in), word = 0;
     if (length <= OFF_TOKEN_MAX)
         word = keyword(r->in.at, length, &r->header);
+    r->header.bare = word == 0;
     if (word == 0 && (*r->in.at < '0' || *r->in.at > '9'))
         return refuse_word(r, length);
     r->in.at += word;
