@@ -6,6 +6,7 @@
 #define ROBERTS_BASE_LANES_H
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdint.h>
 
 /* The plain form of all of it: lanes two[i] = a[i] - b[i] and so on. */
@@ -161,6 +162,12 @@ static inline unsigned four_plain_signs(four_plain a)
            (a.v[3] < 0.0f ? 8u : 0u);
 }
 
+/* Whether b[i] - a[i] == shift for i = 0 .. 3. */
+static inline bool four_plain_shifted(const uint32_t *a, const uint32_t *b, uint32_t shift)
+{
+    return b[0] - a[0] == shift && b[1] - a[1] == shift && b[2] - a[2] == shift && b[3] - a[3] == shift;
+}
+
 #if defined(__SSE2__)
 
 #include <emmintrin.h>
@@ -296,6 +303,12 @@ static inline unsigned four_signs(four a)
     return (unsigned)_mm_movemask_ps(a);
 }
 
+static inline bool four_shifted(const uint32_t *a, const uint32_t *b, uint32_t shift)
+{
+    __m128i apart = _mm_sub_epi32(_mm_loadu_si128((const __m128i *)b), _mm_loadu_si128((const __m128i *)a));
+    return _mm_movemask_epi8(_mm_cmpeq_epi32(apart, _mm_set1_epi32((int)shift))) == 0xffff;
+}
+
 #else
 
 typedef two_plain two;
@@ -325,6 +338,7 @@ typedef four_plain four;
 #define four_below four_plain_below
 #define four_either four_plain_either
 #define four_signs four_plain_signs
+#define four_shifted four_plain_shifted
 
 #endif
 

@@ -13,6 +13,7 @@
 
 #include "base/array.h"
 #include "base/sets.h"
+#include "model/blocks.h"
 #include "model/layout.h"
 
 /* For each vertex its parent: an earlier vertex of the component or the vertex itself; ROBERTS_NONE: no face uses it.
@@ -227,7 +228,8 @@ static void place(roberts_scene *scene, set_node *node, const polygons *faces, c
     if (kept.faces) {
         if (!(scene->lent & LENT_FACE_START))
             copy_array(scene->face_start, faces->start, (size_t)scene->face_count + 1, sizeof *scene->face_start);
-        copy_array(scene->corner, faces->corner, scene->corner_count, sizeof *scene->corner);
+        if (!(scene->lent & LENT_CORNER))
+            copy_array(scene->corner, faces->corner, scene->corner_count, sizeof *scene->corner);
     } else {
         place_faces(scene, node, faces);
         copy_corners(scene, faces);
@@ -242,31 +244,62 @@ static void place(roberts_scene *scene, set_node *node, const polygons *faces, c
     }
 }
 
-bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh, bool lend)
+/* The box round all vertices; none is out of use. */
+static void measure(roberts_scene *scene, const roberts_vec3 *point)
 {
-    set_node *node = alloc_array(faces->vertex_count, sizeof *node);
-    bool done = false, repeat;
-    layout_kept kept;
-    if (!node || !some_corner_repeats(faces, &repeat) || (repeat && !polygons_clean(faces, NULL)))
-        goto done;
-    join_corners(scene, node, faces);
-    kept.vertices = number_components(scene, node, faces, mesh->vertex);
+    roberts_vec3 lo = {INFINITY, INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY, -INFINITY};
+    for (uint32_t v = 0; v < scene->vertex_count; v++)
+        box_add(&lo, &hi, point[v]);
+    layout_set_box(scene, lo, hi);
+}
+
+/* The components by union-find: counts them, their vertices and their faces. `node` is left for place(). False: no memory. */
+static bool find_components(roberts_scene *scene, polygons *faces, const roberts_vec3 *point, set_node **node,
+                            layout_kept *kept)
+{
+    bool repeat;
+    *node = alloc_array(faces->vertex_count, sizeof **node);
+    if (!*node || !some_corner_repeats(faces, &repeat) || (repeat && !polygons_clean(faces, NULL)))
+        return false;
+    join_corners(scene, *node, faces);
+    kept->vertices = number_components(scene, *node, faces, point);
     if (!(scene->solid = alloc_zeroed((size_t)scene->solid_count + 1, sizeof *scene->solid)))
-        goto done;
-    kept.faces = count_members(scene, node, faces);
-    if (lend && kept.vertices && mesh->vertex) {
+        return false;
+    kept->faces = count_members(scene, *node, faces);
+    return true;
+}
+
+/* Takes over from the mesh what would be the same. */
+static void borrow(roberts_scene *scene, const polygons *faces, const roberts_mesh *mesh, layout_kept kept)
+{
+    if (kept.vertices && mesh->vertex) {
         scene->point = mesh->vertex;
         scene->lent |= LENT_POINT;
     }
-    if (lend && kept.faces && mesh->face_start && faces->start == mesh->face_start) {
+    if (kept.faces && mesh->face_start && faces->start == mesh->face_start) {
         scene->face_start = mesh->face_start;
         scene->lent |= LENT_FACE_START;
     }
-    if (!layout_alloc(scene, kept))
-        goto done;
-    place(scene, node, faces, mesh->vertex, kept);
-    done = true;
-done:
+    if (kept.vertices && kept.faces && mesh->corner && faces->corner == mesh->corner) {
+        scene->corner = mesh->corner;
+        scene->lent |= LENT_CORNER;
+    }
+}
+
+bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh, bool lend, patterns *list)
+{
+    set_node *node = NULL;
+    layout_kept kept = {true, true};
+    bool blocks, done = blocks_find(scene, faces, list, &blocks);
+    if (done && blocks)
+        measure(scene, mesh->vertex);
+    else
+        done = done && find_components(scene, faces, mesh->vertex, &node, &kept);
+    if (done && lend)
+        borrow(scene, faces, mesh, kept);
+    done = done && layout_alloc(scene, kept);
+    if (done)
+        place(scene, node, faces, mesh->vertex, kept);
     free(node);
     return done;
 }

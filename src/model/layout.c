@@ -22,6 +22,8 @@ bool layout_alloc(roberts_scene *scene, layout_kept kept)
         scene->number = alloc_array(scene->vertex_count, sizeof *scene->number);
     if (!scene->face_start)
         scene->face_start = alloc_array(faces + 1, sizeof *scene->face_start);
+    if (scene->lent & LENT_CORNER)
+        scene->turned = alloc_zeroed(faces, sizeof *scene->turned);
     if (!scene->corner)
         scene->corner = alloc_array(scene->corner_count, sizeof *scene->corner);
     scene->face_plane = alloc_array(faces, sizeof *scene->face_plane);
@@ -29,19 +31,42 @@ bool layout_alloc(roberts_scene *scene, layout_kept kept)
     scene->face_width = alloc_array(faces, sizeof *scene->face_width);
     if (!kept.faces)
         scene->face_number = alloc_array(faces, sizeof *scene->face_number);
-    return scene->solid && scene->point && (scene->number || kept.vertices) && scene->face_start && scene->corner &&
-           scene->face_plane && scene->face_deviation && scene->face_width && (scene->face_number || kept.faces);
+    return scene->solid && scene->point && (scene->turned || !(scene->lent & LENT_CORNER)) &&
+           (scene->number || kept.vertices) && scene->face_start && scene->corner && scene->face_plane &&
+           scene->face_deviation && scene->face_width && (scene->face_number || kept.faces);
+}
+
+void layout_turn_face(roberts_scene *scene, uint32_t f)
+{
+    uint32_t *corner = scene->corner + scene->face_start[f], n = scene->face_start[f + 1] - scene->face_start[f];
+    for (uint32_t i = 1, j = n - 1; i < j; i++, j--) {
+        uint32_t swapped = corner[i];
+        corner[i] = corner[j];
+        corner[j] = swapped;
+    }
+    if (scene->turned)
+        scene->turned[f] ^= 1;
+}
+
+void layout_turn_back(roberts_scene *scene)
+{
+    for (uint32_t f = 0; scene->turned && f < scene->face_count; f++)
+        if (scene->turned[f])
+            layout_turn_face(scene, f);
 }
 
 void layout_clear(roberts_scene *scene)
 {
+    layout_turn_back(scene);
+    free(scene->turned);
     free(scene->solid);
     if (!(scene->lent & LENT_POINT))
         free(scene->point);
     free(scene->number);
     if (!(scene->lent & LENT_FACE_START))
         free(scene->face_start);
-    free(scene->corner);
+    if (!(scene->lent & LENT_CORNER))
+        free(scene->corner);
     free(scene->face_plane);
     free(scene->face_deviation);
     free(scene->face_width);

@@ -17,7 +17,13 @@ bool layout_alloc(roberts_scene *scene, layout_kept kept);
 /* Sets the scene's box, and what follows from it. */
 void layout_set_box(roberts_scene *scene, roberts_vec3 lo, roberts_vec3 hi);
 
-/* Releases all arrays but those lent and leaves an empty scene. */
+/* Turns the corners of face f round, the first one keeping its place. */
+void layout_turn_face(roberts_scene *scene, uint32_t f);
+
+/* Corners that are lent run as in the mesh again. */
+void layout_turn_back(roberts_scene *scene);
+
+/* Releases all arrays but those lent, which are left as the mesh had them, and leaves an empty scene. */
 void layout_clear(roberts_scene *scene);
 
 /* Allocates the scene's arrays and lays out solids 0 .. solid_count - 1, face f belonging to solid of[f] (ROBERTS_NONE:

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "model/layout.h"
 
 enum { UNSEEN, KEEP, TURN };
 
@@ -56,14 +57,8 @@ static void flood(const solid_frame *frame, const face_edges *of, const uint8_t 
 
 static void turn_face(roberts_scene *scene, solid_frame *frame, uint32_t f)
 {
-    uint32_t *corner = scene->corner + scene->face_start[frame->face_first + f];
-    uint32_t n = scene->face_start[frame->face_first + f + 1] - scene->face_start[frame->face_first + f];
     plane *global = &scene->face_plane[frame->face_first + f], *F = &frame->face[f].F;
-    for (uint32_t i = 1, j = n - 1; i < j; i++, j--) {
-        uint32_t swapped = corner[i];
-        corner[i] = corner[j];
-        corner[j] = swapped;
-    }
+    layout_turn_face(scene, frame->face_first + f);
     *F = (plane){-F->a, -F->b, -F->c, -F->d};
     frame->face[f].depth = -frame->face[f].depth;
     *global = (plane){-global->a, -global->b, -global->c, -global->d};

@@ -11,6 +11,7 @@
 #include "model/components.h"
 #include "model/hull.h"
 #include "model/layout.h"
+#include "model/patterns.h"
 #include "model/place.h"
 #include "model/regroup.h"
 #include "model/solid_build.h"
@@ -62,22 +63,15 @@ static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh)
     return true;
 }
 
-/* Where each solid's edges begin: each has half as many as its faces have corners. False: no memory. */
-static bool number_edges(roberts_scene *scene)
-{
-    uint32_t sum = 0;
-    for (uint32_t s = 0; s < scene->solid_count; s++) {
-        scene->solid[s].edge = scene->solid[s].stored = sum;
-        sum += scene_corners(scene, s) / 2;
-    }
-    scene->solid[scene->solid_count].edge = sum;
-    scene->edge_count = sum;
-    return (scene->edge = alloc_array(sum, sizeof *scene->edge)) != NULL;
-}
-
+/* Keeps the edges of a solid that is built. Those of its pattern are there already, once each way round: the first edge tells
+ * which it is. */
 static void store_edges(roberts_scene *scene, uint32_t s, const solid_frame *frame)
 {
-    memcpy(scene->edge + scene->solid[s].stored, frame->edge, frame->edge_count * sizeof *frame->edge);
+    scene_edge *stored = scene->edge + scene->solid[s].stored;
+    if (scene->solid[s].stored >= scene->shared)
+        memcpy(stored, frame->edge, frame->edge_count * sizeof *stored);
+    else if (frame->edge->f[0] != stored->f[0])
+        scene->solid[s].stored += frame->edge_count;
 }
 
 /* Builds solid s. What has already been found by any thread spares work: once a solid is open, the others are only asked
@@ -136,18 +130,33 @@ static roberts_status first_refusal(const construction *c, const construction_wo
     return first->error.status;
 }
 
-/* Builds the solids as laid out. `open`: NULL where all must be closed; else it receives a mark for each solid that is
+static void free_workers(construction_worker *worker, int threads)
+{
+    for (int i = 0; worker && i < threads; i++)
+        builder_free(&worker[i].tools);
+    free(worker);
+}
+
+/* `list`: empty where the patterns are not known yet. It is released. False: no memory. */
+static bool number_edges(roberts_scene *scene, patterns *list, edge_scratch *scratch)
+{
+    bool done = (list->count > 0 || patterns_find(list, scene)) && patterns_number_edges(list, scene, scratch);
+    patterns_free(list);
+    return done;
+}
+
+/* Builds the solids as laid out, whose patterns are in `list` (empty: are not known yet). `open`: NULL where all must be closed; else it receives a mark for each solid that is
  * not, and *any_open whether there is one. The result does not depend on the threads. */
 static roberts_status build_solids(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
-                                   uint8_t *open, bool *any_open, roberts_error *error)
+                                   patterns *list, uint8_t *open, bool *any_open, roberts_error *error)
 {
     construction c = {.scene = scene, .mesh = mesh, .tolerance = options->tolerance, .open = open};
     uint32_t chunks = (scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
     int threads = threads_for(options->threads, 1 + chunks / CHUNKS_PER_THREAD);
     construction_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
     roberts_status status;
-    if (!worker || !number_edges(scene)) {
-        free(worker);
+    if (!worker || !number_edges(scene, list, &worker[0].tools.edges)) {
+        free_workers(worker, threads);
         return error_no_memory(error);
     }
     atomic_init(&c.any_open, false);
@@ -164,9 +173,7 @@ static roberts_status build_solids(roberts_scene *scene, const roberts_mesh *mes
     }
     *any_open = atomic_load(&c.any_open);
     status = first_refusal(&c, worker, threads, error);
-    for (int i = 0; i < threads; i++)
-        builder_free(&worker[i].tools);
-    free(worker);
+    free_workers(worker, threads);
     return status;
 }
 
@@ -188,22 +195,24 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
                             const roberts_scene_options *options, roberts_error *error)
 {
     polygons faces;
+    patterns list = {0};
     uint8_t *open = NULL;
     bool any_open = false;
     roberts_status status = polygons_of_mesh(&faces, mesh, error);
     if (status != ROBERTS_OK)
         return status;
     status = ROBERTS_NO_MEMORY;
-    if (!components_lay_out(scene, &faces, mesh, lend))
+    if (!components_lay_out(scene, &faces, mesh, lend, &list))
         goto done;
     warn_repeated(&faces, mesh, &options->warnings);
     if (!(open = alloc_zeroed(scene->solid_count, sizeof *open)))
         goto done;
-    status = build_solids(scene, mesh, options, open, &any_open, error);
+    status = build_solids(scene, mesh, options, &list, open, &any_open, error);
     if (status == ROBERTS_OK && any_open) {
+        layout_turn_back(scene); /* regrouping starts from the mesh */
         status = regroup(scene, open, &faces, mesh, false, error);
         if (status == ROBERTS_OK)
-            status = build_solids(scene, mesh, options, NULL, &any_open, error);
+            status = build_solids(scene, mesh, options, &list, NULL, &any_open, error);
     }
     if (status == ROBERTS_OK && scene->solid_count == 0)
         status = refuse_empty(error);
@@ -211,6 +220,7 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
         status = ROBERTS_NO_MEMORY;
 done:
     free(open);
+    patterns_free(&list);
     polygons_free(&faces);
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
@@ -235,15 +245,17 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
                                   roberts_error *error)
 {
     polygons faces;
+    patterns list = {0};
     builder work = {0};
     uint8_t *open = NULL;
     bool any_open = false;
     roberts_status status = polygons_of_mesh(&faces, mesh, error);
     if (status == ROBERTS_OK)
         status = hull_add_inputs(&faces, mesh, error);
-    if (status == ROBERTS_OK &&
-        !(components_lay_out(scene, &faces, mesh, false) && (open = alloc_zeroed(scene->solid_count, sizeof *open))))
+    if (status == ROBERTS_OK && !(components_lay_out(scene, &faces, mesh, false, &list) &&
+                                  (open = alloc_zeroed(scene->solid_count, sizeof *open))))
         status = ROBERTS_NO_MEMORY;
+    patterns_free(&list); /* hulls have others */
     if (status == ROBERTS_OK)
         status = find_open(scene, &work, mesh, open, &any_open, error);
     if (status == ROBERTS_OK && any_open)
@@ -253,7 +265,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     if (status == ROBERTS_OK)
         status = hull_solids(scene, &work, mesh, options->tolerance, error);
     if (status == ROBERTS_OK)
-        status = build_solids(scene, mesh, options, NULL, &any_open, error);
+        status = build_solids(scene, mesh, options, &list, NULL, &any_open, error);
     if (status == ROBERTS_OK && !copy_colors(scene, mesh))
         status = ROBERTS_NO_MEMORY;
     free(open);
@@ -311,6 +323,10 @@ roberts_status roberts_scene_take(roberts_mesh *mesh, const roberts_scene_option
         mesh->vertex = NULL;
     if ((*scene)->lent & LENT_FACE_START)
         mesh->face_start = NULL;
+    if ((*scene)->lent & LENT_CORNER)
+        mesh->corner = NULL;
+    free((*scene)->turned);
+    (*scene)->turned = NULL;
     (*scene)->lent = 0;
     roberts_mesh_free(mesh);
     return ROBERTS_OK;

@@ -18,7 +18,7 @@
 
 typedef struct scene_solid {
     uint32_t vertex, face, edge; /* first of each; the next solid's first ends them */
-    uint32_t stored;             /* where scene->edge has its edges */
+    uint32_t stored;             /* where scene->edge has its edges; while it is built, see patterns.h */
 } scene_solid;
 
 typedef struct scene_edge {
@@ -27,11 +27,15 @@ typedef struct scene_edge {
 } scene_edge;
 
 /* Arrays that belong to the mesh while solids are built. */
-enum { LENT_POINT = 1, LENT_FACE_START = 2 };
+enum { LENT_POINT = 1, LENT_FACE_START = 2, LENT_CORNER = 4 };
 
 struct roberts_scene {
     uint32_t solid_count, vertex_count, face_count, edge_count;
-    unsigned lent; /* LENT_...; none once the scene is built */
+    uint32_t
+        shared; /* so many edges are stored first that belong to several solids each: those of a pattern as its first solid
+                        is wound in the input, then the other way round */
+    unsigned lent;   /* LENT_...; none once the scene is built */
+    uint8_t *turned; /* [face_count] 1: its corners run the other way round than in the mesh that has lent them */
     size_t corner_count;
     scene_solid *solid;    /* [solid_count + 1] */
     roberts_vec3 *point;   /* [vertex_count] as read, so that exact arithmetic can go back to it */

@@ -10,22 +10,34 @@
 #include "model/place.h"
 #include "model/solid_check.h"
 
-/* Euler's formula: V - E + F = 2 for a surface like a sphere. Others are two solids that share a vertex, or have
- * holes. */
-static bool like_a_sphere(const roberts_scene *scene, uint32_t s)
+/* Whether the solid's edges are stored with its pattern's, which is closed. */
+static bool is_stored(const roberts_scene *scene, uint32_t s)
 {
-    const scene_solid *first = scene->solid + s;
-    uint64_t corners = scene_corners(scene, s);
-    uint64_t vertices = first[1].vertex - first->vertex, faces = first[1].face - first->face;
-    return vertices + faces == corners / 2 + 2;
+    return scene->solid[s].stored < scene->shared;
 }
 
 build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t s, roberts_error *error)
 {
+    if (is_stored(scene, s))
+        return BUILD_OK;
     edge_pairing pairing = edges_pair(scene, s, &work->edges);
     if (pairing == EDGES_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
-    return pairing == EDGES_OPEN || !like_a_sphere(scene, s) ? BUILD_OPEN : BUILD_OK;
+    return pairing == EDGES_OPEN || !edges_like_a_sphere(scene, s) ? BUILD_OPEN : BUILD_OK;
+}
+
+/* The edges of solid s, whose faces have been wound: its pattern's, where all or none of them were turned, else found
+ * anew. */
+static edge_pairing pair(const roberts_scene *scene, builder *work, uint32_t s)
+{
+    solid_frame *frame = &work->frame;
+    if (!is_stored(scene, s) || frame->turned % frame->face_count != 0) {
+        edge_pairing pairing = edges_pair(scene, s, &work->edges);
+        frame->edge = work->edges.edge;
+        return pairing;
+    }
+    frame->edge = scene->edge + scene->solid[s].stored + (frame->turned > 0 ? frame->edge_count : 0);
+    return EDGES_PAIRED;
 }
 
 static roberts_status wind(roberts_scene *scene, builder *work, uint32_t s, roberts_error *error)
@@ -70,7 +82,7 @@ static roberts_status refuse_turned(const roberts_scene *scene, const solid_fram
 build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const roberts_mesh *mesh, double tolerance,
                          bool must_close, roberts_error *error)
 {
-    const bool sphere = like_a_sphere(scene, s);
+    const bool sphere = edges_like_a_sphere(scene, s);
     edge_pairing pairing;
     roberts_status status = frame_enter(&work->frame, scene, s, tolerance);
     work->frame.mesh = mesh;
@@ -79,12 +91,11 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
     if (status != ROBERTS_OK)
         return refuse_numbers(scene, work, s, must_close, error);
     frame_fit_faces(&work->frame, scene);
-    pairing = edges_pair(scene, s, &work->edges);
+    pairing = pair(scene, work, s);
     if (pairing == EDGES_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
     if (pairing == EDGES_OPEN || (!must_close && !sphere))
         return BUILD_OPEN;
-    work->frame.edge = work->edges.edge;
     if (pairing == EDGES_MIXED && wind(scene, work, s, error) != ROBERTS_OK)
         return BUILD_REFUSED;
     if (solid_check(scene, &work->frame, error) != ROBERTS_OK)

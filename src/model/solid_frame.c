@@ -94,13 +94,11 @@ uint32_t frame_ring(const solid_frame *frame, const roberts_scene *scene, uint32
     return n;
 }
 
-static void reverse(uint32_t *corner, uint32_t count)
+/* Counter-clockwise about the inward normal is clockwise seen from outside. */
+static void turn(solid_frame *frame, roberts_scene *scene, uint32_t f)
 {
-    for (uint32_t i = 1, j = count - 1; i < j; i++, j--) {
-        uint32_t swapped = corner[i];
-        corner[i] = corner[j];
-        corner[j] = swapped;
-    }
+    layout_turn_face(scene, frame->face_first + f);
+    frame->turned++;
 }
 
 void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean)
@@ -121,7 +119,6 @@ void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, dou
 static void fit_face(solid_frame *frame, roberts_scene *scene, uint32_t f)
 {
     local_face *face = &frame->face[f];
-    const uint32_t *start = scene->face_start + frame->face_first + f;
     roberts_vec3 origin = frame_origin(frame, scene, f), b = vec3_sub(frame->barycentre, origin);
     fitted_plane fit = face_plane_fit(frame->ring, frame_ring(frame, scene, f));
     double depth = vec3_dot(fit.n, b) - fit.mean, side = depth < 0.0 ? -1.0 : 1.0;
@@ -135,8 +132,8 @@ static void fit_face(solid_frame *frame, roberts_scene *scene, uint32_t f)
     face->width = fit.width;
     face->strict = fit.strict;
     face->lean = !(fit.area > 0.0);
-    if (side > 0.0) /* counter-clockwise about the inward normal is clockwise seen from outside */
-        reverse(scene->corner + start[0], start[1] - start[0]);
+    if (side > 0.0)
+        turn(frame, scene, f);
     frame_store(frame, scene, f, side * fit.mean);
 }
 
@@ -158,8 +155,8 @@ static void fit_two(solid_frame *frame, roberts_scene *scene, uint32_t f, uint32
     const roberts_vec3 *point = frame->point;
     const uint32_t base = frame->vertex_first;
     local_face *p = &frame->face[f], *q = &frame->face[g];
-    uint32_t *c = scene->corner + scene->face_start[frame->face_first + f];
-    uint32_t *d = scene->corner + scene->face_start[frame->face_first + g];
+    const uint32_t *c = scene->corner + scene->face_start[frame->face_first + f];
+    const uint32_t *d = scene->corner + scene->face_start[frame->face_first + g];
     plane *G = &scene->face_plane[frame->face_first + f], *H = &scene->face_plane[frame->face_first + g];
     two_vec3 origin = gather(&point[c[0] - base], &point[d[0] - base]);
     two_vec3 a = two_vec3_sub(gather(&point[c[1] - base], &point[d[1] - base]), origin);
@@ -195,10 +192,10 @@ static void fit_two(solid_frame *frame, roberts_scene *scene, uint32_t f, uint32
     p->strict = fit.strict & 1;
     q->strict = fit.strict >> 1 & 1;
     p->lean = q->lean = false;
-    if (!(outward & 1)) /* counter-clockwise about the inward normal is clockwise seen from outside */
-        reverse(c, n);
+    if (!(outward & 1))
+        turn(frame, scene, f);
     if (!(outward & 2) && f != g)
-        reverse(d, n);
+        turn(frame, scene, g);
     if (fit.empty & 1)
         store_empty(frame, scene, f);
     if (fit.empty & 2 && f != g)
@@ -230,6 +227,7 @@ void frame_fit_faces(solid_frame *frame, roberts_scene *scene)
 {
     bool lean = false, doubt = false, shallow = false;
     uint32_t widest = 0;
+    frame->turned = 0;
     fit_all(frame, scene);
     for (uint32_t f = 0; f < frame->face_count; f++) {
         const local_face *face = &frame->face[f];

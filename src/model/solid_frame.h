@@ -25,6 +25,7 @@ typedef struct solid_frame {
     const scene_edge *edge; /* [edge_count] as they are stored in a scene, once they are paired */
     uint32_t edge_count;
     roberts_vec3 *ring;      /* room for the corners of any one face */
+    uint32_t turned;         /* so many faces ran clockwise in the input, seen from outside */
     uint32_t widest;         /* the face of greatest width */
     bool any_lean;           /* some face is lean */
     bool any_doubt;          /* some face is not strictly convex, or not planar within the tolerance */

@@ -1,0 +1,45 @@
+/* patterns.h - solids whose faces are the same but for where their numbers begin.
+ *
+ * Most files repeat a few solids. Of two with the same pattern, corner by corner counted from the first vertex, the edges are
+ * the same too, so that those of the first serve all; only which way round the solid is wound makes a difference. */
+#ifndef ROBERTS_MODEL_PATTERNS_H
+#define ROBERTS_MODEL_PATTERNS_H
+
+#include <stdbool.h>
+
+#include "model/edges.h"
+#include "model/scene.h"
+
+enum { PATTERNS_RECENT = 4 }; /* so many are compared with: files that take turns among more are rare */
+
+typedef struct pattern {
+    uint32_t solid;   /* the first that has it */
+    uint32_t members; /* how many have it */
+    uint32_t stored;  /* where scene->edge has its edges; ROBERTS_NONE: each solid has its own */
+} pattern;
+
+/* Zeroed = empty. */
+typedef struct patterns {
+    pattern *item;
+    size_t room;
+    uint32_t count, recent_count;
+    uint32_t recent[PATTERNS_RECENT]; /* the last ones met, the last first */
+} patterns;
+
+/* The recent pattern that solid s has, whose faces begin at solid[s].face and its vertices at solid[s].vertex; ROBERTS_NONE:
+ * none of them fits. Corners are in the order of the input, in faces up to face_count. */
+uint32_t patterns_match(patterns *list, const scene_solid *solid, uint32_t s, const uint32_t *start,
+                        const uint32_t *corner, uint32_t face_count);
+
+/* Gives solid s that pattern, as solid[s].stored; ROBERTS_NONE: one of its own. False: no memory. */
+bool patterns_join(patterns *list, scene_solid *solid, uint32_t s, uint32_t number);
+
+/* Does so for all solids of a scene that is laid out. False: no memory. */
+bool patterns_find(patterns *list, roberts_scene *scene);
+
+/* Numbers the edges of all solids, makes room for them, and stores those of the patterns. False: no memory. */
+bool patterns_number_edges(patterns *list, roberts_scene *scene, edge_scratch *scratch);
+
+void patterns_free(patterns *list);
+
+#endif
