@@ -223,13 +223,14 @@ bool roberts_camera_angles(double azimuth, double elevation, double roll, robert
 void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_camera *camera);
 
 /**
- * The window that roberts_hide() gives the drawing of `scene` seen by `camera`, much sooner. A drawing whose window_min
- * and window_max are set to the box of several windows, and `framed` to true, is laid on the page by that box: so
- * pictures from several sides come out at one scale.
+ * The window that roberts_hide() gives the drawing of `scene` seen by `camera`, much sooner. `*framed`, where not NULL, as
+ * in the drawing. A drawing whose window_min and window_max are set to the box of several windows, and `windowed` to true
+ * (for all of them `framed`, where one of them is), is laid on the page by that box: so pictures from several sides come
+ * out at one scale.
  * Returns ROBERTS_OK, _NO_MEMORY or _BAD_VIEW.
  */
 roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *camera, roberts_vec2 *min,
-                              roberts_vec2 *max, roberts_error *error);
+                              roberts_vec2 *max, bool *framed, roberts_error *error);
 
 /* ---- hide: hidden lines removed ---------------------------------------------------------------------------------- */
 
@@ -282,7 +283,8 @@ typedef struct roberts_drawing {
     size_t count;
     roberts_segment *segment;            /**< [count] */
     roberts_vec2 window_min, window_max; /**< box of the scene's picture, hidden parts included; or the field of view */
-    bool framed; /**< the window is the field of view: segments reach beyond it and are cut off when they are drawn */
+    bool framed;   /**< the window is the field of view: segments reach beyond it and are cut off when they are drawn */
+    bool windowed; /**< to be set by you: the page is laid out by the window, beyond which nothing reaches */
     double epsilon;               /**< the touching distance that was used, model units */
     double scene_diameter;        /**< diagonal of the box round the scene */
     uint32_t grid, grid_rows;     /**< columns and rows of cells, as chosen */

@@ -417,6 +417,14 @@ static void svg_box(const char *path, double low[2], double high[2])
     }
 }
 
+static int said_times(const char *text)
+{
+    int count = 0;
+    for (const char *at = last.err; (at = strstr(at, text)); at++)
+        count++;
+    return count;
+}
+
 /* A box of 6 by 2 by 3, off the origin, seen from the front and the right: as wide as its sides, at one scale, about the
  * page's middle; in perspective the eye goes round and sees the opposite sides alike. */
 static void turntable_keeps_scale_and_centre(void **state)
@@ -448,6 +456,13 @@ static void turntable_keeps_scale_and_centre(void **state)
             assert_true(fabs(side_tall / tall - 19.0 / 17) < 0.001);
         }
     }
+    /* a frame, from which all keep 5 mm; but a field of view reaches to it */
+    assert_int_equal(run("--azimuth 0 --turntable 2 --frame --stats=json box.off -o in/t-%d.svg"), 0);
+    assert_int_equal(said_times("\"scale\":30,"), 2);
+    assert_int_equal(run("--eye 13,1,1.5 --look-at 13,2,1.5 --fov 90 --turntable 2 --frame --stats=json box.off "
+                         "-o in/t-%d.svg"),
+                     0);
+    assert_int_equal(said_times("\"scale\":95"), 2);
     assert_int_equal(run("--turntable 3 -f csv models/platonic/cube.off -o in/u%d"), 0);
     assert_int_equal(access("in/u0", F_OK) + access("in/u2", F_OK), 0);
 }

@@ -284,10 +284,12 @@ static void expect_window(const roberts_scene *scene, const roberts_camera *came
     roberts_error error = {0};
     roberts_drawing drawing;
     roberts_vec2 min, max;
+    bool told = !framed;
     if (roberts_hide(scene, camera, NULL, &drawing, &error) != ROBERTS_OK)
         fail_msg("refused: %s", error.message);
     assert_int_equal(drawing.framed, framed);
-    assert_int_equal(roberts_window(scene, camera, &min, &max, &error), ROBERTS_OK);
+    assert_int_equal(roberts_window(scene, camera, &min, &max, &told, &error), ROBERTS_OK);
+    assert_int_equal(told, framed);
     assert_true(min.x == drawing.window_min.x && min.y == drawing.window_min.y);
     assert_true(max.x == drawing.window_max.x && max.y == drawing.window_max.y);
     roberts_drawing_free(&drawing);
@@ -312,8 +314,8 @@ static void windows(void **state)
     beside.has_look_at = true;
     expect_window(scene, &beside, true);
     roberts_camera inside = {.projection = ROBERTS_PERSPECTIVE, .eye = {0.5, 0, 0}}, nowhere = {0};
-    assert_int_equal(roberts_window(scene, &inside, &min, &max, NULL), ROBERTS_BAD_VIEW);
-    assert_int_equal(roberts_window(scene, &nowhere, &min, &max, NULL), ROBERTS_BAD_VIEW);
+    assert_int_equal(roberts_window(scene, &inside, &min, &max, NULL, NULL), ROBERTS_BAD_VIEW);
+    assert_int_equal(roberts_window(scene, &nowhere, &min, &max, NULL, NULL), ROBERTS_BAD_VIEW);
     roberts_scene_free(scene);
 }
 

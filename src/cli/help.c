@@ -36,7 +36,7 @@ const char *const help_text[] = {
     "      --align WHERE    center (the default), left, right, top, bottom, top-left, top-right, bottom-left,\n"
     "                       bottom-right\n"
     "      --frame          draw the border of what the margins leave; the drawing keeps 5 mm from it, unless\n"
-    "                       it is cut off there (--fov, --near) or one of a --turntable\n"
+    "                       it is cut off there (--fov, --near)\n"
     "      --dpi N          resolution of png (default: 150)\n"
     "\n"
     "Lines\n"

@@ -17,6 +17,7 @@ enum { NAME_SIZE = 4096 };
 
 typedef struct picture_window {
     roberts_vec2 min, max;
+    bool framed; /* one of them is a field of view */
 } picture_window;
 
 /* What comes on one page: one view, or those of a sheet. */
@@ -257,7 +258,8 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
         *scene = NULL;
     }
     if (status == ROBERTS_OK && window) {
-        v.drawing[0].framed = true;
+        v.drawing[0].framed = window->framed;
+        v.drawing[0].windowed = true;
         v.drawing[0].window_min = window->min;
         v.drawing[0].window_max = window->max;
     }
@@ -292,11 +294,12 @@ static roberts_status find_window(const cli_options *options, const roberts_scen
     for (uint32_t i = 0; i < options->turntable && status == ROBERTS_OK; i++) {
         picture_window one;
         roberts_camera camera = turned(options, scene, i);
-        status = roberts_window(scene, &camera, &one.min, &one.max, error);
+        status = roberts_window(scene, &camera, &one.min, &one.max, &one.framed, error);
         if (status != ROBERTS_OK)
             break;
         if (i == 0)
             *all = one;
+        all->framed = all->framed || one.framed;
         all->min = (roberts_vec2){lesser(all->min.x, one.min.x), lesser(all->min.y, one.min.y)};
         all->max = (roberts_vec2){-lesser(-all->max.x, -one.max.x), -lesser(-all->max.y, -one.max.y)};
     }

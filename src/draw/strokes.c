@@ -90,7 +90,7 @@ static void find_box(const roberts_drawing *drawing, const roberts_draw_options 
     roberts_line line;
     *min = (roberts_vec2){INFINITY, INFINITY};
     *max = (roberts_vec2){-INFINITY, -INFINITY};
-    if (drawing->framed) {
+    if (drawing->framed || drawing->windowed) {
         *min = drawing->window_min;
         *max = drawing->window_max;
         return;

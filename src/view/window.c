@@ -16,7 +16,7 @@ bool view_frame(const view *v, const roberts_camera *camera, bool clipped, doubl
 }
 
 roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *camera, roberts_vec2 *min,
-                              roberts_vec2 *max, roberts_error *error)
+                              roberts_vec2 *max, bool *framed, roberts_error *error)
 {
     view v;
     view_clip clip;
@@ -34,7 +34,10 @@ roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *
         *min = (roberts_vec2){lesser(min->x, p.x), lesser(min->y, p.y)};
         *max = (roberts_vec2){greater(max->x, p.x), greater(max->y, p.y)};
     }
-    if (view_frame(&v, camera, clip.clipped, &half)) {
+    bool field = view_frame(&v, camera, clip.clipped, &half);
+    if (framed)
+        *framed = field;
+    if (field) {
         *min = (roberts_vec2){-half, -half};
         *max = (roberts_vec2){half, half};
     }
