@@ -99,11 +99,12 @@ bench: all tools ## measures speed and memory, 10 minutes; shorter: BENCH_MAX=1e
 bench-baseline: all tools ## counts instructions (valgrind) and keeps them in tools/bench-baseline.txt
 	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh baseline
 
-test-threads: ## calls the library from several threads at once, and reads by them, under the thread sanitizer, in build/threads/
-	@$(MAKE) --no-print-directory build/threads/tests/test_threads build/threads/tests/test_off_pieces \
+test-threads: ## calls the library from several threads at once, and reads and hides by them, under the thread sanitizer, in build/threads/
+	@$(MAKE) --no-print-directory build/threads/tests/test_threads build/threads/tests/test_off_pieces build/threads/tests/test_hide_chunks \
 	    BUILD=build/threads OPENMP= CFLAGS='-O1 -g -fsanitize=thread'
 	TSAN_OPTIONS=suppressions=tests/threads.supp build/threads/tests/test_threads
 	build/threads/tests/test_off_pieces
+	build/threads/tests/test_hide_chunks
 
 ##@ To install
 install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, man page, completions, libraries, header and roberts.pc

@@ -2,6 +2,7 @@
 #ifndef ROBERTS_BASE_THREADS_H
 #define ROBERTS_BASE_THREADS_H
 
+#include <sched.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -32,6 +33,12 @@ static inline int thread_self(void)
 #else
     return 0;
 #endif
+}
+
+/* Lets others go first. */
+static inline void thread_yield(void)
+{
+    sched_yield();
 }
 
 #endif

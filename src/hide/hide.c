@@ -1,7 +1,7 @@
 /* hide.c - the scene edge by edge: which are drawn, which parts of them are hidden, and the segments that follow.
  *
  * Solids are taken in chunks that threads work on at the same time; each chunk keeps its segments until those of the
- * chunks before are laid down. Nothing else is shared, so that the result does not depend on the threads. */
+ * chunks before are laid down (see chunks.h). Nothing else is shared, so that the result does not depend on the threads. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,24 +12,18 @@
 #include "base/threads.h"
 #include "hide/ahead.h"
 #include "hide/cells.h"
+#include "hide/chunks.h"
 #include "view/clip.h"
 
 #define CHUNK_SOLIDS 64
 #define CHUNK_SEGMENTS 1024 /* room to begin with: nine visible edges of each block, and then some */
 #define CHUNKS_PER_THREAD 8 /* with less work than this a thread costs more than it does */
-#define CHUNKS_PER_WAVE 64  /* 4,096 solids, whose segments a cache holds: threads wait for one another once a wave */
 #define GRID_MOST 4096
 
 /* Touching distance above which "on" would mean a visible length: a hundredth of the scene. */
 #define EPSILON_MOST 0.01
 
 static const double pi = 3.14159265358979323846;
-
-typedef struct hide_chunk {
-    roberts_segment *segment;
-    size_t count, room;
-    size_t place; /* of its first segment in the drawing */
-} hide_chunk;
 
 typedef struct hide_job {
     const roberts_scene *scene;  /* as it is mapped: clipped, where that was needed */
@@ -320,13 +314,13 @@ static bool look_ahead(hide_job *job, hide_worker *w, hide_sums *sums, uint32_t 
 static bool look_ahead_at_all(hide_job *job, hide_worker *worker, hide_sums *sums, int threads)
 {
     bool lost = false;
-    uint32_t chunks = job->ahead.order ? (job->ahead.count + AHEAD_CHUNK - 1) / AHEAD_CHUNK : 0;
+    uint32_t count = job->ahead.order ? (job->ahead.count + AHEAD_CHUNK - 1) / AHEAD_CHUNK : 0;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads) reduction(|| : lost)
 #else
     (void)threads;
 #endif
-    for (uint32_t i = 0; i < chunks; i++) {
+    for (uint32_t i = 0; i < count; i++) {
         int self = thread_self();
         lost = lost || !look_ahead(job, &worker[self], &sums[self], i);
     }
@@ -349,103 +343,74 @@ static void add_sums(roberts_drawing *drawing, const hide_sums *sums, const hide
     to->refined += w->sides.refined;
 }
 
-/* The chunks first..end-1, one for each of `chunk`, by `threads` threads with a worker each. */
-static bool do_wave(const hide_job *job, hide_worker *worker, hide_sums *sums, int threads, hide_chunk *chunk,
-                    uint32_t first, uint32_t end)
+/* One thread's part. */
+static void do_some_chunks(const hide_job *job, hide_worker *w, hide_sums *sums, chunks *all)
 {
-    bool lost = false;
+    uint32_t k;
+    for (hide_chunk *out = chunks_take(all, &k); out; out = chunks_take(all, &k)) {
+        if (!do_chunk(job, w, sums, out, k)) {
+            chunks_fail(all, ROBERTS_NO_MEMORY);
+            return;
+        }
+        chunks_done(all, k);
+    }
+}
+
+static void do_all_chunks(const hide_job *job, hide_worker *worker, hide_sums *sums, int threads, chunks *all)
+{
 #ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) reduction(|| : lost)
+#pragma omp parallel num_threads(threads)
 #else
     (void)threads;
 #endif
-    for (uint32_t i = first; i < end; i++) {
+    {
         int self = thread_self();
-        chunk[i - first].count = 0;
-        lost = lost || !do_chunk(job, &worker[self], &sums[self], &chunk[i - first], i);
+        do_some_chunks(job, &worker[self], &sums[self], all);
     }
-    return !lost;
 }
 
-static roberts_status give_away(const hide_job *job, roberts_drawing *drawing, const hide_chunk *chunk, uint32_t count)
+/* The same by one thread, where the drawing keeps what is in order anyway. */
+static roberts_status fill_drawing(const hide_job *job, hide_worker *w, hide_sums *sums, uint32_t count,
+                                   roberts_drawing *drawing)
 {
-    for (uint32_t k = 0; k < count; k++)
-        for (size_t i = 0; i < chunk[k].count; i++, drawing->count++)
-            if (!job->each(job->context, &chunk[k].segment[i]))
-                return ROBERTS_STOPPED;
-    return ROBERTS_OK;
+    hide_chunk all = {0};
+    bool done = true;
+    for (uint32_t k = 0; done && k < count; k++)
+        done = do_chunk(job, w, sums, &all, k);
+    drawing->segment = all.segment;
+    drawing->count = all.count;
+    return done ? ROBERTS_OK : ROBERTS_NO_MEMORY;
 }
 
-/* Lays the segments of a wave down behind those of the waves before: all threads, since the memory is new to the program
- * and the system has to bring it, which takes longer than the copying. */
-static roberts_status lay_down(roberts_drawing *drawing, size_t *room, hide_chunk *chunk, uint32_t count, int threads)
-{
-    size_t total = drawing->count;
-    for (uint32_t k = 0; k < count; k++) {
-        chunk[k].place = total;
-        total += chunk[k].count;
-    }
-    if (!array_reserve(&drawing->segment, room, total, sizeof *drawing->segment))
-        return ROBERTS_NO_MEMORY;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(threads)
-#else
-    (void)threads;
-#endif
-    for (uint32_t k = 0; k < count; k++)
-        if (chunk[k].count)
-            memcpy(drawing->segment + chunk[k].place, chunk[k].segment, chunk[k].count * sizeof *chunk[k].segment);
-    drawing->count = total;
-    return ROBERTS_OK;
-}
-
-/* All chunks, wave by wave, so that no more segments wait than those of one wave. (Laying each chunk down when its turn
- * comes, by an ordered loop, keeps threads spinning on a busy machine.) A single thread needs no waves. */
 static roberts_status do_chunks(hide_job *job, roberts_drawing *drawing)
 {
     uint32_t count = (job->scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
     int threads = threads_for(job->options->threads, 1 + count / CHUNKS_PER_THREAD);
-    uint32_t wave = threads == 1 ? 1 : count < CHUNKS_PER_WAVE ? count : CHUNKS_PER_WAVE;
     roberts_status status = ROBERTS_NO_MEMORY;
-    size_t room = 0;
     hide_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
     hide_sums *sums = alloc_zeroed((size_t)threads, sizeof *sums);
-    hide_chunk *chunk = alloc_zeroed(wave, sizeof *chunk);
-    if (!worker || !sums || !chunk)
+    chunks all = {0};
+    if (!worker || !sums || !chunks_init(&all, count, threads, drawing, job->each, job->context))
         goto done;
     for (int i = 0; i < threads; i++)
         if (!hide_worker_init(&worker[i], &job->picture, &job->grid))
             goto done;
     if (!look_ahead_at_all(job, worker, sums, threads))
         goto done;
-    status = ROBERTS_OK;
-    if (threads == 1 && !job->each) { /* what is in order anyway stays where it is */
-        for (uint32_t i = 0; status == ROBERTS_OK && i < count; i++)
-            status = do_chunk(job, &worker[0], &sums[0], &chunk[0], i) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
-        drawing->segment = chunk[0].segment;
-        drawing->count = chunk[0].count;
-        chunk[0] = (hide_chunk){0};
-        count = 0;
-    }
-    for (uint32_t first = 0; status == ROBERTS_OK && first < count; first += wave) {
-        uint32_t end = count - first < wave ? count : first + wave;
-        if (!do_wave(job, worker, sums, threads, chunk, first, end))
-            status = ROBERTS_NO_MEMORY;
-        else if (job->each)
-            status = give_away(job, drawing, chunk, end - first);
-        else
-            status = lay_down(drawing, &room, chunk, end - first, threads);
+    if (threads == 1 && !job->each) {
+        status = fill_drawing(job, &worker[0], &sums[0], count, drawing);
+    } else {
+        do_all_chunks(job, worker, sums, threads, &all);
+        status = (roberts_status)atomic_load(&all.status);
     }
     for (int i = 0; i < threads; i++)
         add_sums(drawing, &sums[i], &worker[i]);
 done:
     for (int i = 0; worker && i < threads; i++)
         hide_worker_free(&worker[i]);
-    for (uint32_t i = 0; chunk && i < wave; i++)
-        free(chunk[i].segment);
+    chunks_free(&all);
     free(worker);
     free(sums);
-    free(chunk);
     return status;
 }
 
