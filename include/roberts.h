@@ -542,6 +542,12 @@ typedef struct roberts_pen {
     bool off; /**< leave these lines out */
 } roberts_pen;
 
+/** What lies below all lines, over the whole page. */
+typedef struct roberts_background {
+    bool on; /**< false: nothing, as on paper; PNG, which has no paper below it, is white then */
+    unsigned char red, green, blue;
+} roberts_background;
+
 /** Paper. The drawing is fitted into what the margins leave, and centred. */
 typedef struct roberts_page {
     double width_mm, height_mm; /**< 1 to 40000 each */
@@ -582,6 +588,7 @@ typedef struct roberts_draw_options {
     roberts_pen back;                /**< hidden lines; default: 0.25 mm, dashes of 12 and gaps of 3 widths (ISO 128) */
     roberts_pen frame;               /**< on the margins, 5 mm off the drawing unless `framed`; default: off, 0.7 mm */
     roberts_pen symbol;              /**< projection symbol of a sheet; default: 0.35 mm */
+    roberts_background background;   /**< default: off */
     roberts_placement placement;     /**< default: fitted, in the middle */
     roberts_order order;             /**< default: ROBERTS_ORDER_TRAVEL */
     bool real_dashes;                /**< dashes as strokes of their own, for pens; default: as a pattern of the line */

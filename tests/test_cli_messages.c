@@ -186,6 +186,7 @@ static const struct {
     {"--dash real --style crease:dash=2", ""},
     {"--dash pattern", ""},
     {"-f csv --page a3", "--page has no effect: csv has no page\n"},
+    {"-f csv --background white", "--background has no effect: csv has no page\n"},
     {"-f json --scale 1:2 --unit in --margin 5 --landscape --frame",
      "--landscape, --margin, --scale, --unit, --frame have no effect: json has no page\n"},
     {"-f null --order none --dpi 9", "--order, --dpi have no effect: null has no page\n"},

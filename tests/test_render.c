@@ -106,12 +106,14 @@ static const struct {
     const char *model;
     roberts_hidden hidden;
     bool frame, real_dashes, shrunk; /* at 1:2 in the lower left */
+    roberts_background background;
 } cases[] = {
-    {"platonic/cube", ROBERTS_HIDDEN_DASHED, false, false, false},
-    {"table", ROBERTS_HIDDEN_DASHED, true, false, false},
-    {"table", ROBERTS_HIDDEN_DASHED, false, true, false},
-    {"temple", ROBERTS_HIDDEN_NONE, true, false, true},
-    {"interpenetrating-cubes", ROBERTS_HIDDEN_SOLID, false, false, false},
+    {"platonic/cube", ROBERTS_HIDDEN_DASHED, false, false, false, {0}},
+    {"table", ROBERTS_HIDDEN_DASHED, true, false, false, {0}},
+    {"table", ROBERTS_HIDDEN_DASHED, false, true, false, {0}},
+    {"temple", ROBERTS_HIDDEN_NONE, true, false, true, {0}},
+    {"interpenetrating-cubes", ROBERTS_HIDDEN_SOLID, false, false, false, {0}},
+    {"table", ROBERTS_HIDDEN_NONE, false, false, true, {true, 255, 128, 0}},
 };
 
 enum { CASES = sizeof cases / sizeof cases[0] };
@@ -123,6 +125,7 @@ static roberts_draw_options options_of(size_t i)
     options.frame.off = !cases[i].frame;
     options.real_dashes = cases[i].real_dashes;
     options.outline.red = 255;
+    options.background = cases[i].background;
     options.title = "<&>";
     if (cases[i].shrunk)
         options.placement = (roberts_placement){.scale = 0.5, .unit_mm = 1, .align_x = -1, .align_y = -1};

@@ -246,6 +246,32 @@ static void pens(void **state)
     free(text);
 }
 
+/* One rectangle, the page, before all lines; in documents too, where it makes no image of them. */
+static void backgrounds(void **state)
+{
+    static const char below[] =
+        "viewBox=\"0 0 210 297\">\n"
+        "<rect id=\"background\" width=\"210\" height=\"297\" fill=\"#ff0080\"/>\n<g id=\"outline\"";
+    roberts_drawing drawing = {.count = 1, .segment = few};
+    roberts_draw_options options = roberts_draw_options_default();
+    (void)state;
+    for (int on = 0; on < 2; on++) {
+        options.background = (roberts_background){.on = on, .red = 255, .blue = 128};
+        options.format = ROBERTS_SVG;
+        char *text = written(&drawing, &options, NULL);
+        assert_int_equal(strstr(text, below) != NULL, on);
+        assert_int_equal(strstr(text, "<rect") != NULL, on);
+        free(text);
+        options.format = ROBERTS_EPS;
+        text = written(&drawing, &options, NULL);
+        const char *paint = strstr(text, "1 0 0.501961 rg\n"), *line = strstr(text, "0 g\n");
+        assert_int_equal(paint != NULL, on);
+        assert_true(line && paint < line);
+        assert_null(strstr(text, "ImageType")); /* of the dictionaries of images */
+        free(text);
+    }
+}
+
 static const struct {
     const char *given, *wanted;
 } xml_cases[] = {
@@ -451,6 +477,7 @@ int main(void)
         cmocka_unit_test(texts),
         cmocka_unit_test(locale_changes_nothing),
         cmocka_unit_test(pens),
+        cmocka_unit_test(backgrounds),
         cmocka_unit_test(title_and_description),
         cmocka_unit_test(closed_lines_are_closed),
         cmocka_unit_test(images_know_their_resolution),

@@ -37,6 +37,8 @@ const char *const help_text[] = {
     "                       bottom-right\n"
     "      --frame          draw the border of what the margins leave; the drawing keeps 5 mm from it, unless\n"
     "                       it is cut off there (--fov, --near)\n"
+    "      --background COLOR  what lies below the lines, all over the page: a name or #rrggbb (default: none; png is\n"
+    "                       white)\n"
     "      --dpi N          resolution of png (default: 150)\n"
     "\n"
     "Lines\n"

@@ -41,6 +41,7 @@ typedef enum option_id {
     OPTION_UNIT,
     OPTION_ALIGN,
     OPTION_FRAME,
+    OPTION_BACKGROUND,
     OPTION_STYLE,
     OPTION_DASH,
     OPTION_ORDER,
@@ -93,6 +94,7 @@ static const struct option {
     [OPTION_UNIT] = {"unit", 0, VALUE},
     [OPTION_ALIGN] = {"align", 0, VALUE},
     [OPTION_FRAME] = {"frame", 0, NO_VALUE},
+    [OPTION_BACKGROUND] = {"background", 0, VALUE},
     [OPTION_STYLE] = {"style", 0, VALUE},
     [OPTION_DASH] = {"dash", 0, VALUE},
     [OPTION_ORDER] = {"order", 0, VALUE},
@@ -193,6 +195,8 @@ static int apply_value(parser *p, option_id id, const char *value)
     case OPTION_FRAME:
         options->draw.frame.off = false;
         return EXIT_DONE;
+    case OPTION_BACKGROUND:
+        return paper_set_background(&options->draw.background, value);
     case OPTION_STYLE:
         return paper_set_style(&options->draw, value);
     case OPTION_DASH:

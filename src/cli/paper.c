@@ -156,19 +156,39 @@ static bool parse_hex(const char *value, unsigned char part[3])
     return true;
 }
 
-static int set_color(roberts_pen *pen, const char *value)
+/* Where it is none, `option` is what the message is about. */
+static int parse_color(const char *option, const char *value, unsigned char part[3])
 {
     static const char *const names[] = {"black", "white", "gray",    "grey",   "red",    "green", "blue",
                                         "cyan",  "brown", "magenta", "yellow", "orange", "purple"};
     static const unsigned char parts[][3] = {
         {0, 0, 0},     {255, 255, 255}, {128, 128, 128}, {128, 128, 128}, {255, 0, 0},   {0, 128, 0},  {0, 0, 255},
         {0, 255, 255}, {165, 42, 42},   {255, 0, 255},   {255, 255, 0},   {255, 165, 0}, {128, 0, 128}};
-    unsigned char part[3];
     size_t i = find_word(value, names, COUNT(names));
     if (i < COUNT(names))
-        memcpy(part, parts[i], sizeof part);
+        memcpy(part, parts[i], 3);
     else if (!parse_hex(value, part))
-        return nearest_unknown("--style: colour", value, names, COUNT(names), "or #rrggbb");
+        return nearest_unknown(option, value, names, COUNT(names), "or #rrggbb");
+    return EXIT_DONE;
+}
+
+int paper_set_background(roberts_background *background, const char *value)
+{
+    unsigned char part[3] = {0};
+    background->on = strcmp(value, "none") != 0;
+    if (!background->on)
+        return EXIT_DONE;
+    int status = parse_color("--background", value, part);
+    *background = (roberts_background){true, part[0], part[1], part[2]};
+    return status;
+}
+
+static int set_color(roberts_pen *pen, const char *value)
+{
+    unsigned char part[3];
+    int status = parse_color("--style: colour", value, part);
+    if (status != EXIT_DONE)
+        return status;
     pen->red = part[0];
     pen->green = part[1];
     pen->blue = part[2];

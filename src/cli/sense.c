@@ -154,8 +154,8 @@ static bool is_dashed(const roberts_pen *pen)
 
 static void warn_tables(const cli_options *options, sense_given given)
 {
-    static const char *const names[] = {"page",  "landscape", "margin", "fit",  "scale", "unit",
-                                        "align", "frame",     "style",  "dash", "order", "dpi"};
+    static const char *const names[] = {"page",  "landscape",  "margin", "fit",  "scale", "unit", "align",
+                                        "frame", "background", "style",  "dash", "order", "dpi"};
     char list[LIST_SIZE];
     size_t found = list_given(given, names, COUNT(names), list);
     if (found > 0)

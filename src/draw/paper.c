@@ -115,9 +115,19 @@ static cairo_surface_t *document(const strokes *s, output *out, undated *filter)
     return surface;
 }
 
+/* A rectangle, not all of the surface: of that, PostScript would make an image. */
+static void paint_page(cairo_t *cairo, const roberts_page *page, const roberts_background *color)
+{
+    cairo_set_source_rgb(cairo, color->red / 255.0, color->green / 255.0, color->blue / 255.0);
+    cairo_rectangle(cairo, 0.0, 0.0, page->width_mm, page->height_mm);
+    cairo_fill(cairo);
+}
+
 static void draw_page(cairo_t *cairo, const strokes *s, double units_per_mm)
 {
     cairo_scale(cairo, units_per_mm, units_per_mm);
+    if (s->options->background.on && s->options->format != ROBERTS_PNG)
+        paint_page(cairo, &s->options->page, &s->options->background);
     for (int i = 0; i < LINE_CLASSES; i++) {
         size_t at = s->start[i];
         ink_pen(cairo, s->options, line_order[i]);
@@ -138,8 +148,10 @@ static roberts_status write_image(const strokes *s, output *out, roberts_error *
             floor(PIXELS_MAX * mm_per_inch / fmax(page->width_mm, page->height_mm)));
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)width, (int)height);
     cairo_t *cairo = cairo_create(surface);
-    cairo_set_source_rgb(cairo, 1.0, 1.0, 1.0);
-    cairo_paint(cairo);
+    const roberts_background white = {true, 255, 255, 255}, *color = &s->options->background;
+    color = color->on ? color : &white;
+    cairo_set_source_rgb(cairo, color->red / 255.0, color->green / 255.0, color->blue / 255.0);
+    cairo_paint(cairo); /* the last pixels too, of which the page may cover a part */
     draw_page(cairo, s, pixels_per_mm);
     if (cairo_status(cairo) == CAIRO_STATUS_SUCCESS) {
         measured filter = {.out = out, .pixels_per_metre = (uint32_t)(1000.0 * pixels_per_mm + 0.5)};

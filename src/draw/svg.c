@@ -159,10 +159,10 @@ static void write_mm(output *out, double mm)
     output_bytes(out, digits, length);
 }
 
-static void write_color(output *out, const roberts_pen *pen)
+static void write_color(output *out, unsigned char red, unsigned char green, unsigned char blue)
 {
     static const char hex[] = "0123456789abcdef";
-    const unsigned char part[] = {pen->red, pen->green, pen->blue};
+    const unsigned char part[] = {red, green, blue};
     output_text(out, "#");
     for (int i = 0; i < 3; i++) {
         output_bytes(out, &hex[part[i] >> 4], 1);
@@ -184,7 +184,7 @@ static void open_layer(output *out, const roberts_draw_options *options, roberts
     output_text(out, "\" inkscape:groupmode=\"layer\" inkscape:label=\"");
     output_text(out, name[line]);
     output_text(out, "\">\n<path fill=\"none\" stroke=\"");
-    write_color(out, pen);
+    write_color(out, pen->red, pen->green, pen->blue);
     output_text(out, "\" stroke-width=\"");
     write_mm(out, pen->width_mm);
     output_text(out, "\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
@@ -241,6 +241,18 @@ static void write_text(output *out, const char *tag, const char *text)
             output_text(out, parts[i]);
 }
 
+/* No layer and no path: it is no line to draw. */
+static void write_background(output *out, const roberts_page *page, const roberts_background *color)
+{
+    output_text(out, "<rect id=\"background\" width=\"");
+    write_mm(out, page->width_mm);
+    output_text(out, "\" height=\"");
+    write_mm(out, page->height_mm);
+    output_text(out, "\" fill=\"");
+    write_color(out, color->red, color->green, color->blue);
+    output_text(out, "\"/>\n");
+}
+
 roberts_status svg_write(const strokes *s, output *out, roberts_error *error)
 {
     const roberts_page *page = &s->options->page;
@@ -256,6 +268,8 @@ roberts_status svg_write(const strokes *s, output *out, roberts_error *error)
     output_text(out, "\">\n");
     write_text(out, "title", s->options->title);
     write_text(out, "desc", s->options->description);
+    if (s->options->background.on)
+        write_background(out, page, &s->options->background);
     for (int i = 0; i < LINE_CLASSES; i++) {
         roberts_status status = write_layer(s, i, out, error);
         if (status != ROBERTS_OK)
