@@ -199,7 +199,7 @@ $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math $(CXXFLAGS) -Iinclude -MMD -MP -c -o $@ $<
 
-$(BUILD)/obj/src/draw/%.o $(BUILD)/obj/tests/test_render.o: NEEDS = $(CAIRO_CFLAGS)
+$(BUILD)/obj/src/draw/%.o $(BUILD)/obj/tests/test_render.o $(BUILD)/obj/tests/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
 $(BUILD)/obj/src/model/qhull.o: NEEDS = $(QHULL_CFLAGS)
 
 $(BUILD)/obj/%.o: %.c $(BUILD)/flags

@@ -185,7 +185,7 @@ int paper_set_background(roberts_background *background, const char *value)
 
 static int set_color(roberts_pen *pen, const char *value)
 {
-    unsigned char part[3];
+    unsigned char part[3] = {0};
     int status = parse_color("--style: colour", value, part);
     if (status != EXIT_DONE)
         return status;
