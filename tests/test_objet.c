@@ -549,7 +549,7 @@ static void covers_cover(void **state)
         cover c;
         scan scratch;
         front g[FRONTS];
-        assert_true(cover_init(&c, frame_of((size_t)i % FRAMES)) && scan_init(&scratch, c.frame.nx));
+        assert_true(cover_init(&c, frame_of((size_t)i % FRAMES), 1) && scan_init(&scratch, c.frame.nx));
         add_covers(&c, &scratch, g, &r);
         for (uint32_t cell = 0; cell < scan_cells(&c.frame); cell++) {
             if (c.depth[cell] == -INFINITY)
@@ -580,7 +580,7 @@ static void covers_are_not_wasted(void **state)
         scan scratch;
         front g = random_front(&r, ROUND);
         double z = rng_between(&r, -3, 3);
-        assert_true(cover_init(&c, frame_of((size_t)i % FRAMES)) && scan_init(&scratch, c.frame.nx));
+        assert_true(cover_init(&c, frame_of((size_t)i % FRAMES), 1) && scan_init(&scratch, c.frame.nx));
         cover_add(&c, &scratch, g.outline.P, g.outline.corner, g.outline.count, z, NULL, 0, SLACK, 7, 0.0);
         cover_add(&c, &scratch, g.outline.P, g.outline.corner, g.outline.count, z - 1, NULL, 0, SLACK, 8,
                   0.0); /* farther: changes nothing */
@@ -611,7 +611,7 @@ static void what_covers_hide_is_hidden(void **state)
         cover c;
         scan scratch;
         front g[FRONTS];
-        assert_true(cover_init(&c, frame_of((size_t)i % FRAMES)) && scan_init(&scratch, c.frame.nx));
+        assert_true(cover_init(&c, frame_of((size_t)i % FRAMES), 1) && scan_init(&scratch, c.frame.nx));
         add_covers(&c, &scratch, g, &r);
         for (int k = 0; k < 200; k++) {
             roberts_vec3 A, B;
@@ -650,7 +650,7 @@ static void no_covers(void **state)
     polygon g = rectangle(-1, 2, 7, 6);
     hide_box box = {0, 1, 3, 4, -9, -8};
     (void)state;
-    assert_true(cover_init(&c, (scan_frame){0}));
+    assert_true(cover_init(&c, (scan_frame){0}, 1));
     cover_add(&c, &scratch, g.P, g.corner, g.count, 5, NULL, 0, SLACK, 0, 0.0);
     assert_false(cover_hides(&c, &box));
     assert_false(cover_hides_edge(&c, (roberts_vec3){0, 3, -9}, (roberts_vec3){1, 4, -9}));
@@ -704,15 +704,17 @@ static void cells_by_table(void **state)
     };
     hide_box *box = malloc(BOXES * sizeof *box);
     rng r = {79};
+    bool unite;
     (void)state;
     assert_non_null(box);
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         make_boxes(box, table[i].huge, table[i].w, table[i].h, &r);
         scan_frame f = cells_for_lists(box, BOXES, window_low, window_high, 0, MARGIN);
-        scan_frame c = cells_for_covers(box, BOXES, window_low, window_high, MARGIN);
+        scan_frame c = cells_for_covers(box, BOXES, window_low, window_high, MARGIN, 1, &unite);
         double listed = entries(&f, box), cells = (double)scan_cells(&f), covers = (double)scan_cells(&c);
         if (listed > 40.0 * BOXES || cells > 8.0 * BOXES || cells < table[i].least_cells || covers > 64.0 * BOXES)
             fail_msg("%s: %g cells, %g entries, %g cells of covers", table[i].name, cells, listed, covers);
+        assert_int_equal(unite, table[i].huge >= 2000); /* over one another */
     }
     free(box);
 }
@@ -721,6 +723,7 @@ static void cells_given_or_few(void **state)
 {
     hide_box box[2] = {{-1, 7, 2, 6, 0, 1}, {0, 1, 3, 4, 0, 1}};
     roberts_vec2 upright = {window_low.x, window_high.y};
+    bool unite;
     (void)state;
     scan_frame f = cells_for_lists(box, 2, window_low, window_high, 17, MARGIN);
     assert_true(f.nx == 17 && f.ny == 17);
@@ -728,8 +731,27 @@ static void cells_given_or_few(void **state)
     assert_true(f.nx == 1 && f.ny == 1);
     f = cells_for_lists(box, 2, window_low, upright, 0, MARGIN); /* no width */
     assert_true(f.nx >= 1 && f.ny >= 1 && f.dx > 0 && f.dy > 0);
-    f = cells_for_covers(box, 2, window_low, upright, MARGIN);
+    f = cells_for_covers(box, 2, window_low, upright, MARGIN, 1, &unite);
     assert_int_equal(scan_cells(&f), 0);
+}
+
+/* ... the same by any number of threads. */
+static void cells_by_threads(void **state)
+{
+    hide_box *box = malloc(4 * BOXES * sizeof *box);
+    rng r = {80};
+    bool unite;
+    (void)state;
+    assert_non_null(box);
+    for (int i = 0; i < 4; i++)
+        make_boxes(box + i * BOXES, 20, 0.03, 0.05, &r);
+    scan_frame one = cells_for_covers(box, 4 * BOXES, window_low, window_high, MARGIN, 1, &unite);
+    assert_true(one.nx > 100);
+    for (int threads = 2; threads < 5; threads++) {
+        scan_frame f = cells_for_covers(box, 4 * BOXES, window_low, window_high, MARGIN, threads, &unite);
+        assert_memory_equal(&f, &one, sizeof f);
+    }
+    free(box);
 }
 
 int main(void)
@@ -747,6 +769,7 @@ int main(void)
         cmocka_unit_test(no_covers),
         cmocka_unit_test(cells_by_table),
         cmocka_unit_test(cells_given_or_few),
+        cmocka_unit_test(cells_by_threads),
     };
     return cmocka_run_group_tests_name("objet", tests, NULL, NULL);
 }

@@ -164,6 +164,22 @@ static void expect_same(const char *name, uint32_t threads, const hide_picture *
         assert_memory_equal(a->cover.depth, b->cover.depth, scan_cells(&a->cover.frame) * sizeof *a->cover.depth);
 }
 
+/* The window is the box of all vertices. */
+static void expect_window(const char *name, const hide_picture *picture)
+{
+    double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
+    for (uint32_t v = 0; v < picture->scene->vertex_count; v++) {
+        roberts_vec3 p = view_point(&picture->view, picture->scene->point[v]);
+        x0 = fmin(x0, p.x);
+        x1 = fmax(x1, p.x);
+        y0 = fmin(y0, p.y);
+        y1 = fmax(y1, p.y);
+    }
+    if (picture->low.x != x0 || picture->high.x != x1 || picture->low.y != y0 || picture->high.y != y1)
+        fail_msg("%s: window from %g, %g to %g, %g", name, picture->low.x, picture->low.y, picture->high.x,
+                 picture->high.y);
+}
+
 static const roberts_camera aslant = {.dir = {1, -2, 3}}, along = {.dir = {0.01, 0.02, 1}},
                             eye = {ROBERTS_PERSPECTIVE, .eye = {30, -90, 70}};
 
@@ -243,6 +259,7 @@ static void same_by_any_threads(void **state)
         hide_picture one, many;
         roberts_scene *scene = make(c->kind);
         assert_int_equal(hide_picture_build(&one, scene, c->camera, 0, c->cull, 1, NULL), ROBERTS_OK);
+        expect_window(c->name, &one);
         if (c->covers != (one.cover.depth != NULL) || c->together != (one.cover.rest != NULL) ||
             (c->covers && one.culled_count < scene->solid_count / 10))
             fail_msg("%s: covers are %skept, together %skept, %zu of %u culled", c->name, one.cover.depth ? "" : "not ",

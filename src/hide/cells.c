@@ -2,6 +2,7 @@
  * optimum, off which a factor of two costs a tenth and a factor of ten a factor of three. */
 #include "hide/cells.h"
 
+#include <float.h>
 #include <math.h>
 
 /* Width of a list's cell in mean boxes: smaller cells make longer walks, larger ones longer lists. */
@@ -27,24 +28,52 @@
 /* Cells per side at the most, so that their numbers stay in 32 bits. */
 #define SIDE_MOST 16384.0
 
+/* Pieces that boxes are measured in, and how many boxes one thread measures by itself. */
+#define PIECES 64
+#define MEASURED_BY_ONE 50000
+
 /* Sums over all boxes, each cut to the window, in parts of it. */
 typedef struct sizes {
     double w, h, area, width, height;
 } sizes;
 
-static sizes measure(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high)
+static sizes measure_some(const hide_box *box, uint32_t count, double per_width, double per_height)
 {
-    sizes s = {.width = high.x - low.x, .height = high.y - low.y};
+    sizes s = {0};
     for (uint32_t i = 0; i < count; i++) {
         if (box[i].x1 < box[i].x0)
             continue; /* a solid of which the near plane has left nothing */
-        double w = s.width > 0.0 ? lesser(1.0, (double)(box[i].x1 - box[i].x0) / s.width) : 1.0;
-        double h = s.height > 0.0 ? lesser(1.0, (double)(box[i].y1 - box[i].y0) / s.height) : 1.0;
+        double w = per_width > 0.0 ? lesser(1.0, (double)(box[i].x1 - box[i].x0) * per_width) : 1.0;
+        double h = per_height > 0.0 ? lesser(1.0, (double)(box[i].y1 - box[i].y0) * per_height) : 1.0;
         s.w += w;
         s.h += h;
         s.area += w * h;
     }
     return s;
+}
+
+/* In pieces, which do not depend on the threads. Without width or height of the window all are as wide or high as it. */
+static sizes measure(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, int threads)
+{
+    sizes all = {.width = high.x - low.x, .height = high.y - low.y}, some[PIECES];
+    double per_width = all.width >= DBL_MIN ? 1.0 / all.width : 0.0;
+    double per_height = all.height >= DBL_MIN ? 1.0 / all.height : 0.0;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(threads) if (count > MEASURED_BY_ONE)
+#else
+    (void)threads;
+#endif
+    for (uint32_t i = 0; i < PIECES; i++) {
+        uint32_t first = (uint32_t)((uint64_t)count * i / PIECES);
+        uint32_t end = (uint32_t)((uint64_t)count * (i + 1) / PIECES);
+        some[i] = measure_some(box + first, end - first, per_width, per_height);
+    }
+    for (uint32_t i = 0; i < PIECES; i++) {
+        all.w += some[i].w;
+        all.h += some[i].h;
+        all.area += some[i].area;
+    }
+    return all;
 }
 
 /* Columns and rows for cells `boxes` mean boxes wide and high, `most` cells in all. */
@@ -71,7 +100,7 @@ scan_frame cells_for_lists(const hide_box *box, uint32_t count, roberts_vec2 low
     if (n)
         return scan_frame_over(low, high, n, n, margin);
     if (count) {
-        sizes s = measure(box, count, low, high);
+        sizes s = measure(box, count, low, high, 1);
         divide(&s, count, BOXES_PER_CELL, CELLS_PER_BOX * count + 1.0, &nx, &ny);
         while (nx * ny > 1.0 &&
                nx * ny * s.area + nx * s.w + ny * s.h + count > ENTRIES_PER_BOX * count + ENTRIES_FREE) {
@@ -82,19 +111,17 @@ scan_frame cells_for_lists(const hide_box *box, uint32_t count, roberts_vec2 low
     return scan_frame_over(low, high, whole(nx), whole(ny), margin);
 }
 
-scan_frame cells_for_covers(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, double margin)
+scan_frame cells_for_covers(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, double margin,
+                            int threads, bool *unite)
 {
     double nx, ny;
-    sizes s = measure(box, count, low, high);
+    sizes s = measure(box, count, low, high, threads);
+    *unite = false;
     if (!(s.area > COVER_DEPTH) || !(s.width > 0.0) || !(s.height > 0.0))
         return (scan_frame){0};
+    *unite = s.area > UNION_DEPTH;
     double smaller = s.area > COVER_DEPTH_OF_SMALLER ? pow(COVER_DEPTH_OF_SMALLER / s.area, COVER_SHRINKING) : 1.0;
     smaller = greater(smaller, COVER_SMALLEST); /* each front enters all cells that it covers */
     divide(&s, count, BOXES_PER_COVER_CELL * smaller, COVER_CELLS_PER_BOX * count + CELLS_FREE, &nx, &ny);
     return scan_frame_over(low, high, whole(nx), whole(ny), margin);
-}
-
-bool cells_worth_uniting(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high)
-{
-    return measure(box, count, low, high).area > UNION_DEPTH;
 }

@@ -3,21 +3,43 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
+#include "base/lanes.h"
 
-bool cover_init(cover *c, scan_frame frame)
+/* Cells are looked at four at a time: so many behind the last may be, too. */
+#define COVER_SPARE 3
+/* Cells that are filled at a time, and that one thread fills by itself. */
+#define FILL 1024
+#define FILLED_BY_ONE 500000
+
+/* As all threads fetch their part of the memory from the system. */
+static void fill(float *depth, size_t count, int threads)
+{
+    float none[FILL];
+    for (size_t i = 0; i < FILL; i++)
+        none[i] = -INFINITY;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(threads) if (count > FILLED_BY_ONE)
+#else
+    (void)threads;
+#endif
+    for (size_t i = 0; i < count; i += FILL)
+        memcpy(depth + i, none, (count - i < FILL ? count - i : FILL) * sizeof *depth);
+}
+
+bool cover_init(cover *c, scan_frame frame, int threads)
 {
     size_t cells = scan_cells(&frame);
     *c = (cover){.frame = frame};
     if (cells == 0)
         return true;
-    c->depth = alloc_array(cells, sizeof *c->depth);
+    c->depth = alloc_array(cells + COVER_SPARE, sizeof *c->depth);
     c->by = alloc_array(cells, sizeof *c->by); /* meaningless while there is no cover */
     if (!c->depth || !c->by)
         return false;
-    for (size_t i = 0; i < cells; i++)
-        c->depth[i] = -INFINITY;
+    fill(c->depth, cells + COVER_SPARE, threads);
     return true;
 }
 
@@ -41,6 +63,20 @@ static double depth_over(const scan_frame *f, uint32_t i, uint32_t j, const hide
     return least;
 }
 
+static inline void enter(float *cell, uint32_t *cell_by, float bound, uint32_t by)
+{
+    if (bound > *cell) {
+        *cell = bound;
+        *cell_by = by;
+    }
+}
+
+static inline void enter_level(float *cell, uint32_t *cell_by, uint32_t count, float bound, uint32_t by)
+{
+    for (uint32_t k = 0; k < count; k++)
+        enter(&cell[k], &cell_by[k], bound, by);
+}
+
 void cover_add(cover *c, scan *s, const roberts_vec3 *P, const uint32_t *corner, uint32_t count, double depth,
                const hide_face *face, uint32_t face_count, double slack, uint32_t by, double loose)
 {
@@ -50,34 +86,30 @@ void cover_add(cover *c, scan *s, const roberts_vec3 *P, const uint32_t *corner,
         return;
     wider.margin += loose;
     scan_inner(s, f, P, corner, count);
-    float bound = hide_float_below(depth - slack);
+    float level = hide_float_below(depth - slack);
     for (uint32_t i = s->inner_first; i <= s->inner_last; i++) {
         uint32_t first, last;
         float *cell = c->depth + (size_t)i * f->ny;
+        uint32_t *cell_by = c->by + (size_t)i * f->ny;
         if (!scan_inside(s, f, i, &first, &last))
             continue;
-        for (uint32_t j = first; j <= last; j++) {
-            if (face_count)
-                bound = hide_float_below(greater(depth, depth_over(f, i, j, face, face_count)) - slack);
-            if (bound > cell[j]) {
-                cell[j] = bound;
-                c->by[(size_t)i * f->ny + j] = by;
-            }
+        if (!face_count)
+            enter_level(cell + first, cell_by + first, last - first + 1, level, by);
+        for (uint32_t j = first; face_count && j <= last; j++) {
+            double own = greater(depth, depth_over(f, i, j, face, face_count));
+            enter(&cell[j], &cell_by[j], hide_float_below(own - slack), by);
         }
     }
 }
 
-/* Are all of cell[0 .. count-1] nearer than z? Four at a time: most boxes that are asked about are covered. */
-static bool all_nearer(const float *cell, uint32_t count, float z)
+/* Are all of cell[0 .. count-1] nearer than z? Four at a time, the last of which may be others'. */
+static inline bool all_nearer(const float *cell, uint32_t count, float z)
 {
-    uint32_t j = 0;
-    for (; j + 4 <= count; j += 4)
-        if (!(cell[j] > z) | !(cell[j + 1] > z) | !(cell[j + 2] > z) | !(cell[j + 3] > z))
+    four depth = four_all(z);
+    for (; count > 4; count -= 4, cell += 4)
+        if (four_signs(four_below(depth, four_load(cell))) != 15)
             return false;
-    for (; j < count; j++)
-        if (!(cell[j] > z))
-            return false;
-    return true;
+    return (four_signs(four_below(depth, four_load(cell))) | 15u << count) == (15u | 15u << count);
 }
 
 bool cover_hides(const cover *c, const hide_box *box)

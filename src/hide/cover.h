@@ -24,8 +24,8 @@ typedef struct cover {
     cover_rest *rest; /* [nx * ny] NULL: not kept */
 } cover;
 
-/* Takes a frame of the cells; one without columns keeps no covers. No memory: false. */
-bool cover_init(cover *c, scan_frame frame);
+/* Takes a frame of the cells; one without columns keeps no covers. By so many threads. No memory: false. */
+bool cover_init(cover *c, scan_frame frame, int threads);
 void cover_free(cover *c);
 
 /* Enters a convex outline (s: scratch for as many columns) of corners P[corner[..]], counter-clockwise, whose front is nowhere over it farther away than

@@ -23,26 +23,32 @@ static bool hides_solid(const hide_picture *picture, const hide_front *front, ui
 }
 
 /* A solid whose border lies on the border of what hides it is in cells that are not wholly covered. So, where the cells
- * further in are, the fronts that cover its middle and its corners are asked themselves. */
-bool cull_hides(const hide_picture *picture, uint32_t solid)
+ * further in are, the fronts that cover its middle and its corners are asked themselves. Most solids that are not hidden
+ * are not in their middle, or not at those corners. */
+bool cull_hides(const hide_picture *picture, const hide_box *box, uint32_t solid)
 {
-    const hide_box *box = &picture->box[solid];
-    const scan_frame *f = &picture->cover.frame;
+    const cover *c = &picture->cover;
     static const float at[5][2] = {{0.5f, 0.5f}, {0, 0}, {0, 1}, {1, 0}, {1, 1}};
     uint32_t last = ROBERTS_NONE;
-    /* most that are not hidden are not in their middle */
-    if (!picture->cover.depth || !cover_nearer(&picture->cover, 0.5 * ((double)box->x0 + (double)box->x1),
-                                               0.5 * ((double)box->y0 + (double)box->y1), box->z1))
+    if (!c->depth ||
+        !cover_nearer(c, 0.5 * ((double)box->x0 + (double)box->x1), 0.5 * ((double)box->y0 + (double)box->y1), box->z1))
         return false;
-    if (cover_hides(&picture->cover, box))
-        return true;
-    float dx = 1.5f * (float)f->dx, dy = 1.5f * (float)f->dy;
+    float dx = 1.5f * (float)c->frame.dx, dy = 1.5f * (float)c->frame.dy;
     hide_box inner = {box->x0 + dx, box->x1 - dx, box->y0 + dy, box->y1 - dy, box->z0, box->z1};
-    if (inner.x0 > inner.x1 || inner.y0 > inner.y1 || !cover_hides(&picture->cover, &inner))
+    if (inner.x0 > inner.x1 || inner.y0 > inner.y1)
+        return cover_hides(c, box);
+    if (!cover_nearer(c, (double)inner.x0, (double)inner.y0, box->z1) ||
+        !cover_nearer(c, (double)inner.x0, (double)inner.y1, box->z1) ||
+        !cover_nearer(c, (double)inner.x1, (double)inner.y0, box->z1) ||
+        !cover_nearer(c, (double)inner.x1, (double)inner.y1, box->z1))
+        return false;
+    if (cover_hides(c, box))
+        return true;
+    if (!cover_hides(c, &inner))
         return false;
     for (int k = 0; k < 5; k++) {
         float x = inner.x0 + at[k][0] * (inner.x1 - inner.x0), y = inner.y0 + at[k][1] * (inner.y1 - inner.y0);
-        uint32_t front = cover_at(&picture->cover, (double)x, (double)y, box->z1);
+        uint32_t front = cover_at(c, (double)x, (double)y, box->z1);
         if (front != ROBERTS_NONE && front != last && hides_solid(picture, &picture->front[front], solid))
             return true;
         last = front;

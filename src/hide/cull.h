@@ -4,7 +4,7 @@
 
 #include "hide/picture.h"
 
-/* Is the solid certainly hidden by what is entered so far? */
-bool cull_hides(const hide_picture *picture, uint32_t solid);
+/* Is the solid, of this box, certainly hidden by what is entered so far? */
+bool cull_hides(const hide_picture *picture, const hide_box *box, uint32_t solid);
 
 #endif

@@ -147,7 +147,7 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
     front_faces found = find_faces(picture, tile, solid);
     uint32_t corners = find_outline(picture, solid, scratch->next, outline);
     bool whole = corners && found.count <= FACES_OF_ONE_FRONT;
-    if (whole && unite_hides(picture, &scratch->scan, outline, corners, box->z1)) {
+    if (whole && picture->cover.rest && unite_hides(picture, &scratch->scan, outline, corners, box->z1)) {
         picture->culled[solid] = true;
         tile->culled++;
         return true;
@@ -184,6 +184,8 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
     tile->most_corners = corners > tile->most_corners ? corners : tile->most_corners;
     picture->front_box[tile->front] = *box;
     picture->front[tile->front] = front;
-    unite_offer(picture, &scratch->scan, tile->front++, tile->first);
+    if (picture->cover.rest)
+        unite_offer(picture, &scratch->scan, tile->front, tile->first);
+    tile->front++;
     return true;
 }

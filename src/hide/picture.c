@@ -41,10 +41,16 @@ static span measure_solid(const hide_picture *picture, uint32_t solid)
     for (uint32_t count; left > 0; left -= count, point += count) {
         count = left < POINTS_AT_ONCE ? left : POINTS_AT_ONCE;
         view_points(&picture->view, point, count, P);
-        for (uint32_t i = 0; i < count; i++)
-            span_widen(&own, P[i]);
+        span_widen_all(&own, P, count);
     }
     return own;
+}
+
+/* In the picture, by what may be empty. */
+static void widen_by(span *all, const span *own)
+{
+    all->low = (roberts_vec3){lesser(all->low.x, own->low.x), lesser(all->low.y, own->low.y), 0.0};
+    all->high = (roberts_vec3){greater(all->high.x, own->high.x), greater(all->high.y, own->high.y), 0.0};
 }
 
 /* Boxes of the solids first..end-1; gives what is round them all. One of which the near plane has left nothing is empty. */
@@ -54,8 +60,7 @@ static span box_some(hide_picture *picture, uint32_t first, uint32_t end)
     for (uint32_t s = first; s < end; s++) {
         span own = measure_solid(picture, s);
         picture->box[s] = span_box(&own);
-        all.low = (roberts_vec3){lesser(all.low.x, own.low.x), lesser(all.low.y, own.low.y), 0.0};
-        all.high = (roberts_vec3){greater(all.high.x, own.high.x), greater(all.high.y, own.high.y), 0.0};
+        widen_by(&all, &own);
     }
     return all;
 }
@@ -76,10 +81,8 @@ static bool box_solids(hide_picture *picture, int threads)
         uint32_t first = i * BOXES_AT_ONCE, left = solids - first;
         part[i] = box_some(picture, first, first + (left < BOXES_AT_ONCE ? left : BOXES_AT_ONCE));
     }
-    for (uint32_t i = 0; i < count; i++) {
-        span_widen(&all, part[i].low);
-        span_widen(&all, part[i].high);
-    }
+    for (uint32_t i = 0; i < count; i++)
+        widen_by(&all, &part[i]);
     picture->low = (roberts_vec2){all.low.x, all.low.y};
     picture->high = (roberts_vec2){all.high.x, all.high.y};
     free(part);
@@ -96,7 +99,7 @@ static bool do_tile(build *b, front_scratch *scratch, picture_tile *tile)
     for (uint32_t k = tile->first; k < tile->end; k++) {
         uint32_t s = b->tiles.solid ? b->tiles.solid[k] : k;
         bool empty = scene->solid[s].vertex == scene->solid[s + 1].vertex; /* clipped away */
-        picture->culled[s] = empty || cull_hides(picture, s);
+        picture->culled[s] = empty || cull_hides(picture, &picture->box[s], s);
         tile->culled += picture->culled[s];
         if (!picture->culled[s] && !front_add(picture, scratch, tile, s))
             return false;
@@ -110,15 +113,16 @@ static void cull_again(build *b, front_scratch *scratch, picture_tile *tile)
     hide_picture *picture = b->picture;
     for (uint32_t k = tile->first; k < tile->front; k++) {
         const hide_front *front = &picture->front[k];
-        if (cull_hides(picture, front->solid) || unite_hides(picture, &scratch->scan, picture->outline + front->outline,
-                                                             front->corners, picture->front_box[k].z1)) {
+        if (cull_hides(picture, &picture->front_box[k], front->solid) ||
+            unite_hides(picture, &scratch->scan, picture->outline + front->outline, front->corners,
+                        picture->front_box[k].z1)) {
             picture->culled[front->solid] = true;
             tile->culled++;
         }
     }
     for (size_t k = 0; k < tile->single_count; k++) {
         uint32_t s = tile->single[k].solid;
-        if ((k == 0 || s != tile->single[k - 1].solid) && cull_hides(picture, s)) {
+        if ((k == 0 || s != tile->single[k - 1].solid) && cull_hides(picture, &picture->box[s], s)) {
             picture->culled[s] = true;
             tile->culled++;
         }
@@ -283,10 +287,10 @@ roberts_status hide_picture_build(hide_picture *picture, const roberts_scene *sc
         set_space(picture);
         if (cull)
             frame = cells_for_covers(picture->box, scene->solid_count, picture->low, picture->high,
-                                     hide_margin(&picture->space));
-        unite = frame.nx && cells_worth_uniting(picture->box, scene->solid_count, picture->low, picture->high);
+                                     hide_margin(&picture->space), b.threads, &unite);
     }
-    if (done && cover_init(&picture->cover, frame) && (!unite || unite_init(&picture->cover)) && add_solids(&b))
+    if (done && cover_init(&picture->cover, frame, b.threads) && (!unite || unite_init(&picture->cover)) &&
+        add_solids(&b))
         return ROBERTS_OK;
     hide_picture_free(picture);
     return error_no_memory(error);

@@ -130,9 +130,60 @@ static void scan_borders(scan *s, const scan_frame *f, roberts_vec3 P, roberts_v
         bound[i] = greater(bound[i], from + (f->x0 + i * f->dx - left) * slope + lift);
 }
 
+/* One side of a polygon whose corners are in these columns and not near a border. Gives how many borders it crosses upward
+ * of the polygon's lower half. */
+static inline uint32_t scan_side_borders(const scan *s, const scan_frame *f, const roberts_vec3 *P,
+                                         const roberts_vec3 *Q, uint32_t column, uint32_t next)
+{
+    bool below = column < next;
+    double *bound = below ? s->under : s->over;
+    double left = below ? P->x : Q->x, from = below ? P->y : -Q->y, to = below ? Q->y : -P->y;
+    double slope = (to - from) / fabs(Q->x - P->x), lift = fabs(slope) * f->margin;
+    uint32_t first = below ? column : next, last = below ? next : column;
+    for (uint32_t i = first + 1; i <= last; i++)
+        bound[i] = from + (f->x0 + i * f->dx - left) * slope + lift;
+    return below ? last - first : 0;
+}
+
+/* What scan_inner() does, to the last bit, where no corner is so near to a border that two sides have a say there: then a
+ * border is met where the columns of two neighbours differ, by one side below and one above. False: a corner is that
+ * near, or (of a polygon that is not quite convex) more sides meet a border; the columns are to be found the other way. */
+static bool scan_apart(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
+{
+    double near = 4.0 * f->margin * f->per_dx, inside = 1.0 - near;
+    uint32_t first = f->nx, last = 0, column = 0, crossed = 0;
+    for (uint32_t k = 0; k < count; k++) {
+        double at = (P[corner[k]].x - f->x0) * f->per_dx;
+        if (!(at > 0.0) || !(at < f->nx))
+            return false;
+        column = (uint32_t)at;
+        at -= column;
+        if (at < near || at > inside)
+            return false;
+        first = column < first ? column : first;
+        last = column > last ? column : last;
+    }
+    s->inner_first = first + 1;
+    s->inner_last = last - 1; /* of the borders first + 1 .. last */
+    if (last == first)
+        s->inner_last = 0;
+    const roberts_vec3 *A = &P[corner[count - 1]];
+    for (uint32_t k = 0; k < count && last > first; k++) {
+        const roberts_vec3 *B = &P[corner[k]];
+        uint32_t next = (uint32_t)((B->x - f->x0) * f->per_dx);
+        if (next != column)
+            crossed += scan_side_borders(s, f, A, B, column, next);
+        column = next;
+        A = B;
+    }
+    return crossed == last - first;
+}
+
 void scan_inner(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
 {
     double least, greatest;
+    if (scan_apart(s, f, P, corner, count))
+        return;
     find_width(P, corner, count, &least, &greatest);
     double low = (least + f->margin - f->x0) * f->per_dx, high = (greatest - f->margin - f->x0) * f->per_dx;
     s->inner_first = 1;

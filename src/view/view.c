@@ -185,15 +185,26 @@ int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane 
     return F.c < 0.0 ? VIEW_FRONT : F.c > 0.0 ? VIEW_BACK : VIEW_EDGE_ON;
 }
 
-/* Of a plain view at right angles, a back face needs no more than how deep its normal looks. */
+/* Of a plain view at right angles: how deep the normal looks says it all where the face is wide enough, and of a back face no
+ * more is wanted. a and b side by side; the plane is what view_plane() makes of it, to the last bit. */
 int view_face(const view *v, const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, plane *F,
               double *stretch)
 {
     if (!v->perspective && v->oblique.x == 0.0 && v->oblique.y == 0.0) {
         const plane *G = &scene->face_plane[face];
-        double c = vec3_dot(v->dir, (roberts_vec3){G->a, G->b, G->c});
-        if (c > 0.0 && c * scene_width(scene, face) > 4.0 * v->epsilon * v->unit)
+        double c = vec3_dot(v->dir, (roberts_vec3){G->a, G->b, G->c}), least = 4.0 * v->epsilon * v->unit;
+        double wide = c * scene_width(scene, face);
+        if (wide > least)
             return VIEW_BACK;
+        if (wide < -least) {
+            two a = two_of(v->right.x, v->up.x), b = two_of(v->right.y, v->up.y), d = two_of(v->right.z, v->up.z);
+            a = two_add(two_mul(a, two_all(G->a)), two_mul(b, two_all(G->b)));
+            two_part(&F->a, &F->b, two_add(a, two_mul(d, two_all(G->c))));
+            F->c = c;
+            F->d = G->d * v->per_unit;
+            *stretch = 1.0;
+            return VIEW_FRONT;
+        }
     }
     *F = view_plane(v, scene, face, stretch);
     return view_facing(v, scene, face, *F, P);
