@@ -127,7 +127,7 @@ static void sides_against_integers(void **state)
         double dx = f.P[1].x - f.P[0].x, dy = f.P[1].y - f.P[0].y, length = hypot(dx, dy);
         double rough = (dx * (f.P[4].y - f.P[0].y) - dy * (f.P[4].x - f.P[0].x)) / length;
         double reach = hypot(f.P[4].x - f.P[0].x, f.P[4].y - f.P[0].y);
-        assert_true(fabs(rough - distance) <= 4 * f.view.rounding * (1 + reach / length));
+        assert_true(fabs(rough - distance) <= 4 * f.view.across_rounding * (1 + reach / length));
         roberts_scene_free(f.scene);
     }
     assert_true(zeros > 100 && small > 100);
@@ -221,10 +221,57 @@ static void grazing_pierce(void **state)
         }
 }
 
+/* A corner of a scene 2^21 deep and 40 wide, seen along the axis given. */
+static whole deep_corner(rng *r, int axis)
+{
+    int x = rng_int(r, -20, 20), y = rng_int(r, -20, 20), z = rng_int(r, -(1 << 20), 1 << 20);
+    return axis == 0 ? (whole){z, x, y} : axis == 1 ? (whole){x, z, y} : (whole){x, y, z};
+}
+
+/* In a deep view x and y are bounded, with their errors, by what they are made of, and by how far depth leaks into them
+ * where the sight line is not quite along the axis. Distances in the picture are off by no more than the tests allow for:
+ * 2 bounds (1 + reach / length). */
+static void deep_views(void **state)
+{
+    rng r = {64};
+    size_t sharp = 0;
+    (void)state;
+    for (int i = 0; i < 3000; i++) {
+        fixture f;
+        model m = {0};
+        whole p[8];
+        int axis = i % 3, aslant = i % 2;
+        do
+            for (int k = 0; k < 8; k++)
+                p[k] = deep_corner(&r, axis);
+        while (llabs(volume(p)) < 100000000 || llabs(volume(p + 4)) < 100000000);
+        int x = aslant * rng_int(&r, -3, 3), y = aslant * rng_int(&r, -3, 3), z = aslant ? 1 << 20 : 3;
+        whole V = axis == 0 ? (whole){z, x, y} : axis == 1 ? (whole){x, z, y} : (whole){x, y, z};
+        roberts_camera camera = {.dir = real(V), .up = real(random_whole(&r, 9))};
+        add_tetrahedron(&m, p);
+        add_tetrahedron(&m, p + 4);
+        set_up(&f, &m, &camera);
+        assert_true(f.view.across_rounding <= f.view.rounding && f.view.across <= f.view.extent);
+        sharp += f.view.across_rounding < 1e-4 * f.view.rounding && f.view.across < 1e-4 * f.view.extent;
+        for (uint32_t k = 0; k < f.scene->vertex_count; k++)
+            assert_true(fabs(f.P[k].x) <= f.view.across && fabs(f.P[k].y) <= f.view.across);
+        for (uint32_t x4 = 4; x4 < 8; x4++) {
+            roberts_vec3 d = vec3_sub(f.P[1], f.P[0]), e = vec3_sub(f.P[x4], f.P[0]);
+            double length = hypot(d.x, d.y), reach = fabs(e.x) + fabs(e.y);
+            double error = fabs((d.x * e.y - d.y * e.x) / length - refine_side(&f.space, 0, 1, x4));
+            assert_true(length == 0.0 || error <= 2 * f.view.across_rounding * (1 + reach / length));
+        }
+        roberts_scene_free(f.scene);
+        model_free(&m);
+    }
+    assert_true(sharp > 2000);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sides_against_integers),
+        cmocka_unit_test(deep_views),
         cmocka_unit_test(crossings_against_fractions),
         cmocka_unit_test(piercings_against_fractions),
         cmocka_unit_test(grazing_pierce),

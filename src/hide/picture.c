@@ -267,8 +267,9 @@ static void set_space(hide_picture *picture)
     const view *v = &picture->view;
     picture->space = (hide_space){.P = picture->P,
                                   .epsilon = v->epsilon,
-                                  .rounding = v->rounding,
-                                  .plain = hide_plain(v->extent, v->epsilon, v->rounding),
+                                  .rounding = v->across_rounding,
+                                  .depth_rounding = v->rounding,
+                                  .plain = hide_plain(v->across, v->epsilon, v->across_rounding),
                                   .scene = picture->scene,
                                   .view = v};
 }

@@ -14,7 +14,8 @@
 typedef struct hide_space {
     const roberts_vec3 *P;      /* view points of all vertices, by compact number */
     double epsilon;             /* touching distance, view units */
-    double rounding;            /* bound of the error of one coordinate of P, view units */
+    double rounding;            /* bound of the error of an x or y of P, view units */
+    double depth_rounding;      /* ... of any coordinate of P, z too; at least that */
     double plain;               /* a cross product of two vectors of the picture that is larger than this has a plain
                                    sign: hide_plain(); INFINITY: never */
     const roberts_scene *scene; /* as read, for signs and crossings in twice the precision; */
@@ -23,8 +24,8 @@ typedef struct hide_space {
 
 /* |u x v| is the distance of one point from the line through two others, times their distance l. It is more than
  * epsilon, with certainty, where |u x v| > epsilon l + 2 rounding (l + reach), and l is no more than 3 and the
- * reach no more than 6 extents, and the products' own rounding adds no more than 3 extents times rounding. (One bound
- * for the whole scene: where it says nothing, the numbers are looked at closely.) */
+ * reach no more than 6 extents (of the picture: x and y), and the products' own rounding adds no more than 4 extents times
+ * rounding. (One bound for the whole scene: where it says nothing, the numbers are looked at closely.) */
 static inline double hide_plain(double extent, double epsilon, double rounding)
 {
     return 4.0 * extent * (epsilon + 8.0 * rounding);
@@ -104,7 +105,7 @@ static inline float hide_float_above(double x)
 /* By how much cells and boxes are widened, so that an edge and a face that touch are never kept apart. */
 static inline double hide_margin(const hide_space *space)
 {
-    return 4.0 * (space->epsilon + space->rounding);
+    return 4.0 * (space->epsilon + space->depth_rounding);
 }
 
 #endif

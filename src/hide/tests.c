@@ -217,7 +217,7 @@ bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e
         return true;
     double width = part->t1 - part->t0, slope = fabs(f0 - f1);
     double t = part->t0 + width * (f0 / (f0 - f1));
-    if (!hide_accurate(space, e, width * 4.0 * space->rounding / slope) && space->scene) {
+    if (!hide_accurate(space, e, width * 4.0 * space->depth_rounding / slope) && space->scene) {
         t = fmin(fmax(refine_pierce(space, F, e), part->t0), part->t1);
         sides->refined++;
     }

@@ -247,6 +247,41 @@ static roberts_status set_eye(view *v, const roberts_scene *scene, const roberts
     return ROBERTS_OK;
 }
 
+/* The sum of |a_i| h_i: no point of a box of half sizes h about the origin is farther from it along a. */
+static double reach_along(roberts_vec3 a, roberts_vec3 h)
+{
+    return fabs(a.x) * h.x + fabs(a.y) * h.y + fabs(a.z) * h.z;
+}
+
+/* Bound of |a . V|, which is zero but for rounding: three products and two sums add no more than 3.01 units of rounding
+ * (half an epsilon each) times the sum of |a_i V_i|. */
+static double leak(roberts_vec3 a, roberts_vec3 V)
+{
+    return fabs(vec3_dot(a, V)) + 2.0 * DBL_EPSILON * reach_along(a, (roberts_vec3){fabs(V.x), fabs(V.y), fabs(V.z)});
+}
+
+/* Bounds of x and y and of their errors, for a parallel view at right angles. A scene may be much deeper than its picture
+ * is wide, and what a coordinate is not made of adds nothing to its error.
+ *
+ * The exact picture is a projection along the viewpoint V as given. For the axis a (right or up) it is
+ * x' = (a - (a.V / V.V) V) . q with q = P - origin; a shift, a stretch or a turn of the picture changes no parameter
+ * and no sign. Computed is x = a . q: by one subtraction, one product and at most two sums, each off by half an epsilon
+ * of what it gives, so by no more than 4.01 halves of epsilon times the sum of |a_i q_i|; eight are taken, and the rest is
+ * for the rounding of products of coordinates (see hide_plain()). And by |x - x'| = |a.V| |V.q| / V.V: the depth leaks into
+ * x as far as the axis is not at a right angle to V. */
+static void set_across(view *v, const roberts_scene *scene)
+{
+    roberts_vec3 low = vec3_sub(v->origin, scene->box_min), high = vec3_sub(scene->box_max, v->origin);
+    roberts_vec3 h =
+        vec3_scale(v->per_unit, (roberts_vec3){fmax(low.x, high.x), fmax(low.y, high.y), fmax(low.z, high.z)});
+    roberts_vec3 V = v->viewpoint;
+    double depth = reach_along(V, h) / vec3_dot(V, V);
+    v->across = fmax(reach_along(v->right, h), reach_along(v->up, h));
+    v->across_rounding = ROUNDINGS * 0.5 * DBL_EPSILON * v->across + fmax(leak(v->right, V), leak(v->up, V)) * depth;
+    v->across_rounding = fmin(1.001 * v->across_rounding, v->rounding); /* the bound is rounded itself */
+    v->across = fmin(1.001 * v->across, v->extent);
+}
+
 /* The largest view coordinate, then the touching distance and the rounding that follow from it. */
 static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
 {
@@ -257,7 +292,10 @@ static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
         v->extent = fmax(v->extent, largest(view_point(v, scene->point[i])));
     if (v->perspective)
         raw = fmax(raw, fmax(largest(v->viewpoint), largest(v->origin)) / v->unit);
-    v->rounding = ROUNDINGS * 0.5 * DBL_EPSILON * v->extent;
+    v->rounding = v->across_rounding = ROUNDINGS * 0.5 * DBL_EPSILON * v->extent;
+    v->across = v->extent;
+    if (!v->perspective && v->oblique.x == 0.0 && v->oblique.y == 0.0)
+        set_across(v, scene);
     if (v->perspective)
         v->plane_rounding =
             ROUNDINGS * 0.5 * DBL_EPSILON *

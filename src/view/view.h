@@ -31,10 +31,12 @@ typedef struct view {
                                     units */
     double viewpoint_depth;      /* orthographic: of the viewpoint along dir */
     bool perspective;
-    double diameter; /* diagonal of the scene's box, view units */
-    double extent;   /* no view coordinate is larger than this, view units; at least the diameter */
-    double epsilon;  /* touching distance, view units */
-    double rounding; /* bound of the rounding error of one view coordinate, view units */
+    double diameter;        /* diagonal of the scene's box, view units */
+    double extent;          /* no view coordinate is larger than this, view units; at least the diameter */
+    double across;          /* no x and no y is larger than this, view units; at most the extent */
+    double epsilon;         /* touching distance, view units */
+    double rounding;        /* bound of the rounding error of one view coordinate, view units */
+    double across_rounding; /* ... of an x or y; at most `rounding` */
     double
         plane_rounding; /* perspective: bound of that of the eye's distance from a face's plane, view units; else 0 */
 } view;

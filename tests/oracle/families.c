@@ -351,6 +351,42 @@ static void tower(studio *st)
     look_any(st);
 }
 
+/* Up to a million times as deep as the picture is wide: what x and y are not made of must not spoil them. Gives the
+ * depth. */
+static double put_deep(studio *st, int axis)
+{
+    int count = dice_int(&st->d, 6, 24), spread = dice_int(&st->d, 1, 5);
+    double depth = ldexp(1, dice_int(&st->d, 6, 20));
+    for (int i = 0; i < count; i++) {
+        shape s = shape_any(&st->d);
+        double x = dice_int(&st->d, -spread, spread), y = dice_int(&st->d, -spread, spread);
+        double z = floor(depth * dice_real(&st->d));
+        put(st, &s, axis == 0 ? z : x, axis == 1 ? z : y, axis == 2 ? z : axis == 1 ? y : x);
+    }
+    return depth;
+}
+
+static void look_along(studio *st, int axis, double x, double y, double z)
+{
+    look(st, axis == 0 ? z : x, axis == 1 ? z : y, axis == 2 ? z : axis == 1 ? y : x);
+}
+
+static void deep(studio *st)
+{
+    int axis = dice_int(&st->d, 0, 2);
+    put_deep(st, axis);
+    look_along(st, axis, 0, 0, dice_int(&st->d, 0, 1) ? 1 : -3);
+}
+
+/* Not quite along it, by some widths of a solid from front to back: clearances are as small as that is little. */
+static void deep_aslant(studio *st)
+{
+    int axis = dice_int(&st->d, 0, 2);
+    double depth = put_deep(st, axis);
+    look_along(st, axis, dice_int(&st->d, -3, 3), dice_int(&st->d, -3, 3), depth);
+    near_touching(st);
+}
+
 /* A crowd seen along one of its edges; in perspective from a point on the line of that edge. */
 static void end_on(studio *st)
 {
@@ -511,6 +547,8 @@ static const struct {
     {"plates", plates, INFINITELY_FAR},
     {"decimal-plates", decimal_plates, INFINITELY_FAR},
     {"tower", tower, INFINITELY_FAR},
+    {"deep", deep, INFINITELY_FAR},
+    {"deep-aslant", deep_aslant, INFINITELY_FAR},
     {"end-on", end_on, INFINITELY_FAR},
     {"sizes", sizes, INFINITELY_FAR},
     {"giants", giants, INFINITELY_FAR},
