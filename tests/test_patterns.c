@@ -1,6 +1,7 @@
 /* test_patterns.c - solids that repeat one another in a file get what each of them gets alone; components that follow one
  * another are found as the definition has it. */
 #include "model/blocks.h"
+#include "model/layout.h"
 #include "model/scene.h"
 #include "scenes.h"
 
@@ -347,6 +348,28 @@ static void some_are_no_blocks(void **state)
     }
 }
 
+/* ---- boxes --------------------------------------------------------------------------------------------------------------- */
+
+static void a_box_by_lanes_is_the_same(void **state)
+{
+    static const double odd[] = {0.0, -0.0, INFINITY, -INFINITY, NAN, 1e300, -5e-324, 1.0};
+    rng r = {25};
+    (void)state;
+    for (int round = 0; round < 10000; round++) {
+        roberts_vec3 p = {odd[rng_int(&r, 0, 7)], odd[rng_int(&r, 0, 7)], odd[rng_int(&r, 0, 7)]}, lo = p, hi = p,
+                     corner[2];
+        point_box box = point_box_of(p, p);
+        for (int i = rng_int(&r, 0, 5); i > 0; i--) {
+            p = (roberts_vec3){odd[rng_int(&r, 0, 7)], odd[rng_int(&r, 0, 7)], odd[rng_int(&r, 0, 7)]};
+            box_add(&lo, &hi, p);
+            point_box_add(&box, p);
+        }
+        point_box_corners(&box, &corner[0], &corner[1]);
+        assert_memory_equal(&corner[0], &lo, sizeof lo);
+        assert_memory_equal(&corner[1], &hi, sizeof hi);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -356,6 +379,7 @@ int main(void)
         cmocka_unit_test(welding_starts_from_the_mesh),
         cmocka_unit_test(blocks_are_components),
         cmocka_unit_test(some_are_no_blocks),
+        cmocka_unit_test(a_box_by_lanes_is_the_same),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

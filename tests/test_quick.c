@@ -80,6 +80,22 @@ static void lanes_of_four_are_scalars(void **state)
     }
 }
 
+static void four_numbers_are_shifted_alike(void **state)
+{
+    rng r = {9};
+    (void)state;
+    for (int i = 0; i < 10000; i++) {
+        uint32_t a[4], b[4], shift = (uint32_t)rng_next(&r);
+        int odd = rng_int(&r, 0, 7); /* from 4 on: none is */
+        for (int k = 0; k < 4; k++) {
+            a[k] = (uint32_t)rng_next(&r);
+            b[k] = a[k] + shift + (k == odd ? 1u << rng_int(&r, 0, 31) : 0u);
+        }
+        assert_int_equal(four_shifted(a, b, shift), odd >= 4);
+        assert_int_equal(four_plain_shifted(a, b, shift), odd >= 4);
+    }
+}
+
 /* ---- edges and outlines ------------------------------------------------------------------------------------------ */
 
 enum { CORNERS = 12 };
@@ -209,6 +225,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lanes_are_scalars),
         cmocka_unit_test(lanes_of_four_are_scalars),
+        cmocka_unit_test(four_numbers_are_shifted_alike),
         cmocka_unit_test(agrees_with_the_tests),
         cmocka_unit_test(contact_is_unclear),
     };

@@ -248,8 +248,10 @@ static void place(roberts_scene *scene, set_node *node, const polygons *faces, c
 static void measure(roberts_scene *scene, const roberts_vec3 *point)
 {
     roberts_vec3 lo = {INFINITY, INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY, -INFINITY};
+    point_box box = point_box_of(lo, hi);
     for (uint32_t v = 0; v < scene->vertex_count; v++)
-        box_add(&lo, &hi, point[v]);
+        point_box_add(&box, point[v]);
+    point_box_corners(&box, &lo, &hi);
     layout_set_box(scene, lo, hi);
 }
 

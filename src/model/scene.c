@@ -35,8 +35,8 @@ typedef struct construction {
 /* What each has for itself. */
 typedef struct construction_worker {
     builder tools;
-    roberts_error error;
-    uint32_t refused; /* the first solid that it refused, for the reason in `error` */
+    roberts_error error, found; /* `found`: of the solid at hand, where it is refused */
+    uint32_t refused;           /* the first solid that it refused, for the reason in `error` */
     bool no_memory;
 } construction_worker;
 
@@ -80,20 +80,20 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
 {
     const bool only_ask = atomic_load_explicit(&c->any_open, memory_order_relaxed) ||
                           s > atomic_load_explicit(&c->refused, memory_order_relaxed);
-    roberts_error found = {0};
+    roberts_error *found = &worker->found;
     build_result result;
     uint32_t least;
     if (only_ask && !c->open)
         return;
-    result = only_ask ? solid_is_closed(c->scene, &worker->tools, s, &found)
-                      : solid_build(c->scene, &worker->tools, s, c->mesh, c->tolerance, !c->open, &found);
+    result = only_ask ? solid_is_closed(c->scene, &worker->tools, s, found)
+                      : solid_build(c->scene, &worker->tools, s, c->mesh, c->tolerance, !c->open, found);
     if (result == BUILD_OPEN && c->open) {
         c->open[s] = 1;
         atomic_store_explicit(&c->any_open, true, memory_order_relaxed);
         return;
     }
     if (result == BUILD_OPEN) {
-        error_set(&found, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed",
+        error_set(found, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed",
                   s - place_of_solid(c->scene, s, c->mesh).solid);
         result = BUILD_REFUSED;
     }
@@ -101,11 +101,11 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
         store_edges(c->scene, s, &worker->tools.frame);
     if (result != BUILD_REFUSED)
         return;
-    worker->no_memory |= found.status == ROBERTS_NO_MEMORY;
+    worker->no_memory |= found->status == ROBERTS_NO_MEMORY;
     if (s < worker->refused) {
-        error_set_file(&found, place_of_solid(c->scene, s, c->mesh).file);
+        error_set_file(found, place_of_solid(c->scene, s, c->mesh).file);
         worker->refused = s;
-        worker->error = found;
+        worker->error = *found;
     }
     least = atomic_load_explicit(&c->refused, memory_order_relaxed);
     while (s < least &&

@@ -12,6 +12,7 @@
 #include "model/solid_check.h"
 
 #include "base/error.h"
+#include "model/face_plane.h"
 #include "model/face_polygon.h"
 #include "model/place.h"
 #include "model/vertex_tree.h"
@@ -140,21 +141,49 @@ static double least_thickness(const solid_frame *frame)
     return least;
 }
 
-/* Sum of the angles (their sines; 1 for more than a right one) by which edges bend inward. */
+/* The angle by which an edge bends inward (its sine; 1 for more than a right one), 0 for outward. */
+static double bend_of(const solid_frame *frame, const scene_edge *edge)
+{
+    plane F = frame->face[edge->f[0]].F, G = frame->face[edge->f[1]].F;
+    roberts_vec3 along = vec3_sub(frame->point[edge->v[1]], frame->point[edge->v[0]]);
+    roberts_vec3 m = {F.a, F.b, F.c}, n = {G.a, G.b, G.c};
+    double bend = vec3_dot(vec3_cross(m, n), along); /* > 0: outward */
+    if (vec3_dot(m, n) <= 0.0 && bend <= 0.0)
+        return 1.0; /* folded, or an edge or a face without extent, which tells nothing */
+    return bend < 0.0 ? -bend / vec3_length(along) : 0.0;
+}
+
+static inline two_vec3 points_of(const solid_frame *frame, uint32_t v, uint32_t w)
+{
+    roberts_vec3 p = frame->point[v], q = frame->point[w];
+    return (two_vec3){two_of(p.x, q.x), two_of(p.y, q.y), two_of(p.z, q.z)};
+}
+
+static inline two_vec3 normals_of(const solid_frame *frame, uint32_t f, uint32_t g)
+{
+    const plane *F = &frame->face[f].F, *G = &frame->face[g].F;
+    return (two_vec3){two_of(F->a, G->a), two_of(F->b, G->b), two_of(F->c, G->c)};
+}
+
+/* Whether both of two edges bend outward, as bend_of() has it. */
+static inline bool both_outward(const solid_frame *frame, const scene_edge *a, const scene_edge *b)
+{
+    two_vec3 along = two_vec3_sub(points_of(frame, a->v[1], b->v[1]), points_of(frame, a->v[0], b->v[0]));
+    two_vec3 m = normals_of(frame, a->f[0], b->f[0]), n = normals_of(frame, a->f[1], b->f[1]);
+    return two_at_most(two_vec3_dot(two_vec3_cross(m, n), along), two_all(0.0)) == 0;
+}
+
+/* Sum of the angles by which edges bend inward. */
 static double inward_bend(const solid_frame *frame)
 {
+    const scene_edge *edge = frame->edge, *end = edge + frame->edge_count;
     double sum = 0.0;
-    for (const scene_edge *edge = frame->edge; edge < frame->edge + frame->edge_count; edge++) {
-        plane F = frame->face[edge->f[0]].F, G = frame->face[edge->f[1]].F;
-        roberts_vec3 along = vec3_sub(frame->point[edge->v[1]], frame->point[edge->v[0]]);
-        roberts_vec3 m = {F.a, F.b, F.c}, n = {G.a, G.b, G.c};
-        double bend = vec3_dot(vec3_cross(m, n), along); /* > 0: outward */
-        if (vec3_dot(m, n) <= 0.0 && bend <= 0.0)
-            sum += 1.0; /* folded, or an edge or a face without extent, which tells nothing */
-        else if (bend < 0.0)
-            sum += -bend / vec3_length(along);
-    }
-    return sum;
+    for (; end - edge >= 2; edge += 2)
+        if (!both_outward(frame, edge, edge + 1)) {
+            sum += bend_of(frame, edge);
+            sum += bend_of(frame, edge + 1);
+        }
+    return edge < end ? sum + bend_of(frame, edge) : sum;
 }
 
 /* Every vertex against every plane. */
