@@ -370,6 +370,69 @@ static void thin_plates(void **state)
     }
 }
 
+/* ---- threads -------------------------------------------------------------------------------------------------------------- */
+
+enum { FANS = 700, FAN_POINTS = 12 };
+
+/* Open fans of triangles; those of `flat` and all numbers above lie in a plane. */
+static void make_fans(roberts_mesh *mesh, uint32_t flat)
+{
+    rng r = {77};
+    for (uint32_t fan = 0; fan < FANS; fan++) {
+        uint32_t first = fan * FAN_POINTS;
+        for (uint32_t i = 0; i < FAN_POINTS; i++) {
+            roberts_vec3 p = {2.0 * (fan % 30) + rng_between(&r, 0, 1), 2.0 * (fan / 30) + rng_between(&r, 0, 1),
+                              fan < flat ? rng_between(&r, 0, 1) : 0};
+            assert_int_equal(roberts_mesh_add_vertex(mesh, p, NULL, NULL), ROBERTS_OK);
+        }
+        for (uint32_t i = 1; i + 1 < FAN_POINTS; i++)
+            assert_int_equal(roberts_mesh_add_face(mesh, (uint32_t[]){first, first + i, first + i + 1}, 3, NULL),
+                             ROBERTS_OK);
+    }
+}
+
+static bool same_scene(const roberts_scene *a, const roberts_scene *b)
+{
+    return a->solid_count == b->solid_count && a->vertex_count == b->vertex_count && a->face_count == b->face_count &&
+           a->edge_count == b->edge_count && a->corner_count == b->corner_count &&
+           memcmp(a->point, b->point, a->vertex_count * sizeof *a->point) == 0 &&
+           memcmp(a->corner, b->corner, a->corner_count * sizeof *a->corner) == 0 &&
+           memcmp(a->face_plane, b->face_plane, a->face_count * sizeof *a->face_plane) == 0;
+}
+
+/* The same hulls in the same order, and the first refusal, whatever the threads. */
+static void threads_change_nothing(void **state)
+{
+    static const uint32_t threads[] = {1, 2, 3, 7}, flat[] = {FANS, FANS - 1, 400, 5};
+    (void)state;
+    for (size_t k = 0; k < sizeof flat / sizeof flat[0]; k++) {
+        roberts_mesh mesh = {0};
+        roberts_scene *first = NULL;
+        char message[256];
+        make_fans(&mesh, flat[k]);
+        snprintf(message, sizeof message,
+                 "the convex hull of solid %u, of %d points, is flat: they lie in one plane, or nearly so", flat[k],
+                 FAN_POINTS);
+        for (size_t i = 0; i < sizeof threads / sizeof threads[0]; i++) {
+            roberts_scene_options options = {.hull = true, .threads = threads[i]};
+            roberts_scene *scene = NULL;
+            roberts_error error = {0};
+            roberts_status status = roberts_scene_build(&mesh, &options, &scene, &error);
+            assert_int_equal(status, flat[k] < FANS ? ROBERTS_FLAT : ROBERTS_OK);
+            assert_string_equal(error.message, flat[k] < FANS ? message : "");
+            if (status == ROBERTS_OK && !first) {
+                assert_int_equal(scene->solid_count, FANS);
+                first = scene;
+                continue;
+            }
+            assert_true(status != ROBERTS_OK || same_scene(scene, first));
+            roberts_scene_free(scene);
+        }
+        roberts_scene_free(first);
+        roberts_mesh_free(&mesh);
+    }
+}
+
 /* ---- drawings ---------------------------------------------------------------------------------------------------------- */
 
 static void draw(const char *path, bool bare, bool hull, roberts_drawing *drawing)
@@ -458,7 +521,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(whole_points), cmocka_unit_test(noisy_points),  cmocka_unit_test(six_digits),
         cmocka_unit_test(solids),       cmocka_unit_test(several_files), cmocka_unit_test(refusals),
-        cmocka_unit_test(thin_plates),  cmocka_unit_test(same_drawings), IN_FOLDER(program_draws_hulls),
+        cmocka_unit_test(thin_plates),  cmocka_unit_test(same_drawings), cmocka_unit_test(threads_change_nothing),
+        IN_FOLDER(program_draws_hulls),
     };
     program_find();
     return cmocka_run_group_tests_name("hull", tests, NULL, NULL);

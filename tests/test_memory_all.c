@@ -47,7 +47,7 @@ static roberts_status run(const run_case *c, roberts_error *error, size_t *writt
     roberts_status status = c->text ? roberts_mesh_read_memory(&mesh, c->name, c->text, strlen(c->text), NULL, error)
                                     : roberts_mesh_read_file(&mesh, c->file, NULL, error);
     if (status == ROBERTS_OK)
-        status = roberts_scene_take(&mesh, &(roberts_scene_options){.hull = c->hull}, &scene, error);
+        status = roberts_scene_take(&mesh, &(roberts_scene_options){.hull = c->hull, .threads = 1}, &scene, error);
     assert_int_equal(scene != NULL, status == ROBERTS_OK);
     if (status == ROBERTS_OK)
         status = roberts_hide(scene, &c->camera, &hide, &drawing, error);

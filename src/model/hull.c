@@ -9,11 +9,13 @@
  * number all the same. */
 #include "model/hull.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/array.h"
 #include "base/error.h"
+#include "base/threads.h"
 #include "model/layout.h"
 #include "model/place.h"
 #include "model/qhull.h"
@@ -41,6 +43,14 @@ typedef struct hull_maker {
     uint32_t *zero; /* [facets] */
     size_t zero_room;
 } hull_maker;
+
+static void hull_maker_free(hull_maker *maker)
+{
+    hull_facets_free(&maker->facets);
+    frame_free(&maker->frame);
+    builder_free(&maker->work);
+    free(maker->zero);
+}
 
 /* ---- bare inputs --------------------------------------------------------------------------------------------------- */
 
@@ -275,31 +285,147 @@ static roberts_status replace(face_list *list, hull_maker *maker, const roberts_
     return error_no_memory(error);
 }
 
-static roberts_status collect(face_list *list, hull_maker *maker, roberts_scene *scene, builder *work,
-                              const roberts_mesh *mesh, double tolerance, roberts_error *error)
+/* ---- all solids ---------------------------------------------------------------------------------------------------- */
+
+/* Solids are taken by runs, so many at the most; the faces of a run are put into a list of its own. */
+enum { RUNS_MOST = 256 };
+
+typedef struct hull_job {
+    roberts_scene *scene;
+    const roberts_mesh *mesh;
+    double tolerance;
+    face_list *run; /* [runs] */
+    uint32_t runs;
+    _Atomic uint32_t refused; /* solids from this one on need no work any more: it has no hull */
+} hull_job;
+
+/* One for each thread. */
+typedef struct hull_worker {
+    hull_maker maker;
+    builder work;
+    uint32_t refused; /* the first of its own that has no hull, or ROBERTS_NONE; and why */
+    roberts_error error;
+} hull_worker;
+
+/* Appends the faces of solid s, its own or those of its hull. */
+static roberts_status take_solid(const hull_job *job, hull_worker *worker, face_list *list, uint32_t s,
+                                 roberts_error *error)
 {
-    roberts_status status = ROBERTS_OK;
-    for (uint32_t s = 0; s < scene->solid_count && status == ROBERTS_OK; s++) {
-        roberts_error refusal = {0};
-        bool bare = scene_face_number(scene, scene->solid[s].face) >= mesh->face_count;
-        build_result built = bare ? BUILD_OPEN : solid_build(scene, work, s, mesh, tolerance, true, &refusal);
-        if (built == BUILD_OK)
-            status = keep_faces(list, scene, s) ? ROBERTS_OK : error_no_memory(error);
-        else if (refusal.status == ROBERTS_NO_MEMORY)
-            status = error_no_memory(error);
-        else
-            status = replace(list, maker, scene, s, mesh, tolerance, error);
+    roberts_scene *scene = job->scene;
+    roberts_error refusal = {0};
+    bool bare = scene_face_number(scene, scene->solid[s].face) >= job->mesh->face_count;
+    build_result built =
+        bare ? BUILD_OPEN : solid_build(scene, &worker->work, s, job->mesh, job->tolerance, true, &refusal);
+    if (built == BUILD_OK)
+        return keep_faces(list, scene, s) ? ROBERTS_OK : error_no_memory(error);
+    if (refusal.status == ROBERTS_NO_MEMORY)
+        return error_no_memory(error);
+    return replace(list, &worker->maker, scene, s, job->mesh, job->tolerance, error);
+}
+
+/* A run, as far as no solid before has been refused. */
+static void take_run(hull_job *job, hull_worker *worker, uint32_t run)
+{
+    const uint64_t solids = job->scene->solid_count;
+    const uint32_t end = (uint32_t)(solids * (run + 1) / job->runs);
+    for (uint32_t s = (uint32_t)(solids * run / job->runs); s < end; s++) {
+        roberts_error error = {0};
+        uint32_t least = atomic_load_explicit(&job->refused, memory_order_relaxed);
+        if (s > least)
+            return;
+        if (take_solid(job, worker, &job->run[run], s, &error) == ROBERTS_OK)
+            continue;
+        if (s < worker->refused) {
+            worker->refused = s;
+            worker->error = error;
+        }
+        while (s < least && !atomic_compare_exchange_weak_explicit(&job->refused, &least, s, memory_order_relaxed,
+                                                                   memory_order_relaxed))
+            ;
     }
+}
+
+/* Appends one list to another. False: no memory. */
+static bool append(face_list *list, const face_list *more)
+{
+    size_t count = list->count + more->count, corners = list->corner_count + more->corner_count;
+    if (count >= ROBERTS_NONE || corners >= ROBERTS_NONE ||
+        !array_reserve(&list->start, &list->start_room, count + 1, sizeof *list->start) ||
+        !array_reserve(&list->corner, &list->corner_room, corners, sizeof *list->corner) ||
+        !array_reserve(&list->solid, &list->solid_room, count, sizeof *list->solid) ||
+        !array_reserve(&list->origin, &list->origin_room, count, sizeof *list->origin))
+        return false;
+    list->start[0] = 0;
+    for (size_t f = 0; f < more->count; f++)
+        list->start[list->count + f + 1] = (uint32_t)list->corner_count + more->start[f + 1];
+    if (more->count > 0) {
+        memcpy(list->corner + list->corner_count, more->corner, more->corner_count * sizeof *list->corner);
+        memcpy(list->solid + list->count, more->solid, more->count * sizeof *list->solid);
+        memcpy(list->origin + list->count, more->origin, more->count * sizeof *list->origin);
+    }
+    list->count = count;
+    list->corner_count = corners;
+    return true;
+}
+
+/* The refusal of the first solid that has none, whichever thread met it; else all runs one after the other. */
+static roberts_status join_runs(face_list *list, const hull_job *job, const hull_worker *worker, int threads,
+                                roberts_error *error)
+{
+    const hull_worker *first = worker;
+    for (int i = 1; i < threads; i++)
+        if (worker[i].refused < first->refused)
+            first = &worker[i];
+    if (first->refused != ROBERTS_NONE) {
+        *error = first->error;
+        return error->status;
+    }
+    for (uint32_t run = 0; run < job->runs; run++)
+        if (!append(list, &job->run[run]))
+            return error_no_memory(error);
+    return ROBERTS_OK;
+}
+
+/* Faces of all solids, in their order. The result does not depend on the threads. */
+static roberts_status collect(face_list *list, roberts_scene *scene, const roberts_mesh *mesh, double tolerance,
+                              uint32_t asked, roberts_error *error)
+{
+    hull_job job = {.scene = scene, .mesh = mesh, .tolerance = tolerance};
+    job.runs = scene->solid_count < RUNS_MOST ? scene->solid_count : RUNS_MOST;
+    int threads = threads_for(asked, job.runs);
+    hull_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
+    roberts_status status = ROBERTS_NO_MEMORY;
+    job.run = alloc_zeroed(job.runs, sizeof *job.run);
+    atomic_init(&job.refused, ROBERTS_NONE);
+    if (worker && job.run) {
+        for (int i = 0; i < threads; i++)
+            worker[i].refused = ROBERTS_NONE;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+#endif
+        for (uint32_t run = 0; run < job.runs; run++)
+            take_run(&job, &worker[thread_self()], run);
+        status = join_runs(list, &job, worker, threads, error);
+    } else {
+        error_no_memory(error);
+    }
+    for (int i = 0; worker && i < threads; i++) {
+        hull_maker_free(&worker[i].maker);
+        builder_free(&worker[i].work);
+    }
+    for (uint32_t run = 0; job.run && run < job.runs; run++)
+        face_list_free(&job.run[run]);
+    free(worker);
+    free(job.run);
     return status;
 }
 
-roberts_status hull_solids(roberts_scene *scene, builder *work, const roberts_mesh *mesh, double tolerance,
+roberts_status hull_solids(roberts_scene *scene, const roberts_mesh *mesh, double tolerance, uint32_t threads,
                            roberts_error *error)
 {
     face_list list = {0};
-    hull_maker maker = {0};
     uint32_t solids = scene->solid_count;
-    roberts_status status = collect(&list, &maker, scene, work, mesh, tolerance, error);
+    roberts_status status = collect(&list, scene, mesh, tolerance, threads, error);
     if (status == ROBERTS_OK) {
         polygons faces = {.face_count = (uint32_t)list.count,
                           .vertex_count = (uint32_t)mesh->vertex_count,
@@ -312,9 +438,5 @@ roberts_status hull_solids(roberts_scene *scene, builder *work, const roberts_me
             scene->face_number[f] = list.origin[scene->face_number[f]];
     }
     face_list_free(&list);
-    hull_facets_free(&maker.facets);
-    frame_free(&maker.frame);
-    builder_free(&maker.work);
-    free(maker.zero);
     return status;
 }
