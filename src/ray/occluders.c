@@ -15,8 +15,9 @@
 #define SLICES 256
 #define SLICE_GAIN 0.75
 #define SLICE_COST 20.0
-/* A solid of so many faces at the most stands in the tree as one. */
+/* A solid of so many faces at the most, whose picture fills at least this part of its box, stands in the tree as one. */
 #define FACES_TOGETHER 12
+#define FILL_TOGETHER 0.125
 
 /* ---- the picture ------------------------------------------------------------------------------------------------ */
 
@@ -150,24 +151,43 @@ static bool add_faces(const occluders *o, uint32_t solid, box_list *list)
     return true;
 }
 
-/* A small solid goes into the tree as one: of its front faces a ray meets one, mostly, and a tree of a third of the size
- * is built and walked sooner. Not where a face is better cut into slices. */
+/* The box of all front faces of a solid, and how much of it their pictures fill. */
+static tree_box solid_box(const occluders *o, uint32_t solid, double *fill)
+{
+    const roberts_scene *scene = o->s.scene;
+    tree_box box = tree_no_box;
+    double area = 0.0; /* twice */
+    for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {
+        uint32_t end = scene->face_start[face + 1];
+        if (o->s.facing[face] == SIGHT_NOT_FRONT)
+            continue;
+        roberts_vec3 A = picture_point(o, o->s.P[scene->corner[end - 1]]), O = A;
+        for (uint32_t k = scene->face_start[face]; k < end; k++) {
+            roberts_vec3 B = picture_point(o, o->s.P[scene->corner[k]]);
+            area += (A.x - O.x) * (B.y - O.y) - (A.y - O.y) * (B.x - O.x);
+            extend(&box, B);
+            A = B;
+        }
+    }
+    *fill = 0.5 * area / ((box.hi.x - box.lo.x) * (box.hi.y - box.lo.y));
+    return box;
+}
+
+/* A small solid goes into the tree as one, which makes that some times smaller: of its front faces a ray meets one,
+ * mostly. Not where it is long and thin, across the axes: its faces are better cut into slices. */
 static bool add_solid(const occluders *o, uint32_t solid, box_list *list)
 {
     const roberts_scene *scene = o->s.scene;
-    uint32_t first = scene->solid[solid].face, count = scene->solid[solid + 1].face - first, fronts = 0;
-    tree_box slice[SLICES], all = tree_no_box;
+    uint32_t first = scene->solid[solid].face, count = scene->solid[solid + 1].face - first;
+    double fill;
     if (count > FACES_TOGETHER)
         return add_faces(o, solid, list);
-    for (uint32_t face = first; face < first + count; face++) {
-        if (o->s.facing[face] == SIGHT_NOT_FRONT)
-            continue;
-        if (boxes_of_face(o, face, list, slice) > 1)
-            return add_faces(o, solid, list);
-        all = tree_box_union(all, slice[0]);
-        fronts++;
-    }
-    return fronts == 0 || add_entry(o, all, solid, (tree_item){first, count}, list);
+    tree_box box = solid_box(o, solid, &fill);
+    if (!(box.lo.x <= box.hi.x))
+        return true; /* the near plane leaves nothing of it */
+    if (fill >= FILL_TOGETHER)
+        return add_entry(o, box, solid, (tree_item){first, count}, list);
+    return add_faces(o, solid, list);
 }
 
 /* The tree over the faces that may hide, each in boxes that hold whatever counts as touching it. */

@@ -8,6 +8,7 @@
 enum {
     LEAF_ITEMS = 2, /* a leaf holds no more, unless the boxes cannot be told apart */
     BINS = 12,      /* planes tried across an axis, and one; more gained nothing */
+    SAMPLE = 1000,  /* entries that judge a plane, at the most twice as many; more gained nothing */
     BIN_DEPTH = 60, /* from here on nodes are halved by number, which ends after 32 more levels */
 };
 
@@ -71,6 +72,13 @@ static float shadow(cover a, float floor)
     return a.hi_x < a.lo_x ? 0.0f : (a.hi_x - a.lo_x) * (a.hi_y - a.lo_y) * (a.hi_z - floor);
 }
 
+/* What lies below a node. */
+typedef struct crop {
+    cover all;
+    float low[3], high[3]; /* middles of boxes, twice */
+    uint32_t owner;        /* ROBERTS_NONE: several */
+} crop;
+
 typedef struct builder {
     tree *t;
     tree_entry *entry;
@@ -87,6 +95,21 @@ typedef struct split {
 static inline float middle(const tree_entry *e, int axis)
 {
     return e->lo[axis] + e->hi[axis];
+}
+
+static const crop no_crop = {{INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY},
+                             {INFINITY, INFINITY, INFINITY},
+                             {-INFINITY, -INFINITY, -INFINITY},
+                             0};
+
+static inline void reap(crop *c, const tree_entry *e)
+{
+    c->owner = !(c->all.lo_x <= c->all.hi_x) || c->owner == e->owner ? e->owner : ROBERTS_NONE;
+    c->all = cover_union(c->all, cover_of(e));
+    for (int axis = 0; axis < 3; axis++) {
+        c->low[axis] = less(c->low[axis], middle(e, axis));
+        c->high[axis] = more(c->high[axis], middle(e, axis));
+    }
 }
 
 static inline int bin_of(const split *s, const tree_entry *e)
@@ -118,27 +141,28 @@ static void find_plane(split *s, const cover *bin, const uint32_t *bin_count, fl
     }
 }
 
-/* The best plane of all axes; the boxes' middles (twice) reach from `low` to `high`. */
-static split find_split(const builder *b, uint32_t first, uint32_t count, const float *low, const float *high)
+/* The best plane of all axes, judged by a sample where there are many entries. */
+static split find_split(const builder *b, uint32_t first, uint32_t count, const crop *below)
 {
     cover bin[3][BINS];
-    uint32_t bin_count[3][BINS] = {{0}};
+    uint32_t bin_count[3][BINS] = {{0}}, step = count / SAMPLE + 1;
     split s[3], best = {.cost = INFINITY};
     int bins = count < BINS ? (int)count : BINS, axes = 0;
     for (int axis = 0; axis < 3; axis++) {
-        float length = high[axis] - low[axis], scale = (float)bins / length;
+        float length = below->high[axis] - below->low[axis], scale = (float)bins / length;
         if (!(length > 0.0f) || !isfinite(length) || !isfinite(scale))
             continue;
         for (int k = 0; k < bins; k++)
             bin[axes][k] = no_cover;
-        s[axes++] = (split){axis, 0, bins, low[axis], scale, INFINITY};
+        s[axes++] = (split){axis, 0, bins, below->low[axis], scale, INFINITY};
     }
-    for (const tree_entry *e = b->entry + first; e < b->entry + first + count; e++) {
+    for (uint32_t k = first; k < first + count; k += step) {
+        const tree_entry *e = &b->entry[k];
         cover c = cover_of(e);
         for (int i = 0; i < axes; i++) {
-            int k = bin_of(&s[i], e);
-            bin_count[i][k]++;
-            bin[i][k] = cover_union(bin[i][k], c);
+            int at = bin_of(&s[i], e);
+            bin_count[i][at]++;
+            bin[i][at] = cover_union(bin[i][at], c);
         }
     }
     for (int i = 0; i < axes; i++) {
@@ -149,16 +173,19 @@ static split find_split(const builder *b, uint32_t first, uint32_t count, const 
     return best;
 }
 
-/* Moves the entries below the split to the front, the others behind them; returns how many are below. */
-static uint32_t divide(const builder *b, uint32_t first, uint32_t count, const split *s)
+/* Moves the entries below the split to the front, the others behind them; returns how many are below. No split: half of
+ * them. `side`: what they come to. */
+static uint32_t divide(const builder *b, uint32_t first, uint32_t count, const split *s, crop *side)
 {
     tree_entry *entry = b->entry + first;
     uint32_t below = 0, end = count;
+    side[0] = side[1] = no_crop;
     while (below < end) {
-        if (bin_of(s, &entry[below]) < s->bin) {
-            below++;
+        if (s->bin > 0 ? bin_of(s, &entry[below]) < s->bin : below < count / 2) {
+            reap(&side[0], &entry[below++]);
             continue;
         }
+        reap(&side[1], &entry[below]);
         tree_entry swap = entry[below];
         entry[below] = entry[--end];
         entry[end] = swap;
@@ -166,46 +193,47 @@ static uint32_t divide(const builder *b, uint32_t first, uint32_t count, const s
     return below;
 }
 
-static void build_node(const builder *b, uint32_t first, uint32_t count, int depth)
+static void build_node(const builder *b, uint32_t first, uint32_t count, const crop *c, int depth)
 {
     tree *t = b->t;
-    uint32_t index = t->node_count++, below = count / 2, owner = b->entry[first].owner;
-    float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-    cover all = no_cover;
-    for (const tree_entry *e = b->entry + first; e < b->entry + first + count; e++) {
-        all = cover_union(all, cover_of(e));
-        owner = e->owner == owner ? owner : ROBERTS_NONE;
-        for (int axis = 0; axis < 3; axis++) {
-            low[axis] = less(low[axis], middle(e, axis));
-            high[axis] = more(high[axis], middle(e, axis));
-        }
-    }
-    t->node[index] = (tree_node){all.lo_x, all.lo_y, all.hi_x, all.hi_y, all.hi_z, first, count, owner};
+    uint32_t index = t->node_count++;
+    t->node[index] =
+        (tree_node){c->all.lo_x, c->all.lo_y, c->all.hi_x, c->all.hi_y, c->all.hi_z, first, count, c->owner};
     if (count <= LEAF_ITEMS)
         return;
-    if (depth < BIN_DEPTH) {
-        split s = find_split(b, first, count, low, high);
-        if (s.bin > 0)
-            below = divide(b, first, count, &s);
-    }
-    build_node(b, first, below, depth + 1);
+    split s = {.bin = 0};
+    crop side[2];
+    if (depth < BIN_DEPTH)
+        s = find_split(b, first, count, c);
+    uint32_t below = divide(b, first, count, &s, side);
+    bool upper = side[1].all.hi_z > side[0].all.hi_z;
+    if (upper)
+        build_node(b, first + below, count - below, &side[1], depth + 1);
+    else
+        build_node(b, first, below, &side[0], depth + 1);
     t->node[index].first = t->node_count;
     t->node[index].count = 0;
-    build_node(b, first + below, count - below, depth + 1);
+    if (upper)
+        build_node(b, first, below, &side[0], depth + 1);
+    else
+        build_node(b, first + below, count - below, &side[1], depth + 1);
 }
 
 bool tree_build(tree *t, tree_entry *entry, uint32_t count)
 {
     builder b = {t, entry, INFINITY};
+    crop all = no_crop;
     *t = (tree){alloc_array(2 * (size_t)count + 1, sizeof *t->node), alloc_array(count, sizeof *t->item), 0};
     if (!t->node || !t->item) {
         tree_free(t);
         return false;
     }
-    for (uint32_t i = 0; i < count; i++)
+    for (uint32_t i = 0; i < count; i++) {
         b.floor = less(entry[i].lo[2], b.floor);
+        reap(&all, &entry[i]);
+    }
     if (count)
-        build_node(&b, 0, count, 0);
+        build_node(&b, 0, count, &all, 0);
     for (uint32_t i = 0; i < count; i++)
         t->item[i] = entry[i].item;
     return true;
@@ -306,10 +334,8 @@ bool tree_walk_next(tree_walk *w, tree_leaf *leaf)
             *leaf = (tree_leaf){w->t->item + node->first, w->list + crowd.start, node->count, crowd.count};
             return true;
         }
-        uint32_t one = index + 1, other = node->first;
-        bool other_nearer = w->t->node[other].hi_z > w->t->node[one].hi_z;
-        push(w, other_nearer ? one : other, &crowd);
-        push(w, other_nearer ? other : one, &crowd);
+        push(w, node->first, &crowd);
+        push(w, index + 1, &crowd);
     }
     return false;
 }
