@@ -128,12 +128,18 @@ static tree_box grown(const occluders *o, tree_box box, double margin)
     return (tree_box){vec3_sub(box.lo, m), vec3_add(box.hi, m)};
 }
 
-static bool add_entry(const occluders *o, tree_box box, uint32_t solid, tree_item faces, box_list *list)
+/* An entry of the tree; its box holds whatever counts as touching the faces. */
+static tree_entry entry_of(const occluders *o, tree_box box, uint32_t solid, tree_item faces)
 {
     double margin = BOX_MARGIN * (o->s.loose + o->s.rounding);
+    return tree_entry_of(grown(o, box, margin), solid, faces);
+}
+
+static bool add_entry(const occluders *o, tree_box box, uint32_t solid, tree_item faces, box_list *list)
+{
     if (!array_reserve(&list->entry, &list->room, list->count + 1, sizeof *list->entry))
         return false;
-    list->entry[list->count++] = tree_entry_of(grown(o, box, margin), solid, faces);
+    list->entry[list->count++] = entry_of(o, box, solid, faces);
     return true;
 }
 
@@ -341,12 +347,12 @@ typedef struct casting {
 } casting;
 
 /* Asks the face on behalf of those of the points whose answer it may change. */
-static void ask(casting *c, uint32_t face, const tree_leaf *leaf)
+static void ask(casting *c, uint32_t face, const unsigned char *point, uint32_t count)
 {
     const occluders *o = c->o;
     uint32_t solid = o->face_solid[face];
-    for (uint32_t k = 0; k < leaf->point_count; k++) {
-        uint32_t i = leaf->point[k];
+    for (uint32_t k = 0; k < count; k++) {
+        uint32_t i = point[k];
         sight_question *q = &c->question[i];
         bool own = solid == (q->own ? o->twin[q->solid] : q->solid);
         if (q->answer == SIGHT_SURELY || (own && !q->own))
@@ -359,6 +365,25 @@ static void ask(casting *c, uint32_t face, const tree_leaf *leaf)
             tree_points_drop(&c->points, i);
             c->open--;
         }
+    }
+}
+
+/* Asks the front faces of an item; where they are several, each on behalf of the points under its own box. */
+static void ask_item(casting *c, tree_item item, const unsigned char *point, uint32_t count)
+{
+    const occluders *o = c->o;
+    unsigned char under[TREE_POINTS];
+    if (item.count == 1) {
+        ask(c, item.first, point, count);
+        return;
+    }
+    for (uint32_t face = item.first; face < item.first + item.count; face++) {
+        if (o->s.facing[face] == SIGHT_NOT_FRONT)
+            continue;
+        tree_entry box = entry_of(o, face_box(o, face), o->face_solid[face], item);
+        uint32_t n = tree_points_under(&c->points, &box, point, count, under);
+        if (n)
+            ask(c, face, under, n);
     }
 }
 
@@ -378,7 +403,5 @@ void occluders_cast(const occluders *o, sight_question *question, uint32_t count
     tree_walk_start(&walk, &o->t, &c.points);
     while (c.open && tree_walk_next(&walk, &leaf))
         for (const tree_item *item = leaf.item; item < leaf.item + leaf.item_count; item++)
-            for (uint32_t face = item->first; face < item->first + item->count; face++)
-                if (o->s.facing[face] != SIGHT_NOT_FRONT)
-                    ask(&c, face, &leaf);
+            ask_item(&c, *item, leaf.point, leaf.point_count);
 }

@@ -1,6 +1,7 @@
 /* tree.c - a tree of boxes over boxes. See tree.h. */
 #include "ray/tree.h"
 
+#include <float.h>
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -18,10 +19,11 @@ double tree_box_shadow(tree_box a, double floor)
     return x < 0.0 ? 0.0 : x * y * z;
 }
 
+/* nextafterf() is a call, which takes longer. */
 static float round_down(double x)
 {
-    float f = (float)x;
-    return (double)f > x ? nextafterf(f, -INFINITY) : f;
+    float f = (float)lesser(greater(x, -FLT_MAX), FLT_MAX);
+    return f - (fabsf(f) * FLT_EPSILON + FLT_MIN);
 }
 
 static float round_up(double x)
@@ -284,21 +286,34 @@ void tree_walk_start(tree_walk *w, const tree *t, const tree_points *points)
         push(w, 0, &all);
 }
 
+static inline uint32_t points_under(const tree_points *p, const cover *c, uint32_t owner, const unsigned char *list,
+                                    uint32_t count, unsigned char *under)
+{
+    const float lo_x = c->lo_x, lo_y = c->lo_y, hi_x = c->hi_x, hi_y = c->hi_y, hi_z = c->hi_z;
+    uint32_t found = 0;
+    for (uint32_t k = 0; k < count; k++) {
+        uint32_t i = list[k];
+        under[found] = (unsigned char)i;
+        found += (uint32_t)((lo_x <= p->x[i]) & (p->x[i] <= hi_x) & (lo_y <= p->y[i]) & (p->y[i] <= hi_y) &
+                            (p->z[i] <= hi_z) & (p->skip[i] != owner)); /* no jumps: none could be foreseen */
+    }
+    return found;
+}
+
+uint32_t tree_points_under(const tree_points *p, const tree_entry *e, const unsigned char *list, uint32_t count,
+                           unsigned char *under)
+{
+    cover c = cover_of(e);
+    return points_under(p, &c, e->owner, list, count, under);
+}
+
 /* Those of the crowd that the node's box is over, and which do not skip it, behind it on the list. */
 static tree_crowd find_under(tree_walk *w, const tree_node *n, const tree_crowd *c)
 {
     const tree_points *p = w->points;
-    const unsigned char *list = w->list + c->start;
+    const cover box = {n->lo_x, n->lo_y, n->hi_x, n->hi_y, n->hi_z};
     unsigned char *over = w->list + c->start + c->count;
-    const float lo_x = n->lo_x, lo_y = n->lo_y, hi_x = n->hi_x, hi_y = n->hi_y, hi_z = n->hi_z;
-    const uint32_t owner = n->owner;
-    uint32_t found = 0;
-    for (uint32_t k = 0; k < c->count; k++) {
-        uint32_t i = list[k];
-        over[found] = (unsigned char)i;
-        found += (uint32_t)((lo_x <= p->x[i]) & (p->x[i] <= hi_x) & (lo_y <= p->y[i]) & (p->y[i] <= hi_y) &
-                            (p->z[i] <= hi_z) & (p->skip[i] != owner)); /* no jumps: none could be foreseen */
-    }
+    uint32_t found = points_under(p, &box, n->owner, w->list + c->start, c->count, over);
     tree_crowd under = no_crowd;
     for (uint32_t k = 0; k < found; k++)
         join(&under, p, over[k]);

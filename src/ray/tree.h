@@ -41,7 +41,8 @@ typedef struct tree_item {
     uint32_t first, count;
 } tree_item;
 
-/* An item on its way into the tree: its box in single precision, rounded outward, and whose it is. */
+/* An item on its way into the tree: its box in single precision, rounded outward (by up to two of its last places), and
+ * whose it is. */
 typedef struct tree_entry {
     float lo[3], hi[3];
     uint32_t owner; /* not ROBERTS_NONE */
@@ -90,6 +91,11 @@ static inline void tree_points_drop(tree_points *p, uint32_t i)
     p->z[i] = NAN;
     p->dropped++;
 }
+
+/* Writes those of the points on `list` that lie under the entry's box, and do not skip its owner, to `under`; returns how
+ * many. */
+uint32_t tree_points_under(const tree_points *p, const tree_entry *e, const unsigned char *list, uint32_t count,
+                           unsigned char *under);
 
 /* Points on their way down: `count` of the walk's list from `start` on, in a box; so many had been dropped by then. */
 typedef struct tree_crowd {
