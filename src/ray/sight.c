@@ -125,11 +125,14 @@ sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_
 {
     if (s->facing[face] == SIGHT_NOT_FRONT)
         return SIGHT_NO;
-    double behind = sight_behind(s, face, X), deviation = scene_deviation(s->scene, face) / s->unit;
+    double behind = sight_behind(s, face, X);
     if (!(behind > s->rounding))
         return SIGHT_NO;
     sight_answer through = sight_through(s, face, X, v, slack);
+    if (through == SIGHT_NO)
+        return SIGHT_NO;
+    double deviation = scene_deviation(s->scene, face) / s->unit;
     if (s->facing[face] == SIGHT_UNSURE || !(behind > s->loose + deviation * SIGHT_MARGIN + s->rounding))
-        return through == SIGHT_NO ? SIGHT_NO : SIGHT_POSSIBLY;
+        return SIGHT_POSSIBLY;
     return through;
 }

@@ -1,7 +1,6 @@
 /* tree.c - a tree of boxes over boxes. See tree.h. */
 #include "ray/tree.h"
 
-#include <float.h>
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -294,8 +293,9 @@ static inline uint32_t points_under(const tree_points *p, const cover *c, uint32
     for (uint32_t k = 0; k < count; k++) {
         uint32_t i = list[k];
         under[found] = (unsigned char)i;
-        found += (uint32_t)((lo_x <= p->x[i]) & (p->x[i] <= hi_x) & (lo_y <= p->y[i]) & (p->y[i] <= hi_y) &
-                            (p->z[i] <= hi_z) & (p->skip[i] != owner)); /* no jumps: none could be foreseen */
+        float x = less(p->x[i] - lo_x, hi_x - p->x[i]), y = less(p->y[i] - lo_y, hi_y - p->y[i]);
+        /* No jumps: none could be foreseen. NaN comes last, so that it is the least. */
+        found += (uint32_t)((less(less(x, y), hi_z - p->z[i]) >= 0.0f) & (p->skip[i] != owner));
     }
     return found;
 }

@@ -13,6 +13,8 @@
 #ifndef ROBERTS_RAY_TREE_H
 #define ROBERTS_RAY_TREE_H
 
+#include <float.h>
+
 #include "base/vec.h"
 
 enum {
@@ -81,7 +83,7 @@ static inline void tree_points_add(tree_points *p, roberts_vec3 point, uint32_t 
 {
     p->x[p->count] = (float)point.x;
     p->y[p->count] = (float)point.y;
-    p->z[p->count] = (float)point.z;
+    p->z[p->count] = (float)lesser(point.z, FLT_MAX); /* finite: it is taken from what may be infinite */
     p->skip[p->count++] = skip;
 }
 
