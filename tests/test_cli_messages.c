@@ -7,9 +7,11 @@
 #include <stdint.h>
 
 #include <cmocka.h>
+#include <sys/resource.h>
 
 #include "program.h"
 #include "roberts.h"
+#include "sanitized.h"
 
 /* ---- which file ---- */
 
@@ -116,6 +118,29 @@ static const struct {
     {"models/table.off out.svg", "out.svg: there is no such file to read; to draw into it: -o out.svg"},
     {"copy.off -f csv -o copy.off", "--output: copy.off is an input; the drawing would take its place"},
 };
+
+/* The limit is handed down to the program. */
+static void images_too_large_for_memory(void **state)
+{
+    const rlim_t megabytes_600 = 600 << 20;
+    struct rlimit limit, low;
+    (void)state;
+    assert_int_equal(getrlimit(RLIMIT_AS, &limit), 0);
+    if (SANITIZED || (limit.rlim_max != RLIM_INFINITY && limit.rlim_max < megabytes_600))
+        skip();
+    low = limit;
+    low.rlim_cur = megabytes_600;
+    assert_int_equal(setrlimit(RLIMIT_AS, &low), 0);
+    int large = run("--dpi 1500 models/table.off -o in/a.png");
+    assert_said(
+        "roberts: in/a.png: 1500 dpi make an image of 12402 x 17540 pixels; it takes 871 MB of memory, and there "
+        "are 629 MB at the most\n");
+    int small = run("--dpi 300 models/platonic/cube.off -o in/b.png");
+    assert_int_equal(setrlimit(RLIMIT_AS, &limit), 0);
+    assert_int_equal(large, 1);
+    assert_int_equal(small, 0);
+    assert_int_equal(entries("in", false), 1);
+}
 
 static void misuse_tells_what_was_meant(void **state)
 {
@@ -411,6 +436,7 @@ int main(void)
         IN_FOLDER(messages_name_the_file),
         IN_FOLDER(every_refusal_names_the_file),
         IN_FOLDER(misuse_tells_what_was_meant),
+        IN_FOLDER(images_too_large_for_memory),
         IN_FOLDER(empty_names),
         IN_FOLDER(a_file_called_minus),
         IN_FOLDER(idle_options_are_warned_of),

@@ -8,13 +8,15 @@
 #include <cairo-ps.h>
 #include <math.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "base/error.h"
 #include "draw/ink.h"
 
 static const double mm_per_inch = 25.4, points_per_inch = 72.0;
 
-enum { PIXELS_MAX = 32767 /* Cairo's limit for the side of an image */ };
+enum { PIXELS_MAX = 32767 /* Cairo's limit for the side of an image */, BYTES_PER_PIXEL = 4 };
 
 /* Passes on PostScript without the line "%%CreationDate: ..." of its head. */
 typedef struct undated {
@@ -135,17 +137,50 @@ static void draw_page(cairo_t *cairo, const strokes *s, double units_per_mm)
     }
 }
 
+/* Bytes that the process may have, as far as is known: what the machine has, or the limit that was set for it. */
+static double memory_there_is(void)
+{
+    double most = INFINITY;
+    struct rlimit limit;
+    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        most = (double)limit.rlim_cur;
+#ifdef _SC_PHYS_PAGES
+    long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+    if (pages > 0 && size > 0)
+        most = fmin(most, (double)pages * (double)size);
+#endif
+    return most;
+}
+
+/* Where memory is promised before it is there, an image too large would not be refused but end the process, or others. */
+static roberts_status check_image(double width, double height, const roberts_draw_options *options,
+                                  roberts_error *error)
+{
+    const double megabyte = 1e6, bytes = BYTES_PER_PIXEL * width * height;
+    const roberts_page *page = &options->page;
+    if (!(width >= 1.0 && height >= 1.0 && width <= PIXELS_MAX && height <= PIXELS_MAX))
+        return error_set(
+            error, ROBERTS_BAD_ARGUMENT, 0,
+            "%g dpi make an image of %.0f x %.0f pixels; it has 1 to %d a side, on this page at most %.0f dpi",
+            options->dpi, width, height, PIXELS_MAX,
+            floor(PIXELS_MAX * mm_per_inch / fmax(page->width_mm, page->height_mm)));
+    double most = memory_there_is();
+    if (bytes > most)
+        return error_set(
+            error, ROBERTS_NO_MEMORY, 0,
+            "%g dpi make an image of %.0f x %.0f pixels; it takes %.0f MB of memory, and there are %.0f MB at the most",
+            options->dpi, width, height, ceil(bytes / megabyte), floor(most / megabyte));
+    return ROBERTS_OK;
+}
+
 static roberts_status write_image(const strokes *s, output *out, roberts_error *error)
 {
     const roberts_page *page = &s->options->page;
     double pixels_per_mm = s->options->dpi / mm_per_inch;
     double width = ceil(page->width_mm * pixels_per_mm), height = ceil(page->height_mm * pixels_per_mm);
-    if (!(width >= 1.0 && height >= 1.0 && width <= PIXELS_MAX && height <= PIXELS_MAX))
-        return error_set(
-            error, ROBERTS_BAD_ARGUMENT, 0,
-            "%g dpi make an image of %.0f x %.0f pixels; it has 1 to %d a side, on this page at most %.0f dpi",
-            s->options->dpi, width, height, PIXELS_MAX,
-            floor(PIXELS_MAX * mm_per_inch / fmax(page->width_mm, page->height_mm)));
+    roberts_status status = check_image(width, height, s->options, error);
+    if (status != ROBERTS_OK)
+        return status;
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)width, (int)height);
     cairo_t *cairo = cairo_create(surface);
     const roberts_background white = {true, 255, 255, 255}, *color = &s->options->background;
