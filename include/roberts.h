@@ -559,6 +559,7 @@ typedef struct roberts_placement {
     double scale;   /**< length on paper by length of the model, 0.05 for 1:20; 0 = as large as the margins allow */
     double unit_mm; /**< a model unit in mm, for `scale`; 0 = 1 */
     int align_x, align_y; /**< -1 left or bottom, 0 centre, 1 right or top margin */
+    bool standard;        /**< scale 0: the largest of 1, 2 or 5 times a power of ten that fits (ISO 5455) */
 } roberts_placement;
 
 /** In which order the pen draws the lines of a class. */

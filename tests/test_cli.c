@@ -316,6 +316,10 @@ static const struct {
     {"--view top --page 100x100 --scale 1:2 --unit cm", "M 55 45 L 45 45 L 45 55 L 55 55 Z"},
     {"--view top --page 100x100 --scale 1:25 --unit m", "M 90 10 L 10 10 L 10 90 L 90 90 Z"},
     {"--view top --page 100x100 --scale 1 --unit in", "M 75.4 24.6 L 24.6 24.6 L 24.6 75.4 L 75.4 75.4 Z"},
+    {"--view top --page 100x100 --scale standard", "M 70 30 L 30 30 L 30 70 L 70 70 Z"},
+    {"--view top --page 100x100 --scale standard --unit m", "M 70 30 L 30 30 L 30 70 L 70 70 Z"},
+    {"--view top --page 100x100 --scale standard --scale 10", "M 60 40 L 40 40 L 40 60 L 60 60 Z"},
+    {"--sheet first --scale standard --unit cm --align top-left", "M 50 10 L 10 10 L 10 50 L 50 50 Z"},
     {"--view top --page 100x100 --scale 10 --align top-left", "M 30 10 L 10 10 L 10 30 L 30 30 Z"},
     {"--view top --page 100x100 --scale 10 --align bottom-right", "M 90 70 L 70 70 L 70 90 L 90 90 Z"},
     {"--view top --page 100x100 --scale 10 --align right", "M 90 40 L 70 40 L 70 60 L 90 60 Z"},
@@ -465,6 +469,8 @@ static void turntable_keeps_scale_and_centre(void **state)
             assert_true(fabs(side_tall / tall - 19.0 / 17) < 0.001);
         }
     }
+    assert_int_equal(run("-v --azimuth 0 --turntable 2 --scale standard --unit cm box.off -o in/t-%d.svg"), 0);
+    assert_int_equal(said_times(" segments at 2:1; "), 2);
     /* a frame, from which all keep 5 mm; but a field of view reaches to it */
     assert_int_equal(run("--azimuth 0 --turntable 2 --frame --stats=json box.off -o in/t-%d.svg"), 0);
     assert_int_equal(said_times("\"scale\":30,"), 2);

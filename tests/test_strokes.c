@@ -696,15 +696,22 @@ static void drawings_keep_from_the_frame(void **state)
         roberts_placement placement;
         const char *wanted; /* NULL: refused */
     } table[] = {
-        {"fitted", 100, 10, false, false, false, {0, 0, 0, 0}, "outline 15,50 85,50; "},
-        {"fitted, no frame", 100, 10, true, false, false, {0, 0, 0, 0}, "outline 10,50 90,50"},
-        {"fitted, a window", 100, 10, false, true, false, {0, 0, 0, 0}, "outline 10,10 90,10; "},
-        {"fitted, by the window", 100, 10, false, false, true, {0, 0, 0, 0}, "outline 15,15 85,15; "},
-        {"small page: a tenth of its room", 40, 10, false, false, false, {0, 0, 0, 0}, "outline 12,80 28,80; "},
-        {"aligned", 100, 10, false, false, false, {0.5, 1, -1, -1}, "outline 15,15 65,15; "},
-        {"fills the room", 100, 10, false, false, false, {0.7, 1, 0, 0}, "outline 15,50 85,50; "},
-        {"leaves the room", 100, 10, false, false, false, {0.71, 1, 0, 0}, NULL},
-        {"leaves it, but there is no frame", 100, 10, true, false, false, {0.71, 1, 0, 0}, "outline 14.5,50 85.5,50"},
+        {"fitted", 100, 10, false, false, false, {0, 0, 0, 0, false}, "outline 15,50 85,50; "},
+        {"fitted, no frame", 100, 10, true, false, false, {0, 0, 0, 0, false}, "outline 10,50 90,50"},
+        {"fitted, a window", 100, 10, false, true, false, {0, 0, 0, 0, false}, "outline 10,10 90,10; "},
+        {"fitted, by the window", 100, 10, false, false, true, {0, 0, 0, 0, false}, "outline 15,15 85,15; "},
+        {"small page: a tenth of its room", 40, 10, false, false, false, {0, 0, 0, 0, false}, "outline 12,80 28,80; "},
+        {"aligned", 100, 10, false, false, false, {0.5, 1, -1, -1, false}, "outline 15,15 65,15; "},
+        {"fills the room", 100, 10, false, false, false, {0.7, 1, 0, 0, false}, "outline 15,50 85,50; "},
+        {"leaves the room", 100, 10, false, false, false, {0.71, 1, 0, 0, false}, NULL},
+        {"leaves it, but there is no frame",
+         100,
+         10,
+         true,
+         false,
+         false,
+         {0.71, 1, 0, 0, false},
+         "outline 14.5,50 85.5,50"},
     };
     (void)state;
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {

@@ -78,8 +78,12 @@ int paper_set_page(roberts_page *page, const char *value)
 int paper_set_scale(roberts_placement *placement, const char *value)
 {
     double a, b = 1.0;
+    placement->standard = strcmp(value, "standard") == 0;
+    placement->scale = 0.0;
+    if (placement->standard)
+        return EXIT_DONE;
     if (!parse_pair(value, ':', &a, &b) && !parse_number(value, &a))
-        return message_misuse("--scale: \"%s\" is not like 1:20, 2:1 or 0.05", value);
+        return message_misuse("--scale: \"%s\" is not like 1:20, 2:1 or 0.05, nor standard", value);
     if (!(a > 0.0 && b > 0.0 && a / b >= 1e-12 && a / b <= 1e12))
         return message_misuse("--scale: %s is not in 1e-12..1e12", value);
     placement->scale = a / b;

@@ -6,7 +6,7 @@
 
 /* Each returns EXIT_DONE, or EXIT_MISUSED and has said why. */
 int paper_set_page(roberts_page *page, const char *value); /* a0 .. a6, b0 .. b6, letter, legal, tabloid, WxH */
-int paper_set_scale(roberts_placement *placement, const char *value);        /* 1:20, 2:1, 0.05 */
+int paper_set_scale(roberts_placement *placement, const char *value);        /* 1:20, 2:1, 0.05, standard */
 int paper_set_unit(roberts_placement *placement, const char *value);         /* mm, cm, m, in, ft */
 int paper_set_align(roberts_placement *placement, const char *value);        /* center, top-left, ... */
 int paper_set_order(roberts_draw_options *options, const char *value);       /* travel, none */

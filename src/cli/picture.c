@@ -231,7 +231,8 @@ static void warn_empty(const cli_options *options, const views *v)
 
 static void tell(const cli_options *options, const run_stats *run, const views *v)
 {
-    char name[NAME_SIZE];
+    char name[NAME_SIZE], ratio[STATS_RATIO];
+    const bool to_scale = stats_ratio(&run->ink, &options->draw.placement, ratio);
     size_t segments = 0;
     warn_empty(options, v);
     for (size_t i = 0; i < v->count; i++)
@@ -239,7 +240,8 @@ static void tell(const cli_options *options, const run_stats *run, const views *
     message_open(options->log);
     if (options->verbose && options->draw.format != ROBERTS_NULL) {
         message_begin(options->log, name_output(options, name, sizeof name));
-        fprintf(options->log, "%zu segment%s; %.3f s\n", segments, segments == 1 ? "" : "s", run->total.wall);
+        fprintf(options->log, "%zu segment%s%s%s; %.3f s\n", segments, segments == 1 ? "" : "s", to_scale ? " at " : "",
+                to_scale ? ratio : "", run->total.wall);
     }
     if (options->stats != STATS_NONE)
         stats_print(options, run, v->drawing, v->count);

@@ -117,8 +117,9 @@ static void print_stages(FILE *log, const stage *stages, size_t count, bool json
 }
 
 /* What the pen did; nothing where there was no page. */
-static void print_ink(FILE *log, const roberts_ink *ink, bool json)
+static void print_ink(FILE *log, const roberts_ink *ink, const roberts_placement *placement, bool json)
 {
+    char ratio[STATS_RATIO];
     if (json && !(ink->scale > 0.0))
         fputs(",\"strokes\":null,\"pen_down_mm\":null,\"pen_up_mm\":null,\"scale\":null", log);
     else if (json)
@@ -129,6 +130,20 @@ static void print_ink(FILE *log, const roberts_ink *ink, bool json)
                 "%14zu  strokes\n%14.1f  mm with the pen down\n%14.1f  mm with the pen up\n%14.6g  mm on paper by "
                 "model unit\n",
                 ink->strokes, ink->down_mm, ink->up_mm, ink->scale);
+    if (!json && stats_ratio(ink, placement, ratio))
+        fprintf(log, "%14s  scale\n", ratio);
+}
+
+bool stats_ratio(const roberts_ink *ink, const roberts_placement *placement, char ratio[STATS_RATIO])
+{
+    double scale = ink->scale / (placement->unit_mm > 0.0 ? placement->unit_mm : 1.0);
+    if (!(scale > 0.0) || !(placement->scale > 0.0 || placement->standard))
+        return false;
+    if (scale < 1.0)
+        snprintf(ratio, STATS_RATIO, "1:%.6g", 1.0 / scale);
+    else
+        snprintf(ratio, STATS_RATIO, "%.6g:1", scale);
+    return true;
 }
 
 /* Which picture it is. */
@@ -193,7 +208,7 @@ void stats_print(const cli_options *options, const run_stats *run, const roberts
     if (views > 1)
         fprintf(log, json ? "\"views\":%zu," : "%14zu  views, counted together\n", views);
     print_figures(log, counts, sizeof counts / sizeof counts[0], json);
-    print_ink(log, &run->ink, json);
+    print_ink(log, &run->ink, &options->draw.placement, json);
     if (json)
         fprintf(log, ",\"epsilon\":%.17g,\"scene_diameter\":%.17g,\"tests\":{", d->epsilon, d->scene_diameter);
     else

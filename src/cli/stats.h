@@ -28,4 +28,9 @@ bool stats_count(void *run, const roberts_segment *segment);
  * is added up. */
 void stats_print(const cli_options *options, const run_stats *run, const roberts_drawing *drawing, size_t views);
 
+enum { STATS_RATIO = 40 };
+
+/* The scale as people write it, "1:20" or "5:1"; false: the drawing is fitted, or there is no page. */
+bool stats_ratio(const roberts_ink *ink, const roberts_placement *placement, char ratio[STATS_RATIO]);
+
 #endif

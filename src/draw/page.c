@@ -53,6 +53,27 @@ double page_scale(const page_map *map)
     return map->half_mm / map->half;
 }
 
+/* The largest of 1, 2 and 5 times a power of ten that is no larger than `scale`. ISO 5455 has them from 50:1 to 1:10000, and
+ * allows further powers of ten. */
+static double standard_scale(double scale)
+{
+    static const double steps[] = {1.0, 2.0, 5.0, 10.0};
+    const double slack = 1e-9; /* so that 1:20 stays 1:20 */
+    int exponent = (int)floor(log10(scale)), i = 3;
+    double power = pow(10.0, abs(exponent));
+    while (i > 0 && (exponent < 0 ? steps[i] / power : steps[i] * power) > scale * (1.0 + slack))
+        i--;
+    return exponent < 0 ? steps[i] / power : steps[i] * power; /* a quotient: 0.05, and not 5 times a rounded 0.01 */
+}
+
+double page_wanted_scale(const roberts_placement *placement, double fitting)
+{
+    double unit_mm = placement->unit_mm > 0.0 ? placement->unit_mm : 1.0;
+    if (placement->standard && placement->scale == 0.0 && isnormal(fitting / unit_mm))
+        return standard_scale(fitting / unit_mm) * unit_mm;
+    return placement->scale * unit_mm;
+}
+
 /* A scale that is no larger than `scale`, in three digits: "1:42", "2.5:1". */
 static void scale_name(double scale, char *text, size_t size)
 {
@@ -98,10 +119,11 @@ bool page_lay(const roberts_page *page, const roberts_placement *placement, robe
     const page_map fitted = page_fit(page, min, max);
     const roberts_vec2 half = {max.x / 2.0 - min.x / 2.0, max.y / 2.0 - min.y / 2.0};
     double room_x = page->width_mm / 2.0 - page->margin_mm, room_y = page->height_mm / 2.0 - page->margin_mm;
+    const double wanted = page_wanted_scale(placement, page_scale(&fitted));
     *map = fitted;
-    if (placement->scale > 0.0) {
+    if (wanted > 0.0) {
         map->half = 1.0;
-        map->half_mm = placement->scale * (placement->unit_mm > 0.0 ? placement->unit_mm : 1.0);
+        map->half_mm = wanted;
     }
     /* half of the drawing, mm */
     double x = half.x / map->half * map->half_mm, y = half.y / map->half * map->half_mm;

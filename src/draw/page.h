@@ -35,6 +35,9 @@ page_map page_fit(const roberts_page *page, roberts_vec2 min, roberts_vec2 max);
 bool page_lay(const roberts_page *page, const roberts_placement *placement, roberts_vec2 min, roberts_vec2 max,
               page_map *map, roberts_error *error);
 
+/* The placement's scale, mm by model unit, where `fitting` is what fits: 0 = as large as that. */
+double page_wanted_scale(const roberts_placement *placement, double fitting);
+
 /* mm on paper by model unit. */
 double page_scale(const page_map *map);
 

@@ -114,9 +114,10 @@ static bool find_scale(layout *l, const roberts_placement *placement, const robe
     const roberts_vec2 views = {l->columns.front + l->columns.iso, l->rows.front + l->rows.iso};
     double fitted = fmin((room->width_mm - gap.x) / views.x, (room->height_mm - gap.y) / views.y);
     l->half_mm = isfinite(fitted) ? fitted : 1.0;
-    if (placement->scale == 0.0)
+    const double wanted = page_wanted_scale(placement, l->half_mm / l->half);
+    if (wanted == 0.0)
         return true;
-    l->half_mm = placement->scale * (placement->unit_mm > 0.0 ? placement->unit_mm : 1.0) * l->half;
+    l->half_mm = wanted * l->half;
     roberts_vec2 drawn = {views.x * l->half_mm + gap.x, views.y * l->half_mm + gap.y};
     if (drawn.x <= room->width_mm + slack && drawn.y <= room->height_mm + slack)
         return true;
