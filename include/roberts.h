@@ -174,7 +174,7 @@ typedef struct roberts_scene_options {
 roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,
                                    roberts_scene **scene, roberts_error *error);
 
-/** The same, and takes over what it can of the mesh's memory: half a gigabyte less for a million solids. `mesh` is empty
+/** The same, and takes over what it can of the mesh's memory: 300 MB less for a million solids. `mesh` is empty
  * afterwards; on failure it is as it was. */
 roberts_status roberts_scene_take(roberts_mesh *mesh, const roberts_scene_options *options, roberts_scene **scene,
                                   roberts_error *error);

@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -113,6 +114,11 @@ static void expect_equal(const roberts_scene *a, const roberts_scene *b)
     assert_memory_equal(a->face_width, b->face_width, a->face_count * sizeof *a->face_width);
     assert_memory_equal(a->face_deviation, b->face_deviation, a->face_count * sizeof *a->face_deviation);
     assert_true(a->unit == b->unit);
+    assert_true(!a->vertex_color == !b->vertex_color && !a->face_color == !b->face_color);
+    if (a->vertex_color)
+        assert_memory_equal(a->vertex_color, b->vertex_color, a->vertex_count * sizeof(roberts_color));
+    if (a->face_color)
+        assert_memory_equal(a->face_color, b->face_color, a->face_count * sizeof(roberts_color));
     for (uint32_t s = 0; s < a->solid_count; s++)
         for (uint32_t e = a->solid[s].edge; e < a->solid[s + 1].edge; e++) {
             scene_edge p = scene_edge_at(a, s, e), q = scene_edge_at(b, s, e);
@@ -158,12 +164,27 @@ static roberts_mesh two_cubes(bool vertices_mixed, bool faces_mixed, bool open)
     return mesh;
 }
 
+/* Every vertex or face a colour of its own. */
+static void paint(roberts_color **color, size_t *room, size_t count)
+{
+    *color = calloc(count, sizeof **color);
+    *room = count;
+    for (size_t i = 0; i < count; i++)
+        (*color)[i] = (roberts_color){1, {(float)i, 0, 0, 0}};
+}
+
 static void a_mesh_taken_over_gives_the_same(void **state)
 {
     (void)state;
-    for (int mixed = 0; mixed < 4; mixed++) {
+    for (int kind = 0; kind < 16; kind++) {
+        int mixed = kind & 3;
         roberts_mesh mesh = two_cubes(mixed & 1, mixed & 2, false);
         const roberts_vec3 *vertex = mesh.vertex;
+        const uint32_t *corner = mesh.corner;
+        if (kind & 4)
+            paint(&mesh.vertex_color, &mesh.vertex_color_room, mesh.vertex_count);
+        if (kind & 8)
+            paint(&mesh.face_color, &mesh.face_color_room, mesh.face_count);
         roberts_scene *built, *taken;
         assert_int_equal(roberts_scene_build(&mesh, NULL, &built, NULL), ROBERTS_OK);
         assert_int_equal(built->solid_count, 2);
@@ -172,6 +193,7 @@ static void a_mesh_taken_over_gives_the_same(void **state)
         assert_int_equal(roberts_scene_take(&mesh, NULL, &taken, NULL), ROBERTS_OK);
         expect_equal(taken, built);
         assert_true((taken->point == vertex) == !(mixed & 1));
+        assert_true((taken->corner == corner) == (mixed == 0));
         assert_int_equal(mesh.vertex_count + mesh.face_count + mesh.corner_count, 0);
         assert_null(mesh.vertex);
         roberts_mesh_free(&mesh);

@@ -40,16 +40,17 @@ typedef struct construction_worker {
     bool no_memory;
 } construction_worker;
 
-static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh)
+/* Those that a mesh may lend, and that keep their order, are left to roberts_scene_take(). */
+static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh, bool lend)
 {
-    if (mesh->vertex_color) {
+    if (mesh->vertex_color && (scene->number || !lend)) {
         scene->vertex_color = alloc_array(scene->vertex_count, sizeof *scene->vertex_color);
         if (!scene->vertex_color)
             return false;
         for (uint32_t v = 0; v < scene->vertex_count; v++)
             scene->vertex_color[v] = mesh->vertex_color[scene_vertex_number(scene, v)];
     }
-    if (mesh->face_color) {
+    if (mesh->face_color && (scene->face_number || !lend)) {
         scene->face_color = alloc_array(scene->face_count, sizeof *scene->face_color);
         if (!scene->face_color)
             return false;
@@ -216,7 +217,7 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
     }
     if (status == ROBERTS_OK && scene->solid_count == 0)
         status = refuse_empty(error);
-    if (status == ROBERTS_OK && !copy_colors(scene, mesh))
+    if (status == ROBERTS_OK && !copy_colors(scene, mesh, lend))
         status = ROBERTS_NO_MEMORY;
 done:
     free(open);
@@ -266,7 +267,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
         status = hull_solids(scene, mesh, options->tolerance, options->threads, error);
     if (status == ROBERTS_OK)
         status = build_solids(scene, mesh, options, &list, NULL, &any_open, error);
-    if (status == ROBERTS_OK && !copy_colors(scene, mesh))
+    if (status == ROBERTS_OK && !copy_colors(scene, mesh, false))
         status = ROBERTS_NO_MEMORY;
     free(open);
     builder_free(&work);
@@ -313,21 +314,35 @@ roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene
     return build_scene(mesh, false, options, scene, error);
 }
 
+/* What the scene has taken over is no longer the mesh's. */
+static void part_from(roberts_scene *scene, roberts_mesh *mesh)
+{
+    if (scene->lent & LENT_POINT)
+        mesh->vertex = NULL;
+    if (scene->lent & LENT_FACE_START)
+        mesh->face_start = NULL;
+    if (scene->lent & LENT_CORNER)
+        mesh->corner = NULL;
+    free(scene->turned);
+    scene->turned = NULL;
+    scene->lent = 0;
+    if (!scene->vertex_color) {
+        scene->vertex_color = mesh->vertex_color;
+        mesh->vertex_color = NULL;
+    }
+    if (!scene->face_color) {
+        scene->face_color = mesh->face_color;
+        mesh->face_color = NULL;
+    }
+}
+
 roberts_status roberts_scene_take(roberts_mesh *mesh, const roberts_scene_options *options, roberts_scene **scene,
                                   roberts_error *error)
 {
     roberts_status status = build_scene(mesh, true, options, scene, error);
     if (status != ROBERTS_OK)
         return status;
-    if ((*scene)->lent & LENT_POINT)
-        mesh->vertex = NULL;
-    if ((*scene)->lent & LENT_FACE_START)
-        mesh->face_start = NULL;
-    if ((*scene)->lent & LENT_CORNER)
-        mesh->corner = NULL;
-    free((*scene)->turned);
-    (*scene)->turned = NULL;
-    (*scene)->lent = 0;
+    part_from(*scene, mesh);
     roberts_mesh_free(mesh);
     return ROBERTS_OK;
 }

@@ -37,17 +37,17 @@ static double scale_for(double size)
     return ldexp(1.0, exponent < -1000 ? 1000 : -exponent); /* denormal sizes: 2^1074 would overflow */
 }
 
-/* Moves the vertices, and scales them; returns their sum. */
-static roberts_vec3 move_points(const solid_frame *frame, const roberts_vec3 *point, double scale)
+/* Moves `count` points so that the first is at the origin, and scales them; returns their sum. */
+static roberts_vec3 move_points(roberts_vec3 *to, const roberts_vec3 *point, uint32_t count, double scale)
 {
     two origin = two_of(point[0].x, point[0].y), by = two_all(scale), sum = two_all(0.0);
     double origin_z = point[0].z;
     roberts_vec3 all = {0, 0, 0};
-    for (uint32_t v = 0; v < frame->vertex_count; v++) {
+    for (uint32_t v = 0; v < count; v++) {
         two xy = two_mul(by, two_sub(two_of(point[v].x, point[v].y), origin));
         double z = scale * (point[v].z - origin_z);
-        two_part(&frame->point[v].x, &frame->point[v].y, xy);
-        frame->point[v].z = z;
+        two_part(&to[v].x, &to[v].y, xy);
+        to[v].z = z;
         sum = two_add(sum, xy);
         all.z += z;
     }
@@ -73,15 +73,16 @@ roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint3
     point_box box = point_box_of(point[0], point[0]);
     double largest, scale;
     name_parts(frame, scene, s);
+    const uint32_t count = frame->vertex_count;
     if (!make_room(frame))
         return ROBERTS_NO_MEMORY;
-    for (uint32_t v = 1; v < frame->vertex_count; v++)
+    for (uint32_t v = 1; v < count; v++)
         point_box_add(&box, point[v]);
     point_box_corners(&box, &lo, &hi);
     diagonal = vec3_sub(hi, lo);
     scale = scale_for(diagonal.x > diagonal.y ? (diagonal.x > diagonal.z ? diagonal.x : diagonal.z)
                                               : (diagonal.y > diagonal.z ? diagonal.y : diagonal.z));
-    sum = move_points(frame, point, scale);
+    sum = move_points(frame->point, point, count, scale);
     largest = -lo.x;
     largest = hi.x > largest ? hi.x : largest;
     largest = -lo.y > largest ? -lo.y : largest;
