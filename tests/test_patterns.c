@@ -90,38 +90,58 @@ static void solids_are_as_if_alone(void **state)
     }
 }
 
-/* Of a hundred cubes, the edges of one are stored, once each way round; of solids wound any way, or in disorder, those of each
- * are. */
+/* Of a hundred cubes, the edges of one are stored, once each way round; of cubes of which some are wound inward, those of two:
+ * their corners are not in the same order. Cubes whose own faces disagree have each their own. */
 static void edges_are_stored_once(void **state)
 {
     static const struct {
         winding wound;
-        bool upward; /* some solid has the edges as its pattern's first solid is wound in the input */
-        bool downward;
-    } cases[] = {{OUTWARD, true, false}, {INWARD, false, true}, {EITHER, true, true}};
+        uint32_t shared;
+        bool first[4]; /* whether some solid has its edges at 0, 12, 24, 36 */
+    } cases[] = {
+        {OUTWARD, 24, {true, false, false, false}},
+        {INWARD, 24, {false, true, false, false}},
+        {EITHER, 48, {true, false, false, true}}, /* the first solid is wound outward */
+    };
     rng r = {22};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        model m;
+        model m = {0};
         roberts_scene *scene;
-        bool stored[2] = {false, false};
-        fill(&m, &r, 100, 1, cases[i].wound);
+        bool first[4] = {false, false, false, false};
+        do {
+            model_free(&m);
+            fill(&m, &r, 100, 1, cases[i].wound);
+        } while (cases[i].wound == EITHER && m.mesh.corner[0] != 0);
         assert_int_equal(roberts_scene_build(&m.mesh, NULL, &scene, NULL), ROBERTS_OK);
-        if (cases[i].wound == EITHER) {
-            assert_int_equal(scene->shared,
-                             48); /* two patterns: the corners of one are those of the other turned over */
-        } else {
-            assert_int_equal(scene->shared, 24);
-            for (uint32_t s = 0; s < 100; s++) {
-                assert_true(scene->solid[s].stored == 0 || scene->solid[s].stored == 12);
-                stored[scene->solid[s].stored / 12] = true;
-            }
-            assert_int_equal(stored[0], cases[i].upward);
-            assert_int_equal(stored[1], cases[i].downward);
+        assert_int_equal(scene->shared, cases[i].shared);
+        for (uint32_t s = 0; s < 100; s++) {
+            assert_true(scene->solid[s].stored % 12 == 0 && scene->solid[s].stored < cases[i].shared);
+            first[scene->solid[s].stored / 12] = true;
         }
+        assert_memory_equal(first, cases[i].first, sizeof first);
         roberts_scene_free(scene);
         model_free(&m);
     }
+}
+
+static void disagreeing_solids_share_nothing(void **state)
+{
+    rng r = {26};
+    model m;
+    roberts_scene *scene;
+    (void)state;
+    fill(&m, &r, 50, 1, OUTWARD);
+    for (uint32_t f = 0; f < m.mesh.face_count; f += 6)
+        turn_over(&m.mesh, f);
+    assert_int_equal(roberts_scene_build(&m.mesh, NULL, &scene, NULL), ROBERTS_OK);
+    assert_int_equal(scene->shared, 0);
+    for (uint32_t s = 0; s < 50; s++) {
+        assert_int_equal(scene->solid[s].stored, 12 * s);
+        expect_as_alone(&m, scene, s);
+    }
+    roberts_scene_free(scene);
+    model_free(&m);
 }
 
 /* ---- a mesh that is taken over and refused ---------------------------------------------------------------------------- */
@@ -375,6 +395,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(solids_are_as_if_alone),
         cmocka_unit_test(edges_are_stored_once),
+        cmocka_unit_test(disagreeing_solids_share_nothing),
         cmocka_unit_test(a_mesh_refused_is_wound_as_it_was),
         cmocka_unit_test(welding_starts_from_the_mesh),
         cmocka_unit_test(blocks_are_components),
