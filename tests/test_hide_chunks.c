@@ -42,8 +42,8 @@ static void *work(void *argument)
     uint32_t k;
     for (hide_chunk *chunk; (chunk = chunks_take(&job->all, &k));) {
         if (k % 64 == 9) /* one falls behind */
-            for (int i = 0; i < 50; i++)
-                thread_yield();
+            for (unsigned turn = 0; turn < 40; turn++)
+                thread_wait(turn);
         if (k == job->fails || !fill(chunk, k)) {
             chunks_fail(&job->all, ROBERTS_NO_MEMORY);
             return NULL;

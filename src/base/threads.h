@@ -5,6 +5,7 @@
 #include <sched.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <time.h>
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -35,10 +36,14 @@ static inline int thread_self(void)
 #endif
 }
 
-/* Lets others go first. */
-static inline void thread_yield(void)
+/* Lets others go first, where one waits for them the `turn`th time in a row, from 0; in the long run they are not at work,
+ * but put aside by the system, and to ask for them again and again would keep them there. */
+static inline void thread_wait(unsigned turn)
 {
-    sched_yield();
+    if (turn < 32)
+        sched_yield();
+    else
+        nanosleep(&(struct timespec){0, 100000}, NULL);
 }
 
 #endif

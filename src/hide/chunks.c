@@ -78,8 +78,8 @@ static uint32_t give_places(chunks *c, uint32_t k)
         total += chunk->count;
     }
     if (total > c->room) {
-        while (atomic_load(&c->copying))
-            thread_yield();
+        for (unsigned turn = 0; atomic_load(&c->copying); turn++)
+            thread_wait(turn);
         if (!array_reserve(&c->drawing->segment, &c->room, total, sizeof *c->drawing->segment)) {
             chunks_fail(c, ROBERTS_NO_MEMORY);
             return k;
@@ -122,9 +122,9 @@ hide_chunk *chunks_take(chunks *c, uint32_t *k)
     if (*k >= c->total)
         return NULL;
     hide_chunk *chunk = &c->slot[*k % c->slots];
-    while (atomic_load(&chunk->stage) != 2 * *k && atomic_load(&c->status) == ROBERTS_OK) {
+    for (unsigned turn = 0; atomic_load(&chunk->stage) != 2 * *k && atomic_load(&c->status) == ROBERTS_OK; turn++) {
         place(c);
-        thread_yield();
+        thread_wait(turn);
     }
     chunk->count = 0;
     return atomic_load(&c->status) == ROBERTS_OK ? chunk : NULL;

@@ -94,7 +94,8 @@ static inline bool apart(const hide_box *box, four least, four most)
 }
 
 /* A line, or the group's where it is NULL, within `box` (but for depth, of which `far` is the farthest), against one
- * cell's fronts, as long as one of them is not wholly hidden. */
+ * cell's fronts, as long as one of them is not wholly hidden. (To ask for the boxes of the next fronts ahead of time
+ * gains nothing, also in scenes that no cache holds.) */
 static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t cell, float far)
 {
     const objet *grid = w->grid;

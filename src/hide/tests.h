@@ -30,8 +30,9 @@ typedef struct hide_side {
 typedef struct hide_sides {
     hide_side *H; /* [room] */
     size_t room;
-    uint64_t refined;    /* signs and crossings computed in twice the precision */
-    quick_outline quick; /* the outline that was asked last */
+    uint64_t refined; /* signs and crossings computed in twice the precision */
+    /* The outline that was asked last. (A table of 64 is right a third of the time, and saves nothing.) */
+    quick_outline quick;
 } hide_sides;
 
 /* Room for faces of up to `count` corners; false: no memory. Start from a zeroed struct; free(sides->H) ends it. */
