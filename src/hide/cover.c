@@ -158,8 +158,8 @@ bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
         z_step = climb;
     }
     for (uint32_t k = 0; k <= last - first; k++) {
-        uint32_t j = scan_clamp(greater(low, row + k * row_step), f->ny);
-        uint32_t end = scan_clamp(lesser(high, row_end + k * row_step), f->ny);
+        uint32_t j = scan_clamp(greater(low, row + k * row_step), f->last_y);
+        uint32_t end = scan_clamp(lesser(high, row_end + k * row_step), f->last_y);
         float nearest = hide_float_above(lesser(near, z + k * z_step));
         if (!all_nearer(c->depth + (size_t)(first + k) * f->ny + j, end - j + 1, nearest))
             return false;

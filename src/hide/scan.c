@@ -13,6 +13,8 @@ scan_frame scan_frame_over(roberts_vec2 low, roberts_vec2 high, uint32_t nx, uin
     f.dy = greater((high.y - low.y + 2.0 * margin) / ny, 4.0 * margin);
     f.per_dx = 1.0 / f.dx;
     f.per_dy = 1.0 / f.dy;
+    f.last_x = nx - 1.0;
+    f.last_y = ny - 1.0;
     return f;
 }
 

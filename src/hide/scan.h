@@ -18,6 +18,7 @@ typedef struct scan_frame {
     double x0, y0;         /* lower left corner of cell (0, 0) */
     double dx, dy;         /* size of a cell */
     double per_dx, per_dy; /* 1 / dx, 1 / dy */
+    double last_x, last_y; /* nx - 1, ny - 1 */
     double margin;         /* cells are taken to be larger by this on all sides */
 } scan_frame;
 
@@ -29,22 +30,20 @@ static inline size_t scan_cells(const scan_frame *f)
     return (size_t)f->nx * f->ny;
 }
 
-/* Column of abscissa x, row of ordinate y, kept inside the grid. */
-static inline uint32_t scan_clamp(double position, uint32_t n)
+/* Column of abscissa x, row of ordinate y, kept inside the grid; that of no number is 0. */
+static inline uint32_t scan_clamp(double position, double last)
 {
-    if (!(position > 0.0))
-        return 0;
-    return position >= n ? n - 1 : (uint32_t)position;
+    return (uint32_t)lesser(greater(position, 0.0), last);
 }
 
 static inline uint32_t scan_column(const scan_frame *f, double x)
 {
-    return scan_clamp((x - f->x0) * f->per_dx, f->nx);
+    return scan_clamp((x - f->x0) * f->per_dx, f->last_x);
 }
 
 static inline uint32_t scan_row(const scan_frame *f, double y)
 {
-    return scan_clamp((y - f->y0) * f->per_dy, f->ny);
+    return scan_clamp((y - f->y0) * f->per_dy, f->last_y);
 }
 
 /* What the scan of one polygon finds. */
