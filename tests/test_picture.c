@@ -72,7 +72,7 @@ static void tiles_of_a_round_are_apart(void **state)
             solid[k + 1].vertex += (uint32_t)rng_int(&r, 0, 9);
             solid[k + 1].face += (uint32_t)rng_int(&r, 4, 9);
         }
-        assert_true(tiles_make(&t, &picture));
+        assert_true(tiles_make(&t, &picture, 1 + (int)i % 3));
         assert_int_equal(t.round[0], 0);
         assert_int_equal(t.round[TILE_ROUNDS], t.count);
         for (int k = 0; k < TILE_ROUNDS; k++)
@@ -109,7 +109,7 @@ static void tiles_without_covers(void **state)
         hide_picture picture = {.scene = &scene};
         tiles t;
         uint32_t solids = 0;
-        assert_true(tiles_make(&t, &picture));
+        assert_true(tiles_make(&t, &picture, 1 + (int)i % 3));
         assert_null(t.solid);
         assert_true(t.round[0] == 0 && t.round[1] == t.count && t.round[TILE_ROUNDS] == t.count);
         for (uint32_t k = 0; k < t.count; k++) {

@@ -7,6 +7,7 @@
 
 #include "base/array.h"
 #include "base/error.h"
+#include "base/fetch.h"
 #include "base/threads.h"
 #include "hide/cells.h"
 #include "hide/copies.h"
@@ -19,6 +20,10 @@
 #define SOLIDS_PER_THREAD 2048
 /* Solids whose boxes a thread finds in one go. */
 #define BOXES_AT_ONCE 1024
+
+/* Solids between asking for a box and needing it, and the bytes of an array that are asked for ahead. */
+#define BOX_AHEAD 8
+#define FETCH_MOST 512
 
 /* Scratch memory of the building. */
 typedef struct build {
@@ -89,22 +94,72 @@ static bool box_solids(hide_picture *picture, int threads)
     return true;
 }
 
-/* With covers: nearest solids first, each culled where those before it cover it. */
-static bool do_tile(build *b, front_scratch *scratch, picture_tile *tile)
+/* Has the near plane left nothing of it? */
+static bool is_empty(const hide_picture *picture, uint32_t s)
 {
-    hide_picture *picture = b->picture;
+    return picture->scene->solid[s].vertex == picture->scene->solid[s + 1].vertex;
+}
+
+/* Is the first of the solids hidden? Asks for what will soon be asked of one that follows it. */
+static bool cull_first(hide_picture *picture, picture_tile *tile, const uint32_t *order, uint32_t left)
+{
+    uint32_t s = order[0];
+    if (left > BOX_AHEAD) {
+        FETCH_AHEAD(&picture->box[order[BOX_AHEAD]]);
+        FETCH_AHEAD(&picture->scene->solid[order[BOX_AHEAD]]);
+    }
+    picture->culled[s] = is_empty(picture, s) || cull_hides(picture, &picture->box[s], s);
+    tile->culled += picture->culled[s];
+    return picture->culled[s];
+}
+
+/* The solid's turn to be mapped will come: asks for what that wants (or, of very many points, for the beginning of it). */
+static uint32_t let_wait(hide_picture *picture, uint32_t s)
+{
     const roberts_scene *scene = picture->scene;
-    if (b->tiles.solid && !tiles_order(&b->tiles, tile, picture))
-        return false;
-    for (uint32_t k = tile->first; k < tile->end; k++) {
-        uint32_t s = b->tiles.solid ? b->tiles.solid[k] : k;
-        bool empty = scene->solid[s].vertex == scene->solid[s + 1].vertex; /* clipped away */
-        picture->culled[s] = empty || cull_hides(picture, &picture->box[s], s);
-        tile->culled += picture->culled[s];
+    const scene_solid *solid = &scene->solid[s];
+    size_t vertices = solid[1].vertex - solid->vertex, faces = solid[1].face - solid->face;
+    FETCH_ARRAY(scene->point + solid->vertex, vertices * sizeof *scene->point, FETCH_MOST);
+    FETCH_ARRAY(picture->P + solid->vertex, vertices * sizeof *picture->P, FETCH_MOST);
+    FETCH_ARRAY(scene->face_plane + solid->face, faces * sizeof *scene->face_plane, FETCH_MOST);
+    FETCH_AHEAD(scene->face_start + solid->face);
+    FETCH_AHEAD(scene->face_deviation + solid->face);
+    FETCH_AHEAD(scene->face_width + solid->face);
+    FETCH_AHEAD(scene->edge + solid->stored);
+    FETCH_AHEAD(picture->facing + solid->face);
+    return s;
+}
+
+/* As they are numbered: no covers are kept. */
+static bool do_tile_in_order(hide_picture *picture, front_scratch *scratch, picture_tile *tile)
+{
+    for (uint32_t s = tile->first; s < tile->end; s++) {
+        picture->culled[s] = is_empty(picture, s);
         if (!picture->culled[s] && !front_add(picture, scratch, tile, s))
             return false;
     }
     return true;
+}
+
+/* Nearest solids first, each culled where those before it cover it. Its turn to be mapped comes when the next one is found
+ * that is not culled, and while that one's memory is on its way: it lies anywhere. */
+static bool do_tile(build *b, front_scratch *scratch, picture_tile *tile)
+{
+    hide_picture *picture = b->picture;
+    uint32_t waiting = ROBERTS_NONE;
+    if (!b->tiles.solid)
+        return do_tile_in_order(picture, scratch, tile);
+    if (!tiles_order(&b->tiles, tile, picture))
+        return false;
+    for (uint32_t k = tile->first; k < tile->end; k++) {
+        if (cull_first(picture, tile, b->tiles.solid + k, tile->end - k))
+            continue;
+        uint32_t s = let_wait(picture, b->tiles.solid[k]);
+        if (waiting != ROBERTS_NONE && !front_add(picture, scratch, tile, waiting))
+            return false;
+        waiting = s;
+    }
+    return waiting == ROBERTS_NONE || front_add(picture, scratch, tile, waiting);
 }
 
 /* Once more, when every cover is known. */
@@ -235,7 +290,7 @@ static void free_scratch(build *b)
 static bool add_solids(build *b)
 {
     hide_picture *picture = b->picture;
-    bool done = alloc_scratch(b) && tiles_make(&b->tiles, picture) && do_tiles(b);
+    bool done = alloc_scratch(b) && tiles_make(&b->tiles, picture, b->threads) && do_tiles(b);
     if (done) {
         close_up(picture, &b->tiles);
         add_counts(picture, &b->tiles);

@@ -67,7 +67,20 @@ static void set_places(tiles *t)
     }
 }
 
-static bool by_place(tiles *t, const hide_picture *picture)
+/* The tile of each solid. */
+static void find_tiles(const layout *l, const hide_picture *picture, uint32_t *own, int threads)
+{
+    uint32_t count = picture->scene->solid_count;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(threads)
+#else
+    (void)threads;
+#endif
+    for (uint32_t s = 0; s < count; s++)
+        own[s] = tile_of(l, &picture->cover.frame, &picture->box[s]);
+}
+
+static bool by_place(tiles *t, const hide_picture *picture, int threads)
 {
     const roberts_scene *scene = picture->scene;
     layout l = lay_out(t, &picture->cover.frame);
@@ -75,8 +88,9 @@ static bool by_place(tiles *t, const hide_picture *picture)
     t->tile = alloc_zeroed(t->count, sizeof *t->tile);
     t->solid = alloc_array(scene->solid_count, sizeof *t->solid);
     bool done = own && t->tile && t->solid;
+    if (done)
+        find_tiles(&l, picture, own, threads);
     for (uint32_t s = 0; done && s < scene->solid_count; s++) {
-        own[s] = tile_of(&l, &picture->cover.frame, &picture->box[s]);
         picture_tile *to = &t->tile[own[s]];
         to->end++;
         to->face += scene->solid[s + 1].face - scene->solid[s].face;
@@ -107,10 +121,10 @@ static bool by_number(tiles *t, const hide_picture *picture)
     return t->tile != NULL;
 }
 
-bool tiles_make(tiles *t, const hide_picture *picture)
+bool tiles_make(tiles *t, const hide_picture *picture, int threads)
 {
     *t = (tiles){0};
-    return picture->cover.depth ? by_place(t, picture) : by_number(t, picture);
+    return picture->cover.depth ? by_place(t, picture, threads) : by_number(t, picture);
 }
 
 void tiles_free(tiles *t)

@@ -33,8 +33,8 @@ typedef struct tiles {
     uint32_t most;                          /* solids in a tile */
 } tiles;
 
-/* The picture has its boxes and the covers' frame. False: no memory; tiles_free() is due in any case. */
-bool tiles_make(tiles *t, const hide_picture *picture);
+/* The picture has its boxes and the covers' frame. By so many threads. False: no memory; tiles_free() is due in any case. */
+bool tiles_make(tiles *t, const hide_picture *picture, int threads);
 void tiles_free(tiles *t);
 
 /* Orders a tile's solids, nearest first, ties by number. False: no memory. */
