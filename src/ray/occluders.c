@@ -157,16 +157,18 @@ static bool add_faces(const occluders *o, uint32_t solid, box_list *list)
     return true;
 }
 
-/* The box of all front faces of a solid, and how much of it their pictures fill. */
-static tree_box solid_box(const occluders *o, uint32_t solid, double *fill)
+/* The box of all front faces of a solid, how much of it their pictures fill, and the range of the faces. */
+static tree_box solid_box(const occluders *o, uint32_t solid, double *fill, tree_item *fronts)
 {
     const roberts_scene *scene = o->s.scene;
     tree_box box = tree_no_box;
     double area = 0.0; /* twice */
+    *fronts = (tree_item){0, 0};
     for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {
         uint32_t end = scene->face_start[face + 1];
         if (o->s.facing[face] == SIGHT_NOT_FRONT)
             continue;
+        *fronts = fronts->count ? (tree_item){fronts->first, face + 1 - fronts->first} : (tree_item){face, 1};
         roberts_vec3 A = picture_point(o, o->s.P[scene->corner[end - 1]]), O = A;
         for (uint32_t k = scene->face_start[face]; k < end; k++) {
             roberts_vec3 B = picture_point(o, o->s.P[scene->corner[k]]);
@@ -184,16 +186,14 @@ static tree_box solid_box(const occluders *o, uint32_t solid, double *fill)
 static bool add_solid(const occluders *o, uint32_t solid, box_list *list)
 {
     const roberts_scene *scene = o->s.scene;
-    uint32_t first = scene->solid[solid].face, count = scene->solid[solid + 1].face - first;
+    tree_item fronts;
     double fill;
-    if (count > FACES_TOGETHER)
+    if (scene->solid[solid + 1].face - scene->solid[solid].face > FACES_TOGETHER)
         return add_faces(o, solid, list);
-    tree_box box = solid_box(o, solid, &fill);
-    if (!(box.lo.x <= box.hi.x))
+    tree_box box = solid_box(o, solid, &fill, &fronts);
+    if (fronts.count == 0)
         return true; /* the near plane leaves nothing of it */
-    if (fill >= FILL_TOGETHER)
-        return add_entry(o, box, solid, (tree_item){first, count}, list);
-    return add_faces(o, solid, list);
+    return fill >= FILL_TOGETHER ? add_entry(o, box, solid, fronts, list) : add_faces(o, solid, list);
 }
 
 /* The tree over the faces that may hide, each in boxes that hold whatever counts as touching it. */
