@@ -387,10 +387,9 @@ static void ask_item(casting *c, tree_item item, const unsigned char *point, uin
     }
 }
 
-void occluders_cast(const occluders *o, sight_question *question, uint32_t count)
+void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, uint32_t count)
 {
     casting c = {.o = o, .question = question, .open = count};
-    tree_walk walk;
     tree_leaf leaf;
     c.points.count = c.points.dropped = 0;
     for (uint32_t i = 0; i < count; i++) {
@@ -400,8 +399,12 @@ void occluders_cast(const occluders *o, sight_question *question, uint32_t count
         c.v[i] = sight_from(&o->s, q->X);
         tree_points_add(&c.points, picture_point(o, q->X), q->own ? o->s.scene->solid_count : q->solid);
     }
-    tree_walk_start(&walk, &o->t, &c.points);
-    while (c.open && tree_walk_next(&walk, &leaf))
+    tree_walk_start(w, &c.points);
+    while (c.open && tree_walk_next(w, &leaf)) {
+        uint32_t open = c.open;
         for (const tree_item *item = leaf.item; item < leaf.item + leaf.item_count; item++)
             ask_item(&c, *item, leaf.point, leaf.point_count);
+        if (c.open < open)
+            tree_walk_keep(w);
+    }
 }

@@ -35,7 +35,8 @@ typedef struct sight_question {
 } sight_question;
 
 /* Fills in the answers to `count` questions, TREE_POINTS at the most: whether anything hides X. Points next to each other
- * are asked best together, for they have to do with the same faces. */
-void occluders_cast(const occluders *o, sight_question *question, uint32_t count);
+ * are asked best together, and one such lot after the other, for they have to do with the same faces. w: from
+ * tree_walk_init(); `hider` depends on where it has been. */
+void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, uint32_t count);
 
 #endif

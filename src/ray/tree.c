@@ -6,7 +6,7 @@
 #include "base/array.h"
 
 enum {
-    LEAF_ITEMS = 2, /* a leaf holds no more, unless the boxes cannot be told apart */
+    LEAF_ITEMS = 1, /* two: a sixth more time where faces are long, as much less where each has many slices */
     BINS = 12,      /* planes tried across an axis, and one; more gained nothing */
     SAMPLE = 1000,  /* entries that judge a plane, at the most twice as many; more gained nothing */
     BIN_DEPTH = 60, /* from here on nodes are halved by number, which ends after 32 more levels */
@@ -270,10 +270,15 @@ static void push(tree_walk *w, uint32_t node, const tree_crowd *crowd)
     w->stack[w->depth++].crowd = *crowd;
 }
 
-void tree_walk_start(tree_walk *w, const tree *t, const tree_points *points)
+void tree_walk_init(tree_walk *w, const tree *t)
+{
+    w->t = t;
+    w->kept_count = 0;
+}
+
+void tree_walk_start(tree_walk *w, const tree_points *points)
 {
     tree_crowd all = no_crowd;
-    w->t = t;
     w->points = points;
     w->depth = 0;
     for (uint32_t i = 0; i < points->count; i++) {
@@ -281,8 +286,10 @@ void tree_walk_start(tree_walk *w, const tree *t, const tree_points *points)
         join(&all, points, i);
     }
     all.count = points->count;
-    if (t->node_count)
+    if (w->t->node_count)
         push(w, 0, &all);
+    for (uint32_t i = w->kept_count; i-- > 0;)
+        push(w, w->kept[i], &all);
 }
 
 static inline uint32_t points_under(const tree_points *p, const cover *c, uint32_t owner, const unsigned char *list,
@@ -346,6 +353,7 @@ bool tree_walk_next(tree_walk *w, tree_leaf *leaf)
         if (crowd.count == 0)
             continue;
         if (node->count) {
+            w->leaf = index;
             *leaf = (tree_leaf){w->t->item + node->first, w->list + crowd.start, node->count, crowd.count};
             return true;
         }
@@ -353,4 +361,21 @@ bool tree_walk_next(tree_walk *w, tree_leaf *leaf)
         push(w, index + 1, &crowd);
     }
     return false;
+}
+
+/* Each time a leaf is of use it changes places with the one before it: those of use most often come to be first. */
+void tree_walk_keep(tree_walk *w)
+{
+    uint32_t i = 0;
+    while (i < w->kept_count && w->kept[i] != w->leaf)
+        i++;
+    if (i < w->kept_count) {
+        if (i > 0) {
+            w->kept[i] = w->kept[i - 1];
+            w->kept[i - 1] = w->leaf;
+        }
+    } else {
+        w->kept_count += w->kept_count < TREE_KEPT;
+        w->kept[w->kept_count - 1] = w->leaf;
+    }
 }

@@ -20,6 +20,7 @@
 enum {
     TREE_DEPTH = 96,
     TREE_POINTS = 128, /* that walk together at the most; their numbers fit a byte */
+    TREE_KEPT = 4,     /* leaves that come first */
 };
 
 typedef struct tree_box {
@@ -105,16 +106,17 @@ typedef struct tree_crowd {
     float lo_x, lo_y, hi_x, hi_y, lo_z, hi_z;
 } tree_crowd;
 
-/* A walk through the leaves over the points, for each without those that are all of the owner it skips; leaves nearer to
+/* Walks through the leaves over points, for each without those that are all of the owner it skips; leaves nearer to
  * the viewer come first, about. */
 typedef struct tree_walk {
     const tree *t;
     const tree_points *points;
-    uint32_t depth;
+    uint32_t kept[TREE_KEPT], kept_count;
+    uint32_t leaf, depth; /* the leaf last found */
     struct {
         uint32_t node;
         tree_crowd crowd; /* those that the parent's box is over */
-    } stack[TREE_DEPTH + 2];
+    } stack[TREE_DEPTH + 2 + TREE_KEPT];
     unsigned char list[(TREE_DEPTH + 2) * TREE_POINTS];
 } tree_walk;
 
@@ -125,10 +127,17 @@ typedef struct tree_leaf {
     uint32_t item_count, point_count;
 } tree_leaf;
 
-/* The points may be dropped on the way, and must stay otherwise. */
-void tree_walk_start(tree_walk *w, const tree *t, const tree_points *points);
+/* A walker, for walk after walk through the same tree. */
+void tree_walk_init(tree_walk *w, const tree *t);
 
-/* The next leaf with a point under its box; false at the end. A box that is only just missed may be taken for met. */
+/* The points may be dropped on the way, and must stay otherwise. */
+void tree_walk_start(tree_walk *w, const tree_points *points);
+
+/* The next leaf with a point under its box, first the kept ones; false at the end. A box that is only just missed may be
+ * taken for met. */
 bool tree_walk_next(tree_walk *w, tree_leaf *leaf);
+
+/* The leaf just found was of use, and is to come first on the next walks, and once more in its turn. */
+void tree_walk_keep(tree_walk *w);
 
 #endif

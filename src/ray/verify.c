@@ -138,6 +138,7 @@ typedef struct batch {
     uint32_t run, count;
     probe probe[TREE_POINTS];
     sight_question question[TREE_POINTS];
+    tree_walk walk;
 } batch;
 
 static roberts_vec3 point_of(const verifier *f, uint32_t solid, uint32_t edge, double t)
@@ -155,12 +156,12 @@ static bool contradicts(const probe *p, const sight_question *q)
 }
 
 /* Whether a neighbour of the point contradicts the drawing as well. */
-static bool contradicted_beside(const verifier *f, const probe *p, const sight_question *q)
+static bool contradicted_beside(const verifier *f, tree_walk *w, const probe *p, const sight_question *q)
 {
     sight_question beside[2] = {*q, *q};
     beside[0].X = point_of(f, q->solid, p->edge, p->t - p->step);
     beside[1].X = point_of(f, q->solid, p->edge, p->t + p->step);
-    occluders_cast(&f->o, beside, 2);
+    occluders_cast(&f->o, w, beside, 2);
     return contradicts(p, &beside[0]) || contradicts(p, &beside[1]);
 }
 
@@ -189,12 +190,12 @@ static void contradict(const verifier *f, chunk *out, const probe *p, const sigh
  * counts. */
 static void judge(const verifier *f, batch *b)
 {
-    occluders_cast(&f->o, b->question, b->count);
+    occluders_cast(&f->o, &b->walk, b->question, b->count);
     for (uint32_t i = 0; i < b->count; i++) {
         const sight_question *q = &b->question[i];
         if (!contradicts(&b->probe[i], q))
             b->out->undecided += q->answer == SIGHT_POSSIBLY;
-        else if (contradicted_beside(f, &b->probe[i], q))
+        else if (contradicted_beside(f, &b->walk, &b->probe[i], q))
             contradict(f, b->out, &b->probe[i], q);
         else
             b->out->undecided++;
@@ -322,6 +323,7 @@ static void check_chunk(verifier *f, uint32_t index)
     batch b;
     b.out = &f->chunk[index];
     b.count = 0;
+    tree_walk_init(&b.walk, &f->o.t);
     for (uint32_t i = 0; i < (left < CHUNK_RUNS ? left : CHUNK_RUNS); i++) {
         b.run = f->order[first + i];
         const edge_run *r = &f->run[b.run];
