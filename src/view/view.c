@@ -18,6 +18,9 @@
 /* Roundings that one view coordinate gathers: subtraction, three products and two sums with unit vectors that are
  * themselves rounded, the division; in halves of an ulp of the largest coordinate. */
 #define ROUNDINGS 8.0
+/* Bounds of x and y are taken for themselves where they are no more than this part of those of all coordinates: where
+ * little is gained, the larger bound has the most oblique crossings computed more exactly than is promised. */
+#define MUCH_SHARPER 0.25
 /* Least exponent of the unit of view space, so that its reciprocal is a number. */
 #define UNIT_LEAST (-1000)
 /* Faces of more corners are not measured across each side: that takes time in proportion to the square. */
@@ -276,10 +279,13 @@ static void set_across(view *v, const roberts_scene *scene)
         vec3_scale(v->per_unit, (roberts_vec3){fmax(low.x, high.x), fmax(low.y, high.y), fmax(low.z, high.z)});
     roberts_vec3 V = v->viewpoint;
     double depth = reach_along(V, h) / vec3_dot(V, V);
-    v->across = fmax(reach_along(v->right, h), reach_along(v->up, h));
-    v->across_rounding = ROUNDINGS * 0.5 * DBL_EPSILON * v->across + fmax(leak(v->right, V), leak(v->up, V)) * depth;
-    v->across_rounding = fmin(1.001 * v->across_rounding, v->rounding); /* the bound is rounded itself */
-    v->across = fmin(1.001 * v->across, v->extent);
+    /* the bounds are rounded themselves */
+    double across = 1.001 * fmax(reach_along(v->right, h), reach_along(v->up, h));
+    double rounding = ROUNDINGS * 0.5 * DBL_EPSILON * across + fmax(leak(v->right, V), leak(v->up, V)) * 1.001 * depth;
+    if (rounding > MUCH_SHARPER * v->rounding)
+        return;
+    v->across = across;
+    v->across_rounding = rounding;
 }
 
 /* The largest view coordinate, then the touching distance and the rounding that follow from it. */
