@@ -13,6 +13,7 @@
 
 #include <cmocka.h>
 
+#include "same_complaint.h"
 #include "same_mesh.h"
 
 typedef struct bytes {
@@ -75,16 +76,6 @@ static void check_mesh(const roberts_mesh *mesh)
     for (size_t f = 0; mesh->face_color && f < mesh->face_count; f++)
         assert_true(mesh->face_color[f].count <= 4);
     assert_true(mesh->source_count == 1);
-}
-
-/* What can be read twice is looked at once more after an error: then more is said, or that it is no OFF. */
-static bool same_complaint(const roberts_error *once, const roberts_error *twice)
-{
-    size_t length = strlen(once->message);
-    if (strncmp(twice->message, "this looks like ", 16) == 0)
-        return twice->line == 0;
-    return once->line == twice->line && strncmp(once->message, twice->message, length) == 0 &&
-           (twice->message[length] == '\0' || strncmp(twice->message + length, "; look: line ", 13) == 0);
 }
 
 /* Reads the input in two ways and compares. */

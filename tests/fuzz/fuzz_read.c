@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "fuzz.h"
+#include "../same_complaint.h"
 #include "../same_mesh.h"
 
 /* The input, given out in pieces of 1 to 97 bytes, whatever is asked for. */
@@ -79,14 +80,15 @@ int fuzz_read(const uint8_t *bytes, size_t size)
     pieces p = {bytes, size, 0, (uint32_t)size};
     roberts_status status = roberts_mesh_read_memory(&whole, "bytes", bytes, size, &warnings[0], &error[0]);
     roberts_status second = roberts_mesh_read(&pieced, "bytes", read_piece, &p, &warnings[1], &error[1]);
-    /* What follows the last face is looked at only as far as it has come: a callback may wait for more. */
-    FUZZ_REQUIRE(status == second && warned[0] - warned[1] <= 1);
+    /* What follows the last face is looked at only as far as it has come: a callback may wait for more. And what cannot be
+     * read twice is not looked at for a number that is missing. */
+    FUZZ_REQUIRE(status == second && warned[0] - warned[1] <= 2);
     require_same(&whole, &pieced);
     require_sound(&whole);
     require_modest(&whole, size);
     if (status != ROBERTS_OK) {
         FUZZ_REQUIRE(error[0].status == status && error[1].status == status && error[0].message[0]);
-        FUZZ_REQUIRE(error[0].line == error[1].line && strcmp(error[0].message, error[1].message) == 0);
+        FUZZ_REQUIRE(same_complaint(&error[1], &error[0]));
         FUZZ_REQUIRE(whole.vertex_count == 0 && whole.face_count == 0 && whole.source_count == 0);
     }
     roberts_mesh_free(&whole);

@@ -1,0 +1,22 @@
+/* same_complaint.h - an input read by a function against the same input read from memory. */
+#ifndef ROBERTS_TESTS_SAME_COMPLAINT_H
+#define ROBERTS_TESTS_SAME_COMPLAINT_H
+
+#include <stdbool.h>
+#include <string.h>
+
+#include "roberts.h"
+
+/* What can be read twice is looked at once more after an error: then more is said, or that it is no OFF. */
+static inline bool same_complaint(const roberts_error *once, const roberts_error *twice)
+{
+    size_t length = strlen(once->message);
+    if (once->status != twice->status)
+        return false;
+    if (strncmp(twice->message, "this looks like ", 16) == 0)
+        return twice->line == 0;
+    return once->line == twice->line && strncmp(once->message, twice->message, length) == 0 &&
+           (twice->message[length] == '\0' || strncmp(twice->message + length, "; look: line ", 13) == 0);
+}
+
+#endif
