@@ -6,7 +6,7 @@
 #include "base/array.h"
 
 enum {
-    LEAF_ITEMS = 1, /* two: a sixth more time where faces are long, as much less where each has many slices */
+    LEAF_ITEMS = 1, /* two: 6 % more time on most scenes, 10 % less on needles seen askew */
     BINS = 12,      /* planes tried across an axis, and one; more gained nothing */
     SAMPLE = 1000,  /* entries that judge a plane, at the most twice as many; more gained nothing */
     BIN_DEPTH = 60, /* from here on nodes are halved by number, which ends after 32 more levels */
