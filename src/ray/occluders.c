@@ -12,7 +12,7 @@
 #define BOX_MARGIN 1000.0
 /* Faces are cut into so many boxes at the most, doubling while all boxes together shrink at least to this part and save
  * more asking of boxes than so many for each new one (what building it costs, measured). */
-#define SLICES 256
+#define SLICES 1024
 #define SLICE_GAIN 0.75
 #define SLICE_COST 20.0
 /* A solid of so many faces at the most, whose picture fills at least this part of its box, stands in the tree as one. */
