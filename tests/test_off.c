@@ -16,7 +16,7 @@
 
 #include <cmocka.h>
 
-#include "model/off_input.h"
+#include "model/off_pieces.h"
 #include "roberts.h"
 
 enum { ROOM = 1 << 14 };
@@ -484,6 +484,43 @@ static ptrdiff_t read_endless(void *context, void *buffer, size_t size)
     return (ptrdiff_t)size;
 }
 
+/* The same where any place can be read. */
+static ptrdiff_t read_endless_at(void *context, uint64_t offset, void *buffer, size_t size)
+{
+    endless *source = context;
+    endless from = {source->head, source->body, (size_t)offset};
+    ptrdiff_t got = read_endless(&from, buffer, size);
+    source->taken += (size_t)got;
+    return got;
+}
+
+/* After an error in a text without end the look for its reason ends as well. */
+static void looks_again_not_for_ever(void **state)
+{
+    static const struct {
+        const char *head, *body;
+        size_t line;
+        const char *message;
+    } rows[] = {
+        {"", "1", 1, "the number of vertices expected, found a word of more than 4096 characters"},
+        {"", "1 2 3.5\n", 1, "the number of edges expected, found \"3.5\""},
+        {"OFF 2 0\n0 0\n1 x ", "\n", 3, "y of vertex 1 of 2 expected, found \"x\""},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        endless source = {rows[i].head, rows[i].body, 0};
+        const off_source both = {.read = read_endless, .context = &source, .read_at = read_endless_at};
+        roberts_mesh mesh = {0};
+        roberts_error error;
+        roberts_status status = off_read(&mesh, "test.off", &both, NULL, NULL, &error);
+        if (status == ROBERTS_OK || error.line != rows[i].line || strcmp(error.message, rows[i].message) != 0 ||
+            source.taken > 100 << 20)
+            fail_msg("\"%s\" and \"%s\" for ever: line %zu after %zu bytes: %s", rows[i].head, rows[i].body, error.line,
+                     source.taken, error.message);
+        roberts_mesh_free(&mesh);
+    }
+}
+
 static void stops_reading_the_endless(void **state)
 {
     static const struct {
@@ -712,6 +749,7 @@ int main(void)
         cmocka_unit_test(refuses_bad_input),
         cmocka_unit_test(refuses_nul_bytes),
         cmocka_unit_test(stops_reading_the_endless),
+        cmocka_unit_test(looks_again_not_for_ever),
         cmocka_unit_test(leaves_an_open_pipe_alone),
         cmocka_unit_test(reads_a_face_of_a_million_corners),
         cmocka_unit_test(reads_dev_zero),

@@ -87,7 +87,8 @@ static void same_as_without(void **state)
                 fill(&m, kind, seed);
                 hide_picture picture;
                 roberts_scene *scene = model_build(&m);
-                assert_int_equal(hide_picture_build(&picture, scene, &cameras[k].camera, 0.0, true, 1, NULL), ROBERTS_OK);
+                assert_int_equal(hide_picture_build(&picture, scene, &cameras[k].camera, 0.0, true, 1, NULL),
+                                 ROBERTS_OK);
                 if (kind < 2 && cameras[k].together && picture.culled_count < 50)
                     fail_msg("kind %d, camera %zu: only %zu culled", kind, k, picture.culled_count);
                 scenes += picture.cover.rest != NULL;

@@ -13,6 +13,9 @@
 
 enum { POSITION = 3, NORMAL = 3, TEXTURE = 2, HINT = 100 };
 
+/* Bytes that are looked at again: a fraction of a second, even where an error is found at once in a file of any size. */
+#define LOOK_MOST ((uint64_t)1 << 26)
+
 typedef struct text {
     const off_source *source;
     char *buffer; /* [OFF_BLOCK] */
@@ -20,6 +23,7 @@ typedef struct text {
     uint64_t offset; /* of the byte after the buffer's last */
     size_t line;     /* of the next byte, from 1 */
     bool after_cr;
+    bool cut; /* there may be more than LOOK_MOST */
 } text;
 
 /* A line with a word in it. */
@@ -30,10 +34,13 @@ typedef struct text_line {
     bool commas;  /* or semicolons, which here stand between words */
 } text_line;
 
-/* The next byte; -1: there is none. */
+/* The next byte; -1: there is none, or none that is looked at. */
 static int next_byte(text *t)
 {
     if (t->at == t->size) {
+        t->cut = t->offset >= LOOK_MOST;
+        if (t->cut)
+            return -1;
         ptrdiff_t got = t->source->read_at(t->source->context, t->offset, t->buffer, OFF_BLOCK);
         if (got <= 0)
             return -1;
@@ -81,6 +88,8 @@ static bool explain_points(off_reader *r, text *t)
     for (; next_line(t, &line); count++)
         if (!line.numbers || line.words != first.words)
             return false;
+    if (t->cut)
+        return false;
     if (first.words == POSITION && !first.commas)
         error_set(r->error, r->error->status, 0,
                   "this looks like points, %u numbers on each line, not like OFF; with two lines before them, "
