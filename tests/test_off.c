@@ -487,11 +487,17 @@ static ptrdiff_t read_endless(void *context, void *buffer, size_t size)
 /* The same where any place can be read. */
 static ptrdiff_t read_endless_at(void *context, uint64_t offset, void *buffer, size_t size)
 {
-    endless *source = context;
+    const endless *source = context;
     endless from = {source->head, source->body, (size_t)offset};
-    ptrdiff_t got = read_endless(&from, buffer, size);
-    source->taken += (size_t)got;
-    return got;
+    if (from.taken > 100 << 20)
+        fail_msg("\"%s\" and \"%s\" for ever: looked at again up to byte %zu", from.head, from.body, from.taken);
+    return read_endless(&from, buffer, size);
+}
+
+static bool go_endless(void *context, uint64_t offset)
+{
+    ((endless *)context)->taken = (size_t)offset;
+    return true;
 }
 
 /* After an error in a text without end the look for its reason ends as well. */
@@ -504,19 +510,18 @@ static void looks_again_not_for_ever(void **state)
     } rows[] = {
         {"", "1", 1, "the number of vertices expected, found a word of more than 4096 characters"},
         {"", "1 2 3.5\n", 1, "the number of edges expected, found \"3.5\""},
-        {"OFF 2 0\n0 0\n1 x ", "\n", 3, "y of vertex 1 of 2 expected, found \"x\""},
     };
+    const off_division whole = off_divide(1);
     (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         endless source = {rows[i].head, rows[i].body, 0};
-        const off_source both = {.read = read_endless, .context = &source, .read_at = read_endless_at};
+        const off_source both = {
+            .read = read_endless, .context = &source, .read_at = read_endless_at, .go = go_endless};
         roberts_mesh mesh = {0};
         roberts_error error;
-        roberts_status status = off_read(&mesh, "test.off", &both, NULL, NULL, &error);
-        if (status == ROBERTS_OK || error.line != rows[i].line || strcmp(error.message, rows[i].message) != 0 ||
-            source.taken > 100 << 20)
-            fail_msg("\"%s\" and \"%s\" for ever: line %zu after %zu bytes: %s", rows[i].head, rows[i].body, error.line,
-                     source.taken, error.message);
+        roberts_status status = off_read(&mesh, "test.off", &both, &whole, NULL, &error);
+        if (status == ROBERTS_OK || error.line != rows[i].line || strcmp(error.message, rows[i].message) != 0)
+            fail_msg("\"%s\" and \"%s\" for ever: line %zu: %s", rows[i].head, rows[i].body, error.line, error.message);
         roberts_mesh_free(&mesh);
     }
 }
