@@ -373,6 +373,28 @@ static void frames_at_random(void **state)
     roberts_scene_free(scene);
 }
 
+/* Up as near to the line of sight as may be: depth does not leak into the picture. */
+static void up_nearly_parallel(void **state)
+{
+    rng r = {211};
+    roberts_scene *scene = cube_scene((roberts_vec3){0, 0, 0}, 1);
+    (void)state;
+    for (int i = 0; i < 2000; i++) {
+        mat3 a = mat3_turn(&r);
+        roberts_vec3 dir = vec3_scale(rng_between(&r, 1, 9), a.x);
+        roberts_vec3 up = vec3_add(a.x, vec3_scale(pow(10, rng_between(&r, -8.9, 0)), a.y));
+        roberts_camera camera = {i % 2 ? ROBERTS_PERSPECTIVE : ROBERTS_ORTHOGRAPHIC, .dir = dir, .up = up};
+        camera.eye = vec3_scale(9, dir);
+        camera.has_look_at = true;
+        view v = prepare(scene, &camera);
+        if (!(fabs(vec3_dot(v.right, a.x)) < ROUNDING && fabs(vec3_dot(v.up, a.x)) < ROUNDING &&
+              fabs(vec3_dot(v.right, v.up)) < ROUNDING && fabs(vec3_length(v.right) - 1) < ROUNDING &&
+              fabs(vec3_length(v.up) - 1) < ROUNDING))
+            fail_msg("%d: right and up are off by %g and %g", i, vec3_dot(v.right, a.x), vec3_dot(v.up, a.x));
+    }
+    roberts_scene_free(scene);
+}
+
 /* ---- the two projections ------------------------------------------------------------------------------------------ */
 
 static roberts_vec3 random_point(rng *r)
@@ -798,6 +820,7 @@ int main(void)
         cmocka_unit_test(oblique_presets),
         cmocka_unit_test(up_by_table),
         cmocka_unit_test(frames_at_random),
+        cmocka_unit_test(up_nearly_parallel),
         cmocka_unit_test(orthographic_is_a_rigid_motion),
         cmocka_unit_test(together_as_one_by_one),
         cmocka_unit_test(perspective_pictures),

@@ -29,6 +29,9 @@
 #define OBLIQUE_MOST 1000.0
 /* Sine of the angle between `up` and the line of sight under which they count as parallel. */
 #define PARALLEL 1e-9
+/* Cosine of the angle between an axis of the picture and the line of sight up to which they are at right angles: mere
+ * rounding. */
+#define ACROSS (4.0 * DBL_EPSILON)
 
 static double largest(roberts_vec3 a)
 {
@@ -59,6 +62,15 @@ static void roll_frame(view *v, double degrees)
     v->up = vec3_add(vec3_scale(by.y, right), vec3_scale(by.x, up));
 }
 
+/* a x dir, 1 long. Of two that are nearly parallel it is little more than rounding, of which a part lies along dir: that is
+ * taken off, or depth would leak into the picture. */
+static roberts_vec3 unit_across(roberts_vec3 a, roberts_vec3 dir)
+{
+    roberts_vec3 across = unit_vector(vec3_cross(a, dir));
+    double along = vec3_dot(across, dir);
+    return fabs(along) > ACROSS ? unit_vector(vec3_sub(across, vec3_scale(along, dir))) : across;
+}
+
 /* Right and up of the picture: `up` made perpendicular to the line of sight. Where it is zero or parallel to it, +z and
  * then +y take its place. */
 static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up, double roll_degrees)
@@ -66,9 +78,8 @@ static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up, double roll_de
     const roberts_vec3 choices[] = {unit_vector(up), {0, 0, 1}, {0, 1, 0}};
     v->dir = unit_vector(dir);
     for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
-        roberts_vec3 right = vec3_cross(choices[i], v->dir);
-        if (vec3_length(right) > PARALLEL) {
-            v->right = unit_vector(right);
+        if (vec3_length(vec3_cross(choices[i], v->dir)) > PARALLEL) {
+            v->right = unit_across(choices[i], v->dir);
             v->up = vec3_cross(v->dir, v->right);
             if (roll_degrees != 0.0) /* else -0 might become 0 */
                 roll_frame(v, roll_degrees);
