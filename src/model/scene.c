@@ -146,8 +146,9 @@ static bool number_edges(roberts_scene *scene, patterns *list, edge_scratch *scr
     return done;
 }
 
-/* Builds the solids as laid out, whose patterns are in `list` (empty: are not known yet). `open`: NULL where all must be closed; else it receives a mark for each solid that is
- * not, and *any_open whether there is one. The result does not depend on the threads. */
+/* Builds the solids as laid out, whose patterns are in `list` (empty: are not known yet). `open`: NULL where all must be
+ * closed; else it receives a mark for each solid that is not, and *any_open whether there is one. The result does not depend
+ * on the threads. */
 static roberts_status build_solids(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                                    patterns *list, uint8_t *open, bool *any_open, roberts_error *error)
 {

@@ -21,7 +21,8 @@ typedef enum build_result {
  * memory. */
 build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t s, roberts_error *error);
 
-/* Makes solid s: planes, corners counter-clockwise from outside, its edges in work->frame.edge, and checks it. Where `must_close`, a surface with holes is refused, not BUILD_OPEN. */
+/* Makes solid s: planes, corners counter-clockwise from outside, its edges in work->frame.edge, and checks it. Where
+ * `must_close`, a surface with holes is refused, not BUILD_OPEN. */
 build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const roberts_mesh *mesh, double tolerance,
                          bool must_close, roberts_error *error);
 

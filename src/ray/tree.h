@@ -9,7 +9,8 @@
  * tree many at a time, each node with those that its parent's box is over (I. Wald, C. Gribble, S. Boulos, A. Kensler,
  * "SIMD ray stream tracing", 2007): a node is fetched once for all of them.
  * Invariants: a node's box holds the boxes of all items below it; node 0 is the root; the first child of an inner node
- * follows it directly, and reaches no less far toward the viewer than the second; depth is at most TREE_DEPTH. The tree is a function of the boxes alone. */
+ * follows it directly, and reaches no less far toward the viewer than the second; depth is at most TREE_DEPTH. The tree is a
+ * function of the boxes alone. */
 #ifndef ROBERTS_RAY_TREE_H
 #define ROBERTS_RAY_TREE_H
 

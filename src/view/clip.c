@@ -218,7 +218,7 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
 
 /* The cap's face, as plane as its corners lie in the near plane; `start` is one of the cut edges. Where a side weaves
  * through the plane there are several rings, and the cap has one of them: the outline is then no single cycle, and the
- * faces hide one by one (see picture.c). */
+ * faces hide one by one (see front.c). */
 static bool add_cap(cutter *c, uint32_t start)
 {
     const roberts_scene *from = c->from;
