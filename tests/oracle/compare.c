@@ -145,12 +145,20 @@ static int judge_file(const arguments *a)
     return total.disagreements ? 1 : 0;
 }
 
+/* NULL: all of them. */
+static bool is_known(const char *family)
+{
+    for (size_t f = 0; family && f < scene_family_count(); f++)
+        if (strcmp(family, scene_family_name(f)) == 0)
+            return true;
+    return !family;
+}
+
 int main(int argc, char **argv)
 {
     arguments a;
     judge_total sum = {0}, *family;
     size_t families = scene_family_count();
-    bool known = false;
     clock_t start = clock();
     if (!parse(argc, argv, &a)) {
         fputs(help, stderr);
@@ -158,8 +166,15 @@ int main(int argc, char **argv)
     }
     if (a.file)
         return judge_file(&a);
-    family = calloc(families, sizeof *family);
-    for (uint64_t i = 0; family && i < a.count && sum.edges < a.edges; i++)
+    if (!is_known(a.family)) {
+        fprintf(stderr, "compare: no family %s\n", a.family);
+        return 2;
+    }
+    if (!(family = calloc(families, sizeof *family))) {
+        fputs("compare: no memory\n", stderr);
+        return 1;
+    }
+    for (uint64_t i = 0; i < a.count && sum.edges < a.edges; i++)
         for (size_t f = 0; f < families && sum.edges < a.edges; f++) {
             const char *name = scene_family_name(f);
             char label[100];
@@ -167,7 +182,6 @@ int main(int argc, char **argv)
             judge_total one = {0};
             if (a.family && strcmp(a.family, name) != 0)
                 continue;
-            known = true;
             snprintf(label, sizeof label, "%s-%" PRIu64, name, a.seed + i);
             if (!scene_make(name, a.seed + i, &scene)) {
                 fprintf(stderr, "%s: no memory\n", label);
@@ -182,16 +196,12 @@ int main(int argc, char **argv)
             add(&family[f], &one);
             add(&sum, &one);
         }
-    for (size_t f = 0; family && a.per_family && f < families; f++)
+    for (size_t f = 0; a.per_family && f < families; f++)
         if (family[f].scenes)
             print(scene_family_name(f), &family[f]);
     if (!a.write)
         print("all", &sum);
     free(family);
-    if (!known) {
-        fprintf(stderr, "compare: no family %s\n", a.family);
-        return 2;
-    }
     if (!a.write)
         printf("%zu edges compared, %zu disagreements; %.1f s\n", sum.edges, sum.disagreements,
                (double)(clock() - start) / CLOCKS_PER_SEC);
