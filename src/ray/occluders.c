@@ -192,7 +192,7 @@ static bool add_solid(const occluders *o, uint32_t solid, box_list *list)
         return add_faces(o, solid, list);
     tree_box box = solid_box(o, solid, &fill, &fronts);
     if (fronts.count == 0)
-        return true; /* the near plane leaves nothing of it */
+        return true; /* mostly one of which the near plane leaves nothing */
     return fill >= FILL_TOGETHER ? add_entry(o, box, solid, fronts, list) : add_faces(o, solid, list);
 }
 
