@@ -122,7 +122,9 @@ hide_chunk *chunks_take(chunks *c, uint32_t *k)
     if (*k >= c->total)
         return NULL;
     hide_chunk *chunk = &c->slot[*k % c->slots];
-    for (unsigned turn = 0; atomic_load(&chunk->stage) != 2 * *k && atomic_load(&c->status) == ROBERTS_OK; turn++) {
+    for (unsigned turn = 0; atomic_load(&chunk->stage) != 2 * *k; turn++) {
+        if (atomic_load(&c->status) != ROBERTS_OK)
+            return NULL; /* the slot may still be another's */
         place(c);
         thread_wait(turn);
     }
