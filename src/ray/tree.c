@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/fetch.h"
 
 enum {
     LEAF_ITEMS = 1, /* two: 6 % more time on most scenes, 10 % less on needles seen askew */
@@ -348,6 +349,8 @@ bool tree_walk_next(tree_walk *w, tree_leaf *leaf)
         tree_crowd crowd = w->stack[w->depth].crowd;
         if (is_over_none(node, &crowd))
             continue;
+        if (node->count == 0)
+            FETCH_AHEAD(&w->t->node[node->first]); /* while points are compared */
         if (crowd.dropped != w->points->dropped || node->owner != ROBERTS_NONE || !is_over_all(node, &crowd))
             crowd = find_under(w, node, &crowd);
         if (crowd.count == 0)
