@@ -220,6 +220,9 @@ static const struct {
      "0: 4 faces declared, but there are 0;"},
     {"more faces", "OFF\n3 1 0\n" POINTS "3 0 1 2\n3 2 1 0\n3 2 1 0\n", TRIANGLE,
      "7: text after the last face ignored;"},
+    {"points, the first one 0", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "",
+     "0: this looks like points, 3 numbers on each line, not like OFF; with two lines before them, \"3 points\" and "
+     "\"4\", they can be read as points to take the hull of;"},
     {"text after the last face", "OFF\n3 1 0\n" POINTS "3 0 1 2\n\n# c\nhello\n", TRIANGLE,
      "9: text after the last face ignored;"},
     {"text after the wrapper", "{OFF\n3 1 0\n" POINTS "3 0 1 2\n}\n}\n", TRIANGLE,
@@ -399,6 +402,8 @@ static const struct {
     {"whole points", "1 2 3\n4 5 6\n7 8 9\n1 5 2", ROBERTS_BAD_INDEX, 0,
      "this looks like points, 3 numbers on each line, not like OFF; with two lines before them, \"3 points\" and "
      "\"4\", they can be read as points to take the hull of"},
+    {"two counts, and a wrong face", "OFF\n3 2\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 3\n", ROBERTS_BAD_INDEX, 7,
+     "face 1 names vertex 3, but there are 3, numbered from 0"},
     {"points with a minus", "-1 2 3\r\n4 5 6\r\n", ROBERTS_BAD_SYNTAX, 0,
      "this looks like points, 3 numbers on each line, not like OFF; with two lines before them, \"3 points\" and "
      "\"2\", they can be read as points to take the hull of"},

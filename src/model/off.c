@@ -102,7 +102,6 @@ static roberts_status read_all(off_reader *r)
     roberts_status status = off_read_header(r);
     if (status != ROBERTS_OK)
         return status;
-    r->header.line = r->in.line;
     if (!mesh_source(r->mesh, r->name))
         return error_no_memory(r->error);
     status = r->header.binary ? off_read_binary(r) : off_read_text(r);

@@ -91,6 +91,9 @@ void off_warn_fewer(off_reader *r, uint64_t found);
 void off_explain_error(off_reader *r);
 void off_explain_warning(off_reader *r);
 
+/* Warns of text after the last face, and that the input is no OFF, if it does not look like one. */
+void off_explain_rest(off_reader *r);
+
 /* The name of the format that begins with this word; NULL: not known. */
 const char *off_foreign(const char *word, size_t length);
 

@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { POSITION = 3, NORMAL = 3, TEXTURE = 2, HINT = 100 };
+enum { POSITION = 3, NORMAL = 3, TEXTURE = 2, HINT = 100, SAID = 240 };
 
 /* Bytes that are looked at again: a fraction of a second, even where an error is found at once in a file of any size. */
 #define LOOK_MOST ((uint64_t)1 << 26)
@@ -79,7 +79,7 @@ static bool next_line(text *t, text_line *line)
 }
 
 /* Has the input nothing but lines of equally many numbers? Says so. */
-static bool explain_points(off_reader *r, text *t)
+static bool describe_points(text *t, char said[SAID])
 {
     text_line first, line;
     size_t count = 1;
@@ -91,15 +91,15 @@ static bool explain_points(off_reader *r, text *t)
     if (t->cut)
         return false;
     if (first.words == POSITION && !first.commas)
-        error_set(r->error, r->error->status, 0,
-                  "this looks like points, %u numbers on each line, not like OFF; with two lines before them, "
-                  "\"3 points\" and \"%zu\", they can be read as points to take the hull of",
-                  first.words, count);
+        snprintf(said, SAID,
+                 "this looks like points, %u numbers on each line, not like OFF; with two lines before them, "
+                 "\"3 points\" and \"%zu\", they can be read as points to take the hull of",
+                 first.words, count);
     else
-        error_set(r->error, r->error->status, 0,
-                  "this looks like a table, %u numbers on each line%s, not like OFF; of points, \"3 points\" and their "
-                  "number are read, and then three numbers for each, with blanks between",
-                  first.words, first.commas ? " with commas" : "");
+        snprintf(said, SAID,
+                 "this looks like a table, %u numbers on each line%s, not like OFF; of points, \"3 points\" and their "
+                 "number are read, and then three numbers for each, with blanks between",
+                 first.words, first.commas ? " with commas" : "");
     return true;
 }
 
@@ -153,12 +153,14 @@ void off_explain_error(off_reader *r)
 {
     const bool ended = r->in.ended && r->in.at == r->in.end; /* before the buffer is used anew */
     text_line first, odd;
-    char hint[HINT];
+    char hint[HINT], said[SAID];
     if (!r->error || !r->in.source.read_at || r->in.failure || r->header.binary || r->error->line == 0)
         return;
     text t = begin(r);
-    if (r->header.bare && explain_points(r, &t))
+    if (r->header.bare && describe_points(&t, said)) {
+        error_set(r->error, r->error->status, 0, "%s", said);
         return;
+    }
     if (r->header.line == 0)
         return;
     t = begin(r);
@@ -167,6 +169,16 @@ void off_explain_error(off_reader *r)
         return;
     describe(&first, &odd, least_words(&r->header), hint);
     add_to_message(r->error, hint);
+}
+
+void off_explain_rest(off_reader *r)
+{
+    char said[SAID];
+    text t = begin(r);
+    if (r->warnings && r->header.bare && r->in.source.read_at && !r->in.failure && describe_points(&t, said))
+        warning_send(r->warnings, r->name, 0, "%s", said);
+    else
+        warning_send(r->warnings, r->name, r->in.line, "text after the last face ignored");
 }
 
 void off_explain_warning(off_reader *r)

@@ -127,6 +127,7 @@ static roberts_status counts(off_reader *r)
         return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of vertices");
     if (!input_skip(&r->in) || !off_integer(r, &r->header.faces))
         return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of faces");
+    r->header.line = r->in.line;
     if (input_skip_in_line(&r->in)) {
         if (*r->in.at == '-')
             r->in.at++; /* some write -1 for what they do not know */
@@ -134,6 +135,7 @@ static roberts_status counts(off_reader *r)
             return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of edges");
     } else if (input_skip(&r->in) && lonely_integer(r)) {
         off_integer(r, &edges); /* on a line of its own */
+        r->header.line = r->in.line;
     }
     /* only 4OFF is doubtful: with OFF, more on this line is the first vertex */
     if (r->header.homogeneous && input_skip_in_line(&r->in) && off_integer(r, &edges))
@@ -168,6 +170,7 @@ static roberts_status count_points(off_reader *r)
     }
     if (!input_skip(&r->in) || !lonely_integer(r) || !off_integer(r, &r->header.vertices))
         return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of points, alone on its line,");
+    r->header.line = r->in.line;
     return ROBERTS_OK;
 }
 

@@ -349,7 +349,7 @@ static roberts_status ending(off_reader *r)
     for (; r->header.braces && input_skip(in) && *in->at == '}'; r->header.braces--)
         in->at++;
     if (input_skip(in))
-        warning_send(r->warnings, r->name, in->line, "text after the last face ignored");
+        off_explain_rest(r);
     if (in->failure)
         return off_expected(r, ROBERTS_IO, "the end");
     return ROBERTS_OK;
