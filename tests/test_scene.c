@@ -381,6 +381,19 @@ static void others_are_refused_and_told_why(void **state)
     }
 }
 
+static void names_the_file_without_solids(void **state)
+{
+    static const char text[] = "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n";
+    roberts_mesh mesh = {0};
+    roberts_scene *scene;
+    roberts_error error = {0};
+    (void)state;
+    assert_int_equal(roberts_mesh_read_memory(&mesh, "points.off", text, strlen(text), NULL, &error), ROBERTS_OK);
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, &error), ROBERTS_NOT_CLOSED);
+    assert_string_equal(error.file, "points.off");
+    roberts_mesh_free(&mesh);
+}
+
 /* ---- several inputs, options, colours ---------------------------------------------------------------------------------- */
 
 static void the_input_that_holds_the_face_is_named(void **state)
@@ -1006,6 +1019,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sound_solids_are_accepted),
         cmocka_unit_test(others_are_refused_and_told_why),
+        cmocka_unit_test(names_the_file_without_solids),
         cmocka_unit_test(the_input_that_holds_the_face_is_named),
         cmocka_unit_test(the_tolerance_decides),
         cmocka_unit_test(repeated_corners_are_counted),

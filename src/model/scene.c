@@ -179,14 +179,21 @@ static roberts_status build_solids(roberts_scene *scene, const roberts_mesh *mes
     return status;
 }
 
-static roberts_status refuse_empty(roberts_error *error)
+/* The file's name where there is one file. */
+static const char *only_name(const roberts_mesh *mesh)
 {
+    return mesh->source_count == 1 && mesh->source[0].name ? mesh->source[0].name : "";
+}
+
+static roberts_status refuse_empty(const roberts_mesh *mesh, roberts_error *error)
+{
+    error_set_file(error, only_name(mesh));
     return error_set(error, ROBERTS_NOT_CLOSED, 0, "no solid: there is no face with three or more corners");
 }
 
 static void warn_repeated(const polygons *faces, const roberts_mesh *mesh, const roberts_warnings *warnings)
 {
-    const char *name = mesh->source_count == 1 && mesh->source[0].name ? mesh->source[0].name : "";
+    const char *name = only_name(mesh);
     if (faces->repeated > 0)
         warning_send(warnings, name, 0, "%zu corner%s that repeat%s another of the same face ignored", faces->repeated,
                      faces->repeated == 1 ? "" : "s", faces->repeated == 1 ? "s" : "");
@@ -217,7 +224,7 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
             status = build_solids(scene, mesh, options, &list, NULL, &any_open, error);
     }
     if (status == ROBERTS_OK && scene->solid_count == 0)
-        status = refuse_empty(error);
+        status = refuse_empty(mesh, error);
     if (status == ROBERTS_OK && !copy_colors(scene, mesh, lend))
         status = ROBERTS_NO_MEMORY;
 done:
@@ -263,7 +270,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     if (status == ROBERTS_OK && any_open)
         status = regroup(scene, open, &faces, mesh, true, error);
     if (status == ROBERTS_OK && scene->solid_count == 0)
-        status = refuse_empty(error);
+        status = refuse_empty(mesh, error);
     if (status == ROBERTS_OK)
         status = hull_solids(scene, mesh, options->tolerance, options->threads, error);
     if (status == ROBERTS_OK)
