@@ -10,7 +10,7 @@
 #   tables        measures nothing: prints the tables of what was measured last, also of a run that was broken off
 #
 # Prints tables, and writes the same figures, tab-separated, to build/bench/. A row is the run of median CPU time, of
-# nine for a thousand solids down to one for a million. Scenes are made there by make-models and kept, but for those of
+# nine for a thousand solids down to three for a million. Scenes are made there by make-models and kept, but for those of
 # a million solids (up to 0.5 GB each).
 #
 # BENCH_MAX       most solids to a scene (1e6); less makes it short: BENCH_MAX=1e5
@@ -82,10 +82,8 @@ runs_for() {
         echo 9
     elif [ "$1" -le 20000 ]; then
         echo 5
-    elif [ "$1" -le 200000 ]; then
-        echo 3
     else
-        echo 1
+        echo 3
     fi
 }
 
@@ -182,7 +180,7 @@ one_scene() {
     measure scenes draw "$1" 1 1 svg --order none $general "$2"
     measure scenes plot "$1" 1 1 svg $general "$2"
     measure scenes threads "$1" "$3" 2 null $general "$2"
-    [ "$3" -eq 1 ] || measure scenes verify "$1" "$3" 1 null --verify $general "$2" # not of a million solids
+    measure scenes verify "$1" $((($3 + 2) / 3)) 1 null --verify $general "$2"
     row=$(OMP_NUM_THREADS=1 "$build/tools/bench-read" "$2" "$3") && printf '%s\t%s\n' "$1" "$row" >>"$out/read.tsv"
 }
 
