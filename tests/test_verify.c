@@ -428,6 +428,35 @@ static void test_bars(void **state)
     roberts_scene_free(scene);
 }
 
+/* A block's side whose picture is a sliver, 3.8e-9 wide and not narrow across its plane, is edge-on where epsilon is more:
+ * then an edge of it is at the back. */
+static void test_sliver(void **state)
+{
+    static const roberts_vec3 o = {131.23693562270955, 265.66161015973069, 145.47584033955607};
+    static const roberts_vec3 u = {3.24456217511761, -2.14010778934123, 0.0},
+                              v = {1.12702626623627, 1.70867597596294, 0.0};
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        const double epsilon[] = {1e-10, 3.9e-9, 1e-8};
+        roberts_mesh mesh = {0};
+        add_block(&mesh, o, u, v, (roberts_vec3){0, 0, 0.000790569414});
+        add_block(&mesh, (roberts_vec3){130.517223, 268.619390, 147.020613}, (roberts_vec3){0.757015, -3.583583, 0},
+                  (roberts_vec3){2.208371, 0.466508, 0}, (roberts_vec3){0, 0, 0.000790569414});
+        roberts_scene *scene = build(&mesh);
+        roberts_camera camera = {.dir = {.31, .47, .83}, .up = {0, 0, 1}};
+        roberts_hide_options options = roberts_hide_options_default();
+        roberts_drawing drawing = {0};
+        roberts_verification result;
+        options.epsilon = epsilon[i];
+        assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+        assert_int_equal(roberts_verify(scene, &camera, &drawing, NULL, &result, NULL), ROBERTS_OK);
+        assert_true(result.points > 0);
+        assert_int_equal(result.contradictions, 0);
+        roberts_drawing_free(&drawing);
+        roberts_scene_free(scene);
+    }
+}
+
 /* The rule itself, by hand: what two boxes do to the top edge of a third. The drawing shows all of it as visible; `wrong`
  * says whether that is contradicted. The edge runs from (0, 0, 0) to (8, 0, 0) and is seen from above; the occluder is
  * the box from `lo` to `hi`. */
@@ -819,6 +848,7 @@ int main(void)
         cmocka_unit_test(test_threads),
         cmocka_unit_test(test_copies),
         cmocka_unit_test(test_bars),
+        cmocka_unit_test(test_sliver),
         cmocka_unit_test(test_rule),
         cmocka_unit_test(test_corner_over_edge),
         cmocka_unit_test(test_bad_drawings),

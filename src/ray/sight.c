@@ -53,9 +53,12 @@ static int facing_of(const sight *s, uint32_t face)
         return SIGHT_NOT_FRONT;
     v = vec3_scale(1.0 / length, v);
     double tilt = fabs(vec3_dot(n, v));
+    /* no picture is narrower than its area over its greatest chord: where even that is plain, so is the rest; where it is
+     * not, the picture may be a sliver aslant to `across` */
+    bool sliver = tilt * scene_width(scene, face) / s->unit <= s->loose + s->rounding;
     roberts_vec3 across = vec3_sub(n, vec3_scale(vec3_dot(n, v), v));
     if (vec3_length(across) <= 0.5)
-        return SIGHT_FRONT; /* tilted by less than 30 degrees, and not flat */
+        return sliver ? SIGHT_UNSURE : SIGHT_FRONT; /* tilted by less than 30 degrees, and not flat */
     across = normalised(across);
     for (uint32_t k = scene->face_start[face] + 1; k < scene->face_start[face + 1]; k++) {
         roberts_vec3 p = vec3_sub(s->P[scene->corner[k]], A);
@@ -66,7 +69,8 @@ static int facing_of(const sight *s, uint32_t face)
     }
     if (high - low <= s->tight - s->rounding)
         return SIGHT_NOT_FRONT;
-    return fmin(high - low, tilt * radius) <= s->loose + s->rounding ? SIGHT_UNSURE : SIGHT_FRONT;
+    sliver = sliver || fmin(high - low, tilt * radius) <= s->loose + s->rounding;
+    return sliver ? SIGHT_UNSURE : SIGHT_FRONT;
 }
 
 bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
