@@ -414,6 +414,18 @@ static void reads_integers(void **state)
     }
 }
 
+/* Each bit where it has to be, whatever the others are. */
+static void bits_are_spread(void **state)
+{
+    (void)state;
+    for (uint32_t x = 0; x < 0x10000; x++) {
+        uint32_t expected = 0;
+        for (int i = 0; i < 16; i++)
+            expected |= (x >> i & 1) << 2 * i;
+        assert_int_equal(bits_spread(x), expected);
+    }
+}
+
 /* Plain C and one instruction agree. */
 static void bits_agree(void **state)
 {
@@ -442,6 +454,7 @@ int main(void)
         cmocka_unit_test(reads_short_decimals),   cmocka_unit_test(reads_every_power),
         cmocka_unit_test(powers_belong_together), cmocka_unit_test(knows_no_locale),
         cmocka_unit_test(reads_integers),         cmocka_unit_test(bits_agree),
+        cmocka_unit_test(bits_are_spread),
     };
     return cmocka_run_group_tests_name("number", tests, NULL, NULL);
 }

@@ -1,10 +1,11 @@
-/* bits.h - words of bits: counting zeros, the full product of two words, eight characters as one word.
+/* bits.h - words of bits: counting zeros, the full product of two words, eight characters as one word, bits apart, a hash.
  *
  * Compilers that offer one instruction for it get it; the plain C beside it gives the same answers everywhere and is
  * tested against it. */
 #ifndef ROBERTS_BASE_BITS_H
 #define ROBERTS_BASE_BITS_H
 
+#include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -86,6 +87,27 @@ static inline uint64_t bits_load(const char *text)
     return (uint64_t)c[0] | (uint64_t)c[1] << 8 | (uint64_t)c[2] << 16 | (uint64_t)c[3] << 24 | (uint64_t)c[4] << 32 |
            (uint64_t)c[5] << 40 | (uint64_t)c[6] << 48 | (uint64_t)c[7] << 56;
 #endif
+}
+
+/* Bits 0 to 15 of x apart, a zero above each: of two numbers, one moved by a place, the place on the Z-order curve (G. M.
+ * Morton, "A computer oriented geodetic data base and a new technique in file sequencing", IBM 1966). */
+static inline uint32_t bits_spread(uint32_t x)
+{
+    x = (x | x << 8) & 0x00ff00ffu;
+    x = (x | x << 4) & 0x0f0f0f0fu;
+    x = (x | x << 2) & 0x33333333u;
+    return (x | x << 1) & 0x55555555u;
+}
+
+/* A hash of `size` bytes, a multiple of 4: FNV-1a, word by word (G. Fowler, L. C. Noll, P. Vo). */
+static inline uint32_t bits_hash(const void *bytes, size_t size)
+{
+    uint32_t hash = 2166136261u, word;
+    for (size_t i = 0; i < size; i += sizeof word) {
+        memcpy(&word, (const char *)bytes + i, sizeof word);
+        hash = (hash ^ word) * 16777619u;
+    }
+    return hash;
 }
 
 #endif

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/bits.h"
 #include "base/radix.h"
 
 /* Fewer solids than this do not leave the cache. */
@@ -14,22 +15,13 @@
  * lattices that were built one beside the other have less than 30, random ones more than 600. */
 #define FAR_APART 100.0
 
-/* Bits 0 to 9 of x apart, with one bit between each and the next. */
-static uint32_t spread(uint32_t x)
-{
-    x = (x | x << 8) & 0x00ff00ffu;
-    x = (x | x << 4) & 0x0f0f0f0fu;
-    x = (x | x << 2) & 0x33333333u;
-    return (x | x << 1) & 0x55555555u;
-}
-
 static double apart(uint32_t a, uint32_t b)
 {
     return a < b ? b - a : a - b;
 }
 
-/* Fills `key` so that the solids' order follows Morton's curve through the picture (G. M. Morton, "A computer oriented
- * geodetic data base", IBM 1966). Gives how far one is from the last, on average. */
+/* Fills `key` so that the solids' order follows the Z-order curve through the picture. Gives how far one is from the last, on
+ * average. */
 static double find_keys(const hide_picture *picture, uint32_t *key)
 {
     uint32_t count = picture->scene->solid_count, last_i = 0, last_j = 0;
@@ -40,7 +32,7 @@ static double find_keys(const hide_picture *picture, uint32_t *key)
         uint32_t i = scan_column(&frame, 0.5 * ((double)box->x0 + (double)box->x1));
         uint32_t j = scan_row(&frame, 0.5 * ((double)box->y0 + (double)box->y1));
         way += apart(i, last_i) + apart(j, last_j);
-        key[s] = spread(i) << 1 | spread(j);
+        key[s] = bits_spread(i) << 1 | bits_spread(j);
         last_i = i;
         last_j = j;
     }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/bits.h"
 #include "base/radix.h"
 
 /* Bits for each front: of so many fronts that have no copy one in ten falls on another's bit. */
@@ -41,12 +42,7 @@ static bool same_front(const hide_picture *picture, uint32_t a, uint32_t b)
 /* Fronts that can differ in nothing else differ here. */
 static uint32_t place_key(const hide_picture *picture, uint32_t front)
 {
-    const hide_box *box = &picture->front_box[front];
-    uint32_t bits[sizeof *box / sizeof(uint32_t)], key = 2166136261u; /* FNV-1a, word by word */
-    memcpy(bits, box, sizeof bits);
-    for (size_t i = 0; i < sizeof bits / sizeof bits[0]; i++)
-        key = (key ^ bits[i]) * 16777619u;
-    return key;
+    return bits_hash(&picture->front_box[front], sizeof picture->front_box[front]);
 }
 
 static bool sieve_init(sieve *s, uint32_t fronts)

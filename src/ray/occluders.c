@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/bits.h"
 #include "base/radix.h"
 
 /* How far boxes reach beyond their faces, in loose epsilons: a corner of angle a, grown by epsilon, sticks out by
@@ -219,17 +220,11 @@ static bool build_tree(occluders *o, const double *rays)
 
 /* ---- copies ----------------------------------------------------------------------------------------------------- */
 
-/* FNV-1a over the bits of a solid's points, word by word. */
+/* Of the solid's points; that copies have the same one is all that it must do. */
 static uint32_t solid_key(const occluders *o, uint32_t solid)
 {
     const scene_solid *s = &o->s.scene->solid[solid];
-    uint32_t key = 2166136261u, word[sizeof(roberts_vec3) / sizeof(uint32_t)];
-    for (uint32_t v = s->vertex; v < s[1].vertex; v++) {
-        memcpy(word, &o->s.P[v], sizeof word);
-        for (size_t i = 0; i < sizeof word / sizeof word[0]; i++)
-            key = (key ^ word[i]) * 16777619u;
-    }
-    return key;
+    return bits_hash(o->s.P + s->vertex, (s[1].vertex - s->vertex) * sizeof *o->s.P);
 }
 
 /* Whether two solids have the same points and the same faces, in the same order, to the last bit. */
@@ -317,22 +312,18 @@ void occluders_free(occluders *o)
 
 /* ---- places ----------------------------------------------------------------------------------------------------- */
 
-/* x from low to high as 0 .. 65535, its bits at every other place. */
-static uint32_t spread(double x, double low, double high)
+/* x from low to high as 0 .. 65535; 0 for NaN too. */
+static uint32_t cell(double x, double low, double high)
 {
     double part = (x - low) / (high - low);
-    uint32_t bits = part >= 1.0 ? 65535 : part > 0.0 ? (uint32_t)(65536.0 * part) : 0; /* 0 for NaN too */
-    bits = (bits | bits << 8) & 0x00FF00FFu;
-    bits = (bits | bits << 4) & 0x0F0F0F0Fu;
-    bits = (bits | bits << 2) & 0x33333333u;
-    return (bits | bits << 1) & 0x55555555u;
+    return part >= 1.0 ? 65535 : part > 0.0 ? (uint32_t)(65536.0 * part) : 0;
 }
 
-/* After G. M. Morton, "A computer oriented geodetic data base and a new technique in file sequencing", IBM 1966. */
 uint32_t occluders_place(const occluders *o, roberts_vec3 X)
 {
     roberts_vec3 p = picture_point(o, X);
-    return spread(p.x, o->window.lo.x, o->window.hi.x) | spread(p.y, o->window.lo.y, o->window.hi.y) << 1;
+    return bits_spread(cell(p.x, o->window.lo.x, o->window.hi.x)) |
+           bits_spread(cell(p.y, o->window.lo.y, o->window.hi.y)) << 1;
 }
 
 /* ---- casting ---------------------------------------------------------------------------------------------------- */
