@@ -35,6 +35,7 @@ typedef struct hide_worker {
     size_t live;             /* lines of the group at work that are not wholly hidden */
     uint32_t *seen;          /* [front_count] the last group of edges that met the front */
     uint32_t stamp;          /* of the group at work */
+    size_t surviving, drawn; /* edges, as counted in a roberts_drawing */
     roberts_tally tally;
 } hide_worker;
 

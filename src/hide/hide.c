@@ -38,11 +38,6 @@ typedef struct hide_job {
     double crease_chord; /* distance of two unit normals that meet at the crease angle, squared */
 } hide_job;
 
-/* What one thread adds to the drawing besides its segments. */
-typedef struct hide_sums {
-    size_t surviving, drawn;
-} hide_sums;
-
 roberts_hide_options roberts_hide_options_default(void)
 {
     return (roberts_hide_options){.crease_degrees = 0.1};
@@ -195,7 +190,7 @@ static inline bool is_covered(const cover *c, const roberts_vec3 *P, const scene
 /* Takes up the edges of a solid that are drawn and not covered. A surviving edge has a front face. An outline (one front
  * face) is always drawn; an edge whose two faces look the same way is not where it is flat, whether they are front or,
  * among hidden lines, back. */
-static bool take_edges(const hide_job *job, hide_worker *w, hide_sums *sums, uint32_t solid)
+static bool take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
 {
     const roberts_scene *scene = job->scene;
     const unsigned char *facing = facing_of(job, solid);
@@ -206,11 +201,11 @@ static bool take_edges(const hide_job *job, hide_worker *w, hide_sums *sums, uin
     hide_worker_begin(w);
     for (uint32_t i = scene->solid[solid].edge, end = scene->solid[solid + 1].edge; i < end; i++, edge++) {
         int fronts = front_count(facing, edge);
-        sums->surviving += fronts > 0;
+        w->surviving += fronts > 0;
         if ((fronts == 0 && !keep_hidden) || (cap && cap[i]) ||
             (fronts != 1 && !all && is_flat(job, scene, solid, edge)))
             continue;
-        sums->drawn++;
+        w->drawn++;
         if (is_covered(&job->picture.cover, P, edge)) {
             w->tally.covered++;
             continue;
@@ -257,12 +252,12 @@ static bool add_edge(const hide_job *job, hide_worker *w, hide_chunk *out, uint3
 }
 
 /* The lines come in the order of the edges, of which some are not drawn and some, by the near plane, clipped away. */
-static bool do_solid(const hide_job *job, hide_worker *w, hide_sums *sums, hide_chunk *out, uint32_t solid)
+static bool do_solid(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t solid)
 {
     if (job->picture.culled[solid] && !(job->clip.clipped && job->options->keep_hidden))
         return true;
     if (job->ahead.order ? !ahead_recall(&job->ahead, solid, w)
-                         : !take_edges(job, w, sums, solid) || !hide_worker_run(w, solid))
+                         : !take_edges(job, w, solid) || !hide_worker_run(w, solid))
         return false;
     const hide_line *line = w->line, *end = line + w->line_count;
     const unsigned char *facing = facing_of(job, solid);
@@ -282,27 +277,27 @@ static bool do_solid(const hide_job *job, hide_worker *w, hide_sums *sums, hide_
     return true;
 }
 
-static bool do_chunk(const hide_job *job, hide_worker *w, hide_sums *sums, hide_chunk *out, uint32_t index)
+static bool do_chunk(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t index)
 {
     uint32_t first = index * CHUNK_SOLIDS, count = job->scene->solid_count;
     uint32_t end = count - first < CHUNK_SOLIDS ? count : first + CHUNK_SOLIDS;
     if (!array_reserve(&out->segment, &out->room, out->count + CHUNK_SEGMENTS, sizeof *out->segment))
         return false;
     for (uint32_t s = first; s < end; s++)
-        if (!do_solid(job, w, sums, out, s))
+        if (!do_solid(job, w, out, s))
             return false;
     return true;
 }
 
 /* The solids of one chunk of the order in which they lie in the picture. */
-static bool look_ahead(hide_job *job, hide_worker *w, hide_sums *sums, uint32_t index)
+static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
 {
     uint32_t first = index * AHEAD_CHUNK, count = job->ahead.count;
     uint32_t end = count - first < AHEAD_CHUNK ? count : first + AHEAD_CHUNK;
     for (uint32_t k = first; k < end; k++) {
         uint32_t s = job->ahead.order[k];
         hide_worker_begin(w);
-        if (!job->picture.culled[s] && (!take_edges(job, w, sums, s) || !hide_worker_run(w, s)))
+        if (!job->picture.culled[s] && (!take_edges(job, w, s) || !hide_worker_run(w, s)))
             return false;
         if (!ahead_keep(&job->ahead, k, w))
             return false;
@@ -311,7 +306,7 @@ static bool look_ahead(hide_job *job, hide_worker *w, hide_sums *sums, uint32_t 
 }
 
 /* All of them, where the order of the file is not as good. */
-static bool look_ahead_at_all(hide_job *job, hide_worker *worker, hide_sums *sums, int threads)
+static bool look_ahead_at_all(hide_job *job, hide_worker *worker, int threads)
 {
     bool lost = false;
     uint32_t count = job->ahead.order ? (job->ahead.count + AHEAD_CHUNK - 1) / AHEAD_CHUNK : 0;
@@ -322,17 +317,17 @@ static bool look_ahead_at_all(hide_job *job, hide_worker *worker, hide_sums *sum
 #endif
     for (uint32_t i = 0; i < count; i++) {
         int self = thread_self();
-        lost = lost || !look_ahead(job, &worker[self], &sums[self], i);
+        lost = lost || !look_ahead(job, &worker[self], i);
     }
     return !lost;
 }
 
-static void add_sums(roberts_drawing *drawing, const hide_sums *sums, const hide_worker *w)
+static void add_sums(roberts_drawing *drawing, const hide_worker *w)
 {
     roberts_tally *to = &drawing->tally;
     const roberts_tally *from = &w->tally;
-    drawing->surviving_edges += sums->surviving;
-    drawing->drawn_edges += sums->drawn;
+    drawing->surviving_edges += w->surviving;
+    drawing->drawn_edges += w->drawn;
     to->pairs += from->pairs;
     to->test1_visible += from->test1_visible;
     to->test2_visible += from->test2_visible;
@@ -344,11 +339,11 @@ static void add_sums(roberts_drawing *drawing, const hide_sums *sums, const hide
 }
 
 /* One thread's part. */
-static void do_some_chunks(const hide_job *job, hide_worker *w, hide_sums *sums, chunks *all)
+static void do_some_chunks(const hide_job *job, hide_worker *w, chunks *all)
 {
     uint32_t k;
     for (hide_chunk *out = chunks_take(all, &k); out; out = chunks_take(all, &k)) {
-        if (!do_chunk(job, w, sums, out, k)) {
+        if (!do_chunk(job, w, out, k)) {
             chunks_fail(all, ROBERTS_NO_MEMORY);
             return;
         }
@@ -356,7 +351,7 @@ static void do_some_chunks(const hide_job *job, hide_worker *w, hide_sums *sums,
     }
 }
 
-static void do_all_chunks(const hide_job *job, hide_worker *worker, hide_sums *sums, int threads, chunks *all)
+static void do_all_chunks(const hide_job *job, hide_worker *worker, int threads, chunks *all)
 {
 #ifdef _OPENMP
 #pragma omp parallel num_threads(threads)
@@ -365,18 +360,17 @@ static void do_all_chunks(const hide_job *job, hide_worker *worker, hide_sums *s
 #endif
     {
         int self = thread_self();
-        do_some_chunks(job, &worker[self], &sums[self], all);
+        do_some_chunks(job, &worker[self], all);
     }
 }
 
 /* The same by one thread, where the drawing keeps what is in order anyway. */
-static roberts_status fill_drawing(const hide_job *job, hide_worker *w, hide_sums *sums, uint32_t count,
-                                   roberts_drawing *drawing)
+static roberts_status fill_drawing(const hide_job *job, hide_worker *w, uint32_t count, roberts_drawing *drawing)
 {
     hide_chunk all = {0};
     bool done = true;
     for (uint32_t k = 0; done && k < count; k++)
-        done = do_chunk(job, w, sums, &all, k);
+        done = do_chunk(job, w, &all, k);
     drawing->segment = all.segment;
     drawing->count = all.count;
     return done ? ROBERTS_OK : ROBERTS_NO_MEMORY;
@@ -388,29 +382,27 @@ static roberts_status do_chunks(hide_job *job, roberts_drawing *drawing)
     int threads = threads_for(job->options->threads, 1 + count / CHUNKS_PER_THREAD);
     roberts_status status = ROBERTS_NO_MEMORY;
     hide_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
-    hide_sums *sums = alloc_zeroed((size_t)threads, sizeof *sums);
     chunks all = {0};
-    if (!worker || !sums || !chunks_init(&all, count, threads, drawing, job->each, job->context))
+    if (!worker || !chunks_init(&all, count, threads, drawing, job->each, job->context))
         goto done;
     for (int i = 0; i < threads; i++)
         if (!hide_worker_init(&worker[i], &job->picture, &job->grid))
             goto done;
-    if (!look_ahead_at_all(job, worker, sums, threads))
+    if (!look_ahead_at_all(job, worker, threads))
         goto done;
     if (threads == 1 && !job->each) {
-        status = fill_drawing(job, &worker[0], &sums[0], count, drawing);
+        status = fill_drawing(job, &worker[0], count, drawing);
     } else {
-        do_all_chunks(job, worker, sums, threads, &all);
+        do_all_chunks(job, worker, threads, &all);
         status = (roberts_status)atomic_load(&all.status);
     }
     for (int i = 0; i < threads; i++)
-        add_sums(drawing, &sums[i], &worker[i]);
+        add_sums(drawing, &worker[i]);
 done:
     for (int i = 0; worker && i < threads; i++)
         hide_worker_free(&worker[i]);
     chunks_free(&all);
     free(worker);
-    free(sums);
     return status;
 }
 
