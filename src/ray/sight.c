@@ -39,8 +39,7 @@ static void set_margins(sight *s, const view *v)
     s->loose = v->epsilon * far * far * SIGHT_MARGIN;
 }
 
-/* Width of the face's picture across its plane (where it is narrowest), as a length at its first corner's depth, and
- * how much of that is due to the plane's tilt rather than to corners beside it. */
+/* Decided by the width of the face's picture along the picture of its normal, as a length at its first corner's depth. */
 static int facing_of(const sight *s, uint32_t face)
 {
     const roberts_scene *scene = s->scene;
@@ -48,13 +47,13 @@ static int facing_of(const sight *s, uint32_t face)
     roberts_vec3 n = {F.a, F.b, F.c}, A = s->P[scene->corner[scene->face_start[face]]];
     roberts_vec3 v = sight_from(s, A);
     double ahead = s->perspective ? sight_behind(s, face, s->viewpoint) : vec3_dot(n, v);
-    double length = vec3_length(v), low = 0.0, high = 0.0, radius = 0.0;
+    double length = vec3_length(v), low = 0.0, high = 0.0;
     if (!(ahead < 0.0))
         return SIGHT_NOT_FRONT;
     v = vec3_scale(1.0 / length, v);
     double tilt = fabs(vec3_dot(n, v));
     /* no picture is narrower than its area over its greatest chord: where even that is plain, so is the rest; where it is
-     * not, the picture may be a sliver aslant to `across` */
+     * not, the picture may be a sliver aslant to `across`, or all but edge-on */
     bool sliver = tilt * scene_width(scene, face) / s->unit <= s->loose + s->rounding;
     roberts_vec3 across = vec3_sub(n, vec3_scale(vec3_dot(n, v), v));
     if (vec3_length(across) <= 0.5)
@@ -65,12 +64,10 @@ static int facing_of(const sight *s, uint32_t face)
         double shorten = s->perspective ? 1.0 - vec3_dot(p, v) / length : 1.0;
         low = fmin(low, vec3_dot(p, across) / shorten);
         high = fmax(high, vec3_dot(p, across) / shorten);
-        radius = fmax(radius, vec3_length(p));
     }
     if (high - low <= s->tight - s->rounding)
         return SIGHT_NOT_FRONT;
-    sliver = sliver || fmin(high - low, tilt * radius) <= s->loose + s->rounding;
-    return sliver ? SIGHT_UNSURE : SIGHT_FRONT;
+    return sliver || high - low <= s->loose + s->rounding ? SIGHT_UNSURE : SIGHT_FRONT;
 }
 
 bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
