@@ -1,5 +1,6 @@
 /* test_patterns.c - solids that repeat one another in a file get what each of them gets alone; components that follow one
  * another are found as the definition has it. */
+#include "base/box.h"
 #include "model/blocks.h"
 #include "model/layout.h"
 #include "model/scene.h"
@@ -376,15 +377,14 @@ static void a_box_by_lanes_is_the_same(void **state)
     rng r = {25};
     (void)state;
     for (int round = 0; round < 10000; round++) {
-        roberts_vec3 p = {odd[rng_int(&r, 0, 7)], odd[rng_int(&r, 0, 7)], odd[rng_int(&r, 0, 7)]}, lo = p, hi = p,
-                     corner[2];
-        point_box box = point_box_of(p, p);
-        for (int i = rng_int(&r, 0, 5); i > 0; i--) {
-            p = (roberts_vec3){odd[rng_int(&r, 0, 7)], odd[rng_int(&r, 0, 7)], odd[rng_int(&r, 0, 7)]};
-            box_add(&lo, &hi, p);
-            point_box_add(&box, p);
-        }
-        point_box_corners(&box, &corner[0], &corner[1]);
+        roberts_vec3 p[6], lo, hi, corner[2];
+        uint32_t count = (uint32_t)rng_int(&r, 1, 6);
+        for (uint32_t i = 0; i < count; i++)
+            p[i] = (roberts_vec3){odd[rng_int(&r, 0, 7)], odd[rng_int(&r, 0, 7)], odd[rng_int(&r, 0, 7)]};
+        lo = hi = corner[0] = corner[1] = p[0];
+        for (uint32_t i = 1; i < count; i++)
+            box_add(&lo, &hi, p[i]);
+        box_add_all(&corner[0], &corner[1], p + 1, count - 1);
         assert_memory_equal(&corner[0], &lo, sizeof lo);
         assert_memory_equal(&corner[1], &hi, sizeof hi);
     }

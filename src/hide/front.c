@@ -109,7 +109,7 @@ static bool add_single_fronts(const hide_picture *picture, picture_tile *tile, u
     for (uint32_t k = 0; k < found->count; k++) {
         span own = empty_span;
         for (uint32_t i = 0; i < found->face[k].count; i++)
-            span_widen(&own, picture->P[found->face[k].corner[i]]);
+            box_add(&own.low, &own.high, picture->P[found->face[k].corner[i]]);
         tile->single_box[tile->single_count] = span_box(&own);
         tile->single[tile->single_count++] =
             (hide_front){.solid = solid, .face = tile->face + k, .face_count = 1, .listed = true};

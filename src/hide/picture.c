@@ -46,7 +46,7 @@ static span measure_solid(const hide_picture *picture, uint32_t solid)
     for (uint32_t count; left > 0; left -= count, point += count) {
         count = left < POINTS_AT_ONCE ? left : POINTS_AT_ONCE;
         view_points(&picture->view, point, count, P);
-        span_widen_all(&own, P, count);
+        box_add_all(&own.low, &own.high, P, count);
     }
     return own;
 }

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/box.h"
 #include "base/sets.h"
 #include "model/blocks.h"
 #include "model/layout.h"
@@ -248,10 +249,7 @@ static void place(roberts_scene *scene, set_node *node, const polygons *faces, c
 static void measure(roberts_scene *scene, const roberts_vec3 *point)
 {
     roberts_vec3 lo = {INFINITY, INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY, -INFINITY};
-    point_box box = point_box_of(lo, hi);
-    for (uint32_t v = 0; v < scene->vertex_count; v++)
-        point_box_add(&box, point[v]);
-    point_box_corners(&box, &lo, &hi);
+    box_add_all(&lo, &hi, point, scene->vertex_count);
     layout_set_box(scene, lo, hi);
 }
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/box.h"
 
 enum { LEAST_EXPONENT = -1000 }; /* of the unit: 1 / 2^-1074 would overflow */
 

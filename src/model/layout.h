@@ -2,7 +2,6 @@
 #ifndef ROBERTS_MODEL_LAYOUT_H
 #define ROBERTS_MODEL_LAYOUT_H
 
-#include "base/lanes.h"
 #include "model/polygons.h"
 #include "model/scene.h"
 
@@ -32,44 +31,5 @@ void layout_clear(roberts_scene *scene);
  * corners in the order of the file. False: no memory, or more vertices than 32 bits count. */
 bool layout_solids(roberts_scene *scene, const polygons *faces, const uint32_t *of, uint32_t solid_count,
                    const roberts_vec3 *point);
-
-/* Lets the box lo..hi hold p. */
-static inline void box_add(roberts_vec3 *lo, roberts_vec3 *hi, roberts_vec3 p)
-{
-    lo->x = p.x < lo->x ? p.x : lo->x;
-    lo->y = p.y < lo->y ? p.y : lo->y;
-    lo->z = p.z < lo->z ? p.z : lo->z;
-    hi->x = p.x > hi->x ? p.x : hi->x;
-    hi->y = p.y > hi->y ? p.y : hi->y;
-    hi->z = p.z > hi->z ? p.z : hi->z;
-}
-
-/* The same with x and y at a time, for many points: box_add() bit for bit. */
-typedef struct point_box {
-    two lo, hi; /* of x and y */
-    double lo_z, hi_z;
-} point_box;
-
-static inline point_box point_box_of(roberts_vec3 lo, roberts_vec3 hi)
-{
-    return (point_box){two_of(lo.x, lo.y), two_of(hi.x, hi.y), lo.z, hi.z};
-}
-
-static inline void point_box_add(point_box *box, roberts_vec3 p)
-{
-    two xy = two_of(p.x, p.y);
-    box->lo = two_lesser(xy, box->lo);
-    box->hi = two_greater(xy, box->hi);
-    box->lo_z = p.z < box->lo_z ? p.z : box->lo_z;
-    box->hi_z = p.z > box->hi_z ? p.z : box->hi_z;
-}
-
-static inline void point_box_corners(const point_box *box, roberts_vec3 *lo, roberts_vec3 *hi)
-{
-    two_part(&lo->x, &lo->y, box->lo);
-    two_part(&hi->x, &hi->y, box->hi);
-    lo->z = box->lo_z;
-    hi->z = box->hi_z;
-}
 
 #endif

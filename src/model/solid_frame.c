@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "model/layout.h"
+#include "base/box.h"
 
 /* Beyond these sizes a solid is scaled, so that fourth powers of its lengths (squared areas), and of lengths a
  * thousand-millionth of it, are far from the ends of the range. */
@@ -69,16 +69,13 @@ static void name_parts(solid_frame *frame, const roberts_scene *scene, uint32_t 
 roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint32_t s, double tolerance)
 {
     const roberts_vec3 *point = scene->point + scene->solid[s].vertex;
-    roberts_vec3 lo, hi, sum, diagonal;
-    point_box box = point_box_of(point[0], point[0]);
+    roberts_vec3 lo = point[0], hi = point[0], sum, diagonal;
     double largest, scale;
     name_parts(frame, scene, s);
     const uint32_t count = frame->vertex_count;
     if (!make_room(frame))
         return ROBERTS_NO_MEMORY;
-    for (uint32_t v = 1; v < count; v++)
-        point_box_add(&box, point[v]);
-    point_box_corners(&box, &lo, &hi);
+    box_add_all(&lo, &hi, point + 1, count - 1);
     diagonal = vec3_sub(hi, lo);
     scale = scale_for(diagonal.x > diagonal.y ? (diagonal.x > diagonal.z ? diagonal.x : diagonal.z)
                                               : (diagonal.y > diagonal.z ? diagonal.y : diagonal.z));

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "model/layout.h"
+#include "base/box.h"
 
 enum { LEAF = 8 }; /* points */
 
@@ -42,8 +42,7 @@ static bool sort_points(vertex_tree *tree)
     uint64_t *key = alloc_array(tree->count, sizeof *key);
     if (!key)
         return false;
-    for (uint32_t v = 1; v < tree->count; v++)
-        box_add(&lo, &hi, tree->point[v]);
+    box_add_all(&lo, &hi, tree->point, tree->count);
     for (uint32_t v = 0; v < tree->count; v++) {
         roberts_vec3 p = tree->point[v];
         uint32_t code =

@@ -1,0 +1,35 @@
+/* box.h - boxes along the axes, by their least and their greatest corner. */
+#ifndef ROBERTS_BASE_BOX_H
+#define ROBERTS_BASE_BOX_H
+
+#include <stddef.h>
+
+#include "base/lanes.h"
+#include "base/vec.h"
+
+/* Lets the box lo..hi hold p. */
+static inline void box_add(roberts_vec3 *lo, roberts_vec3 *hi, roberts_vec3 p)
+{
+    *lo = (roberts_vec3){lesser(lo->x, p.x), lesser(lo->y, p.y), lesser(lo->z, p.z)};
+    *hi = (roberts_vec3){greater(hi->x, p.x), greater(hi->y, p.y), greater(hi->z, p.z)};
+}
+
+/* The same of `count` points, x and y side by side: box_add() bit for bit. */
+static inline void box_add_all(roberts_vec3 *lo, roberts_vec3 *hi, const roberts_vec3 *P, size_t count)
+{
+    two low = two_of(lo->x, lo->y), high = two_of(hi->x, hi->y);
+    double low_z = lo->z, high_z = hi->z;
+    for (size_t i = 0; i < count; i++) {
+        two xy = two_of(P[i].x, P[i].y);
+        low = two_lesser(low, xy);
+        high = two_greater(high, xy);
+        low_z = lesser(low_z, P[i].z);
+        high_z = greater(high_z, P[i].z);
+    }
+    two_part(&lo->x, &lo->y, low);
+    two_part(&hi->x, &hi->y, high);
+    lo->z = low_z;
+    hi->z = high_z;
+}
+
+#endif
