@@ -71,6 +71,8 @@ static const struct {
     {"--look-at 1,2,3", "--look-at needs --eye"},
     {"--background dark", "--background: \"dark\" is unknown"},
     {"--background #12345", "--background: \"#12345\" is unknown"},
+    {"--background nothing", "orange, purple, #rrggbb or none\n"},
+    {"--style crease:color=none", "orange, purple, or #rrggbb\n"},
     {"--background", "--background needs a value"},
     {"--crease 1 --all-edges", "--crease and --all-edges exclude each other"},
     {"--crease 1,5", "--crease: \"1,5\" is not a number"},

@@ -160,8 +160,8 @@ static bool parse_hex(const char *value, unsigned char part[3])
     return true;
 }
 
-/* Where it is none, `option` is what the message is about. */
-static int parse_color(const char *option, const char *value, unsigned char part[3])
+/* Where it is none, `option` is what the message is about, and `also` what the option can be instead of a name. */
+static int parse_color(const char *option, const char *also, const char *value, unsigned char part[3])
 {
     static const char *const names[] = {"black", "white", "gray",    "grey",   "red",    "green", "blue",
                                         "cyan",  "brown", "magenta", "yellow", "orange", "purple"};
@@ -172,7 +172,7 @@ static int parse_color(const char *option, const char *value, unsigned char part
     if (i < COUNT(names))
         memcpy(part, parts[i], 3);
     else if (!parse_hex(value, part))
-        return nearest_unknown(option, value, names, COUNT(names), "or #rrggbb");
+        return nearest_unknown(option, value, names, COUNT(names), also);
     return EXIT_DONE;
 }
 
@@ -182,7 +182,7 @@ int paper_set_background(roberts_background *background, const char *value)
     background->on = strcmp(value, "none") != 0;
     if (!background->on)
         return EXIT_DONE;
-    int status = parse_color("--background", value, part);
+    int status = parse_color("--background", "#rrggbb or none", value, part);
     *background = (roberts_background){true, part[0], part[1], part[2]};
     return status;
 }
@@ -190,7 +190,7 @@ int paper_set_background(roberts_background *background, const char *value)
 static int set_color(roberts_pen *pen, const char *value)
 {
     unsigned char part[3] = {0};
-    int status = parse_color("--style: colour", value, part);
+    int status = parse_color("--style: colour", "or #rrggbb", value, part);
     if (status != EXIT_DONE)
         return status;
     pen->red = part[0];
