@@ -4,7 +4,6 @@
  * chunks before are laid down (see chunks.h). Nothing else is shared, so that the result does not depend on the threads. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
 #include "base/array.h"

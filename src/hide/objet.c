@@ -1,7 +1,6 @@
 /* objet.c - filling and walking the grid. See objet.h. */
 #include "hide/objet.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "base/array.h"

@@ -2,7 +2,6 @@
 #include "hide/tests.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/array.h"
 #include "hide/refine.h"

@@ -63,7 +63,6 @@ static void set_places(tiles *t)
         first += solids;
         face += faces;
         outline += vertices;
-        t->most = solids > t->most ? solids : t->most;
     }
 }
 

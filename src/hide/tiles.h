@@ -30,7 +30,6 @@ typedef struct tiles {
     picture_tile *tile;
     uint32_t count, round[TILE_ROUNDS + 1]; /* first tile of each round, and the last one's end */
     uint32_t *solid;                        /* tile by tile; NULL: as they are numbered */
-    uint32_t most;                          /* solids in a tile */
 } tiles;
 
 /* The picture has its boxes and the covers' frame. By so many threads. False: no memory; tiles_free() is due in any case. */

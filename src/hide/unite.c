@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "hide/tests.h"
 
 /* Corners of the outlines that are looked at. */
 #define MOST_CORNERS 16
