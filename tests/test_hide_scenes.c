@@ -641,6 +641,27 @@ static void counts_and_lines(void **state)
     }
 }
 
+/* Culled are the nine boxes behind the nearest one, one of them after it was mapped, and none of the three behind the eye,
+ * which nothing hides. Only the nearest one's faces are counted. */
+static void culled_solids_are_those_hidden(void **state)
+{
+    roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = {0, 0, 100}, .has_look_at = true};
+    roberts_hide_options options = roberts_hide_options_default();
+    model m = {0};
+    (void)state;
+    for (int i = 0; i < 13; i++) {
+        double z = i < 10 ? -i : 100 + i;
+        model_box(&m, (roberts_vec3){-1, -1, z - 0.5}, (roberts_vec3){1, 1, z});
+    }
+    roberts_drawing d = model_draw(&m, &camera, &options);
+    assert_int_equal(d.solids, 13);
+    assert_int_equal(d.culled_solids, 9);
+    assert_int_equal(d.front_faces, 1);
+    assert_int_equal(d.back_faces, 5);
+    roberts_drawing_free(&d);
+    model_free(&m);
+}
+
 /* The picture's frame and window: relative to the middle of the scene's box, x right, y up. */
 static void picture_coordinates(void **state)
 {
@@ -735,6 +756,7 @@ int main(void)
         cmocka_unit_test(cut_cube),
         cmocka_unit_test(outlines_stay),
         cmocka_unit_test(counts_and_lines),
+        cmocka_unit_test(culled_solids_are_those_hidden),
         cmocka_unit_test(picture_coordinates),
         cmocka_unit_test(nothing_to_draw),
         cmocka_unit_test(arguments_refused),

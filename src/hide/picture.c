@@ -1,9 +1,7 @@
 /* picture.c - see picture.h. */
 #include "hide/picture.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/array.h"
 #include "base/error.h"
@@ -100,7 +98,7 @@ static bool is_empty(const hide_picture *picture, uint32_t s)
     return picture->scene->solid[s].vertex == picture->scene->solid[s + 1].vertex;
 }
 
-/* Is the first of the solids hidden? Asks for what will soon be asked of one that follows it. */
+/* Is nothing to be seen of the first of the solids? Asks for what will soon be asked of one that follows it. */
 static bool cull_first(hide_picture *picture, picture_tile *tile, const uint32_t *order, uint32_t left)
 {
     uint32_t s = order[0];
@@ -108,8 +106,9 @@ static bool cull_first(hide_picture *picture, picture_tile *tile, const uint32_t
         FETCH_AHEAD(&picture->box[order[BOX_AHEAD]]);
         FETCH_AHEAD(&picture->scene->solid[order[BOX_AHEAD]]);
     }
-    picture->culled[s] = is_empty(picture, s) || cull_hides(picture, &picture->box[s], s);
-    tile->culled += picture->culled[s];
+    bool empty = is_empty(picture, s);
+    picture->culled[s] = empty || cull_hides(picture, &picture->box[s], s);
+    tile->culled += picture->culled[s] && !empty;
     return picture->culled[s];
 }
 
@@ -162,6 +161,19 @@ static bool do_tile(build *b, front_scratch *scratch, picture_tile *tile)
     return waiting == ROBERTS_NONE || front_add(picture, scratch, tile, waiting);
 }
 
+/* A solid that was mapped and counted is hidden by those that came later. */
+static void cull_late(hide_picture *picture, picture_tile *tile, uint32_t s)
+{
+    const scene_solid *solid = &picture->scene->solid[s];
+    picture->culled[s] = true;
+    tile->culled++;
+    for (uint32_t face = solid->face; face < solid[1].face; face++) {
+        tile->faces -= picture->facing[face] == VIEW_FRONT;
+        tile->back -= picture->facing[face] == VIEW_BACK;
+        tile->edge_on -= picture->facing[face] == VIEW_EDGE_ON;
+    }
+}
+
 /* Once more, when every cover is known. */
 static void cull_again(build *b, front_scratch *scratch, picture_tile *tile)
 {
@@ -170,17 +182,13 @@ static void cull_again(build *b, front_scratch *scratch, picture_tile *tile)
         const hide_front *front = &picture->front[k];
         if (cull_hides(picture, &picture->front_box[k], front->solid) ||
             unite_hides(picture, &scratch->scan, picture->outline + front->outline, front->corners,
-                        picture->front_box[k].z1)) {
-            picture->culled[front->solid] = true;
-            tile->culled++;
-        }
+                        picture->front_box[k].z1))
+            cull_late(picture, tile, front->solid);
     }
     for (size_t k = 0; k < tile->single_count; k++) {
         uint32_t s = tile->single[k].solid;
-        if ((k == 0 || s != tile->single[k - 1].solid) && cull_hides(picture, &picture->box[s], s)) {
-            picture->culled[s] = true;
-            tile->culled++;
-        }
+        if ((k == 0 || s != tile->single[k - 1].solid) && cull_hides(picture, &picture->box[s], s))
+            cull_late(picture, tile, s);
     }
 }
 
@@ -250,7 +258,7 @@ static void add_counts(hide_picture *picture, const tiles *t)
         picture->face_count += from->faces;
         picture->back += from->back;
         picture->edge_on += from->edge_on;
-        picture->culled_count += picture->cover.depth ? from->culled : 0;
+        picture->culled_count += from->culled;
         if (from->most_corners > picture->most_corners)
             picture->most_corners = from->most_corners;
     }

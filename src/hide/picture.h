@@ -28,7 +28,7 @@ typedef struct hide_picture {
     view view;
     hide_space space;
     hide_box *box;         /* [solid_count], until they are dropped */
-    unsigned char *culled; /* [solid_count] */
+    unsigned char *culled; /* [solid_count] also of one that the near plane has left nothing of */
     roberts_vec3 *P;       /* [vertex_count] view points of solids not culled */
     unsigned char *facing; /* [face_count] VIEW_FRONT, _BACK or _EDGE_ON, likewise */
     hide_face *face;       /* front faces; each front's lie together, but there is room between some */
@@ -37,9 +37,10 @@ typedef struct hide_picture {
     uint32_t front_count;
     uint32_t *outline; /* compact vertex numbers, likewise */
     cover cover;
-    uint32_t most_corners; /* of a face or an outline */
-    size_t face_count, back, edge_on, culled_count;
-    roberts_vec2 low, high; /* box of the picture, view units */
+    uint32_t most_corners;            /* of a face or an outline */
+    size_t face_count, back, edge_on; /* of solids not culled */
+    size_t culled_count;              /* solids that are hidden; the near plane's are not among them */
+    roberts_vec2 low, high;           /* box of the picture, view units */
 } hide_picture;
 
 /* cull: leave out solids that are wholly hidden. threads: 0 = as many as there are; what comes out is the same.
