@@ -10,7 +10,7 @@ mkdir -p "$folder"
 figure() {
     name=$1 size=$2
     shift 2
-    "$roberts" --page "$size" --margin 2 "$@" -o "$folder/$name.svg"
+    "$roberts" --background white --page "$size" --margin 2 "$@" -o "$folder/$name.svg"
 }
 
 for outcome in test1-in-front test2-all-left test3-inside test3-pierced test4-two-crossings; do
