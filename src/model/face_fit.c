@@ -52,21 +52,11 @@ typedef struct two_faces {
     two side; /* -1 where the fitted normal points outward */
 } two_faces;
 
-static inline two_vec3 gather(const roberts_vec3 *p, const roberts_vec3 *q)
-{
-    return (two_vec3){two_of(p->x, q->x), two_of(p->y, q->y), two_of(p->z, q->z)};
-}
-
-static inline two_vec3 in_both(roberts_vec3 p)
-{
-    return (two_vec3){two_all(p.x), two_all(p.y), two_all(p.z)};
-}
-
 /* Corner k of both. */
 static inline two_vec3 corners_at(const solid_frame *frame, const two_faces *t, uint32_t k)
 {
     const roberts_vec3 *point = frame->point;
-    return gather(&point[t->c[k] - frame->vertex_first], &point[t->d[k] - frame->vertex_first]);
+    return two_vec3_of(&point[t->c[k] - frame->vertex_first], &point[t->d[k] - frame->vertex_first]);
 }
 
 static inline two_faces take_two(const solid_frame *frame, const roberts_scene *scene, uint32_t f, uint32_t g,
@@ -89,7 +79,8 @@ static inline void store_planes(const solid_frame *frame, roberts_scene *scene, 
 {
     local_face *p = &frame->face[t->f], *q = &frame->face[t->g];
     plane *G = &scene->face_plane[frame->face_first + t->f], *H = &scene->face_plane[frame->face_first + t->g];
-    two_vec3 first = two_vec3_sub(gather(&scene->point[t->c[0]], &scene->point[t->d[0]]), in_both(scene->centre));
+    two_vec3 first =
+        two_vec3_sub(two_vec3_of(&scene->point[t->c[0]], &scene->point[t->d[0]]), two_vec3_all(scene->centre));
     two zero = two_all(0.0), mean = t->fit.mean;
     two_vec3 n = t->fit.n, F = {two_mul(t->side, n.x), two_mul(t->side, n.y), two_mul(t->side, n.z)};
     two_part(&p->F.a, &q->F.a, F.x);
@@ -132,7 +123,7 @@ static void store_empty(solid_frame *frame, roberts_scene *scene, uint32_t f)
 static void fit_two(solid_frame *frame, roberts_scene *scene, uint32_t f, uint32_t g, uint32_t corners)
 {
     two_faces t = take_two(frame, scene, f, g, corners);
-    two depth = two_sub(two_vec3_dot(t.fit.n, two_vec3_sub(in_both(frame->barycentre), t.origin)), t.fit.mean);
+    two depth = two_sub(two_vec3_dot(t.fit.n, two_vec3_sub(two_vec3_all(frame->barycentre), t.origin)), t.fit.mean);
     t.side = two_side(depth);
     depth = two_mul(t.side, depth);
     store_planes(frame, scene, &t);

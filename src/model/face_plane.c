@@ -79,17 +79,12 @@ static fitted_plane lane_of(const two_planes *faces)
         {values[0], values[1], values[2]}, values[3], values[4], values[5], values[6], faces->strict & 1};
 }
 
-static two_vec3 in_both(roberts_vec3 a)
-{
-    return (two_vec3){two_all(a.x), two_all(a.y), two_all(a.z)};
-}
-
 fitted_plane face_plane_fit(const roberts_vec3 *corner, uint32_t count)
 {
     double length, sum = 0.0, least = 0.0, most = 0.0, chord_squared;
     roberts_vec3 n;
     if (count == 3) {
-        two_planes same = two_planes_of_triangles(in_both(corner[1]), in_both(corner[2]));
+        two_planes same = two_planes_of_triangles(two_vec3_all(corner[1]), two_vec3_all(corner[2]));
         return lane_of(&same);
     }
     n = newell(corner, count);

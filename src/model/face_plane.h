@@ -32,6 +32,16 @@ typedef struct two_planes {
     unsigned empty;  /* bit i: lane i has no area, and nothing of it is defined */
 } two_planes;
 
+static inline two_vec3 two_vec3_of(const roberts_vec3 *p, const roberts_vec3 *q)
+{
+    return (two_vec3){two_of(p->x, q->x), two_of(p->y, q->y), two_of(p->z, q->z)};
+}
+
+static inline two_vec3 two_vec3_all(roberts_vec3 p)
+{
+    return (two_vec3){two_all(p.x), two_all(p.y), two_all(p.z)};
+}
+
 static inline two_vec3 two_vec3_sub(two_vec3 a, two_vec3 b)
 {
     return (two_vec3){two_sub(a.x, b.x), two_sub(a.y, b.y), two_sub(a.z, b.z)};

@@ -153,12 +153,6 @@ static double bend_of(const solid_frame *frame, const scene_edge *edge)
     return bend < 0.0 ? -bend / vec3_length(along) : 0.0;
 }
 
-static inline two_vec3 points_of(const solid_frame *frame, uint32_t v, uint32_t w)
-{
-    roberts_vec3 p = frame->point[v], q = frame->point[w];
-    return (two_vec3){two_of(p.x, q.x), two_of(p.y, q.y), two_of(p.z, q.z)};
-}
-
 static inline two_vec3 normals_of(const solid_frame *frame, uint32_t f, uint32_t g)
 {
     const plane *F = &frame->face[f].F, *G = &frame->face[g].F;
@@ -168,7 +162,9 @@ static inline two_vec3 normals_of(const solid_frame *frame, uint32_t f, uint32_t
 /* Whether both of two edges bend outward, as bend_of() has it. */
 static inline bool both_outward(const solid_frame *frame, const scene_edge *a, const scene_edge *b)
 {
-    two_vec3 along = two_vec3_sub(points_of(frame, a->v[1], b->v[1]), points_of(frame, a->v[0], b->v[0]));
+    const roberts_vec3 *point = frame->point;
+    two_vec3 along =
+        two_vec3_sub(two_vec3_of(&point[a->v[1]], &point[b->v[1]]), two_vec3_of(&point[a->v[0]], &point[b->v[0]]));
     two_vec3 m = normals_of(frame, a->f[0], b->f[0]), n = normals_of(frame, a->f[1], b->f[1]);
     return two_at_most(two_vec3_dot(two_vec3_cross(m, n), along), two_all(0.0)) == 0;
 }
