@@ -128,7 +128,7 @@ bool cover_hides(const cover *c, const hide_box *box)
 
 uint32_t cover_at(const cover *c, double x, double y, float z)
 {
-    size_t cell = (size_t)scan_column(&c->frame, x) * c->frame.ny + scan_row(&c->frame, y);
+    size_t cell = scan_cell(&c->frame, x, y);
     return c->depth[cell] > z ? c->by[cell] : ROBERTS_NONE;
 }
 
@@ -140,7 +140,7 @@ bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
     if (!c->depth)
         return false;
     /* most edges that are not covered are not in their middle */
-    size_t middle = (size_t)scan_column(f, 0.5 * (A.x + B.x)) * f->ny + scan_row(f, 0.5 * (A.y + B.y));
+    size_t middle = scan_cell(f, 0.5 * (A.x + B.x), 0.5 * (A.y + B.y));
     if (!((double)c->depth[middle] > 0.5 * (A.z + B.z)))
         return false;
     double m = f->margin, run = B.x - A.x, near = greater(A.z, B.z) + m;

@@ -41,7 +41,7 @@ bool cover_hides(const cover *c, const hide_box *box);
 /* Is what covers the cell of picture point (x, y) certainly nearer than z? */
 static inline bool cover_nearer(const cover *c, double x, double y, float z)
 {
-    return c->depth[(size_t)scan_column(&c->frame, x) * c->frame.ny + scan_row(&c->frame, y)] > z;
+    return c->depth[scan_cell(&c->frame, x, y)] > z;
 }
 
 /* What covers the cell of picture point (x, y), if that is certainly nearer than z; else ROBERTS_NONE. */

@@ -254,7 +254,8 @@ uint32_t hide_seen_at(const hide_worker *w, double x, double y)
 {
     const objet *grid = w->grid;
     const hide_picture *picture = w->picture;
-    uint32_t cell = scan_column(&grid->frame, x) * grid->frame.ny + scan_row(&grid->frame, y), solid = ROBERTS_NONE;
+    size_t cell = scan_cell(&grid->frame, x, y);
+    uint32_t solid = ROBERTS_NONE;
     double best = -INFINITY;
     for (int touching = 0; touching < 2; touching++) /* first the nearest depth, then who is there */
         for (uint32_t k = grid->start[cell]; k < grid->start[cell + 1]; k++) {

@@ -46,6 +46,12 @@ static inline uint32_t scan_row(const scan_frame *f, double y)
     return scan_clamp((y - f->y0) * f->per_dy, f->last_y);
 }
 
+/* Cell of picture point (x, y). */
+static inline size_t scan_cell(const scan_frame *f, double x, double y)
+{
+    return (size_t)scan_column(f, x) * f->ny + scan_row(f, y);
+}
+
 /* What the scan of one polygon finds. */
 typedef struct scan {
     uint32_t first, last;             /* columns touched */
