@@ -62,8 +62,8 @@ static void enlarge(roberts_vec2 *min, roberts_vec2 *max, roberts_vec2 p)
     max->y = fmax(max->y, p.y);
 }
 
-/* Cuts the part of p..q that lies in the drawing's frame, t[0] to t[1]; false where there is none. Liang, Barsky, "A new
- * concept and method for line clipping", ACM TOG 3(1), 1984. */
+/* Cuts the part of p..q that lies in the drawing's field of view, t[0] to t[1]; false where there is none. Liang, Barsky,
+ * "A new concept and method for line clipping", ACM TOG 3(1), 1984. */
 static bool frame_cut(const roberts_drawing *drawing, roberts_vec2 p, roberts_vec2 q, double t[2])
 {
     const roberts_vec2 low = drawing->window_min, high = drawing->window_max, d = {q.x - p.x, q.y - p.y};
@@ -83,7 +83,7 @@ static bool frame_cut(const roberts_drawing *drawing, roberts_vec2 p, roberts_ve
     return t0 <= t1;
 }
 
-/* The box of what is drawn, or the frame. */
+/* The box of what is drawn, or the drawing's window. */
 static void find_box(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
                      roberts_vec2 *max)
 {
