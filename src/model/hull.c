@@ -35,12 +35,12 @@ typedef struct face_list {
     size_t count, corner_count, start_room, corner_room, solid_room, origin_room;
 } face_list;
 
-/* Scratch memory for one hull after the other. */
+/* Scratch memory for one solid after the other. */
 typedef struct hull_maker {
     hull_facets facets;
-    solid_frame frame;
-    builder work;
-    uint32_t *zero; /* [facets] */
+    solid_frame frame; /* of the solid that gets a hull */
+    builder work;      /* of the solid as it is, then of the hull tried */
+    uint32_t *zero;    /* [facets] */
     size_t zero_room;
 } hull_maker;
 
@@ -302,25 +302,24 @@ typedef struct hull_job {
 /* One for each thread. */
 typedef struct hull_worker {
     hull_maker maker;
-    builder work;
     uint32_t refused; /* the first of its own that has no hull, or ROBERTS_NONE; and why */
     roberts_error error;
 } hull_worker;
 
 /* Appends the faces of solid s, its own or those of its hull. */
-static roberts_status take_solid(const hull_job *job, hull_worker *worker, face_list *list, uint32_t s,
+static roberts_status take_solid(const hull_job *job, hull_maker *maker, face_list *list, uint32_t s,
                                  roberts_error *error)
 {
     roberts_scene *scene = job->scene;
     roberts_error refusal = {0};
     bool bare = scene_face_number(scene, scene->solid[s].face) >= job->mesh->face_count;
     build_result built =
-        bare ? BUILD_OPEN : solid_build(scene, &worker->work, s, job->mesh, job->tolerance, true, &refusal);
+        bare ? BUILD_OPEN : solid_build(scene, &maker->work, s, job->mesh, job->tolerance, true, &refusal);
     if (built == BUILD_OK)
         return keep_faces(list, scene, s) ? ROBERTS_OK : error_no_memory(error);
     if (refusal.status == ROBERTS_NO_MEMORY)
         return error_no_memory(error);
-    return replace(list, &worker->maker, scene, s, job->mesh, job->tolerance, error);
+    return replace(list, maker, scene, s, job->mesh, job->tolerance, error);
 }
 
 /* A run, as far as no solid before has been refused. */
@@ -333,7 +332,7 @@ static void take_run(hull_job *job, hull_worker *worker, uint32_t run)
         uint32_t least = atomic_load_explicit(&job->refused, memory_order_relaxed);
         if (s > least)
             return;
-        if (take_solid(job, worker, &job->run[run], s, &error) == ROBERTS_OK)
+        if (take_solid(job, &worker->maker, &job->run[run], s, &error) == ROBERTS_OK)
             continue;
         if (s < worker->refused) {
             worker->refused = s;
@@ -409,10 +408,8 @@ static roberts_status collect(face_list *list, roberts_scene *scene, const rober
     } else {
         error_no_memory(error);
     }
-    for (int i = 0; worker && i < threads; i++) {
+    for (int i = 0; worker && i < threads; i++)
         hull_maker_free(&worker[i].maker);
-        builder_free(&worker[i].work);
-    }
     for (uint32_t run = 0; job.run && run < job.runs; run++)
         face_list_free(&job.run[run]);
     free(worker);
