@@ -3,6 +3,7 @@
 #define ROBERTS_BASE_THREADS_H
 
 #include <sched.h>
+#include <stdatomic.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <time.h>
@@ -34,6 +35,15 @@ static inline int thread_self(void)
 #else
     return 0;
 #endif
+}
+
+/* Lowers what threads share to `value`, where it is greater. Orders nothing else between them. */
+static inline void thread_lower(_Atomic uint32_t *shared, uint32_t value)
+{
+    uint32_t least = atomic_load_explicit(shared, memory_order_relaxed);
+    while (value < least &&
+           !atomic_compare_exchange_weak_explicit(shared, &least, value, memory_order_relaxed, memory_order_relaxed))
+        ;
 }
 
 /* Lets others go first, where one waits for them the `turn`th time in a row, from 0; in the long run they are not at work,

@@ -329,8 +329,7 @@ static void take_run(hull_job *job, hull_worker *worker, uint32_t run)
     const uint32_t end = (uint32_t)(solids * (run + 1) / job->runs);
     for (uint32_t s = (uint32_t)(solids * run / job->runs); s < end; s++) {
         roberts_error error = {0};
-        uint32_t least = atomic_load_explicit(&job->refused, memory_order_relaxed);
-        if (s > least)
+        if (s > atomic_load_explicit(&job->refused, memory_order_relaxed))
             return;
         if (take_solid(job, &worker->maker, &job->run[run], s, &error) == ROBERTS_OK)
             continue;
@@ -338,9 +337,7 @@ static void take_run(hull_job *job, hull_worker *worker, uint32_t run)
             worker->refused = s;
             worker->error = error;
         }
-        while (s < least && !atomic_compare_exchange_weak_explicit(&job->refused, &least, s, memory_order_relaxed,
-                                                                   memory_order_relaxed))
-            ;
+        thread_lower(&job->refused, s);
     }
 }
 

@@ -29,7 +29,7 @@ typedef struct construction {
     double tolerance;
     uint8_t *open; /* [solid_count] which are not closed; NULL: that is an error */
     atomic_bool any_open;
-    atomic_uint refused; /* the first solid known to be refused; ROBERTS_NONE: none */
+    _Atomic uint32_t refused; /* the first solid known to be refused; ROBERTS_NONE: none */
 } construction;
 
 /* What each has for itself. */
@@ -83,7 +83,6 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
                           s > atomic_load_explicit(&c->refused, memory_order_relaxed);
     roberts_error *found = &worker->found;
     build_result result;
-    uint32_t least;
     if (only_ask && !c->open)
         return;
     result = only_ask ? solid_is_closed(c->scene, &worker->tools, s, found)
@@ -108,10 +107,7 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
         worker->refused = s;
         worker->error = *found;
     }
-    least = atomic_load_explicit(&c->refused, memory_order_relaxed);
-    while (s < least &&
-           !atomic_compare_exchange_weak_explicit(&c->refused, &least, s, memory_order_relaxed, memory_order_relaxed))
-        ;
+    thread_lower(&c->refused, s);
 }
 
 /* The refusal of the first solid that is refused, whichever thread met it; a lack of memory comes before all. */
