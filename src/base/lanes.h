@@ -35,13 +35,6 @@ static inline void two_plain_store(double *p, two_plain a)
     p[1] = a.v[1];
 }
 
-/* Rounded to floats. */
-static inline void two_plain_store_floats(float *p, two_plain a)
-{
-    p[0] = (float)a.v[0];
-    p[1] = (float)a.v[1];
-}
-
 static inline two_plain two_plain_all(double x)
 {
     return (two_plain){{x, x}};
@@ -190,11 +183,6 @@ static inline void two_store(double *p, two a)
     _mm_storeu_pd(p, a);
 }
 
-static inline void two_store_floats(float *p, two a)
-{
-    _mm_storel_pi((__m64 *)p, _mm_cvtpd_ps(a));
-}
-
 static inline two two_all(double x)
 {
     return _mm_set1_pd(x);
@@ -316,7 +304,6 @@ typedef four_plain four;
 #define two_load two_plain_load
 #define two_load_aligned two_plain_load_aligned
 #define two_store two_plain_store
-#define two_store_floats two_plain_store_floats
 #define two_all two_plain_all
 #define two_of two_plain_of
 #define two_add two_plain_add

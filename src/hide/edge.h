@@ -55,17 +55,14 @@ static inline void hide_worker_begin(hide_worker *w)
 /* The edge's box, rounded outward. */
 BITS_INLINE hide_box hide_edge_box(const hide_edge *e, double margin)
 {
-    float low[2], high[2];
     two a = two_of(e->A.x, e->A.y), b = two_of(e->B.x, e->B.y), m = two_all(margin), ulp = two_all(0x1p-23);
     two from = two_sub(two_lesser(a, b), m), to = two_add(two_greater(a, b), m);
-    two_store_floats(low, two_sub(from, two_mul(two_abs(from), ulp))); /* as hide_float_below(), hide_float_above() */
-    two_store_floats(high, two_add(to, two_mul(two_abs(to), ulp)));
-    return (hide_box){low[0],
-                      high[0],
-                      low[1],
-                      high[1],
-                      hide_float_below(lesser(e->A.z, e->B.z) - margin),
-                      hide_float_above(greater(e->A.z, e->B.z) + margin)};
+    hide_box box = {.z0 = hide_float_below(lesser(e->A.z, e->B.z) - margin),
+                    .z1 = hide_float_above(greater(e->A.z, e->B.z) + margin)};
+    /* as hide_float_below(), hide_float_above() */
+    two_part_floats(&box.x0, &box.y0, two_sub(from, two_mul(two_abs(from), ulp)));
+    two_part_floats(&box.x1, &box.y1, two_add(to, two_mul(two_abs(to), ulp)));
+    return box;
 }
 
 /* Takes up one more edge of the scene, which is stored with its solid as `from`; `first`: the solid's first vertex. NULL: no
