@@ -14,6 +14,10 @@
 
 #define THREADS_MOST 1024
 
+/* Bytes between what different threads write: two cache lines, since processors fetch them in pairs. Nearer, the threads
+ * would take the line from one another at every step. (A member `apart` ends what stands in an array, one for each thread.) */
+#define THREADS_APART 128
+
 /* Threads for a parallel loop: as many as asked for (0: as there are), but no more than have something to do. */
 static inline int threads_for(uint32_t asked, size_t useful)
 {

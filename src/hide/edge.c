@@ -30,8 +30,9 @@ bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *
     w->least[0] = w->least[2] = -INFINITY;
     w->most[1] = w->most[3] = INFINITY;
     w->seen = alloc_zeroed(picture->front_count, sizeof *w->seen);
-    return w->seen && hide_sides_reserve(&w->sides, picture->most_corners) &&
-           hide_worker_more(w); /* a line at least: where there is none, its array can be pointed into */
+    /* More, so that it lies apart from what other threads write; and a line at least: where there is none, its array can be
+     * pointed into. */
+    return w->seen && hide_sides_reserve(&w->sides, picture->most_corners + THREADS_APART) && hide_worker_more(w);
 }
 
 void hide_worker_free(hide_worker *w)

@@ -2,6 +2,7 @@
 #ifndef ROBERTS_HIDE_EDGE_H
 #define ROBERTS_HIDE_EDGE_H
 
+#include "base/threads.h"
 #include "hide/objet.h"
 #include "hide/pair.h"
 #include "hide/parts.h"
@@ -37,6 +38,7 @@ typedef struct hide_worker {
     uint32_t stamp;          /* of the group at work */
     size_t surviving, drawn; /* edges, as counted in a roberts_drawing */
     roberts_tally tally;
+    char apart[THREADS_APART];
 } hide_worker;
 
 /* False: no memory; hide_worker_free() is due in any case. */

@@ -2,12 +2,14 @@
 #ifndef ROBERTS_HIDE_FRONT_H
 #define ROBERTS_HIDE_FRONT_H
 
+#include "base/threads.h"
 #include "hide/tiles.h"
 
 /* What a thread needs for itself. */
 typedef struct front_scratch {
     scan scan;
     uint32_t *next; /* [vertices of a solid] the outline's next corner */
+    char apart[THREADS_APART];
 } front_scratch;
 
 /* Maps a solid of the tile and enters its front, unless two others hide it: then it is culled. False: no memory. */

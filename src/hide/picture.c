@@ -273,13 +273,14 @@ static uint32_t most_vertices(const roberts_scene *scene)
     return most;
 }
 
+/* Arrays so much longer that they lie apart. */
 static bool alloc_scratch(build *b)
 {
     const hide_picture *picture = b->picture;
     uint32_t most = most_vertices(picture->scene);
     b->scratch = alloc_zeroed((size_t)b->threads, sizeof *b->scratch);
     for (int i = 0; b->scratch && i < b->threads; i++) {
-        b->scratch[i].next = alloc_array(most, sizeof *b->scratch[i].next);
+        b->scratch[i].next = alloc_array((size_t)most + THREADS_APART, sizeof *b->scratch[i].next);
         if (!b->scratch[i].next || !scan_init(&b->scratch[i].scan, picture->cover.frame.nx))
             return false;
     }

@@ -11,6 +11,7 @@
 #ifndef ROBERTS_HIDE_TILES_H
 #define ROBERTS_HIDE_TILES_H
 
+#include "base/threads.h"
 #include "hide/picture.h"
 
 /* The first round's one tile is for solids that reach far; then four rounds, by odd and even columns and rows of tiles. */
@@ -24,6 +25,7 @@ typedef struct picture_tile {
     size_t single_count, single_room, single_box_room;
     size_t faces, back, edge_on, culled;
     uint32_t most_corners;
+    char apart[THREADS_APART];
 } picture_tile;
 
 typedef struct tiles {

@@ -38,6 +38,7 @@ typedef struct construction_worker {
     roberts_error error, found; /* `found`: of the solid at hand, where it is refused */
     uint32_t refused;           /* the first solid that it refused, for the reason in `error` */
     bool no_memory;
+    char apart[THREADS_APART];
 } construction_worker;
 
 /* Those that a mesh may lend, and that keep their order, are left to roberts_scene_take(). */
