@@ -1,7 +1,6 @@
 /* mesh.c - the mesh as a container: appending, going back, releasing. */
 #include "model/mesh.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -145,8 +144,7 @@ bool mesh_source(roberts_mesh *mesh, const char *name)
 roberts_status roberts_mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position, uint32_t *index, roberts_error *error)
 {
     error_set_file(error, "");
-    if (!(fabs(position.x) <= MESH_COORDINATE_MAX && fabs(position.y) <= MESH_COORDINATE_MAX &&
-          fabs(position.z) <= MESH_COORDINATE_MAX))
+    if (!mesh_position(position))
         return error_set(error, ROBERTS_BAD_NUMBER, 0, "vertex %zu has a coordinate that is infinite or beyond %g",
                          mesh->vertex_count, MESH_COORDINATE_MAX);
     if (!mesh_vertex_room(mesh) || !(!mesh->vertex_color || fill(&mesh->vertex_color, &mesh->vertex_color_room,

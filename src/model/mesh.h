@@ -5,6 +5,8 @@
 #ifndef ROBERTS_MODEL_MESH_H
 #define ROBERTS_MODEL_MESH_H
 
+#include <math.h>
+
 #include "roberts.h"
 
 /* Vertices and faces are numbered by uint32_t, and ROBERTS_NONE is no number. */
@@ -12,6 +14,17 @@
 
 /* Greatest coordinate, model units: squares and products of three stay finite, as do those of differences. */
 #define MESH_COORDINATE_MAX 1e150
+
+/* Whether coordinates can be computed with. */
+static inline bool mesh_coordinate(double x)
+{
+    return fabs(x) <= MESH_COORDINATE_MAX;
+}
+
+static inline bool mesh_position(roberts_vec3 p)
+{
+    return mesh_coordinate(p.x) && mesh_coordinate(p.y) && mesh_coordinate(p.z);
+}
 
 /* How much of a mesh there was, to go back to. */
 typedef struct mesh_mark {

@@ -67,12 +67,6 @@ static inline bool off_number(off_reader *r, double *value)
     return true;
 }
 
-/* Whether coordinates can be computed with. */
-static inline bool off_coordinate(double x)
-{
-    return x <= MESH_COORDINATE_MAX && x >= -MESH_COORDINATE_MAX;
-}
-
 /* What is above all vertex numbers of plain lines, which have no more than eight digits. */
 static inline uint32_t off_index_limit(const off_reader *r)
 {

@@ -122,7 +122,7 @@ static roberts_status read_vertex(off_reader *r, const words *w, uint64_t v)
         p[i] = float_of(word_at(r->in.at + WORD * (size_t)i, w->little));
     for (int i = 0; i < 3; i++) {
         p[i] /= p[3];
-        if (!off_coordinate(p[i]))
+        if (!mesh_coordinate(p[i]))
             return off_fail(r, ROBERTS_BAD_NUMBER, "vertex %llu has a coordinate that is infinite or no number",
                             (unsigned long long)v);
     }

@@ -1,8 +1,6 @@
 /* off_plain.c - plain lines, with everything written out in two loops: this is where reading spends its time. */
 #include "model/off_plain.h"
 
-#include <math.h>
-
 #include "base/number.h"
 #include "model/mesh.h"
 
@@ -41,7 +39,7 @@ static inline bool line_ends(const char *at)
 BITS_RARE static const char *any_coordinate(const char *c, double *value)
 {
     c = number_parse(c, value);
-    return c && (unsigned char)*c <= ' ' && fabs(*value) <= MESH_COORDINATE_MAX ? c : NULL;
+    return c && (unsigned char)*c <= ' ' && mesh_coordinate(*value) ? c : NULL;
 }
 
 /* Reads a coordinate and goes to the next token of the line; at the end of the line stays there. */

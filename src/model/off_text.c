@@ -136,7 +136,7 @@ static roberts_status read_vertex(off_reader *r, uint64_t v)
         for (int i = 0; i < 3; i++)
             p[i] /= p[3];
     }
-    if (!off_coordinate(p[0]) || !off_coordinate(p[1]) || !off_coordinate(p[2]))
+    if (!mesh_position((roberts_vec3){p[0], p[1], p[2]}))
         return too_large(r, v, p[3]);
     if (!mesh_vertex_room(mesh))
         return error_no_memory(r->error);

@@ -13,6 +13,7 @@
 #include "base/sets.h"
 #include "model/edges.h"
 #include "model/layout.h"
+#include "model/mesh.h"
 #include "model/place.h"
 #include "model/split.h"
 #include "model/weld.h"
@@ -30,11 +31,6 @@ static int compare_keys(const void *a, const void *b)
     return (p->face > q->face) - (p->face < q->face);
 }
 
-static bool is_finite(roberts_vec3 p)
-{
-    return fabs(p.x) <= 1e150 && fabs(p.y) <= 1e150 && fabs(p.z) <= 1e150;
-}
-
 /* Gives each vertex of an open component the name of the first one at its position, all others their own. */
 static roberts_status weld_open(const roberts_scene *scene, const uint8_t *open, polygons *faces,
                                 const roberts_mesh *mesh, roberts_error *error)
@@ -48,7 +44,7 @@ static roberts_status weld_open(const roberts_scene *scene, const uint8_t *open,
     for (uint32_t s = 0; s < scene->solid_count && enough; s++)
         for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex && open[s]; v++) {
             listed[count++] = scene_vertex_number(scene, v);
-            if (!is_finite(scene->point[v]))
+            if (!mesh_position(scene->point[v]))
                 status = error_set(error, ROBERTS_BAD_NUMBER, 0, "vertex %u is not a finite number up to 1e150",
                                    scene_vertex_number(scene, v));
         }

@@ -8,6 +8,7 @@
 
 #include "base/array.h"
 #include "base/box.h"
+#include "model/mesh.h"
 
 /* Beyond these sizes a solid is scaled, so that fourth powers of its lengths (squared areas), and of lengths a
  * thousand-millionth of it, are far from the ends of the range. */
@@ -16,9 +17,6 @@ static const double LARGE = 0x1p200, SMALL = 0x1p-200;
 /* Thinner than this part of its size, a solid is flat: far above what rounding leaves of a plate that has no thickness
  * (some 1e-16), far below any plate that somebody would draw. */
 static const double FLAT_PART = 1e-9;
-
-/* What coordinates may reach; the same as for reading. */
-static const double GREATEST_COORDINATE = 1e150;
 
 static bool make_room(solid_frame *frame)
 {
@@ -93,7 +91,7 @@ roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint3
     frame->allowed = tolerance * (largest * scale > frame->size ? largest * scale : frame->size);
     frame->flat = FLAT_PART * frame->size;
     /* a number that is not finite makes the sum so */
-    return largest <= GREATEST_COORDINATE && isfinite(sum.x + sum.y + sum.z) ? ROBERTS_OK : ROBERTS_BAD_NUMBER;
+    return largest <= MESH_COORDINATE_MAX && isfinite(sum.x + sum.y + sum.z) ? ROBERTS_OK : ROBERTS_BAD_NUMBER;
 }
 
 uint32_t frame_ring(const solid_frame *frame, const roberts_scene *scene, uint32_t f)
