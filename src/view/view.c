@@ -136,6 +136,12 @@ void view_points(const view *v, const roberts_vec3 *P, size_t count, roberts_vec
         out[i] = view_point(v, P[i]);
 }
 
+/* Whether the view is parallel and along dir: turning is all that the map does, but for the unit. */
+static inline bool at_right_angles(const view *v)
+{
+    return !v->perspective && v->oblique.x == 0.0 && v->oblique.y == 0.0;
+}
+
 plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, double *stretch)
 {
     plane F = scene->face_plane[face];
@@ -143,7 +149,7 @@ plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, doubl
     plane G = {vec3_dot(v->right, n), vec3_dot(v->up, n), vec3_dot(v->dir, n), F.d * v->per_unit};
     if (stretch)
         *stretch = 1.0;
-    if (!v->perspective && v->oblique.x == 0.0 && v->oblique.y == 0.0)
+    if (at_right_angles(v))
         return G; /* turning keeps the normal's length */
     G.c += v->oblique.x * G.a + v->oblique.y * G.b;
     if (v->perspective) { /* c' = c + d / D, the eye's distance from the plane as a part of D: from the eye itself */
@@ -183,30 +189,35 @@ static double picture_width(const roberts_scene *scene, uint32_t face, plane F, 
     return width;
 }
 
+/* The picture is about |c| times as wide as the face at the least; one that is wider than this, which is enough by a factor of
+ * 4, need not be measured. Model units. */
+static inline double wide_enough(const view *v)
+{
+    return 4.0 * v->epsilon * v->unit;
+}
+
 int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P)
 {
-    /* The picture is about |c| times as wide as the face at the least; one that is wide enough by a factor of 4 need not
-     * be measured. In perspective a face shrinks with its distance besides, by less than `shrunk`. */
-    double shrunk = 1.0;
+    double shrunk = 1.0; /* in perspective a face shrinks with its distance besides, by less than this */
     if (v->perspective) {
         double z = P[scene->corner[scene->face_start[face]]].z;
         shrunk = lesser(1.0, 1.0 + z * v->inverse_distance);
         shrunk *= shrunk;
     }
-    if (fabs(F.c) * scene_width(scene, face) * shrunk <= 4.0 * v->epsilon * v->unit &&
+    if (fabs(F.c) * scene_width(scene, face) * shrunk <= wide_enough(v) &&
         picture_width(scene, face, F, P) <= v->epsilon)
         return VIEW_EDGE_ON;
     return F.c < 0.0 ? VIEW_FRONT : F.c > 0.0 ? VIEW_BACK : VIEW_EDGE_ON;
 }
 
-/* Of a plain view at right angles: how deep the normal looks says it all where the face is wide enough, and of a back face no
+/* At right angles: how deep the normal looks says it all where the face is wide enough, and of a back face no
  * more is wanted. a and b side by side; the plane is what view_plane() makes of it, to the last bit. */
 int view_face(const view *v, const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, plane *F,
               double *stretch)
 {
-    if (!v->perspective && v->oblique.x == 0.0 && v->oblique.y == 0.0) {
+    if (at_right_angles(v)) {
         const plane *G = &scene->face_plane[face];
-        double c = vec3_dot(v->dir, (roberts_vec3){G->a, G->b, G->c}), least = 4.0 * v->epsilon * v->unit;
+        double c = vec3_dot(v->dir, (roberts_vec3){G->a, G->b, G->c}), least = wide_enough(v);
         double wide = c * scene_width(scene, face);
         if (wide > least)
             return VIEW_BACK;
@@ -311,7 +322,7 @@ static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
         raw = fmax(raw, fmax(largest(v->viewpoint), largest(v->origin)) / v->unit);
     v->rounding = v->across_rounding = ROUNDINGS * 0.5 * DBL_EPSILON * v->extent;
     v->across = v->extent;
-    if (!v->perspective && v->oblique.x == 0.0 && v->oblique.y == 0.0)
+    if (at_right_angles(v))
         set_across(v, scene);
     if (v->perspective)
         v->plane_rounding =
