@@ -473,6 +473,8 @@ static void turntable_keeps_scale_and_centre(void **state)
     }
     assert_int_equal(run("-v --azimuth 0 --turntable 2 --scale standard --unit cm box.off -o in/t-%d.svg"), 0);
     assert_int_equal(said_times(" segments at 2:1; "), 2);
+    assert_int_equal(run("-v --azimuth 0 --turntable 2 --scale 1:1234567 box.off -o in/t-%d.svg"), 0);
+    assert_int_equal(said_times(" segments at 1:1234567; "), 2);
     /* a frame, from which all keep 5 mm; but a field of view reaches to it */
     assert_int_equal(run("--azimuth 0 --turntable 2 --frame --stats=json box.off -o in/t-%d.svg"), 0);
     assert_int_equal(said_times("\"scale\":30,"), 2);

@@ -101,6 +101,8 @@ static const struct {
      1000 / 211.0,
      NULL},
     {"1:210 of metres", {1 / 210.0, 1000, 0, 0, false}, {0, 0}, 0, "1:211 would fit"},
+    {"1:1000000", {1e-6, 1e9, 0, 0, false}, {0, 0}, 0, "at 1:1000000 the drawing is 40000 x 20000 mm"},
+    {"1:1000000: what would fit", {1e-6, 1e9, 0, 0, false}, {0, 0}, 0, "; 1:211000000 would fit"},
     {"inches", {0.1, 25.4, -1, 1, false}, {10, 60.8}, 2.54, NULL},
     {"fills the page", {4.75, 1, 0, 0, false}, {10, 196}, 4.75, NULL},
     {"5:1", {5, 1, 0, 0, false}, {0, 0}, 0, "at 5:1 the drawing is 200 x 100 mm and would leave the page"},

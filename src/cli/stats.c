@@ -2,6 +2,7 @@
 #include "cli/stats.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <sys/resource.h>
 #include <time.h>
@@ -139,10 +140,9 @@ bool stats_ratio(const roberts_ink *ink, const roberts_placement *placement, cha
     double scale = ink->scale / (placement->unit_mm > 0.0 ? placement->unit_mm : 1.0);
     if (!(scale > 0.0) || !(placement->scale > 0.0 || placement->standard))
         return false;
-    if (scale < 1.0)
-        snprintf(ratio, STATS_RATIO, "1:%.6g", 1.0 / scale);
-    else
-        snprintf(ratio, STATS_RATIO, "%.6g:1", scale);
+    const double larger = scale < 1.0 ? 1.0 / scale : scale;
+    const bool whole = larger >= 1e5 && larger < 1e15; /* 1:1000000, and not 1:1e+06 */
+    snprintf(ratio, STATS_RATIO, scale < 1.0 ? "1:%.*g" : "%.*g:1", whole ? 15 : 6, whole ? nearbyint(larger) : larger);
     return true;
 }
 

@@ -80,7 +80,7 @@ static void scale_name(double scale, char *text, size_t size)
     double ratio = scale < 1.0 ? 1.0 / scale : scale, digit = pow(10.0, floor(log10(ratio)) - 2.0);
     double slack = 1e-9; /* so that 20 stays 20 */
     ratio = scale < 1.0 ? ceil(ratio / digit - slack) * digit : floor(ratio / digit + slack) * digit;
-    snprintf(text, size, scale < 1.0 ? "1:%.6g" : "%.6g:1", ratio);
+    snprintf(text, size, scale < 1.0 ? "1:%.13g" : "%.13g:1", ratio); /* up to 1:1000000000000 */
     for (char *c = text; *c; c++)
         if (*c == ',')
             *c = '.'; /* some locales' point */
