@@ -5,7 +5,6 @@
 #ifndef ROBERTS_TESTS_PROGRAM_H
 #define ROBERTS_TESTS_PROGRAM_H
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -16,9 +15,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "temporary.h"
+
 enum { ARGUMENTS = 16, TEXT = 65536, CLOSED = -2 };
 
-static char top[2048], program[4096], folder[64]; /* the source's top folder; the program; of the test that runs */
+static char top[2048], program[4096]; /* the source's top folder; the program */
 
 /* What a run left: exit status, or 1000 + signal; the beginnings of its two streams. */
 typedef struct result {
@@ -116,38 +117,15 @@ static inline void assert_said(const char *text)
 static inline int enter_folder(void **state)
 {
     char models[4096];
-    (void)state;
     snprintf(models, sizeof models, "%s/models", top);
-    strcpy(folder, "/tmp/roberts-cli-XXXXXX");
-    return mkdtemp(folder) && chdir(folder) == 0 && mkdir("in", 0777) == 0 ? symlink(models, "models") : -1;
-}
-
-static inline int entries(const char *path, bool clear)
-{
-    int count = 0;
-    DIR *directory = opendir(path);
-    struct dirent *entry;
-    char name[600];
-    while (directory && (entry = readdir(directory))) {
-        if (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0)
-            continue;
-        count++;
-        snprintf(name, sizeof name, "%s/%s", path, entry->d_name);
-        if (clear)
-            unlink(name);
-    }
-    if (directory)
-        closedir(directory);
-    return count;
+    if (temporary_make(state) != 0 || chdir(temporary) != 0 || mkdir("in", 0777) != 0)
+        return -1;
+    return symlink(models, "models");
 }
 
 static inline int leave_folder(void **state)
 {
-    (void)state;
-    entries("in", true);
-    rmdir("in");
-    entries(".", true);
-    return chdir(top) == 0 && rmdir(folder) == 0 ? 0 : -1;
+    return chdir(top) == 0 ? temporary_remove(state) : -1;
 }
 
 /* Where the program is: $ROBERTS_BUILD/roberts, from the top folder. */

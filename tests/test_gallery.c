@@ -15,33 +15,21 @@
 
 #include <cmocka.h>
 
+#include "temporary.h"
+
 enum { LARGEST = 100000 /* bytes of a picture */, README_ROOM = 1 << 17, DRAWN_WITH = CAIRO_VERSION_ENCODE(1, 16, 0) };
 
-static const char committed[] = "models/gallery";
-static char drawn[] = "/tmp/roberts-gallery-XXXXXX"; /* made by set_up() */
-
-static int shell(const char *command)
-{
-    return system(command); /* NOLINT(cert-env33-c): the gallery's commands are shell commands */
-}
+static const char committed[] = "models/gallery"; /* those drawn now are in `temporary` */
 
 static int set_up(void **state)
 {
     char command[4096];
     const char *build = getenv("ROBERTS_BUILD");
-    (void)state;
-    if (!mkdtemp(drawn))
+    if (temporary_make(state) != 0)
         return -1;
-    snprintf(command, sizeof command, "ROBERTS_BUILD='%s' tools/draw-gallery.sh %s", build ? build : "build", drawn);
-    return shell(command);
-}
-
-static int tear_down(void **state)
-{
-    char command[256];
-    (void)state;
-    snprintf(command, sizeof command, "rm -rf %s", drawn);
-    return shell(command);
+    snprintf(command, sizeof command, "ROBERTS_BUILD='%s' tools/draw-gallery.sh '%s'", build ? build : "build",
+             temporary);
+    return system(command); /* NOLINT(cert-env33-c): the gallery's commands are shell commands */
 }
 
 /* The file's bytes, at most `room`; their number. 0: not there. */
@@ -125,7 +113,7 @@ static bool same_lines(const char *a, const char *b)
 static void compare(const char *name)
 {
     static char old[LARGEST + 1], new[LARGEST + 1];
-    size_t old_size = contents(committed, name, old, LARGEST), new_size = contents(drawn, name, new, LARGEST);
+    size_t old_size = contents(committed, name, old, LARGEST), new_size = contents(temporary, name, new, LARGEST);
     if (new_size == LARGEST)
         fail_msg("%s: too large", name);
     old[old_size] = new[new_size] = '\0';
@@ -161,7 +149,7 @@ static void lines_are_compared(void **state)
 static void pictures_are_what_the_program_draws(void **state)
 {
     (void)state;
-    size_t count = each_picture(drawn, compare);
+    size_t count = each_picture(temporary, compare);
     print_message("%zu pictures\n", count);
     assert_true(count >= 12);
     assert_int_equal(each_picture(committed, compare), count);
@@ -197,5 +185,5 @@ int main(void)
         cmocka_unit_test(pictures_are_what_the_program_draws),
         cmocka_unit_test(pictures_are_shown),
     };
-    return cmocka_run_group_tests_name("gallery", tests, set_up, tear_down);
+    return cmocka_run_group_tests_name("gallery", tests, set_up, temporary_remove);
 }

@@ -1,6 +1,5 @@
 /* test_memory_draw.c - saving with each allocation of ours failing in turn: a status, no crash, no leak, the old file
  * still there and nothing beside it. (Cairo's own allocations are not reached from here.) */
-#include <dirent.h>
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -15,17 +14,7 @@
 
 #include "drawing.h"
 #include "memory.h"
-
-static int entries(const char *path)
-{
-    int count = -2; /* . and .. */
-    DIR *directory = opendir(path);
-    assert_non_null(directory);
-    while (readdir(directory))
-        count++;
-    closedir(directory);
-    return count;
-}
+#include "temporary.h"
 
 static void saving_survives(roberts_format format, bool sheet)
 {
@@ -52,7 +41,7 @@ static void saving_survives(roberts_format format, bool sheet)
         bool failed = memory_failed();
         memory_fail(0);
         assert_int_equal(memory_blocks, before);
-        assert_int_equal(entries("."), 2);
+        assert_int_equal(entries(".", false), 2);
         if (!failed) {
             assert_int_equal(status, ROBERTS_OK);
             break;
@@ -67,12 +56,8 @@ static void saving_survives(roberts_format format, bool sheet)
 
 static void saving(void **state)
 {
-    char folder[] = "/tmp/roberts-memory-XXXXXX";
-    char top[4096];
     (void)state;
-    assert_non_null(getcwd(top, sizeof top));
-    assert_non_null(mkdtemp(folder));
-    assert_int_equal(chdir(folder), 0);
+    assert_int_equal(chdir(temporary), 0);
     assert_int_equal(symlink("file", "link"), 0);
     FILE *file = fopen("file", "w");
     assert_non_null(file);
@@ -81,14 +66,10 @@ static void saving(void **state)
         saving_survives((roberts_format)format, false);
     for (int format = ROBERTS_SVG; format < ROBERTS_CSV; format++)
         saving_survives((roberts_format)format, true);
-    unlink("link");
-    unlink("file");
-    assert_int_equal(chdir(top), 0);
-    assert_int_equal(rmdir(folder), 0);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(saving)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test_setup_teardown(saving, temporary_make, temporary_remove)};
     return cmocka_run_group_tests_name("memory, draw", tests, NULL, NULL);
 }

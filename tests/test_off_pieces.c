@@ -18,6 +18,7 @@
 
 #include "model/off_pieces.h"
 #include "same_mesh.h"
+#include "temporary.h"
 
 /* ---- threads ------------------------------------------------------------------------------------------------------- */
 
@@ -403,13 +404,13 @@ static void models_in_pieces(void **state)
 /* The public functions: a file of several pieces as they are, by any number of threads. */
 static void public_functions(void **state)
 {
-    char *text = allocate(1 << 23), path[] = "/tmp/test-off-pieces-XXXXXX";
+    char *text = allocate(1 << 23), path[TEMPORARY_ROOM + 10];
     uint64_t seed = 6;
     size_t size = make_text(text, 70000, 70000, 0, &seed);
     roberts_mesh one = {.threads = 1}, other;
-    int descriptor = mkstemp(path);
-    FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "wb");
     (void)state;
+    snprintf(path, sizeof path, "%s/large.off", temporary);
+    FILE *file = fopen(path, "wb");
     assert_non_null(file);
     assert_true(size > 3 << 20 && fwrite(text, 1, size, file) == size && fclose(file) == 0);
     assert_int_equal(roberts_mesh_read_file(&one, path, NULL, NULL), ROBERTS_OK);
@@ -424,7 +425,6 @@ static void public_functions(void **state)
         roberts_mesh_free(&other);
     }
     roberts_mesh_free(&one);
-    remove(path);
     free(text);
 }
 
@@ -439,7 +439,7 @@ int main(void)
         cmocka_unit_test(extremes),
         cmocka_unit_test(a_large_face),
         cmocka_unit_test(models_in_pieces),
-        cmocka_unit_test(public_functions),
+        cmocka_unit_test_setup_teardown(public_functions, temporary_make, temporary_remove),
     };
     return cmocka_run_group_tests_name("off pieces", tests, NULL, NULL);
 }

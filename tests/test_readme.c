@@ -20,7 +20,8 @@
 
 #include <cmocka.h>
 
-static char folder[] = "/tmp/roberts-readme-XXXXXX"; /* where the commands run; made by set_up() */
+#include "sanitized.h"
+#include "temporary.h"
 
 /* Runs a shell command and gives its exit status. */
 static int shell(const char *command)
@@ -31,29 +32,20 @@ static int shell(const char *command)
 /* Links `name` in the folder to `target`, a path from the top folder or an absolute one. */
 static int link_in(const char *top, const char *target, const char *name)
 {
-    char from[4096], to[256];
+    char from[4096], to[512];
     snprintf(from, sizeof from, "%s%s%s", target[0] == '/' ? "" : top, target[0] == '/' ? "" : "/", target);
-    snprintf(to, sizeof to, "%s/%s", folder, name);
+    snprintf(to, sizeof to, "%s/%s", temporary, name);
     return symlink(from, to);
 }
 
 static int set_up(void **state)
 {
-    (void)state;
     char top[2048];
     const char *build = getenv("ROBERTS_BUILD");
-    if (!getcwd(top, sizeof top) || !mkdtemp(folder))
+    if (!getcwd(top, sizeof top) || temporary_make(state) != 0)
         return -1;
     return link_in(top, build ? build : "build", "build") || link_in(top, "include", "include") ||
            link_in(top, "models", "models");
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    char command[256];
-    snprintf(command, sizeof command, "rm -rf %s", folder);
-    return shell(command);
 }
 
 /* Size of a file in the folder, -1 where there is none. */
@@ -61,7 +53,7 @@ static long size_of(const char *name)
 {
     char path[512];
     struct stat about;
-    snprintf(path, sizeof path, "%s/%s", folder, name);
+    snprintf(path, sizeof path, "%s/%s", temporary, name);
     return stat(path, &about) == 0 ? (long)about.st_size : -1;
 }
 
@@ -69,15 +61,15 @@ static long size_of(const char *name)
 static void run_command(const char *command, const char *output)
 {
     char script[512], line[1024];
-    snprintf(script, sizeof script, "%s/command.sh", folder);
+    snprintf(script, sizeof script, "%s/command.sh", temporary);
     FILE *f = fopen(script, "w");
     assert_non_null(f);
     fprintf(f, "cc() { command ${CC:-cc} \"$@\"; }\nPATH=$PWD/build:$PATH HOME=$PWD\n%s\n", command);
     assert_int_equal(fclose(f), 0);
-    snprintf(line, sizeof line, "cd %s && sh -e command.sh >printed 2>&1", folder);
+    snprintf(line, sizeof line, "cd '%s' && sh -e command.sh >printed 2>&1", temporary);
     int status = shell(line);
     if (status != 0 || size_of(output) <= 0) {
-        snprintf(line, sizeof line, "cat %s/printed >&2", folder);
+        snprintf(line, sizeof line, "cat '%s/printed' >&2", temporary);
         shell(line);
         fail_msg("exit status %d, %ld bytes in %s: %s", status, size_of(output), output, command);
     }
@@ -161,7 +153,7 @@ static void write_named_blocks(void)
         file = NULL;
         inside = !inside;
         if (inside && sscanf(line, "```%*s %63s", name) == 1) {
-            snprintf(path, sizeof path, "%s/%s", folder, name);
+            snprintf(path, sizeof path, "%s/%s", temporary, name);
             file = fopen(path, "w");
             assert_non_null(file);
         }
@@ -207,12 +199,11 @@ static void try_compiling(const char *line, void *context)
 static void test_example(void **state)
 {
     (void)state;
-#if defined(__SANITIZE_ADDRESS__)
-    skip(); /* the README's command cannot link a library with sanitizers */
-#endif
     char path[512];
     int compiled = 0;
-    snprintf(path, sizeof path, "%s/example.c", folder);
+    if (SANITIZED)
+        skip(); /* the README's command cannot link a library with sanitizers */
+    snprintf(path, sizeof path, "%s/example.c", temporary);
     FILE *example = fopen(path, "w");
     assert_non_null(example);
     assert_true(each_line("c", write_line, example) > 0);
@@ -372,8 +363,8 @@ static void test_figures(void **state)
         skip();
     }
     snprintf(command, sizeof command,
-             "ROBERTS_BUILD='%s' tools/draw-figures.sh %s/figures && diff -r %s/figures models/figures >&2",
-             build ? build : "build", folder, folder);
+             "ROBERTS_BUILD='%s' tools/draw-figures.sh '%s/figures' && diff -r '%s/figures' models/figures >&2",
+             build ? build : "build", temporary, temporary);
     assert_int_equal(shell(command), 0);
 }
 
@@ -383,5 +374,5 @@ int main(void)
         cmocka_unit_test(test_links),    cmocka_unit_test(test_pages),   cmocka_unit_test(test_figures),
         cmocka_unit_test(test_commands), cmocka_unit_test(test_example),
     };
-    return cmocka_run_group_tests_name("readme", tests, set_up, tear_down);
+    return cmocka_run_group_tests_name("readme", tests, set_up, temporary_remove);
 }

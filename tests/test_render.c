@@ -15,8 +15,7 @@
 #include <cmocka.h>
 
 #include "drawing.h"
-
-static char folder[] = "/tmp/roberts-render-XXXXXX"; /* all files are in it; made by set_up() */
+#include "temporary.h"
 
 /* ---- two pictures beside each other ---- */
 
@@ -145,10 +144,10 @@ static roberts_draw_options options_for_browser(size_t i)
 
 static char *path(const char *name)
 {
-    static char text[4][64]; /* as many as are needed at a time */
+    static char text[4][TEMPORARY_ROOM + 20]; /* as many as are needed at a time */
     static int next;
     char *to = text[next++ % 4];
-    snprintf(to, sizeof text[0], "%s/%s", folder, name);
+    snprintf(to, sizeof text[0], "%s/%s", temporary, name);
     return to;
 }
 
@@ -167,8 +166,8 @@ static bool has_librsvg(void)
 
 static void run_librsvg(double dpi)
 {
-    char command[400];
-    snprintf(command, sizeof command, "rsvg-convert -d %g -p %g -b white -o %s %s", dpi, dpi, path("librsvg.png"),
+    char command[4 * TEMPORARY_ROOM];
+    snprintf(command, sizeof command, "rsvg-convert -d %g -p %g -b white -o '%s' '%s'", dpi, dpi, path("librsvg.png"),
              path("a.svg"));
     assert_int_equal(system(command), 0);
 }
@@ -200,7 +199,7 @@ static void inkscape_sees_the_same(void **state)
     (void)state;
     const size_t table = 1;
     char command[600];
-    snprintf(command, sizeof command, "HOME=%s inkscape --version >/dev/null 2>&1", folder);
+    snprintf(command, sizeof command, "HOME='%s' inkscape --version >/dev/null 2>&1", temporary);
     if (system(command) != 0) {
         print_message("no Inkscape: skipped\n");
         skip();
@@ -211,9 +210,9 @@ static void inkscape_sees_the_same(void **state)
     save(&drawing, options, ROBERTS_PNG, "own.png");
     snprintf(
         command, sizeof command,
-        "cd %s && HOME=%s inkscape -d 192 -b white -o inkscape.png a.svg 2>/dev/null && test -s inkscape.png && "
-        "HOME=%s inkscape --query-all a.svg 2>/dev/null | grep -c -E '^(hidden|crease|outline|frame),' | grep -qx 4",
-        folder, folder, folder);
+        "cd '%s' && HOME=$PWD inkscape -d 192 -b white -o inkscape.png a.svg 2>/dev/null && test -s inkscape.png && "
+        "HOME=$PWD inkscape --query-all a.svg 2>/dev/null | grep -c -E '^(hidden|crease|outline|frame),' | grep -qx 4",
+        temporary);
     assert_int_equal(system(command), 0);
     assert_alike(cases[table].model, path("own.png"), path("inkscape.png"), true);
     roberts_drawing_free(&drawing);
@@ -226,14 +225,15 @@ static void inkscape_sees_the_same(void **state)
 static bool run_chromium(const char *page)
 {
     char command[1000];
-    snprintf(command, sizeof command,
-             "for name in chromium chromium-browser google-chrome; do browser=$(command -v $name) && break; done; "
-             "[ -n \"$browser\" ] && cd %s && rm -f chromium.png && HOME=%s timeout 120 \"$browser\" --headless "
-             "--no-sandbox --disable-gpu --disable-dev-shm-usage --disable-quic --no-first-run "
-             "--disable-background-networking --disable-component-update --disable-sync --user-data-dir=%s/profile "
-             "--hide-scrollbars --default-background-color=ffffffff --force-device-scale-factor=2 "
-             "--window-size=768,1056 --screenshot=chromium.png '%s' >/dev/null 2>&1 && test -s chromium.png",
-             folder, folder, folder, page);
+    snprintf(
+        command, sizeof command,
+        "for name in chromium chromium-browser google-chrome; do browser=$(command -v $name) && break; done; "
+        "[ -n \"$browser\" ] && cd '%s' && rm -f chromium.png && HOME=$PWD timeout 120 \"$browser\" --headless "
+        "--no-sandbox --disable-gpu --disable-dev-shm-usage --disable-quic --no-first-run "
+        "--disable-background-networking --disable-component-update --disable-sync --user-data-dir=\"$PWD/profile\" "
+        "--hide-scrollbars --default-background-color=ffffffff --force-device-scale-factor=2 "
+        "--window-size=768,1056 --screenshot=chromium.png '%s' >/dev/null 2>&1 && test -s chromium.png",
+        temporary, page);
     return system(command) == 0;
 }
 
@@ -330,20 +330,6 @@ static void a_wrong_pen_is_seen(void **state)
     roberts_drawing_free(&drawing);
 }
 
-static int set_up(void **state)
-{
-    (void)state;
-    return mkdtemp(folder) ? 0 : -1;
-}
-
-static int tear_down(void **state)
-{
-    char command[80];
-    (void)state;
-    snprintf(command, sizeof command, "rm -rf %s", folder);
-    return system(command);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -351,5 +337,5 @@ int main(void)
         cmocka_unit_test(chromium_sees_the_same), cmocka_unit_test(a_missing_line_is_seen),
         cmocka_unit_test(a_wrong_pen_is_seen),
     };
-    return cmocka_run_group_tests_name("render", tests, set_up, tear_down);
+    return cmocka_run_group_tests_name("render", tests, temporary_make, temporary_remove);
 }

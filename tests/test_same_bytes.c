@@ -12,9 +12,11 @@
 
 #include <cmocka.h>
 
+#include "temporary.h"
+
 enum { SIDE = 56, RUNS = 20 };
 
-static char program[4096], folder[64], boxes[128];
+static char program[4096], boxes[TEMPORARY_ROOM + 10];
 
 static const char *const formats[] = {"svg", "pdf", "ps", "eps", "png", "csv", "json"};
 
@@ -56,11 +58,11 @@ static char *read_whole(const char *path, size_t *size)
 static char *draw(const char *model, const char *format, const char *options, size_t *size)
 {
     char command[8192];
-    snprintf(command, sizeof command, "'%s' %s --hidden dashed --dir 3,-5,4 -o %s/out.%s %s", program, model, folder,
-             format, options);
+    snprintf(command, sizeof command, "'%s' '%s' --hidden dashed --dir 3,-5,4 -o '%s/out.%s' %s", program, model,
+             temporary, format, options);
     int status = system(command);
     assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 0);
-    snprintf(command, sizeof command, "%s/out.%s", folder, format);
+    snprintf(command, sizeof command, "%s/out.%s", temporary, format);
     char *bytes = read_whole(command, size);
     assert_int_equal(unlink(command), 0);
     return bytes;
@@ -110,20 +112,11 @@ static void runs(void **state)
 
 static int enter_folder(void **state)
 {
-    (void)state;
-    strcpy(folder, "/tmp/roberts-same-XXXXXX");
-    if (!mkdtemp(folder))
+    if (temporary_make(state) != 0)
         return -1;
-    snprintf(boxes, sizeof boxes, "%s/boxes.off", folder);
+    snprintf(boxes, sizeof boxes, "%s/boxes.off", temporary);
     write_boxes(boxes);
     return 0;
-}
-
-static int leave_folder(void **state)
-{
-    (void)state;
-    unlink(boxes);
-    return rmdir(folder);
 }
 
 int main(void)
@@ -131,5 +124,5 @@ int main(void)
     const char *build = getenv("ROBERTS_BUILD");
     const struct CMUnitTest tests[] = {cmocka_unit_test(threads_and_grids), cmocka_unit_test(runs)};
     snprintf(program, sizeof program, "%s/roberts", build && *build ? build : "build");
-    return cmocka_run_group_tests_name("same_bytes", tests, enter_folder, leave_folder);
+    return cmocka_run_group_tests_name("same_bytes", tests, enter_folder, temporary_remove);
 }

@@ -1,5 +1,4 @@
 /* Files appear whole or not at all; links, modes, devices and pipes stay what they are. */
-#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -18,12 +17,11 @@
 #include <cmocka.h>
 
 #include "drawing.h"
+#include "temporary.h"
 
 #define TABLE                                                                                                          \
     "solid,v0,v1,t0,t1,state,x0,y0,x1,y1,by\n"                                                                         \
     "0,0,1,0,1,visible,1,2,3,4,\n"
-
-static char folder[64]; /* of the test that runs; the working directory */
 
 static roberts_draw_options table_options(void)
 {
@@ -68,50 +66,14 @@ static mode_t mode_of(const char *path)
     return status.st_mode;
 }
 
-static int entries(const char *path)
-{
-    int count = -2; /* . and .. */
-    DIR *directory = opendir(path);
-    assert_non_null(directory);
-    while (readdir(directory))
-        count++;
-    closedir(directory);
-    return count;
-}
-
 static int enter_folder(void **state)
 {
-    (void)state;
-    strcpy(folder, "/tmp/roberts-save-XXXXXX");
-    return mkdtemp(folder) && chdir(folder) == 0 && mkdir("in", 0777) == 0 ? 0 : -1;
-}
-
-static void remove_all(const char *path)
-{
-    DIR *directory = opendir(path);
-    struct dirent *entry;
-    char name[600];
-    while (directory && (entry = readdir(directory))) {
-        if (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0)
-            continue;
-        snprintf(name, sizeof name, "%s/%s", path, entry->d_name);
-        if (S_ISDIR(mode_of(name)))
-            remove_all(name);
-        else
-            unlink(name);
-    }
-    if (directory)
-        closedir(directory);
-    rmdir(path);
+    return temporary_make(state) == 0 && chdir(temporary) == 0 ? mkdir("in", 0777) : -1;
 }
 
 static int leave_folder(void **state)
 {
-    (void)state;
-    if (chdir("/") != 0)
-        return -1;
-    remove_all(folder);
-    return 0;
+    return chdir("/") == 0 ? temporary_remove(state) : -1;
 }
 
 /* ---- files ---- */
@@ -124,7 +86,7 @@ static void new_file(void **state)
     umask(before);
     assert_holds("in/a.csv", TABLE);
     assert_int_equal(mode_of("in/a.csv"), S_IFREG | 0640);
-    assert_int_equal(entries("in"), 1);
+    assert_int_equal(entries("in", false), 1);
 }
 
 static void old_file_keeps_its_mode(void **state)
@@ -137,7 +99,7 @@ static void old_file_keeps_its_mode(void **state)
         assert_int_equal(save("in/a.csv", NULL), ROBERTS_OK);
         assert_holds("in/a.csv", TABLE);
         assert_int_equal(mode_of("in/a.csv"), S_IFREG | modes[i]);
-        assert_int_equal(entries("in"), 1);
+        assert_int_equal(entries("in", false), 1);
     }
 }
 
@@ -179,14 +141,14 @@ static void links_are_followed(void **state)
             assert_int_equal(unlink(link_cases[i].link), 0);
             assert_int_equal(unlink(link_cases[i].holds), 0);
         }
-    assert_int_equal(entries("."), 1);
+    assert_int_equal(entries(".", false), 1);
 }
 
 static void chains_of_links(void **state)
 {
-    char target[128];
+    char target[TEMPORARY_ROOM + 5];
     (void)state;
-    snprintf(target, sizeof target, "%s/in/a", folder);
+    snprintf(target, sizeof target, "%s/in/a", temporary);
     assert_int_equal(symlink(target, "in/1"), 0);
     assert_int_equal(symlink("in/1", "2"), 0);
     assert_int_equal(symlink("2", "3"), 0);
@@ -289,8 +251,8 @@ static void failures(void **state)
             assert_string_equal(error.message, failure_cases[i].message);
     }
     assert_holds("file", "old");
-    assert_int_equal(entries("."), 3);
-    assert_int_equal(entries("in"), 0);
+    assert_int_equal(entries(".", false), 3);
+    assert_int_equal(entries("in", false), 0);
 }
 
 /* In a child without root's rights: what it may not write it does not replace. */
@@ -299,7 +261,7 @@ static void protected_files_and_folders(void **state)
     int status;
     (void)state;
     put("in/a.csv", "old", 0444);
-    assert_int_equal(chmod(folder, 0755), 0);
+    assert_int_equal(chmod(temporary, 0755), 0);
     assert_int_equal(chmod("in", 0777), 0);
     pid_t child = fork();
     if (child == 0) {
@@ -315,8 +277,8 @@ static void protected_files_and_folders(void **state)
     assert_int_equal(status, 0);
     assert_holds("in/a.csv", "old");
     assert_holds("in/b.csv", TABLE);
-    assert_int_equal(entries("in"), 2);
-    assert_int_equal(entries("."), 1);
+    assert_int_equal(entries("in", false), 2);
+    assert_int_equal(entries(".", false), 1);
 }
 
 /* The limit on file sizes stands for a disk that fills up in the middle. */
@@ -346,7 +308,7 @@ static void full_disk_leaves_the_old_file(void **state)
         assert_string_equal(error.message, "cannot write: File too large");
         assert_holds("in/a.csv", "old");
         assert_int_equal(mode_of("in/a.csv"), S_IFREG | 0604);
-        assert_int_equal(entries("in"), 1);
+        assert_int_equal(entries("in", false), 1);
     }
     free(drawing.segment);
 }
@@ -363,7 +325,7 @@ static void bad_drawing_leaves_the_old_file(void **state)
     assert_string_equal(error.file, "in/a.csv");
     assert_int_equal(roberts_drawing_save(&drawing, &options, "in/b.csv", &error), ROBERTS_BAD_NUMBER);
     assert_holds("in/a.csv", "old");
-    assert_int_equal(entries("in"), 1);
+    assert_int_equal(entries("in", false), 1);
 }
 
 static void null_writes_nothing(void **state)
@@ -377,7 +339,7 @@ static void null_writes_nothing(void **state)
     assert_int_equal(roberts_drawing_save(&drawing, &options, "in/a", NULL), ROBERTS_OK);
     assert_int_equal(roberts_drawing_save(&drawing, &options, "in/b", NULL), ROBERTS_OK);
     assert_holds("in/a", "old");
-    assert_int_equal(entries("in"), 1);
+    assert_int_equal(entries("in", false), 1);
 }
 
 /* ---- where the unfinished file is ---- */

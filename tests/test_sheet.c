@@ -7,11 +7,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include <cmocka.h>
 
 #include "drawing.h"
+#include "temporary.h"
 
 enum { VIEWS = ROBERTS_SHEET_VIEWS, POINTS = 400, FIGURES = 3 + 3 * 5 /* of the symbol, with dashes and dots */ };
 
@@ -496,11 +496,11 @@ static void size_changes_nothing(void **state)
 static void saved_as_written(void **state)
 {
     views v;
-    char path_name[] = "/tmp/roberts-sheet-XXXXXX", *bytes = malloc(1 << 16);
+    char path_name[TEMPORARY_ROOM + 10], *bytes = malloc(1 << 16);
     roberts_error error = {0};
     (void)state;
-    int descriptor = mkstemp(path_name);
-    assert_true(descriptor >= 0 && bytes);
+    assert_non_null(bytes);
+    snprintf(path_name, sizeof path_name, "%s/sheet.svg", temporary);
     hide_views(&v, box, ROBERTS_FIRST_ANGLE);
     char *wanted = written(&v.sheet, NULL);
     assert_int_equal(roberts_sheet_save(&v.sheet, NULL, path_name, NULL), ROBERTS_OK);
@@ -511,8 +511,6 @@ static void saved_as_written(void **state)
     assert_string_equal(bytes, wanted);
     assert_int_equal(roberts_sheet_save(&v.sheet, NULL, "/no/such/folder/a.svg", &error), ROBERTS_IO);
     assert_string_equal(error.file, "/no/such/folder/a.svg");
-    (void)close(descriptor);
-    (void)remove(path_name);
     free(wanted);
     free(bytes);
     free_views(&v);
@@ -521,11 +519,16 @@ static void saved_as_written(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(views_have_their_places), cmocka_unit_test(sides_are_the_right_ones),
-        cmocka_unit_test(views_can_be_left_out),   cmocka_unit_test(sheets_fill_the_page),
-        cmocka_unit_test(symbols_tell_the_angle),  cmocka_unit_test(all_views_share_the_layers),
-        cmocka_unit_test(every_page_format),       cmocka_unit_test(what_makes_no_sheet_is_refused),
-        cmocka_unit_test(size_changes_nothing),    cmocka_unit_test(saved_as_written),
+        cmocka_unit_test(views_have_their_places),
+        cmocka_unit_test(sides_are_the_right_ones),
+        cmocka_unit_test(views_can_be_left_out),
+        cmocka_unit_test(sheets_fill_the_page),
+        cmocka_unit_test(symbols_tell_the_angle),
+        cmocka_unit_test(all_views_share_the_layers),
+        cmocka_unit_test(every_page_format),
+        cmocka_unit_test(what_makes_no_sheet_is_refused),
+        cmocka_unit_test(size_changes_nothing),
+        cmocka_unit_test_setup_teardown(saved_as_written, temporary_make, temporary_remove),
     };
     return cmocka_run_group_tests_name("sheet", tests, NULL, NULL);
 }

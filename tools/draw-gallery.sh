@@ -8,6 +8,7 @@ mkdir -p "${1:-models/gallery}"
 folder=$(cd "${1:-models/gallery}" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
 ln -s "$PWD/models" "$work/models"
 sed -n '/^## Gallery/,/^## [^G]/s/^roberts .*/&/p' README.md >"$work/commands"
 cd "$work"
