@@ -80,9 +80,9 @@ bool patterns_find(patterns *list, roberts_scene *scene)
     return true;
 }
 
-/* Whether one gets from each face to each other over edges. */
 typedef enum answer { NO, YES, NO_MEMORY } answer;
 
+/* Whether one gets from each face to each other over edges. */
 static answer hangs_together(const scene_edge *edge, uint32_t edges, uint32_t faces)
 {
     uint32_t *parent = alloc_array(faces, sizeof *parent), sets = faces;
