@@ -75,11 +75,12 @@ static void assert_exact_hull(const roberts_scene *scene, const roberts_mesh *me
             assert_true(whole_dot(n, whole_sub((whole){(int64_t)p.x, (int64_t)p.y, (int64_t)p.z}, a)) <= 0);
         }
     }
-    for (uint32_t e = 0; e < scene->edge_count; e++) {
-        scene_edge edge = scene_edge_at(scene, scene_solid_of_edge(scene, e), e);
-        whole n = outward(scene, edge.f[0]), m = outward(scene, edge.f[1]), c = whole_cross(n, m);
-        assert_true(c.x || c.y || c.z);
-    }
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        for (uint32_t e = scene->solid[s].edge; e < scene->solid[s + 1].edge; e++) {
+            scene_edge edge = scene_edge_at(scene, s, e);
+            whole n = outward(scene, edge.f[0]), m = outward(scene, edge.f[1]), c = whole_cross(n, m);
+            assert_true(c.x || c.y || c.z);
+        }
 }
 
 static bool all_in_one_plane(const roberts_mesh *mesh)

@@ -27,8 +27,8 @@ static void lanes_are_scalars(void **state)
     rng r = {7};
     (void)state;
     for (int i = 0; i < 100000; i++) {
-        double p[2] = {any_double(&r), any_double(&r)}, q[2] = {any_double(&r), any_double(&r)};
-        two a = two_load(p), b = two_load(q);
+        _Alignas(16) double p[2] = {any_double(&r), any_double(&r)}, q[2] = {any_double(&r), any_double(&r)};
+        two a = two_load_aligned(p), b = two_load_aligned(q);
         two_plain c = two_plain_load(p), d = two_plain_load(q);
         if (isfinite(p[0]) && isfinite(p[1]) && isfinite(q[0]) && isfinite(q[1])) {
             assert_same_two(two_add(a, b), two_plain_add(c, d));

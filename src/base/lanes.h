@@ -23,12 +23,6 @@ static inline two_plain two_plain_load(const double *p)
     return (two_plain){{p[0], p[1]}};
 }
 
-/* The same from a multiple of 16 bytes. */
-static inline two_plain two_plain_load_aligned(const double *p)
-{
-    return (two_plain){{p[0], p[1]}};
-}
-
 static inline void two_plain_store(double *p, two_plain a)
 {
     p[0] = a.v[0];
@@ -168,11 +162,7 @@ static inline bool four_plain_shifted(const uint32_t *a, const uint32_t *b, uint
 typedef __m128d two;
 typedef __m128 four;
 
-static inline two two_load(const double *p)
-{
-    return _mm_loadu_pd(p);
-}
-
+/* From a multiple of 16 bytes. */
 static inline two two_load_aligned(const double *p)
 {
     return _mm_load_pd(p);
@@ -301,8 +291,7 @@ static inline bool four_shifted(const uint32_t *a, const uint32_t *b, uint32_t s
 
 typedef two_plain two;
 typedef four_plain four;
-#define two_load two_plain_load
-#define two_load_aligned two_plain_load_aligned
+#define two_load_aligned two_plain_load
 #define two_store two_plain_store
 #define two_all two_plain_all
 #define two_of two_plain_of

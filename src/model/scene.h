@@ -81,20 +81,6 @@ static inline scene_edge scene_edge_at(const roberts_scene *scene, uint32_t s, u
                         {edge->f[0] + solid->face, edge->f[1] + solid->face}};
 }
 
-/* The solid that has edge e. */
-static inline uint32_t scene_solid_of_edge(const roberts_scene *scene, uint32_t e)
-{
-    uint32_t low = 0, high = scene->solid_count;
-    while (high - low > 1) {
-        uint32_t middle = low + (high - low) / 2;
-        if (scene->solid[middle].edge <= e)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 /* Greatest distance of a corner of the face from the fitted plane, model units, and its width, which is area over greatest
  * chord: between half of the least width and all of it. Both are bounds: rounded to floats, the deviation upward and the
  * width downward (to 1e-45 of the scene's size). */
