@@ -1,4 +1,4 @@
-/* hide.c - the scene edge by edge: which are drawn, which parts of them are hidden, and the segments that follow.
+/* hide.c - the whole scene: clipped, mapped, listed in the grid, and then the segments of all its solids.
  *
  * Solids are taken in chunks that threads work on at the same time; each chunk keeps its segments until those of the
  * chunks before are laid down (see chunks.h). Nothing else is shared, so that the result does not depend on the threads. */
@@ -9,10 +9,8 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/threads.h"
-#include "hide/ahead.h"
 #include "hide/cells.h"
-#include "hide/chunks.h"
-#include "view/clip.h"
+#include "hide/segments.h"
 
 #define CHUNK_SOLIDS 64
 #define CHUNK_SEGMENTS 1024 /* room to begin with: nine visible edges of each block, and then some */
@@ -24,268 +22,17 @@
 
 static const double pi = 3.14159265358979323846;
 
-typedef struct hide_job {
-    const roberts_scene *scene;  /* as it is mapped: clipped, where that was needed */
-    const roberts_scene *source; /* as given */
-    view_clip clip;
-    roberts_segment_fn *each; /* takes the segments; NULL: the drawing keeps them */
-    void *context;
-    const roberts_hide_options *options;
-    hide_picture picture;
-    objet grid;
-    ahead ahead;         /* what was found before its turn, if anything */
-    double crease_chord; /* distance of two unit normals that meet at the crease angle, squared */
-} hide_job;
-
 roberts_hide_options roberts_hide_options_default(void)
 {
     return (roberts_hide_options){.crease_degrees = 0.1};
-}
-
-/* Flatter than the crease angle; the normals of the model are compared, which perspective does not bend. `edge` is stored
- * with the solid. */
-static bool is_flat(const hide_job *job, const roberts_scene *scene, uint32_t solid, const scene_edge *edge)
-{
-    const plane *of = scene->face_plane + scene->solid[solid].face;
-    plane F = of[edge->f[0]], G = of[edge->f[1]];
-    double a = F.a - G.a, b = F.b - G.b, c = F.c - G.c;
-    return a * a + b * b + c * c < job->crease_chord;
-}
-
-/* Where on the edge in space a point of its picture is; view_to_space() without a call where it has nothing to do. */
-static inline double to_space(const view *v, const hide_edge *e, double s)
-{
-    return v->perspective ? view_to_space(v, e->A.z, e->B.z, s) : s;
-}
-
-static bool add_segment(const hide_job *job, hide_chunk *out, const roberts_segment *pattern, const hide_edge *e,
-                        double s0, double s1)
-{
-    const view *v = &job->picture.view;
-    double unit = v->unit, width = pattern->t1 - pattern->t0; /* of what the near plane leaves of the edge, mostly 1 */
-    double t0 = pattern->t0 + width * to_space(v, e, s0);
-    double t1 = s1 == 1.0 ? pattern->t1 : pattern->t0 + width * to_space(v, e, s1);
-    if (t0 >= t1)
-        return true; /* rounding leaves no length in space */
-    if (!array_reserve(&out->segment, &out->room, out->count + 1, sizeof *out->segment))
-        return false;
-    roberts_vec3 R0 = hide_edge_at(e, s0), R1 = hide_edge_at(e, s1);
-    roberts_segment *segment = &out->segment[out->count++];
-    *segment = *pattern;
-    segment->t0 = t0;
-    segment->t1 = t1;
-    segment->p0 = (roberts_vec2){R0.x * unit, R0.y * unit};
-    segment->p1 = (roberts_vec2){R1.x * unit, R1.y * unit};
-    segment->z0 = R0.z * unit;
-    segment->z1 = R1.z * unit;
-    return true;
-}
-
-static bool add_hidden(const hide_job *job, hide_worker *w, hide_chunk *out, roberts_segment pattern,
-                       const hide_edge *e, double s0, double s1, uint32_t hider)
-{
-    const view *v = &job->picture.view;
-    double t = 0.5 * (view_to_space(v, e->A.z, e->B.z, s0) + view_to_space(v, e->A.z, e->B.z, s1));
-    roberts_vec3 middle = hide_edge_at(e, view_from_space(v, e->A.z, e->B.z, t));
-    pattern.state = ROBERTS_HIDDEN;
-    pattern.by = hide_seen_at(w, middle.x, middle.y);
-    if (pattern.by == ROBERTS_NONE)
-        pattern.by = hider; /* the point lies on a border and rounding has put it outside */
-    return add_segment(job, out, &pattern, e, s0, s1);
-}
-
-/* How the faces of a solid look, from its first on. */
-static const unsigned char *facing_of(const hide_job *job, uint32_t solid)
-{
-    return job->picture.facing + job->scene->solid[solid].face;
-}
-
-/* How many of the two faces of a stored edge are front. */
-static inline int front_count(const unsigned char *facing, const scene_edge *edge)
-{
-    return (facing[edge->f[0]] == VIEW_FRONT) + (facing[edge->f[1]] == VIEW_FRONT);
-}
-
-static bool add_clipped(hide_chunk *out, roberts_segment pattern, double t0, double t1, roberts_vec2 at)
-{
-    if (!array_reserve(&out->segment, &out->room, out->count + 1, sizeof *out->segment))
-        return false;
-    pattern.state = ROBERTS_CLIPPED;
-    pattern.t0 = t0;
-    pattern.t1 = t1;
-    pattern.p0 = pattern.p1 = at;
-    out->segment[out->count++] = pattern;
-    return true;
-}
-
-/* Visible segments between the hidden parts, and those too where they are wanted. The pattern's t0..t1 is what the near
- * plane has left of the edge. */
-static bool add_line(const hide_job *job, hide_worker *w, hide_chunk *out, const roberts_segment *pattern,
-                     const hide_line *line)
-{
-    double from = 0.0, unit = job->picture.view.unit;
-    const hide_edge *e = &line->e;
-    bool all = job->options->keep_hidden;
-    if (all && pattern->t0 > 0.0 &&
-        !add_clipped(out, *pattern, 0.0, pattern->t0, (roberts_vec2){e->A.x * unit, e->A.y * unit}))
-        return false;
-    for (size_t i = 0; i < line->parts.count; i++) {
-        const hide_part *part = &line->parts.item[i].part;
-        if (part->t0 > from && !add_segment(job, out, pattern, e, from, part->t0))
-            return false;
-        if (all && !add_hidden(job, w, out, *pattern, e, part->t0, part->t1, line->parts.item[i].solid))
-            return false;
-        from = part->t1;
-    }
-    if (from < 1.0 && !add_segment(job, out, pattern, e, from, 1.0))
-        return false;
-    return !all || pattern->t1 >= 1.0 ||
-           add_clipped(out, *pattern, pattern->t1, 1.0, (roberts_vec2){e->B.x * unit, e->B.y * unit});
-}
-
-/* The same of an edge that the near plane leaves whole, where its visible segments are all that is wanted. It has a front
- * face. */
-static bool add_visible(const hide_job *job, hide_chunk *out, uint32_t solid, const unsigned char *facing,
-                        const hide_line *line)
-{
-    const view *v = &job->picture.view;
-    const hide_edge *e = &line->e;
-    const scene_edge *edge = scene_edge_stored(job->scene, solid, line->edge);
-    roberts_line kind = front_count(facing, edge) == 2 ? ROBERTS_CREASE : ROBERTS_OUTLINE;
-    double from = 0.0, unit = v->unit;
-    size_t parts = line->parts.count;
-    if (!array_reserve(&out->segment, &out->room, out->count + parts + 1, sizeof *out->segment))
-        return false;
-    for (size_t i = 0; i <= parts; i++) {
-        const hide_part *part = i < parts ? &line->parts.item[i].part : NULL;
-        double to = part ? part->t0 : 1.0, t0 = to_space(v, e, from), t1 = to == 1.0 ? 1.0 : to_space(v, e, to);
-        if (to > from && t0 < t1) {
-            roberts_vec3 R0 = hide_edge_at(e, from), R1 = hide_edge_at(e, to);
-            out->segment[out->count++] = (roberts_segment){.solid = solid,
-                                                           .v0 = scene_vertex_number(job->scene, e->a),
-                                                           .v1 = scene_vertex_number(job->scene, e->b),
-                                                           .by = ROBERTS_NONE,
-                                                           .t0 = t0,
-                                                           .t1 = t1,
-                                                           .p0 = {R0.x * unit, R0.y * unit},
-                                                           .p1 = {R1.x * unit, R1.y * unit},
-                                                           .z0 = R0.z * unit,
-                                                           .z1 = R1.z * unit,
-                                                           .state = ROBERTS_VISIBLE,
-                                                           .line = (uint8_t)kind};
-        }
-        from = part ? part->t1 : 1.0;
-    }
-    return true;
-}
-
-/* What lies behind the covers is hidden at once; covers are kept only where hidden lines are not wanted. P: view points of
- * the solid. */
-static inline bool is_covered(const cover *c, const roberts_vec3 *P, const scene_edge *edge)
-{
-    return c->depth && cover_hides_edge(c, P[edge->v[0]], P[edge->v[1]]);
-}
-
-/* Takes up the edges of a solid that are drawn and not covered. A surviving edge has a front face. An outline (one front
- * face) is always drawn; an edge whose two faces look the same way is not where it is flat, whether they are front or,
- * among hidden lines, back. */
-static bool take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
-{
-    const roberts_scene *scene = job->scene;
-    const unsigned char *facing = facing_of(job, solid);
-    const scene_edge *edge = scene->edge + scene->solid[solid].stored;
-    const roberts_vec3 *P = job->picture.P + scene->solid[solid].vertex;
-    const bool *cap = job->clip.clipped ? job->clip.cap : NULL;
-    bool keep_hidden = job->options->keep_hidden, all = job->options->all_edges;
-    hide_worker_begin(w);
-    for (uint32_t i = scene->solid[solid].edge, end = scene->solid[solid + 1].edge; i < end; i++, edge++) {
-        int fronts = front_count(facing, edge);
-        w->surviving += fronts > 0;
-        if ((fronts == 0 && !keep_hidden) || (cap && cap[i]) ||
-            (fronts != 1 && !all && is_flat(job, scene, solid, edge)))
-            continue;
-        w->drawn++;
-        if (is_covered(&job->picture.cover, P, edge)) {
-            w->tally.covered++;
-            continue;
-        }
-        hide_line *line = hide_worker_add(w, i, edge, scene->solid[solid].vertex);
-        if (!line)
-            return false;
-        if (fronts == 0) {
-            line->hidden = true;
-            if (!hide_parts_add(&line->parts, solid, &(hide_part){0.0, 1.0, 0.0, 0.0}))
-                return false;
-        }
-    }
-    return true;
-}
-
-/* One edge of the scene as given: the line that stands for it, NULL where it is not drawn. */
-static bool add_edge(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t solid, uint32_t edge,
-                     const hide_line *line)
-{
-    const scene_edge *source = scene_edge_stored(job->source, solid, edge);
-    uint32_t first = job->source->solid[solid].vertex;
-    clip_edge left = {edge, 0.0, 1.0};
-    if (job->clip.clipped)
-        left = job->clip.origin[edge];
-    if (left.edge != ROBERTS_NONE && (!line || (line->hidden && !job->options->keep_hidden)))
-        return true;
-    int fronts = line ? front_count(facing_of(job, solid), scene_edge_stored(job->scene, solid, line->edge)) : 0;
-    roberts_segment pattern = {.solid = solid,
-                               .v0 = scene_vertex_number(job->source, first + source->v[0]),
-                               .v1 = scene_vertex_number(job->source, first + source->v[1]),
-                               .by = ROBERTS_NONE,
-                               .t0 = left.t0,
-                               .t1 = left.t1,
-                               .state = ROBERTS_VISIBLE,
-                               .line = fronts == 1   ? ROBERTS_OUTLINE
-                                       : fronts == 2 ? ROBERTS_CREASE
-                                                     : ROBERTS_BACK};
-    if (left.edge == ROBERTS_NONE || left.t0 >= left.t1) { /* equal: it ends on the near plane, to rounding */
-        bool drawn = job->options->all_edges || !is_flat(job, job->source, solid, source);
-        return !job->options->keep_hidden || !drawn || add_clipped(out, pattern, 0.0, 1.0, (roberts_vec2){0.0, 0.0});
-    }
-    return add_line(job, w, out, &pattern, line);
-}
-
-/* The lines come in the order of the edges, of which some are not drawn and some, by the near plane, clipped away. */
-static bool do_solid(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t solid)
-{
-    if (job->picture.culled[solid] && !(job->clip.clipped && job->options->keep_hidden))
-        return true;
-    if (job->ahead.order ? !ahead_recall(&job->ahead, solid, w)
-                         : !take_edges(job, w, solid) || !hide_worker_run(w, solid))
-        return false;
-    const hide_line *line = w->line, *end = line + w->line_count;
-    const unsigned char *facing = facing_of(job, solid);
-    bool visible = !job->clip.clipped && !job->options->keep_hidden;
-    for (; visible && line < end; line++)
-        if (!line->hidden && !add_visible(job, out, solid, facing, line))
-            return false;
-    for (; !job->clip.clipped && line < end; line++)
-        if (!add_edge(job, w, out, solid, line->edge, line))
-            return false;
-    for (uint32_t i = job->source->solid[solid].edge; job->clip.clipped && i < job->source->solid[solid + 1].edge;
-         i++) {
-        bool drawn = line < end && line->edge == job->clip.origin[i].edge;
-        if (!add_edge(job, w, out, solid, i, drawn ? line++ : NULL))
-            return false;
-    }
-    return true;
 }
 
 static bool do_chunk(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t index)
 {
     uint32_t first = index * CHUNK_SOLIDS, count = job->scene->solid_count;
     uint32_t end = count - first < CHUNK_SOLIDS ? count : first + CHUNK_SOLIDS;
-    if (!array_reserve(&out->segment, &out->room, out->count + CHUNK_SEGMENTS, sizeof *out->segment))
-        return false;
-    for (uint32_t s = first; s < end; s++)
-        if (!do_solid(job, w, out, s))
-            return false;
-    return true;
+    return array_reserve(&out->segment, &out->room, out->count + CHUNK_SEGMENTS, sizeof *out->segment) &&
+           segments_find(job, w, out, first, end);
 }
 
 /* The solids of one chunk of the order in which they lie in the picture. */
@@ -296,7 +43,7 @@ static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
     for (uint32_t k = first; k < end; k++) {
         uint32_t s = job->ahead.order[k];
         hide_worker_begin(w);
-        if (!job->picture.culled[s] && (!take_edges(job, w, s) || !hide_worker_run(w, s)))
+        if (!job->picture.culled[s] && (!segments_take_edges(job, w, s) || !hide_worker_run(w, s)))
             return false;
         if (!ahead_keep(&job->ahead, k, w))
             return false;

@@ -1,0 +1,29 @@
+/* segments.h - the edges of one solid: which of them are drawn, and the segments that are left of those. */
+#ifndef ROBERTS_HIDE_SEGMENTS_H
+#define ROBERTS_HIDE_SEGMENTS_H
+
+#include "hide/ahead.h"
+#include "hide/chunks.h"
+#include "view/clip.h"
+
+/* One scene seen by one camera, all that its segments follow from. */
+typedef struct hide_job {
+    const roberts_scene *scene;  /* as it is mapped: clipped, where that was needed */
+    const roberts_scene *source; /* as given */
+    view_clip clip;
+    roberts_segment_fn *each; /* takes the segments; NULL: the drawing keeps them */
+    void *context;
+    const roberts_hide_options *options;
+    hide_picture picture;
+    objet grid;
+    ahead ahead;         /* what was found before its turn, if anything */
+    double crease_chord; /* distance of two unit normals that meet at the crease angle, squared */
+} hide_job;
+
+/* Takes up the edges of a solid that are drawn and not covered. False: no memory. */
+bool segments_take_edges(const hide_job *job, hide_worker *w, uint32_t solid);
+
+/* Adds the segments of the solids first .. end - 1; what was found before their turn is not asked again. False: no memory. */
+bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t first, uint32_t end);
+
+#endif
