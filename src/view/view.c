@@ -21,8 +21,6 @@
 /* Bounds of x and y are taken for themselves where they are no more than this part of those of all coordinates: where
  * little is gained, the larger bound has the most oblique crossings computed more exactly than is promised. */
 #define MUCH_SHARPER 0.25
-/* Least exponent of the unit of view space, so that its reciprocal is a number. */
-#define UNIT_LEAST (-1000)
 /* Faces of more corners are not measured across each side: that takes time in proportion to the square. */
 #define MEASURED_CORNERS 64
 /* Steeper than this an oblique view shows nothing that anyone could read. */
@@ -376,16 +374,11 @@ roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_c
     roberts_vec3 half = vec3_sub(vec3_scale(0.5, scene->box_max), vec3_scale(0.5, scene->box_min));
     roberts_vec3 dir = camera->dir;
     roberts_status status = check_camera(camera, epsilon, error);
-    *v = (view){.origin = scene->centre, .unit = 1.0, .per_unit = 1.0, .diameter = 1.0};
+    *v = (view){.origin = scene->centre, .unit = scene->unit, .per_unit = 1.0 / scene->unit, .diameter = 1.0};
     if (status != ROBERTS_OK)
         return status;
-    if (largest(half) > 0.0) {
-        int exponent;
-        frexp(largest(half), &exponent);
-        v->unit = ldexp(1.0, exponent + 1 < UNIT_LEAST ? UNIT_LEAST : exponent + 1);
-        v->per_unit = 1.0 / v->unit;
+    if (largest(half) > 0.0)
         v->diameter = 2.0 * vec3_length(vec3_scale(v->per_unit, half));
-    }
     if (camera->projection == ROBERTS_PERSPECTIVE) {
         v->perspective = true;
         v->viewpoint = camera->eye;

@@ -10,7 +10,7 @@
  * a x + b y + c e + d = 0 becomes a x + b y + (c + d / D) z + d = 0, so that a face is front (c' < 0) exactly where
  * the eye is outside its plane. Lengths at the origin's depth stay what they are.
  *
- * View space is counted in `unit`, the power of two next to the scene's diameter: no product of a few coordinates can
+ * View space is counted in the scene's `unit`, a power of two near its size: no product of a few coordinates can
  * overflow or vanish whatever the model's unit, and a scene times 2^k gives the same bits. */
 #ifndef ROBERTS_VIEW_VIEW_H
 #define ROBERTS_VIEW_VIEW_H
@@ -24,7 +24,7 @@ typedef struct view {
     roberts_vec3 right, up, dir; /* unit vectors of model space */
     roberts_vec3 origin;         /* model units: the scene's centre, or the look-at point */
     double inverse_distance;     /* 1 / D in 1 / unit; 0 for the orthographic view */
-    double unit;                 /* model units in one unit of view space, a power of two */
+    double unit;                 /* model units in one unit of view space: the scene's */
     double per_unit;             /* 1 / unit */
     roberts_vec2 oblique;        /* orthographic: what a unit of depth away moves right and up; 0, 0 mostly */
     roberts_vec3 viewpoint;      /* the direction toward the viewer as given but for a power of two, or the eye in model
