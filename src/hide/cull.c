@@ -1,8 +1,6 @@
 /* cull.c - see cull.h. */
 #include "hide/cull.h"
 
-#include <math.h>
-
 /* Does the front hide the solid, all of whose vertices lie inside its outline or on it? */
 static bool hides_solid(const hide_picture *picture, const hide_front *front, uint32_t solid)
 {
@@ -12,12 +10,8 @@ static bool hides_solid(const hide_picture *picture, const hide_front *front, ui
         return false;
     for (uint32_t v = scene->solid[solid].vertex; v < scene->solid[solid + 1].vertex; v++) {
         roberts_vec3 X = view_point(&picture->view, scene->point[v]);
-        for (uint32_t i = 0; i < front->corners; i++) {
-            roberts_vec3 P = picture->P[corner[i]], Q = picture->P[corner[i + 1 < front->corners ? i + 1 : 0]];
-            double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (X.y - P.y) - dy * (X.x - P.x);
-            if (H < 0.0 && H < -0.5 * picture->space.epsilon * sqrt(dx * dx + dy * dy))
-                return false;
-        }
+        if (!hide_picture_holds(picture, corner, front->corners, X.x, X.y, 0.5 * picture->space.epsilon))
+            return false;
     }
     return true;
 }

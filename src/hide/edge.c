@@ -232,19 +232,6 @@ bool hide_worker_run(hide_worker *w, uint32_t solid)
     return true;
 }
 
-/* Is (x, y) inside F's picture or on its border? */
-static bool holds(const hide_picture *picture, const hide_face *F, double x, double y)
-{
-    double m = picture->space.epsilon;
-    for (uint32_t i = 0; i < F->count; i++) {
-        roberts_vec3 P = picture->P[F->corner[i]], Q = picture->P[F->corner[i + 1 < F->count ? i + 1 : 0]];
-        double dx = Q.x - P.x, dy = Q.y - P.y;
-        if (dx * (y - P.y) - dy * (x - P.x) < -m * sqrt(dx * dx + dy * dy))
-            return false;
-    }
-    return true;
-}
-
 static bool box_holds(const hide_picture *picture, const hide_box *box, double x, double y)
 {
     double m = picture->space.epsilon;
@@ -270,7 +257,7 @@ uint32_t hide_seen_at(const hide_worker *w, double x, double y)
                 const hide_face *F = &picture->face[i];
                 if (touching && !(fabs(plane_at(F->F, (roberts_vec3){x, y, best})) <= 2.0 * F->touch))
                     continue;
-                if (!holds(picture, F, x, y))
+                if (!hide_picture_holds(picture, F->corner, F->count, x, y, picture->space.epsilon))
                     continue;
                 if (touching)
                     solid = front->solid;

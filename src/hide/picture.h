@@ -60,4 +60,17 @@ static inline hide_face hide_outline(const hide_picture *picture, const hide_fro
     return (hide_face){.corner = picture->outline + front->outline, .count = front->corners};
 }
 
+/* Is (x, y) inside a convex polygon of the picture, or no farther outside than `slack`? */
+static inline bool hide_picture_holds(const hide_picture *picture, const uint32_t *corner, uint32_t count, double x,
+                                      double y, double slack)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        roberts_vec3 P = picture->P[corner[i]], Q = picture->P[corner[i + 1 < count ? i + 1 : 0]];
+        double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (y - P.y) - dy * (x - P.x);
+        if (H < 0.0 && H < -slack * sqrt(dx * dx + dy * dy))
+            return false;
+    }
+    return true;
+}
+
 #endif
