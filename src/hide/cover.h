@@ -3,7 +3,7 @@
  * Source: the lecture's "la face la plus proche qui recouvre le pave". Here a cell may be covered by the whole front of
  * a solid, not only by one face: the front's outline covers it. Of several covers the nearest counts, compared by the
  * farthest depth that it has over the cell: what is nowhere nearer than that lies behind it. The cells are finer than
- * those of Objet[i][j] (which they divide), since a cell that a front only crosses is not covered. */
+ * those of Objet[i][j], and others (see cells.h), since a cell that a front only crosses is not covered. */
 #ifndef ROBERTS_HIDE_COVER_H
 #define ROBERTS_HIDE_COVER_H
 
