@@ -51,7 +51,8 @@ bool ahead_init(ahead *a, const hide_picture *picture)
     if (far) {
         a->order = alloc_array(a->count, sizeof *a->order);
         a->place = alloc_array(a->count, sizeof *a->place);
-        a->chunk = alloc_zeroed((a->count + AHEAD_CHUNK - 1) / AHEAD_CHUNK, sizeof *a->chunk);
+        a->chunks = (a->count + AHEAD_CHUNK - 1) / AHEAD_CHUNK;
+        a->chunk = alloc_zeroed(a->chunks, sizeof *a->chunk);
         done = a->order && a->place && a->chunk && radix_order(key, a->count, a->order);
         for (uint32_t k = 0; done && k < a->count; k++)
             a->place[a->order[k]] = k;
@@ -62,7 +63,7 @@ bool ahead_init(ahead *a, const hide_picture *picture)
 
 void ahead_free(ahead *a)
 {
-    for (uint32_t c = 0; a->chunk && c < (a->count + AHEAD_CHUNK - 1) / AHEAD_CHUNK; c++) {
+    for (uint32_t c = 0; a->chunk && c < a->chunks; c++) {
         free(a->chunk[c].line);
         free(a->chunk[c].t);
     }

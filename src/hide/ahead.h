@@ -23,10 +23,10 @@ typedef struct ahead_chunk {
 } ahead_chunk;
 
 typedef struct ahead {
-    uint32_t count;
-    uint32_t *order;    /* [count] solids; NULL: the order of the file serves as well, nothing is kept */
-    uint32_t *place;    /* [count] where in `order` a solid is */
-    ahead_chunk *chunk; /* one for every AHEAD_CHUNK solids of `order` */
+    uint32_t count, chunks; /* of solids; of chunks, if any are kept */
+    uint32_t *order;        /* [count] solids; NULL: the order of the file serves as well, nothing is kept */
+    uint32_t *place;        /* [count] where in `order` a solid is */
+    ahead_chunk *chunk;     /* [chunks] one for every AHEAD_CHUNK solids of `order` */
 } ahead;
 
 /* Finds the order. False: no memory; ahead_free() is due in any case. */

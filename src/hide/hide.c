@@ -55,13 +55,12 @@ static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
 static bool look_ahead_at_all(hide_job *job, hide_worker *worker, int threads)
 {
     bool lost = false;
-    uint32_t count = job->ahead.order ? (job->ahead.count + AHEAD_CHUNK - 1) / AHEAD_CHUNK : 0;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads) reduction(|| : lost)
 #else
     (void)threads;
 #endif
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < job->ahead.chunks; i++) {
         int self = thread_self();
         lost = lost || !look_ahead(job, &worker[self], i);
     }
