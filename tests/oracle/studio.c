@@ -252,38 +252,43 @@ static bool any_beyond(const roberts_mesh *mesh, roberts_vec3 near, roberts_vec3
     return false;
 }
 
+static roberts_vec3 on_grid(roberts_vec3 p, double grain)
+{
+    return (roberts_vec3){grain * floor(p.x / grain), grain * floor(p.y / grain), grain * floor(p.z / grain)};
+}
+
+/* With the near plane through eye + ahead, looking at eye + far ahead. */
+static void set_eye(studio *st, roberts_vec3 eye, roberts_vec3 ahead, double far)
+{
+    st->scene->view = (oracle_view){.x = eye.x,
+                                    .y = eye.y,
+                                    .z = eye.z,
+                                    .w = 1,
+                                    .cut = true,
+                                    .near = {eye.x + ahead.x, eye.y + ahead.y, eye.z + ahead.z}};
+    st->scene->look_at = (roberts_vec3){eye.x + far * ahead.x, eye.y + far * ahead.y, eye.z + far * ahead.z};
+}
+
 /* Eye and near plane have coordinates that are multiples of `grain`, a power of two: coarse, it brings contact with
  * whole coordinates; fine, the eye may be very near a solid. The near plane is between a thousandth and a quarter of the scene's
  * size away, the look-at point at least half of it. False: the eye is within a solid, or all of the scene behind it. */
 static bool place_amid(studio *st)
 {
-    oracle_view *view = &st->scene->view;
+    const oracle_view *view = &st->scene->view;
     roberts_vec3 lo, hi;
     double size = diameter(&st->scene->mesh, &lo, &hi) / st->unit, step, far = 1;
     bool coarse = dice_int(&st->d, 0, 1) && size > 4 && size < 512;
     roberts_vec3 eye = dice_int(&st->d, 0, 2) ? amid_scene(st, lo, hi) : beside_solid(st), ahead;
     size = st->unit * ldexp(1, (int)floor(log2(size)));
     double grain = coarse ? st->unit / 2 : size * 0x1p-24;
-    eye = (roberts_vec3){grain * floor(eye.x / grain), grain * floor(eye.y / grain), grain * floor(eye.z / grain)};
+    eye = on_grid(eye, grain);
     look_small(st, 2);
     step = coarse ? grain * dice_int(&st->d, 1, 3) : size * ldexp(1, -dice_int(&st->d, 3, 10));
     ahead = (roberts_vec3){-step * view->x, -step * view->y, -step * view->z};
     while (far * step < size / 2)
         far *= 2;
-    *view = (oracle_view){.x = eye.x, .y = eye.y, .z = eye.z, .w = 1, .cut = true};
-    view->near = (roberts_vec3){eye.x + ahead.x, eye.y + ahead.y, eye.z + ahead.z};
-    st->scene->look_at = (roberts_vec3){eye.x + far * ahead.x, eye.y + far * ahead.y, eye.z + far * ahead.z};
+    set_eye(st, eye, ahead, far);
     return is_outside(st, eye) && any_beyond(&st->scene->mesh, view->near, ahead);
-}
-
-void look_from_amid(studio *st)
-{
-    oracle_view before = st->scene->view;
-    for (int i = 0; i < 1000; i++)
-        if (place_amid(st))
-            return;
-    st->scene->view = before; /* there is no room */
-    look_from_eye(st);
 }
 
 /* A millionth of the scene's size before a corner and in no line with it, with the near plane between: as near as the
@@ -291,7 +296,7 @@ void look_from_amid(studio *st)
 static bool place_close(studio *st)
 {
     const roberts_mesh *mesh = &st->scene->mesh;
-    oracle_view *view = &st->scene->view;
+    const oracle_view *view = &st->scene->view;
     roberts_vec3 lo, hi, corner = mesh->vertex[dice_int(&st->d, 0, (int)mesh->vertex_count - 1)], ahead;
     double size = diameter(mesh, &lo, &hi), grain = ldexp(1, (int)floor(log2(size)) - 26);
     look_small(st, 2);
@@ -300,21 +305,29 @@ static bool place_close(studio *st)
     roberts_vec3 eye = {corner.x - 1.25 * ahead.x + 0.25 * step * dice_real(&st->d),
                         corner.y - 1.25 * ahead.y + 0.25 * step * dice_real(&st->d),
                         corner.z - 1.25 * ahead.z + 0.25 * step * dice_real(&st->d)};
-    eye = (roberts_vec3){grain * floor(eye.x / grain), grain * floor(eye.y / grain), grain * floor(eye.z / grain)};
-    *view = (oracle_view){.x = eye.x, .y = eye.y, .z = eye.z, .w = 1, .cut = true};
-    view->near = (roberts_vec3){eye.x + ahead.x, eye.y + ahead.y, eye.z + ahead.z};
-    st->scene->look_at = (roberts_vec3){eye.x + 0x1p17 * ahead.x, eye.y + 0x1p17 * ahead.y, eye.z + 0x1p17 * ahead.z};
+    eye = on_grid(eye, grain);
+    set_eye(st, eye, ahead, 0x1p17);
     return is_outside(st, eye);
+}
+
+static void look_from(studio *st, bool place(studio *))
+{
+    oracle_view before = st->scene->view;
+    for (int i = 0; i < 1000; i++)
+        if (place(st))
+            return;
+    st->scene->view = before; /* there is no room */
+    look_from_eye(st);
+}
+
+void look_from_amid(studio *st)
+{
+    look_from(st, place_amid);
 }
 
 void look_from_close(studio *st)
 {
-    oracle_view before = st->scene->view;
-    for (int i = 0; i < 1000; i++)
-        if (place_close(st))
-            return;
-    st->scene->view = before; /* there is no room */
-    look_from_eye(st);
+    look_from(st, place_close);
 }
 
 void look_oblique(studio *st)

@@ -35,7 +35,7 @@ void look_corner(studio *st);
 void look_random(studio *st);
 void look_any(studio *st);
 /* The same direction from an eye well before the scene; from an eye amid the scene, with a near plane that cuts some of it;
- * obliquely. Once all solids are there. */
+ * from one just before a corner; obliquely. Once all solids are there. */
 void look_from_eye(studio *st);
 void look_from_amid(studio *st);
 void look_from_close(studio *st);
