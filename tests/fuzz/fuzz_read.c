@@ -36,22 +36,6 @@ static void take_warning(void *context, const char *file, size_t line, const cha
     ++*(size_t *)context;
 }
 
-static bool same(const void *a, const void *b, size_t size)
-{
-    return size == 0 || memcmp(a, b, size) == 0;
-}
-
-static void require_same(const roberts_mesh *a, const roberts_mesh *b)
-{
-    FUZZ_REQUIRE(a->vertex_count == b->vertex_count && a->face_count == b->face_count);
-    FUZZ_REQUIRE(a->corner_count == b->corner_count && a->source_count == b->source_count);
-    FUZZ_REQUIRE(same(a->vertex, b->vertex, a->vertex_count * sizeof *a->vertex));
-    FUZZ_REQUIRE(same(a->corner, b->corner, a->corner_count * sizeof *a->corner));
-    FUZZ_REQUIRE(a->face_count == 0 || same(a->face_start, b->face_start, (a->face_count + 1) * sizeof *a->face_start));
-    FUZZ_REQUIRE(same_colors(a->vertex_color, b->vertex_color, a->vertex_count));
-    FUZZ_REQUIRE(same_colors(a->face_color, b->face_color, a->face_count));
-}
-
 static void require_sound(const roberts_mesh *mesh)
 {
     for (size_t i = 0; i < mesh->vertex_count; i++) {
@@ -83,7 +67,7 @@ int fuzz_read(const uint8_t *bytes, size_t size)
     /* What follows the last face is looked at only as far as it has come: a callback may wait for more. And what cannot be
      * read twice is not looked at for a number that is missing. */
     FUZZ_REQUIRE(status == second && warned[0] - warned[1] <= 2);
-    require_same(&whole, &pieced);
+    FUZZ_REQUIRE(same_mesh(&whole, &pieced) && whole.source_count == pieced.source_count);
     require_sound(&whole);
     require_modest(&whole, size);
     if (status != ROBERTS_OK) {
