@@ -1,5 +1,5 @@
-/* Signs and crossings in twice the precision, against exact integers. All coordinates are integers below 2^18, so that
- * determinants fit into 63 bits; which of them vanish or all but vanish is up to each test. */
+/* Signs and crossings in twice the precision, against exact integers. All coordinates are integers below 2^18, or along one
+ * axis alone up to 2^20, so that determinants fit into 63 bits; which of them vanish or all but vanish is up to each test. */
 #include "hide/refine.h"
 #include "scenes.h"
 #include "whole.h"
@@ -221,11 +221,17 @@ static void grazing_pierce(void **state)
         }
 }
 
+/* z along the axis given, x and y along the others. */
+static whole along(int axis, int x, int y, int z)
+{
+    return axis == 0 ? (whole){z, x, y} : axis == 1 ? (whole){x, z, y} : (whole){x, y, z};
+}
+
 /* A corner of a scene 2^21 deep and 40 wide, seen along the axis given. */
 static whole deep_corner(rng *r, int axis)
 {
     int x = rng_int(r, -20, 20), y = rng_int(r, -20, 20), z = rng_int(r, -(1 << 20), 1 << 20);
-    return axis == 0 ? (whole){z, x, y} : axis == 1 ? (whole){x, z, y} : (whole){x, y, z};
+    return along(axis, x, y, z);
 }
 
 /* In a deep view x and y are bounded, with their errors, by what they are made of, and by how far depth leaks into them
@@ -246,8 +252,7 @@ static void deep_views(void **state)
                 p[k] = deep_corner(&r, axis);
         while (llabs(volume(p)) < 100000000 || llabs(volume(p + 4)) < 100000000);
         int x = aslant * rng_int(&r, -3, 3), y = aslant * rng_int(&r, -3, 3), z = aslant ? 1 << 20 : 3;
-        whole V = axis == 0 ? (whole){z, x, y} : axis == 1 ? (whole){x, z, y} : (whole){x, y, z};
-        roberts_camera camera = {.dir = real(V), .up = real(random_whole(&r, 9))};
+        roberts_camera camera = {.dir = real(along(axis, x, y, z)), .up = real(random_whole(&r, 9))};
         add_tetrahedron(&m, p);
         add_tetrahedron(&m, p + 4);
         set_up(&f, &m, &camera);

@@ -470,7 +470,6 @@ static void perspective_pictures(void **state)
     roberts_scene_free(scene);
 }
 
-/* Lines stay lines, and the parameters along them are those that view_to_space() and view_from_space() tell. */
 /* From (6, 12, 12), looking at the origin from D = 18: at h before the eye and s aside of the axis, a point has its picture
  * at a distance of s D / h from the middle and a depth of (D - h) D / h; both right to the last places, and within the
  * bound of rounding, down to some millionths of the scene's size. All numbers here are exact. */
@@ -508,6 +507,7 @@ static void close_to_the_eye(void **state)
     }
 }
 
+/* Lines stay lines, and the parameters along them are those that view_to_space() and view_from_space() tell. */
 static void parameters_along_lines(void **state)
 {
     rng r = {24};
