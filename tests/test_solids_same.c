@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "model/scene.h"
+#include "same_scene.h"
 #include "scenes.h"
 
 enum { CUBES = 6000 }; /* enough for seven threads to have something to do */
@@ -95,37 +96,6 @@ static void the_first_fault_is_told(void **state)
     }
 }
 
-static void expect_equal(const roberts_scene *a, const roberts_scene *b)
-{
-    assert_int_equal(a->solid_count, b->solid_count);
-    assert_int_equal(a->edge_count, b->edge_count);
-    for (uint32_t s = 0; s <= a->solid_count; s++) {
-        assert_int_equal(a->solid[s].vertex, b->solid[s].vertex);
-        assert_int_equal(a->solid[s].face, b->solid[s].face);
-        assert_int_equal(a->solid[s].edge, b->solid[s].edge);
-    }
-    for (uint32_t v = 0; v < a->vertex_count; v++)
-        assert_int_equal(scene_vertex_number(a, v), scene_vertex_number(b, v));
-    for (uint32_t f = 0; f < a->face_count; f++)
-        assert_int_equal(scene_face_number(a, f), scene_face_number(b, f));
-    assert_memory_equal(a->point, b->point, a->vertex_count * sizeof *a->point);
-    assert_memory_equal(a->corner, b->corner, a->corner_count * sizeof *a->corner);
-    assert_memory_equal(a->face_plane, b->face_plane, a->face_count * sizeof *a->face_plane);
-    assert_memory_equal(a->face_width, b->face_width, a->face_count * sizeof *a->face_width);
-    assert_memory_equal(a->face_deviation, b->face_deviation, a->face_count * sizeof *a->face_deviation);
-    assert_true(a->unit == b->unit);
-    assert_true(!a->vertex_color == !b->vertex_color && !a->face_color == !b->face_color);
-    if (a->vertex_color)
-        assert_memory_equal(a->vertex_color, b->vertex_color, a->vertex_count * sizeof(roberts_color));
-    if (a->face_color)
-        assert_memory_equal(a->face_color, b->face_color, a->face_count * sizeof(roberts_color));
-    for (uint32_t s = 0; s < a->solid_count; s++)
-        for (uint32_t e = a->solid[s].edge; e < a->solid[s + 1].edge; e++) {
-            scene_edge p = scene_edge_at(a, s, e), q = scene_edge_at(b, s, e);
-            assert_memory_equal(&p, &q, sizeof p);
-        }
-}
-
 static void the_scene_is_the_same(void **state)
 {
     roberts_mesh mesh = row_of_cubes(NULL, NULL, 0);
@@ -139,7 +109,7 @@ static void the_scene_is_the_same(void **state)
         roberts_scene_options options = {.threads = threads};
         roberts_scene *scene;
         assert_int_equal(roberts_scene_build(&mesh, &options, &scene, NULL), ROBERTS_OK);
-        expect_equal(scene, expected);
+        expect_same_scene(scene, expected);
         roberts_scene_free(scene);
     }
     roberts_scene_free(expected);
@@ -191,7 +161,7 @@ static void a_mesh_taken_over_gives_the_same(void **state)
         assert_ptr_equal(mesh.vertex, vertex);
         assert_ptr_not_equal(built->point, vertex);
         assert_int_equal(roberts_scene_take(&mesh, NULL, &taken, NULL), ROBERTS_OK);
-        expect_equal(taken, built);
+        expect_same_scene(taken, built);
         assert_true((taken->point == vertex) == !(mixed & 1));
         assert_true((taken->corner == corner) == (mixed == 0));
         assert_int_equal(mesh.vertex_count + mesh.face_count + mesh.corner_count, 0);
@@ -215,7 +185,7 @@ static void a_mesh_taken_over_may_be_welded(void **state)
     assert_int_equal(roberts_scene_build(&loose, NULL, &built, NULL), ROBERTS_OK);
     assert_int_equal(built->solid_count, 2);
     assert_int_equal(roberts_scene_take(&loose, NULL, &taken, NULL), ROBERTS_OK);
-    expect_equal(taken, built);
+    expect_same_scene(taken, built);
     roberts_scene_free(taken);
     roberts_scene_free(built);
     roberts_mesh_free(&cubes);
