@@ -1,7 +1,6 @@
 /* The files of models/ and the generator that makes them: the same bytes again, the solids' counts and symmetry against
  * the known table, the scenes for tests 1 to 4 against their own comments, solids that stand on one another exactly. */
 #include <dirent.h>
-#include <errno.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -15,6 +14,7 @@
 #include <cmocka.h>
 
 #include "model/scene.h"
+#include "whole_file.h"
 
 /* How far lengths, distances and planes may be off, as a part of the solid's circumradius or nearest like it: coordinates
  * are rounded to 1e-16, and some are sums of a few terms. */
@@ -48,24 +48,6 @@ static int run(const char *arguments, const char *output)
              messages);
     status = system(command); /* NOLINT(bugprone-command-processor): the shell redirects */
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-/* Bytes of a file with a 0 behind them, to be freed. */
-static char *contents(const char *path, size_t *size)
-{
-    FILE *file = fopen(path, "rb");
-    char *bytes = NULL;
-    long end;
-    if (!file)
-        fail_msg("%s: %s", path, strerror(errno));
-    assert_int_equal(fseek(file, 0, SEEK_END), 0);
-    assert_true((end = ftell(file)) >= 0);
-    rewind(file);
-    assert_non_null(bytes = malloc((size_t)end + 1));
-    *size = fread(bytes, 1, (size_t)end, file);
-    bytes[*size] = '\0';
-    fclose(file);
-    return bytes;
 }
 
 /* Calls `use` for every .off file of a folder like models/; returns how many there were. */
@@ -105,8 +87,8 @@ static void compare_model(const char *path, const char *name)
     size_t a_size, b_size;
     scratch_path(again, "again");
     snprintf(twin, sizeof twin, "%s/%s", again, name);
-    a = contents(path, &a_size);
-    b = contents(twin, &b_size);
+    a = whole_file(path, &a_size);
+    b = whole_file(twin, &b_size);
     if (a_size != b_size || memcmp(a, b, a_size) != 0)
         fail_msg("%s differs from what the generator writes (make models)", name);
     free(a);
@@ -208,7 +190,7 @@ static void check_numbers(const char *path, const char *name)
 {
     roberts_mesh mesh = read_mesh(path);
     size_t size;
-    char *text = contents(path, &size);
+    char *text = whole_file(path, &size);
     const char *at = behind_counts(text);
     for (size_t v = 0; v < mesh.vertex_count; v++) {
         roberts_vec3 p = mesh.vertex[v];
@@ -586,7 +568,7 @@ static void check_case(const char *path, const char *name)
     roberts_mesh mesh;
     if (strncmp(name, "tests/", 6) != 0)
         return;
-    text = contents(path, &size);
+    text = whole_file(path, &size);
     mesh = read_mesh(path);
     said = claim(name, text);
     defined = decide(&mesh);
@@ -702,9 +684,9 @@ static void seeds_make_a_difference(void **state)
     (void)state;
     scratch_path(output, "scene.off");
     assert_int_equal(run("lattice 3 1", output), 0);
-    first = contents(output, &size);
+    first = whole_file(output, &size);
     assert_int_equal(run("lattice 3 2", output), 0);
-    second = contents(output, &size);
+    second = whole_file(output, &size);
     assert_string_not_equal(behind_counts(first), behind_counts(second));
     free(first);
     free(second);

@@ -19,6 +19,7 @@
 #include "model/off_pieces.h"
 #include "same_mesh.h"
 #include "temporary.h"
+#include "whole_file.h"
 
 /* ---- threads ------------------------------------------------------------------------------------------------------- */
 
@@ -355,19 +356,6 @@ static void a_large_face(void **state)
 
 /* ---- files ------------------------------------------------------------------------------------------------------------- */
 
-static char *read_whole(const char *path, size_t *size)
-{
-    FILE *file = fopen(path, "rb");
-    assert_non_null(file);
-    assert_int_equal(fseek(file, 0, SEEK_END), 0);
-    *size = (size_t)ftell(file);
-    rewind(file);
-    char *text = allocate(*size + 1);
-    assert_int_equal(fread(text, 1, *size, file), *size);
-    fclose(file);
-    return text;
-}
-
 static int check_folder(const char *folder)
 {
     static const off_division division[] = {
@@ -382,7 +370,7 @@ static int check_folder(const char *folder)
         if (length < 5 || strcmp(entry->d_name + length - 4, ".off") != 0)
             continue;
         snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
-        char *text = read_whole(path, &size);
+        char *text = whole_file(path, &size);
         check(text, size, division, 3);
         free(text);
         count++;

@@ -13,6 +13,7 @@
 #include <cmocka.h>
 
 #include "temporary.h"
+#include "whole_file.h"
 
 enum { SIDE = 56, RUNS = 20 };
 
@@ -40,20 +41,6 @@ static void write_boxes(const char *path)
     assert_int_equal(fclose(file), 0);
 }
 
-static char *read_whole(const char *path, size_t *size)
-{
-    FILE *file = fopen(path, "rb");
-    assert_non_null(file);
-    assert_int_equal(fseek(file, 0, SEEK_END), 0);
-    *size = (size_t)ftell(file);
-    rewind(file);
-    char *bytes = malloc(*size + 1);
-    assert_non_null(bytes);
-    assert_int_equal(fread(bytes, 1, *size, file), *size);
-    fclose(file);
-    return bytes;
-}
-
 /* What the program writes of this model with these options; to be freed. */
 static char *draw(const char *model, const char *format, const char *options, size_t *size)
 {
@@ -63,7 +50,7 @@ static char *draw(const char *model, const char *format, const char *options, si
     int status = system(command);
     assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 0);
     snprintf(command, sizeof command, "%s/out.%s", temporary, format);
-    char *bytes = read_whole(command, size);
+    char *bytes = whole_file(command, size);
     assert_int_equal(unlink(command), 0);
     return bytes;
 }

@@ -1,0 +1,29 @@
+/* whole_file.h - the bytes of a file at once. Include it after the headers of cmocka. */
+#ifndef ROBERTS_TESTS_WHOLE_FILE_H
+#define ROBERTS_TESTS_WHOLE_FILE_H
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* With a 0 behind them; to be freed. */
+static inline char *whole_file(const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        fail_msg("%s: %s", path, strerror(errno));
+    assert_int_equal(fseek(file, 0, SEEK_END), 0);
+    long end = ftell(file);
+    assert_true(end >= 0);
+    rewind(file);
+    char *bytes = malloc((size_t)end + 1);
+    assert_non_null(bytes);
+    *size = (size_t)end;
+    assert_int_equal(fread(bytes, 1, *size, file), *size);
+    bytes[*size] = '\0';
+    (void)fclose(file);
+    return bytes;
+}
+
+#endif
