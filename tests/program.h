@@ -113,6 +113,15 @@ static inline void assert_said(const char *text)
         fail_msg("said: %s\nnot: %s", last.err, text);
 }
 
+/* How often something stands in a text. */
+static inline int count_of(const char *text, const char *what)
+{
+    int count = 0;
+    for (; (text = strstr(text, what)); text++)
+        count++;
+    return count;
+}
+
 /* Each test has a folder of its own, with a link to models/. */
 static inline int enter_folder(void **state)
 {

@@ -211,13 +211,10 @@ static void few_open_files(void **state)
     assert_int_equal(run_from("ulimit -n 16; set -- \"$@\" in/of/*.off", "--batch in --threads 2", ""), 0);
     assert_entries(MANY + 1);
     assert_int_equal(entries("in", true), MANY + 1);
-    int status = run_from("ulimit -n 5; set -- \"$@\" in/of/*.off", "--batch in --threads 8", ""), told = 0;
-    for (const char *s = last.err; (s = strstr(s, "Too many open files")); s++)
-        told++;
+    int status = run_from("ulimit -n 5; set -- \"$@\" in/of/*.off", "--batch in --threads 8", "");
+    int told = count_of(last.err, "Too many open files");
     assert_int_equal(status, told ? 1 : 0);
     assert_entries(MANY + 1 - told);
-    entries("in/of", true);
-    assert_int_equal(rmdir("in/of"), 0);
 }
 
 static void little_stack(void **state)
