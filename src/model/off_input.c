@@ -78,6 +78,8 @@ static bool skip(off_input *in, bool lines)
     const char *c = in->at;
     uint64_t start = in->taken;
     bool commented = false; /* within a comment, which a '\0' does not end */
+    if (in->too_blank)
+        return false; /* perhaps within a comment, still */
     for (;;) {
         if (commented)
             c = comment(c);

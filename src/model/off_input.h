@@ -39,7 +39,7 @@ typedef struct off_input {
     off_source source;
     bool ended;     /* nothing follows `end` */
     int failure;    /* errno of a failed read; 0: none */
-    bool too_blank; /* more than OFF_BLANK_MAX without a token */
+    bool too_blank; /* more than OFF_BLANK_MAX without a token: no other is looked for */
     uint64_t taken; /* bytes that were read before `end` */
 } off_input;
 
