@@ -246,6 +246,8 @@ static const struct {
      "(0 0 0)(1 0 0/1,0,0)(0 1 0)[0 1][0 1 2]", "0: 1 face with fewer than 3 corners ignored;"},
     {"all numbers on lines of their own, and a thin face", "OFF\n3 2 0\n0\n0\n0\n1 0\n0\n0\n1\n0\n2 0 1\n3 0 1 2\n",
      "(0 0 0)(1 0 0)(0 1 0)[0 1][0 1 2]", "0: 1 face with fewer than 3 corners ignored;"},
+    {"the first vertex beside the counts, and a thin face", "OFF 3 2 0 0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n",
+     "(0 0 0)(1 0 0)(0 1 0)[0 1 2][0 1]", "0: 1 face with fewer than 3 corners ignored;"},
     {"unused vertices", "OFF 5 1 0\n9 9 9\n" POINTS "8 8 8\n3 1 2 3\n", "(9 9 9)(0 0 0)(1 0 0)(0 1 0)(8 8 8)[1 2 3]",
      ""},
 };
@@ -394,6 +396,8 @@ static const struct {
     {"brace too early", "{OFF\n3 1 0\n0 0 0\n}", ROBERTS_BAD_SYNTAX, 4, "x of vertex 1 of 3 expected, found \"}\""},
     {"a number missing", "OFF\n4 2 0\n0 0 0\n1 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 9\n", ROBERTS_BAD_INDEX, 8,
      "face 1 names vertex 9, but there are 4; look: line 4 has 2 words, and the vertices before it have 3"},
+    {"the first vertex beside the counts", "OFF 3 2 0 0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 9\n", ROBERTS_BAD_INDEX, 5,
+     "face 1 names vertex 9, but there are 3"},
     {"a normal too few", "NOFF\n3 2 0\n0 0 0 0 0 1\n1 0 0 0 0\n0 1 0 0 0 1\n3 0 1 2\n3 0 x 2\n", ROBERTS_BAD_SYNTAX, 7,
      "corner 2 of 3 of face 1 of 2 expected, found \"x\"; look: line 4 has 5 words, and the vertices before it have 6"},
     {"points", "0.5 0 0\n1 0 0\n\n0 1 0\n", ROBERTS_BAD_SYNTAX, 0,

@@ -24,7 +24,7 @@ typedef struct off_header {
     bool texture, color, normal, homogeneous, dimension; /* prefixes ST, C, N, 4, n */
     bool binary;
     bool bare;                /* no keyword */
-    size_t line;              /* where the counts end; 0: not yet read */
+    size_t line;              /* where the counts end; 0: not yet read, or a vertex begins there */
     size_t braces;            /* opened, and to be closed after the last face */
     uint64_t vertices, faces; /* as declared: nothing is allocated for them */
 } off_header;

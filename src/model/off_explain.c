@@ -187,7 +187,7 @@ void off_explain_warning(off_reader *r)
     const unsigned least = least_words(h);
     text_line first, odd;
     char hint[HINT];
-    if (!r->warnings || !r->in.source.read_at || r->in.failure || h->binary)
+    if (!r->warnings || !r->in.source.read_at || r->in.failure || h->binary || h->line == 0)
         return;
     text t = begin(r);
     find_odd(h, &t, SIZE_MAX, &first, &odd);

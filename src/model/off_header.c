@@ -142,6 +142,8 @@ static roberts_status counts(off_reader *r)
         return off_fail(r, ROBERTS_BAD_SYNTAX,
                         "four counts: this is the 4OFF of four-dimensional polytopes with cells (as of Stella), not "
                         "4OFF with homogeneous coordinates, and cannot be drawn");
+    if (r->in.line == r->header.line && input_skip_in_line(&r->in))
+        r->header.line = 0;
     return ROBERTS_OK;
 }
 
