@@ -10,8 +10,8 @@
 #   tables        measures nothing: prints the tables of what was measured last, also of a run that was broken off
 #
 # Prints tables, and writes the same figures, tab-separated, to build/bench/. A row is the run of median CPU time, of
-# nine for a thousand solids down to three for a million. Scenes are made there by make-models and kept, but for those of
-# a million solids (up to 0.5 GB each).
+# nine for a thousand solids down to three for a million; of a third as many with --verify, of one when drawn as SVG.
+# Scenes are made there by make-models and kept, but for those of a million solids (up to 0.5 GB each).
 #
 # BENCH_MAX       most solids to a scene (1e6); less makes it short: BENCH_MAX=1e5
 # BENCH_LIMIT     seconds after which a run is given up, and larger scenes of its kind with it (100; needs timeout)
