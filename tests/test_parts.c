@@ -264,12 +264,40 @@ static void union_names_a_member(void **state)
     free(parts.item);
 }
 
+/* Three faces of each solid, with gaps between them, solid by solid or in turn: one hull of each solid, without a gap. */
+static void one_hull_of_each_solid(void **state)
+{
+    enum { MOST = 200, FACES = 3 };
+    static const uint32_t counts[] = {1, 2, 40, MOST}, place[FACES] = {1, 0, 2};
+    (void)state;
+    for (size_t i = 0; i < 2 * (sizeof counts / sizeof counts[0]); i++) {
+        hide_parts hulls = {0};
+        uint32_t count = counts[i / 2];
+        bool in_turn = i % 2, met[MOST] = {false};
+        for (uint32_t k = 0; k < FACES * count; k++) {
+            uint32_t solid = in_turn ? k % count : k / FACES, face = in_turn ? k / count : k % FACES;
+            double t0 = solid / 256.0 + place[face] / 1024.0;
+            assert_true(hide_parts_hull(&hulls, solid, &(hide_part){t0, t0 + 1 / 2048.0, 0, 0}));
+        }
+        hide_parts_hulls_done(&hulls);
+        assert_int_equal(hulls.count, count);
+        for (size_t k = 0; k < hulls.count; k++) {
+            uint32_t solid = hulls.item[k].solid;
+            assert_true(solid < count && !met[solid]);
+            met[solid] = true;
+            assert_true(hulls.item[k].part.t0 == solid / 256.0);
+            assert_true(hulls.item[k].part.t1 == solid / 256.0 + 2 / 1024.0 + 1 / 2048.0);
+        }
+        free(hulls.item);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(joined_as_they_come),  cmocka_unit_test(union_by_table),
         cmocka_unit_test(union_of_many),        cmocka_unit_test(reach_joins_in_any_order),
-        cmocka_unit_test(union_names_a_member),
+        cmocka_unit_test(union_names_a_member), cmocka_unit_test(one_hull_of_each_solid),
     };
     return cmocka_run_group_tests_name("parts", tests, NULL, NULL);
 }

@@ -217,6 +217,16 @@ static bool run_lines(hide_worker *w, uint32_t solid)
     return true;
 }
 
+/* What solids entered face by face hide becomes part of the whole. */
+static BITS_RARE bool add_hulls(hide_line *line)
+{
+    hide_parts_hulls_done(&line->hulls);
+    for (size_t k = 0; k < line->hulls.count; k++)
+        if (!hide_parts_add(&line->parts, line->hulls.item[k].solid, &line->hulls.item[k].part))
+            return false;
+    return true;
+}
+
 bool hide_worker_run(hide_worker *w, uint32_t solid)
 {
     /* Nothing else could hide them; and a fan of a million triangles lists all of them in the cell of its tip. */
@@ -224,9 +234,8 @@ bool hide_worker_run(hide_worker *w, uint32_t solid)
     if (w->line_count > 0 && !alone && !run_lines(w, solid))
         return false;
     for (hide_line *line = w->line, *end = line + w->line_count; line < end; line++) {
-        for (size_t k = 0; k < line->hulls.count; k++)
-            if (!hide_parts_add(&line->parts, line->hulls.item[k].solid, &line->hulls.item[k].part))
-                return false;
+        if (line->hulls.count > 0 && !add_hulls(line))
+            return false;
         hide_parts_unite(&line->parts, w->picture->space.epsilon, line->e.length3);
     }
     return true;

@@ -7,7 +7,8 @@
 #include "base/array.h"
 #include "base/radix.h"
 
-/* With more parts than this a new one is not held against each: they are joined when all are there. */
+/* With more parts than this a new one is not held against each, or with more hulls only against so many of the last: they
+ * are joined when all are there. */
 #define FEW 32
 /* So many are put in order one by one; and from so many on comparing takes longer than counting digits. */
 #define SHORT_RUN 16
@@ -37,7 +38,8 @@ bool hide_parts_add_closely(hide_parts *parts, uint32_t solid, hide_part *part)
 /* From the end: the faces of a solid mostly come one after another. */
 bool hide_parts_hull(hide_parts *hulls, uint32_t solid, hide_part *part)
 {
-    for (size_t i = hulls->count; i-- > 0;)
+    size_t first = hulls->count > FEW ? hulls->count - FEW : 0;
+    for (size_t i = hulls->count; i-- > first;)
         if (hulls->item[i].solid == solid) {
             hulls->item[i].part = *part = hide_parts_joined(&hulls->item[i].part, part);
             return true;
@@ -56,6 +58,27 @@ static int compare(const void *pa, const void *pb)
     if (a->part.t0 != b->part.t0)
         return a->part.t0 < b->part.t0 ? -1 : 1;
     return (a->solid > b->solid) - (a->solid < b->solid);
+}
+
+static int compare_solids(const void *pa, const void *pb)
+{
+    const hide_solid_part *a = pa, *b = pb;
+    return a->solid != b->solid ? (a->solid > b->solid ? 1 : -1) : compare(pa, pb);
+}
+
+void hide_parts_hulls_done(hide_parts *hulls)
+{
+    size_t kept = 0;
+    hide_solid_part *item = hulls->item;
+    if (hulls->count <= FEW)
+        return;
+    qsort(item, hulls->count, sizeof *item, compare_solids);
+    for (size_t i = 0; i < hulls->count; i++)
+        if (kept && item[kept - 1].solid == item[i].solid)
+            item[kept - 1].part = hide_parts_joined(&item[kept - 1].part, &item[i].part);
+        else
+            item[kept++] = item[i];
+    hulls->count = kept;
 }
 
 /* A run in which few are far from their places, one by one. */

@@ -52,8 +52,12 @@ static inline bool hide_parts_add(hide_parts *parts, uint32_t solid, hide_part *
 }
 
 /* Adds what one face of `solid` hides to the hull of what its other faces do, which `*part` becomes: faces given to few
- * digits, or cut by the near plane, leave gaps between them, and the solid none. False: no memory. */
+ * digits, or cut by the near plane, leave gaps between them, and the solid none. Of very many solids one may have several
+ * hulls until hide_parts_hulls_done(). False: no memory. */
 bool hide_parts_hull(hide_parts *hulls, uint32_t solid, hide_part *part);
+
+/* Leaves one hull of each solid. */
+void hide_parts_hulls_done(hide_parts *hulls);
 
 /* Parts nearer than `epsilon` to an end of the edge reach it. */
 static inline void hide_parts_reach_ends(hide_parts *parts, double epsilon, double length)
