@@ -24,7 +24,8 @@ static uint32_t size_of(uint32_t k)
 
 typedef struct labour {
     chunks all;
-    uint32_t fails; /* at this chunk there is no memory; CHUNKS: at none */
+    uint32_t fails;     /* at this chunk there is no memory; CHUNKS: at none */
+    atomic_int threads; /* that have begun */
 } labour;
 
 static bool fill(hide_chunk *chunk, uint32_t k)
@@ -39,8 +40,9 @@ static bool fill(hide_chunk *chunk, uint32_t k)
 static void *work(void *argument)
 {
     labour *job = argument;
-    uint32_t k;
-    for (hide_chunk *chunk; (chunk = chunks_take(&job->all, &k));) {
+    int self = atomic_fetch_add(&job->threads, 1);
+    for (hide_chunk *chunk; (chunk = chunks_take(&job->all, self));) {
+        uint32_t k = chunk->number;
         if (k % 64 == 9) /* one falls behind */
             for (unsigned turn = 0; turn < 40; turn++)
                 thread_wait(turn);
@@ -48,7 +50,7 @@ static void *work(void *argument)
             chunks_fail(&job->all, ROBERTS_NO_MEMORY);
             return NULL;
         }
-        chunks_done(&job->all, k);
+        chunks_done(&job->all, self, chunk);
     }
     return NULL;
 }

@@ -1,39 +1,41 @@
 /* chunks.c - see chunks.h.
  *
  * All operations on what threads share are sequentially consistent, which is what makes it sure that a full chunk is seen
- * by someone: a thread first says that its chunk is full and then looks whether another is at the placing; that one first
- * says that it no longer is, and then looks for full chunks. */
+ * by someone: a thread first says that its chunk is found and then looks whether another is at the placing; that one first
+ * says that it no longer is, and then looks for chunks that are found. Likewise a thread first says that it copies and then
+ * looks whether the drawing moves; and who moves it first says so, and then looks who copies. */
 #include "hide/chunks.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/array.h"
-#include "base/threads.h"
-
-/* So many chunks may wait for their turn, so that a thread that the system has put aside does not stop the others. */
-#define SLOTS_PER_THREAD 16
-/* So many chunks one thread lays down at a time: it leaves some to the others, since the memory is new to the program and
- * the system has to bring it, which takes longer than the copying. */
-#define LAID_AT_ONCE 4
 
 bool chunks_init(chunks *c, uint32_t total, int threads, roberts_drawing *drawing, roberts_segment_fn *each,
                  void *context)
 {
-    *c = (chunks){.total = total, .drawing = drawing, .each = each, .context = context};
-    c->slots = threads > 1 ? SLOTS_PER_THREAD * (uint32_t)threads : 1;
-    c->slot = alloc_zeroed(c->slots, sizeof *c->slot);
-    for (uint32_t i = 0; c->slot && i < c->slots; i++)
-        atomic_init(&c->slot[i].stage, 2 * i);
-    return c->slot != NULL;
+    *c = (chunks){.total = total, .drawing = drawing, .each = each, .context = context, .threads = threads};
+    c->queue = alloc_zeroed((size_t)threads, sizeof *c->queue);
+    c->found = alloc_array(total, sizeof *c->found);
+    if (!c->queue || !c->found)
+        return false;
+    for (uint32_t k = 0; k < total; k++)
+        atomic_init(&c->found[k], NULL);
+    for (int i = 0; i < threads; i++)
+        for (uint32_t k = 0; k < CHUNKS_WAITING; k++)
+            c->queue[i].spare[k] = &c->queue[i].chunk[k];
+    return true;
 }
 
 void chunks_free(chunks *c)
 {
-    for (uint32_t i = 0; c->slot && i < c->slots; i++)
-        free(c->slot[i].segment);
-    free(c->slot);
-    c->slot = NULL;
+    for (int i = 0; c->queue && i < c->threads; i++)
+        for (uint32_t k = 0; k < CHUNKS_WAITING; k++)
+            free(c->queue[i].chunk[k].segment);
+    free(c->queue);
+    free(c->found);
+    c->queue = NULL;
+    c->found = NULL;
 }
 
 void chunks_fail(chunks *c, roberts_status status)
@@ -42,98 +44,124 @@ void chunks_fail(chunks *c, roberts_status status)
     atomic_compare_exchange_strong(&c->status, &ok, (int)status);
 }
 
-static bool is_full(chunks *c, uint32_t k)
+static bool goes_on(chunks *c)
 {
-    return k < c->total && atomic_load(&c->status) == ROBERTS_OK &&
-           atomic_load(&c->slot[k % c->slots].stage) == 2 * k + 1;
+    return atomic_load(&c->status) == ROBERTS_OK;
 }
 
-static void set_free(chunks *c, uint32_t k)
+/* The chunk whose turn it is, where it is found; else NULL. */
+static hide_chunk *in_turn(chunks *c)
 {
-    atomic_store(&c->slot[k % c->slots].stage, 2 * (k + c->slots));
+    uint32_t k = atomic_load(&c->placed);
+    return k < c->total && goes_on(c) ? atomic_load(&c->found[k]) : NULL;
 }
 
-/* All chunks from k on that are full. */
-static void give_away(chunks *c, uint32_t k)
+static void give_away(chunks *c, const hide_chunk *chunk)
 {
-    for (; is_full(c, k); set_free(c, k++)) {
-        const hide_chunk *chunk = &c->slot[k % c->slots];
-        for (size_t i = 0; i < chunk->count; i++, c->drawing->count++)
-            if (!c->each(c->context, &chunk->segment[i])) {
-                chunks_fail(c, ROBERTS_STOPPED);
-                return;
-            }
-        atomic_store(&c->placed, k + 1);
-    }
-}
-
-/* Places for some chunks from k on; the first that has none. The drawing moves only while nobody writes to it. */
-static uint32_t give_places(chunks *c, uint32_t k)
-{
-    size_t total = c->drawing->count;
-    uint32_t end = k;
-    for (; end < k + LAID_AT_ONCE && is_full(c, end); end++) {
-        hide_chunk *chunk = &c->slot[end % c->slots];
-        chunk->place = total;
-        total += chunk->count;
-    }
-    if (total > c->room) {
-        for (unsigned turn = 0; atomic_load(&c->copying); turn++)
-            thread_wait(turn);
-        if (!array_reserve(&c->drawing->segment, &c->room, total, sizeof *c->drawing->segment)) {
-            chunks_fail(c, ROBERTS_NO_MEMORY);
-            return k;
+    for (size_t i = 0; i < chunk->count; i++, c->drawing->count++)
+        if (!c->each(c->context, &chunk->segment[i])) {
+            chunks_fail(c, ROBERTS_STOPPED);
+            return;
         }
-    }
-    c->drawing->count = total;
-    atomic_fetch_add(&c->copying, 1);
-    atomic_store(&c->placed, end);
-    return end;
 }
 
-static void lay_down(chunks *c, uint32_t k, uint32_t end)
+/* The drawing moves only while nobody writes to it. False: no memory. */
+static bool make_room(chunks *c, size_t total)
 {
-    for (; k < end; set_free(c, k++)) {
-        const hide_chunk *chunk = &c->slot[k % c->slots];
-        if (chunk->count)
-            memcpy(c->drawing->segment + chunk->place, chunk->segment, chunk->count * sizeof *chunk->segment);
+    if (total <= c->room)
+        return true;
+    atomic_store(&c->moving, true);
+    for (unsigned turn = 0; atomic_load(&c->copying); turn++)
+        thread_wait(turn);
+    bool done = array_reserve(&c->drawing->segment, &c->room, total, sizeof *c->drawing->segment);
+    atomic_store(&c->moving, false);
+    return done;
+}
+
+static void give_place(chunks *c, hide_chunk *chunk)
+{
+    size_t total = c->drawing->count + chunk->count;
+    if (!make_room(c, total)) {
+        chunks_fail(c, ROBERTS_NO_MEMORY);
+        return;
     }
+    chunk->place = c->drawing->count;
+    c->drawing->count = total;
+}
+
+/* What is found and in turn, unless another thread is at it. */
+static void place(chunks *c)
+{
+    while (in_turn(c) && !atomic_exchange(&c->placing, true)) {
+        for (hide_chunk *chunk = in_turn(c); chunk; chunk = in_turn(c)) {
+            if (c->each)
+                give_away(c, chunk);
+            else
+                give_place(c, chunk);
+            if (goes_on(c))
+                atomic_fetch_add(&c->placed, 1);
+        }
+        atomic_store(&c->placing, false);
+    }
+}
+
+static void lay_down(chunks *c, const hide_chunk *chunk)
+{
+    atomic_fetch_add(&c->copying, 1);
+    for (unsigned turn = 0; atomic_load(&c->moving); turn++) {
+        atomic_fetch_sub(&c->copying, 1);
+        thread_wait(turn);
+        atomic_fetch_add(&c->copying, 1);
+    }
+    if (chunk->count)
+        memcpy(c->drawing->segment + chunk->place, chunk->segment, chunk->count * sizeof *chunk->segment);
     atomic_fetch_sub(&c->copying, 1);
 }
 
-/* What is full and in turn, unless another thread is at it. */
-static void place(chunks *c)
+/* The thread's own that have their places, or are given away: they are free again. */
+static void settle(chunks *c, chunk_queue *own)
 {
-    while (is_full(c, atomic_load(&c->placed)) && !atomic_exchange(&c->placing, true)) {
-        uint32_t first = atomic_load(&c->placed), end = first;
-        if (c->each)
-            give_away(c, first);
-        else if (is_full(c, first))
-            end = give_places(c, first);
-        atomic_store(&c->placing, false);
-        if (end > first)
-            lay_down(c, first, end);
+    for (; own->count; own->first = (own->first + 1) % CHUNKS_WAITING) {
+        hide_chunk *chunk = own->waiting[own->first];
+        if (chunk->number >= atomic_load(&c->placed))
+            break;
+        if (!c->each)
+            lay_down(c, chunk);
+        own->count--;
+        own->spare[CHUNKS_WAITING - 1 - own->count] = chunk;
     }
 }
 
-hide_chunk *chunks_take(chunks *c, uint32_t *k)
+/* Until no more than `most` of the thread's own are waiting. */
+static void wait_for_places(chunks *c, chunk_queue *own, uint32_t most)
 {
-    *k = atomic_load(&c->taken) < c->total ? atomic_fetch_add(&c->taken, 1) : c->total;
-    if (*k >= c->total)
-        return NULL;
-    hide_chunk *chunk = &c->slot[*k % c->slots];
-    for (unsigned turn = 0; atomic_load(&chunk->stage) != 2 * *k; turn++) {
-        if (atomic_load(&c->status) != ROBERTS_OK)
-            return NULL; /* the slot may still be another's */
-        place(c);
+    for (unsigned turn = 0; own->count > most && goes_on(c); turn++) {
         thread_wait(turn);
+        place(c);
+        settle(c, own);
     }
-    chunk->count = 0;
-    return atomic_load(&c->status) == ROBERTS_OK ? chunk : NULL;
 }
 
-void chunks_done(chunks *c, uint32_t k)
+hide_chunk *chunks_take(chunks *c, int self)
 {
-    atomic_store(&c->slot[k % c->slots].stage, 2 * k + 1);
+    chunk_queue *own = &c->queue[self];
+    wait_for_places(c, own, CHUNKS_WAITING - 1);
+    uint32_t k = atomic_load(&c->taken) < c->total ? atomic_fetch_add(&c->taken, 1) : c->total;
+    if (k >= c->total)
+        wait_for_places(c, own, 0);
+    if (k >= c->total || !goes_on(c))
+        return NULL;
+    hide_chunk *chunk = own->spare[CHUNKS_WAITING - 1 - own->count];
+    chunk->number = k;
+    chunk->count = 0;
+    return chunk;
+}
+
+void chunks_done(chunks *c, int self, hide_chunk *chunk)
+{
+    chunk_queue *own = &c->queue[self];
+    own->waiting[(own->first + own->count++) % CHUNKS_WAITING] = chunk;
+    atomic_store(&c->found[chunk->number], chunk);
     place(c);
+    settle(c, own);
 }

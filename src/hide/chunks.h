@@ -1,27 +1,42 @@
 /* chunks.h - segments that threads find in any order, given in the order of their solids.
  *
- * Solids are worked on in chunks. Any thread takes the next one, and no thread waits for another: what it has found it
- * leaves in the chunk's slot, and goes on. Whichever thread then sees the chunk whose turn it is lays it down, and all
- * that follow and are there. Only a thread that is a whole round of slots ahead has to wait. */
+ * Solids are worked on in chunks. Any thread takes the next one, and no thread waits for another: it says what it has found,
+ * and goes on. Whichever thread then sees the chunk whose turn it is gives it its place, and all that follow and are
+ * found; every thread lays down its own, whose memory is still in its cache. Only a thread that has filled a whole queue of
+ * chunks that have no place yet has to wait. */
 #ifndef ROBERTS_HIDE_CHUNKS_H
 #define ROBERTS_HIDE_CHUNKS_H
 
 #include <stdatomic.h>
 #include <stdbool.h>
 
+#include "base/threads.h"
 #include "roberts.h"
 
 /* What is found of one chunk. */
 typedef struct hide_chunk {
     roberts_segment *segment; /* [count] */
     size_t count, room;
-    size_t place;           /* of its first segment in the drawing */
-    _Atomic uint32_t stage; /* 2 k: free for chunk k, or at work on it; 2 k + 1: chunk k is found */
+    uint32_t number;
+    size_t place; /* of its first segment in the drawing */
 } hide_chunk;
 
+/* So many chunks of a thread may wait for their turn, so that another that the system has put aside does not stop it. */
+enum { CHUNKS_WAITING = 16 };
+
+/* The chunks of one thread: those waiting in the order of their numbers, a ring, and those that are free. */
+typedef struct chunk_queue {
+    hide_chunk chunk[CHUNKS_WAITING];
+    hide_chunk *waiting[CHUNKS_WAITING], *spare[CHUNKS_WAITING]; /* spare: last the one used last */
+    uint32_t first, count;                                       /* of those waiting */
+    char apart[THREADS_APART];
+} chunk_queue;
+
 typedef struct chunks {
-    hide_chunk *slot; /* [slots] chunk k is found in slot k % slots */
-    uint32_t slots, total;
+    chunk_queue *queue; /* [threads] */
+    int threads;
+    _Atomic(hide_chunk *) *found; /* [total] NULL: not yet */
+    uint32_t total;
     roberts_segment_fn *each; /* takes the segments; NULL: the drawing keeps them */
     void *context;
     roberts_drawing *drawing;
@@ -29,6 +44,7 @@ typedef struct chunks {
     _Atomic uint32_t taken;   /* the next to be worked on */
     _Atomic uint32_t placed;  /* the next to be given away, or to get its place in the drawing */
     _Atomic uint32_t copying; /* threads that write to the drawing, which must stay where it is */
+    atomic_bool moving;       /* the drawing does, or is about to */
     atomic_bool placing;      /* some thread gives away or gives places */
     atomic_int status;        /* roberts_status; what is not ROBERTS_OK ends the work */
 } chunks;
@@ -38,11 +54,12 @@ bool chunks_init(chunks *c, uint32_t total, int threads, roberts_drawing *drawin
                  void *context);
 void chunks_free(chunks *c);
 
-/* The next chunk, its number in `*k`, to be filled; NULL: there is no more, or the work is over for what `status` says. */
-hide_chunk *chunks_take(chunks *c, uint32_t *k);
+/* The next chunk for thread `self`, counted from 0, to be filled; NULL: there is no more, or the work is over for what
+ * `status` says. When all threads have got NULL, or have failed, all segments are where they belong. */
+hide_chunk *chunks_take(chunks *c, int self);
 
-/* The chunk is full. When the last thread has returned from its last call, all segments are where they belong. */
-void chunks_done(chunks *c, uint32_t k);
+/* The chunk that the thread has taken is full. */
+void chunks_done(chunks *c, int self, hide_chunk *chunk);
 
 /* Ends the work, unless it has ended already. */
 void chunks_fail(chunks *c, roberts_status status);

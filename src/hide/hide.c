@@ -84,15 +84,14 @@ static void add_sums(roberts_drawing *drawing, const hide_worker *w)
 }
 
 /* One thread's part. */
-static void do_some_chunks(const hide_job *job, hide_worker *w, chunks *all)
+static void do_some_chunks(const hide_job *job, hide_worker *w, chunks *all, int self)
 {
-    uint32_t k;
-    for (hide_chunk *out = chunks_take(all, &k); out; out = chunks_take(all, &k)) {
-        if (!do_chunk(job, w, out, k)) {
+    for (hide_chunk *out = chunks_take(all, self); out; out = chunks_take(all, self)) {
+        if (!do_chunk(job, w, out, out->number)) {
             chunks_fail(all, ROBERTS_NO_MEMORY);
             return;
         }
-        chunks_done(all, k);
+        chunks_done(all, self, out);
     }
 }
 
@@ -105,7 +104,7 @@ static void do_all_chunks(const hide_job *job, hide_worker *worker, int threads,
 #endif
     {
         int self = thread_self();
-        do_some_chunks(job, &worker[self], all);
+        do_some_chunks(job, &worker[self], all, self);
     }
 }
 
