@@ -1,9 +1,8 @@
 /* chunks.h - segments that threads find in any order, given in the order of their solids.
  *
- * Solids are worked on in chunks. Any thread takes the next one, and no thread waits for another: it says what it has found,
- * and goes on. Whichever thread then sees the chunk whose turn it is gives it its place, and all that follow and are
- * found; every thread lays down its own, whose memory is still in its cache. Only a thread that has filled a whole queue of
- * chunks that have no place yet has to wait. */
+ * Solids are worked on in chunks. Any thread takes the next one, and no thread waits for another: chunks that are found and
+ * whose turn has not come stay with their thread, which looks after every chunk whether it has, and then gives them away
+ * itself or lays them down: they are still in its cache. Only a thread with a whole queue of them has to wait. */
 #ifndef ROBERTS_HIDE_CHUNKS_H
 #define ROBERTS_HIDE_CHUNKS_H
 
@@ -18,7 +17,6 @@ typedef struct hide_chunk {
     roberts_segment *segment; /* [count] */
     size_t count, room;
     uint32_t number;
-    size_t place; /* of its first segment in the drawing */
 } hide_chunk;
 
 /* So many chunks of a thread may wait for their turn, so that another that the system has put aside does not stop it. */
@@ -35,18 +33,15 @@ typedef struct chunk_queue {
 typedef struct chunks {
     chunk_queue *queue; /* [threads] */
     int threads;
-    _Atomic(hide_chunk *) *found; /* [total] NULL: not yet */
     uint32_t total;
     roberts_segment_fn *each; /* takes the segments; NULL: the drawing keeps them */
     void *context;
-    roberts_drawing *drawing;
-    size_t room;              /* of drawing->segment */
     _Atomic uint32_t taken;   /* the next to be worked on */
-    _Atomic uint32_t placed;  /* the next to be given away, or to get its place in the drawing */
-    _Atomic uint32_t copying; /* threads that write to the drawing, which must stay where it is */
-    atomic_bool moving;       /* the drawing does, or is about to */
-    atomic_bool placing;      /* some thread gives away or gives places */
     atomic_int status;        /* roberts_status; what is not ROBERTS_OK ends the work */
+    _Atomic uint32_t turn;    /* of the chunk that is given away or placed next; its thread alone may touch: */
+    roberts_drawing *drawing; /* (whose segments may be written by those whose turn it was) */
+    size_t room;              /* of drawing->segment */
+    _Atomic uint32_t copying; /* threads that write to the drawing, which must stay where it is */
 } chunks;
 
 /* For `total` chunks found by `threads` threads. False: no memory; chunks_free() is due in any case. */
