@@ -6,10 +6,15 @@
 
 #include "base/array.h"
 
+/* At the end threads wait for the last run, so that each should have many. */
+#define RUNS_PER_THREAD 16
+
 bool chunks_init(chunks *c, uint32_t total, int threads, roberts_drawing *drawing, roberts_segment_fn *each,
                  void *context)
 {
     *c = (chunks){.total = total, .drawing = drawing, .each = each, .context = context, .threads = threads};
+    uint32_t fair = total / ((uint32_t)threads * RUNS_PER_THREAD);
+    c->run = fair < 1 ? 1 : fair < CHUNKS_RUN ? fair : CHUNKS_RUN;
     c->queue = alloc_zeroed((size_t)threads, sizeof *c->queue);
     for (int i = 0; c->queue && i < threads; i++)
         for (uint32_t k = 0; k < CHUNKS_WAITING; k++)
@@ -94,17 +99,29 @@ static void wait_for_turns(chunks *c, chunk_queue *own, uint32_t most)
     }
 }
 
+/* The thread's next run, where there is one; else an empty one. */
+static void take_run(chunks *c, chunk_queue *own)
+{
+    uint32_t runs = (c->total + c->run - 1) / c->run;
+    uint32_t k = atomic_load(&c->taken) < runs ? atomic_fetch_add(&c->taken, 1) : runs;
+    if (k >= runs)
+        return;
+    own->next = k * c->run;
+    own->end = c->total - own->next < c->run ? c->total : own->next + c->run;
+}
+
 hide_chunk *chunks_take(chunks *c, int self)
 {
     chunk_queue *own = &c->queue[self];
     wait_for_turns(c, own, CHUNKS_WAITING - 1);
-    uint32_t k = atomic_load(&c->taken) < c->total ? atomic_fetch_add(&c->taken, 1) : c->total;
-    if (k >= c->total)
+    if (own->next == own->end)
+        take_run(c, own);
+    if (own->next == own->end)
         wait_for_turns(c, own, 0);
-    if (k >= c->total || !goes_on(c))
+    if (own->next == own->end || !goes_on(c))
         return NULL;
     hide_chunk *chunk = own->spare[CHUNKS_WAITING - 1 - own->count];
-    chunk->number = k;
+    chunk->number = own->next++;
     chunk->count = 0;
     return chunk;
 }

@@ -1,8 +1,9 @@
 /* chunks.h - segments that threads find in any order, given in the order of their solids.
  *
- * Solids are worked on in chunks. Any thread takes the next one, and no thread waits for another: chunks that are found and
- * whose turn has not come stay with their thread, which looks after every chunk whether it has, and then gives them away
- * itself or lays them down: they are still in its cache. Only a thread with a whole queue of them has to wait. */
+ * Solids are worked on in chunks. Any thread takes the next few, one run: what neighbours ask for lies together, and is best
+ * asked for by one core. No thread waits for another: chunks that are found and whose turn has not come stay with their
+ * thread, which looks after every chunk whether it has, and then gives them away itself or lays them down: they are still
+ * in its cache. Only a thread with a whole queue of them has to wait. */
 #ifndef ROBERTS_HIDE_CHUNKS_H
 #define ROBERTS_HIDE_CHUNKS_H
 
@@ -19,24 +20,26 @@ typedef struct hide_chunk {
     uint32_t number;
 } hide_chunk;
 
-/* So many chunks of a thread may wait for their turn, so that another that the system has put aside does not stop it. */
-enum { CHUNKS_WAITING = 16 };
+/* A run has at most so many chunks; and so many of a thread may wait for their turn: its run, while those before it are at
+ * work, and more, so that a thread that is slow or put aside by the system does not stop the others. */
+enum { CHUNKS_RUN = 16, CHUNKS_WAITING = 3 * CHUNKS_RUN };
 
 /* The chunks of one thread: those waiting in the order of their numbers, a ring, and those that are free. */
 typedef struct chunk_queue {
     hide_chunk chunk[CHUNKS_WAITING];
     hide_chunk *waiting[CHUNKS_WAITING], *spare[CHUNKS_WAITING]; /* spare: last the one used last */
     uint32_t first, count;                                       /* of those waiting */
+    uint32_t next, end;                                          /* of the run at work */
     char apart[THREADS_APART];
 } chunk_queue;
 
 typedef struct chunks {
     chunk_queue *queue; /* [threads] */
     int threads;
-    uint32_t total;
+    uint32_t total, run;      /* run: chunks of one */
     roberts_segment_fn *each; /* takes the segments; NULL: the drawing keeps them */
     void *context;
-    _Atomic uint32_t taken;   /* the next to be worked on */
+    _Atomic uint32_t taken;   /* runs */
     atomic_int status;        /* roberts_status; what is not ROBERTS_OK ends the work */
     _Atomic uint32_t turn;    /* of the chunk that is given away or placed next; its thread alone may touch: */
     roberts_drawing *drawing; /* (whose segments may be written by those whose turn it was) */
