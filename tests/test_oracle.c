@@ -375,12 +375,32 @@ static void test_near_contact(void **state)
     }
 }
 
+/* The tip of a tetrahedron lies in from the outline by less than epsilon, over its longest edge: the face there is edge-on,
+ * and without it the outline turns inward at the tip. Boxes below the edge, from near the tip to its other end, are cut there,
+ * give or take epsilon. */
+static void test_edge_on(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        const double along[] = {0.1, 1e-2, 1e-3, 1e-4};
+        test_scene scene = {.view = TOP, .slack = 1e-10};
+        judge_total total = {0};
+        add_tetrahedron(&scene.mesh, (roberts_vec3[]){{0, 0, 0}, {1, 0, 0}, {0.5, 0.8, 0}, {along[i], 3e-11, 0.1}});
+        for (int k = 1; k < 10; k++)
+            add_box(&scene.mesh, (roberts_vec3){0.1 * k, -0.5, -3}, (roberts_vec3){0.1 * k + 0.01, 0.1, -2.9});
+        if (!judge_scene("edge-on", &scene, build_folder(), &total, stderr))
+            fail_msg("tip at %g", along[i]);
+        assert_true(total.cut >= 18);
+        test_scene_free(&scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_by_hand),  cmocka_unit_test(test_near),         cmocka_unit_test(test_slack),
         cmocka_unit_test(test_refusals), cmocka_unit_test(test_filter),       cmocka_unit_test(test_rays),
-        cmocka_unit_test(test_program),  cmocka_unit_test(test_near_contact),
+        cmocka_unit_test(test_program),  cmocka_unit_test(test_near_contact), cmocka_unit_test(test_edge_on),
     };
     return cmocka_run_group_tests_name("oracle", tests, NULL, NULL);
 }

@@ -99,6 +99,23 @@ static uint32_t find_outline(const hide_picture *picture, uint32_t solid, uint32
     return v == start && count == edges ? edges : 0;
 }
 
+/* Whether the outline turns inward at a corner, by more than rounding. Where a face is edge-on it may, by epsilon; but the
+ * line on a short side that ends there would cut off far more of the front than that. */
+static bool turns_inward(const hide_picture *picture, const uint32_t *outline, uint32_t corners)
+{
+    const double margin = 4.0 * picture->view.across_rounding; /* of three corners, and some to spare */
+    roberts_vec3 A = picture->P[outline[corners - 2]], B = picture->P[outline[corners - 1]];
+    for (uint32_t i = 0; i < corners; i++) {
+        roberts_vec3 C = picture->P[outline[i]];
+        double x = C.x - A.x, y = C.y - A.y;
+        if (x * (B.y - A.y) - y * (B.x - A.x) > margin * (fabs(x) + fabs(y)))
+            return true;
+        A = B;
+        B = C;
+    }
+    return false;
+}
+
 /* Each of the faces as a front of its own. */
 static bool add_single_fronts(const hide_picture *picture, picture_tile *tile, uint32_t solid, const front_faces *found)
 {
@@ -146,6 +163,8 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
     view_points(&picture->view, scene->point + vertex, scene->solid[solid + 1].vertex - vertex, picture->P + vertex);
     front_faces found = find_faces(picture, tile, solid);
     uint32_t corners = find_outline(picture, solid, scratch->next, outline);
+    if (corners && found.edge_on && turns_inward(picture, outline, corners))
+        corners = 0;
     bool whole = corners && found.count <= FACES_OF_ONE_FRONT;
     if (whole && picture->cover.rest && unite_hides(picture, &scratch->scan, outline, corners, box->z1)) {
         picture->culled[solid] = true;
