@@ -457,6 +457,38 @@ static void test_sliver(void **state)
     }
 }
 
+/* Up to a hundredth of the scene counts as touching: what an edge or a face loses by that is no contradiction. */
+static void test_wide_epsilon(void **state)
+{
+    rng r = {5};
+    size_t points = 0, undecided = 0;
+    (void)state;
+    for (int i = 0; i < 40; i++) {
+        roberts_scene *scene = random_scene(&r, 30, draw(&r, 0.2, 1.0));
+        roberts_camera camera = {.dir = draw_vec3(&r, 1.0)};
+        roberts_hide_options options = roberts_hide_options_default();
+        roberts_verify_options verify = roberts_verify_options_default();
+        roberts_drawing drawing = {0};
+        roberts_verification found;
+        int told = 0;
+        options.epsilon = pow(10.0, -2.0 - i % 5);
+        options.keep_hidden = i & 1;
+        verify.rays = 7;
+        verify.contradiction = tell;
+        verify.context = &told;
+        assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+        assert_int_equal(roberts_verify(scene, &camera, &drawing, &verify, &found, NULL), ROBERTS_OK);
+        if (found.contradictions)
+            fail_msg("epsilon %g: %zu points contradict", options.epsilon, found.contradictions);
+        points += found.points;
+        undecided += found.undecided;
+        roberts_drawing_free(&drawing);
+        roberts_scene_free(scene);
+    }
+    print_message("%zu points, %zu undecided\n", points, undecided);
+    assert_true(points > 20000 && undecided < points / 4);
+}
+
 /* The rule itself, by hand: what two boxes do to the top edge of a third. The drawing shows all of it as visible; `wrong`
  * says whether that is contradicted. The edge runs from (0, 0, 0) to (8, 0, 0) and is seen from above; the occluder is
  * the box from `lo` to `hi`. */
@@ -472,6 +504,8 @@ static const struct {
     {"along its border: closed in projection", {2, 0, 1}, {6, 2, 2}, true},
     {"along its border, within rounding", {2, 1e-15, 1}, {6, 2, 2}, true},
     {"off its border by more than epsilon", {2, 1e-8, 1}, {6, 2, 2}, false},
+    {"inside its border by less than epsilon: either may be right", {2, -1e-10, 1}, {6, 2, 2}, false},
+    {"inside its border by more than epsilon", {2, -1e-8, 1}, {6, 2, 2}, true},
     {"in the plane of the top face: strict in depth", {2, -1, -1}, {6, 1, 0}, false},
     {"above by rounding", {2, -1, -1}, {6, 1, 1e-15}, false},
     {"above by more than epsilon", {2, -1, -1}, {6, 1, 1e-8}, true},
@@ -849,6 +883,7 @@ int main(void)
         cmocka_unit_test(test_copies),
         cmocka_unit_test(test_bars),
         cmocka_unit_test(test_sliver),
+        cmocka_unit_test(test_wide_epsilon),
         cmocka_unit_test(test_rule),
         cmocka_unit_test(test_corner_over_edge),
         cmocka_unit_test(test_bad_drawings),

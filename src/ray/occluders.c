@@ -348,7 +348,9 @@ static void ask(casting *c, uint32_t face, const unsigned char *point, uint32_t 
         bool own = solid == (q->own ? o->twin[q->solid] : q->solid);
         if (q->answer == SIGHT_SURELY || (own && !q->own))
             continue;
-        sight_answer answer = sight_hides(&o->s, face, q->X, c->v[i], own ? o->slack[q->solid] : 0.0);
+        double slack = own ? o->slack[q->solid] : 0.0;
+        sight_answer answer = q->strict ? sight_hides_strictly(&o->s, face, q->X, c->v[i], slack)
+                                        : sight_hides(&o->s, face, q->X, c->v[i], slack);
         if (answer > q->answer)
             q->answer = answer;
         if (answer == SIGHT_SURELY) {

@@ -24,12 +24,13 @@ void occluders_free(occluders *o);
 /* A key for X's place in the picture: points of like keys are near each other. */
 uint32_t occluders_place(const occluders *o, roberts_vec3 X);
 
-/* What may hide X, a point of an edge of `solid`: faces of all other solids, and if `own` those of that one too.
+/* What may hide X, a point of an edge of `solid`: faces of all other solids, and if `own` those of that one too. If
+ * `strict`, by sight_hides_strictly().
  * `hider`: where the answer is SIGHT_SURELY, a face that does. */
 typedef struct sight_question {
     roberts_vec3 X;
     uint32_t solid;
-    bool own;
+    bool own, strict;
     sight_answer answer;
     uint32_t hider;
 } sight_question;

@@ -137,3 +137,35 @@ sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_
         return SIGHT_POSSIBLY;
     return through;
 }
+
+/* Whether the line, which passes all sides on their inner side, passes one nearer than the touching distance, but not in
+ * contact. */
+static bool grazes_side(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
+{
+    const roberts_scene *scene = s->scene;
+    uint32_t end = scene->face_start[face + 1];
+    double near = s->rounding * s->rounding, far = (s->loose + s->rounding) * (s->loose + s->rounding);
+    roberts_vec3 A = s->P[scene->corner[end - 1]];
+    for (uint32_t k = scene->face_start[face]; k < end; k++) {
+        roberts_vec3 B = s->P[scene->corner[k]], ab = vec3_sub(B, A), spread = vec3_cross(v, ab);
+        double inside = vec3_dot(spread, vec3_sub(X, A)), square = inside * inside, size = vec3_dot(spread, spread);
+        if (inside > 0.0 && square > near * size && square <= far * size)
+            return true;
+        A = B;
+    }
+    return false;
+}
+
+sight_answer sight_hides_strictly(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)
+{
+    double behind = sight_behind(s, face, X), touch = s->loose + s->rounding;
+    touch += SIGHT_MARGIN * scene_deviation(s->scene, face) / s->unit;
+    if (s->facing[face] == SIGHT_NOT_FRONT || !(fabs(behind) > s->rounding && behind > -touch))
+        return SIGHT_NO;
+    sight_answer through = sight_through(s, face, X, v, slack);
+    if (through == SIGHT_NO)
+        return SIGHT_NO;
+    if (s->facing[face] == SIGHT_UNSURE || !(behind > touch) || grazes_side(s, face, X, v))
+        return SIGHT_POSSIBLY;
+    return through;
+}

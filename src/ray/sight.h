@@ -77,4 +77,9 @@ sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, robert
  * hides nothing. */
 sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack);
 
+/* The same, but what is not in contact is only possible on both sides of where it touches: in front of the plane by less
+ * than that distance, and inside of a side. For an edge that only just reaches behind a face may count as touching it, and
+ * one that only just ends in front of it as ending in it. */
+sight_answer sight_hides_strictly(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack);
+
 #endif

@@ -155,14 +155,16 @@ static bool contradicts(const probe *p, const sight_question *q)
     return q->answer == (p->drawn == ROBERTS_HIDDEN ? SIGHT_NO : SIGHT_SURELY);
 }
 
-/* Whether a neighbour of the point contradicts the drawing as well. */
-static bool contradicted_beside(const verifier *f, tree_walk *w, const probe *p, const sight_question *q)
+/* Whether the point, asked strictly, still contradicts the drawing, and a neighbour of it as well. */
+static bool contradicts_strictly(const verifier *f, tree_walk *w, const probe *p, const sight_question *q)
 {
-    sight_question beside[2] = {*q, *q};
-    beside[0].X = point_of(f, q->solid, p->edge, p->t - p->step);
-    beside[1].X = point_of(f, q->solid, p->edge, p->t + p->step);
-    occluders_cast(&f->o, w, beside, 2);
-    return contradicts(p, &beside[0]) || contradicts(p, &beside[1]);
+    sight_question again[3] = {*q, *q, *q};
+    again[1].X = point_of(f, q->solid, p->edge, p->t - p->step);
+    again[2].X = point_of(f, q->solid, p->edge, p->t + p->step);
+    for (int i = 0; i < 3; i++)
+        again[i].strict = true;
+    occluders_cast(&f->o, w, again, 3);
+    return contradicts(p, &again[0]) && (contradicts(p, &again[1]) || contradicts(p, &again[2]));
 }
 
 static void contradict(const verifier *f, chunk *out, const probe *p, const sight_question *q)
@@ -195,7 +197,7 @@ static void judge(const verifier *f, batch *b)
         const sight_question *q = &b->question[i];
         if (!contradicts(&b->probe[i], q))
             b->out->undecided += q->answer == SIGHT_POSSIBLY;
-        else if (contradicted_beside(f, &b->walk, &b->probe[i], q))
+        else if (contradicts_strictly(f, &b->walk, &b->probe[i], q))
             contradict(f, b->out, &b->probe[i], q);
         else
             b->out->undecided++;
