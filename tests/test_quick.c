@@ -80,6 +80,22 @@ static void lanes_of_four_are_scalars(void **state)
     }
 }
 
+static void four_numbers_are_compared_with_one(void **state)
+{
+    rng r = {10};
+    (void)state;
+    for (int i = 0; i < 1000; i++) {
+        uint32_t a[4], x = 0x80000000u | (uint32_t)rng_int(&r, 0, 2);
+        unsigned same = 0;
+        for (unsigned k = 0; k < 4; k++) {
+            a[k] = 0x80000000u | (uint32_t)rng_int(&r, 0, 2);
+            same |= (unsigned)(a[k] == x) << k;
+        }
+        assert_int_equal(four_signs(four_same(a, x)), same);
+        assert_int_equal(four_plain_signs(four_plain_same(a, x)), same);
+    }
+}
+
 static void four_numbers_are_shifted_alike(void **state)
 {
     rng r = {9};
@@ -225,6 +241,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lanes_are_scalars),
         cmocka_unit_test(lanes_of_four_are_scalars),
+        cmocka_unit_test(four_numbers_are_compared_with_one),
         cmocka_unit_test(four_numbers_are_shifted_alike),
         cmocka_unit_test(agrees_with_the_tests),
         cmocka_unit_test(contact_is_unclear),

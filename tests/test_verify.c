@@ -790,13 +790,15 @@ static size_t check_walk(tree_walk *walk, const tree_box *box, uint32_t count, c
         tree_points_add(&p, point[i], skip[i]);
     tree_walk_start(walk, &p);
     for (bool first = true; tree_walk_next(walk, &leaf); first = false) {
-        assert_true(leaf.point_count > 0 && leaf.item_count > 0);
-        for (uint32_t k = 0; k < leaf.point_count; k++) {
+        assert_true(!tree_set_is_empty(&leaf.points) && leaf.item_count > 0);
+        while (!tree_set_is_empty(&leaf.points)) {
+            uint32_t point_found = tree_set_take(&leaf.points);
+            assert_true(point_found < points);
             for (uint32_t i = 0; i < leaf.item_count; i++) {
                 assert_int_equal(leaf.item[i].count, 1);
-                assert_true(found[leaf.point[k]][leaf.item[i].first]++ <= (kept > 0));
+                assert_true(found[point_found][leaf.item[i].first]++ <= (kept > 0));
             }
-            assert_true(first || leaf.point[k] != gone);
+            assert_true(first || point_found != gone);
         }
         if (first && gone < points)
             tree_points_drop(&p, gone);

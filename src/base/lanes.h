@@ -149,6 +149,13 @@ static inline unsigned four_plain_signs(four_plain a)
            (a.v[3] < 0.0f ? 8u : 0u);
 }
 
+/* Where a[i] == x, likewise. */
+static inline four_plain four_plain_same(const uint32_t *a, uint32_t x)
+{
+    return (four_plain){
+        {a[0] == x ? -1.0f : 0.0f, a[1] == x ? -1.0f : 0.0f, a[2] == x ? -1.0f : 0.0f, a[3] == x ? -1.0f : 0.0f}};
+}
+
 /* Whether b[i] - a[i] == shift for i = 0 .. 3. */
 static inline bool four_plain_shifted(const uint32_t *a, const uint32_t *b, uint32_t shift)
 {
@@ -281,6 +288,11 @@ static inline unsigned four_signs(four a)
     return (unsigned)_mm_movemask_ps(a);
 }
 
+static inline four four_same(const uint32_t *a, uint32_t x)
+{
+    return _mm_castsi128_ps(_mm_cmpeq_epi32(_mm_loadu_si128((const __m128i *)a), _mm_set1_epi32((int)x)));
+}
+
 static inline bool four_shifted(const uint32_t *a, const uint32_t *b, uint32_t shift)
 {
     __m128i apart = _mm_sub_epi32(_mm_loadu_si128((const __m128i *)b), _mm_loadu_si128((const __m128i *)a));
@@ -314,6 +326,7 @@ typedef four_plain four;
 #define four_below four_plain_below
 #define four_either four_plain_either
 #define four_signs four_plain_signs
+#define four_same four_plain_same
 #define four_shifted four_plain_shifted
 
 #endif

@@ -333,17 +333,16 @@ typedef struct casting {
     const occluders *o;
     sight_question *question;
     roberts_vec3 v[TREE_POINTS]; /* toward the viewer */
-    tree_points points;
-    uint32_t open; /* questions not yet answered by surely */
+    tree_points points;          /* live: not yet answered by surely */
 } casting;
 
 /* Asks the face on behalf of those of the points whose answer it may change. */
-static void ask(casting *c, uint32_t face, const unsigned char *point, uint32_t count)
+static void ask(casting *c, uint32_t face, tree_set points)
 {
     const occluders *o = c->o;
     uint32_t solid = o->face_solid[face];
-    for (uint32_t k = 0; k < count; k++) {
-        uint32_t i = point[k];
+    while (!tree_set_is_empty(&points)) {
+        uint32_t i = tree_set_take(&points);
         sight_question *q = &c->question[i];
         bool own = solid == (q->own ? o->twin[q->solid] : q->solid);
         if (q->answer == SIGHT_SURELY || (own && !q->own))
@@ -356,35 +355,30 @@ static void ask(casting *c, uint32_t face, const unsigned char *point, uint32_t 
         if (answer == SIGHT_SURELY) {
             q->hider = face;
             tree_points_drop(&c->points, i);
-            c->open--;
         }
     }
 }
 
 /* Asks the front faces of an item; where they are several, each on behalf of the points under its own box. */
-static void ask_item(casting *c, tree_item item, const unsigned char *point, uint32_t count)
+static void ask_item(casting *c, tree_item item, const tree_set *points)
 {
     const occluders *o = c->o;
-    unsigned char under[TREE_POINTS];
     if (item.count == 1) {
-        ask(c, item.first, point, count);
+        ask(c, item.first, *points);
         return;
     }
     for (uint32_t face = item.first; face < item.first + item.count; face++) {
         if (o->s.facing[face] == SIGHT_NOT_FRONT)
             continue;
         tree_entry box = entry_of(o, face_box(o, face), o->face_solid[face], item);
-        uint32_t n = tree_points_under(&c->points, &box, point, count, under);
-        if (n)
-            ask(c, face, under, n);
+        ask(c, face, tree_points_under(&c->points, &box, points));
     }
 }
 
 void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, uint32_t count)
 {
-    casting c = {.o = o, .question = question, .open = count};
+    casting c = {.o = o, .question = question};
     tree_leaf leaf;
-    c.points.count = c.points.dropped = 0;
     for (uint32_t i = 0; i < count; i++) {
         sight_question *q = &question[i];
         q->answer = SIGHT_NO;
@@ -393,11 +387,11 @@ void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, 
         tree_points_add(&c.points, picture_point(o, q->X), q->own ? o->s.scene->solid_count : q->solid);
     }
     tree_walk_start(w, &c.points);
-    while (c.open && tree_walk_next(w, &leaf)) {
-        uint32_t open = c.open;
+    while (tree_walk_next(w, &leaf)) {
+        tree_set live = c.points.live;
         for (const tree_item *item = leaf.item; item < leaf.item + leaf.item_count; item++)
-            ask_item(&c, *item, leaf.point, leaf.point_count);
-        if (c.open < open)
+            ask_item(&c, *item, &leaf.points);
+        if (memcmp(&live, &c.points.live, sizeof live) != 0)
             tree_walk_keep(w);
     }
 }

@@ -5,6 +5,7 @@
 
 #include "base/array.h"
 #include "base/fetch.h"
+#include "base/lanes.h"
 
 enum {
     LEAF_ITEMS = 1, /* two: 6 % more time on most scenes, 10 % less on needles seen askew */
@@ -195,47 +196,100 @@ static uint32_t divide(const builder *b, uint32_t first, uint32_t count, const s
     return below;
 }
 
-static void build_node(const builder *b, uint32_t first, uint32_t count, const crop *c, int depth)
+/* Entries that come to be one child. */
+typedef struct part {
+    uint32_t first, count;
+    int depth;
+    crop below;
+} part;
+
+/* Leaves in `p` the nearer part, about, and in `rest` the others. */
+static void divide_part(const builder *b, part *p, part *rest)
 {
-    tree *t = b->t;
-    uint32_t index = t->node_count++;
-    t->node[index] =
-        (tree_node){c->all.lo_x, c->all.lo_y, c->all.hi_x, c->all.hi_y, c->all.hi_z, first, count, c->owner};
-    if (count <= LEAF_ITEMS)
-        return;
     split s = {.bin = 0};
     crop side[2];
-    if (depth < BIN_DEPTH)
-        s = find_split(b, first, count, c);
-    uint32_t below = divide(b, first, count, &s, side);
-    bool upper = side[1].all.hi_z > side[0].all.hi_z;
-    if (upper)
-        build_node(b, first + below, count - below, &side[1], depth + 1);
-    else
-        build_node(b, first, below, &side[0], depth + 1);
-    t->node[index].first = t->node_count;
-    t->node[index].count = 0;
-    if (upper)
-        build_node(b, first, below, &side[0], depth + 1);
-    else
-        build_node(b, first + below, count - below, &side[1], depth + 1);
+    if (p->depth < BIN_DEPTH)
+        s = find_split(b, p->first, p->count, &p->below);
+    uint32_t below = divide(b, p->first, p->count, &s, side);
+    *rest = (part){p->first + below, p->count - below, p->depth + 1, side[1]};
+    *p = (part){p->first, below, p->depth + 1, side[0]};
+}
+
+/* The part that is met most often of those that are no leaves; none: parts. */
+static int largest(const builder *b, const part *p, int parts)
+{
+    int best = parts;
+    float most = -INFINITY;
+    for (int i = 0; i < parts; i++) {
+        float s = shadow(p[i].below.all, b->floor);
+        if (p[i].count > LEAF_ITEMS && (best == parts || s > most)) {
+            best = i;
+            most = s;
+        }
+    }
+    return best;
+}
+
+static void nearest_first(part *p, int parts)
+{
+    for (int i = 1; i < parts; i++) {
+        part moved = p[i];
+        int k = i;
+        for (; k > 0 && p[k - 1].below.all.hi_z < moved.below.all.hi_z; k--)
+            p[k] = p[k - 1];
+        p[k] = moved;
+    }
+}
+
+static void set_child(tree_node *node, int i, const cover *c, uint32_t owner, uint32_t first, uint32_t count)
+{
+    node->lo_x[i] = c->lo_x;
+    node->hi_x[i] = c->hi_x;
+    node->lo_y[i] = c->lo_y;
+    node->hi_y[i] = c->hi_y;
+    node->hi_z[i] = c->hi_z;
+    node->owner[i] = owner;
+    node->first[i] = first;
+    node->count[i] = count;
+}
+
+/* The node over `all`; gives its number. */
+static uint32_t build_node(const builder *b, const part *all)
+{
+    part p[TREE_WIDTH] = {*all};
+    int parts = 1;
+    for (int i; parts < TREE_WIDTH && (i = largest(b, p, parts)) < parts; parts++)
+        divide_part(b, &p[i], &p[parts]);
+    nearest_first(p, parts);
+    uint32_t index = b->t->node_count++;
+    for (int i = 0; i < TREE_WIDTH; i++) {
+        if (i >= parts) {
+            set_child(&b->t->node[index], i, &no_cover, 0, 0, 1);
+            continue;
+        }
+        bool leaf = p[i].count <= LEAF_ITEMS;
+        uint32_t first = leaf ? p[i].first : build_node(b, &p[i]);
+        set_child(&b->t->node[index], i, &p[i].below.all, p[i].below.owner, first, leaf ? p[i].count : 0);
+    }
+    return index;
 }
 
 bool tree_build(tree *t, tree_entry *entry, uint32_t count)
 {
     builder b = {t, entry, INFINITY};
-    crop all = no_crop;
-    *t = (tree){alloc_array(2 * (size_t)count + 1, sizeof *t->node), alloc_array(count, sizeof *t->item), 0};
+    part all = {0, count, 0, no_crop};
+    /* Each node but one alone has children that are two parts at least. */
+    *t = (tree){alloc_array((size_t)count + 1, sizeof *t->node), alloc_array(count, sizeof *t->item), 0};
     if (!t->node || !t->item) {
         tree_free(t);
         return false;
     }
     for (uint32_t i = 0; i < count; i++) {
         b.floor = less(entry[i].lo[2], b.floor);
-        reap(&all, &entry[i]);
+        reap(&all.below, &entry[i]);
     }
     if (count)
-        build_node(&b, 0, count, &all, 0);
+        build_node(&b, &all);
     for (uint32_t i = 0; i < count; i++)
         t->item[i] = entry[i].item;
     return true;
@@ -252,25 +306,6 @@ void tree_free(tree *t)
 
 /* ---- walking ---------------------------------------------------------------------------------------------------- */
 
-static const tree_crowd no_crowd = {0, 0, 0, INFINITY, INFINITY, -INFINITY, -INFINITY, INFINITY, -INFINITY};
-
-/* Takes point i, which is on the list already, into the crowd's box. */
-static inline void join(tree_crowd *c, const tree_points *p, uint32_t i)
-{
-    c->lo_x = less(p->x[i], c->lo_x);
-    c->lo_y = less(p->y[i], c->lo_y);
-    c->lo_z = less(p->z[i], c->lo_z);
-    c->hi_x = more(p->x[i], c->hi_x);
-    c->hi_y = more(p->y[i], c->hi_y);
-    c->hi_z = more(p->z[i], c->hi_z);
-}
-
-static void push(tree_walk *w, uint32_t node, const tree_crowd *crowd)
-{
-    w->stack[w->depth].node = node;
-    w->stack[w->depth++].crowd = *crowd;
-}
-
 void tree_walk_init(tree_walk *w, const tree *t)
 {
     w->t = t;
@@ -279,89 +314,153 @@ void tree_walk_init(tree_walk *w, const tree *t)
 
 void tree_walk_start(tree_walk *w, const tree_points *points)
 {
-    tree_crowd all = no_crowd;
     w->points = points;
     w->depth = 0;
+    w->begun = false;
+    w->first_count = w->kept_count;
+    for (uint32_t i = 0; i < w->kept_count; i++)
+        w->first[i] = w->kept[w->kept_count - 1 - i];
+    w->lo_x = w->lo_y = w->lo_z = INFINITY;
+    w->hi_x = w->hi_y = -INFINITY;
     for (uint32_t i = 0; i < points->count; i++) {
-        w->list[i] = (unsigned char)i;
-        join(&all, points, i);
+        w->lo_x = less(points->x[i], w->lo_x);
+        w->lo_y = less(points->y[i], w->lo_y);
+        w->lo_z = less(points->z[i], w->lo_z);
+        w->hi_x = more(points->x[i], w->hi_x);
+        w->hi_y = more(points->y[i], w->hi_y);
     }
-    all.count = points->count;
-    if (w->t->node_count)
-        push(w, 0, &all);
-    for (uint32_t i = w->kept_count; i-- > 0;)
-        push(w, w->kept[i], &all);
 }
 
-static inline uint32_t points_under(const tree_points *p, const cover *c, uint32_t owner, const unsigned char *list,
-                                    uint32_t count, unsigned char *under)
+/* The fours of points, by the first of each, of which one at least is in the set. Points that go together mostly follow one
+ * another. */
+typedef struct fours {
+    uint32_t count;
+    unsigned char first[TREE_POINTS / 4];
+} fours;
+
+static void find_fours(fours *f, const tree_set *of)
 {
-    const float lo_x = c->lo_x, lo_y = c->lo_y, hi_x = c->hi_x, hi_y = c->hi_y, hi_z = c->hi_z;
-    uint32_t found = 0;
-    for (uint32_t k = 0; k < count; k++) {
-        uint32_t i = list[k];
-        under[found] = (unsigned char)i;
-        float x = less(p->x[i] - lo_x, hi_x - p->x[i]), y = less(p->y[i] - lo_y, hi_y - p->y[i]);
-        /* No jumps: none could be foreseen. NaN comes last, so that it is the least. */
-        found += (uint32_t)((less(less(x, y), hi_z - p->z[i]) >= 0.0f) & (p->skip[i] != owner));
+    f->count = 0;
+    for (uint32_t k = 0; k < TREE_POINTS / 64; k++)
+        for (uint64_t bits = of->word[k]; bits;) {
+            uint32_t i = (uint32_t)bits_trailing_zeros(bits) & ~3u;
+            f->first[f->count++] = (unsigned char)(64 * k + i);
+            bits &= ~((uint64_t)15 << i);
+        }
+}
+
+/* Those of the points of the fours, all in `of`, that the box is over and which do not skip the owner. */
+static inline tree_set set_under(const tree_points *p, const cover *c, uint32_t owner, const fours *f,
+                                 const tree_set *of)
+{
+    const four lo_x = four_all(c->lo_x), hi_x = four_all(c->hi_x), lo_y = four_all(c->lo_y), hi_y = four_all(c->hi_y);
+    const four hi_z = four_all(c->hi_z);
+    tree_set under = {{0}};
+    for (uint32_t k = 0; k < f->count; k++) {
+        uint32_t i = f->first[k];
+        four x = four_load(p->x + i), y = four_load(p->y + i);
+        four beside = four_either(four_either(four_below(x, lo_x), four_below(hi_x, x)),
+                                  four_either(four_below(y, lo_y), four_below(hi_y, y)));
+        four behind = four_either(four_below(hi_z, four_load(p->z + i)), four_same(p->skip + i, owner));
+        under.word[i / 64] |= (uint64_t)(15u ^ four_signs(four_either(beside, behind))) << i % 64;
     }
-    return found;
-}
-
-uint32_t tree_points_under(const tree_points *p, const tree_entry *e, const unsigned char *list, uint32_t count,
-                           unsigned char *under)
-{
-    cover c = cover_of(e);
-    return points_under(p, &c, e->owner, list, count, under);
-}
-
-/* Those of the crowd that the node's box is over, and which do not skip it, behind it on the list. */
-static tree_crowd find_under(tree_walk *w, const tree_node *n, const tree_crowd *c)
-{
-    const tree_points *p = w->points;
-    const cover box = {n->lo_x, n->lo_y, n->hi_x, n->hi_y, n->hi_z};
-    unsigned char *over = w->list + c->start + c->count;
-    uint32_t found = points_under(p, &box, n->owner, w->list + c->start, c->count, over);
-    tree_crowd under = no_crowd;
-    for (uint32_t k = 0; k < found; k++)
-        join(&under, p, over[k]);
-    under.start = c->start + c->count;
-    under.count = found;
-    under.dropped = p->dropped;
+    for (uint32_t k = 0; k < TREE_POINTS / 64; k++)
+        under.word[k] &= of->word[k];
     return under;
 }
 
-static bool is_over_none(const tree_node *n, const tree_crowd *c)
+tree_set tree_points_under(const tree_points *p, const tree_entry *e, const tree_set *of)
 {
-    return n->lo_x > c->hi_x || n->hi_x < c->lo_x || n->lo_y > c->hi_y || n->hi_y < c->lo_y || n->hi_z < c->lo_z;
+    cover c = cover_of(e);
+    fours f;
+    find_fours(&f, of);
+    return set_under(p, &c, e->owner, &f, of);
 }
 
-static bool is_over_all(const tree_node *n, const tree_crowd *c)
+static inline cover child_box(const tree_node *n, uint32_t i)
 {
-    return n->lo_x <= c->lo_x && c->hi_x <= n->hi_x && n->lo_y <= c->lo_y && c->hi_y <= n->hi_y && c->hi_z <= n->hi_z;
+    return (cover){n->lo_x[i], n->lo_y[i], n->hi_x[i], n->hi_y[i], n->hi_z[i]};
+}
+
+/* Bit i: child i may be over one of the points. */
+static inline unsigned met_children(const tree_walk *w, const tree_node *n)
+{
+    four x = four_either(four_below(four_all(w->hi_x), four_load(n->lo_x)),
+                         four_below(four_load(n->hi_x), four_all(w->lo_x)));
+    four y = four_either(four_below(four_all(w->hi_y), four_load(n->lo_y)),
+                         four_below(four_load(n->hi_y), four_all(w->lo_y)));
+    four z = four_below(four_load(n->hi_z), four_all(w->lo_z));
+    return 15u ^ four_signs(four_either(four_either(x, y), z));
+}
+
+/* To the stack the node's children, the first on top, each with those of the points that its box is over. */
+static void spread(tree_walk *w, uint32_t index, const tree_set *points)
+{
+    const tree_node *n = &w->t->node[index];
+    unsigned met = met_children(w, n);
+    fours f;
+    for (uint32_t i = 0; i < TREE_WIDTH; i++)
+        if (n->count[i] == 0 && met >> i & 1)
+            FETCH_ARRAY(&w->t->node[n->first[i]], sizeof *n, sizeof *n); /* while points are compared */
+    find_fours(&f, points);
+    for (uint32_t i = TREE_WIDTH; i-- > 0;) {
+        if (!(met >> i & 1))
+            continue;
+        cover box = child_box(n, i);
+        tree_crowd *top = &w->stack[w->depth];
+        *top = (tree_crowd){TREE_WIDTH * index + i, set_under(w->points, &box, n->owner[i], &f, points)};
+        w->depth += !tree_set_is_empty(&top->points);
+    }
+}
+
+static void find_leaf(tree_walk *w, const tree_crowd *crowd, tree_leaf *leaf)
+{
+    const tree_node *n = &w->t->node[crowd->child / TREE_WIDTH];
+    uint32_t i = crowd->child % TREE_WIDTH;
+    w->leaf = crowd->child;
+    *leaf = (tree_leaf){w->t->item + n->first[i], n->count[i], crowd->points};
+}
+
+/* The next of the kept leaves. */
+static bool next_kept(tree_walk *w, tree_leaf *leaf)
+{
+    fours f;
+    if (w->first_count == 0)
+        return false;
+    find_fours(&f, &w->points->live);
+    while (w->first_count) {
+        uint32_t child = w->first[--w->first_count], i = child % TREE_WIDTH;
+        const tree_node *n = &w->t->node[child / TREE_WIDTH];
+        cover box = child_box(n, i);
+        tree_crowd crowd = {child, set_under(w->points, &box, n->owner[i], &f, &w->points->live)};
+        if (!tree_set_is_empty(&crowd.points)) {
+            find_leaf(w, &crowd, leaf);
+            return true;
+        }
+    }
+    return false;
 }
 
 bool tree_walk_next(tree_walk *w, tree_leaf *leaf)
 {
+    if (next_kept(w, leaf))
+        return true;
+    if (!w->begun && w->t->node_count)
+        spread(w, 0, &w->points->live);
+    w->begun = true;
     while (w->depth) {
-        uint32_t index = w->stack[--w->depth].node;
-        const tree_node *node = &w->t->node[index];
-        tree_crowd crowd = w->stack[w->depth].crowd;
-        if (is_over_none(node, &crowd))
+        tree_crowd crowd = w->stack[--w->depth];
+        const tree_node *n = &w->t->node[crowd.child / TREE_WIDTH];
+        uint32_t i = crowd.child % TREE_WIDTH;
+        for (uint32_t k = 0; k < TREE_POINTS / 64; k++)
+            crowd.points.word[k] &= w->points->live.word[k];
+        if (tree_set_is_empty(&crowd.points))
             continue;
-        if (node->count == 0)
-            FETCH_AHEAD(&w->t->node[node->first]); /* while points are compared */
-        if (crowd.dropped != w->points->dropped || node->owner != ROBERTS_NONE || !is_over_all(node, &crowd))
-            crowd = find_under(w, node, &crowd);
-        if (crowd.count == 0)
-            continue;
-        if (node->count) {
-            w->leaf = index;
-            *leaf = (tree_leaf){w->t->item + node->first, w->list + crowd.start, node->count, crowd.count};
+        if (n->count[i]) {
+            find_leaf(w, &crowd, leaf);
             return true;
         }
-        push(w, node->first, &crowd);
-        push(w, index + 1, &crowd);
+        spread(w, n->first[i], &crowd.points);
     }
     return false;
 }

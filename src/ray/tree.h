@@ -3,24 +3,27 @@
  * Boxes live in a picture: x and y across the sight lines, z toward the viewer, so that every sight line runs along +z
  * and a box is met where it lies over (x, y) and reaches higher than z.
  *
- * Idea: a bounding volume hierarchy. Each node is split at the best of a few planes across each axis (Wald, "On fast
+ * Idea: a bounding volume hierarchy. Boxes are divided at the best of a few planes across each axis (Wald, "On fast
  * construction of SAH-based bounding volume hierarchies", 2007). In place of the surface stands what is in proportion
- * here to the chance of being met: the volume of the shadow that the box throws away from the viewer. Points go down the
- * tree many at a time, each node with those that its parent's box is over (I. Wald, C. Gribble, S. Boulos, A. Kensler,
- * "SIMD ray stream tracing", 2007): a node is fetched once for all of them.
- * Invariants: a node's box holds the boxes of all items below it; node 0 is the root; the first child of an inner node
- * follows it directly, and reaches no less far toward the viewer than the second; depth is at most TREE_DEPTH. The tree is a
- * function of the boxes alone. */
+ * here to the chance of being met: the volume of the shadow that the box throws away from the viewer. A node has up to four
+ * children, so that there are few nodes to fetch (H. Dammertz, J. Hanika, A. Keller, "Shallow bounding volume hierarchies
+ * for fast SIMD ray tracing of incoherent rays", 2008). Points go down the tree many at a time, each child with those that
+ * its box is over (I. Wald, C. Gribble, S. Boulos, A. Kensler, "SIMD ray stream tracing", 2007): a node is fetched once
+ * for all of them, and a box is held against four at a time.
+ * Invariants: a child's box holds the boxes of all items below it; node 0 is the root; children that reach farther toward the
+ * viewer come first; depth is at most TREE_DEPTH. The tree is a function of the boxes alone. */
 #ifndef ROBERTS_RAY_TREE_H
 #define ROBERTS_RAY_TREE_H
 
 #include <float.h>
 
+#include "base/bits.h"
 #include "base/vec.h"
 
 enum {
     TREE_DEPTH = 96,
-    TREE_POINTS = 128, /* that walk together at the most; their numbers fit a byte */
+    TREE_WIDTH = 4,
+    TREE_POINTS = 128, /* that walk together at the most, in multiples of 64 */
     TREE_KEPT = 4,     /* leaves that come first */
 };
 
@@ -55,12 +58,13 @@ typedef struct tree_entry {
 
 tree_entry tree_entry_of(tree_box box, uint32_t owner, tree_item item);
 
-/* Half a cache line; how deep a box reaches does not matter. */
+/* Two cache lines; child by child. How deep a box reaches does not matter; nothing is below that of a child that is not
+ * there. */
 typedef struct tree_node {
-    float lo_x, lo_y, hi_x, hi_y, hi_z;
-    uint32_t first; /* leaf: its first item; inner node: its second child */
-    uint32_t count; /* leaf: its items; inner node: 0 */
-    uint32_t owner; /* of all items below, or ROBERTS_NONE where they have several */
+    float lo_x[TREE_WIDTH], hi_x[TREE_WIDTH], lo_y[TREE_WIDTH], hi_y[TREE_WIDTH], hi_z[TREE_WIDTH];
+    uint32_t owner[TREE_WIDTH]; /* of all items below, or ROBERTS_NONE where they have several */
+    uint32_t first[TREE_WIDTH]; /* leaf: its first item; else a node */
+    uint32_t count[TREE_WIDTH]; /* leaf: its items; else 0 */
 } tree_node;
 
 typedef struct tree {
@@ -73,16 +77,42 @@ typedef struct tree {
 bool tree_build(tree *t, tree_entry *entry, uint32_t count);
 void tree_free(tree *t);
 
-/* Points that walk together. Single precision takes no box from a point: rounding to the nearest keeps order, and boxes
+/* Some of the points that walk together: point i is bit i % 64 of word i / 64. */
+typedef struct tree_set {
+    uint64_t word[TREE_POINTS / 64];
+} tree_set;
+
+static inline bool tree_set_is_empty(const tree_set *s)
+{
+    uint64_t any = 0;
+    for (int k = 0; k < TREE_POINTS / 64; k++)
+        any |= s->word[k];
+    return any == 0;
+}
+
+/* The least point of the set, which is taken off it and must not be empty. */
+static inline uint32_t tree_set_take(tree_set *s)
+{
+    uint32_t k = 0;
+    while (!s->word[k])
+        k++;
+    uint32_t i = 64 * k + (uint32_t)bits_trailing_zeros(s->word[k]);
+    s->word[k] &= s->word[k] - 1;
+    return i;
+}
+
+/* Points that walk together; none yet where it is zeroed. Single precision takes no box from a point: rounding to the nearest keeps order, and boxes
  * are rounded outward. */
 typedef struct tree_points {
-    uint32_t count, dropped;
+    uint32_t count;
+    tree_set live; /* not dropped */
     float x[TREE_POINTS], y[TREE_POINTS], z[TREE_POINTS];
     uint32_t skip[TREE_POINTS]; /* an owner whose items need not be found, or any number that is no owner's */
 } tree_points;
 
 static inline void tree_points_add(tree_points *p, roberts_vec3 point, uint32_t skip)
 {
+    p->live.word[p->count / 64] |= (uint64_t)1 << p->count % 64;
     p->x[p->count] = (float)point.x;
     p->y[p->count] = (float)point.y;
     p->z[p->count] = (float)lesser(point.z, FLT_MAX); /* finite: it is taken from what may be infinite */
@@ -92,19 +122,16 @@ static inline void tree_points_add(tree_points *p, roberts_vec3 point, uint32_t 
 /* From now on nothing is over point i. */
 static inline void tree_points_drop(tree_points *p, uint32_t i)
 {
-    p->z[i] = NAN;
-    p->dropped++;
+    p->live.word[i / 64] &= ~((uint64_t)1 << i % 64);
 }
 
-/* Writes those of the points on `list` that lie under the entry's box, and do not skip its owner, to `under`; returns how
- * many. */
-uint32_t tree_points_under(const tree_points *p, const tree_entry *e, const unsigned char *list, uint32_t count,
-                           unsigned char *under);
+/* Those of the points in `of` that lie under the entry's box, and do not skip its owner. */
+tree_set tree_points_under(const tree_points *p, const tree_entry *e, const tree_set *of);
 
-/* Points on their way down: `count` of the walk's list from `start` on, in a box; so many had been dropped by then. */
+/* A child, and the points that its box is over. */
 typedef struct tree_crowd {
-    uint32_t start, count, dropped;
-    float lo_x, lo_y, hi_x, hi_y, lo_z, hi_z;
+    uint32_t child; /* TREE_WIDTH times its parent's number, and which of its children */
+    tree_set points;
 } tree_crowd;
 
 /* Walks through the leaves over points, for each without those that are all of the owner it skips; leaves nearer to
@@ -112,20 +139,19 @@ typedef struct tree_crowd {
 typedef struct tree_walk {
     const tree *t;
     const tree_points *points;
-    uint32_t kept[TREE_KEPT], kept_count;
-    uint32_t leaf, depth; /* the leaf last found */
-    struct {
-        uint32_t node;
-        tree_crowd crowd; /* those that the parent's box is over */
-    } stack[TREE_DEPTH + 2 + TREE_KEPT];
-    unsigned char list[(TREE_DEPTH + 2) * TREE_POINTS];
+    float lo_x, hi_x, lo_y, hi_y, lo_z;           /* of them all */
+    uint32_t kept[TREE_KEPT], kept_count;         /* leaves, as children */
+    uint32_t first[TREE_KEPT], first_count, leaf; /* kept when the walk began, and not yet asked; the leaf last found */
+    bool begun;                                   /* with what is not kept */
+    uint32_t depth;
+    tree_crowd stack[(TREE_WIDTH - 1) * TREE_DEPTH + 1];
 } tree_walk;
 
 /* A leaf, and the points that it is over. */
 typedef struct tree_leaf {
     const tree_item *item;
-    const unsigned char *point;
-    uint32_t item_count, point_count;
+    uint32_t item_count;
+    tree_set points;
 } tree_leaf;
 
 /* A walker, for walk after walk through the same tree. */
