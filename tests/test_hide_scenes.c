@@ -641,6 +641,41 @@ static void counts_and_lines(void **state)
     }
 }
 
+/* Edges that go together are told from others by a number of sixteen bits, which comes again after 65,535 of them. Here it
+ * is a plate's again when the bar that reaches from under it has its turn: the upper edges of round solids in between go one
+ * by one. Of each bar two edges are hidden by halves, and one wholly. */
+static void more_groups_than_stamps(void **state)
+{
+    enum { BARS = 20, BETWEEN = 65535 - BARS, CORNERS = 125, ROUNDS = BETWEEN / CORNERS };
+    roberts_camera camera = preset("top");
+    roberts_hide_options options = with_hidden();
+    size_t half = 0, whole = 0;
+    model m = {0};
+    (void)state;
+    options.threads = 1;
+    for (int i = 0; i < BARS; i++)
+        model_box(&m, (roberts_vec3){4 * i, 0, 5}, (roberts_vec3){4 * i + 3, 10, 6});
+    for (uint32_t i = 0; i < ROUNDS; i++)
+        model_round(&m, CORNERS, false, mat3_scale(1, 1, 1), (roberts_vec3){3 * i, -10, 0});
+    for (uint32_t i = 0; i < BETWEEN % CORNERS; i++)
+        model_box(&m, (roberts_vec3){-20, 2 * i, 0}, (roberts_vec3){-19, 2 * i + 1, 1});
+    for (int i = 0; i < BARS; i++)
+        model_box(&m, (roberts_vec3){4 * i + 1, 8, 0}, (roberts_vec3){4 * i + 2, 12, 1});
+    roberts_drawing d = model_draw(&m, &camera, &options);
+    for (size_t i = 0; i < d.count; i++) {
+        const roberts_segment *s = &d.segment[i];
+        if (s->solid < m.solids - BARS || s->state != ROBERTS_HIDDEN || s->line == ROBERTS_BACK)
+            continue;
+        assert_int_equal(s->by, s->solid + BARS - m.solids);
+        half += s->t1 - s->t0 == 0.5;
+        whole += s->t1 - s->t0 == 1;
+    }
+    assert_int_equal(half, 2 * BARS);
+    assert_int_equal(whole, BARS);
+    roberts_drawing_free(&d);
+    model_free(&m);
+}
+
 /* Culled are the nine boxes behind the nearest one, one of them after it was mapped, and none of the three behind the eye,
  * which nothing hides. Only the nearest one's faces are counted. */
 static void culled_solids_are_those_hidden(void **state)
@@ -756,6 +791,7 @@ int main(void)
         cmocka_unit_test(cut_cube),
         cmocka_unit_test(outlines_stay),
         cmocka_unit_test(counts_and_lines),
+        cmocka_unit_test(more_groups_than_stamps),
         cmocka_unit_test(culled_solids_are_those_hidden),
         cmocka_unit_test(picture_coordinates),
         cmocka_unit_test(nothing_to_draw),
