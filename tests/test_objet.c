@@ -438,7 +438,7 @@ static void lists_are_complete_and_in_order(void **state)
             assert_int_equal(picture.culled_count, 0);
             scan_frame frame = cells_for_lists(picture.front_box, picture.front_count, picture.low, picture.high,
                                                sides[i], hide_margin(&picture.space));
-            assert_int_equal(objet_build(&grid, &picture, frame), ROBERTS_OK);
+            assert_int_equal(objet_build(&grid, &picture, frame, 1), ROBERTS_OK);
             expect_lists(&grid, &picture);
             assert_true(listed_count(&picture) > 10);
             objet_free(&grid);
@@ -447,6 +447,37 @@ static void lists_are_complete_and_in_order(void **state)
         roberts_scene_free(built);
         model_free(&m);
     }
+}
+
+/* With so many fronts that several threads fill the cells: the lists are the same. */
+static void lists_by_threads(void **state)
+{
+    roberts_camera camera = {.dir = {1, 2, 3}};
+    hide_picture picture;
+    objet alone, together;
+    model m = {0};
+    (void)state;
+    for (int i = 0; i < 400; i++)
+        model_round(&m, 120, true, mat3_scale(1, 1, 1), (roberts_vec3){i % 20, i / 20, i % 7});
+    roberts_scene *scene = model_build(&m);
+    assert_int_equal(hide_picture_build(&picture, scene, &camera, 0, false, 1, NULL), ROBERTS_OK);
+    assert_true(picture.front_count > 40000);
+    scan_frame frame = cells_for_lists(picture.front_box, picture.front_count, picture.low, picture.high, 150,
+                                       hide_margin(&picture.space));
+    size_t cells = scan_cells(&frame);
+    assert_true(cells > 8192);
+    assert_int_equal(objet_build(&alone, &picture, frame, 1), ROBERTS_OK);
+    for (uint32_t threads = 2; threads < 5; threads++) {
+        assert_int_equal(objet_build(&together, &picture, frame, threads), ROBERTS_OK);
+        assert_memory_equal(together.start, alone.start, (cells + 1) * sizeof *alone.start);
+        assert_memory_equal(together.front, alone.front, alone.start[cells] * sizeof *alone.front);
+        assert_memory_equal(together.next, alone.next, alone.start[cells] * sizeof *alone.next);
+        objet_free(&together);
+    }
+    objet_free(&alone);
+    hide_picture_free(&picture);
+    roberts_scene_free(scene);
+    model_free(&m);
 }
 
 /* Of copies at the same place one front counts, the first; of solids that differ a little, each. */
@@ -762,6 +793,7 @@ int main(void)
         cmocka_unit_test(windows_without_size),
         cmocka_unit_test(walks_meet_every_cell),
         cmocka_unit_test(lists_are_complete_and_in_order),
+        cmocka_unit_test(lists_by_threads),
         cmocka_unit_test(copies_count_once),
         cmocka_unit_test(covers_cover),
         cmocka_unit_test(covers_are_not_wasted),

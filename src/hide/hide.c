@@ -235,7 +235,7 @@ static roberts_status build(hide_job *job, const roberts_camera *camera, roberts
     hide_picture_drop_boxes(&job->picture);
     scan_frame frame = cells_for_lists(picture->front_box, picture->front_count, picture->low, picture->high,
                                        options->grid, hide_margin(&picture->space));
-    status = objet_build(&job->grid, picture, frame);
+    status = objet_build(&job->grid, picture, frame, options->threads);
     drawing->grid_time = lap(&clock);
     return status;
 }

@@ -4,14 +4,46 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/threads.h"
 
 /* A list up to this length is sorted by insertion. */
 #define SHORT_LIST 24
+/* With fewer fronts or cells than this a thread costs more than it does. */
+#define WORTH_A_THREAD 8192
+
+/* What each thread has for itself. */
+typedef struct lister {
+    scan s;
+    char apart[THREADS_APART];
+} lister;
+
+/* The filling of the grid. */
+typedef struct filling {
+    objet *grid;
+    const hide_picture *picture;
+    lister *lister; /* [threads] */
+    int threads;
+} filling;
+
+/* One more, at a cell that other threads may count at as well; gives how many it were before. */
+static inline uint32_t count_one(uint32_t *cell, bool alone)
+{
+    uint32_t before;
+    if (alone)
+        return (*cell)++;
+#ifdef _OPENMP
+#pragma omp atomic capture
+#endif
+    before = (*cell)++;
+    return before;
+}
 
 /* Calls for every cell that the front touches: counts it there, or with `fill` lists it. A box of at most two columns and
  * two rows is taken for the polygon. */
-static void list_front(objet *grid, const hide_picture *picture, uint32_t index, scan *s, bool fill)
+static void list_front(const filling *job, uint32_t index, scan *s, bool fill)
 {
+    objet *grid = job->grid;
+    const hide_picture *picture = job->picture;
     scan_frame wider = grid->frame;
     const scan_frame *f = &wider;
     const hide_box *box = &picture->front_box[index];
@@ -19,7 +51,7 @@ static void list_front(objet *grid, const hide_picture *picture, uint32_t index,
     double m = f->margin;
     uint32_t first = scan_column(f, (double)box->x0 - m), last = scan_column(f, (double)box->x1 + m);
     uint32_t low = scan_row(f, (double)box->y0 - m), high = scan_row(f, (double)box->y1 + m);
-    bool small = last - first < 2 && high - low < 2;
+    bool small = last - first < 2 && high - low < 2, alone = job->threads == 1;
     if (!small) {
         hide_face outline = hide_outline(picture, &picture->front[index]);
         scan_polygon(s, f, picture->P, outline.corner, outline.count);
@@ -31,12 +63,23 @@ static void list_front(objet *grid, const hide_picture *picture, uint32_t index,
             scan_touched(s, f, i, &low, &high);
         for (uint32_t j = low; j <= high; j++) {
             size_t cell = (size_t)i * f->ny + j;
+            uint32_t place = count_one(&grid->start[cell], alone);
             if (fill)
-                grid->front[grid->start[cell]++] = index;
-            else
-                grid->start[cell]++;
+                grid->front[place] = index;
         }
     }
+}
+
+/* Counts all fronts, or lists them: in any order, which the sorting mends. */
+static void list_all(const filling *job, bool fill)
+{
+    const hide_picture *picture = job->picture;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(job->threads)
+#endif
+    for (uint32_t k = 0; k < picture->front_count; k++)
+        if (picture->front[k].listed)
+            list_front(job, k, &job->lister[thread_self()].s, fill);
 }
 
 /* Counts become places: start[cell] the first of the cell's list. */
@@ -77,12 +120,14 @@ static int nearer_first(const void *pa, const void *pb)
     return (a->front > b->front) - (a->front < b->front);
 }
 
-/* Sorts each cell's list, nearest corner first, ties by number. Short lists are put in order one by one. */
-static bool sort_lists(objet *grid, const hide_picture *picture)
+/* Sorts the lists of the cells first..end-1, nearest corner first, ties by number. Short lists are put in order one by one.
+ * False: no memory. */
+static bool sort_some(const filling *job, size_t first, size_t end)
 {
-    size_t cells = scan_cells(&grid->frame), room = 0;
+    const objet *grid = job->grid;
     entry *list = NULL;
-    for (size_t c = 0; c < cells; c++) {
+    size_t room = 0;
+    for (size_t c = first; c < end; c++) {
         uint32_t *front = grid->front + grid->start[c], count = grid->start[c + 1] - grid->start[c];
         if (count < 2)
             continue;
@@ -91,9 +136,9 @@ static bool sort_lists(objet *grid, const hide_picture *picture)
             return false;
         }
         for (uint32_t k = 0; k < count; k++) {
-            entry e = {picture->front_box[front[k]].z1, front[k]};
+            entry e = {job->picture->front_box[front[k]].z1, front[k]};
             uint32_t i = k;
-            for (; count <= SHORT_LIST && i > 0 && e.z1 > list[i - 1].z1; i--)
+            for (; count <= SHORT_LIST && i > 0 && nearer_first(&e, &list[i - 1]) < 0; i--)
                 list[i] = list[i - 1];
             list[i] = e;
         }
@@ -104,6 +149,20 @@ static bool sort_lists(objet *grid, const hide_picture *picture)
     }
     free(list);
     return true;
+}
+
+/* All of them. A thread's cells lie together. */
+static bool sort_lists(const filling *job)
+{
+    size_t cells = scan_cells(&job->grid->frame);
+    int parts = cells < WORTH_A_THREAD ? 1 : job->threads;
+    bool lost = false;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(parts) reduction(|| : lost)
+#endif
+    for (int i = 0; i < parts; i++)
+        lost = lost || !sort_some(job, cells * (size_t)i / (size_t)parts, cells * ((size_t)i + 1) / (size_t)parts);
+    return !lost;
 }
 
 /* Fills `next`, from each list's end. */
@@ -124,30 +183,41 @@ static bool link_lists(objet *grid, const hide_picture *picture)
     return grid->next != NULL;
 }
 
-roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame frame)
+static bool alloc_listers(filling *job)
 {
-    roberts_status status = ROBERTS_NO_MEMORY;
-    scan s = {0};
+    job->lister = alloc_zeroed((size_t)job->threads, sizeof *job->lister);
+    for (int i = 0; job->lister && i < job->threads; i++)
+        if (!scan_init(&job->lister[i].s, job->grid->frame.nx))
+            return false;
+    return job->lister != NULL;
+}
+
+static void free_listers(filling *job)
+{
+    for (int i = 0; job->lister && i < job->threads; i++)
+        scan_free(&job->lister[i].s);
+    free(job->lister);
+}
+
+roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame frame, uint32_t threads)
+{
+    filling job = {grid, picture, NULL, threads_for(threads, 1 + picture->front_count / WORTH_A_THREAD)};
     *grid = (objet){.frame = frame};
     grid->start = alloc_zeroed(scan_cells(&frame) + 1, sizeof *grid->start);
-    if (!grid->start || !scan_init(&s, frame.nx))
-        goto done;
-    for (uint32_t k = 0; k < picture->front_count; k++)
-        if (picture->front[k].listed)
-            list_front(grid, picture, k, &s, false);
-    if (!sum_counts(grid))
-        goto done;
-    for (uint32_t k = 0; k < picture->front_count; k++)
-        if (picture->front[k].listed)
-            list_front(grid, picture, k, &s, true);
-    restore_starts(grid);
-    if (sort_lists(grid, picture) && link_lists(grid, picture))
-        status = ROBERTS_OK;
-done:
-    scan_free(&s);
-    if (status != ROBERTS_OK)
+    bool done = grid->start && alloc_listers(&job);
+    if (done) {
+        list_all(&job, false);
+        done = sum_counts(grid);
+    }
+    if (done) {
+        list_all(&job, true);
+        restore_starts(grid);
+        done = sort_lists(&job) && link_lists(grid, picture);
+    }
+    free_listers(&job);
+    if (!done)
         objet_free(grid);
-    return status;
+    return done ? ROBERTS_OK : ROBERTS_NO_MEMORY;
 }
 
 void objet_free(objet *grid)

@@ -29,8 +29,9 @@ typedef struct objet_walk {
     size_t count, room;
 } objet_walk;
 
-/* Fills the cells of `frame`. Returns ROBERTS_OK or _NO_MEMORY. */
-roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame frame);
+/* Fills the cells of `frame`, by so many threads at the most (0: what there is), on which the result does not depend.
+ * Returns ROBERTS_OK or _NO_MEMORY. */
+roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame frame, uint32_t threads);
 void objet_free(objet *grid);
 
 /* The cells that AB touches, column by column; false: no memory. */
