@@ -8,7 +8,11 @@
 #include <xmmintrin.h>
 #endif
 
-enum { FETCH_LINE = 64 }; /* bytes that come together */
+enum {
+    FETCH_LINE = 64, /* bytes that come together */
+    FETCH_MOST =
+        512, /* bytes of an array that are asked for ahead: more would be put out again before they are needed */
+};
 
 /* Macros: GCC takes a function that only asks ahead for one that does nothing, and leaves calls of it out. */
 #if defined(__SSE2__)
@@ -17,9 +21,9 @@ enum { FETCH_LINE = 64 }; /* bytes that come together */
 #define FETCH_AHEAD(p) ((void)(p))
 #endif
 
-/* The first `size` bytes, but no more than `most`. */
-#define FETCH_ARRAY(p, size, most)                                                                                     \
-    for (size_t fetched = 0; fetched < (size) && fetched < (most); fetched += FETCH_LINE)                              \
+/* The first `size` bytes, but no more than FETCH_MOST. */
+#define FETCH_ARRAY(p, size)                                                                                           \
+    for (size_t fetched = 0; fetched < (size) && fetched < FETCH_MOST; fetched += FETCH_LINE)                          \
     FETCH_AHEAD((const char *)(p) + fetched)
 
 #endif

@@ -8,10 +8,12 @@
 
 #include "base/array.h"
 #include "base/error.h"
+#include "base/fetch.h"
 #include "base/threads.h"
 #include "hide/cells.h"
 #include "hide/segments.h"
 
+#define SOLIDS_AHEAD 2 /* between asking for one and needing it */
 #define CHUNK_SOLIDS 64
 #define CHUNK_SEGMENTS 1024 /* room to begin with: nine visible edges of each block, and then some */
 #define CHUNKS_PER_THREAD 8 /* with less work than this a thread costs more than it does */
@@ -35,6 +37,18 @@ static bool do_chunk(const hide_job *job, hide_worker *w, hide_chunk *out, uint3
            segments_find(job, w, out, first, end);
 }
 
+/* Asks for what the solid's edges will soon want, which lies anywhere. */
+static void fetch_solid(const hide_job *job, uint32_t s)
+{
+    const roberts_scene *scene = job->scene;
+    const scene_solid *solid = &scene->solid[s];
+    size_t vertices = solid[1].vertex - solid->vertex, faces = solid[1].face - solid->face;
+    FETCH_ARRAY(job->picture.P + solid->vertex, vertices * sizeof *job->picture.P);
+    FETCH_ARRAY(scene->face_plane + solid->face, faces * sizeof *scene->face_plane);
+    FETCH_AHEAD(job->picture.facing + solid->face);
+    FETCH_AHEAD(scene->edge + solid->stored);
+}
+
 /* The solids of one chunk of the order in which they lie in the picture. */
 static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
 {
@@ -42,6 +56,12 @@ static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
     uint32_t end = count - first < AHEAD_CHUNK ? count : first + AHEAD_CHUNK;
     for (uint32_t k = first; k < end; k++) {
         uint32_t s = job->ahead.order[k];
+        if (k + 2 * SOLIDS_AHEAD < count) {
+            FETCH_AHEAD(&job->scene->solid[job->ahead.order[k + 2 * SOLIDS_AHEAD]]);
+            FETCH_AHEAD(&job->picture.culled[job->ahead.order[k + 2 * SOLIDS_AHEAD]]);
+        }
+        if (k + SOLIDS_AHEAD < count && !job->picture.culled[job->ahead.order[k + SOLIDS_AHEAD]])
+            fetch_solid(job, job->ahead.order[k + SOLIDS_AHEAD]);
         hide_worker_begin(w);
         if (!job->picture.culled[s] && (!segments_take_edges(job, w, s) || !hide_worker_run(w, s)))
             return false;

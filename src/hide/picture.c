@@ -19,9 +19,8 @@
 /* Solids whose boxes a thread finds in one go. */
 #define BOXES_AT_ONCE 1024
 
-/* Solids between asking for a box and needing it, and the bytes of an array that are asked for ahead. */
+/* Solids between asking for a box and needing it. */
 #define BOX_AHEAD 8
-#define FETCH_MOST 512
 
 /* Scratch memory of the building. */
 typedef struct build {
@@ -118,9 +117,9 @@ static uint32_t let_wait(hide_picture *picture, uint32_t s)
     const roberts_scene *scene = picture->scene;
     const scene_solid *solid = &scene->solid[s];
     size_t vertices = solid[1].vertex - solid->vertex, faces = solid[1].face - solid->face;
-    FETCH_ARRAY(scene->point + solid->vertex, vertices * sizeof *scene->point, FETCH_MOST);
-    FETCH_ARRAY(picture->P + solid->vertex, vertices * sizeof *picture->P, FETCH_MOST);
-    FETCH_ARRAY(scene->face_plane + solid->face, faces * sizeof *scene->face_plane, FETCH_MOST);
+    FETCH_ARRAY(scene->point + solid->vertex, vertices * sizeof *scene->point);
+    FETCH_ARRAY(picture->P + solid->vertex, vertices * sizeof *picture->P);
+    FETCH_ARRAY(scene->face_plane + solid->face, faces * sizeof *scene->face_plane);
     FETCH_AHEAD(scene->face_start + solid->face);
     FETCH_AHEAD(scene->face_deviation + solid->face);
     FETCH_AHEAD(scene->face_width + solid->face);

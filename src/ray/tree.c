@@ -401,7 +401,7 @@ static void spread(tree_walk *w, uint32_t index, const tree_set *points)
     fours f;
     for (uint32_t i = 0; i < TREE_WIDTH; i++)
         if (n->count[i] == 0 && met >> i & 1)
-            FETCH_ARRAY(&w->t->node[n->first[i]], sizeof *n, sizeof *n); /* while points are compared */
+            FETCH_ARRAY(&w->t->node[n->first[i]], sizeof *n); /* while points are compared */
     find_fours(&f, points);
     for (uint32_t i = TREE_WIDTH; i-- > 0;) {
         if (!(met >> i & 1))
