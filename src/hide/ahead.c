@@ -5,6 +5,7 @@
 
 #include "base/array.h"
 #include "base/bits.h"
+#include "base/fetch.h"
 #include "base/radix.h"
 
 /* Fewer solids than this do not leave the cache. */
@@ -14,6 +15,9 @@
 /* ... and if one solid lies on average farther than this from the last, the file has them as they come. Rows, heaps and
  * lattices that were built one beside the other have less than 30, random ones more than 600. */
 #define FAR_APART 100.0
+
+/* Solids between asking for what is kept of one and needing it; twice as many before, where it is. */
+#define RECALLS_AHEAD 4
 
 static double apart(uint32_t a, uint32_t b)
 {
@@ -115,6 +119,24 @@ bool ahead_keep(ahead *a, uint32_t place, const hide_worker *w)
     if (k + 1 == AHEAD_CHUNK || place + 1 == a->count)
         shrink(c);
     return true;
+}
+
+void ahead_fetch(const ahead *a, uint32_t solid)
+{
+    if (a->count - solid <= 2 * RECALLS_AHEAD)
+        return;
+    uint32_t later = a->place[solid + 2 * RECALLS_AHEAD], sooner = a->place[solid + RECALLS_AHEAD];
+    const ahead_chunk *c = &a->chunk[later / AHEAD_CHUNK];
+    FETCH_AHEAD(c);
+    FETCH_AHEAD(&c->first_line[later % AHEAD_CHUNK]);
+    FETCH_AHEAD(&c->first_t[later % AHEAD_CHUNK]);
+    c = &a->chunk[sooner / AHEAD_CHUNK];
+    uint32_t k = sooner % AHEAD_CHUNK;
+    size_t lines = c->first_line[k + 1] - c->first_line[k], ts = c->first_t[k + 1] - c->first_t[k];
+    if (lines)
+        FETCH_ARRAY(c->line + c->first_line[k], lines * sizeof *c->line);
+    if (ts)
+        FETCH_ARRAY(c->t + c->first_t[k], ts * sizeof *c->t);
 }
 
 bool ahead_recall(const ahead *a, uint32_t solid, hide_worker *w)

@@ -37,6 +37,9 @@ void ahead_free(ahead *a);
  * after the other. Of a solid that is culled the lines are none. False: no memory. */
 bool ahead_keep(ahead *a, uint32_t place, const hide_worker *w);
 
+/* Asks for what will be wanted at the recalling of the solids soon after this one: their lines lie anywhere. */
+void ahead_fetch(const ahead *a, uint32_t solid);
+
 /* Gives the worker the solid's lines back, those that are not wholly hidden. False: no memory. */
 bool ahead_recall(const ahead *a, uint32_t solid, hide_worker *w);
 

@@ -244,8 +244,11 @@ static bool find_in_solid(const hide_job *job, hide_worker *w, hide_chunk *out, 
 
 bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t first, uint32_t end)
 {
-    for (uint32_t s = first; s < end; s++)
+    for (uint32_t s = first; s < end; s++) {
+        if (job->ahead.order)
+            ahead_fetch(&job->ahead, s);
         if (!find_in_solid(job, w, out, s))
             return false;
+    }
     return true;
 }
