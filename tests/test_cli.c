@@ -399,6 +399,10 @@ static void description_depends_on_the_drawing_alone(void **state)
         run("--threads 1 --grid 1 --stats=json --verify --hidden=dashed -o in/a.svg -- models/platonic/cube.off"), 0);
     read_text("in/a.svg", last.out);
     assert_string_equal(last.out, text);
+    assert_int_equal(run("--turntable 2 -o in/a%d.svg models/platonic/cube.off"),
+                     0); /* which needs a name with a place */
+    read_text("in/a1.svg", text);
+    assert_non_null(strstr(text, "<desc>roberts --turntable=2 --output=a%d.svg models/platonic/cube.off</desc>"));
 }
 
 /* Least and greatest coordinate of the paths of an SVG, in mm. */

@@ -354,10 +354,12 @@ static void empty_drawings_are_warned_of(void **state)
     assert_int_equal(run("--eye 20,10,500 --look-at 200,200,490 --fov 10 models/table.off -o in/a.png"), 0);
     assert_said("roberts: in/a.png: warning: the drawing is empty: ");
     assert_int_equal(run("--eye 70,-60,60 --look-at 500,-500,500 models/table.off"), 1);
-    assert_said(
-        "roberts: models/table.off: nothing of the scene lies in front of the eye (see --eye, --look-at, --near)\n");
+    assert_said("roberts: models/table.off: nothing of the scene lies in front of the eye, beyond the near plane at a "
+                "distance of ");
     assert_int_equal(run("--eye 20,10,500 --near 600 models/table.off models/tower.off"), 1);
-    assert_said("roberts: models/table.off and 1 more: nothing of the scene lies in front of the eye (see ");
+    assert_said(
+        "roberts: models/table.off and 1 more: nothing of the scene lies in front of the eye, beyond the near plane "
+        "at a distance of 600 (see --eye, --look-at, --near)\n");
 }
 
 /* ---- several pictures ---- */

@@ -173,6 +173,30 @@ static void table_of_the_readme(void **state)
             fail_msg("%s is missing", option[i]);
 }
 
+/* The names of colours that the program knows, as it lists them where it is given another. */
+static void colors_are_listed(void **state)
+{
+    static char said[TEXT], manual[TEXT], readme[TEXT];
+    char command[4096];
+    const char *build = getenv("ROBERTS_BUILD");
+    int count = 0;
+    (void)state;
+    snprintf(command, sizeof command, "%s/roberts --background no-such-color 2>&1", build ? build : "build");
+    FILE *pipe = popen(command, "r");
+    read_stream(pipe, said);
+    assert_true(pclose(pipe) != 0);
+    char *list = strstr(said, "it can be ");
+    assert_non_null(list);
+    read_file("src/cli/roberts.1", manual);
+    read_file("README.md", readme);
+    for (char *name = strtok(list + strlen("it can be "), ", \n"); name && *name != '#'; name = strtok(NULL, ", \n")) {
+        count++;
+        if (strcmp(name, "grey") != 0 && !(has_word(manual, name) && has_word(readme, name)))
+            fail_msg("%s is missing", name);
+    }
+    assert_true(count > 10);
+}
+
 /* What bash would offer for the words of a line, the last of them unfinished; of a "=" it hands over nothing. */
 static const struct {
     const char *words, *offered;
@@ -223,6 +247,7 @@ int main(void)
         cmocka_unit_test(completions_of_bash_and_zsh),
         cmocka_unit_test(completions_of_fish),
         cmocka_unit_test(table_of_the_readme),
+        cmocka_unit_test(colors_are_listed),
         cmocka_unit_test(bash_completes),
     };
     return cmocka_run_group_tests_name("manual", tests, set_up, NULL);

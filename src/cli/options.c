@@ -431,6 +431,15 @@ static void lay_down(roberts_page *page)
     }
 }
 
+/* Pictures of a turntable are not drawn again without a name that has a place for their numbers; its folder is left out. */
+static void describe_numbered(cli_options *options)
+{
+    const char *slash = strrchr(options->output, '/');
+    if (options->turntable)
+        description_option(&options->description, option_table[OPTION_OUTPUT].name,
+                           slash ? slash + 1 : options->output);
+}
+
 int options_parse(int argc, char **argv, cli_options *options)
 {
     static char standard_input[] = "-";
@@ -456,6 +465,7 @@ int options_parse(int argc, char **argv, cli_options *options)
     options->input_count = operands ? (size_t)operands : 1;
     if (p.given[OPTION_LANDSCAPE])
         lay_down(&options->draw.page);
+    describe_numbered(options);
     for (int i = 0; i < operands && !options->batch; i++)
         description_word(&options->description, argv[i]);
     if (options->help || options->version)

@@ -338,7 +338,9 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
         status = cut_solid(c, s, map, error);
     to->solid[to->solid_count] = (scene_solid){to->vertex_count, to->face_count, to->edge_count, to->edge_count};
     if (status == ROBERTS_OK && to->vertex_count == 0)
-        status = error_set(error, ROBERTS_BAD_VIEW, 0, "nothing of the scene lies in front of the eye");
+        status = error_set(error, ROBERTS_BAD_VIEW, 0,
+                           "nothing of the scene lies in front of the eye, beyond the near plane at a distance of %.6g",
+                           c->near);
     free(map);
     return status;
 }
