@@ -377,19 +377,20 @@ static void test_near_contact(void **state)
 
 /* The tip of a tetrahedron lies in from the outline by less than epsilon, over its longest edge: the face there is edge-on,
  * and without it the outline turns inward at the tip. Boxes below the edge, from near the tip to its other end, are cut there,
- * give or take epsilon. */
+ * give or take epsilon: also where the tip is so near the edge's end that it turns by no more than rounding. */
 static void test_edge_on(void **state)
 {
+    const double along[] = {0.1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10}, in[] = {3e-11, 2e-14, 1e-15, 1e-16, 0.0};
     (void)state;
-    for (int i = 0; i < 4; i++) {
-        const double along[] = {0.1, 1e-2, 1e-3, 1e-4};
+    for (int i = 0; i < 35; i++) {
         test_scene scene = {.view = TOP, .slack = 1e-10};
         judge_total total = {0};
-        add_tetrahedron(&scene.mesh, (roberts_vec3[]){{0, 0, 0}, {1, 0, 0}, {0.5, 0.8, 0}, {along[i], 3e-11, 0.1}});
+        roberts_vec3 tip = {along[i % 7], in[i / 7], 0.1};
+        add_tetrahedron(&scene.mesh, (roberts_vec3[]){{0, 0, 0}, {1, 0, 0}, {0.5, 0.8, 0}, tip});
         for (int k = 1; k < 10; k++)
             add_box(&scene.mesh, (roberts_vec3){0.1 * k, -0.5, -3}, (roberts_vec3){0.1 * k + 0.01, 0.1, -2.9});
         if (!judge_scene("edge-on", &scene, build_folder(), &total, stderr))
-            fail_msg("tip at %g", along[i]);
+            fail_msg("tip at %g, %g", tip.x, tip.y);
         assert_true(total.cut >= 18);
         test_scene_free(&scene);
     }

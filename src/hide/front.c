@@ -99,19 +99,28 @@ static uint32_t find_outline(const hide_picture *picture, uint32_t solid, uint32
     return v == start && count == edges ? edges : 0;
 }
 
-/* Whether the outline turns inward at a corner, by more than rounding. Where a face is edge-on it may, by epsilon; but the
- * line on a short side that ends there would cut off far more of the front than that. */
-static bool turns_inward(const hide_picture *picture, const uint32_t *outline, uint32_t corners)
+/* The longer of a side's two components: its length, or less by a root of two at the most. */
+static double span_of(roberts_vec3 side)
 {
-    const double margin = 4.0 * picture->view.across_rounding; /* of three corners, and some to spare */
-    roberts_vec3 A = picture->P[outline[corners - 2]], B = picture->P[outline[corners - 1]];
+    return greater(fabs(side.x), fabs(side.y));
+}
+
+/* Whether the outline may turn inward at a corner, so that the lines on the two sides there cut off more than half of epsilon
+ * from a front of this size. Where a face is edge-on and left out it turns inward by epsilon at the most, which is enough where
+ * a side is short; where it is very short, so is rounding. */
+static bool turns_inward(const hide_picture *picture, const uint32_t *outline, uint32_t corners, double size)
+{
+    const double rounding = 4.0 * picture->view.across_rounding; /* of three corners, and some to spare */
+    const double trifle = 0.5 * picture->view.epsilon / size;
+    roberts_vec3 B = picture->P[outline[corners - 1]], AB = vec3_sub(B, picture->P[outline[corners - 2]]);
     for (uint32_t i = 0; i < corners; i++) {
-        roberts_vec3 C = picture->P[outline[i]];
-        double x = C.x - A.x, y = C.y - A.y;
-        if (x * (B.y - A.y) - y * (B.x - A.x) > margin * (fabs(x) + fabs(y)))
+        roberts_vec3 C = picture->P[outline[i]], BC = vec3_sub(C, B);
+        double inward = BC.x * AB.y - BC.y * AB.x;
+        inward += rounding * (fabs(AB.x) + fabs(AB.y) + fabs(BC.x) + fabs(BC.y));
+        if (inward > trifle * span_of(AB) * span_of(BC))
             return true;
-        A = B;
         B = C;
+        AB = BC;
     }
     return false;
 }
@@ -163,7 +172,8 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
     view_points(&picture->view, scene->point + vertex, scene->solid[solid + 1].vertex - vertex, picture->P + vertex);
     front_faces found = find_faces(picture, tile, solid);
     uint32_t corners = find_outline(picture, solid, scratch->next, outline);
-    if (corners && found.edge_on && turns_inward(picture, outline, corners))
+    double width = (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0);
+    if (corners && found.edge_on && turns_inward(picture, outline, corners, width))
         corners = 0;
     bool whole = corners && found.count <= FACES_OF_ONE_FRONT;
     if (whole && picture->cover.rest && unite_hides(picture, &scratch->scan, outline, corners, box->z1)) {
@@ -171,7 +181,7 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
         tile->culled++;
         return true;
     }
-    double size = (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0) + (double)(box->z1 - box->z0);
+    double size = width + (double)(box->z1 - box->z0);
     double reach = found.reach - size;
     if (reach > 6.0 * picture->view.extent)
         reach = INFINITY; /* nothing is farther away, along three axes */
