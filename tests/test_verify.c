@@ -870,6 +870,18 @@ static void test_tree(void **state)
         box[k] = (tree_box){{s, s, s}, {2 * s, 2 * s, 2 * s}};
     }
     check_tree(box, MANY, &r, 100, 60);
+    for (int k = 0; k < MANY;
+         k++) { /* some reach out of single precision, or have no end at all, on both sides or on one */
+        roberts_vec3 a = draw_vec3(&r, 1.5), size = {draw(&r, 0, 0.5), draw(&r, 0, 0.5), draw(&r, 0, 0.5)};
+        double far = k % 2 ? 1e300 : INFINITY;
+        box[k] = (tree_box){a, vec3_add(a, size)};
+        double *lo[] = {&box[k].lo.x, &box[k].lo.y, &box[k].lo.z}, *hi[] = {&box[k].hi.x, &box[k].hi.y, &box[k].hi.z};
+        if (k % 9 < 3)
+            *lo[k % 9] = -far;
+        if (k % 7 < 3)
+            *hi[k % 7] = far;
+    }
+    check_tree(box, MANY, &r, 100, 5);
 }
 
 int main(void)

@@ -213,7 +213,7 @@ static bool build_tree(occluders *o, const double *rays)
         if (o->twin[solid] == solid)
             built = add_solid(o, solid, &list);
     }
-    built = built && list.count < UINT32_MAX && tree_build(&o->t, list.entry, (uint32_t)list.count);
+    built = built && list.count <= UINT32_MAX / TREE_WIDTH && tree_build(&o->t, list.entry, (uint32_t)list.count);
     free(list.entry);
     return built;
 }

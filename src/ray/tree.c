@@ -1,6 +1,7 @@
 /* tree.c - a tree of boxes over boxes. See tree.h. */
 #include "ray/tree.h"
 
+#include <float.h>
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -94,7 +95,7 @@ typedef struct split {
     float low, bins_per_length, cost;
 } split;
 
-/* Twice the middle of a box along an axis. */
+/* Twice the middle of a box along an axis; NaN where it has no end on both sides. */
 static inline float middle(const tree_entry *e, int axis)
 {
     return e->lo[axis] + e->hi[axis];
@@ -110,8 +111,8 @@ static inline void reap(crop *c, const tree_entry *e)
     c->owner = !(c->all.lo_x <= c->all.hi_x) || c->owner == e->owner ? e->owner : ROBERTS_NONE;
     c->all = cover_union(c->all, cover_of(e));
     for (int axis = 0; axis < 3; axis++) {
-        c->low[axis] = less(c->low[axis], middle(e, axis));
-        c->high[axis] = more(c->high[axis], middle(e, axis));
+        c->low[axis] = less(middle(e, axis), c->low[axis]); /* in this order: NaN counts for nothing */
+        c->high[axis] = more(middle(e, axis), c->high[axis]);
     }
 }
 
@@ -278,8 +279,9 @@ bool tree_build(tree *t, tree_entry *entry, uint32_t count)
 {
     builder b = {t, entry, INFINITY};
     part all = {0, count, 0, no_crop};
-    /* Each node but one alone has children that are two parts at least. */
-    *t = (tree){alloc_array((size_t)count + 1, sizeof *t->node), alloc_array(count, sizeof *t->item), 0};
+    /* A node over four items or more has four parts, so that over n > 1 items stand (2 n - 1) / 3 nodes at the most. */
+    size_t nodes = 2 * (size_t)count / 3 + 1;
+    *t = (tree){alloc_array(nodes, sizeof *t->node), alloc_array(count, sizeof *t->item), 0};
     if (!t->node || !t->item) {
         tree_free(t);
         return false;

@@ -15,8 +15,6 @@
 #ifndef ROBERTS_RAY_TREE_H
 #define ROBERTS_RAY_TREE_H
 
-#include <float.h>
-
 #include "base/bits.h"
 #include "base/vec.h"
 
@@ -73,7 +71,8 @@ typedef struct tree {
     uint32_t node_count;
 } tree;
 
-/* Builds `t` over `count` entries, whose order changes. False: no memory, and `t` is empty. */
+/* Builds `t` over `count` entries, UINT32_MAX / TREE_WIDTH at the most, whose order changes. False: no memory, and `t` is
+ * empty. */
 bool tree_build(tree *t, tree_entry *entry, uint32_t count);
 void tree_free(tree *t);
 
@@ -101,8 +100,8 @@ static inline uint32_t tree_set_take(tree_set *s)
     return i;
 }
 
-/* Points that walk together; none yet where it is zeroed. Single precision takes no box from a point: rounding to the nearest keeps order, and boxes
- * are rounded outward. */
+/* Points that walk together; none yet where it is zeroed. Single precision takes no box from a point: rounding to the
+ * nearest keeps order, and boxes are rounded outward. */
 typedef struct tree_points {
     uint32_t count;
     tree_set live; /* not dropped */
@@ -115,7 +114,7 @@ static inline void tree_points_add(tree_points *p, roberts_vec3 point, uint32_t 
     p->live.word[p->count / 64] |= (uint64_t)1 << p->count % 64;
     p->x[p->count] = (float)point.x;
     p->y[p->count] = (float)point.y;
-    p->z[p->count] = (float)lesser(point.z, FLT_MAX); /* finite: it is taken from what may be infinite */
+    p->z[p->count] = (float)point.z;
     p->skip[p->count++] = skip;
 }
 
