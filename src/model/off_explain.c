@@ -3,7 +3,8 @@
  * OFF is read word by word, so that a number that is missing is missed where the words do not make sense any more, which
  * may be far behind. But most files have a vertex on each line: then the first line with another number of words than
  * the lines before it is where to look. And lines of numbers from the first to the last are points, in a format that has
- * no name and no mark.
+ * no name and no mark; a number, a line of any text and then lines with a word and three numbers are XYZ, the atoms of a
+ * molecule, which has no mark either.
  *
  * Costs nothing while all goes well. Inputs that cannot be read twice (pipes) are left without. */
 #include "model/off.h"
@@ -31,6 +32,7 @@ typedef struct text_line {
     size_t number;
     unsigned words;
     bool numbers; /* each word begins as a number does */
+    bool named;   /* each but the first, which begins with a letter */
     bool commas;  /* or semicolons, which here stand between words */
 } text_line;
 
@@ -70,8 +72,9 @@ static bool next_line(text *t, text_line *line)
         line->commas |= comma && !comment;
         bool word = c > ' ' && !comma && !comment && c != '{' && c != '}';
         if (word && !within) {
-            line->words++;
-            line->numbers &= strchr("+-.0123456789", c) != NULL;
+            const bool number = strchr("+-.0123456789", c) != NULL, first = line->words++ == 0;
+            line->numbers &= number;
+            line->named = first ? (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') : line->named && number;
         }
         within = word;
     }
@@ -101,6 +104,20 @@ static bool describe_points(text *t, char said[SAID])
                  "number are read, and then three numbers for each, with blanks between",
                  first.words, first.commas ? " with commas" : "");
     return true;
+}
+
+/* Does the input begin as XYZ does? The text may be missing; two or three numbers there are rather counts, behind a dimension. */
+static bool is_xyz(text *t)
+{
+    text_line count, title, atom;
+    if (!next_line(t, &count) || !count.numbers || count.words != 1 || !next_line(t, &title))
+        return false;
+    if (title.number == count.number + 2)
+        atom = title;
+    else if (title.number != count.number + 1 || (title.numbers && title.words <= 3 && title.words >= 2) ||
+             !next_line(t, &atom) || atom.number != count.number + 2)
+        return false;
+    return atom.named && atom.words > POSITION;
 }
 
 static void add_to_message(roberts_error *error, const char *hint)
@@ -159,6 +176,12 @@ void off_explain_error(off_reader *r)
     text t = begin(r);
     if (r->header.bare && describe_points(&t, said)) {
         error_set(r->error, r->error->status, 0, "%s", said);
+        return;
+    }
+    t = begin(r);
+    if (r->header.bare && is_xyz(&t)) {
+        error_set(r->error, r->error->status, 0,
+                  "this looks like XYZ, the atoms of a molecule, but only OFF can be read");
         return;
     }
     if (r->header.line == 0)

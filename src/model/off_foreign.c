@@ -26,6 +26,8 @@ static const struct foreign {
     {"<", "XML (as AMF, X3D and COLLADA are)", false},
     {"PK", "a ZIP archive (as 3MF is)", true},
     {"\x1f", "compressed, as by gzip", false},
+    {"\xff\xfe", "text in UTF-16 (to be saved as UTF-8)", false},
+    {"\xfe\xff", "text in UTF-16 (to be saved as UTF-8)", false},
 };
 
 const char *off_foreign(const char *word, size_t length)

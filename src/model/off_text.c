@@ -208,7 +208,19 @@ static inline bool index_number(off_reader *r, uint64_t limit, uint64_t *value)
     return true;
 }
 
-/* Says why corner i of face f was not taken: `at` is still before it. */
+/* Whether a corner before corner i of the face at hand is vertex 0. */
+static bool names_first(const off_reader *r, uint64_t i)
+{
+    const roberts_mesh *mesh = r->mesh;
+    const size_t end = mesh->corner_count + (size_t)(i % CORNERS_AT_ONCE); /* whole parts are counted in already */
+    for (size_t k = r->mark.corners; k < end; k++)
+        if (mesh->corner[k] == r->mark.vertices)
+            return true;
+    return false;
+}
+
+/* Says why corner i of face f was not taken: `at` is still before it. Who counts from 1 comes here by the number of vertices,
+ * and has not named vertex 0. */
 static roberts_status bad_corner(off_reader *r, uint64_t f, uint64_t i, uint64_t count)
 {
     uint64_t index;
@@ -221,9 +233,11 @@ static roberts_status bad_corner(off_reader *r, uint64_t f, uint64_t i, uint64_t
                             (unsigned long long)i + 1, (unsigned long long)count, (unsigned long long)f,
                             (unsigned long long)r->header.faces);
     }
-    return off_fail(r, ROBERTS_BAD_INDEX, "face %llu names vertex %s%llu, but there are %llu%s", (unsigned long long)f,
-                    negative ? "-" : "", (unsigned long long)index, (unsigned long long)r->header.vertices,
-                    index == r->header.vertices ? ", numbered from 0" : ""); /* who counts from 1 comes here */
+    const bool next = !negative && index == r->header.vertices;
+    return off_fail(r, ROBERTS_BAD_INDEX, "face %llu names vertex %s%llu, but there are %llu%s%s",
+                    (unsigned long long)f, negative ? "-" : "", (unsigned long long)index,
+                    (unsigned long long)r->header.vertices, next ? ", numbered from 0" : "",
+                    next && !names_first(r, i) ? "; up to here no face names vertex 0: do they count from 1?" : "");
 }
 
 /* Reads the corners of face f into the mesh. Room is made as they come: a declared count takes no memory. */
