@@ -8,8 +8,6 @@
 #include "base/array.h"
 #include "base/lanes.h"
 
-/* Cells are looked at four at a time: so many behind the last may be, too. */
-#define COVER_SPARE 3
 /* Cells that are filled at a time, and that one thread fills by itself. */
 #define FILL 1024
 #define FILLED_BY_ONE 500000
@@ -35,11 +33,11 @@ bool cover_init(cover *c, scan_frame frame, int threads)
     *c = (cover){.frame = frame};
     if (cells == 0)
         return true;
-    c->depth = alloc_array(cells + COVER_SPARE, sizeof *c->depth);
+    c->depth = alloc_array(cells, sizeof *c->depth);
     c->by = alloc_array(cells, sizeof *c->by); /* meaningless while there is no cover */
     if (!c->depth || !c->by)
         return false;
-    fill(c->depth, cells + COVER_SPARE, threads);
+    fill(c->depth, cells, threads);
     return true;
 }
 
@@ -102,14 +100,21 @@ void cover_add(cover *c, scan *s, const roberts_vec3 *P, const uint32_t *corner,
     }
 }
 
-/* Are all of cell[0 .. count-1] nearer than z? Four at a time, the last of which may be others'. */
+static inline bool four_nearer(const float *cell, four z)
+{
+    return four_signs(four_below(z, four_load(cell))) == 15;
+}
+
+/* Are all of cell[0 .. count-1] nearer than z? Four at a time, and none beside them: another thread may be writing there. */
 static inline bool all_nearer(const float *cell, uint32_t count, float z)
 {
+    if (count < 4)
+        return count == 0 || (z < cell[0] && z < cell[count / 2] && z < cell[count - 1]);
     four depth = four_all(z);
-    for (; count > 4; count -= 4, cell += 4)
-        if (four_signs(four_below(depth, four_load(cell))) != 15)
+    for (uint32_t k = 0; k < count - 4; k += 4)
+        if (!four_nearer(cell + k, depth))
             return false;
-    return (four_signs(four_below(depth, four_load(cell))) | 15u << count) == (15u | 15u << count);
+    return four_nearer(cell + count - 4, depth);
 }
 
 bool cover_hides(const cover *c, const hide_box *box)
