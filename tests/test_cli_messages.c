@@ -362,6 +362,44 @@ static void empty_drawings_are_warned_of(void **state)
         "at a distance of 600 (see --eye, --look-at, --near)\n");
 }
 
+/* A cube from -1 to 1; near planes at a thousandth of the way to its centre unless given. */
+static const struct {
+    const char *arguments, *said; /* empty: nothing; "!": nothing of the near plane */
+} near_cases[] = {
+    {"--eye 0,-1,0", "0.001 before the eye, cuts solid 0 in the middle"},          /* on a face */
+    {"--eye 1,1,1", "0.00173 before the eye, cuts solid 0 in the middle"},         /* on a vertex */
+    {"--eye 0,-1.0005,0", "0.001 before the eye, cuts solid 0 in the middle"},     /* nothing is drawn */
+    {"--eye 1.0001,1.0001,1.0001", "0.00173 before the eye, cuts solid 0 in the"}, /* two ends of lines are */
+    {"--eye 0,-1.0005,0 -f null", "0.001 before the eye, cuts solid 0 in the middle"},
+    {"--eye 0,-1.0005,0 --near 0.0001", ""},
+    {"--eye 0,-1.002,0", ""},
+    {"--eye 0,-4,0 --near 3.5",
+     "3.5 before the eye, cuts solid 0 in the middle"},  /* no line of it is seen behind the cut */
+    {"--eye 2,-4,3 --near 4", ""},                       /* meant so, and there is something */
+    {"--eye 0,-3,0 --look-at 3,-3,0.5 --near 0.1", "!"}, /* not by the near plane */
+    {"-q --eye 0,-1,0", ""},
+};
+
+static void cuts_in_the_middle_are_warned_of(void **state)
+{
+    char line[300];
+    (void)state;
+    for (size_t i = 0; i < sizeof near_cases / sizeof near_cases[0]; i++) {
+        const char *said = near_cases[i].said;
+        snprintf(line, sizeof line, "%s models/platonic/cube.off", near_cases[i].arguments);
+        print_message("roberts %s\n", line);
+        assert_int_equal(run(line), 0);
+        if (*said == '!')
+            assert_null(strstr(last.err, "the near plane"));
+        else if (*said) {
+            assert_said("warning: the near plane, ");
+            assert_said(said);
+            assert_null(strstr(last.err, "the drawing is empty"));
+        } else
+            assert_string_equal(last.err, "");
+    }
+}
+
 /* ---- several pictures ---- */
 
 /* Line `number` of what was said, from 0. */
@@ -448,6 +486,7 @@ int main(void)
         IN_FOLDER(several_points_are_picked),
         IN_FOLDER(sizes_of_paper),
         IN_FOLDER(empty_drawings_are_warned_of),
+        IN_FOLDER(cuts_in_the_middle_are_warned_of),
         IN_FOLDER(each_of_several_pictures_is_named),
         IN_FOLDER(names_in_json),
         IN_FOLDER(counts_agree),

@@ -24,6 +24,7 @@ typedef struct picture_window {
 typedef struct views {
     roberts_drawing drawing[ROBERTS_SHEET_VIEWS];
     size_t count;
+    bool explained; /* why there is next to nothing on it */
 } views;
 
 /* What to call the inputs: the first of them, and how many more there are. */
@@ -182,6 +183,24 @@ static roberts_status hide_all(const cli_options *options, const roberts_scene *
     return status;
 }
 
+/* What to call the drawing. */
+static const char *name_output(const cli_options *options, char *name, size_t size)
+{
+    if (options->draw.format == ROBERTS_NULL)
+        return name_inputs(options, options->input[0], name, size);
+    return strcmp(options->output, "-") == 0 ? "standard output" : options->output;
+}
+
+/* While there is the scene to ask. */
+static void warn_near(const cli_options *options, const roberts_scene *scene, views *v)
+{
+    char why[256], name[NAME_SIZE];
+    if (options->quiet || !empty_by_near(options, scene, &v->drawing[0], why, sizeof why))
+        return;
+    message_warning(options->log, name_output(options, name, sizeof name), 0, why);
+    v->explained = true;
+}
+
 static void free_views(views *v)
 {
     for (size_t i = 0; i < v->count; i++)
@@ -209,19 +228,11 @@ static roberts_status save(const cli_options *options, const views *v, run_stats
     return status;
 }
 
-/* What to call the drawing. */
-static const char *name_output(const cli_options *options, char *name, size_t size)
-{
-    if (options->draw.format == ROBERTS_NULL)
-        return name_inputs(options, options->input[0], name, size);
-    return strcmp(options->output, "-") == 0 ? "standard output" : options->output;
-}
-
 /* A page on which there is nothing is hardly what was meant. */
 static void warn_empty(const cli_options *options, const views *v)
 {
     bool known = is_counted_only(options) && v->drawing[0].count > 0;
-    const char *why = options->quiet || known ? NULL : empty_reason(options, v->drawing, v->count);
+    const char *why = options->quiet || known || v->explained ? NULL : empty_reason(options, v->drawing, v->count);
     char text[256], name[NAME_SIZE];
     if (!why)
         return;
@@ -255,6 +266,8 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     views v;
     roberts_error error = {0};
     roberts_status status = hide_all(options, *scene, &v, &run, &error);
+    if (status == ROBERTS_OK)
+        warn_near(options, *scene, &v);
     if (last) {
         roberts_scene_free(*scene);
         *scene = NULL;
