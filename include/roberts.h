@@ -185,6 +185,9 @@ size_t roberts_scene_face_count(const roberts_scene *scene);
 size_t roberts_scene_edge_count(const roberts_scene *scene);
 size_t roberts_scene_vertex_count(const roberts_scene *scene); /**< vertices that solids use */
 
+/** Whether a solid is the convex hull of what the mesh has in its place; false where there is none of that number. */
+bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid);
+
 /* ---- camera ----------------------------------------------------------------------------------------------------- */
 
 typedef enum roberts_projection { ROBERTS_ORTHOGRAPHIC, ROBERTS_PERSPECTIVE } roberts_projection;

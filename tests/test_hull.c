@@ -319,17 +319,18 @@ static const struct {
     {"three points", "OFF\n3 0 0\n0 0 0 1 0 0 0 1 0\n", 0, ROBERTS_FLAT,
      "a convex hull takes four points, but there are 3"},
     {"four points at one place", "OFF\n4 0 0\n1 2 3 1 2 3 1 2 3 1 2 3\n", 0, ROBERTS_FLAT,
-     "the convex hull of solid 0, of 4 points, is flat: they lie in one plane, or nearly so"},
+     "the convex hull of solid 0, of 4 points from vertex 0 on, is flat: they lie in one plane, or nearly so"},
     {"points in a line", "OFF\n5 0 0\n0 0 0 1 2 3 2 4 6 3 6 9 4 8 12\n", 0, ROBERTS_FLAT,
-     "the convex hull of solid 0, of 5 points, is flat: they lie in one plane, or nearly so"},
+     "the convex hull of solid 0, of 5 points from vertex 0 on, is flat: they lie in one plane, or nearly so"},
     {"points in a plane", "OFF\n5 0 0\n0 0 0 1 0 1 0 1 1 1 1 2 5 3 8\n", 0, ROBERTS_FLAT,
-     "the convex hull of solid 0, of 5 points, is flat: they lie in one plane, or nearly so"},
+     "the convex hull of solid 0, of 5 points from vertex 0 on, is flat: they lie in one plane, or nearly so"},
     {"points nearly in a plane", "OFF\n4 0 0\n0 0 0 1 0 0 0 1 0 1 1 1e-11\n", 0, ROBERTS_FLAT,
-     "the convex hull of solid 0, of 4 points, is flat: they lie in one plane, or nearly so"},
+     "the convex hull of solid 0, of 4 points from vertex 0 on, is flat: they lie in one plane, or nearly so"},
     {"a triangle", "OFF\n3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n", 0, ROBERTS_FLAT,
-     "the convex hull of solid 0, of 3 points, is flat: they lie in one plane, or nearly so"},
+     "the convex hull of solid 0, of 3 points from vertex 0 on, is flat: they lie in one plane, or nearly so"},
     {"a triangle beside a cube", "OFF\n11 7 0\n" CUBE_POINTS "0 0 9 1 0 9 0 1 9\n" CUBE_FACES "3 8 9 10\n", 0,
-     ROBERTS_FLAT, "the convex hull of solid 1, of 3 points, is flat: they lie in one plane, or nearly so"},
+     ROBERTS_FLAT,
+     "the convex hull of solid 1, of 3 points from vertex 8 on, is flat: they lie in one plane, or nearly so"},
     {"a tolerance out of range", "OFF\n8 0 0\n" CUBE_POINTS, 2, ROBERTS_BAD_ARGUMENT,
      "the tolerance, 2, is not between 0 and 1"},
 };
@@ -403,9 +404,10 @@ static void threads_change_nothing(void **state)
         roberts_scene *first = NULL;
         char message[256];
         make_fans(&mesh, flat[k]);
-        snprintf(message, sizeof message,
-                 "the convex hull of solid %u, of %d points, is flat: they lie in one plane, or nearly so", flat[k],
-                 FAN_POINTS);
+        snprintf(
+            message, sizeof message,
+            "the convex hull of solid %u, of %d points from vertex %u on, is flat: they lie in one plane, or nearly so",
+            flat[k], FAN_POINTS, flat[k] * FAN_POINTS);
         for (size_t i = 0; i < sizeof threads / sizeof threads[0]; i++) {
             roberts_scene_options options = {.hull = true, .threads = threads[i]};
             roberts_scene *scene = NULL;
@@ -499,12 +501,20 @@ static void program_draws_hulls(void **state)
     assert_int_equal(run("--hull -v -f null in/rbox"), 0);
     assert_said("in/rbox: 1 solid, 8 vertices, 6 faces");
     assert_int_equal(run("--hull in/flat.off"), 1);
-    assert_string_equal(last.err,
-                        "roberts: in/flat.off: the convex hull of solid 0, of 4 points, is flat: they lie in one "
-                        "plane, or nearly so\n");
+    assert_string_equal(
+        last.err,
+        "roberts: in/flat.off: the convex hull of solid 0, of 4 points from vertex 0 on, is flat: they lie in one "
+        "plane, or nearly so\n");
     assert_string_equal(last.out, "");
     assert_int_equal(run("--hull -f null --view top --pick 0,0 in/cube.off"), 0);
     assert_said("solid 0, a face of its hull, ");
+    put("in/fan.off",
+        "OFF\n11 8 0\n" CUBE_POINTS "0 0 9 1 0 9 0 1 8\n" CUBE_FACES "3 8 9 10\n3 0 8 9\n"); /* beside a cube */
+    assert_int_equal(run("--hull -v -f null in/fan.off models/platonic/cube.off in/cube.off"), 0);
+    assert_said(": 4 solids, ");
+    assert_said("in/fan.off and 2 more: convex hulls take the place of 2 solids: 1, 3\n");
+    assert_int_equal(run("--hull -v -f null models/platonic/cube.off"), 0);
+    assert_null(strstr(last.err, "hull"));
     assert_int_equal(run("--hull in/cube.off"), 0);
     assert_non_null(strstr(last.out, "roberts --hull in/cube.off")); /* the description: it changes the drawing */
     assert_int_equal(run("--hull=1 in/cube.off"), 2);

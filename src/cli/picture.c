@@ -13,7 +13,7 @@
 #include "cli/rays.h"
 #include "cli/stats.h"
 
-enum { NAME_SIZE = 4096 };
+enum { NAME_SIZE = 4096, HULLS_TOLD = 20 };
 
 typedef struct picture_window {
     roberts_vec2 min, max;
@@ -76,6 +76,24 @@ static roberts_status read_all(const cli_options *options, roberts_mesh *mesh, r
     return status;
 }
 
+/* Which solids were none, by their numbers; nothing where all are sound. */
+static void tell_hulls(const cli_options *options, const roberts_scene *scene)
+{
+    char name[NAME_SIZE];
+    const uint32_t solids = (uint32_t)roberts_scene_solid_count(scene);
+    uint32_t hulls = 0, told = 0;
+    for (uint32_t s = 0; s < solids; s++)
+        hulls += roberts_scene_is_hull(scene, s);
+    if (hulls == 0)
+        return;
+    message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
+    fprintf(options->log, "convex hulls take the place of %u solid%s", (unsigned)hulls, hulls == 1 ? "" : "s");
+    for (uint32_t s = 0; s < solids && told < HULLS_TOLD; s++)
+        if (roberts_scene_is_hull(scene, s))
+            fprintf(options->log, "%s%u", told++ ? ", " : ": ", (unsigned)s);
+    fputs(hulls > told ? " ...\n" : "\n", options->log);
+}
+
 static void tell_scene(const cli_options *options, const roberts_scene *scene, const run_stats *run)
 {
     char name[NAME_SIZE];
@@ -84,6 +102,8 @@ static void tell_scene(const cli_options *options, const roberts_scene *scene, c
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
     fprintf(options->log, "%zu solid%s, %zu vertices, %zu faces; %.3f s\n", solids, solids == 1 ? "" : "s",
             run->vertices, run->faces, run->read.wall + run->solids.wall);
+    if (options->scene.hull)
+        tell_hulls(options, scene);
     message_close(options->log);
 }
 

@@ -259,8 +259,9 @@ static roberts_status refuse(const roberts_scene *scene, uint32_t s, const rober
 {
     place at = place_of_points(scene, s, mesh);
     error_set_file(error, at.file);
-    return error_set(error, status, 0, "the convex hull of solid %u, of %u points, %s", s - at.solid,
-                     scene->solid[s + 1].vertex - scene->solid[s].vertex, why);
+    return error_set(error, status, 0, "the convex hull of solid %u, of %u points from vertex %u on, %s", s - at.solid,
+                     scene->solid[s + 1].vertex - scene->solid[s].vertex,
+                     scene_vertex_number(scene, scene->solid[s].vertex) - at.vertex, why);
 }
 
 /* Appends the faces of the hull of solid s, which has been refused. */

@@ -378,3 +378,9 @@ size_t roberts_scene_vertex_count(const roberts_scene *scene)
 {
     return scene->vertex_count;
 }
+
+/* All faces of a hull are without numbers, and no others are. */
+bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid)
+{
+    return solid < scene->solid_count && scene_face_number(scene, scene->solid[solid].face) == ROBERTS_NONE;
+}
