@@ -390,7 +390,9 @@ static int choose_format(const parser *p)
     const char *slash = strrchr(options->output, '/'), *name = slash ? slash + 1 : options->output;
     if (!p->given[OPTION_FORMAT] && !roberts_format_by_path(options->output, &options->draw.format) &&
         strchr(name + (*name == '.'), '.'))
-        return message_misuse("%s: no format is known by this ending; say which with -f", options->output);
+        return message_misuse("%s: no format is known by this ending, as by .svg, .pdf, .ps, .eps, .png, .csv or "
+                              ".json; say which with -f",
+                              options->output);
     bool is_table = options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
     if (options->is_sheet && is_table)
         return message_misuse("--sheet makes a page, not a table: choose another format than %s",
