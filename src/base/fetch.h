@@ -23,7 +23,7 @@ enum {
 
 /* The first `size` bytes, but no more than FETCH_MOST. */
 #define FETCH_ARRAY(p, size)                                                                                           \
-    for (size_t fetched = 0; fetched < (size) && fetched < FETCH_MOST; fetched += FETCH_LINE)                          \
+    for (size_t fetched = 0, all = (size) < FETCH_MOST ? (size) : FETCH_MOST; fetched < all; fetched += FETCH_LINE)    \
     FETCH_AHEAD((const char *)(p) + fetched)
 
 #endif
