@@ -8,11 +8,8 @@
 #include <xmmintrin.h>
 #endif
 
-enum {
-    FETCH_LINE = 64, /* bytes that come together */
-    FETCH_MOST =
-        512, /* bytes of an array that are asked for ahead: more would be put out again before they are needed */
-};
+/* Bytes that come together, and of an array the most that are asked for: more might be put out again before their turn. */
+enum { FETCH_LINE = 64, FETCH_MOST = 512 };
 
 /* Macros: GCC takes a function that only asks ahead for one that does nothing, and leaves calls of it out. */
 #if defined(__SSE2__)

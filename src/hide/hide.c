@@ -37,18 +37,6 @@ static bool do_chunk(const hide_job *job, hide_worker *w, hide_chunk *out, uint3
            segments_find(job, w, out, first, end);
 }
 
-/* Asks for what the solid's edges will soon want, which lies anywhere. */
-static void fetch_solid(const hide_job *job, uint32_t s)
-{
-    const roberts_scene *scene = job->scene;
-    const scene_solid *solid = &scene->solid[s];
-    size_t vertices = solid[1].vertex - solid->vertex, faces = solid[1].face - solid->face;
-    FETCH_ARRAY(job->picture.P + solid->vertex, vertices * sizeof *job->picture.P);
-    FETCH_ARRAY(scene->face_plane + solid->face, faces * sizeof *scene->face_plane);
-    FETCH_AHEAD(job->picture.facing + solid->face);
-    FETCH_AHEAD(scene->edge + solid->stored);
-}
-
 /* The solids of one chunk of the order in which they lie in the picture. */
 static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
 {
@@ -61,7 +49,7 @@ static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
             FETCH_AHEAD(&job->picture.culled[job->ahead.order[k + 2 * SOLIDS_AHEAD]]);
         }
         if (k + SOLIDS_AHEAD < count && !job->picture.culled[job->ahead.order[k + SOLIDS_AHEAD]])
-            fetch_solid(job, job->ahead.order[k + SOLIDS_AHEAD]);
+            hide_picture_fetch(&job->picture, job->ahead.order[k + SOLIDS_AHEAD]);
         hide_worker_begin(w);
         if (!job->picture.culled[s] && (!segments_take_edges(job, w, s) || !hide_worker_run(w, s)))
             return false;

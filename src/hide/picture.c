@@ -116,15 +116,11 @@ static uint32_t let_wait(hide_picture *picture, uint32_t s)
 {
     const roberts_scene *scene = picture->scene;
     const scene_solid *solid = &scene->solid[s];
-    size_t vertices = solid[1].vertex - solid->vertex, faces = solid[1].face - solid->face;
-    FETCH_ARRAY(scene->point + solid->vertex, vertices * sizeof *scene->point);
-    FETCH_ARRAY(picture->P + solid->vertex, vertices * sizeof *picture->P);
-    FETCH_ARRAY(scene->face_plane + solid->face, faces * sizeof *scene->face_plane);
+    FETCH_ARRAY(scene->point + solid->vertex, (size_t)(solid[1].vertex - solid->vertex) * sizeof *scene->point);
     FETCH_AHEAD(scene->face_start + solid->face);
     FETCH_AHEAD(scene->face_deviation + solid->face);
     FETCH_AHEAD(scene->face_width + solid->face);
-    FETCH_AHEAD(scene->edge + solid->stored);
-    FETCH_AHEAD(picture->facing + solid->face);
+    hide_picture_fetch(picture, s);
     return s;
 }
 

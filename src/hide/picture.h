@@ -9,6 +9,8 @@
 #ifndef ROBERTS_HIDE_PICTURE_H
 #define ROBERTS_HIDE_PICTURE_H
 
+#include "base/bits.h"
+#include "base/fetch.h"
 #include "hide/cover.h"
 #include "hide/space.h"
 
@@ -51,6 +53,18 @@ void hide_picture_free(hide_picture *picture);
 
 /* Releases the boxes of solids: edges ask those of fronts only. */
 void hide_picture_drop_boxes(hide_picture *picture);
+
+/* Asks for what will soon be asked or written of a solid: it lies anywhere. (Inlined: see fetch.h.) */
+BITS_INLINE void hide_picture_fetch(const hide_picture *picture, uint32_t solid)
+{
+    const roberts_scene *scene = picture->scene;
+    const scene_solid *s = &scene->solid[solid];
+    size_t vertices = s[1].vertex - s->vertex, faces = s[1].face - s->face;
+    FETCH_ARRAY(picture->P + s->vertex, vertices * sizeof *picture->P);
+    FETCH_ARRAY(scene->face_plane + s->face, faces * sizeof *scene->face_plane);
+    FETCH_AHEAD(picture->facing + s->face);
+    FETCH_AHEAD(scene->edge + s->stored);
+}
 
 /* The outline of a front as a polygon for tests 2 to 4; its plane is not set, or that of its only face. */
 static inline hide_face hide_outline(const hide_picture *picture, const hide_front *front)
