@@ -112,6 +112,13 @@ static const struct {
     {"--batch models/table.off", "--batch: models/table.off is a file, where the folder"},
     {"--batch no.OFF models/tower.off", "--batch: no.OFF is the name of a file, where the folder"},
     {"--batch in", "--batch needs names of files: --batch DIR FILE.off..."},
+    {"models/table.off models/tower.off -o in",
+     "--output: in is a folder; name a file in it, or draw each input by itself into it with --batch in\n"},
+    {"models/table.off -f pdf -o ..",
+     "--output: .. is a folder; name a file in it, or draw each input by itself into "},
+    {"models/table.off -o not/yet/", "or draw each input by itself into it with --batch not/yet/\n"},
+    {"-o in", "--output: in is a folder; name a file in it\n"}, /* standard input is none for --batch */
+    {"models/table.off --turntable 2 -o in", "--turntable needs a name with a place for the number: -o turn-%03d.svg"},
     {"--style outline=red", "\"outline=red\" is not CLASS:key=value,..., as outline:width=0.7,color=red"},
     {"--style outline:red", "\"red\" is unknown; it can be width, color, colour, dash, off, on, as in outline:width="},
     {"--style outline:color=red:width=2", "there is a comma between two values, as outline:width=0.7,color=red"},

@@ -474,8 +474,8 @@ int options_parse(int argc, char **argv, cli_options *options)
         return EXIT_DONE;
     const char *names[OPTION_COUNT];
     const sense_given given = {names, list_given(&p, names)};
-    if ((status = check_conflicts(&p)) != EXIT_DONE || (status = choose_format(&p)) != EXIT_DONE ||
-        (status = sense_check(options, given)) != EXIT_DONE)
+    if ((status = check_conflicts(&p)) != EXIT_DONE || (status = sense_check_folder(options)) != EXIT_DONE ||
+        (status = choose_format(&p)) != EXIT_DONE || (status = sense_check(options, given)) != EXIT_DONE)
         return status;
     sense_warn(options, given);
     set_camera(&p);

@@ -81,6 +81,21 @@ static int check_batch(const cli_options *options)
     return EXIT_DONE;
 }
 
+/* A name that ends in a slash is one of a folder, whether that is there or not. A turntable has a say of its own. */
+int sense_check_folder(const cli_options *options)
+{
+    struct stat found;
+    const char *name = options->output;
+    const bool folder = stat(name, &found) == 0 ? S_ISDIR(found.st_mode) : name[strlen(name) - 1] == '/';
+    if (!folder || strcmp(name, "-") == 0 || options->turntable || options->draw.format == ROBERTS_NULL)
+        return EXIT_DONE;
+    if (strcmp(options->input[0], "-") == 0)
+        return message_misuse("--output: %s is a folder; name a file in it", name);
+    return message_misuse("--output: %s is a folder; name a file in it, or draw each input by itself into it with "
+                          "--batch %s",
+                          name, name);
+}
+
 static bool is_same_file(const struct stat *a, const struct stat *b)
 {
     return a->st_dev == b->st_dev && a->st_ino == b->st_ino;

@@ -13,6 +13,9 @@ typedef struct sense_given {
 /* What would not do what is meant is misuse: returns EXIT_DONE, or EXIT_MISUSED and has said why. */
 int sense_check(const cli_options *options, sense_given given);
 
+/* The same of an output that is a folder, before a format is read from its name. */
+int sense_check_folder(const cli_options *options);
+
 /* What changes nothing is worth a warning: says which options those are, and why. */
 void sense_warn(const cli_options *options, sense_given given);
 
