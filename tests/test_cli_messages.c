@@ -75,7 +75,7 @@ static void every_refusal_names_the_file(void **state)
     assert_int_equal(run("models/table.off point.off"), 1);
     assert_said("roberts: point.off: solid 0 is flat: all its vertices lie in one point\n");
     assert_int_equal(run("--eye 18,12,15.5 models/table.off"), 1);
-    assert_said("roberts: models/table.off: the eye is inside solid 0 (see --eye, --look-at, --near)\n");
+    assert_said("roberts: models/table.off: the eye is inside solid 0; move it out of all solids\n");
 }
 
 /* ---- misuse that says what was meant ---- */
@@ -366,7 +366,9 @@ static void empty_drawings_are_warned_of(void **state)
     assert_int_equal(run("--eye 20,10,500 --near 600 models/table.off models/tower.off"), 1);
     assert_said(
         "roberts: models/table.off and 1 more: nothing of the scene lies in front of the eye, beyond the near plane "
-        "at a distance of 600 (see --eye, --look-at, --near)\n");
+        "at a distance of 600; move the eye, the look-at point or the near plane\n");
+    assert_int_equal(run("--eye 9,9,9 --look-at 9,9,9 models/table.off"), 1);
+    assert_said("roberts: models/table.off: the eye is at the point that it looks at; move one of them\n");
 }
 
 /* A cube from -1 to 1; near planes at a thousandth of the way to its centre unless given. */

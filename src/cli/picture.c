@@ -49,8 +49,6 @@ static const char *write_title(const cli_options *options, char *title, size_t s
 /* Which options have a say in it. */
 static const char *hint(const cli_options *options, roberts_status status)
 {
-    if (status == ROBERTS_BAD_VIEW && options->camera.projection == ROBERTS_PERSPECTIVE)
-        return " (see --eye, --look-at, --near)";
     if (status == ROBERTS_NOT_CLOSED && !options->scene.hull)
         return " (see --hull)";
     if ((status == ROBERTS_NOT_PLANAR || status == ROBERTS_NOT_CONVEX) && !options->scene.hull)

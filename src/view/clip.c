@@ -281,7 +281,8 @@ static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, robert
     c->first = (scene_solid){to->vertex_count, to->face_count, to->edge_count, to->edge_count};
     to->solid[solid] = c->first;
     if (holds_eye(c, solid))
-        return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is inside solid %u", (unsigned)solid);
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is inside solid %u; move it out of all solids",
+                         (unsigned)solid);
     c->whole = true;
     for (uint32_t v = from->solid[solid].vertex; v < from->solid[solid + 1].vertex; v++)
         c->whole = c->whole && c->depth[v] >= c->near;
@@ -338,9 +339,11 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
         status = cut_solid(c, s, map, error);
     to->solid[to->solid_count] = (scene_solid){to->vertex_count, to->face_count, to->edge_count, to->edge_count};
     if (status == ROBERTS_OK && to->vertex_count == 0)
-        status = error_set(error, ROBERTS_BAD_VIEW, 0,
-                           "nothing of the scene lies in front of the eye, beyond the near plane at a distance of %.6g",
-                           c->near);
+        status =
+            error_set(error, ROBERTS_BAD_VIEW, 0,
+                      "nothing of the scene lies in front of the eye, beyond the near plane at a distance of %.6g; "
+                      "move the eye, the look-at point or the near plane",
+                      c->near);
     free(map);
     return status;
 }

@@ -386,7 +386,7 @@ roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_c
             v->origin = camera->look_at;
         dir = vec3_sub(camera->eye, v->origin);
         if (!finite3(dir) || largest(dir) == 0.0)
-            return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is at the point that it looks at");
+            return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is at the point that it looks at; move one of them");
     }
     set_frame(v, dir, camera->up, camera->roll_degrees);
     if (!v->perspective)
