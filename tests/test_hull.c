@@ -328,9 +328,8 @@ static const struct {
      "the convex hull of solid 0, of 4 points from vertex 0 on, is flat: they lie in one plane, or nearly so"},
     {"a triangle", "OFF\n3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n", 0, ROBERTS_FLAT,
      "the convex hull of solid 0, of 3 points from vertex 0 on, is flat: they lie in one plane, or nearly so"},
-    {"a triangle beside a cube", "OFF\n11 7 0\n" CUBE_POINTS "0 0 9 1 0 9 0 1 9\n" CUBE_FACES "3 8 9 10\n", 0,
-     ROBERTS_FLAT,
-     "the convex hull of solid 1, of 3 points from vertex 8 on, is flat: they lie in one plane, or nearly so"},
+    {"two triangles", "OFF\n6 2 0\n0 0 0 1 0 0 0 1 0 5 5 5 6 5 5 5 6 5\n3 3 4 5\n3 0 1 2\n", 0, ROBERTS_FLAT,
+     "the convex hull of solid 0, of 3 points from vertex 0 on, is flat: they lie in one plane, or nearly so"},
     {"a tolerance out of range", "OFF\n8 0 0\n" CUBE_POINTS, 2, ROBERTS_BAD_ARGUMENT,
      "the tolerance, 2, is not between 0 and 1"},
 };
@@ -349,6 +348,71 @@ static void refusals(void **state)
         if (status == ROBERTS_FLAT)
             assert_string_equal(error.file, refused[i].name);
         assert_null(scene);
+        roberts_mesh_free(&mesh);
+    }
+}
+
+/* Keeps what is warned of, as "file: message\n" one after the other. */
+static void note(void *context, const char *file, size_t line, const char *message)
+{
+    char *text = context;
+    assert_int_equal(line, 0);
+    snprintf(text + strlen(text), 1024 - strlen(text), "%s: %s\n", file, message);
+}
+
+#define TRIANGLE "OFF\n3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n"
+#define CUBE "OFF\n8 6 0\n" CUBE_POINTS CUBE_FACES
+
+/* What is flat beside solids of its input is left out; an input that has nothing else is refused, whatever the others have. */
+static const struct {
+    const char *name, *off[3];
+    size_t solids; /* 0: refused */
+    const char *said;
+} flat_cases[] = {
+    {"a triangle behind a cube",
+     {"OFF\n11 7 0\n" CUBE_POINTS "0 0 9 1 0 9 0 1 9\n" CUBE_FACES "3 8 9 10\n"},
+     1,
+     "0: 1 flat component ignored, of 3 points from vertex 8 on: it has no convex hull\n"},
+    {"square and triangle before the cube of the second input",
+     {CUBE, "OFF\n15 8 0\n0 0 9 1 0 9 1 1 9 0 1 9 0 0 5 1 0 5 0 1 5\n" CUBE_POINTS
+            "4 0 1 2 3\n3 4 5 6\n4 7 9 10 8\n4 7 8 12 11\n4 11 12 14 13\n4 9 13 14 10\n4 7 11 13 9\n4 8 10 14 12\n"},
+     2,
+     "1: 2 flat components ignored, the first of 4 points from vertex 0 on: they have no convex hulls\n"},
+    {"a closed one without volume",
+     {"OFF\n12 10 0\n" CUBE_POINTS "9 0 0 8 0 0 9 1 0 8 1 0\n" CUBE_FACES "3 8 9 10\n3 9 10 11\n3 8 10 11\n3 8 9 11\n"},
+     1,
+     "0: 1 flat component ignored, of 4 points from vertex 8 on: it has no convex hull\n"},
+    {"all vertices in one place",
+     {"OFF\n11 7 0\n" CUBE_POINTS "7 7 7 7 7 7 7 7 7\n" CUBE_FACES "3 8 9 10\n"}, /* welded, no face is left of it */
+     1,
+     ""},
+    {"an input of its own", {CUBE, TRIANGLE}, 0, ""},
+    {"before one that is left out",
+     {TRIANGLE, "OFF\n11 7 0\n" CUBE_POINTS "0 0 9 1 0 9 0 1 9\n" CUBE_FACES "3 8 9 10\n"},
+     0,
+     ""},
+    {"an input without anything", {"OFF\n0 0 0\n", CUBE}, 1, ""},
+};
+
+static void flat_components_are_left_out(void **state)
+{
+    static const char *const names[] = {"0", "1", "2"};
+    (void)state;
+    for (size_t i = 0; i < sizeof flat_cases / sizeof flat_cases[0]; i++) {
+        char said[1024] = "";
+        roberts_mesh mesh = {0};
+        roberts_scene *scene = NULL;
+        roberts_error error = {0};
+        const roberts_scene_options options = {.hull = true, .warnings = {note, said}};
+        for (size_t k = 0; k < 3 && flat_cases[i].off[k]; k++)
+            read_off(&mesh, names[k], flat_cases[i].off[k]);
+        roberts_status status = roberts_scene_build(&mesh, &options, &scene, &error);
+        print_message("%s\n", flat_cases[i].name);
+        assert_int_equal(status, flat_cases[i].solids ? ROBERTS_OK : ROBERTS_FLAT);
+        assert_string_equal(said, flat_cases[i].said);
+        if (scene)
+            assert_int_equal(roberts_scene_solid_count(scene), flat_cases[i].solids);
+        roberts_scene_free(scene);
         roberts_mesh_free(&mesh);
     }
 }
@@ -377,15 +441,15 @@ static void thin_plates(void **state)
 
 enum { FANS = 700, FAN_POINTS = 12 };
 
-/* Open fans of triangles; those of `flat` and all numbers above lie in a plane. */
-static void make_fans(roberts_mesh *mesh, uint32_t flat)
+/* Open fans of triangles; the last of each `every` lies in a plane, of 0 none. */
+static void make_fans(roberts_mesh *mesh, uint32_t every)
 {
     rng r = {77};
     for (uint32_t fan = 0; fan < FANS; fan++) {
         uint32_t first = fan * FAN_POINTS;
         for (uint32_t i = 0; i < FAN_POINTS; i++) {
             roberts_vec3 p = {2.0 * (fan % 30) + rng_between(&r, 0, 1), 2.0 * (fan / 30) + rng_between(&r, 0, 1),
-                              fan < flat ? rng_between(&r, 0, 1) : 0};
+                              every && fan % every == every - 1 ? 0 : rng_between(&r, 0, 1)};
             assert_int_equal(roberts_mesh_add_vertex(mesh, p, NULL, NULL), ROBERTS_OK);
         }
         for (uint32_t i = 1; i + 1 < FAN_POINTS; i++)
@@ -394,29 +458,37 @@ static void make_fans(roberts_mesh *mesh, uint32_t flat)
     }
 }
 
-/* The same hulls in the same order, and the first refusal, whatever the threads. */
+/* The same hulls in the same order, the same warning or the first refusal, whatever the threads. */
 static void threads_change_nothing(void **state)
 {
-    static const uint32_t threads[] = {1, 2, 3, 7}, flat[] = {FANS, FANS - 1, 400, 5};
+    static const struct {
+        uint32_t every, solids;
+        const char *said;
+    } cases[] = {
+        {0, FANS, ""},
+        {FANS, FANS - 1,
+         ": 1 flat component ignored, of 12 points from vertex 8388 on: it has no convex hull\n"}, /* the last */
+        {7, FANS - FANS / 7,
+         ": 100 flat components ignored, the first of 12 points from vertex 72 on: they have no convex hulls\n"},
+        {1, 0,
+         "the convex hull of solid 0, of 12 points from vertex 0 on, is flat: they lie in one plane, or nearly so"},
+    };
+    static const uint32_t threads[] = {1, 2, 3, 7};
     (void)state;
-    for (size_t k = 0; k < sizeof flat / sizeof flat[0]; k++) {
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
         roberts_mesh mesh = {0};
         roberts_scene *first = NULL;
-        char message[256];
-        make_fans(&mesh, flat[k]);
-        snprintf(
-            message, sizeof message,
-            "the convex hull of solid %u, of %d points from vertex %u on, is flat: they lie in one plane, or nearly so",
-            flat[k], FAN_POINTS, flat[k] * FAN_POINTS);
+        make_fans(&mesh, cases[k].every);
         for (size_t i = 0; i < sizeof threads / sizeof threads[0]; i++) {
-            roberts_scene_options options = {.hull = true, .threads = threads[i]};
+            char said[1024] = "";
+            const roberts_scene_options options = {.hull = true, .threads = threads[i], .warnings = {note, said}};
             roberts_scene *scene = NULL;
             roberts_error error = {0};
             roberts_status status = roberts_scene_build(&mesh, &options, &scene, &error);
-            assert_int_equal(status, flat[k] < FANS ? ROBERTS_FLAT : ROBERTS_OK);
-            assert_string_equal(error.message, flat[k] < FANS ? message : "");
+            assert_int_equal(status, cases[k].solids ? ROBERTS_OK : ROBERTS_FLAT);
+            assert_string_equal(status == ROBERTS_OK ? said : error.message, cases[k].said);
             if (status == ROBERTS_OK && !first) {
-                assert_int_equal(scene->solid_count, FANS);
+                assert_int_equal(scene->solid_count, cases[k].solids);
                 first = scene;
                 continue;
             }
@@ -513,6 +585,17 @@ static void program_draws_hulls(void **state)
     assert_int_equal(run("--hull -v -f null in/fan.off models/platonic/cube.off in/cube.off"), 0);
     assert_said(": 4 solids, ");
     assert_said("in/fan.off and 2 more: convex hulls take the place of 2 solids: 1, 3\n");
+    put("in/stray.off", "OFF\n11 7 0\n0 0 9 1 0 9 0 1 9\n" CUBE_POINTS
+                        "3 0 1 2\n4 3 5 6 4\n4 3 4 8 7\n4 7 8 10 9\n4 5 9 10 6\n4 3 7 9 5\n4 4 6 10 8\n");
+    assert_int_equal(run("--hull -f csv in/stray.off"), 0);
+    assert_string_equal(last.err,
+                        "roberts: in/stray.off: warning: 1 flat component ignored, of 3 points from vertex 0 on: "
+                        "it has no convex hull\n");
+    assert_non_null(strstr(last.out, "\n0,3,")); /* the cube is solid 0 now */
+    assert_int_equal(run("--hull -q -f null in/stray.off"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("--hull in/stray.off in/flat.off"), 1);
+    assert_said("roberts: in/flat.off: the convex hull of solid 0, of 4 points from vertex 0 on, is flat");
     assert_int_equal(run("--hull -v -f null models/platonic/cube.off"), 0);
     assert_null(strstr(last.err, "hull"));
     assert_int_equal(run("--hull in/cube.off"), 0);
@@ -523,9 +606,11 @@ static void program_draws_hulls(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(whole_points), cmocka_unit_test(noisy_points),  cmocka_unit_test(six_digits),
-        cmocka_unit_test(solids),       cmocka_unit_test(several_files), cmocka_unit_test(refusals),
-        cmocka_unit_test(thin_plates),  cmocka_unit_test(same_drawings), cmocka_unit_test(threads_change_nothing),
+        cmocka_unit_test(whole_points),  cmocka_unit_test(noisy_points),
+        cmocka_unit_test(six_digits),    cmocka_unit_test(solids),
+        cmocka_unit_test(several_files), cmocka_unit_test(refusals),
+        cmocka_unit_test(thin_plates),   cmocka_unit_test(flat_components_are_left_out),
+        cmocka_unit_test(same_drawings), cmocka_unit_test(threads_change_nothing),
         IN_FOLDER(program_draws_hulls),
     };
     program_find();

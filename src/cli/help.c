@@ -24,7 +24,7 @@ const char *const help_text[] = {
     "      --crease DEGREES leave out edges between two front faces that are flatter than this (default: 0.1)\n"
     "      --all-edges      draw those too\n"
     "      --hull           draw the convex hulls of solids that are not closed, planar and convex, and of points\n"
-    "                       without faces\n"
+    "                       without faces; what is flat is left out with a warning\n"
     "\n"
     "Page\n"
     "      --page SIZE      a0 to a6, b0 to b6, letter, legal, tabloid, or WxH in mm (default: a4)\n"

@@ -5,8 +5,9 @@
  * Qhull is given a width, so that what the tolerance calls planar becomes one face and not a fan of slivers; where the
  * solid is too thin for that, none.
  *
- * A hull's vertices are vertices of the input. Those that lie inside are no part of the solid any more, which keeps its
- * number all the same. */
+ * A hull's vertices are vertices of the input. Those that lie inside are no part of the solid any more, which keeps its place
+ * among the others all the same. What is flat has no hull and gets no faces: it is left out, unless its input has nothing
+ * else. */
 #include "model/hull.h"
 
 #include <stdatomic.h>
@@ -264,7 +265,7 @@ static roberts_status refuse(const roberts_scene *scene, uint32_t s, const rober
                      scene_vertex_number(scene, scene->solid[s].vertex) - at.vertex, why);
 }
 
-/* Appends the faces of the hull of solid s, which has been refused. */
+/* Appends the faces of the hull of solid s, which has been refused; none where it is flat. */
 static roberts_status replace(face_list *list, hull_maker *maker, const roberts_scene *scene, uint32_t s,
                               const roberts_mesh *mesh, double tolerance, roberts_error *error)
 {
@@ -277,7 +278,7 @@ static roberts_status replace(face_list *list, hull_maker *maker, const roberts_
     case HULL_OK:
         return add_facets(list, scene, s, &maker->facets) ? ROBERTS_OK : error_no_memory(error);
     case HULL_FLAT:
-        return refuse(scene, s, mesh, ROBERTS_FLAT, "is flat: they lie in one plane, or nearly so", error);
+        return ROBERTS_OK;
     case HULL_FAILED:
         return refuse(scene, s, mesh, ROBERTS_NOT_CONVEX, "could not be found: rounding is too much for it", error);
     case HULL_NO_MEMORY:
@@ -307,7 +308,7 @@ typedef struct hull_worker {
     roberts_error error;
 } hull_worker;
 
-/* Appends the faces of solid s, its own or those of its hull. */
+/* Appends the faces of solid s, its own or those of its hull; none where it is flat. */
 static roberts_status take_solid(const hull_job *job, hull_maker *maker, face_list *list, uint32_t s,
                                  roberts_error *error)
 {
@@ -415,13 +416,62 @@ static roberts_status collect(face_list *list, roberts_scene *scene, const rober
     return status;
 }
 
-roberts_status hull_solids(roberts_scene *scene, const roberts_mesh *mesh, double tolerance, uint32_t threads,
+static void warn_flat(const roberts_scene *scene, uint32_t first, uint32_t count, const roberts_mesh *mesh,
+                      size_t input, const roberts_warnings *warnings)
+{
+    const char *name = mesh->source_count && mesh->source[input].name ? mesh->source[input].name : "";
+    const bool one = count == 1;
+    warning_send(warnings, name, 0, "%u flat component%s ignored, %sof %u points from vertex %u on: %s", count,
+                 one ? "" : "s", one ? "" : "the first ", scene->solid[first + 1].vertex - scene->solid[first].vertex,
+                 scene_vertex_number(scene, scene->solid[first].vertex) - (uint32_t)input_at(mesh, input).vertex,
+                 one ? "it has no convex hull" : "they have no convex hulls");
+}
+
+/* Solids without faces in the list are flat. They are warned of, input by input; one that has nothing else is refused. */
+static roberts_status tell_flat(const face_list *list, const roberts_scene *scene, const roberts_mesh *mesh,
+                                const roberts_warnings *warnings, roberts_error *error)
+{
+    uint32_t s = 0;
+    size_t f = 0;
+    for (size_t i = 0; i < input_count(mesh); i++) {
+        const size_t vertex_end = input_at(mesh, i).vertex_end;
+        uint32_t solids = 0, flat = 0, first = ROBERTS_NONE;
+        for (; s < scene->solid_count && scene_vertex_number(scene, scene->solid[s].vertex) < vertex_end; s++) {
+            solids++;
+            if ((f == list->count || list->solid[f] != s) && flat++ == 0)
+                first = s;
+            while (f < list->count && list->solid[f] == s)
+                f++;
+        }
+        if (flat > 0 && flat == solids)
+            return refuse(scene, first, mesh, ROBERTS_FLAT, "is flat: they lie in one plane, or nearly so", error);
+        if (flat > 0)
+            warn_flat(scene, first, flat, mesh, i, warnings);
+    }
+    return ROBERTS_OK;
+}
+
+/* Numbers the solids that have faces anew; how many there are. */
+static uint32_t number_solids(face_list *list)
+{
+    uint32_t count = 0, before = ROBERTS_NONE;
+    for (size_t f = 0; f < list->count; f++) {
+        count += list->solid[f] != before;
+        before = list->solid[f];
+        list->solid[f] = count - 1;
+    }
+    return count;
+}
+
+roberts_status hull_solids(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                            roberts_error *error)
 {
     face_list list = {0};
-    uint32_t solids = scene->solid_count;
-    roberts_status status = collect(&list, scene, mesh, tolerance, threads, error);
+    roberts_status status = collect(&list, scene, mesh, options->tolerance, options->threads, error);
+    if (status == ROBERTS_OK)
+        status = tell_flat(&list, scene, mesh, &options->warnings, error);
     if (status == ROBERTS_OK) {
+        const uint32_t solids = number_solids(&list);
         polygons faces = {.face_count = (uint32_t)list.count,
                           .vertex_count = (uint32_t)mesh->vertex_count,
                           .start = list.start,

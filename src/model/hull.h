@@ -14,10 +14,11 @@ bool hull_bare_input(const roberts_mesh *mesh);
 roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, roberts_error *error);
 
 /* Lays out the scene anew, whose components may be open: solids that solid_build() refuses get the faces of their hulls in
- * place of their own, numbered ROBERTS_NONE. Solids keep their numbers.
- * `threads`: as many as may work, 0 = what there is; the result does not depend on them.
- * Returns ROBERTS_OK, _NO_MEMORY, _BAD_NUMBER, _FLAT or _NOT_CONVEX (rounding was too much for Qhull). */
-roberts_status hull_solids(roberts_scene *scene, const roberts_mesh *mesh, double tolerance, uint32_t threads,
+ * place of their own, numbered ROBERTS_NONE. Solids keep their order; flat ones are left out with a warning for each input.
+ * options   tolerance, warnings, threads; the result does not depend on the last
+ * Returns ROBERTS_OK, _NO_MEMORY, _BAD_NUMBER, _FLAT (an input has nothing else) or _NOT_CONVEX (rounding was too much for
+ * Qhull). */
+roberts_status hull_solids(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                            roberts_error *error);
 
 #endif

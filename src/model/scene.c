@@ -269,7 +269,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     if (status == ROBERTS_OK && scene->solid_count == 0)
         status = refuse_empty(mesh, error);
     if (status == ROBERTS_OK)
-        status = hull_solids(scene, mesh, options->tolerance, options->threads, error);
+        status = hull_solids(scene, mesh, options, error);
     if (status == ROBERTS_OK)
         status = build_solids(scene, mesh, options, &list, NULL, &any_open, error);
     if (status == ROBERTS_OK && !copy_colors(scene, mesh, false))
