@@ -207,8 +207,8 @@ typedef struct roberts_camera {
     double
         near_distance;  /**< perspective: what is nearer to the eye's plane is cut off, model units; 0 = a thousandth of
                                the look-at point's distance, and at least 1e-5 of the scene's diameter */
-    double fov_degrees; /**< perspective: angle between the sides of the picture, and between top and bottom, under 180;
-                               0 = the whole scene, or 60 where the near plane cuts the scene */
+    double fov_degrees; /**< perspective: angle between the sides of the picture, and between top and bottom, under 180
+                               (on a page that is not square, across its shorter side); 0 = the whole scene, or 60 where the near plane cuts the scene */
     double roll_degrees; /**< the drawing is turned by so much, counter-clockwise */
 } roberts_camera;
 
@@ -287,9 +287,10 @@ typedef struct roberts_drawing {
     size_t count;
     roberts_segment *segment;            /**< [count] */
     roberts_vec2 window_min, window_max; /**< box of the scene's picture, hidden parts included; or the field of view */
-    bool framed;   /**< the window is the field of view: segments reach beyond it and are cut off when they are drawn */
-    bool windowed; /**< to be set by you: the page is laid out by the window, beyond which nothing reaches */
-    double epsilon;               /**< the touching distance that was used, model units */
+    bool framed;    /**< the window is the field of view: segments reach beyond it, and are cut off when they are drawn
+                      (see roberts_page_shape()) */
+    bool windowed;  /**< to be set by you: the page is laid out by the window, beyond which nothing reaches */
+    double epsilon; /**< the touching distance that was used, model units */
     double scene_diameter;        /**< diagonal of the box round the scene */
     uint32_t grid, grid_rows;     /**< columns and rows of cells, as chosen */
     size_t solids, culled_solids; /**< all; known to be wholly hidden before they were cut (their faces and edges are
@@ -558,6 +559,10 @@ typedef struct roberts_page {
     double margin_mm;           /**< on all four sides, less than half of the shorter */
 } roberts_page;
 
+/** Makes a field of view, the window of a drawing that is `framed`, wider or higher about its middle until it has the shape of
+ * what the page's margins leave: so much of the picture is drawn there. */
+void roberts_page_shape(const roberts_page *page, roberts_vec2 *min, roberts_vec2 *max);
+
 /** How a drawing is laid on its page. A zeroed struct fits it into the margins. */
 typedef struct roberts_placement {
     double scale;   /**< length on paper by length of the model, 0.05 for 1:20; 0 = as large as the margins allow */
@@ -591,7 +596,8 @@ typedef struct roberts_draw_options {
     roberts_pen outline;             /**< default: 0.5 mm */
     roberts_pen crease;              /**< default: 0.35 mm */
     roberts_pen back;                /**< hidden lines; default: 0.25 mm, dashes of 12 and gaps of 3 widths (ISO 128) */
-    roberts_pen frame;               /**< on the margins, 5 mm off the drawing unless `framed`; default: off, 0.7 mm */
+    roberts_pen frame;               /**< on the margins, 5 mm off the drawing; if that is `framed`, where it is cut
+                                          off; default: off, 0.7 mm */
     roberts_pen symbol;              /**< projection symbol of a sheet; default: 0.35 mm */
     roberts_background background;   /**< default: off */
     roberts_placement placement;     /**< default: fitted, in the middle */

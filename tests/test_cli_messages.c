@@ -330,6 +330,8 @@ static const struct {
     {"--eye 20,10,500 --look-at 200,200,490 --fov 10 -f null", "no line of the scene lies in the field of view; "},
     {"--eye 20,10,500 --look-at 200,200,490 --fov 10 -f csv", ""}, /* tables have what lies outside, too */
     {"--eye 20,10,500 --fov 1", ""},                               /* looks at the middle by itself */
+    {"--eye 20,10,500 --look-at 60,10,0 --up 0,1,0 --fov 3 --page 300x10 --margin 1", ""}, /* the picture is as wide */
+    {"--eye 20,10,500 --look-at 60,10,0 --up 0,1,0 --fov 3 --page 10x300 --margin 1", "no line of the scene lies in "},
     {"--eye 20,12,-100 --look-at 20,12,0 --fov .1",
      "no line of the scene lies in the field of view; "}, /* a face alone */
     {"--eye 1e17,0,0", "the scene is smaller than what counts as touching from so far; bring --eye nearer, or "},

@@ -738,6 +738,73 @@ static void drawings_keep_from_the_frame(void **state)
     }
 }
 
+/* A field of view of 100 x 100 about (50, 50), and what it becomes on pages of other shapes: the longer side is filled, the frame
+ * is where lines are cut off. (Here y is counted down from 100 at the top.) */
+static void fields_of_view_fill_the_page(void **state)
+{
+    static const struct {
+        const char *name;
+        roberts_page page;
+        bool off;
+        roberts_placement placement;
+        const char *wanted; /* NULL: refused */
+    } table[] = {
+        {"square",
+         {100, 100, 10},
+         false,
+         {0, 0, 0, 0, false},
+         "outline 10,50 90,50; frame 10,90 90,90 90,10 10,10 closed"},
+        {"lying",
+         {180, 100, 10},
+         false,
+         {0, 0, 0, 0, false},
+         "outline 10,50 170,50; frame 10,90 170,90 170,10 10,10 closed"},
+        {"upright",
+         {100, 180, 10},
+         false,
+         {0, 0, 0, 0, false},
+         "outline 10,10 90,10; frame 10,90 90,90 90,-70 10,-70 closed"},
+        {"no frame", {180, 100, 10}, true, {0, 0, 0, 0, false}, "outline 10,50 170,50"},
+        {"nothing to align", {180, 100, 10}, true, {0, 0, -1, 1, false}, "outline 10,50 170,50"},
+        {"true to scale",
+         {180, 100, 10},
+         false,
+         {0.4, 1, 0, 0, false},
+         "outline 50,50 130,50; frame 50,70 130,70 130,30 50,30 closed"},
+        {"the same in a corner",
+         {180, 100, 10},
+         false,
+         {0.4, 1, -1, -1, false},
+         "outline 10,30 90,30; frame 10,50 90,50 90,10 10,10 closed"},
+        {"at the largest standard scale",
+         {180, 100, 10},
+         false,
+         {0, 1, 0, 0, true},
+         "outline 40,50 140,50; frame 40,75 140,75 140,25 40,25 closed"},
+        {"leaves the page", {180, 100, 10}, false, {0.81, 1, 0, 0, false}, NULL},
+        {"a strip", {4000, 2, 0}, true, {0, 0, 0, 0, false}, "outline 0,99 4000,99"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        roberts_draw_options options = plain_options(ROBERTS_ORDER_TRAVEL);
+        roberts_segment segment = line_at(ROBERTS_OUTLINE, -1e7, 50, 1e7, 50);
+        roberts_drawing drawing = {
+            .count = 1, .segment = &segment, .framed = true, .window_max = {SIDE, SIDE}, .epsilon = 1e-9};
+        char text[200];
+        strokes s;
+        options.page = table[i].page;
+        options.frame.off = table[i].off;
+        options.placement = table[i].placement;
+        bool done = strokes_make(&s, &drawing, &options, NULL) == ROBERTS_OK;
+        print_strokes(&s, text, sizeof text);
+        print_message("%s: %s\n", table[i].name, text);
+        assert_int_equal(done, table[i].wanted != NULL);
+        if (done)
+            assert_string_equal(text, table[i].wanted);
+        strokes_free(&s);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -754,6 +821,7 @@ int main(void)
         cmocka_unit_test(too_many_dashes_are_refused),
         cmocka_unit_test(frame_lies_on_the_margins),
         cmocka_unit_test(drawings_keep_from_the_frame),
+        cmocka_unit_test(fields_of_view_fill_the_page),
     };
     return cmocka_run_group_tests_name("strokes", tests, NULL, NULL);
 }

@@ -21,11 +21,11 @@ static bool clip(double a, double b, double low, double *t0, double *t1)
 
 /* Whether a part of the segment lies in the window: Liang and Barsky, "A new concept and method for line clipping", ACM
  * Transactions on Graphics 3(1), 1984. */
-static bool is_in_window(const roberts_drawing *d, const roberts_segment *s)
+static bool is_in_window(roberts_vec2 min, roberts_vec2 max, const roberts_segment *s)
 {
     double t0 = 0.0, t1 = 1.0;
-    return clip(s->p0.x, s->p1.x, d->window_min.x, &t0, &t1) && clip(-s->p0.x, -s->p1.x, -d->window_max.x, &t0, &t1) &&
-           clip(s->p0.y, s->p1.y, d->window_min.y, &t0, &t1) && clip(-s->p0.y, -s->p1.y, -d->window_max.y, &t0, &t1);
+    return clip(s->p0.x, s->p1.x, min.x, &t0, &t1) && clip(-s->p0.x, -s->p1.x, -max.x, &t0, &t1) &&
+           clip(s->p0.y, s->p1.y, min.y, &t0, &t1) && clip(-s->p0.y, -s->p1.y, -max.y, &t0, &t1);
 }
 
 static const roberts_pen *pen_of(const cli_options *options, const roberts_segment *s)
@@ -48,12 +48,14 @@ static glance look(const cli_options *options, const roberts_drawing *drawing, s
     const bool page = options->draw.format != ROBERTS_CSV && options->draw.format != ROBERTS_JSON;
     glance g = {0};
     for (const roberts_drawing *d = drawing; d < drawing + views; d++) {
+        roberts_vec2 min = d->window_min, max = d->window_max;
+        roberts_page_shape(&options->draw.page, &min, &max);
         for (size_t i = 0; i < d->count && g.drawn < enough; i++) {
             const roberts_segment *s = &d->segment[i];
             if (s->state == ROBERTS_CLIPPED)
                 continue;
             g.any_seen = true;
-            if (d->framed && page && !is_in_window(d, s))
+            if (d->framed && page && !is_in_window(min, max, s))
                 continue;
             g.any_inside = true;
             g.drawn += !page || !pen_of(options, s)->off;

@@ -64,7 +64,9 @@ roberts_status rays_verify(const cli_options *options, const roberts_scene *scen
 static void tell_nothing(const cli_options *options, const roberts_scene *scene, roberts_vec2 p)
 {
     roberts_vec2 low, high;
-    bool known = roberts_window(scene, &options->camera, &low, &high, NULL, NULL) == ROBERTS_OK;
+    bool framed, known = roberts_window(scene, &options->camera, &low, &high, &framed, NULL) == ROBERTS_OK;
+    if (known && framed)
+        roberts_page_shape(&options->draw.page, &low, &high);
     message_begin(options->log, options->label);
     fprintf(options->log, "pick %.12g,%.12g: nothing is there", p.x, p.y);
     if (known && (p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y))

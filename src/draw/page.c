@@ -28,6 +28,20 @@ bool page_is_valid(const roberts_page *page, roberts_error *error)
     return true;
 }
 
+void roberts_page_shape(const roberts_page *page, roberts_vec2 *min, roberts_vec2 *max)
+{
+    double room_x = page->width_mm / 2.0 - page->margin_mm, room_y = page->height_mm / 2.0 - page->margin_mm;
+    const roberts_vec2 half = {max->x / 2.0 - min->x / 2.0, max->y / 2.0 - min->y / 2.0};
+    const double x = half.y / room_y * room_x, y = half.x / room_x * room_y; /* what the other side asks for */
+    if (x > half.x) {
+        min->x -= x - half.x;
+        max->x += x - half.x;
+    } else if (y > half.y) {
+        min->y -= y - half.y;
+        max->y += y - half.y;
+    }
+}
+
 page_map page_fit(const roberts_page *page, roberts_vec2 min, roberts_vec2 max)
 {
     double room_x = page->width_mm / 2.0 - page->margin_mm, room_y = page->height_mm / 2.0 - page->margin_mm;

@@ -154,10 +154,9 @@ static void collect(const strokes *s, const placed *view, size_t number, pieces 
 
 static bool add_frame(strokes *s)
 {
-    const roberts_page *page = &s->options->page;
-    double x0 = floor(page->margin_mm * s->units_per_mm + 0.5), x1 = page->width_mm * s->units_per_mm - x0;
-    double y1 = page->height_mm * s->units_per_mm - x0;
-    const roberts_vec2 corner[5] = {{x0, x0}, {x1, x0}, {x1, y1}, {x0, y1}, {x0, x0}};
+    const double x0 = s->frame_mm[0].x * s->units_per_mm, x1 = s->frame_mm[1].x * s->units_per_mm;
+    const double y0 = s->frame_mm[0].y * s->units_per_mm, y1 = s->frame_mm[1].y * s->units_per_mm;
+    const roberts_vec2 corner[5] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}, {x0, y0}};
     piece side[4];
     for (int i = 0; i < 4; i++)
         side[i] = (piece){.a = corner[i], .b = corner[i + 1], .line = LINE_FRAME};
@@ -219,14 +218,19 @@ static roberts_status draw(strokes *s, const placed *view, size_t views, roberts
     return status;
 }
 
+/* With the frame on the margins. */
 static strokes nothing_drawn(const roberts_draw_options *options)
 {
-    bool is_fine = fmax(options->page.width_mm, options->page.height_mm) <= finest_longest_mm;
-    return (strokes){.options = options, .units_per_mm = is_fine ? fine_units_per_mm : coarse_units_per_mm};
+    const roberts_page *page = &options->page;
+    bool is_fine = fmax(page->width_mm, page->height_mm) <= finest_longest_mm;
+    return (strokes){.options = options,
+                     .units_per_mm = is_fine ? fine_units_per_mm : coarse_units_per_mm,
+                     .frame_mm = {{page->margin_mm, page->margin_mm},
+                                  {page->width_mm - page->margin_mm, page->height_mm - page->margin_mm}}};
 }
 
 /* The page that the drawing is laid on: within a frame it keeps 5 mm from it, on small pages a tenth of the shorter side that
- * the margins leave; but nothing where the frame is the window's border, at which the drawing may be cut off. */
+ * the margins leave; but nothing where the frame is the border of a field of view, at which the drawing is cut off. */
 static roberts_page page_within_frame(const roberts_drawing *drawing, const roberts_draw_options *options)
 {
     roberts_page page = options->page;
@@ -240,12 +244,19 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
                             roberts_error *error)
 {
     roberts_vec2 min, max;
+    roberts_drawing shaped = *drawing;
     const roberts_page page = page_within_frame(drawing, options);
     *s = nothing_drawn(options);
-    find_box(drawing, options, &min, &max);
+    if (drawing->framed)
+        roberts_page_shape(&page, &shaped.window_min, &shaped.window_max);
+    find_box(&shaped, options, &min, &max);
     if (!page_lay(&page, &options->placement, min, max, &s->map, error))
         return ROBERTS_BAD_ARGUMENT;
-    return draw(s, &(placed){drawing, s->map}, 1, error);
+    if (drawing->framed) {
+        s->frame_mm[0] = page_place(&s->map, (roberts_vec2){min.x, max.y});
+        s->frame_mm[1] = page_place(&s->map, (roberts_vec2){max.x, min.y});
+    }
+    return draw(s, &(placed){&shaped, s->map}, 1, error);
 }
 
 roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const roberts_draw_options *options,

@@ -5,7 +5,7 @@
 #include "draw/chain.h"
 #include "draw/page.h"
 
-/* The border of what the margins leave and the symbol of a sheet: classes of their own beside those of roberts_line. */
+/* The border of the picture or of what the margins leave, and the symbol of a sheet: classes of their own beside those of roberts_line. */
 #define LINE_FRAME ((roberts_line)(ROBERTS_BACK + 1))
 #define LINE_SYMBOL ((roberts_line)(ROBERTS_BACK + 2))
 
@@ -22,12 +22,13 @@ typedef struct strokes {
     double units_per_mm;
     const roberts_sheet *sheet; /* NULL: a single drawing */
     roberts_vec2 symbol_mm;     /* lower right corner of its symbol */
+    roberts_vec2 frame_mm[2];   /* upper left and lower right corner of the frame */
     polylines lines;
     size_t start[LINE_CLASSES + 1]; /* class line_order[i] has the polylines start[i] .. start[i + 1] - 1 */
 } strokes;
 
-/* Lays the drawing on the page and makes strokes of it. What is to be drawn is placed; where the drawing has a frame,
- * that is, and all is cut to it. `s` is released by strokes_free() in any case. Returns ROBERTS_OK, _NO_MEMORY or
+/* Lays the drawing on the page and makes strokes of it. What is to be drawn is placed; of a field of view the
+ * window, in the page's shape, and all is cut to it. `s` is released by strokes_free() in any case. Returns ROBERTS_OK, _NO_MEMORY or
  * _BAD_ARGUMENT (a scale at which the drawing leaves the page, too many dashes). `options` have been checked. */
 roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const roberts_draw_options *options,
                             roberts_error *error);
