@@ -316,11 +316,11 @@ static void random_line(rng *r, int kind, roberts_vec3 *A, roberts_vec3 *B)
 }
 
 /* The stretch of a walk in a cell, or NULL. */
-static const objet_stretch *stretch_in(const objet_walk *walk, uint32_t cell)
+static const objet_stretch *stretch_in(const objet_walk *walk, uint32_t column, uint32_t row)
 {
     const objet_stretch *found = NULL;
     for (size_t k = 0; k < walk->count; k++)
-        if (walk->item[k].cell == cell) {
+        if (walk->item[k].column == column && walk->item[k].row == row) {
             assert_null(found); /* no cell twice */
             found = &walk->item[k];
         }
@@ -335,7 +335,7 @@ static void expect_walk(const objet *grid, roberts_vec3 A, roberts_vec3 B, const
     roberts_vec3 line[2] = {A, B};
     for (uint32_t i = 0; i < f->nx; i++)
         for (uint32_t j = 0; j < f->ny; j++) {
-            const objet_stretch *s = stretch_in(walk, i * f->ny + j);
+            const objet_stretch *s = stretch_in(walk, i, j);
             if ((!s && cell_touches(f, i, j, 0.5 * MARGIN, line, 2)) ||
                 (s && !cell_touches(f, i, j, 8 * MARGIN, line, 2)))
                 fail_msg("kind %d, %u x %u cells: cell %u, %u is %sin the walk", kind, f->nx, f->ny, i, j,
@@ -367,7 +367,7 @@ static void walks_meet_every_cell(void **state)
             assert_true(objet_cells(&grid, A, B, &walk));
             expect_walk(&grid, A, B, &walk, i % LINES);
             for (size_t c = 1; c < walk.count; c++) /* column by column */
-                assert_true(walk.item[c].cell / grid.frame.ny >= walk.item[c - 1].cell / grid.frame.ny);
+                assert_true(walk.item[c].column >= walk.item[c - 1].column);
         }
     }
     free(walk.item);
@@ -390,9 +390,9 @@ static void expect_lists(const objet *grid, const hide_picture *picture)
     for (uint32_t cell = 0; cell < scan_cells(f); cell++) {
         bool listed[MODEL_SOLIDS * 4] = {false};
         for (uint32_t k = grid->start[cell]; k < grid->start[cell + 1]; k++) {
-            uint32_t front = grid->front[k];
+            uint32_t front = grid->entry[k].front;
             assert_true(!listed[front] && picture->front[front].listed); /* once, and only what counts */
-            assert_true(k == grid->start[cell] || in_order(picture, grid->front[k - 1], front));
+            assert_true(k == grid->start[cell] || in_order(picture, grid->entry[k - 1].front, front));
             listed[front] = true;
         }
         for (uint32_t k = 0; k < picture->front_count; k++) {
@@ -406,6 +406,59 @@ static void expect_lists(const objet *grid, const hide_picture *picture)
                 fail_msg("front %u is missing in cell %u", k, cell);
         }
     }
+}
+
+/* What a grid of this frame counts sides from. */
+static objet grid_of(scan_frame frame)
+{
+    hide_picture none = {0};
+    objet grid;
+    assert_int_equal(objet_build(&grid, &none, frame, 1), ROBERTS_OK);
+    return grid;
+}
+
+/* A box about the window, of any size; often with sides that other boxes or cells have too. */
+static hide_box random_box(rng *r, const scan_frame *f)
+{
+    float x[2], y[2];
+    for (int k = 0; k < 2; k++) {
+        x[k] = (float)(rng_int(r, 0, 1) ? rng_between(r, -3, 9) : f->x0 + rng_int(r, -1, (int)f->nx) * f->dx);
+        y[k] = (float)(rng_int(r, 0, 1) ? rng_between(r, 1, 8) : f->y0 + rng_int(r, -1, (int)f->ny) * f->dy);
+    }
+    return (hide_box){
+        .x0 = fminf(x[0], x[1]), .x1 = fmaxf(x[0], x[1]), .y0 = fminf(y[0], y[1]), .y1 = fmaxf(y[0], y[1])};
+}
+
+/* Boxes that meet are kept apart in no cell; those that are apart in a cell by a hundredth of it are there. */
+static void sides_tell_boxes_apart(void **state)
+{
+    rng r = {75};
+    size_t met = 0, apart = 0;
+    (void)state;
+    for (size_t k = 0; k < FRAMES; k++) {
+        objet grid = grid_of(frame_of(k));
+        const scan_frame *f = &grid.frame;
+        for (int n = 0; n < 2000; n++) {
+            hide_box a = random_box(&r, f), b = random_box(&r, f);
+            uint32_t i = (uint32_t)rng_int(&r, 0, (int)f->nx - 1), j = (uint32_t)rng_int(&r, 0, (int)f->ny - 1);
+            uint32_t own = objet_sides(objet_cut(objet_place(&grid, &a), i, j));
+            uint32_t entries[8] = {0, own, 0, own, 0, own, 0, own};
+            uint32_t most = objet_most(objet_cut(objet_place(&grid, &b), i, j));
+            bool meet = four_bytes_at_most(entries, most) == 15;
+            double left = f->x0 + i * f->dx, gap = 0.01 * f->dx;
+            bool beside = (a.x1 + gap < b.x0 && a.x1 + gap < left + f->dx && b.x0 > left + gap) ||
+                          (b.x1 + gap < a.x0 && b.x1 + gap < left + f->dx && a.x0 > left + gap);
+            if (a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1) {
+                assert_true(meet);
+                met++;
+            } else if (beside) {
+                assert_false(meet);
+                apart++;
+            }
+        }
+        objet_free(&grid);
+    }
+    assert_true(met > 1000 && apart > 1000);
 }
 
 static uint32_t listed_count(const hide_picture *picture)
@@ -470,7 +523,7 @@ static void lists_by_threads(void **state)
     for (uint32_t threads = 2; threads < 5; threads++) {
         assert_int_equal(objet_build(&together, &picture, frame, threads), ROBERTS_OK);
         assert_memory_equal(together.start, alone.start, (cells + 1) * sizeof *alone.start);
-        assert_memory_equal(together.front, alone.front, alone.start[cells] * sizeof *alone.front);
+        assert_memory_equal(together.entry, alone.entry, alone.start[cells] * sizeof *alone.entry);
         assert_memory_equal(together.next, alone.next, alone.start[cells] * sizeof *alone.next);
         objet_free(&together);
     }
@@ -792,6 +845,7 @@ int main(void)
         cmocka_unit_test(scan_forgets),
         cmocka_unit_test(windows_without_size),
         cmocka_unit_test(walks_meet_every_cell),
+        cmocka_unit_test(sides_tell_boxes_apart),
         cmocka_unit_test(lists_are_complete_and_in_order),
         cmocka_unit_test(lists_by_threads),
         cmocka_unit_test(copies_count_once),

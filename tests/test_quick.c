@@ -80,6 +80,64 @@ static void lanes_of_four_are_scalars(void **state)
     }
 }
 
+static void lanes_of_four_are_counted_in_bytes(void **state)
+{
+    static const float values[] = {0.0f, -0.0f, INFINITY, -INFINITY, 1e-45f, 254.9f, 255.0f, 255.5f, 1e20f, -1e20f};
+    rng r = {11};
+    (void)state;
+    for (int i = 0; i < 100000; i++) {
+        float p[4], q[4], difference[4], product[4];
+        for (int k = 0; k < 4; k++) {
+            p[k] = rng_int(&r, 0, 1) ? values[rng_int(&r, 0, 9)] : (float)rng_between(&r, -10, 270);
+            q[k] = (float)rng_between(&r, -10, 10);
+        }
+        four_store(difference, four_sub(four_load(p), four_load(q)));
+        four_store(product, four_mul(four_load(p), four_load(q)));
+        uint32_t bytes = four_bytes(four_load(p));
+        assert_int_equal(bytes, four_plain_bytes(four_plain_load(p)));
+        for (int k = 0; k < 4; k++) {
+            double cut = fmin(fmax(floor((double)p[k]), 0), 255);
+            assert_int_equal(bytes >> 8 * k & 255, (uint32_t)cut);
+            assert_true(difference[k] == p[k] - q[k]);
+            assert_true(product[k] == p[k] * q[k] || isnan(p[k] * q[k]));
+        }
+        four_plain_store(difference, four_plain_sub(four_plain_load(p), four_plain_load(q)));
+        four_plain_store(product, four_plain_mul(four_plain_load(p), four_plain_load(q)));
+        for (int k = 0; k < 4; k++) {
+            assert_true(difference[k] == p[k] - q[k]);
+            assert_true(product[k] == p[k] * q[k] || isnan(p[k] * q[k]));
+        }
+    }
+}
+
+static void bytes_are_compared_with_the_most(void **state)
+{
+    rng r = {12};
+    unsigned found = 0;
+    (void)state;
+    for (int i = 0; i < 100000; i++) {
+        uint32_t a[8], most = 0;
+        unsigned within = 0;
+        for (int k = 0; k < 4; k++)
+            most |= (uint32_t)rng_int(&r, 100, 255) << 8 * k;
+        for (unsigned k = 0; k < 4; k++) {
+            bool all = true;
+            a[2 * k] = (uint32_t)rng_next(&r);
+            a[2 * k + 1] = 0;
+            for (int j = 0; j < 32; j += 8) {
+                uint32_t byte = rng_int(&r, 0, 2) ? (uint32_t)rng_int(&r, 0, 200) : most >> j & 255;
+                a[2 * k + 1] |= byte << j;
+                all = all && byte <= (most >> j & 255);
+            }
+            within |= (all ? 1u : 0u) << k;
+        }
+        assert_int_equal(four_bytes_at_most(a, most), within);
+        assert_int_equal(four_plain_bytes_at_most(a, most), within);
+        found |= 1u << within;
+    }
+    assert_int_equal(found, 0xffff); /* each answer has been right */
+}
+
 static void four_numbers_are_compared_with_one(void **state)
 {
     rng r = {10};
@@ -241,6 +299,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lanes_are_scalars),
         cmocka_unit_test(lanes_of_four_are_scalars),
+        cmocka_unit_test(lanes_of_four_are_counted_in_bytes),
+        cmocka_unit_test(bytes_are_compared_with_the_most),
         cmocka_unit_test(four_numbers_are_compared_with_one),
         cmocka_unit_test(four_numbers_are_shifted_alike),
         cmocka_unit_test(agrees_with_the_tests),

@@ -122,6 +122,12 @@ static inline four_plain four_plain_load(const float *p)
     return (four_plain){{p[0], p[1], p[2], p[3]}};
 }
 
+static inline void four_plain_store(float *p, four_plain a)
+{
+    for (int i = 0; i < 4; i++)
+        p[i] = a.v[i];
+}
+
 static inline four_plain four_plain_all(float x)
 {
     return (four_plain){{x, x, x, x}};
@@ -147,6 +153,38 @@ static inline unsigned four_plain_signs(four_plain a)
 {
     return (a.v[0] < 0.0f ? 1u : 0u) | (a.v[1] < 0.0f ? 2u : 0u) | (a.v[2] < 0.0f ? 4u : 0u) |
            (a.v[3] < 0.0f ? 8u : 0u);
+}
+
+static inline four_plain four_plain_sub(four_plain a, four_plain b)
+{
+    return (four_plain){{a.v[0] - b.v[0], a.v[1] - b.v[1], a.v[2] - b.v[2], a.v[3] - b.v[3]}};
+}
+
+static inline four_plain four_plain_mul(four_plain a, four_plain b)
+{
+    return (four_plain){{a.v[0] * b.v[0], a.v[1] * b.v[1], a.v[2] * b.v[2], a.v[3] * b.v[3]}};
+}
+
+/* Byte i: a[i] cut to 0 .. 255 and rounded down; of no number 0. */
+static inline uint32_t four_plain_bytes(four_plain a)
+{
+    uint32_t bytes = 0;
+    for (int i = 0; i < 4; i++)
+        bytes |= (a.v[i] > 0.0f ? a.v[i] < 255.0f ? (uint32_t)a.v[i] : 255u : 0u) << 8 * i;
+    return bytes;
+}
+
+/* Bit i: no byte of a[2 i + 1] is above the same byte of `most`; i = 0 .. 3. */
+static inline unsigned four_plain_bytes_at_most(const uint32_t *a, uint32_t most)
+{
+    unsigned bits = 0;
+    for (int i = 0; i < 4; i++) {
+        bool within = true;
+        for (int k = 0; k < 32; k += 8)
+            within = within && (a[2 * i + 1] >> k & 255) <= (most >> k & 255);
+        bits |= (within ? 1u : 0u) << i;
+    }
+    return bits;
 }
 
 /* Where a[i] == x, likewise. */
@@ -268,6 +306,11 @@ static inline four four_load(const float *p)
     return _mm_loadu_ps(p);
 }
 
+static inline void four_store(float *p, four a)
+{
+    _mm_storeu_ps(p, a);
+}
+
 static inline four four_all(float x)
 {
     return _mm_set1_ps(x);
@@ -286,6 +329,31 @@ static inline four four_either(four a, four b)
 static inline unsigned four_signs(four a)
 {
     return (unsigned)_mm_movemask_ps(a);
+}
+
+static inline four four_sub(four a, four b)
+{
+    return _mm_sub_ps(a, b);
+}
+
+static inline four four_mul(four a, four b)
+{
+    return _mm_mul_ps(a, b);
+}
+
+static inline uint32_t four_bytes(four a)
+{
+    __m128i whole = _mm_cvttps_epi32(_mm_min_ps(_mm_max_ps(a, _mm_setzero_ps()), _mm_set1_ps(255.0f)));
+    whole = _mm_packs_epi32(whole, whole);
+    return (uint32_t)_mm_cvtsi128_si32(_mm_packus_epi16(whole, whole));
+}
+
+static inline unsigned four_bytes_at_most(const uint32_t *a, uint32_t most)
+{
+    __m128 low = _mm_loadu_ps((const float *)a), high = _mm_loadu_ps((const float *)(a + 4));
+    __m128i odd = _mm_castps_si128(_mm_shuffle_ps(low, high, _MM_SHUFFLE(3, 1, 3, 1)));
+    __m128i within = _mm_cmpeq_epi8(_mm_min_epu8(odd, _mm_set1_epi32((int)most)), odd);
+    return (unsigned)_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(within, _mm_set1_epi32(-1))));
 }
 
 static inline four four_same(const uint32_t *a, uint32_t x)
@@ -322,10 +390,15 @@ typedef four_plain four;
 #define two_at_most two_plain_at_most
 #define two_least two_plain_least
 #define four_load four_plain_load
+#define four_store four_plain_store
 #define four_all four_plain_all
 #define four_below four_plain_below
 #define four_either four_plain_either
 #define four_signs four_plain_signs
+#define four_sub four_plain_sub
+#define four_mul four_plain_mul
+#define four_bytes four_plain_bytes
+#define four_bytes_at_most four_plain_bytes_at_most
 #define four_same four_plain_same
 #define four_shifted four_plain_shifted
 

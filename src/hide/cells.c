@@ -6,7 +6,7 @@
 #include <math.h>
 
 /* Width of a list's cell in mean boxes: smaller cells make longer walks, larger ones longer lists. */
-#define BOXES_PER_CELL 1.5
+#define BOXES_PER_CELL 2.0
 /* List entries per box that the grid may come to, on average, before it is made coarser. */
 #define ENTRIES_PER_BOX 12.0
 #define ENTRIES_FREE 4096.0

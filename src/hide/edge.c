@@ -94,34 +94,47 @@ static inline bool apart(const hide_box *box, four least, four most)
     return four_signs(four_either(four_below(four_load(side), least), four_below(most, four_load(side)))) != 0;
 }
 
-/* A line, or the group's where it is NULL, within `box` (but for depth, of which `far` is the farthest), against one
- * cell's fronts, as long as one of them is not wholly hidden. (To ask for the boxes of the next fronts ahead of time
- * gains nothing, also in scenes that no cache holds.) */
-static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t cell, float far)
+/* A line, or the group's where it is NULL, within `box` (but for depth), against one front that may be nearer somewhere, if not
+ * yet. False: no memory. */
+BITS_INLINE bool meet_once(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t front)
+{
+    if (w->seen[front] == w->stamp)
+        return true;
+    w->seen[front] = w->stamp;
+    uint64_t bits = line ? 1 : met_by(w, &w->picture->front_box[front]);
+    return !bits || w->picture->front[front].solid == solid || meet(w, line ? line : w->line, bits, box, front);
+}
+
+/* The same against one cell's fronts, as long as one line is not wholly hidden; `far`: the farthest depth of the lines there.
+ * Fronts are looked at four at a time. (To ask for the boxes of the next ones ahead of time gains nothing, also in scenes
+ * that no cache holds.) */
+static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t column,
+                      uint32_t row, float far)
 {
     const objet *grid = w->grid;
-    const uint32_t *next = grid->next;
     const hide_picture *picture = w->picture;
+    const uint32_t *start = grid->start + (size_t)column * grid->frame.ny + row;
     four least = four_load(w->least), most = four_load(w->most);
-    for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end; k++) {
-        uint32_t index = grid->front[k];
-        const hide_box *other = &picture->front_box[index];
-        if (other->z1 < far)
-            break; /* and so are all that follow: none of them has a point nearer than the lines here */
-        if (next && picture->front[index].solid == solid) {
-            k = next[k] - 1;
+    uint32_t sides = objet_most(objet_cut(four_load(w->place), column, row));
+    for (uint32_t k = start[0], end = start[1], next; k < end; k = next) {
+        if (grid->next && picture->front[grid->entry[k].front].solid == solid) {
+            next = grid->next[k];
             continue;
         }
-        if (apart(other, least, most) || w->seen[index] == w->stamp)
-            continue;
-        w->seen[index] = w->stamp;
-        uint64_t bits = line ? 1 : met_by(w, other);
-        if (!bits || picture->front[index].solid == solid)
-            continue;
-        if (!meet(w, line ? line : w->line, bits, box, index))
-            return false;
-        if (!w->live)
-            break;
+        unsigned near = four_bytes_at_most(&grid->entry[k].front, sides);
+        near &= end - k < 4 ? (1u << (end - k)) - 1 : 15u;
+        for (next = k + 4; near; near &= near - 1) {
+            uint32_t front = grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front;
+            const hide_box *other = &picture->front_box[front];
+            if (other->z1 < far)
+                return true; /* and so are all that follow: none of them has a point nearer than the lines here */
+            if (apart(other, least, most))
+                continue;
+            if (!meet_once(w, solid, line, box, front))
+                return false;
+            if (!w->live)
+                return true;
+        }
     }
     return true;
 }
@@ -133,6 +146,7 @@ static void set_reach(hide_worker *w, const hide_box *box)
     w->most[0] = box->x1;
     w->least[3] = box->y0;
     w->most[2] = box->y1;
+    four_store(w->place, objet_place(w->grid, box));
 }
 
 /* A new stamp; when they run out, all start again. */
@@ -159,7 +173,7 @@ static bool run_alone(hide_worker *w, uint32_t solid, hide_line *line)
     for (size_t i = 0; w->live && i < w->walk.count; i++) {
         objet_stretch s = w->walk.item[i];
         float far = hide_float_below(lesser(hide_edge_at(e, s.t0).z, hide_edge_at(e, s.t1).z) - w->margin);
-        if (!meet_cell(w, solid, line, &box, s.cell, far))
+        if (!meet_cell(w, solid, line, &box, s.column, s.row, far))
             return false;
     }
     return true;
@@ -178,7 +192,7 @@ static bool run_together(hide_worker *w, uint32_t solid, uint32_t left, uint32_t
     set_reach(w, &w->box);
     for (uint32_t i = left; w->live && i <= right; i++)
         for (uint32_t j = low; j <= high; j++)
-            if (!meet_cell(w, solid, NULL, &w->box, i * w->grid->frame.ny + j, w->box.z0))
+            if (!meet_cell(w, solid, NULL, &w->box, i, j, w->box.z0))
                 return false;
     return true;
 }
@@ -256,8 +270,8 @@ uint32_t hide_seen_at(const hide_worker *w, double x, double y)
     double best = -INFINITY;
     for (int touching = 0; touching < 2; touching++) /* first the nearest depth, then who is there */
         for (uint32_t k = grid->start[cell]; k < grid->start[cell + 1]; k++) {
-            const hide_front *front = &picture->front[grid->front[k]];
-            const hide_box *box = &picture->front_box[grid->front[k]];
+            const hide_front *front = &picture->front[grid->entry[k].front];
+            const hide_box *box = &picture->front_box[grid->entry[k].front];
             if (!touching && (double)box->z1 < best)
                 break;
             if (!box_holds(picture, box, x, y) || (touching && front->solid >= solid))

@@ -33,6 +33,7 @@ typedef struct hide_worker {
      * do those that fill up the last four. */
     float x0[HIDE_GROUP], x1[HIDE_GROUP], y0[HIDE_GROUP], y1[HIDE_GROUP], z0[HIDE_GROUP], z1[HIDE_GROUP];
     float least[4], most[4]; /* of x0, x1, y0, y1 of a front that meets the box of the edges at work */
+    float place[4];          /* objet_place() of it */
     size_t live;             /* lines of the group at work that are not wholly hidden */
     /* [front_count] the last group of edges that met the front, by its stamp. Short, so that more of it stays in the cache. */
     uint16_t *seen;

@@ -58,14 +58,15 @@ static void list_front(const filling *job, uint32_t index, scan *s, bool fill)
         first = s->first;
         last = s->last;
     }
+    four place = objet_place(grid, box);
     for (uint32_t i = first; i <= last; i++) {
         if (!small)
             scan_touched(s, f, i, &low, &high);
         for (uint32_t j = low; j <= high; j++) {
             size_t cell = (size_t)i * f->ny + j;
-            uint32_t place = count_one(&grid->start[cell], alone);
+            uint32_t at = count_one(&grid->start[cell], alone);
             if (fill)
-                grid->front[place] = index;
+                grid->entry[at] = (objet_entry){index, objet_sides(objet_cut(place, i, j))};
         }
     }
 }
@@ -93,8 +94,10 @@ static bool sum_counts(objet *grid)
         grid->start[c] = (uint32_t)total;
         total += count;
     }
-    grid->front = alloc_array(grid->start[cells], sizeof *grid->front);
-    return grid->front != NULL;
+    grid->entry = alloc_array((size_t)grid->start[cells] + OBJET_SPARE, sizeof *grid->entry);
+    if (grid->entry)
+        memset(grid->entry + grid->start[cells], 0, OBJET_SPARE * sizeof *grid->entry);
+    return grid->entry != NULL;
 }
 
 /* Filling has moved each start to its list's end, which is the next one's start. */
@@ -107,17 +110,17 @@ static void restore_starts(objet *grid)
 }
 
 /* A cell's list at the sorting. */
-typedef struct entry {
+typedef struct sorted {
     float z1;
-    uint32_t front;
-} entry;
+    objet_entry entry;
+} sorted;
 
 static int nearer_first(const void *pa, const void *pb)
 {
-    const entry *a = pa, *b = pb;
+    const sorted *a = pa, *b = pb;
     if (a->z1 != b->z1)
         return a->z1 > b->z1 ? -1 : 1;
-    return (a->front > b->front) - (a->front < b->front);
+    return (a->entry.front > b->entry.front) - (a->entry.front < b->entry.front);
 }
 
 /* Sorts the lists of the cells first..end-1, nearest corner first, ties by number. Short lists are put in order one by one.
@@ -125,10 +128,11 @@ static int nearer_first(const void *pa, const void *pb)
 static bool sort_some(const filling *job, size_t first, size_t end)
 {
     const objet *grid = job->grid;
-    entry *list = NULL;
+    sorted *list = NULL;
     size_t room = 0;
     for (size_t c = first; c < end; c++) {
-        uint32_t *front = grid->front + grid->start[c], count = grid->start[c + 1] - grid->start[c];
+        objet_entry *own = grid->entry + grid->start[c];
+        uint32_t count = grid->start[c + 1] - grid->start[c];
         if (count < 2)
             continue;
         if (!array_reserve(&list, &room, count, sizeof *list)) {
@@ -136,7 +140,7 @@ static bool sort_some(const filling *job, size_t first, size_t end)
             return false;
         }
         for (uint32_t k = 0; k < count; k++) {
-            entry e = {job->picture->front_box[front[k]].z1, front[k]};
+            sorted e = {job->picture->front_box[own[k].front].z1, own[k]};
             uint32_t i = k;
             for (; count <= SHORT_LIST && i > 0 && nearer_first(&e, &list[i - 1]) < 0; i--)
                 list[i] = list[i - 1];
@@ -145,7 +149,7 @@ static bool sort_some(const filling *job, size_t first, size_t end)
         if (count > SHORT_LIST)
             qsort(list, count, sizeof *list, nearer_first);
         for (uint32_t k = 0; k < count; k++)
-            front[k] = list[k].front;
+            own[k] = list[k].entry;
     }
     free(list);
     return true;
@@ -177,7 +181,8 @@ static bool link_lists(objet *grid, const hide_picture *picture)
     grid->next = alloc_array(grid->start[cells], sizeof *grid->next);
     for (size_t c = 0; grid->next && c < cells; c++)
         for (uint32_t end = grid->start[c + 1], k = end; k-- > grid->start[c];) {
-            bool same = k + 1 < end && picture->front[grid->front[k]].solid == picture->front[grid->front[k + 1]].solid;
+            bool same = k + 1 < end &&
+                        picture->front[grid->entry[k].front].solid == picture->front[grid->entry[k + 1].front].solid;
             grid->next[k] = same ? grid->next[k + 1] : k + 1;
         }
     return grid->next != NULL;
@@ -203,6 +208,10 @@ roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame 
 {
     filling job = {grid, picture, NULL, threads_for(threads, 1 + picture->front_count / WORTH_A_THREAD)};
     *grid = (objet){.frame = frame};
+    for (int i = 0; i < 4; i++) {
+        grid->from[i] = (float)(i < 2 ? frame.x0 : frame.y0);
+        grid->per[i] = (float)(256.0 * (i < 2 ? frame.per_dx : frame.per_dy));
+    }
     grid->start = alloc_zeroed(scan_cells(&frame) + 1, sizeof *grid->start);
     bool done = grid->start && alloc_listers(&job);
     if (done) {
@@ -223,7 +232,7 @@ roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame 
 void objet_free(objet *grid)
 {
     free(grid->start);
-    free(grid->front);
+    free(grid->entry);
     free(grid->next);
     *grid = (objet){0};
 }
@@ -253,7 +262,7 @@ bool objet_cells(const objet *grid, roberts_vec3 A, roberts_vec3 B, objet_walk *
         double ya = A.y + t0 * (B.y - A.y), yb = A.y + t1 * (B.y - A.y);
         uint32_t end = scan_row(f, greater(ya, yb) + m);
         for (uint32_t j = scan_row(f, lesser(ya, yb) - m); j <= end; j++) {
-            objet_stretch stretch = {i * f->ny + j, t0, t1};
+            objet_stretch stretch = {i, j, t0, t1};
             clip_slab(A.y, B.y, f->y0 + j * f->dy - m, f->y0 + (j + 1) * f->dy + m, &stretch.t0, &stretch.t1);
             if (stretch.t0 > stretch.t1)
                 continue;

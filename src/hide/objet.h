@@ -6,21 +6,36 @@
 #ifndef ROBERTS_HIDE_OBJET_H
 #define ROBERTS_HIDE_OBJET_H
 
+#include <string.h>
+
+#include "base/lanes.h"
 #include "hide/picture.h"
 #include "hide/scan.h"
 
+/* A front in a cell's list. */
+typedef struct objet_entry {
+    uint32_t front; /* of the picture */
+    uint32_t
+        sides; /* of its box, counted in 256ths of the cell and cut to it, a byte for each: x0, 255 - x1, y0, 255 - y1 */
+} objet_entry;
+
+/* Entries that can be read beyond a list, the last one's too. */
+#define OBJET_SPARE 3
+
 typedef struct objet {
     scan_frame frame;
-    uint32_t *start; /* [nx * ny + 1] cell c lists front[start[c]] .. front[start[c + 1] - 1] */
-    uint32_t *front; /* fronts of the picture */
-    /* [as front] where a cell's list goes on with another solid, or ends: so a solid need not pass its own faces one by
+    float from[4],
+        per[4];      /* where cell (0, 0) begins and how many 256ths of a cell there are in a view unit: x, x, y, y */
+    uint32_t *start; /* [nx * ny + 1] cell c lists entry[start[c]] .. entry[start[c + 1] - 1] */
+    objet_entry *entry; /* [start[nx * ny] + OBJET_SPARE] */
+    /* [as entry] where a cell's list goes on with another solid, or ends: so a solid need not pass its own faces one by
      * one, all of which a fan of very many triangles has in the cell of its tip. NULL where no solid is listed face by face. */
     uint32_t *next;
 } objet;
 
 /* A cell that an edge meets, and between which of the edge's parameters. */
 typedef struct objet_stretch {
-    uint32_t cell;
+    uint32_t column, row;
     double t0, t1;
 } objet_stretch;
 
@@ -33,6 +48,34 @@ typedef struct objet_walk {
  * Returns ROBERTS_OK or _NO_MEMORY. */
 roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame frame, uint32_t threads);
 void objet_free(objet *grid);
+
+/* A box in 256ths of cells from cell (0, 0) on, as lanes x0, x1, y0, y1. */
+static inline four objet_place(const objet *grid, const hide_box *box)
+{
+    float side[4];
+    memcpy(side, box, sizeof side);
+    return four_mul(four_sub(four_load(side), four_load(grid->from)), four_load(grid->per));
+}
+
+/* ... cut to cell (i, j), a byte for each. Whatever is rounded here, of two sides the lesser stays no greater than the other. */
+static inline uint32_t objet_cut(four place, uint32_t i, uint32_t j)
+{
+    const float column = 256.0f * (float)(int32_t)i, row = 256.0f * (float)(int32_t)j;
+    const float from[4] = {column, column, row, row};
+    return four_bytes(four_sub(place, four_load(from)));
+}
+
+/* The sides of an entry whose box is cut so. */
+static inline uint32_t objet_sides(uint32_t cut)
+{
+    return cut ^ 0xff00ff00;
+}
+
+/* ... and what they are at the most where it meets, in the cell, another box that is cut so. */
+static inline uint32_t objet_most(uint32_t cut)
+{
+    return objet_sides((cut >> 8 & 0x00ff00ff) | (cut << 8 & 0xff00ff00));
+}
 
 /* The cells that AB touches, column by column; false: no memory. */
 bool objet_cells(const objet *grid, roberts_vec3 A, roberts_vec3 B, objet_walk *walk);

@@ -138,7 +138,7 @@ BITS_INLINE quick_verdict quick_test(const quick_outline *o, const hide_space *s
     if (!quick_signs(o, space->plain, e, &H)) {
         quick_verdict verdict = quick_settle(o, space, e, &H);
         if (verdict != QUICK_CUT)
-            return verdict;
+            return verdict == QUICK_OUTSIDE ? QUICK_OUTSIDE : QUICK_UNCLEAR;
     }
     if (H.out_a & H.out_b)
         return QUICK_OUTSIDE;
