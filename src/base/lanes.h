@@ -350,7 +350,8 @@ static inline uint32_t four_bytes(four a)
 
 static inline unsigned four_bytes_at_most(const uint32_t *a, uint32_t most)
 {
-    __m128 low = _mm_loadu_ps((const float *)a), high = _mm_loadu_ps((const float *)(a + 4));
+    __m128 low = _mm_castsi128_ps(_mm_loadu_si128((const __m128i *)a));
+    __m128 high = _mm_castsi128_ps(_mm_loadu_si128((const __m128i *)(a + 4)));
     __m128i odd = _mm_castps_si128(_mm_shuffle_ps(low, high, _MM_SHUFFLE(3, 1, 3, 1)));
     __m128i within = _mm_cmpeq_epi8(_mm_min_epu8(odd, _mm_set1_epi32((int)most)), odd);
     return (unsigned)_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(within, _mm_set1_epi32(-1))));

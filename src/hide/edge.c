@@ -121,7 +121,7 @@ static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hid
             next = grid->next[k];
             continue;
         }
-        unsigned near = four_bytes_at_most(&grid->entry[k].front, sides);
+        unsigned near = four_bytes_at_most((const uint32_t *)(grid->entry + k), sides);
         near &= end - k < 4 ? (1u << (end - k)) - 1 : 15u;
         for (next = k + 4; near; near &= near - 1) {
             uint32_t front = grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front;
