@@ -30,7 +30,7 @@ static void hulls(studio *st)
     int count = dice_int(&st->d, 10, 40), spread = dice_int(&st->d, 1, 5) * 65536;
     for (int i = 0; i < count; i++) {
         shape s = shape_random(&st->d, dice_int(&st->d, 4, 16), 65536);
-        put(st, &s, dice_int(&st->d, 0, spread), dice_int(&st->d, 0, spread), dice_int(&st->d, 0, spread));
+        put_at(st, &s, whole_point(st, 0, spread));
     }
     look_random(st);
 }
@@ -41,10 +41,11 @@ static void swarm(studio *st)
     int count = dice_int(&st->d, 100, 300);
     for (int i = 0; i < count; i++) {
         shape s = shape_any(&st->d);
-        roberts_vec3 at = {dice_real(&st->d), dice_real(&st->d), 3 * dice_real(&st->d)};
+        roberts_vec3 at = real_point(st);
+        at.z *= 3;
         put_turned(st, &s, at, pow(10, dice_real(&st->d) - 1.7));
     }
-    look(st, 0.2 * dice_real(&st->d), 0.2 * dice_real(&st->d), 1);
+    look_down(st, 0.2, 1);
 }
 
 /* Solids of so many faces that they do not hide as one. */
@@ -53,7 +54,7 @@ static void round_solids(studio *st)
     int count = dice_int(&st->d, 3, 8);
     for (int i = 0; i < count; i++) {
         shape s = shape_random(&st->d, 60, 40);
-        roberts_vec3 at = {dice_real(&st->d), dice_real(&st->d), dice_real(&st->d)};
+        roberts_vec3 at = real_point(st);
         put_turned(st, &s, at, 0.02);
     }
     look_random(st);
@@ -65,7 +66,7 @@ static void crossing(studio *st)
     int count = dice_int(&st->d, 6, 24);
     for (int i = 0; i < count; i++) {
         shape s = shape_any(&st->d);
-        roberts_vec3 at = {dice_real(&st->d), dice_real(&st->d), dice_real(&st->d)};
+        roberts_vec3 at = real_point(st);
         put_turned(st, &s, at, 0.3);
     }
     look_random(st);
@@ -79,7 +80,7 @@ static void slanted_plates(studio *st)
     shape box = shape_box(1, 1, 1);
     while (count-- > 0) {
         double a[3], b[3], n[3], l, m[3][3];
-        roberts_vec3 at = {dice_real(&st->d), dice_real(&st->d), dice_real(&st->d)};
+        roberts_vec3 at = real_point(st);
         for (int k = 0; k < 3; k++) {
             a[k] = dice_real(&st->d);
             b[k] = dice_real(&st->d);
@@ -108,13 +109,12 @@ static void needles(studio *st)
     double spread = pow(10, -dice_int(&st->d, 0, 5)), thick = pow(10, -dice_int(&st->d, 1, 3));
     shape s = shape_random(&st->d, 4, 1);
     for (int i = 0; i < count; i++) {
-        roberts_vec3 at = {0, dice_real(&st->d) * spread * 10, dice_real(&st->d)};
-        double m[3][3] = {{20 + dice_real(&st->d), dice_real(&st->d), dice_real(&st->d)},
-                          {20 * spread * dice_real(&st->d), thick, 0},
-                          {20 * spread * dice_real(&st->d), 0, thick}};
-        put_mapped(st, &s, at, m);
+        roberts_vec3 at = real_point(st), along = real_point(st), lean = real_point(st);
+        double m[3][3] = {
+            {20 + along.x, along.y, along.z}, {20 * spread * lean.y, thick, 0}, {20 * spread * lean.z, 0, thick}};
+        put_mapped(st, &s, (roberts_vec3){0, at.y * spread * 10, at.z}, m);
     }
-    look(st, 0.3 * dice_real(&st->d), 0.3 * dice_real(&st->d), dice_int(&st->d, 0, 1) ? 1 : -1);
+    look_down(st, 0.3, dice_int(&st->d, 0, 1) ? 1 : -1);
 }
 
 /* ---- families in degenerate position, exact ---------------------------------------------------------------------- */
@@ -124,8 +124,8 @@ static void blocks(studio *st)
 {
     int count = dice_int(&st->d, 6, 40);
     for (int i = 0; i < count; i++) {
-        int x = dice_int(&st->d, 0, 8), y = dice_int(&st->d, 0, 8), z = dice_int(&st->d, 0, 8);
-        put_box(st, x, y, z, x + dice_int(&st->d, 1, 4), y + dice_int(&st->d, 1, 4), z + dice_int(&st->d, 1, 4));
+        roberts_vec3 p = whole_point(st, 0, 8), size = whole_point(st, 1, 4);
+        put_box(st, p.x, p.y, p.z, p.x + size.x, p.y + size.y, p.z + size.z);
     }
     if (dice_int(&st->d, 0, 2))
         dice_int(&st->d, 0, 1) ? look_axis(st) : look_corner(st);
@@ -142,7 +142,8 @@ static void shaft(studio *st)
         int w = dice_int(&st->d, 1, 4), h = dice_int(&st->d, 1, 4), deep = dice_int(&st->d, 1, 9);
         put_box(st, x, y, z, x + w, y + h, z + deep);
     }
-    look(st, dice_int(&st->d, -1, 1), dice_int(&st->d, -1, 1), dice_int(&st->d, 0, 1) ? 40 : -1);
+    roberts_vec3 dir = whole_point(st, -1, 1);
+    look(st, dir.x, dir.y, dice_int(&st->d, 0, 1) ? 40 : -1);
 }
 
 /* A wall in running bond, some bricks missing: faces, edges and corners touch. */
@@ -177,7 +178,7 @@ static void polytopes(studio *st)
     int count = dice_int(&st->d, 5, 20), spread = dice_int(&st->d, 4, 30);
     for (int i = 0; i < count; i++) {
         shape s = dice_int(&st->d, 0, 1) ? shape_prism(&st->d) : shape_random(&st->d, 24, 5);
-        put(st, &s, dice_int(&st->d, 0, spread), dice_int(&st->d, 0, spread), dice_int(&st->d, 0, spread));
+        put_at(st, &s, whole_point(st, 0, spread));
     }
     look_any(st);
 }
@@ -188,7 +189,7 @@ static void crowd(studio *st)
     int count = dice_int(&st->d, 4, 24), spread = dice_int(&st->d, 2, 8);
     for (int i = 0; i < count; i++) {
         shape s = shape_any(&st->d);
-        put(st, &s, dice_int(&st->d, 0, spread), dice_int(&st->d, 0, spread), dice_int(&st->d, 0, spread));
+        put_at(st, &s, whole_point(st, 0, spread));
     }
     dice_int(&st->d, 0, 3) ? look_small(st, 2) : look_any(st);
 }
@@ -383,7 +384,8 @@ static void deep_aslant(studio *st)
 {
     int axis = dice_int(&st->d, 0, 2);
     double depth = put_deep(st, axis);
-    look_along(st, axis, dice_int(&st->d, -3, 3), dice_int(&st->d, -3, 3), depth);
+    roberts_vec3 aside = whole_point(st, -3, 3);
+    look_along(st, axis, aside.x, aside.y, depth);
     near_touching(st);
 }
 
@@ -409,10 +411,9 @@ static void mixed_sizes(studio *st, int most)
     for (int i = 0; i < count; i++) {
         shape s = shape_any(&st->d);
         double size = ldexp(1, dice_int(&st->d, -most, most)), spread = fmax(8, size);
-        put_scaled(st, &s,
-                   (roberts_vec3){floor(spread * dice_real(&st->d)), floor(spread * dice_real(&st->d)),
-                                  floor(spread * dice_real(&st->d))},
-                   size, size, size);
+        roberts_vec3 at = real_point(st);
+        at = (roberts_vec3){floor(spread * at.x), floor(spread * at.y), floor(spread * at.z)};
+        put_scaled(st, &s, at, size, size, size);
     }
     look_any(st);
 }
@@ -469,9 +470,8 @@ static void nudged(studio *st)
     int count = dice_int(&st->d, 4, 24), spread = dice_int(&st->d, 2, 6);
     for (int i = 0; i < count; i++) {
         shape s = shape_any(&st->d);
-        double x = dice_int(&st->d, 0, spread), y = dice_int(&st->d, 0, spread), z = dice_int(&st->d, 0, spread);
-        put(st, &s, x + ldexp(dice_int(&st->d, -2, 2), -20), y + ldexp(dice_int(&st->d, -2, 2), -20),
-            z + ldexp(dice_int(&st->d, -2, 2), -20));
+        roberts_vec3 p = whole_point(st, 0, spread), by = whole_point(st, -2, 2);
+        put(st, &s, p.x + ldexp(by.x, -20), p.y + ldexp(by.y, -20), p.z + ldexp(by.z, -20));
     }
     dice_int(&st->d, 0, 3) ? look_small(st, 2) : look_any(st);
     near_touching(st);
@@ -489,10 +489,7 @@ static void crooked(studio *st)
                 for (int c = 0; c < 3; c++)
                     s.point[k][c] = 4096 * s.point[k][c] + dice_int(&st->d, -twist, twist);
         } while (!shape_hull(&s));
-        put_scaled(
-            st, &s,
-            (roberts_vec3){dice_int(&st->d, 0, spread), dice_int(&st->d, 0, spread), dice_int(&st->d, 0, spread)},
-            1.0 / 4096, 1.0 / 4096, 1.0 / 4096);
+        put_scaled(st, &s, whole_point(st, 0, spread), 1.0 / 4096, 1.0 / 4096, 1.0 / 4096);
     }
     dice_int(&st->d, 0, 3) ? look_small(st, 2) : look_any(st);
     near_touching(st);

@@ -162,8 +162,10 @@ shape shape_random(dice *d, int count, int size)
     shape s;
     do {
         s = (shape){0};
-        for (int i = 0; i < count; i++)
-            shape_point(&s, dice_int(d, 0, size), dice_int(d, 0, size), dice_int(d, 0, size));
+        for (int i = 0; i < count; i++) {
+            int x = dice_int(d, 0, size), y = dice_int(d, 0, size), z = dice_int(d, 0, size);
+            shape_point(&s, x, y, z);
+        }
     } while (!shape_hull(&s));
     return s;
 }
@@ -197,9 +199,13 @@ shape shape_prism(dice *d)
 
 shape shape_any(dice *d)
 {
+    int x, y, z;
     switch (dice_int(d, 0, 5)) {
     case 0:
-        return shape_box(dice_int(d, 1, 4), dice_int(d, 1, 4), dice_int(d, 1, 4));
+        x = dice_int(d, 1, 4);
+        y = dice_int(d, 1, 4);
+        z = dice_int(d, 1, 4);
+        return shape_box(x, y, z);
     case 1:
         return shape_prism(d);
     case 2:

@@ -6,6 +6,26 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* ---- points ------------------------------------------------------------------------------------------------------ */
+
+roberts_vec3 whole_point(studio *st, int lo, int hi)
+{
+    roberts_vec3 p;
+    p.x = dice_int(&st->d, lo, hi);
+    p.y = dice_int(&st->d, lo, hi);
+    p.z = dice_int(&st->d, lo, hi);
+    return p;
+}
+
+roberts_vec3 real_point(studio *st)
+{
+    roberts_vec3 p;
+    p.x = dice_real(&st->d);
+    p.y = dice_real(&st->d);
+    p.z = dice_real(&st->d);
+    return p;
+}
+
 /* ---- scenes ------------------------------------------------------------------------------------------------------ */
 
 /* Adds the shape, each of its points sent to at + m p; rows of m are the images' coordinates. */
@@ -41,6 +61,11 @@ void put_scaled(studio *st, const shape *s, roberts_vec3 at, double x, double y,
 void put(studio *st, const shape *s, double x, double y, double z)
 {
     put_scaled(st, s, (roberts_vec3){x, y, z}, 1, 1, 1);
+}
+
+void put_at(studio *st, const shape *s, roberts_vec3 at)
+{
+    put(st, s, at.x, at.y, at.z);
 }
 
 /* A corner takes its numbers as they are: nothing is computed, nothing rounded. */
@@ -83,30 +108,37 @@ void look(studio *st, double x, double y, double z)
 
 void look_small(studio *st, int size)
 {
-    int x, y, z;
-    do {
-        x = dice_int(&st->d, -size, size);
-        y = dice_int(&st->d, -size, size);
-        z = dice_int(&st->d, -size, size);
-    } while (!x && !y && !z);
-    look(st, x, y, z);
+    roberts_vec3 dir;
+    do
+        dir = whole_point(st, -size, size);
+    while (dir.x == 0 && dir.y == 0 && dir.z == 0);
+    look(st, dir.x, dir.y, dir.z);
 }
 
 void look_axis(studio *st)
 {
     double v[3] = {0, 0, 0};
-    v[dice_int(&st->d, 0, 2)] = dice_int(&st->d, 0, 1) ? 1 : -1;
+    int axis = dice_int(&st->d, 0, 2);
+    v[axis] = dice_int(&st->d, 0, 1) ? 1 : -1;
     look(st, v[0], v[1], v[2]);
 }
 
 void look_corner(studio *st)
 {
-    look(st, dice_int(&st->d, 0, 1) ? 1 : -1, dice_int(&st->d, 0, 1) ? 1 : -1, dice_int(&st->d, 0, 1) ? 1 : -1);
+    roberts_vec3 side = whole_point(st, 0, 1);
+    look(st, side.x > 0 ? 1 : -1, side.y > 0 ? 1 : -1, side.z > 0 ? 1 : -1);
 }
 
 void look_random(studio *st)
 {
-    look(st, dice_real(&st->d), dice_real(&st->d), dice_real(&st->d));
+    roberts_vec3 dir = real_point(st);
+    look(st, dir.x, dir.y, dir.z);
+}
+
+void look_down(studio *st, double aside, double z)
+{
+    roberts_vec3 dir = real_point(st);
+    look(st, aside * dir.x, aside * dir.y, z);
 }
 
 void look_any(studio *st)
@@ -237,9 +269,9 @@ static roberts_vec3 beside_solid(studio *st)
 /* A point of the scene's box. */
 static roberts_vec3 amid_scene(studio *st, roberts_vec3 lo, roberts_vec3 hi)
 {
-    return (roberts_vec3){lo.x + (hi.x - lo.x) * (dice_real(&st->d) + 1) / 2,
-                          lo.y + (hi.y - lo.y) * (dice_real(&st->d) + 1) / 2,
-                          lo.z + (hi.z - lo.z) * (dice_real(&st->d) + 1) / 2};
+    roberts_vec3 p = real_point(st);
+    return (roberts_vec3){lo.x + (hi.x - lo.x) * (p.x + 1) / 2, lo.y + (hi.y - lo.y) * (p.y + 1) / 2,
+                          lo.z + (hi.z - lo.z) * (p.z + 1) / 2};
 }
 
 static bool any_beyond(const roberts_mesh *mesh, roberts_vec3 near, roberts_vec3 ahead)
@@ -302,9 +334,9 @@ static bool place_close(studio *st)
     look_small(st, 2);
     double near = 1.01e-6 * size / hypot(hypot(view->x, view->y), view->z), step = grain * ceil(near / grain);
     ahead = (roberts_vec3){-step * view->x, -step * view->y, -step * view->z};
-    roberts_vec3 eye = {corner.x - 1.25 * ahead.x + 0.25 * step * dice_real(&st->d),
-                        corner.y - 1.25 * ahead.y + 0.25 * step * dice_real(&st->d),
-                        corner.z - 1.25 * ahead.z + 0.25 * step * dice_real(&st->d)};
+    roberts_vec3 aside = real_point(st), eye = {corner.x - 1.25 * ahead.x + 0.25 * step * aside.x,
+                                                corner.y - 1.25 * ahead.y + 0.25 * step * aside.y,
+                                                corner.z - 1.25 * ahead.z + 0.25 * step * aside.z};
     eye = on_grid(eye, grain);
     set_eye(st, eye, ahead, 0x1p17);
     return is_outside(st, eye);
@@ -332,7 +364,8 @@ void look_from_close(studio *st)
 
 void look_oblique(studio *st)
 {
-    st->scene->view = (oracle_view){.x = dice_int(&st->d, -4, 4) / 4.0, .y = -1, .z = dice_int(&st->d, 1, 4) / 4.0};
+    const double x = dice_int(&st->d, -4, 4) / 4.0, z = dice_int(&st->d, 1, 4) / 4.0;
+    st->scene->view = (oracle_view){.x = x, .y = -1, .z = z};
     st->scene->oblique = true;
 }
 

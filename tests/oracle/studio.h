@@ -19,11 +19,17 @@ typedef struct studio {
     uint32_t solid_count, first_face[STUDIO_SOLIDS];
 } studio;
 
+/* A point with whole coordinates of lo .. hi, or with real ones of -1 .. 1: x is drawn first, then y, then z. As arguments of
+ * one call, or in one initializer, they would be drawn in the order that the compiler likes. */
+roberts_vec3 whole_point(studio *st, int lo, int hi);
+roberts_vec3 real_point(studio *st);
+
 /* Adds the shape, each of its points sent to at + m p; rows of m are the images' coordinates. Each face gets either
  * winding. */
 void put_mapped(studio *st, const shape *s, roberts_vec3 at, double m[3][3]);
 void put_scaled(studio *st, const shape *s, roberts_vec3 at, double x, double y, double z);
 void put(studio *st, const shape *s, double x, double y, double z);
+void put_at(studio *st, const shape *s, roberts_vec3 at);
 void put_box(studio *st, double x0, double y0, double z0, double x1, double y1, double z1);
 void put_turned(studio *st, const shape *s, roberts_vec3 at, double size);
 
@@ -33,6 +39,8 @@ void look_small(studio *st, int size);
 void look_axis(studio *st);
 void look_corner(studio *st);
 void look_random(studio *st);
+/* From z, and up to `aside` from there. */
+void look_down(studio *st, double aside, double z);
 void look_any(studio *st);
 /* The same direction from an eye well before the scene; from an eye amid the scene, with a near plane that cuts some of it;
  * from one just before a corner; obliquely. Once all solids are there. */
