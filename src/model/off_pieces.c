@@ -10,17 +10,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 #include "base/array.h"
+#include "base/threads.h"
 #include "model/off_plain.h"
 
 enum {
     SLOTS_PER_THREAD = 6,
     TRIES_IN_VAIN = 3, /* that give less than half of what the ring holds, until pieces are given up */
-    THREADS_MOST = 1024,
     SPREAD =
         4 /* bytes of the mesh from a byte of text, at most: 24 from "0 0 0\n", 4 from the "0\n" of a face, or " 0" */
 };
