@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/compare.h"
 
 enum { SHORT_BUCKET = 24 }; /* half-edges; up to so many, insertion beats the library's sort */
 
@@ -58,18 +59,10 @@ static bool pair_by_table(const roberts_scene *scene, uint32_t s, edge_scratch *
     return edge == end; /* as many upward as edges, each with its opposite: none is left */
 }
 
-static int compare_half(const void *a, const void *b)
-{
-    uint64_t x, y;
-    memcpy(&x, a, sizeof x);
-    memcpy(&y, b, sizeof y);
-    return (x > y) - (x < y);
-}
-
 static void sort_bucket(uint64_t *half, uint32_t count)
 {
     if (count > SHORT_BUCKET) {
-        qsort(half, count, sizeof *half, compare_half);
+        qsort(half, count, sizeof *half, compare_u64);
         return;
     }
     for (uint32_t i = 1; i < count; i++) {

@@ -6,10 +6,10 @@
 #include "model/vertex_tree.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/array.h"
 #include "base/box.h"
+#include "base/compare.h"
 
 enum { LEAF = 8 }; /* points */
 
@@ -27,14 +27,6 @@ static uint32_t cell(double x, double lo, double hi)
     return hi > lo ? (uint32_t)fmin(1023.0, (x - lo) / (hi - lo) * 1024.0) : 0;
 }
 
-static int compare_keys(const void *a, const void *b)
-{
-    uint64_t x, y;
-    memcpy(&x, a, sizeof x);
-    memcpy(&y, b, sizeof y);
-    return (x > y) - (x < y);
-}
-
 /* Fills tree->order along the curve. */
 static bool sort_points(vertex_tree *tree)
 {
@@ -49,7 +41,7 @@ static bool sort_points(vertex_tree *tree)
             spread(cell(p.x, lo.x, hi.x)) | spread(cell(p.y, lo.y, hi.y)) << 1 | spread(cell(p.z, lo.z, hi.z)) << 2;
         key[v] = (uint64_t)code << 32 | v;
     }
-    qsort(key, tree->count, sizeof *key, compare_keys);
+    qsort(key, tree->count, sizeof *key, compare_u64);
     for (uint32_t v = 0; v < tree->count; v++)
         tree->order[v] = (uint32_t)key[v];
     free(key);
