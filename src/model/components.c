@@ -208,20 +208,6 @@ static void copy_array(void *to, const void *from, size_t count, size_t size)
         memcpy(to, from, count * size);
 }
 
-/* Copies the corners of all faces, in the mesh's numbers. */
-static void copy_corners(roberts_scene *scene, const polygons *faces)
-{
-    const uint32_t *start = faces->start, *number = scene->face_number;
-    uint32_t *to = scene->corner, *face_start = scene->face_start, face_count = scene->face_count;
-    for (uint32_t f = 0; f < face_count; f++) {
-        const uint32_t *from = faces->corner + start[number[f]], *end = faces->corner + start[number[f] + 1];
-        face_start[f] = (uint32_t)(to - scene->corner);
-        while (from < end)
-            *to++ = *from++;
-    }
-    face_start[face_count] = (uint32_t)(to - scene->corner);
-}
-
 /* Vertices and faces keep their numbers where they are in order: then the mesh's arrays are copied, unless they are lent. */
 static void place(roberts_scene *scene, set_node *node, const polygons *faces, const roberts_vec3 *point,
                   layout_kept kept)
@@ -233,7 +219,7 @@ static void place(roberts_scene *scene, set_node *node, const polygons *faces, c
             copy_array(scene->corner, faces->corner, scene->corner_count, sizeof *scene->corner);
     } else {
         place_faces(scene, node, faces);
-        copy_corners(scene, faces);
+        layout_copy_corners(scene, faces);
     }
     if (kept.vertices) {
         if (!(scene->lent & LENT_POINT))

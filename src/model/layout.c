@@ -98,10 +98,23 @@ static int compare_numbers(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+void layout_copy_corners(roberts_scene *scene, const polygons *faces)
+{
+    const uint32_t *start = faces->start, *number = scene->face_number;
+    uint32_t *to = scene->corner, *face_start = scene->face_start, face_count = scene->face_count;
+    for (uint32_t f = 0; f < face_count; f++) {
+        const uint32_t *from = faces->corner + start[number[f]], *end = faces->corner + start[number[f] + 1];
+        face_start[f] = (uint32_t)(to - scene->corner);
+        while (from < end)
+            *to++ = *from++;
+    }
+    face_start[face_count] = (uint32_t)(to - scene->corner);
+}
+
 /* Sorts the faces by solid and copies their corners, still in the mesh's numbers. */
 static void place_faces(roberts_scene *scene, const polygons *faces, const uint32_t *of)
 {
-    uint32_t sum = 0, to = 0;
+    uint32_t sum = 0;
     for (uint32_t f = 0; f < faces->face_count; f++)
         if (of[f] != ROBERTS_NONE)
             scene->solid[of[f]].face++;
@@ -116,13 +129,7 @@ static void place_faces(roberts_scene *scene, const polygons *faces, const uint3
     for (uint32_t s = scene->solid_count; s > 0; s--)
         scene->solid[s].face = scene->solid[s - 1].face;
     scene->solid[0].face = 0;
-    for (uint32_t f = 0; f < scene->face_count; f++) {
-        uint32_t from = scene->face_number[f], n = polygon_size(faces, from);
-        scene->face_start[f] = to;
-        memcpy(scene->corner + to, faces->corner + faces->start[from], n * sizeof *scene->corner);
-        to += n;
-    }
-    scene->face_start[scene->face_count] = to;
+    layout_copy_corners(scene, faces);
 }
 
 /* Numbers the vertices of corners from..to ascending, by marking them in a table of their range, which begins with

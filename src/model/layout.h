@@ -26,6 +26,9 @@ void layout_turn_back(roberts_scene *scene);
 /* Releases all arrays but those lent, which are left as the mesh had them, and leaves an empty scene. */
 void layout_clear(roberts_scene *scene);
 
+/* Copies the corners of all faces, of which scene->face_number tells the numbers; they stay vertex numbers of the mesh. */
+void layout_copy_corners(roberts_scene *scene, const polygons *faces);
+
 /* Allocates the scene's arrays and lays out solids 0 .. solid_count - 1, face f belonging to solid of[f] (ROBERTS_NONE:
  * to none). A vertex that several solids use is copied for each. As components_lay_out() leaves it: no planes, no edges,
  * corners in the order of the file. False: no memory, or more vertices than 32 bits count. */
