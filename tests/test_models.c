@@ -206,7 +206,8 @@ static void check_numbers(const char *path, const char *name)
 
 static void numbers_have_17_digits(void **state)
 {
-    static const char *const larger[] = {"lattice 12 7", "plates 3000 5", "needles 3000 2", "sphere 4000", "prism 999"};
+    static const char *const larger[] = {"lattice 12 7", "plates 3000 5", "needles 3000 2",
+                                         "coins 70 2",   "sphere 4000",   "prism 999"};
     char output[PATH_ROOM];
     (void)state;
     each_model("models", check_numbers);
@@ -623,6 +624,9 @@ static void families_have_the_number_of_solids_they_promise(void **state)
         {"needles 1 1", 1, 6}, {"needles 200", 200, 1200},
         {"ground 1", 2, 12},   {"ground 10 3", 11, 66},
         {"copies 1", 1, 6},    {"copies 50", 50, 300},
+        {"coins 3", 100, 500}, {"coins 100 4", 100, 10200},
+        {"disc 3", 4, 23},     {"disc 200 2", 201, 1402},
+        {"fans 3", 2, 8},      {"fans 100", 2, 202},
         {"sphere 8", 1, 8},    {"sphere 5000", 1, 5000},
         {"prism 3", 1, 5},     {"prism 4000", 1, 4002},
         {"antiprism 3", 1, 8}, {"antiprism 1001", 1, 2004},

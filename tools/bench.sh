@@ -234,6 +234,10 @@ worst() {
     grow 'ground: one face hides all' ground "$thousands 1000000" --view top
     grow 'ground: all before one face' ground "$thousands 1000000" --view bottom
     grow 'copies: all at one place' copies "$thousands" $general
+    grow 'coins: a hundred of many corners' coins '100 1000 10000' $general
+    grow 'coins: a hundred of many corners' coins '100 1000 10000' --view top
+    grow 'disc: as many corners as solids under it' disc "$thousands" --view top
+    grow 'disc: as many corners as solids under it' disc "$thousands" $general
     grow 'needles: long and thin' needles '100 300 1000 3000' --view top
     grow 'wall, edge-on' wall "$thousands" --view front
     grow 'wall, edge-on, its end' wall "$thousands" --view right

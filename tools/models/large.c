@@ -196,6 +196,59 @@ static void copies_solid(body *b, const plan *p, uint64_t index)
     body_add(b, &p->cube, turn(7, 1, 2, 3, 1, vec3(0, 0, 0)));
 }
 
+/* A hundred coins of N corners one over the other, each at a random place within a radius: everywhere some dozens of rims
+ * cross. */
+static uint64_t hundred(uint64_t n)
+{
+    (void)n;
+    return 100;
+}
+
+static void coins_solid(body *b, const plan *p, uint64_t index)
+{
+    rng r = rng_of(p->seed, index);
+    double x = 2 * rng_unit(&r), y = 2 * rng_unit(&r), z = 0.25 * (double)index;
+    roberts_vec2 a = half_angle(2 * rng_unit(&r) - 1);
+    motion move = {{{a.x, -a.y, 0}, {a.y, a.x, 0}, {0, 0, 1}}, {x, y, z}};
+    body coin = {0};
+    column_make(&coin, (uint32_t)p->n, 1, 0, 0.125);
+    body_add(b, &coin, move);
+    body_free(&coin);
+}
+
+/* One disc of N corners, and under it n small boxes on a square grid, those at its rim partly and some wholly beside it. */
+static void disc_solid(body *b, const plan *p, uint64_t index)
+{
+    uint64_t width = integer_root(p->n - 1) + 1, column = (index - 1) % width, row = (index - 1) / width;
+    double radius = (double)width;
+    double x = 2 * (double)column - radius, y = 2 * (double)row - radius, deep;
+    rng r = rng_of(p->seed, index);
+    if (index == 0) {
+        column_make(b, (uint32_t)p->n, radius, 0, 1);
+        return;
+    }
+    deep = (double)rng_between(&r, 1, 4);
+    body_box(b, vec3(x, y, -1 - deep), vec3(x + 1, y + 1, -1));
+}
+
+/* Two pyramids over a regular N-gon, the second lower and shifted: no two of their edges are parallel in the picture. */
+static uint64_t two(uint64_t n)
+{
+    (void)n;
+    return 2;
+}
+
+static void fans_solid(body *b, const plan *p, uint64_t index)
+{
+    motion move = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0.25, 0.125, -2}};
+    body fan = {0};
+    cone_make(&fan, (uint32_t)p->n, 1, 0, 1);
+    if (index == 0)
+        move.shift = vec3(0, 0, 0);
+    body_add(b, &fan, move);
+    body_free(&fan);
+}
+
 /* ---- single solids ------------------------------------------------------------------------------------------------ */
 
 static uint64_t single(uint64_t n)
@@ -268,6 +321,13 @@ static const struct {
      ground_count,
      ground_solid},
     {{"copies", "N", "N copies of one cube in the same place.", 1, 50000000, false}, one_each, copies_solid},
+    {{"coins", "N [SEED]", "A hundred coins of N corners over one another.", 3, 1000000, true}, hundred, coins_solid},
+    {{"disc", "N [SEED]", "One disc of N corners with N small boxes under it, some beyond its rim.", 3, 10000000, true},
+     ground_count,
+     disc_solid},
+    {{"fans", "N", "Two pyramids over the regular N-gon, one behind the tip of the other.", 3, 1000000, false},
+     two,
+     fans_solid},
     {{"sphere", "N", "Ball of about N faces: parallels and meridians.", 8, 10000000, false}, single, sphere_solid},
     {{"prism", "N", "Uniform prism over the regular N-gon: circumradius of the N-gon 1, side faces squares.", 3,
       1000000, false},
