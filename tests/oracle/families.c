@@ -183,6 +183,24 @@ static void polytopes(studio *st)
     look_any(st);
 }
 
+/* Solids with faces of very many corners over one another, and some small ones among them. */
+static void coins(studio *st)
+{
+    int count = dice_int(&st->d, 2, 3), small_ones = dice_int(&st->d, 0, 20);
+    for (int i = 0; i < count; i++) {
+        shape s = shape_coin(&st->d);
+        put(st, &s, dice_int(&st->d, -60, 60), dice_int(&st->d, -60, 60), dice_int(&st->d, 0, 40) * 4);
+    }
+    for (int i = 0; i < small_ones; i++) {
+        shape s = shape_any(&st->d);
+        double size = dice_int(&st->d, 1, 30);
+        put_scaled(st, &s,
+                   (roberts_vec3){dice_int(&st->d, -120, 120), dice_int(&st->d, -60, 180), dice_int(&st->d, 0, 160)},
+                   size, size, size);
+    }
+    dice_int(&st->d, 0, 1) ? look_axis(st) : look_any(st);
+}
+
 /* All kinds crowded on a coarse lattice and seen along short whole vectors: everything lines up with everything. */
 static void crowd(studio *st)
 {
@@ -537,6 +555,7 @@ static const struct {
     {"bricks", bricks, INFINITELY_FAR},
     {"checker", checker, INFINITELY_FAR},
     {"polytopes", polytopes, INFINITELY_FAR},
+    {"coins", coins, INFINITELY_FAR},
     {"crowd", crowd, INFINITELY_FAR},
     {"touching", touching, INFINITELY_FAR},
     {"nested", nested, INFINITELY_FAR},
@@ -569,6 +588,7 @@ static const struct {
     {"bricks@eye", bricks, FROM_EYE},
     {"checker@eye", checker, FROM_EYE},
     {"polytopes@eye", polytopes, FROM_EYE},
+    {"coins@eye", coins, FROM_EYE},
     {"crowd@eye", crowd, FROM_EYE},
     {"touching@eye", touching_from_eye, FROM_EYE},
     {"nested@eye", nested, FROM_EYE},
@@ -595,6 +615,7 @@ static const struct {
     {"bricks@near", bricks, FROM_AMID},
     {"checker@near", checker, FROM_AMID},
     {"polytopes@near", polytopes, FROM_AMID},
+    {"coins@near", coins, FROM_AMID},
     {"crowd@near", crowd, FROM_AMID},
     {"touching@near", touching, FROM_AMID},
     {"twice@near", twice, FROM_AMID},

@@ -89,14 +89,14 @@ static int wrap_face(const shape *s, const int *on, int count, const int64_t *n,
 bool shape_hull(shape *s)
 {
     uint64_t seen[SHAPE_CORNERS];
-    bool used[SHAPE_POINTS] = {false};
-    int number[SHAPE_POINTS], kept = 0;
+    bool used[HULL_POINTS] = {false};
+    int number[HULL_POINTS], kept = 0;
     s->face_count = s->corner_count = 0;
     s->face_start[0] = 0;
     for (int i = 0; i < s->point_count; i++)
         for (int j = i + 1; j < s->point_count; j++)
             for (int k = j + 1; k < s->point_count; k++) {
-                int on[SHAPE_POINTS], count = 0, f = 0;
+                int on[HULL_POINTS], count = 0, f = 0;
                 bool above = false, below = false;
                 uint64_t mask = 0;
                 int64_t n[3];
@@ -143,7 +143,7 @@ void shape_point(shape *s, int64_t x, int64_t y, int64_t z)
     for (int i = 0; i < s->point_count; i++)
         if (memcmp(s->point[i], p, sizeof p) == 0)
             return;
-    if (s->point_count < SHAPE_POINTS)
+    if (s->point_count < HULL_POINTS)
         memcpy(s->point[s->point_count++], p, sizeof p);
 }
 
@@ -194,6 +194,79 @@ shape shape_prism(dice *d)
             s.point[i][k] = p[(k + axis) % 3];
     }
     shape_hull(&s);
+    return s;
+}
+
+static int common_divisor(int a, int b)
+{
+    return b == 0 ? abs(a) : common_divisor(b, a % b);
+}
+
+/* The whole vectors of no more than `most` either way that are no multiple of others, by angle from (1, 0) to before (0, 1). Gives
+ * their number. */
+static int first_vectors(int most, int (*v)[2])
+{
+    int count = 0;
+    for (int x = 1; x <= most; x++)
+        for (int y = 0; y <= most; y++)
+            if (common_divisor(x, y) == 1) {
+                int i = count++;
+                for (; i > 0 && v[i - 1][1] * x > y * v[i - 1][0]; i--)
+                    memcpy(v[i], v[i - 1], sizeof v[i]);
+                v[i][0] = x;
+                v[i][1] = y;
+            }
+    return count;
+}
+
+static void add_face(shape *s, const int *corner, int count)
+{
+    memcpy(s->corner + s->corner_count, corner, (size_t)count * sizeof *corner);
+    s->corner_count += count;
+    s->face_start[++s->face_count] = s->corner_count;
+}
+
+/* A face and one for each of its sides, to the same corners elsewhere or to an apex. */
+static void add_coin(shape *s, int64_t (*ring)[2], int count, bool pyramid, const int *lean)
+{
+    int own[SHAPE_POINTS], other[SHAPE_POINTS];
+    for (int i = 0; i < count; i++) {
+        int64_t low[3] = {ring[i][0], ring[i][1], 0}, high[3] = {low[0] + lean[0], low[1] + lean[1], lean[2]};
+        memcpy(s->point[own[i] = i], low, sizeof low);
+        memcpy(s->point[other[i] = count + (pyramid ? 0 : i)], high, sizeof high);
+    }
+    s->point_count = count + (pyramid ? 1 : count);
+    add_face(s, own, count);
+    if (!pyramid)
+        add_face(s, other, count);
+    for (int i = 0; i < count; i++) {
+        int k = (i + 1) % count, side[4] = {own[i], own[k], other[k], other[i]};
+        add_face(s, side, pyramid ? 3 : 4);
+    }
+}
+
+/* Its sides are whole vectors by angle, of which some are left out together with their opposites, and some come in two parts. */
+shape shape_coin(dice *d)
+{
+    shape s = {0};
+    int v[SHAPE_POINTS][2], most = dice_int(d, 6, 7), quarter = first_vectors(most, v), count = 0;
+    int parts[SHAPE_POINTS], lean[3] = {dice_int(d, -40, 40), dice_int(d, -40, 40), dice_int(d, 1, 60)};
+    int64_t ring[SHAPE_POINTS][2], x = 0, y = 0;
+    bool pyramid = dice_int(d, 0, 2) == 0, straight = dice_int(d, 0, 2) == 0;
+    for (int i = 0; i < 2 * quarter; i++)
+        parts[i] = dice_int(d, 0, 9) == 0 ? 0 : straight && dice_int(d, 0, 9) == 0 && quarter < 30 ? 2 : 1;
+    for (int i = 0; i < 4 * quarter; i++)
+        for (int k = 0; k < parts[i % (2 * quarter)]; k++) {
+            const int *side = v[i % quarter];
+            int64_t turned[4][2] = {{side[0], side[1]}, {-side[1], side[0]}, {-side[0], -side[1]}, {side[1], -side[0]}};
+            ring[count][0] = x;
+            ring[count++][1] = y;
+            x += turned[i / quarter][0];
+            y += turned[i / quarter][1];
+        }
+    lean[0] += pyramid ? (int)ring[count / 4][0] : 0; /* an apex over the middle, or beside it */
+    lean[1] += pyramid ? (int)ring[count / 4][1] : 0;
+    add_coin(&s, ring, count, pyramid, lean);
     return s;
 }
 

@@ -15,7 +15,7 @@ int dice_int(dice *d, int lo, int hi);
 /* A double of -1 .. 1. */
 double dice_real(dice *d);
 
-enum { SHAPE_POINTS = 64, SHAPE_CORNERS = 512 };
+enum { SHAPE_POINTS = 300, SHAPE_CORNERS = 1024, HULL_POINTS = 64 };
 
 /* Coordinates are below 2^18 in size, so that every determinant of three differences fits 64 bits. */
 typedef struct shape {
@@ -28,7 +28,7 @@ typedef struct shape {
 /* Adds a point that is not there yet, as long as there is room. */
 void shape_point(shape *s, int64_t x, int64_t y, int64_t z);
 
-/* Leaves the convex hull of the shape's points in the shape; false where they are flat or the hull is too large. */
+/* Leaves the convex hull of the shape's points, HULL_POINTS at the most, in the shape; false where they are flat or the hull is too large. */
 bool shape_hull(shape *s);
 
 shape shape_box(int x, int y, int z);
@@ -36,7 +36,9 @@ shape shape_box(int x, int y, int z);
 shape shape_random(dice *d, int count, int size);
 /* A prism or a pyramid, leaning, over a polygon of up to 16 corners. */
 shape shape_prism(dice *d);
-/* Any of these, small. */
+/* A prism or a pyramid, leaning, over a polygon of 68 to 144 corners, of which some may be straight. */
+shape shape_coin(dice *d);
+/* Any of these but the last, small. */
 shape shape_any(dice *d);
 
 #endif
