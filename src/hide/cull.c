@@ -10,7 +10,8 @@ static bool hides_solid(const hide_picture *picture, const hide_front *front, ui
         return false;
     for (uint32_t v = scene->solid[solid].vertex; v < scene->solid[solid + 1].vertex; v++) {
         roberts_vec3 X = view_point(&picture->view, scene->point[v]);
-        if (!hide_picture_holds(picture, corner, front->corners, X.x, X.y, 0.5 * picture->space.epsilon))
+        if (!hide_picture_holds(picture, &picture->outline_runs, corner, front->corners, X.x, X.y,
+                                0.5 * picture->space.epsilon))
             return false;
     }
     return true;

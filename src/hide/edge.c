@@ -280,7 +280,8 @@ uint32_t hide_seen_at(const hide_worker *w, double x, double y)
                 const hide_face *F = &picture->face[i];
                 if (touching && !(fabs(plane_at(F->F, (roberts_vec3){x, y, best})) <= 2.0 * F->touch))
                     continue;
-                if (!hide_picture_holds(picture, F->corner, F->count, x, y, picture->space.epsilon))
+                if (!hide_picture_holds(picture, &picture->face_runs, F->corner, F->count, x, y,
+                                        picture->space.epsilon))
                     continue;
                 if (touching)
                     solid = front->solid;

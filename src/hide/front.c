@@ -143,6 +143,15 @@ static bool add_single_fronts(const hide_picture *picture, picture_tile *tile, u
     return true;
 }
 
+/* The runs of the faces and of the outline, of those that have many corners. False: no memory. */
+static bool enter_runs(hide_picture *picture, const front_faces *found, const uint32_t *outline, uint32_t corners)
+{
+    for (uint32_t k = 0; k < found->count; k++)
+        if (!runs_enter(&picture->face_runs, &picture->space, found->face[k].corner, found->face[k].count))
+            return false;
+    return runs_enter(&picture->outline_runs, &picture->space, outline, corners);
+}
+
 static double farthest(const hide_picture *picture, const uint32_t *corner, uint32_t corners)
 {
     double depth = INFINITY;
@@ -202,6 +211,8 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
         cover_front(picture, &scratch->scan, &front, &found, whole && reach > size, depth, slack,
                     whole ? tile->front : ROBERTS_NONE);
     if (!whole && !add_single_fronts(picture, tile, solid, &found))
+        return false;
+    if (picture->face_runs.at && !enter_runs(picture, &found, outline, whole ? corners : 0))
         return false;
     tile->face += found.count;
     tile->faces += found.count;

@@ -1,6 +1,8 @@
 /* pair.c - see pair.h. */
 #include "hide/pair.h"
 
+#include "hide/many.h"
+
 bool hide_within_reach(const hide_picture *picture, const hide_front *front, const hide_edge *e)
 {
     roberts_vec3 C = picture->P[picture->outline[front->outline]];
@@ -22,6 +24,9 @@ BITS_RARE bool hide_by_outline_closely(const hide_picture *picture, const uint32
                                        const hide_edge *e, hide_sides *sides, roberts_tally *tally, hide_part *part)
 {
     hide_face F = {.corner = corner, .count = count};
+    const runs *r = runs_of(&picture->outline_runs, corner, count);
+    if (r)
+        return hide_by_runs(&picture->space, r, &F, e, sides, tally, part);
     if (hide_test2(&picture->space, &F, e)) {
         tally->test2_visible++;
         return false;
@@ -38,8 +43,10 @@ static bool by_face(const hide_picture *picture, const hide_face *F, double span
         tally->test1_visible++;
         return false;
     }
-    return hide_by_outline(picture, F->corner, F->count, span, e, sides, tally, part) &&
-           hide_pierce(&picture->space, F, e, sides, part);
+    const runs *r = runs_of(&picture->face_runs, F->corner, F->count);
+    bool inside = r ? hide_by_runs(&picture->space, r, F, e, sides, tally, part)
+                    : hide_by_outline(picture, F->corner, F->count, span, e, sides, tally, part);
+    return inside && hide_pierce(&picture->space, F, e, sides, part);
 }
 
 static void join(hide_part *hull, const hide_part *part)

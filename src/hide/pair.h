@@ -85,7 +85,7 @@ BITS_INLINE hide_verdict hide_test1_of_all(const hide_face *face, uint32_t count
 bool hide_pierce_all(const hide_picture *picture, const hide_face *face, uint32_t bits, const hide_edge *e,
                      hide_sides *sides, hide_part *part);
 
-/* Tests 2 to 4 by themselves. */
+/* Tests 2 to 4 by themselves, of an outline or of a face that has no runs. */
 bool hide_by_outline_closely(const hide_picture *picture, const uint32_t *corner, uint32_t count, const hide_edge *e,
                              hide_sides *sides, roberts_tally *tally, hide_part *part);
 

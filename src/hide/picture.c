@@ -28,6 +28,7 @@ typedef struct build {
     tiles tiles;
     front_scratch *scratch; /* [threads] */
     int threads;
+    bool looked_up; /* who is seen at a point will be asked */
 } build;
 
 enum { POINTS_AT_ONCE = 64 };
@@ -268,11 +269,17 @@ static uint32_t most_vertices(const roberts_scene *scene)
     return most;
 }
 
-/* Arrays so much longer that they lie apart. */
+/* Arrays so much longer that they lie apart; and the tables of runs, where a polygon could have them. */
 static bool alloc_scratch(build *b)
 {
-    const hide_picture *picture = b->picture;
-    uint32_t most = most_vertices(picture->scene);
+    hide_picture *picture = b->picture;
+    const roberts_scene *scene = picture->scene;
+    uint32_t most = most_vertices(scene);
+    bool asked = scene->solid_count > 1 || b->looked_up; /* a face about an edge, or a point */
+    if (most > RUNS_CORNERS && asked &&
+        (!runs_table_init(&picture->face_runs, scene->corner, scene->face_start[scene->face_count]) ||
+         !runs_table_init(&picture->outline_runs, picture->outline, scene->vertex_count)))
+        return false;
     b->scratch = alloc_zeroed((size_t)b->threads, sizeof *b->scratch);
     for (int i = 0; b->scratch && i < b->threads; i++) {
         b->scratch[i].next = alloc_array((size_t)most + THREADS_APART, sizeof *b->scratch[i].next);
@@ -336,7 +343,9 @@ static void set_space(hide_picture *picture)
 roberts_status hide_picture_build(hide_picture *picture, const roberts_scene *scene, const roberts_camera *camera,
                                   double epsilon, bool cull, uint32_t threads, roberts_error *error)
 {
-    build b = {.picture = picture, .threads = threads_for(threads, 1 + scene->solid_count / SOLIDS_PER_THREAD)};
+    build b = {.picture = picture,
+               .threads = threads_for(threads, 1 + scene->solid_count / SOLIDS_PER_THREAD),
+               .looked_up = !cull};
     *picture = (hide_picture){.scene = scene};
     roberts_status status = view_prepare(&picture->view, scene, camera, epsilon, error);
     if (status != ROBERTS_OK)
@@ -372,6 +381,8 @@ void hide_picture_free(hide_picture *picture)
     free(picture->front);
     free(picture->front_box);
     free(picture->outline);
+    runs_table_free(&picture->face_runs);
+    runs_table_free(&picture->outline_runs);
     cover_free(&picture->cover);
     *picture = (hide_picture){0};
 }

@@ -12,6 +12,7 @@
 #include "base/bits.h"
 #include "base/fetch.h"
 #include "hide/cover.h"
+#include "hide/runs.h"
 #include "hide/space.h"
 
 typedef struct hide_front {
@@ -37,7 +38,8 @@ typedef struct hide_picture {
     hide_front *front;     /* [front_count] */
     hide_box *front_box;   /* [front_count] */
     uint32_t front_count;
-    uint32_t *outline; /* compact vertex numbers, likewise */
+    uint32_t *outline;                  /* compact vertex numbers, likewise */
+    runs_table face_runs, outline_runs; /* of faces and of outlines of very many corners */
     cover cover;
     uint32_t most_corners;            /* of a face or an outline */
     size_t face_count, back, edge_on; /* of solids not culled */
@@ -74,10 +76,13 @@ static inline hide_face hide_outline(const hide_picture *picture, const hide_fro
     return (hide_face){.corner = picture->outline + front->outline, .count = front->corners};
 }
 
-/* Is (x, y) inside a convex polygon of the picture, or no farther outside than `slack`? */
-static inline bool hide_picture_holds(const hide_picture *picture, const uint32_t *corner, uint32_t count, double x,
-                                      double y, double slack)
+/* Is (x, y) inside a convex polygon of the picture, a face or an outline as `table` says, or no farther outside than `slack`? */
+static inline bool hide_picture_holds(const hide_picture *picture, const runs_table *table, const uint32_t *corner,
+                                      uint32_t count, double x, double y, double slack)
 {
+    const runs *r = runs_of(table, corner, count);
+    if (r)
+        return runs_hold_point(&picture->space, r, corner, x, y, slack);
     for (uint32_t i = 0; i < count; i++) {
         roberts_vec3 P = picture->P[corner[i]], Q = picture->P[corner[i + 1 < count ? i + 1 : 0]];
         double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (y - P.y) - dy * (x - P.x);

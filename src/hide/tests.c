@@ -31,31 +31,38 @@ bool hide_test1(const hide_face *F, const hide_edge *e)
     return plane_at(F->F, e->A) <= (double)F->limit && plane_at(F->F, e->B) <= (double)F->limit;
 }
 
-/* TEST 2. Q(X) = 0 is the sight plane through AB, Q(X) the distance from it (here times the length of AB). A corner whose
- * distance is uncertain counts as near; one near corner decides only where it is certainly on the plane. An edge seen
- * end-on has no such plane. */
+/* Q(X) = 0 is the sight plane through AB, Q(X) the distance from it (here times the length of AB). A corner whose distance is
+ * uncertain counts as near. */
+static inline int corner_side(const hide_space *space, roberts_vec3 P, const hide_edge *e, bool *certain)
+{
+    double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y, px = P.x - e->A.x, py = P.y - e->A.y, Q = dx * py - dy * px;
+    if (!(fabs(Q) > space->plain)) {
+        double error = line_error(space, fabs(px) + fabs(py), e->length);
+        if (fabs(Q) <= (space->epsilon + error) * e->length) {
+            *certain = *certain && error <= HIDE_TRUSTED * space->epsilon;
+            return 0;
+        }
+    }
+    return Q > 0.0 ? 1 : -1;
+}
+
+int hide_corner_side(const hide_space *space, roberts_vec3 P, const hide_edge *e, bool *certain)
+{
+    return corner_side(space, P, e, certain);
+}
+
+/* TEST 2. One near corner decides only where it is certainly on the sight plane. An edge seen end-on has no such plane. */
 bool hide_test2(const hide_space *space, const hide_face *F, const hide_edge *e)
 {
-    double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y;
-    unsigned left = 0, right = 0, near = 0;
-    bool certain = true;
+    unsigned near = 0;
+    bool left = false, right = false, certain = true;
     if (e->length <= space->epsilon)
         return false;
     for (uint32_t i = 0; i < F->count; i++) {
-        roberts_vec3 P = space->P[F->corner[i]];
-        double px = P.x - e->A.x, py = P.y - e->A.y, Q = dx * py - dy * px;
-        if (!(fabs(Q) > space->plain)) {
-            double error = line_error(space, fabs(px) + fabs(py), e->length);
-            if (fabs(Q) <= (space->epsilon + error) * e->length) {
-                near++;
-                certain = certain && error <= HIDE_TRUSTED * space->epsilon;
-                continue;
-            }
-        }
-        if (Q > 0.0)
-            left++;
-        else
-            right++;
+        int side = corner_side(space, space->P[F->corner[i]], e, &certain);
+        near += side == 0;
+        left = left || side > 0;
+        right = right || side < 0;
         if (left && right)
             return false;
     }
@@ -123,7 +130,7 @@ hide_verdict hide_test3(const hide_space *space, const hide_face *F, const hide_
             H = (hide_side){a > 0.0 ? 1 : -1, b > 0.0 ? 1 : -1};
         else
             H = look_closely(space, F, i, e, &sides->refined);
-        if ((H.a < 0 && H.b <= 0) || (H.b < 0 && H.a <= 0))
+        if (hide_side_outside(H))
             return HIDE_VISIBLE;
         inside = inside && H.a >= 0 && H.b >= 0;
         sides->H[i] = H;
@@ -135,18 +142,23 @@ hide_verdict hide_test3(const hide_space *space, const hide_face *F, const hide_
     return inside ? HIDE_INVISIBLE : HIDE_UNDECIDED;
 }
 
-/* t_i, and how far along the edge it may be from another crossing that touches it. */
-typedef struct crossing {
-    double t, touch;
-    double error; /* bound of t's error where it is not accurate, 0 where it is */
-    uint32_t p, q;
-} crossing;
+/* The same of one side by itself. */
+hide_side hide_side_signs(const hide_space *space, const hide_face *F, uint32_t i, const hide_edge *e,
+                          uint64_t *refined)
+{
+    roberts_vec3 P = space->P[F->corner[i]], Q = space->P[F->corner[i + 1 < F->count ? i + 1 : 0]];
+    double a = (P.x - e->A.x) * (Q.y - e->A.y) - (P.y - e->A.y) * (Q.x - e->A.x);
+    double b = (P.x - e->B.x) * (Q.y - e->B.y) - (P.y - e->B.y) * (Q.x - e->B.x);
+    if (fabs(a) > space->plain && fabs(b) > space->plain)
+        return (hide_side){a > 0.0 ? 1 : -1, b > 0.0 ? 1 : -1};
+    return look_closely(space, F, i, e, refined);
+}
 
-static crossing cross_side(const hide_space *space, const hide_face *F, uint32_t i, const hide_edge *e)
+hide_crossing hide_cross_side(const hide_space *space, const hide_face *F, uint32_t i, const hide_edge *e)
 {
     side_line s = measure(space, F, i, e);
     double apart = fabs(s.a - s.b), error = (s.error_a + s.error_b) / apart;
-    crossing c = {.t = s.a / (s.a - s.b), .touch = space->epsilon * s.length / apart, .p = s.p, .q = s.q};
+    hide_crossing c = {.t = s.a / (s.a - s.b), .touch = space->epsilon * s.length / apart, .p = s.p, .q = s.q};
     if (hide_accurate(space, e, error) || !space->scene)
         return c;
     roberts_vec3 P = space->P[s.p], Q = space->P[s.q];
@@ -156,7 +168,7 @@ static crossing cross_side(const hide_space *space, const hide_face *F, uint32_t
 }
 
 /* Twice the precision, where that is needed. */
-static void settle(const hide_space *space, const hide_edge *e, crossing *c, uint64_t *refined)
+static void settle(const hide_space *space, const hide_edge *e, hide_crossing *c, uint64_t *refined)
 {
     if (c->error == 0.0)
         return;
@@ -167,8 +179,8 @@ static void settle(const hide_space *space, const hide_edge *e, crossing *c, uin
 
 /* Takes c for *last where it comes later along the edge (direction 1), or earlier (-1). What is certain without is not
  * refined. (No number, of a side that AB is parallel to, is not certain.) */
-static void take_later(const hide_space *space, const hide_edge *e, double direction, crossing *last, crossing c,
-                       uint64_t *refined)
+static void take_later(const hide_space *space, const hide_edge *e, double direction, hide_crossing *last,
+                       hide_crossing c, uint64_t *refined)
 {
     double ahead = direction * (c.t - last->t), error = c.error + last->error;
     if (ahead <= -error)
@@ -182,28 +194,37 @@ static void take_later(const hide_space *space, const hide_edge *e, double direc
         *last = c;
 }
 
+bool hide_cut_by(const hide_space *space, const hide_face *F, uint32_t i, hide_side H, const hide_edge *e,
+                 hide_cut *cut, uint64_t *refined)
+{
+    hide_crossing c = hide_cross_side(space, F, i, e);
+    if (H.a < 0)
+        take_later(space, e, 1.0, &cut->in, c, refined);
+    if (H.b < 0)
+        take_later(space, e, -1.0, &cut->out, c, refined);
+    return cut->in.t - cut->in.error < cut->out.t + cut->out.error;
+}
+
+bool hide_cut_end(const hide_space *space, const hide_edge *e, hide_cut *cut, uint64_t *refined, hide_part *part)
+{
+    settle(space, e, &cut->in, refined);
+    settle(space, e, &cut->out, refined);
+    *part = (hide_part){cut->in.t, cut->out.t, cut->in.touch, cut->out.touch};
+    return (part->t1 - part->t0) * e->length3 > space->epsilon;
+}
+
 /* TEST 4. t_i is the crossing of AB with side plane H_i. Of those by which AB comes in, the last lies on the side itself
  * (0 <= s_i <= 1), and so does the first by which it goes out, unless AB misses the face: then they come in the wrong
  * order. So the s_i need not be computed, and of the crossings at most those two closely. */
 bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part)
 {
-    crossing in = {.t = 0.0}, out = {.t = 1.0};
+    hide_cut cut = hide_uncut;
     for (uint32_t i = 0; i < F->count; i++) {
         hide_side H = sides->H[i];
-        if (H.a >= 0 && H.b >= 0)
-            continue;
-        crossing c = cross_side(space, F, i, e);
-        if (H.a < 0)
-            take_later(space, e, 1.0, &in, c, &sides->refined);
-        if (H.b < 0)
-            take_later(space, e, -1.0, &out, c, &sides->refined);
-        if (in.t - in.error >= out.t + out.error)
+        if ((H.a < 0 || H.b < 0) && !hide_cut_by(space, F, i, H, e, &cut, &sides->refined))
             return false;
     }
-    settle(space, e, &in, &sides->refined);
-    settle(space, e, &out, &sides->refined);
-    *part = (hide_part){in.t, out.t, in.touch, out.touch};
-    return (part->t1 - part->t0) * e->length3 > space->epsilon;
+    return hide_cut_end(space, e, &cut, &sides->refined, part);
 }
 
 bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part)

@@ -35,6 +35,18 @@ typedef struct hide_sides {
     quick_outline quick;
 } hide_sides;
 
+/* t_i, and how far along the edge it may be from another crossing that touches it. */
+typedef struct hide_crossing {
+    double t, touch;
+    double error; /* bound of t's error where it is not accurate, 0 where it is */
+    uint32_t p, q;
+} hide_crossing;
+
+/* The last crossing inward and the first one outward. */
+typedef struct hide_cut {
+    hide_crossing in, out;
+} hide_cut;
+
 /* Room for faces of up to `count` corners; false: no memory. Start from a zeroed struct; free(sides->H) ends it. */
 bool hide_sides_reserve(hide_sides *sides, size_t count);
 
@@ -46,6 +58,33 @@ hide_verdict hide_test3(const hide_space *space, const hide_face *F, const hide_
 
 /* The part of e inside all sides; false where it is empty or a point. */
 bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part);
+
+/* ---- the same corner by corner and side by side ---- */
+
+/* Test 2: 1 where P is left of the sight plane through AB, -1 where it is right of it, 0 where it counts as near; then
+ * `*certain` is lost unless P certainly is on the plane. */
+int hide_corner_side(const hide_space *space, roberts_vec3 P, const hide_edge *e, bool *certain);
+
+/* Test 3: the signs of A and B against side i. */
+hide_side hide_side_signs(const hide_space *space, const hide_face *F, uint32_t i, const hide_edge *e,
+                          uint64_t *refined);
+
+static inline bool hide_side_outside(hide_side H)
+{
+    return (H.a < 0 && H.b <= 0) || (H.b < 0 && H.a <= 0);
+}
+
+/* Test 4: where AB crosses side i. */
+hide_crossing hide_cross_side(const hide_space *space, const hide_face *F, uint32_t i, const hide_edge *e);
+
+/* ... and takes it into account; false where nothing is left between the crossings. Begin with hide_uncut. */
+bool hide_cut_by(const hide_space *space, const hide_face *F, uint32_t i, hide_side H, const hide_edge *e,
+                 hide_cut *cut, uint64_t *refined);
+bool hide_cut_end(const hide_space *space, const hide_edge *e, hide_cut *cut, uint64_t *refined, hide_part *part);
+
+static const hide_cut hide_uncut = {.out = {.t = 1.0}};
+
+/* ---- all tests ---- */
 
 /* Cuts `part`, all of it inside the sides, where e pierces F's plane; false where nothing of it lies behind. */
 bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part);

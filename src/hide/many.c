@@ -1,0 +1,190 @@
+/* many.c - see many.h. */
+#include "hide/many.h"
+
+/* Sides that may cut something off before all are asked: mostly there are two, and those beside them. */
+#define CUTS 64
+/* Guesses, before all sides are asked. The second is what the first has left, and is right but for rounding. */
+#define GUESSES 3
+/* By how much of epsilon, in the picture, the sides asked may leave more than was guessed. */
+#define GUESS_ACCURACY 0.5
+
+/* An edge before a polygon. */
+typedef struct sight {
+    const hide_space *space;
+    const runs *r;
+    const hide_face *F;
+    const hide_edge *e;
+    uint32_t left, right; /* corners on that side of the sight plane; ROBERTS_NONE: none was met */
+    uint32_t near;        /* corners that count as near it */
+    bool certain;         /* ... and are on it */
+} sight;
+
+/* Where the box of a run's corners lies: plainly left (1) or right (-1) of the sight plane, or else 0. Twice what makes one
+ * corner's cross product plain is far more than the box and its corners' are rounded by. */
+static int run_side(const hide_space *space, const runs_node *n, const hide_edge *e)
+{
+    double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y, Q = dx * (n->y - e->A.y) - dy * (n->x - e->A.x);
+    double along = dx * n->uy - dy * n->ux, across = dx * n->ux + dy * n->uy;
+    double a0 = along * n->x0, a1 = along * n->x1, b0 = across * n->y0, b1 = across * n->y1;
+    if (Q + lesser(a0, a1) + lesser(b0, b1) > 2.0 * space->plain)
+        return 1;
+    return Q + greater(a0, a1) + greater(b0, b1) < -2.0 * space->plain ? -1 : 0;
+}
+
+static int corner_side(const sight *s, uint32_t i, bool *certain)
+{
+    return hide_corner_side(s->space, s->space->P[s->F->corner[i]], s->e, certain);
+}
+
+static void note(sight *s, uint32_t corner, int side)
+{
+    if (side > 0)
+        s->left = corner;
+    else if (side < 0)
+        s->right = corner;
+    else
+        s->near++;
+}
+
+/* Test 2. */
+static bool misses(sight *s)
+{
+    const runs *r = s->r;
+    if (s->e->length <= s->space->epsilon)
+        return false;
+    for (uint32_t i = 0; i < r->sides && (s->left == ROBERTS_NONE || s->right == ROBERTS_NONE);) {
+        int level = runs_level(r, i), side = 0;
+        for (; level >= 0 && !side; level--)
+            side = run_side(s->space, runs_at(r, level, i), s->e);
+        uint32_t end = runs_end(r, side ? level + 1 : 0, i);
+        if (side)
+            note(s, i, side);
+        for (; !side && i < end; i++)
+            note(s, i, corner_side(s, i, &s->certain));
+        i = end;
+    }
+    if (s->left != ROBERTS_NONE && s->right != ROBERTS_NONE)
+        return false;
+    return s->near == 0 || (s->near == 1 && s->certain);
+}
+
+/* Of the sides from corner `from` on, round to corner `to`, which lies on the other side of the sight plane, one across which
+ * that changes. */
+static uint32_t side_between(const sight *s, uint32_t from, uint32_t to, int side)
+{
+    uint32_t count = s->r->sides, low = 0, high = to > from ? to - from : count - from + to;
+    bool certain;
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2, i = middle < count - from ? from + middle : middle - (count - from);
+        if (corner_side(s, i, &certain) == side)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low < count - from ? from + low : low - (count - from);
+}
+
+/* Where the edge crosses a side that cuts something off (`outside`), kept on the edge; else the edge's end. */
+static double guess(const sight *s, uint32_t i, bool outside, double end)
+{
+    double t = outside ? hide_cross_side(s->space, s->F, i, s->e).t : end;
+    return t > 0.0 ? lesser(t, 1.0) : 0.0;
+}
+
+/* The first guess; false where a side by which it is made has A and B both outside or on it. The polygon runs
+ * counter-clockwise: it comes from left to right where the edge goes in. */
+static bool begin(const sight *s, hide_sides *sides, double *s0, double *s1)
+{
+    *s0 = 0.0;
+    *s1 = 1.0;
+    if (s->left == ROBERTS_NONE || s->right == ROBERTS_NONE)
+        return true;
+    uint32_t in = side_between(s, s->left, s->right, 1), out = side_between(s, s->right, s->left, -1);
+    hide_side I = hide_side_signs(s->space, s->F, in, s->e, &sides->refined);
+    hide_side O = hide_side_signs(s->space, s->F, out, s->e, &sides->refined);
+    *s0 = guess(s, in, I.a < 0, 0.0);
+    *s1 = guess(s, out, O.b < 0, 1.0);
+    return !hide_side_outside(I) && !hide_side_outside(O);
+}
+
+/* Sides that cut something off. */
+typedef struct cuts {
+    uint32_t side[CUTS], count;
+    hide_side H[CUTS];
+} cuts;
+
+/* Test 3 of the sides that the guess leaves in question. HIDE_INVISIBLE: none of these cuts anything off. Where there are more
+ * than there is room for, c->count says so. */
+static hide_verdict ask_sides(const sight *s, hide_sides *sides, double s0, double s1, cuts *c)
+{
+    roberts_vec3 from = hide_edge_at(s->e, s0), to = hide_edge_at(s->e, s1);
+    c->count = 0;
+    for (uint32_t i = 0, end; runs_next(s->r, from, to, &i, &end);)
+        for (; i < end; i++) {
+            hide_side H = hide_side_signs(s->space, s->F, i, s->e, &sides->refined);
+            if (hide_side_outside(H))
+                return HIDE_VISIBLE;
+            if (H.a >= 0 && H.b >= 0)
+                continue;
+            if (c->count++ == CUTS)
+                return HIDE_UNDECIDED;
+            c->side[c->count - 1] = i;
+            c->H[c->count - 1] = H;
+        }
+    return c->count ? HIDE_UNDECIDED : HIDE_INVISIBLE;
+}
+
+/* Test 4 of these. */
+static bool cut_by(const sight *s, hide_sides *sides, const cuts *c, hide_part *part)
+{
+    hide_cut cut = hide_uncut;
+    for (uint32_t k = 0; k < c->count; k++)
+        if (!hide_cut_by(s->space, s->F, c->side[k], c->H[k], s->e, &cut, &sides->refined))
+            return false;
+    return hide_cut_end(s->space, s->e, &cut, &sides->refined, part);
+}
+
+/* Tests 3 and 4 by guesses; false where all sides are to be asked. `*verdict` HIDE_UNDECIDED: test 4 has found `part`, or that
+ * nothing is left, and then it is empty. */
+static bool by_guesses(const sight *s, hide_sides *sides, hide_verdict *verdict, hide_part *part)
+{
+    double s0, s1, accuracy = GUESS_ACCURACY * s->space->epsilon / s->e->length;
+    cuts c;
+    *verdict = HIDE_VISIBLE;
+    if (!begin(s, sides, &s0, &s1))
+        return true;
+    for (int k = 0; k < GUESSES; k++) {
+        *verdict = ask_sides(s, sides, s0, s1, &c);
+        if (*verdict == HIDE_VISIBLE)
+            return true;
+        if (c.count > CUTS)
+            return false;
+        *part = (hide_part){0.0, 1.0, 0.0, 0.0};
+        if (*verdict == HIDE_UNDECIDED && !cut_by(s, sides, &c, part)) {
+            part->t0 = part->t1;
+            return true;
+        }
+        if (part->t0 >= s0 - accuracy && part->t1 <= s1 + accuracy)
+            return true;
+        s0 = part->t0;
+        s1 = part->t1;
+    }
+    return false;
+}
+
+bool hide_by_runs(const hide_space *space, const runs *r, const hide_face *F, const hide_edge *e, hide_sides *sides,
+                  roberts_tally *tally, hide_part *part)
+{
+    sight s = {space, r, F, e, ROBERTS_NONE, ROBERTS_NONE, 0, true};
+    hide_verdict verdict;
+    if (misses(&s)) {
+        tally->test2_visible++;
+        return false;
+    }
+    if (!by_guesses(&s, sides, &verdict, part))
+        return hide_by_sides(space, F, e, sides, tally, part);
+    tally->test3_visible += verdict == HIDE_VISIBLE;
+    tally->test3_invisible += verdict == HIDE_INVISIBLE;
+    tally->test4 += verdict == HIDE_UNDECIDED;
+    return verdict != HIDE_VISIBLE && part->t0 < part->t1;
+}
