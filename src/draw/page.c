@@ -100,18 +100,25 @@ static void scale_name(double scale, char *text, size_t size)
             *c = '.'; /* some locales' point */
 }
 
+/* A length in whole mm, rounded up; the longest in one digit, which no locale has a point for. */
+static void length_name(double mm, char *text, size_t size)
+{
+    snprintf(text, size, mm < 1e9 ? "%.0f" : "%.0e", ceil(mm));
+}
+
 void page_refuse(const roberts_page *page, const roberts_placement *placement, double fitting, roberts_vec2 drawn_mm,
                  roberts_error *error)
 {
-    char asked[40], fits[40];
+    char asked[40], fits[40], x_mm[40], y_mm[40];
     double unit_mm = placement->unit_mm > 0.0 ? placement->unit_mm : 1.0;
     scale_name(placement->scale, asked, sizeof asked);
     scale_name(fitting / unit_mm, fits, sizeof fits);
-    error_set(
-        error, ROBERTS_BAD_ARGUMENT, 0,
-        "at %s the drawing is %.0f x %.0f mm and would leave the page, whose margins leave %.0f x %.0f; %s would fit",
-        asked, ceil(drawn_mm.x), ceil(drawn_mm.y), floor(page->width_mm - 2.0 * page->margin_mm),
-        floor(page->height_mm - 2.0 * page->margin_mm), fits);
+    length_name(drawn_mm.x, x_mm, sizeof x_mm);
+    length_name(drawn_mm.y, y_mm, sizeof y_mm);
+    error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+              "at %s the drawing is %s x %s mm and would leave the page, whose margins leave %.0f x %.0f; %s would fit",
+              asked, x_mm, y_mm, floor(page->width_mm - 2.0 * page->margin_mm),
+              floor(page->height_mm - 2.0 * page->margin_mm), fits);
 }
 
 bool page_placement_is_valid(const roberts_placement *p, roberts_error *error)
