@@ -246,6 +246,18 @@ static void idle_options_are_warned_of(void **state)
     }
 }
 
+static void endings_that_mislead_are_warned_of(void **state)
+{
+    (void)state;
+    assert_int_equal(run("-f pdf -o in/a.svg models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "roberts: in/a.svg: warning: its ending says svg, but it is pdf, as --format says\n");
+    assert_int_equal(run("-f pdf -q -o in/a.svg models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("-f pdf -o in/a.PDF models/platonic/cube.off"), 0);
+    assert_int_equal(run("-f eps -o in/a models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "");
+}
+
 /* Somebody waits for a drawing, and the program for a model. */
 static void terminals_are_told_of(void **state)
 {
@@ -490,6 +502,7 @@ int main(void)
         IN_FOLDER(images_too_large_for_memory),
         IN_FOLDER(empty_names),
         IN_FOLDER(a_file_called_minus),
+        IN_FOLDER(endings_that_mislead_are_warned_of),
         IN_FOLDER(idle_options_are_warned_of),
         IN_FOLDER(terminals_are_told_of),
         IN_FOLDER(names_are_printed_plainly),

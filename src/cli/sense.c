@@ -197,12 +197,27 @@ static void warn_pages(const cli_options *options, sense_given given)
         warn("--dash real", "no lines are dashed, as by --hidden dashed");
 }
 
+/* Whoever opens it by its ending is misled. */
+static void warn_ending(const cli_options *options)
+{
+    char text[80];
+    roberts_format told;
+    const roberts_format written = options->draw.format;
+    if (written == ROBERTS_NULL || !roberts_format_by_path(options->output, &told) || told == written)
+        return;
+    snprintf(text, sizeof text, "its ending says %s, but it is %s, as --format says", values_format_name(told),
+             values_format_name(written));
+    message_warning(stderr, options->output, 0, text);
+}
+
 void sense_warn(const cli_options *options, sense_given given)
 {
     if (options->quiet)
         return;
     if (options->draw.format == ROBERTS_NULL && is_given(given, "output") && !options->turntable)
         warn("--output", "the format null writes nothing");
+    if (is_given(given, "format"))
+        warn_ending(options);
     if (has_page(options->draw.format))
         warn_pages(options, given);
     else
