@@ -14,6 +14,8 @@
 
 /* A solid of more columns or rows than this is taken edge by edge. */
 #define GROUP_CELLS 3
+/* By so much of its edge a hidden part may touch another without regard to where the front that hides it ends. No unit. */
+#define EDGE_REACH 1e-6
 
 bool hide_worker_more(hide_worker *w)
 {
@@ -24,9 +26,9 @@ bool hide_worker_more(hide_worker *w)
     return true;
 }
 
-bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *grid)
+bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *grid, bool all)
 {
-    *w = (hide_worker){.picture = picture, .grid = grid, .margin = hide_margin(&picture->space)};
+    *w = (hide_worker){.picture = picture, .grid = grid, .margin = hide_margin(&picture->space), .all = all};
     w->least[0] = w->least[2] = -INFINITY;
     w->most[1] = w->most[3] = INFINITY;
     w->seen = alloc_zeroed(picture->front_count, sizeof *w->seen);
@@ -48,39 +50,96 @@ void hide_worker_free(hide_worker *w)
     *w = (hide_worker){0};
 }
 
+/* Parameters at which a + t (b - a) lies in [low, high], kept in [t0, t1]. */
+static void keep_within(double a, double b, double low, double high, double *t0, double *t1)
+{
+    double d = b - a;
+    if (d == 0.0)
+        return;
+    double ta = (low - a) / d, tb = (high - a) / d;
+    *t0 = greater(*t0, lesser(ta, tb));
+    *t1 = lesser(*t1, greater(ta, tb));
+}
+
+/* What runs nearly along a border of a front is near to the border's line for long, but to the front no longer than where it
+ * leaves its box; and what is nearer than all corners of the front is not hidden, whatever its faces' planes are rounded to.
+ * False: nothing is left. */
+static BITS_RARE bool confine(const hide_worker *w, const hide_box *box, const hide_edge *e, hide_part *part)
+{
+    double t0 = part->t0, t1 = part->t1, first = t0 - part->e0, last = t1 + part->e1, m = w->margin;
+    keep_within(e->A.z, e->B.z, -INFINITY, (double)box->z1 + m, &t0, &t1);
+    first = greater(first, t0 > part->t0 ? t0 : first);
+    last = lesser(last, t1 < part->t1 ? t1 : last);
+    keep_within(e->A.x, e->B.x, (double)box->x0 - m, (double)box->x1 + m, &first, &last);
+    keep_within(e->A.y, e->B.y, (double)box->y0 - m, (double)box->y1 + m, &first, &last);
+    *part = (hide_part){t0, t1, greater(t0 - first, 0.0), greater(last - t1, 0.0)};
+    return (t1 - t0) * e->length3 > w->picture->space.epsilon;
+}
+
+/* Whether that may change anything. */
+static inline bool is_confined(const hide_worker *w, const hide_box *box, const hide_edge *e, const hide_part *part)
+{
+    double nearest = (double)box->z1 + w->margin, dz = e->B.z - e->A.z;
+    return part->e0 <= EDGE_REACH && part->e1 <= EDGE_REACH && e->A.z + part->t0 * dz <= nearest &&
+           e->A.z + part->t1 * dz <= nearest;
+}
+
+/* Of a line that is hidden at one end only the rest need meet other fronts: where their boxes miss the rest's by the margin,
+ * what they hide is hidden already and touches nothing beyond it: they reach no farther than their boxes, or no more than
+ * EDGE_REACH farther. */
+static void shrink(hide_worker *w, size_t n, const hide_part *hidden)
+{
+    hide_edge rest = w->line[n].e;
+    if (hidden->t0 == 0.0 && hidden->t1 > 2.0 * EDGE_REACH)
+        rest.A = hide_edge_at(&w->line[n].e, hidden->t1 - 2.0 * EDGE_REACH);
+    else if (hidden->t1 == 1.0 && hidden->t0 < 1.0 - 2.0 * EDGE_REACH)
+        rest.B = hide_edge_at(&w->line[n].e, hidden->t0 + 2.0 * EDGE_REACH);
+    hide_box box = hide_edge_box(&rest, w->margin);
+    w->lanes.x0[n] = box.x0;
+    w->lanes.x1[n] = box.x1;
+    w->lanes.y0[n] = box.y0;
+    w->lanes.y1[n] = box.y1;
+    w->lanes.z0[n] = box.z0;
+}
+
 /* Of the lines from `first` on, within `box`, those given by bits against a front that may be nearer somewhere. */
 static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box *box, uint32_t index)
 {
     const hide_picture *picture = w->picture;
     const hide_front *front = &picture->front[index];
-    hide_meeting meeting = hide_meet(picture, front, &picture->front_box[index], box);
+    const hide_box *own = &picture->front_box[index];
+    hide_meeting meeting = hide_meet(picture, front, own, box);
     for (; bits; bits &= bits - 1) {
         hide_line *line = first + bits_trailing_zeros(bits);
         hide_part part;
         if (!hide_by_front(picture, &meeting, &line->e, &w->sides, &w->tally, &part))
+            continue;
+        if (!is_confined(w, own, &line->e, &part) && !confine(w, own, &line->e, &part))
             continue;
         if (front->corners == 0 ? !hide_parts_hull(&line->hulls, front->solid, &part)
                                 : !hide_parts_add(&line->parts, front->solid, &part))
             return false;
         if (part.t0 == 0.0 && part.t1 == 1.0) {
             line->hidden = true;
-            w->x0[line - first] = INFINITY; /* a line that goes alone is not asked for it */
+            w->lanes.x0[line - first] = w->whole.x0[line - first] = INFINITY; /* a line alone is not asked for it */
             w->live--;
+        } else if (w->shrinks && (part.t0 == 0.0 || part.t1 == 1.0)) {
+            shrink(w, (size_t)(line - w->line), &part);
         }
     }
     return true;
 }
 
 /* Which of the group's lines have boxes that meet another. */
-static inline uint64_t met_by(const hide_worker *w, const hide_box *box)
+static inline uint64_t met_by(const hide_lanes *l, size_t count, const hide_box *box)
 {
     four x0 = four_all(box->x0), x1 = four_all(box->x1), y0 = four_all(box->y0), y1 = four_all(box->y1);
     four z1 = four_all(box->z1);
     uint64_t bits = 0;
-    for (size_t i = 0; i < w->line_count; i += 4) {
-        four x = four_either(four_below(x1, four_load(w->x0 + i)), four_below(four_load(w->x1 + i), x0));
-        four y = four_either(four_below(y1, four_load(w->y0 + i)), four_below(four_load(w->y1 + i), y0));
-        four apart = four_either(four_either(x, y), four_below(z1, four_load(w->z0 + i)));
+    for (size_t i = 0; i < count; i += 4) {
+        four x = four_either(four_below(x1, four_load(l->x0 + i)), four_below(four_load(l->x1 + i), x0));
+        four y = four_either(four_below(y1, four_load(l->y0 + i)), four_below(four_load(l->y1 + i), y0));
+        four apart = four_either(four_either(x, y), four_below(z1, four_load(l->z0 + i)));
         bits |= (uint64_t)(15u ^ four_signs(apart)) << i;
     }
     return bits;
@@ -101,7 +160,9 @@ BITS_INLINE bool meet_once(hide_worker *w, uint32_t solid, hide_line *line, cons
     if (w->seen[front] == w->stamp)
         return true;
     w->seen[front] = w->stamp;
-    uint64_t bits = line ? 1 : met_by(w, &w->picture->front_box[front]);
+    /* What the faces of one solid hide is joined to one part, also where a face reaches only what is hidden already. */
+    const hide_lanes *lanes = w->grid->next && w->picture->front[front].corners == 0 ? &w->whole : &w->lanes;
+    uint64_t bits = line ? 1 : met_by(lanes, w->line_count, &w->picture->front_box[front]);
     return !bits || w->picture->front[front].solid == solid || meet(w, line ? line : w->line, bits, box, front);
 }
 
@@ -165,6 +226,7 @@ static bool run_alone(hide_worker *w, uint32_t solid, hide_line *line)
     if (line->hidden)
         return true;
     w->live = 1;
+    w->shrinks = false;
     next_stamp(w);
     if (!objet_cells(w->grid, e->A, e->B, &w->walk))
         return false;
@@ -183,11 +245,14 @@ static bool run_alone(hide_worker *w, uint32_t solid, hide_line *line)
 static bool run_together(hide_worker *w, uint32_t solid, uint32_t left, uint32_t right, uint32_t low, uint32_t high)
 {
     w->live = 0;
+    w->shrinks = !w->all;
     for (size_t i = 0; i < w->line_count; i++) {
         w->live += !w->line[i].hidden;
         if (w->line[i].hidden)
-            w->x0[i] = INFINITY;
+            w->lanes.x0[i] = INFINITY;
     }
+    if (w->grid->next)
+        w->whole = w->lanes;
     next_stamp(w);
     set_reach(w, &w->box);
     for (uint32_t i = left; w->live && i <= right; i++)
@@ -201,16 +266,17 @@ static bool run_together(hide_worker *w, uint32_t solid, uint32_t left, uint32_t
 static void box_lines(hide_worker *w)
 {
     hide_box all = {INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
+    const hide_lanes *l = &w->lanes;
     for (size_t i = 0; i < w->line_count; i++) {
-        all.x0 = w->x0[i] < all.x0 ? w->x0[i] : all.x0;
-        all.x1 = w->x1[i] > all.x1 ? w->x1[i] : all.x1;
-        all.y0 = w->y0[i] < all.y0 ? w->y0[i] : all.y0;
-        all.y1 = w->y1[i] > all.y1 ? w->y1[i] : all.y1;
-        all.z0 = w->z0[i] < all.z0 ? w->z0[i] : all.z0;
-        all.z1 = w->z1[i] > all.z1 ? w->z1[i] : all.z1;
+        all.x0 = l->x0[i] < all.x0 ? l->x0[i] : all.x0;
+        all.x1 = l->x1[i] > all.x1 ? l->x1[i] : all.x1;
+        all.y0 = l->y0[i] < all.y0 ? l->y0[i] : all.y0;
+        all.y1 = l->y1[i] > all.y1 ? l->y1[i] : all.y1;
+        all.z0 = l->z0[i] < all.z0 ? l->z0[i] : all.z0;
+        all.z1 = l->z1[i] > all.z1 ? l->z1[i] : all.z1;
     }
     for (size_t i = w->line_count; i % 4; i++)
-        w->x0[i] = INFINITY;
+        w->lanes.x0[i] = INFINITY;
     w->box = all;
 }
 

@@ -19,6 +19,12 @@ typedef struct hide_line {
     uint32_t edge;    /* of the scene */
 } hide_line;
 
+/* Boxes of a group's lines, rounded outward, side by side; one that is wholly hidden begins at infinity, and so do those
+ * that fill up the last four. */
+typedef struct hide_lanes {
+    float x0[HIDE_GROUP], x1[HIDE_GROUP], y0[HIDE_GROUP], y1[HIDE_GROUP], z0[HIDE_GROUP], z1[HIDE_GROUP];
+} hide_lanes;
+
 /* Scratch memory of one thread, serving solid after solid. */
 typedef struct hide_worker {
     const hide_picture *picture;
@@ -28,12 +34,13 @@ typedef struct hide_worker {
     double margin;   /* hide_margin() */
     hide_line *line; /* [line_count] the edges at work, all of one solid; those beyond keep their memory */
     size_t line_count, line_room;
-    hide_box box; /* of all of them, if they are no more than a group */
-    /* Boxes of the first of them, rounded outward, side by side; one that is wholly hidden begins at infinity, and so
-     * do those that fill up the last four. */
-    float x0[HIDE_GROUP], x1[HIDE_GROUP], y0[HIDE_GROUP], y1[HIDE_GROUP], z0[HIDE_GROUP], z1[HIDE_GROUP];
+    hide_box box;            /* of all of them, if they are no more than a group */
+    hide_lanes lanes;        /* of the first of them; they shrink with what is hidden of a line */
+    hide_lanes whole;        /* ... and as they were, where some solids are entered face by face */
     float least[4], most[4]; /* of x0, x1, y0, y1 of a front that meets the box of the edges at work */
     float place[4];          /* objet_place() of it */
+    bool all;                /* who hides a part is asked too */
+    bool shrinks;            /* the boxes of the lines at work shrink with what is hidden of them */
     size_t live;             /* lines of the group at work that are not wholly hidden */
     /* [front_count] the last group of edges that met the front, by its stamp. Short, so that more of it stays in the cache. */
     uint16_t *seen;
@@ -44,7 +51,7 @@ typedef struct hide_worker {
 } hide_worker;
 
 /* False: no memory; hide_worker_free() is due in any case. */
-bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *grid);
+bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *grid, bool all);
 void hide_worker_free(hide_worker *w);
 
 /* Room for one more line. */
@@ -87,12 +94,12 @@ BITS_INLINE hide_line *hide_worker_add(hide_worker *w, uint32_t edge, const scen
     e->length3 = vec3_length(AB);
     if (n < HIDE_GROUP) {
         hide_box box = hide_edge_box(e, w->margin);
-        w->x0[n] = box.x0;
-        w->x1[n] = box.x1;
-        w->y0[n] = box.y0;
-        w->y1[n] = box.y1;
-        w->z0[n] = box.z0;
-        w->z1[n] = box.z1;
+        w->lanes.x0[n] = box.x0;
+        w->lanes.x1[n] = box.x1;
+        w->lanes.y0[n] = box.y0;
+        w->lanes.y1[n] = box.y1;
+        w->lanes.z0[n] = box.z0;
+        w->lanes.z1[n] = box.z1;
     }
     line->parts.count = line->hulls.count = 0;
     line->hidden = false;

@@ -138,7 +138,7 @@ static roberts_status do_chunks(hide_job *job, roberts_drawing *drawing)
     if (!worker || !chunks_init(&all, count, threads, drawing, job->each, job->context))
         goto done;
     for (int i = 0; i < threads; i++)
-        if (!hide_worker_init(&worker[i], &job->picture, &job->grid))
+        if (!hide_worker_init(&worker[i], &job->picture, &job->grid, job->options->keep_hidden))
             goto done;
     if (!look_ahead_at_all(job, worker, threads))
         goto done;
