@@ -208,7 +208,8 @@ typedef struct roberts_camera {
         near_distance;  /**< perspective: what is nearer to the eye's plane is cut off, model units; 0 = a thousandth of
                                the look-at point's distance, and at least 1e-5 of the scene's diameter */
     double fov_degrees; /**< perspective: angle between the sides of the picture, and between top and bottom, under 180
-                               (on a page that is not square, across its shorter side); 0 = the whole scene, or 60 where the near plane cuts the scene */
+                               (on a page that is not square, across its shorter side); 0 = the whole scene, or
+                               60 where the near plane cuts the scene */
     double roll_degrees; /**< the drawing is turned by so much, counter-clockwise */
 } roberts_camera;
 
