@@ -189,14 +189,14 @@ static void coins(studio *st)
     int count = dice_int(&st->d, 2, 3), small_ones = dice_int(&st->d, 0, 20);
     for (int i = 0; i < count; i++) {
         shape s = shape_coin(&st->d);
-        put(st, &s, dice_int(&st->d, -60, 60), dice_int(&st->d, -60, 60), dice_int(&st->d, 0, 40) * 4);
+        int x = dice_int(&st->d, -60, 60), y = dice_int(&st->d, -60, 60), z = 4 * dice_int(&st->d, 0, 40);
+        put(st, &s, x, y, z);
     }
     for (int i = 0; i < small_ones; i++) {
         shape s = shape_any(&st->d);
         double size = dice_int(&st->d, 1, 30);
-        put_scaled(st, &s,
-                   (roberts_vec3){dice_int(&st->d, -120, 120), dice_int(&st->d, -60, 180), dice_int(&st->d, 0, 160)},
-                   size, size, size);
+        int x = dice_int(&st->d, -120, 120), y = dice_int(&st->d, -60, 180), z = dice_int(&st->d, 0, 160);
+        put_scaled(st, &s, (roberts_vec3){x, y, z}, size, size, size);
     }
     dice_int(&st->d, 0, 1) ? look_axis(st) : look_any(st);
 }

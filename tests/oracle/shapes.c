@@ -250,7 +250,8 @@ shape shape_coin(dice *d)
 {
     shape s = {0};
     int v[SHAPE_POINTS][2], most = dice_int(d, 6, 7), quarter = first_vectors(most, v), count = 0;
-    int parts[SHAPE_POINTS], lean[3] = {dice_int(d, -40, 40), dice_int(d, -40, 40), dice_int(d, 1, 60)};
+    int lean_x = dice_int(d, -40, 40), lean_y = dice_int(d, -40, 40), high = dice_int(d, 1, 60);
+    int parts[SHAPE_POINTS], lean[3] = {lean_x, lean_y, high};
     int64_t ring[SHAPE_POINTS][2], x = 0, y = 0;
     bool pyramid = dice_int(d, 0, 2) == 0, straight = dice_int(d, 0, 2) == 0;
     for (int i = 0; i < 2 * quarter; i++)
