@@ -110,6 +110,14 @@ static const struct {
      {{'o', 0, 0, 8.660254037844386, 5, 0, 0}, {'c', 4.330127018922193, 2.5, 17.32050807568877, 10, 0, 0}},
      "crease 8.66,5 17.321,10; outline 0,0 8.66,5"},
     {"steep", {{'o', 50, 0, 50, 80, 0, 0}, {'o', 50, 90, 50.00000000000001, 40, 0, 0}}, "outline 50,0 50,90"},
+    {"far from the middle of all, where a small turn moves the line by more than touches",
+     {{'o', 0, 0, 30, 0, 0, 0}, {'o', 5, 0.0009, 15, 0.00099, 0, 0}, {'o', 100, 100, 100, 90, 0, 0}},
+     "outline 0,0 30,0; outline 100,100 100,90"},
+    {"a little to both sides of where directions begin anew",
+     {{'o', 1, 1, 91, 62.57231275075231, 0, 0},
+      {'o', 20, 13.998799358492153, 30, 20.840197441909076, 0, 0},
+      {'o', 20, 13.998399358492154, 30, 20.83973744190908, 0, 0}},
+     "outline 1,1 91,62.572"},
     {"no length", {{'o', 5, 5, 5, 5, 0, 0}, {'o', 1, 1, 9, 1, 0, 0}}, "outline 1,1 9,1"},
     {"leaves the frame",
      {{'o', -50, 10, 50, 10, 0, 0}, {'o', 10, 50, 10, 150, 0, 0}},
@@ -590,6 +598,34 @@ static void crowds(void **state)
     free(segment);
 }
 
+/* Lines so near one another that many lie in one cell of the hash, each in pieces that are not quite straight. */
+static void near_lines_are_told_apart(void **state)
+{
+    enum { LINES = 30000, PIECES = 3, COUNT = LINES * PIECES };
+    const double apart = 0.0025, tilt = 0.5e-3, rough = 0.05e-3; /* mm; touching is 0.001 mm */
+    roberts_draw_options options = plain_options(ROBERTS_ORDER_NONE);
+    roberts_segment *segment = malloc(COUNT * sizeof *segment);
+    uint64_t seed = 5;
+    (void)state;
+    assert_non_null(segment);
+    for (size_t i = 0; i < COUNT; i++) {
+        size_t k = i * 7919 % COUNT, line = k / PIECES; /* a prime: each once */
+        double x = 30.0 * (double)(k % PIECES), y = 10.0 + apart * (double)line, end[2];
+        for (int e = 0; e < 2; e++)
+            end[e] = y + (line % 2 ? tilt : -tilt) * (x + 40.0 * e) / SIDE + rough * (random_mm(&seed) / 50.0 - 1.0);
+        segment[i] = line_at(ROBERTS_OUTLINE, x, end[0], x + 40.0, end[1]);
+    }
+    strokes s = strokes_of(segment, COUNT, &options);
+    assert_int_equal(s.lines.count, LINES);
+    for (size_t i = 0; i < s.lines.count; i++) {
+        const page_point *p = s.lines.point + s.lines.item[i].first;
+        assert_int_equal(s.lines.item[i].count, 2);
+        assert_int_equal(abs(p[1].x - p[0].x), 100 * 1000);
+    }
+    strokes_free(&s);
+    free(segment);
+}
+
 /* ---- real dashes ---- */
 
 static const struct {
@@ -816,6 +852,7 @@ int main(void)
         cmocka_unit_test(ways_are_short),
         cmocka_unit_test(small_tours_are_nearly_best),
         cmocka_unit_test(crowds),
+        cmocka_unit_test(near_lines_are_told_apart),
         cmocka_unit_test(real_dashes),
         cmocka_unit_test(dashes_of_a_closed_line),
         cmocka_unit_test(too_many_dashes_are_refused),

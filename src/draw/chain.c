@@ -42,7 +42,7 @@ typedef struct net {
 
 static page_point rounded(roberts_vec2 p)
 {
-    return (page_point){(int32_t)floor(p.x + 0.5), (int32_t)floor(p.y + 0.5)};
+    return (page_point){page_round(p.x), page_round(p.y)};
 }
 
 static bool is_same(page_point p, page_point q)
@@ -116,8 +116,10 @@ bool chain_in_order(const pieces *p, roberts_line line, polylines *out)
 {
     bool open = false;
     for (size_t i = 0; i < p->count; i++) {
+        if (p->item[i].line != line)
+            continue;
         page_point a = rounded(p->item[i].a), b = rounded(p->item[i].b);
-        if (p->item[i].line != line || is_same(a, b))
+        if (is_same(a, b))
             continue;
         polyline *last = open ? &out->item[out->count - 1] : NULL;
         page_point *end = out->point + out->point_count;

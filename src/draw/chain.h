@@ -11,6 +11,14 @@ typedef struct page_point {
     int32_t x, y;
 } page_point;
 
+/* To the nearest whole unit, up where there are two; a page is far from what int32_t holds. */
+static inline int32_t page_round(double units)
+{
+    double up = units + 0.5;
+    int32_t whole = (int32_t)up; /* no floor(), which is a call */
+    return whole - (up < whole);
+}
+
 /* What the pen draws without being lifted: at least two points, neighbours differ. Closed: on to the first again. */
 typedef struct polyline {
     uint32_t first, count; /* points */

@@ -6,6 +6,7 @@
 
 #include "base/array.h"
 #include "base/error.h"
+#include "base/vec.h"
 #include "draw/dashes.h"
 #include "draw/overlap.h"
 #include "draw/sheet.h"
@@ -56,10 +57,8 @@ static bool is_drawn(const roberts_draw_options *options, const roberts_segment 
 
 static void enlarge(roberts_vec2 *min, roberts_vec2 *max, roberts_vec2 p)
 {
-    min->x = fmin(min->x, p.x);
-    min->y = fmin(min->y, p.y);
-    max->x = fmax(max->x, p.x);
-    max->y = fmax(max->y, p.y);
+    *min = (roberts_vec2){lesser(min->x, p.x), lesser(min->y, p.y)};
+    *max = (roberts_vec2){greater(max->x, p.x), greater(max->y, p.y)};
 }
 
 /* Cuts the part of p..q that lies in the drawing's field of view, t[0] to t[1]; false where there is none. Liang, Barsky,
@@ -127,7 +126,7 @@ static roberts_vec2 place(const strokes *s, const page_map *map, roberts_vec2 p)
 
 static bool is_point(const piece *p)
 {
-    return floor(p->a.x + 0.5) == floor(p->b.x + 0.5) && floor(p->a.y + 0.5) == floor(p->b.y + 0.5);
+    return page_round(p->a.x) == page_round(p->b.x) && page_round(p->a.y) == page_round(p->b.y);
 }
 
 /* The pieces that are drawn, numbered from `number` on; what is of length 0 once rounded is none. `p` has room for all
@@ -284,7 +283,8 @@ void strokes_free(strokes *s)
 
 static double distance(page_point p, page_point q)
 {
-    return hypot((double)p.x - q.x, (double)p.y - q.y);
+    double x = (double)p.x - q.x, y = (double)p.y - q.y;
+    return sqrt(x * x + y * y);
 }
 
 roberts_ink strokes_measure(const strokes *s)
