@@ -201,6 +201,25 @@ static void coins(studio *st)
     dice_int(&st->d, 0, 1) ? look_axis(st) : look_any(st);
 }
 
+/* Pyramids of very many sides, one behind the tip of the other or through it, and small solids among them. */
+static void fans(studio *st)
+{
+    int count = dice_int(&st->d, 2, 3), small_ones = dice_int(&st->d, 0, 10);
+    for (int i = 0; i < count; i++) {
+        shape s = shape_fan(&st->d);
+        int x = dice_int(&st->d, -90, 90), y = dice_int(&st->d, -90, 90), z = 4 * dice_int(&st->d, -40, 40);
+        put(st, &s, x, y, z);
+    }
+    for (int i = 0; i < small_ones; i++) {
+        shape s = shape_any(&st->d);
+        double size = dice_int(&st->d, 1, 30);
+        int x = dice_int(&st->d, -240, 240), y = dice_int(&st->d, -60, 420), z = dice_int(&st->d, -90, 400);
+        put_scaled(st, &s, (roberts_vec3){x, y, z}, size, size, size);
+    }
+    int x = dice_int(&st->d, -1, 1), y = dice_int(&st->d, -1, 1);
+    dice_int(&st->d, 0, 1) ? look(st, x, y, 8) : look_any(st);
+}
+
 /* All kinds crowded on a coarse lattice and seen along short whole vectors: everything lines up with everything. */
 static void crowd(studio *st)
 {
@@ -556,6 +575,7 @@ static const struct {
     {"checker", checker, INFINITELY_FAR},
     {"polytopes", polytopes, INFINITELY_FAR},
     {"coins", coins, INFINITELY_FAR},
+    {"fans", fans, INFINITELY_FAR},
     {"crowd", crowd, INFINITELY_FAR},
     {"touching", touching, INFINITELY_FAR},
     {"nested", nested, INFINITELY_FAR},
@@ -589,6 +609,7 @@ static const struct {
     {"checker@eye", checker, FROM_EYE},
     {"polytopes@eye", polytopes, FROM_EYE},
     {"coins@eye", coins, FROM_EYE},
+    {"fans@eye", fans, FROM_EYE},
     {"crowd@eye", crowd, FROM_EYE},
     {"touching@eye", touching_from_eye, FROM_EYE},
     {"nested@eye", nested, FROM_EYE},
@@ -616,6 +637,7 @@ static const struct {
     {"checker@near", checker, FROM_AMID},
     {"polytopes@near", polytopes, FROM_AMID},
     {"coins@near", coins, FROM_AMID},
+    {"fans@near", fans, FROM_AMID},
     {"crowd@near", crowd, FROM_AMID},
     {"touching@near", touching, FROM_AMID},
     {"twice@near", twice, FROM_AMID},

@@ -245,6 +245,14 @@ static void add_coin(shape *s, int64_t (*ring)[2], int count, bool pyramid, cons
     }
 }
 
+/* From a corner to the next, by a vector turned so many quarters. */
+static void go_on(int64_t *x, int64_t *y, const int *v, int quarters)
+{
+    int64_t turned[4][2] = {{v[0], v[1]}, {-v[1], v[0]}, {-v[0], -v[1]}, {v[1], -v[0]}};
+    *x += turned[quarters][0];
+    *y += turned[quarters][1];
+}
+
 /* Its sides are whole vectors by angle, of which some are left out together with their opposites, and some come in two parts. */
 shape shape_coin(dice *d)
 {
@@ -258,16 +266,29 @@ shape shape_coin(dice *d)
         parts[i] = dice_int(d, 0, 9) == 0 ? 0 : straight && dice_int(d, 0, 9) == 0 && quarter < 30 ? 2 : 1;
     for (int i = 0; i < 4 * quarter; i++)
         for (int k = 0; k < parts[i % (2 * quarter)]; k++) {
-            const int *side = v[i % quarter];
-            int64_t turned[4][2] = {{side[0], side[1]}, {-side[1], side[0]}, {-side[0], -side[1]}, {side[1], -side[0]}};
             ring[count][0] = x;
             ring[count++][1] = y;
-            x += turned[i / quarter][0];
-            y += turned[i / quarter][1];
+            go_on(&x, &y, v[i % quarter], i / quarter);
         }
     lean[0] += pyramid ? (int)ring[count / 4][0] : 0; /* an apex over the middle, or beside it */
     lean[1] += pyramid ? (int)ring[count / 4][1] : 0;
     add_coin(&s, ring, count, pyramid, lean);
+    return s;
+}
+
+shape shape_fan(dice *d)
+{
+    shape s = {0};
+    int v[SHAPE_POINTS][2], quarter = first_vectors(dice_int(d, 7, 9), v), count = 0;
+    int64_t ring[SHAPE_POINTS][2], x = 0, y = 0;
+    for (int i = 0; i < 4 * quarter; i++, count++) {
+        ring[count][0] = x;
+        ring[count][1] = y;
+        go_on(&x, &y, v[i % quarter], i / quarter);
+    }
+    int middle = (int)ring[2 * quarter][1] / 2, lean_x = dice_int(d, -middle, middle), high = dice_int(d, 20, 400);
+    int lean_y = dice_int(d, 0, 2 * middle);
+    add_coin(&s, ring, count, true, (int[]){lean_x, lean_y, high});
     return s;
 }
 

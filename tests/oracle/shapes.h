@@ -38,7 +38,9 @@ shape shape_random(dice *d, int count, int size);
 shape shape_prism(dice *d);
 /* A prism or a pyramid, leaning, over a polygon of 68 to 144 corners, of which some may be straight. */
 shape shape_coin(dice *d);
-/* Any of these but the last, small. */
+/* A pyramid over a polygon of 144 to 224 corners: all of its sides meet in the apex. */
+shape shape_fan(dice *d);
+/* Any of these but the last two, small. */
 shape shape_any(dice *d);
 
 #endif
