@@ -156,6 +156,22 @@ static const char *dented_prism(void)
     return text;
 }
 
+/* A pyramid of 160 sides, whose faces are a bundle. */
+static const char *fan(void)
+{
+    enum { SIDES = 160 };
+    static char text[24000];
+    size_t n = (size_t)sprintf(text, "OFF %d %d 0\n0 0 .5\n", SIDES + 1, SIDES + 1);
+    for (int i = 0; i < SIDES; i++)
+        n += (size_t)sprintf(text + n, "%.17g %.17g 0\n", cos(8 * atan(1) * i / SIDES), sin(8 * atan(1) * i / SIDES));
+    n += (size_t)sprintf(text + n, "%d", SIDES);
+    for (int i = SIDES; i > 0; i--)
+        n += (size_t)sprintf(text + n, " %d", i);
+    for (int i = 0; i < SIDES; i++)
+        n += (size_t)sprintf(text + n, "\n3 0 %d %d", i + 1, (i + 1) % SIDES + 1);
+    return text;
+}
+
 static const run_case cases[] = {
     {"overlapping solids", "models/compound-of-three-cubes.off", NULL, ISO, false, 0, ROBERTS_SVG, false},
     {"hidden lines, a grid", "models/table.off", NULL, ISO, true, 9, ROBERTS_CSV, false},
@@ -178,6 +194,7 @@ static void files(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
         survives(&cases[i]);
     survives(&(run_case){"a dent", NULL, dented_prism(), ISO, true, 0, ROBERTS_SVG, false});
+    survives(&(run_case){"a fan", NULL, fan(), ISO, true, 0, ROBERTS_SVG, false});
 }
 
 int main(void)

@@ -510,8 +510,8 @@ static void lists_by_threads(void **state)
     objet alone, together;
     model m = {0};
     (void)state;
-    for (int i = 0; i < 400; i++)
-        model_round(&m, 120, true, mat3_scale(1, 1, 1), (roberts_vec3){i % 20, i / 20, i % 7});
+    for (int i = 0; i < 700; i++)
+        model_round(&m, MODEL_CORNERS, false, mat3_scale(1, 1, 1), (roberts_vec3){i % 20, i / 20, i % 7});
     roberts_scene *scene = model_build(&m);
     assert_int_equal(hide_picture_build(&picture, scene, &camera, 0, false, 1, NULL), ROBERTS_OK);
     assert_true(picture.front_count > 40000);

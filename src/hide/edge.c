@@ -327,33 +327,53 @@ static bool box_holds(const hide_picture *picture, const hide_box *box, double x
     return x >= (double)box->x0 - m && x <= (double)box->x1 + m && y >= (double)box->y0 - m && y <= (double)box->y1 + m;
 }
 
+/* Who is seen at a point: what is known so far. */
+typedef struct look {
+    double x, y;
+    double best;    /* the nearest depth */
+    uint32_t solid; /* the smallest that touches there */
+    bool touching;  /* the nearest depth is known, and asked who touches it */
+} look;
+
+static void look_at_face(const hide_picture *picture, const hide_front *front, const hide_face *F, double z1, look *l)
+{
+    if (l->touching && !(fabs(plane_at(F->F, (roberts_vec3){l->x, l->y, l->best})) <= 2.0 * F->touch))
+        return;
+    if (!hide_picture_holds(picture, &picture->face_runs, F->corner, F->count, l->x, l->y, picture->space.epsilon))
+        return;
+    if (l->touching)
+        l->solid = front->solid;
+    else
+        l->best = greater(l->best, lesser(z1, (F->F.a * l->x + F->F.b * l->y + F->F.d) / -F->F.c));
+}
+
+static void look_at_front(const hide_picture *picture, const hide_front *front, double z1, look *l)
+{
+    const hide_face *face = picture->face + front->face;
+    const bundle *b = bundle_of(&picture->bundles, front->face, front->face_count);
+    for (uint32_t i = 0; !b && i < front->face_count; i++)
+        look_at_face(picture, front, &face[i], z1, l);
+    for (uint32_t i = 0, end; b && bundle_next(b, l->x, l->y, &i, &end);)
+        for (; i < end; i++)
+            look_at_face(picture, front, &face[b->order[i]], z1, l);
+}
+
 uint32_t hide_seen_at(const hide_worker *w, double x, double y)
 {
     const objet *grid = w->grid;
     const hide_picture *picture = w->picture;
     size_t cell = scan_cell(&grid->frame, x, y);
-    uint32_t solid = ROBERTS_NONE;
-    double best = -INFINITY;
-    for (int touching = 0; touching < 2; touching++) /* first the nearest depth, then who is there */
+    look l = {.x = x, .y = y, .best = -INFINITY, .solid = ROBERTS_NONE};
+    for (int touching = 0; touching < 2; touching++) {
+        l.touching = touching;
         for (uint32_t k = grid->start[cell]; k < grid->start[cell + 1]; k++) {
             const hide_front *front = &picture->front[grid->entry[k].front];
             const hide_box *box = &picture->front_box[grid->entry[k].front];
-            if (!touching && (double)box->z1 < best)
+            if (!touching && (double)box->z1 < l.best)
                 break;
-            if (!box_holds(picture, box, x, y) || (touching && front->solid >= solid))
-                continue;
-            for (uint32_t i = front->face; i < front->face + front->face_count; i++) {
-                const hide_face *F = &picture->face[i];
-                if (touching && !(fabs(plane_at(F->F, (roberts_vec3){x, y, best})) <= 2.0 * F->touch))
-                    continue;
-                if (!hide_picture_holds(picture, &picture->face_runs, F->corner, F->count, x, y,
-                                        picture->space.epsilon))
-                    continue;
-                if (touching)
-                    solid = front->solid;
-                else
-                    best = greater(best, lesser((double)box->z1, (F->F.a * x + F->F.b * y + F->F.d) / -F->F.c));
-            }
+            if (box_holds(picture, box, x, y) && !(touching && front->solid >= l.solid))
+                look_at_front(picture, front, (double)box->z1, &l);
         }
-    return solid;
+    }
+    return l.solid;
 }

@@ -9,6 +9,8 @@
 
 /* A front of more faces than this is entered face by face: an edge that passes it would be compared with all. */
 #define FACES_OF_ONE_FRONT 24
+/* A solid of more faces than make a bundle is one where their boxes lie so many times over one another on average. */
+#define DEPTH_OF_BUNDLE 8.0
 /* From this many cells (five or six mean boxes) across, a cover's depth is taken cell by cell and not once for all of it. */
 #define COVER_WIDE 50.0
 
@@ -125,6 +127,27 @@ static bool turns_inward(const hide_picture *picture, const uint32_t *outline, u
     return false;
 }
 
+static span face_span(const hide_picture *picture, const hide_face *F)
+{
+    span own = empty_span;
+    for (uint32_t i = 0; i < F->count; i++)
+        box_add(&own.low, &own.high, picture->P[F->corner[i]]);
+    return own;
+}
+
+/* Do the faces lie across one another's boxes? (`box` is that of the solid.) */
+static bool is_bundle(const hide_picture *picture, const front_faces *found, const hide_box *box)
+{
+    double width = (double)(box->x1 - box->x0), height = (double)(box->y1 - box->y0), area = 0.0;
+    if (found->count <= BUNDLE_FACES || !picture->bundles.at)
+        return false;
+    for (uint32_t k = 0; k < found->count; k++) {
+        span own = face_span(picture, &found->face[k]);
+        area += (own.high.x - own.low.x) * (own.high.y - own.low.y);
+    }
+    return area > DEPTH_OF_BUNDLE * width * height;
+}
+
 /* Each of the faces as a front of its own. */
 static bool add_single_fronts(const hide_picture *picture, picture_tile *tile, uint32_t solid, const front_faces *found)
 {
@@ -133,9 +156,7 @@ static bool add_single_fronts(const hide_picture *picture, picture_tile *tile, u
         !array_reserve(&tile->single_box, &tile->single_box_room, need, sizeof *tile->single_box))
         return false;
     for (uint32_t k = 0; k < found->count; k++) {
-        span own = empty_span;
-        for (uint32_t i = 0; i < found->face[k].count; i++)
-            box_add(&own.low, &own.high, picture->P[found->face[k].corner[i]]);
+        span own = face_span(picture, &found->face[k]);
         tile->single_box[tile->single_count] = span_box(&own);
         tile->single[tile->single_count++] =
             (hide_front){.solid = solid, .face = tile->face + k, .face_count = 1, .listed = true};
@@ -180,11 +201,12 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
     uint32_t vertex = scene->solid[solid].vertex, *outline = picture->outline + tile->outline;
     view_points(&picture->view, scene->point + vertex, scene->solid[solid + 1].vertex - vertex, picture->P + vertex);
     front_faces found = find_faces(picture, tile, solid);
-    uint32_t corners = find_outline(picture, solid, scratch->next, outline);
+    uint32_t cycle = find_outline(picture, solid, scratch->next, outline), corners = cycle;
     double width = (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0);
     if (corners && found.edge_on && turns_inward(picture, outline, corners, width))
         corners = 0;
     bool whole = corners && found.count <= FACES_OF_ONE_FRONT;
+    bool bundled = cycle && !whole && is_bundle(picture, &found, box);
     if (whole && picture->cover.rest && unite_hides(picture, &scratch->scan, outline, corners, box->z1)) {
         picture->culled[solid] = true;
         tile->culled++;
@@ -201,16 +223,17 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
     double depth = corners ? farthest(picture, outline, corners) : -INFINITY;
     hide_front front = {.solid = solid,
                         .face = tile->face,
-                        .face_count = whole ? (unsigned char)found.count : 0,
+                        .face_count = found.count,
                         .depth = hide_float_below(depth - slack),
-                        .reach = reach,
+                        .reach = whole ? reach : -INFINITY, /* a bundle's faces are never asked all at once */
                         .loose = hide_float_above(4.0 * (found.touch - picture->view.epsilon)),
                         .outline = tile->outline,
-                        .corners = corners};
+                        .corners = cycle};
     if (corners && picture->cover.depth)
         cover_front(picture, &scratch->scan, &front, &found, whole && reach > size, depth, slack,
                     whole ? tile->front : ROBERTS_NONE);
-    if (!whole && !add_single_fronts(picture, tile, solid, &found))
+    if (bundled ? !bundle_enter(&picture->bundles, &picture->space, found.face, found.count, tile->face)
+                : !whole && !add_single_fronts(picture, tile, solid, &found))
         return false;
     if (picture->face_runs.at && !enter_runs(picture, &found, outline, whole ? corners : 0))
         return false;
@@ -218,13 +241,13 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
     tile->faces += found.count;
     tile->back += found.back;
     tile->edge_on += found.edge_on;
-    if (!whole)
+    if (!whole && !bundled)
         return true;
-    tile->outline += corners;
-    tile->most_corners = corners > tile->most_corners ? corners : tile->most_corners;
+    tile->outline += cycle;
+    tile->most_corners = cycle > tile->most_corners ? cycle : tile->most_corners;
     picture->front_box[tile->front] = *box;
     picture->front[tile->front] = front;
-    if (picture->cover.rest)
+    if (whole && picture->cover.rest)
         unite_offer(picture, &scratch->scan, tile->front, tile->first);
     tile->front++;
     return true;

@@ -49,14 +49,14 @@ static void note(sight *s, uint32_t corner, int side)
 /* Test 2. */
 static bool misses(sight *s)
 {
-    const runs *r = s->r;
+    const ranks *over = &s->r->ranks;
     if (s->e->length <= s->space->epsilon)
         return false;
-    for (uint32_t i = 0; i < r->sides && (s->left == ROBERTS_NONE || s->right == ROBERTS_NONE);) {
-        int level = runs_level(r, i), side = 0;
-        for (; level >= 0 && !side; level--)
-            side = run_side(s->space, runs_at(r, level, i), s->e);
-        uint32_t end = runs_end(r, side ? level + 1 : 0, i);
+    for (uint32_t i = 0; i < over->items && (s->left == ROBERTS_NONE || s->right == ROBERTS_NONE);) {
+        int rank = ranks_highest(over, i), side = 0;
+        for (; rank >= 0 && !side; rank--)
+            side = run_side(s->space, &s->r->node[ranks_node(over, rank, i)], s->e);
+        uint32_t end = ranks_end(over, side ? rank + 1 : 0, i);
         if (side)
             note(s, i, side);
         for (; !side && i < end; i++)
@@ -72,8 +72,8 @@ static bool misses(sight *s)
  * that changes. */
 static uint32_t side_between(const sight *s, uint32_t from, uint32_t to, int side)
 {
-    uint32_t count = s->r->sides, low = 0, high = to > from ? to - from : count - from + to;
-    bool certain;
+    uint32_t count = s->r->ranks.items, low = 0, high = to > from ? to - from : count - from + to;
+    bool certain = true; /* not asked here */
     while (high - low > 1) {
         uint32_t middle = low + (high - low) / 2, i = middle < count - from ? from + middle : middle - (count - from);
         if (corner_side(s, i, &certain) == side)

@@ -35,8 +35,8 @@ BITS_RARE bool hide_by_outline_closely(const hide_picture *picture, const uint32
 }
 
 /* Tests 1 to 4 of one face; false where it hides nothing of e. */
-static bool by_face(const hide_picture *picture, const hide_face *F, double span, const hide_edge *e, hide_sides *sides,
-                    roberts_tally *tally, hide_part *part)
+BITS_INLINE bool by_face(const hide_picture *picture, const hide_face *F, double span, const hide_edge *e,
+                         hide_sides *sides, roberts_tally *tally, hide_part *part)
 {
     tally->pairs++;
     if (hide_test1(F, e)) {
@@ -61,10 +61,101 @@ static void join(hide_part *hull, const hide_part *part)
     }
 }
 
+/* An edge against a bundle. */
+typedef struct climb {
+    const hide_picture *picture;
+    const bundle *b;
+    const hide_face *face; /* the bundle's first */
+    const hide_edge *e;
+    double span;
+    hide_sides *sides;
+    roberts_tally *tally;
+    hide_part *hull; /* of what is known to be hidden; meaningless until something is */
+    bool found;
+    bool forward; /* asked is what hides more beyond the hull's end; else before its beginning */
+} climb;
+
+/* Can a node's faces hide more than is known? `*reach`: the more of it, the farther on in the direction that is asked about. */
+static bool may_hide_more(const climb *c, const bundle_node *n, double *reach)
+{
+    double t0, t1;
+    if (!bundle_meets(n, c->e, &t0, &t1))
+        return false;
+    if (c->found && c->forward)
+        t0 = greater(t0, c->hull->t1);
+    if (c->found && !c->forward)
+        t1 = lesser(t1, c->hull->t0);
+    *reach = c->forward ? t1 : -t0;
+    return t0 < t1 && (bundle_behind(n, hide_edge_at(c->e, t0)) || bundle_behind(n, hide_edge_at(c->e, t1)));
+}
+
+static void ask_faces(climb *c, uint32_t item)
+{
+    for (uint32_t end = ranks_end(&c->b->ranks, 0, item); item < end; item++) {
+        hide_part part;
+        if (!by_face(c->picture, &c->face[c->b->order[item]], c->span, c->e, c->sides, c->tally, &part))
+            continue;
+        if (c->found)
+            join(c->hull, &part);
+        else
+            *c->hull = part;
+        c->found = true;
+    }
+}
+
+/* The nodes of a rank from the one that begins with `item` on, no more than eight of them: those that reach farthest are asked
+ * first, so that they leave little to the others. */
+static void ask_nodes(climb *c, int rank, uint32_t item, uint32_t end)
+{
+    uint32_t from[1 << RANKS_BITS], count = 0;
+    double reach[1 << RANKS_BITS], own;
+    for (; item < end; item = ranks_end(&c->b->ranks, rank, item)) {
+        if (!may_hide_more(c, &c->b->node[ranks_node(&c->b->ranks, rank, item)], &own))
+            continue;
+        uint32_t i = count++;
+        for (; i > 0 && reach[i - 1] < own; i--) {
+            reach[i] = reach[i - 1];
+            from[i] = from[i - 1];
+        }
+        reach[i] = own;
+        from[i] = item;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        if (c->found && reach[i] <= (c->forward ? c->hull->t1 : -c->hull->t0))
+            return;
+        if (rank == 0)
+            ask_faces(c, from[i]);
+        else
+            ask_nodes(c, rank - 1, from[i], ranks_end(&c->b->ranks, rank, from[i]));
+    }
+}
+
+/* First where the hull ends, then where it begins. */
+static BITS_RARE bool by_bundle(climb *c)
+{
+    int highest = (int)c->b->ranks.count - 1;
+    c->forward = true;
+    ask_nodes(c, highest, 0, c->b->ranks.items);
+    c->forward = false;
+    if (c->found && c->hull->t0 > 0.0)
+        ask_nodes(c, highest, 0, c->b->ranks.items);
+    return c->found;
+}
+
 bool hide_by_faces(const hide_picture *picture, const hide_front *front, double span, const hide_edge *e,
                    hide_sides *sides, roberts_tally *tally, hide_part *hull)
 {
     bool found = false;
+    const bundle *b = bundle_of(&picture->bundles, front->face, front->face_count);
+    if (b)
+        return by_bundle(&(climb){.picture = picture,
+                                  .b = b,
+                                  .face = picture->face + front->face,
+                                  .e = e,
+                                  .span = span,
+                                  .sides = sides,
+                                  .tally = tally,
+                                  .hull = hull});
     for (uint32_t k = front->face; k < front->face + front->face_count; k++) {
         hide_part part;
         if (!by_face(picture, &picture->face[k], span, e, sides, tally, &part))

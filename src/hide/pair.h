@@ -10,7 +10,8 @@
  *
  * Planes are asked far from their faces here. An edge out of the reach of what they can be trusted (see set_trust() in
  * front.c: beyond a thousand widths of a face, or at once for models given to few digits) meets the faces one by one,
- * tests 1 to 4 each, and the hull of what they hide is the front's part. So does it a front of one face. */
+ * tests 1 to 4 each, and the hull of what they hide is the front's part. So does it a front of one face; of
+ * a bundle it meets the faces that its tree leaves. */
 #ifndef ROBERTS_HIDE_PAIR_H
 #define ROBERTS_HIDE_PAIR_H
 

@@ -269,13 +269,15 @@ static uint32_t most_vertices(const roberts_scene *scene)
     return most;
 }
 
-/* Arrays so much longer that they lie apart; and the tables of runs, where a polygon could have them. */
+/* Arrays so much longer that they lie apart; and the tables of bundles and runs, where a solid could have them. */
 static bool alloc_scratch(build *b)
 {
     hide_picture *picture = b->picture;
     const roberts_scene *scene = picture->scene;
     uint32_t most = most_vertices(scene);
     bool asked = scene->solid_count > 1 || b->looked_up; /* a face about an edge, or a point */
+    if (most > BUNDLE_FACES / 2 && asked && !bundle_table_init(&picture->bundles, scene->face_count))
+        return false; /* a solid has fewer than twice as many faces as vertices */
     if (most > RUNS_CORNERS && asked &&
         (!runs_table_init(&picture->face_runs, scene->corner, scene->face_start[scene->face_count]) ||
          !runs_table_init(&picture->outline_runs, picture->outline, scene->vertex_count)))
@@ -383,6 +385,7 @@ void hide_picture_free(hide_picture *picture)
     free(picture->outline);
     runs_table_free(&picture->face_runs);
     runs_table_free(&picture->outline_runs);
+    bundle_table_free(&picture->bundles);
     cover_free(&picture->cover);
     *picture = (hide_picture){0};
 }

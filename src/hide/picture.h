@@ -2,7 +2,7 @@
  *
  * A front is what one solid shows: its front faces under their common outline (the cycle of its edges with one front
  * face). The outline does in one go for all faces what tests 2 to 4 ask about sides. A solid whose front has many
- * faces is entered face by face instead, each a front of its own.
+ * faces is entered face by face instead, each a front of its own, or as a bundle (see bundle.h).
  *
  * Solids are taken nearest first, and a solid whose box lies behind the covers of those before it is culled: it is
  * neither mapped nor cut, and as it hides nothing that the covers do not hide, it is no front either. */
@@ -11,6 +11,7 @@
 
 #include "base/bits.h"
 #include "base/fetch.h"
+#include "hide/bundle.h"
 #include "hide/cover.h"
 #include "hide/runs.h"
 #include "hide/space.h"
@@ -22,8 +23,8 @@ typedef struct hide_front {
     uint32_t outline, corners; /* of hide_picture.outline; corners == 0: the one face's own */
     float loose;               /* by how much its faces may leave its outline: by what they depart from their planes */
     float depth;               /* what is nowhere nearer is behind it wherever it is inside the outline */
-    unsigned char face_count;
-    bool listed; /* false: a copy of another front */
+    uint32_t face_count;       /* of a bundle more than of others; see bundle.h */
+    bool listed;               /* false: a copy of another front */
 } hide_front;
 
 typedef struct hide_picture {
@@ -38,7 +39,8 @@ typedef struct hide_picture {
     hide_front *front;     /* [front_count] */
     hide_box *front_box;   /* [front_count] */
     uint32_t front_count;
-    uint32_t *outline;                  /* compact vertex numbers, likewise */
+    uint32_t *outline; /* compact vertex numbers, likewise */
+    bundle_table bundles;
     runs_table face_runs, outline_runs; /* of faces and of outlines of very many corners */
     cover cover;
     uint32_t most_corners;            /* of a face or an outline */

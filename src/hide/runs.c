@@ -94,23 +94,15 @@ static runs_node make_run(const hide_space *space, const uint32_t *corner, uint3
 
 runs *runs_make(const hide_space *space, const uint32_t *corner, uint32_t count)
 {
-    runs shape = {.sides = count};
-    uint32_t nodes = 0;
-    for (uint32_t runs_of_level = count; runs_of_level > 1 && shape.levels < RUNS_LEVELS; shape.levels++) {
-        runs_of_level = (runs_of_level >> RUNS_BITS) + (runs_of_level % (1u << RUNS_BITS) > 0);
-        shape.start[shape.levels] = nodes;
-        nodes += runs_of_level;
-        if (runs_of_level <= 1u << RUNS_BITS)
-            runs_of_level = 1; /* a longer one would turn too much */
-    }
-    runs *r = malloc(sizeof *r + nodes * sizeof *r->node);
+    ranks over = ranks_over(count); /* a run of all sides would turn too much */
+    runs *r = malloc(sizeof *r + over.start[over.count] * sizeof *r->node);
     if (!r)
         return NULL;
-    *r = shape;
-    for (int level = 0; level < (int)r->levels; level++)
+    r->ranks = over;
+    for (int rank = 0; rank < (int)over.count; rank++)
         for (uint32_t side = 0, end; side < count; side = end) {
-            end = runs_end(r, level, side);
-            r->node[r->start[level] + (side >> (RUNS_BITS * (level + 1)))] = make_run(space, corner, count, side, end);
+            end = ranks_end(&over, rank, side);
+            r->node[ranks_node(&over, rank, side)] = make_run(space, corner, count, side, end);
         }
     return r;
 }
@@ -126,15 +118,15 @@ bool runs_enter(runs_table *table, const hide_space *space, const uint32_t *corn
 
 bool runs_next(const runs *r, roberts_vec3 A, roberts_vec3 B, uint32_t *side, uint32_t *end)
 {
-    while (*side < r->sides) {
-        int level = runs_level(r, *side);
-        for (; level >= 0; level--) {
-            const runs_node *n = runs_at(r, level, *side);
+    while (*side < r->ranks.items) {
+        int rank = ranks_highest(&r->ranks, *side);
+        for (; rank >= 0; rank--) {
+            const runs_node *n = &r->node[ranks_node(&r->ranks, rank, *side)];
             if (runs_hold(n, A.x, A.y) && runs_hold(n, B.x, B.y))
                 break;
         }
-        *end = runs_end(r, level < 0 ? 0 : level, *side);
-        if (level < 0)
+        *end = ranks_end(&r->ranks, rank < 0 ? 0 : rank, *side);
+        if (rank < 0)
             return true;
         *side = *end;
     }
@@ -146,7 +138,7 @@ bool runs_hold_point(const hide_space *space, const runs *r, const uint32_t *cor
     roberts_vec3 X = {x, y, 0.0};
     for (uint32_t i = 0, end; runs_next(r, X, X, &i, &end);)
         for (; i < end; i++) {
-            roberts_vec3 P = space->P[corner[i]], Q = space->P[corner[i + 1 < r->sides ? i + 1 : 0]];
+            roberts_vec3 P = space->P[corner[i]], Q = space->P[corner[i + 1 < r->ranks.items ? i + 1 : 0]];
             double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (y - P.y) - dy * (x - P.x);
             if (H < 0.0 && H < -slack * sqrt(dx * dx + dy * dy))
                 return false;

@@ -13,16 +13,11 @@
 #ifndef ROBERTS_HIDE_RUNS_H
 #define ROBERTS_HIDE_RUNS_H
 
-#include "base/bits.h"
+#include "hide/ranks.h"
 #include "hide/space.h"
 
 /* Polygons of more corners are taken in runs. Below, that gains nothing. */
 #define RUNS_CORNERS 64
-/* Sides of a run, and runs of a longer one: two to this power. */
-#define RUNS_BITS 3
-/* Levels for as many sides as can be counted. */
-#define RUNS_LEVELS 10
-
 typedef struct runs_node {
     double x, y;           /* first corner, in the picture */
     double ux, uy;         /* along the chord, 1 long */
@@ -32,8 +27,7 @@ typedef struct runs_node {
 } runs_node;
 
 typedef struct runs {
-    uint32_t sides, levels;
-    uint32_t start[RUNS_LEVELS]; /* of the nodes of a level; the first is of the shortest runs, the last has few */
+    ranks ranks; /* the items are sides */
     runs_node node[];
 } runs;
 
@@ -59,25 +53,6 @@ runs *runs_make(const hide_space *space, const uint32_t *corner, uint32_t count)
 static inline const runs *runs_of(const runs_table *table, const uint32_t *corner, uint32_t count)
 {
     return count > RUNS_CORNERS && table->at ? table->at[(size_t)(corner - table->corner) / RUNS_CORNERS] : NULL;
-}
-
-/* The level of the longest run that begins at this side, a multiple of 2^RUNS_BITS. */
-static inline int runs_level(const runs *r, uint32_t side)
-{
-    int most = (int)r->levels - 1, level = side ? bits_trailing_zeros(side) / RUNS_BITS - 1 : most;
-    return level < most ? level : most;
-}
-
-/* The run of a level that begins at this side, and the side after it. */
-static inline const runs_node *runs_at(const runs *r, int level, uint32_t side)
-{
-    return &r->node[r->start[level] + (side >> (RUNS_BITS * (level + 1)))];
-}
-
-static inline uint32_t runs_end(const runs *r, int level, uint32_t side)
-{
-    uint64_t end = (uint64_t)side + (UINT64_C(1) << (RUNS_BITS * (level + 1)));
-    return end < r->sides ? (uint32_t)end : r->sides;
 }
 
 /* Is a point inside of all sides of the run, farther than what touches them? */

@@ -1,0 +1,201 @@
+/* bundle.c - see bundle.h. */
+#include "hide/bundle.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/box.h"
+#include "base/radix.h"
+
+/* Cells each way by which faces are put in order. */
+#define PLACES 65535.0
+/* The error of F(M) and of what is added to it for a point of the scene, in roundings: three products of coordinates, none
+ * larger than the extent, and four sums. */
+#define BEHIND_ROUNDINGS 16.0
+
+bool bundle_table_init(bundle_table *table, size_t count)
+{
+    *table = (bundle_table){.count = count / BUNDLE_FACES + 1};
+    table->at = alloc_zeroed(table->count, sizeof(bundle *));
+    return table->at != NULL;
+}
+
+static void free_bundle(bundle *b)
+{
+    if (b)
+        free(b->order);
+    free(b);
+}
+
+void bundle_table_free(bundle_table *table)
+{
+    for (size_t i = 0; table->at && i < table->count; i++)
+        free_bundle(table->at[i]);
+    free(table->at);
+    *table = (bundle_table){0};
+}
+
+static roberts_vec3 middle_of(const hide_space *space, const hide_face *F)
+{
+    roberts_vec3 sum = {0.0, 0.0, 0.0};
+    for (uint32_t i = 0; i < F->count; i++)
+        sum = vec3_add(sum, space->P[F->corner[i]]);
+    return vec3_scale(1.0 / F->count, sum);
+}
+
+static uint32_t place(double x, double low, double high)
+{
+    return high > low ? (uint32_t)(PLACES * (x - low) / (high - low)) : 0;
+}
+
+/* Faces whose middles are near one another come together. */
+static bool put_in_order(const hide_space *space, const hide_face *face, uint32_t count, uint32_t *order)
+{
+    uint32_t *key = alloc_array(count, sizeof *key);
+    roberts_vec3 low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
+    for (uint32_t i = 0; key && i < count; i++)
+        box_add(&low, &high, middle_of(space, &face[i]));
+    for (uint32_t i = 0; key && i < count; i++) {
+        roberts_vec3 M = middle_of(space, &face[i]);
+        key[i] = bits_spread(place(M.x, low.x, high.x)) | bits_spread(place(M.y, low.y, high.y)) << 1;
+    }
+    bool done = key && radix_order(key, count, order);
+    free(key);
+    return done;
+}
+
+/* Faces of a node, by `order`. */
+typedef struct some {
+    const hide_space *space;
+    const hide_face *face;
+    const uint32_t *order;
+    uint32_t first, end;
+} some;
+
+/* M, the mean of the middles, and the direction along which they lie most spread, corners counted: the first axis of their
+ * moments. */
+static void set_frame(const some *s, bundle_node *n)
+{
+    double xx = 0.0, xy = 0.0, yy = 0.0;
+    for (uint32_t k = s->first; k < s->end; k++)
+        n->M = vec3_add(n->M, middle_of(s->space, &s->face[s->order[k]]));
+    n->M = vec3_scale(1.0 / (s->end - s->first), n->M);
+    for (uint32_t k = s->first; k < s->end; k++) {
+        const hide_face *F = &s->face[s->order[k]];
+        for (uint32_t i = 0; i < F->count; i++) {
+            roberts_vec3 D = vec3_sub(s->space->P[F->corner[i]], n->M);
+            xx += D.x * D.x;
+            xy += D.x * D.y;
+            yy += D.y * D.y;
+        }
+    }
+    double half = 0.5 * fabs(xx - yy), root = half + sqrt(half * half + xy * xy);
+    double x = xx >= yy ? root : xy, y = xx >= yy ? xy : root, length = sqrt(x * x + y * y);
+    n->ux = length > 0.0 ? x / length : 1.0;
+    n->uy = length > 0.0 ? y / length : 0.0;
+}
+
+/* Takes in a face. Its plane may be off by `touch - limit` at the far end of the scene, or by half of `touch` where that says
+ * nothing (see set_trust() in front.c). */
+static void take_in(const some *s, bundle_node *n, const hide_face *F)
+{
+    double m = hide_margin(s->space), uncertain = greater(0.5 * F->touch, F->touch - (double)F->limit);
+    for (uint32_t i = 0; i < F->count; i++) {
+        roberts_vec3 D = vec3_sub(s->space->P[F->corner[i]], n->M);
+        double x = n->ux * D.x + n->uy * D.y, y = n->ux * D.y - n->uy * D.x;
+        n->x0 = lesser(n->x0, x - m);
+        n->x1 = greater(n->x1, x + m);
+        n->y0 = lesser(n->y0, y - m);
+        n->y1 = greater(n->y1, y + m);
+    }
+    box_add(&n->least, &n->most, (roberts_vec3){F->F.a, F->F.b, F->F.c});
+    n->behind =
+        greater(n->behind, plane_at(F->F, n->M) + F->touch + uncertain + BEHIND_ROUNDINGS * s->space->depth_rounding);
+}
+
+static bundle_node make_node(const some *s)
+{
+    bundle_node n = {.x0 = INFINITY,
+                     .x1 = -INFINITY,
+                     .y0 = INFINITY,
+                     .y1 = -INFINITY,
+                     .least = {INFINITY, INFINITY, INFINITY},
+                     .most = {-INFINITY, -INFINITY, -INFINITY},
+                     .behind = -INFINITY};
+    set_frame(s, &n);
+    for (uint32_t k = s->first; k < s->end; k++)
+        take_in(s, &n, &s->face[s->order[k]]);
+    return n;
+}
+
+static bundle *make_bundle(const hide_space *space, const hide_face *face, uint32_t count)
+{
+    ranks over = ranks_over(count);
+    bundle *b = malloc(sizeof *b + over.start[over.count] * sizeof *b->node);
+    if (!b)
+        return NULL;
+    b->ranks = over;
+    b->order = alloc_array(count, sizeof *b->order);
+    if (!b->order || !put_in_order(space, face, count, b->order)) {
+        free_bundle(b);
+        return NULL;
+    }
+    for (int rank = 0; rank < (int)over.count; rank++)
+        for (uint32_t item = 0, end; item < count; item = end) {
+            end = ranks_end(&over, rank, item);
+            b->node[ranks_node(&over, rank, item)] = make_node(&(some){space, face, b->order, item, end});
+        }
+    return b;
+}
+
+bool bundle_enter(bundle_table *table, const hide_space *space, const hide_face *face, uint32_t count, uint32_t first)
+{
+    bundle **at = &table->at[first / BUNDLE_FACES];
+    *at = make_bundle(space, face, count);
+    return *at != NULL;
+}
+
+/* Parameters at which a + t (b - a) lies in [low, high], kept in [t0, t1]. */
+static void clip(double a, double b, double low, double high, double *t0, double *t1)
+{
+    double d = b - a;
+    if (d == 0.0) {
+        if (a < low || a > high)
+            *t1 = -1.0;
+        return;
+    }
+    double ta = (low - a) / d, tb = (high - a) / d;
+    *t0 = greater(*t0, lesser(ta, tb));
+    *t1 = lesser(*t1, greater(ta, tb));
+}
+
+bool bundle_meets(const bundle_node *n, const hide_edge *e, double *t0, double *t1)
+{
+    double ax = e->A.x - n->M.x, ay = e->A.y - n->M.y, bx = e->B.x - n->M.x, by = e->B.y - n->M.y;
+    *t0 = 0.0;
+    *t1 = 1.0;
+    clip(n->ux * ax + n->uy * ay, n->ux * bx + n->uy * by, n->x0, n->x1, t0, t1);
+    clip(n->ux * ay - n->uy * ax, n->ux * by - n->uy * bx, n->y0, n->y1, t0, t1);
+    return *t0 <= *t1;
+}
+
+static bool holds(const bundle_node *n, double px, double py)
+{
+    double dx = px - n->M.x, dy = py - n->M.y, x = n->ux * dx + n->uy * dy, y = n->ux * dy - n->uy * dx;
+    return x >= n->x0 && x <= n->x1 && y >= n->y0 && y <= n->y1;
+}
+
+bool bundle_next(const bundle *b, double x, double y, uint32_t *item, uint32_t *end)
+{
+    while (*item < b->ranks.items) {
+        int rank = ranks_highest(&b->ranks, *item);
+        while (rank >= 0 && holds(&b->node[ranks_node(&b->ranks, rank, *item)], x, y))
+            rank--;
+        *end = ranks_end(&b->ranks, rank < 0 ? 0 : rank, *item);
+        if (rank < 0)
+            return true;
+        *item = *end;
+    }
+    return false;
+}

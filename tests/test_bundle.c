@@ -1,0 +1,102 @@
+/* Bundles: solids of very many faces that lie across one another's boxes, asked by a tree against all faces one by one. */
+#include "hide/pair.h"
+#include "scenes.h"
+
+enum { EDGES_OF_EACH = 3000, SCENES = 24 };
+
+/* Double pyramids, and columns lying down; every other scene to five digits. Two of a kind, one through the other or beside
+ * it: so the picture has a box for edges to lie in. */
+static void make_scene(model *m, uint64_t seed)
+{
+    rng r = {seed};
+    uint32_t n = (uint32_t)rng_int(&r, 100, MODEL_CORNERS);
+    for (int i = 0; i < 2; i++) {
+        double high = rng_between(&r, 0.2, 3.0), lean = seed % 3 == 0 ? rng_between(&r, -1.0, 1.0) : 0.0;
+        mat3 map = {{1, 0, 0}, {0, rng_between(&r, 0.1, 1.0), 0}, {lean, lean, high}};
+        if (seed % 4 == 3) /* a column along x */
+            map = (mat3){{0, 0.1, 0}, {0, 0, 0.1}, {2, 0.5 * lean, 0.5}};
+        model_round(m, n, seed % 4 != 3, map,
+                    (roberts_vec3){0.3 * i, rng_between(&r, -0.2, 0.2), -rng_between(&r, 0.0, 2.0) * i});
+    }
+    if (seed % 2)
+        model_to_digits(m, 5);
+}
+
+/* Anywhere, or a vertex, or a point on the line through two of them, or hardly beside one. */
+static roberts_vec3 place(const hide_picture *picture, rng *r)
+{
+    int last = (int)roberts_scene_vertex_count(picture->scene) - 1;
+    roberts_vec3 P = picture->P[rng_int(r, 0, last)], Q = picture->P[rng_int(r, 0, last)];
+    double t = rng_between(r, -0.5, 1.5);
+    switch (rng_int(r, 0, 3)) {
+    case 0:
+        return P;
+    case 1:
+        return vec3_add(P, vec3_scale(t, vec3_sub(Q, P)));
+    case 2:
+        return vec3_add(P, (roberts_vec3){0.0, 0.0, t - 1.0});
+    default:
+        return (roberts_vec3){rng_between(r, -1.5, 1.5), rng_between(r, -1.5, 1.5), rng_between(r, -3.0, 3.0)};
+    }
+}
+
+static hide_edge edge_of(roberts_vec3 A, roberts_vec3 B)
+{
+    roberts_vec3 D = vec3_sub(B, A);
+    return (hide_edge){.A = A, .B = B, .length = hypot(D.x, D.y), .length3 = vec3_length(D)};
+}
+
+static void a_tree_finds_what_all_faces_do(void **state)
+{
+    size_t bundles = 0, hidden = 0, cut = 0, asked = 0, all = 0;
+    hide_sides sides = {0};
+    (void)state;
+    assert_true(hide_sides_reserve(&sides, MODEL_CORNERS + 1));
+    for (uint64_t seed = 0; seed < SCENES; seed++) {
+        static const roberts_camera cameras[] = {
+            {.dir = {0, 0, 1}, .up = {0, 1, 0}}, {.dir = {1, 2, 9}}, {ROBERTS_PERSPECTIVE, .eye = {3, -4, 20}}};
+        model m = {0};
+        rng r = {seed + 100};
+        hide_picture picture;
+        make_scene(&m, seed);
+        roberts_scene *scene = model_build(&m);
+        assert_int_equal(hide_picture_build(&picture, scene, &cameras[seed % 3], 0.0, false, 1, NULL), ROBERTS_OK);
+        hide_picture plain = picture;
+        plain.bundles = (bundle_table){0};
+        picture.space.scene = plain.space.scene = NULL; /* these edges are none of the scene's */
+        for (uint32_t k = 0; k < picture.front_count; k++) {
+            const hide_front *front = &picture.front[k];
+            if (!bundle_of(&picture.bundles, front->face, front->face_count))
+                continue;
+            bundles++;
+            for (int i = 0; i < EDGES_OF_EACH; i++) {
+                hide_edge e = edge_of(place(&picture, &r), place(&picture, &r));
+                hide_part part = {0}, expected = {0};
+                roberts_tally tally = {0}, other = {0};
+                bool found = hide_by_faces(&picture, front, 20.0, &e, &sides, &tally, &part);
+                if (found != hide_by_faces(&plain, front, 20.0, &e, &sides, &other, &expected) ||
+                    (found && (part.t0 != expected.t0 || part.t1 != expected.t1)))
+                    fail_msg("scene %d, front %u, edge %d: %d %.17g %.17g instead of %.17g %.17g", (int)seed, k, i,
+                             found, part.t0, part.t1, expected.t0, expected.t1);
+                hidden += found;
+                cut += found && (part.t0 > 0.0 || part.t1 < 1.0);
+                asked += tally.pairs;
+                all += other.pairs;
+            }
+        }
+        hide_picture_free(&picture);
+        roberts_scene_free(scene);
+        model_free(&m);
+    }
+    print_message("%zu bundles, %zu hidden, %zu cut; asked %zu of %zu\n", bundles, hidden, cut, asked, all);
+    assert_true(bundles >= SCENES && hidden > 10000 && cut > 5000 && asked < all / 3);
+    free(sides.H);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_tree_finds_what_all_faces_do),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
