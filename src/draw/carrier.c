@@ -166,23 +166,16 @@ static search search_for(const sorter *s, const piece *p)
     return f;
 }
 
-/* Asks for the first line in each cell, then for the piece that is likely to be compared. */
-static void ask_ahead(const sorter *s, const search *f, size_t count)
+/* The first line that a piece is likely to be compared with; NO_LINE. */
+static uint32_t likely_line(const sorter *s, const search *f)
 {
-    for (size_t i = 0; i < count; i++)
-        for (int k = 0; k < f[i].cells; k++)
-            if (*cell_of(s, f[i].hash[k]) != NO_LINE)
-                FETCH_AHEAD(&s->lines->item[*cell_of(s, f[i].hash[k])]);
-    for (size_t i = 0; i < count; i++) {
-        uint32_t line = NO_LINE;
-        for (int k = 0; k < f[i].cells && line == NO_LINE; k++) {
-            line = *cell_of(s, f[i].hash[k]);
-            while (line != NO_LINE && !may_coincide(s, &s->lines->item[line], f[i].at))
-                line = s->lines->item[line].start;
-        }
-        if (line != NO_LINE)
-            FETCH_AHEAD(&s->p->item[s->lines->item[line].longest]);
+    uint32_t line = NO_LINE;
+    for (int k = 0; k < f->cells && line == NO_LINE; k++) {
+        line = *cell_of(s, f->hash[k]);
+        while (line != NO_LINE && !may_coincide(s, &s->lines->item[line], f->at))
+            line = s->lines->item[line].start;
     }
+    return line;
 }
 
 static void set_longest(carrier *c, uint32_t i, bearing at)
@@ -212,22 +205,36 @@ static void sort_to_line(sorter *s, uint32_t i, const search *f)
     s->line_of[i] = line;
 }
 
+/* Pieces first .. first + count - 1, whose cells have been asked for. */
+static void sort_some(sorter *s, const search *f, size_t first, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        for (int k = 0; k < f[i].cells; k++)
+            if (*cell_of(s, f[i].hash[k]) != NO_LINE)
+                FETCH_AHEAD(&s->lines->item[*cell_of(s, f[i].hash[k])]);
+    for (size_t i = 0; i < count; i++) {
+        uint32_t line = likely_line(s, &f[i]);
+        if (line != NO_LINE)
+            FETCH_AHEAD(&s->p->item[s->lines->item[line].longest]);
+    }
+    for (size_t i = 0; i < count; i++)
+        sort_to_line(s, (uint32_t)(first + i), &f[i]);
+}
+
 /* False: no memory. */
 static bool sort_to_lines(sorter *s)
 {
     search f[AT_A_TIME];
-    for (size_t first = 0, end; first < s->p->count; first = end) {
-        end = s->p->count - first > AT_A_TIME ? first + AT_A_TIME : s->p->count;
-        if (!make_cells(s, s->lines->count + AT_A_TIME))
+    for (size_t first = 0, count; first < s->p->count; first += count) {
+        count = s->p->count - first < AT_A_TIME ? s->p->count - first : AT_A_TIME;
+        if (!make_cells(s, s->lines->count + count))
             return false;
-        for (size_t i = first; i < end; i++) {
-            f[i - first] = search_for(s, &s->p->item[i]);
-            for (int k = 0; k < f[i - first].cells; k++)
-                FETCH_AHEAD(cell_of(s, f[i - first].hash[k]));
+        for (size_t i = 0; i < count; i++) {
+            f[i] = search_for(s, &s->p->item[first + i]);
+            for (int k = 0; k < f[i].cells; k++)
+                FETCH_AHEAD(cell_of(s, f[i].hash[k]));
         }
-        ask_ahead(s, f, end - first);
-        for (size_t i = first; i < end; i++)
-            sort_to_line(s, (uint32_t)i, &f[i - first]);
+        sort_some(s, f, first, count);
     }
     return true;
 }

@@ -11,12 +11,14 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/fetch.h"
 
 #define NO_PLACE UINT32_MAX
 
 enum {
-    PLACE_CELL = 4,  /* units */
-    LOOK_AT_MOST = 8 /* pieces, at a place, for the one that goes straight on */
+    PLACE_CELL = 4,     /* units */
+    LOOK_AT_MOST = 8,   /* pieces, at a place, for the one that goes straight on */
+    ENDS_AT_A_TIME = 32 /* taken together, so that memory can be asked for ahead of them */
 };
 
 typedef struct place {
@@ -153,15 +155,6 @@ static uint32_t *cell_of(const net *n, int32_t x, int32_t y)
     return &n->head[(key * 0x9e3779b97f4a7c15u) >> (64 - n->bits)];
 }
 
-static uint32_t find_in_cell(const net *n, page_point at, int32_t x, int32_t y)
-{
-    uint32_t i = *cell_of(n, x, y);
-    while (i != NO_PLACE && (llabs((int64_t)n->place[i].at.x - at.x) > (int64_t)PIECE_TOUCH ||
-                             llabs((int64_t)n->place[i].at.y - at.y) > (int64_t)PIECE_TOUCH))
-        i = n->place[i].next;
-    return i;
-}
-
 /* The cell of a coordinate and a neighbour that may hold what is within PIECE_TOUCH of it, or itself again. */
 static void cells_near(int32_t value, int32_t cell[2])
 {
@@ -170,22 +163,44 @@ static void cells_near(int32_t value, int32_t cell[2])
     cell[1] = in == 0 ? cell[0] - 1 : in == PLACE_CELL - 1 ? cell[0] + 1 : cell[0];
 }
 
-static uint32_t place_of(net *n, roberts_vec2 p)
+/* Where the place of a point is looked for. */
+typedef struct search {
+    page_point at;
+    uint32_t *cell[4]; /* that may hold what is within PIECE_TOUCH; the first is its own */
+    int cells;
+} search;
+
+static search search_for(const net *n, roberts_vec2 p)
 {
-    page_point at = rounded(p);
+    search f = {.at = rounded(p)};
     int32_t x[2], y[2];
-    cells_near(at.x, x);
-    cells_near(at.y, y);
+    cells_near(f.at.x, x);
+    cells_near(f.at.y, y);
     int columns = x[1] != x[0] ? 2 : 1, rows = y[1] != y[0] ? 2 : 1;
     for (int i = 0; i < columns; i++)
-        for (int k = 0; k < rows; k++) {
-            uint32_t found = find_in_cell(n, at, x[i], y[k]);
-            if (found != NO_PLACE)
-                return found;
-        }
-    uint32_t *cell = cell_of(n, x[0], y[0]);
-    n->place[n->place_count] = (place){.at = at, .next = *cell};
-    return *cell = n->place_count++;
+        for (int k = 0; k < rows; k++)
+            f.cell[f.cells++] = cell_of(n, x[i], y[k]);
+    return f;
+}
+
+/* The first place from `i` on, all in one cell, within PIECE_TOUCH of a point; NO_PLACE. */
+static uint32_t find_in_cell(const net *n, page_point at, uint32_t i)
+{
+    while (i != NO_PLACE && (llabs((int64_t)n->place[i].at.x - at.x) > (int64_t)PIECE_TOUCH ||
+                             llabs((int64_t)n->place[i].at.y - at.y) > (int64_t)PIECE_TOUCH))
+        i = n->place[i].next;
+    return i;
+}
+
+static uint32_t place_of(net *n, const search *f)
+{
+    for (int k = 0; k < f->cells; k++) {
+        uint32_t found = find_in_cell(n, f->at, *f->cell[k]);
+        if (found != NO_PLACE)
+            return found;
+    }
+    n->place[n->place_count] = (place){.at = f->at, .next = *f->cell[0]};
+    return *f->cell[0] = n->place_count++;
 }
 
 static void net_free(net *n)
@@ -213,19 +228,42 @@ static bool net_init(net *n, size_t count)
     return true;
 }
 
-/* Pieces whose ends are one place are no longer than can be seen. */
-static void add_links(net *n, const pieces *p, roberts_line line)
+/* The places of some ends, two by two, and the links between them. Pieces whose ends are one place are no longer than can be
+ * seen. */
+static void link_some(net *n, const search *f, size_t ends)
 {
-    for (size_t i = 0; i < p->count; i++) {
-        if (p->item[i].line != line)
-            continue;
-        uint32_t from = place_of(n, p->item[i].a), to = place_of(n, p->item[i].b);
+    for (size_t i = 0; i < ends; i++)
+        for (int k = 0; k < f[i].cells; k++)
+            if (*f[i].cell[k] != NO_PLACE)
+                FETCH_AHEAD(&n->place[*f[i].cell[k]]);
+    for (size_t i = 0; i < ends; i += 2) {
+        uint32_t from = place_of(n, &f[i]), to = place_of(n, &f[i + 1]);
         if (from == to)
             continue;
         n->link[n->link_count++] = (link){.from = from, .to = to};
         n->place[from].left++;
         n->place[to].left++;
     }
+}
+
+static void add_links(net *n, const pieces *p, roberts_line line)
+{
+    search f[ENDS_AT_A_TIME];
+    size_t ends = 0;
+    for (size_t i = 0; i < p->count; i++) {
+        if (p->item[i].line != line)
+            continue;
+        f[ends++] = search_for(n, p->item[i].a);
+        f[ends++] = search_for(n, p->item[i].b);
+        for (size_t e = ends - 2; e < ends; e++)
+            for (int k = 0; k < f[e].cells; k++)
+                FETCH_AHEAD(f[e].cell[k]);
+        if (ends == ENDS_AT_A_TIME) {
+            link_some(n, f, ends);
+            ends = 0;
+        }
+    }
+    link_some(n, f, ends);
     uint32_t total = 0;
     for (uint32_t i = 0; i < n->place_count; i++) {
         n->place[i].start = total;

@@ -39,16 +39,23 @@ typedef struct tour {
     uint32_t *left[LEVELS_MAX]; /* ends that are left in a cell; each level halves the one before */
     uint32_t *start;            /* [cells + 1] of level 0, into `end` */
     uint32_t *end, *slot;       /* ends by cell, those left first; where in it an end is */
+    page_point *spot;           /* [2 count] of ends by cell, once their order is settled */
     /* the result */
     uint32_t *entry;    /* [count] the end at which the k-th polyline begins; its other end is entry ^ 1 */
     uint32_t *position; /* [count] of a polyline in `entry` */
     uint64_t compared, turned;
 } tour;
 
-static double distance(page_point p, page_point q)
+/* Exact: a page is less than 2^22 units wide. Roots of two such numbers differ where these do, and in the same sense. */
+static double square(page_point p, page_point q)
 {
     double x = (double)p.x - q.x, y = (double)p.y - q.y;
-    return sqrt(x * x + y * y);
+    return x * x + y * y;
+}
+
+static double distance(page_point p, page_point q)
+{
+    return sqrt(square(p, q));
 }
 
 /* ---- the grid ---- */
@@ -102,7 +109,8 @@ static bool fill_grid(tour *t)
     t->start = alloc_zeroed(cells + 1, sizeof *t->start);
     t->end = alloc_array(t->count, 2 * sizeof *t->end);
     t->slot = alloc_array(t->count, 2 * sizeof *t->slot);
-    if (!t->start || !t->end || !t->slot)
+    t->spot = alloc_array(t->count, 2 * sizeof *t->spot);
+    if (!t->start || !t->end || !t->slot || !t->spot)
         return false;
     for (uint32_t i = 0; i < 2 * t->count; i++) {
         uint32_t x = column_of(t, t->at[i]), y = row_of(t, t->at[i]);
@@ -265,33 +273,60 @@ static bool try_turn(tour *t, uint32_t i, uint32_t j)
     return true;
 }
 
-/* Tries the ends in a cell as what could follow polyline k (from its exit) or come before k + 1 (from its entry). */
-static bool try_cell(tour *t, uint32_t k, bool from_exit, page_point p, double way, size_t cell)
+/* How many of the ends in a cell are looked at. */
+static uint32_t look_count(const tour *t, size_t cell)
 {
-    for (uint32_t i = t->start[cell]; i < t->start[cell + 1] && i < t->start[cell] + LOOK_IN_CELL; i++) {
+    uint32_t count = t->start[cell + 1] - t->start[cell];
+    return count < LOOK_IN_CELL ? count : LOOK_IN_CELL;
+}
+
+/* Tries the ends in a cell that are nearer to p than the pen's way behind k, squared, as what could follow polyline k (from its exit) or come
+ * before k + 1 (from its entry). */
+static bool try_cell(tour *t, uint32_t k, bool from_exit, page_point p, double way_square, size_t cell)
+{
+    uint32_t first = t->start[cell], end = first + look_count(t, cell);
+    t->compared += end - first;
+    for (uint32_t i = first; i < end; i++) {
+        if (square(p, t->spot[i]) >= way_square)
+            continue;
         uint32_t e = t->end[i], q = t->position[e / 2];
         bool is_exit = t->entry[q] != e;
-        t->compared++;
-        if (is_exit != from_exit || distance(p, t->at[e]) >= way)
-            continue;
         uint32_t other = from_exit ? q : q - 1; /* the ways behind k and behind `other` are exchanged */
-        if ((from_exit || q > 0) && (other < k ? try_turn(t, other, k) : try_turn(t, k, other)))
+        if (is_exit == from_exit && (from_exit || q > 0) &&
+            (other < k ? try_turn(t, other, k) : try_turn(t, k, other))) {
+            t->compared -= end - 1 - i; /* not looked at */
             return true;
+        }
     }
     return false;
 }
 
-/* Tries to shorten the way behind polyline k. */
+/* No more than the distance of a coordinate from all that lie in column or row `i` of the grid. */
+static double gap(double at, double start, double cell, uint32_t i)
+{
+    const double rounding = 1.0; /* unit; of where columns begin */
+    double low = start + cell * i;
+    return greater(0.0, greater(low - at, at - low - cell) - rounding);
+}
+
+/* Tries to shorten the way behind polyline k. Cells that are too far are counted as if they were looked into. */
 static bool improve(tour *t, uint32_t k, bool from_exit)
 {
     page_point p = from_exit ? exit_at(t, k) : entry_at(t, k + 1);
-    double way = distance(exit_at(t, k), entry_at(t, k + 1));
+    double way_square = square(exit_at(t, k), entry_at(t, k + 1)), way = sqrt(way_square);
     uint32_t most = t->count > SMALL ? 2 : 8, x = column_of(t, p), y = row_of(t, p);
     uint32_t reach = way < (most - 1) * t->cell ? 1 + (uint32_t)(way / t->cell) : most;
-    for (uint32_t j = y > reach ? y - reach : 0; j <= y + reach && j < t->ny[0]; j++)
-        for (uint32_t i = x > reach ? x - reach : 0; i <= x + reach && i < t->nx[0]; i++)
-            if (try_cell(t, k, from_exit, p, way, (size_t)j * t->nx[0] + i))
+    for (uint32_t j = y > reach ? y - reach : 0; j <= y + reach && j < t->ny[0]; j++) {
+        double dy = gap(p.y, t->y0, t->cell, j);
+        for (uint32_t i = x > reach ? x - reach : 0; i <= x + reach && i < t->nx[0]; i++) {
+            double dx = gap(p.x, t->x0, t->cell, i);
+            size_t cell = (size_t)j * t->nx[0] + i;
+            if (dx * dx + dy * dy >= way_square)
+                t->compared += look_count(t, cell);
+            else if (try_cell(t, k, from_exit, p, way_square, cell))
                 return true;
+        }
+    }
     return false;
 }
 
@@ -308,6 +343,8 @@ static bool try_head(tour *t, uint32_t k)
 static void two_opt(tour *t)
 {
     bool shorter = true;
+    for (uint32_t i = 0; i < 2 * t->count; i++)
+        t->spot[i] = t->at[t->end[i]];
     for (int pass = 0; pass < PASSES_MAX && shorter; pass++) {
         shorter = false;
         for (uint32_t k = 0; k + 1 < t->count; k++) {
@@ -355,6 +392,7 @@ static void tour_free(tour *t)
     free(t->start);
     free(t->end);
     free(t->slot);
+    free(t->spot);
     free(t->entry);
     free(t->position);
 }
