@@ -257,6 +257,7 @@ worst() {
         scene sphere $size
         two_of 'balls: one behind the other' "$file" .1,-.05,3 --view top || break
     done
+    grow 'speck: two balls in one spot' speck '600 6000 60000 600000' $general
     for model in qhull_sphere30000_Qt antiprism_geo_ico_50; do
         file=$shared/models/$model.off
         if [ ! -f "$file" ]; then

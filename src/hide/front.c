@@ -11,6 +11,10 @@
 #define FACES_OF_ONE_FRONT 24
 /* A solid of more faces than make a bundle is one where their boxes lie so many times over one another on average. */
 #define DEPTH_OF_BUNDLE 8.0
+/* ... or one so small in the picture that about so many of its faces share a cell: with fewer, their tree takes longer. */
+#define FACES_OF_A_CELL 1000.0
+/* Cells each way in a picture of n faces, about, are this times the root of n: see CELLS_PER_BOX in cells.c. */
+#define CELLS_PER_ROOT 2.0
 /* From this many cells (five or six mean boxes) across, a cover's depth is taken cell by cell and not once for all of it. */
 #define COVER_WIDE 50.0
 
@@ -135,12 +139,22 @@ static span face_span(const hide_picture *picture, const hide_face *F)
     return own;
 }
 
-/* Do the faces lie across one another's boxes? (`box` is that of the solid.) */
+/* About how many cells of the lists a box meets along one axis, of a window that is `window` long. */
+static double cells_along(const hide_picture *picture, double length, double window)
+{
+    return 1.0 + (window > 0.0 ? CELLS_PER_ROOT * sqrt(picture->scene->face_count) * length / window : 0.0);
+}
+
+/* Do the faces lie across one another's boxes, or very many of them in one cell? (`box` is that of the solid.) */
 static bool is_bundle(const hide_picture *picture, const front_faces *found, const hide_box *box)
 {
     double width = (double)(box->x1 - box->x0), height = (double)(box->y1 - box->y0), area = 0.0;
     if (found->count <= BUNDLE_FACES || !picture->bundles.at)
         return false;
+    double cells = cells_along(picture, width, picture->high.x - picture->low.x) *
+                   cells_along(picture, height, picture->high.y - picture->low.y);
+    if (found->count > FACES_OF_A_CELL * cells)
+        return true;
     for (uint32_t k = 0; k < found->count; k++) {
         span own = face_span(picture, &found->face[k]);
         area += (own.high.x - own.low.x) * (own.high.y - own.low.y);

@@ -249,6 +249,31 @@ static void fans_solid(body *b, const plan *p, uint64_t index)
     body_free(&fan);
 }
 
+/* Two balls of about n faces, one through the other, and a box as much farther away as it is larger: all that is to be seen of
+ * the balls is in one spot of the picture. */
+static uint64_t three(uint64_t n)
+{
+    (void)n;
+    return 3;
+}
+
+static void speck_solid(body *b, const plan *p, uint64_t index)
+{
+    uint64_t rings = integer_root(p->n / 2);
+    motion move = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0.3125, 0.1875, 0.125}};
+    body ball = {0};
+    rings = rings < 2 ? 2 : rings;
+    if (index == 2) {
+        body_box(b, vec3(1000, 1000, 1000), vec3(2000, 2000, 2000));
+        return;
+    }
+    globe_make(&ball, (uint32_t)rings, (uint32_t)(2 * rings));
+    if (index == 0)
+        move.shift = vec3(0, 0, 0);
+    body_add(b, &ball, move);
+    body_free(&ball);
+}
+
 /* ---- single solids ------------------------------------------------------------------------------------------------ */
 
 static uint64_t single(uint64_t n)
@@ -328,6 +353,10 @@ static const struct {
     {{"fans", "N", "Two pyramids over the regular N-gon, one behind the tip of the other.", 3, 1000000, false},
      two,
      fans_solid},
+    {{"speck", "N", "Two balls of about N faces each, one through the other, and a large box far away.", 8, 10000000,
+      false},
+     three,
+     speck_solid},
     {{"sphere", "N", "Ball of about N faces: parallels and meridians.", 8, 10000000, false}, single, sphere_solid},
     {{"prism", "N", "Uniform prism over the regular N-gon: circumradius of the N-gon 1, side faces squares.", 3,
       1000000, false},
