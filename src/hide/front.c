@@ -181,6 +181,8 @@ static bool add_single_fronts(const hide_picture *picture, picture_tile *tile, u
 /* The runs of the faces and of the outline, of those that have many corners. False: no memory. */
 static bool enter_runs(hide_picture *picture, const front_faces *found, const uint32_t *outline, uint32_t corners)
 {
+    if (!picture->face_runs.at)
+        return true;
     for (uint32_t k = 0; k < found->count; k++)
         if (!runs_enter(&picture->face_runs, &picture->space, found->face[k].corner, found->face[k].count))
             return false;
@@ -206,6 +208,25 @@ static void cover_front(hide_picture *picture, scan *s, const hide_front *front,
                 ((double)(box->x1 - box->x0) > COVER_WIDE * f->dx || (double)(box->y1 - box->y0) > COVER_WIDE * f->dy);
     cover_add(&picture->cover, s, picture->P, picture->outline + front->outline, front->corners, depth, found->face,
               wide ? found->count : 0, slack, by, (double)front->loose);
+}
+
+/* Enters the faces of a solid that is not entered as a whole, and the runs of its polygons. corners: of its outline, 0 where that
+ * is not asked. False: no memory. */
+static BITS_RARE bool enter_faces(hide_picture *picture, picture_tile *tile, uint32_t solid, const front_faces *found,
+                                  const uint32_t *outline, uint32_t corners, bool bundled)
+{
+    if (bundled)
+        return bundle_enter(&picture->bundles, &picture->space, found->face, found->count, tile->face) &&
+               enter_runs(picture, found, outline, 0);
+    return (corners || add_single_fronts(picture, tile, solid, found)) && enter_runs(picture, found, outline, corners);
+}
+
+static void count_faces(picture_tile *tile, const front_faces *found)
+{
+    tile->face += found->count;
+    tile->faces += found->count;
+    tile->back += found->back;
+    tile->edge_on += found->edge_on;
 }
 
 bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile, uint32_t solid)
@@ -246,15 +267,10 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
     if (corners && picture->cover.depth)
         cover_front(picture, &scratch->scan, &front, &found, whole && reach > size, depth, slack,
                     whole ? tile->front : ROBERTS_NONE);
-    if (bundled ? !bundle_enter(&picture->bundles, &picture->space, found.face, found.count, tile->face)
-                : !whole && !add_single_fronts(picture, tile, solid, &found))
+    if ((!whole || picture->face_runs.at) &&
+        !enter_faces(picture, tile, solid, &found, outline, whole ? corners : 0, bundled))
         return false;
-    if (picture->face_runs.at && !enter_runs(picture, &found, outline, whole ? corners : 0))
-        return false;
-    tile->face += found.count;
-    tile->faces += found.count;
-    tile->back += found.back;
-    tile->edge_on += found.edge_on;
+    count_faces(tile, &found);
     if (!whole && !bundled)
         return true;
     tile->outline += cycle;
