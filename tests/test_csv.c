@@ -113,43 +113,6 @@ static void zero_has_no_sign(void **state)
 }
 
 static const struct {
-    int32_t n;
-    int decimals;
-    const char *wanted;
-} fixed_cases[] = {
-    {0, 0, "0"},
-    {0, 3, "0"},
-    {7, 0, "7"},
-    {10, 0, "10"},
-    {5, 3, "0.005"},
-    {-5, 3, "-0.005"},
-    {50, 3, "0.05"},
-    {1000, 3, "1"},
-    {-1000, 3, "-1"},
-    {10000, 3, "10"},
-    {1200, 3, "1.2"},
-    {124302, 3, "124.302"},
-    {100001, 3, "100.001"},
-    {4000000, 2, "40000"},
-    {-101, 2, "-1.01"},
-    {1, 9, "0.000000001"},
-    {INT32_MAX, 3, "2147483.647"},
-    {INT32_MIN, 3, "-2147483.648"},
-    {INT32_MIN, 9, "-2.147483648"},
-    {INT32_MIN, 0, "-2147483648"},
-};
-
-static void fixed_numbers(void **state)
-{
-    (void)state;
-    for (size_t i = 0; i < sizeof fixed_cases / sizeof fixed_cases[0]; i++) {
-        char text[DECIMAL_ROOM];
-        text[decimal_fixed(text, fixed_cases[i].n, fixed_cases[i].decimals)] = '\0';
-        assert_string_equal(text, fixed_cases[i].wanted);
-    }
-}
-
-static const struct {
     const char *printed, *wanted;
 } locale_cases[] = {
     {"1,5", "1.5"},
@@ -328,7 +291,6 @@ int main(void)
         cmocka_unit_test(numbers_are_as_printf_has_them),
         cmocka_unit_test(random_numbers_are_as_printf_has_them),
         cmocka_unit_test(zero_has_no_sign),
-        cmocka_unit_test(fixed_numbers),
         cmocka_unit_test(commas_become_points),
         cmocka_unit_test(rows),
         cmocka_unit_test(rows_in_a_locale_with_commas),

@@ -168,21 +168,3 @@ size_t decimal_format(char out[DECIMAL_ROOM], double x)
     snprintf(text, sizeof text, "%.17g", x);
     return decimal_unlocalise(out, text);
 }
-
-size_t decimal_fixed(char out[DECIMAL_ROOM], int32_t n, int decimals)
-{
-    enum { LONGEST = 12 }; /* ten digits, a point, and a nought before it */
-    char text[2 * LONGEST];
-    char *at = text + LONGEST;
-    uint32_t left = n < 0 ? 0u - (uint32_t)n : (uint32_t)n;
-    for (; decimals > 0 && left % 10 == 0; decimals--)
-        left /= 10;
-    for (; left || decimals >= 0; left /= 10) {
-        *--at = (char)('0' + left % 10);
-        if (--decimals == 0)
-            *--at = '.';
-    }
-    *out = '-';
-    memcpy(out + (n < 0), at, LONGEST); /* what lies behind it is no part of the number */
-    return (size_t)(text + LONGEST - at) + (n < 0);
-}

@@ -3,17 +3,12 @@
 #define ROBERTS_DRAW_DECIMAL_H
 
 #include <stddef.h>
-#include <stdint.h>
 
 enum { DECIMAL_ROOM = 32 }; /* the longest is -1.2345678901234567e-308 and its NUL */
 
 /* Writes what printf("%.17g", x) does in the C locale, but "0" for -0, and returns its length. Reading it back gives x
  * itself. x is finite. */
 size_t decimal_format(char out[DECIMAL_ROOM], double x);
-
-/* Writes n / 10^decimals without zeros at the end, as 12, -0.5 or 1189.25, and returns its length. No NUL; whatever lies behind it in `out` is lost. decimals: 0 to
- * 9. */
-size_t decimal_fixed(char out[DECIMAL_ROOM], int32_t n, int decimals);
 
 /* Copies what printf made of a number in some locale: whatever is no digit, sign or exponent becomes one point. */
 size_t decimal_unlocalise(char *out, const char *text);

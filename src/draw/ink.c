@@ -19,26 +19,22 @@ void ink_pen(cairo_t *cairo, const roberts_draw_options *options, roberts_line l
     cairo_set_dash(cairo, dash, dashed ? 2 : 0, 0.0);
 }
 
-static void add_line(cairo_t *cairo, const strokes *s, const ink_space *space, const polyline *line)
+static void add_line(cairo_t *cairo, const strokes *s, const polyline *line)
 {
     const page_point *p = s->lines.point + line->first;
-    for (uint32_t i = 0; i < line->count; i++) {
-        double x = space->origin + p[i].x / space->units, y = space->origin + p[i].y / space->units;
-        if (i == 0)
-            cairo_move_to(cairo, x, y);
-        else
-            cairo_line_to(cairo, x, y);
-    }
+    cairo_move_to(cairo, p->x / s->units_per_mm, p->y / s->units_per_mm);
+    for (uint32_t i = 1; i < line->count; i++)
+        cairo_line_to(cairo, p[i].x / s->units_per_mm, p[i].y / s->units_per_mm);
     if (line->closed)
         cairo_close_path(cairo);
 }
 
-size_t ink_strokes(cairo_t *cairo, const strokes *s, const ink_space *space, size_t *at, size_t end, size_t most)
+size_t ink_strokes(cairo_t *cairo, const strokes *s, size_t *at, size_t end, size_t most)
 {
     size_t paths = 0, segments = 0, total = 0;
     while (*at < end && total < most) {
         const polyline *line = &s->lines.item[(*at)++];
-        add_line(cairo, s, space, line);
+        add_line(cairo, s, line);
         segments += line->count;
         total += line->count;
         if (segments >= INK_SEGMENTS_PER_STROKE || *at == end || total >= most) {

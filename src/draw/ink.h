@@ -9,17 +9,12 @@
 
 enum { INK_SEGMENTS_PER_STROKE = 1000 };
 
-/* The units in which `cairo` takes points: page units p are origin + p / units. */
-typedef struct ink_space {
-    double origin, units;
-} ink_space;
-
-/* Width, dashes, caps and colour for a class of lines. `cairo` has mm as its units. */
+/* Width, dashes, caps and colour for a class of lines. `cairo` has mm as its units, here and below. */
 void ink_pen(cairo_t *cairo, const roberts_draw_options *options, roberts_line line);
 
 /* Draws polylines from `*at` on, up to `end` or until there are `most` segments; `*at` moves on. As few paths as hold
  * INK_SEGMENTS_PER_STROKE each; returns how many. */
-size_t ink_strokes(cairo_t *cairo, const strokes *s, const ink_space *space, size_t *at, size_t end, size_t most);
+size_t ink_strokes(cairo_t *cairo, const strokes *s, size_t *at, size_t end, size_t most);
 
 /* A writer for Cairo's streams; the closure is an output. Failures are kept there. */
 cairo_status_t ink_stream(void *out, const unsigned char *bytes, unsigned size);

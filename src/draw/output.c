@@ -45,18 +45,6 @@ void output_bytes(output *out, const void *bytes, size_t size)
     out->used += size;
 }
 
-char *output_room(output *out)
-{
-    if (OUTPUT_ROOM > sizeof out->bytes - out->used)
-        flush(out);
-    return out->bytes + out->used;
-}
-
-void output_took(output *out, size_t size)
-{
-    out->used += size;
-}
-
 void output_text(output *out, const char *text)
 {
     output_bytes(out, text, strlen(text));

@@ -7,8 +7,6 @@
 
 #include "roberts.h"
 
-enum { OUTPUT_ROOM = 128 };
-
 /* After a failure everything is dropped and the first reason kept: only output_finish() need be checked. */
 typedef struct output {
     roberts_write_fn *write;
@@ -24,10 +22,6 @@ void output_bytes(output *out, const void *bytes, size_t size);
 void output_text(output *out, const char *text);
 void output_number(output *out, double x); /* as decimal_format() */
 void output_integer(output *out, uint32_t n);
-
-/* OUTPUT_ROOM bytes to be written to, and then how many of them have been. */
-char *output_room(output *out);
-void output_took(output *out, size_t size);
 
 /* Passes on what is left. Returns ROBERTS_OK, or ROBERTS_IO with the reason. */
 roberts_status output_finish(output *out, roberts_error *error);

@@ -127,14 +127,13 @@ static void paint_page(cairo_t *cairo, const roberts_page *page, const roberts_b
 
 static void draw_page(cairo_t *cairo, const strokes *s, double units_per_mm)
 {
-    const ink_space space = {.units = s->units_per_mm};
     cairo_scale(cairo, units_per_mm, units_per_mm);
     if (s->options->background.on && s->options->format != ROBERTS_PNG)
         paint_page(cairo, &s->options->page, &s->options->background);
     for (int i = 0; i < LINE_CLASSES; i++) {
         size_t at = s->start[i];
         ink_pen(cairo, s->options, line_order[i]);
-        ink_strokes(cairo, s, &space, &at, s->start[i + 1], SIZE_MAX);
+        ink_strokes(cairo, s, &at, s->start[i + 1], SIZE_MAX);
     }
 }
 
