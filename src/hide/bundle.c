@@ -208,18 +208,12 @@ bool bundle_enter(bundle_table *table, const hide_space *space, const hide_face 
     return *at != NULL;
 }
 
-/* Parameters at which a + t (b - a) lies in [low, high], kept in [t0, t1]. */
+/* box_clip(); where a and b are one, that is inside or outside. */
 static void clip(double a, double b, double low, double high, double *t0, double *t1)
 {
-    double d = b - a;
-    if (d == 0.0) {
-        if (a < low || a > high)
-            *t1 = -1.0;
-        return;
-    }
-    double ta = (low - a) / d, tb = (high - a) / d;
-    *t0 = greater(*t0, lesser(ta, tb));
-    *t1 = lesser(*t1, greater(ta, tb));
+    if (a == b && (a < low || a > high))
+        *t1 = -1.0;
+    box_clip(a, b, low, high, t0, t1);
 }
 
 bool bundle_meets(const bundle_node *n, const hide_edge *e, double *t0, double *t1)

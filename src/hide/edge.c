@@ -10,6 +10,7 @@
 
 #include "base/array.h"
 #include "base/bits.h"
+#include "base/box.h"
 #include "base/lanes.h"
 
 /* A solid of more columns or rows than this is taken edge by edge. */
@@ -50,28 +51,17 @@ void hide_worker_free(hide_worker *w)
     *w = (hide_worker){0};
 }
 
-/* Parameters at which a + t (b - a) lies in [low, high], kept in [t0, t1]. */
-static void keep_within(double a, double b, double low, double high, double *t0, double *t1)
-{
-    double d = b - a;
-    if (d == 0.0)
-        return;
-    double ta = (low - a) / d, tb = (high - a) / d;
-    *t0 = greater(*t0, lesser(ta, tb));
-    *t1 = lesser(*t1, greater(ta, tb));
-}
-
 /* What runs nearly along a border of a front is near to the border's line for long, but to the front no longer than where it
  * leaves its box; and what is nearer than all corners of the front is not hidden, whatever its faces' planes are rounded to.
  * False: nothing is left. */
 static BITS_RARE bool confine(const hide_worker *w, const hide_box *box, const hide_edge *e, hide_part *part)
 {
     double t0 = part->t0, t1 = part->t1, first = t0 - part->e0, last = t1 + part->e1, m = w->margin;
-    keep_within(e->A.z, e->B.z, -INFINITY, (double)box->z1 + m, &t0, &t1);
+    box_clip(e->A.z, e->B.z, -INFINITY, (double)box->z1 + m, &t0, &t1);
     first = greater(first, t0 > part->t0 ? t0 : first);
     last = lesser(last, t1 < part->t1 ? t1 : last);
-    keep_within(e->A.x, e->B.x, (double)box->x0 - m, (double)box->x1 + m, &first, &last);
-    keep_within(e->A.y, e->B.y, (double)box->y0 - m, (double)box->y1 + m, &first, &last);
+    box_clip(e->A.x, e->B.x, (double)box->x0 - m, (double)box->x1 + m, &first, &last);
+    box_clip(e->A.y, e->B.y, (double)box->y0 - m, (double)box->y1 + m, &first, &last);
     *part = (hide_part){t0, t1, greater(t0 - first, 0.0), greater(last - t1, 0.0)};
     return (t1 - t0) * e->length3 > w->picture->space.epsilon;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/box.h"
 #include "base/threads.h"
 
 /* A list up to this length is sorted by insertion. */
@@ -237,15 +238,11 @@ void objet_free(objet *grid)
     *grid = (objet){0};
 }
 
-/* Parameters at which a + t (b - a) lies in [low, high], kept in [t0, t1]; the whole of it where a and b hardly differ. */
+/* box_clip(), which has nothing to do where both ends are inside. */
 static void clip_slab(double a, double b, double low, double high, double *t0, double *t1)
 {
-    double d = b - a;
-    if (d == 0.0 || (lesser(a, b) >= low && greater(a, b) <= high))
-        return;
-    double ta = (low - a) / d, tb = (high - a) / d;
-    *t0 = greater(*t0, lesser(ta, tb));
-    *t1 = lesser(*t1, greater(ta, tb));
+    if (lesser(a, b) < low || greater(a, b) > high)
+        box_clip(a, b, low, high, t0, t1);
 }
 
 bool objet_cells(const objet *grid, roberts_vec3 A, roberts_vec3 B, objet_walk *walk)
