@@ -52,14 +52,14 @@ void hide_worker_free(hide_worker *w)
 }
 
 /* What runs nearly along a border of a front is near to the border's line for long, but to the front no longer than where it
- * leaves its box; and what is nearer than all corners of the front is not hidden, whatever its faces' planes are rounded to.
- * False: nothing is left. */
+ * leaves its box; and what is nearer than all corners of the front is not hidden and touches nothing that is, whatever its
+ * faces' planes are rounded to. False: nothing is left. */
 static BITS_RARE bool confine(const hide_worker *w, const hide_box *box, const hide_edge *e, hide_part *part)
 {
     double t0 = part->t0, t1 = part->t1, first = t0 - part->e0, last = t1 + part->e1, m = w->margin;
-    box_clip(e->A.z, e->B.z, -INFINITY, (double)box->z1 + m, &t0, &t1);
-    first = greater(first, t0 > part->t0 ? t0 : first);
-    last = lesser(last, t1 < part->t1 ? t1 : last);
+    double nearest = (double)box->z1 + m;
+    box_clip(e->A.z, e->B.z, -INFINITY, nearest, &t0, &t1);
+    box_clip(e->A.z, e->B.z, -INFINITY, nearest, &first, &last);
     box_clip(e->A.x, e->B.x, (double)box->x0 - m, (double)box->x1 + m, &first, &last);
     box_clip(e->A.y, e->B.y, (double)box->y0 - m, (double)box->y1 + m, &first, &last);
     *part = (hide_part){t0, t1, greater(t0 - first, 0.0), greater(last - t1, 0.0)};
