@@ -74,22 +74,33 @@ static inline bool is_confined(const hide_worker *w, const hide_box *box, const 
            e->A.z + part->t1 * dz <= nearest;
 }
 
-/* Of a line that is hidden at one end only the rest need meet other fronts: where their boxes miss the rest's by the margin,
- * what they hide is hidden already and touches nothing beyond it: they reach no farther than their boxes, or no more than
- * EDGE_REACH farther. */
+/* Of a line that is hidden at one end only the rest, which begins at P, need meet other fronts: where their boxes miss the
+ * rest's by the margin, what they hide is hidden already and touches nothing beyond it: they reach no farther than their boxes,
+ * or no more than EDGE_REACH farther. What is known of the line's other end stays. */
 static void shrink(hide_worker *w, size_t n, const hide_part *hidden)
 {
-    hide_edge rest = w->line[n].e;
-    if (hidden->t0 == 0.0 && hidden->t1 > 2.0 * EDGE_REACH)
-        rest.A = hide_edge_at(&w->line[n].e, hidden->t1 - 2.0 * EDGE_REACH);
-    else if (hidden->t1 == 1.0 && hidden->t0 < 1.0 - 2.0 * EDGE_REACH)
-        rest.B = hide_edge_at(&w->line[n].e, hidden->t0 + 2.0 * EDGE_REACH);
-    hide_box box = hide_edge_box(&rest, w->margin);
-    w->lanes.x0[n] = box.x0;
-    w->lanes.x1[n] = box.x1;
-    w->lanes.y0[n] = box.y0;
-    w->lanes.y1[n] = box.y1;
-    w->lanes.z0[n] = box.z0;
+    const hide_edge *e = &w->line[n].e;
+    hide_lanes *l = &w->lanes;
+    roberts_vec3 P, end;
+    if (hidden->t0 == 0.0 && hidden->t1 > 2.0 * EDGE_REACH) {
+        P = hide_edge_at(e, hidden->t1 - 2.0 * EDGE_REACH);
+        end = e->B;
+    } else if (hidden->t1 == 1.0 && hidden->t0 < 1.0 - 2.0 * EDGE_REACH) {
+        P = hide_edge_at(e, hidden->t0 + 2.0 * EDGE_REACH);
+        end = e->A;
+    } else {
+        return;
+    }
+    if (P.x < end.x)
+        l->x0[n] = hide_float_below(P.x - w->margin);
+    else
+        l->x1[n] = hide_float_above(P.x + w->margin);
+    if (P.y < end.y)
+        l->y0[n] = hide_float_below(P.y - w->margin);
+    else
+        l->y1[n] = hide_float_above(P.y + w->margin);
+    if (P.z < end.z)
+        l->z0[n] = hide_float_below(P.z - w->margin);
 }
 
 /* Of the lines from `first` on, within `box`, those given by bits against a front that may be nearer somewhere. */

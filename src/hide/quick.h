@@ -149,7 +149,7 @@ BITS_INLINE quick_verdict quick_test(const quick_outline *o, const hide_space *s
     if (H.out_a && H.out_b) { /* with an end inside there are corners on both sides */
         quick_verdict verdict = quick_corners(o, space->plain, e);
         if (verdict != QUICK_CUT)
-            return verdict;
+            return verdict == QUICK_MISSED ? QUICK_MISSED : QUICK_UNCLEAR;
     }
     return quick_cut(o, space, e, span, &H, part);
 }
