@@ -1,6 +1,7 @@
 /* judge.c - comparison edge by edge. What the program hides must lie in `maybe`, what it shows must lie outside `sure`
  * (oracle.h); without slack the two are one and this is equality. A scene spoiled by rounding is held against its
- * original as well, strictly. The program's segments must also tile [0, 1] in turns of visible and hidden. */
+ * original as well, strictly. The program's segments must also tile [0, 1] in turns of visible and hidden; and what it finds
+ * visible must be what it finds where only that is wanted: then it looks at less. */
 #include "judge.h"
 
 #include <errno.h>
@@ -58,7 +59,7 @@ double judge_outside(const oracle_interval *a, size_t a_count, const oracle_inte
 /* ---- the two sides ----------------------------------------------------------------------------------------------- */
 
 /* Draws `mesh`, which may be a part of the scene, as the scene is to be drawn; all of it as the program is given it. */
-static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, roberts_drawing *drawing,
+static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, bool keep_hidden, roberts_drawing *drawing,
                            roberts_error *error)
 {
     roberts_scene *scene = NULL;
@@ -67,7 +68,7 @@ static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, robe
     roberts_scene_options solids = {.hull = how->hull, .tolerance = how->hull ? 1e-10 : 0};
     roberts_hide_options options = roberts_hide_options_default();
     options.all_edges = true;
-    options.keep_hidden = true;
+    options.keep_hidden = keep_hidden;
     options.grid = how->grid;
     options.threads = how->threads;
     *drawing = (roberts_drawing){0};
@@ -202,7 +203,7 @@ static void judge_one(const test_scene *how, const roberts_mesh *mesh, uint32_t 
     if (!oracle_run(mesh, &how->view, &options, &one->truth))
         return;
     one->wrong = 1;
-    if (draw(how, mesh, &one->drawing, &one->error) != ROBERTS_OK)
+    if (draw(how, mesh, true, &one->drawing, &one->error) != ROBERTS_OK)
         return;
     one->mine.hidden = calloc(one->drawing.count + 1, sizeof *one->mine.hidden);
     for (size_t i = 0, at = 0; i < one->truth.edge_count && one->mine.hidden; i++) {
@@ -421,19 +422,56 @@ static bool judge_seen(const char *name, const test_scene *scene, const roberts_
     return agreed;
 }
 
+static bool is_same(const roberts_segment *a, const roberts_segment *b)
+{
+    return a->v0 == b->v0 && a->v1 == b->v1 && a->solid == b->solid && a->state == b->state &&
+           fabs(a->t0 - b->t0) <= JUDGE_LIMIT && fabs(a->t1 - b->t1) <= JUDGE_LIMIT;
+}
+
+/* Holds the visible segments against those that are found where no others are wanted. */
+static bool judge_visible(const char *name, const test_scene *scene, const roberts_drawing *drawing, const char *folder,
+                          judge_total *total, FILE *out)
+{
+    const roberts_segment *wrong = NULL;
+    roberts_drawing alone;
+    roberts_error error = {0};
+    size_t at = 0;
+    bool drawn = draw(scene, &scene->mesh, false, &alone, &error) == ROBERTS_OK;
+    for (size_t i = 0; i < drawing->count && drawn && !wrong; i++)
+        if (drawing->segment[i].state == ROBERTS_VISIBLE &&
+            (at == alone.count || !is_same(&drawing->segment[i], &alone.segment[at++])))
+            wrong = &drawing->segment[i];
+    if (!wrong && at < alone.count)
+        wrong = &alone.segment[at];
+    if (wrong)
+        fprintf(out,
+                "%s: solid %u, edge %u-%u: what is visible from %.17g to %.17g is so only with hidden lines, or only "
+                "without\n",
+                name, wrong->solid, wrong->v0, wrong->v1, wrong->t0, wrong->t1);
+    if (!drawn)
+        fprintf(out, "%s: the program refuses it without hidden lines: %s\n", name, error.message);
+    if (wrong || !drawn) {
+        write_failure(name, 0, folder, scene, &scene->mesh, out);
+        total->disagreements++;
+    }
+    roberts_drawing_free(&alone);
+    return drawn && !wrong;
+}
+
 bool judge_scene(const char *name, const test_scene *scene, const char *folder, judge_total *total, FILE *out)
 {
     roberts_drawing drawing;
     roberts_error error = {0};
     bool ok;
     total->scenes++;
-    if (draw(scene, &scene->mesh, &drawing, &error) != ROBERTS_OK) {
+    if (draw(scene, &scene->mesh, true, &drawing, &error) != ROBERTS_OK) {
         fprintf(out, "%s: the program refuses it: %s\n", name, error.message);
         write_failure(name, 0, folder, scene, &scene->mesh, out);
         total->disagreements++;
         return false;
     }
     ok = judge_drawing(name, &drawing, scene, false, folder, total, out);
+    ok = judge_visible(name, scene, &drawing, folder, total, out) && ok;
     if (scene->has_original)
         ok = judge_drawing(name, &drawing, scene, true, folder, total, out) && ok;
     else if (scene->mesh.face_count <= SEEN_FACES)
