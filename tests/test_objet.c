@@ -429,11 +429,17 @@ static hide_box random_box(rng *r, const scan_frame *f)
         .x0 = fminf(x[0], x[1]), .x1 = fmaxf(x[0], x[1]), .y0 = fminf(y[0], y[1]), .y1 = fmaxf(y[0], y[1])};
 }
 
+/* Are two stretches of an axis apart, by more than `gap`, in the cell from `low` to `high`? */
+static bool apart_in_cell(float a0, float a1, float b0, float b1, double low, double high, double gap)
+{
+    return (a1 + gap < b0 && a1 + gap < high && b0 > low + gap) || (b1 + gap < a0 && b1 + gap < high && a0 > low + gap);
+}
+
 /* Boxes that meet are kept apart in no cell; those that are apart in a cell by a hundredth of it are there. */
 static void sides_tell_boxes_apart(void **state)
 {
     rng r = {75};
-    size_t met = 0, apart = 0;
+    size_t met = 0, apart[2] = {0};
     (void)state;
     for (size_t k = 0; k < FRAMES; k++) {
         objet grid = grid_of(frame_of(k));
@@ -445,20 +451,20 @@ static void sides_tell_boxes_apart(void **state)
             uint32_t entries[8] = {0, own, 0, own, 0, own, 0, own};
             uint32_t most = objet_most(objet_cut(objet_place(&grid, &b), i, j));
             bool meet = four_bytes_at_most(entries, most) == 15;
-            double left = f->x0 + i * f->dx, gap = 0.01 * f->dx;
-            bool beside = (a.x1 + gap < b.x0 && a.x1 + gap < left + f->dx && b.x0 > left + gap) ||
-                          (b.x1 + gap < a.x0 && b.x1 + gap < left + f->dx && a.x0 > left + gap);
+            double left = f->x0 + i * f->dx, low = f->y0 + j * f->dy;
+            bool beside = apart_in_cell(a.x0, a.x1, b.x0, b.x1, left, left + f->dx, 0.01 * f->dx);
+            bool above = apart_in_cell(a.y0, a.y1, b.y0, b.y1, low, low + f->dy, 0.01 * f->dy);
             if (a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1) {
                 assert_true(meet);
                 met++;
-            } else if (beside) {
+            } else if (beside || above) {
                 assert_false(meet);
-                apart++;
+                apart[beside ? 0 : 1]++;
             }
         }
         objet_free(&grid);
     }
-    assert_true(met > 1000 && apart > 1000);
+    assert_true(met > 1000 && apart[0] > 1000 && apart[1] > 1000);
 }
 
 static uint32_t listed_count(const hide_picture *picture)
