@@ -32,15 +32,17 @@ static inline void box_add_all(roberts_vec3 *lo, roberts_vec3 *hi, const roberts
     hi->z = high_z;
 }
 
-/* Parameters at which a + t (b - a) lies in [low, high], kept in [*t0, *t1], which stay where a and b are one. */
-static inline void box_clip(double a, double b, double low, double high, double *t0, double *t1)
+/* Cuts [*t0, *t1] to the parameters at which a + t (b - a) lies in [low, high]; false where nothing is left.
+ * Where a and b are one they stay. */
+static inline bool box_clip(double a, double b, double low, double high, double *t0, double *t1)
 {
     double d = b - a;
     if (d == 0.0)
-        return;
+        return a >= low && a <= high;
     double ta = (low - a) / d, tb = (high - a) / d;
     *t0 = greater(*t0, lesser(ta, tb));
     *t1 = lesser(*t1, greater(ta, tb));
+    return *t0 <= *t1;
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/box.h"
 #include "base/error.h"
 #include "base/vec.h"
 #include "draw/dashes.h"
@@ -65,21 +66,11 @@ static void enlarge(roberts_vec2 *min, roberts_vec2 *max, roberts_vec2 p)
  * "A new concept and method for line clipping", ACM TOG 3(1), 1984. */
 static bool frame_cut(const roberts_drawing *drawing, roberts_vec2 p, roberts_vec2 q, double t[2])
 {
-    const roberts_vec2 low = drawing->window_min, high = drawing->window_max, d = {q.x - p.x, q.y - p.y};
-    const double along[4] = {-d.x, d.x, -d.y, d.y};
-    const double room[4] = {p.x - low.x, high.x - p.x, p.y - low.y, high.y - p.y};
-    double t0 = 0.0, t1 = 1.0;
-    for (int i = 0; drawing->framed && i < 4; i++) {
-        if (along[i] == 0.0 && room[i] < 0.0)
-            return false;
-        if (along[i] < 0.0)
-            t0 = fmax(t0, room[i] / along[i]);
-        else if (along[i] > 0.0)
-            t1 = fmin(t1, room[i] / along[i]);
-    }
-    t[0] = t0;
-    t[1] = t1;
-    return t0 <= t1;
+    const roberts_vec2 low = drawing->window_min, high = drawing->window_max;
+    t[0] = 0.0;
+    t[1] = 1.0;
+    return !drawing->framed ||
+           (box_clip(p.x, q.x, low.x, high.x, &t[0], &t[1]) && box_clip(p.y, q.y, low.y, high.y, &t[0], &t[1]));
 }
 
 /* The box of what is drawn, or the drawing's window. */

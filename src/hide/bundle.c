@@ -208,22 +208,13 @@ bool bundle_enter(bundle_table *table, const hide_space *space, const hide_face 
     return *at != NULL;
 }
 
-/* box_clip(); where a and b are one, that is inside or outside. */
-static void clip(double a, double b, double low, double high, double *t0, double *t1)
-{
-    if (a == b && (a < low || a > high))
-        *t1 = -1.0;
-    box_clip(a, b, low, high, t0, t1);
-}
-
 bool bundle_meets(const bundle_node *n, const hide_edge *e, double *t0, double *t1)
 {
     double ax = e->A.x - n->M.x, ay = e->A.y - n->M.y, bx = e->B.x - n->M.x, by = e->B.y - n->M.y;
     *t0 = 0.0;
     *t1 = 1.0;
-    clip(n->ux * ax + n->uy * ay, n->ux * bx + n->uy * by, n->x0, n->x1, t0, t1);
-    clip(n->ux * ay - n->uy * ax, n->ux * by - n->uy * bx, n->y0, n->y1, t0, t1);
-    return *t0 <= *t1;
+    return box_clip(n->ux * ax + n->uy * ay, n->ux * bx + n->uy * by, n->x0, n->x1, t0, t1) &&
+           box_clip(n->ux * ay - n->uy * ax, n->ux * by - n->uy * bx, n->y0, n->y1, t0, t1);
 }
 
 static bool holds(const bundle_node *n, double px, double py)
