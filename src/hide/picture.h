@@ -85,12 +85,9 @@ static inline bool hide_picture_holds(const hide_picture *picture, const runs_ta
     const runs *r = runs_of(table, corner, count);
     if (r)
         return runs_hold_point(&picture->space, r, corner, x, y, slack);
-    for (uint32_t i = 0; i < count; i++) {
-        roberts_vec3 P = picture->P[corner[i]], Q = picture->P[corner[i + 1 < count ? i + 1 : 0]];
-        double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (y - P.y) - dy * (x - P.x);
-        if (H < 0.0 && H < -slack * sqrt(dx * dx + dy * dy))
+    for (uint32_t i = 0; i < count; i++)
+        if (!hide_side_holds(picture->P[corner[i]], picture->P[corner[i + 1 < count ? i + 1 : 0]], x, y, slack))
             return false;
-    }
     return true;
 }
 

@@ -137,11 +137,9 @@ bool runs_hold_point(const hide_space *space, const runs *r, const uint32_t *cor
 {
     roberts_vec3 X = {x, y, 0.0};
     for (uint32_t i = 0, end; runs_next(r, X, X, &i, &end);)
-        for (; i < end; i++) {
-            roberts_vec3 P = space->P[corner[i]], Q = space->P[corner[i + 1 < r->ranks.items ? i + 1 : 0]];
-            double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (y - P.y) - dy * (x - P.x);
-            if (H < 0.0 && H < -slack * sqrt(dx * dx + dy * dy))
+        for (; i < end; i++)
+            if (!hide_side_holds(corner_at(space, corner, r->ranks.items, i),
+                                 corner_at(space, corner, r->ranks.items, i + 1), x, y, slack))
                 return false;
-        }
     return true;
 }
