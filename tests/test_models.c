@@ -626,6 +626,7 @@ static void families_have_the_number_of_solids_they_promise(void **state)
         {"copies 1", 1, 6},    {"copies 50", 50, 300},
         {"coins 3", 100, 500}, {"coins 100 4", 100, 10200},
         {"disc 3", 4, 23},     {"disc 200 2", 201, 1402},
+        {"parts 1", 2, 12},    {"parts 100", 101, 1002},
         {"speck 8", 3, 22},    {"speck 5000", 3, 10006},
         {"fans 3", 2, 8},      {"fans 100", 2, 202},
         {"sphere 8", 1, 8},    {"sphere 5000", 1, 5000},

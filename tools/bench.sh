@@ -238,6 +238,7 @@ worst() {
     grow 'coins: a hundred of many corners' coins '100 1000 10000' --view top
     grow 'disc: as many corners as solids under it' disc "$thousands" --view top
     grow 'disc: as many corners as solids under it' disc "$thousands" $general
+    grow 'parts: a straight border in many' parts "$thousands" --view top
     grow 'fans: one behind the tip of the other' fans '1000 10000 100000' --view top --all-edges
     grow 'needles: long and thin' needles '100 300 1000 3000' --view top
     grow 'wall, edge-on' wall "$thousands" --view front

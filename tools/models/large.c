@@ -231,6 +231,38 @@ static void disc_solid(body *b, const plan *p, uint64_t index)
     body_box(b, vec3(x, y, -1 - deep), vec3(x + 1, y + 1, -1));
 }
 
+/* A square slab each of whose straight borders comes in n parts, and under one of them n small boxes. */
+static void slab_make(body *b, uint64_t n)
+{
+    uint32_t base = (uint32_t)b->vertex_count, ring = (uint32_t)(4 * n);
+    for (uint32_t z = 0; z < 2; z++)
+        for (uint32_t k = 0; k < 4; k++)
+            for (uint64_t i = 0; i < n; i++) {
+                double side = (double)n, t = (double)i;
+                const double x[4] = {t, side, side - t, 0}, y[4] = {0, t, side, side - t};
+                body_vertex(b, x[k], y[k], z);
+            }
+    for (uint32_t i = 0; i < ring; i++)
+        body_corner(b, base + ring + i);
+    body_end_face(b);
+    for (uint32_t i = ring; i > 0; i--)
+        body_corner(b, base + i - 1);
+    body_end_face(b);
+    for (uint32_t i = 0; i < ring; i++) {
+        uint32_t p = base + i, q = base + (i + 1) % ring;
+        body_face(b, (uint32_t[]){p, q, q + ring, p + ring}, 4);
+    }
+}
+
+static void parts_solid(body *b, const plan *p, uint64_t index)
+{
+    double x = (double)index - 0.75;
+    if (index == 0)
+        slab_make(b, p->n);
+    else
+        body_box(b, vec3(x, -0.5, -2), vec3(x + 0.5, 0.5, -1));
+}
+
 /* Two pyramids over a regular N-gon, the second lower and shifted: no two of their edges are parallel in the picture. */
 static uint64_t two(uint64_t n)
 {
@@ -350,6 +382,10 @@ static const struct {
     {{"disc", "N [SEED]", "One disc of N corners with N small boxes under it, some beyond its rim.", 3, 10000000, true},
      ground_count,
      disc_solid},
+    {{"parts", "N", "Square slab, its straight borders in N parts each, with N small boxes under one of them.", 1,
+      10000000, false},
+     ground_count,
+     parts_solid},
     {{"fans", "N", "Two pyramids over the regular N-gon, one behind the tip of the other.", 3, 1000000, false},
      two,
      fans_solid},
