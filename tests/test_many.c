@@ -150,6 +150,13 @@ static bool side_by_side(const fixture *f, hide_sides *sides, roberts_tally *tal
     return hide_by_sides(&f->space, &f->face, &f->edge, sides, tally, part);
 }
 
+/* The same to the last bit; where several sides are a straight one, to less than a quarter of epsilon. */
+static bool same_part(const fixture *f, kind k, const hide_part *a, const hide_part *b)
+{
+    double off = fmax(fabs(a->t0 - b->t0), fabs(a->t1 - b->t1)) * f->edge.length;
+    return k == COLLINEAR || k == HAIRS ? off <= 0.25 * f->space.epsilon : memcmp(a, b, sizeof *a) == 0;
+}
+
 static void runs_find_what_all_sides_do(void **state)
 {
     rng r = {23};
@@ -168,7 +175,7 @@ static void runs_find_what_all_sides_do(void **state)
                 bool found = hide_by_runs(&f.space, f.r, &f.face, &f.edge, &sides, &tally, &part);
                 bool hidden = side_by_side(&f, &sides, &expected, &other);
                 if (found != hidden || memcmp(&tally, &expected, sizeof tally) != 0 ||
-                    (found && memcmp(&part, &other, sizeof part) != 0))
+                    (found && !same_part(&f, k, &part, &other)))
                     fail_msg("kind %d, %u corners, polygon %d, edge %d: %d %.17g %.17g instead of %d %.17g %.17g",
                              (int)k, f.face.count, i, e, found, part.t0, part.t1, hidden, other.t0, other.t1);
                 seen.test2_visible += tally.test2_visible;

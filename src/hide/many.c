@@ -1,8 +1,11 @@
 /* many.c - see many.h. */
 #include "hide/many.h"
 
-/* Sides that may cut something off before all are asked: mostly there are two, and those beside them. */
-#define CUTS 64
+#include <math.h>
+
+/* Sides that may cut something off before all are asked: mostly there are two, and those beside them; of a straight border that
+ * is no run, two times seven on each rank. */
+#define CUTS 320
 /* Guesses, before all sides are asked. The second is what the first has left, and is right but for rounding. */
 #define GUESSES 3
 /* By how much of epsilon, in the picture, the sides asked may leave more than was guessed. */
@@ -19,16 +22,18 @@ typedef struct sight {
     bool certain;         /* ... and are on it */
 } sight;
 
-/* Where the box of a run's corners lies: plainly left (1) or right (-1) of the sight plane, or else 0. Twice what makes one
- * corner's cross product plain is far more than the box and its corners' are rounded by. */
+/* Where the box of a run's corners lies: plainly left (1) or right (-1) of the sight plane, or else 0: so far from it that no
+ * corner of it counts as near (see hide_corner_side(); four times its roundings are far more than box and corners are off by). */
 static int run_side(const hide_space *space, const runs_node *n, const hide_edge *e)
 {
-    double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y, Q = dx * (n->y - e->A.y) - dy * (n->x - e->A.x);
+    double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y, px = n->x - e->A.x, py = n->y - e->A.y, Q = dx * py - dy * px;
     double along = dx * n->uy - dy * n->ux, across = dx * n->ux + dy * n->uy;
     double a0 = along * n->x0, a1 = along * n->x1, b0 = across * n->y0, b1 = across * n->y1;
-    if (Q + lesser(a0, a1) + lesser(b0, b1) > 2.0 * space->plain)
+    double reach = fabs(px) + fabs(py) + 2.0 * (n->x1 - n->x0 + n->y1 - n->y0);
+    double near = space->epsilon * e->length + 8.0 * space->rounding * (e->length + reach);
+    if (Q + lesser(a0, a1) + lesser(b0, b1) > near)
         return 1;
-    return Q + greater(a0, a1) + greater(b0, b1) < -2.0 * space->plain ? -1 : 0;
+    return Q + greater(a0, a1) + greater(b0, b1) < -near ? -1 : 0;
 }
 
 static int corner_side(const sight *s, uint32_t i, bool *certain)
@@ -54,12 +59,16 @@ static bool misses(sight *s)
         return false;
     for (uint32_t i = 0; i < over->items && (s->left == ROBERTS_NONE || s->right == ROBERTS_NONE);) {
         int rank = ranks_highest(over, i), side = 0;
-        for (; rank >= 0 && !side; rank--)
-            side = run_side(s->space, &s->r->node[ranks_node(over, rank, i)], s->e);
-        uint32_t end = ranks_end(over, side ? rank + 1 : 0, i);
+        bool passed = false; /* with two corners near the sight plane, no more of a straight run are wanted */
+        for (; rank >= 0 && !side && !passed; rank--) {
+            const runs_node *n = &s->r->node[ranks_node(over, rank, i)];
+            side = run_side(s->space, n, s->e);
+            passed = s->near > 1 && n->straight;
+        }
+        uint32_t end = ranks_end(over, side || passed ? rank + 1 : 0, i);
         if (side)
             note(s, i, side);
-        for (; !side && i < end; i++)
+        for (; !side && !passed && i < end; i++)
             note(s, i, corner_side(s, i, &s->certain));
         i = end;
     }
@@ -107,9 +116,9 @@ static bool begin(const sight *s, hide_sides *sides, double *s0, double *s1)
     return !hide_side_outside(I) && !hide_side_outside(O);
 }
 
-/* Sides that cut something off. */
+/* Sides that cut something off, or chords of straight runs, by their ends. */
 typedef struct cuts {
-    uint32_t side[CUTS], count;
+    uint32_t end[CUTS][2], count;
     hide_side H[CUTS];
 } cuts;
 
@@ -118,17 +127,22 @@ typedef struct cuts {
 static hide_verdict ask_sides(const sight *s, hide_sides *sides, double s0, double s1, cuts *c)
 {
     roberts_vec3 from = hide_edge_at(s->e, s0), to = hide_edge_at(s->e, s1);
+    bool straight;
     c->count = 0;
-    for (uint32_t i = 0, end; runs_next(s->r, from, to, &i, &end);)
-        for (; i < end; i++) {
-            hide_side H = hide_side_signs(s->space, s->F, i, s->e, &sides->refined);
+    for (uint32_t i = 0, end; runs_next(s->r, from, to, &i, &end, &straight);)
+        for (uint32_t next; i < end; i = next) {
+            next = straight ? end : i + 1;
+            uint32_t p = s->F->corner[i], q = runs_corner(s->r, s->F->corner, next);
+            hide_face side = {.corner = (uint32_t[]){p, q}, .count = 2};
+            hide_side H = hide_side_signs(s->space, &side, 0, s->e, &sides->refined);
             if (hide_side_outside(H))
                 return HIDE_VISIBLE;
             if (H.a >= 0 && H.b >= 0)
                 continue;
             if (c->count++ == CUTS)
                 return HIDE_UNDECIDED;
-            c->side[c->count - 1] = i;
+            c->end[c->count - 1][0] = p;
+            c->end[c->count - 1][1] = q;
             c->H[c->count - 1] = H;
         }
     return c->count ? HIDE_UNDECIDED : HIDE_INVISIBLE;
@@ -138,9 +152,11 @@ static hide_verdict ask_sides(const sight *s, hide_sides *sides, double s0, doub
 static bool cut_by(const sight *s, hide_sides *sides, const cuts *c, hide_part *part)
 {
     hide_cut cut = hide_uncut;
-    for (uint32_t k = 0; k < c->count; k++)
-        if (!hide_cut_by(s->space, s->F, c->side[k], c->H[k], s->e, &cut, &sides->refined))
+    for (uint32_t k = 0; k < c->count; k++) {
+        hide_face side = {.corner = c->end[k], .count = 2};
+        if (!hide_cut_by(s->space, &side, 0, c->H[k], s->e, &cut, &sides->refined))
             return false;
+    }
     return hide_cut_end(s->space, s->e, &cut, &sides->refined, part);
 }
 

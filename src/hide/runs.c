@@ -17,6 +17,8 @@
  * this times rounding over its run, if that is large beside rounding. */
 #define SLOPE_ROUNDINGS 12.0
 #define SIDE_ROUNDINGS 32.0
+/* By how much of epsilon the corners of a run may lie beside its chord that is to stand for it. */
+#define STRAIGHT 0.1
 
 bool runs_table_init(runs_table *table, const uint32_t *corner, size_t count)
 {
@@ -59,6 +61,9 @@ static runs_node frame_run(const hide_space *space, const uint32_t *corner, uint
         n.y0 = lesser(n.y0, y);
         n.y1 = greater(n.y1, y);
     }
+    double beside = STRAIGHT * space->epsilon;
+    n.straight =
+        length > space->epsilon && n.y0 >= -beside && n.y1 <= beside && n.x0 >= -beside && n.x1 <= length + beside;
     return n;
 }
 
@@ -116,19 +121,21 @@ bool runs_enter(runs_table *table, const hide_space *space, const uint32_t *corn
     return *at != NULL;
 }
 
-bool runs_next(const runs *r, roberts_vec3 A, roberts_vec3 B, uint32_t *side, uint32_t *end)
+bool runs_next(const runs *r, roberts_vec3 A, roberts_vec3 B, uint32_t *side, uint32_t *end, bool *straight)
 {
-    while (*side < r->ranks.items) {
+    for (; *side < r->ranks.items; *side = *end) {
         int rank = ranks_highest(&r->ranks, *side);
-        for (; rank >= 0; rank--) {
+        bool held = false;
+        for (*straight = false; rank >= 0; rank--) {
             const runs_node *n = &r->node[ranks_node(&r->ranks, rank, *side)];
-            if (runs_hold(n, A.x, A.y) && runs_hold(n, B.x, B.y))
+            held = runs_hold(n, A.x, A.y) && runs_hold(n, B.x, B.y);
+            *straight = n->straight;
+            if (held || *straight)
                 break;
         }
         *end = ranks_end(&r->ranks, rank < 0 ? 0 : rank, *side);
-        if (rank < 0)
+        if (!held)
             return true;
-        *side = *end;
     }
     return false;
 }
@@ -136,10 +143,13 @@ bool runs_next(const runs *r, roberts_vec3 A, roberts_vec3 B, uint32_t *side, ui
 bool runs_hold_point(const hide_space *space, const runs *r, const uint32_t *corner, double x, double y, double slack)
 {
     roberts_vec3 X = {x, y, 0.0};
-    for (uint32_t i = 0, end; runs_next(r, X, X, &i, &end);)
-        for (; i < end; i++)
+    bool straight;
+    for (uint32_t i = 0, end; runs_next(r, X, X, &i, &end, &straight);)
+        for (uint32_t next; i < end; i = next) {
+            next = straight ? end : i + 1;
             if (!hide_side_holds(corner_at(space, corner, r->ranks.items, i),
-                                 corner_at(space, corner, r->ranks.items, i + 1), x, y, slack))
+                                 corner_at(space, corner, r->ranks.items, next), x, y, slack))
                 return false;
+        }
     return true;
 }

@@ -9,7 +9,10 @@
  *     y >= over,    y >= over + low (x - x0),    y >= over + high (x - x1),
  *
  * is inside of all sides. This asks nothing of the polygon: where it is dented, or its corners are uncertain, `over` and the
- * slopes say so; a run that turns too much, or has too short a side, holds nothing, and its parts are asked. */
+ * slopes say so; a run that turns too much, or has too short a side, holds nothing, and its parts are asked.
+ *
+ * A run that is straight, but for a small part of epsilon, is one side: its chord. Else of a straight border in very many parts
+ * each would have a say at every point of it. */
 #ifndef ROBERTS_HIDE_RUNS_H
 #define ROBERTS_HIDE_RUNS_H
 
@@ -18,12 +21,14 @@
 
 /* Polygons of more corners are taken in runs. Below, that gains nothing. */
 #define RUNS_CORNERS 64
+
 typedef struct runs_node {
     double x, y;           /* first corner, in the picture */
     double ux, uy;         /* along the chord, 1 long */
     double x0, x1, y0, y1; /* box of the corners, in the run's frame */
     double over;           /* with what touches the sides, and rounding, added; INFINITY: the run holds nothing */
     double low, high;      /* <= 0, >= 0 */
+    bool straight;
 } runs_node;
 
 typedef struct runs {
@@ -62,9 +67,15 @@ static inline bool runs_hold(const runs_node *n, double px, double py)
     return y >= n->over && y >= n->over + n->low * (x - n->x0) && y >= n->over + n->high * (x - n->x1);
 }
 
-/* The first run from *side on that does not hold both points, one of the shortest, which becomes *side .. *end - 1. False:
- * all do. */
-bool runs_next(const runs *r, roberts_vec3 A, roberts_vec3 B, uint32_t *side, uint32_t *end);
+/* The first run from *side on that does not hold both points, a straight one or one of the shortest; it becomes *side .. *end
+ * - 1. False: all do. */
+bool runs_next(const runs *r, roberts_vec3 A, roberts_vec3 B, uint32_t *side, uint32_t *end, bool *straight);
+
+/* The corner with which side i begins, counted round. */
+static inline uint32_t runs_corner(const runs *r, const uint32_t *corner, uint32_t i)
+{
+    return corner[i < r->ranks.items ? i : 0];
+}
 
 /* Is (x, y) inside the polygon of these corners, whose runs these are, or no farther outside than `slack`? */
 bool runs_hold_point(const hide_space *space, const runs *r, const uint32_t *corner, double x, double y, double slack);

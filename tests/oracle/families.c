@@ -201,6 +201,23 @@ static void coins(studio *st)
     dice_int(&st->d, 0, 1) ? look_axis(st) : look_any(st);
 }
 
+/* Plates whose straight borders have very many corners, and small solids across these or in line with them. */
+static void plates_in_parts(studio *st)
+{
+    int count = dice_int(&st->d, 1, 3), small_ones = dice_int(&st->d, 5, 40);
+    for (int i = 0; i < count; i++) {
+        shape s = shape_plate(&st->d);
+        int x = dice_int(&st->d, -9, 9), y = dice_int(&st->d, -9, 9), z = 5 * dice_int(&st->d, -2, 2);
+        put(st, &s, x, y, z);
+    }
+    for (int i = 0; i < small_ones; i++) {
+        shape s = shape_any(&st->d);
+        int x = dice_int(&st->d, -9, 50), y = dice_int(&st->d, -9, 50), z = dice_int(&st->d, -15, 15);
+        put(st, &s, x, y, z);
+    }
+    dice_int(&st->d, 0, 1) ? look_axis(st) : look_any(st);
+}
+
 /* Pyramids of very many sides, one behind the tip of the other or through it, and small solids among them. */
 static void fans(studio *st)
 {
@@ -575,6 +592,7 @@ static const struct {
     {"checker", checker, INFINITELY_FAR},
     {"polytopes", polytopes, INFINITELY_FAR},
     {"coins", coins, INFINITELY_FAR},
+    {"plates-in-parts", plates_in_parts, INFINITELY_FAR},
     {"fans", fans, INFINITELY_FAR},
     {"crowd", crowd, INFINITELY_FAR},
     {"touching", touching, INFINITELY_FAR},
@@ -609,6 +627,7 @@ static const struct {
     {"checker@eye", checker, FROM_EYE},
     {"polytopes@eye", polytopes, FROM_EYE},
     {"coins@eye", coins, FROM_EYE},
+    {"plates-in-parts@eye", plates_in_parts, FROM_EYE},
     {"fans@eye", fans, FROM_EYE},
     {"crowd@eye", crowd, FROM_EYE},
     {"touching@eye", touching_from_eye, FROM_EYE},
@@ -637,6 +656,7 @@ static const struct {
     {"checker@near", checker, FROM_AMID},
     {"polytopes@near", polytopes, FROM_AMID},
     {"coins@near", coins, FROM_AMID},
+    {"plates-in-parts@near", plates_in_parts, FROM_AMID},
     {"fans@near", fans, FROM_AMID},
     {"crowd@near", crowd, FROM_AMID},
     {"touching@near", touching, FROM_AMID},

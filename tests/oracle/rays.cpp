@@ -44,6 +44,20 @@ struct scene {
     }
 };
 
+/* The first corner of a face that is not in line with its first two. */
+point third_corner(const scene &s, size_t f)
+{
+    const uint32_t *corner = s.mesh.corner + s.mesh.face_start[f];
+    point p = s.at(corner[0]), pq = minus(s.at(corner[1]), p);
+    uint32_t k = 2, last = s.mesh.face_start[f + 1] - s.mesh.face_start[f] - 1;
+    for (; k < last; k++) {
+        point pt = minus(s.at(corner[k]), p);
+        if (pq[0] * pt[1] != pq[1] * pt[0] || pq[1] * pt[2] != pq[2] * pt[1] || pq[2] * pt[0] != pq[0] * pt[2])
+            break;
+    }
+    return s.at(corner[k]);
+}
+
 /* A front face met by a ray, as X + r dir; n.(Y - a) = 0 is its plane. */
 struct hit {
     uint32_t solid;
@@ -109,7 +123,7 @@ std::vector<hit> cut(const scene &s, const oracle_view &view, const ray &ray, co
     for (size_t f = 0; f < s.mesh.face_count; f++) {
         const uint32_t *corner = s.mesh.corner + s.mesh.face_start[f];
         uint32_t solid = s.vertex_solid[corner[0]];
-        point p = s.at(corner[0]), q = s.at(corner[1]), t = s.at(corner[2]);
+        point p = s.at(corner[0]), q = s.at(corner[1]), t = third_corner(s, f);
         number side = det(minus(q, p), minus(t, p), minus(C, p));
         if (side != 0 && (side > 0 ? 1 : -1) != s.solid_side(p, q, t, solid))
             within[solid] = false;

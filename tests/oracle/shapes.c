@@ -292,6 +292,22 @@ shape shape_fan(dice *d)
     return s;
 }
 
+shape shape_plate(dice *d)
+{
+    shape s = {0};
+    int wide = dice_int(d, 20, 50), high = dice_int(d, 14, 50), lean[3] = {0, 0, 0}, count = 0;
+    int64_t ring[SHAPE_POINTS][2], x = 0, y = 0;
+    lean[2] = dice_int(d, 1, 4);
+    for (int quarters = 0; quarters < 4; quarters++)
+        for (int i = quarters % 2 ? high : wide; i > 0; i--) {
+            ring[count][0] = x;
+            ring[count++][1] = y;
+            go_on(&x, &y, (int[]){1, 0}, quarters);
+        }
+    add_coin(&s, ring, count, false, lean);
+    return s;
+}
+
 shape shape_any(dice *d)
 {
     int x, y, z;

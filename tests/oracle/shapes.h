@@ -15,7 +15,7 @@ int dice_int(dice *d, int lo, int hi);
 /* A double of -1 .. 1. */
 double dice_real(dice *d);
 
-enum { SHAPE_POINTS = 300, SHAPE_CORNERS = 1024, HULL_POINTS = 64 };
+enum { SHAPE_POINTS = 400, SHAPE_CORNERS = 1280, HULL_POINTS = 64 };
 
 /* Coordinates are below 2^18 in size, so that every determinant of three differences fits 64 bits. */
 typedef struct shape {
@@ -40,7 +40,9 @@ shape shape_prism(dice *d);
 shape shape_coin(dice *d);
 /* A pyramid over a polygon of 144 to 224 corners: all of its sides meet in the apex. */
 shape shape_fan(dice *d);
-/* Any of these but the last two, small. */
+/* A box whose upper and lower faces have a corner at each whole number of their sides, 68 corners and more. */
+shape shape_plate(dice *d);
+/* Any of these but the last three, small. */
 shape shape_any(dice *d);
 
 #endif
