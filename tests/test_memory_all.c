@@ -131,8 +131,8 @@ static const char half_open[] = "OFF 8 6 0\n"
                                 "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 4 5 6 255 0 0\n3 4 5 7\n";
 static const char points[] = "OFF 7 0 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n.3 .3 .3\n";
 
-/* A prism of 81 sides, two of which meet in a dent of half the tolerance: too many corners to compare all with all planes, and enough for
- * runs. */
+/* A prism of 81 sides, two of which meet in a dent of half the tolerance: too many corners to compare all with all planes, and
+ * enough for runs. */
 static const char *dented_prism(void)
 {
     enum { SIDES = 81 };

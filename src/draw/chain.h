@@ -2,6 +2,7 @@
 #ifndef ROBERTS_DRAW_CHAIN_H
 #define ROBERTS_DRAW_CHAIN_H
 
+#include <math.h>
 #include <stddef.h>
 
 #include "draw/piece.h"
@@ -17,6 +18,19 @@ static inline int32_t page_round(double units)
     double up = units + 0.5;
     int32_t whole = (int32_t)up; /* no floor(), which is a call */
     return whole - (up < whole);
+}
+
+/* Their distance squared: exact, for a page is less than 2^22 units wide. Roots of two such numbers differ where these do, and
+ * in the same sense. */
+static inline double page_square(page_point p, page_point q)
+{
+    double x = (double)p.x - q.x, y = (double)p.y - q.y;
+    return x * x + y * y;
+}
+
+static inline double page_distance(page_point p, page_point q)
+{
+    return sqrt(page_square(p, q));
 }
 
 /* What the pen draws without being lifted: at least two points, neighbours differ. Closed: on to the first again. */

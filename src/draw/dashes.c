@@ -26,8 +26,7 @@ static uint32_t sides(const walker *w)
 
 static double side_length(const walker *w, uint32_t i)
 {
-    page_point a = corner(w, i), b = corner(w, i + 1);
-    return hypot((double)b.x - a.x, (double)b.y - a.y);
+    return page_distance(corner(w, i), corner(w, i + 1));
 }
 
 static page_point here(const walker *w)

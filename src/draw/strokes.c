@@ -272,12 +272,6 @@ void strokes_free(strokes *s)
     polylines_free(&s->lines);
 }
 
-static double distance(page_point p, page_point q)
-{
-    double x = (double)p.x - q.x, y = (double)p.y - q.y;
-    return sqrt(x * x + y * y);
-}
-
 roberts_ink strokes_measure(const strokes *s)
 {
     roberts_ink ink = {.strokes = s->lines.count, .scale = page_scale(&s->map)};
@@ -285,11 +279,12 @@ roberts_ink strokes_measure(const strokes *s)
         const polyline *line = &s->lines.item[i];
         const page_point *p = s->lines.point + line->first;
         for (uint32_t k = 1; k < line->count; k++)
-            ink.down_mm += distance(p[k - 1], p[k]) / s->units_per_mm;
+            ink.down_mm += page_distance(p[k - 1], p[k]) / s->units_per_mm;
         if (line->closed)
-            ink.down_mm += distance(p[line->count - 1], p[0]) / s->units_per_mm;
+            ink.down_mm += page_distance(p[line->count - 1], p[0]) / s->units_per_mm;
         if (i)
-            ink.up_mm += distance(polyline_end(&s->lines, line - 1), polyline_start(&s->lines, line)) / s->units_per_mm;
+            ink.up_mm +=
+                page_distance(polyline_end(&s->lines, line - 1), polyline_start(&s->lines, line)) / s->units_per_mm;
     }
     return ink;
 }

@@ -5,7 +5,8 @@
 #include "draw/chain.h"
 #include "draw/page.h"
 
-/* The border of the picture or of what the margins leave, and the symbol of a sheet: classes of their own beside those of roberts_line. */
+/* The border of the picture or of what the margins leave, and the symbol of a sheet: classes of their own beside those of
+ * roberts_line. */
 #define LINE_FRAME ((roberts_line)(ROBERTS_BACK + 1))
 #define LINE_SYMBOL ((roberts_line)(ROBERTS_BACK + 2))
 
@@ -28,8 +29,8 @@ typedef struct strokes {
 } strokes;
 
 /* Lays the drawing on the page and makes strokes of it. What is to be drawn is placed; of a field of view the
- * window, in the page's shape, and all is cut to it. `s` is released by strokes_free() in any case. Returns ROBERTS_OK, _NO_MEMORY or
- * _BAD_ARGUMENT (a scale at which the drawing leaves the page, too many dashes). `options` have been checked. */
+ * window, in the page's shape, and all is cut to it. `s` is released by strokes_free() in any case. Returns ROBERTS_OK,
+ * _NO_MEMORY or _BAD_ARGUMENT (a scale at which the drawing leaves the page, too many dashes). `options` have been checked. */
 roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const roberts_draw_options *options,
                             roberts_error *error);
 /* The same with the views of a sheet, and with its symbol. */

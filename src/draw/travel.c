@@ -46,18 +46,6 @@ typedef struct tour {
     uint64_t compared, turned;
 } tour;
 
-/* Exact: a page is less than 2^22 units wide. Roots of two such numbers differ where these do, and in the same sense. */
-static double square(page_point p, page_point q)
-{
-    double x = (double)p.x - q.x, y = (double)p.y - q.y;
-    return x * x + y * y;
-}
-
-static double distance(page_point p, page_point q)
-{
-    return sqrt(square(p, q));
-}
-
 /* ---- the grid ---- */
 
 static uint32_t column_of(const tour *t, page_point p)
@@ -159,7 +147,7 @@ static void look_in(const tour *t, page_point p, uint32_t x, uint32_t y, found *
     const uint32_t *end = t->end + t->start[cell];
     uint32_t count = t->left[0][cell] < LOOK_IN_CELL ? t->left[0][cell] : LOOK_IN_CELL;
     for (uint32_t i = 0; i < count; i++) {
-        double d = distance(p, t->at[end[i]]);
+        double d = page_distance(p, t->at[end[i]]);
         if (d < best->distance || (d == best->distance && end[i] < best->end))
             *best = (found){end[i], d};
     }
@@ -262,10 +250,10 @@ static bool try_turn(tour *t, uint32_t i, uint32_t j)
 {
     if (i >= j || (t->count > SMALL && j - i > BACKWARD_MAX))
         return false;
-    double now = distance(exit_at(t, i), entry_at(t, i + 1)), then = distance(exit_at(t, i), exit_at(t, j));
+    double now = page_distance(exit_at(t, i), entry_at(t, i + 1)), then = page_distance(exit_at(t, i), exit_at(t, j));
     if (j + 1 < t->count) {
-        now += distance(exit_at(t, j), entry_at(t, j + 1));
-        then += distance(entry_at(t, i + 1), entry_at(t, j + 1));
+        now += page_distance(exit_at(t, j), entry_at(t, j + 1));
+        then += page_distance(entry_at(t, i + 1), entry_at(t, j + 1));
     }
     if (then >= now - least_gain)
         return false;
@@ -280,14 +268,14 @@ static uint32_t look_count(const tour *t, size_t cell)
     return count < LOOK_IN_CELL ? count : LOOK_IN_CELL;
 }
 
-/* Tries the ends in a cell that are nearer to p than the pen's way behind k, squared, as what could follow polyline k (from its exit) or come
- * before k + 1 (from its entry). */
+/* Tries the ends in a cell that are nearer to p than the pen's way behind k, squared, as what could follow polyline k (from
+ * its exit) or come before k + 1 (from its entry). */
 static bool try_cell(tour *t, uint32_t k, bool from_exit, page_point p, double way_square, size_t cell)
 {
     uint32_t first = t->start[cell], end = first + look_count(t, cell);
     t->compared += end - first;
     for (uint32_t i = first; i < end; i++) {
-        if (square(p, t->spot[i]) >= way_square)
+        if (page_square(p, t->spot[i]) >= way_square)
             continue;
         uint32_t e = t->end[i], q = t->position[e / 2];
         bool is_exit = t->entry[q] != e;
@@ -313,7 +301,7 @@ static double gap(double at, double start, double cell, uint32_t i)
 static bool improve(tour *t, uint32_t k, bool from_exit)
 {
     page_point p = from_exit ? exit_at(t, k) : entry_at(t, k + 1);
-    double way_square = square(exit_at(t, k), entry_at(t, k + 1)), way = sqrt(way_square);
+    double way_square = page_square(exit_at(t, k), entry_at(t, k + 1)), way = sqrt(way_square);
     uint32_t most = t->count > SMALL ? 2 : 8, x = column_of(t, p), y = row_of(t, p);
     uint32_t reach = way < (most - 1) * t->cell ? 1 + (uint32_t)(way / t->cell) : most;
     for (uint32_t j = y > reach ? y - reach : 0; j <= y + reach && j < t->ny[0]; j++) {
@@ -333,7 +321,8 @@ static bool improve(tour *t, uint32_t k, bool from_exit)
 /* Draws 0..k backward where the way behind them gets shorter by it. */
 static bool try_head(tour *t, uint32_t k)
 {
-    double now = distance(exit_at(t, k), entry_at(t, k + 1)), then = distance(entry_at(t, 0), entry_at(t, k + 1));
+    double now = page_distance(exit_at(t, k), entry_at(t, k + 1)),
+           then = page_distance(entry_at(t, 0), entry_at(t, k + 1));
     if ((t->count > SMALL && k > BACKWARD_MAX) || then >= now - least_gain)
         return false;
     turn(t, 0, k);
@@ -350,7 +339,7 @@ static void two_opt(tour *t)
         for (uint32_t k = 0; k + 1 < t->count; k++) {
             if (t->compared > compared_most || t->turned > turned_most)
                 return;
-            if (distance(exit_at(t, k), entry_at(t, k + 1)) < 1.0)
+            if (page_distance(exit_at(t, k), entry_at(t, k + 1)) < 1.0)
                 continue;
             shorter |= try_head(t, k) || improve(t, k, true) || improve(t, k, false);
         }

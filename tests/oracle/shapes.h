@@ -28,7 +28,8 @@ typedef struct shape {
 /* Adds a point that is not there yet, as long as there is room. */
 void shape_point(shape *s, int64_t x, int64_t y, int64_t z);
 
-/* Leaves the convex hull of the shape's points, HULL_POINTS at the most, in the shape; false where they are flat or the hull is too large. */
+/* Leaves the convex hull of the shape's points, HULL_POINTS at the most, in the shape; false where they are flat or the hull is
+ * too large. */
 bool shape_hull(shape *s);
 
 shape shape_box(int x, int y, int z);
