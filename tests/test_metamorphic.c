@@ -614,6 +614,56 @@ static void visible_rows_alone(void **state)
     for_each(check_visible_alone);
 }
 
+/* Three solids of some thirty front faces, which are entered face by face, and boxes among them; all to two digits, so that faces
+ * leave gaps between them where edges pierce them. */
+static roberts_scene *make_gaps(uint64_t seed, roberts_camera *camera)
+{
+    const roberts_scene_options options = {.tolerance = 0.05};
+    roberts_scene *scene = NULL;
+    roberts_error error;
+    model m = {0};
+    rng r = {seed};
+    for (int i = 0; i < 3; i++) {
+        double k = rng_between(&r, 0.5, 1.5), high = rng_between(&r, 0.3, 2.0);
+        mat3 turn = mat3_turn(&r);
+        double x = rng_between(&r, -1, 1), y = rng_between(&r, -1, 1);
+        uint32_t n = (uint32_t)rng_int(&r, 52, 64);
+        model_round(&m, n, false, mat3_times(turn, mat3_scale(k, k, k * high)), (roberts_vec3){x, y, 2.0 * i});
+    }
+    for (int i = 0; i < 30; i++) {
+        double x = rng_between(&r, -2, 2), y = rng_between(&r, -2, 2), z = rng_between(&r, -3, 7);
+        double w = rng_between(&r, 0.1, 1), h = rng_between(&r, 0.1, 1), d = rng_between(&r, 0.1, 0.5);
+        model_box(&m, (roberts_vec3){x, y, z}, (roberts_vec3){x + w, y + h, z + d});
+    }
+    model_to_digits(&m, 2);
+    double x = rng_between(&r, -0.2, 0.2), y = rng_between(&r, -0.2, 0.2);
+    *camera = (roberts_camera){.dir = {x, y, 1}};
+    if (roberts_scene_build(&m.mesh, &options, &scene, &error) != ROBERTS_OK)
+        fail_msg("%s", error.message);
+    model_free(&m);
+    return scene;
+}
+
+/* What all its faces hide together is hidden by such a solid, also where some of them reach only what others hide already. */
+static void visible_rows_behind_gaps(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 1; seed <= 600; seed++) {
+        roberts_hide_options options = with_hidden();
+        roberts_camera camera;
+        roberts_drawing visible, alone;
+        roberts_scene *scene = make_gaps(seed, &camera);
+        assert_int_equal(roberts_hide(scene, &camera, &options, &visible, NULL), ROBERTS_OK);
+        options.keep_hidden = false;
+        assert_int_equal(roberts_hide(scene, &camera, &options, &alone, NULL), ROBERTS_OK);
+        filter(&visible, is_visible);
+        expect_same("visible rows alone", "faces with gaps", "near the top", &visible, &alone, (allowance){0});
+        roberts_drawing_free(&visible);
+        roberts_drawing_free(&alone);
+        roberts_scene_free(scene);
+    }
+}
+
 static bool same_edge(const roberts_segment *a, const roberts_segment *b)
 {
     return a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1;
@@ -987,6 +1037,7 @@ int main(void)
         cmocka_unit_test(any_grid),
         cmocka_unit_test(any_threads_any_run),
         cmocka_unit_test(visible_rows_alone),
+        cmocka_unit_test(visible_rows_behind_gaps),
         cmocka_unit_test(rows_tile_every_edge),
         cmocka_unit_test(all_edges_add_flat_ones_only),
         cmocka_unit_test(one_solid_hides_one_interval),
