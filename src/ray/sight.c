@@ -7,6 +7,8 @@
 #include "base/array.h"
 #include "ray/ray.h"
 
+/* Faces of more corners than this are sampled: so many corners, evenly spaced. */
+#define SAMPLES 64
 /* Roundings of a coordinate or distance, in ulps of the largest coordinate: differences, three products, two sums. */
 #define ROUNDINGS 8.0
 
@@ -70,6 +72,51 @@ static int facing_of(const sight *s, uint32_t face)
     return sliver || high - low <= s->loose + s->rounding ? SIGHT_UNSURE : SIGHT_FRONT;
 }
 
+static uint32_t corner_count(const sight *s, uint32_t face)
+{
+    return s->scene->face_start[face + 1] - s->scene->face_start[face];
+}
+
+/* Corner i of the face, which may be as many as it has: that is the first. */
+static roberts_vec3 corner_of(const sight *s, uint32_t face, uint32_t i)
+{
+    uint32_t k = i < corner_count(s, face) ? i : 0;
+    return s->P[s->scene->corner[s->scene->face_start[face] + k]];
+}
+
+/* Which corner the sample is. */
+static uint32_t sample_of(const sight *s, uint32_t face, uint32_t sample)
+{
+    return (uint32_t)((uint64_t)corner_count(s, face) * sample / SAMPLES);
+}
+
+/* Is no sample outside of any side, as the viewer sees it? So it is in convex faces, but those with dents are accepted too. */
+static bool sides_spare_samples(const sight *s, uint32_t face)
+{
+    for (uint32_t i = 0; i < corner_count(s, face); i++) {
+        roberts_vec3 A = corner_of(s, face, i), ab = vec3_sub(corner_of(s, face, i + 1), A);
+        for (uint32_t k = 0; k < SAMPLES; k++) {
+            roberts_vec3 X = corner_of(s, face, sample_of(s, face, k));
+            if (!(vec3_dot(sight_from(s, X), vec3_cross(vec3_sub(A, X), ab)) >= 0.0))
+                return false;
+        }
+    }
+    return true;
+}
+
+/* False: no memory. */
+static bool find_sampled(sight *s)
+{
+    for (uint32_t face = 0; face < s->scene->face_count; face++) {
+        if (corner_count(s, face) <= SAMPLES || s->facing[face] == SIGHT_NOT_FRONT)
+            continue;
+        if (!s->sampled && !(s->sampled = alloc_zeroed(s->scene->face_count, sizeof *s->sampled)))
+            return false;
+        s->sampled[face] = sides_spare_samples(s, face);
+    }
+    return true;
+}
+
 bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
 {
     *s = (sight){.scene = scene, .perspective = v->perspective, .unit = v->unit};
@@ -86,7 +133,10 @@ bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
     set_margins(s, v);
     for (uint32_t face = 0; face < scene->face_count; face++)
         s->facing[face] = (unsigned char)facing_of(s, face);
-    return true;
+    if (find_sampled(s))
+        return true;
+    sight_free(s);
+    return false;
 }
 
 void sight_free(sight *s)
@@ -95,29 +145,74 @@ void sight_free(sight *s)
         return;
     free(s->P);
     free(s->facing);
+    free(s->sampled);
     *s = (sight){0};
 }
 
-/* Corners of a front face run counter-clockwise for the viewer, so that inside is where every side turns to the left.
- * XA x XB is taken as XA x AB, whose rounding is in proportion to AB: a short side stays exact far from X. */
+/* How the line passes the side AB. Corners of a front face run counter-clockwise for the viewer, so that inside is where every
+ * side turns to the left. XA x XB is taken as XA x AB, whose rounding is in proportion to AB: a short side stays exact far
+ * from X. */
+static inline sight_answer pass_side(const sight *s, roberts_vec3 A, roberts_vec3 B, roberts_vec3 X, roberts_vec3 v,
+                                     double slack)
+{
+    roberts_vec3 xa = vec3_sub(A, X), ab = vec3_sub(B, A);
+    double left = vec3_dot(v, vec3_cross(xa, ab));
+    if (left >= 0.0)
+        return SIGHT_SURELY;
+    roberts_vec3 spread = vec3_cross(v, ab); /* as long as AB's picture; squares spare the root */
+    double outside = -left - RAY_PARALLEL * vec3_triple_size(xa, ab, v), far = s->loose + s->rounding + slack;
+    if (!(outside <= 0.0 || outside * outside <= far * far * vec3_dot(spread, spread)))
+        return SIGHT_NO;
+    bool contact = outside <= 0.0 || outside * outside <= s->rounding * s->rounding * vec3_dot(spread, spread);
+    return contact ? SIGHT_SURELY : SIGHT_POSSIBLY;
+}
+
+/* Does the line pass within the polygon of the samples, farther from its sides than the touching distance? The face's own
+ * sides are no nearer to it. */
+static bool well_inside(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
+{
+    double far = s->loose + s->rounding;
+    roberts_vec3 A = corner_of(s, face, sample_of(s, face, SAMPLES - 1));
+    for (uint32_t k = 0; k < SAMPLES; k++) {
+        roberts_vec3 B = corner_of(s, face, sample_of(s, face, k)), xa = vec3_sub(A, X), ab = vec3_sub(B, A);
+        roberts_vec3 spread = vec3_cross(v, ab);
+        double inside = vec3_dot(v, vec3_cross(xa, ab)) - RAY_PARALLEL * vec3_triple_size(xa, ab, v);
+        if (!(inside > 0.0 && inside * inside > far * far * vec3_dot(spread, spread)))
+            return false;
+        A = B;
+    }
+    return true;
+}
+
+/* What the samples say; SIGHT_POSSIBLY: ask all sides. */
+static sight_answer pass_samples(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)
+{
+    for (uint32_t k = 0; k < SAMPLES; k++) {
+        uint32_t i = sample_of(s, face, k);
+        if (pass_side(s, corner_of(s, face, i), corner_of(s, face, i + 1), X, v, slack) == SIGHT_NO)
+            return SIGHT_NO;
+    }
+    return well_inside(s, face, X, v) ? SIGHT_SURELY : SIGHT_POSSIBLY;
+}
+
 sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)
 {
     const roberts_scene *scene = s->scene;
     uint32_t end = scene->face_start[face + 1];
     roberts_vec3 A = s->P[scene->corner[end - 1]];
     sight_answer answer = SIGHT_SURELY;
+    if (s->sampled && s->sampled[face]) {
+        sight_answer early = pass_samples(s, face, X, v, slack);
+        if (early != SIGHT_POSSIBLY)
+            return early;
+    }
     for (uint32_t k = scene->face_start[face]; k < end; k++) {
-        roberts_vec3 B = s->P[scene->corner[k]], xa = vec3_sub(A, X), ab = vec3_sub(B, A);
-        double left = vec3_dot(v, vec3_cross(xa, ab));
-        A = B;
-        if (left >= 0.0)
-            continue;
-        roberts_vec3 spread = vec3_cross(v, ab); /* as long as AB's picture; squares spare the root */
-        double outside = -left - RAY_PARALLEL * vec3_triple_size(xa, ab, v), far = s->loose + s->rounding + slack;
-        if (!(outside <= 0.0 || outside * outside <= far * far * vec3_dot(spread, spread)))
+        roberts_vec3 B = s->P[scene->corner[k]];
+        sight_answer side = pass_side(s, A, B, X, v, slack);
+        if (side == SIGHT_NO)
             return SIGHT_NO;
-        if (!(outside <= 0.0 || outside * outside <= s->rounding * s->rounding * vec3_dot(spread, spread)))
-            answer = SIGHT_POSSIBLY;
+        answer = side == SIGHT_POSSIBLY ? SIGHT_POSSIBLY : answer;
+        A = B;
     }
     return answer;
 }
@@ -146,6 +241,8 @@ static bool grazes_side(const sight *s, uint32_t face, roberts_vec3 X, roberts_v
     uint32_t end = scene->face_start[face + 1];
     double near = s->rounding * s->rounding, far = (s->loose + s->rounding) * (s->loose + s->rounding);
     roberts_vec3 A = s->P[scene->corner[end - 1]];
+    if (s->sampled && s->sampled[face] && well_inside(s, face, X, v))
+        return false;
     for (uint32_t k = scene->face_start[face]; k < end; k++) {
         roberts_vec3 B = s->P[scene->corner[k]], ab = vec3_sub(B, A), spread = vec3_cross(v, ab);
         double inside = vec3_dot(spread, vec3_sub(X, A)), square = inside * inside, size = vec3_dot(spread, spread);

@@ -26,6 +26,7 @@ typedef struct sight {
     const roberts_scene *scene;
     roberts_vec3 *P;       /* [vertex_count] */
     unsigned char *facing; /* [face_count] */
+    bool *sampled;         /* [face_count] see sight_through(); NULL: no face is */
     bool perspective;
     roberts_vec3 viewpoint; /* the direction toward the viewer, of length 1, or the eye */
     double unit;            /* model units, a power of two */
@@ -69,7 +70,10 @@ static inline double sight_behind(const sight *s, uint32_t face, roberts_vec3 X)
 typedef enum sight_answer { SIGHT_NO, SIGHT_POSSIBLY, SIGHT_SURELY } sight_answer;
 
 /* Whether the line through X along v (toward the viewer) passes within the sides of the face. Outside of a side, but
- * within the touching distance and `slack` of it, it possibly does. */
+ * within the touching distance and `slack` of it, it possibly does.
+ *
+ * Of a face of very many corners that is `sampled`, some sides are asked before all, and whether the line passes well within
+ * the polygon of some of its corners: no side of the face cuts that, so that it passes within all of them. */
 sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack);
 
 /* Whether the face hides X from the viewer: X lies behind its plane and the sight line passes through it. Behind, but by
