@@ -49,16 +49,18 @@ BITS_INLINE bool by_face(const hide_picture *picture, const hide_face *F, double
     return inside && hide_pierce(&picture->space, F, e, sides, part);
 }
 
-static void join(hide_part *hull, const hide_part *part)
+/* Lets the hull of what is known to be hidden hold a part, with which it begins if nothing has been `*found`. */
+static void join(hide_part *hull, bool *found, const hide_part *part)
 {
-    if (part->t0 < hull->t0) {
+    if (!*found || part->t0 < hull->t0) {
         hull->t0 = part->t0;
         hull->e0 = part->e0;
     }
-    if (part->t1 > hull->t1) {
+    if (!*found || part->t1 > hull->t1) {
         hull->t1 = part->t1;
         hull->e1 = part->e1;
     }
+    *found = true;
 }
 
 /* An edge against a bundle. */
@@ -93,13 +95,8 @@ static void ask_faces(climb *c, uint32_t item)
 {
     for (uint32_t end = ranks_end(&c->b->ranks, 0, item); item < end; item++) {
         hide_part part;
-        if (!by_face(c->picture, &c->face[c->b->order[item]], c->span, c->e, c->sides, c->tally, &part))
-            continue;
-        if (c->found)
-            join(c->hull, &part);
-        else
-            *c->hull = part;
-        c->found = true;
+        if (by_face(c->picture, &c->face[c->b->order[item]], c->span, c->e, c->sides, c->tally, &part))
+            join(c->hull, &c->found, &part);
     }
 }
 
@@ -158,13 +155,8 @@ bool hide_by_faces(const hide_picture *picture, const hide_front *front, double 
                                   .hull = hull});
     for (uint32_t k = front->face; k < front->face + front->face_count; k++) {
         hide_part part;
-        if (!by_face(picture, &picture->face[k], span, e, sides, tally, &part))
-            continue;
-        if (found)
-            join(hull, &part);
-        else
-            *hull = part;
-        found = true;
+        if (by_face(picture, &picture->face[k], span, e, sides, tally, &part))
+            join(hull, &found, &part);
     }
     return found;
 }
