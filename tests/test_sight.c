@@ -69,6 +69,7 @@ static void samples_say_what_all_sides_say(void **state)
         roberts_scene *scene = model_build(&m);
         assert_int_equal(view_prepare(&v, scene, &camera, 0, NULL), ROBERTS_OK);
         assert_true(sight_prepare(&s, scene, &v));
+        assert_true(sight_sample(&s));
         for (uint32_t face = 0; face < scene->face_count; face++) {
             if (scene->face_start[face + 1] - scene->face_start[face] != CORNERS || s.facing[face] != SIGHT_FRONT)
                 continue;

@@ -284,7 +284,8 @@ bool occluders_build(occluders *o, const roberts_scene *scene, const view *v, co
     *o = (occluders){.face_solid = alloc_array(scene->face_count, sizeof *o->face_solid),
                      .twin = alloc_array(scene->solid_count, sizeof *o->twin),
                      .slack = alloc_zeroed(scene->solid_count, sizeof *o->slack)};
-    if (!o->face_solid || !o->twin || !o->slack || !sight_prepare(&o->s, scene, v) || !find_twins(o))
+    if (!o->face_solid || !o->twin || !o->slack || !sight_prepare(&o->s, scene, v) || !sight_sample(&o->s) ||
+        !find_twins(o))
         goto failed;
     for (uint32_t solid = 0; solid < scene->solid_count; solid++) {
         for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {

@@ -104,19 +104,6 @@ static bool sides_spare_samples(const sight *s, uint32_t face)
     return true;
 }
 
-/* False: no memory. */
-static bool find_sampled(sight *s)
-{
-    for (uint32_t face = 0; face < s->scene->face_count; face++) {
-        if (corner_count(s, face) <= SAMPLES || s->facing[face] == SIGHT_NOT_FRONT)
-            continue;
-        if (!s->sampled && !(s->sampled = alloc_zeroed(s->scene->face_count, sizeof *s->sampled)))
-            return false;
-        s->sampled[face] = sides_spare_samples(s, face);
-    }
-    return true;
-}
-
 bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
 {
     *s = (sight){.scene = scene, .perspective = v->perspective, .unit = v->unit};
@@ -133,10 +120,19 @@ bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
     set_margins(s, v);
     for (uint32_t face = 0; face < scene->face_count; face++)
         s->facing[face] = (unsigned char)facing_of(s, face);
-    if (find_sampled(s))
-        return true;
-    sight_free(s);
-    return false;
+    return true;
+}
+
+bool sight_sample(sight *s)
+{
+    for (uint32_t face = 0; face < s->scene->face_count; face++) {
+        if (corner_count(s, face) <= SAMPLES || s->facing[face] == SIGHT_NOT_FRONT)
+            continue;
+        if (!s->sampled && !(s->sampled = alloc_zeroed(s->scene->face_count, sizeof *s->sampled)))
+            return false;
+        s->sampled[face] = sides_spare_samples(s, face);
+    }
+    return true;
 }
 
 void sight_free(sight *s)

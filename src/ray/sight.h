@@ -45,6 +45,10 @@ typedef struct sight {
 bool sight_prepare(sight *s, const roberts_scene *scene, const view *v);
 void sight_free(sight *s);
 
+/* Finds out which faces are sampled: for many questions, since it takes time in proportion to all corners times the samples.
+ * False: no memory; sight_free() is due as before. */
+bool sight_sample(sight *s);
+
 /* A point of the model in these coordinates. */
 static inline roberts_vec3 sight_point(const sight *s, roberts_vec3 p)
 {
