@@ -1,5 +1,6 @@
-/* test_memory_ahead.c - scenes so large that solids which lie scattered in the picture are hidden in another order than
- * that of the file: the same drawing as of the same solids in order, by any number of threads; and memory that fails. */
+/* test_memory_ahead.c - scenes so large that solids which lie scattered in the picture, or behind one another, are hidden in
+ * another order than that of the file: the same drawing as of the same solids in order, or as with hidden lines kept, by any
+ * number of threads; and memory that fails. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,8 +24,9 @@ static double anyhow(uint64_t n)
     return (double)(n >> 11) * 0x1p-53;
 }
 
-/* A meadow of tetrahedra that reach over one another, two deep. cell[i]: where the i-th stands, row by row. */
-static roberts_scene *make_scene(const uint32_t *cell)
+/* A meadow of tetrahedra that reach over one another, two deep; more where they are `wide`. cell[i]: where the i-th stands, row
+ * by row. */
+static roberts_scene *make_scene(const uint32_t *cell, double wide)
 {
     static const uint32_t face[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
     roberts_mesh mesh = {0};
@@ -33,7 +35,7 @@ static roberts_scene *make_scene(const uint32_t *cell)
         double x = cell[i] % SIDE + anyhow(3 * cell[i] + 1), y = cell[i] / SIDE + anyhow(3 * cell[i] + 2);
         double z = 3.0 * anyhow(3 * cell[i] + 3);
         const roberts_vec3 point[4] = {
-            {x, y, z}, {x + 1.5, y + 0.1, z}, {x + 0.2, y + 1.4, z}, {x + 0.5, y + 0.5, z + 1}};
+            {x, y, z}, {x + 1.5 * wide, y + 0.1, z}, {x + 0.2, y + 1.4 * wide, z}, {x + 0.5, y + 0.5, z + 1}};
         for (int k = 0; k < 4; k++)
             assert_int_equal(roberts_mesh_add_vertex(&mesh, point[k], NULL, NULL), ROBERTS_OK);
         for (int k = 0; k < 4; k++) {
@@ -100,12 +102,12 @@ static void scattered_as_in_order(void **state)
     roberts_drawing ordered, drawing;
     (void)state;
     fill(cell, false);
-    roberts_scene *scene = make_scene(cell);
+    roberts_scene *scene = make_scene(cell, 1.0);
     assert_false(is_worth(scene));
     assert_int_equal(roberts_hide(scene, &camera, NULL, &ordered, NULL), ROBERTS_OK);
     roberts_scene_free(scene);
     fill(cell, true);
-    scene = make_scene(cell);
+    scene = make_scene(cell, 1.0);
     assert_true(is_worth(scene));
     for (uint32_t threads = 1; threads <= 3; threads += 2, next = 0) {
         roberts_hide_options options = roberts_hide_options_default();
@@ -131,6 +133,36 @@ static void scattered_as_in_order(void **state)
     free(count);
 }
 
+/* In the order of the file, but deep. */
+static void deep_as_with_hidden(void **state)
+{
+    uint32_t *cell = calloc(COUNT, sizeof *cell);
+    roberts_hide_options options = {.keep_hidden = true};
+    roberts_drawing all, drawing;
+    (void)state;
+    fill(cell, false);
+    roberts_scene *scene = make_scene(cell, 1.5);
+    assert_true(is_worth(scene));
+    assert_int_equal(roberts_hide(scene, &camera, &options, &all, NULL), ROBERTS_OK);
+    options.keep_hidden = false;
+    for (options.threads = 1; options.threads <= 3; options.threads += 2) {
+        size_t next = 0;
+        assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+        assert_true(drawing.count > COUNT && drawing.count < all.count);
+        for (size_t i = 0; i < all.count; i++)
+            if (all.segment[i].state == ROBERTS_VISIBLE) {
+                assert_true(next < drawing.count);
+                assert_int_equal(drawing.segment[next].solid, all.segment[i].solid);
+                same_part(&drawing.segment[next++], &all.segment[i]);
+            }
+        assert_int_equal(next, drawing.count);
+        roberts_drawing_free(&drawing);
+    }
+    roberts_drawing_free(&all);
+    roberts_scene_free(scene);
+    free(cell);
+}
+
 /* Some of the many allocations, from all over the run. An array that cannot be made smaller is kept as it is. */
 static void memory_fails(void **state)
 {
@@ -141,7 +173,7 @@ static void memory_fails(void **state)
     (void)state;
     options.threads = 1;
     fill(cell, true);
-    roberts_scene *scene = make_scene(cell);
+    roberts_scene *scene = make_scene(cell, 1.0);
     memory_fail(0);
     size_t before = memory_blocks;
     assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
@@ -165,6 +197,7 @@ static void memory_fails(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(scattered_as_in_order), cmocka_unit_test(memory_fails)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(scattered_as_in_order), cmocka_unit_test(deep_as_with_hidden),
+                                       cmocka_unit_test(memory_fails)};
     return cmocka_run_group_tests_name("memory_ahead", tests, NULL, NULL);
 }

@@ -823,6 +823,8 @@ static void cells_given_or_few(void **state)
     assert_true(f.nx >= 1 && f.ny >= 1 && f.dx > 0 && f.dy > 0);
     f = cells_for_covers(box, 2, window_low, upright, MARGIN, 1, &unite);
     assert_int_equal(scan_cells(&f), 0);
+    double area = (window_high.x - window_low.x) * (window_high.y - window_low.y);
+    assert_true(fabs(cells_depth(box, 2, window_low, window_high) - (8.0 * 4.0 + 1.0 * 1.0) / area) < 1e-12);
 }
 
 /* ... the same by any number of threads. */

@@ -7,6 +7,7 @@
 #include "base/bits.h"
 #include "base/fetch.h"
 #include "base/radix.h"
+#include "hide/cells.h"
 
 /* Fewer solids than this do not leave the cache. */
 #define MANY_SOLIDS 32768
@@ -15,6 +16,9 @@
 /* ... and if one solid lies on average farther than this from the last, the file has them as they come. Rows, heaps and
  * lattices that were built one beside the other have less than 30, random ones more than 600. */
 #define FAR_APART 100.0
+/* ... or if as many boxes as this lie over a point of the picture: what lies behind one another lies anywhere in the file. In
+ * flat scenes the order costs a fifth of hiding, in deep ones it saves a fourth to a half. */
+#define DEEP 2.5
 
 /* Solids between asking for what is kept of one and needing it; twice as many before, where it is. */
 #define RECALLS_AHEAD 4
@@ -52,7 +56,7 @@ bool ahead_init(ahead *a, const hide_picture *picture)
     if (!key)
         return false;
     bool far = find_keys(picture, key) > FAR_APART, done = true;
-    if (far) {
+    if (far || cells_depth(picture->front_box, picture->front_count, picture->low, picture->high) > DEEP) {
         a->order = alloc_array(a->count, sizeof *a->order);
         a->place = alloc_array(a->count, sizeof *a->place);
         a->chunks = (a->count + AHEAD_CHUNK - 1) / AHEAD_CHUNK;

@@ -1,8 +1,9 @@
 /* ahead.h - what is hidden of the edges, found in the order of the picture and kept until it is their solid's turn.
  *
- * Edges come out in the order of the file. Where solids that follow one another in it lie anywhere in the picture, and
- * are more than a cache holds, each edge would fetch the fronts around it from memory; so there solids are taken as they
- * lie beside one another first, and of their edges no more is kept than the parameters of what is hidden. */
+ * Edges come out in the order of the file. Where solids that follow one another in it lie anywhere in the picture, or
+ * those behind one another anywhere in the file, and they are more than a cache holds, each edge would fetch the fronts
+ * around it from memory; so there solids are taken as they lie beside one another first, and of their edges no more is kept
+ * than the parameters of what is hidden. */
 #ifndef ROBERTS_HIDE_AHEAD_H
 #define ROBERTS_HIDE_AHEAD_H
 

@@ -76,6 +76,11 @@ static sizes measure(const hide_box *box, uint32_t count, roberts_vec2 low, robe
     return all;
 }
 
+double cells_depth(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high)
+{
+    return measure(box, count, low, high, 1).area;
+}
+
 /* Columns and rows for cells `boxes` mean boxes wide and high, `most` cells in all. */
 static void divide(const sizes *s, uint32_t count, double boxes, double most, double *nx, double *ny)
 {
