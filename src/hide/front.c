@@ -242,7 +242,10 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
         corners = 0;
     bool whole = corners && found.count <= FACES_OF_ONE_FRONT;
     bool bundled = cycle && !whole && is_bundle(picture, &found, box);
-    if (whole && picture->cover.rest && unite_hides(picture, &scratch->scan, outline, corners, box->z1)) {
+    bool unites = whole && picture->cover.rest && tile_unites(tile);
+    tile->asked += unites;
+    if (unites && unite_hides(picture, &scratch->scan, outline, corners, box->z1)) {
+        tile->united++;
         picture->culled[solid] = true;
         tile->culled++;
         return true;
@@ -277,7 +280,7 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
     tile->most_corners = cycle > tile->most_corners ? cycle : tile->most_corners;
     picture->front_box[tile->front] = *box;
     picture->front[tile->front] = front;
-    if (whole && picture->cover.rest)
+    if (unites)
         unite_offer(picture, &scratch->scan, tile->front, tile->first);
     tile->front++;
     return true;

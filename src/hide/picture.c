@@ -177,8 +177,8 @@ static void cull_again(build *b, front_scratch *scratch, picture_tile *tile)
     for (uint32_t k = tile->first; k < tile->front; k++) {
         const hide_front *front = &picture->front[k];
         if (cull_hides(picture, &picture->front_box[k], front->solid) ||
-            unite_hides(picture, &scratch->scan, picture->outline + front->outline, front->corners,
-                        picture->front_box[k].z1))
+            (tile_unites(tile) && unite_hides(picture, &scratch->scan, picture->outline + front->outline,
+                                              front->corners, picture->front_box[k].z1)))
             cull_late(picture, tile, front->solid);
     }
     for (size_t k = 0; k < tile->single_count; k++) {
