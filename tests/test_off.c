@@ -219,14 +219,14 @@ static const struct {
     {"no face of those declared", "OFF\n3 4 0\n" POINTS "# none\n", "(0 0 0)(1 0 0)(0 1 0)",
      "0: 4 faces declared, but there are 0;"},
     {"more faces", "OFF\n3 1 0\n" POINTS "3 0 1 2\n3 2 1 0\n3 2 1 0\n", TRIANGLE,
-     "7: text after the last face ignored;"},
+     "7: text after the last face ignored; the header says 3 vertices and 1 face;"},
     {"points, the first one 0", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "",
      "0: this looks like points, 3 numbers on each line, not like OFF; with two lines before them, \"3 points\" and "
      "\"4\", they can be read as points to take the hull of;"},
     {"text after the last face", "OFF\n3 1 0\n" POINTS "3 0 1 2\n\n# c\nhello\n", TRIANGLE,
-     "9: text after the last face ignored;"},
+     "9: text after the last face ignored; the header says 3 vertices and 1 face;"},
     {"text after the wrapper", "{OFF\n3 1 0\n" POINTS "3 0 1 2\n}\n}\n", TRIANGLE,
-     "8: text after the last face ignored;"},
+     "8: text after the last face ignored; the header says 3 vertices and 1 face;"},
     {"numbers of all kinds", "OFF 3 0 0\n+1 -0 1.\n.5 1e3 -1E-3\n0.1 1e150 -1e-320\n",
      "(1 -0 1)(0.5 1000 -0.001)(0.10000000000000001 9.9999999999999998e+149 -9.9998886718268301e-321)", ""},
     {"a number missing", "OFF\n4 2 0\n0 0 0\n1 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n",
@@ -240,8 +240,33 @@ static const struct {
     {"a vertex missing", "OFF\r\n5 2 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n0 0 1\r\n3 0 1 2\r\n3 0 2 3\r\n",
      "(0 0 0)(1 0 0)(0 1 0)(0 0 1)(3 0 1)[3 0]",
      "0: 2 faces declared, but there are 1;0: 1 face with fewer than 3 corners ignored;"
-     "8: 1 colour that makes no sense ignored;7: is a vertex missing? line 7 has 4 words, and the vertices before it "
-     "have 3;"},
+     "8: 1 colour that makes no sense ignored;7: line 7 looks like a face, but the header says 5 vertices, and 4 "
+     "stand before it;"},
+    {"a number too many", "OFF\n4 1 0\n0 0 0\n1 0 0 7\n0 1 0\n0 0 1\n3 0 1 2\n",
+     "(0 0 0)(1 0 0)(7 0 1)(0 0 0)[3/0,0.00392157,0.00784314]",
+     "0: 1 face with fewer than 3 corners ignored;"
+     "4: is a number too many? line 4 has 4 words, and the vertices before it have 3;"},
+    {"a vertex too many", "OFF\n3 1 0\n" POINTS "0 0 1\n3 0 1 3\n", "(0 0 0)(1 0 0)(0 1 0)[]",
+     "7: text after the last face ignored; the header says 3 vertices and 1 face;"
+     "0: 1 face with fewer than 3 corners ignored;6: 1 colour that makes no sense ignored;"
+     "6: line 6 looks like a vertex, but the header says 3 vertices, and 3 stand before it;"},
+    {"vertices of whole numbers and edges", "OFF\n3 3 0\n" POINTS "2 0 1\n1 2\n3 0 1 2\n",
+     "(0 0 0)(1 0 0)(0 1 0)[0 1][2][0 1 2]", "0: 2 faces with fewer than 3 corners ignored;"},
+    {"a corner missing", "OFF\n4 3 0\n" POINTS "0 0 1\n3 0 1\n3 0 1 3\n3 1 2 3\n",
+     "(0 0 0)(1 0 0)(0 1 0)(0 0 1)[0 1 3/0,0.00392157,0.0117647][1 2 3]",
+     "0: 3 faces declared, but there are 2;7: line 7 begins a face of 3 corners, and 2 numbers follow on it;"},
+    {"a face over several lines, and a corner missing",
+     "OFF\n4 4 0\n" POINTS "0 0 1\n4 0\n1\n2 3\n3 0 1\n3 0 1 3\n3 1 2 3\n",
+     "(0 0 0)(1 0 0)(0 1 0)(0 0 1)[0 1 2 3][0 1 3/0,0.00392157,0.0117647][1 2 3]",
+     "0: 4 faces declared, but there are 3;10: line 10 begins a face of 3 corners, and 2 numbers follow on it;"},
+    {"faces without the number of corners", "OFF\n3 3 0\n" POINTS "0 1 2 0\n2 1 0 1 1\n3 0 1 2\n",
+     "(0 0 0)(1 0 0)(0 1 0)[/0.00392157,0.00784314,0][1 0][0 1 2]",
+     "0: 2 faces with fewer than 3 corners ignored;7: 1 colour that makes no sense ignored;"
+     "7: line 7 begins a face of 2 corners, and 4 numbers follow on it;"},
+    {"normals without NOFF", "OFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 -1\n0 1 0 0 1 0\n3 0 1 2\n", "(0 0 0)(0 0 1)(1 0 0)[]",
+     "5: text after the last face ignored; the header says 3 vertices and 1 face;"
+     "0: 1 face with fewer than 3 corners ignored;4: 1 colour that makes no sense ignored;"
+     "3: line 3 has 6 words, and the vertices of OFF have 3; is NOFF or COFF meant?;"},
     {"vertices with colours or without, and a thin face", "COFF\n3 2 0\n0 0 0\n1 0 0 255 0 0\n0 1 0\n2 0 1\n3 0 1 2\n",
      "(0 0 0)(1 0 0/1,0,0)(0 1 0)[0 1][0 1 2]", "0: 1 face with fewer than 3 corners ignored;"},
     {"all numbers on lines of their own, and a thin face", "OFF\n3 2 0\n0\n0\n0\n1 0\n0\n0\n1\n0\n2 0 1\n3 0 1 2\n",
@@ -338,15 +363,36 @@ static const struct {
     {"dimension 2 of qhull", "2\n5 10 10\n", ROBERTS_BAD_SYNTAX, 1, "the dimension is 2, but only 3 can be drawn"},
     {"dimension missing", "nOFF\nx\n", ROBERTS_BAD_SYNTAX, 2, "the dimension expected, found \"x\""},
     {"vertex missing", "OFF\n1000 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 999", ROBERTS_BAD_SYNTAX, 6,
-     "y of vertex 4 of 1000 expected, but the input ends here; look: line 6 has 4 words, and the vertices before it "
+     "y of vertex 4 of 1000 expected, but the input ends here; look: line 6 looks like a face, but the header says "
+     "1000 "
+     "vertices, and 3 stand before it"},
+    {"a number too many, and the end", "OFF\n1000 1 0\n0 0 0\n3 0 1 999\n5 0 0\n1 2\n", ROBERTS_BAD_SYNTAX, 7,
+     "x of vertex 4 of 1000 expected, but the input ends here; look: line 4 has 4 words, and the vertices before it "
      "have 3"},
+    {"a vertex more than told", "OFF\n3 2 0\n" POINTS "0 0 1\n3 0 1 3\n", ROBERTS_BAD_INDEX, 7,
+     "face 1 names vertex 3, but there are 3, numbered from 0; look: line 6 looks like a vertex, but the header says 3 "
+     "vertices, and 3 stand before it"},
+    {"normals without NOFF, and an error", "OFF\n3 2 0\n0 0 .5 0 0 1\n1 0 0 0 0 .5\n.5 1 0 0 .5 0\n3 0 1 2\n3 0 2 1\n",
+     ROBERTS_BAD_SYNTAX, 5,
+     "the number of corners of face 1 of 2 expected, found \".5\"; look: line 3 has 6 words, and the vertices of OFF "
+     "have 3; is NOFF or COFF meant?"},
+    {"no normals with NOFF", "NOFF\n4 2 0\n" POINTS "0 0 1\n3 0 1 2\n3 0 1 3\n", ROBERTS_BAD_SYNTAX, 9,
+     "z of vertex 3 of 4 expected, but the input ends here; look: line 3 has 3 words, and the vertices of NOFF have 6"},
+    {"a word in each vertex", "OFF\n3 1 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\n3 0 1 2\n", ROBERTS_BAD_SYNTAX, 3,
+     "x of vertex 0 of 3 expected, found \"v\""},
+    {"a corner missing in the last face", "OFF\n3 2 0\n" POINTS "3 0 1 2\n3 0 1\n", ROBERTS_BAD_SYNTAX, 8,
+     "corner 3 of 3 of face 1 of 2 expected, but the input ends here; look: line 7 begins a face of 3 corners, and 2 "
+     "numbers follow on it"},
+    {"semicolons", "OFF\n3 1 0\n" POINTS "3 0 1 2;\n", ROBERTS_BAD_SYNTAX, 6,
+     "corner 3 of 3 of face 0 of 1 expected, found \"2;\"; OFF has decimal points, and blanks between numbers"},
     {"all vertices missing", "OFF\n3 1 0\n", ROBERTS_BAD_SYNTAX, 3,
      "x of vertex 0 of 3 expected, but the input ends here"},
     {"word for a coordinate", "OFF\n3 1 0\n0 0 0\n1 O 0\n0 1 0\n3 0 1 2\n", ROBERTS_BAD_SYNTAX, 4,
      "y of vertex 1 of 3 expected, found \"O\""},
     {"line after CR", "OFF\r3 1 0\r\n0 0 0\r1 O 0\n", ROBERTS_BAD_SYNTAX, 4,
      "y of vertex 1 of 3 expected, found \"O\""},
-    {"decimal comma", "OFF\n3 1 0\n0,5 0 0\n", ROBERTS_BAD_SYNTAX, 3, "x of vertex 0 of 3 expected, found \"0,5\""},
+    {"decimal comma", "OFF\n3 1 0\n0,5 0 0\n", ROBERTS_BAD_SYNTAX, 3,
+     "x of vertex 0 of 3 expected, found \"0,5\"; OFF has decimal points, and blanks between numbers"},
     {"hexadecimal", "OFF\n3 1 0\n0 0x10 0\n", ROBERTS_BAD_SYNTAX, 3, "y of vertex 0 of 3 expected, found \"0x10\""},
     {"half a number", "OFF\n3 1 0\n0 0 1e\n", ROBERTS_BAD_SYNTAX, 3, "z of vertex 0 of 3 expected, found \"1e\""},
     {"half a number at the end", "OFF\n3 1 0\n0 0 1e", ROBERTS_BAD_SYNTAX, 3,
@@ -362,13 +408,16 @@ static const struct {
     {"w tiny", "4OFF\n3 1 0\n0 0 0 1\n1 0 0 1e-200\n", ROBERTS_BAD_NUMBER, 4,
      "vertex 1 has a coordinate beyond 1e+150"},
     {"w missing", "4OFF\n1 0 0\n0 0 0\n", ROBERTS_BAD_SYNTAX, 4,
-     "w of vertex 0 of 1 expected, but the input ends here"},
+     "w of vertex 0 of 1 expected, but the input ends here; look: line 3 has 3 words, and the vertices of 4OFF have 4"},
     {"normal missing", "NOFF\n1 0 0\n0 0 0 1 0\n", ROBERTS_BAD_SYNTAX, 4,
-     "the normal of vertex 0 of 1 expected, but the input ends here"},
+     "the normal of vertex 0 of 1 expected, but the input ends here; look: line 3 has 5 words, and the vertices of "
+     "NOFF "
+     "have 6"},
     {"word for a normal", "NOFF\n1 0 0\n0 0 0 1 up 0\n", ROBERTS_BAD_SYNTAX, 3,
      "the normal of vertex 0 of 1 expected, found \"up\""},
     {"texture missing", "STOFF\n1 0 0\n0 0 0 1\n", ROBERTS_BAD_SYNTAX, 4,
-     "the colour or texture of vertex 0 of 1 expected, but the input ends here"},
+     "the colour or texture of vertex 0 of 1 expected, but the input ends here; look: line 3 has 4 words, and the "
+     "vertices of STOFF have 5"},
     {"index too large", "OFF\n3 1 0\n" POINTS "3 0 1 3\n", ROBERTS_BAD_INDEX, 6,
      "face 0 names vertex 3, but there are 3, numbered from 0"},
     {"index far too large", "OFF\n3 2 0\n" POINTS "3 0 1 2\n3 0 99999999999999999999999999 1\n", ROBERTS_BAD_INDEX, 7,
@@ -384,13 +433,16 @@ static const struct {
     {"minus", "OFF\n3 1 0\n" POINTS "3 0 - 2\n", ROBERTS_BAD_SYNTAX, 6,
      "corner 2 of 3 of face 0 of 1 expected, found \"-\""},
     {"face cut short", "OFF\n3 1 0\n" POINTS "3 0 1\n", ROBERTS_BAD_SYNTAX, 7,
-     "corner 3 of 3 of face 0 of 1 expected, but the input ends here"},
+     "corner 3 of 3 of face 0 of 1 expected, but the input ends here; look: line 6 begins a face of 3 corners, and 2 "
+     "numbers follow on it"},
     {"word for a face", "OFF\n3 2 0\n" POINTS "3 0 1 2\nend\n", ROBERTS_BAD_SYNTAX, 7,
      "the number of corners of face 1 of 2 expected, found \"end\""},
     {"negative corner count", "OFF\n3 1 0\n" POINTS "-3 0 1 2\n", ROBERTS_BAD_SYNTAX, 6,
      "the number of corners of face 0 of 1 expected, found \"-3\""},
     {"face of 4e9 corners", "OFF\n3 1 0\n" POINTS "4000000000 0 1 2\n", ROBERTS_BAD_SYNTAX, 7,
-     "corner 4 of 4000000000 of face 0 of 1 expected, but the input ends here"},
+     "corner 4 of 4000000000 of face 0 of 1 expected, but the input ends here; look: line 6 begins a face of "
+     "4000000000 "
+     "corners, and 3 numbers follow on it"},
     {"4e9 vertices", "OFF\n4000000000 4000000000 0\n0 0 0\n", ROBERTS_BAD_SYNTAX, 4,
      "x of vertex 1 of 4000000000 expected, but the input ends here"},
     {"more vertices than can be counted", "OFF\n99999999999999999999999 1 0\n0 0 0\n", ROBERTS_BAD_SYNTAX, 4,

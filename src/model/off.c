@@ -41,6 +41,15 @@ static void quote(const char *token, size_t length, char *text, size_t room)
     snprintf(text + n, room - n, "%s", shown < length ? "..." : "");
 }
 
+/* For somebody who writes 0,5 or separates numbers by commas. */
+static const char *explain_commas(const char *token, size_t length)
+{
+    const bool number = strchr("+-.0123456789", token[0]) != NULL;
+    return number && (memchr(token, ',', length) || memchr(token, ';', length))
+               ? "; OFF has decimal points, and blanks between numbers"
+               : "";
+}
+
 roberts_status off_expected(off_reader *r, roberts_status status, const char *format, ...)
 {
     char wanted[120], found[112];
@@ -59,7 +68,7 @@ roberts_status off_expected(off_reader *r, roberts_status status, const char *fo
         return off_fail(r, ROBERTS_BAD_SYNTAX, "%s expected, found a word of more than %zu characters", wanted,
                         OFF_TOKEN_MAX);
     quote(r->in.at, length, found, sizeof found);
-    return off_fail(r, status, "%s expected, found \"%s\"", wanted, found);
+    return off_fail(r, status, "%s expected, found \"%s\"%s", wanted, found, explain_commas(r->in.at, length));
 }
 
 bool off_number_slowly(off_reader *r, double *value)

@@ -8,7 +8,9 @@
  * off_binary.c  vertices and faces as 32-bit words
  * off_color.c   what the numbers of a colour mean
  * off_foreign.c other formats, by how they begin
- * off_explain.c after an error: which line may be the reason
+ * off_explain.c after an error: which line may be the reason, or that it is no OFF
+ * off_odd.c     the line that is not as its header says, or not as those before it
+ * off_lines.c   the text once more, line by line, for these two
  * off_input.c   blocks and tokens */
 #ifndef ROBERTS_MODEL_OFF_H
 #define ROBERTS_MODEL_OFF_H
