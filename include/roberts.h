@@ -163,7 +163,8 @@ typedef struct roberts_scene_options {
  * a face of three corners, all its points. A hull's vertices are vertices of the input, its faces its own (ROBERTS_NONE, and
  * without colours); points that lie outside a face by less than the tolerance, or 1e-5 of the size, may be left out.
  * Solids are still numbered by their smallest vertex, whether the hull has it or not. What lies in one plane has no hull: it is
- * left out with a warning, but an input that has nothing else is refused.
+ * left out with a warning, but an input that has nothing else is refused. How many solids of an input have been replaced, and
+ * why, is a warning as well; points without faces, for which a hull is all that could be wanted, are not counted there.
  * mesh     only read, and not needed afterwards
  * options  NULL for the defaults
  * scene    owned by the caller, released by roberts_scene_free(); NULL on failure

@@ -44,8 +44,7 @@ static void messages_name_the_file(void **state)
     assert_int_equal(run("good.off bent.off good.off"), 1);
     assert_said("roberts: bent.off: face 0 of solid 0 is not planar: ");
     assert_int_equal(run("good.off models/table.off empty.off dented.off --tolerance 0.001"), 1);
-    assert_said("roberts: dented.off: solid 0 is not convex: vertex 2 lies 0.707107 outside face 0 (see --hull, "
-                "--tolerance)\n");
+    assert_said("roberts: dented.off: solid 0 is not convex: vertex 2 lies 0.707107 outside face 0 (see --hull)\n");
     assert_int_equal(run("good.off models/table.off --tolerance 1e-17"), 1);
     assert_said("roberts: models/table.off: face 77 of solid 12 is not planar: ");
     assert_int_equal(run("good.off open.off good.off"), 1);
@@ -68,14 +67,50 @@ static void every_refusal_names_the_file(void **state)
     put("flat.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n");
     put("point.off", "OFF\n4 4 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n");
     assert_int_equal(run("models/table.off moebius.off"), 1);
-    assert_said(
-        "roberts: moebius.off: solid 0 is not convex: its surface has one side only (see --hull, --tolerance)\n");
+    assert_said("roberts: moebius.off: solid 0 is not convex: its surface has one side only (see --hull)\n");
     assert_int_equal(run("models/table.off flat.off models/table.off"), 1);
     assert_said("roberts: flat.off: solid 0 is flat: ");
     assert_int_equal(run("models/table.off point.off"), 1);
     assert_said("roberts: point.off: solid 0 is flat: all its vertices lie in one point\n");
     assert_int_equal(run("--eye 18,12,15.5 models/table.off"), 1);
     assert_said("roberts: models/table.off: the eye is inside solid 0; move it out of all solids\n");
+}
+
+/* A tolerance is named where the model passes with it, and so large as it has to be for all of its solids. */
+static const struct {
+    double lifted[2]; /* of two cubes a corner, whose faces are then off their planes by a quarter of it */
+    const char *arguments, *hint;
+} tolerance_cases[] = {
+    {{0.001, 0}, "", "beside their plane (--tolerance 0.0002 would do; see also --hull)\n"},
+    {{0.0001, 0.01}, "", "beside their plane (--tolerance 0.0005 would do; see also --hull)\n"},
+    {{0.0001, 0.01}, "--tolerance 0.0002 ", "beside their plane (--tolerance 0.0005 would do; see also --hull)\n"},
+    {{0, 0.0001}, "--tolerance 1e-7 ", "beside their plane (--tolerance 5e-06 would do; see also --hull)\n"},
+    {{0.0001, 0.5}, "", "beside their plane (see --hull)\n"},
+    {{0.5, 0}, "--tolerance 0.02 ", "beside their plane (see --hull)\n"},
+};
+
+static void a_tolerance_that_helps_is_named(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof tolerance_cases / sizeof tolerance_cases[0]; i++) {
+        char line[200];
+        double tolerance;
+        put_cube("a.off", 0, tolerance_cases[i].lifted[0], 6);
+        put_cube("b.off", 5, tolerance_cases[i].lifted[1], 6);
+        snprintf(line, sizeof line, "%s-f null a.off b.off", tolerance_cases[i].arguments);
+        print_message("roberts %s\n", line);
+        assert_int_equal(run(line), 1);
+        assert_said(tolerance_cases[i].hint);
+        assert_int_equal(count_of(last.err, "\n"), 1);
+        const char *named = strstr(last.err, "(--tolerance ");
+        if (!named)
+            continue;
+        assert_int_equal(sscanf(named, "(--tolerance %lf", &tolerance), 1);
+        snprintf(line, sizeof line, "-f null a.off b.off --tolerance %g", tolerance);
+        assert_int_equal(run(line), 0);
+        snprintf(line, sizeof line, "-f null a.off b.off --tolerance %g", tolerance / 2.5); /* and not half of it */
+        assert_int_equal(run(line), 1);
+    }
 }
 
 /* ---- misuse that says what was meant ---- */
@@ -498,6 +533,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         IN_FOLDER(messages_name_the_file),
         IN_FOLDER(every_refusal_names_the_file),
+        IN_FOLDER(a_tolerance_that_helps_is_named),
         IN_FOLDER(misuse_tells_what_was_meant),
         IN_FOLDER(images_too_large_for_memory),
         IN_FOLDER(empty_names),

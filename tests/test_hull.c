@@ -392,6 +392,22 @@ static const struct {
      0,
      ""},
     {"an input without anything", {"OFF\n0 0 0\n", CUBE}, 1, ""},
+    {"points alone, which are not replaced", {"OFF\n8 0 0\n" CUBE_POINTS}, 1, ""},
+    {"a cube without two sides, replaced",
+     {"OFF\n8 4 0\n" CUBE_POINTS "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 1 3 7 5\n", CUBE},
+     2,
+     "0: 1 solid replaced by its convex hull: not closed\n"},
+    {"of each kind one, in two inputs, and one that is sound",
+     {CUBE,
+      "OFF\n20 14 0\n0 0 9 1 0 9 0 1 9 1 1 9 0 0 10 1 0 10 0 1 10 1 1 10.1\n" L_POINTS CUBE_FACES
+      "6 8 13 12 11 10 9\n6 14 15 16 17 18 19\n4 8 9 15 14\n4 9 10 16 15\n4 10 11 17 16\n4 11 12 18 17\n"
+      "4 12 13 19 18\n4 13 8 14 19\n",
+      "OFF\n14 6 0\n0 0 9 1 0 9 0 1 9 9 9 9 8 9 9 9 8 9\n" CUBE_POINTS
+      "3 0 1 2\n3 3 4 5\n4 6 8 9 7\n4 10 11 13 12\n4 6 7 11 10\n4 7 9 13 11\n"},
+     4,
+     "1: 2 solids replaced by their convex hulls: 1 not planar, 1 not convex\n"
+     "2: 1 solid replaced by its convex hull: not closed\n"
+     "2: 2 flat components ignored, the first of 3 points from vertex 0 on: they have no convex hulls\n"},
 };
 
 static void flat_components_are_left_out(void **state)
@@ -465,10 +481,12 @@ static void threads_change_nothing(void **state)
         uint32_t every, solids;
         const char *said;
     } cases[] = {
-        {0, FANS, ""},
+        {0, FANS, ": 700 solids replaced by their convex hulls: not closed\n"},
         {FANS, FANS - 1,
+         ": 699 solids replaced by their convex hulls: not closed\n"
          ": 1 flat component ignored, of 12 points from vertex 8388 on: it has no convex hull\n"}, /* the last */
         {7, FANS - FANS / 7,
+         ": 600 solids replaced by their convex hulls: not closed\n"
          ": 100 flat components ignored, the first of 12 points from vertex 72 on: they have no convex hulls\n"},
         {1, 0,
          "the convex hull of solid 0, of 12 points from vertex 0 on, is flat: they lie in one plane, or nearly so"},
@@ -582,6 +600,14 @@ static void program_draws_hulls(void **state)
     assert_said("solid 0, a face of its hull, ");
     put("in/fan.off",
         "OFF\n11 8 0\n" CUBE_POINTS "0 0 9 1 0 9 0 1 8\n" CUBE_FACES "3 8 9 10\n3 0 8 9\n"); /* beside a cube */
+    assert_int_equal(run("--hull -f null in/fan.off models/platonic/cube.off in/cube.off"), 0);
+    assert_string_equal(last.err, "roberts: in/fan.off: warning: 1 solid replaced by its convex hull: not closed\n");
+    assert_int_equal(run("--hull -q -f null in/fan.off"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("--hull -f null in/rbox"), 0); /* points have nothing that is replaced */
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("--hull --batch in -f null models/platonic/cube.off in/fan.off"), 0);
+    assert_string_equal(last.err, "roberts: in/fan.off: warning: 1 solid replaced by its convex hull: not closed\n");
     assert_int_equal(run("--hull -v -f null in/fan.off models/platonic/cube.off in/cube.off"), 0);
     assert_said(": 4 solids, ");
     assert_said("in/fan.off and 2 more: convex hulls take the place of 2 solids: 1, 3\n");

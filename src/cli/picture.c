@@ -11,6 +11,7 @@
 #include "cli/parse.h"
 #include "cli/progress.h"
 #include "cli/rays.h"
+#include "cli/refusal.h"
 #include "cli/stats.h"
 
 enum { NAME_SIZE = 4096, HULLS_TOLD = 20 };
@@ -46,23 +47,11 @@ static const char *write_title(const cli_options *options, char *title, size_t s
     return name_inputs(options, slash ? slash + 1 : first, title, size);
 }
 
-/* Which options have a say in it. */
-static const char *hint(const cli_options *options, roberts_status status)
-{
-    if (status == ROBERTS_NOT_CLOSED && !options->scene.hull)
-        return " (see --hull)";
-    if ((status == ROBERTS_NOT_PLANAR || status == ROBERTS_NOT_CONVEX) && !options->scene.hull)
-        return " (see --hull, --tolerance)";
-    return "";
-}
-
 /* What went wrong concerns the inputs, where it names no file. Returns the exit status. */
 static int fail(const cli_options *options, roberts_error *error)
 {
-    size_t length = strlen(error->message);
     if (!error->file[0] && error->status != ROBERTS_BAD_ARGUMENT)
         name_inputs(options, options->input[0], error->file, sizeof error->file);
-    snprintf(error->message + length, sizeof error->message - length, "%s", hint(options, error->status));
     return message_error(options->log, error);
 }
 
@@ -120,6 +109,8 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
         progress_stage("finding the solids");
         status = roberts_scene_take(&mesh, &solids, scene, error);
         run->solids = stats_since(start);
+        if (status != ROBERTS_OK)
+            refusal_explain(options, &mesh, error);
     }
     roberts_mesh_free(&mesh);
     if (status != ROBERTS_OK)

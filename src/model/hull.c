@@ -17,8 +17,9 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/threads.h"
+#include "model/hull_inputs.h"
+#include "model/hull_tell.h"
 #include "model/layout.h"
-#include "model/place.h"
 #include "model/qhull.h"
 
 /* Facets come out as planar as a few widths: a tenth of the tolerance keeps them within it. */
@@ -51,98 +52,6 @@ static void hull_maker_free(hull_maker *maker)
     frame_free(&maker->frame);
     builder_free(&maker->work);
     free(maker->zero);
-}
-
-/* ---- bare inputs --------------------------------------------------------------------------------------------------- */
-
-/* The vertices and faces of input i; all of the mesh where it was not read from inputs. */
-typedef struct input_range {
-    size_t vertex, vertex_end, face, face_end;
-} input_range;
-
-static size_t input_count(const roberts_mesh *mesh)
-{
-    return mesh->source_count ? mesh->source_count : 1;
-}
-
-static input_range input_at(const roberts_mesh *mesh, size_t i)
-{
-    input_range range = {0, mesh->vertex_count, 0, mesh->face_count};
-    if (i > 0) {
-        range.vertex = mesh->source[i].first_vertex;
-        range.face = mesh->source[i].first_face;
-    }
-    if (i + 1 < mesh->source_count) {
-        range.vertex_end = mesh->source[i + 1].first_vertex;
-        range.face_end = mesh->source[i + 1].first_face;
-    }
-    return range;
-}
-
-static bool is_bare(const roberts_mesh *mesh, input_range range)
-{
-    for (size_t f = range.face; f < range.face_end; f++)
-        if (mesh->face_start[f + 1] - mesh->face_start[f] >= 3)
-            return false;
-    return range.vertex < range.vertex_end;
-}
-
-bool hull_bare_input(const roberts_mesh *mesh)
-{
-    for (size_t i = 0; i < input_count(mesh); i++)
-        if (is_bare(mesh, input_at(mesh, i)))
-            return true;
-    return false;
-}
-
-static roberts_status refuse_few(const char *name, input_range range, roberts_error *error)
-{
-    size_t points = range.vertex_end - range.vertex;
-    error_set_file(error, name ? name : "");
-    return error_set(error, ROBERTS_FLAT, 0, "a convex hull takes four points, but there %s %zu",
-                     points == 1 ? "is" : "are", points);
-}
-
-roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, roberts_error *error)
-{
-    size_t corners = mesh->corner_count, count = mesh->face_count;
-    for (size_t i = 0; i < input_count(mesh); i++) {
-        input_range range = input_at(mesh, i);
-        if (!is_bare(mesh, range))
-            continue;
-        if (range.vertex_end - range.vertex < 4)
-            return refuse_few(mesh->source_count ? mesh->source[i].name : NULL, range, error);
-        corners += range.vertex_end - range.vertex;
-        count++;
-    }
-    if (count == mesh->face_count)
-        return ROBERTS_OK;
-    if (count >= ROBERTS_NONE || corners >= ROBERTS_NONE)
-        return error_no_memory(error);
-    uint32_t *start = alloc_array(count + 1, sizeof *start), *corner = alloc_array(corners, sizeof *corner);
-    if (!start || !corner) {
-        free(start);
-        free(corner);
-        return error_no_memory(error);
-    }
-    start[0] = 0;
-    if (mesh->face_count > 0)
-        memcpy(start, mesh->face_start, (mesh->face_count + 1) * sizeof *start);
-    if (mesh->corner_count > 0)
-        memcpy(corner, mesh->corner, mesh->corner_count * sizeof *corner);
-    faces->face_count = (uint32_t)mesh->face_count;
-    for (size_t i = 0; i < input_count(mesh); i++) {
-        input_range range = input_at(mesh, i);
-        if (!is_bare(mesh, range))
-            continue;
-        uint32_t to = start[faces->face_count];
-        for (size_t v = range.vertex; v < range.vertex_end; v++)
-            corner[to++] = (uint32_t)v;
-        start[++faces->face_count] = to;
-    }
-    faces->start = faces->own_start = start;
-    faces->corner = faces->own_corner = corner;
-    return ROBERTS_OK;
 }
 
 /* ---- faces --------------------------------------------------------------------------------------------------------- */
@@ -255,32 +164,24 @@ static hull_result make_hull(hull_maker *maker, const roberts_scene *scene, uint
     return narrow == HULL_FAILED && part > LEAST_WIDTH ? wide : narrow;
 }
 
-static roberts_status refuse(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh, roberts_status status,
-                             const char *why, roberts_error *error)
-{
-    place at = place_of_points(scene, s, mesh);
-    error_set_file(error, at.file);
-    return error_set(error, status, 0, "the convex hull of solid %u, of %u points from vertex %u on, %s", s - at.solid,
-                     scene->solid[s + 1].vertex - scene->solid[s].vertex,
-                     scene_vertex_number(scene, scene->solid[s].vertex) - at.vertex, why);
-}
-
-/* Appends the faces of the hull of solid s, which has been refused; none where it is flat. */
+/* Appends the faces of the hull of solid s, which has been refused; none where it is flat, which is then its *fate. */
 static roberts_status replace(face_list *list, hull_maker *maker, const roberts_scene *scene, uint32_t s,
-                              const roberts_mesh *mesh, double tolerance, roberts_error *error)
+                              const roberts_mesh *mesh, double tolerance, uint8_t *fate, roberts_error *error)
 {
     roberts_status status = frame_enter(&maker->frame, scene, s, tolerance);
     if (status == ROBERTS_NO_MEMORY)
         return error_no_memory(error);
     if (status != ROBERTS_OK)
-        return refuse(scene, s, mesh, status, "has none: one of them is not of finite numbers up to 1e150", error);
+        return hull_refuse(scene, s, mesh, status, "has none: one of them is not of finite numbers up to 1e150", error);
     switch (maker->frame.size > 0.0 ? make_hull(maker, scene, s, mesh, tolerance) : HULL_FLAT) {
     case HULL_OK:
         return add_facets(list, scene, s, &maker->facets) ? ROBERTS_OK : error_no_memory(error);
     case HULL_FLAT:
+        *fate = FATE_FLAT;
         return ROBERTS_OK;
     case HULL_FAILED:
-        return refuse(scene, s, mesh, ROBERTS_NOT_CONVEX, "could not be found: rounding is too much for it", error);
+        return hull_refuse(scene, s, mesh, ROBERTS_NOT_CONVEX, "could not be found: rounding is too much for it",
+                           error);
     case HULL_NO_MEMORY:
         break;
     }
@@ -296,6 +197,7 @@ typedef struct hull_job {
     roberts_scene *scene;
     const roberts_mesh *mesh;
     double tolerance;
+    uint8_t *fate;  /* [solids] hull_fate */
     face_list *run; /* [runs] */
     uint32_t runs;
     _Atomic uint32_t refused; /* solids from this one on need no work any more: it has no hull */
@@ -307,6 +209,12 @@ typedef struct hull_worker {
     uint32_t refused; /* the first of its own that has no hull, or ROBERTS_NONE; and why */
     roberts_error error;
 } hull_worker;
+
+/* What becomes of a solid that is none, as it seems. */
+static hull_fate fate_of(roberts_status refusal)
+{
+    return refusal == ROBERTS_OK ? FATE_OPEN : refusal == ROBERTS_NOT_PLANAR ? FATE_BENT : FATE_DENTED;
+}
 
 /* Appends the faces of solid s, its own or those of its hull; none where it is flat. */
 static roberts_status take_solid(const hull_job *job, hull_maker *maker, face_list *list, uint32_t s,
@@ -321,7 +229,8 @@ static roberts_status take_solid(const hull_job *job, hull_maker *maker, face_li
         return keep_faces(list, scene, s) ? ROBERTS_OK : error_no_memory(error);
     if (refusal.status == ROBERTS_NO_MEMORY)
         return error_no_memory(error);
-    return replace(list, maker, scene, s, job->mesh, job->tolerance, error);
+    job->fate[s] = bare ? FATE_KEPT : fate_of(refusal.status);
+    return replace(list, maker, scene, s, job->mesh, job->tolerance, &job->fate[s], error);
 }
 
 /* A run, as far as no solid before has been refused. */
@@ -385,10 +294,10 @@ static roberts_status join_runs(face_list *list, const hull_job *job, const hull
 }
 
 /* Faces of all solids, in their order. The result does not depend on the threads. */
-static roberts_status collect(face_list *list, roberts_scene *scene, const roberts_mesh *mesh, double tolerance,
-                              uint32_t asked, roberts_error *error)
+static roberts_status collect(face_list *list, uint8_t *fate, roberts_scene *scene, const roberts_mesh *mesh,
+                              double tolerance, uint32_t asked, roberts_error *error)
 {
-    hull_job job = {.scene = scene, .mesh = mesh, .tolerance = tolerance};
+    hull_job job = {.scene = scene, .mesh = mesh, .tolerance = tolerance, .fate = fate};
     job.runs = scene->solid_count < RUNS_MOST ? scene->solid_count : RUNS_MOST;
     int threads = threads_for(asked, job.runs);
     hull_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
@@ -416,41 +325,6 @@ static roberts_status collect(face_list *list, roberts_scene *scene, const rober
     return status;
 }
 
-static void warn_flat(const roberts_scene *scene, uint32_t first, uint32_t count, const roberts_mesh *mesh,
-                      size_t input, const roberts_warnings *warnings)
-{
-    const char *name = mesh->source_count && mesh->source[input].name ? mesh->source[input].name : "";
-    const bool one = count == 1;
-    warning_send(warnings, name, 0, "%u flat component%s ignored, %sof %u points from vertex %u on: %s", count,
-                 one ? "" : "s", one ? "" : "the first ", scene->solid[first + 1].vertex - scene->solid[first].vertex,
-                 scene_vertex_number(scene, scene->solid[first].vertex) - (uint32_t)input_at(mesh, input).vertex,
-                 one ? "it has no convex hull" : "they have no convex hulls");
-}
-
-/* Solids without faces in the list are flat. They are warned of, input by input; one that has nothing else is refused. */
-static roberts_status tell_flat(const face_list *list, const roberts_scene *scene, const roberts_mesh *mesh,
-                                const roberts_warnings *warnings, roberts_error *error)
-{
-    uint32_t s = 0;
-    size_t f = 0;
-    for (size_t i = 0; i < input_count(mesh); i++) {
-        const size_t vertex_end = input_at(mesh, i).vertex_end;
-        uint32_t solids = 0, flat = 0, first = ROBERTS_NONE;
-        for (; s < scene->solid_count && scene_vertex_number(scene, scene->solid[s].vertex) < vertex_end; s++) {
-            solids++;
-            if ((f == list->count || list->solid[f] != s) && flat++ == 0)
-                first = s;
-            while (f < list->count && list->solid[f] == s)
-                f++;
-        }
-        if (flat > 0 && flat == solids)
-            return refuse(scene, first, mesh, ROBERTS_FLAT, "is flat: they lie in one plane, or nearly so", error);
-        if (flat > 0)
-            warn_flat(scene, first, flat, mesh, i, warnings);
-    }
-    return ROBERTS_OK;
-}
-
 /* Numbers the solids that have faces anew; how many there are. */
 static uint32_t number_solids(face_list *list)
 {
@@ -467,9 +341,11 @@ roberts_status hull_solids(roberts_scene *scene, const roberts_mesh *mesh, const
                            roberts_error *error)
 {
     face_list list = {0};
-    roberts_status status = collect(&list, scene, mesh, options->tolerance, options->threads, error);
+    uint8_t *fate = alloc_zeroed(scene->solid_count, sizeof *fate);
+    roberts_status status =
+        fate ? collect(&list, fate, scene, mesh, options->tolerance, options->threads, error) : error_no_memory(error);
     if (status == ROBERTS_OK)
-        status = tell_flat(&list, scene, mesh, &options->warnings, error);
+        status = hull_tell(fate, scene, mesh, &options->warnings, error);
     if (status == ROBERTS_OK) {
         const uint32_t solids = number_solids(&list);
         polygons faces = {.face_count = (uint32_t)list.count,
@@ -483,5 +359,6 @@ roberts_status hull_solids(roberts_scene *scene, const roberts_mesh *mesh, const
             scene->face_number[f] = list.origin[scene->face_number[f]];
     }
     face_list_free(&list);
+    free(fate);
     return status;
 }

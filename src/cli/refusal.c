@@ -1,0 +1,54 @@
+/* refusal.c - what can be done about a model that has been refused.
+ *
+ * Whether a larger --tolerance helps, and which, is tried: what is told has had the whole model pass. By how much the first
+ * solid failed would not tell, since others may fail by more, and some failures are none of tolerance. */
+#include "cli/refusal.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* 1, 2 or 5 times a power of ten, up to a hundredth of the size, which is what coordinates rounded to two digits may be off.
+ * What is farther from convex is of another shape: a drawing of it would be wrong to see, and its hull is at least a solid. */
+static const double tolerances[] = {1e-10, 2e-10, 5e-10, 1e-9, 2e-9, 5e-9, 1e-8, 2e-8, 5e-8, 1e-7, 2e-7, 5e-7, 1e-6,
+                                    2e-6,  5e-6,  1e-5,  2e-5, 5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2};
+
+enum { TOLERANCES = sizeof tolerances / sizeof tolerances[0] };
+
+static bool passes(const cli_options *options, const roberts_mesh *mesh, double tolerance)
+{
+    roberts_scene_options solids = {.tolerance = tolerance, .threads = options->hide.threads};
+    roberts_scene *scene = NULL;
+    const bool passed = roberts_scene_build(mesh, &solids, &scene, NULL) == ROBERTS_OK;
+    roberts_scene_free(scene);
+    return passed;
+}
+
+/* The first of the tolerances that passes, by bisection; 0 where even the last does not. */
+static double find_tolerance(const cli_options *options, const roberts_mesh *mesh)
+{
+    const double tried = options->scene.tolerance > 0.0 ? options->scene.tolerance : 1e-5;
+    size_t fails = 0, does = TOLERANCES - 1;
+    if (tolerances[does] <= tried || !passes(options, mesh, tolerances[does]))
+        return 0.0;
+    while (fails < does) {
+        const size_t middle = fails + (does - fails) / 2;
+        if (tolerances[middle] > tried && passes(options, mesh, tolerances[middle]))
+            does = middle;
+        else
+            fails = middle + 1;
+    }
+    return tolerances[does];
+}
+
+void refusal_explain(const cli_options *options, const roberts_mesh *mesh, roberts_error *error)
+{
+    const bool shape = error->status == ROBERTS_NOT_PLANAR || error->status == ROBERTS_NOT_CONVEX;
+    const size_t used = strlen(error->message), room = sizeof error->message - used;
+    if (options->scene.hull || (!shape && error->status != ROBERTS_NOT_CLOSED))
+        return;
+    const double tolerance = shape ? find_tolerance(options, mesh) : 0.0;
+    if (tolerance > 0.0)
+        snprintf(error->message + used, room, " (--tolerance %g would do; see also --hull)", tolerance);
+    else
+        snprintf(error->message + used, room, " (see --hull)");
+}

@@ -1,0 +1,22 @@
+/* hull_inputs.h - the inputs of a mesh, and those that have points without faces. */
+#ifndef ROBERTS_MODEL_HULL_INPUTS_H
+#define ROBERTS_MODEL_HULL_INPUTS_H
+
+#include "model/polygons.h"
+
+/* The vertices and faces of an input; all of the mesh where it was not read from inputs. */
+typedef struct hull_input {
+    size_t vertex, vertex_end, face, face_end;
+} hull_input;
+
+size_t hull_input_count(const roberts_mesh *mesh);
+hull_input hull_input_at(const roberts_mesh *mesh, size_t i);
+
+/* Whether some input has points and no face with three or more corners. */
+bool hull_bare_input(const roberts_mesh *mesh);
+
+/* Adds to `faces` one face for each bare input, which has all its points as corners: so it is laid out as a component.
+ * These faces have numbers from mesh->face_count on. Returns ROBERTS_OK, _NO_MEMORY or _FLAT (fewer than four points). */
+roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, roberts_error *error);
+
+#endif
