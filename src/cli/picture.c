@@ -147,18 +147,16 @@ static roberts_status hide_and_count(const cli_options *options, const roberts_s
 static roberts_status hide(const cli_options *options, const roberts_scene *scene, roberts_drawing *drawing,
                            run_stats *run, roberts_error *error)
 {
-    bool wrong = false;
     progress_stage("removing hidden lines");
     roberts_status status = hide_and_count(options, scene, drawing, run, error);
     roberts_time start = stats_now();
     if (status == ROBERTS_OK && options->verify) {
         progress_stage("verifying");
-        status = rays_verify(options, scene, drawing, &wrong, error);
+        status = rays_verify(options, scene, drawing, &run->found, error);
     }
     if (status == ROBERTS_OK)
         status = rays_pick(options, scene, error);
     run->verify = stats_sum(run->verify, stats_since(start));
-    run->wrong = run->wrong || wrong;
     return status;
 }
 
@@ -291,7 +289,7 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
         status = save(options, &v, &run, &error);
     run.total = stats_since(begin);
     int result = status != ROBERTS_OK ? fail(options, &error) : EXIT_DONE;
-    if (status == ROBERTS_OK && run.wrong)
+    if (status == ROBERTS_OK && run.found.contradictions > 0)
         result = EXIT_FAILED; /* and the drawing is there to look at */
     if (status == ROBERTS_OK)
         tell(options, &run, &v);

@@ -30,7 +30,7 @@ static void tell(void *context, const roberts_contradiction *c)
 }
 
 roberts_status rays_verify(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing,
-                           bool *wrong, roberts_error *error)
+                           roberts_verification *sum, roberts_error *error)
 {
     telling t = {.options = options};
     FILE *log = options->log;
@@ -43,13 +43,18 @@ roberts_status rays_verify(const cli_options *options, const roberts_scene *scen
     verify.contradiction = tell;
     verify.context = &t;
     roberts_status status = roberts_verify(scene, &options->camera, drawing, &verify, &found, error);
-    *wrong = status == ROBERTS_OK && found.contradictions > 0;
+    if (status == ROBERTS_OK) {
+        sum->segments += found.segments;
+        sum->points += found.points;
+        sum->undecided += found.undecided;
+        sum->contradictions += found.contradictions;
+    }
     message_open(log);
     if (t.told > RAYS_TOLD) {
         message_begin(log, options->label);
         fprintf(log, "verify: ... and %zu more\n", t.told - RAYS_TOLD);
     }
-    if (status == ROBERTS_OK && (*wrong || !options->quiet)) {
+    if (status == ROBERTS_OK && (found.contradictions > 0 || !options->quiet)) {
         message_begin(log, options->label);
         fprintf(log,
                 "verify: %zu points of %zu segments checked, visible and hidden ones; contradictions: %zu, undecided: "

@@ -146,6 +146,16 @@ bool stats_ratio(const roberts_ink *ink, const roberts_placement *placement, cha
     return true;
 }
 
+/* What --verify found, which has been told to people already; null where it was not asked for. */
+static void print_verified(FILE *log, const cli_options *options, const roberts_verification *found)
+{
+    if (options->stats == STATS_JSON && !options->verify)
+        fputs(",\"verified\":null", log);
+    else if (options->stats == STATS_JSON)
+        fprintf(log, ",\"verified\":{\"segments\":%zu,\"points\":%zu,\"undecided\":%zu,\"contradictions\":%zu}",
+                found->segments, found->points, found->undecided, found->contradictions);
+}
+
 /* Which picture it is. */
 static void print_name(const cli_options *options)
 {
@@ -215,7 +225,9 @@ void stats_print(const cli_options *options, const run_stats *run, const roberts
         fprintf(log, "%14.4g  epsilon, model units\n%14.6g  diameter of the scene, model units\n", d->epsilon,
                 d->scene_diameter);
     print_figures(log, tests, sizeof tests / sizeof tests[0], json);
-    fputs(json ? "},\"seconds\":{" : "", log);
+    fputs(json ? "}" : "", log);
+    print_verified(log, options, &run->found);
+    fputs(json ? ",\"seconds\":{" : "", log);
     print_stages(log, stages, sizeof stages / sizeof stages[0], json);
     fputs(json ? "}}\n" : "", log);
 }

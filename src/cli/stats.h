@@ -10,7 +10,7 @@ typedef struct run_stats {
     roberts_time read, solids, verify, draw, total; /* verify: and picking */
     roberts_ink ink;                                /* nothing in it: no page was written */
     uint64_t segments[ROBERTS_CLIPPED + 1];         /* in each state */
-    bool wrong;                                     /* rays contradict the drawing */
+    roberts_verification found;                     /* by --verify, in all views: counts alone */
 } run_stats;
 
 /* CPU time of all threads and wall-clock time, now. */
