@@ -71,8 +71,8 @@ static const struct {
     {"--look-at 1,2,3", "--look-at needs --eye"},
     {"--background dark", "--background: \"dark\" is unknown"},
     {"--background #12345", "--background: \"#12345\" is unknown"},
-    {"--background nothing", "orange, purple, #rrggbb or none\n"},
-    {"--style crease:color=none", "orange, purple, or #rrggbb\n"},
+    {"--background nothing", "orange, purple, #rrggbb, #rgb or none\n"},
+    {"--style crease:color=none", "orange, purple, #rrggbb or #rgb\n"},
     {"--background", "--background needs a value"},
     {"--crease 1 --all-edges", "--crease and --all-edges exclude each other"},
     {"--crease 1,5", "--crease: \"1,5\" is not a number"},
@@ -183,7 +183,7 @@ static void failing_input(void **state)
     assert_string_equal(last.err, "roberts: missing.off: No such file or directory\n");
     assert_int_equal(run("models/table.off missing.off -o in/a.svg"), 1);
     assert_int_equal(run("in -o in/a.svg"), 1);
-    assert_said("Is a directory\n");
+    assert_said("Is a directory; name the files in it, as *.off\n");
     assert_int_equal(run("/dev/null -o in/a.svg"), 1);
     assert_said("roberts: /dev/null:1: ");
     put("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n");

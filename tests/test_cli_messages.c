@@ -126,6 +126,9 @@ static const struct {
     {"--dashed", "--dashed is unknown; did you mean --hidden dashed?"},
     {"--paper a4", "--paper is unknown; did you mean --page?"},
     {"--color red", "--color is unknown; did you mean --style outline:color=NAME?"},
+    {"--pen 0.3", "--pen is unknown; did you mean --style outline:width=MM?"},
+    {"--wireframe", "--wireframe is unknown; did you mean --hidden solid?"},
+    {"--isometric", "--isometric is unknown; did you mean --view iso?"},
     {"--front", "--front is unknown; did you mean --view front?"},
     {"--pdf", "--pdf is unknown; did you mean -f pdf?"},
     {"-hidden dashed", "-hidden is unknown; did you mean --hidden?"},
@@ -214,6 +217,20 @@ static void empty_names(void **state)
     finish(child);
     assert_int_equal(last.status, 2);
     assert_said("roberts: the name of an input is empty\n");
+}
+
+/* The second run without -o finds the drawing of the first; and a folder is no model. */
+static void what_is_no_model(void **state)
+{
+    (void)state;
+    put("a.svg", "<svg/>\n");
+    assert_int_equal(run("models/table.off a.svg"), 1);
+    assert_said("a.svg:1: this is XML (as AMF, X3D and COLLADA are), but only OFF can be read; to draw into it: -o and "
+                "its name\n");
+    assert_int_equal(run("models/table.off a.svg -o b.svg"), 1);
+    assert_said("but only OFF can be read\n");
+    assert_int_equal(run("in -f null"), 1);
+    assert_said("roberts: in: reading failed: Is a directory; name the files in it, as *.off\n");
 }
 
 /* It is the streams that are meant by -, also where a file is called so. */
@@ -544,6 +561,7 @@ int main(void)
         IN_FOLDER(misuse_tells_what_was_meant),
         IN_FOLDER(images_too_large_for_memory),
         IN_FOLDER(empty_names),
+        IN_FOLDER(what_is_no_model),
         IN_FOLDER(a_file_called_minus),
         IN_FOLDER(endings_that_mislead_are_warned_of),
         IN_FOLDER(idle_options_are_warned_of),

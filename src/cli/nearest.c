@@ -69,17 +69,23 @@ const char *nearest_option(const char *word)
         const char *word, *option;
     } known[] = {
         {"angle", "fov"},
+        {"border", "frame"},
         {"camera", "eye"},
+        {"check", "verify"},
         {"color", "style outline:color=NAME"},
         {"colour", "style outline:color=NAME"},
+        {"convex", "hull"},
         {"dashed", "hidden dashed"},
         {"debug", "stats"},
         {"direction", "dir"},
         {"height", "page WxH"},
+        {"isometric", "view iso"},
         {"jobs", "threads"},
         {"line-width", "style outline:width=MM"},
         {"linewidth", "style outline:width=MM"},
+        {"optimize", "order"},
         {"paper", "page"},
+        {"pen", "style outline:width=MM"},
         {"perspective", "eye"},
         {"portrait", "page"},
         {"position", "eye"},
@@ -94,6 +100,7 @@ const char *nearest_option(const char *word)
         {"units", "unit"},
         {"viewpoint", "eye"},
         {"width", "style outline:width=MM"},
+        {"wireframe", "hidden solid"},
         {"zoom", "scale"},
     };
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)

@@ -182,7 +182,7 @@ int paper_set_background(roberts_background *background, const char *value)
     background->on = strcmp(value, "none") != 0;
     if (!background->on)
         return EXIT_DONE;
-    int status = parse_color("--background", "#rrggbb or none", value, part);
+    int status = parse_color("--background", "#rrggbb, #rgb or none", value, part);
     *background = (roberts_background){true, part[0], part[1], part[2]};
     return status;
 }
@@ -190,7 +190,7 @@ int paper_set_background(roberts_background *background, const char *value)
 static int set_color(roberts_pen *pen, const char *value)
 {
     unsigned char part[3] = {0};
-    int status = parse_color("--style: colour", "or #rrggbb", value, part);
+    int status = parse_color("--style: colour", "#rrggbb or #rgb", value, part);
     if (status != EXIT_DONE)
         return status;
     pen->red = part[0];

@@ -58,8 +58,11 @@ static int fail(const cli_options *options, roberts_error *error)
 static roberts_status read_all(const cli_options *options, roberts_mesh *mesh, roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
-    for (size_t i = 0; i < options->input_count && status == ROBERTS_OK; i++)
+    for (size_t i = 0; i < options->input_count && status == ROBERTS_OK; i++) {
         status = roberts_mesh_read_file(mesh, options->input[i], &options->scene.warnings, error);
+        if (status != ROBERTS_OK)
+            refusal_explain_reading(options, options->input[i], error);
+    }
     return status;
 }
 

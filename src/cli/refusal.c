@@ -1,4 +1,4 @@
-/* refusal.c - what can be done about a model that has been refused.
+/* refusal.c - what can be done about a file that could not be read, or a model that has been refused.
  *
  * Whether a larger --tolerance helps, and which, is tried: what is told has had the whole model pass. By how much the first
  * solid failed would not tell, since others may fail by more, and some failures are none of tolerance. */
@@ -6,6 +6,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 /* 1, 2 or 5 times a power of ten, up to a hundredth of the size, which is what coordinates rounded to two digits may be off.
  * What is farther from convex is of another shape: a drawing of it would be wrong to see, and its hull is at least a solid. */
@@ -51,4 +52,19 @@ void refusal_explain(const cli_options *options, const roberts_mesh *mesh, rober
         snprintf(error->message + used, room, " (--tolerance %g would do; see also --hull)", tolerance);
     else
         snprintf(error->message + used, room, " (see --hull)");
+}
+
+/* A drawing that is there from an earlier run is taken for a model where -o is forgotten. */
+void refusal_explain_reading(const cli_options *options, const char *name, roberts_error *error)
+{
+    const size_t used = strlen(error->message), room = sizeof error->message - used;
+    struct stat found;
+    roberts_format format;
+    if (strcmp(name, "-") == 0 || stat(name, &found) != 0)
+        return;
+    if (S_ISDIR(found.st_mode))
+        snprintf(error->message + used, room, "; name the files in it, as *.off");
+    else if (error->status == ROBERTS_BAD_SYNTAX && strcmp(options->output, "-") == 0 &&
+             roberts_format_by_path(name, &format))
+        snprintf(error->message + used, room, "; to draw into it: -o and its name");
 }
