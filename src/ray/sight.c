@@ -93,12 +93,15 @@ static uint32_t sample_of(const sight *s, uint32_t face, uint32_t sample)
 /* Is no sample outside of any side, as the viewer sees it? So it is in convex faces, but those with dents are accepted too. */
 static bool sides_spare_samples(const sight *s, uint32_t face)
 {
-    for (uint32_t i = 0; i < corner_count(s, face); i++) {
-        roberts_vec3 A = corner_of(s, face, i), ab = vec3_sub(corner_of(s, face, i + 1), A);
-        for (uint32_t k = 0; k < SAMPLES; k++) {
-            roberts_vec3 X = corner_of(s, face, sample_of(s, face, k));
-            if (!(vec3_dot(sight_from(s, X), vec3_cross(vec3_sub(A, X), ab)) >= 0.0))
+    const uint32_t *corner = s->scene->corner + s->scene->face_start[face];
+    uint32_t count = corner_count(s, face);
+    for (uint32_t k = 0; k < SAMPLES; k++) {
+        roberts_vec3 X = corner_of(s, face, sample_of(s, face, k)), v = sight_from(s, X), A = s->P[corner[count - 1]];
+        for (uint32_t i = 0; i < count; i++) {
+            roberts_vec3 B = s->P[corner[i]];
+            if (!(vec3_dot(v, vec3_cross(vec3_sub(A, X), vec3_sub(B, A))) >= 0.0))
                 return false;
+            A = B;
         }
     }
     return true;
