@@ -84,7 +84,7 @@ static roberts_vec3 corner_of(const sight *s, uint32_t face, uint32_t i)
     return s->P[s->scene->corner[s->scene->face_start[face] + k]];
 }
 
-/* Which corner the sample is. */
+/* Which corner the sample is; one more than the last is the first again. */
 static uint32_t sample_of(const sight *s, uint32_t face, uint32_t sample)
 {
     return (uint32_t)((uint64_t)corner_count(s, face) * sample / SAMPLES);
@@ -189,46 +189,39 @@ static bool well_inside(const sight *s, uint32_t face, roberts_vec3 X, roberts_v
     return true;
 }
 
-/* A line among the diagonals from a face's first corner. */
-typedef struct fan {
-    roberts_vec3 apex, across; /* dot product with the way to another corner: > 0 where the line passes left of it */
-} fan;
-
-static inline bool left_of(const fan *f, roberts_vec3 C)
+/* Diagonals from the first corner part a convex face in triangles: bisects which of them the line passes, or beyond which
+ * one's outer side (F. Preparata, M. Shamos, "Computational Geometry", 1985, 2.2). Returns the first of two neighbours among
+ * low .. high, which are corners or samples. across: v x the way from X to the first corner; its product with the way on to
+ * another one is >= 0 where the line passes left of the diagonal. The ends are not asked: beyond the first and the last
+ * diagonal lie the first and the last side. */
+static uint32_t bisect(const sight *s, uint32_t face, roberts_vec3 across, uint32_t low, uint32_t high, bool samples)
 {
-    return vec3_dot(f->across, vec3_sub(C, f->apex)) >= 0.0;
+    roberts_vec3 first = corner_of(s, face, 0);
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2;
+        roberts_vec3 C = corner_of(s, face, samples ? sample_of(s, face, middle) : middle);
+        if (vec3_dot(across, vec3_sub(C, first)) >= 0.0)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
 }
 
 /* What the samples say; SIGHT_POSSIBLY: ask all sides.
  *
- * Diagonals from the first corner part a convex face in triangles. Which one the line passes, or beyond which one's outer
- * side, is found by bisection, among the samples first (F. Preparata, M. Shamos, "Computational Geometry", 1985, 2.2). That
- * only says what to ask: the triangle of three samples, a part of the polygon of them all; then the one side. */
+ * Bisection only tells what to ask: whether the line passes well within a triangle of three samples, which is a part of the
+ * polygon of them all, then whether it passes outside of one side. Near a diagonal the polygon is asked, for it has none. */
 static sight_answer pass_samples(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)
 {
-    roberts_vec3 apex = corner_of(s, face, 0);
-    fan f = {apex, vec3_cross(v, vec3_sub(apex, X))};
-    uint32_t low = 0, high = SAMPLES;
-    while (high - low > 1) {
-        uint32_t middle = (low + high) / 2;
-        if (left_of(&f, corner_of(s, face, sample_of(s, face, middle))))
-            low = middle;
-        else
-            high = middle;
-    }
-    low = sample_of(s, face, low);
-    high = sample_of(s, face, high);
-    roberts_vec3 A = corner_of(s, face, low), B = corner_of(s, face, high);
-    if (well_left(s, A, B, X, v) && well_left(s, apex, A, X, v) && well_left(s, B, apex, X, v))
+    roberts_vec3 first = corner_of(s, face, 0), across = vec3_cross(v, vec3_sub(first, X));
+    uint32_t k = bisect(s, face, across, 0, SAMPLES, true);
+    uint32_t a = sample_of(s, face, k), b = sample_of(s, face, k + 1);
+    roberts_vec3 A = corner_of(s, face, a), B = corner_of(s, face, b);
+    if (well_left(s, A, B, X, v) && well_left(s, first, A, X, v) && well_left(s, B, first, X, v))
         return SIGHT_SURELY;
-    while (high - low > 1) {
-        uint32_t middle = low + (high - low) / 2;
-        if (left_of(&f, corner_of(s, face, middle)))
-            low = middle;
-        else
-            high = middle;
-    }
-    if (pass_side(s, corner_of(s, face, low), corner_of(s, face, high), X, v, slack) == SIGHT_NO)
+    a = bisect(s, face, across, a, b, false);
+    if (pass_side(s, corner_of(s, face, a), corner_of(s, face, a + 1), X, v, slack) == SIGHT_NO)
         return SIGHT_NO;
     return well_inside(s, face, X, v) ? SIGHT_SURELY : SIGHT_POSSIBLY;
 }

@@ -76,8 +76,8 @@ typedef enum sight_answer { SIGHT_NO, SIGHT_POSSIBLY, SIGHT_SURELY } sight_answe
 /* Whether the line through X along v (toward the viewer) passes within the sides of the face. Outside of a side, but
  * within the touching distance and `slack` of it, it possibly does.
  *
- * Of a face of very many corners that is `sampled`, some sides are asked before all, and whether the line passes well within
- * the polygon of some of its corners: no side of the face cuts that, so that it passes within all of them. */
+ * Of a face of very many corners that is `sampled`, a side is asked before all, and whether the line passes well within a
+ * triangle, or the polygon, of some of its corners: no side of the face cuts that, so that it passes within all of them. */
 sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack);
 
 /* Whether the face hides X from the viewer: X lies behind its plane and the sight line passes through it. Behind, but by
