@@ -308,20 +308,78 @@ static void set_across(view *v, const roberts_scene *scene)
     v->across_rounding = rounding;
 }
 
+static roberts_vec3 size_of(roberts_vec3 a)
+{
+    return (roberts_vec3){fabs(a.x), fabs(a.y), fabs(a.z)};
+}
+
+/* Bound of the error of x and y of one vertex seen from an eye V; leaks: bound of |a.(V - O)| for both axes a of the picture.
+ *
+ * The exact picture is x' / w' with x' = a.(P - V) and w' = -dir.(P - V) / D, for axes and D as they are stored: a map that
+ * takes planes through V to lines. Computed are, with q = P - O, x = a.q and w = 1 - dir.q / D. In halves u of epsilon, and
+ * with R(a) for the sum of |a_i q_i|:
+ *
+ *     x is off by 4.01 u R(a), as in set_across(), and by a.(V - O), which is zero but for rounding;
+ *     w is off by 5.01 u R(dir) / D + u w, and by dir.(V - O) / D - 1: the roundings of dir and D, less than 16 u;
+ *     1 / w and its product with x are off by u each, of |x / w| <= R(a) / w.
+ *
+ * So x / w is off by no more than (7.01 u R(a) + |a.(V - O)| + |x / w| u (5.01 R(dir) / D + 16)) / w. Sixteen u are taken
+ * of each, and what is left of those of R(a) is for the rounding of products of coordinates (see hide_plain()). Where
+ * perspective_point() takes x, y and w from the eye, q is P - V: the same holds without a.(V - O) and without the 16 u. What
+ * rounding took from a vertex that the near plane made is a part of q. */
+static double eye_rounding(const view *v, const roberts_scene *scene, uint32_t vertex, double leaks)
+{
+    roberts_vec3 P = scene->point[vertex], q = vec3_scale(v->per_unit, vec3_sub(P, v->origin)), X = view_point(v, P);
+    double widest = fmax(fabs(X.x), fabs(X.y)) * v->inverse_distance, bound;
+    if (1.0 - vec3_dot(v->dir, q) * v->inverse_distance < 0.5) {
+        q = vec3_scale(v->per_unit, vec3_sub(P, v->viewpoint));
+        leaks = 0.0;
+    }
+    q = size_of(q);
+    bound = fmax(reach_along(v->right, q), reach_along(v->up, q)) + fmax(fabs(X.x), fabs(X.y)) +
+            widest * reach_along(v->dir, q);
+    bound = 2.0 * ROUNDINGS * 0.5 * DBL_EPSILON * bound + leaks;
+    if (scene->low) {
+        roberts_vec3 low = size_of(vec3_scale(v->per_unit, scene->low[vertex]));
+        bound += fmax(reach_along(v->right, low), reach_along(v->up, low)) + widest * reach_along(v->dir, low);
+    }
+    return 1.001 * bound * (1.0 + X.z * v->inverse_distance); /* 1 / w; the bounds are rounded themselves */
+}
+
+/* set_across() for an eye, where no x and no y is larger than `across`. */
+static void set_across_from_eye(view *v, const roberts_scene *scene, double across)
+{
+    roberts_vec3 back = vec3_scale(v->per_unit, vec3_sub(v->viewpoint, v->origin));
+    double leaks = fmax(leak(v->right, back), leak(v->up, back)), rounding = 0.0, most = MUCH_SHARPER * v->rounding;
+    for (uint32_t i = 0; i < scene->vertex_count; i++) {
+        rounding = fmax(rounding, eye_rounding(v, scene, i, leaks));
+        if (rounding > most)
+            return;
+    }
+    v->across = across;
+    v->across_rounding = rounding;
+}
+
 /* The largest view coordinate, then the touching distance and the rounding that follow from it. */
 static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
 {
     double raw = fmax(largest(scene->box_min), largest(scene->box_max)) / v->unit;
     /* turning about the box's centre takes no point farther than that, and depth not more than its part of it */
     v->extent = v->diameter * (1.0 + fmax(fabs(v->oblique.x), fabs(v->oblique.y)));
-    for (uint32_t i = 0; v->perspective && i < scene->vertex_count; i++)
-        v->extent = fmax(v->extent, largest(view_point(v, scene->point[i])));
+    double across = 0.0;
+    for (uint32_t i = 0; v->perspective && i < scene->vertex_count; i++) {
+        roberts_vec3 X = view_point(v, scene->point[i]);
+        across = fmax(across, fmax(fabs(X.x), fabs(X.y)));
+        v->extent = fmax(v->extent, fmax(across, fabs(X.z)));
+    }
     if (v->perspective)
         raw = fmax(raw, fmax(largest(v->viewpoint), largest(v->origin)) / v->unit);
     v->rounding = v->across_rounding = ROUNDINGS * 0.5 * DBL_EPSILON * v->extent;
     v->across = v->extent;
     if (at_right_angles(v))
         set_across(v, scene);
+    if (v->perspective)
+        set_across_from_eye(v, scene, across);
     if (v->perspective)
         v->plane_rounding =
             ROUNDINGS * 0.5 * DBL_EPSILON *
