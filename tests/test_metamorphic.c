@@ -664,6 +664,52 @@ static void visible_rows_behind_gaps(void **state)
     }
 }
 
+/* Solids, and smaller or equal ones straight behind them, which show in the picture only where two digits make them: corners
+ * coincide with corners there, and faces do not fill their outlines. */
+static roberts_scene *make_echoes(uint64_t seed)
+{
+    const roberts_scene_options options = {.tolerance = 0.05};
+    roberts_scene *scene = NULL;
+    roberts_error error;
+    model m = {0};
+    rng r = {seed};
+    for (int i = 0; i < 12; i++) {
+        double w = rng_between(&r, 0.2, 2), h = rng_between(&r, 0.2, 2), d = rng_between(&r, 0.2, 2);
+        mat3 turn = mat3_times(mat3_turn(&r), mat3_scale(w, h, d));
+        roberts_vec3 at = {rng_between(&r, -4, 4), rng_between(&r, -4, 4), rng_between(&r, -4, 4)};
+        for (int k = 0, echoes = rng_int(&r, 1, 5); k < echoes; k++) {
+            double size = k && rng_int(&r, 0, 1) ? 0.995 : 1.0;
+            roberts_vec3 behind = {at.x - 3.0 * k, at.y - 6.0 * k, at.z - 6.0 * k};
+            model_add(&m, &shapes[i % SHAPES], mat3_times(turn, mat3_scale(size, size, size)), behind);
+        }
+    }
+    model_to_digits(&m, 2);
+    if (roberts_scene_build(&m.mesh, &options, &scene, &error) != ROBERTS_OK)
+        fail_msg("%s", error.message);
+    model_free(&m);
+    return scene;
+}
+
+static void visible_rows_behind_echoes(void **state)
+{
+    const roberts_camera camera = {.dir = {1, 2, 2}};
+    (void)state;
+    for (uint64_t seed = 1801; seed <= 2400; seed++) { /* a solid that shows was culled in one of them, 2161 */
+        roberts_hide_options options = with_hidden();
+        roberts_drawing visible, alone;
+        roberts_scene *scene = make_echoes(seed);
+        assert_int_equal(roberts_hide(scene, &camera, &options, &visible, NULL), ROBERTS_OK);
+        allowance may = {.t = T_BOUND, .p = picture_bound(&visible)};
+        options.keep_hidden = false;
+        assert_int_equal(roberts_hide(scene, &camera, &options, &alone, NULL), ROBERTS_OK);
+        filter(&visible, is_visible);
+        expect_same("visible rows alone", "solids straight behind others", "along 1,2,2", &visible, &alone, may);
+        roberts_drawing_free(&visible);
+        roberts_drawing_free(&alone);
+        roberts_scene_free(scene);
+    }
+}
+
 static bool same_edge(const roberts_segment *a, const roberts_segment *b)
 {
     return a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1;
@@ -1038,6 +1084,7 @@ int main(void)
         cmocka_unit_test(any_threads_any_run),
         cmocka_unit_test(visible_rows_alone),
         cmocka_unit_test(visible_rows_behind_gaps),
+        cmocka_unit_test(visible_rows_behind_echoes),
         cmocka_unit_test(rows_tile_every_edge),
         cmocka_unit_test(all_edges_add_flat_ones_only),
         cmocka_unit_test(one_solid_hides_one_interval),

@@ -1,17 +1,20 @@
 /* cull.c - see cull.h. */
 #include "hide/cull.h"
 
-/* Does the front hide the solid, all of whose vertices lie inside its outline or on it? */
+/* Does the front hide the solid, all of whose vertices lie inside its outline or on it? By `loose` it may fail to fill that:
+ * then they must lie so far inside. */
 static bool hides_solid(const hide_picture *picture, const hide_front *front, uint32_t solid)
 {
     const roberts_scene *scene = picture->scene;
     const uint32_t *corner = picture->outline + front->outline;
+    double slack = 0.5 * picture->space.epsilon - (double)front->loose;
     if (!(front->depth > picture->box[solid].z1))
         return false;
+    if (slack < 0.0 && runs_of(&picture->outline_runs, corner, front->corners))
+        return false; /* runs are not asked about points inside */
     for (uint32_t v = scene->solid[solid].vertex; v < scene->solid[solid + 1].vertex; v++) {
         roberts_vec3 X = view_point(&picture->view, scene->point[v]);
-        if (!hide_picture_holds(picture, &picture->outline_runs, corner, front->corners, X.x, X.y,
-                                0.5 * picture->space.epsilon))
+        if (!hide_picture_holds(picture, &picture->outline_runs, corner, front->corners, X.x, X.y, slack))
             return false;
     }
     return true;

@@ -102,11 +102,12 @@ static inline float hide_float_above(double x)
     return (float)(x + fabs(x) * 0x1p-23);
 }
 
-/* Is (x, y) inside of the side from P to Q, left of which the inside is, or no farther outside than `slack`? */
+/* Is (x, y) inside of the side from P to Q, left of which the inside is, or no farther outside than `slack`? Where that is
+ * negative: so far inside. */
 static inline bool hide_side_holds(roberts_vec3 P, roberts_vec3 Q, double x, double y, double slack)
 {
     double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (y - P.y) - dy * (x - P.x);
-    return !(H < 0.0 && H < -slack * sqrt(dx * dx + dy * dy));
+    return !((H < 0.0 || slack < 0.0) && H < -slack * sqrt(dx * dx + dy * dy));
 }
 
 /* By how much cells and boxes are widened, so that an edge and a face that touch are never kept apart. */
