@@ -231,6 +231,7 @@ worst() {
     head_line >"$out/worst.tsv"
     thousands='1000 10000 100000'
     grow 'stack: all in one cell' stack "$thousands" --view top
+    grow 'stack, by an eye along it' stack "$thousands" --eye 100,0,150000
     grow 'ground: one face hides all' ground "$thousands 1000000" --view top
     grow 'ground: all before one face' ground "$thousands 1000000" --view bottom
     grow 'copies: all at one place' copies "$thousands" $general
@@ -241,6 +242,8 @@ worst() {
     grow 'parts: a straight border in many' parts "$thousands" --view top
     grow 'fans: one behind the tip of the other' fans '1000 10000 100000' --view top --all-edges
     grow 'needles: long and thin' needles '100 300 1000 3000' --view top
+    grow 'lattice, along an axis: deeper as it grows' lattice "$thousands" --view front
+    grow 'wall, steeply from above: deeper as it grows' wall "$thousands" --dir .01,.02,1
     grow 'wall, edge-on' wall "$thousands" --view front
     grow 'wall, edge-on, its end' wall "$thousands" --view right
     grow 'wall, edge-on, from above' wall "$thousands" --view top
