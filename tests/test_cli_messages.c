@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include <cmocka.h>
+#include <math.h>
 #include <sys/resource.h>
 
 #include "program.h"
@@ -111,6 +112,51 @@ static void a_tolerance_that_helps_is_named(void **state)
         snprintf(line, sizeof line, "-f null a.off b.off --tolerance %g", tolerance / 2.5); /* and not half of it */
         assert_int_equal(run(line), 1);
     }
+}
+
+/* A surface of revolution as triangles, with a waist of `depth` in the middle: 1.5 high and low, 1 wide. */
+static void put_round(const char *path, int around, int rings, double depth)
+{
+    enum { ROUND_MOST = 100000 };
+    char *text = malloc(ROUND_MOST);
+    assert_non_null(text);
+    const int points = 2 + (rings - 1) * around, bottom = points - 1;
+    int used = snprintf(text, ROUND_MOST, "OFF\n%d %d 0\n0 0 1.5\n", points, 2 * (rings - 1) * around);
+    for (int i = 0; i < points - 2; i++) {
+        double turn = 2 * 3.14159265358979323846 * (i % around) / around;
+        double z = cos(3.14159265358979323846 * (1 + i / around) / rings);
+        double wide = sqrt(1 - z * z) * (1 - depth * exp(-6 * z * z));
+        used += snprintf(text + used, ROUND_MOST - (size_t)used, "%.7f %.7f %.7f\n", wide * cos(turn), wide * sin(turn),
+                         1.5 * z);
+    }
+    used += snprintf(text + used, ROUND_MOST - (size_t)used, "0 0 -1.5\n");
+    for (int i = 0; i < points - 2; i++) {
+        int next = i - i % around + (i + 1) % around, below = i + around + 1, below_next = next + around + 1;
+        if (i < around)
+            used += snprintf(text + used, ROUND_MOST - (size_t)used, "3 0 %d %d\n", i + 1, next + 1);
+        if (below < bottom)
+            used += snprintf(text + used, ROUND_MOST - (size_t)used, "3 %d %d %d\n3 %d %d %d\n", i + 1, below,
+                             below_next, i + 1, below_next, next + 1);
+        else
+            used += snprintf(text + used, ROUND_MOST - (size_t)used, "3 %d %d %d\n", bottom, next + 1, i + 1);
+    }
+    assert_in_range(used, 1, ROUND_MOST - 1);
+    put(path, text);
+    free(text);
+}
+
+/* With small faces any shape passes by some tolerance, which is not named: this one has a waist, of half its width. A ball of as
+ * many faces, all but round, passes by a small one. */
+static void a_tolerance_that_passes_any_shape_is_not_named(void **state)
+{
+    (void)state;
+    put_round("waist.off", 40, 30, 0.6);
+    assert_int_equal(run("-f null waist.off"), 1);
+    assert_said(" (see --hull)\n");
+    assert_int_equal(run("-f null waist.off --tolerance 0.01"), 0);
+    put_round("ball.off", 40, 30, 0.0);
+    assert_int_equal(run("-f null ball.off --tolerance 1e-10"), 1);
+    assert_said(" would do; see also --hull)\n");
 }
 
 /* ---- misuse that says what was meant ---- */
@@ -558,6 +604,7 @@ int main(void)
         IN_FOLDER(messages_name_the_file),
         IN_FOLDER(every_refusal_names_the_file),
         IN_FOLDER(a_tolerance_that_helps_is_named),
+        IN_FOLDER(a_tolerance_that_passes_any_shape_is_not_named),
         IN_FOLDER(misuse_tells_what_was_meant),
         IN_FOLDER(images_too_large_for_memory),
         IN_FOLDER(empty_names),

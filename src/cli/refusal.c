@@ -4,9 +4,12 @@
  * solid failed would not tell, since others may fail by more, and some failures are none of tolerance. */
 #include "cli/refusal.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+
+#include "model/scene.h"
 
 /* 1, 2 or 5 times a power of ten, up to a hundredth of the size, which is what coordinates rounded to two digits may be off.
  * What is farther from convex is of another shape: a drawing of it would be wrong to see, and its hull is at least a solid. */
@@ -15,25 +18,48 @@ static const double tolerances[] = {1e-10, 2e-10, 5e-10, 1e-9, 2e-9, 5e-9, 1e-8,
 
 enum { TOLERANCES = sizeof tolerances / sizeof tolerances[0] };
 
-static bool passes(const cli_options *options, const roberts_mesh *mesh, double tolerance)
+/* Of n faces each is about 1 / sqrt(n) of the size wide, and a vertex may lie outside its plane by sqrt(n) tolerances (see
+ * solid_check.c): by no more than this part of the size, which a cube's may at a hundredth. Else the tolerance would pass a
+ * surface of many small faces whatever its shape. */
+static const double OUTSIDE_MOST = 0.025;
+
+/* The greatest tolerance at which the shape of all solids still tells. */
+static double greatest_tolerance(const roberts_scene *scene)
+{
+    uint32_t faces = 1;
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        if (scene->solid[s + 1].face - scene->solid[s].face > faces)
+            faces = scene->solid[s + 1].face - scene->solid[s].face;
+    return OUTSIDE_MOST / sqrt(faces);
+}
+
+/* Gives the greatest tolerance that can be told in `most`, where the mesh passes with this one. */
+static bool passes(const cli_options *options, const roberts_mesh *mesh, double tolerance, double *most)
 {
     roberts_scene_options solids = {.tolerance = tolerance, .threads = options->hide.threads};
     roberts_scene *scene = NULL;
     const bool passed = roberts_scene_build(mesh, &solids, &scene, NULL) == ROBERTS_OK;
+    if (passed)
+        *most = greatest_tolerance(scene);
     roberts_scene_free(scene);
     return passed;
 }
 
-/* The first of the tolerances that passes, by bisection; 0 where even the last does not. */
+/* The first of the tolerances that passes, by bisection; 0 where none does that can be told. */
 static double find_tolerance(const cli_options *options, const roberts_mesh *mesh)
 {
     const double tried = options->scene.tolerance > 0.0 ? options->scene.tolerance : 1e-5;
     size_t fails = 0, does = TOLERANCES - 1;
-    if (tolerances[does] <= tried || !passes(options, mesh, tolerances[does]))
+    double most = 0.0;
+    if (tolerances[does] <= tried || !passes(options, mesh, tolerances[does], &most))
+        return 0.0;
+    while (does > 0 && tolerances[does] > most)
+        does--;
+    if (does < TOLERANCES - 1 && (tolerances[does] <= tried || !passes(options, mesh, tolerances[does], &most)))
         return 0.0;
     while (fails < does) {
         const size_t middle = fails + (does - fails) / 2;
-        if (tolerances[middle] > tried && passes(options, mesh, tolerances[middle]))
+        if (tolerances[middle] > tried && passes(options, mesh, tolerances[middle], &most))
             does = middle;
         else
             fails = middle + 1;
