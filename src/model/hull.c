@@ -17,10 +17,11 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/threads.h"
-#include "model/hull_inputs.h"
 #include "model/hull_tell.h"
 #include "model/layout.h"
+#include "model/polygons.h"
 #include "model/qhull.h"
+#include "model/solid_build.h"
 
 /* Facets come out as planar as a few widths: a tenth of the tolerance keeps them within it. */
 static const double WIDTH_PART = 0.1;

@@ -2,9 +2,7 @@
 #ifndef ROBERTS_MODEL_HULL_H
 #define ROBERTS_MODEL_HULL_H
 
-#include "model/polygons.h"
 #include "model/scene.h"
-#include "model/solid_build.h"
 
 /* Lays out the scene anew, whose components may be open: solids that solid_build() refuses get the faces of their hulls in
  * place of their own, numbered ROBERTS_NONE. Solids keep their order; flat ones are left out. Each input is

@@ -64,5 +64,7 @@ bool text_next_line(text *t, text_line *line)
         }
         within = word;
     }
+    if (t->cut)
+        line->words = 0; /* the rest of it is not known */
     return line->words > 0;
 }

@@ -52,8 +52,9 @@ static bool say_count(odd_line *odd, const text_line *line, const char *what, co
 {
     *odd = (odd_line){.number = line->number, .question = "", .sure = true};
     snprintf(odd->hint, sizeof odd->hint,
-             "line %zu looks like a %s, but the header says %llu vertices, and %llu stand%s before it", line->number,
-             what, (unsigned long long)h->vertices, (unsigned long long)before, before == 1 ? "s" : "");
+             "line %zu looks like a %s, but the header says %llu %s, and %llu stand%s before it", line->number, what,
+             (unsigned long long)h->vertices, h->vertices == 1 ? "vertex" : "vertices", (unsigned long long)before,
+             before == 1 ? "s" : "");
     return true;
 }
 
@@ -111,13 +112,15 @@ static bool is_vertex(const text_line *line, const text_line *vertex)
     return line->words == vertex->words && line->numbers && !is_face(line, 2) && !short_face;
 }
 
-/* Passes the lines on which the face goes on that `line` begins; *line is then the next. False: the face does not go on, since
- * the next line is a face by itself or there is none. */
+/* Passes the lines on which the face goes on that `line` begins; *line is then the next, without words where there is none
+ * or none that is looked at. False: the face does not go on, since the next line is a face by itself or there is none. */
 static bool pass_face(text *t, text_line *line)
 {
     const uint64_t wanted = line->value;
     uint64_t corners = line->words - 1;
     bool there = text_next_line(t, line);
+    if (t->cut)
+        return true; /* it may go on there */
     if (!there || (is_face(line, 3) && line->words == line->value + 1))
         return false;
     for (; there && corners < wanted; there = text_next_line(t, line))
@@ -165,7 +168,7 @@ bool odd_find(const off_header *h, text *t, size_t last, odd_line *odd)
             first = line;
         } else if (line.words != first.words) {
             text_next_line(t, &after);
-            return line.number <= last && odd_vertex(h, v - 1, &first, &line, &after, odd);
+            return line.number <= last && !t->cut && odd_vertex(h, v - 1, &first, &line, &after, odd);
         }
     }
     if (v < h->vertices || v == 0)
