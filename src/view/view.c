@@ -277,7 +277,7 @@ static double reach_along(roberts_vec3 a, roberts_vec3 h)
 }
 
 /* Bound of |a . V|, which is zero but for rounding: three products and two sums add no more than 3.01 units of rounding
- * (half an epsilon each) times the sum of |a_i V_i|. */
+ * (half an epsilon each) times the sum of |a_i V_i|, and a subtraction that made V one more. */
 static double leak(roberts_vec3 a, roberts_vec3 V)
 {
     return fabs(vec3_dot(a, V)) + 2.0 * DBL_EPSILON * reach_along(a, (roberts_vec3){fabs(V.x), fabs(V.y), fabs(V.z)});
@@ -331,8 +331,10 @@ static double eye_rounding(const view *v, const roberts_scene *scene, uint32_t v
 {
     roberts_vec3 P = scene->point[vertex], q = vec3_scale(v->per_unit, vec3_sub(P, v->origin)), X = view_point(v, P);
     double widest = fmax(fabs(X.x), fabs(X.y)) * v->inverse_distance, bound;
-    if (1.0 - vec3_dot(v->dir, q) * v->inverse_distance < 0.5) {
+    double w = 1.0 - vec3_dot(v->dir, q) * v->inverse_distance;
+    if (w < 0.5) {
         q = vec3_scale(v->per_unit, vec3_sub(P, v->viewpoint));
+        w = -vec3_dot(v->dir, q) * v->inverse_distance;
         leaks = 0.0;
     }
     q = size_of(q);
@@ -343,7 +345,7 @@ static double eye_rounding(const view *v, const roberts_scene *scene, uint32_t v
         roberts_vec3 low = size_of(vec3_scale(v->per_unit, scene->low[vertex]));
         bound += fmax(reach_along(v->right, low), reach_along(v->up, low)) + widest * reach_along(v->dir, low);
     }
-    return 1.001 * bound * (1.0 + X.z * v->inverse_distance); /* 1 / w; the bounds are rounded themselves */
+    return 1.001 * bound / w; /* the bounds are rounded themselves; 1 + z / D would not tell 1 / w where w is large */
 }
 
 /* set_across() for an eye, where no x and no y is larger than `across`. */
