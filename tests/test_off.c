@@ -611,6 +611,33 @@ static void looks_again_not_for_ever(void **state)
     }
 }
 
+/* Nothing is claimed of the line in which the look ends, after 64 MB: here behind two of its words. */
+static void claims_nothing_where_the_look_ends(void **state)
+{
+    static const struct {
+        const char *head, *line;
+    } rows[] = {{"OFF\n99999999 1 0  \n0 0 0\n", "1 2 3\n"}, {"OFF\n3 99999999 0    \n" POINTS "2 0 1\n", "3 0 1 2\n"}};
+    const size_t size = ((size_t)1 << 26) + 100;
+    char *text = malloc(size + 1);
+    assert_non_null(text);
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        roberts_mesh mesh = {0};
+        roberts_error error;
+        const size_t long_line = strlen(rows[i].line);
+        size_t used = strlen(rows[i].head);
+        memcpy(text, rows[i].head, used + 1);
+        for (; used + long_line + 1 < size; used += long_line)
+            memcpy(text + used, rows[i].line, long_line);
+        memcpy(text + used, "x", 2);
+        assert_int_equal(roberts_mesh_read_memory(&mesh, "test.off", text, used + 1, NULL, &error), ROBERTS_BAD_SYNTAX);
+        assert_non_null(strstr(error.message, " expected, found \"x\""));
+        assert_null(strstr(error.message, "look"));
+        roberts_mesh_free(&mesh);
+    }
+    free(text);
+}
+
 static void stops_reading_the_endless(void **state)
 {
     static const struct {
@@ -848,6 +875,7 @@ int main(void)
         cmocka_unit_test(refuses_nul_bytes),
         cmocka_unit_test(stops_reading_the_endless),
         cmocka_unit_test(looks_again_not_for_ever),
+        cmocka_unit_test(claims_nothing_where_the_look_ends),
         cmocka_unit_test(leaves_an_open_pipe_alone),
         cmocka_unit_test(reads_a_face_of_a_million_corners),
         cmocka_unit_test(reads_dev_zero),
