@@ -154,6 +154,10 @@ static void a_tolerance_that_passes_any_shape_is_not_named(void **state)
     assert_int_equal(run("-f null waist.off"), 1);
     assert_said(" (see --hull)\n");
     assert_int_equal(run("-f null waist.off --tolerance 0.01"), 0);
+    put_cube("far.off", 2000, 0.5, 6); /* the tolerance is a part of the coordinates here */
+    assert_int_equal(run("-f null far.off"), 1);
+    assert_said(" beside their plane (see --hull)\n");
+    assert_int_equal(run("-f null far.off --tolerance 0.01"), 0);
     put_round("ball.off", 40, 30, 0.0);
     assert_int_equal(run("-f null ball.off --tolerance 1e-10"), 1);
     assert_said(" would do; see also --hull)\n");

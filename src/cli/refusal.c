@@ -20,17 +20,33 @@ enum { TOLERANCES = sizeof tolerances / sizeof tolerances[0] };
 
 /* Of n faces each is about 1 / sqrt(n) of the size wide, and a vertex may lie outside its plane by sqrt(n) tolerances (see
  * solid_check.c): by no more than this part of the size, which a cube's may at a hundredth. Else the tolerance would pass a
- * surface of many small faces whatever its shape. */
+ * surface of many small faces, or a solid far from the origin, whatever its shape. */
 static const double OUTSIDE_MOST = 0.025;
+
+/* The size of solid s as a part of its largest coordinate, by which the tolerance counts where it is far from the origin; at
+ * most 1. */
+static double part_of_coordinates(const roberts_scene *scene, uint32_t s)
+{
+    const roberts_vec3 *first = scene->point + scene->solid[s].vertex, *end = scene->point + scene->solid[s + 1].vertex;
+    roberts_vec3 low = *first, high = *first;
+    for (const roberts_vec3 *p = first; p < end; p++) {
+        low = (roberts_vec3){fmin(low.x, p->x), fmin(low.y, p->y), fmin(low.z, p->z)};
+        high = (roberts_vec3){fmax(high.x, p->x), fmax(high.y, p->y), fmax(high.z, p->z)};
+    }
+    const double size = fmax(high.x - low.x, fmax(high.y - low.y, high.z - low.z));
+    const double largest = fmax(fmax(fmax(high.x, -low.x), fmax(high.y, -low.y)), fmax(high.z, -low.z));
+    return size < largest ? size / largest : 1.0;
+}
 
 /* The greatest tolerance at which the shape of all solids still tells. */
 static double greatest_tolerance(const roberts_scene *scene)
 {
-    uint32_t faces = 1;
-    for (uint32_t s = 0; s < scene->solid_count; s++)
-        if (scene->solid[s + 1].face - scene->solid[s].face > faces)
-            faces = scene->solid[s + 1].face - scene->solid[s].face;
-    return OUTSIDE_MOST / sqrt(faces);
+    double most = OUTSIDE_MOST;
+    for (uint32_t s = 0; s < scene->solid_count; s++) {
+        const uint32_t faces = scene->solid[s + 1].face - scene->solid[s].face;
+        most = fmin(most, OUTSIDE_MOST / sqrt(faces) * part_of_coordinates(scene, s));
+    }
+    return most;
 }
 
 /* Gives the greatest tolerance that can be told in `most`, where the mesh passes with this one. */
