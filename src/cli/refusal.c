@@ -18,6 +18,9 @@ static const double tolerances[] = {1e-10, 2e-10, 5e-10, 1e-9, 2e-9, 5e-9, 1e-8,
 
 enum { TOLERANCES = sizeof tolerances / sizeof tolerances[0] };
 
+/* Of more faces than this no tolerance is tried: a refusal must not take seconds. */
+#define FACES_TRIED 200000
+
 /* Of n faces each is about 1 / sqrt(n) of the size wide, and a vertex may lie outside its plane by sqrt(n) tolerances (see
  * solid_check.c): by no more than this part of the size, which a cube's may at a hundredth. Else the tolerance would pass a
  * surface of many small faces, or a solid far from the origin, whatever its shape. */
@@ -67,7 +70,7 @@ static double find_tolerance(const cli_options *options, const roberts_mesh *mes
     const double tried = options->scene.tolerance > 0.0 ? options->scene.tolerance : 1e-5;
     size_t fails = 0, does = TOLERANCES - 1;
     double most = 0.0;
-    if (tolerances[does] <= tried || !passes(options, mesh, tolerances[does], &most))
+    if (mesh->face_count > FACES_TRIED || tolerances[does] <= tried || !passes(options, mesh, tolerances[does], &most))
         return 0.0;
     while (does > 0 && tolerances[does] > most)
         does--;
