@@ -359,22 +359,40 @@ static void look_at_front(const hide_picture *picture, const hide_front *front, 
             look_at_face(picture, front, &face[b->order[i]], z1, l);
 }
 
-uint32_t hide_seen_at(const hide_worker *w, double x, double y)
+/* The fronts of one cell, those whose boxes, by their sides in it, can hold the point; four at a time. */
+static void look_at_cell(const hide_worker *w, size_t cell, uint32_t sides, look *l)
 {
     const objet *grid = w->grid;
     const hide_picture *picture = w->picture;
-    size_t cell = scan_cell(&grid->frame, x, y);
+    for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end; k += 4) {
+        unsigned near = four_bytes_at_most((const uint32_t *)(grid->entry + k), sides);
+        near &= end - k < 4 ? (1u << (end - k)) - 1 : 15u;
+        for (; near; near &= near - 1) {
+            uint32_t index = grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front;
+            const hide_front *front = &picture->front[index];
+            const hide_box *box = &picture->front_box[index];
+            if (!l->touching && (double)box->z1 < l->best)
+                return;
+            if (box_holds(picture, box, l->x, l->y) && !(l->touching && front->solid >= l->solid))
+                look_at_front(picture, front, (double)box->z1, l);
+        }
+    }
+}
+
+uint32_t hide_seen_at(const hide_worker *w, double x, double y)
+{
+    const objet *grid = w->grid;
+    uint32_t column = scan_column(&grid->frame, x), row = scan_row(&grid->frame, y);
+    double m = w->picture->space.epsilon;
+    hide_box about = {.x0 = hide_float_below(x - m),
+                      .x1 = hide_float_above(x + m),
+                      .y0 = hide_float_below(y - m),
+                      .y1 = hide_float_above(y + m)};
+    uint32_t sides = objet_most(objet_cut(objet_place(grid, &about), column, row));
     look l = {.x = x, .y = y, .best = -INFINITY, .solid = ROBERTS_NONE};
     for (int touching = 0; touching < 2; touching++) {
         l.touching = touching;
-        for (uint32_t k = grid->start[cell]; k < grid->start[cell + 1]; k++) {
-            const hide_front *front = &picture->front[grid->entry[k].front];
-            const hide_box *box = &picture->front_box[grid->entry[k].front];
-            if (!touching && (double)box->z1 < l.best)
-                break;
-            if (box_holds(picture, box, x, y) && !(touching && front->solid >= l.solid))
-                look_at_front(picture, front, (double)box->z1, &l);
-        }
+        look_at_cell(w, (size_t)column * grid->frame.ny + row, sides, &l);
     }
     return l.solid;
 }
