@@ -50,6 +50,24 @@ static const char *explain_commas(const char *token, size_t length)
                : "";
 }
 
+/* -3, where only whole numbers from 0 on may stand: every other negative number is read. */
+static bool is_negative(const char *token, size_t length)
+{
+    bool digits = length > 1 && token[0] == '-', zero = true;
+    for (size_t i = 1; i < length && digits; i++) {
+        digits = token[i] >= '0' && token[i] <= '9';
+        zero = zero && token[i] == '0';
+    }
+    return digits && !zero;
+}
+
+static const char *explain_word(roberts_status status, const char *token, size_t length)
+{
+    if (status == ROBERTS_BAD_NUMBER)
+        return "; it must be a finite number";
+    return is_negative(token, length) ? ", which is negative" : explain_commas(token, length);
+}
+
 roberts_status off_expected(off_reader *r, roberts_status status, const char *format, ...)
 {
     char wanted[120], found[112];
@@ -68,7 +86,7 @@ roberts_status off_expected(off_reader *r, roberts_status status, const char *fo
         return off_fail(r, ROBERTS_BAD_SYNTAX, "%s expected, found a word of more than %zu characters", wanted,
                         OFF_TOKEN_MAX);
     quote(r->in.at, length, found, sizeof found);
-    return off_fail(r, status, "%s expected, found \"%s\"%s", wanted, found, explain_commas(r->in.at, length));
+    return off_fail(r, status, "%s expected, found \"%s\"%s", wanted, found, explain_word(status, r->in.at, length));
 }
 
 bool off_number_slowly(off_reader *r, double *value)
