@@ -56,7 +56,15 @@ static void messages_name_the_file(void **state)
     assert_int_equal(run("open.off half.off"), 1); /* one solid of two files, by positions */
     assert_said("roberts: open.off and 1 more: solid 0 is not closed: edge ");
     assert_int_equal(run("empty.off empty.off"), 1);
-    assert_said("roberts: empty.off and 1 more: no solid: there is no face with three or more corners (see --hull)\n");
+    assert_said("roberts: empty.off and 1 more: no solid: there is no face with three or more corners\n");
+    put("three.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"); /* no points that have a hull */
+    put("four.off", "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+    assert_int_equal(run("three.off"), 1);
+    assert_said("roberts: three.off: no solid: there is no face with three or more corners\n");
+    assert_int_equal(run("tri.off"), 1);
+    assert_null(strstr(last.err, "see --hull"));
+    assert_int_equal(run("four.off"), 1);
+    assert_said("roberts: four.off: no solid: there is no face with three or more corners (see --hull)\n");
 }
 
 /* A solid that its neighbours' windings turn, which no check but the last one sees; and a surface of one side. */

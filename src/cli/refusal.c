@@ -21,6 +21,9 @@ enum { TOLERANCES = sizeof tolerances / sizeof tolerances[0] };
 /* Of more faces than this no tolerance is tried: a refusal must not take seconds. */
 #define FACES_TRIED 200000
 
+/* Fewer points have no convex hull. */
+enum { HULL_LEAST = 4 };
+
 /* Of n faces each is about 1 / sqrt(n) of the size wide, and a vertex may lie outside its plane by sqrt(n) tolerances (see
  * solid_check.c): by no more than this part of the size, which a cube's may at a hundredth. Else the tolerance would pass a
  * surface of many small faces, or a solid far from the origin, whatever its shape. */
@@ -95,7 +98,7 @@ void refusal_explain(const cli_options *options, const roberts_mesh *mesh, rober
     const double tolerance = shape ? find_tolerance(options, mesh) : 0.0;
     if (tolerance > 0.0)
         snprintf(error->message + used, room, " (--tolerance %g would do; see also --hull)", tolerance);
-    else
+    else if (mesh->vertex_count >= HULL_LEAST)
         snprintf(error->message + used, room, " (see --hull)");
 }
 
