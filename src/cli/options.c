@@ -204,9 +204,7 @@ static int apply_value(parser *p, option_id id, const char *value)
     case OPTION_ORDER:
         return paper_set_order(&options->draw, value);
     case OPTION_DPI:
-        if (parse_number(value, &options->draw.dpi) && options->draw.dpi == 0.0)
-            return message_misuse("--dpi: 0 gives no image");
-        return values_set_number(name, value, 100000.0, &options->draw.dpi);
+        return values_set_resolution(value, &options->draw.dpi);
     case OPTION_STATS:
         return values_set_stats(options, value);
     case OPTION_VERIFY:

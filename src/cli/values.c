@@ -114,12 +114,25 @@ int values_set_integer(const char *name, const char *value, uint32_t *number)
     return message_misuse("--%s: \"%s\" is not a whole number from 0 on", name, value);
 }
 
+/* A range without its lower end, 0, of which `why` tells what it would do. */
+static int set_number_above_zero(const char *name, const char *value, double max, const char *why, double *number)
+{
+    if (!parse_number(value, number))
+        return message_misuse("--%s: \"%s\" is not a number", name, value);
+    if (!(*number > 0.0 && *number <= max))
+        return message_misuse("--%s: %s %s; it takes a number above 0, up to %g", name, value,
+                              *number == 0.0 ? why : "is out of range", max);
+    return EXIT_DONE;
+}
+
 int values_set_angle_of_view(const char *value, double *degrees)
 {
-    int status = values_set_number("fov", value, 179.0, degrees);
-    if (status == EXIT_DONE && *degrees == 0.0)
-        return message_misuse("--fov: 0 shows nothing; an angle of view is greater, up to 179 degrees");
-    return status;
+    return set_number_above_zero("fov", value, 179.0, "shows nothing", degrees);
+}
+
+int values_set_resolution(const char *value, double *dpi)
+{
+    return set_number_above_zero("dpi", value, 100000.0, "gives no image", dpi);
 }
 
 int values_set_rays(const char *value, uint32_t *rays)
