@@ -39,6 +39,10 @@ typedef struct roberts_vec3 {
 /** No vertex, face, edge or solid. */
 #define ROBERTS_NONE UINT32_MAX
 
+/** What can be asked for: threads, and cells per side of the grid. */
+#define ROBERTS_THREADS_MOST 1024
+#define ROBERTS_GRID_MOST 4096
+
 typedef enum roberts_status {
     ROBERTS_OK,
     ROBERTS_NO_MEMORY,    /**< an allocation failed */
@@ -309,8 +313,8 @@ typedef struct roberts_hide_options {
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
     double epsilon;        /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, at least 16 ulp */
-    uint32_t grid;         /**< cells per side; 0 = choose */
-    uint32_t threads;      /**< 0 = what there is */
+    uint32_t grid;         /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
+    uint32_t threads;      /**< up to ROBERTS_THREADS_MOST; 0 = what there is */
 } roberts_hide_options;
 
 roberts_hide_options roberts_hide_options_default(void);

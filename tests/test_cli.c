@@ -496,8 +496,8 @@ static void batch_draws_each_file(void **state)
     assert_int_equal(run("--batch in/new -f null models/table.off"), 0);
     assert_int_equal(entries("in/new", false), 0);
     assert_int_equal(rmdir("in/new"), 0);
-    assert_int_equal(run("--batch in --threads 4294967295 models/table.off"), 1);
-    assert_said("roberts: more than 1024 threads\n");
+    assert_int_equal(run("--batch in --threads 1025 models/table.off"), 2);
+    assert_said("roberts: --threads: 1025 is not in 0..1024\n");
     assert_int_equal(run("--batch missing/new models/table.off"), 1);
     assert_said("roberts: missing/new: cannot make the folder: No such file or directory");
 }

@@ -12,8 +12,6 @@
 #include <omp.h>
 #endif
 
-#define THREADS_MOST 1024
-
 /* Bytes between what different threads write: two cache lines, since processors fetch them in pairs. Nearer, the threads
  * would take the line from one another at every step. (A member `apart` ends what stands in an array, one for each thread.) */
 #define THREADS_APART 128

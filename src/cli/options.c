@@ -229,9 +229,9 @@ static int apply_value(parser *p, option_id id, const char *value)
         options->scene.hull = true;
         return EXIT_DONE;
     case OPTION_THREADS:
-        return values_set_integer(name, value, &options->hide.threads);
+        return values_set_integer(name, value, 0, ROBERTS_THREADS_MOST, &options->hide.threads);
     case OPTION_GRID:
-        return values_set_integer(name, value, &options->hide.grid);
+        return values_set_integer(name, value, 0, ROBERTS_GRID_MOST, &options->hide.grid);
     case OPTION_EPSILON:
         return values_set_number(name, value, 1e150, &options->hide.epsilon);
     case OPTION_TOLERANCE:

@@ -2,6 +2,7 @@
 #include "cli/values.h"
 
 #include <float.h>
+#include <inttypes.h>
 #include <string.h>
 
 #include "cli/message.h"
@@ -107,11 +108,13 @@ int values_set_number(const char *name, const char *value, double max, double *n
     return values_set_number_between(name, value, 0.0, max, number);
 }
 
-int values_set_integer(const char *name, const char *value, uint32_t *number)
+int values_set_integer(const char *name, const char *value, uint32_t min, uint32_t max, uint32_t *number)
 {
-    if (parse_integer(value, number))
-        return EXIT_DONE;
-    return message_misuse("--%s: \"%s\" is not a whole number from 0 on", name, value);
+    if (!parse_integer(value, number))
+        return message_misuse("--%s: \"%s\" is not a whole number from %" PRIu32 " to %" PRIu32, name, value, min, max);
+    if (*number < min || *number > max)
+        return message_misuse("--%s: %s is not in %" PRIu32 "..%" PRIu32, name, value, min, max);
+    return EXIT_DONE;
 }
 
 /* A range without its lower end, 0, of which `why` tells what it would do. */
@@ -137,7 +140,7 @@ int values_set_resolution(const char *value, double *dpi)
 
 int values_set_rays(const char *value, uint32_t *rays)
 {
-    int status = values_set_integer("verify", value, rays);
+    int status = values_set_integer("verify", value, 0, UINT32_MAX, rays);
     if (status == EXIT_DONE && *rays == 0)
         return message_misuse("--verify: 0 rays check nothing; it takes 1 or more (3 where none is given)");
     return status;
@@ -152,8 +155,5 @@ int values_add_pick(cli_options *options, const char *value)
 
 int values_set_turntable(const char *value, uint32_t *number)
 {
-    int status = values_set_integer("turntable", value, number);
-    if (status == EXIT_DONE && (*number < 1 || *number > TURNTABLE_MOST))
-        return message_misuse("--turntable: %s is not in 1..%d", value, TURNTABLE_MOST);
-    return status;
+    return values_set_integer("turntable", value, 1, TURNTABLE_MOST, number);
 }

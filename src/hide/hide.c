@@ -17,7 +17,6 @@
 #define CHUNK_SOLIDS 64
 #define CHUNK_SEGMENTS 1024 /* room to begin with: nine visible edges of each block, and then some */
 #define CHUNKS_PER_THREAD 8 /* with less work than this a thread costs more than it does */
-#define GRID_MOST 4096
 
 /* Touching distance above which "on" would mean a visible length: a hundredth of the scene. */
 #define EPSILON_MOST 0.01
@@ -179,10 +178,10 @@ static roberts_status check_options(const roberts_hide_options *options, roberts
 {
     if (!(options->crease_degrees >= 0.0) || !(options->crease_degrees <= 180.0))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "the crease angle must be between 0 and 180 degrees");
-    if (options->grid > GRID_MOST)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a grid of more than %d cells per side", GRID_MOST);
-    if (options->threads > THREADS_MOST)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "more than %d threads", THREADS_MOST);
+    if (options->grid > ROBERTS_GRID_MOST)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a grid of more than %d cells per side", ROBERTS_GRID_MOST);
+    if (options->threads > ROBERTS_THREADS_MOST)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "more than %d threads", ROBERTS_THREADS_MOST);
     return ROBERTS_OK;
 }
 

@@ -237,7 +237,7 @@ off_division off_divide(uint32_t threads)
 #else
     threads = 1;
 #endif
-    return (off_division){threads < THREADS_MOST ? threads : THREADS_MOST, PIECE, OVERHANG, LEAST, run};
+    return (off_division){threads < ROBERTS_THREADS_MOST ? threads : ROBERTS_THREADS_MOST, PIECE, OVERHANG, LEAST, run};
 }
 
 /* ---- the job -------------------------------------------------------------------------------------------------------- */

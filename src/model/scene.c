@@ -293,8 +293,8 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
     if (!(chosen.tolerance > 0.0 && chosen.tolerance <= 1.0)) {
         status =
             error_set(&found, ROBERTS_BAD_ARGUMENT, 0, "the tolerance, %g, is not between 0 and 1", chosen.tolerance);
-    } else if (chosen.threads > THREADS_MOST) {
-        status = error_set(&found, ROBERTS_BAD_ARGUMENT, 0, "more than %d threads", THREADS_MOST);
+    } else if (chosen.threads > ROBERTS_THREADS_MOST) {
+        status = error_set(&found, ROBERTS_BAD_ARGUMENT, 0, "more than %d threads", ROBERTS_THREADS_MOST);
     } else if (!(*scene = alloc_zeroed(1, sizeof **scene))) {
         status = error_no_memory(&found);
     } else {
