@@ -67,6 +67,23 @@ static void messages_name_the_file(void **state)
     assert_said("roberts: four.off: no solid: there is no face with three or more corners (see --hull)\n");
 }
 
+/* As by cat, also from standard input: what is drawn is the first. */
+static void one_model_after_another(void **state)
+{
+    (void)state;
+    put("two.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n"
+                   "OFF\n4 4 0\n5 0 0\n6 0 0\n5 1 0\n5 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n");
+    assert_int_equal(run("-f null two.off"), 0);
+    assert_string_equal(last.err,
+                        "roberts: two.off:11: warning: another model begins here and is ignored; OFF holds one, "
+                        "but several files are drawn together\n");
+    finish(start("-f null -", "two.off", -1));
+    assert_int_equal(last.status, 0);
+    assert_said("roberts: standard input:11: warning: another model begins here and is ignored; ");
+    assert_int_equal(run("-f null -q two.off"), 0);
+    assert_string_equal(last.err, "");
+}
+
 /* A solid that its neighbours' windings turn, which no check but the last one sees; and a surface of one side. */
 static void every_refusal_names_the_file(void **state)
 {
@@ -622,6 +639,7 @@ int main(void)
         return 1;
     const struct CMUnitTest tests[] = {
         IN_FOLDER(messages_name_the_file),
+        IN_FOLDER(one_model_after_another),
         IN_FOLDER(every_refusal_names_the_file),
         IN_FOLDER(a_tolerance_that_helps_is_named),
         IN_FOLDER(a_tolerance_that_passes_any_shape_is_not_named),

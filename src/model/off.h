@@ -87,7 +87,11 @@ void off_warn_fewer(off_reader *r, uint64_t found);
 void off_explain_error(off_reader *r);
 void off_explain_warning(off_reader *r);
 
-/* Warns of text after the last face, and that the input is no OFF, if it does not look like one. */
+/* Whether a keyword comes next, also behind "{" or "{ ="; what is before it is taken. */
+bool off_at_keyword(off_reader *r);
+
+/* Warns of text after the last face: that it is one more model, where it has a keyword, or that the input is no OFF, if it
+ * does not look like one. */
 void off_explain_rest(off_reader *r);
 
 /* The name of the format that begins with this word; NULL: not known. */

@@ -86,11 +86,17 @@ void off_explain_error(off_reader *r)
 void off_explain_rest(off_reader *r)
 {
     char said[SAID];
+    const size_t line = r->in.line;
+    if (off_at_keyword(r)) {
+        warning_send(r->warnings, r->name, line,
+                     "another model begins here and is ignored; OFF holds one, but several files are drawn together");
+        return;
+    }
     text t = text_begin(r);
     if (r->warnings && r->header.bare && r->in.source.read_at && !r->in.failure && describe_points(&t, said))
         warning_send(r->warnings, r->name, 0, "%s", said);
     else
-        warning_send(r->warnings, r->name, r->in.line,
+        warning_send(r->warnings, r->name, line,
                      "text after the last face ignored; the header says %llu %s and %llu face%s",
                      (unsigned long long)r->header.vertices, r->header.vertices == 1 ? "vertex" : "vertices",
                      (unsigned long long)r->header.faces, r->header.faces == 1 ? "" : "s");

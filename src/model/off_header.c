@@ -56,6 +56,15 @@ static size_t keyword(const char *token, size_t length, off_header *h)
     return i;
 }
 
+bool off_at_keyword(off_reader *r)
+{
+    off_header unused = {0};
+    for (int passed = 0; input_skip(&r->in) && passed < 2 && (*r->in.at == '{' || *r->in.at == '='); passed++)
+        r->in.at++;
+    const size_t length = input_token(&r->in);
+    return length <= OFF_TOKEN_MAX && keyword(r->in.at, length, &unused) > 0;
+}
+
 /* Looks through a byte-order mark and "{", "{ =". */
 static roberts_status opening(off_reader *r)
 {
