@@ -393,6 +393,26 @@ static void endings_that_mislead_are_warned_of(void **state)
     assert_string_equal(last.err, "");
 }
 
+/* A place for a number, and nothing that counts. */
+static void numbers_without_a_turntable_are_warned_of(void **state)
+{
+    static const char said[] = "warning: the file is called just so: only --turntable puts a number there\n";
+    char whole[200];
+    (void)state;
+    assert_int_equal(run("-o in/one-%03d.svg models/platonic/cube.off"), 0);
+    snprintf(whole, sizeof whole, "roberts: in/one-%%03d.svg: %s", said);
+    assert_string_equal(last.err, whole);
+    assert_int_equal(access("in/one-%03d.svg", F_OK), 0);
+    assert_int_equal(run("-o in/%d --sheet first models/platonic/cube.off"), 0);
+    assert_said(said);
+    assert_int_equal(run("-q -o in/one-%03d.svg models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("-o in/one-%03d.svg --turntable 2 models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("-o in/100%.svg models/platonic/cube.off"), 0); /* no place for a number */
+    assert_string_equal(last.err, "");
+}
+
 /* Somebody waits for a drawing, and the program for a model. */
 static void terminals_are_told_of(void **state)
 {
@@ -649,6 +669,7 @@ int main(void)
         IN_FOLDER(what_is_no_model),
         IN_FOLDER(a_file_called_minus),
         IN_FOLDER(endings_that_mislead_are_warned_of),
+        IN_FOLDER(numbers_without_a_turntable_are_warned_of),
         IN_FOLDER(idle_options_are_warned_of),
         IN_FOLDER(terminals_are_told_of),
         IN_FOLDER(names_are_printed_plainly),

@@ -210,6 +210,15 @@ static void warn_ending(const cli_options *options)
     message_warning(stderr, options->output, 0, text);
 }
 
+/* A name as --turntable takes it, where nothing counts: a file may be called so, but hardly is meant to. */
+static void warn_number(const cli_options *options)
+{
+    char name[NAME_SIZE];
+    if (options->turntable == 0 && options->draw.format != ROBERTS_NULL &&
+        parse_numbered(options->output, 0, name, sizeof name))
+        message_warning(stderr, options->output, 0, "the file is called just so: only --turntable puts a number there");
+}
+
 void sense_warn(const cli_options *options, sense_given given)
 {
     if (options->quiet)
@@ -218,6 +227,7 @@ void sense_warn(const cli_options *options, sense_given given)
         warn("--output", "the format null writes nothing");
     if (is_given(given, "format"))
         warn_ending(options);
+    warn_number(options);
     if (has_page(options->draw.format))
         warn_pages(options, given);
     else
