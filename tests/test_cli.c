@@ -183,7 +183,7 @@ static void failing_input(void **state)
     assert_string_equal(last.err, "roberts: missing.off: No such file or directory\n");
     assert_int_equal(run("models/table.off missing.off -o in/a.svg"), 1);
     assert_int_equal(run("in -o in/a.svg"), 1);
-    assert_said("Is a directory; name the files in it, as *.off\n");
+    assert_said("roberts: in: is a folder; name the files in it, as *.off\n");
     assert_int_equal(run("/dev/null -o in/a.svg"), 1);
     assert_said("roberts: /dev/null:1: ");
     put("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n");

@@ -313,7 +313,7 @@ static void what_is_no_model(void **state)
     assert_int_equal(run("models/table.off a.svg -o b.svg"), 1);
     assert_said("but only OFF can be read\n");
     assert_int_equal(run("in -f null"), 1);
-    assert_said("roberts: in: reading failed: Is a directory; name the files in it, as *.off\n");
+    assert_said("roberts: in: is a folder; name the files in it, as *.off\n");
 }
 
 /* It is the streams that are meant by -, also where a file is called so. */

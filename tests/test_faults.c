@@ -205,7 +205,7 @@ static const struct {
     const char *said; /* NULL: nothing */
 } cases[] = {
     {"nothing", feed_nothing, NULL, 128, 1, "standard input:1: "},
-    {"a folder", NULL, "models", 128, 1, "Is a directory"},
+    {"a folder", NULL, "models", 128, 1, "is a folder"},
     {"/dev/zero", NULL, "/dev/zero", 128, 1, "/dev/zero:1: "},
     {"2 GB of digits for a number", feed_digits, NULL, 128, 1, "standard input:3: "},
     {"2 GB of digits for a count", feed_digits_as_counts, NULL, 128, 1, "standard input:2: "},

@@ -111,7 +111,7 @@ void refusal_explain_reading(const cli_options *options, const char *name, rober
     if (strcmp(name, "-") == 0 || stat(name, &found) != 0)
         return;
     if (S_ISDIR(found.st_mode))
-        snprintf(error->message + used, room, "; name the files in it, as *.off");
+        snprintf(error->message, sizeof error->message, "is a folder; name the files in it, as *.off");
     else if (error->status == ROBERTS_BAD_SYNTAX && strcmp(options->output, "-") == 0 &&
              roberts_format_by_path(name, &format))
         snprintf(error->message + used, room, "; to draw into it: -o and its name");
