@@ -29,19 +29,20 @@ static roberts_scene *make_scene(void)
 /* Verifies with what is said caught in `text`. */
 static bool report(const cli_options *options, const roberts_drawing *drawing, char *text, size_t size)
 {
-    bool wrong = false;
+    roberts_verification found = {0};
     roberts_scene *scene = make_scene();
     FILE *file = tmpfile();
     assert_non_null(file);
     cli_options own = *options;
     own.log = file;
-    roberts_status status = rays_verify(&own, scene, drawing, &wrong, NULL);
+    roberts_status status = rays_verify(&own, scene, drawing, &found, NULL);
     rewind(file);
     text[fread(text, 1, size - 1, file)] = '\0';
     fclose(file);
     roberts_scene_free(scene);
     assert_int_equal(status, ROBERTS_OK);
-    return wrong;
+    assert_true(found.segments >= drawing->count && found.points >= found.segments);
+    return found.contradictions > 0;
 }
 
 static roberts_segment row(uint32_t solid, uint32_t v0, uint32_t v1)
