@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "hide/ahead.h"
+#include "hide/cells.h"
 #include "memory.h"
 #include "roberts.h"
 
@@ -66,8 +67,10 @@ static bool is_worth(const roberts_scene *scene)
 {
     hide_picture picture;
     ahead a;
+    double depth;
     assert_int_equal(hide_picture_build(&picture, scene, &camera, 0.0, true, 1, NULL), ROBERTS_OK);
-    assert_true(ahead_init(&a, &picture));
+    cells_for_lists(picture.front_box, picture.front_count, picture.low, picture.high, 0, 0.0, &depth);
+    assert_true(ahead_init(&a, &picture, depth));
     bool worth = a.order != NULL;
     for (uint32_t i = 0; worth && i < COUNT; i++)
         assert_true(a.order[i] < COUNT && a.place[a.order[i]] == i);

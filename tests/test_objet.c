@@ -492,11 +492,12 @@ static void lists_are_complete_and_in_order(void **state)
         for (size_t i = 0; i < sizeof sides / sizeof sides[0]; i++) {
             roberts_camera camera = {.dir = {i % 2 ? 1 : 0, -1, scene}};
             hide_picture picture;
+            double depth;
             objet grid;
             assert_int_equal(hide_picture_build(&picture, built, &camera, 0, false, 1, NULL), ROBERTS_OK);
             assert_int_equal(picture.culled_count, 0);
             scan_frame frame = cells_for_lists(picture.front_box, picture.front_count, picture.low, picture.high,
-                                               sides[i], hide_margin(&picture.space));
+                                               sides[i], hide_margin(&picture.space), &depth);
             assert_int_equal(objet_build(&grid, &picture, frame, 1), ROBERTS_OK);
             expect_lists(&grid, &picture);
             assert_true(listed_count(&picture) > 10);
@@ -514,6 +515,7 @@ static void lists_by_threads(void **state)
     roberts_camera camera = {.dir = {1, 2, 3}};
     hide_picture picture;
     objet alone, together;
+    double depth;
     model m = {0};
     (void)state;
     for (int i = 0; i < 700; i++)
@@ -522,7 +524,7 @@ static void lists_by_threads(void **state)
     assert_int_equal(hide_picture_build(&picture, scene, &camera, 0, false, 1, NULL), ROBERTS_OK);
     assert_true(picture.front_count > 40000);
     scan_frame frame = cells_for_lists(picture.front_box, picture.front_count, picture.low, picture.high, 150,
-                                       hide_margin(&picture.space));
+                                       hide_margin(&picture.space), &depth);
     size_t cells = scan_cells(&frame);
     assert_true(cells > 8192);
     assert_int_equal(objet_build(&alone, &picture, frame, 1), ROBERTS_OK);
@@ -795,11 +797,12 @@ static void cells_by_table(void **state)
     hide_box *box = malloc(BOXES * sizeof *box);
     rng r = {79};
     bool unite;
+    double depth;
     (void)state;
     assert_non_null(box);
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         make_boxes(box, table[i].huge, table[i].w, table[i].h, &r);
-        scan_frame f = cells_for_lists(box, BOXES, window_low, window_high, 0, MARGIN);
+        scan_frame f = cells_for_lists(box, BOXES, window_low, window_high, 0, MARGIN, &depth);
         scan_frame c = cells_for_covers(box, BOXES, window_low, window_high, MARGIN, 1, &unite);
         double listed = entries(&f, box), cells = (double)scan_cells(&f), covers = (double)scan_cells(&c);
         if (listed > 40.0 * BOXES || cells > 8.0 * BOXES || cells < table[i].least_cells || covers > 64.0 * BOXES)
@@ -814,17 +817,19 @@ static void cells_given_or_few(void **state)
     hide_box box[2] = {{-1, 7, 2, 6, 0, 1}, {0, 1, 3, 4, 0, 1}};
     roberts_vec2 upright = {window_low.x, window_high.y};
     bool unite;
+    double depth;
     (void)state;
-    scan_frame f = cells_for_lists(box, 2, window_low, window_high, 17, MARGIN);
+    scan_frame f = cells_for_lists(box, 2, window_low, window_high, 17, MARGIN, &depth);
     assert_true(f.nx == 17 && f.ny == 17);
-    f = cells_for_lists(box, 0, window_low, window_high, 0, MARGIN);
+    f = cells_for_lists(box, 0, window_low, window_high, 0, MARGIN, &depth);
     assert_true(f.nx == 1 && f.ny == 1);
-    f = cells_for_lists(box, 2, window_low, upright, 0, MARGIN); /* no width */
+    f = cells_for_lists(box, 2, window_low, upright, 0, MARGIN, &depth); /* no width */
     assert_true(f.nx >= 1 && f.ny >= 1 && f.dx > 0 && f.dy > 0);
     f = cells_for_covers(box, 2, window_low, upright, MARGIN, 1, &unite);
     assert_int_equal(scan_cells(&f), 0);
     double area = (window_high.x - window_low.x) * (window_high.y - window_low.y);
-    assert_true(fabs(cells_depth(box, 2, window_low, window_high) - (8.0 * 4.0 + 1.0 * 1.0) / area) < 1e-12);
+    cells_for_lists(box, 2, window_low, window_high, 0, MARGIN, &depth);
+    assert_true(fabs(depth - (8.0 * 4.0 + 1.0 * 1.0) / area) < 1e-12);
 }
 
 /* ... the same by any number of threads. */

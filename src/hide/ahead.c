@@ -7,7 +7,6 @@
 #include "base/bits.h"
 #include "base/fetch.h"
 #include "base/radix.h"
-#include "hide/cells.h"
 
 /* Fewer solids than this do not leave the cache. */
 #define MANY_SOLIDS 32768
@@ -47,7 +46,7 @@ static double find_keys(const hide_picture *picture, uint32_t *key)
     return way / count;
 }
 
-bool ahead_init(ahead *a, const hide_picture *picture)
+bool ahead_init(ahead *a, const hide_picture *picture, double depth)
 {
     *a = (ahead){.count = picture->scene->solid_count};
     if (a->count < MANY_SOLIDS)
@@ -56,7 +55,7 @@ bool ahead_init(ahead *a, const hide_picture *picture)
     if (!key)
         return false;
     bool far = find_keys(picture, key) > FAR_APART, done = true;
-    if (far || cells_depth(picture->front_box, picture->front_count, picture->low, picture->high) > DEEP) {
+    if (far || depth > DEEP) {
         a->order = alloc_array(a->count, sizeof *a->order);
         a->place = alloc_array(a->count, sizeof *a->place);
         a->chunks = (a->count + AHEAD_CHUNK - 1) / AHEAD_CHUNK;

@@ -30,8 +30,8 @@ typedef struct ahead {
     ahead_chunk *chunk;     /* [chunks] one for every AHEAD_CHUNK solids of `order` */
 } ahead;
 
-/* Finds the order. False: no memory; ahead_free() is due in any case. */
-bool ahead_init(ahead *a, const hide_picture *picture);
+/* Finds the order; depth: mean number of fronts' boxes over a point of the picture. False: no memory; ahead_free() is due in any case. */
+bool ahead_init(ahead *a, const hide_picture *picture, double depth);
 void ahead_free(ahead *a);
 
 /* Keeps the worker's lines, of the solid order[place], as hide_worker_run() has left them; within a chunk solids come one

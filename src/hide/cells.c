@@ -76,11 +76,6 @@ static sizes measure(const hide_box *box, uint32_t count, roberts_vec2 low, robe
     return all;
 }
 
-double cells_depth(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high)
-{
-    return measure(box, count, low, high, 1).area;
-}
-
 /* Columns and rows for cells `boxes` mean boxes wide and high, `most` cells in all. */
 static void divide(const sizes *s, uint32_t count, double boxes, double most, double *nx, double *ny)
 {
@@ -99,13 +94,14 @@ static uint32_t whole(double n)
 }
 
 scan_frame cells_for_lists(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, uint32_t n,
-                           double margin)
+                           double margin, double *depth)
 {
     double nx = 1.0, ny = 1.0;
+    sizes s = measure(box, count, low, high, 1);
+    *depth = s.area;
     if (n)
         return scan_frame_over(low, high, n, n, margin);
     if (count) {
-        sizes s = measure(box, count, low, high, 1);
         divide(&s, count, BOXES_PER_CELL, CELLS_PER_BOX * count + 1.0, &nx, &ny);
         while (nx * ny > 1.0 &&
                nx * ny * s.area + nx * s.w + ny * s.h + count > ENTRIES_PER_BOX * count + ENTRIES_FREE) {

@@ -6,12 +6,10 @@
 #include "hide/space.h"
 
 /* Cells for lists over the window low..high: some two mean boxes wide, but no more than lets the lists grow in
- * proportion to the number of boxes. n: given number per side, 0 = choose. */
+ * proportion to the number of boxes. n: given number per side, 0 = choose. *depth: mean number of boxes over a point of the
+ * window. */
 scan_frame cells_for_lists(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, uint32_t n,
-                           double margin);
-
-/* Mean number of boxes over a point of the window. */
-double cells_depth(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high);
+                           double margin, double *depth);
 
 /* Cells for covers: much smaller than a mean box. Without columns where covers would not pay: where few boxes lie over
  * one another. *unite: so many do that covers of two fronts together pay as well. By so many threads; what comes out is

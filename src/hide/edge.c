@@ -27,18 +27,9 @@ bool hide_worker_more(hide_worker *w)
     return true;
 }
 
-/* What is farther above all of a front than this does not touch it: its `depth` is below its farthest corner by as much as
- * one must be above a face so as not to touch it. */
-static double thickness(const hide_front *front, const hide_box *box)
-{
-    return front->corners ? (double)box->z1 - (double)front->depth : INFINITY;
-}
-
 bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *grid, bool all)
 {
     *w = (hide_worker){.picture = picture, .grid = grid, .margin = hide_margin(&picture->space), .all = all};
-    for (uint32_t k = 0; all && k < picture->front_count; k++)
-        w->thickest = greater(w->thickest, thickness(&picture->front[k], &picture->front_box[k]));
     w->least[0] = w->least[2] = -INFINITY;
     w->most[1] = w->most[3] = INFINITY;
     w->seen = alloc_zeroed(picture->front_count, sizeof *w->seen);
@@ -192,8 +183,7 @@ static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hid
             next = grid->next[k];
             continue;
         }
-        unsigned near = four_bytes_at_most((const uint32_t *)(grid->entry + k), sides);
-        near &= end - k < 4 ? (1u << (end - k)) - 1 : 15u;
+        unsigned near = objet_near(grid, k, end, sides);
         for (next = k + 4; near; near &= near - 1) {
             uint32_t front = grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front;
             const hide_box *other = &picture->front_box[front];
@@ -374,13 +364,12 @@ static void look_at_cell(const hide_worker *w, size_t cell, uint32_t sides, look
     const objet *grid = w->grid;
     const hide_picture *picture = w->picture;
     for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end; k += 4) {
-        unsigned near = four_bytes_at_most((const uint32_t *)(grid->entry + k), sides);
-        near &= end - k < 4 ? (1u << (end - k)) - 1 : 15u;
+        unsigned near = objet_near(grid, k, end, sides);
         for (; near; near &= near - 1) {
             uint32_t index = grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front;
             const hide_front *front = &picture->front[index];
             const hide_box *box = &picture->front_box[index];
-            if ((double)box->z1 + (l->touching ? w->thickest : 0.0) < l->best)
+            if ((double)box->z1 + (l->touching ? picture->thickest : 0.0) < l->best)
                 return; /* and so are all that follow */
             if (box_holds(picture, box, l->x, l->y) && !(l->touching && front->solid >= l->solid))
                 look_at_front(picture, front, (double)box->z1, l);

@@ -40,7 +40,6 @@ typedef struct hide_worker {
     float least[4], most[4]; /* of x0, x1, y0, y1 of a front that meets the box of the edges at work */
     float place[4];          /* objet_place() of it */
     bool all;                /* who hides a part is asked too */
-    double thickest;         /* then: what is so much above a front does not touch it */
     bool shrinks;            /* the boxes of the lines at work shrink with what is hidden of them */
     size_t live;             /* lines of the group at work that are not wholly hidden */
     /* [front_count] the last group of edges that met the front, by its stamp. Short, so that more of it stays in the cache. */

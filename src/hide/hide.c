@@ -236,12 +236,13 @@ static roberts_status build(hide_job *job, const roberts_camera *camera, roberts
                          options->epsilon, v->diameter * v->unit);
     drawing->view_time = lap(&clock);
     const hide_picture *picture = &job->picture;
+    double depth;
+    scan_frame frame = cells_for_lists(picture->front_box, picture->front_count, picture->low, picture->high,
+                                       options->grid, hide_margin(&picture->space), &depth);
     /* Hidden segments are looked up in the picture at their own turn anyway. */
-    if (!options->keep_hidden && !ahead_init(&job->ahead, picture))
+    if (!options->keep_hidden && !ahead_init(&job->ahead, picture, depth))
         return ROBERTS_NO_MEMORY;
     hide_picture_drop_boxes(&job->picture);
-    scan_frame frame = cells_for_lists(picture->front_box, picture->front_count, picture->low, picture->high,
-                                       options->grid, hide_margin(&picture->space));
     status = objet_build(&job->grid, picture, frame, options->threads);
     drawing->grid_time = lap(&clock);
     return status;

@@ -77,6 +77,12 @@ static inline uint32_t objet_most(uint32_t cut)
     return objet_sides((cut >> 8 & 0x00ff00ff) | (cut << 8 & 0xff00ff00));
 }
 
+/* Which of the four entries from k on, but none from `end` on, have sides within the most they may be. */
+static inline unsigned objet_near(const objet *grid, uint32_t k, uint32_t end, uint32_t most)
+{
+    return four_bytes_at_most((const uint32_t *)(grid->entry + k), most) & (end - k < 4 ? (1u << (end - k)) - 1 : 15u);
+}
+
 /* The cells that AB touches, column by column; false: no memory. */
 bool objet_cells(const objet *grid, roberts_vec3 A, roberts_vec3 B, objet_walk *walk);
 

@@ -247,6 +247,18 @@ static bool add_singles(hide_picture *picture, const tiles *t)
     return true;
 }
 
+/* A front's `depth` is below its farthest corner by as much as one must be above a face so as not to touch it. */
+static double thickest(const hide_picture *picture)
+{
+    double most = 0.0;
+    for (uint32_t k = 0; k < picture->front_count; k++) {
+        const hide_front *front = &picture->front[k];
+        double own = front->corners ? (double)picture->front_box[k].z1 - (double)front->depth : INFINITY;
+        most = greater(most, own);
+    }
+    return most;
+}
+
 static void add_counts(hide_picture *picture, const tiles *t)
 {
     for (uint32_t i = 0; i < t->count; i++) {
@@ -308,6 +320,7 @@ static bool add_solids(build *b)
         close_up(picture, &b->tiles);
         add_counts(picture, &b->tiles);
         done = copies_leave_out(picture) && add_singles(picture, &b->tiles);
+        picture->thickest = b->looked_up ? thickest(picture) : INFINITY;
     }
     tiles_free(&b->tiles);
     free_scratch(b);

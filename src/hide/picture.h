@@ -39,6 +39,7 @@ typedef struct hide_picture {
     hide_front *front;     /* [front_count] */
     hide_box *front_box;   /* [front_count] */
     uint32_t front_count;
+    double thickest;   /* what is farther than this above a front's box does not touch it; INFINITY: not known */
     uint32_t *outline; /* compact vertex numbers, likewise */
     bundle_table bundles;
     runs_table face_runs, outline_runs; /* of faces and of outlines of very many corners */
