@@ -276,11 +276,16 @@ static double reach_along(roberts_vec3 a, roberts_vec3 h)
     return fabs(a.x) * h.x + fabs(a.y) * h.y + fabs(a.z) * h.z;
 }
 
+static roberts_vec3 size_of(roberts_vec3 a)
+{
+    return (roberts_vec3){fabs(a.x), fabs(a.y), fabs(a.z)};
+}
+
 /* Bound of |a . V|, which is zero but for rounding: three products and two sums add no more than 3.01 units of rounding
  * (half an epsilon each) times the sum of |a_i V_i|, and a subtraction that made V one more. */
 static double leak(roberts_vec3 a, roberts_vec3 V)
 {
-    return fabs(vec3_dot(a, V)) + 2.0 * DBL_EPSILON * reach_along(a, (roberts_vec3){fabs(V.x), fabs(V.y), fabs(V.z)});
+    return fabs(vec3_dot(a, V)) + 2.0 * DBL_EPSILON * reach_along(a, size_of(V));
 }
 
 /* Bounds of x and y and of their errors, for a parallel view at right angles. A scene may be much deeper than its picture
@@ -308,11 +313,6 @@ static void set_across(view *v, const roberts_scene *scene)
     v->across_rounding = rounding;
 }
 
-static roberts_vec3 size_of(roberts_vec3 a)
-{
-    return (roberts_vec3){fabs(a.x), fabs(a.y), fabs(a.z)};
-}
-
 /* Bound of the error of x and y of one vertex seen from an eye V; leaks: bound of |a.(V - O)| for both axes a of the picture.
  *
  * The exact picture is x' / w' with x' = a.(P - V) and w' = -dir.(P - V) / D, for axes and D as they are stored: a map that
@@ -330,7 +330,7 @@ static roberts_vec3 size_of(roberts_vec3 a)
 static double eye_rounding(const view *v, const roberts_scene *scene, uint32_t vertex, double leaks)
 {
     roberts_vec3 P = scene->point[vertex], q = vec3_scale(v->per_unit, vec3_sub(P, v->origin)), X = view_point(v, P);
-    double widest = fmax(fabs(X.x), fabs(X.y)) * v->inverse_distance, bound;
+    double wide = fmax(fabs(X.x), fabs(X.y)), widest = wide * v->inverse_distance;
     double w = 1.0 - vec3_dot(v->dir, q) * v->inverse_distance;
     if (w < 0.5) {
         q = vec3_scale(v->per_unit, vec3_sub(P, v->viewpoint));
@@ -338,8 +338,7 @@ static double eye_rounding(const view *v, const roberts_scene *scene, uint32_t v
         leaks = 0.0;
     }
     q = size_of(q);
-    bound = fmax(reach_along(v->right, q), reach_along(v->up, q)) + fmax(fabs(X.x), fabs(X.y)) +
-            widest * reach_along(v->dir, q);
+    double bound = fmax(reach_along(v->right, q), reach_along(v->up, q)) + wide + widest * reach_along(v->dir, q);
     bound = 2.0 * ROUNDINGS * 0.5 * DBL_EPSILON * bound + leaks;
     if (scene->low) {
         roberts_vec3 low = size_of(vec3_scale(v->per_unit, scene->low[vertex]));
@@ -380,12 +379,12 @@ static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
     v->across = v->extent;
     if (at_right_angles(v))
         set_across(v, scene);
-    if (v->perspective)
+    if (v->perspective) {
         set_across_from_eye(v, scene, across);
-    if (v->perspective)
         v->plane_rounding =
             ROUNDINGS * 0.5 * DBL_EPSILON *
             fmax(v->diameter, vec3_length(vec3_scale(v->per_unit, vec3_sub(v->viewpoint, scene->centre))));
+    }
     v->epsilon = epsilon > 0.0
                      ? epsilon / v->unit
                      : fmax(EPSILON_OF_DIAMETER * v->diameter, EPSILON_ULPS * DBL_EPSILON * fmax(raw, v->extent));
