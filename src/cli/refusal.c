@@ -9,6 +9,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/box.h"
+#include "model/hull_inputs.h"
 #include "model/scene.h"
 
 /* 1, 2 or 5 times a power of ten, up to a hundredth of the size, which is what coordinates rounded to two digits may be off.
@@ -21,9 +23,6 @@ enum { TOLERANCES = sizeof tolerances / sizeof tolerances[0] };
 /* Of more faces than this no tolerance is tried: a refusal must not take seconds. */
 #define FACES_TRIED 200000
 
-/* Fewer points have no convex hull. */
-enum { HULL_LEAST = 4 };
-
 /* Of n faces each is about 1 / sqrt(n) of the size wide, and a vertex may lie outside its plane by sqrt(n) tolerances (see
  * solid_check.c): by no more than this part of the size, which a cube's may at a hundredth. Else the tolerance would pass a
  * surface of many small faces, or a solid far from the origin, whatever its shape. */
@@ -33,12 +32,9 @@ static const double OUTSIDE_MOST = 0.025;
  * most 1. */
 static double part_of_coordinates(const roberts_scene *scene, uint32_t s)
 {
-    const roberts_vec3 *first = scene->point + scene->solid[s].vertex, *end = scene->point + scene->solid[s + 1].vertex;
-    roberts_vec3 low = *first, high = *first;
-    for (const roberts_vec3 *p = first; p < end; p++) {
-        low = (roberts_vec3){fmin(low.x, p->x), fmin(low.y, p->y), fmin(low.z, p->z)};
-        high = (roberts_vec3){fmax(high.x, p->x), fmax(high.y, p->y), fmax(high.z, p->z)};
-    }
+    const uint32_t first = scene->solid[s].vertex;
+    roberts_vec3 low = scene->point[first], high = low;
+    box_add_all(&low, &high, scene->point + first, scene->solid[s + 1].vertex - first);
     const double size = fmax(high.x - low.x, fmax(high.y - low.y, high.z - low.z));
     const double largest = fmax(fmax(fmax(high.x, -low.x), fmax(high.y, -low.y)), fmax(high.z, -low.z));
     return size < largest ? size / largest : 1.0;
@@ -70,7 +66,7 @@ static bool passes(const cli_options *options, const roberts_mesh *mesh, double 
 /* The first of the tolerances that passes, by bisection; 0 where none does that can be told. */
 static double find_tolerance(const cli_options *options, const roberts_mesh *mesh)
 {
-    const double tried = options->scene.tolerance > 0.0 ? options->scene.tolerance : 1e-5;
+    const double tried = options->scene.tolerance > 0.0 ? options->scene.tolerance : SCENE_TOLERANCE;
     size_t fails = 0, does = TOLERANCES - 1;
     double most = 0.0;
     if (mesh->face_count > FACES_TRIED || tolerances[does] <= tried || !passes(options, mesh, tolerances[does], &most))
@@ -98,7 +94,7 @@ void refusal_explain(const cli_options *options, const roberts_mesh *mesh, rober
     const double tolerance = shape ? find_tolerance(options, mesh) : 0.0;
     if (tolerance > 0.0)
         snprintf(error->message + used, room, " (--tolerance %g would do; see also --hull)", tolerance);
-    else if (mesh->vertex_count >= HULL_LEAST)
+    else if (mesh->vertex_count >= HULL_POINTS)
         snprintf(error->message + used, room, " (see --hull)");
 }
 

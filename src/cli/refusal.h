@@ -7,7 +7,7 @@
 /* Appends to the error's message which options would have the mesh, of which roberts_scene_build() has made no scene. */
 void refusal_explain(const cli_options *options, const roberts_mesh *mesh, roberts_error *error);
 
-/* Appends what was meant, where the input called `name`, which could not be read, is a folder or a drawing. */
+/* Where the input called `name`, which could not be read, is a folder or a drawing: says so, or what was meant. */
 void refusal_explain_reading(const cli_options *options, const char *name, roberts_error *error);
 
 #endif

@@ -57,7 +57,7 @@ roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, robert
         hull_input range = hull_input_at(mesh, i);
         if (!is_bare(mesh, range))
             continue;
-        if (range.vertex_end - range.vertex < 4)
+        if (range.vertex_end - range.vertex < HULL_POINTS)
             return refuse_few(mesh->source_count ? mesh->source[i].name : NULL, range, error);
         corners += range.vertex_end - range.vertex;
         count++;

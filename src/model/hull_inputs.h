@@ -4,6 +4,9 @@
 
 #include "model/polygons.h"
 
+/* Fewer points have no convex hull. */
+enum { HULL_POINTS = 4 };
+
 /* The vertices and faces of an input; all of the mesh where it was not read from inputs. */
 typedef struct hull_input {
     size_t vertex, vertex_end, face, face_end;

@@ -20,9 +20,6 @@
 #define CHUNK_SOLIDS 256
 #define CHUNKS_PER_THREAD 4 /* with less work than this a thread costs more than it does */
 
-/* Published polyhedra are given to six digits. */
-static const double DEFAULT_TOLERANCE = 1e-5;
-
 /* What the threads that build solids share. */
 typedef struct construction {
     roberts_scene *scene;
@@ -289,7 +286,7 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
     roberts_status status;
     *scene = NULL;
     if (chosen.tolerance == 0.0)
-        chosen.tolerance = DEFAULT_TOLERANCE;
+        chosen.tolerance = SCENE_TOLERANCE;
     if (!(chosen.tolerance > 0.0 && chosen.tolerance <= 1.0)) {
         status =
             error_set(&found, ROBERTS_BAD_ARGUMENT, 0, "the tolerance, %g, is not between 0 and 1", chosen.tolerance);

@@ -16,6 +16,9 @@
 
 #include "base/vec.h"
 
+/* How far from planar and convex a solid may be where nothing is said: published polyhedra are given to six digits. */
+#define SCENE_TOLERANCE 1e-5
+
 typedef struct scene_solid {
     uint32_t vertex, face, edge; /* first of each; the next solid's first ends them */
     uint32_t stored;             /* where scene->edge has its edges; while it is built, see patterns.h */
