@@ -614,13 +614,39 @@ static void visible_rows_alone(void **state)
     for_each(check_visible_alone);
 }
 
-/* Three solids of some thirty front faces, which are entered face by face, and boxes among them; all to two digits, so that faces
- * leave gaps between them where edges pierce them. */
-static roberts_scene *make_gaps(uint64_t seed, roberts_camera *camera)
+/* The model to two digits, and so far from planar as that makes it. Frees the model. */
+static roberts_scene *build_coarse(model *m)
 {
     const roberts_scene_options options = {.tolerance = 0.05};
     roberts_scene *scene = NULL;
     roberts_error error;
+    model_to_digits(m, 2);
+    if (roberts_scene_build(&m->mesh, &options, &scene, &error) != ROBERTS_OK)
+        fail_msg("%s", error.message);
+    model_free(m);
+    return scene;
+}
+
+/* What is visible among hidden rows is so without them, exactly or but for ties. Frees the scene. */
+static void check_scene_alone(roberts_scene *scene, const roberts_camera *camera, const char *name, bool ties)
+{
+    roberts_hide_options options = with_hidden();
+    roberts_drawing visible, alone;
+    assert_int_equal(roberts_hide(scene, camera, &options, &visible, NULL), ROBERTS_OK);
+    allowance may = {.t = ties ? T_BOUND : 0.0, .p = ties ? picture_bound(&visible) : 0.0};
+    options.keep_hidden = false;
+    assert_int_equal(roberts_hide(scene, camera, &options, &alone, NULL), ROBERTS_OK);
+    filter(&visible, is_visible);
+    expect_same("visible rows alone", name, "one view", &visible, &alone, may);
+    roberts_drawing_free(&visible);
+    roberts_drawing_free(&alone);
+    roberts_scene_free(scene);
+}
+
+/* Three solids of some thirty front faces, which are entered face by face, and boxes among them; all to two digits, so that faces
+ * leave gaps between them where edges pierce them. */
+static roberts_scene *make_gaps(uint64_t seed, roberts_camera *camera)
+{
     model m = {0};
     rng r = {seed};
     for (int i = 0; i < 3; i++) {
@@ -635,13 +661,9 @@ static roberts_scene *make_gaps(uint64_t seed, roberts_camera *camera)
         double w = rng_between(&r, 0.1, 1), h = rng_between(&r, 0.1, 1), d = rng_between(&r, 0.1, 0.5);
         model_box(&m, (roberts_vec3){x, y, z}, (roberts_vec3){x + w, y + h, z + d});
     }
-    model_to_digits(&m, 2);
     double x = rng_between(&r, -0.2, 0.2), y = rng_between(&r, -0.2, 0.2);
     *camera = (roberts_camera){.dir = {x, y, 1}};
-    if (roberts_scene_build(&m.mesh, &options, &scene, &error) != ROBERTS_OK)
-        fail_msg("%s", error.message);
-    model_free(&m);
-    return scene;
+    return build_coarse(&m);
 }
 
 /* What all its faces hide together is hidden by such a solid, also where some of them reach only what others hide already. */
@@ -649,18 +671,9 @@ static void visible_rows_behind_gaps(void **state)
 {
     (void)state;
     for (uint64_t seed = 1; seed <= 600; seed++) {
-        roberts_hide_options options = with_hidden();
         roberts_camera camera;
-        roberts_drawing visible, alone;
         roberts_scene *scene = make_gaps(seed, &camera);
-        assert_int_equal(roberts_hide(scene, &camera, &options, &visible, NULL), ROBERTS_OK);
-        options.keep_hidden = false;
-        assert_int_equal(roberts_hide(scene, &camera, &options, &alone, NULL), ROBERTS_OK);
-        filter(&visible, is_visible);
-        expect_same("visible rows alone", "faces with gaps", "near the top", &visible, &alone, (allowance){0});
-        roberts_drawing_free(&visible);
-        roberts_drawing_free(&alone);
-        roberts_scene_free(scene);
+        check_scene_alone(scene, &camera, "faces with gaps", false);
     }
 }
 
@@ -668,9 +681,6 @@ static void visible_rows_behind_gaps(void **state)
  * coincide with corners there, and faces do not fill their outlines. */
 static roberts_scene *make_echoes(uint64_t seed)
 {
-    const roberts_scene_options options = {.tolerance = 0.05};
-    roberts_scene *scene = NULL;
-    roberts_error error;
     model m = {0};
     rng r = {seed};
     for (int i = 0; i < 12; i++) {
@@ -683,31 +693,15 @@ static roberts_scene *make_echoes(uint64_t seed)
             model_add(&m, &shapes[i % SHAPES], mat3_times(turn, mat3_scale(size, size, size)), behind);
         }
     }
-    model_to_digits(&m, 2);
-    if (roberts_scene_build(&m.mesh, &options, &scene, &error) != ROBERTS_OK)
-        fail_msg("%s", error.message);
-    model_free(&m);
-    return scene;
+    return build_coarse(&m);
 }
 
 static void visible_rows_behind_echoes(void **state)
 {
     const roberts_camera camera = {.dir = {1, 2, 2}};
     (void)state;
-    for (uint64_t seed = 1801; seed <= 2400; seed++) { /* a solid that shows was culled in one of them, 2161 */
-        roberts_hide_options options = with_hidden();
-        roberts_drawing visible, alone;
-        roberts_scene *scene = make_echoes(seed);
-        assert_int_equal(roberts_hide(scene, &camera, &options, &visible, NULL), ROBERTS_OK);
-        allowance may = {.t = T_BOUND, .p = picture_bound(&visible)};
-        options.keep_hidden = false;
-        assert_int_equal(roberts_hide(scene, &camera, &options, &alone, NULL), ROBERTS_OK);
-        filter(&visible, is_visible);
-        expect_same("visible rows alone", "solids straight behind others", "along 1,2,2", &visible, &alone, may);
-        roberts_drawing_free(&visible);
-        roberts_drawing_free(&alone);
-        roberts_scene_free(scene);
-    }
+    for (uint64_t seed = 1801; seed <= 2400; seed++) /* a solid that shows was culled in one of them, 2161 */
+        check_scene_alone(make_echoes(seed), &camera, "solids straight behind others", true);
 }
 
 static bool same_edge(const roberts_segment *a, const roberts_segment *b)
