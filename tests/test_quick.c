@@ -240,7 +240,7 @@ static void agrees_with_the_tests(void **state)
         quick_outline outline;
         set_up(&f, &r);
         quick_take(&outline, f.P, f.corner, f.face.count);
-        quick_verdict verdict = quick_test(&outline, &f.space, &f.edge, 20.0, &part);
+        quick_verdict verdict = quick_test(&outline, &f.space, &f.edge, 20.0, NULL, &part);
         seen[verdict]++;
         if (verdict == QUICK_UNCLEAR)
             continue;
@@ -253,6 +253,33 @@ static void agrees_with_the_tests(void **state)
     free(sides.H);
     for (int v = QUICK_UNCLEAR; v < QUICK_EMPTY; v++) /* an edge that misses the outline has missed it before test 4 */
         assert_true(seen[v] > 1000);
+}
+
+/* A part that lies within what is hidden, with what it touches, is none; any other is found as it is. */
+static void within_the_hidden_is_none(void **state)
+{
+    rng r = {18};
+    size_t within = 0, found = 0;
+    (void)state;
+    for (int i = 0; i < 200000; i++) {
+        fixture f;
+        hide_part part = {0}, expected = {0}, hidden = {rng_int(&r, 0, 4) / 8.0, rng_int(&r, 5, 8) / 8.0, 0.0, 0.0};
+        quick_outline outline;
+        set_up(&f, &r);
+        quick_take(&outline, f.P, f.corner, f.face.count);
+        quick_verdict all = quick_test(&outline, &f.space, &f.edge, 20.0, NULL, &expected);
+        quick_verdict verdict = quick_test(&outline, &f.space, &f.edge, 20.0, &hidden, &part);
+        if (all == QUICK_CUT && verdict == QUICK_EMPTY) {
+            assert_true(hidden.t0 == 0.0 || expected.t0 - expected.e0 > hidden.t0);
+            assert_true(hidden.t1 == 1.0 || expected.t1 + expected.e1 < hidden.t1);
+            within++;
+        } else if (all == QUICK_CUT || all == QUICK_INSIDE) {
+            assert_int_equal(verdict, all);
+            assert_memory_equal(&part, &expected, sizeof part);
+            found++;
+        }
+    }
+    assert_true(within > 1000 && found > 1000);
 }
 
 /* An edge in contact is decided at a stroke only where it lies outside of another side, or ends well inside. */
@@ -289,7 +316,7 @@ static void contact_is_unclear(void **state)
         f.space = (hide_space){
             .P = f.P, .epsilon = EPSILON, .rounding = ROUNDING, .plain = hide_plain(5.0, EPSILON, ROUNDING)};
         quick_take(&outline, f.P, f.corner, 4);
-        if (quick_test(&outline, &f.space, &f.edge, 20.0, &part) != cases[i].verdict)
+        if (quick_test(&outline, &f.space, &f.edge, 20.0, NULL, &part) != cases[i].verdict)
             fail_msg("%s", cases[i].name);
     }
 }
@@ -304,6 +331,7 @@ int main(void)
         cmocka_unit_test(four_numbers_are_compared_with_one),
         cmocka_unit_test(four_numbers_are_shifted_alike),
         cmocka_unit_test(agrees_with_the_tests),
+        cmocka_unit_test(within_the_hidden_is_none),
         cmocka_unit_test(contact_is_unclear),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -15,6 +15,8 @@
 
 /* A solid of more columns or rows than this is taken edge by edge. */
 #define GROUP_CELLS 3
+/* When so many fronts have met a group of lines, most of what the next ones hide is hidden already. */
+#define MANY_FRONTS 6
 /* By so much of its edge a hidden part may touch another without regard to where the front that hides it ends. No unit. */
 #define EDGE_REACH 1e-6
 
@@ -110,10 +112,12 @@ static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box
     const hide_front *front = &picture->front[index];
     const hide_box *own = &picture->front_box[index];
     hide_meeting meeting = hide_meet(picture, front, own, box);
+    bool ask = w->shrinks && ++w->met > MANY_FRONTS;
     for (; bits; bits &= bits - 1) {
         hide_line *line = first + bits_trailing_zeros(bits);
+        const hide_part *hidden = ask && line->parts.count ? &line->parts.item[line->parts.count - 1].part : NULL;
         hide_part part;
-        if (!hide_by_front(picture, &meeting, &line->e, &w->sides, &w->tally, &part))
+        if (!hide_by_front(picture, &meeting, &line->e, hidden, &w->sides, &w->tally, &part))
             continue;
         if (!is_confined(w, own, &line->e, &part) && !confine(w, own, &line->e, &part))
             continue;
@@ -244,7 +248,7 @@ static bool run_alone(hide_worker *w, uint32_t solid, hide_line *line)
 /* All edges through the cells of their common box. */
 static bool run_together(hide_worker *w, uint32_t solid, uint32_t left, uint32_t right, uint32_t low, uint32_t high)
 {
-    w->live = 0;
+    w->live = w->met = 0;
     w->shrinks = !w->all;
     for (size_t i = 0; i < w->line_count; i++) {
         w->live += !w->line[i].hidden;

@@ -41,6 +41,7 @@ typedef struct hide_worker {
     float place[4];          /* objet_place() of it */
     bool all;                /* who hides a part is asked too */
     bool shrinks;            /* the boxes of the lines at work shrink with what is hidden of them */
+    uint32_t met;            /* fronts that met the group at work, where lines shrink */
     size_t live;             /* lines of the group at work that are not wholly hidden */
     /* [front_count] the last group of edges that met the front, by its stamp. Short, so that more of it stays in the cache. */
     uint16_t *seen;

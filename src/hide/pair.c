@@ -45,7 +45,7 @@ BITS_INLINE bool by_face(const hide_picture *picture, const hide_face *F, double
     }
     const runs *r = runs_of(&picture->face_runs, F->corner, F->count);
     bool inside = r ? hide_by_runs(&picture->space, r, F, e, sides, tally, part)
-                    : hide_by_outline(picture, F->corner, F->count, span, e, sides, tally, part);
+                    : hide_by_outline(picture, F->corner, F->count, span, e, NULL, sides, tally, part);
     return inside && hide_pierce(&picture->space, F, e, sides, part);
 }
 

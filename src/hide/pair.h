@@ -93,13 +93,14 @@ bool hide_by_outline_closely(const hide_picture *picture, const uint32_t *corner
 /* Tests 2 to 4, counted: the part of e inside an outline; false where there is none. Where all signs are plain the tests
  * are asked together: what is outside one side is then counted for test 3 also where test 2 would have said so. */
 BITS_INLINE bool hide_by_outline(const hide_picture *picture, const uint32_t *corner, uint32_t count, double span,
-                                 const hide_edge *e, hide_sides *sides, roberts_tally *tally, hide_part *part)
+                                 const hide_edge *e, const hide_part *hidden, hide_sides *sides, roberts_tally *tally,
+                                 hide_part *part)
 {
     if (count > QUICK_CORNERS)
         return hide_by_outline_closely(picture, corner, count, e, sides, tally, part);
     if (sides->quick.corner != corner)
         quick_take(&sides->quick, picture->P, corner, count);
-    switch (quick_test(&sides->quick, &picture->space, e, span, part)) {
+    switch (quick_test(&sides->quick, &picture->space, e, span, hidden, part)) {
     case QUICK_MISSED:
         tally->test2_visible++;
         return false;
@@ -120,9 +121,10 @@ BITS_INLINE bool hide_by_outline(const hide_picture *picture, const uint32_t *co
     }
 }
 
-/* False where the front hides nothing of e. sides: room for the picture's most_corners. */
+/* False where the front hides nothing of e, or nothing but what `hidden` (NULL: none), a part of it that is hidden, has already,
+ * and the front is before all of e, so that none of its planes is near. sides: room for the picture's most_corners. */
 BITS_INLINE bool hide_by_front(const hide_picture *picture, const hide_meeting *m, const hide_edge *e,
-                               hide_sides *sides, roberts_tally *tally, hide_part *part)
+                               const hide_part *hidden, hide_sides *sides, roberts_tally *tally, hide_part *part)
 {
     uint32_t near = 0;
     hide_verdict depth = HIDE_INVISIBLE;
@@ -135,7 +137,8 @@ BITS_INLINE bool hide_by_front(const hide_picture *picture, const hide_meeting *
         tally->test1_visible++;
         return false;
     }
-    return hide_by_outline(picture, m->outline, m->corners, m->span, e, sides, tally, part) &&
+    return hide_by_outline(picture, m->outline, m->corners, m->span, e, depth == HIDE_INVISIBLE ? hidden : NULL, sides,
+                           tally, part) &&
            (depth == HIDE_INVISIBLE || hide_pierce_all(picture, m->face, near, e, sides, part));
 }
 

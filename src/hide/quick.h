@@ -30,7 +30,7 @@ typedef enum quick_verdict {
     QUICK_OUTSIDE, /* test 3: outside one side */
     QUICK_INSIDE,  /* test 3: inside all sides */
     QUICK_CUT,     /* test 4: a part is inside */
-    QUICK_EMPTY,   /* test 4: none is */
+    QUICK_EMPTY,   /* test 4: none is, or none that is not known to be hidden */
 } quick_verdict;
 
 /* Takes up the outline P[corner[0]], P[corner[1]], ... of at most QUICK_CORNERS corners. */
@@ -124,15 +124,34 @@ BITS_INLINE quick_verdict quick_cut(const quick_outline *o, const hide_space *sp
     return QUICK_CUT;
 }
 
+/* Is what lies inside plainly within what is hidden, with all that it touches? That is so where the point at which the hidden
+ * part begins is outside of a side that A is outside of, and the one at which it ends of a side that B is outside of (or the
+ * edge itself begins or ends there), and neither is near to any side. */
+BITS_INLINE bool quick_within(const quick_outline *o, double plain, const quick_sides *H, const hide_part *hidden)
+{
+    two t0 = two_all(hidden->t0), t1 = two_all(hidden->t1), nearest = two_all(INFINITY);
+    unsigned before = 0, after = 0;
+    for (size_t i = o->count; i > 0;) {
+        i -= 2;
+        two a = two_load_aligned(H->a + i), ab = two_sub(two_load_aligned(H->b + i), a);
+        two h0 = two_add(a, two_mul(ab, t0)), h1 = two_add(a, two_mul(ab, t1));
+        before = 4 * before + two_signs(h0);
+        after = 4 * after + two_signs(h1);
+        nearest = two_lesser(nearest, two_lesser(two_abs(h0), two_abs(h1)));
+    }
+    return (hidden->t0 == 0.0 || (before & H->out_a)) && (hidden->t1 == 1.0 || (after & H->out_b)) &&
+           two_least(nearest) > plain;
+}
+
 /* Where not all signs are plain. QUICK_OUTSIDE: of one side plainly, whatever the others say. QUICK_CUT: one end is plainly
  * inside, the other near to some side, and H has the signs that tests.c would find. QUICK_UNCLEAR: that takes twice the
  * precision, or no end is plainly inside. */
 quick_verdict quick_settle(const quick_outline *o, const hide_space *space, const hide_edge *e, quick_sides *H);
 
-/* span: no two points of outline and edge are farther apart, along x and y together. Fills `part` where the verdict is
- * QUICK_INSIDE or QUICK_CUT. */
+/* span: no two points of outline and edge are farther apart, along x and y together; hidden: a part of the edge that is, what
+ * lies within it need not be found; NULL: find all. Fills `part` where the verdict is QUICK_INSIDE or QUICK_CUT. */
 BITS_INLINE quick_verdict quick_test(const quick_outline *o, const hide_space *space, const hide_edge *e, double span,
-                                     hide_part *part)
+                                     const hide_part *hidden, hide_part *part)
 {
     quick_sides H;
     if (!quick_signs(o, space->plain, e, &H)) {
@@ -146,6 +165,8 @@ BITS_INLINE quick_verdict quick_test(const quick_outline *o, const hide_space *s
         *part = (hide_part){0.0, 1.0, 0.0, 0.0};
         return QUICK_INSIDE;
     }
+    if (hidden && quick_within(o, space->plain, &H, hidden))
+        return QUICK_EMPTY;
     if (H.out_a && H.out_b) { /* with an end inside there are corners on both sides */
         quick_verdict verdict = quick_corners(o, space->plain, e);
         if (verdict != QUICK_CUT)
