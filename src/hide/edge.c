@@ -171,18 +171,47 @@ BITS_INLINE bool meet_once(hide_worker *w, uint32_t solid, hide_line *line, cons
     return !bits || w->picture->front[front].solid == solid || meet(w, line ? line : w->line, bits, box, front);
 }
 
-/* The same against one cell's fronts, as long as one line is not wholly hidden; `far`: the farthest depth of the lines there.
- * Fronts are looked at four at a time. (To ask for the boxes of the next ones ahead of time gains nothing, also in scenes
- * that no cache holds.) */
-static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t column,
-                      uint32_t row, float far)
+/* The same, where its box reaches theirs. */
+BITS_INLINE bool meet_entry(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t front)
+{
+    return apart(&w->picture->front_box[front], four_load(w->least), four_load(w->most)) ||
+           meet_once(w, solid, line, box, front);
+}
+
+/* The first entry from k on, before `end`, whose front has no point nearer than z. */
+static uint32_t first_behind(const objet *grid, const hide_picture *picture, uint32_t k, uint32_t end, float z)
+{
+    while (k < end) {
+        uint32_t middle = k + (end - k) / 2;
+        if (picture->front_box[grid->entry[middle].front].z1 < z)
+            end = middle;
+        else
+            k = middle + 1;
+    }
+    return k;
+}
+
+/* Entries from `first` on before `end`, the last ones first. */
+static bool meet_backward(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t first,
+                          uint32_t end, uint32_t sides)
+{
+    while (end > first && w->live) {
+        uint32_t k = end - first < 4 ? first : end - 4;
+        for (unsigned near = objet_near(w->grid, k, end, sides); near && w->live; near &= near - 1)
+            if (!meet_entry(w, solid, line, box, w->grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front))
+                return false;
+        end = k;
+    }
+    return true;
+}
+
+/* Entries from k on, the nearest fronts first; `far`: the farthest depth of the lines there. */
+static bool meet_forward(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t k, uint32_t end,
+                         uint32_t sides, float far)
 {
     const objet *grid = w->grid;
     const hide_picture *picture = w->picture;
-    const uint32_t *start = grid->start + (size_t)column * grid->frame.ny + row;
-    four least = four_load(w->least), most = four_load(w->most);
-    uint32_t sides = objet_most(objet_cut(four_load(w->place), column, row));
-    for (uint32_t k = start[0], end = start[1], next; k < end; k = next) {
+    for (uint32_t next; k < end; k = next) {
         if (grid->next && picture->front[grid->entry[k].front].solid == solid) {
             next = grid->next[k];
             continue;
@@ -190,18 +219,33 @@ static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hid
         unsigned near = objet_near(grid, k, end, sides);
         for (next = k + 4; near; near &= near - 1) {
             uint32_t front = grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front;
-            const hide_box *other = &picture->front_box[front];
-            if (other->z1 < far)
+            if (picture->front_box[front].z1 < far)
                 return true; /* and so are all that follow: none of them has a point nearer than the lines here */
-            if (apart(other, least, most))
-                continue;
-            if (!meet_once(w, solid, line, box, front))
+            if (!meet_entry(w, solid, line, box, front))
                 return false;
             if (!w->live)
                 return true;
         }
     }
     return true;
+}
+
+/* The same against one cell's fronts, as long as one line is not wholly hidden. First those that begin before all of the
+ * lines, and of these the farthest: what stands next in a row or a pile hides more than what stands far before both. Then the
+ * others. Fronts are looked at four at a time. (To ask for the boxes of the next ones ahead of time gains nothing, also in
+ * scenes that no cache holds.) */
+static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t column,
+                      uint32_t row, float far)
+{
+    const objet *grid = w->grid;
+    const uint32_t *start = grid->start + (size_t)column * grid->frame.ny + row;
+    uint32_t sides = objet_most(objet_cut(four_load(w->place), column, row)), k = start[0];
+    if (!grid->next) {
+        k = first_behind(grid, w->picture, k, start[1], box->z1);
+        if (!meet_backward(w, solid, line, box, start[0], k, sides))
+            return false;
+    }
+    return !w->live || meet_forward(w, solid, line, box, k, start[1], sides, far);
 }
 
 /* What a front's box must reach, so as to meet this one. */
