@@ -240,7 +240,7 @@ static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hid
     const objet *grid = w->grid;
     const uint32_t *start = grid->start + (size_t)column * grid->frame.ny + row;
     uint32_t sides = objet_most(objet_cut(four_load(w->place), column, row)), k = start[0];
-    if (!grid->next) {
+    if (!line || !grid->next) { /* a line alone would pass all faces of its own solid, those of a fan again and again */
         k = first_behind(grid, w->picture, k, start[1], box->z1);
         if (!meet_backward(w, solid, line, box, start[0], k, sides))
             return false;
