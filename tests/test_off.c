@@ -231,6 +231,8 @@ static const struct {
      "7: another model begins here and is ignored; OFF holds one, but several files are drawn together;"},
     {"two models in braces", "{OFF\n3 1 0\n" POINTS "3 0 1 2\n}\n{ =\nOFF\n3 1 0\n" POINTS "3 0 1 2\n}\n", TRIANGLE,
      "8: another model begins here and is ignored; OFF holds one, but several files are drawn together;"},
+    {"two models in more braces", "OFF\n3 1 0\n" POINTS "3 0 1 2\n{ = { OFF\n3 1 0\n" POINTS "3 0 1 2\n}}\n", TRIANGLE,
+     "7: another model begins here and is ignored; OFF holds one, but several files are drawn together;"},
     {"no keyword, and another model", "3 1 0\n" POINTS "3 0 1 2\nOFF\n", TRIANGLE,
      "6: another model begins here and is ignored; OFF holds one, but several files are drawn together;"},
     {"a word that begins as the keyword", "OFF\n3 1 0\n" POINTS "3 0 1 2\nOFFICE\n", TRIANGLE,

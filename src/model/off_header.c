@@ -56,26 +56,32 @@ static size_t keyword(const char *token, size_t length, off_header *h)
     return i;
 }
 
+/* Takes "{" and "{ =", as often as they come (Geomview nests objects so); returns how many braces. */
+static size_t open_braces(off_reader *r)
+{
+    size_t count = 0;
+    for (; input_skip(&r->in) && *r->in.at == '{'; count++) {
+        r->in.at++;
+        if (input_skip(&r->in) && *r->in.at == '=')
+            r->in.at++;
+    }
+    return count;
+}
+
 bool off_at_keyword(off_reader *r)
 {
     off_header unused = {0};
-    for (int passed = 0; input_skip(&r->in) && passed < 2 && (*r->in.at == '{' || *r->in.at == '='); passed++)
-        r->in.at++;
+    open_braces(r);
     const size_t length = input_token(&r->in);
     return length <= OFF_TOKEN_MAX && keyword(r->in.at, length, &unused) > 0;
 }
 
-/* Looks through a byte-order mark and "{", "{ =". */
+/* Looks through a byte-order mark and braces. */
 static roberts_status opening(off_reader *r)
 {
     if (input_need(&r->in, 3) && memcmp(r->in.at, "\xef\xbb\xbf", 3) == 0)
         r->in.at += 3;
-    while (input_skip(&r->in) && *r->in.at == '{') {
-        r->in.at++;
-        r->header.braces++;
-        if (input_skip(&r->in) && *r->in.at == '=')
-            r->in.at++;
-    }
+    r->header.braces = open_braces(r);
     if (input_token(&r->in) == 0 && !r->in.failure && !r->in.too_blank)
         return off_fail(r, ROBERTS_BAD_SYNTAX, "the input is empty");
     return ROBERTS_OK;
