@@ -178,6 +178,16 @@ static void warn_tables(const cli_options *options, sense_given given)
                 values_format_name(options->draw.format));
 }
 
+/* A pen was chosen for lines of a class that are not drawn: because of what is `missing`, else (NULL) if they are off. */
+static void warn_pen(const char *class, const roberts_pen *pen, const roberts_pen *usual, const char *missing)
+{
+    char what[64];
+    if (same_pen(pen, usual) || !(missing || pen->off))
+        return;
+    snprintf(what, sizeof what, "%s--style %s", missing ? "" : "the pen of ", class);
+    warn(what, missing ? missing : "these lines are off");
+}
+
 static void warn_pages(const cli_options *options, sense_given given)
 {
     const roberts_draw_options *draw = &options->draw, usual = roberts_draw_options_default();
@@ -186,12 +196,13 @@ static void warn_pages(const cli_options *options, sense_given given)
         warn("--dpi", "only png has a resolution");
     if (is_given(given, "unit") && !is_given(given, "scale"))
         warn("--unit", "the drawing is fitted on the page, and not true to --scale");
-    if (!hidden && !same_pen(&draw->back, &usual.back))
-        warn("--style hidden", "hidden lines are not drawn without --hidden dashed or solid");
-    if (draw->frame.off && !same_pen(&draw->frame, &usual.frame))
-        warn("--style frame", "it is not drawn without --frame");
-    if (!options->is_sheet && !same_pen(&draw->symbol, &usual.symbol))
-        warn("--style symbol", "it is not drawn without --sheet");
+    warn_pen("outline", &draw->outline, &usual.outline, NULL);
+    warn_pen("crease", &draw->crease, &usual.crease, NULL);
+    warn_pen("hidden", &draw->back, &usual.back,
+             hidden ? NULL : "hidden lines are not drawn without --hidden dashed or solid");
+    warn_pen("frame", &draw->frame, &usual.frame,
+             !draw->frame.off || is_given(given, "frame") ? NULL : "it is not drawn without --frame");
+    warn_pen("symbol", &draw->symbol, &usual.symbol, options->is_sheet ? NULL : "it is not drawn without --sheet");
     if (draw->real_dashes && !is_dashed(&draw->outline) && !is_dashed(&draw->crease) &&
         !(draw->hidden == ROBERTS_HIDDEN_DASHED && is_dashed(&draw->back)))
         warn("--dash real", "no lines are dashed, as by --hidden dashed");
