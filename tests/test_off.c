@@ -349,7 +349,7 @@ static const struct {
     {"no number of points", "3 rbox c\n", ROBERTS_BAD_SYNTAX, 2,
      "the number of points, alone on its line, expected, but the input ends here"},
     {"fewer points than told", "3 rbox c\n3\n0 0 0\n1 1 1\n", ROBERTS_BAD_SYNTAX, 5,
-     "x of vertex 2 of 3 expected, but the input ends here"},
+     "x of vertex 2 of 0..2 expected, but the input ends here"},
     {"another format with counts", "#VRML V2.0 utf8\nShape {\n", ROBERTS_BAD_SYNTAX, 2,
      "the beginning of an OFF file (keyword OFF, or the counts) expected, found \"Shape\""},
     {"unknown prefix", "XOFF\n3 1 0\n", ROBERTS_BAD_SYNTAX, 1,
@@ -383,44 +383,47 @@ static const struct {
     {"dimension 2 of qhull", "2\n5 10 10\n", ROBERTS_BAD_SYNTAX, 1, "the dimension is 2, but only 3 can be drawn"},
     {"dimension missing", "nOFF\nx\n", ROBERTS_BAD_SYNTAX, 2, "the dimension expected, found \"x\""},
     {"vertex missing", "OFF\n1000 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 999", ROBERTS_BAD_SYNTAX, 6,
-     "y of vertex 4 of 1000 expected, but the input ends here; look: line 6 looks like a face, but the header says "
+     "y of vertex 4 of 0..999 expected, but the input ends here; look: line 6 looks like a face, but the header says "
      "1000 "
      "vertices, and 3 stand before it"},
     {"a number too many, and the end", "OFF\n1000 1 0\n0 0 0\n3 0 1 999\n5 0 0\n1 2\n", ROBERTS_BAD_SYNTAX, 7,
-     "x of vertex 4 of 1000 expected, but the input ends here; look: line 4 has 4 words, and the vertices before it "
+     "x of vertex 4 of 0..999 expected, but the input ends here; look: line 4 has 4 words, and the vertices before it "
      "have 3"},
     {"a vertex more than told", "OFF\n3 2 0\n" POINTS "0 0 1\n3 0 1 3\n", ROBERTS_BAD_INDEX, 7,
      "face 1 names vertex 3, but there are 3, numbered from 0; look: line 6 looks like a vertex, but the header says 3 "
      "vertices, and 3 stand before it"},
     {"normals without NOFF, and an error", "OFF\n3 2 0\n0 0 .5 0 0 1\n1 0 0 0 0 .5\n.5 1 0 0 .5 0\n3 0 1 2\n3 0 2 1\n",
      ROBERTS_BAD_SYNTAX, 5,
-     "the number of corners of face 1 of 2 expected, found \".5\"; look: line 3 has 6 words, and the vertices of OFF "
+     "the number of corners of face 1 of 0..1 expected, found \".5\"; look: line 3 has 6 words, and the vertices of "
+     "OFF "
      "have 3; is NOFF or COFF meant?"},
     {"no normals with NOFF", "NOFF\n4 2 0\n" POINTS "0 0 1\n3 0 1 2\n3 0 1 3\n", ROBERTS_BAD_SYNTAX, 9,
-     "z of vertex 3 of 4 expected, but the input ends here; look: line 3 has 3 words, and the vertices of NOFF have 6"},
+     "z of vertex 3 of 0..3 expected, but the input ends here; look: line 3 has 3 words, and the vertices of NOFF have "
+     "6"},
     {"a word in each vertex", "OFF\n3 1 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\n3 0 1 2\n", ROBERTS_BAD_SYNTAX, 3,
-     "x of vertex 0 of 3 expected, found \"v\""},
+     "x of vertex 0 of 0..2 expected, found \"v\""},
     {"a corner missing in the last face", "OFF\n3 2 0\n" POINTS "3 0 1 2\n3 0 1\n", ROBERTS_BAD_SYNTAX, 8,
-     "corner 3 of 3 of face 1 of 2 expected, but the input ends here; look: line 7 begins a face of 3 corners, and 2 "
+     "corner 3 of 3 in face 1 of 0..1 expected, but the input ends here; look: line 7 begins a face of 3 corners, and "
+     "2 "
      "numbers follow on it"},
     {"semicolons", "OFF\n3 1 0\n" POINTS "3 0 1 2;\n", ROBERTS_BAD_SYNTAX, 6,
-     "corner 3 of 3 of face 0 of 1 expected, found \"2;\"; OFF has decimal points, and blanks between numbers"},
+     "corner 3 of 3 in face 0 of 0..0 expected, found \"2;\"; OFF has decimal points, and blanks between numbers"},
     {"all vertices missing", "OFF\n3 1 0\n", ROBERTS_BAD_SYNTAX, 3,
-     "x of vertex 0 of 3 expected, but the input ends here"},
+     "x of vertex 0 of 0..2 expected, but the input ends here"},
     {"word for a coordinate", "OFF\n3 1 0\n0 0 0\n1 O 0\n0 1 0\n3 0 1 2\n", ROBERTS_BAD_SYNTAX, 4,
-     "y of vertex 1 of 3 expected, found \"O\""},
+     "y of vertex 1 of 0..2 expected, found \"O\""},
     {"line after CR", "OFF\r3 1 0\r\n0 0 0\r1 O 0\n", ROBERTS_BAD_SYNTAX, 4,
-     "y of vertex 1 of 3 expected, found \"O\""},
+     "y of vertex 1 of 0..2 expected, found \"O\""},
     {"decimal comma", "OFF\n3 1 0\n0,5 0 0\n", ROBERTS_BAD_SYNTAX, 3,
-     "x of vertex 0 of 3 expected, found \"0,5\"; OFF has decimal points, and blanks between numbers"},
-    {"hexadecimal", "OFF\n3 1 0\n0 0x10 0\n", ROBERTS_BAD_SYNTAX, 3, "y of vertex 0 of 3 expected, found \"0x10\""},
-    {"half a number", "OFF\n3 1 0\n0 0 1e\n", ROBERTS_BAD_SYNTAX, 3, "z of vertex 0 of 3 expected, found \"1e\""},
+     "x of vertex 0 of 0..2 expected, found \"0,5\"; OFF has decimal points, and blanks between numbers"},
+    {"hexadecimal", "OFF\n3 1 0\n0 0x10 0\n", ROBERTS_BAD_SYNTAX, 3, "y of vertex 0 of 0..2 expected, found \"0x10\""},
+    {"half a number", "OFF\n3 1 0\n0 0 1e\n", ROBERTS_BAD_SYNTAX, 3, "z of vertex 0 of 0..2 expected, found \"1e\""},
     {"half a number at the end", "OFF\n3 1 0\n0 0 1e", ROBERTS_BAD_SYNTAX, 3,
-     "z of vertex 0 of 3 expected, found \"1e\""},
+     "z of vertex 0 of 0..2 expected, found \"1e\""},
     {"nan", "OFF\n3 1 0\n0 0 nan\n", ROBERTS_BAD_NUMBER, 3,
-     "z of vertex 0 of 3 expected, found \"nan\"; it must be a finite number"},
+     "z of vertex 0 of 0..2 expected, found \"nan\"; it must be a finite number"},
     {"inf", "OFF\n3 1 0\n0 0 0\n-Inf 0 0\n", ROBERTS_BAD_NUMBER, 4,
-     "x of vertex 1 of 3 expected, found \"-Inf\"; it must be a finite number"},
+     "x of vertex 1 of 0..2 expected, found \"-Inf\"; it must be a finite number"},
     {"overflow", "OFF\n3 1 0\n0 0 0\n0 1e400 0\n", ROBERTS_BAD_NUMBER, 4, "vertex 1 has a coordinate beyond 1e+150"},
     {"1e308", "OFF\n3 1 0\n0 -1e308 0\n", ROBERTS_BAD_NUMBER, 3, "vertex 0 has a coordinate beyond 1e+150"},
     {"just too large", "OFF\n3 1 0\n0 0 1.0000000000000002e150\n", ROBERTS_BAD_NUMBER, 3,
@@ -430,15 +433,16 @@ static const struct {
     {"w tiny", "4OFF\n3 1 0\n0 0 0 1\n1 0 0 1e-200\n", ROBERTS_BAD_NUMBER, 4,
      "vertex 1 has a coordinate beyond 1e+150"},
     {"w missing", "4OFF\n1 0 0\n0 0 0\n", ROBERTS_BAD_SYNTAX, 4,
-     "w of vertex 0 of 1 expected, but the input ends here; look: line 3 has 3 words, and the vertices of 4OFF have 4"},
+     "w of vertex 0 of 0..0 expected, but the input ends here; look: line 3 has 3 words, and the vertices of 4OFF have "
+     "4"},
     {"normal missing", "NOFF\n1 0 0\n0 0 0 1 0\n", ROBERTS_BAD_SYNTAX, 4,
-     "the normal of vertex 0 of 1 expected, but the input ends here; look: line 3 has 5 words, and the vertices of "
+     "the normal of vertex 0 of 0..0 expected, but the input ends here; look: line 3 has 5 words, and the vertices of "
      "NOFF "
      "have 6"},
     {"word for a normal", "NOFF\n1 0 0\n0 0 0 1 up 0\n", ROBERTS_BAD_SYNTAX, 3,
-     "the normal of vertex 0 of 1 expected, found \"up\""},
+     "the normal of vertex 0 of 0..0 expected, found \"up\""},
     {"texture missing", "STOFF\n1 0 0\n0 0 0 1\n", ROBERTS_BAD_SYNTAX, 4,
-     "the colour or texture of vertex 0 of 1 expected, but the input ends here; look: line 3 has 4 words, and the "
+     "the colour or texture of vertex 0 of 0..0 expected, but the input ends here; look: line 3 has 4 words, and the "
      "vertices of STOFF have 5"},
     {"index too large", "OFF\n3 1 0\n" POINTS "3 0 1 3\n", ROBERTS_BAD_INDEX, 6,
      "face 0 names vertex 3, but there are 3, numbered from 0"},
@@ -451,31 +455,33 @@ static const struct {
     {"negative index", "OFF\n3 1 0\n" POINTS "3 0 -1 2\n", ROBERTS_BAD_INDEX, 6,
      "face 0 names vertex -1, but there are 3"},
     {"index with a point", "OFF\n3 1 0\n" POINTS "3 0 1. 2\n", ROBERTS_BAD_SYNTAX, 6,
-     "corner 2 of 3 of face 0 of 1 expected, found \"1.\""},
+     "corner 2 of 3 in face 0 of 0..0 expected, found \"1.\""},
     {"minus", "OFF\n3 1 0\n" POINTS "3 0 - 2\n", ROBERTS_BAD_SYNTAX, 6,
-     "corner 2 of 3 of face 0 of 1 expected, found \"-\""},
+     "corner 2 of 3 in face 0 of 0..0 expected, found \"-\""},
     {"face cut short", "OFF\n3 1 0\n" POINTS "3 0 1\n", ROBERTS_BAD_SYNTAX, 7,
-     "corner 3 of 3 of face 0 of 1 expected, but the input ends here; look: line 6 begins a face of 3 corners, and 2 "
+     "corner 3 of 3 in face 0 of 0..0 expected, but the input ends here; look: line 6 begins a face of 3 corners, and "
+     "2 "
      "numbers follow on it"},
     {"word for a face", "OFF\n3 2 0\n" POINTS "3 0 1 2\nend\n", ROBERTS_BAD_SYNTAX, 7,
-     "the number of corners of face 1 of 2 expected, found \"end\""},
+     "the number of corners of face 1 of 0..1 expected, found \"end\""},
     {"negative corner count", "OFF\n3 1 0\n" POINTS "-3 0 1 2\n", ROBERTS_BAD_SYNTAX, 6,
-     "the number of corners of face 0 of 1 expected, found \"-3\", which is negative"},
+     "the number of corners of face 0 of 0..0 expected, found \"-3\", which is negative"},
     {"face of 4e9 corners", "OFF\n3 1 0\n" POINTS "4000000000 0 1 2\n", ROBERTS_BAD_SYNTAX, 7,
-     "corner 4 of 4000000000 of face 0 of 1 expected, but the input ends here; look: line 6 begins a face of "
+     "corner 4 of 4000000000 in face 0 of 0..0 expected, but the input ends here; look: line 6 begins a face of "
      "4000000000 "
      "corners, and 3 numbers follow on it"},
     {"4e9 vertices", "OFF\n4000000000 4000000000 0\n0 0 0\n", ROBERTS_BAD_SYNTAX, 4,
-     "x of vertex 1 of 4000000000 expected, but the input ends here"},
+     "x of vertex 1 of 0..3999999999 expected, but the input ends here"},
     {"more vertices than can be counted", "OFF\n99999999999999999999999 1 0\n0 0 0\n", ROBERTS_BAD_SYNTAX, 4,
-     "x of vertex 1 of 18446744073709551615 expected, but the input ends here"},
-    {"brace too early", "{OFF\n3 1 0\n0 0 0\n}", ROBERTS_BAD_SYNTAX, 4, "x of vertex 1 of 3 expected, found \"}\""},
+     "x of vertex 1 of 0..18446744073709551614 expected, but the input ends here"},
+    {"brace too early", "{OFF\n3 1 0\n0 0 0\n}", ROBERTS_BAD_SYNTAX, 4, "x of vertex 1 of 0..2 expected, found \"}\""},
     {"a number missing", "OFF\n4 2 0\n0 0 0\n1 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 9\n", ROBERTS_BAD_INDEX, 8,
      "face 1 names vertex 9, but there are 4; look: line 4 has 2 words, and the vertices before it have 3"},
     {"the first vertex beside the counts", "OFF 3 2 0 0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 9\n", ROBERTS_BAD_INDEX, 5,
      "face 1 names vertex 9, but there are 3"},
     {"a normal too few", "NOFF\n3 2 0\n0 0 0 0 0 1\n1 0 0 0 0\n0 1 0 0 0 1\n3 0 1 2\n3 0 x 2\n", ROBERTS_BAD_SYNTAX, 7,
-     "corner 2 of 3 of face 1 of 2 expected, found \"x\"; look: line 4 has 5 words, and the vertices before it have 6"},
+     "corner 2 of 3 in face 1 of 0..1 expected, found \"x\"; look: line 4 has 5 words, and the vertices before it have "
+     "6"},
     {"points", "0.5 0 0\n1 0 0\n\n0 1 0\n", ROBERTS_BAD_SYNTAX, 0,
      "this looks like points, 3 numbers on each line, not like OFF; with two lines before them, \"3 points\" and "
      "\"3\", they can be read as points to take the hull of"},
@@ -512,14 +518,15 @@ static const struct {
     {"XYZ with an energy for a title", "12\n-76.4\nO 0 0 .1\n", ROBERTS_BAD_SYNTAX, 0,
      "this looks like XYZ, the atoms of a molecule, but only OFF can be read"},
     {"a dimension, counts and a word", "3\n4 4 6\nx 0 0 0\n", ROBERTS_BAD_SYNTAX, 3,
-     "x of vertex 0 of 4 expected, found \"x\""},
+     "x of vertex 0 of 0..3 expected, found \"x\""},
     {"another dimension and words", "4\nfour-dimensional\n0 0 0 1\n", ROBERTS_BAD_SYNTAX, 1,
      "the dimension is 4, but only 3 can be drawn"},
     {"no keyword, and faces", "3 1 0\n" POINTS "3 0 1 3\n", ROBERTS_BAD_INDEX, 5,
      "face 0 names vertex 3, but there are 3, numbered from 0"},
     {"BINARY with a tail", "OFF BINARY 3\n", ROBERTS_BAD_SYNTAX, 1,
      "the end of the line after BINARY expected, found \"3\""},
-    {"BINARY and nothing", "OFF BINARY\n", ROBERTS_BAD_SYNTAX, 0, "the input ends in count 0 of 3"},
+    {"BINARY and nothing", "OFF BINARY\n", ROBERTS_BAD_SYNTAX, 0, "the input ends in its counts"},
+    {"BINARY and no dimension", "nOFF BINARY\n", ROBERTS_BAD_SYNTAX, 0, "the input ends in its counts"},
 };
 
 static void refuses_bad_input(void **state)
@@ -553,9 +560,9 @@ static void refuses_nul_bytes(void **state)
          "the beginning of an OFF file (keyword OFF, or the counts) expected, found a word of more than "
          "4096 characters"},
         {zeros, 2, 1, "the beginning of an OFF file (keyword OFF, or the counts) expected, found \"\\x00\\x00\""},
-        {"OFF\n1 0 0\n0 0\0 0\n", 18, 3, "y of vertex 0 of 1 expected, found \"0\\x00\""},
-        {"OFF\n1 0 0\n0 0 \0\n", 16, 3, "z of vertex 0 of 1 expected, found \"\\x00\""},
-        {"OFF\n1 1 0\n0 0 0\n3 0\0", 20, 4, "corner 1 of 3 of face 0 of 1 expected, found \"0\\x00\""},
+        {"OFF\n1 0 0\n0 0\0 0\n", 18, 3, "y of vertex 0 of 0..0 expected, found \"0\\x00\""},
+        {"OFF\n1 0 0\n0 0 \0\n", 16, 3, "z of vertex 0 of 0..0 expected, found \"\\x00\""},
+        {"OFF\n1 1 0\n0 0 0\n3 0\0", 20, 4, "corner 1 of 3 in face 0 of 0..0 expected, found \"0\\x00\""},
     };
     (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -676,24 +683,24 @@ static void stops_reading_the_endless(void **state)
         {"OFF ", "1", ROBERTS_BAD_SYNTAX, 1 << 17,
          "the number of vertices expected, found a word of more than 4096 characters"},
         {"OFF 1 0 0 0 0.", "1", ROBERTS_BAD_SYNTAX, 1 << 17,
-         "y of vertex 0 of 1 expected, found a word of more than 4096 characters"},
+         "y of vertex 0 of 0..0 expected, found a word of more than 4096 characters"},
         {"OFF 1 1 0 0 0 0 3 0 ", "0", ROBERTS_BAD_SYNTAX, 1 << 17,
-         "corner 2 of 3 of face 0 of 1 expected, found a word of more than 4096 characters"},
+         "corner 2 of 3 in face 0 of 0..0 expected, found a word of more than 4096 characters"},
         {"OFF 1 0 0 0 0 ", "x", ROBERTS_BAD_SYNTAX, 1 << 17,
-         "z of vertex 0 of 1 expected, found a word of more than 4096 characters"},
+         "z of vertex 0 of 0..0 expected, found a word of more than 4096 characters"},
         {"OFF 1 1 0 0 0 0 1 0 ", "1 ", ROBERTS_BAD_SYNTAX, 100 << 20, "the line of face 0 does not end"},
         {"OFF 1 0 0 ", "\n", ROBERTS_BAD_SYNTAX, 100 << 20,
-         "x of vertex 0 of 1 expected, but nothing but blanks and comments follows"},
+         "x of vertex 0 of 0..0 expected, but nothing but blanks and comments follows"},
         {"OFF 1 0 0 #", "no end", ROBERTS_BAD_SYNTAX, 100 << 20,
-         "x of vertex 0 of 1 expected, but nothing but blanks and comments follows"},
+         "x of vertex 0 of 0..0 expected, but nothing but blanks and comments follows"},
         {"OFF #", "1 ", ROBERTS_BAD_SYNTAX, 100 << 20,
          "the number of vertices expected, but nothing but blanks and comments follows"},
         {"OFF 1 0 #", "no end", ROBERTS_BAD_SYNTAX, 100 << 20,
-         "x of vertex 0 of 1 expected, but nothing but blanks and comments follows"},
+         "x of vertex 0 of 0..0 expected, but nothing but blanks and comments follows"},
         {"4OFF 1 0 0 #", "1 ", ROBERTS_BAD_SYNTAX, 100 << 20,
-         "x of vertex 0 of 1 expected, but nothing but blanks and comments follows"},
+         "x of vertex 0 of 0..0 expected, but nothing but blanks and comments follows"},
         {"OFF 2 0 0 0 0 0 #", "1 ", ROBERTS_BAD_SYNTAX, 100 << 20,
-         "x of vertex 1 of 2 expected, but nothing but blanks and comments follows"},
+         "x of vertex 1 of 0..1 expected, but nothing but blanks and comments follows"},
         {"OFF 1 1 0 0 0 0\n1 0\n", "1 0 0\n", ROBERTS_OK, 1 << 17, ""},
         {"OFF 1 1 0 0 0 0\n1 0\n", "\n", ROBERTS_OK, 1 << 17, ""},
     };

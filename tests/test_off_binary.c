@@ -140,7 +140,7 @@ static void finds_the_order_from_the_vertices(void **state)
         put_floats(&big, 3, 1.5, 1.5, -2.0);
         roberts_error error;
         assert_int_equal(read_file(&big, &mesh, &error), ROBERTS_BAD_SYNTAX);
-        assert_string_equal(error.message, "the input ends in vertex 1 of 65536");
+        assert_string_equal(error.message, "the input ends in vertex 1 of 0..65535");
     }
 }
 
@@ -377,21 +377,21 @@ static void refuses_bad_values(void **state)
          0,
          {4000000000, 0, 0, 0, 0},
          ROBERTS_BAD_SYNTAX,
-         "the input ends in face 0 of 1"},
+         "the input ends in face 0 of 0..0"},
         {"4e9 faces",
          "OFF BINARY\n",
          {1, 4000000000, 0},
          0,
          {3, 0, 0, 0, 1},
          ROBERTS_BAD_SYNTAX,
-         "the input ends in face 0 of 4000000000"},
+         "the input ends in face 0 of 0..3999999999"},
         {"4e9 vertices",
          "OFF BINARY\n",
          {4000000000, 1, 0},
          0x3f800000,
          {3, 0, 0, 0, 1},
          ROBERTS_BAD_SYNTAX,
-         "the input ends in vertex 2 of 4000000000"},
+         "the input ends in vertex 2 of 0..3999999999"},
         {"colour count",
          "OFF BINARY\n",
          {1, 1, 0},

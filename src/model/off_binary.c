@@ -50,12 +50,15 @@ static bool next_word(off_reader *r, const words *w, uint32_t *word)
     return true;
 }
 
+/* count 0: there is but one of these. */
 static roberts_status ends_in(off_reader *r, const char *what, uint64_t number, uint64_t count)
 {
     if (r->in.failure)
         return off_expected(r, ROBERTS_IO, "%s", what);
-    return off_fail(r, ROBERTS_BAD_SYNTAX, "the input ends in %s %llu of %llu", what, (unsigned long long)number,
-                    (unsigned long long)count);
+    if (count == 0)
+        return off_fail(r, ROBERTS_BAD_SYNTAX, "the input ends in %s", what);
+    return off_fail(r, ROBERTS_BAD_SYNTAX, "the input ends in %s %llu of 0..%llu", what, (unsigned long long)number,
+                    (unsigned long long)count - 1);
 }
 
 /* ---- the order of bytes ------------------------------------------------------------------------------------------ */
@@ -94,7 +97,7 @@ static roberts_status read_counts(off_reader *r, words *w)
     uint32_t count[3], dimension;
     if (r->header.dimension) {
         if (!input_need(&r->in, WORD))
-            return ends_in(r, "count", 0, 4);
+            return ends_in(r, "its counts", 0, 0);
         dimension = word_at(r->in.at, false) <= UINT16_MAX ? word_at(r->in.at, false) : word_at(r->in.at, true);
         if (dimension != 3)
             return off_fail(r, ROBERTS_BAD_SYNTAX, "the dimension is %lu, but only 3 can be drawn",
@@ -104,7 +107,7 @@ static roberts_status read_counts(off_reader *r, words *w)
     w->little = little_endian(r, w);
     for (int i = 0; i < 3; i++) {
         if (!next_word(r, w, &count[i]))
-            return ends_in(r, "count", (uint64_t)i, 3);
+            return ends_in(r, "its counts", 0, 0);
     }
     r->header.vertices = count[0];
     r->header.faces = count[1];

@@ -64,8 +64,8 @@ static bool not_finite(off_reader *r)
 
 static roberts_status bad_vertex(off_reader *r, uint64_t v, const char *part)
 {
-    return off_expected(r, not_finite(r) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX, "%s of vertex %llu of %llu", part,
-                        (unsigned long long)v, (unsigned long long)r->header.vertices);
+    return off_expected(r, not_finite(r) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX, "%s of vertex %llu of 0..%llu",
+                        part, (unsigned long long)v, (unsigned long long)r->header.vertices - 1);
 }
 
 /* Skips a normal: of no use here, so that "nan" is no reason to refuse a file. */
@@ -229,9 +229,9 @@ static roberts_status bad_corner(off_reader *r, uint64_t f, uint64_t i, uint64_t
     in->at += negative;
     if (!off_integer(r, &index)) {
         in->at -= negative;
-        return off_expected(r, ROBERTS_BAD_SYNTAX, "corner %llu of %llu of face %llu of %llu",
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "corner %llu of %llu in face %llu of 0..%llu",
                             (unsigned long long)i + 1, (unsigned long long)count, (unsigned long long)f,
-                            (unsigned long long)r->header.faces);
+                            (unsigned long long)r->header.faces - 1);
     }
     const bool next = !negative && index == r->header.vertices;
     return off_fail(r, ROBERTS_BAD_INDEX, "face %llu names vertex %s%llu, but there are %llu%s%s",
@@ -295,8 +295,8 @@ static roberts_status read_face(off_reader *r, uint64_t f)
 {
     uint64_t count;
     if (!index_number(r, UINT64_MAX, &count))
-        return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of corners of face %llu of %llu", (unsigned long long)f,
-                            (unsigned long long)r->header.faces);
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of corners of face %llu of 0..%llu",
+                            (unsigned long long)f, (unsigned long long)r->header.faces - 1);
     roberts_status status = read_corners(r, f, count);
     if (status == ROBERTS_OK && *r->in.at != '\n')
         status = face_color(r);
