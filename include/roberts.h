@@ -167,13 +167,13 @@ typedef struct roberts_scene_options {
  * a face of three corners, all its points. A hull's vertices are vertices of the input, its faces its own (ROBERTS_NONE, and
  * without colours); points that lie outside a face by less than the tolerance, or 1e-5 of the size, may be left out.
  * Solids are still numbered by their smallest vertex, whether the hull has it or not. What lies in one plane has no hull: it is
- * left out with a warning, but an input that has nothing else is refused. How many solids of an input have been replaced, and
+ * left out with a warning, be it all of an input, and refused where there is nothing else. How many solids of an input have been replaced, and
  * why, is a warning as well; points without faces, for which a hull is all that could be wanted, are not counted there.
  * mesh     only read, and not needed afterwards
  * options  NULL for the defaults
  * scene    owned by the caller, released by roberts_scene_free(); NULL on failure
  * Returns ROBERTS_OK, _NO_MEMORY, _NOT_CLOSED (also where there is no face with three corners), _NOT_PLANAR, _NOT_CONVEX,
- * _FLAT (with hulls: all of an input), _BAD_NUMBER or _BAD_ARGUMENT. The message names the solid, the vertex or face
+ * _FLAT (with hulls: there is nothing else), _BAD_NUMBER or _BAD_ARGUMENT. The message names the solid, the vertex or face
  * and by how much, in numbers of the file that error->file names, from 0; of the whole mesh where it names none, as of a
  * solid made of several files.
  */

@@ -361,9 +361,10 @@ static void note(void *context, const char *file, size_t line, const char *messa
 }
 
 #define TRIANGLE "OFF\n3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n"
+#define SQUARE "OFF\n4 0 0\n0 0 9 1 0 9 0 1 9 1 1 9\n"
 #define CUBE "OFF\n8 6 0\n" CUBE_POINTS CUBE_FACES
 
-/* What is flat beside solids of its input is left out; an input that has nothing else is refused, whatever the others have. */
+/* What is flat is left out, be it all of an input; it is refused where no input has anything else. */
 static const struct {
     const char *name, *off[3];
     size_t solids; /* 0: refused */
@@ -386,11 +387,26 @@ static const struct {
      {"OFF\n11 7 0\n" CUBE_POINTS "7 7 7 7 7 7 7 7 7\n" CUBE_FACES "3 8 9 10\n"}, /* welded, no face is left of it */
      1,
      ""},
-    {"an input of its own", {CUBE, TRIANGLE}, 0, ""},
+    {"an input of its own",
+     {CUBE, TRIANGLE},
+     1,
+     "1: 1 flat component ignored, of 3 points from vertex 0 on: it has no convex hull\n"},
     {"before one that is left out",
      {TRIANGLE, "OFF\n11 7 0\n" CUBE_POINTS "0 0 9 1 0 9 0 1 9\n" CUBE_FACES "3 8 9 10\n"},
-     0,
-     ""},
+     1,
+     "0: 1 flat component ignored, of 3 points from vertex 0 on: it has no convex hull\n"
+     "1: 1 flat component ignored, of 3 points from vertex 8 on: it has no convex hull\n"},
+    {"points in a plane, as inputs of their own",
+     {SQUARE, "OFF\n8 0 0\n" CUBE_POINTS, SQUARE},
+     1,
+     "0: 1 flat component ignored, of 4 points from vertex 0 on: it has no convex hull\n"
+     "2: 1 flat component ignored, of 4 points from vertex 0 on: it has no convex hull\n"},
+    {"points too few",
+     {"OFF\n1 0 0\n9 9 9\n", CUBE, "OFF\n3 1 0\n0 0 9 1 0 9 0 1 9\n2 0 1\n"},
+     1,
+     "0: 1 point ignored: a convex hull takes four\n2: 3 points ignored: a convex hull takes four\n"},
+    {"points too few, the others in a plane", {"OFF\n1 0 0\n9 9 9\n", SQUARE, TRIANGLE}, 0, ""},
+    {"points too few in all inputs", {"OFF\n0 0 0\n", "OFF\n1 0 0\n9 9 9\n", "OFF\n1 0 0\n8 8 8\n"}, 0, ""},
     {"an input without anything", {"OFF\n0 0 0\n", CUBE}, 1, ""},
     {"points alone, which are not replaced", {"OFF\n8 0 0\n" CUBE_POINTS}, 1, ""},
     {"a cube without two sides, replaced",
@@ -620,7 +636,14 @@ static void program_draws_hulls(void **state)
     assert_non_null(strstr(last.out, "\n0,3,")); /* the cube is solid 0 now */
     assert_int_equal(run("--hull -q -f null in/stray.off"), 0);
     assert_string_equal(last.err, "");
-    assert_int_equal(run("--hull in/stray.off in/flat.off"), 1);
+    assert_int_equal(run("--hull -f null in/cube.off in/flat.off"), 0);
+    assert_string_equal(last.err,
+                        "roberts: in/flat.off: warning: 1 flat component ignored, of 4 points from vertex 0 on: "
+                        "it has no convex hull\n");
+    put("in/few.off", "OFF\n2 0 0\n0 0 0 1 0 0\n");
+    assert_int_equal(run("--hull in/few.off in/few.off"), 1);
+    assert_string_equal(last.err, "roberts: in/few.off: a convex hull takes four points, but there are 2\n");
+    assert_int_equal(run("--hull in/few.off in/flat.off"), 1);
     assert_said("roberts: in/flat.off: the convex hull of solid 0, of 4 points from vertex 0 on, is flat");
     assert_int_equal(run("--hull -v -f null models/platonic/cube.off"), 0);
     assert_null(strstr(last.err, "hull"));

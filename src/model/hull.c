@@ -6,8 +6,7 @@
  * solid is too thin for that, none.
  *
  * A hull's vertices are vertices of the input. Those that lie inside are no part of the solid any more, which keeps its place
- * among the others all the same. What is flat has no hull and gets no faces: it is left out, unless its input has nothing
- * else. */
+ * among the others all the same. What is flat has no hull and gets no faces: it is left out, unless there is nothing else. */
 #include "model/hull.h"
 
 #include <stdatomic.h>

@@ -26,25 +26,25 @@ hull_input hull_input_at(const roberts_mesh *mesh, size_t i)
     return range;
 }
 
-static bool is_bare(const roberts_mesh *mesh, hull_input range)
+size_t hull_bare_points(const roberts_mesh *mesh, size_t i)
 {
+    const hull_input range = hull_input_at(mesh, i);
     for (size_t f = range.face; f < range.face_end; f++)
         if (mesh->face_start[f + 1] - mesh->face_start[f] >= 3)
-            return false;
-    return range.vertex < range.vertex_end;
+            return 0;
+    return range.vertex_end - range.vertex;
 }
 
 bool hull_bare_input(const roberts_mesh *mesh)
 {
     for (size_t i = 0; i < hull_input_count(mesh); i++)
-        if (is_bare(mesh, hull_input_at(mesh, i)))
+        if (hull_bare_points(mesh, i) > 0)
             return true;
     return false;
 }
 
-static roberts_status refuse_few(const char *name, hull_input range, roberts_error *error)
+static roberts_status refuse_few(const char *name, size_t points, roberts_error *error)
 {
-    size_t points = range.vertex_end - range.vertex;
     error_set_file(error, name ? name : "");
     return error_set(error, ROBERTS_FLAT, 0, "a convex hull takes four points, but there %s %zu",
                      points == 1 ? "is" : "are", points);
@@ -52,16 +52,20 @@ static roberts_status refuse_few(const char *name, hull_input range, roberts_err
 
 roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, roberts_error *error)
 {
-    size_t corners = mesh->corner_count, count = mesh->face_count;
-    for (size_t i = 0; i < hull_input_count(mesh); i++) {
-        hull_input range = hull_input_at(mesh, i);
-        if (!is_bare(mesh, range))
-            continue;
-        if (range.vertex_end - range.vertex < HULL_POINTS)
-            return refuse_few(mesh->source_count ? mesh->source[i].name : NULL, range, error);
-        corners += range.vertex_end - range.vertex;
-        count++;
+    const size_t inputs = hull_input_count(mesh);
+    size_t corners = mesh->corner_count, count = mesh->face_count, few = inputs, vertices_of_few = 0;
+    for (size_t i = 0; i < inputs; i++) {
+        const size_t points = hull_bare_points(mesh, i);
+        if (points >= HULL_POINTS) {
+            corners += points;
+            count++;
+        } else if (points > 0) {
+            vertices_of_few += points;
+            few = few < i ? few : i;
+        }
     }
+    if (few < inputs && vertices_of_few == mesh->vertex_count)
+        return refuse_few(mesh->source_count ? mesh->source[few].name : NULL, hull_bare_points(mesh, few), error);
     if (count == mesh->face_count)
         return ROBERTS_OK;
     if (count >= ROBERTS_NONE || corners >= ROBERTS_NONE)
@@ -78,9 +82,9 @@ roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, robert
     if (mesh->corner_count > 0)
         memcpy(corner, mesh->corner, mesh->corner_count * sizeof *corner);
     faces->face_count = (uint32_t)mesh->face_count;
-    for (size_t i = 0; i < hull_input_count(mesh); i++) {
-        hull_input range = hull_input_at(mesh, i);
-        if (!is_bare(mesh, range))
+    for (size_t i = 0; i < inputs; i++) {
+        const hull_input range = hull_input_at(mesh, i);
+        if (hull_bare_points(mesh, i) < HULL_POINTS)
             continue;
         uint32_t to = start[faces->face_count];
         for (size_t v = range.vertex; v < range.vertex_end; v++)

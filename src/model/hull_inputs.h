@@ -18,8 +18,12 @@ hull_input hull_input_at(const roberts_mesh *mesh, size_t i);
 /* Whether some input has points and no face with three or more corners. */
 bool hull_bare_input(const roberts_mesh *mesh);
 
-/* Adds to `faces` one face for each bare input, which has all its points as corners: so it is laid out as a component.
- * These faces have numbers from mesh->face_count on. Returns ROBERTS_OK, _NO_MEMORY or _FLAT (fewer than four points). */
+/* The points of input i where it has no such face, else 0. */
+size_t hull_bare_points(const roberts_mesh *mesh, size_t i);
+
+/* Adds to `faces` one face for each bare input of four points and more, which has all its points as corners: so it is laid out
+ * as a component. These faces have numbers from mesh->face_count on. Returns ROBERTS_OK, _NO_MEMORY or _FLAT (there are none but
+ * inputs of fewer points). */
 roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, roberts_error *error);
 
 #endif

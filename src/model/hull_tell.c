@@ -53,24 +53,38 @@ static void warn_replaced(const uint32_t count[], const char *name, const robert
                  all == 1 ? "its convex hull" : "their convex hulls", reasons);
 }
 
+static void warn_few(size_t points, const char *name, const roberts_warnings *warnings)
+{
+    if (points > 0 && points < HULL_POINTS)
+        warning_send(warnings, name, 0, "%zu point%s ignored: a convex hull takes four", points,
+                     points == 1 ? "" : "s");
+}
+
+static bool all_flat(const uint8_t *fate, uint32_t solids)
+{
+    uint32_t s = 0;
+    while (s < solids && fate[s] == FATE_FLAT)
+        s++;
+    return s == solids;
+}
+
 /* An input has the solids whose first vertex is in it. */
 roberts_status hull_tell(const uint8_t *fate, const roberts_scene *scene, const roberts_mesh *mesh,
                          const roberts_warnings *warnings, roberts_error *error)
 {
     uint32_t s = 0;
+    if (all_flat(fate, scene->solid_count))
+        return hull_refuse(scene, 0, mesh, ROBERTS_FLAT, "is flat: they lie in one plane, or nearly so", error);
     for (size_t i = 0; i < hull_input_count(mesh); i++) {
         const size_t vertex_end = hull_input_at(mesh, i).vertex_end;
-        uint32_t count[FATE_DENTED + 1] = {0}, solids = 0, first = ROBERTS_NONE;
-        for (; s < scene->solid_count && scene_vertex_number(scene, scene->solid[s].vertex) < vertex_end; s++) {
-            solids++;
+        uint32_t count[FATE_DENTED + 1] = {0}, first = ROBERTS_NONE;
+        for (; s < scene->solid_count && scene_vertex_number(scene, scene->solid[s].vertex) < vertex_end; s++)
             if (count[fate[s]]++ == 0 && fate[s] == FATE_FLAT)
                 first = s;
-        }
-        if (first != ROBERTS_NONE && count[FATE_FLAT] == solids)
-            return hull_refuse(scene, first, mesh, ROBERTS_FLAT, "is flat: they lie in one plane, or nearly so", error);
         warn_replaced(count, name_input(mesh, i), warnings);
         if (first != ROBERTS_NONE)
             warn_flat(scene, first, count[FATE_FLAT], mesh, i, warnings);
+        warn_few(hull_bare_points(mesh, i), name_input(mesh, i), warnings);
     }
     return ROBERTS_OK;
 }

@@ -17,7 +17,7 @@ typedef enum hull_fate {
 roberts_status hull_refuse(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh, roberts_status status,
                            const char *why, roberts_error *error);
 
-/* Warns of each input by itself; one that has nothing but flat solids is refused: ROBERTS_FLAT. fate: [solids] hull_fate. */
+/* Warns of each input by itself. Where all solids are flat nothing is left to draw: ROBERTS_FLAT. fate: [solids] hull_fate. */
 roberts_status hull_tell(const uint8_t *fate, const roberts_scene *scene, const roberts_mesh *mesh,
                          const roberts_warnings *warnings, roberts_error *error);
 
