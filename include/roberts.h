@@ -671,7 +671,8 @@ bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *c
 
 /**
  * Writes the views of a sheet on one page, at one scale, in line with one another, and the symbol of their angle into its
- * lower right corner. The placement holds for all of them together: fitted, they are as large as margins, gaps and symbol
+ * lower right corner: on small pages no larger than a quarter of the room for four views, and left out where that leaves it
+ * about half its size. The placement holds for all of them together: fitted, they are as large as margins, gaps and symbol
  * allow. With a frame views keep 10 mm from it. Strokes of all views are in the same layers. Else as
  * roberts_drawing_write() and roberts_drawing_save(); tables cannot hold a sheet: ROBERTS_BAD_ARGUMENT.
  */

@@ -278,6 +278,11 @@ static const struct {
     {"no symbol", {297, 210, 10}, false, false, {10, 10, 287, 200}},
     {"frame", {297, 210, 10}, true, true, {20, 20, 277, 179.5}},
     {"frame, no symbol", {297, 210, 5}, true, false, {15, 15, 282, 195}},
+    {"a smaller symbol, for its width", {55, 100, 5}, false, true, {5, 5, 50, 95 - 5 - 10.5 * 15 / 22.75}},
+    {"a smaller symbol, for its height", {120, 49, 5}, false, true, {5, 5, 115, 44 - 5 - 19.0 / 3}},
+    {"none, for its width", {48.3, 100, 5}, false, true, {5, 5, 43.3, 95}},
+    {"none, for its height", {120, 46.1, 5}, false, true, {5, 5, 115, 41.1}},
+    {"as narrow as the symbol", {42, 297, 10}, false, true, {10, 10, 32, 287}},
 };
 
 static void sheets_fill_the_page(void **state)
@@ -354,6 +359,46 @@ static void symbols_tell_the_angle(void **state)
         free(svg);
         free_views(&v);
     }
+}
+
+/* It is no larger than a cell of four, and in half its size or so not drawn at all. */
+static const struct {
+    roberts_page page;
+    double size;
+} symbol_cases[] = {
+    {{70.5, 61.5, 5}, 1},
+    {{70.4, 61.5, 5}, 22.7 / 22.75},
+    {{70.5, 61.4, 5}, 31.4 / 31.5},
+    {{48.5, 100, 5}, 11.75 / 22.75},
+    {{48.3, 100, 5}, 0},
+    {{120, 46.3, 5}, 16.3 / 31.5},
+    {{120, 46.1, 5}, 0},
+    {{40, 30, 5}, 0},
+};
+
+static void symbols_go_with_the_page(void **state)
+{
+    views v;
+    (void)state;
+    hide_views(&v, box, ROBERTS_FIRST_ANGLE);
+    for (size_t i = 0; i < sizeof symbol_cases / sizeof symbol_cases[0]; i++) {
+        const roberts_page page = symbol_cases[i].page;
+        const double right = page.width_mm - page.margin_mm, low = page.height_mm - page.margin_mm;
+        const double size = symbol_cases[i].size;
+        rectangle all = empty;
+        roberts_draw_options options = roberts_draw_options_default();
+        path lines;
+        options.page = page;
+        char *svg = written(&v.sheet, &options);
+        read_layer(svg, "symbol", &lines);
+        for (size_t k = 0; k < lines.count; k++)
+            enlarge(&all, lines.point[k]);
+        print_message("%g x %g: %zu points\n", page.width_mm, page.height_mm, lines.count);
+        assert_int_equal(lines.count > 0, size > 0.0);
+        assert_true(size == 0.0 || is_same(all, (rectangle){right - 22.75 * size, low - 10.5 * size, right, low}));
+        free(svg);
+    }
+    free_views(&v);
 }
 
 static size_t count(const char *text, const char *word)
@@ -436,8 +481,7 @@ static const struct {
      0,
      "at 4:1 the drawing is 277 x 170 mm and would leave the page, whose margins leave 190 x 261; 2.67:1 would fit"},
     {"2.68:1", ROBERTS_SVG, {210, 297, 10}, {2.68, 1, 0, 0, false}, 0, "2.67:1 would fit"},
-    {"a stamp", ROBERTS_PDF, {40, 30, 5}, {0, 0, 0, 0, false}, 0, "page: margins, gaps and symbol leave no room"},
-    {"as narrow as the symbol", ROBERTS_PDF, {42, 297, 10}, {0, 0, 0, 0, false}, 1, "leave no room"},
+    {"a stamp", ROBERTS_PDF, {40, 25, 5}, {0, 0, 0, 0, false}, 0, "page: margins and gaps leave no room"},
     {"as wide as the gap", ROBERTS_PDF, {210, 297, 10}, {0, 0, 0, 0, false}, 190, "leave no room"},
     {"negative gap", ROBERTS_SVG, {210, 297, 10}, {0, 0, 0, 0, false}, -1, "sheet: its gap has 0 to 1000 mm"},
     {"gap not a number", ROBERTS_SVG, {210, 297, 10}, {0, 0, 0, 0, false}, NAN, "sheet: its gap has 0 to 1000 mm"},
@@ -524,6 +568,7 @@ int main(void)
         cmocka_unit_test(views_can_be_left_out),
         cmocka_unit_test(sheets_fill_the_page),
         cmocka_unit_test(symbols_tell_the_angle),
+        cmocka_unit_test(symbols_go_with_the_page),
         cmocka_unit_test(all_views_share_the_layers),
         cmocka_unit_test(every_page_format),
         cmocka_unit_test(what_makes_no_sheet_is_refused),

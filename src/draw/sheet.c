@@ -2,7 +2,8 @@
  *
  * Two columns and two rows: the front view stands in the first column, the top view above or below it, the side view
  * beside it, and the isometric view in the middle of the cell that is left. All views of one scene have its centre at
- * 0, 0, so that front and top view have one x, front and side view one y. Below all a strip is kept for the symbol.
+ * 0, 0, so that front and top view have one x, front and side view one y. Below all a strip is kept for the symbol, where
+ * there is one.
  *
  * Lengths of the model are taken as parts of the largest of all, so that nothing overflows. */
 #include "draw/sheet.h"
@@ -36,6 +37,7 @@ typedef struct layout {
     range x[ROBERTS_SHEET_VIEWS], y[ROBERTS_SHEET_VIEWS]; /* of each view, parts of `half` */
     cells columns, rows;
     double half_mm; /* what `half` is on paper */
+    double symbol;  /* as in sheet_map */
 } layout;
 
 static range join(range a, range b)
@@ -90,19 +92,29 @@ static void divide(const roberts_sheet *sheet, layout *l)
     l->rows = widths(l->y[FRONT], l->y[TOP], l->y[ISO], gap_mm);
 }
 
-/* What there is for the views and their gaps, as a page with margins of its own. */
-static bool find_room(const layout *l, const roberts_draw_options *options, roberts_page *room, roberts_error *error)
+/* How large the symbol is where margins and frame leave so much: no wider and no higher than one of four equal cells for the
+ * views, with the gaps between them; 0 where it would be less than the lettering of 1.8 mm asks for, ISO 3098's smallest. */
+static double symbol_size(const layout *l, double width_mm, double height_mm)
+{
+    const double least = 1.8 / 3.5;
+    double size = fmin((width_mm - l->columns.gap_mm) / (2.0 * SYMBOL_WIDTH),
+                       (height_mm - symbol_from_views - l->rows.gap_mm) / (3.0 * SYMBOL_HEIGHT));
+    return size < least ? 0.0 : fmin(size, 1.0);
+}
+
+/* What there is for the views and their gaps, as a page with margins of its own. Fills l->symbol. */
+static bool find_room(layout *l, const roberts_draw_options *options, roberts_page *room, roberts_error *error)
 {
     const roberts_page *page = &options->page;
     double edge = page->margin_mm + (options->frame.off ? 0.0 : views_from_frame);
     double below = options->frame.off ? page->margin_mm : page->margin_mm + symbol_from_frame;
-    below += SYMBOL_HEIGHT + symbol_from_views;
     *room = (roberts_page){page->width_mm - 2.0 * edge, page->height_mm - edge, 0.0};
-    room->height_mm -= options->symbol.off ? edge : fmax(edge, below);
-    bool symbol_fits = options->symbol.off || room->width_mm >= SYMBOL_WIDTH;
-    if (symbol_fits && room->width_mm > l->columns.gap_mm && room->height_mm > l->rows.gap_mm)
+    l->symbol = options->symbol.off ? 0.0 : symbol_size(l, room->width_mm, room->height_mm - below);
+    below += l->symbol * SYMBOL_HEIGHT + symbol_from_views;
+    room->height_mm -= l->symbol > 0.0 ? fmax(edge, below) : edge;
+    if (room->width_mm > l->columns.gap_mm && room->height_mm > l->rows.gap_mm)
         return true;
-    error_set(error, ROBERTS_BAD_ARGUMENT, 0, "page: margins, gaps and symbol leave no room for the views of a sheet");
+    error_set(error, ROBERTS_BAD_ARGUMENT, 0, "page: margins and gaps leave no room for the views of a sheet");
     return false;
 }
 
@@ -169,6 +181,7 @@ bool sheet_lay(const roberts_sheet *sheet, const roberts_draw_options *options, 
     for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)
         map->view[i] = (page_map){.half = l.half, .half_mm = l.half_mm, .page_mm = origin(&l, i, third)};
     edge = page->margin_mm + (options->frame.off ? 0.0 : symbol_from_frame);
+    map->symbol = l.symbol;
     map->symbol_mm = (roberts_vec2){page->width_mm - edge, page->height_mm - edge};
     return true;
 }

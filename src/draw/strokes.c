@@ -155,8 +155,7 @@ static bool add_frame(strokes *s)
 
 static bool add_symbol(strokes *s)
 {
-    return !s->sheet || s->options->symbol.off ||
-           symbol_draw(s->sheet->angle, s->symbol_mm, s->units_per_mm, &s->lines);
+    return s->symbol == 0.0 || symbol_draw(s->sheet->angle, s->symbol_mm, s->symbol, s->units_per_mm, &s->lines);
 }
 
 /* Appends the polylines of one class; the pen comes from `*pen`. */
@@ -263,6 +262,7 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
             view[views++] = (placed){sheet->view[i], map.view[i]};
     s->map = map.view[ROBERTS_SHEET_FRONT];
     s->sheet = sheet;
+    s->symbol = map.symbol;
     s->symbol_mm = map.symbol_mm;
     return draw(s, view, views, error);
 }

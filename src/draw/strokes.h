@@ -22,7 +22,8 @@ typedef struct strokes {
     page_map map; /* of a sheet: of its front view */
     double units_per_mm;
     const roberts_sheet *sheet; /* NULL: a single drawing */
-    roberts_vec2 symbol_mm;     /* lower right corner of its symbol */
+    double symbol;              /* size of its symbol, as a part of the full one; 0: there is none */
+    roberts_vec2 symbol_mm;     /* lower right corner of it */
     roberts_vec2 frame_mm[2];   /* upper left and lower right corner of the frame */
     polylines lines;
     size_t start[LINE_CLASSES + 1]; /* class line_order[i] has the polylines start[i] .. start[i + 1] - 1 */

@@ -2,8 +2,8 @@
  * the two circles that are seen from there, both because the narrow end is nearer. The view from the left stands on the
  * right in first angle projection, on the left in third angle projection.
  *
- * Sizes go with lettering of 3.5 mm: the narrow end is as wide as that is high, the other end twice. Centre lines are
- * long, dot, long (ISO 128-2), made so that the circles' cross in a long one. */
+ * Its full size goes with lettering of 3.5 mm: the narrow end is as wide as that is high, the other end twice. Centre lines
+ * are long, dot, long (ISO 128-2), made so that the circles' cross in a long one. */
 #include "draw/symbol.h"
 
 #include <math.h>
@@ -20,14 +20,15 @@ enum { CIRCLE_CORNERS = 48 /* within 0.008 mm of the circle */ };
 typedef struct symbol {
     polylines *out;
     roberts_vec2 origin; /* what the following are counted from, mm on the page */
+    double size;
     double units_per_mm;
     bool failed;
 } symbol;
 
 static void add_point(symbol *s, double x, double y)
 {
-    page_point p = {(int32_t)floor((s->origin.x + x) * s->units_per_mm + 0.5),
-                    (int32_t)floor((s->origin.y + y) * s->units_per_mm + 0.5)};
+    page_point p = {(int32_t)floor((s->origin.x + s->size * x) * s->units_per_mm + 0.5),
+                    (int32_t)floor((s->origin.y + s->size * y) * s->units_per_mm + 0.5)};
     s->failed = s->failed || !polylines_append(s->out, p);
 }
 
@@ -68,12 +69,13 @@ static void add_centre_line(symbol *s, bool upright)
     }
 }
 
-bool symbol_draw(roberts_sheet_angle angle, roberts_vec2 corner, double units_per_mm, polylines *out)
+bool symbol_draw(roberts_sheet_angle angle, roberts_vec2 corner, double size, double units_per_mm, polylines *out)
 {
-    const roberts_vec2 right = {corner.x - wide - overhang, corner.y - wide - overhang},
-                       left = {right.x - apart, right.y};
+    const double reach = size * wide, more = size * overhang;
+    const roberts_vec2 right = {corner.x - reach - more, corner.y - reach - more},
+                       left = {right.x - size * apart, right.y};
     const bool first = angle == ROBERTS_FIRST_ANGLE;
-    symbol s = {.out = out, .origin = first ? left : right, .units_per_mm = units_per_mm};
+    symbol s = {.out = out, .origin = first ? left : right, .size = size, .units_per_mm = units_per_mm};
     add_cone(&s);
     add_centre_line(&s, false);
     s.origin = first ? right : left;

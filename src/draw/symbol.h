@@ -4,11 +4,12 @@
 
 #include "draw/chain.h"
 
-/* mm, centre lines included */
+/* In full size, mm, centre lines included */
 #define SYMBOL_WIDTH 22.75
 #define SYMBOL_HEIGHT 10.5
 
-/* Appends the symbol's lines; its lower right corner is `corner`, mm from the upper left of the page. False: no memory. */
-bool symbol_draw(roberts_sheet_angle angle, roberts_vec2 corner, double units_per_mm, polylines *out);
+/* Appends the symbol's lines, in `size` of the full size; its lower right corner is `corner`, mm from the upper left of the
+ * page. False: no memory. */
+bool symbol_draw(roberts_sheet_angle angle, roberts_vec2 corner, double size, double units_per_mm, polylines *out);
 
 #endif
