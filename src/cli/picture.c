@@ -47,22 +47,9 @@ static const char *write_title(const cli_options *options, char *title, size_t s
     return name_inputs(options, slash ? slash + 1 : first, title, size);
 }
 
-/* The one option whose value only the library can judge, by the scene: its message begins with the name, without the minus signs. */
-static void name_option(roberts_error *error)
-{
-    const char name[] = "epsilon ";
-    const size_t length = strlen(error->message);
-    if (strncmp(error->message, name, sizeof name - 1) != 0 || length + sizeof "--" > sizeof error->message)
-        return;
-    memmove(error->message + 2, error->message, length + 1);
-    memcpy(error->message, "--", 2);
-}
-
 /* What went wrong concerns the inputs, where it names no file. Returns the exit status. */
 static int fail(const cli_options *options, roberts_error *error)
 {
-    if (error->status == ROBERTS_BAD_ARGUMENT)
-        name_option(error);
     if (!error->file[0] && error->status != ROBERTS_BAD_ARGUMENT)
         name_inputs(options, options->input[0], error->file, sizeof error->file);
     return message_error(options->log, error);
@@ -165,6 +152,8 @@ static roberts_status hide(const cli_options *options, const roberts_scene *scen
 {
     progress_stage("removing hidden lines");
     roberts_status status = hide_and_count(options, scene, drawing, run, error);
+    if (status == ROBERTS_BAD_ARGUMENT) /* only this is judged by the scene; all else was when it was read */
+        snprintf(error->file, sizeof error->file, "--epsilon");
     roberts_time start = stats_now();
     if (status == ROBERTS_OK && options->verify) {
         progress_stage("verifying");

@@ -232,8 +232,9 @@ static roberts_status build(hide_job *job, const roberts_camera *camera, roberts
         return status;
     const view *v = &job->picture.view;
     if (v->epsilon > EPSILON_MOST * v->diameter && options->epsilon > 0.0)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "epsilon %.6g is more than a hundredth of the scene (%.6g)",
-                         options->epsilon, v->diameter * v->unit);
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                         "the touching distance, %.6g, is more than a hundredth of the scene (%.6g)", options->epsilon,
+                         v->diameter * v->unit);
     drawing->view_time = lap(&clock);
     const hide_picture *picture = &job->picture;
     double depth;
