@@ -280,7 +280,8 @@ typedef struct roberts_tally {
     uint64_t test3_invisible; /**< inside all sides (up to where the edge pierces the face) */
     uint64_t test4;           /**< cut at the crossings */
     uint64_t covered;         /**< edges dropped behind covers, without a test */
-    uint64_t refined;         /**< signs and crossings computed again in twice the precision */
+    uint64_t pierced; /**< parts that end where the edge pierces a face: solids pass through one another there */
+    uint64_t refined; /**< signs and crossings computed again in twice the precision */
 } roberts_tally;
 
 /** CPU and wall-clock seconds of one stage. */

@@ -59,6 +59,7 @@ static void add_tally(roberts_tally *sum, const roberts_tally *t)
     sum->test3_invisible += t->test3_invisible;
     sum->test4 += t->test4;
     sum->covered += t->covered;
+    sum->pierced += t->pierced;
     sum->refined += t->refined;
 }
 
@@ -207,6 +208,7 @@ void stats_print(const cli_options *options, const run_stats *run, const roberts
         {"test3_invisible", "test 3: inside all sides, invisible", d->tally.test3_invisible},
         {"test4", "test 4: cut at the crossings", d->tally.test4},
         {"covered", "edges behind covers, no test", d->tally.covered},
+        {"pierced", "hidden parts that end in a face", d->tally.pierced},
         {"refined", "signs and crossings refined", d->tally.refined},
     };
     const stage stages[] = {

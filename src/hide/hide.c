@@ -87,6 +87,7 @@ static void add_sums(roberts_drawing *drawing, const hide_worker *w)
     to->test3_invisible += from->test3_invisible;
     to->test4 += from->test4;
     to->covered += from->covered;
+    to->pierced += from->pierced;
     to->refined += w->sides.refined;
 }
 

@@ -12,11 +12,13 @@ bool hide_within_reach(const hide_picture *picture, const hide_front *front, con
 }
 
 bool hide_pierce_all(const hide_picture *picture, const hide_face *face, uint32_t bits, const hide_edge *e,
-                     hide_sides *sides, hide_part *part)
+                     hide_sides *sides, roberts_tally *tally, hide_part *part)
 {
+    hide_part inside = *part;
     for (; bits; bits &= bits - 1)
         if (!hide_pierce(&picture->space, face + bits_trailing_zeros(bits), e, sides, part))
             return false;
+    tally->pierced += part->t0 != inside.t0 || part->t1 != inside.t1;
     return true;
 }
 
@@ -46,7 +48,7 @@ BITS_INLINE bool by_face(const hide_picture *picture, const hide_face *F, double
     const runs *r = runs_of(&picture->face_runs, F->corner, F->count);
     bool inside = r ? hide_by_runs(&picture->space, r, F, e, sides, tally, part)
                     : hide_by_outline(picture, F->corner, F->count, span, e, NULL, sides, tally, part);
-    return inside && hide_pierce(&picture->space, F, e, sides, part);
+    return inside && hide_pierce_all(picture, F, 1, e, sides, tally, part);
 }
 
 /* Lets the hull of what is known to be hidden hold a part, with which it begins if nothing has been `*found`. */

@@ -82,9 +82,10 @@ BITS_INLINE hide_verdict hide_test1_of_all(const hide_face *face, uint32_t count
     return any ? HIDE_UNDECIDED : HIDE_INVISIBLE;
 }
 
-/* Cuts the part where e pierces the planes of the faces given by bits; false where nothing of it is left behind them. */
+/* Cuts the part where e pierces the planes of the faces given by bits, and counts that; false where nothing of it is left
+ * behind them. */
 bool hide_pierce_all(const hide_picture *picture, const hide_face *face, uint32_t bits, const hide_edge *e,
-                     hide_sides *sides, hide_part *part);
+                     hide_sides *sides, roberts_tally *tally, hide_part *part);
 
 /* Tests 2 to 4 by themselves, of an outline or of a face that has no runs. */
 bool hide_by_outline_closely(const hide_picture *picture, const uint32_t *corner, uint32_t count, const hide_edge *e,
@@ -139,7 +140,7 @@ BITS_INLINE bool hide_by_front(const hide_picture *picture, const hide_meeting *
     }
     return hide_by_outline(picture, m->outline, m->corners, m->span, e, depth == HIDE_INVISIBLE ? hidden : NULL, sides,
                            tally, part) &&
-           (depth == HIDE_INVISIBLE || hide_pierce_all(picture, m->face, near, e, sides, part));
+           (depth == HIDE_INVISIBLE || hide_pierce_all(picture, m->face, near, e, sides, tally, part));
 }
 
 #endif
