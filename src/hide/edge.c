@@ -15,6 +15,8 @@
 
 /* A solid of more columns or rows than this is taken edge by edge. */
 #define GROUP_CELLS 3
+/* In a list of so many fronts at the most it gains nothing to seek those that are met first. */
+#define SHORT_LIST 32
 /* When so many fronts have met a group of lines, most of what the next ones hide is hidden already. */
 #define MANY_FRONTS 6
 /* By so much of its edge a hidden part may touch another without regard to where the front that hides it ends. No unit. */
@@ -240,7 +242,8 @@ static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hid
     const objet *grid = w->grid;
     const uint32_t *start = grid->start + (size_t)column * grid->frame.ny + row;
     uint32_t sides = objet_most(objet_cut(four_load(w->place), column, row)), k = start[0];
-    if (!line || !grid->next) { /* a line alone would pass all faces of its own solid, those of a fan again and again */
+    bool alone = line && grid->next; /* it would pass all faces of its own solid, those of a fan again and again */
+    if (!alone && start[1] - start[0] > SHORT_LIST) {
         k = first_behind(grid, w->picture, k, start[1], box->z1);
         if (!meet_backward(w, solid, line, box, start[0], k, sides))
             return false;
