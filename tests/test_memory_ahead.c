@@ -100,21 +100,21 @@ static void same_part(const roberts_segment *a, const roberts_segment *b)
 
 static void scattered_as_in_order(void **state)
 {
+    const bool *keep_hidden = *state;
     uint32_t *cell = calloc(COUNT, sizeof *cell);
     size_t *first = calloc(COUNT, sizeof *first), *count = calloc(COUNT, sizeof *count), next = 0;
     roberts_drawing ordered, drawing;
-    (void)state;
+    roberts_hide_options options = roberts_hide_options_default();
+    options.keep_hidden = *keep_hidden;
     fill(cell, false);
     roberts_scene *scene = make_scene(cell, 1.0);
     assert_false(is_worth(scene));
-    assert_int_equal(roberts_hide(scene, &camera, NULL, &ordered, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_hide(scene, &camera, &options, &ordered, NULL), ROBERTS_OK);
     roberts_scene_free(scene);
     fill(cell, true);
     scene = make_scene(cell, 1.0);
     assert_true(is_worth(scene));
-    for (uint32_t threads = 1; threads <= 3; threads += 2, next = 0) {
-        roberts_hide_options options = roberts_hide_options_default();
-        options.threads = threads;
+    for (options.threads = 1; options.threads <= 3; options.threads += 2, next = 0) {
         assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
         assert_int_equal(drawing.count, ordered.count);
         assert_memory_equal(&drawing.tally, &ordered.tally, sizeof ordered.tally);
@@ -124,8 +124,11 @@ static void scattered_as_in_order(void **state)
             assert_true(drawing.segment[i - 1].solid <= drawing.segment[i].solid);
         find_cells(&drawing, cell, first, count);
         for (uint32_t c = 0; c < COUNT; c++)
-            for (size_t k = 0; k < count[c]; k++)
-                same_part(&drawing.segment[first[c] + k], &ordered.segment[next++]);
+            for (size_t k = 0; k < count[c]; k++, next++) {
+                uint32_t by = drawing.segment[first[c] + k].by;
+                same_part(&drawing.segment[first[c] + k], &ordered.segment[next]);
+                assert_int_equal(by == ROBERTS_NONE ? by : cell[by], ordered.segment[next].by);
+            }
         assert_int_equal(next, ordered.count);
         roberts_drawing_free(&drawing);
     }
@@ -169,12 +172,13 @@ static void deep_as_with_hidden(void **state)
 /* Some of the many allocations, from all over the run. An array that cannot be made smaller is kept as it is. */
 static void memory_fails(void **state)
 {
+    const bool *keep_hidden = *state;
     uint32_t *cell = calloc(COUNT, sizeof *cell);
     size_t lost = 0;
     roberts_drawing drawing;
     roberts_hide_options options = roberts_hide_options_default();
-    (void)state;
     options.threads = 1;
+    options.keep_hidden = *keep_hidden;
     fill(cell, true);
     roberts_scene *scene = make_scene(cell, 1.0);
     memory_fail(0);
@@ -200,7 +204,13 @@ static void memory_fails(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(scattered_as_in_order), cmocka_unit_test(deep_as_with_hidden),
-                                       cmocka_unit_test(memory_fails)};
+    bool visible = false, all = true; /* keep_hidden */
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_prestate(scattered_as_in_order, &visible),
+        cmocka_unit_test_prestate(scattered_as_in_order, &all),
+        cmocka_unit_test(deep_as_with_hidden),
+        cmocka_unit_test_prestate(memory_fails, &visible),
+        cmocka_unit_test_prestate(memory_fails, &all),
+    };
     return cmocka_run_group_tests_name("memory_ahead", tests, NULL, NULL);
 }

@@ -73,6 +73,7 @@ void ahead_free(ahead *a)
     for (uint32_t c = 0; a->chunk && c < a->chunks; c++) {
         free(a->chunk[c].line);
         free(a->chunk[c].t);
+        free(a->chunk[c].by);
     }
     free(a->order);
     free(a->place);
@@ -86,18 +87,21 @@ static bool wholly_hidden(const hide_line *line)
            (line->parts.count == 1 && line->parts.item[0].part.t0 == 0.0 && line->parts.item[0].part.t1 == 1.0);
 }
 
-static bool keep_line(ahead_chunk *c, const hide_line *line)
+static bool keep_line(ahead_chunk *c, const hide_line *line, bool all)
 {
-    size_t parts = line->parts.count;
+    size_t parts = line->parts.count, first = c->part_count, end = first + parts;
     if (!array_reserve(&c->line, &c->line_room, c->line_count + 1, sizeof *c->line) ||
-        !array_reserve(&c->t, &c->t_room, c->t_count + 2 * parts, sizeof *c->t) || parts > UINT32_MAX ||
-        c->t_count + 2 * parts > UINT32_MAX)
+        !array_reserve(&c->t, &c->t_room, 2 * end, sizeof *c->t) ||
+        (all && !array_reserve(&c->by, &c->by_room, end, sizeof *c->by)) || parts > UINT32_MAX || end > UINT32_MAX)
         return false;
     c->line[c->line_count++] = (ahead_line){line->edge, (uint32_t)parts};
     for (size_t i = 0; i < parts; i++) {
-        c->t[c->t_count++] = line->parts.item[i].part.t0;
-        c->t[c->t_count++] = line->parts.item[i].part.t1;
+        c->t[2 * (first + i)] = line->parts.item[i].part.t0;
+        c->t[2 * (first + i) + 1] = line->parts.item[i].part.t1;
+        if (all)
+            c->by[first + i] = line->parts.item[i].solid;
     }
+    c->part_count = end;
     return true;
 }
 
@@ -105,9 +109,11 @@ static bool keep_line(ahead_chunk *c, const hide_line *line)
 static void shrink(ahead_chunk *c)
 {
     void *line = c->line_count ? realloc(c->line, c->line_count * sizeof *c->line) : NULL;
-    void *t = c->t_count ? realloc(c->t, c->t_count * sizeof *c->t) : NULL;
+    void *t = c->part_count ? realloc(c->t, 2 * c->part_count * sizeof *c->t) : NULL;
+    void *by = c->by && c->part_count ? realloc(c->by, c->part_count * sizeof *c->by) : NULL;
     c->line = line ? line : c->line;
     c->t = t ? t : c->t;
+    c->by = by ? by : c->by;
 }
 
 bool ahead_keep(ahead *a, uint32_t place, const hide_worker *w)
@@ -115,10 +121,10 @@ bool ahead_keep(ahead *a, uint32_t place, const hide_worker *w)
     ahead_chunk *c = &a->chunk[place / AHEAD_CHUNK];
     uint32_t k = place % AHEAD_CHUNK;
     for (size_t i = 0; i < w->line_count; i++)
-        if (!wholly_hidden(&w->line[i]) && !keep_line(c, &w->line[i]))
+        if ((w->all || !wholly_hidden(&w->line[i])) && !keep_line(c, &w->line[i], w->all))
             return false;
     c->first_line[k + 1] = (uint32_t)c->line_count;
-    c->first_t[k + 1] = (uint32_t)c->t_count;
+    c->first_part[k + 1] = (uint32_t)c->part_count;
     if (k + 1 == AHEAD_CHUNK || place + 1 == a->count)
         shrink(c);
     return true;
@@ -132,22 +138,21 @@ void ahead_fetch(const ahead *a, uint32_t solid)
     const ahead_chunk *c = &a->chunk[later / AHEAD_CHUNK];
     FETCH_AHEAD(c);
     FETCH_AHEAD(&c->first_line[later % AHEAD_CHUNK]);
-    FETCH_AHEAD(&c->first_t[later % AHEAD_CHUNK]);
+    FETCH_AHEAD(&c->first_part[later % AHEAD_CHUNK]);
     c = &a->chunk[sooner / AHEAD_CHUNK];
     uint32_t k = sooner % AHEAD_CHUNK;
-    size_t lines = c->first_line[k + 1] - c->first_line[k], ts = c->first_t[k + 1] - c->first_t[k];
+    size_t lines = c->first_line[k + 1] - c->first_line[k], parts = c->first_part[k + 1] - c->first_part[k];
     if (lines)
         FETCH_ARRAY(c->line + c->first_line[k], lines * sizeof *c->line);
-    if (ts)
-        FETCH_ARRAY(c->t + c->first_t[k], ts * sizeof *c->t);
+    if (parts)
+        FETCH_ARRAY(c->t + 2 * (size_t)c->first_part[k], 2 * parts * sizeof *c->t);
 }
 
 bool ahead_recall(const ahead *a, uint32_t solid, hide_worker *w)
 {
     const roberts_scene *scene = w->picture->scene;
     const ahead_chunk *c = &a->chunk[a->place[solid] / AHEAD_CHUNK];
-    uint32_t k = a->place[solid] % AHEAD_CHUNK, end = c->first_line[k + 1];
-    const double *t = c->t ? c->t + c->first_t[k] : NULL; /* all may be visible */
+    uint32_t k = a->place[solid] % AHEAD_CHUNK, end = c->first_line[k + 1], part = c->first_part[k];
     hide_worker_begin(w);
     for (uint32_t i = c->first_line[k]; i < end; i++) {
         uint32_t edge = c->line[i].edge;
@@ -157,8 +162,10 @@ bool ahead_recall(const ahead *a, uint32_t solid, hide_worker *w)
         hide_parts *parts = &line->parts;
         if (!array_reserve(&parts->item, &parts->room, c->line[i].parts, sizeof *parts->item))
             return false;
-        for (parts->count = 0; parts->count < c->line[i].parts; t += 2)
-            parts->item[parts->count++] = (hide_solid_part){{t[0], t[1], 0.0, 0.0}, ROBERTS_NONE};
+        for (parts->count = 0; parts->count < c->line[i].parts; part++) {
+            const double *t = c->t + 2 * (size_t)part;
+            parts->item[parts->count++] = (hide_solid_part){{t[0], t[1], 0.0, 0.0}, c->by ? c->by[part] : ROBERTS_NONE};
+        }
     }
     return true;
 }

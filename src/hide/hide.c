@@ -50,7 +50,7 @@ static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
         if (k + SOLIDS_AHEAD < count && !job->picture.culled[job->ahead.order[k + SOLIDS_AHEAD]])
             hide_picture_fetch(&job->picture, job->ahead.order[k + SOLIDS_AHEAD]);
         hide_worker_begin(w);
-        if (!job->picture.culled[s] && (!segments_take_edges(job, w, s) || !hide_worker_run(w, s)))
+        if (!job->picture.culled[s] && !segments_hide(job, w, s))
             return false;
         if (!ahead_keep(&job->ahead, k, w))
             return false;
@@ -241,8 +241,7 @@ static roberts_status build(hide_job *job, const roberts_camera *camera, roberts
     double depth;
     scan_frame frame = cells_for_lists(picture->front_box, picture->front_count, picture->low, picture->high,
                                        options->grid, hide_margin(&picture->space), &depth);
-    /* Hidden segments are looked up in the picture at their own turn anyway. */
-    if (!options->keep_hidden && !ahead_init(&job->ahead, picture, depth))
+    if (!ahead_init(&job->ahead, picture, depth))
         return ROBERTS_NO_MEMORY;
     hide_picture_drop_boxes(&job->picture);
     status = objet_build(&job->grid, picture, frame, options->threads);

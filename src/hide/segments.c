@@ -42,17 +42,12 @@ static bool add_segment(const hide_job *job, hide_chunk *out, const roberts_segm
     return true;
 }
 
-static bool add_hidden(const hide_job *job, hide_worker *w, hide_chunk *out, roberts_segment pattern,
-                       const hide_edge *e, double s0, double s1, uint32_t hider)
+static bool add_hidden(const hide_job *job, hide_chunk *out, roberts_segment pattern, const hide_edge *e,
+                       const hide_solid_part *hidden)
 {
-    const view *v = &job->picture.view;
-    double t = 0.5 * (view_to_space(v, e->A.z, e->B.z, s0) + view_to_space(v, e->A.z, e->B.z, s1));
-    roberts_vec3 middle = hide_edge_at(e, view_from_space(v, e->A.z, e->B.z, t));
     pattern.state = ROBERTS_HIDDEN;
-    pattern.by = hide_seen_at(w, middle.x, middle.y);
-    if (pattern.by == ROBERTS_NONE)
-        pattern.by = hider; /* the point lies on a border and rounding has put it outside */
-    return add_segment(job, out, &pattern, e, s0, s1);
+    pattern.by = hidden->solid;
+    return add_segment(job, out, &pattern, e, hidden->part.t0, hidden->part.t1);
 }
 
 /* How the faces of a solid look, from its first on. */
@@ -81,8 +76,7 @@ static bool add_clipped(hide_chunk *out, roberts_segment pattern, double t0, dou
 
 /* Visible segments between the hidden parts, and those too where they are wanted. The pattern's t0..t1 is what the near
  * plane has left of the edge. */
-static bool add_line(const hide_job *job, hide_worker *w, hide_chunk *out, const roberts_segment *pattern,
-                     const hide_line *line)
+static bool add_line(const hide_job *job, hide_chunk *out, const roberts_segment *pattern, const hide_line *line)
 {
     double from = 0.0, unit = job->picture.view.unit;
     const hide_edge *e = &line->e;
@@ -94,7 +88,7 @@ static bool add_line(const hide_job *job, hide_worker *w, hide_chunk *out, const
         const hide_part *part = &line->parts.item[i].part;
         if (part->t0 > from && !add_segment(job, out, pattern, e, from, part->t0))
             return false;
-        if (all && !add_hidden(job, w, out, *pattern, e, part->t0, part->t1, line->parts.item[i].solid))
+        if (all && !add_hidden(job, out, *pattern, e, &line->parts.item[i]))
             return false;
         from = part->t1;
     }
@@ -150,7 +144,7 @@ static inline bool is_covered(const cover *c, const roberts_vec3 *P, const scene
 /* Takes up the edges of a solid that are drawn and not covered. A surviving edge has a front face. An outline (one front
  * face) is always drawn; an edge whose two faces look the same way is not where it is flat, whether they are front or,
  * among hidden lines, back. */
-bool segments_take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
+static bool take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
 {
     const roberts_scene *scene = job->scene;
     const unsigned char *facing = facing_of(job, solid);
@@ -182,9 +176,34 @@ bool segments_take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
     return true;
 }
 
+/* The solid of each hidden part becomes the one that is seen there, in its middle. */
+static void name_hiders(const hide_job *job, hide_worker *w)
+{
+    const view *v = &job->picture.view;
+    for (hide_line *line = w->line, *end = line + w->line_count; line < end; line++)
+        for (size_t i = 0; i < line->parts.count; i++) {
+            const hide_edge *e = &line->e;
+            hide_solid_part *hidden = &line->parts.item[i];
+            double t0 = view_to_space(v, e->A.z, e->B.z, hidden->part.t0);
+            double t1 = view_to_space(v, e->A.z, e->B.z, hidden->part.t1);
+            roberts_vec3 middle = hide_edge_at(e, view_from_space(v, e->A.z, e->B.z, 0.5 * (t0 + t1)));
+            uint32_t seen = hide_seen_at(w, middle.x, middle.y);
+            if (seen != ROBERTS_NONE) /* else the point lies on a border and rounding has put it outside */
+                hidden->solid = seen;
+        }
+}
+
+bool segments_hide(const hide_job *job, hide_worker *w, uint32_t solid)
+{
+    if (!take_edges(job, w, solid) || !hide_worker_run(w, solid))
+        return false;
+    if (job->options->keep_hidden)
+        name_hiders(job, w);
+    return true;
+}
+
 /* One edge of the scene as given: the line that stands for it, NULL where it is not drawn. */
-static bool add_edge(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t solid, uint32_t edge,
-                     const hide_line *line)
+static bool add_edge(const hide_job *job, hide_chunk *out, uint32_t solid, uint32_t edge, const hide_line *line)
 {
     const scene_edge *source = scene_edge_stored(job->source, solid, edge);
     uint32_t first = job->source->solid[solid].vertex;
@@ -208,11 +227,11 @@ static bool add_edge(const hide_job *job, hide_worker *w, hide_chunk *out, uint3
         bool drawn = job->options->all_edges || !is_flat(job, job->source, solid, source);
         return !job->options->keep_hidden || !drawn || add_clipped(out, pattern, 0.0, 1.0, (roberts_vec2){0.0, 0.0});
     }
-    return add_line(job, w, out, &pattern, line);
+    return add_line(job, out, &pattern, line);
 }
 
 /* The lines come in the order of the edges, of which some are not drawn and some, by the near plane, clipped away. */
-static bool add_solid(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t solid)
+static bool add_solid(const hide_job *job, const hide_worker *w, hide_chunk *out, uint32_t solid)
 {
     const hide_line *line = w->line, *end = line + w->line_count;
     const unsigned char *facing = facing_of(job, solid);
@@ -221,12 +240,12 @@ static bool add_solid(const hide_job *job, hide_worker *w, hide_chunk *out, uint
         if (!line->hidden && !add_visible(job, out, solid, facing, line))
             return false;
     for (; !job->clip.clipped && line < end; line++)
-        if (!add_edge(job, w, out, solid, line->edge, line))
+        if (!add_edge(job, out, solid, line->edge, line))
             return false;
     for (uint32_t i = job->source->solid[solid].edge; job->clip.clipped && i < job->source->solid[solid + 1].edge;
          i++) {
         bool drawn = line < end && line->edge == job->clip.origin[i].edge;
-        if (!add_edge(job, w, out, solid, i, drawn ? line++ : NULL))
+        if (!add_edge(job, out, solid, i, drawn ? line++ : NULL))
             return false;
     }
     return true;
@@ -236,8 +255,7 @@ static bool find_in_solid(const hide_job *job, hide_worker *w, hide_chunk *out, 
 {
     if (job->picture.culled[solid] && !(job->clip.clipped && job->options->keep_hidden))
         return true;
-    if (job->ahead.order ? !ahead_recall(&job->ahead, solid, w)
-                         : !segments_take_edges(job, w, solid) || !hide_worker_run(w, solid))
+    if (job->ahead.order ? !ahead_recall(&job->ahead, solid, w) : !segments_hide(job, w, solid))
         return false;
     return add_solid(job, w, out, solid);
 }

@@ -20,8 +20,9 @@ typedef struct hide_job {
     double crease_chord; /* distance of two unit normals that meet at the crease angle, squared */
 } hide_job;
 
-/* Takes up the edges of a solid that are drawn and not covered. False: no memory. */
-bool segments_take_edges(const hide_job *job, hide_worker *w, uint32_t solid);
+/* Takes up the edges of a solid that are drawn and not covered, and finds what is hidden of them, with the solids seen there
+ * where hidden segments are kept. False: no memory. */
+bool segments_hide(const hide_job *job, hide_worker *w, uint32_t solid);
 
 /* Adds the segments of the solids first .. end - 1; what was found before their turn is not asked again. False: no memory. */
 bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t first, uint32_t end);
