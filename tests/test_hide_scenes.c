@@ -543,6 +543,44 @@ static void eyes_refused(void **state)
     model_free(&m);
 }
 
+/* An eye in the middle of a slanted face, which looks away from the solid at another: it is outside, in whatever order the face
+ * has its corners, and inside where it is moved through the face by more than rounding. */
+static void eyes_on_a_face(void **state)
+{
+    static const uint32_t order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    static const uint32_t others[3][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    static const roberts_vec3 point[2][4] = {{{1, 3, 4}, {0, 4, 1}, {0, 1, 3}, {2, 1, 3}},
+                                             {{2, 0, 2}, {3, 0, 4}, {3, 2, 3}, {4, 0, 3}}};
+    (void)state;
+    for (int i = 0; i < 2 * 6; i++) {
+        const roberts_vec3 *P = point[i / 6];
+        roberts_vec3 ab = vec3_add(P[0], P[1]), ac = vec3_add(P[0], P[2]);
+        roberts_vec3 eye = vec3_scale(0.25, vec3_add(ab, ac)), out = vec3_sub(eye, P[3]);
+        roberts_vec3 low = vec3_add(eye, vec3_scale(9, out)), one = {1, 1, 1};
+        model m = {0};
+        for (int k = 0; k < 4; k++)
+            model_vertex(&m, P[k]);
+        model_face(&m, order[i % 6], 3);
+        for (int k = 0; k < 3; k++)
+            model_face(&m, others[k], 3);
+        model_close_solid(&m);
+        model_box(&m, low, vec3_add(low, one));
+        roberts_scene *scene = model_build(&m);
+        for (int inside = 0; inside < 2; inside++) {
+            roberts_camera camera = {ROBERTS_PERSPECTIVE, .look_at = low, .has_look_at = true};
+            camera.eye = vec3_sub(eye, vec3_scale(inside ? 1e-9 : 0, out));
+            roberts_drawing d;
+            roberts_error error = {0};
+            roberts_status status = roberts_hide(scene, &camera, NULL, &d, &error);
+            if (status != (inside ? ROBERTS_BAD_VIEW : ROBERTS_OK))
+                fail_msg("solid %d, order %d, %d: \"%s\"", i / 6, i % 6, inside, error.message);
+            roberts_drawing_free(&d);
+        }
+        roberts_scene_free(scene);
+        model_free(&m);
+    }
+}
+
 /* ---- flat edges --------------------------------------------------------------------------------------------------- */
 
 /* A box 4 x 2 x 4 with a ridge along z on top (greatest y): the two upper faces meet at `degrees`. */
@@ -830,6 +868,7 @@ int main(void)
         cmocka_unit_test(side_that_weaves_through_the_near_plane),
         cmocka_unit_test(field_of_view),
         cmocka_unit_test(eyes_refused),
+        cmocka_unit_test(eyes_on_a_face),
         cmocka_unit_test(flat_edges_by_table),
         cmocka_unit_test(cut_cube),
         cmocka_unit_test(outlines_stay),

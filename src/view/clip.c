@@ -15,8 +15,8 @@
  * scene's diameter. Nearer things would be drawn a thousand times as large as at the look-at point. */
 #define NEAR_OF_DISTANCE 1e-3
 #define NEAR_OF_DIAMETER 1e-5
-/* What is nearer to the near plane than this lies in it, to rounding; in ulps of the largest coordinate, the eye's
- * included. */
+/* What is nearer to the near plane than this lies in it, to rounding, and the eye on a face; in ulps of the largest
+ * coordinate, the eye's included. */
 #define TOUCHING_ULPS 16.0
 
 typedef struct cutter {
@@ -24,7 +24,7 @@ typedef struct cutter {
     const roberts_scene *from;
     roberts_vec3 eye, dir; /* dir: from the look-at point to the eye, unit */
     double near;
-    double touching;    /* what is nearer to the near plane than this lies in it; model units */
+    double touching;    /* what is nearer to the near plane than this lies in it, an eye to a face on it; model units */
     scene_solid first;  /* of the solid at hand in the clipped scene */
     bool whole;         /* the solid at hand is not cut: none of its vertices is nearer than the near plane */
     double *depth;      /* [vertex_count of from] distance from the eye's plane */
@@ -263,11 +263,12 @@ static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t c
     return true;
 }
 
+/* An eye on a face is outside, whatever the face's plane is rounded to. */
 static bool holds_eye(const cutter *c, uint32_t solid)
 {
     roberts_vec3 P = vec3_sub(c->eye, c->from->centre);
     for (uint32_t f = c->from->solid[solid].face; f < c->from->solid[solid + 1].face; f++)
-        if (!(plane_at(c->from->face_plane[f], P) > 0.0))
+        if (!(plane_at(c->from->face_plane[f], P) > c->touching))
             return false;
     return true;
 }
