@@ -36,7 +36,9 @@ static void expect_same(const sight *s, uint32_t face, rng *r, int found[3])
         sight_answer through = sight_through(s, face, X, v, slack);
         assert_int_equal(through, sight_through(&plain, face, X, v, slack));
         assert_int_equal(sight_hides(s, face, X, v, slack), sight_hides(&plain, face, X, v, slack));
-        assert_int_equal(sight_hides_strictly(s, face, X, v, slack), sight_hides_strictly(&plain, face, X, v, slack));
+        const roberts_vec3 ends[2] = {X, random_point(r, s, face)};
+        assert_int_equal(sight_hides_strictly(s, face, X, v, slack, ends),
+                         sight_hides_strictly(&plain, face, X, v, slack, ends));
         found[through]++;
     }
 }

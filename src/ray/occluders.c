@@ -337,6 +337,17 @@ typedef struct casting {
     tree_points points;          /* live: not yet answered by surely */
 } casting;
 
+static sight_answer hides_strictly(const occluders *o, uint32_t face, const sight_question *q, roberts_vec3 v,
+                                   double slack)
+{
+    const scene_solid *solid = &o->s.scene->solid[o->face_solid[face]];
+    sight_answer answer = sight_hides_strictly(&o->s, face, q->X, v, slack, q->ends);
+    for (uint32_t f = solid[0].face; answer == SIGHT_SURELY && f < solid[1].face; f++)
+        if (!sight_well_behind(&o->s, f, q->X))
+            answer = SIGHT_POSSIBLY;
+    return answer;
+}
+
 /* Asks the face on behalf of those of the points whose answer it may change. */
 static void ask(casting *c, uint32_t face, tree_set points)
 {
@@ -349,8 +360,8 @@ static void ask(casting *c, uint32_t face, tree_set points)
         if (q->answer == SIGHT_SURELY || (own && !q->own))
             continue;
         double slack = own ? o->slack[q->solid] : 0.0;
-        sight_answer answer = q->strict ? sight_hides_strictly(&o->s, face, q->X, c->v[i], slack)
-                                        : sight_hides(&o->s, face, q->X, c->v[i], slack);
+        sight_answer answer =
+            q->ends ? hides_strictly(o, face, q, c->v[i], slack) : sight_hides(&o->s, face, q->X, c->v[i], slack);
         if (answer > q->answer)
             q->answer = answer;
         if (answer == SIGHT_SURELY) {

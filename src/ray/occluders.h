@@ -25,12 +25,14 @@ void occluders_free(occluders *o);
 uint32_t occluders_place(const occluders *o, roberts_vec3 X);
 
 /* What may hide X, a point of an edge of `solid`: faces of all other solids, and if `own` those of that one too. If
- * `strict`, by sight_hides_strictly().
+ * `ends`, by sight_hides_strictly(), and surely only what is well behind all front faces of a solid: what is about in the plane
+ * of one of them is in front of the solid, were its corners and planes exact.
  * `hider`: where the answer is SIGHT_SURELY, a face that does. */
 typedef struct sight_question {
     roberts_vec3 X;
     uint32_t solid;
-    bool own, strict;
+    bool own;
+    const roberts_vec3 *ends; /* [2] NULL: not strictly; of the edge that X lies on */
     sight_answer answer;
     uint32_t hider;
 } sight_question;

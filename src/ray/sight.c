@@ -264,36 +264,68 @@ sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_
     return through;
 }
 
+/* In contact with the side AB, as pass_side() has it. */
+static bool is_on_side(const sight *s, roberts_vec3 A, roberts_vec3 B, roberts_vec3 X, roberts_vec3 v)
+{
+    roberts_vec3 xa = vec3_sub(A, X), ab = vec3_sub(B, A), spread = vec3_cross(v, ab);
+    double off = fabs(vec3_dot(v, vec3_cross(xa, ab))) - RAY_PARALLEL * vec3_triple_size(xa, ab, v);
+    return off <= 0.0 || off * off <= s->rounding * s->rounding * vec3_dot(spread, spread);
+}
+
+static bool runs_along(const sight *s, roberts_vec3 A, roberts_vec3 B, const roberts_vec3 ends[2])
+{
+    return is_on_side(s, A, B, ends[0], sight_from(s, ends[0])) && is_on_side(s, A, B, ends[1], sight_from(s, ends[1]));
+}
+
 /* Whether the line, which passes all sides on their inner side, passes one nearer than the touching distance, but not in
- * contact. */
-static bool grazes_side(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
+ * contact with the whole edge. */
+static bool grazes_side(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, const roberts_vec3 ends[2])
 {
     const roberts_scene *scene = s->scene;
     uint32_t end = scene->face_start[face + 1];
-    double near = s->rounding * s->rounding, far = (s->loose + s->rounding) * (s->loose + s->rounding);
+    double far = (s->loose + s->rounding) * (s->loose + s->rounding);
     roberts_vec3 A = s->P[scene->corner[end - 1]];
     if (s->sampled && s->sampled[face] && well_inside(s, face, X, v))
         return false;
     for (uint32_t k = scene->face_start[face]; k < end; k++) {
         roberts_vec3 B = s->P[scene->corner[k]], ab = vec3_sub(B, A), spread = vec3_cross(v, ab);
-        double inside = vec3_dot(spread, vec3_sub(X, A)), square = inside * inside, size = vec3_dot(spread, spread);
-        if (inside > 0.0 && square > near * size && square <= far * size)
+        double inside = vec3_dot(spread, vec3_sub(X, A));
+        if (inside * inside <= far * vec3_dot(spread, spread) &&
+            !(is_on_side(s, A, B, X, v) && runs_along(s, A, B, ends)))
             return true;
         A = B;
     }
     return false;
 }
 
-sight_answer sight_hides_strictly(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)
+/* How far from the face's plane, on either side, all counts as in it. */
+static double touch_of(const sight *s, uint32_t face)
 {
-    double behind = sight_behind(s, face, X), touch = s->loose + s->rounding;
-    touch += SIGHT_MARGIN * scene_deviation(s->scene, face) / s->unit;
-    if (s->facing[face] == SIGHT_NOT_FRONT || !(fabs(behind) > s->rounding && behind > -touch))
+    return s->loose + s->rounding + SIGHT_MARGIN * scene_deviation(s->scene, face) / s->unit;
+}
+
+static bool lies_in_plane(const sight *s, uint32_t face, roberts_vec3 X)
+{
+    return fabs(sight_behind(s, face, X)) <= s->rounding;
+}
+
+sight_answer sight_hides_strictly(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack,
+                                  const roberts_vec3 ends[2])
+{
+    double behind = sight_behind(s, face, X), touch = touch_of(s, face);
+    if (s->facing[face] == SIGHT_NOT_FRONT || !(behind > -touch))
+        return SIGHT_NO;
+    if (lies_in_plane(s, face, X) && lies_in_plane(s, face, ends[0]) && lies_in_plane(s, face, ends[1]))
         return SIGHT_NO;
     sight_answer through = sight_through(s, face, X, v, slack);
     if (through == SIGHT_NO)
         return SIGHT_NO;
-    if (s->facing[face] == SIGHT_UNSURE || !(behind > touch) || grazes_side(s, face, X, v))
+    if (s->facing[face] == SIGHT_UNSURE || !(behind > touch) || grazes_side(s, face, X, v, ends))
         return SIGHT_POSSIBLY;
     return through;
+}
+
+bool sight_well_behind(const sight *s, uint32_t face, roberts_vec3 X)
+{
+    return s->facing[face] == SIGHT_NOT_FRONT || sight_behind(s, face, X) > touch_of(s, face);
 }

@@ -87,7 +87,12 @@ sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_
 
 /* The same, but what is not in contact is only possible on both sides of where it touches: in front of the plane by less
  * than that distance, and inside of a side. For an edge that only just reaches behind a face may count as touching it, and
- * one that only just ends in front of it as ending in it. */
-sight_answer sight_hides_strictly(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack);
+ * one that only just ends in front of it as ending in it. `ends`, of the edge that X lies on: where they are not in contact as
+ * well, the edge crosses the plane or the side, near X and as exactly as it is computed, and X may be on either side of it. */
+sight_answer sight_hides_strictly(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack,
+                                  const roberts_vec3 ends[2]);
+
+/* Is X farther behind the front face, or nearly front face, than what counts as in its plane? A face that is not front: yes. */
+bool sight_well_behind(const sight *s, uint32_t face, roberts_vec3 X);
 
 #endif

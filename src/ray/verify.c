@@ -155,16 +155,18 @@ static bool contradicts(const probe *p, const sight_question *q)
     return q->answer == (p->drawn == ROBERTS_HIDDEN ? SIGHT_NO : SIGHT_SURELY);
 }
 
-/* Whether the point, asked strictly, still contradicts the drawing, and a neighbour of it as well. */
+/* Whether the point, asked strictly, still contradicts the drawing, and a neighbour of it as well; or both neighbours where the
+ * point itself lies just where the edge crosses a side, as between two faces that hide it. */
 static bool contradicts_strictly(const verifier *f, tree_walk *w, const probe *p, const sight_question *q)
 {
     sight_question again[3] = {*q, *q, *q};
+    const roberts_vec3 ends[2] = {point_of(f, q->solid, p->edge, 0.0), point_of(f, q->solid, p->edge, 1.0)};
     again[1].X = point_of(f, q->solid, p->edge, p->t - p->step);
     again[2].X = point_of(f, q->solid, p->edge, p->t + p->step);
     for (int i = 0; i < 3; i++)
-        again[i].strict = true;
+        again[i].ends = ends;
     occluders_cast(&f->o, w, again, 3);
-    return contradicts(p, &again[0]) && (contradicts(p, &again[1]) || contradicts(p, &again[2]));
+    return contradicts(p, &again[0]) + contradicts(p, &again[1]) + contradicts(p, &again[2]) >= 2;
 }
 
 static void contradict(const verifier *f, chunk *out, const probe *p, const sight_question *q)
