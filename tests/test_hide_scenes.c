@@ -581,6 +581,55 @@ static void eyes_on_a_face(void **state)
     }
 }
 
+/* A slab that tilts, given to four digits, passes under the eye, which looks along it: where the near plane cuts it, its nearest
+ * corner is a thousand times as near as a small box that lies 0.03 below its upper face. What that face departs from its plane,
+ * less than 1e-4, must not count at the box as it does at that corner. */
+static void box_buried_in_a_slab_under_the_eye(void **state)
+{
+    static const roberts_vec3 point[2][8] = {{{1.6298, -10.4187, -3.4775},
+                                              {9.4834, -5.3185, -2.2532},
+                                              {-11.6033, 4.3968, -0.0248},
+                                              {0.5014, 12.2577, 1.8621},
+                                              {1.627, -10.648, -2.5041},
+                                              {9.4806, -5.5478, -1.2799},
+                                              {-11.6061, 4.1675, 0.9485},
+                                              {0.4986, 12.0283, 2.8355}},
+                                             {{-5.536, 2.3709, 0.029},
+                                              {-5.0759, 2.6697, 0.1007},
+                                              {-5.8402, 2.7586, 0.1195},
+                                              {-5.3757, 3.0602, 0.1919},
+                                              {-5.5373, 2.2632, 0.4865},
+                                              {-5.0772, 2.5619, 0.5582},
+                                              {-5.8415, 2.6508, 0.5769},
+                                              {-5.377, 2.9525, 0.6493}}};
+    static const uint32_t side[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                        {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    const roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = {3.8832, -6.0355, 0.233},
+                                   .look_at = {-3.3323, 4.8587, 1.1352}, .has_look_at = true};
+    model m = {0};
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < 8; k++)
+            model_vertex(&m, point[i][k]);
+        for (int k = 0; k < 6; k++) {
+            uint32_t corner[4];
+            for (int c = 0; c < 4; c++)
+                corner[c] = m.first_vertex[i] + side[k][c];
+            model_face(&m, corner, 4);
+        }
+        model_close_solid(&m);
+    }
+    for (int hidden = 0; hidden < 2; hidden++) {
+        roberts_hide_options options = roberts_hide_options_default();
+        options.keep_hidden = hidden;
+        roberts_drawing d = model_draw(&m, &camera, &options);
+        for (size_t i = 0; i < d.count; i++)
+            assert_true(d.segment[i].solid == 0 || d.segment[i].state == ROBERTS_HIDDEN);
+        roberts_drawing_free(&d);
+    }
+    model_free(&m);
+}
+
 /* ---- flat edges --------------------------------------------------------------------------------------------------- */
 
 /* A box 4 x 2 x 4 with a ridge along z on top (greatest y): the two upper faces meet at `degrees`. */
@@ -869,6 +918,7 @@ int main(void)
         cmocka_unit_test(field_of_view),
         cmocka_unit_test(eyes_refused),
         cmocka_unit_test(eyes_on_a_face),
+        cmocka_unit_test(box_buried_in_a_slab_under_the_eye),
         cmocka_unit_test(flat_edges_by_table),
         cmocka_unit_test(cut_cube),
         cmocka_unit_test(outlines_stay),

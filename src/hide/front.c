@@ -33,12 +33,15 @@ typedef struct front_faces {
 static double set_trust(const hide_picture *picture, uint32_t solid, uint32_t face, double stretch, hide_face *f)
 {
     const view *v = &picture->view;
+    f->departure = 0.0f;
     double departure = scene_deviation(picture->scene, face) * v->per_unit;
     double width = scene_width(picture->scene, face) * v->per_unit;
     if (v->perspective) {
         double grown = 1.0 + (double)picture->box[solid].z1 * v->inverse_distance; /* D / w at the nearest corner */
         double shrunk = lesser(1.0, 1.0 + (double)picture->box[solid].z0 * v->inverse_distance);
-        departure = (departure + v->plane_rounding) * stretch * grown;
+        departure = (departure + v->plane_rounding) * stretch;
+        f->departure = hide_float_above(departure);
+        departure *= grown;
         width *= shrunk * shrunk;
     }
     double error = 4.0 * v->rounding + departure, far_error = error * (1.0 + 2.0 * v->extent / width);

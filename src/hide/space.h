@@ -42,6 +42,8 @@ typedef struct hide_face {
     const uint32_t *corner; /* [count] compact vertex numbers */
     double touch;           /* F within +-touch is on the plane: epsilon and the face's own departure from it */
     uint32_t count;
+    float departure; /* from an eye: what `touch` has beside epsilon, at the look-at point's depth; it grows toward the
+                        eye, and `touch` has it at the solid's nearest corner. Else 0 */
     float limit; /* F(A) <= limit is in front or on even at the far end of the scene, where the plane of a small face
                     cannot be trusted to `touch`; see test 1 */
 } hide_face;

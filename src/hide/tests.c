@@ -227,10 +227,20 @@ bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e,
     return hide_cut_end(space, e, &cut, &sides->refined, part);
 }
 
+/* What counts as on the plane at X: a solid that the near plane cuts may have its nearest corner a thousand times as near. */
+static double touch_at(const hide_space *space, const hide_face *F, roberts_vec3 X)
+{
+    if (F->departure <= 0.0f)
+        return F->touch;
+    return lesser(F->touch, space->epsilon + (double)F->departure * (1.0 + X.z * space->view->inverse_distance));
+}
+
 bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part)
 {
-    double f0 = plane_at(F->F, hide_edge_at(e, part->t0)), f1 = plane_at(F->F, hide_edge_at(e, part->t1));
-    int sign0 = sign_within(f0, F->touch), sign1 = sign_within(f1, F->touch);
+    roberts_vec3 X0 = hide_edge_at(e, part->t0), X1 = hide_edge_at(e, part->t1);
+    double f0 = plane_at(F->F, X0), f1 = plane_at(F->F, X1);
+    double touch0 = touch_at(space, F, X0), touch1 = touch_at(space, F, X1);
+    int sign0 = sign_within(f0, touch0), sign1 = sign_within(f1, touch1);
     if (sign0 <= 0 && sign1 <= 0)
         return false;
     if (sign0 >= 0 && sign1 >= 0)
@@ -243,10 +253,10 @@ bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e
     }
     if (sign0 < 0) {
         part->t0 = t;
-        part->e0 = width * F->touch / slope;
+        part->e0 = width * touch0 / slope;
     } else {
         part->t1 = t;
-        part->e1 = width * F->touch / slope;
+        part->e1 = width * touch1 / slope;
     }
     return (part->t1 - part->t0) * e->length3 > space->epsilon;
 }
