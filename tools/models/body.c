@@ -121,6 +121,16 @@ void body_box(body *b, roberts_vec3 lo, roberts_vec3 hi)
     box_faces(b, base);
 }
 
+void body_plate(body *b, double bottom, const roberts_vec3 top[4])
+{
+    uint32_t base = (uint32_t)b->vertex_count;
+    for (int i = 0; i < 4; i++)
+        body_vertex(b, top[i].x, top[i].y, bottom);
+    for (int i = 0; i < 4; i++)
+        body_vertex(b, top[i].x, top[i].y, top[i].z);
+    box_faces(b, base);
+}
+
 void body_turned_box(body *b, roberts_vec3 lo, roberts_vec3 hi, double c, double s)
 {
     uint32_t base = (uint32_t)b->vertex_count;

@@ -52,7 +52,10 @@ void body_free(body *b);
 /* The box between two corners, lo < hi. */
 void body_box(body *b, roberts_vec3 lo, roberts_vec3 hi);
 
-/* The same box turned about the vertical through its middle by the angle of the vector (c, s), c^2 + s^2 = 1. */
+/* What stands below four points, counter-clockwise from above, down to the height `bottom`. */
+void body_plate(body *b, double bottom, const roberts_vec3 top[4]);
+
+/* A box between two corners, turned about the vertical through its middle by the angle of the vector (c, s), c^2 + s^2 = 1. */
 void body_turned_box(body *b, roberts_vec3 lo, roberts_vec3 hi, double c, double s);
 
 /* The pyramid over the rectangle lo.x..hi.x, lo.y..hi.y at height lo.z, its apex over the middle at hi.z. */
