@@ -310,7 +310,7 @@ typedef struct roberts_drawing {
 } roberts_drawing;
 
 typedef struct roberts_hide_options {
-    double crease_degrees; /**< an edge between two front faces flatter than this is not drawn (default: 0.1) */
+    double crease_degrees; /**< an edge between two front faces, or two back ones, flatter than this is not drawn (default: 0.1) */
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
     double epsilon;        /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, at least 16 ulp */
