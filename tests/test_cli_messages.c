@@ -211,6 +211,8 @@ static const struct {
     {"-format=svg", "-format=svg is unknown; did you mean --format=svg?"},
     {"--stats json models/table.off", "json: there is no such file; did you mean --stats=json?"},
     {"models/table.off --verify 10", "10: there is no such file; did you mean --verify=10?"},
+    {"--verify=x", "--verify: \"x\" is not a whole number from 1 to 4294967295\n"},
+    {"--verify=4294967296", "--verify: \"4294967296\" is not a whole number from 1 to 4294967295\n"},
     {"--verify=0", "--verify: 0 rays check nothing; it takes 1 or more (3 where none is given)"},
     {"--fov 0 --eye 9,9,9", "--fov: 0 shows nothing; it takes a number above 0, up to 179\n"},
     {"--fov 180 --eye 9,9,9", "--fov: 180 is out of range; it takes a number above 0, up to 179\n"},

@@ -140,10 +140,9 @@ int values_set_resolution(const char *value, double *dpi)
 
 int values_set_rays(const char *value, uint32_t *rays)
 {
-    int status = values_set_integer("verify", value, 0, UINT32_MAX, rays);
-    if (status == EXIT_DONE && *rays == 0)
+    if (parse_integer(value, rays) && *rays == 0)
         return message_misuse("--verify: 0 rays check nothing; it takes 1 or more (3 where none is given)");
-    return status;
+    return values_set_integer("verify", value, 1, UINT32_MAX, rays);
 }
 
 int values_add_pick(cli_options *options, const char *value)

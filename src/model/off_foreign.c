@@ -3,20 +3,25 @@
 
 #include <string.h>
 
+/* OpenSCAD reads STL alone of these. */
+#define STL "STL (OpenSCAD or MeshLab saves it as OFF)"
+#define PLY "PLY (MeshLab saves it as OFF)"
+#define OBJ "OBJ (MeshLab saves it as OFF)"
+
 /* Binary STL has no mark of its own, but for the 80 bytes of any text that many programs begin with "solid" as well. */
 static const struct foreign {
     const char *begins, *format;
     bool whole; /* that is the whole word */
 } foreign[] = {
-    {"solid", "STL", true},
-    {"ply", "PLY", true},
-    {"v", "OBJ", true},
-    {"vn", "OBJ", true},
-    {"vt", "OBJ", true},
-    {"o", "OBJ", true},
-    {"g", "OBJ", true},
-    {"mtllib", "OBJ", true},
-    {"usemtl", "OBJ", true},
+    {"solid", STL, true},
+    {"ply", PLY, true},
+    {"v", OBJ, true},
+    {"vn", OBJ, true},
+    {"vt", OBJ, true},
+    {"o", OBJ, true},
+    {"g", OBJ, true},
+    {"mtllib", OBJ, true},
+    {"usemtl", OBJ, true},
     {"glTF", "glTF", false},
     {"ISO-10303-21", "STEP", false},
     {"$MeshFormat", "Gmsh", true},
