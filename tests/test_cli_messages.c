@@ -194,7 +194,7 @@ static const struct {
     const char *arguments, *said;
 } misuse_cases[] = {
     {"--page b7", "\"b7\" is unknown; it can be a0, a1, a2, a3, a4, a5, a6, b0, b1, b2, b3, b4, b5, b6, letter, legal, "
-                  "tabloid, or WxH in mm, as 210x297\n"},
+                  "tabloid, or WxH in mm, as 210x297, or 8.5x11in\n"},
     {"--page leter", "\"leter\" is unknown; did you mean letter? It can be a0, "},
     {"--unit km", "\"km\" is unknown; it can be mm, cm, m, in, ft\n"}, /* and nothing is meant by two wrong letters */
     {"--hidden dahsed", "did you mean dashed? It can be none, dashed, solid\n"},

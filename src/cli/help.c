@@ -28,7 +28,7 @@ const char *const help_text[] = {
     "                       without faces; warns of how many, and -v says which; what is flat is\n"
     "                       left out with a warning\n"
     "\n"
-    "Page\n"
+    "Page (lengths: mm, or with cm, in or pt behind them, as in 8.5x11in; of pens too)\n"
     "      --page SIZE      a0 to a6, b0 to b6, letter, legal, tabloid, or WxH in mm (default: a4)\n"
     "      --landscape      the longer side lies below\n"
     "      --margin MM      on all four sides (default: 10)\n"

@@ -182,7 +182,7 @@ static int apply_value(parser *p, option_id id, const char *value)
     case OPTION_PAGE:
         return paper_set_page(&options->draw.page, value);
     case OPTION_MARGIN:
-        return values_set_number(name, value, 20000.0, &options->draw.page.margin_mm);
+        return values_set_length(name, value, 20000.0, &options->draw.page.margin_mm);
     case OPTION_LANDSCAPE: /* whatever order it and --page come in */
     case OPTION_FIT:
         return EXIT_DONE;

@@ -48,6 +48,21 @@ static bool parse_pair(const char *value, char sign, double *a, double *b)
     return second && fits && parse_number(word, a) && parse_number(second, b);
 }
 
+/* Two lengths with a sign between them. A unit stands for both where only one has it, as in 8.5x11in. */
+static bool parse_lengths(const char *value, char sign, double *a_mm, double *b_mm)
+{
+    char word[64];
+    bool fits;
+    double a, b, unit_a, unit_b;
+    const char *second = take_word(value, sign, word, sizeof word, &fits);
+    if (!second || !fits || !parse_measure(word, &a, &unit_a) || !parse_measure(second, &b, &unit_b))
+        return false;
+    const double unit = unit_b > 0.0 ? unit_b : unit_a > 0.0 ? unit_a : 1.0;
+    *a_mm = a * (unit_a > 0.0 ? unit_a : unit);
+    *b_mm = b * unit;
+    return true;
+}
+
 int paper_set_page(roberts_page *page, const char *value)
 {
     /* ISO 216, and what North America uses */
@@ -66,8 +81,8 @@ int paper_set_page(roberts_page *page, const char *value)
         return EXIT_DONE;
     }
     double width, height;
-    if (strlen(value) >= sizeof word || !parse_pair(word, 'x', &width, &height))
-        return nearest_unknown("--page", value, names, COUNT(names), "or WxH in mm, as 210x297");
+    if (strlen(value) >= sizeof word || !parse_lengths(word, 'x', &width, &height))
+        return nearest_unknown("--page", value, names, COUNT(names), "or WxH in mm, as 210x297, or 8.5x11in");
     if (!(width >= 1.0 && width <= 40000.0 && height >= 1.0 && height <= 40000.0))
         return message_misuse("--page: %s: each side has 1 to 40000 mm", value);
     page->width_mm = width;
@@ -208,9 +223,10 @@ static bool is_length(double mm, double least)
 static int set_dashes(roberts_pen *pen, const char *value)
 {
     double dash = 0.0, gap = 0.0;
-    if (strcmp(value, "none") != 0 && !parse_pair(value, '/', &dash, &gap)) {
-        if (!parse_number(value, &dash))
-            return message_misuse("--style: dash=%s is neither none nor DASH/GAP in mm", value);
+    if (strcmp(value, "none") != 0 && !parse_lengths(value, '/', &dash, &gap)) {
+        if (!parse_length(value, &dash))
+            return message_misuse("--style: dash=%s is neither none nor DASH/GAP in mm, or with cm, in or pt behind it",
+                                  value);
         gap = dash / 4.0;
     }
     if (strcmp(value, "none") != 0 && !(is_length(dash, 0.001) && is_length(gap, 0.001)))
@@ -223,8 +239,8 @@ static int set_dashes(roberts_pen *pen, const char *value)
 static int set_width(roberts_pen *pen, const char *value)
 {
     double width;
-    if (!parse_number(value, &width))
-        return message_misuse("--style: width=%s is not a number", value);
+    if (!parse_length(value, &width))
+        return message_misuse("--style: width=%s is not a length in mm, or with cm, in or pt behind it", value);
     if (!is_length(width, 0.001))
         return message_misuse("--style: width=%s is not in 0.001..1000 mm", value);
     bool follows = pen->dash_mm == 12.0 * pen->width_mm && pen->gap_mm == 3.0 * pen->width_mm && pen->dash_mm > 0.0;

@@ -30,6 +30,33 @@ bool parse_number(const char *text, double *number)
     return true;
 }
 
+bool parse_measure(const char *text, double *number, double *unit_mm)
+{
+    static const struct {
+        const char *name;
+        double mm;
+    } units[] = {{"", 0.0}, {"mm", 1.0}, {"cm", 10.0}, {"in", 25.4}, {"pt", 25.4 / 72.0}};
+    double value;
+    if (!take_number(&text, &value))
+        return false;
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++)
+        if (strcmp(text, units[i].name) == 0) {
+            *number = value;
+            *unit_mm = units[i].mm;
+            return true;
+        }
+    return false;
+}
+
+bool parse_length(const char *text, double *mm)
+{
+    double number, unit_mm;
+    if (!parse_measure(text, &number, &unit_mm))
+        return false;
+    *mm = unit_mm > 0.0 ? number * unit_mm : number;
+    return true;
+}
+
 bool parse_integer(const char *text, uint32_t *number)
 {
     uint64_t value = 0;

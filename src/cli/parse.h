@@ -7,6 +7,13 @@
 /* The whole of `text` is one decimal number, finite. */
 bool parse_number(const char *text, double *number);
 
+/* The whole of `text` is one decimal number, finite, with mm, cm, in or pt (1/72 inch) behind it; `*unit_mm` is 0 where
+ * nothing is. */
+bool parse_measure(const char *text, double *number, double *unit_mm);
+
+/* The same in mm, which a number alone is taken for. */
+bool parse_length(const char *text, double *mm);
+
 /* The whole of `text` is one whole number in decimal digits, below 2^32. */
 bool parse_integer(const char *text, uint32_t *number);
 

@@ -108,6 +108,15 @@ int values_set_number(const char *name, const char *value, double max, double *n
     return values_set_number_between(name, value, 0.0, max, number);
 }
 
+int values_set_length(const char *name, const char *value, double max, double *mm)
+{
+    if (!parse_length(value, mm))
+        return message_misuse("--%s: \"%s\" is not a length in mm, or with cm, in or pt behind it", name, value);
+    if (!(*mm >= 0.0 && *mm <= max))
+        return message_misuse("--%s: %s is not in 0..%g mm", name, value, max);
+    return EXIT_DONE;
+}
+
 int values_set_integer(const char *name, const char *value, uint32_t min, uint32_t max, uint32_t *number)
 {
     if (!parse_integer(value, number))

@@ -23,6 +23,7 @@ int values_set_turntable(const char *value, uint32_t *number);
 int values_set_vector(const char *name, const char *value, roberts_vec3 *vector);
 int values_set_direction(const char *name, const char *value, roberts_vec3 *vector);    /* points somewhere */
 int values_set_number(const char *name, const char *value, double max, double *number); /* 0 .. max */
+int values_set_length(const char *name, const char *value, double max, double *mm);     /* the same, of mm */
 int values_set_number_between(const char *name, const char *value, double min, double max, double *number);
 int values_set_integer(const char *name, const char *value, uint32_t min, uint32_t max, uint32_t *number);
 
