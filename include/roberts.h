@@ -310,7 +310,8 @@ typedef struct roberts_drawing {
 } roberts_drawing;
 
 typedef struct roberts_hide_options {
-    double crease_degrees; /**< an edge between two front faces, or two back ones, flatter than this is not drawn (default: 0.1) */
+    double crease_degrees; /**< an edge between two front faces, or two back ones, flatter than this is not drawn
+                                (default: 0.1) */
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
     double epsilon;        /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, at least 16 ulp */
@@ -563,7 +564,8 @@ typedef struct roberts_background {
 /** Paper. The drawing is fitted into what the margins leave, and centred. */
 typedef struct roberts_page {
     double width_mm, height_mm; /**< 1 to 40000 each */
-    double margin_mm;           /**< on all four sides, less than half of the shorter */
+    double margin_mm;           /**< on all four sides, less than half of the shorter; what is fitted keeps half of its
+                                     widest pen from the edge anyhow (a tenth of the shorter side at the most) */
 } roberts_page;
 
 /** Makes a field of view, the window of a drawing that is `framed`, wider or higher about its middle until it has the shape of

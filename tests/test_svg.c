@@ -69,7 +69,7 @@ static const struct {
     {"far away", {210, 297, 10}, 1, {1e6, -1e7}, 0.00051},
 };
 
-/* Where p belongs on the page: the definition, in more digits. */
+/* Where p belongs on the page: the definition, in more digits. Half of the widest pen is kept where margins are less. */
 static void exact_place(const roberts_page *page, const roberts_drawing *d, roberts_vec2 p, long double at[2])
 {
     long double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -79,8 +79,9 @@ static void exact_place(const roberts_page *page, const roberts_drawing *d, robe
             low[0] = fminl(low[0], q.x), high[0] = fmaxl(high[0], q.x);
             low[1] = fminl(low[1], q.y), high[1] = fmaxl(high[1], q.y);
         }
-    long double scale = fminl((page->width_mm - 2 * page->margin_mm) / (high[0] - low[0]),
-                              (page->height_mm - 2 * page->margin_mm) / (high[1] - low[1]));
+    long double margin = fmax(page->margin_mm, roberts_draw_options_default().outline.width_mm / 2);
+    long double scale =
+        fminl((page->width_mm - 2 * margin) / (high[0] - low[0]), (page->height_mm - 2 * margin) / (high[1] - low[1]));
     at[0] = page->width_mm / 2.0L + scale * (p.x - (low[0] + high[0]) / 2);
     at[1] = page->height_mm / 2.0L - scale * (p.y - (low[1] + high[1]) / 2);
 }

@@ -229,12 +229,29 @@ static roberts_page page_within_frame(const roberts_drawing *drawing, const robe
     return page;
 }
 
+/* A line on the border of the margins has half of its width beyond it. So a drawing that is fitted keeps half of the widest pen
+ * from the page's edge, on small pages a tenth of their shorter side: else margins of less, as 0, would cut lines off. Not what
+ * is true to scale, which may fill the page, nor what is within a frame. */
+static roberts_page page_within_edge(roberts_page page, const roberts_draw_options *options)
+{
+    double widest = 0.0;
+    for (int i = ROBERTS_OUTLINE; i <= ROBERTS_BACK; i++)
+        if (!strokes_pen(options, (roberts_line)i)->off &&
+            !(i == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_NONE))
+            widest = fmax(widest, strokes_pen(options, (roberts_line)i)->width_mm);
+    if (options->frame.off && options->placement.scale == 0.0)
+        page.margin_mm = fmax(page.margin_mm, fmin(widest / 2.0, fmin(page.width_mm, page.height_mm) / 10.0));
+    return page;
+}
+
 roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const roberts_draw_options *options,
                             roberts_error *error)
 {
     roberts_vec2 min, max;
     roberts_drawing shaped = *drawing;
-    const roberts_page page = page_within_frame(drawing, options);
+    roberts_page page = page_within_frame(drawing, options);
+    if (!drawing->framed) /* what is cut off at the border has nothing to keep from it */
+        page = page_within_edge(page, options);
     *s = nothing_drawn(options);
     if (drawing->framed)
         roberts_page_shape(&page, &shaped.window_min, &shaped.window_max);
@@ -254,8 +271,10 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
     sheet_map map;
     placed view[ROBERTS_SHEET_VIEWS];
     size_t views = 0;
+    roberts_draw_options within = *options;
     *s = nothing_drawn(options);
-    if (!sheet_lay(sheet, options, &map, error))
+    within.page = page_within_edge(options->page, options);
+    if (!sheet_lay(sheet, &within, &map, error))
         return ROBERTS_BAD_ARGUMENT;
     for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)
         if (sheet->view[i])
