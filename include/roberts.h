@@ -167,8 +167,9 @@ typedef struct roberts_scene_options {
  * a face of three corners, all its points. A hull's vertices are vertices of the input, its faces its own (ROBERTS_NONE, and
  * without colours); points that lie outside a face by less than the tolerance, or 1e-5 of the size, may be left out.
  * Solids are still numbered by their smallest vertex, whether the hull has it or not. What lies in one plane has no hull: it is
- * left out with a warning, be it all of an input, and refused where there is nothing else. How many solids of an input have been replaced, and
- * why, is a warning as well; points without faces, for which a hull is all that could be wanted, are not counted there.
+ * left out with a warning, be it all of an input, and refused where there is nothing else. How many solids of an input have
+ * been replaced, and why, is a warning as well; points without faces, for which a hull is all that could be wanted, are not
+ * counted there.
  * mesh     only read, and not needed afterwards
  * options  NULL for the defaults
  * scene    owned by the caller, released by roberts_scene_free(); NULL on failure
@@ -611,7 +612,7 @@ typedef struct roberts_draw_options {
     roberts_background background;   /**< default: off */
     roberts_placement placement;     /**< default: fitted, in the middle */
     roberts_order order;             /**< default: ROBERTS_ORDER_TRAVEL */
-    bool real_dashes;                /**< dashes as strokes of their own, for pens; default: as a pattern of the line */
+    bool real_dashes;                /**< dashes as strokes, fitted from corner to corner; default: as a pattern of the line */
     double dpi;                      /**< PNG: dots per inch; default: 150 */
     const char *title, *description; /**< SVG: UTF-8; NULL: none */
     roberts_ink *ink;                /**< NULL, or filled when a page is written */

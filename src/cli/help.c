@@ -49,7 +49,7 @@ const char *const help_text[] = {
     "      --style CLASS:KEY=VALUE,...  a pen; CLASS: outline, crease, hidden, frame or symbol (default: 0.5, 0.35,\n"
     "                       0.25 dashed, 0.7, 0.35 mm, black). width=MM; color=NAME, #rrggbb or #rgb; dash=DASH/GAP\n"
     "                       in mm as seen, or none; off, on\n"
-    "      --dash MODE      dashes as a pattern of the line, or real: strokes of their own (default: pattern)\n"
+    "      --dash MODE      dashes as a pattern of the line, or real: strokes, fitted to it (default: pattern)\n"
     "      --order MODE     travel: for short ways of the lifted pen; none: as in the model (default: travel)\n"
     "\n",
     "View\n"

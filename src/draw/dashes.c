@@ -1,4 +1,13 @@
-/* dashes.c - dashes as strokes of their own, for pens that know no patterns. */
+/* dashes.c - dashes as strokes of their own.
+ *
+ * A run is what lies between two corners, or ends, of a polyline. Of length L as seen it has n gaps and n + 1 dashes,
+ *
+ *     n = max(1, round((L - d) / (d + g))),    each L / (n (d + g) + d) times as long as the pattern's d and g;
+ *
+ * the last dash of a run and the first of the next are one stroke, round the corner. Where a run is so short that it would
+ * leave less than the pen's width of a gap, the gap keeps that and the dashes what is left; where they in turn would be
+ * less than least_dash_widths, the run is drawn whole: it is shorter than any dash, so that it does not read as a line of another
+ * class, while its absence would leave a corner open. A pattern that is finer than this by itself stays as it is. */
 #include "draw/dashes.h"
 
 #include <math.h>
@@ -6,27 +15,60 @@
 
 #include "base/error.h"
 
+static const double least_dash_widths = 1.5; /* of the pen, seen: less is read as a dot */
+static const double dot_units = 2.0;         /* the least way of the pen that is down: ends differ once rounded */
+static const double curve_cosine = 0.939692620785908; /* turns of up to 20 degrees: a polygon of 18 sides or more */
+static const double straight_units = 2.0;             /* off the line of its neighbours: a point that rounding moved */
+
+/* ---- from corner to corner ---- */
+
 /* Where a walk along a polyline is. */
 typedef struct walker {
     const page_point *p;
-    uint32_t count, side; /* points; the side that the walk is on, from p[side] to the next */
+    uint32_t count, side; /* points; the side that the walk is on, from p[side] to the next, round and round */
+    uint32_t end;         /* side before which the run ends */
     bool closed;
     double at, length; /* on that side, and its length */
+    size_t most;       /* polylines */
 } walker;
 
+/* Point i of a line that is closed, round and round. */
 static page_point corner(const walker *w, uint32_t i)
 {
-    return w->p[i % w->count];
-}
-
-static uint32_t sides(const walker *w)
-{
-    return w->closed ? w->count : w->count - 1;
+    while (i >= w->count)
+        i -= w->count; /* three times at the most */
+    return w->p[i];
 }
 
 static double side_length(const walker *w, uint32_t i)
 {
     return page_distance(corner(w, i), corner(w, i + 1));
+}
+
+/* Whether the way turns at point i, which has neighbours. It does not where rounding alone has bent a straight line, nor in
+ * a curve: sides with small turns, on which a pattern of their own would leave a gap of less than the pen's width. */
+static bool is_corner(const walker *w, const dash_pattern *pattern, uint32_t i)
+{
+    page_point p = corner(w, i + w->count - 1), q = corner(w, i), r = corner(w, i + 1);
+    double ux = (double)q.x - p.x, uy = (double)q.y - p.y, vx = (double)r.x - q.x, vy = (double)r.y - q.y;
+    double along = ux * vx + uy * vy, across = fabs(ux * vy - uy * vx);
+    if (along > 0.0 && across <= straight_units * page_distance(p, r))
+        return false;
+    double before = page_distance(p, q), behind = page_distance(q, r);
+    double enough = fmin(1.0, pattern->width / pattern->gap) * (2.0 * pattern->dash + pattern->gap) - pattern->width;
+    return along < curve_cosine * before * behind || before >= enough || behind >= enough;
+}
+
+/* The run that begins with side `from`, which ends at side `end` at the latest. Returns its length. */
+static double run_from(walker *w, const dash_pattern *pattern, uint32_t from, uint32_t end)
+{
+    w->side = from;
+    w->at = 0.0;
+    w->length = side_length(w, from);
+    double sum = w->length;
+    for (w->end = from + 1; w->end < end && !is_corner(w, pattern, w->end); w->end++)
+        sum += side_length(w, w->end);
+    return sum;
 }
 
 static page_point here(const walker *w)
@@ -44,7 +86,8 @@ static bool add(polylines *out, page_point at)
     return same || polylines_append(out, at);
 }
 
-/* Goes on by `way`, or to the end; with `out`, corners on the way are added to its last polyline. False: no memory. */
+/* Goes on by `way`, or to the end of the run; with `out`, what is drawn on the way is added to its last polyline. False:
+ * no memory. */
 static bool go(walker *w, double way, polylines *out)
 {
     while (way >= w->length - w->at) {
@@ -52,7 +95,7 @@ static bool go(walker *w, double way, polylines *out)
             return false;
         way -= w->length - w->at;
         w->at = 0.0;
-        if (++w->side == sides(w))
+        if (++w->side == w->end)
             return true;
         w->length = side_length(w, w->side);
     }
@@ -60,30 +103,42 @@ static bool go(walker *w, double way, polylines *out)
     return !out || add(out, here(w));
 }
 
-static bool cut_line(const polylines *from, const polyline *line, double down, double up, polylines *out)
+/* ---- the pattern on a run ---- */
+
+/* Ways of the pen. */
+typedef struct fit {
+    size_t gaps; /* 0: drawn whole */
+    double down, up;
+} fit;
+
+/* For a run of this length, whose dashes are one more than its gaps; as many on a `ring`, a closed line without corners. */
+static fit fit_pattern(const dash_pattern *p, double length, bool ring)
 {
-    walker w = {.p = from->point + line->first, .count = line->count, .closed = line->closed};
-    w.length = side_length(&w, 0);
-    while (w.side < sides(&w)) {
-        if (!polylines_start(out) || !add(out, here(&w)) || !go(&w, down, out))
-            return false;
-        if (out->item[out->count - 1].count == 1) { /* the rest of a line, rounded to nothing */
-            out->count--;
-            out->point_count--;
-        }
-        if (w.side < sides(&w) && !go(&w, up, NULL))
-            return false;
-    }
-    return true;
+    const double more = ring ? 0.0 : 1.0, seen = ring ? length : length + p->width, period = p->dash + p->gap;
+    const double least = fmin(p->dash, fmax(least_dash_widths * p->width, p->width + dot_units)),
+                 least_gap = fmin(p->gap, p->width);
+    double n = fmax(1.0, floor((seen - more * p->dash) / period + 0.5));
+    n = fmin(n, floor((seen - more * least) / (least + least_gap)));
+    if (n < 1.0)
+        return (fit){0};
+    double dash = fmax(seen / (n * period + more * p->dash) * p->dash, least);
+    double down = fmin(dash, (seen - n * least_gap) / (n + more)) - p->width;
+    return (fit){(size_t)n, down, (length - (n + more) * down) / n};
 }
 
-static double length_of(const polylines *p, const polyline *line)
+/* Starts a dash. False: no memory. */
+static bool put_down(const walker *w, polylines *out)
 {
-    walker w = {.p = p->point + line->first, .count = line->count, .closed = line->closed};
-    double sum = 0.0;
-    for (uint32_t i = 0; i < sides(&w); i++)
-        sum += side_length(&w, i);
-    return sum;
+    return polylines_start(out) && add(out, here(w));
+}
+
+/* Cuts a run behind its first dash: a gap and a dash, so many times; the last one goes to the end. */
+static bool cut_run(walker *w, const fit *f, polylines *out)
+{
+    for (size_t k = 1; k <= f->gaps; k++)
+        if (!go(w, f->up, NULL) || !put_down(w, out) || !go(w, k < f->gaps ? f->down : INFINITY, out))
+            return false;
+    return true;
 }
 
 static bool copy_line(const polylines *from, const polyline *line, polylines *out)
@@ -97,22 +152,88 @@ static bool copy_line(const polylines *from, const polyline *line, polylines *ou
     return true;
 }
 
-roberts_status dashes_cut(polylines *p, size_t first, double down, double up, roberts_error *error)
+static bool has_room(const walker *w, const fit *f, const polylines *out)
+{
+    return out->count < w->most && f->gaps < w->most - out->count;
+}
+
+/* The runs from side `from` to side `end`. Of a closed line, whose first run has a gap, the first dash is drawn last, as the end of
+ * the one that leads to it. */
+static roberts_status cut_runs(walker *w, const dash_pattern *pattern, uint32_t from, uint32_t end, polylines *out)
+{
+    fit first = {0};
+    for (uint32_t i = from; i < end; i = w->end) {
+        fit f = fit_pattern(pattern, run_from(w, pattern, i, end), false);
+        if (!has_room(w, &f, out))
+            return ROBERTS_BAD_ARGUMENT;
+        bool done = i > from || w->closed || put_down(w, out);
+        if (i == from)
+            first = f;
+        done = done && go(w, f.gaps ? f.down : INFINITY, i == from && w->closed ? NULL : out);
+        if (!done || !cut_run(w, &f, out))
+            return ROBERTS_NO_MEMORY;
+    }
+    if (w->closed) {
+        run_from(w, pattern, end, end + end - from);
+        if (!go(w, first.down, out))
+            return ROBERTS_NO_MEMORY;
+    }
+    return ROBERTS_OK;
+}
+
+/* A closed line without corners. */
+static roberts_status cut_ring(walker *w, const dash_pattern *pattern, polylines *out)
+{
+    fit f = fit_pattern(pattern, run_from(w, pattern, 0, w->count), true);
+    if (!has_room(w, &f, out))
+        return ROBERTS_BAD_ARGUMENT;
+    for (size_t k = 0; k < f.gaps; k++)
+        if (!put_down(w, out) || !go(w, f.down, out) || !go(w, f.up, NULL))
+            return ROBERTS_NO_MEMORY;
+    return ROBERTS_OK;
+}
+
+/* Begins at a corner behind which there is a gap, so that the dash round the corner where it ends is one stroke as well. */
+static roberts_status cut_closed(walker *w, const dash_pattern *pattern, polylines *out)
+{
+    uint32_t first = 0;
+    while (first < w->count && !is_corner(w, pattern, first))
+        first++;
+    if (first == w->count)
+        return cut_ring(w, pattern, out);
+    for (uint32_t i = first; i < first + w->count; i = w->end)
+        if (fit_pattern(pattern, run_from(w, pattern, i, first + w->count), false).gaps)
+            return cut_runs(w, pattern, i, i + w->count, out);
+    return ROBERTS_OK;
+}
+
+static roberts_status cut_line(const polylines *from, const polyline *line, const dash_pattern *pattern, size_t most,
+                               polylines *out)
+{
+    walker w = {.p = from->point + line->first, .count = line->count, .closed = line->closed, .most = most};
+    size_t before = out->count;
+    roberts_status status = w.closed ? cut_closed(&w, pattern, out) : cut_runs(&w, pattern, 0, w.count - 1, out);
+    if (status == ROBERTS_OK && out->count == before && !copy_line(from, line, out))
+        return ROBERTS_NO_MEMORY; /* closed, and without a gap anywhere */
+    return status;
+}
+
+roberts_status dashes_cut(polylines *p, size_t first, const dash_pattern *pattern, roberts_error *error)
 {
     polylines cut = {0};
-    double dashes = 0.0;
-    down = fmax(down, 1.0);
-    for (size_t i = first; i < p->count; i++)
-        dashes += 1.0 + length_of(p, &p->item[i]) / (down + up);
-    if (dashes > DASHES_MAX)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "more than %d dashes: longer ones are needed", DASHES_MAX);
-    for (size_t i = 0; i < p->count; i++) {
-        const polyline *line = &p->item[i];
-        bool done = i >= first ? cut_line(p, line, down, up, &cut) : copy_line(p, line, &cut);
-        if (!done) {
-            polylines_free(&cut);
-            return error_no_memory(error);
-        }
+    dash_pattern least = *pattern;
+    roberts_status status = ROBERTS_OK;
+    least.dash = fmax(pattern->dash, pattern->width + dot_units);
+    for (size_t i = 0; i < first && status == ROBERTS_OK; i++)
+        status = copy_line(p, &p->item[i], &cut) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
+    for (size_t i = first; i < p->count && status == ROBERTS_OK; i++)
+        status = cut_line(p, &p->item[i], &least, first + DASHES_MAX, &cut);
+    if (status != ROBERTS_OK) {
+        polylines_free(&cut);
+        return status == ROBERTS_NO_MEMORY
+                   ? error_no_memory(error)
+                   : error_set(error, status, 0,
+                               "more than %d dashes: longer ones are needed, or a pattern of the line", DASHES_MAX);
     }
     polylines_free(p);
     *p = cut;

@@ -174,9 +174,12 @@ static roberts_status add_class(strokes *s, const pieces *p, roberts_line line, 
         done = chain_pieces(p, line, &s->lines) && travel_order(&s->lines, first, pen);
     if (!done)
         return error_no_memory(error);
-    if (s->options->real_dashes && strokes_dash(s->options, line, dash))
-        return dashes_cut(&s->lines, first, dash[0] * s->units_per_mm, dash[1] * s->units_per_mm, error);
-    return ROBERTS_OK;
+    if (!s->options->real_dashes || !strokes_dash(s->options, line, dash))
+        return ROBERTS_OK;
+    const roberts_pen *with = strokes_pen(s->options, line);
+    const dash_pattern pattern = {with->dash_mm * s->units_per_mm, with->gap_mm * s->units_per_mm,
+                                  with->width_mm * s->units_per_mm};
+    return dashes_cut(&s->lines, first, &pattern, error);
 }
 
 /* Strokes of all views together. `s` holds all but its lines. */
