@@ -281,8 +281,9 @@ typedef struct roberts_tally {
     uint64_t test3_invisible; /**< inside all sides (up to where the edge pierces the face) */
     uint64_t test4;           /**< cut at the crossings */
     uint64_t covered;         /**< edges dropped behind covers, without a test */
-    uint64_t pierced; /**< parts that end where the edge pierces a face: solids pass through one another there */
-    uint64_t refined; /**< signs and crossings computed again in twice the precision */
+    uint64_t pierced;         /**< parts found that end where the edge pierces a face. As the others this depends on
+                           the grid: what is hidden already is not asked */
+    uint64_t refined;         /**< signs and crossings computed again in twice the precision */
 } roberts_tally;
 
 /** CPU and wall-clock seconds of one stage. */
@@ -612,7 +613,7 @@ typedef struct roberts_draw_options {
     roberts_background background;   /**< default: off */
     roberts_placement placement;     /**< default: fitted, in the middle */
     roberts_order order;             /**< default: ROBERTS_ORDER_TRAVEL */
-    bool real_dashes;                /**< dashes as strokes, fitted from corner to corner; default: as a pattern of the line */
+    bool real_dashes;                /**< dashes as strokes, fitted to the line; default: as a pattern of it */
     double dpi;                      /**< PNG: dots per inch; default: 150 */
     const char *title, *description; /**< SVG: UTF-8; NULL: none */
     roberts_ink *ink;                /**< NULL, or filled when a page is written */

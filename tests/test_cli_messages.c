@@ -443,27 +443,6 @@ static void terminals_are_told_of(void **state)
     assert_string_equal(last.err, "roberts: standard input:1: the input is empty\n");
 }
 
-/* Once for each run, also of several views; not of what only touches. */
-static void pierced_faces_are_warned_of(void **state)
-{
-    static const char said[] =
-        "roberts: models/interpenetrating-cubes.off: warning: solids pass through one another: the "
-        "lines in which their faces meet are not drawn\n";
-    static const char *const commands[] = {"-f csv -o a.csv", "--sheet first -o in/a.svg",
-                                           "--turntable 3 -o in/a%d.svg"};
-    char line[200];
-    (void)state;
-    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
-        snprintf(line, sizeof line, "%s models/interpenetrating-cubes.off", commands[i]);
-        assert_int_equal(run(line), 0);
-        assert_string_equal(last.err, said);
-    }
-    assert_int_equal(run("-q -f csv -o a.csv models/interpenetrating-cubes.off"), 0);
-    assert_string_equal(last.err, "");
-    assert_int_equal(run("-f csv -o a.csv models/stacked-blocks.off"), 0);
-    assert_string_equal(last.err, "");
-}
-
 /* A terminal must not obey what is in a name. */
 static void names_are_printed_plainly(void **state)
 {
@@ -703,7 +682,6 @@ int main(void)
         IN_FOLDER(numbers_without_a_turntable_are_warned_of),
         IN_FOLDER(idle_options_are_warned_of),
         IN_FOLDER(terminals_are_told_of),
-        IN_FOLDER(pierced_faces_are_warned_of),
         IN_FOLDER(names_are_printed_plainly),
         IN_FOLDER(closed_streams_stay_taken),
         IN_FOLDER(several_points_are_picked),

@@ -252,18 +252,6 @@ static void warn_empty(const cli_options *options, const views *v)
     message_warning(options->log, name_output(options, name, sizeof name), 0, text);
 }
 
-/* What a reader would miss in the drawing. */
-static void warn_pierced(const cli_options *options, const views *v)
-{
-    char name[NAME_SIZE];
-    uint64_t pierced = 0;
-    for (size_t i = 0; i < v->count; i++)
-        pierced += v->drawing[i].tally.pierced;
-    if (pierced > 0 && !options->quiet)
-        message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0,
-                        "solids pass through one another: the lines in which their faces meet are not drawn");
-}
-
 static void tell(const cli_options *options, const run_stats *run, const views *v)
 {
     char name[NAME_SIZE], ratio[STATS_RATIO];
@@ -308,8 +296,6 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     int result = status != ROBERTS_OK ? fail(options, &error) : EXIT_DONE;
     if (status == ROBERTS_OK && run.found.contradictions > 0)
         result = EXIT_FAILED; /* and the drawing is there to look at */
-    if (status == ROBERTS_OK && run.frame == 0)
-        warn_pierced(options, &v);
     if (status == ROBERTS_OK)
         tell(options, &run, &v);
     free_views(&v);
@@ -347,7 +333,7 @@ static roberts_status find_window(const cli_options *options, const roberts_scen
     return status;
 }
 
-static int draw_turntable(const cli_options *options, roberts_scene **scene, run_stats run)
+static int draw_turntable(const cli_options *options, roberts_scene **scene, const run_stats *run)
 {
     char name[NAME_SIZE];
     picture_window window;
@@ -360,8 +346,7 @@ static int draw_turntable(const cli_options *options, roberts_scene **scene, run
         one.camera = turned(options, *scene, i);
         parse_numbered(options->output, i, name, sizeof name);
         one.output = one.label = name;
-        run.frame = i;
-        result = draw(&one, scene, i + 1 == options->turntable, &window, run, stats_now());
+        result = draw(&one, scene, i + 1 == options->turntable, &window, *run, stats_now());
         progress_count(i + 1, options->turntable);
     }
     return result;
@@ -377,7 +362,7 @@ int picture_make(const cli_options *options)
     if (load(options, &scene, &run, &error) != ROBERTS_OK)
         result = fail(options, &error);
     else if (options->turntable)
-        result = draw_turntable(options, &scene, run);
+        result = draw_turntable(options, &scene, &run);
     else
         result = draw(options, &scene, true, NULL, run, begin);
     roberts_scene_free(scene);

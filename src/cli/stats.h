@@ -7,7 +7,6 @@
 /* What the program counts and times itself; the rest is in the drawing. */
 typedef struct run_stats {
     size_t files, vertices, faces;
-    uint32_t frame;                                 /* of a turntable */
     roberts_time read, solids, verify, draw, total; /* verify: and picking */
     roberts_ink ink;                                /* nothing in it: no page was written */
     uint64_t segments[ROBERTS_CLIPPED + 1];         /* in each state */
