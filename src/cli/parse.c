@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* Reads one number at `*at`, which moves behind it. strtod() would also take blanks, inf, nan and 0x10. */
 static bool take_number(const char **at, double *number)
@@ -40,7 +41,7 @@ bool parse_measure(const char *text, double *number, double *unit_mm)
     if (!take_number(&text, &value))
         return false;
     for (size_t i = 0; i < sizeof units / sizeof units[0]; i++)
-        if (strcmp(text, units[i].name) == 0) {
+        if (strcasecmp(text, units[i].name) == 0) {
             *number = value;
             *unit_mm = units[i].mm;
             return true;

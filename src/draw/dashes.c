@@ -36,7 +36,7 @@ typedef struct walker {
 static page_point corner(const walker *w, uint32_t i)
 {
     while (i >= w->count)
-        i -= w->count; /* three times at the most */
+        i -= w->count; /* a few times */
     return w->p[i];
 }
 

@@ -193,7 +193,7 @@ static uint32_t first_behind(const objet *grid, const hide_picture *picture, uin
     return k;
 }
 
-/* Entries from `first` on before `end`, the last ones first. */
+/* Entries from `first` on before `end`, the last four first. */
 static bool meet_backward(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t first,
                           uint32_t end, uint32_t sides)
 {

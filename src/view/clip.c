@@ -263,7 +263,7 @@ static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t c
     return true;
 }
 
-/* An eye on a face is outside, whatever the face's plane is rounded to. */
+/* An eye on a face is outside, to rounding; what a face departs from its plane is not counted. */
 static bool holds_eye(const cutter *c, uint32_t solid)
 {
     roberts_vec3 P = vec3_sub(c->eye, c->from->centre);
