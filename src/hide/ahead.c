@@ -105,15 +105,20 @@ static bool keep_line(ahead_chunk *c, const hide_line *line, bool all)
     return true;
 }
 
-/* What a chunk has not used; arrays that cannot be made smaller stay as they are. */
+/* An array that cannot be made smaller stays as it is. */
+static void *shrunk(void *array, size_t size)
+{
+    void *smaller = size ? realloc(array, size) : NULL;
+    return smaller ? smaller : array;
+}
+
+/* What a chunk has not used. */
 static void shrink(ahead_chunk *c)
 {
-    void *line = c->line_count ? realloc(c->line, c->line_count * sizeof *c->line) : NULL;
-    void *t = c->part_count ? realloc(c->t, 2 * c->part_count * sizeof *c->t) : NULL;
-    void *by = c->by && c->part_count ? realloc(c->by, c->part_count * sizeof *c->by) : NULL;
-    c->line = line ? line : c->line;
-    c->t = t ? t : c->t;
-    c->by = by ? by : c->by;
+    c->line = shrunk(c->line, c->line_count * sizeof *c->line);
+    c->t = shrunk(c->t, 2 * c->part_count * sizeof *c->t);
+    if (c->by)
+        c->by = shrunk(c->by, c->part_count * sizeof *c->by);
 }
 
 bool ahead_keep(ahead *a, uint32_t place, const hide_worker *w)
