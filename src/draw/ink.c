@@ -11,7 +11,7 @@ void ink_pen(cairo_t *cairo, const roberts_draw_options *options, roberts_line l
 {
     const roberts_pen *pen = strokes_pen(options, line);
     double dash[2];
-    bool dashed = strokes_dash(options, line, dash) && !options->real_dashes;
+    bool dashed = strokes_dash(options, line, dash);
     cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_width(cairo, pen->width_mm);

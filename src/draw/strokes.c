@@ -36,24 +36,35 @@ const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line
     }
 }
 
+static bool is_broken(const roberts_draw_options *options, roberts_line line)
+{
+    return strokes_pen(options, line)->dash_mm > 0.0 &&
+           !(line == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_SOLID);
+}
+
 bool strokes_dash(const roberts_draw_options *options, roberts_line line, double dash[2])
 {
     const roberts_pen *pen = strokes_pen(options, line);
     dash[0] = fmax(pen->dash_mm - pen->width_mm, 0.0);
     dash[1] = pen->gap_mm + pen->width_mm;
-    return pen->dash_mm > 0.0 && !(line == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_SOLID);
+    return is_broken(options, line) && !options->real_dashes;
+}
+
+/* Not where its pen is off, nor hidden lines where they are not wanted. */
+static bool is_class_drawn(const roberts_draw_options *options, roberts_line line)
+{
+    return !strokes_pen(options, line)->off && !(line == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_NONE);
 }
 
 static bool is_drawn(const roberts_draw_options *options, const roberts_segment *segment, roberts_line *line)
 {
     if (segment->state == ROBERTS_CLIPPED)
         return false;
-    if (segment->state == ROBERTS_HIDDEN) {
+    if (segment->state == ROBERTS_HIDDEN)
         *line = ROBERTS_BACK;
-        return options->hidden != ROBERTS_HIDDEN_NONE && !options->back.off;
-    }
-    *line = segment->line == ROBERTS_CREASE ? ROBERTS_CREASE : ROBERTS_OUTLINE;
-    return !strokes_pen(options, *line)->off;
+    else
+        *line = segment->line == ROBERTS_CREASE ? ROBERTS_CREASE : ROBERTS_OUTLINE;
+    return is_class_drawn(options, *line);
 }
 
 static void enlarge(roberts_vec2 *min, roberts_vec2 *max, roberts_vec2 p)
@@ -162,7 +173,6 @@ static bool add_symbol(strokes *s)
 static roberts_status add_class(strokes *s, const pieces *p, roberts_line line, page_point *pen, roberts_error *error)
 {
     size_t first = s->lines.count;
-    double dash[2];
     bool done;
     if (line == LINE_FRAME)
         done = add_frame(s);
@@ -174,7 +184,7 @@ static roberts_status add_class(strokes *s, const pieces *p, roberts_line line, 
         done = chain_pieces(p, line, &s->lines) && travel_order(&s->lines, first, pen);
     if (!done)
         return error_no_memory(error);
-    if (!s->options->real_dashes || !strokes_dash(s->options, line, dash))
+    if (!s->options->real_dashes || !is_broken(s->options, line))
         return ROBERTS_OK;
     const roberts_pen *with = strokes_pen(s->options, line);
     const dash_pattern pattern = {with->dash_mm * s->units_per_mm, with->gap_mm * s->units_per_mm,
@@ -239,8 +249,7 @@ static roberts_page page_within_edge(roberts_page page, const roberts_draw_optio
 {
     double widest = 0.0;
     for (int i = ROBERTS_OUTLINE; i <= ROBERTS_BACK; i++)
-        if (!strokes_pen(options, (roberts_line)i)->off &&
-            !(i == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_NONE))
+        if (is_class_drawn(options, (roberts_line)i))
             widest = fmax(widest, strokes_pen(options, (roberts_line)i)->width_mm);
     if (options->frame.off && options->placement.scale == 0.0)
         page.margin_mm = fmax(page.margin_mm, fmin(widest / 2.0, fmin(page.width_mm, page.height_mm) / 10.0));

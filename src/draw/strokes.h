@@ -42,7 +42,8 @@ void strokes_free(strokes *s);
 /* The pen for a class of lines. Segments in state hidden are of class ROBERTS_BACK here, whatever their edge is. */
 const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line line);
 
-/* Fills `dash` with the lengths in mm of pen down and pen up along a line of class `line`; false where it is unbroken.
+/* Fills `dash` with the lengths in mm of pen down and pen up along a line of class `line`; false where it is unbroken, or its dashes
+ * are strokes of their own.
  * A round cap adds half of the width to both ends of a dash, so pen down is shorter than what is seen by the width, and
  * a dash no longer than that is a dot. */
 bool strokes_dash(const roberts_draw_options *options, roberts_line line, double dash[2]);

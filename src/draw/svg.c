@@ -188,7 +188,7 @@ static void open_layer(output *out, const roberts_draw_options *options, roberts
     output_text(out, "\" stroke-width=\"");
     write_mm(out, pen->width_mm);
     output_text(out, "\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
-    if (!options->real_dashes && strokes_dash(options, line, dash)) {
+    if (strokes_dash(options, line, dash)) {
         output_text(out, " stroke-dasharray=\"");
         write_mm(out, dash[0]);
         output_text(out, " ");
