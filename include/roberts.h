@@ -155,6 +155,9 @@ typedef struct roberts_scene_options {
     bool hull;     /**< solids that would be refused, and inputs of points without faces, become their convex hulls */
     roberts_warnings warnings;
     uint32_t threads; /**< 0 = what there is; the result does not depend on it */
+    bool solids;      /**< what is no convex solid is refused (without `hull`, which replaces it) */
+    bool even_odd;    /**< a face that crosses itself is where its border winds round an odd number of times; default: where
+                         it winds round at all */
 } roberts_scene_options;
 
 /**
@@ -255,6 +258,8 @@ typedef enum roberts_line {
     ROBERTS_OUTLINE, /**< one face is front, the other back or edge-on */
     ROBERTS_CREASE,  /**< both faces are front */
     ROBERTS_BACK,    /**< no face is front: hidden by its own solid */
+    ROBERTS_BORDER,  /**< it has one face */
+    ROBERTS_WIRE,    /**< it has none */
 } roberts_line;
 
 /** A maximal part of an edge in one state. */

@@ -73,6 +73,8 @@ void layout_clear(roberts_scene *scene)
     free(scene->face_width);
     free(scene->face_number);
     free(scene->edge);
+    free(scene->low);
+    scene_surface_free(scene->surface);
     free(scene->vertex_color);
     free(scene->face_color);
     *scene = (roberts_scene){0};

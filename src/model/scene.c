@@ -8,6 +8,7 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/threads.h"
+#include "model/bodies.h"
 #include "model/components.h"
 #include "model/hull.h"
 #include "model/hull_inputs.h"
@@ -47,7 +48,9 @@ static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh, bool len
         if (!scene->vertex_color)
             return false;
         for (uint32_t v = 0; v < scene->vertex_count; v++)
-            scene->vertex_color[v] = mesh->vertex_color[scene_vertex_number(scene, v)];
+            scene->vertex_color[v] = scene_vertex_number(scene, v) == ROBERTS_NONE
+                                         ? (roberts_color){0}
+                                         : mesh->vertex_color[scene_vertex_number(scene, v)];
     }
     if (mesh->face_color && (scene->face_number || !lend)) {
         scene->face_color = alloc_array(scene->face_count, sizeof *scene->face_color);
@@ -278,6 +281,23 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
 
+/* Refused for its shape alone. */
+static bool is_shape(roberts_status status)
+{
+    return status == ROBERTS_NOT_CLOSED || status == ROBERTS_NOT_PLANAR || status == ROBERTS_NOT_CONVEX ||
+           status == ROBERTS_FLAT;
+}
+
+/* The same where bodies need not be convex solids. */
+static roberts_status build_bodies(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
+                                   roberts_error *error)
+{
+    roberts_status status = bodies_build(scene, mesh, options, error);
+    if (status == ROBERTS_OK && !copy_colors(scene, mesh, false))
+        status = error_no_memory(error);
+    return status;
+}
+
 static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const roberts_scene_options *options,
                                   roberts_scene **scene, roberts_error *error)
 {
@@ -300,6 +320,12 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
             layout_clear(*scene);
             found = (roberts_error){0};
             status = build_hulls(*scene, mesh, &chosen, &found);
+        } else if (!chosen.solids && !chosen.hull && is_shape(status)) {
+            layout_clear(*scene);
+            roberts_error other = {0};
+            status = build_bodies(*scene, mesh, &chosen, &other);
+            if (status != ROBERTS_NOT_CLOSED)
+                found = other;
         }
     }
     if (status != ROBERTS_OK) {

@@ -1,0 +1,409 @@
+/* arrangement.c - a border that crosses or touches itself, as the cells between its stretches and how often it winds round each.
+ *
+ * Sides are divided where they cross and at corners that lie on them. The stretches are then walked cell by cell: at each node
+ * the next stretch is the one most to the left. From one cell to the next the winding number changes by how often the border
+ * runs along the stretch between them. A slit (a stretch that runs both ways) changes nothing and bounds nothing. */
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/dd.h"
+#include "model/face_pieces.h"
+
+/* A point on side `side` of the ring, at t along it. */
+typedef struct side_stop {
+    uint32_t side, node;
+    double t;
+} side_stop;
+
+/* A stretch between two nodes, in the direction of the smaller one to the larger. */
+typedef struct stretch {
+    uint32_t v[2];
+    int32_t net;   /* how often the border runs this way, less how often the other way */
+    uint32_t side; /* the first side of the face that it is part of */
+} stretch;
+
+/* Half-edge 2 s runs along stretch s, 2 s + 1 back. */
+typedef struct arrangement {
+    side_stop *stop;
+    stretch *item;
+    uint32_t *next, *cell; /* [2 count] of each half-edge */
+    uint32_t *around;      /* [2 count] half-edges by the node they leave, counter-clockwise */
+    uint32_t *start;       /* [nodes + 1] into around */
+    uint32_t *place;       /* [2 count] in around */
+    int32_t *winding;      /* [cells] */
+    double *area;          /* [cells] twice */
+    uint32_t *ring;        /* scratch: nodes of a cell, */
+    uint32_t *ring_half;   /* and their half-edges */
+    size_t stop_count, stop_room, count, cells;
+} arrangement;
+
+static bool add_stop(arrangement *a, uint32_t side, uint32_t node, double t)
+{
+    if (!array_reserve(&a->stop, &a->stop_room, a->stop_count + 1, sizeof *a->stop))
+        return false;
+    a->stop[a->stop_count++] = (side_stop){side, node, t};
+    return true;
+}
+
+/* Where P lies along AB, and how far beside it. */
+static double along(roberts_vec2 A, roberts_vec2 B, roberts_vec2 P, double *beside)
+{
+    double dx = B.x - A.x, dy = B.y - A.y, squared = dx * dx + dy * dy;
+    double t = squared > 0.0 ? ((P.x - A.x) * dx + (P.y - A.y) * dy) / squared : 0.0;
+    *beside = hypot(P.x - (A.x + t * dx), P.y - (A.y + t * dy));
+    return t;
+}
+
+static double interpolate(double a, double b, double t, double *low)
+{
+    dd p = dd_add((dd){a, 0.0}, dd_mul((dd){t, 0.0}, dd_two_diff(b, a)));
+    *low = p.lo;
+    return p.hi;
+}
+
+/* The crossing at t of AB; one that is there already, where it is within `touching`. ROBERTS_NONE: no memory. */
+static uint32_t add_crossing(face_pieces *f, uint32_t a, uint32_t b, double t, double touching)
+{
+    const piece_node A = f->node[a], B = f->node[b];
+    piece_node X = {.at = {A.at.x + t * (B.at.x - A.at.x), A.at.y + t * (B.at.y - A.at.y)}, .vertex = ROBERTS_NONE};
+    for (uint32_t n = 0; n < f->node_count; n++)
+        if (hypot(f->node[n].at.x - X.at.x, f->node[n].at.y - X.at.y) <= touching)
+            return n;
+    X.point = (roberts_vec3){interpolate(A.point.x, B.point.x, t, &X.low.x), interpolate(A.point.y, B.point.y, t, &X.low.y),
+                             interpolate(A.point.z, B.point.z, t, &X.low.z)};
+    if (!array_reserve(&f->node, &f->node_room, f->node_count + 1, sizeof *f->node))
+        return ROBERTS_NONE;
+    f->node[f->node_count] = X;
+    return (uint32_t)f->node_count++;
+}
+
+static bool boxes_apart(roberts_vec2 A, roberts_vec2 B, roberts_vec2 C, roberts_vec2 D, double m)
+{
+    return lesser(A.x, B.x) > greater(C.x, D.x) + m || lesser(C.x, D.x) > greater(A.x, B.x) + m ||
+           lesser(A.y, B.y) > greater(C.y, D.y) + m || lesser(C.y, D.y) > greater(A.y, B.y) + m;
+}
+
+/* A corner of another side that lies within side i. *touches: there is one. */
+static bool stop_at_corner(face_pieces *f, arrangement *a, uint32_t i, uint32_t node, double touching, bool *touches)
+{
+    uint32_t from = f->ring[i], to = f->ring[i + 1 < f->ring_count ? i + 1 : 0];
+    double beside, t = along(f->node[from].at, f->node[to].at, f->node[node].at, &beside);
+    double length = hypot(f->node[to].at.x - f->node[from].at.x, f->node[to].at.y - f->node[from].at.y);
+    if (node == from || node == to || beside > touching || t * length <= touching || (1.0 - t) * length <= touching)
+        return true;
+    *touches = true;
+    return add_stop(a, i, node, t);
+}
+
+/* Sides i and j. */
+static bool stop_at_crossing(face_pieces *f, arrangement *a, uint32_t i, uint32_t j, double touching)
+{
+    uint32_t n = (uint32_t)f->ring_count;
+    uint32_t va = f->ring[i], vb = f->ring[i + 1 < n ? i + 1 : 0], vc = f->ring[j], vd = f->ring[j + 1 < n ? j + 1 : 0];
+    roberts_vec2 A = f->node[va].at, B = f->node[vb].at, C = f->node[vc].at, D = f->node[vd].at;
+    bool touches = false;
+    if (boxes_apart(A, B, C, D, touching))
+        return true;
+    if (!stop_at_corner(f, a, i, vc, touching, &touches) || !stop_at_corner(f, a, i, vd, touching, &touches) ||
+        !stop_at_corner(f, a, j, va, touching, &touches) || !stop_at_corner(f, a, j, vb, touching, &touches))
+        return false;
+    if (touches || va == vc || va == vd || vb == vc || vb == vd)
+        return true;
+    double c = piece_turn(A, B, C), d = piece_turn(A, B, D), p = piece_turn(C, D, A), q = piece_turn(C, D, B);
+    if (!((c > 0.0 && d < 0.0) || (c < 0.0 && d > 0.0)) || !((p > 0.0 && q < 0.0) || (p < 0.0 && q > 0.0)))
+        return true;
+    double t = p / (p - q), s = c / (c - d);
+    uint32_t node = add_crossing(f, va, vb, t, touching);
+    return node != ROBERTS_NONE && add_stop(a, i, node, t) && add_stop(a, j, node, s);
+}
+
+/* Corners that lie on one another become one node. */
+static void join_nodes(face_pieces *f, double touching)
+{
+    for (uint32_t i = 1; i < f->node_count; i++)
+        for (uint32_t k = 0; k < i; k++)
+            if (hypot(f->node[i].at.x - f->node[k].at.x, f->node[i].at.y - f->node[k].at.y) <= touching) {
+                for (size_t r = 0; r < f->ring_count; r++)
+                    f->ring[r] = f->ring[r] == i ? k : f->ring[r];
+                break;
+            }
+}
+
+/* Is a node met twice? */
+static bool ring_repeats(const face_pieces *f, uint32_t *seen)
+{
+    for (size_t n = 0; n < f->node_count; n++)
+        seen[n] = 0;
+    for (size_t r = 0; r < f->ring_count; r++)
+        if (seen[f->ring[r]]++)
+            return true;
+    return false;
+}
+
+static int compare_stops(const void *pa, const void *pb)
+{
+    const side_stop *a = pa, *b = pb;
+    if (a->side != b->side)
+        return a->side < b->side ? -1 : 1;
+    if (a->t != b->t)
+        return a->t < b->t ? -1 : 1;
+    return (a->node > b->node) - (a->node < b->node);
+}
+
+static int compare_stretches(const void *pa, const void *pb)
+{
+    const stretch *a = pa, *b = pb;
+    if (a->v[0] != b->v[0])
+        return a->v[0] < b->v[0] ? -1 : 1;
+    if (a->v[1] != b->v[1])
+        return a->v[1] < b->v[1] ? -1 : 1;
+    return (a->side > b->side) - (a->side < b->side);
+}
+
+/* Sides divided at their stops; stretches that lie on one another become one. */
+static bool make_stretches(const face_pieces *f, arrangement *a)
+{
+    size_t k = 0, to = 0;
+    a->count = 0;
+    a->item = alloc_array(f->ring_count + a->stop_count, sizeof *a->item);
+    if (!a->item)
+        return false;
+    qsort(a->stop, a->stop_count, sizeof *a->stop, compare_stops);
+    for (uint32_t i = 0; i < f->ring_count; i++) {
+        uint32_t from = f->ring[i], end = f->ring[i + 1 < f->ring_count ? i + 1 : 0];
+        for (bool more = true; more;) {
+            more = k < a->stop_count && a->stop[k].side == i;
+            uint32_t node = more ? a->stop[k++].node : end;
+            if (node == from)
+                continue;
+            a->item[a->count++] = (stretch){{from < node ? from : node, from < node ? node : from}, from < node ? 1 : -1,
+                                            f->side_of[i]};
+            from = node;
+        }
+    }
+    qsort(a->item, a->count, sizeof *a->item, compare_stretches);
+    for (size_t i = 0; i < a->count; i++) {
+        if (to && a->item[to - 1].v[0] == a->item[i].v[0] && a->item[to - 1].v[1] == a->item[i].v[1])
+            a->item[to - 1].net += a->item[i].net;
+        else
+            a->item[to++] = a->item[i];
+    }
+    a->count = to;
+    return true;
+}
+
+/* Leaves out stretches that lead nowhere: those that the border runs both ways, and that end in the open. */
+static void drop_dead_ends(const face_pieces *f, arrangement *a, uint32_t *degree)
+{
+    for (bool again = true; again;) {
+        size_t to = 0;
+        for (size_t n = 0; n < f->node_count; n++)
+            degree[n] = 0;
+        for (size_t i = 0; i < a->count; i++) {
+            degree[a->item[i].v[0]]++;
+            degree[a->item[i].v[1]]++;
+        }
+        for (size_t i = 0; i < a->count; i++)
+            if (degree[a->item[i].v[0]] > 1 && degree[a->item[i].v[1]] > 1)
+                a->item[to++] = a->item[i];
+        again = to < a->count;
+        a->count = to;
+    }
+}
+
+static uint32_t half_from(const arrangement *a, uint32_t h)
+{
+    return a->item[h / 2].v[h % 2];
+}
+
+static uint32_t half_to(const arrangement *a, uint32_t h)
+{
+    return a->item[h / 2].v[1 - h % 2];
+}
+
+/* Does half-edge g come before h, counter-clockwise round their node from the right on? */
+static bool turns_before(const face_pieces *f, const arrangement *a, uint32_t g, uint32_t h)
+{
+    roberts_vec2 O = f->node[half_from(a, g)].at, P = f->node[half_to(a, g)].at, Q = f->node[half_to(a, h)].at;
+    bool low_p = P.y < O.y || (P.y == O.y && P.x < O.x), low_q = Q.y < O.y || (Q.y == O.y && Q.x < O.x);
+    if (low_p != low_q)
+        return low_q;
+    double turn = piece_turn(O, P, Q);
+    return turn != 0.0 ? turn > 0.0 : g < h;
+}
+
+/* Sorts the half-edges round each node, and finds which follows which round a cell. */
+static void link_halves(const face_pieces *f, arrangement *a)
+{
+    size_t halves = 2 * a->count, nodes = f->node_count;
+    for (size_t n = 0; n <= nodes; n++)
+        a->start[n] = 0;
+    for (uint32_t h = 0; h < halves; h++)
+        a->start[half_from(a, h) + 1]++;
+    for (size_t n = 0; n < nodes; n++)
+        a->start[n + 1] += a->start[n];
+    for (size_t n = nodes; n > 0; n--)
+        a->start[n] = a->start[n - 1];
+    for (uint32_t h = 0; h < halves; h++)
+        a->around[a->start[half_from(a, h) + 1]++] = h; /* which becomes the next node's start */
+    for (size_t n = 0; n < nodes; n++)
+        for (uint32_t i = a->start[n] + 1; i < a->start[n + 1]; i++) {
+            uint32_t h = a->around[i], k = i;
+            for (; k > a->start[n] && turns_before(f, a, h, a->around[k - 1]); k--)
+                a->around[k] = a->around[k - 1];
+            a->around[k] = h;
+        }
+    for (uint32_t k = 0; k < halves; k++)
+        a->place[a->around[k]] = k;
+    for (uint32_t h = 0; h < halves; h++) {
+        uint32_t n = half_to(a, h), back = a->place[h ^ 1];
+        a->next[h] = a->around[back > a->start[n] ? back - 1 : a->start[n + 1] - 1];
+    }
+}
+
+/* Numbers the cells, and measures them. */
+static void walk_cells(const face_pieces *f, arrangement *a)
+{
+    a->cells = 0;
+    for (size_t h = 0; h < 2 * a->count; h++)
+        a->cell[h] = ROBERTS_NONE;
+    for (uint32_t first = 0; first < 2 * a->count; first++) {
+        if (a->cell[first] != ROBERTS_NONE)
+            continue;
+        roberts_vec2 O = f->node[half_from(a, first)].at;
+        double area = 0.0;
+        for (uint32_t h = first; a->cell[h] == ROBERTS_NONE; h = a->next[h]) {
+            a->cell[h] = (uint32_t)a->cells;
+            area += piece_turn(O, f->node[half_from(a, h)].at, f->node[half_to(a, h)].at);
+        }
+        a->area[a->cells++] = area;
+    }
+}
+
+/* From the outer cell inward. */
+static void wind(arrangement *a)
+{
+    const int32_t unknown = INT32_MIN;
+    size_t outer = 0;
+    for (size_t c = 0; c < a->cells; c++) {
+        a->winding[c] = unknown;
+        outer = a->area[c] < a->area[outer] ? c : outer;
+    }
+    if (a->cells)
+        a->winding[outer] = 0;
+    for (bool again = a->cells > 0; again;) {
+        again = false;
+        for (uint32_t h = 0; h < 2 * a->count; h++) {
+            uint32_t left = a->cell[h], right = a->cell[h ^ 1];
+            if (a->winding[left] != unknown || a->winding[right] == unknown)
+                continue;
+            a->winding[left] = a->winding[right] + (h % 2 ? -a->item[h / 2].net : a->item[h / 2].net);
+            again = true;
+        }
+    }
+}
+
+/* The pieces of one cell, and the sides of the face along it. */
+static bool take_cell(face_pieces *f, arrangement *a, uint32_t first)
+{
+    uint32_t count = 0, h = first;
+    size_t piece = f->piece_count;
+    do {
+        a->ring[count] = half_from(a, h);
+        a->ring_half[count++] = h;
+        h = a->next[h];
+    } while (h != first);
+    if (count < 3)
+        return true;
+    if (!face_pieces_triangulate(f, a->ring, count, true))
+        return false;
+    for (; piece < f->piece_count; piece++)
+        for (uint32_t i = 0; i < f->piece[piece].count; i++) {
+            const face_piece *p = &f->piece[piece];
+            uint32_t to = p->node[i + 1 < p->count ? i + 1 : 0];
+            if (p->label[i] >= count || a->item[a->ring_half[p->label[i]] / 2].net == 0)
+                continue;
+            if (!face_pieces_add_side(f, (piece_side){p->node[i], to, (uint32_t)piece,
+                                                      a->item[a->ring_half[p->label[i]] / 2].side}))
+                return false;
+        }
+    return true;
+}
+
+static bool take_cells(face_pieces *f, arrangement *a, bool even_odd)
+{
+    for (uint32_t h = 0; h < 2 * a->count; h++) {
+        uint32_t cell = a->cell[h];
+        if (cell == ROBERTS_NONE)
+            continue;
+        int32_t winding = a->winding[cell];
+        bool filled = winding != INT32_MIN && (even_odd ? winding % 2 != 0 : winding != 0) && a->area[cell] > 0.0;
+        if (filled && !take_cell(f, a, h))
+            return false;
+        for (uint32_t k = h; a->cell[k] == cell; k = a->next[k])
+            a->cell[k] = ROBERTS_NONE; /* taken */
+    }
+    return true;
+}
+
+static bool alloc_arrangement(const face_pieces *f, arrangement *a)
+{
+    size_t halves = 2 * a->count + 1;
+    a->next = alloc_array(halves, sizeof *a->next);
+    a->cell = alloc_array(halves, sizeof *a->cell);
+    a->around = alloc_array(halves, sizeof *a->around);
+    a->place = alloc_array(halves, sizeof *a->place);
+    a->ring = alloc_array(halves, sizeof *a->ring);
+    a->ring_half = alloc_array(halves, sizeof *a->ring_half);
+    a->winding = alloc_array(halves, sizeof *a->winding);
+    a->area = alloc_array(halves, sizeof *a->area);
+    a->start = alloc_array(f->node_count + 2, sizeof *a->start);
+    return a->next && a->cell && a->around && a->place && a->ring && a->ring_half && a->winding && a->area && a->start;
+}
+
+static void free_arrangement(arrangement *a)
+{
+    free(a->stop);
+    free(a->item);
+    free(a->next);
+    free(a->cell);
+    free(a->around);
+    free(a->place);
+    free(a->ring);
+    free(a->ring_half);
+    free(a->winding);
+    free(a->area);
+    free(a->start);
+}
+
+bool face_pieces_arrange(face_pieces *f, const face_rules *rules, bool *done)
+{
+    double touching = rules->touching / rules->unit;
+    arrangement a = {0};
+    uint32_t n = (uint32_t)f->ring_count;
+    bool enough = true, repeats;
+    *done = false;
+    join_nodes(f, touching);
+    for (uint32_t i = 0; enough && i < n; i++)
+        for (uint32_t j = i + 1; enough && j < n; j++)
+            enough = stop_at_crossing(f, &a, i, j, touching);
+    uint32_t *count = enough ? alloc_array(f->node_count, sizeof *count) : NULL;
+    enough = count != NULL;
+    repeats = enough && ring_repeats(f, count);
+    if (enough && (repeats || a.stop_count > 0)) {
+        *done = true;
+        enough = make_stretches(f, &a);
+        if (enough)
+            drop_dead_ends(f, &a, count);
+        enough = enough && alloc_arrangement(f, &a);
+        if (enough) {
+            link_halves(f, &a);
+            walk_cells(f, &a);
+            wind(&a);
+            enough = take_cells(f, &a, rules->even_odd);
+        }
+    }
+    free(count);
+    free_arrangement(&a);
+    return enough;
+}
