@@ -50,7 +50,7 @@ static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
         if (k + SOLIDS_AHEAD < count && !job->picture.culled[job->ahead.order[k + SOLIDS_AHEAD]])
             hide_picture_fetch(&job->picture, job->ahead.order[k + SOLIDS_AHEAD]);
         hide_worker_begin(w);
-        if (!job->picture.culled[s] && !segments_hide(job, w, s))
+        if (!job->picture.culled[s] && scene_is_convex(job->scene, s) && !segments_hide(job, w, s))
             return false;
         if (!ahead_keep(&job->ahead, k, w))
             return false;

@@ -406,5 +406,6 @@ size_t roberts_scene_vertex_count(const roberts_scene *scene)
 /* All faces of a hull are without numbers, and no others are. */
 bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid)
 {
-    return solid < scene->solid_count && scene_face_number(scene, scene->solid[solid].face) == ROBERTS_NONE;
+    return solid < scene->solid_count && scene->solid[solid].face < scene->solid[solid + 1].face &&
+           scene_face_number(scene, scene->solid[solid].face) == ROBERTS_NONE;
 }
