@@ -55,6 +55,8 @@ typedef enum option_id {
     OPTION_TURNTABLE,
     OPTION_SHEET,
     OPTION_HULL,
+    OPTION_SOLIDS,
+    OPTION_FILL_RULE,
     OPTION_THREADS,
     OPTION_GRID,
     OPTION_EPSILON,
@@ -108,6 +110,8 @@ static const struct option {
     [OPTION_TURNTABLE] = {"turntable", 0, VALUE},
     [OPTION_SHEET] = {"sheet", 0, VALUE},
     [OPTION_HULL] = {"hull", 0, NO_VALUE},
+    [OPTION_SOLIDS] = {"solids", 0, NO_VALUE},
+    [OPTION_FILL_RULE] = {"fill-rule", 0, VALUE},
     [OPTION_THREADS] = {"threads", 0, VALUE},
     [OPTION_GRID] = {"grid", 0, VALUE},
     [OPTION_EPSILON] = {"epsilon", 0, VALUE},
@@ -126,7 +130,7 @@ static const option_id conflict[][2] = {
     {OPTION_BATCH, OPTION_TURNTABLE}, {OPTION_SHEET, OPTION_VIEW},     {OPTION_SHEET, OPTION_DIR},
     {OPTION_SHEET, OPTION_EYE},       {OPTION_SHEET, OPTION_AZIMUTH},  {OPTION_SHEET, OPTION_ELEVATION},
     {OPTION_SHEET, OPTION_UP},        {OPTION_SHEET, OPTION_ROLL},     {OPTION_SHEET, OPTION_TURNTABLE},
-    {OPTION_SHEET, OPTION_PICK},
+    {OPTION_SHEET, OPTION_PICK},      {OPTION_HULL, OPTION_SOLIDS},
 };
 
 typedef struct parser {
@@ -175,7 +179,9 @@ static int apply_value(parser *p, option_id id, const char *value)
     case OPTION_HIDDEN:
         return values_set_hidden(options, value);
     case OPTION_CREASE:
-        return values_set_number(name, value, 180.0, &options->hide.crease_degrees);
+        options->hide.crease_auto = strcmp(value, "auto") == 0;
+        return options->hide.crease_auto ? EXIT_DONE
+                                         : values_set_number(name, value, 180.0, &options->hide.crease_degrees);
     case OPTION_ALL_EDGES:
         options->hide.all_edges = true;
         return EXIT_DONE;
@@ -228,6 +234,11 @@ static int apply_value(parser *p, option_id id, const char *value)
     case OPTION_HULL:
         options->scene.hull = true;
         return EXIT_DONE;
+    case OPTION_SOLIDS:
+        options->scene.solids = true;
+        return EXIT_DONE;
+    case OPTION_FILL_RULE:
+        return values_set_fill_rule(options, value);
     case OPTION_THREADS:
         return values_set_integer(name, value, 0, ROBERTS_THREADS_MOST, &options->hide.threads);
     case OPTION_GRID:

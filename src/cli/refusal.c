@@ -54,7 +54,7 @@ static double greatest_tolerance(const roberts_scene *scene)
 /* Gives the greatest tolerance that can be told in `most`, where the mesh passes with this one. */
 static bool passes(const cli_options *options, const roberts_mesh *mesh, double tolerance, double *most)
 {
-    roberts_scene_options solids = {.tolerance = tolerance, .threads = options->hide.threads};
+    roberts_scene_options solids = {.solids = true, .tolerance = tolerance, .threads = options->hide.threads};
     roberts_scene *scene = NULL;
     const bool passed = roberts_scene_build(mesh, &solids, &scene, NULL) == ROBERTS_OK;
     if (passed)

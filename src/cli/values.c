@@ -69,6 +69,14 @@ int values_set_sheet(cli_options *options, const char *value)
     return strcmp(value, names[options->sheet]) == 0 ? EXIT_DONE : nearest_unknown("--sheet", value, names, 2, NULL);
 }
 
+int values_set_fill_rule(cli_options *options, const char *value)
+{
+    static const char *const names[] = {"nonzero", "evenodd"};
+    options->scene.even_odd = strcmp(value, names[1]) == 0;
+    return strcmp(value, names[options->scene.even_odd]) == 0 ? EXIT_DONE
+                                                              : nearest_unknown("--fill-rule", value, names, 2, NULL);
+}
+
 int values_set_vector(const char *name, const char *value, roberts_vec3 *vector)
 {
     if (parse_vector(value, vector))

@@ -18,6 +18,7 @@ typedef struct hide_job {
     objet grid;
     ahead ahead;         /* what was found before its turn, if anything */
     double crease_chord; /* distance of two unit normals that meet at the crease angle, squared */
+    double smooth_chord; /* the same for bodies that are taken for curved */
 } hide_job;
 
 /* Takes up the edges of a solid that are drawn and not covered, and finds what is hidden of them, with the solids seen there

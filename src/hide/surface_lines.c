@@ -30,7 +30,7 @@ static double chord(plane F, plane G, double way)
 }
 
 /* An edge of one face or two. */
-static edge_faces faces_of_edge(const hide_job *job, uint32_t first, const scene_edge *edge, uint8_t is)
+static edge_faces faces_of_edge(const hide_job *job, uint32_t first, const scene_edge *edge, uint8_t is, double crease)
 {
     edge_faces found = {0};
     uint32_t f = first + edge->f[0], g = first + edge->f[1];
@@ -40,12 +40,12 @@ static edge_faces faces_of_edge(const hide_job *job, uint32_t first, const scene
     if (edge->f[1] == ROBERTS_NONE)
         return found;
     add_face(job, g, other, &found);
-    found.flat = chord(of[f], of[g], turned != other ? 1.0 : -1.0) < job->crease_chord;
+    found.flat = chord(of[f], of[g], turned != other ? 1.0 : -1.0) < crease;
     return found;
 }
 
 /* An edge of more than two. */
-static edge_faces faces_of_many(const hide_job *job, const scene_many *many)
+static edge_faces faces_of_many(const hide_job *job, const scene_many *many, double crease)
 {
     const uint32_t *face = job->scene->surface->many_face;
     const plane *of = job->scene->face_plane;
@@ -53,18 +53,20 @@ static edge_faces faces_of_many(const hide_job *job, const scene_many *many)
     for (uint32_t k = many->first; k < many->end; k++) {
         plane F = of[face[many->first] & ~MANY_TURNED], G = of[face[k] & ~MANY_TURNED];
         add_face(job, face[k] & ~MANY_TURNED, face[k] & MANY_TURNED, &found);
-        found.flat = found.flat && (chord(F, G, 1.0) < job->crease_chord || chord(F, G, -1.0) < job->crease_chord);
+        found.flat = found.flat && (chord(F, G, 1.0) < crease || chord(F, G, -1.0) < crease);
     }
     return found;
 }
 
 /* The class of an edge, or NOT_DRAWN. */
-static int class_of(const hide_job *job, uint32_t first, uint32_t e, const scene_edge *edge, const scene_many *many)
+static int class_of(const hide_job *job, uint32_t body, uint32_t e, const scene_edge *edge, const scene_many *many)
 {
-    uint8_t is = job->scene->surface->edge_is[e];
+    const scene_surface *surface = job->scene->surface;
+    uint8_t is = surface->edge_is[e];
+    double crease = surface->smooth[body] ? job->smooth_chord : job->crease_chord;
     if (edge->f[0] == ROBERTS_NONE)
         return ROBERTS_WIRE;
-    edge_faces faces = many ? faces_of_many(job, many) : faces_of_edge(job, first, edge, is);
+    edge_faces faces = many ? faces_of_many(job, many, crease) : faces_of_edge(job, job->scene->solid[body].face, edge, is, crease);
     bool fold = (faces.left == 0) != (faces.right == 0);
     if (is & EDGE_CUT)
         return fold && faces.edge_on == 0 && edge->f[1] != ROBERTS_NONE ? ROBERTS_OUTLINE : NOT_DRAWN;
@@ -121,7 +123,7 @@ bool surface_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t
     for (uint32_t e = own->edge; e < own[1].edge; e++) {
         const scene_edge *edge = scene_edge_stored(scene, body, e);
         const scene_many *many = is[e] & EDGE_MANY ? scene_many_at(scene, e) : NULL;
-        int line_class = class_of(job, own->face, e, edge, many);
+        int line_class = class_of(job, body, e, edge, many);
         if (line_class == NOT_DRAWN)
             continue;
         w->surviving++;

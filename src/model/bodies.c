@@ -24,6 +24,12 @@
 #define TOUCHING_OF_DIAMETER 1e-11
 #define TOUCHING_ULPS 16.0
 
+/* More faces than this may be a curved surface, where at least half of the edges that are bent by more than FLAT_BEND are bent by
+ * less than LITTLE_BEND: the squares of the distances of normals that meet at 0.1 and 20 degrees. */
+#define SMOOTH_FACES 500
+#define FLAT_BEND 3.046e-6
+#define LITTLE_BEND 0.1206
+
 typedef struct assembly {
     roberts_scene *scene;
     const roberts_mesh *mesh;
@@ -491,8 +497,36 @@ static bool store_edges(assembly *a, uint32_t b, const edge_key *key, uint32_t c
         to->edge_is[edge] = is;
         closed = closed && is_two_faced(s, e);
     }
-    to->kind[b] = closed ? BODY_CLOSED : BODY_OPEN;
+    to->kind[b] = closed ? ROBERTS_CLOSED : ROBERTS_OPEN;
     return true;
+}
+
+/* The angle of two faces at an edge of two, as the square of the distance of their normals. */
+static double bend_of(const roberts_scene *scene, const scene_solid *own, uint32_t edge)
+{
+    const scene_edge *e = &scene->edge[own->stored + (edge - own->edge)];
+    uint8_t is = scene->surface->edge_is[edge];
+    plane F = scene->face_plane[own->face + e->f[0]], G = scene->face_plane[own->face + e->f[1]];
+    double way = ((is & EDGE_TURNED_0) != 0) == ((is & EDGE_TURNED_1) != 0) ? -1.0 : 1.0;
+    double a = F.a - way * G.a, b = F.b - way * G.b, c = F.c - way * G.c;
+    return a * a + b * b + c * c;
+}
+
+/* Has the body many faces, and are most of its edges that are bent at all bent by little? */
+static bool is_smooth(const roberts_scene *scene, uint32_t b)
+{
+    const scene_solid *own = &scene->solid[b];
+    uint32_t bent = 0, little = 0;
+    if (own[1].face - own->face <= SMOOTH_FACES)
+        return false;
+    for (uint32_t e = own->edge; e < own[1].edge; e++) {
+        if (scene->surface->edge_is[e] & (EDGE_MANY | EDGE_CUT) || scene->edge[own->stored + (e - own->edge)].f[1] == ROBERTS_NONE)
+            continue;
+        double bend = bend_of(scene, own, e);
+        bent += bend > FLAT_BEND;
+        little += bend > FLAT_BEND && bend < LITTLE_BEND;
+    }
+    return bent > 0 && little >= bent - little;
 }
 
 /* A convex solid again, as it was found. */
@@ -502,7 +536,7 @@ static roberts_status store_convex(assembly *a, uint32_t b, roberts_error *error
     if (solid_build(a->scene, &a->work, b, a->mesh, a->options->tolerance, true, error) != BUILD_OK)
         return error->status;
     memcpy(a->scene->edge + own->stored, a->work.frame.edge, a->work.frame.edge_count * sizeof *a->scene->edge);
-    a->scene->surface->kind[b] = BODY_CONVEX;
+    a->scene->surface->kind[b] = ROBERTS_CONVEX;
     return ROBERTS_OK;
 }
 
@@ -520,8 +554,9 @@ static bool number_edges(assembly *a, const uint32_t *first)
     scene->solid[a->body_count].edge = scene->solid[a->body_count].stored = scene->edge_count = (uint32_t)sum;
     scene->edge = alloc_array(scene->edge_count, sizeof *scene->edge);
     scene->surface->kind = alloc_zeroed(a->body_count, 1);
+    scene->surface->smooth = alloc_zeroed(a->body_count, 1);
     scene->surface->edge_is = alloc_zeroed(scene->edge_count, 1);
-    return scene->edge && scene->surface->kind && scene->surface->edge_is;
+    return scene->edge && scene->surface->kind && scene->surface->smooth && scene->surface->edge_is;
 }
 
 /* Numbers become those of the input. */
@@ -567,6 +602,8 @@ static roberts_status fill_scene(assembly *a, roberts_error *error)
         if (!a->is_convex[b] &&
             !(fit_planes(a, b) && store_edges(a, b, key + first[b], first[b + 1] - first[b], &map, room)))
             goto done;
+    for (uint32_t b = 0; b < a->body_count; b++)
+        scene->surface->smooth[b] = !a->is_convex[b] && is_smooth(scene, b);
     if (!rename_all(a))
         goto done;
     status = ROBERTS_OK;
@@ -646,6 +683,7 @@ void scene_surface_free(scene_surface *of)
     if (!of)
         return;
     free(of->kind);
+    free(of->smooth);
     free(of->edge_is);
     free(of->plane_of);
     free(of->many);

@@ -403,6 +403,13 @@ size_t roberts_scene_vertex_count(const roberts_scene *scene)
     return scene->vertex_count;
 }
 
+roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t body)
+{
+    if (body >= scene->solid_count)
+        return ROBERTS_OPEN;
+    return scene->surface ? (roberts_body_kind)scene->surface->kind[body] : ROBERTS_CONVEX;
+}
+
 /* All faces of a hull are without numbers, and no others are. */
 bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid)
 {

@@ -32,13 +32,6 @@ typedef struct scene_edge {
     uint32_t f[2]; /* faces; v[0] -> v[1] runs counter-clockwise round f[0] */
 } scene_edge;
 
-/* Kinds of bodies. */
-typedef enum body_kind {
-    BODY_CONVEX, /* a convex solid, as promised above */
-    BODY_CLOSED, /* each edge has two faces */
-    BODY_OPEN,   /* all else */
-} body_kind;
-
 /* What a body that is not convex has beside its arrays in the scene. Its scene faces are convex pieces of the faces of the
  * input, which are their scene_face_number(); each turns counter-clockwise seen from outside of its plane (F < 0), and nothing
  * more is promised of its winding. */
@@ -63,7 +56,8 @@ typedef struct scene_part {
 } scene_part;
 
 typedef struct scene_surface {
-    uint8_t *kind;       /* [solid_count] body_kind */
+    uint8_t *kind;       /* [solid_count] roberts_body_kind */
+    uint8_t *smooth;     /* [solid_count] 1: it has many faces, most of which meet at small angles */
     uint8_t *edge_is;    /* [edge_count] EDGE_..., of bodies that are not convex */
     uint32_t *plane_of;  /* [face_count] faces of one number here are pieces of one planar face */
     scene_many *many;    /* [many_count] by edge */
@@ -103,7 +97,7 @@ struct roberts_scene {
 
 static inline bool scene_is_convex(const roberts_scene *scene, uint32_t s)
 {
-    return !scene->surface || scene->surface->kind[s] == BODY_CONVEX;
+    return !scene->surface || scene->surface->kind[s] == ROBERTS_CONVEX;
 }
 
 /* Of an edge that is EDGE_MANY. */
