@@ -9,7 +9,7 @@
 #include "base/dd.h"
 #include "model/face_pieces.h"
 
-/* A point on side `side` of the ring, at t along it. */
+/* A point on a stretch, at t along it. */
 typedef struct side_stop {
     uint32_t side, node;
     double t;
@@ -61,32 +61,23 @@ static double interpolate(double a, double b, double t, double *low)
     return p.hi;
 }
 
-/* The crossing at t of AB; one that is there already, where it is within `touching`. ROBERTS_NONE: no memory. */
-static uint32_t add_crossing(face_pieces *f, uint32_t a, uint32_t b, double t, double touching)
+/* The crossing at t of AB. ROBERTS_NONE: no memory. */
+static uint32_t add_crossing(face_pieces *f, uint32_t a, uint32_t b, double t)
 {
     const piece_node A = f->node[a], B = f->node[b];
     piece_node X = {.at = {A.at.x + t * (B.at.x - A.at.x), A.at.y + t * (B.at.y - A.at.y)}, .vertex = ROBERTS_NONE};
-    for (uint32_t n = 0; n < f->node_count; n++)
-        if (hypot(f->node[n].at.x - X.at.x, f->node[n].at.y - X.at.y) <= touching)
-            return n;
     X.point = (roberts_vec3){interpolate(A.point.x, B.point.x, t, &X.low.x), interpolate(A.point.y, B.point.y, t, &X.low.y),
                              interpolate(A.point.z, B.point.z, t, &X.low.z)};
-    if (!array_reserve(&f->node, &f->node_room, f->node_count + 1, sizeof *f->node))
+    if (f->node_count >= ROBERTS_NONE - 1 || !array_reserve(&f->node, &f->node_room, f->node_count + 1, sizeof *f->node))
         return ROBERTS_NONE;
     f->node[f->node_count] = X;
     return (uint32_t)f->node_count++;
 }
 
-static bool boxes_apart(roberts_vec2 A, roberts_vec2 B, roberts_vec2 C, roberts_vec2 D, double m)
-{
-    return lesser(A.x, B.x) > greater(C.x, D.x) + m || lesser(C.x, D.x) > greater(A.x, B.x) + m ||
-           lesser(A.y, B.y) > greater(C.y, D.y) + m || lesser(C.y, D.y) > greater(A.y, B.y) + m;
-}
-
-/* A corner of another side that lies within side i. *touches: there is one. */
+/* A corner of another stretch that lies within stretch i. *touches: there is one. */
 static bool stop_at_corner(face_pieces *f, arrangement *a, uint32_t i, uint32_t node, double touching, bool *touches)
 {
-    uint32_t from = f->ring[i], to = f->ring[i + 1 < f->ring_count ? i + 1 : 0];
+    uint32_t from = a->item[i].v[0], to = a->item[i].v[1];
     double beside, t = along(f->node[from].at, f->node[to].at, f->node[node].at, &beside);
     double length = hypot(f->node[to].at.x - f->node[from].at.x, f->node[to].at.y - f->node[from].at.y);
     if (node == from || node == to || beside > touching || t * length <= touching || (1.0 - t) * length <= touching)
@@ -95,14 +86,13 @@ static bool stop_at_corner(face_pieces *f, arrangement *a, uint32_t i, uint32_t 
     return add_stop(a, i, node, t);
 }
 
-/* Sides i and j. */
+/* Stretches i and j, whose boxes meet along x. */
 static bool stop_at_crossing(face_pieces *f, arrangement *a, uint32_t i, uint32_t j, double touching)
 {
-    uint32_t n = (uint32_t)f->ring_count;
-    uint32_t va = f->ring[i], vb = f->ring[i + 1 < n ? i + 1 : 0], vc = f->ring[j], vd = f->ring[j + 1 < n ? j + 1 : 0];
+    uint32_t va = a->item[i].v[0], vb = a->item[i].v[1], vc = a->item[j].v[0], vd = a->item[j].v[1];
     roberts_vec2 A = f->node[va].at, B = f->node[vb].at, C = f->node[vc].at, D = f->node[vd].at;
     bool touches = false;
-    if (boxes_apart(A, B, C, D, touching))
+    if (lesser(A.y, B.y) > greater(C.y, D.y) + touching || lesser(C.y, D.y) > greater(A.y, B.y) + touching)
         return true;
     if (!stop_at_corner(f, a, i, vc, touching, &touches) || !stop_at_corner(f, a, i, vd, touching, &touches) ||
         !stop_at_corner(f, a, j, va, touching, &touches) || !stop_at_corner(f, a, j, vb, touching, &touches))
@@ -113,20 +103,84 @@ static bool stop_at_crossing(face_pieces *f, arrangement *a, uint32_t i, uint32_
     if (!((c > 0.0 && d < 0.0) || (c < 0.0 && d > 0.0)) || !((p > 0.0 && q < 0.0) || (p < 0.0 && q > 0.0)))
         return true;
     double t = p / (p - q), s = c / (c - d);
-    uint32_t node = add_crossing(f, va, vb, t, touching);
+    uint32_t node = add_crossing(f, va, vb, t);
     return node != ROBERTS_NONE && add_stop(a, i, node, t) && add_stop(a, j, node, s);
 }
 
-/* Corners that lie on one another become one node. */
-static void join_nodes(face_pieces *f, double touching)
+/* A stretch by where it begins along x. */
+typedef struct sweep_item {
+    double low, high;
+    uint32_t stretch;
+} sweep_item;
+
+static int compare_sweep(const void *pa, const void *pb)
 {
-    for (uint32_t i = 1; i < f->node_count; i++)
-        for (uint32_t k = 0; k < i; k++)
-            if (hypot(f->node[i].at.x - f->node[k].at.x, f->node[i].at.y - f->node[k].at.y) <= touching) {
-                for (size_t r = 0; r < f->ring_count; r++)
-                    f->ring[r] = f->ring[r] == i ? k : f->ring[r];
-                break;
+    const sweep_item *a = pa, *b = pb;
+    if (a->low != b->low)
+        return a->low < b->low ? -1 : 1;
+    return (a->stretch > b->stretch) - (a->stretch < b->stretch);
+}
+
+/* All pairs of stretches whose boxes meet along x. */
+static bool find_stops(face_pieces *f, arrangement *a, double touching)
+{
+    size_t count = a->count;
+    sweep_item *item = alloc_array(count, sizeof *item);
+    bool enough = item != NULL;
+    for (uint32_t i = 0; enough && i < count; i++) {
+        double x = f->node[a->item[i].v[0]].at.x, y = f->node[a->item[i].v[1]].at.x;
+        item[i] = (sweep_item){lesser(x, y), greater(x, y) + touching, i};
+    }
+    if (enough)
+        qsort(item, count, sizeof *item, compare_sweep);
+    for (size_t i = 0; enough && i < count; i++)
+        for (size_t k = i + 1; enough && k < count && item[k].low <= item[i].high; k++) {
+            uint32_t p = item[i].stretch, q = item[k].stretch;
+            enough = stop_at_crossing(f, a, p < q ? p : q, p < q ? q : p, touching);
+        }
+    free(item);
+    return enough;
+}
+
+static size_t slot_of(double x, double y, size_t mask)
+{
+    uint64_t h = ((uint64_t)(int64_t)x * 0x9e3779b97f4a7c15u) ^ ((uint64_t)(int64_t)y * 0xc2b2ae3d27d4eb4fu);
+    return (size_t)(h ^ h >> 29) & mask;
+}
+
+/* same[n]: the first node that lies within `touching` of node n, by cells of that size. False: no memory. */
+static bool join_nodes(const face_pieces *f, double touching, uint32_t *same)
+{
+    size_t size = 16;
+    while (size < 2 * f->node_count)
+        size *= 2;
+    uint32_t *slot = alloc_array(size, sizeof *slot);
+    double cell = touching > 0.0 ? 2.0 * touching : 1.0;
+    if (!slot)
+        return false;
+    for (size_t i = 0; i < size; i++)
+        slot[i] = ROBERTS_NONE;
+    for (uint32_t n = 0; n < f->node_count; n++) {
+        roberts_vec2 P = f->node[n].at;
+        double x = floor(P.x / cell), y = floor(P.y / cell);
+        uint32_t found = ROBERTS_NONE;
+        for (int k = 0; k < 9; k++)
+            for (size_t at = slot_of(x + k % 3 - 1, y + (int)(k / 3) - 1, size - 1); slot[at] != ROBERTS_NONE;
+                 at = (at + 1) & (size - 1)) {
+                roberts_vec2 Q = f->node[slot[at]].at;
+                if (slot[at] < found && hypot(P.x - Q.x, P.y - Q.y) <= touching)
+                    found = slot[at];
             }
+        same[n] = found == ROBERTS_NONE ? n : found;
+        if (found != ROBERTS_NONE)
+            continue;
+        size_t at = slot_of(x, y, size - 1);
+        while (slot[at] != ROBERTS_NONE)
+            at = (at + 1) & (size - 1);
+        slot[at] = n;
+    }
+    free(slot);
+    return true;
 }
 
 /* Is a node met twice? */
@@ -160,27 +214,10 @@ static int compare_stretches(const void *pa, const void *pb)
     return (a->side > b->side) - (a->side < b->side);
 }
 
-/* Sides divided at their stops; stretches that lie on one another become one. */
-static bool make_stretches(const face_pieces *f, arrangement *a)
+/* Stretches that lie on one another become one. */
+static void unite_stretches(arrangement *a)
 {
-    size_t k = 0, to = 0;
-    a->count = 0;
-    a->item = alloc_array(f->ring_count + a->stop_count, sizeof *a->item);
-    if (!a->item)
-        return false;
-    qsort(a->stop, a->stop_count, sizeof *a->stop, compare_stops);
-    for (uint32_t i = 0; i < f->ring_count; i++) {
-        uint32_t from = f->ring[i], end = f->ring[i + 1 < f->ring_count ? i + 1 : 0];
-        for (bool more = true; more;) {
-            more = k < a->stop_count && a->stop[k].side == i;
-            uint32_t node = more ? a->stop[k++].node : end;
-            if (node == from)
-                continue;
-            a->item[a->count++] = (stretch){{from < node ? from : node, from < node ? node : from}, from < node ? 1 : -1,
-                                            f->side_of[i]};
-            from = node;
-        }
-    }
+    size_t to = 0;
     qsort(a->item, a->count, sizeof *a->item, compare_stretches);
     for (size_t i = 0; i < a->count; i++) {
         if (to && a->item[to - 1].v[0] == a->item[i].v[0] && a->item[to - 1].v[1] == a->item[i].v[1])
@@ -189,6 +226,51 @@ static bool make_stretches(const face_pieces *f, arrangement *a)
             a->item[to++] = a->item[i];
     }
     a->count = to;
+}
+
+static stretch stretch_of(uint32_t from, uint32_t to, int32_t net, uint32_t side)
+{
+    return (stretch){{from < to ? from : to, from < to ? to : from}, from < to ? net : -net, side};
+}
+
+/* The sides of the ring. */
+static bool take_sides(const face_pieces *f, arrangement *a)
+{
+    a->item = alloc_array(f->ring_count, sizeof *a->item);
+    for (uint32_t i = 0; a->item && i < f->ring_count; i++) {
+        uint32_t from = f->ring[i], to = f->ring[i + 1 < f->ring_count ? i + 1 : 0];
+        if (from != to)
+            a->item[a->count++] = stretch_of(from, to, 1, f->side_of[i]);
+    }
+    if (a->item)
+        unite_stretches(a);
+    return a->item != NULL;
+}
+
+/* ... divided at their stops. same[]: as join_nodes() has it. */
+static bool divide(arrangement *a, const uint32_t *same)
+{
+    size_t k = 0, to = 0;
+    stretch *item = alloc_array(a->count + a->stop_count, sizeof *item);
+    if (!item)
+        return false;
+    qsort(a->stop, a->stop_count, sizeof *a->stop, compare_stops);
+    for (uint32_t i = 0; i < a->count; i++) {
+        const stretch *own = &a->item[i];
+        uint32_t from = same[own->v[0]];
+        for (bool more = true; more;) {
+            more = k < a->stop_count && a->stop[k].side == i;
+            uint32_t node = same[more ? a->stop[k++].node : own->v[1]];
+            if (node == from)
+                continue;
+            item[to++] = stretch_of(from, node, own->net, own->side);
+            from = node;
+        }
+    }
+    free(a->item);
+    a->item = item;
+    a->count = to;
+    unite_stretches(a);
     return true;
 }
 
@@ -203,9 +285,15 @@ static void drop_dead_ends(const face_pieces *f, arrangement *a, uint32_t *degre
             degree[a->item[i].v[0]]++;
             degree[a->item[i].v[1]]++;
         }
-        for (size_t i = 0; i < a->count; i++)
-            if (degree[a->item[i].v[0]] > 1 && degree[a->item[i].v[1]] > 1)
+        for (size_t i = 0; i < a->count; i++) {
+            uint32_t *p = &degree[a->item[i].v[0]], *q = &degree[a->item[i].v[1]];
+            if (*p > 1 && *q > 1) {
                 a->item[to++] = a->item[i];
+                continue;
+            }
+            --*p; /* the next one in line is met in this very pass, if it comes later */
+            --*q;
+        }
         again = to < a->count;
         a->count = to;
     }
@@ -280,26 +368,31 @@ static void walk_cells(const face_pieces *f, arrangement *a)
     }
 }
 
-/* From the outer cell inward. */
+/* From the outer cell inward: from each cell to those across its stretches. */
 static void wind(arrangement *a)
 {
-    const int32_t unknown = INT32_MIN;
-    size_t outer = 0;
+    size_t outer = 0, waiting = 0;
+    uint32_t *first = a->ring, *stack = a->ring_half; /* a half-edge of each cell */
     for (size_t c = 0; c < a->cells; c++) {
-        a->winding[c] = unknown;
+        a->winding[c] = INT32_MIN;
         outer = a->area[c] < a->area[outer] ? c : outer;
     }
-    if (a->cells)
-        a->winding[outer] = 0;
-    for (bool again = a->cells > 0; again;) {
-        again = false;
-        for (uint32_t h = 0; h < 2 * a->count; h++) {
-            uint32_t left = a->cell[h], right = a->cell[h ^ 1];
-            if (a->winding[left] != unknown || a->winding[right] == unknown)
-                continue;
-            a->winding[left] = a->winding[right] + (h % 2 ? -a->item[h / 2].net : a->item[h / 2].net);
-            again = true;
-        }
+    if (a->cells == 0)
+        return;
+    for (uint32_t h = 0; h < 2 * a->count; h++)
+        first[a->cell[h]] = h;
+    a->winding[outer] = 0;
+    stack[waiting++] = (uint32_t)outer;
+    while (waiting > 0) {
+        uint32_t cell = stack[--waiting], h = first[cell];
+        do {
+            uint32_t other = a->cell[h ^ 1];
+            if (a->winding[other] == INT32_MIN) { /* to the right of h, which changes it by what runs along h */
+                a->winding[other] = a->winding[cell] - (h % 2 ? -a->item[h / 2].net : a->item[h / 2].net);
+                stack[waiting++] = other;
+            }
+            h = a->next[h];
+        } while (h != first[cell]);
     }
 }
 
@@ -376,34 +469,47 @@ static void free_arrangement(arrangement *a)
     free(a->start);
 }
 
+/* Corners that lie on one another become one node of the ring. */
+static bool join_ring(face_pieces *f, double touching)
+{
+    uint32_t *same = alloc_array(f->node_count, sizeof *same);
+    bool enough = same && join_nodes(f, touching, same);
+    for (size_t r = 0; enough && r < f->ring_count; r++)
+        f->ring[r] = same[f->ring[r]];
+    free(same);
+    return enough;
+}
+
+/* The stretches between all crossings, walked cell by cell. */
+static bool fill_cells(face_pieces *f, const face_rules *rules, arrangement *a)
+{
+    uint32_t *same = alloc_array(f->node_count, sizeof *same);
+    bool enough = same && join_nodes(f, rules->touching / rules->unit, same) && divide(a, same);
+    if (enough)
+        drop_dead_ends(f, a, same);
+    free(same);
+    if (!enough || !alloc_arrangement(f, a))
+        return false;
+    link_halves(f, a);
+    walk_cells(f, a);
+    wind(a);
+    return take_cells(f, a, rules->even_odd);
+}
+
 bool face_pieces_arrange(face_pieces *f, const face_rules *rules, bool *done)
 {
     double touching = rules->touching / rules->unit;
     arrangement a = {0};
-    uint32_t n = (uint32_t)f->ring_count;
-    bool enough = true, repeats;
     *done = false;
-    join_nodes(f, touching);
-    for (uint32_t i = 0; enough && i < n; i++)
-        for (uint32_t j = i + 1; enough && j < n; j++)
-            enough = stop_at_crossing(f, &a, i, j, touching);
-    uint32_t *count = enough ? alloc_array(f->node_count, sizeof *count) : NULL;
-    enough = count != NULL;
-    repeats = enough && ring_repeats(f, count);
+    bool enough = join_ring(f, touching);
+    uint32_t *seen = enough ? alloc_array(f->node_count, sizeof *seen) : NULL;
+    bool repeats = seen && ring_repeats(f, seen);
+    free(seen);
+    enough = seen && take_sides(f, &a) && find_stops(f, &a, touching);
     if (enough && (repeats || a.stop_count > 0)) {
         *done = true;
-        enough = make_stretches(f, &a);
-        if (enough)
-            drop_dead_ends(f, &a, count);
-        enough = enough && alloc_arrangement(f, &a);
-        if (enough) {
-            link_halves(f, &a);
-            walk_cells(f, &a);
-            wind(&a);
-            enough = take_cells(f, &a, rules->even_odd);
-        }
+        enough = fill_cells(f, rules, &a);
     }
-    free(count);
     free_arrangement(&a);
     return enough;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/compare.h"
 #include "base/dd.h"
 
 /* A border whose signed areas cancel has a Newell normal that says nothing: less than this part of its size squared. */
@@ -27,6 +28,27 @@ bool face_pieces_add_side(face_pieces *f, piece_side side)
     return true;
 }
 
+/* Up to so many corners are compared with one another. */
+enum { FEW_CORNERS = 32 };
+
+/* Corners that are met again become the same node: by sorting. */
+static bool join_corners(face_pieces *f)
+{
+    uint64_t *key = alloc_array(f->node_count, sizeof *key);
+    if (!key)
+        return false;
+    for (size_t i = 0; i < f->node_count; i++)
+        key[i] = (uint64_t)f->node[i].vertex << 32 | i;
+    qsort(key, f->node_count, sizeof *key, compare_u64);
+    uint32_t first = 0;
+    for (size_t i = 0; i < f->node_count; i++) {
+        first = i > 0 && key[i] >> 32 == key[i - 1] >> 32 ? first : (uint32_t)key[i];
+        f->ring[(uint32_t)key[i]] = first;
+    }
+    free(key);
+    return true;
+}
+
 /* The corners in order, without those that repeat the one before. A corner met again is the same node. */
 static bool take_ring(face_pieces *f, const roberts_vec3 *point, const uint32_t *corner, uint32_t count)
 {
@@ -40,14 +62,16 @@ static bool take_ring(face_pieces *f, const roberts_vec3 *point, const uint32_t 
         if (corner[i] == corner[i + 1 < count ? i + 1 : 0])
             continue;
         uint32_t n = 0;
-        while (n < f->node_count && (count <= 4 || f->node[n].vertex != corner[i]))
+        while (n < f->node_count && count <= FEW_CORNERS && f->node[n].vertex != corner[i])
             n++;
+        if (count > FEW_CORNERS)
+            n = (uint32_t)f->node_count;
         if (n == f->node_count)
             f->node[f->node_count++] = (piece_node){.vertex = corner[i], .point = point[corner[i]]};
         f->side_of[f->ring_count] = i;
         f->ring[f->ring_count++] = n;
     }
-    return true;
+    return count <= FEW_CORNERS || join_corners(f);
 }
 
 /* The normal of the largest triangle at the first corner; zero where all corners are in a line. */
@@ -155,6 +179,27 @@ static bool take_whole(face_pieces *f)
     return true;
 }
 
+/* A convex face of very many corners, as a fan of pieces. */
+static bool take_fan(face_pieces *f)
+{
+    uint32_t count = (uint32_t)f->ring_count, cut = count;
+    for (uint32_t k = 1; k + 1 < count;) {
+        uint32_t last = k + PIECE_CORNERS - 2 < count - 1 ? k + PIECE_CORNERS - 2 : count - 1, n = 0;
+        if (!array_reserve(&f->piece, &f->piece_room, f->piece_count + 1, sizeof *f->piece))
+            return false;
+        face_piece *p = &f->piece[f->piece_count++];
+        p->node[n] = f->ring[0];
+        p->label[n++] = k == 1 ? 0 : cut++;
+        for (uint32_t i = k; i <= last; i++) {
+            p->node[n] = f->ring[i];
+            p->label[n++] = i < last ? i : last == count - 1 ? last : cut;
+        }
+        p->count = n;
+        k = last;
+    }
+    return true;
+}
+
 /* Each side of the ring with its piece, and both sides of each cut where those matter. */
 static bool add_sides(face_pieces *f)
 {
@@ -183,8 +228,11 @@ bool face_pieces_cut(face_pieces *f, const face_rules *rules, const uint32_t *co
     f->planar = f->ring_count == 3 || f->fit.deviation <= greater(rules->tolerance * f->chord, rules->touching);
     if (!(f->fit.width > rules->touching))
         return true;
-    if (f->ring_count == 3 || (f->planar && f->ring_count <= PIECE_CORNERS && is_convex(f)))
+    bool whole = f->ring_count == 3 || (f->planar && is_convex(f));
+    if (whole && f->ring_count <= PIECE_CORNERS)
         return take_whole(f);
+    if (whole)
+        return take_fan(f) && add_sides(f);
     if (!face_pieces_arrange(f, rules, &done))
         return false;
     if (done) {

@@ -32,8 +32,10 @@ typedef struct piece_side {
     uint32_t side; /* of the face, counted from 0: from its corner `side` to the next; ROBERTS_NONE: a cut */
 } piece_side;
 
+/* A corner of a ring whose ears are cut: its neighbours round the ring, and along a curve through the plane. */
 typedef struct ring_link {
     uint32_t node, next, last, label;
+    uint32_t z, next_z, last_z;
 } ring_link;
 
 /* One face at a time; the arrays serve face after face. Zeroed = empty. */

@@ -6,7 +6,12 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/bits.h"
+#include "base/compare.h"
 #include "model/face_pieces.h"
+
+/* With more corners than this those near a triangle are found along a curve. */
+enum { MANY_CORNERS = 80 };
 
 static roberts_vec2 place(const face_pieces *f, uint32_t link)
 {
@@ -18,27 +23,94 @@ static double turn_at(const face_pieces *f, uint32_t b)
     return piece_turn(place(f, f->link[b].last), place(f, b), place(f, f->link[b].next));
 }
 
-/* Does the triangle before and after b hold no other corner? Only corners that do not turn left can be the first ones in it.
- * `strict`: nor on its border. */
-static bool is_ear(const face_pieces *f, uint32_t b, bool strict)
+/* The triangle before and after a corner, with its box. */
+typedef struct ear {
+    uint32_t node[3];
+    roberts_vec2 A, B, C, low, high;
+} ear;
+
+/* Is corner p in the triangle? Only corners that do not turn left can be the first ones in it. `strict`: or on its border. */
+static bool holds(const face_pieces *f, const ear *e, uint32_t p, bool strict)
+{
+    roberts_vec2 P = place(f, p);
+    uint32_t node = f->link[p].node;
+    if (P.x < e->low.x || P.x > e->high.x || P.y < e->low.y || P.y > e->high.y || node == e->node[0] || node == e->node[1] ||
+        node == e->node[2])
+        return false;
+    double ab = piece_turn(e->A, e->B, P), bc = piece_turn(e->B, e->C, P), ca = piece_turn(e->C, e->A, P);
+    bool inside = strict ? ab >= 0.0 && bc >= 0.0 && ca >= 0.0 : ab > 0.0 && bc > 0.0 && ca > 0.0;
+    return inside && turn_at(f, p) <= 0.0;
+}
+
+/* The plane in 2^15 columns and rows, for the curve. */
+typedef struct curve {
+    roberts_vec2 low;
+    double per_x, per_y;
+} curve;
+
+static uint32_t cell_along(double x, double low, double per)
+{
+    double i = (x - low) * per;
+    return !(i > 0.0) ? 0 : i >= 32767.0 ? 32767 : (uint32_t)i;
+}
+
+static uint32_t place_on(const curve *c, roberts_vec2 P)
+{
+    return bits_spread(cell_along(P.x, c->low.x, c->per_x)) << 1 | bits_spread(cell_along(P.y, c->low.y, c->per_y));
+}
+
+/* Links the corners along the curve (G. M. Morton, 1966): the corners of a box lie between its lower left and its upper right
+ * corner on it. False: no memory. */
+static bool link_curve(face_pieces *f, uint32_t count, curve *c)
+{
+    uint64_t *key = alloc_array(count, sizeof *key);
+    roberts_vec2 high = {-INFINITY, -INFINITY};
+    c->low = (roberts_vec2){INFINITY, INFINITY};
+    if (!key)
+        return false;
+    for (uint32_t i = 0; i < count; i++) {
+        roberts_vec2 P = place(f, i);
+        c->low = (roberts_vec2){lesser(c->low.x, P.x), lesser(c->low.y, P.y)};
+        high = (roberts_vec2){greater(high.x, P.x), greater(high.y, P.y)};
+    }
+    c->per_x = high.x > c->low.x ? 32768.0 / (high.x - c->low.x) : 0.0;
+    c->per_y = high.y > c->low.y ? 32768.0 / (high.y - c->low.y) : 0.0;
+    for (uint32_t i = 0; i < count; i++) {
+        f->link[i].z = place_on(c, place(f, i));
+        key[i] = (uint64_t)f->link[i].z << 32 | i;
+    }
+    qsort(key, count, sizeof *key, compare_u64);
+    for (uint32_t i = 0; i < count; i++) {
+        f->link[(uint32_t)key[i]].last_z = i > 0 ? (uint32_t)key[i - 1] : ROBERTS_NONE;
+        f->link[(uint32_t)key[i]].next_z = i + 1 < count ? (uint32_t)key[i + 1] : ROBERTS_NONE;
+    }
+    free(key);
+    return true;
+}
+
+/* Does the triangle before and after b hold no other corner? `strict`: nor on its border. c: NULL where all are asked. */
+static bool is_ear(const face_pieces *f, uint32_t b, bool strict, const curve *c)
 {
     const ring_link *link = f->link;
-    uint32_t a = link[b].last, c = link[b].next;
-    roberts_vec2 A = place(f, a), B = place(f, b), C = place(f, c);
-    double low_x = lesser(A.x, lesser(B.x, C.x)), high_x = greater(A.x, greater(B.x, C.x));
-    double low_y = lesser(A.y, lesser(B.y, C.y)), high_y = greater(A.y, greater(B.y, C.y));
-    if (!(piece_turn(A, B, C) > 0.0))
+    uint32_t before = link[b].last, after = link[b].next;
+    ear e = {{link[before].node, link[b].node, link[after].node}, place(f, before), place(f, b), place(f, after), {0, 0}, {0, 0}};
+    if (!(piece_turn(e.A, e.B, e.C) > 0.0))
         return false;
-    for (uint32_t p = link[c].next; p != a; p = link[p].next) {
-        roberts_vec2 P = place(f, p);
-        if (P.x < low_x || P.x > high_x || P.y < low_y || P.y > high_y || link[p].node == link[a].node ||
-            link[p].node == link[b].node || link[p].node == link[c].node)
-            continue;
-        double ab = piece_turn(A, B, P), bc = piece_turn(B, C, P), ca = piece_turn(C, A, P);
-        bool inside = strict ? ab >= 0.0 && bc >= 0.0 && ca >= 0.0 : ab > 0.0 && bc > 0.0 && ca > 0.0;
-        if (inside && turn_at(f, p) <= 0.0)
-            return false;
+    e.low = (roberts_vec2){lesser(e.A.x, lesser(e.B.x, e.C.x)), lesser(e.A.y, lesser(e.B.y, e.C.y))};
+    e.high = (roberts_vec2){greater(e.A.x, greater(e.B.x, e.C.x)), greater(e.A.y, greater(e.B.y, e.C.y))};
+    if (!c) {
+        for (uint32_t p = link[after].next; p != before; p = link[p].next)
+            if (holds(f, &e, p, strict))
+                return false;
+        return true;
     }
+    uint32_t first = place_on(c, e.low), last = place_on(c, e.high);
+    for (uint32_t p = link[b].next_z; p != ROBERTS_NONE && link[p].z <= last; p = link[p].next_z)
+        if (p != before && p != after && holds(f, &e, p, strict))
+            return false;
+    for (uint32_t p = link[b].last_z; p != ROBERTS_NONE && link[p].z >= first; p = link[p].last_z)
+        if (p != before && p != after && holds(f, &e, p, strict))
+            return false;
     return true;
 }
 
@@ -71,13 +143,13 @@ static uint32_t first_ear(const face_pieces *f, uint32_t count)
 
 /* Cuts off ears until three corners are left. Where rounding leaves none, first those with corners on their border go, then
  * any corner that turns left, then any. Gives the number of cuts, or ROBERTS_NONE: no memory. */
-static uint32_t cut_ears(face_pieces *f, uint32_t count)
+static uint32_t cut_ears(face_pieces *f, uint32_t count, const curve *c)
 {
     ring_link *link = f->link;
     uint32_t left = count, cuts = 0, b = first_ear(f, count), tried = 0, lax = 0;
     while (left > 3) {
-        bool ear = lax == 0 ? is_ear(f, b, true) : lax == 1 ? is_ear(f, b, false) : lax == 2 ? turn_at(f, b) > 0.0 : true;
-        if (!ear) {
+        bool cut = lax == 0 ? is_ear(f, b, true, c) : lax == 1 ? is_ear(f, b, false, c) : lax == 2 ? turn_at(f, b) > 0.0 : true;
+        if (!cut) {
             b = link[b].next;
             if (++tried > left) {
                 tried = 0;
@@ -85,17 +157,21 @@ static uint32_t cut_ears(face_pieces *f, uint32_t count)
             }
             continue;
         }
-        uint32_t a = link[b].last, c = link[b].next, across = count + cuts;
+        uint32_t before = link[b].last, after = link[b].next, across = count + cuts;
         if (turn_at(f, b) > 0.0) {
             if (!add_triangle(f, b, across))
                 return ROBERTS_NONE;
             cuts++;
-            link[a].label = across;
+            link[before].label = across;
         }
-        link[a].next = c;
-        link[c].last = a;
+        link[before].next = after;
+        link[after].last = before;
+        if (c && link[b].next_z != ROBERTS_NONE)
+            link[link[b].next_z].last_z = link[b].last_z;
+        if (c && link[b].last_z != ROBERTS_NONE)
+            link[link[b].last_z].next_z = link[b].next_z;
         left--;
-        b = link[c].next; /* not the same corner again: fans are thin */
+        b = link[after].next; /* not the same corner again: fans are thin */
         tried = lax = 0;
     }
     if (turn_at(f, b) > 0.0 && !add_triangle(f, b, link[link[b].next].label))
@@ -180,8 +256,11 @@ bool face_pieces_triangulate(face_pieces *f, const uint32_t *ring, uint32_t coun
     if (!array_reserve(&f->link, &f->link_room, count, sizeof *f->link))
         return false;
     for (uint32_t i = 0; i < count; i++)
-        f->link[i] = (ring_link){ring[i], i + 1 < count ? i + 1 : 0, i > 0 ? i - 1 : count - 1, i};
-    uint32_t cuts = cut_ears(f, count);
+        f->link[i] = (ring_link){ring[i], i + 1 < count ? i + 1 : 0, i > 0 ? i - 1 : count - 1, i, 0, 0, 0};
+    curve along;
+    if (count > MANY_CORNERS && !link_curve(f, count, &along))
+        return false;
+    uint32_t cuts = cut_ears(f, count, count > MANY_CORNERS ? &along : NULL);
     if (cuts == ROBERTS_NONE)
         return false;
     if (!merge || cuts == 0)
