@@ -1,6 +1,8 @@
 /* surface_lines.c - see surface_lines.h. */
 #include "hide/surface_lines.h"
 
+#include "base/array.h"
+
 /* Lines that are taken up at a time. */
 enum { LINES_AT_ONCE = HIDE_GROUP };
 
@@ -79,52 +81,125 @@ static int class_of(const hide_job *job, uint32_t body, uint32_t e, const scene_
     return faces.left == 0 ? ROBERTS_OUTLINE : ROBERTS_CREASE;
 }
 
-/* The lines of a batch become segments; class[]: their classes. */
-static bool add_lines(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body, const uint8_t *class)
+/* Lines that are taken up together. */
+typedef struct line_batch {
+    uint32_t body;
+    uint8_t class[LINES_AT_ONCE];
+    uint32_t source[LINES_AT_ONCE]; /* edges of the scene as given */
+} line_batch;
+
+/* What the near plane leaves of an edge of the scene as given. */
+static clip_edge left_of(const hide_job *job, uint32_t e)
 {
-    const roberts_scene *scene = job->scene;
-    const uint8_t *is = scene->surface->edge_is;
+    return job->clip.clipped ? job->clip.origin[e] : (clip_edge){e, 0.0, 1.0};
+}
+
+/* The segment of all of t0..t1 of an edge of the scene as given, which may be a part of an edge of the file. */
+static roberts_segment pattern_of(const hide_job *job, uint32_t body, uint32_t e, double t0, double t1)
+{
+    const roberts_scene *scene = job->source;
+    const scene_edge *edge = scene_edge_stored(scene, body, e);
+    uint32_t first = scene->solid[body].vertex;
+    roberts_segment pattern = {.solid = body,
+                               .v0 = scene_vertex_number(scene, first + edge->v[0]),
+                               .v1 = scene_vertex_number(scene, first + edge->v[1]),
+                               .by = ROBERTS_NONE,
+                               .t0 = t0,
+                               .t1 = t1,
+                               .state = ROBERTS_VISIBLE};
+    if (scene->surface->edge_is[e] & EDGE_PART) {
+        const scene_part *part = scene_part_at(scene, e);
+        double width = part->t1 - part->t0;
+        pattern.v0 = part->v[0];
+        pattern.v1 = part->v[1];
+        pattern.t0 = part->t0 + width * t0;
+        pattern.t1 = t1 == 1.0 ? part->t1 : part->t0 + width * t1;
+    }
+    return pattern;
+}
+
+/* A part that the near plane has taken. */
+static bool add_clipped(const hide_job *job, hide_chunk *out, roberts_segment pattern)
+{
+    if (!job->options->keep_hidden || pattern.t0 >= pattern.t1)
+        return true;
+    if (!array_reserve(&out->segment, &out->room, out->count + 1, sizeof *out->segment))
+        return false;
+    pattern.state = ROBERTS_CLIPPED;
+    out->segment[out->count++] = pattern;
+    return true;
+}
+
+/* Would the edge, of which nothing is left, be drawn? Only of one that is flat or a cut it is known that it would not. */
+static bool add_lost(const hide_job *job, hide_chunk *out, uint32_t body, uint32_t e)
+{
+    const roberts_scene *scene = job->source;
+    const scene_edge *edge = scene_edge_stored(scene, body, e);
+    const plane *of = scene->face_plane + scene->solid[body].face;
+    uint8_t is = scene->surface->edge_is[e];
+    double way = ((is & EDGE_TURNED_0) != 0) != ((is & EDGE_TURNED_1) != 0) ? 1.0 : -1.0;
+    bool flat = edge->f[1] != ROBERTS_NONE && !(is & EDGE_MANY) && !job->options->all_edges &&
+                chord(of[edge->f[0]], of[edge->f[1]], way) <
+                    (scene->surface->smooth[body] ? job->smooth_chord : job->crease_chord);
+    return flat || is & EDGE_CUT || add_clipped(job, out, pattern_of(job, body, e, 0.0, 1.0));
+}
+
+/* The lines of a batch become segments. */
+static bool add_lines(const hide_job *job, hide_worker *w, hide_chunk *out, const line_batch *batch)
+{
     if (!hide_worker_run(w, ROBERTS_NONE))
         return false;
     if (job->options->keep_hidden)
         segments_name_hiders(job, w);
     for (size_t i = 0; i < w->line_count; i++) {
-        const hide_line *line = &w->line[i];
-        roberts_segment pattern = {.solid = body,
-                                   .v0 = scene_vertex_number(scene, line->e.a),
-                                   .v1 = scene_vertex_number(scene, line->e.b),
-                                   .by = ROBERTS_NONE,
-                                   .t1 = 1.0,
-                                   .state = ROBERTS_VISIBLE,
-                                   .line = class[i]};
-        if (is[line->edge] & EDGE_PART) {
-            const scene_part *part = scene_part_at(scene, line->edge);
-            pattern.v0 = part->v[0];
-            pattern.v1 = part->v[1];
-            pattern.t0 = part->t0;
-            pattern.t1 = part->t1;
-        }
-        if (!segments_add_parts(job, out, &pattern, line))
+        uint32_t e = batch->source[i];
+        clip_edge left = left_of(job, e);
+        roberts_segment pattern = pattern_of(job, batch->body, e, left.t0, left.t1);
+        pattern.line = batch->class[i];
+        if ((left.t0 > 0.0 && !add_clipped(job, out, pattern_of(job, batch->body, e, 0.0, left.t0))) ||
+            !segments_add_parts(job, out, &pattern, &w->line[i]) ||
+            (left.t1 < 1.0 && !add_clipped(job, out, pattern_of(job, batch->body, e, left.t1, 1.0))))
             return false;
     }
+    hide_worker_begin(w);
+    return true;
+}
+
+/* Takes up a line that is drawn and not covered. */
+static bool take_line(const hide_job *job, hide_worker *w, uint32_t e, const scene_many *many, line_batch *batch, int class)
+{
+    const roberts_scene *scene = job->scene;
+    const scene_solid *own = &scene->solid[batch->body];
+    const scene_edge *edge = scene_edge_stored(scene, batch->body, e);
+    batch->class[w->line_count] = (uint8_t)class;
+    hide_line *line = hide_worker_add(w, e, edge, own->vertex);
+    if (!line)
+        return false;
+    for (int k = 0; k < 2; k++)
+        line->own[k] = edge->f[k] == ROBERTS_NONE ? ROBERTS_NONE : scene->surface->plane_of[own->face + edge->f[k]];
+    line->many = many;
     return true;
 }
 
 bool surface_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
 {
     const roberts_scene *scene = job->scene;
-    const scene_solid *own = &scene->solid[body];
-    const uint8_t *is = scene->surface->edge_is;
-    const uint32_t *plane_of = scene->surface->plane_of;
-    uint8_t class[LINES_AT_ONCE];
-    if (job->picture.culled[body])
+    line_batch batch = {.body = body};
+    if (job->picture.culled[body] && !(job->clip.clipped && job->options->keep_hidden))
         return true;
     hide_worker_begin(w);
-    for (uint32_t e = own->edge; e < own[1].edge; e++) {
-        const scene_edge *edge = scene_edge_stored(scene, body, e);
-        const scene_many *many = is[e] & EDGE_MANY ? scene_many_at(scene, e) : NULL;
-        int line_class = class_of(job, body, e, edge, many);
-        if (line_class == NOT_DRAWN)
+    for (uint32_t e = job->source->solid[body].edge; e < job->source->solid[body + 1].edge; e++) {
+        clip_edge left = left_of(job, e);
+        if (left.edge == ROBERTS_NONE || left.t0 >= left.t1) {
+            if (!add_lines(job, w, out, &batch) || !add_lost(job, out, body, e))
+                return false;
+            continue;
+        }
+        const scene_many *many =
+            scene->surface->edge_is[left.edge] & EDGE_MANY ? scene_many_at(scene, left.edge) : NULL;
+        const scene_edge *edge = scene_edge_stored(scene, body, left.edge);
+        int class = class_of(job, body, left.edge, edge, many);
+        if (class == NOT_DRAWN)
             continue;
         w->surviving++;
         w->drawn++;
@@ -132,18 +207,10 @@ bool surface_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t
             w->tally.covered++;
             continue;
         }
-        class[w->line_count] = (uint8_t)line_class;
-        hide_line *line = hide_worker_add(w, e, edge, own->vertex);
-        if (!line)
+        batch.source[w->line_count] = e;
+        if (!take_line(job, w, left.edge, many, &batch, class) ||
+            (w->line_count == LINES_AT_ONCE && !add_lines(job, w, out, &batch)))
             return false;
-        for (int k = 0; k < 2; k++)
-            line->own[k] = edge->f[k] == ROBERTS_NONE ? ROBERTS_NONE : plane_of[own->face + edge->f[k]];
-        line->many = many;
-        if (w->line_count < LINES_AT_ONCE)
-            continue;
-        if (!add_lines(job, w, out, body, class))
-            return false;
-        hide_worker_begin(w);
     }
-    return add_lines(job, w, out, body, class);
+    return add_lines(job, w, out, &batch);
 }
