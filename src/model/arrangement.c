@@ -254,7 +254,8 @@ static bool divide(arrangement *a, const uint32_t *same)
     stretch *item = alloc_array(a->count + a->stop_count, sizeof *item);
     if (!item)
         return false;
-    qsort(a->stop, a->stop_count, sizeof *a->stop, compare_stops);
+    if (a->stop_count > 1)
+        qsort(a->stop, a->stop_count, sizeof *a->stop, compare_stops);
     for (uint32_t i = 0; i < a->count; i++) {
         const stretch *own = &a->item[i];
         uint32_t from = same[own->v[0]];

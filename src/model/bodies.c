@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/compare.h"
 #include "base/error.h"
 #include "base/sets.h"
 #include "model/components.h"
@@ -203,8 +204,10 @@ static bool list_all(assembly *a)
     if (enough) {
         uint32_t to = (uint32_t)s->corner_count, n = s->piece_count;
         join_pieces(s, parent, owner);
-        memcpy(start, s->start, n * sizeof *start);
-        memcpy(corner, s->corner, to * sizeof *corner);
+        if (n > 0)
+            memcpy(start, s->start, n * sizeof *start);
+        if (to > 0)
+            memcpy(corner, s->corner, to * sizeof *corner);
         for (uint32_t p = 0; p < n; p++) {
             a->of[p] = sets_root(parent, p);
             a->number[p] = s->face[p];
@@ -646,6 +649,53 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
     free(a.number);
     free(a.is_convex);
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
+}
+
+/* ---- wires beside convex solids ------------------------------------------------------------------------------------- */
+
+static uint64_t edge_name(uint32_t a, uint32_t b)
+{
+    return a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a;
+}
+
+static bool is_wire(const roberts_mesh *mesh, size_t f)
+{
+    const uint32_t *corner = mesh->corner + mesh->face_start[f];
+    return mesh->face_start[f + 1] - mesh->face_start[f] == 2 && corner[0] != corner[1];
+}
+
+/* The names of all edges of a scene of convex solids, sorted. */
+static uint64_t *list_names(const roberts_scene *scene)
+{
+    uint64_t *name = alloc_array(scene->edge_count, sizeof *name);
+    for (uint32_t s = 0; name && s < scene->solid_count; s++)
+        for (uint32_t e = scene->solid[s].edge; e < scene->solid[s + 1].edge; e++) {
+            const scene_edge edge = scene_edge_at(scene, s, e);
+            name[e] = edge_name(scene_vertex_number(scene, edge.v[0]), scene_vertex_number(scene, edge.v[1]));
+        }
+    if (name)
+        qsort(name, scene->edge_count, sizeof *name, compare_u64);
+    return name;
+}
+
+bool bodies_wires(const roberts_scene *scene, const roberts_mesh *mesh, bool *found)
+{
+    size_t f = 0;
+    *found = false;
+    while (f < mesh->face_count && !is_wire(mesh, f))
+        f++;
+    if (f == mesh->face_count)
+        return true;
+    uint64_t *name = list_names(scene);
+    for (; name && f < mesh->face_count && !*found; f++) {
+        if (!is_wire(mesh, f))
+            continue;
+        uint64_t own = edge_name(mesh->corner[mesh->face_start[f]], mesh->corner[mesh->face_start[f] + 1]);
+        *found = !bsearch(&own, name, scene->edge_count, sizeof *name, compare_u64);
+    }
+    bool enough = name != NULL;
+    free(name);
+    return enough;
 }
 
 /* ---- the scene's lookups ------------------------------------------------------------------------------------------ */

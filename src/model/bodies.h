@@ -9,4 +9,8 @@
 roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                             roberts_error *error);
 
+/* Has the mesh, of which `scene` has the convex solids and nothing else is left but elements of one and two corners, elements of
+ * two that are no edges? False: no memory. */
+bool bodies_wires(const roberts_scene *scene, const roberts_mesh *mesh, bool *found);
+
 #endif

@@ -288,6 +288,15 @@ static bool is_shape(roberts_status status)
            status == ROBERTS_FLAT;
 }
 
+/* Are there elements of two corners that are no edges of the solids? */
+static bool has_wires(const roberts_scene *scene, const roberts_mesh *mesh, roberts_status *status)
+{
+    bool found = false;
+    if (*status == ROBERTS_OK && scene->face_count < mesh->face_count && !bodies_wires(scene, mesh, &found))
+        *status = ROBERTS_NO_MEMORY;
+    return found;
+}
+
 /* The same where bodies need not be convex solids. */
 static roberts_status build_bodies(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                                    roberts_error *error)
@@ -320,12 +329,14 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
             layout_clear(*scene);
             found = (roberts_error){0};
             status = build_hulls(*scene, mesh, &chosen, &found);
-        } else if (!chosen.solids && !chosen.hull && is_shape(status)) {
+        } else if (!chosen.solids && !chosen.hull && (is_shape(status) || has_wires(*scene, mesh, &status))) {
             layout_clear(*scene);
             roberts_error other = {0};
             status = build_bodies(*scene, mesh, &chosen, &other);
             if (status != ROBERTS_NOT_CLOSED)
                 found = other;
+        } else if (status == ROBERTS_NO_MEMORY) {
+            error_no_memory(&found);
         }
     }
     if (status != ROBERTS_OK) {

@@ -102,7 +102,7 @@ static bool add_side(surface *s, uint32_t v0, uint32_t v1, uint32_t piece)
 static bool add_piece(surface *s, const face_pieces *p, const face_piece *piece, uint32_t face, uint32_t plane_of)
 {
     size_t n = s->piece_count;
-    if (n >= SURFACE_CUT - 1 || !array_reserve(&s->start, &s->start_room, n + 2, sizeof *s->start) ||
+    if (n >= SURFACE_SHADOW || !array_reserve(&s->start, &s->start_room, n + 2, sizeof *s->start) ||
         !array_reserve(&s->corner, &s->corner_room, s->corner_count + piece->count, sizeof *s->corner) ||
         !array_reserve(&s->face, &s->face_room, n + 1, sizeof *s->face) ||
         !array_reserve(&s->plane_of, &s->plane_room, n + 1, sizeof *s->plane_of))
@@ -178,7 +178,7 @@ static bool take_wires(surface *s, const uint32_t *corner, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
         uint32_t a = corner[i], b = corner[i + 1 < count ? i + 1 : 0];
-        if (a != b && !(count == 2 && i == 1) && !add_side(s, a, b, SURFACE_CUT - 1))
+        if (a != b && !(count == 2 && i == 1) && !add_side(s, a, b, SURFACE_WIRE))
             return false;
     }
     return true;
@@ -194,6 +194,23 @@ static bool take_face(surface *s, face_pieces *p, const face_rules *rules, uint3
     return p->piece_count > 0 ? take_pieces(s, p, face, corner, count) : take_wires(s, corner, count);
 }
 
+/* The sides of faces that are not listed: wires along them are none. */
+static bool take_shadows(surface *s, const uint8_t *listed, const uint32_t *name)
+{
+    const roberts_mesh *mesh = s->mesh;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        uint32_t first = mesh->face_start[f], end = mesh->face_start[f + 1];
+        for (uint32_t k = first; k < end && !listed[f]; k++) {
+            uint32_t a = mesh->corner[k], b = mesh->corner[k + 1 < end ? k + 1 : first];
+            a = name ? name[a] : a;
+            b = name ? name[b] : b;
+            if (a != b && !add_side(s, a, b, SURFACE_SHADOW))
+                return false;
+        }
+    }
+    return true;
+}
+
 bool surface_take_faces(surface *s, const uint8_t *listed, const uint32_t *name, const face_rules *rules)
 {
     const roberts_mesh *mesh = s->mesh;
@@ -201,7 +218,7 @@ bool surface_take_faces(surface *s, const uint8_t *listed, const uint32_t *name,
     face_set set = {0};
     uint32_t *corner = NULL;
     size_t room = 0;
-    bool enough = true;
+    bool enough = true, wires = false;
     for (set.size = 16; set.size < 2 * mesh->face_count; set.size *= 2)
         continue;
     s->point = mesh->vertex;
@@ -224,7 +241,10 @@ bool surface_take_faces(surface *s, const uint8_t *listed, const uint32_t *name,
         enough = enter(&set, s, name, f, corner, n, &repeats);
         s->repeated += repeats;
         enough = enough && (repeats || take_face(s, &pieces, rules, f, corner, n));
+        wires = wires || n == 2;
     }
+    if (enough && wires)
+        enough = take_shadows(s, listed, name);
     free(corner);
     free(set.slot);
     free(set.other);

@@ -24,6 +24,8 @@ typedef struct surface_side {
 } surface_side;
 
 #define SURFACE_CUT 0x80000000u
+#define SURFACE_WIRE (SURFACE_CUT - 1)   /* in place of a piece: there is none, */
+#define SURFACE_SHADOW (SURFACE_CUT - 2) /* or it is no face of these bodies */
 #define SURFACE_TURNED 0x80000000u
 
 /* An edge, v[0] < v[1]. Its pieces: SURFACE_TURNED where the piece is on the right of v[0] -> v[1]. */

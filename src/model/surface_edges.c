@@ -13,8 +13,6 @@
 #include "model/point_grid.h"
 #include "model/surface.h"
 
-#define NO_PIECE (SURFACE_CUT - 1)
-
 /* A side, or a part of one, with its ends in order. */
 typedef struct part_side {
     uint32_t v[2]; /* v[0] < v[1] */
@@ -96,7 +94,7 @@ static bool sort_sides(finder *f)
 
 static bool is_wire(const surface_side *side)
 {
-    return (side->piece & ~SURFACE_CUT) == NO_PIECE;
+    return (side->piece & ~SURFACE_CUT) == SURFACE_WIRE;
 }
 
 static uint32_t incidence(uint32_t piece, bool turned)
@@ -131,8 +129,11 @@ static bool take_group(finder *f, const uint64_t *half, size_t count)
     surface *s = f->s;
     uint32_t side[2] = {ROBERTS_NONE, ROBERTS_NONE};
     size_t real = 0;
+    bool shadow = false;
     for (size_t i = 0; i < count; i++)
-        if (!is_wire(&s->side[(uint32_t)half[i]])) {
+        if (s->side[(uint32_t)half[i]].piece == SURFACE_SHADOW) {
+            shadow = true;
+        } else if (!is_wire(&s->side[(uint32_t)half[i]])) {
             if (real < 2)
                 side[real] = (uint32_t)half[i];
             real++;
@@ -141,7 +142,8 @@ static bool take_group(finder *f, const uint64_t *half, size_t count)
         if (!array_reserve(&f->odd, &f->odd_room, f->odd_count + count, sizeof *f->odd))
             return false;
         for (size_t i = 0; i < count; i++)
-            if (real == 0 || !is_wire(&s->side[(uint32_t)half[i]]))
+            if (s->side[(uint32_t)half[i]].piece != SURFACE_SHADOW &&
+                !(is_wire(&s->side[(uint32_t)half[i]]) && (real > 0 || shadow)))
                 f->odd[f->odd_count++] = (uint32_t)half[i];
         return true;
     }
@@ -304,7 +306,8 @@ static bool divide_all(finder *f)
             enough = find_stops(f, &grid, side->v[0], side->v[1]);
             if (!enough || pass == 0)
                 continue;
-            qsort(f->stop, f->stop_count, sizeof *f->stop, compare_stops);
+            if (f->stop_count > 1)
+                qsort(f->stop, f->stop_count, sizeof *f->stop, compare_stops);
             enough = divide(f, f->odd[i]);
         }
     point_grid_free(&grid);
@@ -358,7 +361,7 @@ static bool take_odd_group(finder *f, size_t first, size_t end, const surface_ed
             return false;
     for (size_t i = first; i < end; i++) {
         const part_side *half = &f->half_side[i];
-        bool wire = (half->piece & ~SURFACE_CUT) == NO_PIECE;
+        bool wire = (half->piece & ~SURFACE_CUT) == SURFACE_WIRE;
         if (!wire && !add_incidence(s, &edge, count++, incidence(half->piece, half->turned)))
             return false;
         edge.cut = edge.cut && (half->piece & SURFACE_CUT);
@@ -399,7 +402,8 @@ static surface_edge *find_edge(const surface *s, const uint32_t v[2])
 static bool take_odd_groups(finder *f)
 {
     surface *s = f->s;
-    qsort(f->half_side, f->half_count, sizeof *f->half_side, compare_halves);
+    if (f->half_count > 1)
+        qsort(f->half_side, f->half_count, sizeof *f->half_side, compare_halves);
     for (size_t i = 0, to; i < f->half_count; i = to) {
         for (to = i + 1; to < f->half_count && f->half_side[to].v[0] == f->half_side[i].v[0] &&
                          f->half_side[to].v[1] == f->half_side[i].v[1];

@@ -82,7 +82,8 @@ static bool cut_vertices(cutter *c, uint32_t body)
         if (!list_side(c, own->vertex + edge->v[0], own->vertex + edge->v[1]))
             return false;
     }
-    qsort(c->side, c->side_count, sizeof *c->side, compare_sides);
+    if (c->side_count > 1)
+        qsort(c->side, c->side_count, sizeof *c->side, compare_sides);
     for (size_t i = 0; i < c->side_count; i++) {
         cut_side side = c->side[i];
         if (to > 0 && compare_sides(&side, &c->side[to - 1]) == 0)
