@@ -156,7 +156,8 @@ typedef struct roberts_scene_options {
     roberts_warnings warnings;
     uint32_t threads; /**< 0 = what there is; the result does not depend on it */
     bool solids;      /**< what is no convex solid is refused (without `hull`, which replaces it) */
-    bool even_odd;    /**< a face that crosses itself is where its border winds round an odd number of times; default: where
+    bool
+        even_odd; /**< a face that crosses itself is where its border winds round an odd number of times; default: where
                          it winds round at all */
 } roberts_scene_options;
 
@@ -202,7 +203,8 @@ typedef enum roberts_body_kind {
     ROBERTS_OPEN,   /**< all else: sheets, loose faces, wires, edges of one face or of three and more */
 } roberts_body_kind;
 
-roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t body); /**< ROBERTS_OPEN: there is none */
+roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene,
+                                          uint32_t body); /**< ROBERTS_OPEN: there is none */
 
 /** Whether a solid is the convex hull of what the mesh has in its place; false where there is none of that number. */
 bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid);
@@ -320,7 +322,7 @@ typedef struct roberts_drawing {
                                        not among the following) */
     size_t front_faces, back_faces, edge_on_faces;
     size_t edges, surviving_edges; /**< all; with a front face */
-    size_t drawn_edges; /**< of these, or of all where hidden segments are kept, those not flatter than the crease */
+    size_t drawn_edges;   /**< of these, or of all where hidden segments are kept, those not flatter than the crease */
     size_t smooth_bodies; /**< so many were taken for curved, because of crease_auto */
     roberts_tally tally;
     roberts_time view_time, grid_time, hide_time;
@@ -329,13 +331,14 @@ typedef struct roberts_drawing {
 typedef struct roberts_hide_options {
     double crease_degrees; /**< an edge between two front faces, or two back ones, flatter than this is not drawn
                                 (default: 0.1) */
-    bool crease_auto;      /**< of a body that is not convex, and has many faces most of which meet at small angles (a scan, a
+    bool
+        crease_auto; /**< of a body that is not convex, and has many faces most of which meet at small angles (a scan, a
                                 curved part), edges flatter than 30 degrees are left out (default: true) */
-    bool all_edges;        /**< draw them all the same */
-    bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
-    double epsilon;        /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, at least 16 ulp */
-    uint32_t grid;         /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
-    uint32_t threads;      /**< up to ROBERTS_THREADS_MOST; 0 = what there is */
+    bool all_edges;  /**< draw them all the same */
+    bool keep_hidden; /**< give hidden segments too, of back edges as well, with `by` */
+    double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, at least 16 ulp */
+    uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
+    uint32_t threads; /**< up to ROBERTS_THREADS_MOST; 0 = what there is */
 } roberts_hide_options;
 
 roberts_hide_options roberts_hide_options_default(void);

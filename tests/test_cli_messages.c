@@ -134,7 +134,8 @@ static void a_tolerance_that_helps_is_named(void **state)
         assert_int_equal(sscanf(named, "(--tolerance %lf", &tolerance), 1);
         snprintf(line, sizeof line, "--solids -f null a.off b.off --tolerance %g", tolerance);
         assert_int_equal(run(line), 0);
-        snprintf(line, sizeof line, "--solids -f null a.off b.off --tolerance %g", tolerance / 2.5); /* and not half of it */
+        snprintf(line, sizeof line, "--solids -f null a.off b.off --tolerance %g",
+                 tolerance / 2.5); /* and not half of it */
         assert_int_equal(run(line), 1);
     }
 }

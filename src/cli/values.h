@@ -14,7 +14,7 @@ int values_set_hidden(cli_options *options, const char *value);
 int values_set_stats(cli_options *options, const char *value); /* NULL, json */
 int values_set_sheet(cli_options *options, const char *value);
 int values_set_fill_rule(cli_options *options, const char *value); /* nonzero, evenodd */
-int values_add_pick(cli_options *options, const char *value); /* one more point */
+int values_add_pick(cli_options *options, const char *value);      /* one more point */
 int values_set_angle_of_view(const char *value, double *degrees);
 int values_set_resolution(const char *value, double *dpi);
 int values_set_rays(const char *value, uint32_t *rays);

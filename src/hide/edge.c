@@ -118,7 +118,8 @@ static bool is_own(const hide_worker *w, const hide_line *line, const hide_front
 }
 
 /* Leaves out the lines, given by bits from `first` on, whose own face the front is. */
-static BITS_RARE uint64_t without_own(const hide_worker *w, const hide_line *first, uint64_t bits, const hide_front *front)
+static BITS_RARE uint64_t without_own(const hide_worker *w, const hide_line *first, uint64_t bits,
+                                      const hide_front *front)
 {
     uint64_t left = bits;
     for (; bits; bits &= bits - 1)
@@ -144,7 +145,7 @@ static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box
         if (!is_confined(w, own, &line->e, &part) && !confine(w, own, &line->e, &part))
             continue;
         if (front->corners == 0 && !front->surface ? !hide_parts_hull(&line->hulls, front->solid, &part)
-                                : !hide_parts_add(&line->parts, front->solid, &part))
+                                                   : !hide_parts_add(&line->parts, front->solid, &part))
             return false;
         if (part.t0 == 0.0 && part.t1 == 1.0) {
             line->hidden = true;

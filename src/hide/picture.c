@@ -341,8 +341,8 @@ static bool alloc_picture(hide_picture *picture)
     picture->outline = alloc_array(scene->vertex_count, sizeof *picture->outline);
     if (scene->surface)
         picture->turned = alloc_array(scene->face_start[scene->face_count], sizeof *picture->turned);
-    return (picture->turned || !scene->surface) && picture->box && picture->culled && picture->P && picture->facing && picture->face && picture->front &&
-           picture->front_box && picture->outline;
+    return (picture->turned || !scene->surface) && picture->box && picture->culled && picture->P && picture->facing &&
+           picture->face && picture->front && picture->front_box && picture->outline;
 }
 
 static void set_space(hide_picture *picture)

@@ -42,7 +42,8 @@ typedef struct hide_picture {
     uint32_t front_count;
     double thickest;   /* what is farther than this above a front's box does not touch it; INFINITY: not known */
     uint32_t *outline; /* compact vertex numbers, likewise */
-    uint32_t *turned;  /* [corners of the scene] of faces seen from behind, the other way round; NULL: all bodies are convex */
+    uint32_t *
+        turned; /* [corners of the scene] of faces seen from behind, the other way round; NULL: all bodies are convex */
     bundle_table bundles;
     runs_table face_runs, outline_runs; /* of faces and of outlines of very many corners */
     cover cover;

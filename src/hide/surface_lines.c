@@ -68,7 +68,8 @@ static int class_of(const hide_job *job, uint32_t body, uint32_t e, const scene_
     double crease = surface->smooth[body] ? job->smooth_chord : job->crease_chord;
     if (edge->f[0] == ROBERTS_NONE)
         return ROBERTS_WIRE;
-    edge_faces faces = many ? faces_of_many(job, many, crease) : faces_of_edge(job, job->scene->solid[body].face, edge, is, crease);
+    edge_faces faces =
+        many ? faces_of_many(job, many, crease) : faces_of_edge(job, job->scene->solid[body].face, edge, is, crease);
     bool fold = (faces.left == 0) != (faces.right == 0);
     if (is & EDGE_CUT)
         return fold && faces.edge_on == 0 && edge->f[1] != ROBERTS_NONE ? ROBERTS_OUTLINE : NOT_DRAWN;
@@ -166,12 +167,13 @@ static bool add_lines(const hide_job *job, hide_worker *w, hide_chunk *out, cons
 }
 
 /* Takes up a line that is drawn and not covered. */
-static bool take_line(const hide_job *job, hide_worker *w, uint32_t e, const scene_many *many, line_batch *batch, int class)
+static bool take_line(const hide_job *job, hide_worker *w, uint32_t e, const scene_many *many, line_batch *batch,
+                      int class)
 {
     const roberts_scene *scene = job->scene;
     const scene_solid *own = &scene->solid[batch->body];
     const scene_edge *edge = scene_edge_stored(scene, batch->body, e);
-    batch->class[w->line_count] = (uint8_t)class;
+    batch->class[w->line_count] = (uint8_t) class;
     hide_line *line = hide_worker_add(w, e, edge, own->vertex);
     if (!line)
         return false;

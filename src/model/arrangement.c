@@ -66,9 +66,11 @@ static uint32_t add_crossing(face_pieces *f, uint32_t a, uint32_t b, double t)
 {
     const piece_node A = f->node[a], B = f->node[b];
     piece_node X = {.at = {A.at.x + t * (B.at.x - A.at.x), A.at.y + t * (B.at.y - A.at.y)}, .vertex = ROBERTS_NONE};
-    X.point = (roberts_vec3){interpolate(A.point.x, B.point.x, t, &X.low.x), interpolate(A.point.y, B.point.y, t, &X.low.y),
-                             interpolate(A.point.z, B.point.z, t, &X.low.z)};
-    if (f->node_count >= ROBERTS_NONE - 1 || !array_reserve(&f->node, &f->node_room, f->node_count + 1, sizeof *f->node))
+    X.point =
+        (roberts_vec3){interpolate(A.point.x, B.point.x, t, &X.low.x), interpolate(A.point.y, B.point.y, t, &X.low.y),
+                       interpolate(A.point.z, B.point.z, t, &X.low.z)};
+    if (f->node_count >= ROBERTS_NONE - 1 ||
+        !array_reserve(&f->node, &f->node_room, f->node_count + 1, sizeof *f->node))
         return ROBERTS_NONE;
     f->node[f->node_count] = X;
     return (uint32_t)f->node_count++;
@@ -417,8 +419,8 @@ static bool take_cell(face_pieces *f, arrangement *a, uint32_t first)
             uint32_t to = p->node[i + 1 < p->count ? i + 1 : 0];
             if (p->label[i] >= count || a->item[a->ring_half[p->label[i]] / 2].net == 0)
                 continue;
-            if (!face_pieces_add_side(f, (piece_side){p->node[i], to, (uint32_t)piece,
-                                                      a->item[a->ring_half[p->label[i]] / 2].side}))
+            if (!face_pieces_add_side(
+                    f, (piece_side){p->node[i], to, (uint32_t)piece, a->item[a->ring_half[p->label[i]] / 2].side}))
                 return false;
         }
     return true;

@@ -35,15 +35,16 @@ typedef struct assembly {
     roberts_scene *scene;
     const roberts_mesh *mesh;
     const roberts_scene_options *options;
-    polygons faces;   /* of the mesh, welded and cleaned as the convex solids have them */
-    uint8_t *listed;  /* [faces] 1: of a body that is not convex */
-    uint32_t *name;   /* [vertices of the mesh] the first vertex at a place, of components that are open; NULL: all as they are */
+    polygons faces;  /* of the mesh, welded and cleaned as the convex solids have them */
+    uint8_t *listed; /* [faces] 1: of a body that is not convex */
+    uint32_t *
+        name; /* [vertices of the mesh] the first vertex at a place, of components that are open; NULL: all as they are */
     surface surface;
-    polygons all;     /* pieces, then ends of edges and wires, then faces of convex solids */
-    uint32_t *of;     /* [all.face_count] the body of each */
-    uint32_t *number; /* [all.face_count] the input's face; ROBERTS_NONE: no face */
-    uint32_t extra;   /* the first of `all` that is no piece, */
-    uint32_t convex;  /* and that is a face of a convex solid */
+    polygons all;       /* pieces, then ends of edges and wires, then faces of convex solids */
+    uint32_t *of;       /* [all.face_count] the body of each */
+    uint32_t *number;   /* [all.face_count] the input's face; ROBERTS_NONE: no face */
+    uint32_t extra;     /* the first of `all` that is no piece, */
+    uint32_t convex;    /* and that is a face of a convex solid */
     uint8_t *is_convex; /* [bodies] */
     uint32_t body_count;
     builder work;
@@ -57,9 +58,9 @@ static roberts_status find_kinds(assembly *a, uint8_t *open, uint8_t *convex, bo
         build_result result = solid_build(a->scene, &a->work, s, a->mesh, a->options->tolerance, false, error);
         if (result == BUILD_REFUSED && (error->status == ROBERTS_NO_MEMORY || error->status == ROBERTS_BAD_NUMBER))
             return error->status;
-        open[s] = result == BUILD_OPEN;
+        open[s] = result == BUILD_OPEN && !a->work.holes;
         convex[s] = result == BUILD_OK;
-        *any_open |= result == BUILD_OPEN;
+        *any_open |= open[s];
     }
     return ROBERTS_OK;
 }
@@ -81,8 +82,9 @@ static bool weld_open(assembly *a, const uint8_t *open)
     return enough;
 }
 
-/* Lays the components out, and lists the faces of those that are no convex solids. */
-static roberts_status sort_components(assembly *a, roberts_error *error)
+/* Lays the components out, and lists the faces of those that are no convex solids. known: it is known that some is closed and
+ * not convex. */
+static roberts_status sort_components(assembly *a, bool known, roberts_error *error)
 {
     patterns list = {0};
     uint8_t *open = NULL, *convex = NULL;
@@ -95,7 +97,7 @@ static roberts_status sort_components(assembly *a, roberts_error *error)
     status = ROBERTS_NO_MEMORY;
     if (!laid || !(open = alloc_zeroed(a->scene->solid_count, 1)) || !(convex = alloc_zeroed(a->scene->solid_count, 1)))
         goto done;
-    status = find_kinds(a, open, convex, &any_open, error);
+    status = known && a->scene->solid_count == 1 ? ROBERTS_OK : find_kinds(a, open, convex, &any_open, error);
     if (status == ROBERTS_OK && any_open) {
         status = weld_open(a, open) ? regroup(a->scene, open, &a->faces, a->mesh, true, error) : ROBERTS_NO_MEMORY;
         free(open);
@@ -401,7 +403,8 @@ static edge_key *list_edges(const assembly *a, uint32_t *first)
             edge_key *to = &key[first[body]++];
             *to = (edge_key){body, {e->v[0], e->v[1]}, 0.0, (uint32_t)i};
             if (e->part != ROBERTS_NONE)
-                *to = (edge_key){body, {s->part[e->part].v[0], s->part[e->part].v[1]}, s->part[e->part].t0, (uint32_t)i};
+                *to =
+                    (edge_key){body, {s->part[e->part].v[0], s->part[e->part].v[1]}, s->part[e->part].t0, (uint32_t)i};
         }
         for (uint32_t b = 0, sum = 0; b <= a->body_count && pass == 0; b++) {
             uint32_t count = first[b];
@@ -424,7 +427,8 @@ typedef struct body_map {
 } body_map;
 
 /* Lists the faces of an edge of more than two. */
-static bool store_many(assembly *a, const surface_edge *e, uint32_t edge, bool back, const body_map *map, size_t room[4])
+static bool store_many(assembly *a, const surface_edge *e, uint32_t edge, bool back, const body_map *map,
+                       size_t room[4])
 {
     size_t *faces = &room[2];
     scene_surface *to = a->scene->surface;
@@ -460,7 +464,8 @@ static bool runs_back(const surface *s, const surface_edge *e)
     if (e->part == ROBERTS_NONE)
         return false;
     const scene_part *part = &s->part[e->part];
-    return vec3_dot(vec3_sub(s->point[e->v[1]], s->point[e->v[0]]), vec3_sub(s->point[part->v[1]], s->point[part->v[0]])) < 0.0;
+    return vec3_dot(vec3_sub(s->point[e->v[1]], s->point[e->v[0]]),
+                    vec3_sub(s->point[part->v[1]], s->point[part->v[0]])) < 0.0;
 }
 
 /* The edges of body b, from scene edge `edge` on. */
@@ -523,7 +528,8 @@ static bool is_smooth(const roberts_scene *scene, uint32_t b)
     if (own[1].face - own->face <= SMOOTH_FACES)
         return false;
     for (uint32_t e = own->edge; e < own[1].edge; e++) {
-        if (scene->surface->edge_is[e] & (EDGE_MANY | EDGE_CUT) || scene->edge[own->stored + (e - own->edge)].f[1] == ROBERTS_NONE)
+        if (scene->surface->edge_is[e] & (EDGE_MANY | EDGE_CUT) ||
+            scene->edge[own->stored + (e - own->edge)].f[1] == ROBERTS_NONE)
             continue;
         double bend = bend_of(scene, own, e);
         bent += bend > FLAT_BEND;
@@ -596,7 +602,8 @@ static roberts_status fill_scene(assembly *a, roberts_error *error)
     size_t room[4] = {0};
     roberts_status status = ROBERTS_NO_MEMORY;
     scene->surface = alloc_zeroed(1, sizeof *scene->surface);
-    if (!first || !map.face || !map.vertex || !scene->surface || !(key = list_edges(a, first)) || !number_edges(a, first))
+    if (!first || !map.face || !map.vertex || !scene->surface || !(key = list_edges(a, first)) ||
+        !number_edges(a, first))
         goto done;
     for (uint32_t f = 0; f < scene->face_count; f++)
         if (scene->face_number[f] < a->surface.piece_count)
@@ -622,18 +629,20 @@ done:
 }
 
 roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
-                            roberts_error *error)
+                            bool known, roberts_error *error)
 {
     assembly a = {.scene = scene, .mesh = mesh, .options = options, .surface = {.mesh = mesh}};
-    roberts_status status = sort_components(&a, error);
+    roberts_status status = sort_components(&a, known, error);
     if (status == ROBERTS_OK) {
+        a.surface.name = a.name;
         double touching = touching_distance(scene);
         face_rules rules = {mesh->vertex, options->tolerance, touching, scene->unit, options->even_odd};
-        if (!surface_take_faces(&a.surface, a.listed, a.name, &rules) || !surface_find_edges(&a.surface, touching) ||
+        if (!surface_take_faces(&a.surface, a.listed, &rules) || !surface_find_edges(&a.surface, touching) ||
             !list_all(&a) || !number_bodies(&a))
             status = ROBERTS_NO_MEMORY;
         else if (a.body_count == 0)
-            status = error_set(error, ROBERTS_NOT_CLOSED, 0, "there is nothing to draw: no face has area, no edge length");
+            status =
+                error_set(error, ROBERTS_NOT_CLOSED, 0, "there is nothing to draw: no face has area, no edge length");
         else if (!lay_out(&a))
             status = ROBERTS_NO_MEMORY;
         else

@@ -173,7 +173,8 @@ static bool take_whole(face_pieces *f)
     for (uint32_t i = 0; i < only->count; i++) {
         only->node[i] = f->ring[i];
         only->label[i] = i;
-        if (!face_pieces_add_side(f, (piece_side){f->ring[i], f->ring[i + 1 < only->count ? i + 1 : 0], 0, f->side_of[i]}))
+        if (!face_pieces_add_side(f,
+                                  (piece_side){f->ring[i], f->ring[i + 1 < only->count ? i + 1 : 0], 0, f->side_of[i]}))
             return false;
     }
     return true;

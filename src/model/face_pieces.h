@@ -22,7 +22,8 @@ typedef struct piece_node {
 typedef struct face_piece {
     uint32_t count;
     uint32_t node[PIECE_CORNERS];
-    uint32_t label[PIECE_CORNERS]; /* below the ring's length: that side; else the ring's length plus the cut's number */
+    uint32_t
+        label[PIECE_CORNERS]; /* below the ring's length: that side; else the ring's length plus the cut's number */
 } face_piece;
 
 /* A stretch of the face's border with the piece on its left; or a cut of a face that is not planar. */

@@ -69,18 +69,17 @@ bool point_grid_build(point_grid *grid, const roberts_vec3 *point, const uint32_
     return enough;
 }
 
-static bool take_cell(const point_grid *grid, size_t cell, uint32_t **found, size_t *count, size_t *room)
+static bool take_cell(const point_grid *grid, size_t cell, point_list *found)
 {
     size_t own = grid->start[cell + 1] - grid->start[cell];
-    if (!array_reserve(found, room, *count + own, sizeof **found))
+    if (!array_reserve(&found->item, &found->room, found->count + own, sizeof *found->item))
         return false;
     for (uint32_t i = grid->start[cell]; i < grid->start[cell + 1]; i++)
-        (*found)[(*count)++] = grid->item[i];
+        found->item[found->count++] = grid->item[i];
     return true;
 }
 
-bool point_grid_near(const point_grid *grid, roberts_vec3 A, roberts_vec3 B, double margin, uint32_t **found, size_t *count,
-                     size_t *room)
+bool point_grid_near(const point_grid *grid, roberts_vec3 A, roberts_vec3 B, double margin, point_list *found)
 {
     roberts_vec3 d = vec3_sub(B, A);
     double x = fabs(d.x), y = fabs(d.y), z = fabs(d.z);
@@ -94,14 +93,15 @@ bool point_grid_near(const point_grid *grid, roberts_vec3 A, roberts_vec3 B, dou
             box_clip(part(A, axis), part(B, axis), (slab > from ? low : -INFINITY) - 2.0 * margin - 1e-9 * grid->size,
                      (slab < end ? high : INFINITY) + 2.0 * margin + 1e-9 * grid->size, &t0, &t1);
         for (int a = 0; a < 3; a++) {
-            double p = part(A, a) + t0 * part(d, a), q = part(A, a) + t1 * part(d, a), slack = 2.0 * margin + 1e-9 * grid->size;
+            double p = part(A, a) + t0 * part(d, a), q = part(A, a) + t1 * part(d, a),
+                   slack = 2.0 * margin + 1e-9 * grid->size;
             first[a] = a == axis ? slab : cell_along(grid, lesser(p, q) - slack, a);
             last[a] = a == axis ? slab : cell_along(grid, greater(p, q) + slack, a);
         }
         for (uint32_t i = first[0]; i <= last[0]; i++)
             for (uint32_t j = first[1]; j <= last[1]; j++)
                 for (uint32_t k = first[2]; k <= last[2]; k++)
-                    if (!take_cell(grid, cell_of(grid, i, j, k), found, count, room))
+                    if (!take_cell(grid, cell_of(grid, i, j, k), found))
                         return false;
     }
     return true;

@@ -16,9 +16,14 @@ typedef struct point_grid {
 /* Of the points listed. `point` stays the caller's. False: no memory; point_grid_free() is due in any case. */
 bool point_grid_build(point_grid *grid, const roberts_vec3 *point, const uint32_t *listed, size_t count);
 
+/* Points that were found. */
+typedef struct point_list {
+    uint32_t *item; /* [count] */
+    size_t count, room;
+} point_list;
+
 /* Appends the points that may lie within `margin` of AB, and others near them, each once. False: no memory. */
-bool point_grid_near(const point_grid *grid, roberts_vec3 A, roberts_vec3 B, double margin, uint32_t **found, size_t *count,
-                     size_t *room);
+bool point_grid_near(const point_grid *grid, roberts_vec3 A, roberts_vec3 B, double margin, point_list *found);
 
 void point_grid_free(point_grid *grid);
 

@@ -56,13 +56,13 @@ typedef struct scene_part {
 } scene_part;
 
 typedef struct scene_surface {
-    uint8_t *kind;       /* [solid_count] roberts_body_kind */
-    uint8_t *smooth;     /* [solid_count] 1: it has many faces, most of which meet at small angles */
-    uint8_t *edge_is;    /* [edge_count] EDGE_..., of bodies that are not convex */
-    uint32_t *plane_of;  /* [face_count] faces of one number here are pieces of one planar face */
-    scene_many *many;    /* [many_count] by edge */
+    uint8_t *kind;      /* [solid_count] roberts_body_kind */
+    uint8_t *smooth;    /* [solid_count] 1: it has many faces, most of which meet at small angles */
+    uint8_t *edge_is;   /* [edge_count] EDGE_..., of bodies that are not convex */
+    uint32_t *plane_of; /* [face_count] faces of one number here are pieces of one planar face */
+    scene_many *many;   /* [many_count] by edge */
     uint32_t *many_face;
-    scene_part *part;    /* [part_count] by edge */
+    scene_part *part; /* [part_count] by edge */
     uint32_t many_count, part_count;
 } scene_surface;
 

@@ -9,6 +9,7 @@
 typedef struct builder {
     solid_frame frame;
     edge_scratch edges;
+    bool holes; /* the solid that was built or asked last is closed, but its surface has holes: no welding helps */
 } builder;
 
 typedef enum build_result {

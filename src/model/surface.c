@@ -36,25 +36,25 @@ static bool same_round(const uint32_t *a, const uint32_t *b, uint32_t count)
 
 /* Faces met so far. */
 typedef struct face_set {
-    uint32_t *slot; /* [size] faces; ROBERTS_NONE: free */
-    size_t size;    /* a power of two */
+    uint32_t *slot;  /* [size] faces; ROBERTS_NONE: free */
+    size_t size;     /* a power of two */
     uint32_t *other; /* scratch: the corners of a face that was met */
     size_t other_room;
 } face_set;
 
-static uint32_t take_corners(const roberts_mesh *mesh, uint32_t f, const uint32_t *name, uint32_t *to)
+static uint32_t take_corners(const surface *s, uint32_t f, uint32_t *to)
 {
+    const roberts_mesh *mesh = s->mesh;
     uint32_t n = mesh->face_start[f + 1] - mesh->face_start[f];
     for (uint32_t i = 0; i < n; i++) {
         uint32_t v = mesh->corner[mesh->face_start[f] + i];
-        to[i] = name ? name[v] : v;
+        to[i] = s->name ? s->name[v] : v;
     }
     return n;
 }
 
 /* Enters a face. *repeats: one of the same corners is there. False: no memory. */
-static bool enter(face_set *set, const surface *s, const uint32_t *name, uint32_t f, const uint32_t *corner, uint32_t count,
-                  bool *repeats)
+static bool enter(face_set *set, const surface *s, uint32_t f, const uint32_t *corner, uint32_t count, bool *repeats)
 {
     size_t at = (size_t)(hash_of(corner, count) >> 20) & (set->size - 1);
     *repeats = false;
@@ -64,7 +64,7 @@ static bool enter(face_set *set, const surface *s, const uint32_t *name, uint32_
             continue;
         if (!array_reserve(&set->other, &set->other_room, count, sizeof *set->other))
             return false;
-        take_corners(s->mesh, g, name, set->other);
+        take_corners(s, g, set->other);
         if (same_round(corner, set->other, count)) {
             *repeats = true;
             return true;
@@ -78,7 +78,8 @@ static bool enter(face_set *set, const surface *s, const uint32_t *name, uint32_
 static uint32_t add_vertex(surface *s, const piece_node *node)
 {
     uint32_t before = s->vertex_count;
-    if (before == ROBERTS_NONE - 1 || !array_reserve(&s->own_point, &s->point_room, before + (size_t)1, sizeof *s->own_point) ||
+    if (before == ROBERTS_NONE - 1 ||
+        !array_reserve(&s->own_point, &s->point_room, before + (size_t)1, sizeof *s->own_point) ||
         !array_reserve(&s->low, &s->low_room, before + (size_t)1, sizeof *s->low))
         return ROBERTS_NONE;
     if (s->point != s->own_point && before == s->mesh->vertex_count) {
@@ -142,7 +143,8 @@ static bool note_part(surface *s, uint32_t a, uint32_t b)
     double t[2];
     for (int i = 0; i < 2; i++)
         t[i] = part_of(s->point[from], s->point[to], s->point[side->v[i]], low_of(s, side->v[i]));
-    s->side_part[s->part_count++] = (scene_part){(uint32_t)(s->side_count - 1), {from, to}, lesser(t[0], t[1]), greater(t[0], t[1])};
+    s->side_part[s->part_count++] =
+        (scene_part){(uint32_t)(s->side_count - 1), {from, to}, lesser(t[0], t[1]), greater(t[0], t[1])};
     return true;
 }
 
@@ -159,8 +161,8 @@ static bool take_pieces(surface *s, face_pieces *p, uint32_t face, const uint32_
     if (p->planar && p->piece_count > 1) {
         if (!array_reserve(&s->fit, &s->fit_room, s->fit_count + 1, sizeof *s->fit))
             return false;
-        s->fit[s->fit_count++] = (surface_fit){first,      p->node[p->ring[0]].vertex, p->fit.n,
-                                               p->fit.mean, p->fit.deviation,           p->fit.width};
+        s->fit[s->fit_count++] =
+            (surface_fit){first, p->node[p->ring[0]].vertex, p->fit.n, p->fit.mean, p->fit.deviation, p->fit.width};
     }
     for (size_t k = 0; k < p->side_count; k++) {
         const piece_side *side = &p->side[k];
@@ -195,15 +197,15 @@ static bool take_face(surface *s, face_pieces *p, const face_rules *rules, uint3
 }
 
 /* The sides of faces that are not listed: wires along them are none. */
-static bool take_shadows(surface *s, const uint8_t *listed, const uint32_t *name)
+static bool take_shadows(surface *s, const uint8_t *listed)
 {
     const roberts_mesh *mesh = s->mesh;
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         uint32_t first = mesh->face_start[f], end = mesh->face_start[f + 1];
         for (uint32_t k = first; k < end && !listed[f]; k++) {
             uint32_t a = mesh->corner[k], b = mesh->corner[k + 1 < end ? k + 1 : first];
-            a = name ? name[a] : a;
-            b = name ? name[b] : b;
+            a = s->name ? s->name[a] : a;
+            b = s->name ? s->name[b] : b;
             if (a != b && !add_side(s, a, b, SURFACE_SHADOW))
                 return false;
         }
@@ -211,7 +213,7 @@ static bool take_shadows(surface *s, const uint8_t *listed, const uint32_t *name
     return true;
 }
 
-bool surface_take_faces(surface *s, const uint8_t *listed, const uint32_t *name, const face_rules *rules)
+bool surface_take_faces(surface *s, const uint8_t *listed, const face_rules *rules)
 {
     const roberts_mesh *mesh = s->mesh;
     face_pieces pieces = {0};
@@ -237,14 +239,14 @@ bool surface_take_faces(surface *s, const uint8_t *listed, const uint32_t *name,
         enough = array_reserve(&corner, &room, n, sizeof *corner);
         if (!enough)
             break;
-        take_corners(mesh, f, name, corner);
-        enough = enter(&set, s, name, f, corner, n, &repeats);
+        take_corners(s, f, corner);
+        enough = enter(&set, s, f, corner, n, &repeats);
         s->repeated += repeats;
         enough = enough && (repeats || take_face(s, &pieces, rules, f, corner, n));
         wires = wires || n == 2;
     }
     if (enough && wires)
-        enough = take_shadows(s, listed, name);
+        enough = take_shadows(s, listed);
     free(corner);
     free(set.slot);
     free(set.other);

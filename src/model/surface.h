@@ -41,6 +41,7 @@ typedef struct surface_edge {
 
 typedef struct surface {
     const roberts_mesh *mesh;
+    const uint32_t *name; /* [vertices of the mesh] each vertex is renamed to this; NULL: none is */
     uint32_t vertex_count, piece_count;
     const roberts_vec3 *point; /* [vertex_count] the mesh's own, where no border crosses itself */
     roberts_vec3 *own_point, *low;
@@ -59,9 +60,9 @@ typedef struct surface {
     size_t repeated; /* faces that were left out as copies of earlier ones */
 } surface;
 
-/* Takes the faces f with listed[f] of the mesh, their corners renamed by name[] (NULL: not), in pieces. Elements of two
- * corners are taken as edges without a face. False: no memory. */
-bool surface_take_faces(surface *s, const uint8_t *listed, const uint32_t *name, const face_rules *rules);
+/* Takes the faces f with listed[f] of the mesh in pieces. Elements of two corners are taken as edges without a face. False: no
+ * memory. */
+bool surface_take_faces(surface *s, const uint8_t *listed, const face_rules *rules);
 
 /* Finds the edges: sides that lie on one another, within `touching`, are one. False: no memory. */
 bool surface_find_edges(surface *s, double touching);

@@ -15,7 +15,7 @@
 
 /* A side, or a part of one, with its ends in order. */
 typedef struct part_side {
-    uint32_t v[2]; /* v[0] < v[1] */
+    uint32_t v[2];  /* v[0] < v[1] */
     uint32_t piece; /* SURFACE_CUT, as in a side */
     bool turned;    /* the piece is on the right of v[0] -> v[1] */
     uint32_t part;  /* of the surface's parts of edges, or ROBERTS_NONE */
@@ -30,17 +30,17 @@ typedef struct side_stop {
 typedef struct finder {
     surface *s;
     double touching;
-    uint32_t *end;     /* [vertex_count] where the sides of each smaller vertex end in `half` */
-    uint64_t *half;    /* [side_count] larger vertex << 32 | side */
-    uint32_t *odd;     /* [odd_count] sides of edges that have not two pieces */
-    uint32_t *vertex;  /* [vertex_count] their ends */
-    uint32_t *parent;  /* [vertex_count of s] sets of vertices at one place, by their smallest; only of `vertex` */
+    uint32_t *end;        /* [vertex_count] where the sides of each smaller vertex end in `half` */
+    uint64_t *half;       /* [side_count] larger vertex << 32 | side */
+    uint32_t *odd;        /* [odd_count] sides of edges that have not two pieces */
+    uint32_t *vertex;     /* [vertex_count] their ends */
+    uint32_t *parent;     /* [vertex_count of s] sets of vertices at one place, by their smallest; only of `vertex` */
     part_side *half_side; /* [half_count] the odd sides, divided */
     surface_edge *odd_edge;
     side_stop *stop;
-    uint32_t *found;
-    size_t odd_count, vertex_count, half_count, odd_edge_count, stop_count, found_count;
-    size_t odd_room, half_room, odd_edge_room, stop_room, found_room;
+    point_list found;
+    size_t odd_count, vertex_count, half_count, odd_edge_count, stop_count;
+    size_t odd_room, half_room, odd_edge_room, stop_room;
 } finder;
 
 static uint32_t lower(const surface_side *side)
@@ -217,11 +217,11 @@ static bool find_stops(finder *f, const point_grid *grid, uint32_t a, uint32_t b
     const roberts_vec3 *point = f->s->point;
     roberts_vec3 A = point[a], AB = vec3_sub(point[b], A);
     double squared = vec3_dot(AB, AB);
-    f->stop_count = f->found_count = 0;
-    if (!point_grid_near(grid, A, point[b], f->touching, &f->found, &f->found_count, &f->found_room))
+    f->stop_count = f->found.count = 0;
+    if (!point_grid_near(grid, A, point[b], f->touching, &f->found))
         return false;
-    for (size_t i = 0; i < f->found_count; i++) {
-        uint32_t v = f->found[i];
+    for (size_t i = 0; i < f->found.count; i++) {
+        uint32_t v = f->found.item[i];
         if (v == a || v == b)
             continue;
         roberts_vec3 AV = vec3_sub(point[v], A), BV = vec3_sub(point[v], point[b]);
@@ -268,7 +268,9 @@ static bool part_of_side(finder *f, uint32_t i, double t0, double t1, uint32_t *
         *part = (uint32_t)s->edge_part_count++;
     }
     double width = own.t1 - own.t0;
-    s->part[*part] = (scene_part){0, {own.v[0], own.v[1]}, own.t0 + width * (turned ? 1.0 - t1 : t0),
+    s->part[*part] = (scene_part){0,
+                                  {own.v[0], own.v[1]},
+                                  own.t0 + width * (turned ? 1.0 - t1 : t0),
                                   turned && t0 == 0.0 ? own.t1 : own.t0 + width * (turned ? 1.0 - t0 : t1)};
     return true;
 }
@@ -287,8 +289,8 @@ static bool divide(finder *f, uint32_t i)
         if (!part_of_side(f, i, t0, t1, &part) ||
             !array_reserve(&f->half_side, &f->half_room, f->half_count + 1, sizeof *f->half_side))
             return false;
-        f->half_side[f->half_count++] = (part_side){
-            {from < to ? from : to, from < to ? to : from}, side.piece, (from > to), part};
+        f->half_side[f->half_count++] =
+            (part_side){{from < to ? from : to, from < to ? to : from}, side.piece, (from > to), part};
         from = to;
         t0 = t1;
     }
@@ -425,9 +427,7 @@ static bool merge_edges(finder *f)
     if (!edge)
         return false;
     while (i < s->edge_count || k < f->odd_edge_count) {
-        int order = i == s->edge_count        ? 1
-                    : k == f->odd_edge_count ? -1
-                                             : compare_edges(&s->edge[i], &f->odd_edge[k]);
+        int order = i == s->edge_count ? 1 : k == f->odd_edge_count ? -1 : compare_edges(&s->edge[i], &f->odd_edge[k]);
         if (order < 0) {
             edge[to++] = s->edge[i++];
         } else {
@@ -456,6 +456,6 @@ bool surface_find_edges(surface *s, double touching)
     free(f.half_side);
     free(f.odd_edge);
     free(f.stop);
-    free(f.found);
+    free(f.found.item);
     return enough && s->edge_count < ROBERTS_NONE;
 }

@@ -34,8 +34,8 @@ static bool holds(const face_pieces *f, const ear *e, uint32_t p, bool strict)
 {
     roberts_vec2 P = place(f, p);
     uint32_t node = f->link[p].node;
-    if (P.x < e->low.x || P.x > e->high.x || P.y < e->low.y || P.y > e->high.y || node == e->node[0] || node == e->node[1] ||
-        node == e->node[2])
+    if (P.x < e->low.x || P.x > e->high.x || P.y < e->low.y || P.y > e->high.y || node == e->node[0] ||
+        node == e->node[1] || node == e->node[2])
         return false;
     double ab = piece_turn(e->A, e->B, P), bc = piece_turn(e->B, e->C, P), ca = piece_turn(e->C, e->A, P);
     bool inside = strict ? ab >= 0.0 && bc >= 0.0 && ca >= 0.0 : ab > 0.0 && bc > 0.0 && ca > 0.0;
@@ -93,7 +93,12 @@ static bool is_ear(const face_pieces *f, uint32_t b, bool strict, const curve *c
 {
     const ring_link *link = f->link;
     uint32_t before = link[b].last, after = link[b].next;
-    ear e = {{link[before].node, link[b].node, link[after].node}, place(f, before), place(f, b), place(f, after), {0, 0}, {0, 0}};
+    ear e = {{link[before].node, link[b].node, link[after].node},
+             place(f, before),
+             place(f, b),
+             place(f, after),
+             {0, 0},
+             {0, 0}};
     if (!(piece_turn(e.A, e.B, e.C) > 0.0))
         return false;
     e.low = (roberts_vec2){lesser(e.A.x, lesser(e.B.x, e.C.x)), lesser(e.A.y, lesser(e.B.y, e.C.y))};
@@ -148,7 +153,10 @@ static uint32_t cut_ears(face_pieces *f, uint32_t count, const curve *c)
     ring_link *link = f->link;
     uint32_t left = count, cuts = 0, b = first_ear(f, count), tried = 0, lax = 0;
     while (left > 3) {
-        bool cut = lax == 0 ? is_ear(f, b, true, c) : lax == 1 ? is_ear(f, b, false, c) : lax == 2 ? turn_at(f, b) > 0.0 : true;
+        bool cut = lax == 0   ? is_ear(f, b, true, c)
+                   : lax == 1 ? is_ear(f, b, false, c)
+                   : lax == 2 ? turn_at(f, b) > 0.0
+                              : true;
         if (!cut) {
             b = link[b].next;
             if (++tried > left) {

@@ -186,7 +186,8 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
     if (leave != ROBERTS_NONE && !cutter_measure_width(c, begin, &width))
         return false;
     *to_face = c->clip->scene.face_count;
-    return cutter_add_face(c, from->face_plane[face], scene_deviation(from, face), width, scene_face_number(from, face));
+    return cutter_add_face(c, from->face_plane[face], scene_deviation(from, face), width,
+                           scene_face_number(from, face));
 }
 
 /* The cap's face, as plane as its corners lie in the near plane; `start` is one of the cut edges. Where a side weaves

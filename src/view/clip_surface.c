@@ -217,6 +217,20 @@ static int compare_lines(const void *pa, const void *pb)
     return (a->to > b->to) - (a->to < b->to);
 }
 
+/* The first of the sorted lines that begins at a vertex. */
+static size_t first_from(const cut_line *both, size_t count, uint32_t vertex)
+{
+    size_t low = 0, high = count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (both[middle].from < vertex)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
 /* The lines as one ring: each from its end on to one that begins or ends there, and between loops to the first vertex and back:
  * what runs twice bounds nothing by the odd-even rule. Both ways of each line are listed; used[]: by line. */
 static size_t make_ring(const cut_line *both, size_t count, uint8_t *used, uint32_t *ring)
@@ -228,14 +242,7 @@ static size_t make_ring(const cut_line *both, size_t count, uint8_t *used, uint3
         uint32_t start = both[i].from, at = start;
         ring[length++] = start;
         for (;;) {
-            size_t low = 0, high = count;
-            while (low < high) {
-                size_t middle = low + (high - low) / 2;
-                if (both[middle].from < at)
-                    low = middle + 1;
-                else
-                    high = middle;
-            }
+            size_t low = first_from(both, count, at);
             while (low < count && both[low].from == at && used[low])
                 low++;
             if (low == count || both[low].from != at)
@@ -243,8 +250,8 @@ static size_t make_ring(const cut_line *both, size_t count, uint8_t *used, uint3
             cut_line back = {both[low].to, both[low].from};
             used[low] = 1;
             at = both[low].to;
-            for (size_t k = (const cut_line *)bsearch(&back, both, count, sizeof *both, compare_lines) - both; k < count; k++)
-                if (both[k].from == back.from && both[k].to == back.to && !used[k]) {
+            for (size_t k = first_from(both, count, back.from); k < count && both[k].from == back.from; k++)
+                if (both[k].to == back.to && !used[k]) {
                     used[k] = 1;
                     break;
                 }
@@ -278,7 +285,8 @@ static bool add_cap(cutter *c, const uint32_t *ring, size_t count)
         F.d = side * (vec3_dot(c->dir, vec3_sub(c->eye, c->from->centre)) - c->near);
         for (uint32_t i = 0; enough && i < piece->count; i++)
             enough = cutter_add_corner(c, pieces.node[piece->node[i]].vertex);
-        enough = enough && cutter_add_face(c, F, c->touching, pieces.fit.width, ROBERTS_NONE) && add_plane_of(c, plane_of);
+        enough =
+            enough && cutter_add_face(c, F, c->touching, pieces.fit.width, ROBERTS_NONE) && add_plane_of(c, plane_of);
     }
     face_pieces_free(&pieces);
     return enough;
