@@ -39,7 +39,7 @@ static void expect_apart(const tiles *t, const hide_picture *picture, int round)
     for (uint32_t k = t->round[round]; k < t->round[round + 1]; k++)
         for (uint32_t i = t->tile[k].first; i < t->tile[k].end; i++) {
             const hide_box *box = &picture->box[t->solid[i]];
-            double m = f->margin, dx = 1.5 * f->dx + m, dy = 1.5 * f->dy + m; /* as unite_hides() asks at corners */
+            double m = f->margin, dx = 1.5 * f->dx + m, dy = 1.5 * f->dy + m; /* more than any solid asks */
             uint32_t last = scan_column(f, (double)box->x1 + dx), high = scan_row(f, (double)box->y1 + dy);
             for (uint32_t c = scan_column(f, (double)box->x0 - dx); c <= last; c++)
                 for (uint32_t j = scan_row(f, (double)box->y0 - dy); j <= high; j++) {

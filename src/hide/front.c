@@ -5,7 +5,6 @@
 
 #include "base/array.h"
 #include "hide/span.h"
-#include "hide/unite.h"
 
 /* A front of more faces than this is entered face by face: an edge that passes it would be compared with all. */
 #define FACES_OF_ONE_FRONT 24
@@ -245,14 +244,6 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
         corners = 0;
     bool whole = corners && found.count <= FACES_OF_ONE_FRONT;
     bool bundled = cycle && !whole && is_bundle(picture, &found, box);
-    bool unites = whole && picture->cover.rest && tile_unites(tile);
-    tile->asked += unites;
-    if (unites && unite_hides(picture, &scratch->scan, outline, corners, box->z1)) {
-        tile->united++;
-        picture->culled[solid] = true;
-        tile->culled++;
-        return true;
-    }
     double size = width + (double)(box->z1 - box->z0);
     double reach = found.reach - size;
     if (reach > 6.0 * picture->view.extent)
@@ -283,8 +274,6 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
     tile->most_corners = cycle > tile->most_corners ? cycle : tile->most_corners;
     picture->front_box[tile->front] = *box;
     picture->front[tile->front] = front;
-    if (unites)
-        unite_offer(picture, &scratch->scan, tile->front, tile->first);
     tile->front++;
     return true;
 }

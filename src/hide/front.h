@@ -12,7 +12,7 @@ typedef struct front_scratch {
     char apart[THREADS_APART];
 } front_scratch;
 
-/* Maps a solid of the tile and enters its front, unless two others hide it: then it is culled. False: no memory. */
+/* Maps a solid of the tile and enters its front. False: no memory. */
 bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile, uint32_t solid);
 
 #endif

@@ -24,7 +24,6 @@ typedef struct picture_tile {
     hide_box *single_box;
     size_t single_count, single_room, single_box_room;
     size_t faces, back, edge_on, culled;
-    uint32_t asked, united; /* solids of which covers of two fronts together were asked; and that these hide */
     uint32_t most_corners;
     char apart[THREADS_APART];
 } picture_tile;
@@ -34,17 +33,6 @@ typedef struct tiles {
     uint32_t count, round[TILE_ROUNDS + 1]; /* first tile of each round, and the last one's end */
     uint32_t *solid;                        /* tile by tile; NULL: as they are numbered */
 } tiles;
-
-/* Covers of two fronts together are asked and entered until so many solids have been asked about, and so many more for each
- * one that was found hidden. Fronts that leave a rim open all round, as round solids behind one another do, hide few: there it
- * costs three times what it saves. A city seen from the front loses none. */
-#define UNITE_PATIENCE 1000
-#define UNITE_WORTH 4
-
-static inline bool tile_unites(const picture_tile *tile)
-{
-    return tile->asked < UNITE_PATIENCE + UNITE_WORTH * (size_t)tile->united;
-}
 
 /* The picture has its boxes and the covers' frame. By so many threads. False: no memory; tiles_free() is due in any case. */
 bool tiles_make(tiles *t, const hide_picture *picture, int threads);
