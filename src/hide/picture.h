@@ -13,7 +13,7 @@
 #include "base/fetch.h"
 #include "hide/bundle.h"
 #include "hide/cover.h"
-#include "hide/runs.h"
+#include "hide/tests_wide.h"
 #include "hide/space.h"
 
 typedef struct hide_front {

@@ -17,7 +17,7 @@
 #ifndef ROBERTS_HIDE_TESTS_H
 #define ROBERTS_HIDE_TESTS_H
 
-#include "hide/quick.h"
+#include "hide/tests_fast.h"
 #include "hide/space.h"
 
 typedef enum hide_verdict { HIDE_UNDECIDED, HIDE_VISIBLE, HIDE_INVISIBLE } hide_verdict;
@@ -32,7 +32,7 @@ typedef struct hide_sides {
     size_t room;
     uint64_t refined; /* signs and crossings computed in twice the precision */
     /* The outline that was asked last. (A table of 64 is right a third of the time, and saves nothing.) */
-    quick_outline quick;
+    fast_outline outline;
 } hide_sides;
 
 /* t_i, and how far along the edge it may be from another crossing that touches it. */

@@ -230,28 +230,28 @@ static bool one_by_one(const fixture *f, hide_sides *sides, hide_part *part)
 static void agrees_with_the_tests(void **state)
 {
     rng r = {17};
-    size_t seen[QUICK_EMPTY + 1] = {0};
+    size_t seen[FAST_EMPTY + 1] = {0};
     hide_sides sides = {0};
     (void)state;
     assert_true(hide_sides_reserve(&sides, CORNERS));
     for (int i = 0; i < 200000; i++) {
         fixture f;
         hide_part part = {0}, expected = {0};
-        quick_outline outline;
+        fast_outline outline;
         set_up(&f, &r);
-        quick_take(&outline, f.P, f.corner, f.face.count);
-        quick_verdict verdict = quick_test(&outline, &f.space, &f.edge, 20.0, NULL, &part);
+        fast_take(&outline, f.P, f.corner, f.face.count);
+        fast_verdict verdict = fast_test(&outline, &f.space, &f.edge, 20.0, NULL, &part);
         seen[verdict]++;
-        if (verdict == QUICK_UNCLEAR)
+        if (verdict == FAST_UNCLEAR)
             continue;
-        assert_int_equal(one_by_one(&f, &sides, &expected), verdict == QUICK_INSIDE || verdict == QUICK_CUT);
-        if (verdict == QUICK_INSIDE || verdict == QUICK_CUT)
+        assert_int_equal(one_by_one(&f, &sides, &expected), verdict == FAST_INSIDE || verdict == FAST_CUT);
+        if (verdict == FAST_INSIDE || verdict == FAST_CUT)
             assert_memory_equal(&part, &expected, sizeof part);
-        if (verdict == QUICK_MISSED)
+        if (verdict == FAST_MISSED)
             assert_true(hide_test2(&f.space, &f.face, &f.edge));
     }
     free(sides.H);
-    for (int v = QUICK_UNCLEAR; v < QUICK_EMPTY; v++) /* an edge that misses the outline has missed it before test 4 */
+    for (int v = FAST_UNCLEAR; v < FAST_EMPTY; v++) /* an edge that misses the outline has missed it before test 4 */
         assert_true(seen[v] > 1000);
 }
 
@@ -266,24 +266,24 @@ static void within_the_hidden_is_none(void **state)
     for (int i = 0; i < 200000; i++) {
         fixture f;
         hide_part part = {0}, expected = {0}, hidden = {rng_int(&r, 0, 4) / 8.0, rng_int(&r, 5, 8) / 8.0, 0.0, 0.0};
-        quick_outline outline;
+        fast_outline outline;
         set_up(&f, &r);
-        quick_take(&outline, f.P, f.corner, f.face.count);
-        quick_verdict all = quick_test(&outline, &f.space, &f.edge, 20.0, NULL, &expected);
-        quick_verdict verdict = quick_test(&outline, &f.space, &f.edge, 20.0, &hidden, &part);
-        if (all == QUICK_CUT && verdict == QUICK_EMPTY) {
+        fast_take(&outline, f.P, f.corner, f.face.count);
+        fast_verdict all = fast_test(&outline, &f.space, &f.edge, 20.0, NULL, &expected);
+        fast_verdict verdict = fast_test(&outline, &f.space, &f.edge, 20.0, &hidden, &part);
+        if (all == FAST_CUT && verdict == FAST_EMPTY) {
             assert_true(hidden.t0 == 0.0 || expected.t0 - expected.e0 > hidden.t0);
             assert_true(hidden.t1 == 1.0 || expected.t1 + expected.e1 < hidden.t1);
             within++;
-        } else if (all == QUICK_UNCLEAR && verdict == QUICK_EMPTY) {
+        } else if (all == FAST_UNCLEAR && verdict == FAST_EMPTY) {
             if (one_by_one(&f, &sides, &expected)) {
                 assert_true(hidden.t0 == 0.0 || expected.t0 - expected.e0 > hidden.t0);
                 assert_true(hidden.t1 == 1.0 || expected.t1 + expected.e1 < hidden.t1);
             }
             unclear++;
-        } else if (all == QUICK_OUTSIDE) {
-            assert_int_equal(verdict, QUICK_OUTSIDE);
-        } else if (all == QUICK_CUT || all == QUICK_INSIDE) {
+        } else if (all == FAST_OUTSIDE) {
+            assert_int_equal(verdict, FAST_OUTSIDE);
+        } else if (all == FAST_CUT || all == FAST_INSIDE) {
             assert_int_equal(verdict, all);
             assert_memory_equal(&part, &expected, sizeof part);
             found++;
@@ -299,35 +299,35 @@ static void contact_is_unclear(void **state)
     static const struct {
         const char *name;
         roberts_vec3 A, B;
-        quick_verdict verdict;
+        fast_verdict verdict;
     } cases[] = {
-        {"along a side", {-2, -1, 0}, {2, -1, 0}, QUICK_UNCLEAR},
-        {"along a side, beside it", {2, -1, 0}, {3, -1, 0}, QUICK_OUTSIDE},
-        {"touches a corner", {-2, 0, 0}, {0, -2, 0}, QUICK_UNCLEAR},
-        {"inside, starts on a side", {0, -1, 0}, {0, 0.5, 0}, QUICK_INSIDE},
-        {"inside, starts beyond a side within epsilon", {0, -1 - 0.9 * EPSILON, 0}, {0, 0.5, 0}, QUICK_INSIDE},
-        {"inside, starts beyond a side", {0, -1 - 1.1 * EPSILON, 0}, {0, 0.5, 0}, QUICK_CUT},
-        {"comes in from where a side would go on", {-2, -1, 0}, {0.5, 0.25, 0}, QUICK_CUT},
-        {"ends on a side", {0, -1, 0}, {0, -3, 0}, QUICK_UNCLEAR},
-        {"ends on a side within epsilon", {0, -1 - 0.5 * EPSILON, 0}, {0, 3, 0}, QUICK_UNCLEAR},
-        {"through two corners", {-2, -2, 0}, {2, 2, 0}, QUICK_UNCLEAR},
-        {"end-on, outside", {2, 0, 0}, {2, 0, -1}, QUICK_OUTSIDE},
-        {"end-on, inside", {0.5, 0, 0}, {0.5, 0, -1}, QUICK_INSIDE},
-        {"inside", {0.5, 0.5, 0}, {-0.5, 0.25, 0}, QUICK_INSIDE},
-        {"across", {-2, 0.5, 0}, {2, 0.25, 0}, QUICK_CUT},
-        {"goes out", {0.5, 0.5, 0}, {2, 0.25, 0}, QUICK_CUT},
-        {"misses a corner", {-2.5, 0, 0}, {0, -2.5, 0}, QUICK_MISSED},
+        {"along a side", {-2, -1, 0}, {2, -1, 0}, FAST_UNCLEAR},
+        {"along a side, beside it", {2, -1, 0}, {3, -1, 0}, FAST_OUTSIDE},
+        {"touches a corner", {-2, 0, 0}, {0, -2, 0}, FAST_UNCLEAR},
+        {"inside, starts on a side", {0, -1, 0}, {0, 0.5, 0}, FAST_INSIDE},
+        {"inside, starts beyond a side within epsilon", {0, -1 - 0.9 * EPSILON, 0}, {0, 0.5, 0}, FAST_INSIDE},
+        {"inside, starts beyond a side", {0, -1 - 1.1 * EPSILON, 0}, {0, 0.5, 0}, FAST_CUT},
+        {"comes in from where a side would go on", {-2, -1, 0}, {0.5, 0.25, 0}, FAST_CUT},
+        {"ends on a side", {0, -1, 0}, {0, -3, 0}, FAST_UNCLEAR},
+        {"ends on a side within epsilon", {0, -1 - 0.5 * EPSILON, 0}, {0, 3, 0}, FAST_UNCLEAR},
+        {"through two corners", {-2, -2, 0}, {2, 2, 0}, FAST_UNCLEAR},
+        {"end-on, outside", {2, 0, 0}, {2, 0, -1}, FAST_OUTSIDE},
+        {"end-on, inside", {0.5, 0, 0}, {0.5, 0, -1}, FAST_INSIDE},
+        {"inside", {0.5, 0.5, 0}, {-0.5, 0.25, 0}, FAST_INSIDE},
+        {"across", {-2, 0.5, 0}, {2, 0.25, 0}, FAST_CUT},
+        {"goes out", {0.5, 0.5, 0}, {2, 0.25, 0}, FAST_CUT},
+        {"misses a corner", {-2.5, 0, 0}, {0, -2.5, 0}, FAST_MISSED},
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         fixture f = {.P = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, .corner = {0, 1, 2, 3}};
         hide_part part;
-        quick_outline outline;
+        fast_outline outline;
         f.edge = (hide_edge){.A = cases[i].A, .B = cases[i].B, .a = 4, .b = 5, .length = 1.0, .length3 = 1.0};
         f.space = (hide_space){
             .P = f.P, .epsilon = EPSILON, .rounding = ROUNDING, .plain = hide_plain(5.0, EPSILON, ROUNDING)};
-        quick_take(&outline, f.P, f.corner, 4);
-        if (quick_test(&outline, &f.space, &f.edge, 20.0, NULL, &part) != cases[i].verdict)
+        fast_take(&outline, f.P, f.corner, 4);
+        if (fast_test(&outline, &f.space, &f.edge, 20.0, NULL, &part) != cases[i].verdict)
             fail_msg("%s", cases[i].name);
     }
 }

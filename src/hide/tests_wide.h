@@ -1,23 +1,29 @@
-/* runs.h - a polygon of very many corners, its sides in runs, and runs of runs: what lies well inside all sides of a run is
- * not asked about each of them.
+/* tests_wide.h - tests 2 to 4 against a polygon of very many corners. They find what tests.c finds, without asking all sides.
  *
- * A run of sides is described in a frame of its own: from its first corner, x along its chord, y to the left, that is
- * inward. Let every side of it advance along the chord by more than it rises. Then each is the graph of a line, and over
- * the run the greatest of these lines is at most `over`; left and right of it they leave that no faster than the least and
- * the greatest slope. So what lies above three lines,
+ * The sides are taken in runs, and runs of runs (list_tree.h). A run is described in a frame of its own: the origin is its
+ * first corner, x goes along its chord, y to the left, which is inward. Every side of a run must advance along the chord by
+ * more than it rises. Then each side is the graph of a line. Over the run the greatest of these lines is at most `over`; left
+ * and right of the run they fall no faster than the least and the greatest slope say. So what lies above three lines,
  *
  *     y >= over,    y >= over + low (x - x0),    y >= over + high (x - x1),
  *
- * is inside of all sides. This asks nothing of the polygon: where it is dented, or its corners are uncertain, `over` and the
- * slopes say so; a run that turns too much, or has too short a side, holds nothing, and its parts are asked.
+ * is inside of all sides of the run. This assumes nothing of the polygon. Where it is dented, or its corners are uncertain,
+ * `over` and the slopes say so. A run that turns too much, or has too short a side, holds nothing; then its parts are asked.
  *
- * A run that is straight, but for a small part of epsilon, is one side: its chord. Else of a straight border in very many parts
- * each would have a say at every point of it. */
-#ifndef ROBERTS_HIDE_RUNS_H
-#define ROBERTS_HIDE_RUNS_H
+ * A run that is straight, but for a small part of epsilon, counts as one side, its chord. Otherwise every piece of a finely
+ * divided straight border would have to be tested.
+ *
+ * Test 2 passes over runs whose box lies plainly on one side of the sight plane. Tests 3 and 4 need the sides that cut
+ * something off. The part s0 .. s1 of the edge inside the polygon is guessed first: the corners change from one side of the
+ * sight plane to the other at two places, which halving finds. A run that holds the edge's points at s0 and s1, well inside,
+ * has no side that A and B are both outside of or on. Where A is outside of one of its sides, the edge comes in across it
+ * before s0; where B is, the edge goes out across it after s1. So if the sides of all other runs leave no more than s0 .. s1,
+ * the sides of that run change nothing. If they leave more, the guess was wrong, and what they leave is the next guess. */
+#ifndef ROBERTS_HIDE_TESTS_WIDE_H
+#define ROBERTS_HIDE_TESTS_WIDE_H
 
-#include "hide/ranks.h"
-#include "hide/space.h"
+#include "hide/list_tree.h"
+#include "hide/tests.h"
 
 /* Polygons of more corners are taken in runs. Below, that gains nothing. */
 #define RUNS_CORNERS 64
@@ -32,7 +38,7 @@ typedef struct runs_node {
 } runs_node;
 
 typedef struct runs {
-    ranks ranks; /* the items are sides */
+    list_tree tree; /* the items are sides */
     runs_node node[];
 } runs;
 
@@ -74,10 +80,15 @@ bool runs_next(const runs *r, roberts_vec3 A, roberts_vec3 B, uint32_t *side, ui
 /* The corner with which side i begins, counted round. */
 static inline uint32_t runs_corner(const runs *r, const uint32_t *corner, uint32_t i)
 {
-    return corner[i < r->ranks.items ? i : 0];
+    return corner[i < r->tree.items ? i : 0];
 }
 
 /* Is (x, y) inside the polygon of these corners, whose runs these are, or no farther outside than `slack`? */
 bool runs_hold_point(const hide_space *space, const runs *r, const uint32_t *corner, double x, double y, double slack);
+
+/* What hide_test2() and hide_by_sides() say of F, whose runs these are, counted: the part of e inside all sides; false where
+ * there is none. To the last bit, unless a run of several sides is straight. */
+bool hide_by_runs(const hide_space *space, const runs *r, const hide_face *F, const hide_edge *e, hide_sides *sides,
+                  roberts_tally *tally, hide_part *part);
 
 #endif

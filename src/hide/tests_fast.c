@@ -1,9 +1,9 @@
-/* quick.c - see quick.h. */
-#include "hide/quick.h"
+/* tests_fast.c - see tests_fast.h. */
+#include "hide/tests_fast.h"
 
 #include "base/lanes.h"
 
-void quick_take(quick_outline *o, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
+void fast_take(fast_outline *o, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
 {
     uint32_t first = corner[0];
     two p = two_of(P[first].x, P[first].y);
@@ -36,7 +36,7 @@ static bool all_above(const double *h, size_t count, double least)
     return true;
 }
 
-static bool outside_one(const quick_sides *H, size_t count, double plain)
+static bool outside_one(const fast_sides *H, size_t count, double plain)
 {
     for (size_t i = 0; i < count; i++)
         if (H->a[i] < -plain && H->b[i] < -plain)
@@ -45,14 +45,14 @@ static bool outside_one(const quick_sides *H, size_t count, double plain)
 }
 
 /* Signs that are not plain as look_closely() in tests.c has them. */
-quick_verdict quick_settle(const quick_outline *o, const hide_space *space, const hide_edge *e, quick_sides *H)
+fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const hide_edge *e, fast_sides *H)
 {
     bool a_inside = all_above(H->a, o->count, space->plain);
     const double *h = a_inside ? H->b : H->a;
     roberts_vec3 X = a_inside ? e->B : e->A;
     uint32_t out = 0;
     if (!a_inside && !all_above(H->b, o->count, space->plain))
-        return outside_one(H, o->count, space->plain) ? QUICK_OUTSIDE : QUICK_UNCLEAR;
+        return outside_one(H, o->count, space->plain) ? FAST_OUTSIDE : FAST_UNCLEAR;
     for (size_t i = 0; i < o->count; i++) {
         if (fabs(h[i]) > space->plain) {
             out |= (h[i] < 0.0 ? 1u : 0u) << i;
@@ -63,16 +63,16 @@ quick_verdict quick_settle(const quick_outline *o, const hide_space *space, cons
         if (length <= space->epsilon)
             continue;
         if (error > HIDE_TRUSTED * on && fabs(h[i]) <= on + error)
-            return QUICK_UNCLEAR;
+            return FAST_UNCLEAR;
         out |= (h[i] < -on ? 1u : 0u) << i;
     }
     H->out_a = a_inside ? 0 : out;
     H->out_b = a_inside ? out : 0;
-    return QUICK_CUT;
+    return FAST_CUT;
 }
 
-quick_verdict quick_cut_closely(const quick_outline *o, const hide_space *space, const hide_edge *e,
-                                const quick_sides *H, hide_part *part)
+fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
+                              hide_part *part)
 {
     *part = (hide_part){0.0, 1.0, 0.0, 0.0};
     for (uint32_t out = H->out_a | H->out_b; out; out &= out - 1) {
@@ -87,7 +87,7 @@ quick_verdict quick_cut_closely(const quick_outline *o, const hide_space *space,
             if (a < 0.0 ? t + error <= part->t0 : t - error >= part->t1)
                 continue;
             if (!hide_accurate(space, e, error))
-                return QUICK_UNCLEAR;
+                return FAST_UNCLEAR;
         }
         if (a < 0.0) {
             if (t > part->t0) {
@@ -99,7 +99,7 @@ quick_verdict quick_cut_closely(const quick_outline *o, const hide_space *space,
             part->e1 = space->epsilon * length / apart;
         }
         if (part->t0 >= part->t1)
-            return QUICK_EMPTY;
+            return FAST_EMPTY;
     }
-    return (part->t1 - part->t0) * e->length3 > space->epsilon ? QUICK_CUT : QUICK_EMPTY;
+    return (part->t1 - part->t0) * e->length3 > space->epsilon ? FAST_CUT : FAST_EMPTY;
 }

@@ -1,49 +1,49 @@
-/* quick.h - tests 2 to 4 at a stroke, for an edge and an outline between which all signs are plain.
+/* tests_fast.h - tests 2 to 4 at a stroke, for an edge and an outline between which all signs are plain.
  *
  * A sign is plain where its cross product is larger than hide_space.plain: then it is the one that tests.c would find,
  * without looking at lengths and errors. The sides' functions H_i(A), H_i(B) are computed two at a time, in the form
  * that test 4 needs for t_i, so that the part found is the same to the last bit. Where a sign is not plain (but for those of
  * an edge that ends well inside), or a crossing not accurate, the verdict is left to tests.c. */
-#ifndef ROBERTS_HIDE_QUICK_H
-#define ROBERTS_HIDE_QUICK_H
+#ifndef ROBERTS_HIDE_TESTS_FAST_H
+#define ROBERTS_HIDE_TESTS_FAST_H
 
 #include "base/bits.h"
 #include "base/lanes.h"
 #include "hide/space.h"
 
 /* Corners of the outlines that are taken up; those of more are left to tests.c. Even. */
-#define QUICK_CORNERS 16
+#define FAST_CORNERS 16
 
 /* An outline at hand, drawn together from the picture. An odd number of sides is made even: the last stands twice, and so
  * does the first corner. */
-typedef struct quick_outline {
-    const uint32_t *corner;                                 /* whose; NULL: nobody's */
-    size_t count;                                           /* even */
-    _Alignas(16) double x[QUICK_CORNERS], y[QUICK_CORNERS]; /* corners */
-    double ox[QUICK_CORNERS], oy[QUICK_CORNERS];            /* of side i the end of smaller number */
-    double dx[QUICK_CORNERS], dy[QUICK_CORNERS];            /* ... and from its first corner to the next */
-} quick_outline;
+typedef struct fast_outline {
+    const uint32_t *corner;                               /* whose; NULL: nobody's */
+    size_t count;                                         /* even */
+    _Alignas(16) double x[FAST_CORNERS], y[FAST_CORNERS]; /* corners */
+    double ox[FAST_CORNERS], oy[FAST_CORNERS];            /* of side i the end of smaller number */
+    double dx[FAST_CORNERS], dy[FAST_CORNERS];            /* ... and from its first corner to the next */
+} fast_outline;
 
-typedef enum quick_verdict {
-    QUICK_UNCLEAR, /* ask tests 2 to 4 themselves */
-    QUICK_MISSED,  /* test 2: the sight plane through AB misses the outline */
-    QUICK_OUTSIDE, /* test 3: outside one side */
-    QUICK_INSIDE,  /* test 3: inside all sides */
-    QUICK_CUT,     /* test 4: a part is inside */
-    QUICK_EMPTY,   /* test 4: none is, or none that is not known to be hidden */
-} quick_verdict;
+typedef enum fast_verdict {
+    FAST_UNCLEAR, /* ask tests 2 to 4 themselves */
+    FAST_MISSED,  /* test 2: the sight plane through AB misses the outline */
+    FAST_OUTSIDE, /* test 3: outside one side */
+    FAST_INSIDE,  /* test 3: inside all sides */
+    FAST_CUT,     /* test 4: a part is inside */
+    FAST_EMPTY,   /* test 4: none is, or none that is not known to be hidden */
+} fast_verdict;
 
-/* Takes up the outline P[corner[0]], P[corner[1]], ... of at most QUICK_CORNERS corners. */
-void quick_take(quick_outline *o, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
+/* Takes up the outline P[corner[0]], P[corner[1]], ... of at most FAST_CORNERS corners. */
+void fast_take(fast_outline *o, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
 
 /* H_i(A) and H_i(B), times the lengths of the sides; > 0 inside. */
-typedef struct quick_sides {
-    _Alignas(16) double a[QUICK_CORNERS], b[QUICK_CORNERS];
+typedef struct fast_sides {
+    _Alignas(16) double a[FAST_CORNERS], b[FAST_CORNERS];
     uint32_t out_a, out_b; /* bit i: A, B is outside of side i */
-} quick_sides;
+} fast_sides;
 
 /* Test 3. True: all signs are plain. */
-BITS_INLINE bool quick_signs(const quick_outline *o, double plain, const hide_edge *e, quick_sides *H)
+BITS_INLINE bool fast_signs(const fast_outline *o, double plain, const hide_edge *e, fast_sides *H)
 {
     two ax = two_all(e->A.x), ay = two_all(e->A.y), bx = two_all(e->B.x), by = two_all(e->B.y);
     two nearest = two_all(INFINITY);
@@ -66,7 +66,7 @@ BITS_INLINE bool quick_signs(const quick_outline *o, double plain, const hide_ed
 }
 
 /* Test 2: how the corners lie about the sight plane through AB. */
-BITS_INLINE quick_verdict quick_corners(const quick_outline *o, double plain, const hide_edge *e)
+BITS_INLINE fast_verdict fast_corners(const fast_outline *o, double plain, const hide_edge *e)
 {
     two ax = two_all(e->A.x), ay = two_all(e->A.y), dx = two_all(e->B.x - e->A.x), dy = two_all(e->B.y - e->A.y);
     two nearest = two_all(INFINITY);
@@ -79,16 +79,16 @@ BITS_INLINE quick_verdict quick_corners(const quick_outline *o, double plain, co
         right = 4 * right + two_signs(Q);
     }
     if (!(two_least(nearest) > plain))
-        return QUICK_UNCLEAR;
-    return right == 0 || right == all ? QUICK_MISSED : QUICK_CUT;
+        return FAST_UNCLEAR;
+    return right == 0 || right == all ? FAST_MISSED : FAST_CUT;
 }
 
 /* Test 4 where some crossing is not accurate by the bound for all of them: as hide_test4() has it. */
-quick_verdict quick_cut_closely(const quick_outline *o, const hide_space *space, const hide_edge *e,
-                                const quick_sides *H, hide_part *part);
+fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
+                              hide_part *part);
 
 /* epsilon along the edge where it crosses side i. */
-BITS_INLINE double quick_touch(const quick_outline *o, const hide_space *space, const quick_sides *H, int i)
+BITS_INLINE double fast_touch(const fast_outline *o, const hide_space *space, const fast_sides *H, int i)
 {
     double length = sqrt(o->dx[i] * o->dx[i] + o->dy[i] * o->dy[i]);
     return space->epsilon * length / fabs(H->a[i] - H->b[i]);
@@ -96,8 +96,8 @@ BITS_INLINE double quick_touch(const quick_outline *o, const hide_space *space, 
 
 /* Test 4. The error of a t_i is that of the two distances, 2 rounding (side + reach) each, over their difference, and side
  * and reach are no more than `span`. */
-BITS_INLINE quick_verdict quick_cut(const quick_outline *o, const hide_space *space, const hide_edge *e, double span,
-                                    const quick_sides *H, hide_part *part)
+BITS_INLINE fast_verdict fast_cut(const fast_outline *o, const hide_space *space, const hide_edge *e, double span,
+                                  const fast_sides *H, hide_part *part)
 {
     int in = -1, out = -1;
     double t0 = 0.0, t1 = 1.0, apart = INFINITY;
@@ -116,18 +116,18 @@ BITS_INLINE quick_verdict quick_cut(const quick_outline *o, const hide_space *sp
         }
     }
     if (!hide_accurate(space, e, 8.0 * space->rounding * span / apart))
-        return quick_cut_closely(o, space, e, H, part);
+        return fast_cut_closely(o, space, e, H, part);
     if (t0 >= t1 || !((t1 - t0) * e->length3 > space->epsilon))
-        return QUICK_EMPTY;
+        return FAST_EMPTY;
     *part =
-        (hide_part){t0, t1, in < 0 ? 0.0 : quick_touch(o, space, H, in), out < 0 ? 0.0 : quick_touch(o, space, H, out)};
-    return QUICK_CUT;
+        (hide_part){t0, t1, in < 0 ? 0.0 : fast_touch(o, space, H, in), out < 0 ? 0.0 : fast_touch(o, space, H, out)};
+    return FAST_CUT;
 }
 
 /* Is what lies inside plainly within what is hidden, with all that it touches? That is so where the point at which the hidden
  * part begins is outside of a side that A is outside of, and the one at which it ends of a side that B is outside of (or the
  * edge itself begins or ends there), and neither is near to any side. */
-BITS_INLINE bool quick_within(const quick_outline *o, double plain, const quick_sides *H, const hide_part *hidden)
+BITS_INLINE bool fast_within(const fast_outline *o, double plain, const fast_sides *H, const hide_part *hidden)
 {
     two t0 = two_all(hidden->t0), t1 = two_all(hidden->t1), nearest = two_all(INFINITY);
     unsigned before = 0, after = 0;
@@ -143,36 +143,36 @@ BITS_INLINE bool quick_within(const quick_outline *o, double plain, const quick_
            two_least(nearest) > plain;
 }
 
-/* Where not all signs are plain. QUICK_OUTSIDE: of one side plainly, whatever the others say. QUICK_CUT: one end is plainly
- * inside, the other near to some side, and H has the signs that tests.c would find. QUICK_UNCLEAR: that takes twice the
+/* Where not all signs are plain. FAST_OUTSIDE: of one side plainly, whatever the others say. FAST_CUT: one end is plainly
+ * inside, the other near to some side, and H has the signs that tests.c would find. FAST_UNCLEAR: that takes twice the
  * precision, or no end is plainly inside. */
-quick_verdict quick_settle(const quick_outline *o, const hide_space *space, const hide_edge *e, quick_sides *H);
+fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const hide_edge *e, fast_sides *H);
 
 /* span: no two points of outline and edge are farther apart, along x and y together; hidden: a part of the edge that is, what
- * lies within it need not be found; NULL: find all. Fills `part` where the verdict is QUICK_INSIDE or QUICK_CUT. */
-BITS_INLINE quick_verdict quick_test(const quick_outline *o, const hide_space *space, const hide_edge *e, double span,
-                                     const hide_part *hidden, hide_part *part)
+ * lies within it need not be found; NULL: find all. Fills `part` where the verdict is FAST_INSIDE or FAST_CUT. */
+BITS_INLINE fast_verdict fast_test(const fast_outline *o, const hide_space *space, const hide_edge *e, double span,
+                                   const hide_part *hidden, hide_part *part)
 {
-    quick_sides H;
-    if (!quick_signs(o, space->plain, e, &H)) {
-        quick_verdict verdict = quick_settle(o, space, e, &H);
-        if (verdict != QUICK_CUT)
-            return verdict == QUICK_OUTSIDE ? QUICK_OUTSIDE : QUICK_UNCLEAR;
+    fast_sides H;
+    if (!fast_signs(o, space->plain, e, &H)) {
+        fast_verdict verdict = fast_settle(o, space, e, &H);
+        if (verdict != FAST_CUT)
+            return verdict == FAST_OUTSIDE ? FAST_OUTSIDE : FAST_UNCLEAR;
     }
     if (H.out_a & H.out_b)
-        return QUICK_OUTSIDE;
+        return FAST_OUTSIDE;
     if (!(H.out_a | H.out_b)) {
         *part = (hide_part){0.0, 1.0, 0.0, 0.0};
-        return QUICK_INSIDE;
+        return FAST_INSIDE;
     }
-    if (hidden && quick_within(o, space->plain, &H, hidden))
-        return QUICK_EMPTY;
+    if (hidden && fast_within(o, space->plain, &H, hidden))
+        return FAST_EMPTY;
     if (H.out_a && H.out_b) { /* with an end inside there are corners on both sides */
-        quick_verdict verdict = quick_corners(o, space->plain, e);
-        if (verdict != QUICK_CUT)
-            return verdict == QUICK_MISSED ? QUICK_MISSED : QUICK_UNCLEAR;
+        fast_verdict verdict = fast_corners(o, space->plain, e);
+        if (verdict != FAST_CUT)
+            return verdict == FAST_MISSED ? FAST_MISSED : FAST_UNCLEAR;
     }
-    return quick_cut(o, space, e, span, &H, part);
+    return fast_cut(o, space, e, span, &H, part);
 }
 
 #endif

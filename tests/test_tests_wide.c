@@ -1,5 +1,5 @@
 /* Polygons of very many corners: tests 2 to 4 by runs of sides against the tests side by side, to the last bit. */
-#include "hide/many.h"
+#include "hide/tests_wide.h"
 #include "scenes.h"
 
 #define EPSILON 1e-10
