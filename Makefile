@@ -100,11 +100,11 @@ bench-baseline: all tools ## counts instructions (valgrind) and keeps them in to
 	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh baseline
 
 test-threads: ## calls the library from several threads at once, and reads and hides by them, under the thread sanitizer, in build/threads/
-	@$(MAKE) --no-print-directory build/threads/tests/test_threads build/threads/tests/test_off_pieces build/threads/tests/test_hide_chunks \
+	@$(MAKE) --no-print-directory build/threads/tests/test_threads build/threads/tests/test_off_pieces build/threads/tests/test_schedule \
 	    BUILD=build/threads OPENMP= CFLAGS='-O1 -g -fsanitize=thread'
 	TSAN_OPTIONS=suppressions=tests/threads.supp build/threads/tests/test_threads
 	build/threads/tests/test_off_pieces
-	build/threads/tests/test_hide_chunks
+	build/threads/tests/test_schedule
 
 ##@ To install
 install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, man page, completions, libraries, header and roberts.pc

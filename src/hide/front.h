@@ -3,7 +3,7 @@
 #define ROBERTS_HIDE_FRONT_H
 
 #include "base/threads.h"
-#include "hide/tiles.h"
+#include "hide/schedule.h"
 
 /* What a thread needs for itself. */
 typedef struct front_scratch {

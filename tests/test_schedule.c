@@ -1,4 +1,4 @@
-/* src/hide/chunks.h by threads of the system, so that the thread sanitizer sees them: whatever the threads, segments come in
+/* src/hide/schedule.h by threads of the system, so that the thread sanitizer sees them: whatever the threads, segments come in
  * order, each once, and the work ends early where it is told to. */
 #include <pthread.h>
 #include <setjmp.h>
@@ -11,7 +11,7 @@
 
 #include "base/array.h"
 #include "base/threads.h"
-#include "hide/chunks.h"
+#include "hide/schedule.h"
 
 #define CHUNKS 3000
 #define THREADS_TRIED 5

@@ -1,4 +1,4 @@
-/* test_memory_ahead.c - scenes so large that solids which lie scattered in the picture, or behind one another, are hidden in
+/* test_memory_order.c - scenes so large that solids which lie scattered in the picture, or behind one another, are hidden in
  * another order than that of the file: the same drawing as of the same solids in order, or as with hidden lines kept, by any
  * number of threads; and memory that fails. */
 #include <setjmp.h>
@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "hide/ahead.h"
+#include "hide/schedule.h"
 #include "hide/cells.h"
 #include "memory.h"
 #include "roberts.h"
@@ -66,15 +66,15 @@ static void fill(uint32_t *cell, bool scattered)
 static bool is_worth(const roberts_scene *scene)
 {
     hide_picture picture;
-    ahead a;
+    picture_order order;
     double depth;
     assert_int_equal(hide_picture_build(&picture, scene, &camera, 0.0, true, 1, NULL), ROBERTS_OK);
     cells_for_lists(picture.front_box, picture.front_count, picture.low, picture.high, 0, 0.0, &depth);
-    assert_true(ahead_init(&a, &picture, depth));
-    bool worth = a.order != NULL;
+    assert_true(picture_order_init(&order, &picture, depth));
+    bool worth = order.solid != NULL;
     for (uint32_t i = 0; worth && i < COUNT; i++)
-        assert_true(a.order[i] < COUNT && a.place[a.order[i]] == i);
-    ahead_free(&a);
+        assert_true(order.solid[i] < COUNT && order.place[order.solid[i]] == i);
+    picture_order_free(&order);
     hide_picture_free(&picture);
     return worth;
 }
@@ -186,7 +186,7 @@ static void memory_fails(void **state)
     assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
     size_t calls = memory_calls, whole = drawing.count;
     roberts_drawing_free(&drawing);
-    assert_true(calls > 2 * COUNT / AHEAD_CHUNK);
+    assert_true(calls > 2 * COUNT / KEPT_SOLIDS);
     for (size_t n = 1; n <= FAILURES; n++) {
         memory_fail(n < FAILURES / 2 ? 2 * n : calls * n / (FAILURES + 1));
         roberts_status status = roberts_hide(scene, &camera, &options, &drawing, NULL);
@@ -212,5 +212,5 @@ int main(void)
         cmocka_unit_test_prestate(memory_fails, &visible),
         cmocka_unit_test_prestate(memory_fails, &all),
     };
-    return cmocka_run_group_tests_name("memory_ahead", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("memory_order", tests, NULL, NULL);
 }
