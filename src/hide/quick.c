@@ -8,6 +8,7 @@ void quick_take(quick_outline *o, const roberts_vec3 *P, const uint32_t *corner,
     uint32_t first = corner[0];
     two p = two_of(P[first].x, P[first].y);
     o->corner = corner;
+    o->sides = count;
     o->count = count + count % 2;
     for (uint32_t i = 0; i < count; i++) {
         uint32_t second = corner[i + 1 < count ? i + 1 : 0], lower = first < second ? first : second;
@@ -71,10 +72,20 @@ quick_verdict quick_settle(const quick_outline *o, const hide_space *space, cons
     return QUICK_CUT;
 }
 
+double quick_reach_along(const quick_outline *o, const hide_space *space, const hide_edge *e, int i, double t,
+                         double touch)
+{
+    hide_face F = {.corner = o->corner, .count = o->sides};
+    uint32_t first = (uint32_t)i < o->sides ? (uint32_t)i : o->sides - 1; /* of an odd number the last stands twice */
+    reach_crossing c = {&F, first, first + 1 < o->sides ? first + 1 : 0, t, touch > 0.0};
+    return reach_along(space, e, &c, fabs(touch));
+}
+
 quick_verdict quick_cut_closely(const quick_outline *o, const hide_space *space, const hide_edge *e,
                                 const quick_sides *H, hide_part *part)
 {
-    *part = (hide_part){0.0, 1.0, 0.0, 0.0};
+    int inward = -1, outward = -1; /* the sides of the last crossing inward and the first one outward */
+    *part = hide_whole;
     for (uint32_t out = H->out_a | H->out_b; out; out &= out - 1) {
         int i = bits_trailing_zeros(out);
         double a = H->a[i], b = H->b[i], dx = o->dx[i], dy = o->dy[i], ox = o->ox[i], oy = o->oy[i];
@@ -92,14 +103,18 @@ quick_verdict quick_cut_closely(const quick_outline *o, const hide_space *space,
         if (a < 0.0) {
             if (t > part->t0) {
                 part->t0 = t;
-                part->e0 = space->epsilon * length / apart;
+                inward = i;
             }
         } else if (t < part->t1) {
             part->t1 = t;
-            part->e1 = space->epsilon * length / apart;
+            outward = i;
         }
         if (part->t0 >= part->t1)
             return QUICK_EMPTY;
     }
-    return (part->t1 - part->t0) * e->length3 > space->epsilon ? QUICK_CUT : QUICK_EMPTY;
+    if (!((part->t1 - part->t0) * e->length3 > space->epsilon))
+        return QUICK_EMPTY;
+    part->r0 = quick_reach(o, space, e, H, inward, part->t0);
+    part->r1 = quick_reach(o, space, e, H, outward, part->t1);
+    return QUICK_CUT;
 }

@@ -9,7 +9,7 @@
 
 #include "base/bits.h"
 #include "base/lanes.h"
-#include "hide/space.h"
+#include "hide/reach.h"
 
 /* Corners of the outlines that are taken up; those of more are left to tests.c. Even. */
 #define QUICK_CORNERS 16
@@ -18,7 +18,8 @@
  * does the first corner. */
 typedef struct quick_outline {
     const uint32_t *corner;                                 /* whose; NULL: nobody's */
-    size_t count;                                           /* even */
+    uint32_t sides;                                         /* as many as there are */
+    size_t count;                                           /* ... made even */
     _Alignas(16) double x[QUICK_CORNERS], y[QUICK_CORNERS]; /* corners */
     double ox[QUICK_CORNERS], oy[QUICK_CORNERS];            /* of side i the end of smaller number */
     double dx[QUICK_CORNERS], dy[QUICK_CORNERS];            /* ... and from its first corner to the next */
@@ -87,11 +88,19 @@ BITS_INLINE quick_verdict quick_corners(const quick_outline *o, double plain, co
 quick_verdict quick_cut_closely(const quick_outline *o, const hide_space *space, const hide_edge *e,
                                 const quick_sides *H, hide_part *part);
 
-/* epsilon along the edge where it crosses side i. */
-BITS_INLINE double quick_touch(const quick_outline *o, const hide_space *space, const quick_sides *H, int i)
+/* How far the edge is within epsilon of the border beyond t, where it goes out across side i; where that is at a flat angle. */
+double quick_reach_along(const quick_outline *o, const hide_space *space, const hide_edge *e, int i, double t,
+                         double touch);
+
+/* The same, also before t, where it comes in; i < 0: it does not. */
+BITS_INLINE double quick_reach(const quick_outline *o, const hide_space *space, const hide_edge *e,
+                               const quick_sides *H, int i, double t)
 {
-    double length = sqrt(o->dx[i] * o->dx[i] + o->dy[i] * o->dy[i]);
-    return space->epsilon * length / fabs(H->a[i] - H->b[i]);
+    if (i < 0)
+        return t;
+    double length = sqrt(o->dx[i] * o->dx[i] + o->dy[i] * o->dy[i]), apart = H->a[i] - H->b[i];
+    double touch = space->epsilon * length / apart; /* with its sign: below 0 where the edge comes in */
+    return reach_is_plain(space, e, fabs(touch)) ? t + touch : quick_reach_along(o, space, e, i, t, touch);
 }
 
 /* Test 4. The error of a t_i is that of the two distances, 2 rounding (side + reach) each, over their difference, and side
@@ -119,8 +128,7 @@ BITS_INLINE quick_verdict quick_cut(const quick_outline *o, const hide_space *sp
         return quick_cut_closely(o, space, e, H, part);
     if (t0 >= t1 || !((t1 - t0) * e->length3 > space->epsilon))
         return QUICK_EMPTY;
-    *part =
-        (hide_part){t0, t1, in < 0 ? 0.0 : quick_touch(o, space, H, in), out < 0 ? 0.0 : quick_touch(o, space, H, out)};
+    *part = (hide_part){t0, t1, quick_reach(o, space, e, H, in, t0), quick_reach(o, space, e, H, out, t1)};
     return QUICK_CUT;
 }
 
@@ -162,7 +170,7 @@ BITS_INLINE quick_verdict quick_test(const quick_outline *o, const hide_space *s
     if (H.out_a & H.out_b)
         return QUICK_OUTSIDE;
     if (!(H.out_a | H.out_b)) {
-        *part = (hide_part){0.0, 1.0, 0.0, 0.0};
+        *part = hide_whole;
         return QUICK_INSIDE;
     }
     if (hidden && quick_within(o, space->plain, &H, hidden))
