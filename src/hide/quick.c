@@ -72,13 +72,13 @@ quick_verdict quick_settle(const quick_outline *o, const hide_space *space, cons
     return QUICK_CUT;
 }
 
-double quick_reach_along(const quick_outline *o, const hide_space *space, const hide_edge *e, int i, double t,
-                         double touch)
+double quick_reach_along(const quick_outline *o, const hide_space *space, const hide_edge *e, int i, double touch,
+                         double *t)
 {
     hide_face F = {.corner = o->corner, .count = o->sides};
     uint32_t first = (uint32_t)i < o->sides ? (uint32_t)i : o->sides - 1; /* of an odd number the last stands twice */
-    reach_crossing c = {&F, first, first + 1 < o->sides ? first + 1 : 0, t, touch > 0.0};
-    return reach_along(space, e, &c, fabs(touch));
+    reach_border border = {&F, first, first + 1 < o->sides ? first + 1 : 0, touch > 0.0};
+    return reach_along(space, e, &border, fabs(touch), t);
 }
 
 quick_verdict quick_cut_closely(const quick_outline *o, const hide_space *space, const hide_edge *e,
@@ -114,7 +114,7 @@ quick_verdict quick_cut_closely(const quick_outline *o, const hide_space *space,
     }
     if (!((part->t1 - part->t0) * e->length3 > space->epsilon))
         return QUICK_EMPTY;
-    part->r0 = quick_reach(o, space, e, H, inward, part->t0);
-    part->r1 = quick_reach(o, space, e, H, outward, part->t1);
-    return QUICK_CUT;
+    part->r0 = quick_reach(o, space, e, H, inward, &part->t0);
+    part->r1 = quick_reach(o, space, e, H, outward, &part->t1);
+    return (part->t1 - part->t0) * e->length3 > space->epsilon ? QUICK_CUT : QUICK_EMPTY;
 }

@@ -88,19 +88,19 @@ BITS_INLINE quick_verdict quick_corners(const quick_outline *o, double plain, co
 quick_verdict quick_cut_closely(const quick_outline *o, const hide_space *space, const hide_edge *e,
                                 const quick_sides *H, hide_part *part);
 
-/* How far the edge is within epsilon of the border beyond t, where it goes out across side i; where that is at a flat angle. */
-double quick_reach_along(const quick_outline *o, const hide_space *space, const hide_edge *e, int i, double t,
-                         double touch);
+/* reach_along() of side i: it is crossed at *t, `touch` is below 0 where the edge comes in. */
+double quick_reach_along(const quick_outline *o, const hide_space *space, const hide_edge *e, int i, double touch,
+                         double *t);
 
-/* The same, also before t, where it comes in; i < 0: it does not. */
+/* How far the edge is within epsilon of the border from *t on, where it crosses side i; i < 0: it does not. */
 BITS_INLINE double quick_reach(const quick_outline *o, const hide_space *space, const hide_edge *e,
-                               const quick_sides *H, int i, double t)
+                               const quick_sides *H, int i, double *t)
 {
     if (i < 0)
-        return t;
+        return *t;
     double length = sqrt(o->dx[i] * o->dx[i] + o->dy[i] * o->dy[i]), apart = H->a[i] - H->b[i];
     double touch = space->epsilon * length / apart; /* with its sign: below 0 where the edge comes in */
-    return reach_is_plain(space, e, fabs(touch)) ? t + touch : quick_reach_along(o, space, e, i, t, touch);
+    return reach_is_plain(space, e, fabs(touch)) ? *t + touch : quick_reach_along(o, space, e, i, touch, t);
 }
 
 /* Test 4. The error of a t_i is that of the two distances, 2 rounding (side + reach) each, over their difference, and side
@@ -128,8 +128,9 @@ BITS_INLINE quick_verdict quick_cut(const quick_outline *o, const hide_space *sp
         return quick_cut_closely(o, space, e, H, part);
     if (t0 >= t1 || !((t1 - t0) * e->length3 > space->epsilon))
         return QUICK_EMPTY;
-    *part = (hide_part){t0, t1, quick_reach(o, space, e, H, in, t0), quick_reach(o, space, e, H, out, t1)};
-    return QUICK_CUT;
+    double r0 = quick_reach(o, space, e, H, in, &t0), r1 = quick_reach(o, space, e, H, out, &t1);
+    *part = (hide_part){t0, t1, r0, r1};
+    return (t1 - t0) * e->length3 > space->epsilon ? QUICK_CUT : QUICK_EMPTY;
 }
 
 /* Is what lies inside plainly within what is hidden, with all that it touches? That is so where the point at which the hidden

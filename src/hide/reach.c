@@ -19,27 +19,29 @@ static double along(roberts_vec3 P, const hide_edge *e)
 }
 
 /* The walk along the border, from the side that is crossed on, as the edge goes, as far as the reach or the farthest corner.
- * (Sides that lie behind the crossing are flatter to the edge, and it is epsilon outside of them later.) The edge is taken
- * backward where it comes in: s is -t then. */
-double reach_along(const hide_space *space, const hide_edge *e, const reach_crossing *c, double touch)
+ * (Sides that lie behind the crossing are flatter to the edge, and it is epsilon outside of them later.) Where the edge comes in
+ * it is taken backward: all parameters change their signs. */
+double reach_along(const hide_space *space, const hide_edge *e, const reach_border *border, double touch, double *t)
 {
-    const hide_face *F = c->F;
-    double sign = c->out ? 1.0 : -1.0, epsilon = space->epsilon / e->length, begin = sign * c->t, reach = begin + touch;
-    double s0 = along(space->P[F->corner[c->first]], e) * sign, s1 = along(space->P[F->corner[c->last]], e) * sign;
-    double farthest = greater(s0, s1);
+    const hide_face *F = border->F;
+    double sign = border->out ? 1.0 : -1.0, epsilon = space->epsilon / e->length, begin = sign * *t;
+    double s0 = sign * along(space->P[F->corner[border->first]], e), reach = begin + touch;
+    double s1 = sign * along(space->P[F->corner[border->last]], e), farthest = greater(s0, s1);
     bool up = s1 >= s0;
-    uint32_t from = up ? c->last : c->first;
+    uint32_t from = up ? border->last : border->first;
     for (uint32_t n = 0; n < F->count && farthest < reach; n++) {
         uint32_t to = up ? (from + 1 < F->count ? from + 1 : 0) : (from > 0 ? from : F->count) - 1;
-        double s = along(space->P[F->corner[to]], e) * sign;
+        double s = sign * along(space->P[F->corner[to]], e);
         if (s < farthest - epsilon) {
+            begin = begin > farthest + epsilon ? farthest : begin;
             reach = lesser(reach, greater(farthest, begin) + epsilon);
             break;
         }
         roberts_vec3 P = space->P[F->corner[up ? from : to]], Q = space->P[F->corner[up ? to : from]];
-        reach = lesser(reach, sign * leaves(space, e, P, Q, c->out));
+        reach = lesser(reach, sign * leaves(space, e, P, Q, border->out));
         farthest = greater(farthest, s);
         from = to;
     }
+    *t = sign * begin;
     return sign * greater(reach, begin + space->epsilon / e->length3);
 }

@@ -205,24 +205,23 @@ bool hide_cut_by(const hide_cutting *c, hide_chord side, hide_side H, hide_cut *
 }
 
 /* How far the edge is within epsilon of the border from a crossing on; none: its end. */
-static double reach_of(const hide_cutting *c, const hide_crossing *at, bool out)
+static double reach_of(const hide_cutting *c, hide_crossing *at, bool out)
 {
     if (reach_is_plain(c->space, c->e, at->touch))
         return out ? at->t + at->touch : at->t - at->touch;
-    reach_crossing border = {c->F, at->side.first, at->side.last, at->t, out};
-    return reach_along(c->space, c->e, &border, at->touch);
+    reach_border border = {c->F, at->side.first, at->side.last, out};
+    return reach_along(c->space, c->e, &border, at->touch, &at->t);
 }
 
 bool hide_cut_end(const hide_cutting *c, hide_cut *cut, hide_part *part)
 {
     settle(c, &cut->in);
     settle(c, &cut->out);
-    *part = (hide_part){.t0 = cut->in.t, .t1 = cut->out.t};
-    if (!hide_is_left(c->space, c->e, part))
+    if (!((cut->out.t - cut->in.t) * c->e->length3 > c->space->epsilon))
         return false;
-    part->r0 = reach_of(c, &cut->in, false);
-    part->r1 = reach_of(c, &cut->out, true);
-    return true;
+    double r0 = reach_of(c, &cut->in, false), r1 = reach_of(c, &cut->out, true);
+    *part = (hide_part){cut->in.t, cut->out.t, r0, r1};
+    return hide_is_left(c->space, c->e, part);
 }
 
 /* TEST 4. t_i is the crossing of AB with side plane H_i. Of those by which AB comes in, the last lies on the side itself
