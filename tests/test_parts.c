@@ -44,8 +44,8 @@ static void joined_as_they_come(void **state)
         assert_true(hide_parts_add(&parts, 7, &two));
         hide_part part = parts.item[0].part;
         if (parts.count != table[k].count ||
-            (parts.count == 1 && (part.t0 != table[k].t0 || part.t1 != table[k].t1 ||
-                                  part.r0 != table[k].reach0 || part.r1 != table[k].reach1)))
+            (parts.count == 1 && (part.t0 != table[k].t0 || part.t1 != table[k].t1 || part.r0 != table[k].reach0 ||
+                                  part.r1 != table[k].reach1)))
             fail_msg("%s: %zu parts, %g..%g, %g, %g", table[k].name, parts.count, part.t0, part.t1, part.r0, part.r1);
         free(parts.item);
     }

@@ -248,7 +248,8 @@ static double touch_at(const hide_space *space, const hide_face *F, roberts_vec3
 }
 
 /* Where F comes to -touch between t, where it is f, and r, where the reach ends: there the reach has to end. */
-static double reach_behind(const hide_space *space, const hide_face *F, const hide_edge *e, double t, double f, double r)
+static double reach_behind(const hide_space *space, const hide_face *F, const hide_edge *e, double t, double f,
+                           double r)
 {
     double touch = touch_at(space, F, hide_edge_at(e, t)), end = plane_at(F->F, hide_edge_at(e, r));
     return end < -touch && f > end ? t + (r - t) * lesser((f + touch) / (f - end), 1.0) : r;
