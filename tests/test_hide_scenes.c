@@ -317,8 +317,9 @@ static void add_tetrahedron(model *m, const roberts_vec3 point[4])
     model_close_solid(m);
 }
 
-/* An edge 8-9 of solid 2 runs along y = 0, at so flat an angle to a border of solid 0 that it is within epsilon (1.2e-9 to
- * 1.7e-9) of the border's line for twelve and more of its hundred units. But there is a gap that is far wider than epsilon. */
+/* An edge 8-9 of solid 2 runs along y = 0, at so flat an angle to a border of solid 0 that it is within epsilon
+ * (1.2e-9 to 1.7e-9) of the border's line for twelve and more of its hundred units. But there is a gap that is far
+ * wider than epsilon. */
 static void borders_at_flat_angles(void **state)
 {
     static const struct {
@@ -364,8 +365,9 @@ static void borders_at_flat_angles(void **state)
         }
 }
 
-/* A roof of two faces, and an edge from x = 0 to 100 that pierces both of their planes, at x = 49 and, at so flat an angle that
- * it is within epsilon for ten units, at x = 50. It is hidden from there on, in whatever order the faces come. */
+/* A roof of two faces, and an edge from x = 0 to 100 that pierces both of their planes, at x = 49 and, at so flat an
+ * angle that it is within epsilon for ten units, at x = 50. It is hidden from there on, in whatever order the faces
+ * come. */
 static void pierced_planes_in_any_order(void **state)
 {
     static const roberts_vec2 section[4] = {{-1, 5}, {49, 10 - 1e-10}, {101, 10 + 5.1e-9}, {101, 0}}; /* x and z */

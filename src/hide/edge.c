@@ -53,8 +53,8 @@ void hide_worker_free(hide_worker *w)
     *w = (hide_worker){0};
 }
 
-/* What is nearer than all corners of a front is not hidden and touches nothing that is, whatever its faces' planes are rounded
- * to. False: nothing is left. */
+/* What is nearer than all corners of a front is not hidden and touches nothing that is, whatever its faces' planes are
+ * rounded to. False: nothing is left. */
 static BITS_RARE bool confine(const hide_worker *w, const hide_box *box, const hide_edge *e, hide_part *part)
 {
     double nearest = (double)box->z1 + w->margin;
@@ -70,9 +70,9 @@ static inline bool is_confined(const hide_worker *w, const hide_box *box, const 
     return e->A.z + part->r0 * dz <= nearest && e->A.z + part->r1 * dz <= nearest;
 }
 
-/* Of a line that is hidden at one end only the rest, which begins at P, need meet other fronts: where their boxes miss the
- * rest's by the margin, what they hide is hidden already and touches nothing beyond it: they reach no farther than their boxes
- * and the margin. What is known of the line's other end stays. */
+/* Of a line that is hidden at one end only the rest, which begins at P, need meet other fronts: where their boxes miss
+ * the rest's by the margin, what they hide is hidden already and touches nothing beyond it: they reach no farther than
+ * their boxes and the margin. What is known of the line's other end stays. */
 static void shrink(hide_worker *w, size_t n, const hide_part *hidden)
 {
     const hide_edge *e = &w->line[n].e;

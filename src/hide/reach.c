@@ -1,8 +1,8 @@
 /* reach.c - see reach.h. */
 #include "hide/reach.h"
 
-/* Where the edge is epsilon outside of the line from P to Q, going out (coming in); no limit where it does not, or where the
- * side is no longer than epsilon: that bounds nothing that its neighbours do not bound. */
+/* Where the edge is epsilon outside of the line from P to Q, going out (coming in); no limit where it does not, or
+ * where the side is no longer than epsilon: that bounds nothing that its neighbours do not bound. */
 static double leaves(const hide_space *space, const hide_edge *e, roberts_vec3 P, roberts_vec3 Q, bool out)
 {
     double dx = Q.x - P.x, dy = Q.y - P.y, length = sqrt(dx * dx + dy * dy);
@@ -18,9 +18,9 @@ static double along(roberts_vec3 P, const hide_edge *e)
     return ((e->B.x - e->A.x) * (P.x - e->A.x) + (e->B.y - e->A.y) * (P.y - e->A.y)) / (e->length * e->length);
 }
 
-/* The walk along the border, from the side that is crossed on, as the edge goes, as far as the reach or the farthest corner.
- * (Sides that lie behind the crossing are flatter to the edge, and it is epsilon outside of them later.) Where the edge comes in
- * it is taken backward: all parameters change their signs. */
+/* The walk along the border, from the side that is crossed on, as the edge goes, as far as the reach or the farthest
+ * corner. (Sides that lie behind the crossing are flatter to the edge, and it is epsilon outside of them later.) Where
+ * the edge comes in it is taken backward: all parameters change their signs. */
 double reach_along(const hide_space *space, const hide_edge *e, const reach_border *border, double touch, double *t)
 {
     const hide_face *F = border->F;

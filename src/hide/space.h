@@ -56,8 +56,8 @@ typedef struct hide_edge {
     double length3;    /* of AB in view space */
 } hide_edge;
 
-/* The hidden part t0 .. t1 of an edge by one face or solid: parameters along its picture. From r0 to r1 the edge is within
- * epsilon of what hides it (see reach.h); r0 <= t0 and r1 >= t1. */
+/* The hidden part t0 .. t1 of an edge by one face or solid: parameters along its picture. From r0 to r1 the edge is
+ * within epsilon of what hides it (see reach.h); r0 <= t0 and r1 >= t1. */
 typedef struct hide_part {
     double t0, t1;
     double r0, r1;

@@ -178,8 +178,8 @@ static void settle(const hide_cutting *c, hide_crossing *at)
     ++*c->refined;
 }
 
-/* Takes `at` for *last where it comes later along the edge (direction 1), or earlier (-1). What is certain without is not
- * refined. (No number, of a side that AB is parallel to, is not certain.) */
+/* Takes `at` for *last where it comes later along the edge (direction 1), or earlier (-1). What is certain without is
+ * not refined. (No number, of a side that AB is parallel to, is not certain.) */
 static void take_later(const hide_cutting *c, double direction, hide_crossing *last, hide_crossing at)
 {
     double ahead = direction * (at.t - last->t), error = at.error + last->error;

@@ -104,8 +104,9 @@ static const hide_cut hide_uncut = {.out = {.t = 1.0}};
 
 /* ---- all tests ---- */
 
-/* Cuts `part` where e pierces F's plane, and its reach where e is more than `touch` before it; false where nothing of `inside`
- * lies behind. `inside` is what all sides leave of e: what one plane cuts off has no say in what another does. */
+/* Cuts `part` where e pierces F's plane, and its reach where e is more than `touch` before it; false where nothing of
+ * `inside` lies behind. `inside` is what all sides leave of e: what one plane cuts off has no say in what another
+ * does. */
 bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, const hide_part *inside,
                  hide_sides *sides, hide_part *part);
 
