@@ -317,6 +317,82 @@ static void add_tetrahedron(model *m, const roberts_vec3 point[4])
     model_close_solid(m);
 }
 
+/* An edge 8-9 of solid 2 runs along y = 0, at so flat an angle to a border of solid 0 that it is within epsilon
+ * (1.2e-9 to 1.7e-9) of the border's line for twelve and more of its hundred units. But there is a gap that is far
+ * wider than epsilon. */
+static void borders_at_flat_angles(void **state)
+{
+    static const struct {
+        const char *name;
+        roberts_vec3 solid[3][4];
+        const char *rows;
+    } table[] = {
+        {"the border ends at a corner",
+         {{{0, 0, 10}, {50, 0, 10}, {60, -30, 10}, {30, -10, 5}},
+          {{58, -1, 10}, {59, -1, 10}, {59, 1, 10}, {58, 1, 11}},
+          {{0, -4.9e-9, 0}, {100, 5.1e-9, 0}, {50, -5, -10}, {50, -4, -11}}},
+         "8-9 v 9.8e-11 h0 0.49 v 0.58 h1 0.59 v"},
+        {"... and the other way along the edge",
+         {{{100, 0, 10}, {50, 0, 10}, {40, -30, 10}, {70, -10, 5}},
+          {{42, -1, 10}, {41, -1, 10}, {41, 1, 10}, {42, 1, 11}},
+          {{0, 5.1e-9, 0}, {100, -4.9e-9, 0}, {50, -5, -10}, {50, -4, -11}}},
+         "8-9 v 0.41 h1 0.42 v 0.51 h0 0.999999999902 v"},
+        {"the edge is before the plane",
+         {{{0, 0, 0}, {100, 0, 100}, {100, 10, 100}, {100, 0, 90}},
+          {{44, -1, 60}, {45, -1, 60}, {45, 1, 60}, {44, 1, 61}},
+          {{0, -1e-8, 50}, {100, 1e-8, 50}, {50, -5, 40}, {50, -4, 39}}},
+         "8-9 v 0.44 h1 0.45 v 0.5 h0"},
+        /* it is within epsilon outside of one side, and crosses the line of the other 0.01 beyond the corner of both */
+        {"beyond a sharp corner",
+         {{{10, -1e-10, 10}, {20, -1e-10, 10}, {10, -1e-7, 10}, {13, -3e-8, 9}},
+          {{58, -1, 10}, {59, -1, 10}, {59, 1, 10}, {58, 1, 11}},
+          {{0, 0, 0}, {100, 0, 0}, {50, -5, -10}, {50, -4, -11}}},
+         "8-9 v 0.1 h0 0.2 v 0.58 h1 0.59 v"},
+    };
+    roberts_camera camera = {.dir = {0, 0, 1}};
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)
+        for (uint32_t grid = 0; grid < 2; grid++) {
+            roberts_hide_options options = with_hidden();
+            model m = {0};
+            options.grid = grid;
+            for (int k = 0; k < 3; k++)
+                add_tetrahedron(&m, table[i].solid[k]);
+            roberts_drawing drawing = model_draw(&m, &camera, &options);
+            expect_edge(table[i].name, "top", &drawing, table[i].rows);
+            roberts_drawing_free(&drawing);
+            model_free(&m);
+        }
+}
+
+/* A roof of two faces, and an edge from x = 0 to 100 that pierces both of their planes, at x = 49 and, at so flat an
+ * angle that it is within epsilon for ten units, at x = 50. It is hidden from there on, in whatever order the faces
+ * come. */
+static void pierced_planes_in_any_order(void **state)
+{
+    static const roberts_vec2 section[4] = {{-1, 5}, {49, 10 - 1e-10}, {101, 10 + 5.1e-9}, {101, 0}}; /* x and z */
+    static const uint32_t face[6][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6},
+                                        {3, 0, 4, 7}, {3, 2, 1, 0}, {4, 5, 6, 7}};
+    static const roberts_vec3 edge[4] = {{0, 0, 10}, {100, 0, 10}, {50, 3, -20}, {48, -3, -22}};
+    roberts_camera camera = {.dir = {0, 0, 1}};
+    roberts_hide_options options = with_hidden();
+    (void)state;
+    for (int first = 0; first < 6; first++)
+        for (int step = 1; step < 6; step += 4) {
+            model m = {0};
+            for (int i = 0; i < 8; i++)
+                model_vertex(&m, (roberts_vec3){section[i % 4].x, i < 4 ? -5 : 5, section[i % 4].y});
+            for (int f = 0; f < 6; f++)
+                model_face(&m, face[(first + step * f) % 6], 4);
+            model_close_solid(&m);
+            add_tetrahedron(&m, edge);
+            roberts_drawing drawing = model_draw(&m, &camera, &options);
+            expect_edge("pierced", "top", &drawing, "8-9 v 0.5 h0");
+            roberts_drawing_free(&drawing);
+            model_free(&m);
+        }
+}
+
 /* A prism whose upper edge 32-33... passes diagonally under the corner where four plates meet. */
 static void edge_under_a_corner_of_four(void **state)
 {
@@ -912,6 +988,8 @@ int main(void)
         cmocka_unit_test(boxes_seen_obliquely),
         cmocka_unit_test(edge_under_a_corner_of_four),
         cmocka_unit_test(border_that_runs_nearly_along),
+        cmocka_unit_test(borders_at_flat_angles),
+        cmocka_unit_test(pierced_planes_in_any_order),
         cmocka_unit_test(perspective_by_hand),
         cmocka_unit_test(near_plane_by_hand),
         cmocka_unit_test(side_that_weaves_through_the_near_plane),

@@ -2,6 +2,7 @@
 #include "hide/pair.h"
 
 #include "hide/tests_wide.h"
+#include "hide/parts.h"
 
 bool hide_within_reach(const hide_picture *picture, const hide_front *front, const hide_edge *e)
 {
@@ -16,8 +17,10 @@ bool hide_pierce_all(const hide_picture *picture, const hide_face *face, uint32_
 {
     hide_part inside = *part;
     for (; bits; bits &= bits - 1)
-        if (!hide_pierce(&picture->space, face + bits_trailing_zeros(bits), e, sides, part))
+        if (!hide_pierce(&picture->space, face + bits_trailing_zeros(bits), e, &inside, sides, part))
             return false;
+    if (!hide_is_left(&picture->space, e, part))
+        return false;
     tally->pierced += part->t0 != inside.t0 || part->t1 != inside.t1;
     return true;
 }
@@ -54,14 +57,7 @@ BITS_INLINE bool by_face(const hide_picture *picture, const hide_face *F, double
 /* Lets the hull of what is known to be hidden hold a part, with which it begins if nothing has been `*found`. */
 static void join(hide_part *hull, bool *found, const hide_part *part)
 {
-    if (!*found || part->t0 < hull->t0) {
-        hull->t0 = part->t0;
-        hull->e0 = part->e0;
-    }
-    if (!*found || part->t1 > hull->t1) {
-        hull->t1 = part->t1;
-        hull->e1 = part->e1;
-    }
+    *hull = *found ? hide_parts_joined(hull, part) : *part;
     *found = true;
 }
 

@@ -52,9 +52,8 @@ bool hide_parts_hull(hide_parts *hulls, uint32_t solid, hide_part *part)
 static int compare(const void *pa, const void *pb)
 {
     const hide_solid_part *a = pa, *b = pb;
-    double reach_a = a->part.t0 - a->part.e0, reach_b = b->part.t0 - b->part.e0;
-    if (reach_a != reach_b)
-        return reach_a < reach_b ? -1 : 1;
+    if (a->part.r0 != b->part.r0)
+        return a->part.r0 < b->part.r0 ? -1 : 1;
     if (a->part.t0 != b->part.t0)
         return a->part.t0 < b->part.t0 ? -1 : 1;
     return (a->solid > b->solid) - (a->solid < b->solid);
@@ -95,7 +94,7 @@ static void put_in_place(hide_solid_part *item, size_t count)
 
 static float begins(const hide_solid_part *p)
 {
-    return (float)(p->part.t0 - p->part.e0);
+    return (float)p->part.r0;
 }
 
 /* By a float's worth of where they begin, without comparing; false: no memory. */

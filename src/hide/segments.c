@@ -169,7 +169,7 @@ static bool take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
             return false;
         if (fronts == 0) {
             line->hidden = true;
-            if (!hide_parts_add(&line->parts, solid, &(hide_part){0.0, 1.0, 0.0, 0.0}))
+            if (!hide_parts_add(&line->parts, solid, &(hide_part){0.0, 1.0, 0.0, 1.0}))
                 return false;
         }
     }

@@ -8,6 +8,7 @@ void fast_take(fast_outline *o, const roberts_vec3 *P, const uint32_t *corner, u
     uint32_t first = corner[0];
     two p = two_of(P[first].x, P[first].y);
     o->corner = corner;
+    o->sides = count;
     o->count = count + count % 2;
     for (uint32_t i = 0; i < count; i++) {
         uint32_t second = corner[i + 1 < count ? i + 1 : 0], lower = first < second ? first : second;
@@ -71,10 +72,20 @@ fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const h
     return FAST_CUT;
 }
 
+double fast_reach_along(const fast_outline *o, const hide_space *space, const hide_edge *e, int i, double touch,
+                        double *t)
+{
+    hide_face F = {.corner = o->corner, .count = o->sides};
+    uint32_t first = (uint32_t)i < o->sides ? (uint32_t)i : o->sides - 1; /* of an odd number the last stands twice */
+    reach_border border = {&F, first, first + 1 < o->sides ? first + 1 : 0, touch > 0.0};
+    return reach_along(space, e, &border, fabs(touch), t);
+}
+
 fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
                               hide_part *part)
 {
-    *part = (hide_part){0.0, 1.0, 0.0, 0.0};
+    int inward = -1, outward = -1; /* the sides of the last crossing inward and the first one outward */
+    *part = hide_whole;
     for (uint32_t out = H->out_a | H->out_b; out; out &= out - 1) {
         int i = bits_trailing_zeros(out);
         double a = H->a[i], b = H->b[i], dx = o->dx[i], dy = o->dy[i], ox = o->ox[i], oy = o->oy[i];
@@ -92,14 +103,18 @@ fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, co
         if (a < 0.0) {
             if (t > part->t0) {
                 part->t0 = t;
-                part->e0 = space->epsilon * length / apart;
+                inward = i;
             }
         } else if (t < part->t1) {
             part->t1 = t;
-            part->e1 = space->epsilon * length / apart;
+            outward = i;
         }
         if (part->t0 >= part->t1)
             return FAST_EMPTY;
     }
+    if (!((part->t1 - part->t0) * e->length3 > space->epsilon))
+        return FAST_EMPTY;
+    part->r0 = fast_reach(o, space, e, H, inward, &part->t0);
+    part->r1 = fast_reach(o, space, e, H, outward, &part->t1);
     return (part->t1 - part->t0) * e->length3 > space->epsilon ? FAST_CUT : FAST_EMPTY;
 }

@@ -4,12 +4,12 @@
  * without looking at lengths and errors. The sides' functions H_i(A), H_i(B) are computed two at a time, in the form
  * that test 4 needs for t_i, so that the part found is the same to the last bit. Where a sign is not plain (but for those of
  * an edge that ends well inside), or a crossing not accurate, the verdict is left to tests.c. */
-#ifndef ROBERTS_HIDE_TESTS_FAST_H
-#define ROBERTS_HIDE_TESTS_FAST_H
+#ifndef ROBERTS_HIDE_QUICK_H
+#define ROBERTS_HIDE_QUICK_H
 
 #include "base/bits.h"
 #include "base/lanes.h"
-#include "hide/space.h"
+#include "hide/reach.h"
 
 /* Corners of the outlines that are taken up; those of more are left to tests.c. Even. */
 #define FAST_CORNERS 16
@@ -18,7 +18,8 @@
  * does the first corner. */
 typedef struct fast_outline {
     const uint32_t *corner;                               /* whose; NULL: nobody's */
-    size_t count;                                         /* even */
+    uint32_t sides;                                       /* as many as there are */
+    size_t count;                                         /* ... made even */
     _Alignas(16) double x[FAST_CORNERS], y[FAST_CORNERS]; /* corners */
     double ox[FAST_CORNERS], oy[FAST_CORNERS];            /* of side i the end of smaller number */
     double dx[FAST_CORNERS], dy[FAST_CORNERS];            /* ... and from its first corner to the next */
@@ -87,11 +88,19 @@ BITS_INLINE fast_verdict fast_corners(const fast_outline *o, double plain, const
 fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
                               hide_part *part);
 
-/* epsilon along the edge where it crosses side i. */
-BITS_INLINE double fast_touch(const fast_outline *o, const hide_space *space, const fast_sides *H, int i)
+/* reach_along() of side i: it is crossed at *t, `touch` is below 0 where the edge comes in. */
+double fast_reach_along(const fast_outline *o, const hide_space *space, const hide_edge *e, int i, double touch,
+                        double *t);
+
+/* How far the edge is within epsilon of the border from *t on, where it crosses side i; i < 0: it does not. */
+BITS_INLINE double fast_reach(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
+                              int i, double *t)
 {
-    double length = sqrt(o->dx[i] * o->dx[i] + o->dy[i] * o->dy[i]);
-    return space->epsilon * length / fabs(H->a[i] - H->b[i]);
+    if (i < 0)
+        return *t;
+    double length = sqrt(o->dx[i] * o->dx[i] + o->dy[i] * o->dy[i]), apart = H->a[i] - H->b[i];
+    double touch = space->epsilon * length / apart; /* with its sign: below 0 where the edge comes in */
+    return reach_is_plain(space, e, fabs(touch)) ? *t + touch : fast_reach_along(o, space, e, i, touch, t);
 }
 
 /* Test 4. The error of a t_i is that of the two distances, 2 rounding (side + reach) each, over their difference, and side
@@ -119,9 +128,9 @@ BITS_INLINE fast_verdict fast_cut(const fast_outline *o, const hide_space *space
         return fast_cut_closely(o, space, e, H, part);
     if (t0 >= t1 || !((t1 - t0) * e->length3 > space->epsilon))
         return FAST_EMPTY;
-    *part =
-        (hide_part){t0, t1, in < 0 ? 0.0 : fast_touch(o, space, H, in), out < 0 ? 0.0 : fast_touch(o, space, H, out)};
-    return FAST_CUT;
+    double r0 = fast_reach(o, space, e, H, in, &t0), r1 = fast_reach(o, space, e, H, out, &t1);
+    *part = (hide_part){t0, t1, r0, r1};
+    return (t1 - t0) * e->length3 > space->epsilon ? FAST_CUT : FAST_EMPTY;
 }
 
 /* Is what lies inside plainly within what is hidden, with all that it touches? That is so where the point at which the hidden
@@ -162,7 +171,7 @@ BITS_INLINE fast_verdict fast_test(const fast_outline *o, const hide_space *spac
     if (H.out_a & H.out_b)
         return FAST_OUTSIDE;
     if (!(H.out_a | H.out_b)) {
-        *part = (hide_part){0.0, 1.0, 0.0, 0.0};
+        *part = hide_whole;
         return FAST_INSIDE;
     }
     if (hidden && fast_within(o, space->plain, &H, hidden))

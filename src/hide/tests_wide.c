@@ -251,7 +251,7 @@ static uint32_t side_between(const sight *s, uint32_t from, uint32_t to, int sid
 /* Where the edge crosses a side that cuts something off (`outside`), kept on the edge; else the edge's end. */
 static double guess(const sight *s, uint32_t i, bool outside, double end)
 {
-    double t = outside ? hide_cross_side(s->space, s->F, i, s->e).t : end;
+    double t = outside ? hide_cross_side(s->space, s->F, hide_side_of(s->F, i), s->e).t : end;
     return t > 0.0 ? lesser(t, 1.0) : 0.0;
 }
 
@@ -264,16 +264,17 @@ static bool begin(const sight *s, hide_sides *sides, double *s0, double *s1)
     if (s->left == ROBERTS_NONE || s->right == ROBERTS_NONE)
         return true;
     uint32_t in = side_between(s, s->left, s->right, 1), out = side_between(s, s->right, s->left, -1);
-    hide_side I = hide_side_signs(s->space, s->F, in, s->e, &sides->refined);
-    hide_side O = hide_side_signs(s->space, s->F, out, s->e, &sides->refined);
+    hide_side I = hide_side_signs(s->space, s->F, hide_side_of(s->F, in), s->e, &sides->refined);
+    hide_side O = hide_side_signs(s->space, s->F, hide_side_of(s->F, out), s->e, &sides->refined);
     *s0 = guess(s, in, I.a < 0, 0.0);
     *s1 = guess(s, out, O.b < 0, 1.0);
     return !hide_side_outside(I) && !hide_side_outside(O);
 }
 
-/* Sides that cut something off, or chords of straight runs, by their ends. */
+/* Sides that cut something off, or chords of straight runs. */
 typedef struct cuts {
-    uint32_t end[CUTS][2], count;
+    hide_chord side[CUTS];
+    uint32_t count;
     hide_side H[CUTS];
 } cuts;
 
@@ -287,17 +288,15 @@ static hide_verdict ask_sides(const sight *s, hide_sides *sides, double s0, doub
     for (uint32_t i = 0, end; runs_next(s->r, from, to, &i, &end, &straight);)
         for (uint32_t next; i < end; i = next) {
             next = straight ? end : i + 1;
-            uint32_t p = s->F->corner[i], q = runs_corner(s->r, s->F->corner, next);
-            hide_face side = {.corner = (uint32_t[]){p, q}, .count = 2};
-            hide_side H = hide_side_signs(s->space, &side, 0, s->e, &sides->refined);
+            hide_chord side = {i, next < s->F->count ? next : 0};
+            hide_side H = hide_side_signs(s->space, s->F, side, s->e, &sides->refined);
             if (hide_side_outside(H))
                 return HIDE_VISIBLE;
             if (H.a >= 0 && H.b >= 0)
                 continue;
             if (c->count++ == CUTS)
                 return HIDE_UNDECIDED;
-            c->end[c->count - 1][0] = p;
-            c->end[c->count - 1][1] = q;
+            c->side[c->count - 1] = side;
             c->H[c->count - 1] = H;
         }
     return c->count ? HIDE_UNDECIDED : HIDE_INVISIBLE;
@@ -306,13 +305,12 @@ static hide_verdict ask_sides(const sight *s, hide_sides *sides, double s0, doub
 /* Test 4 of these. */
 static bool cut_by(const sight *s, hide_sides *sides, const cuts *c, hide_part *part)
 {
+    hide_cutting cutting = {s->space, s->F, s->e, &sides->refined};
     hide_cut cut = hide_uncut;
-    for (uint32_t k = 0; k < c->count; k++) {
-        hide_face side = {.corner = c->end[k], .count = 2};
-        if (!hide_cut_by(s->space, &side, 0, c->H[k], s->e, &cut, &sides->refined))
+    for (uint32_t k = 0; k < c->count; k++)
+        if (!hide_cut_by(&cutting, c->side[k], c->H[k], &cut))
             return false;
-    }
-    return hide_cut_end(s->space, s->e, &cut, &sides->refined, part);
+    return hide_cut_end(&cutting, &cut, part);
 }
 
 /* Tests 3 and 4 by guesses; false where all sides are to be asked. `*verdict` HIDE_UNDECIDED: test 4 has found `part`, or that
@@ -330,7 +328,7 @@ static bool by_guesses(const sight *s, hide_sides *sides, hide_verdict *verdict,
             return true;
         if (c.count > CUTS)
             return false;
-        *part = (hide_part){0.0, 1.0, 0.0, 0.0};
+        *part = hide_whole;
         if (*verdict == HIDE_UNDECIDED && !cut_by(s, sides, &c, part)) {
             part->t0 = part->t1;
             return true;

@@ -77,12 +77,6 @@ static inline bool runs_hold(const runs_node *n, double px, double py)
  * - 1. False: all do. */
 bool runs_next(const runs *r, roberts_vec3 A, roberts_vec3 B, uint32_t *side, uint32_t *end, bool *straight);
 
-/* The corner with which side i begins, counted round. */
-static inline uint32_t runs_corner(const runs *r, const uint32_t *corner, uint32_t i)
-{
-    return corner[i < r->tree.items ? i : 0];
-}
-
 /* Is (x, y) inside the polygon of these corners, whose runs these are, or no farther outside than `slack`? */
 bool runs_hold_point(const hide_space *space, const runs *r, const uint32_t *corner, double x, double y, double slack);
 
