@@ -413,6 +413,57 @@ static void edge_under_a_corner_of_four(void **state)
     model_free(&m);
 }
 
+/* Solids that are convex only within the tolerance, seen from the top: their outlines are not convex. A tetrahedron
+ * below is hidden all the same. */
+static void outlines_that_are_not_convex(void **state)
+{
+    static const struct {
+        const char *name;
+        roberts_vec3 corner[6];
+        size_t count, edge_on;
+        uint32_t face[8][4]; /* three corners and a 0, or four */
+    } table[] = {
+        /* A prism with corner 4 a little inside. 1-3-4 and 1-2-4 are slivers, 0-1-3 and 2-4-5 edge-on. 2 and 5 are one
+         * point of the picture: the outline runs from there to 4 and back. */
+        {"out along a sliver and back",
+         {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, {1.999999, 1e-7, 1}, {0, 2, 1}},
+         6,
+         3,
+         {{0, 1, 2}, {3, 4, 5}, {0, 1, 3}, {1, 3, 4}, {1, 2, 4}, {2, 4, 5}, {0, 2, 5, 3}}},
+        /* A pyramid that stands on its tip, the side 0-1 of its upper face with a dent at 3, near to 0. */
+        {"inward where no face is edge-on",
+         {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0.02, 2e-5, 0}, {0.5, 0.5, -1}},
+         5,
+         0,
+         {{0, 2, 3}, {1, 2, 3}, {0, 3, 4}, {1, 3, 4}, {1, 2, 4}, {0, 2, 4}}},
+    };
+    roberts_camera camera = preset("top");
+    roberts_hide_options options = with_hidden();
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        model m = {0};
+        size_t segments = 0;
+        for (size_t v = 0; v < table[i].count; v++)
+            model_vertex(&m, table[i].corner[v]);
+        for (size_t f = 0; table[i].face[f][1]; f++)
+            model_face(&m, table[i].face[f], table[i].face[f][3] ? 4 : 3);
+        model_close_solid(&m);
+        add_tetrahedron(
+            &m, (roberts_vec3[]){{0.3, 1e-4, -0.2}, {0.4, 1e-4, -0.2}, {0.3, 2e-4, -0.2}, {0.32, 1.5e-4, -0.1}});
+        roberts_drawing drawing = model_draw(&m, &camera, &options);
+        assert_int_equal(drawing.edge_on_faces, table[i].edge_on);
+        for (size_t k = 0; k < drawing.count; k++) {
+            const roberts_segment *s = &drawing.segment[k];
+            if (s->solid == 1 && s->state != ROBERTS_HIDDEN)
+                fail_msg("%s: edge %u-%u is seen from %g to %g", table[i].name, s->v0, s->v1, s->t0, s->t1);
+            segments += s->solid == 1;
+        }
+        assert_int_equal(segments, 6);
+        roberts_drawing_free(&drawing);
+        model_free(&m);
+    }
+}
+
 /* A bar's edge of y = 0 from x = 0 to 10 under three plates: one hides x < 5, one x > 6, and one up to x = 3.6, where its
  * border crosses the edge so obliquely that at x = 6 its line is still within epsilon of the edge. But the border has ended at
  * x = 4, or where the bar rises the edge is nearer than the plate from there on; between the other two the edge is seen. */
@@ -987,6 +1038,7 @@ int main(void)
         cmocka_unit_test(boxes_by_table),
         cmocka_unit_test(boxes_seen_obliquely),
         cmocka_unit_test(edge_under_a_corner_of_four),
+        cmocka_unit_test(outlines_that_are_not_convex),
         cmocka_unit_test(border_that_runs_nearly_along),
         cmocka_unit_test(borders_at_flat_angles),
         cmocka_unit_test(pierced_planes_in_any_order),
