@@ -16,7 +16,7 @@
 
 #include <cmocka.h>
 
-#include "model/off_pieces.h"
+#include "read/off.h"
 #include "roberts.h"
 
 enum { ROOM = 1 << 14 };
@@ -631,7 +631,7 @@ static void looks_again_not_for_ever(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         endless source = {rows[i].head, rows[i].body, 0};
-        const off_source both = {
+        const input_source both = {
             .read = read_endless, .context = &source, .read_at = read_endless_at, .go = go_endless};
         roberts_mesh mesh = {0};
         roberts_error error;

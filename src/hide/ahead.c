@@ -5,8 +5,7 @@
 
 #include "base/array.h"
 #include "base/bits.h"
-#include "base/fetch.h"
-#include "base/radix.h"
+#include "base/sort.h"
 
 /* Fewer solids than this do not leave the cache. */
 #define MANY_SOLIDS 32768

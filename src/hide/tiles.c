@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/radix.h"
+#include "base/sort.h"
 
 /* Side of a tile in cells of covers: at least seven mean boxes, 128 kB of cells. */
 #define TILE_CELLS 128

@@ -4,7 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "base/angle.h"
+#include "base/vec.h"
 #include "base/error.h"
 #include "base/lanes.h"
 

@@ -1,5 +1,5 @@
-/* radix.c - least significant digit first, 11 bits at a time. */
-#include "base/radix.h"
+/* sort.c - radix sort: least significant digit first, 11 bits at a time. */
+#include "base/sort.h"
 
 #include <stdlib.h>
 #include <string.h>

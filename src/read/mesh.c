@@ -1,5 +1,5 @@
 /* mesh.c - the mesh as a container: appending, going back, releasing. */
-#include "model/mesh.h"
+#include "read/mesh.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -48,7 +48,7 @@ void mesh_back(roberts_mesh *mesh, mesh_mark mark)
     drop(mark.has_source, &mesh->source, &mesh->source_room);
 }
 
-/* array_reserve() that ends at what uint32_t can number, so that a count below the room needs no other check. */
+/* array_reserve() up to what uint32_t can number, so that a count below the room needs no other check. */
 static bool reserve(void *array, size_t *room, size_t need, size_t most, size_t size)
 {
     if (need > most || !array_reserve(array, room, need, size))
@@ -92,7 +92,7 @@ bool mesh_room(roberts_mesh *mesh, size_t vertices, size_t faces, size_t corners
     return true;
 }
 
-/* Makes colours up to `count`, those from `filled` on without colour. */
+/* Makes `count` colours; those from `filled` on are none. */
 static bool fill(roberts_color **color, size_t *room, size_t filled, size_t count)
 {
     if (!array_reserve(color, room, count, sizeof **color))

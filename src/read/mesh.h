@@ -2,8 +2,8 @@
  *
  * Invariants between calls: face_start[0] = 0, starts ascend and end at corner_count; a colour array is NULL or as long
  * as what it colours; every corner is below vertex_count. */
-#ifndef ROBERTS_MODEL_MESH_H
-#define ROBERTS_MODEL_MESH_H
+#ifndef ROBERTS_READ_MESH_H
+#define ROBERTS_READ_MESH_H
 
 #include <math.h>
 
@@ -15,7 +15,7 @@
 /* Greatest coordinate, model units: squares and products of three stay finite, as do those of differences. */
 #define MESH_COORDINATE_MAX 1e150
 
-/* Whether coordinates can be computed with. */
+/* Whether one can compute with this coordinate. */
 static inline bool mesh_coordinate(double x)
 {
     return fabs(x) <= MESH_COORDINATE_MAX;
@@ -26,10 +26,10 @@ static inline bool mesh_position(roberts_vec3 p)
     return mesh_coordinate(p.x) && mesh_coordinate(p.y) && mesh_coordinate(p.z);
 }
 
-/* How much of a mesh there was, to go back to. */
+/* How much of a mesh there was, for going back to it. */
 typedef struct mesh_mark {
     size_t vertices, faces, corners, sources;
-    bool has_vertex, has_start, has_corner, has_vertex_color, has_face_color, has_source; /* arrays that there were */
+    bool has_vertex, has_start, has_corner, has_vertex_color, has_face_color, has_source; /* which arrays there were */
 } mesh_mark;
 
 mesh_mark mesh_here(const roberts_mesh *mesh);
@@ -40,7 +40,7 @@ bool mesh_more_vertices(roberts_mesh *mesh);
 bool mesh_more_faces(roberts_mesh *mesh);
 bool mesh_more_corners(roberts_mesh *mesh, size_t more);
 
-/* Room for so many in all. */
+/* Room for so many in all. False as above. */
 bool mesh_room(roberts_mesh *mesh, size_t vertices, size_t faces, size_t corners);
 
 static inline bool mesh_vertex_room(roberts_mesh *mesh)
@@ -58,11 +58,11 @@ static inline bool mesh_corner_room(roberts_mesh *mesh, size_t more)
     return more <= mesh->corner_room - mesh->corner_count || mesh_more_corners(mesh, more);
 }
 
-/* Sets the colour of vertex or face `index`, the last one there is; those before that have none get count 0. */
+/* Sets the colour of vertex or face `index`, the last one there is. Those before it that have none get count 0. */
 bool mesh_color_vertex(roberts_mesh *mesh, size_t index, roberts_color color, size_t *filled);
 bool mesh_color_face(roberts_mesh *mesh, size_t index, roberts_color color, size_t *filled);
 
-/* Gives all vertices and faces beyond `*filled` that have no colour yet count 0, where others have one. */
+/* Where some vertices or faces have a colour, gives count 0 to those from `filled` on. */
 bool mesh_color_rest(roberts_mesh *mesh, size_t vertices_filled, size_t faces_filled);
 
 /* Notes that what follows comes from an input called `name` (copied). */

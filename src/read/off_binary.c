@@ -1,11 +1,11 @@
 /* off_binary.c - vertices and faces as 32-bit words.
  *
  * Geomview writes big-endian words: [dimension] vertices faces edges; the vertices' floats in the order of the text
- * form, with four for a colour; per face the number of corners, the corners, the number of colour floats, these. Other
- * programs write the machine's own order, and some leave out the number of colour floats. Both are found out from the
- * data: the order by which of the two makes sensible floats of the first vertices (else the smaller counts), the
- * missing number by walking over the first faces. */
-#include "model/off.h"
+ * form, with four for a colour; for each face the number of corners, the corners, the number of colour floats, and
+ * these. Other programs write the machine's own order, and some leave out the number of colour floats. The data tell
+ * which: the right order makes sensible floats of the first vertices (if both or neither do, smaller counts win), and a
+ * walk over the first faces shows whether the number is missing. */
+#include "read/off.h"
 
 #include <math.h>
 #include <string.h>
@@ -50,7 +50,7 @@ static bool next_word(off_reader *r, const words *w, uint32_t *word)
     return true;
 }
 
-/* count 0: there is but one of these. */
+/* count 0: there is only one of these, and it has no number. */
 static roberts_status ends_in(off_reader *r, const char *what, uint64_t number, uint64_t count)
 {
     if (r->in.failure)
@@ -63,14 +63,14 @@ static roberts_status ends_in(off_reader *r, const char *what, uint64_t number, 
 
 /* ---- the order of bytes ------------------------------------------------------------------------------------------ */
 
-/* Whether a float is of a size that models have; 0 says nothing, since it is 0 in either order. */
+/* Whether a float has a size that coordinates have. 0 says nothing: it is 0 in either order. */
 static bool likely(uint32_t word)
 {
     double size = fabs((double)float_of(word));
     return size > 0x1p-40 && size < 0x1p40;
 }
 
-/* At the first count. Looks no further than the vertices reach in either order. */
+/* At the first count. Looks only at what vertices are in either order. */
 static bool little_endian(off_reader *r, const words *w)
 {
     uint64_t big = 0, little = 0, floats = VOTES;
@@ -84,7 +84,7 @@ static bool little_endian(off_reader *r, const words *w)
         uint64_t most = (uint64_t)w->per_vertex * word_at(r->in.at, i);
         floats = most < floats ? most : floats;
     }
-    input_need(&r->in, (counts + floats) * WORD); /* where it ends before, what there is */
+    input_need(&r->in, (counts + floats) * WORD); /* if the input ends before, less will do */
     for (size_t i = 0; i < floats && (counts + i + 1) * WORD <= (size_t)(r->in.end - r->in.at); i++) {
         const char *at = r->in.at + (counts + i) * WORD;
         votes += likely(word_at(at, true)) - likely(word_at(at, false));
@@ -146,15 +146,15 @@ static roberts_status read_vertex(off_reader *r, const words *w, uint64_t v)
 
 /* ---- faces ------------------------------------------------------------------------------------------------------- */
 
-/* A colour's float that a program would write. */
+/* Whether a program would write this as a colour's float. */
 static bool color_float(uint32_t word)
 {
     double value = float_of(word);
     return value == 0.0 ? word == 0 : value >= 0x1p-24 && value <= 255.0;
 }
 
-/* Whether what follows can be faces, each with its number of colour floats or without. An end between two faces is
- * no contradiction. */
+/* Whether faces can follow here: each with its number of colour floats, or each without. The input may end between two
+ * faces. */
 static bool faces_fit(off_reader *r, const words *w, bool colors)
 {
     size_t at = 0;
@@ -163,7 +163,7 @@ static bool faces_fit(off_reader *r, const words *w, bool colors)
             return f > 0 && (size_t)(r->in.end - r->in.at) == at;
         uint64_t count = word_at(r->in.at + at, w->little);
         size_t length = WORD * (1 + (size_t)count + colors);
-        if (count > OFF_BLOCK / WORD || at + length + COLOR_MOST * WORD > OFF_BLOCK)
+        if (count > INPUT_BLOCK / WORD || at + length + COLOR_MOST * WORD > INPUT_BLOCK)
             return count < LIKELY_CORNERS; /* out of sight */
         if (!input_need(&r->in, at + length))
             return false;

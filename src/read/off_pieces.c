@@ -1,10 +1,16 @@
-/* off_pieces.c - plain lines by several threads.
+/* off_pieces.c - plain lines by several threads, in an input that can be read at any place at any time.
  *
- * Pieces lie in a ring of slots. A thread takes the next piece, reads it, and puts it down; where nobody else is at it, it
- * then joins what has come in order to the mesh, while the others go on reading. They wait only where the ring is full, and
- * asleep: rounds at whose end all wait for one another were tried, and on a busy machine cost twice the processor time,
- * spent spinning. */
-#include "model/off_pieces.h"
+ * The input is cut at line ends into pieces. A thread reads a piece as if a vertex or a face began with its first line,
+ * into memory of its own, since nobody yet knows how many precede it. Pieces are joined in order as long as each begins
+ * where the one before it was read to, so they hold what one thread would have found there. Where something else than
+ * plain lines comes, the rest is dropped; the reader goes on alone from there, with its line number. So messages do not
+ * depend on threads.
+ *
+ * Pieces lie in a ring of slots. A thread takes the next piece, reads it and puts it down. If nobody else is joining,
+ * it then joins to the mesh what has come in order, while the others go on reading. Threads wait only where the ring is
+ * full, and asleep. (Rounds at whose end all wait for one another were tried. On a busy machine they cost twice the
+ * processor time, spent spinning.) */
+#include "read/off.h"
 
 #include <pthread.h>
 #include <stdlib.h>
@@ -12,27 +18,26 @@
 
 #include "base/array.h"
 #include "base/threads.h"
-#include "model/off_plain.h"
 
 enum {
     SLOTS_PER_THREAD = 6,
-    TRIES_IN_VAIN = 3, /* that give less than half of what the ring holds, until pieces are given up */
+    TRIES_IN_VAIN = 3, /* so many tries may give less than half of what the ring holds; then pieces are given up */
     SPREAD =
         4 /* bytes of the mesh from a byte of text, at most: 24 from "0 0 0\n", 4 from the "0\n" of a face, or " 0" */
 };
 
-#define PIECE ((size_t)1 << 17)    /* its text and what it becomes lie well in a core's cache */
+#define PIECE ((size_t)1 << 17)    /* text and result fit in a core's cache */
 #define OVERHANG ((size_t)1 << 12) /* a face of some 500 corners */
 #define LEAST ((size_t)1 << 19)    /* half a millisecond */
 
-/* What becomes of a piece. Offsets are counted from the start of the input. */
+/* What a piece yields. Offsets are counted from the start of the input. */
 typedef struct piece {
-    roberts_vec3 *vertex;   /* [vertices]; the others lie behind them, in the same memory */
+    roberts_vec3 *vertex;   /* [vertices]; the other arrays lie behind, in the same memory */
     uint32_t *corner, *end; /* [corners], [faces]; ends are counted from the first corner of the piece */
     size_t vertices, faces, corners, thin;
     uint64_t begin;        /* of the line end before its first line */
     uint64_t middle, stop; /* after the last vertex, after the last face */
-    uint64_t next;         /* `begin` of the next piece, where this one is plain to its end; else 0 */
+    uint64_t next;         /* `begin` of the next piece if this one is plain to its end; else 0 */
 } piece;
 
 typedef struct slot {
@@ -41,20 +46,20 @@ typedef struct slot {
 } slot;
 
 typedef struct pieces_job {
-    off_reader *r; /* whose mesh is touched by the one thread that is joining */
+    off_reader *r; /* only the thread that is joining touches its mesh */
     const off_division *division;
     slot *slot;           /* [slots] piece i is in slot i modulo `slots` */
     char **text;          /* [threads] what a thread reads a piece into */
     size_t slots, count;  /* count: of pieces in all */
     uint64_t start;       /* of the first piece, the end of a token */
-    pthread_mutex_t lock; /* over what follows down to `vertices`, and the slots' `ready` */
+    pthread_mutex_t lock; /* guards what follows down to `vertices`, and the slots' `ready` */
     pthread_cond_t room;  /* a slot is free, or it is over */
     size_t taken, joined; /* pieces */
     bool joining, over;
     bool vertices; /* some are left */
-    /* and of the thread that is joining: */
+    /* only the thread that is joining touches these: */
     uint64_t vertices_left, faces_left;
-    uint64_t at, begin; /* the reader's place, and where the next piece has to begin */
+    uint64_t at, begin; /* where the reader is, and where the next piece has to begin */
 } pieces_job;
 
 /* Bytes that a piece may have. */
@@ -63,10 +68,11 @@ static inline size_t most_bytes(const off_division *d)
     return d->piece + d->overhang;
 }
 
-/* ---- reading a piece ------------------------------------------------------------------------------------------------ */
+/* ---- reading a piece --------------------------------------------------------------------------------------------- */
 
-/* Reads `size` bytes of text, fewer at the end of the input or where reading fails; the one reader will find that again. */
-static size_t fetch(const off_input *in, uint64_t from, char *text, size_t size)
+/* Reads `size` bytes of text; fewer at the end of the input, or where reading fails. (The reader then fails there
+ * again.) */
+static size_t fetch(const input *in, uint64_t from, char *text, size_t size)
 {
     size_t got = 0;
     while (got < size) {
@@ -78,8 +84,8 @@ static size_t fetch(const off_input *in, uint64_t from, char *text, size_t size)
     return got;
 }
 
-/* Finds the lines of piece i: from the line end before the first up to that of the last, which is the first one not within
- * the piece's own bytes. NULL: there are none. */
+/* Finds the lines of piece i: from the line end before the first one up to that of the last one, the first line end
+ * beyond the piece's own bytes. NULL: there are none. */
 static const char *find_lines(const pieces_job *job, size_t i, piece *p, char *text, const char **end)
 {
     const off_division *d = job->division;
@@ -130,9 +136,10 @@ static void read_piece(const pieces_job *job, size_t i, bool vertices, piece *p,
         p->next = 0;
 }
 
-/* ---- joining, by one thread at a time --------------------------------------------------------------------------------- */
+/* ---- joining, by one thread at a time ---------------------------------------------------------------------------- */
 
-/* Drops what the reader would read otherwise, which counts vertices first and then faces; returns where it then is. */
+/* Drops what the reader would take otherwise: it counts vertices first and then faces. Returns where the reader then
+ * is. */
 static uint64_t accept(const pieces_job *job, piece *p)
 {
     if (p->begin != job->begin || p->vertices > job->vertices_left) {
@@ -147,7 +154,7 @@ static uint64_t accept(const pieces_job *job, piece *p)
     return p->middle;
 }
 
-/* Adds the piece to the mesh. False: no memory, or no more than this can follow. */
+/* Adds the piece to the mesh. False: no memory, or no other piece can follow. */
 static bool join(pieces_job *job, piece *p)
 {
     off_reader *r = job->r;
@@ -174,7 +181,7 @@ static bool join(pieces_job *job, piece *p)
     return p->next != 0;
 }
 
-/* Joins what is ready, in order. Holds the lock, but for joining itself. */
+/* Joins what is ready, in order. Called with the lock held; gives it up while joining. */
 static void join_ready(pieces_job *job)
 {
     slot *s;
@@ -191,9 +198,9 @@ static void join_ready(pieces_job *job)
     job->joining = false;
 }
 
-/* ---- threads ------------------------------------------------------------------------------------------------------- */
+/* ---- threads ----------------------------------------------------------------------------------------------------- */
 
-/* Reads piece after piece, until there is none or the rest is dropped. */
+/* Reads piece after piece until there is none or the rest is dropped. */
 static void work(void *context, uint32_t thread)
 {
     pieces_job *job = context;
@@ -230,7 +237,7 @@ static void run(off_work_fn *function, void *job, uint32_t threads)
 off_division off_divide(uint32_t threads)
 {
 #ifdef _OPENMP
-    if (omp_in_parallel()) /* as where pictures are made side by side: all threads have something to do */
+    if (omp_in_parallel()) /* pictures are made side by side: all threads are busy */
         threads = 1;
     else if (threads == 0)
         threads = (uint32_t)omp_get_max_threads();
@@ -240,7 +247,7 @@ off_division off_divide(uint32_t threads)
     return (off_division){threads < ROBERTS_THREADS_MOST ? threads : ROBERTS_THREADS_MOST, PIECE, OVERHANG, LEAST, run};
 }
 
-/* ---- the job -------------------------------------------------------------------------------------------------------- */
+/* ---- the job ----------------------------------------------------------------------------------------------------- */
 
 static void job_free(pieces_job *job, uint32_t threads)
 {
@@ -252,7 +259,7 @@ static void job_free(pieces_job *job, uint32_t threads)
     free(job->text);
 }
 
-/* False: no memory. To be freed also then. */
+/* False: no memory. Call job_free() in either case. */
 static bool job_init(pieces_job *job, uint32_t threads)
 {
     const size_t most = most_bytes(job->division);
@@ -283,7 +290,7 @@ static void do_job(pieces_job *job, uint32_t threads)
 void off_read_pieces(off_reader *r)
 {
     const off_division *d = r->division;
-    const off_source *source = &r->in.source;
+    const input_source *source = &r->in.source;
     if (d->threads < 2 || !source->read_at || r->tries_in_vain >= TRIES_IN_VAIN)
         return;
     uint64_t start = input_offset(&r->in), left = source->size > start ? source->size - start : 0;
@@ -306,7 +313,7 @@ void off_read_pieces(off_reader *r)
         if (2 * (job.at - start) < job.slots * (uint64_t)d->piece)
             r->tries_in_vain++;
     } else {
-        r->tries_in_vain = TRIES_IN_VAIN; /* one thread needs less */
+        r->tries_in_vain = TRIES_IN_VAIN; /* one thread needs less memory */
     }
     job_free(&job, threads);
 }

@@ -1,5 +1,5 @@
-/* power.c - powers of ten, as power.h says. Made by tools/make-powers.c; change that. */
-#include "base/power.h"
+/* number_powers.c - powers of ten to 128 bits, as number.h says. Made by tools/make-powers.c; change that. */
+#include "base/number.h"
 
 /* clang-format off */
 const power_ten power_table[POWER_MAX - POWER_MIN + 1] = {

@@ -1,12 +1,12 @@
 /* off_header.c - keyword, dimension and counts, in all the forms in which they are found.
  *
- * The keyword is [ST][C][N][4][n]OFF by the format; prefixes are taken in any order, since MeshLab writes NCSTOFF. It
- * may be missing, in lower case (then n stands for N), glued to the first count, and followed by BINARY. Without it, a
+ * The format says [ST][C][N][4][n]OFF. Prefixes are taken in any order, since MeshLab writes NCSTOFF. The keyword may be
+ * missing, in lower case (then n stands for N), glued to the first count, or followed by BINARY. Without a keyword, a
  * first line that holds one integer is a dimension (qhull). The edge count, which nobody needs, may be missing.
  *
- * A dimension with words behind it ("3 rbox 50 s") begins points without faces, of which only the number follows: so rbox
- * writes them and qhull reads them. */
-#include "model/off.h"
+ * A dimension with words behind it ("3 rbox 50 s") begins points without faces, and only their number follows: rbox
+ * writes points so, and qhull reads them. */
+#include "read/off.h"
 
 #include <string.h>
 
@@ -56,7 +56,7 @@ static size_t keyword(const char *token, size_t length, off_header *h)
     return i;
 }
 
-/* Takes "{" and "{ =", as often as they come (Geomview nests objects so); returns how many braces. */
+/* Takes "{" and "{ =" as often as they come (Geomview nests objects so). Returns how many braces. */
 static size_t open_braces(off_reader *r)
 {
     size_t count = 0;
@@ -73,10 +73,10 @@ bool off_at_keyword(off_reader *r)
     off_header unused = {0};
     open_braces(r);
     const size_t length = input_token(&r->in);
-    return length <= OFF_TOKEN_MAX && keyword(r->in.at, length, &unused) > 0;
+    return length <= INPUT_TOKEN_MAX && keyword(r->in.at, length, &unused) > 0;
 }
 
-/* Looks through a byte-order mark and braces. */
+/* Passes a byte-order mark and braces. */
 static roberts_status opening(off_reader *r)
 {
     if (input_need(&r->in, 3) && memcmp(r->in.at, "\xef\xbb\xbf", 3) == 0)
@@ -119,7 +119,7 @@ static bool lonely_integer(off_reader *r)
             return i > 0;
         if (c == ' ' || c == '\t')
             blank = true;
-        else if (c < '0' || c > '9' || blank || i > OFF_TOKEN_MAX)
+        else if (c < '0' || c > '9' || blank || i > INPUT_TOKEN_MAX)
             return false;
     }
 }
@@ -145,14 +145,14 @@ static roberts_status counts(off_reader *r)
     r->header.line = r->in.line;
     if (input_skip_in_line(&r->in)) {
         if (*r->in.at == '-')
-            r->in.at++; /* some write -1 for what they do not know */
+            r->in.at++; /* some programs write -1 for what they do not know */
         if (!off_integer(r, &edges))
             return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of edges");
     } else if (input_skip(&r->in) && lonely_integer(r)) {
         off_integer(r, &edges); /* on a line of its own */
         r->header.line = r->in.line;
     }
-    /* only 4OFF is doubtful: with OFF, more on this line is the first vertex */
+    /* only 4OFF is in doubt: with OFF, what else stands on this line is the first vertex */
     if (r->header.homogeneous && input_skip_in_line(&r->in) && off_integer(r, &edges))
         return off_fail(r, ROBERTS_BAD_SYNTAX,
                         "four counts: this is the 4OFF of four-dimensional polytopes with cells (as of Stella), not "
@@ -162,13 +162,13 @@ static roberts_status counts(off_reader *r)
     return ROBERTS_OK;
 }
 
-/* Whether an unsigned integer stands here and a word, which begins with a letter, behind it on the line. */
+/* Whether an unsigned integer stands here, and behind it on the line a word that begins with a letter. */
 static bool titled_integer(off_reader *r)
 {
     size_t i = 0;
-    while (input_need(&r->in, i + 1) && r->in.at[i] >= '0' && r->in.at[i] <= '9' && i < OFF_TOKEN_MAX)
+    while (input_need(&r->in, i + 1) && r->in.at[i] >= '0' && r->in.at[i] <= '9' && i < INPUT_TOKEN_MAX)
         i++;
-    for (size_t digits = i; input_need(&r->in, i + 1) && i < digits + OFF_TOKEN_MAX; i++) {
+    for (size_t digits = i; input_need(&r->in, i + 1) && i < digits + INPUT_TOKEN_MAX; i++) {
         char c = r->in.at[i];
         if (c != ' ' && c != '\t')
             return i > digits && digits > 0 && ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'));
@@ -181,7 +181,7 @@ static roberts_status count_points(off_reader *r)
 {
     uint64_t start = r->in.taken;
     while (input_skip_in_line(&r->in)) {
-        if (r->in.taken - start > OFF_BLANK_MAX)
+        if (r->in.taken - start > INPUT_BLANK_MAX)
             return off_fail(r, ROBERTS_BAD_SYNTAX, "the first line does not end");
         input_pass_token(&r->in);
     }
@@ -191,7 +191,7 @@ static roberts_status count_points(off_reader *r)
     return ROBERTS_OK;
 }
 
-/* What begins with a word that is no keyword. */
+/* Refuses an input that begins with a word that is no keyword. */
 static roberts_status refuse_word(off_reader *r, size_t length)
 {
     const char *format = off_foreign(r->in.at, length);
@@ -206,7 +206,7 @@ roberts_status off_read_header(off_reader *r)
     if (status != ROBERTS_OK)
         return status;
     size_t length = input_token(&r->in), word = 0;
-    if (length <= OFF_TOKEN_MAX)
+    if (length <= INPUT_TOKEN_MAX)
         word = keyword(r->in.at, length, &r->header);
     r->header.bare = word == 0;
     if (word == 0 && (*r->in.at < '0' || *r->in.at > '9'))

@@ -1,23 +1,155 @@
 /* off_text.c - vertices and faces as text.
  *
- * Numbers may be spread over lines in any way, but colours are what stands on the line: of a face whatever follows its
- * last corner, of a vertex (prefix C) whatever follows position and normal, the last two numbers excepted if there are
- * texture coordinates (prefix ST). 0, 1, 3 or 4 numbers are a colour. A vertex with any other count on its line is
- * taken to be laid out freely: then four numbers are its colour, wherever they stand. */
-#include "model/off.h"
+ * Numbers may be spread over lines in any way, but a colour is what else stands on the line: for a face all that
+ * follows its last corner; for a vertex (prefix C) all that follows position and normal, but for the last two numbers
+ * where there are texture coordinates (prefix ST). 0, 1, 3 or 4 numbers are a colour. A vertex with any other count on
+ * its line is taken to be laid out freely: the next four numbers are its colour, on whatever line they stand.
+ *
+ * Reading spends its time on plain lines (off.h), so two loops read those with everything written out. They gain little
+ * against the time of the whole program but more than half of that of reading. */
+#include "read/off.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "model/off_pieces.h"
-#include "model/off_plain.h"
+#include "base/number.h"
+
+/* ---- plain lines ------------------------------------------------------------------------------------------------- */
+
+static inline bool is_blank(char c)
+{
+    return c == ' ' || c == '\t';
+}
+
+static inline const char *pass_blanks(const char *at)
+{
+    while (is_blank(*at))
+        at++;
+    return at;
+}
+
+const char *plain_next_line(const char *at)
+{
+    at = pass_blanks(at);
+    at += *at == '\r';
+    return *at == '\n' ? at + 1 : NULL;
+}
+
+/* The first character of the next line that is no blank; NULL where the line does not end here. */
+BITS_INLINE const char *begin_line(const char *at)
+{
+    const char *c = *at == '\n' ? at + 1 : plain_next_line(at);
+    return c && (unsigned char)*c <= ' ' ? pass_blanks(c) : c;
+}
+
+static inline bool line_ends(const char *at)
+{
+    return *at == '\n' || plain_next_line(at);
+}
+
+/* Reads the one coordinate in some hundred that number_usual() leaves; NULL where it is no number, or too large. */
+BITS_RARE static const char *any_coordinate(const char *c, double *value)
+{
+    c = number_parse(c, value);
+    return c && (unsigned char)*c <= ' ' && mesh_coordinate(*value) ? c : NULL;
+}
+
+/* Reads a coordinate and goes to the next token of the line, or to the end of the line. */
+BITS_INLINE const char *coordinate(const char *c, number_guess *guess, double *value)
+{
+    const char *end = number_usual(c, guess, value); /* far below MESH_COORDINATE_MAX */
+    if (!end || (unsigned char)*end > ' ')
+        end = any_coordinate(c, value);
+    if (!end)
+        return NULL;
+    return *end == ' ' && (unsigned char)end[1] > ' ' ? end + 1 : pass_blanks(end);
+}
+
+const char *plain_vertices(const char *at, roberts_vec3 *vertex, size_t room, size_t *count)
+{
+    number_guess guess[3] = {number_guess_digits(8), number_guess_digits(8), number_guess_digits(8)};
+    size_t n = 0;
+    for (; n < room; n++) {
+        roberts_vec3 *p = &vertex[n];
+        const char *c = begin_line(at);
+        if (!c || !(c = coordinate(c, &guess[0], &p->x)) || !(c = coordinate(c, &guess[1], &p->y)) ||
+            !(c = coordinate(c, &guess[2], &p->z)) || !line_ends(c))
+            break;
+        at = c;
+    }
+    *count = n;
+    return at;
+}
+
+/* Where the next vertex number is not as long as the last one or not one blank away: returns its place, and makes the
+ * right guess. NULL where there is none. */
+BITS_RARE static const char *guess_again(const char *at, number_guess *guess)
+{
+    const char *c = pass_blanks(at);
+    int digits = number_digit_count(bits_load(c) ^ NUMBER_DIGITS);
+    if (c == at || digits == 0)
+        return NULL;
+    *guess = number_guess_digits(digits);
+    return c;
+}
+
+/* Reads `count` vertex numbers; NULL where one is not plain or out of range. */
+BITS_INLINE const char *plain_corners(const char *at, const plain_faces *f, number_guess *guess, uint32_t *corner,
+                                      uint32_t count)
+{
+    const uint32_t first = f->first, limit = f->limit;
+    for (const uint32_t *end = corner + count; corner < end; corner++) {
+        const char *c = at + 1;
+        uint64_t chunk = bits_load(c) ^ NUMBER_DIGITS;
+        if (!number_guess_right(chunk, guess) || *at != ' ') {
+            c = guess_again(at, guess);
+            if (!c)
+                return NULL;
+            chunk = bits_load(c) ^ NUMBER_DIGITS;
+        }
+        uint32_t index = (uint32_t)number_eight_digits(chunk << (64 - 8 * guess->digits));
+        if (index >= limit)
+            return NULL;
+        *corner = first + index;
+        at = c + guess->digits; /* a ninth digit would stand here, and is no blank */
+    }
+    return at;
+}
+
+const char *plain_read_faces(const char *at, plain_faces *faces)
+{
+    number_guess guess = number_guess_digits(1);
+    plain_faces f = *faces; /* a copy, so that its numbers can stay in registers */
+    while (f.count < f.room) {
+        const char *c = begin_line(at);
+        if (!c)
+            break;
+        uint32_t count = (uint32_t)(unsigned char)*c - '0';
+        int digits = 1;
+        if (count > 9 || c[1] != ' ')
+            digits = number_short_integer(c, &count);
+        if (digits == 0 || count == 0 || count > PLAIN_CORNERS || count > f.corner_room - f.corner_count)
+            break;
+        c = plain_corners(c + digits, &f, &guess, f.corner + f.corner_count, count);
+        if (!c || !line_ends(c))
+            break;
+        f.corner_count += count;
+        f.end[f.count++] = (uint32_t)f.corner_count;
+        f.thin += count < 3;
+        at = c;
+    }
+    *faces = f;
+    return at;
+}
+
+/* ---- all other lines --------------------------------------------------------------------------------------------- */
 
 enum {
     TEXTURE = 2,
     NORMAL = 3,
     CORNERS_AT_ONCE = 256,
     PATIENCE = 4, /* lines in a row that turn out not to be plain ... */
-    PAUSE = 60    /* ... and how many are not tried then */
+    PAUSE = 60    /* ... after which so many are not tried */
 };
 
 /* Reads one number of a colour; *real where it has a point or an exponent. */
@@ -29,7 +161,8 @@ static bool color_number(off_reader *r, double *value, bool *real)
     return off_number(r, value);
 }
 
-/* Whether plain lines are worth trying: after lines that were none, as many more are left to the other parser. */
+/* Whether plain lines are worth trying. After PATIENCE lines that were none, PAUSE more go to the other parser untried.
+ */
 typedef struct patience {
     uint32_t wait, fruitless;
 } patience;
@@ -48,7 +181,7 @@ static void tried(patience *p, size_t found)
     p->wait = p->fruitless == PATIENCE ? PAUSE : 0;
 }
 
-/* ---- vertices --------------------------------------------------------------------------------------------------- */
+/* ---- vertices ---------------------------------------------------------------------------------------------------- */
 
 static bool not_finite(off_reader *r)
 {
@@ -68,7 +201,7 @@ static roberts_status bad_vertex(off_reader *r, uint64_t v, const char *part)
                         part, (unsigned long long)v, (unsigned long long)r->header.vertices - 1);
 }
 
-/* Skips a normal: of no use here, so that "nan" is no reason to refuse a file. */
+/* Skips a normal. Nothing here needs it, so even "nan" will do. */
 static roberts_status skip_normal(off_reader *r, uint64_t v)
 {
     double unused;
@@ -84,7 +217,7 @@ static roberts_status skip_normal(off_reader *r, uint64_t v)
     return ROBERTS_OK;
 }
 
-/* Reads colour and texture coordinates; see the top of the file. */
+/* Reads colour and texture coordinates, as the top of the file says. */
 static roberts_status vertex_extras(off_reader *r, uint64_t v)
 {
     const int texture = r->header.texture ? TEXTURE : 0, most = texture + (r->header.color ? COLOR_MOST : 0);
@@ -103,7 +236,7 @@ static roberts_status vertex_extras(off_reader *r, uint64_t v)
         if (!not_finite(r))
             return bad_vertex(r, v, "the colour or texture");
         input_pass_token(&r->in);
-        value[count] = NAN; /* as a texture coordinate of no use, as a colour odd */
+        value[count] = NAN; /* no harm in a texture coordinate; an odd colour */
     }
     color.count = count - texture;
     memcpy(color.value, value, sizeof color.value);
@@ -148,7 +281,7 @@ static roberts_status read_vertex(off_reader *r, uint64_t v)
     return status;
 }
 
-/* Reads plain lines of the buffer as far as there is room in the mesh; returns how many vertices. */
+/* Reads plain lines of the buffer as far as the mesh has room; returns how many vertices. */
 static size_t take_vertices(off_reader *r, uint64_t left)
 {
     roberts_mesh *mesh = r->mesh;
@@ -170,7 +303,7 @@ static roberts_status read_vertices(off_reader *r)
     const uint64_t count = r->header.vertices;
     patience lines = {0};
     while (vertices_read(r) < count) {
-        if (plain && vertices_read(r) > 0) /* the counts' line may go on */
+        if (plain && vertices_read(r) > 0) /* the line of the counts may go on */
             off_read_pieces(r);
         if (plain && r->mesh->vertex_count < r->mesh->vertex_room && worth_trying(&lines))
             tried(&lines, take_vertices(r, count - vertices_read(r)));
@@ -183,18 +316,18 @@ static roberts_status read_vertices(off_reader *r)
     return ROBERTS_OK;
 }
 
-/* ---- faces ------------------------------------------------------------------------------------------------------ */
+/* ---- faces ------------------------------------------------------------------------------------------------------- */
 
 static bool long_index(off_reader *r, uint64_t limit, uint64_t *value)
 {
     size_t length = input_token(&r->in);
-    if (length > OFF_TOKEN_MAX || number_integer(r->in.at, value) != r->in.at + length || *value >= limit)
+    if (length > INPUT_TOKEN_MAX || number_integer(r->in.at, value) != r->in.at + length || *value >= limit)
         return false;
     r->in.at += length;
     return true;
 }
 
-/* Reads an unsigned integer below `limit`, nearly always a short one. False: nothing is taken. */
+/* Reads an unsigned integer below `limit`; nearly all are short. False: nothing is taken. */
 static inline bool index_number(off_reader *r, uint64_t limit, uint64_t *value)
 {
     uint32_t number;
@@ -219,13 +352,13 @@ static bool names_first(const off_reader *r, uint64_t i)
     return false;
 }
 
-/* Says why corner i of face f was not taken: `at` is still before it. Who counts from 1 comes here by the number of vertices,
- * and has not named vertex 0. */
+/* Says why corner i of face f was not taken; `at` is still before it. A file that counts from 1 comes here with the
+ * number of vertices as index, and has not named vertex 0. */
 static roberts_status bad_corner(off_reader *r, uint64_t f, uint64_t i, uint64_t count)
 {
     uint64_t index;
     bool negative = *r->in.at == '-';
-    off_input *in = &r->in;
+    input *in = &r->in;
     in->at += negative;
     if (!off_integer(r, &index)) {
         in->at -= negative;
@@ -240,7 +373,7 @@ static roberts_status bad_corner(off_reader *r, uint64_t f, uint64_t i, uint64_t
                     next && !names_first(r, i) ? "; up to here no face names vertex 0: do they count from 1?" : "");
 }
 
-/* Reads the corners of face f into the mesh. Room is made as they come: a declared count takes no memory. */
+/* Reads the corners of face f into the mesh. Room is made as they come: a count alone takes no memory. */
 static roberts_status read_corners(off_reader *r, uint64_t f, uint64_t count)
 {
     const uint32_t first = (uint32_t)r->mark.vertices;
@@ -268,14 +401,14 @@ static roberts_status read_corners(off_reader *r, uint64_t f, uint64_t count)
     return ROBERTS_OK;
 }
 
-/* Reads what else stands on the last face's line: a colour, or something that is ignored with a warning. */
+/* Reads what else stands on the line of the last face: a colour, or something that is ignored with a warning. */
 static roberts_status face_color(off_reader *r)
 {
     off_color_numbers raw = {0};
     bool good = true;
     uint64_t start = r->in.taken;
     while (input_skip_in_line(&r->in) && !(*r->in.at == '}' && r->header.braces)) {
-        if (r->in.taken - start > OFF_BLANK_MAX)
+        if (r->in.taken - start > INPUT_BLANK_MAX)
             return off_fail(r, ROBERTS_BAD_SYNTAX, "the line of face %zu does not end",
                             r->mesh->face_count - 1 - r->mark.faces);
         if (good && raw.count < COLOR_MOST && color_number(r, &raw.value[raw.count++], &raw.real))
@@ -290,7 +423,7 @@ static roberts_status face_color(off_reader *r)
     return off_color_face(r, &raw);
 }
 
-/* Reads a face that is there. */
+/* Reads a face; something stands here. */
 static roberts_status read_face(off_reader *r, uint64_t f)
 {
     uint64_t count;
@@ -353,11 +486,11 @@ static roberts_status read_faces(off_reader *r)
     return ROBERTS_OK;
 }
 
-/* Warns of text after the last face. An input that may wait for ever (a pipe, a terminal) is not read on for that:
- * only what has come with the last block is looked at. */
+/* Warns of text after the last face. An input that may wait for ever (a pipe, a terminal) is not read on for that: only
+ * the last block is looked at. */
 static roberts_status ending(off_reader *r)
 {
-    off_input *in = &r->in;
+    input *in = &r->in;
     if (!r->in.source.finite)
         in->ended = true;
     for (; r->header.braces && input_skip(in) && *in->at == '}'; r->header.braces--)
