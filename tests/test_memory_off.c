@@ -129,7 +129,7 @@ static void pieces_survive(void **state)
         roberts_error error;
         place = 0;
         memory_fail(n);
-        roberts_status status = off_read(&mesh, "pieces", &source, &division, NULL, &error);
+        roberts_status status = read_mesh(&mesh, "pieces", &source, &division, NULL, &error);
         bool failed = memory_failed();
         memory_fail(0);
         failures += status == ROBERTS_NO_MEMORY;

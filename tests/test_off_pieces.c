@@ -114,7 +114,7 @@ static void read_input(test_input *in, const off_division *division, result *r)
     for (size_t i = 0; i < in->first; i++)
         assert_int_equal(roberts_mesh_add_vertex(&r->mesh, (roberts_vec3){1, 2, 3}, NULL, NULL), ROBERTS_OK);
     in->at = in->read = 0;
-    (void)off_read(&r->mesh, "t", &source, division, &warnings, &r->error);
+    (void)read_mesh(&r->mesh, "t", &source, division, &warnings, &r->error);
 }
 
 static void compare(const result *one, const result *other, const test_input *in, const char *way)

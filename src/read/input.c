@@ -2,12 +2,14 @@
 #include "read/input.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/array.h"
+#include "base/error.h"
 
 /* ---- files ------------------------------------------------------------------------------------------------------- */
 
@@ -183,7 +185,7 @@ static bool skip(input *in, bool lines)
             c++;
         } else if (commented || *c == ' ' || *c == '\t' || *c == '\v' || *c == '\f') {
             c++;
-        } else if (*c == '#') {
+        } else if (*c == '#' && !in->plain) {
             commented = true;
         } else {
             break;
@@ -203,9 +205,9 @@ bool input_skip_in_line(input *in)
     return skip(in, false);
 }
 
-static bool in_token(char c)
+static bool in_token(char c, bool plain)
 {
-    return !input_separator(c) && c != '#' && c != '{' && c != '}';
+    return !input_separator(c) && (plain || (c != '#' && c != '{' && c != '}'));
 }
 
 size_t input_token(input *in)
@@ -213,7 +215,7 @@ size_t input_token(input *in)
     size_t length = 0;
     for (;;) {
         const char *c = in->at + length;
-        while (c < in->end && in_token(*c))
+        while (c < in->end && in_token(*c, in->plain))
             c++;
         length = (size_t)(c - in->at);
         if (length > INPUT_TOKEN_MAX)
@@ -221,4 +223,49 @@ size_t input_token(input *in)
         if (c < in->end || !input_more(in))
             return (length || in->at == in->end) ? length : 1; /* a brace is a token of its own */
     }
+}
+
+/* ---- errors ----------------------------------------------------------------------------------------------------- */
+
+static roberts_status fail_reading(const input *in, roberts_error *error)
+{
+    char reason[128];
+    if (strerror_r(in->failure, reason, sizeof reason) != 0)
+        snprintf(reason, sizeof reason, "error %d", in->failure);
+    return error_set(error, ROBERTS_IO, 0, "reading failed: %s", reason);
+}
+
+/* The token for a message: shortened, and without characters that would disturb a terminal. */
+static void quote(const char *token, size_t length, char *text, size_t room)
+{
+    size_t shown = length < 24 ? length : 24, n = 0;
+    for (size_t i = 0; i < shown && n + 5 < room; i++) {
+        unsigned char c = (unsigned char)token[i];
+        if (c > ' ' && c < 0x7f)
+            text[n++] = (char)c;
+        else
+            n += (size_t)snprintf(text + n, room - n, "\\x%02x", c);
+    }
+    snprintf(text + n, room - n, "%s", shown < length ? "..." : "");
+}
+
+roberts_status input_expected(input *in, roberts_error *error, roberts_status status, size_t line, const char *wanted,
+                              const char *hint)
+{
+    char found[112];
+    size_t length = input_token(in);
+    if (in->failure)
+        return fail_reading(in, error);
+    if (in->too_blank)
+        return error_set(error, ROBERTS_BAD_SYNTAX, line, "%s expected, but nothing but blanks and comments follows",
+                         wanted);
+    if (length == 0)
+        return error_set(error, ROBERTS_BAD_SYNTAX, line, "%s expected, but the input ends here", wanted);
+    if (length > INPUT_TOKEN_MAX)
+        return error_set(error, ROBERTS_BAD_SYNTAX, line, "%s expected, found a word of more than %zu characters",
+                         wanted, INPUT_TOKEN_MAX);
+    if (*in->at == '\n' || *in->at == '\r')
+        return error_set(error, ROBERTS_BAD_SYNTAX, line, "%s expected, but the line ends here", wanted);
+    quote(in->at, length, found, sizeof found);
+    return error_set(error, status, line, "%s expected, found \"%s\"%s", wanted, found, hint);
 }

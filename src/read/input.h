@@ -31,8 +31,9 @@ typedef struct input_source {
      * like roberts_read_fn; several threads may call it. go: moves the place of `read` there. */
     ptrdiff_t (*read_at)(void *context, uint64_t offset, void *buffer, size_t size);
     bool (*go)(void *context, uint64_t offset);
-    uint64_t size; /* bytes in all, as far as is known; only with read_at */
-    bool finite;   /* reading up to the end cannot wait for ever */
+    uint64_t size;    /* bytes in all, as far as is known; only with read_at */
+    bool finite;      /* reading up to the end cannot wait for ever */
+    const char *path; /* of the file; NULL: none. Files that this one names are looked for beside it */
 } input_source;
 
 typedef struct input_file {
@@ -56,6 +57,7 @@ typedef struct input {
     size_t line;          /* of `at`, from 1 */
     char *buffer;         /* [1 + INPUT_BLOCK + 1 + NUMBER_PADDING] */
     input_source source;
+    bool plain;     /* to be set by a reader: '#' and braces are characters like others */
     bool ended;     /* nothing follows `end` */
     int failure;    /* errno of a failed read; 0: none */
     bool too_blank; /* INPUT_BLANK_MAX was passed without a token: no other is looked for */
@@ -112,6 +114,12 @@ static inline void input_pass_token(input *in)
     size_t length = input_token(in); /* moves `at` */
     in->at += length;
 }
+
+/* Says that the input has something else than `wanted` at its place: fills `error`, and returns the status. The message
+ * quotes what stands there and adds `hint`, or says that the input ends or that reading failed. line: 0 where lines
+ * mean nothing. */
+roberts_status input_expected(input *in, roberts_error *error, roberts_status status, size_t line, const char *wanted,
+                              const char *hint);
 
 /* Whether `c` ends a number for sure: white space, or a character that is part of no token. '\0', '#' and braces take
  * the slow way by input_token(): '\0' ends the buffer and may have more behind it, the others are rare. */

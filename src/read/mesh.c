@@ -13,12 +13,14 @@ mesh_mark mesh_here(const roberts_mesh *mesh)
                        .faces = mesh->face_count,
                        .corners = mesh->corner_count,
                        .sources = mesh->source_count,
+                       .groups = mesh->group_count,
                        .has_vertex = mesh->vertex,
                        .has_start = mesh->face_start,
                        .has_corner = mesh->corner,
                        .has_vertex_color = mesh->vertex_color,
                        .has_face_color = mesh->face_color,
-                       .has_source = mesh->source};
+                       .has_source = mesh->source,
+                       .has_group = mesh->group};
 }
 
 /* Releases an array that was not there before. */
@@ -37,6 +39,8 @@ void mesh_back(roberts_mesh *mesh, mesh_mark mark)
 {
     while (mesh->source_count > mark.sources)
         free(mesh->source[--mesh->source_count].name);
+    while (mesh->group_count > mark.groups)
+        free(mesh->group[--mesh->group_count].name);
     mesh->vertex_count = mark.vertices;
     mesh->face_count = mark.faces;
     mesh->corner_count = mark.corners;
@@ -46,6 +50,7 @@ void mesh_back(roberts_mesh *mesh, mesh_mark mark)
     drop(mark.has_vertex_color, &mesh->vertex_color, &mesh->vertex_color_room);
     drop(mark.has_face_color, &mesh->face_color, &mesh->face_color_room);
     drop(mark.has_source, &mesh->source, &mesh->source_room);
+    drop(mark.has_group, &mesh->group, &mesh->group_room);
 }
 
 /* array_reserve() up to what uint32_t can number, so that a count below the room needs no other check. */
@@ -127,17 +132,43 @@ bool mesh_color_rest(roberts_mesh *mesh, size_t vertices_filled, size_t faces_fi
     return !mesh->face_color || fill(&mesh->face_color, &mesh->face_color_room, faces_filled, mesh->face_count);
 }
 
+/* NULL: no memory. */
+static char *copy_name(const char *name)
+{
+    size_t size = strlen(name) + 1;
+    char *copy = alloc_array(size, 1);
+    if (copy)
+        memcpy(copy, name, size);
+    return copy;
+}
+
 bool mesh_source(roberts_mesh *mesh, const char *name)
 {
+    if (mesh->group_count && !mesh_group(mesh, "")) /* groups of the inputs before end here */
+        return false;
     if (!array_reserve(&mesh->source, &mesh->source_room, mesh->source_count + 1, sizeof *mesh->source))
         return false;
-    size_t length = strlen(name);
-    char *copy = alloc_array(length + 1, 1);
+    char *copy = copy_name(name);
     if (!copy)
         return false;
-    memcpy(copy, name, length + 1);
     mesh->source[mesh->source_count++] =
-        (roberts_source){copy, (uint32_t)mesh->vertex_count, (uint32_t)mesh->face_count};
+        (roberts_source){copy, (uint32_t)mesh->vertex_count, (uint32_t)mesh->face_count, false};
+    return true;
+}
+
+void mesh_float32(roberts_mesh *mesh)
+{
+    mesh->source[mesh->source_count - 1].float32 = true;
+}
+
+bool mesh_group(roberts_mesh *mesh, const char *name)
+{
+    if (!array_reserve(&mesh->group, &mesh->group_room, mesh->group_count + 1, sizeof *mesh->group))
+        return false;
+    char *copy = copy_name(name);
+    if (!copy)
+        return false;
+    mesh->group[mesh->group_count++] = (roberts_group){copy, (uint32_t)mesh->face_count};
     return true;
 }
 
@@ -180,7 +211,10 @@ void roberts_mesh_free(roberts_mesh *mesh)
         return;
     for (size_t i = 0; i < mesh->source_count; i++)
         free(mesh->source[i].name);
+    for (size_t i = 0; i < mesh->group_count; i++)
+        free(mesh->group[i].name);
     free(mesh->source);
+    free(mesh->group);
     free(mesh->vertex);
     free(mesh->face_start);
     free(mesh->corner);

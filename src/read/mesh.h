@@ -28,8 +28,9 @@ static inline bool mesh_position(roberts_vec3 p)
 
 /* How much of a mesh there was, for going back to it. */
 typedef struct mesh_mark {
-    size_t vertices, faces, corners, sources;
-    bool has_vertex, has_start, has_corner, has_vertex_color, has_face_color, has_source; /* which arrays there were */
+    size_t vertices, faces, corners, sources, groups;
+    bool has_vertex, has_start, has_corner, has_vertex_color, has_face_color, has_source,
+        has_group; /* which arrays there were */
 } mesh_mark;
 
 mesh_mark mesh_here(const roberts_mesh *mesh);
@@ -67,5 +68,14 @@ bool mesh_color_rest(roberts_mesh *mesh, size_t vertices_filled, size_t faces_fi
 
 /* Notes that what follows comes from an input called `name` (copied). */
 bool mesh_source(roberts_mesh *mesh, const char *name);
+
+/* Notes that the input at hand keeps coordinates as 32-bit floats. */
+void mesh_float32(roberts_mesh *mesh);
+
+/* Room for the name of a group that readers take, its end included; longer ones are cut off. */
+enum { MESH_GROUP_NAME = 256 };
+
+/* Notes that the faces that follow belong to a group called `name` (copied); "": to none. */
+bool mesh_group(roberts_mesh *mesh, const char *name);
 
 #endif

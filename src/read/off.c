@@ -19,28 +19,6 @@ roberts_status off_fail(off_reader *r, roberts_status status, const char *format
     return error_set(r->error, status, r->header.binary ? 0 : r->in.line, "%s", message);
 }
 
-static roberts_status fail_reading(off_reader *r)
-{
-    char reason[128];
-    if (strerror_r(r->in.failure, reason, sizeof reason) != 0)
-        snprintf(reason, sizeof reason, "error %d", r->in.failure);
-    return error_set(r->error, ROBERTS_IO, 0, "reading failed: %s", reason);
-}
-
-/* The token for a message: shortened, and without characters that would disturb a terminal. */
-static void quote(const char *token, size_t length, char *text, size_t room)
-{
-    size_t shown = length < 24 ? length : 24, n = 0;
-    for (size_t i = 0; i < shown && n + 5 < room; i++) {
-        unsigned char c = (unsigned char)token[i];
-        if (c > ' ' && c < 0x7f)
-            text[n++] = (char)c;
-        else
-            n += (size_t)snprintf(text + n, room - n, "\\x%02x", c);
-    }
-    snprintf(text + n, room - n, "%s", shown < length ? "..." : "");
-}
-
 /* For somebody who writes 0,5 or separates numbers by commas. */
 static const char *explain_commas(const char *token, size_t length)
 {
@@ -70,23 +48,14 @@ static const char *explain_word(roberts_status status, const char *token, size_t
 
 roberts_status off_expected(off_reader *r, roberts_status status, const char *format, ...)
 {
-    char wanted[120], found[112];
+    char wanted[120];
     size_t length = input_token(&r->in);
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(wanted, sizeof wanted, format, arguments);
     va_end(arguments);
-    if (r->in.failure)
-        return fail_reading(r);
-    if (r->in.too_blank)
-        return off_fail(r, ROBERTS_BAD_SYNTAX, "%s expected, but nothing but blanks and comments follows", wanted);
-    if (length == 0)
-        return off_fail(r, ROBERTS_BAD_SYNTAX, "%s expected, but the input ends here", wanted);
-    if (length > INPUT_TOKEN_MAX)
-        return off_fail(r, ROBERTS_BAD_SYNTAX, "%s expected, found a word of more than %zu characters", wanted,
-                        INPUT_TOKEN_MAX);
-    quote(r->in.at, length, found, sizeof found);
-    return off_fail(r, status, "%s expected, found \"%s\"%s", wanted, found, explain_word(status, r->in.at, length));
+    const char *hint = length && length <= INPUT_TOKEN_MAX ? explain_word(status, r->in.at, length) : "";
+    return input_expected(&r->in, r->error, status, r->header.binary ? 0 : r->in.line, wanted, hint);
 }
 
 void off_warn_fewer(off_reader *r, uint64_t found)
@@ -170,9 +139,7 @@ roberts_status off_color_face(off_reader *r, const off_color_numbers *numbers)
 /* Warns of what was left out. */
 static void warn(off_reader *r)
 {
-    if (r->thin_faces)
-        warning_send(r->warnings, r->name, 0, "%zu face%s with fewer than 3 corners ignored", r->thin_faces,
-                     r->thin_faces == 1 ? "" : "s");
+    read_warn_thin(r->warnings, r->name, r->thin_faces);
     if (r->odd_colors)
         warning_send(r->warnings, r->name, r->first_odd_color, "%zu colour%s that make%s no sense ignored",
                      r->odd_colors, r->odd_colors == 1 ? "" : "s", r->odd_colors == 1 ? "s" : "");
@@ -183,41 +150,31 @@ static roberts_status read_all(off_reader *r)
     roberts_status status = off_read_header(r);
     if (status != ROBERTS_OK)
         return status;
-    if (!mesh_source(r->mesh, r->name))
-        return error_no_memory(r->error);
     status = r->header.binary ? off_read_binary(r) : off_read_text(r);
     if (status != ROBERTS_OK)
         return status;
-    bool faces_missing = r->mesh->face_count - r->mark.faces < r->header.faces;
-    if (!mesh_color_rest(r->mesh, r->vertices_filled, r->faces_filled))
-        return error_no_memory(r->error);
     warn(r);
-    if (r->thin_faces || r->odd_colors || faces_missing)
+    if (r->thin_faces || r->odd_colors || r->mesh->face_count - r->mark.faces < r->header.faces)
         off_explain_warning(r);
     return ROBERTS_OK;
 }
 
-roberts_status off_read(roberts_mesh *mesh, const char *name, const input_source *source,
-                        const struct off_division *division, const roberts_warnings *warnings, roberts_error *error)
+roberts_status off_read(reader *from, const off_division *division)
 {
-    roberts_status status = ROBERTS_NO_MEMORY;
-    off_reader r = {.mesh = mesh,
-                    .mark = mesh_here(mesh),
-                    .name = name,
-                    .warnings = warnings,
-                    .error = error,
+    off_reader r = {.in = from->in,
+                    .mesh = from->mesh,
+                    .mark = from->mark,
+                    .name = from->name,
+                    .warnings = from->warnings,
+                    .error = from->error,
                     .division = division,
-                    .vertices_filled = mesh->vertex_color ? mesh->vertex_count : 0,
-                    .faces_filled = mesh->face_color ? mesh->face_count : 0};
-    error_set_file(error, name);
-    if (!input_open(&r.in, source))
-        error_no_memory(error);
-    else
-        status = read_all(&r);
+                    .vertices_filled = from->vertices_filled,
+                    .faces_filled = from->faces_filled};
+    roberts_status status = read_all(&r);
     if (status == ROBERTS_BAD_SYNTAX || status == ROBERTS_BAD_INDEX)
         off_explain_error(&r);
-    input_close(&r.in);
-    if (status != ROBERTS_OK)
-        mesh_back(mesh, r.mark);
+    from->in = r.in;
+    from->vertices_filled = r.vertices_filled;
+    from->faces_filled = r.faces_filled;
     return status;
 }

@@ -9,11 +9,7 @@
 #ifndef ROBERTS_READ_OFF_H
 #define ROBERTS_READ_OFF_H
 
-#include "roberts.h"
-
-#include "base/error.h"
-#include "read/input.h"
-#include "read/mesh.h"
+#include "read/read.h"
 
 /* What precedes the vertices. */
 typedef struct off_header {
@@ -43,10 +39,6 @@ typedef struct off_reader {
 } off_reader;
 
 /* ---- off.c ------------------------------------------------------------------------------------------------------- */
-
-/* Reads one input; see roberts_mesh_read(). */
-roberts_status off_read(roberts_mesh *mesh, const char *name, const input_source *source,
-                        const struct off_division *division, const roberts_warnings *warnings, roberts_error *error);
 
 /* Fills the error with the current line; returns `status`. */
 roberts_status off_fail(off_reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
@@ -91,6 +83,9 @@ roberts_status off_read_header(off_reader *r);
 roberts_status off_read_text(off_reader *r);
 roberts_status off_read_binary(off_reader *r);
 
+/* Whether a word is a keyword of OFF. */
+bool off_is_keyword(const char *word, size_t length);
+
 /* Whether a keyword comes next, perhaps after "{" or "{ =". What precedes it is taken. */
 bool off_at_keyword(off_reader *r);
 
@@ -102,9 +97,6 @@ void off_explain_warning(off_reader *r);
 /* Warns of text after the last face: it is another model where it has a keyword, and the input is no OFF where it does
  * not look like one. */
 void off_explain_rest(off_reader *r);
-
-/* The name of the format that begins with this word; NULL: not known. */
-const char *off_foreign(const char *word, size_t length);
 
 /* ---- plain lines (off_text.c) ------------------------------------------------------------------------------------ */
 

@@ -26,13 +26,6 @@ typedef struct words {
     int coordinates; /* of these the first 3 or 4 */
 } words;
 
-static uint32_t word_at(const char *bytes, bool little)
-{
-    const unsigned char *b = (const unsigned char *)bytes;
-    return little ? (uint32_t)b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24
-                  : (uint32_t)b[3] | (uint32_t)b[2] << 8 | (uint32_t)b[1] << 16 | (uint32_t)b[0] << 24;
-}
-
 static float float_of(uint32_t word)
 {
     float value;
@@ -45,7 +38,7 @@ static bool next_word(off_reader *r, const words *w, uint32_t *word)
 {
     if (!input_need(&r->in, WORD))
         return false;
-    *word = word_at(r->in.at, w->little);
+    *word = read_word(r->in.at, w->little);
     r->in.at += WORD;
     return true;
 }
@@ -79,15 +72,15 @@ static bool little_endian(off_reader *r, const words *w)
     if (!input_need(&r->in, counts * WORD))
         return false;
     for (size_t i = 0; i < 2; i++) {
-        big += word_at(r->in.at + WORD * (size_t)i, false);
-        little += word_at(r->in.at + WORD * (size_t)i, true);
-        uint64_t most = (uint64_t)w->per_vertex * word_at(r->in.at, i);
+        big += read_word(r->in.at + WORD * (size_t)i, false);
+        little += read_word(r->in.at + WORD * (size_t)i, true);
+        uint64_t most = (uint64_t)w->per_vertex * read_word(r->in.at, i);
         floats = most < floats ? most : floats;
     }
     input_need(&r->in, (counts + floats) * WORD); /* if the input ends before, less will do */
     for (size_t i = 0; i < floats && (counts + i + 1) * WORD <= (size_t)(r->in.end - r->in.at); i++) {
         const char *at = r->in.at + (counts + i) * WORD;
-        votes += likely(word_at(at, true)) - likely(word_at(at, false));
+        votes += likely(read_word(at, true)) - likely(read_word(at, false));
     }
     return votes ? votes > 0 : little < big;
 }
@@ -98,7 +91,7 @@ static roberts_status read_counts(off_reader *r, words *w)
     if (r->header.dimension) {
         if (!input_need(&r->in, WORD))
             return ends_in(r, "its counts", 0, 0);
-        dimension = word_at(r->in.at, false) <= UINT16_MAX ? word_at(r->in.at, false) : word_at(r->in.at, true);
+        dimension = read_word(r->in.at, false) <= UINT16_MAX ? read_word(r->in.at, false) : read_word(r->in.at, true);
         if (dimension != 3)
             return off_fail(r, ROBERTS_BAD_SYNTAX, "the dimension is %lu, but only 3 can be drawn",
                             (unsigned long)dimension);
@@ -122,7 +115,7 @@ static roberts_status read_vertex(off_reader *r, const words *w, uint64_t v)
     if (!input_need(&r->in, (size_t)w->per_vertex * WORD))
         return ends_in(r, "vertex", v, r->header.vertices);
     for (int i = 0; i < w->coordinates; i++)
-        p[i] = float_of(word_at(r->in.at + WORD * (size_t)i, w->little));
+        p[i] = float_of(read_word(r->in.at + WORD * (size_t)i, w->little));
     for (int i = 0; i < 3; i++) {
         p[i] /= p[3];
         if (!mesh_coordinate(p[i]))
@@ -137,7 +130,7 @@ static roberts_status read_vertex(off_reader *r, const words *w, uint64_t v)
         off_color_numbers color = {.count = COLOR_MOST, .real = true};
         const char *at = r->in.at + WORD * (size_t)(w->coordinates + (r->header.normal ? 3 : 0));
         for (int i = 0; i < COLOR_MOST; i++)
-            color.value[i] = float_of(word_at(at + WORD * (size_t)i, w->little));
+            color.value[i] = float_of(read_word(at + WORD * (size_t)i, w->little));
         status = off_color_vertex(r, &color);
     }
     r->in.at += (size_t)w->per_vertex * WORD;
@@ -161,22 +154,22 @@ static bool faces_fit(off_reader *r, const words *w, bool colors)
     for (uint64_t f = 0; f < r->header.faces && f < FACES_TRIED; f++) {
         if (!input_need(&r->in, at + WORD))
             return f > 0 && (size_t)(r->in.end - r->in.at) == at;
-        uint64_t count = word_at(r->in.at + at, w->little);
+        uint64_t count = read_word(r->in.at + at, w->little);
         size_t length = WORD * (1 + (size_t)count + colors);
         if (count > INPUT_BLOCK / WORD || at + length + COLOR_MOST * WORD > INPUT_BLOCK)
             return count < LIKELY_CORNERS; /* out of sight */
         if (!input_need(&r->in, at + length))
             return false;
         for (size_t i = 1; i <= count; i++) {
-            if (word_at(r->in.at + at + WORD * (size_t)i, w->little) >= r->header.vertices)
+            if (read_word(r->in.at + at + WORD * (size_t)i, w->little) >= r->header.vertices)
                 return false;
         }
         at += length;
-        uint32_t floats = colors ? word_at(r->in.at + at - WORD, w->little) : 0;
+        uint32_t floats = colors ? read_word(r->in.at + at - WORD, w->little) : 0;
         if (floats == 2 || floats > COLOR_MOST || !input_need(&r->in, at + WORD * (size_t)floats))
             return false;
         for (uint32_t i = 0; i < floats && floats >= 3; i++) {
-            if (!color_float(word_at(r->in.at + at + WORD * (size_t)i, w->little)))
+            if (!color_float(read_word(r->in.at + at + WORD * (size_t)i, w->little)))
                 return false;
         }
         at += WORD * (size_t)floats;
@@ -195,7 +188,7 @@ static roberts_status read_corners(off_reader *r, const words *w, uint64_t f, ui
         if (!mesh_corner_room(mesh, part))
             return error_no_memory(r->error);
         for (uint64_t i = 0; i < part; i++) {
-            uint32_t index = word_at(r->in.at + WORD * (size_t)i, w->little);
+            uint32_t index = read_word(r->in.at + WORD * (size_t)i, w->little);
             if (index >= r->header.vertices)
                 return off_fail(r, ROBERTS_BAD_INDEX, "face %llu names vertex %lu, but there are %llu",
                                 (unsigned long long)f, (unsigned long)index, (unsigned long long)r->header.vertices);
@@ -256,6 +249,7 @@ roberts_status off_read_binary(off_reader *r)
     w.per_vertex =
         w.coordinates + (r->header.normal ? 3 : 0) + (r->header.color ? COLOR_MOST : 0) + (r->header.texture ? 2 : 0);
     roberts_status status = read_counts(r, &w);
+    mesh_float32(r->mesh);
     for (uint64_t v = 0; status == ROBERTS_OK && v < r->header.vertices; v++)
         status = read_vertex(r, &w, v);
     if (status == ROBERTS_OK)

@@ -13,49 +13,6 @@
 #include <stdio.h>
 #include <string.h>
 
-/* ---- other formats, by how they begin ---------------------------------------------------------------------------- */
-
-#define STL "STL (OpenSCAD or MeshLab saves it as OFF)"
-#define PLY "PLY (MeshLab saves it as OFF)"
-#define OBJ "OBJ (MeshLab saves it as OFF)"
-
-/* Binary STL has no mark: 80 bytes of any text come first, and many programs begin those with "solid" too. */
-static const struct foreign {
-    const char *begins, *format;
-    bool whole; /* that must be the whole word */
-} foreign[] = {
-    {"solid", STL, true},
-    {"ply", PLY, true},
-    {"v", OBJ, true},
-    {"vn", OBJ, true},
-    {"vt", OBJ, true},
-    {"o", OBJ, true},
-    {"g", OBJ, true},
-    {"mtllib", OBJ, true},
-    {"usemtl", OBJ, true},
-    {"glTF", "glTF", false},
-    {"ISO-10303-21", "STEP", false},
-    {"$MeshFormat", "Gmsh", true},
-    {"MeshVersionFormatted", "Medit", true},
-    {"LIST", "a Geomview LIST", true},
-    {"MESH", "a Geomview MESH", true},
-    {"<", "XML (as AMF, X3D and COLLADA are)", false},
-    {"PK", "a ZIP archive (as 3MF is)", true},
-    {"\x1f", "compressed, as by gzip", false},
-    {"\xff\xfe", "text in UTF-16 (to be saved as UTF-8)", false},
-    {"\xfe\xff", "text in UTF-16 (to be saved as UTF-8)", false},
-};
-
-const char *off_foreign(const char *word, size_t length)
-{
-    for (size_t i = 0; i < sizeof foreign / sizeof foreign[0]; i++) {
-        size_t wanted = strlen(foreign[i].begins);
-        if ((foreign[i].whole ? length == wanted : length >= wanted) && memcmp(word, foreign[i].begins, wanted) == 0)
-            return foreign[i].format;
-    }
-    return NULL;
-}
-
 /* ---- the text once more, line by line ---------------------------------------------------------------------------- */
 
 typedef struct text {
@@ -395,7 +352,7 @@ void off_explain_error(off_reader *r)
     t = text_begin(r);
     if (r->header.bare && is_xyz(&t)) {
         error_set(r->error, r->error->status, 0,
-                  "this looks like XYZ, the atoms of a molecule, but only OFF can be read");
+                  "this looks like XYZ, the atoms of a molecule, but only OFF, STL, OBJ and PLY can be read");
         return;
     }
     if (r->header.line == 0)

@@ -1,8 +1,8 @@
 /* off_header.c - keyword, dimension and counts, in all the forms in which they are found.
  *
- * The format says [ST][C][N][4][n]OFF. Prefixes are taken in any order, since MeshLab writes NCSTOFF. The keyword may be
- * missing, in lower case (then n stands for N), glued to the first count, or followed by BINARY. Without a keyword, a
- * first line that holds one integer is a dimension (qhull). The edge count, which nobody needs, may be missing.
+ * The format says [ST][C][N][4][n]OFF. Prefixes are taken in any order, since MeshLab writes NCSTOFF. The keyword may
+ * be missing, in lower case (then n stands for N), glued to the first count, or followed by BINARY. Without a keyword,
+ * a first line that holds one integer is a dimension (qhull). The edge count, which nobody needs, may be missing.
  *
  * A dimension with words behind it ("3 rbox 50 s") begins points without faces, and only their number follows: rbox
  * writes points so, and qhull reads them. */
@@ -68,19 +68,21 @@ static size_t open_braces(off_reader *r)
     return count;
 }
 
-bool off_at_keyword(off_reader *r)
+bool off_is_keyword(const char *word, size_t length)
 {
     off_header unused = {0};
-    open_braces(r);
-    const size_t length = input_token(&r->in);
-    return length <= INPUT_TOKEN_MAX && keyword(r->in.at, length, &unused) > 0;
+    return length <= INPUT_TOKEN_MAX && keyword(word, length, &unused) > 0;
 }
 
-/* Passes a byte-order mark and braces. */
+bool off_at_keyword(off_reader *r)
+{
+    open_braces(r);
+    const size_t length = input_token(&r->in); /* moves `at` */
+    return off_is_keyword(r->in.at, length);
+}
+
 static roberts_status opening(off_reader *r)
 {
-    if (input_need(&r->in, 3) && memcmp(r->in.at, "\xef\xbb\xbf", 3) == 0)
-        r->in.at += 3;
     r->header.braces = open_braces(r);
     if (input_token(&r->in) == 0 && !r->in.failure && !r->in.too_blank)
         return off_fail(r, ROBERTS_BAD_SYNTAX, "the input is empty");
@@ -194,10 +196,11 @@ static roberts_status count_points(off_reader *r)
 /* Refuses an input that begins with a word that is no keyword. */
 static roberts_status refuse_word(off_reader *r, size_t length)
 {
-    const char *format = off_foreign(r->in.at, length);
+    const char *hint, *format = read_foreign(r->in.at, length, &hint);
     if (format)
-        return off_fail(r, ROBERTS_BAD_SYNTAX, "this is %s, but only OFF can be read", format);
-    return off_expected(r, ROBERTS_BAD_SYNTAX, "the beginning of an OFF file (keyword OFF, or the counts)");
+        return off_fail(r, ROBERTS_BAD_SYNTAX, "this is %s, but only OFF, STL, OBJ and PLY can be read%s%s", format,
+                        *hint ? "; to convert it: " : "", hint);
+    return off_expected(r, ROBERTS_BAD_SYNTAX, "the beginning of OFF (keyword or counts), STL, OBJ or PLY");
 }
 
 roberts_status off_read_header(off_reader *r)

@@ -5,8 +5,8 @@
  * where there are texture coordinates (prefix ST). 0, 1, 3 or 4 numbers are a colour. A vertex with any other count on
  * its line is taken to be laid out freely: the next four numbers are its colour, on whatever line they stand.
  *
- * Reading spends its time on plain lines (off.h), so two loops read those with everything written out. That saves a fifth
- * of the time, and threads (off_pieces.c) read nothing else. */
+ * Reading spends its time on plain lines (off.h), so two loops read those with everything written out. That saves a
+ * fifth of the time, and threads (off_pieces.c) read nothing else. */
 #include "read/off.h"
 
 #include <math.h>
