@@ -304,6 +304,14 @@ typedef struct roberts_time {
     double cpu, wall;
 } roberts_time;
 
+/** Why the touching distance is what it is. */
+typedef enum roberts_epsilon_reason {
+    ROBERTS_EPSILON_GIVEN,    /**< by the options */
+    ROBERTS_EPSILON_DIAMETER, /**< 1e-11 of the scene's diameter */
+    ROBERTS_EPSILON_ROUNDING, /**< 16 units of the last place of the largest coordinate */
+    ROBERTS_EPSILON_FLOAT32,  /**< 2 units of the last place of the largest coordinate that came as a 32-bit float */
+} roberts_epsilon_reason;
+
 /** The segments of all edges, sorted by solid, v0, v1, t0, with what was counted on the way. */
 typedef struct roberts_drawing {
     size_t count;
@@ -313,6 +321,7 @@ typedef struct roberts_drawing {
                       (see roberts_page_shape()) */
     bool windowed;  /**< to be set by you: the page is laid out by the window, beyond which nothing reaches */
     double epsilon; /**< the touching distance that was used, model units */
+    roberts_epsilon_reason epsilon_reason;
     double scene_diameter;        /**< diagonal of the box round the scene */
     uint32_t grid, grid_rows;     /**< columns and rows of cells, as chosen */
     size_t solids, culled_solids; /**< all; known to be wholly hidden before they were cut (their faces and edges are
@@ -329,9 +338,10 @@ typedef struct roberts_hide_options {
                                 (default: 0.1) */
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
-    double epsilon;        /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, at least 16 ulp */
-    uint32_t grid;         /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
-    uint32_t threads;      /**< up to ROBERTS_THREADS_MOST; 0 = what there is */
+    double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
+                                largest coordinate, and 2 ulp of a float where coordinates are 32-bit floats */
+    uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
+    uint32_t threads; /**< up to ROBERTS_THREADS_MOST; 0 = what there is */
 } roberts_hide_options;
 
 roberts_hide_options roberts_hide_options_default(void);

@@ -207,6 +207,16 @@ static void reads_binary(void **state)
         }
 }
 
+/* Lines of the header end with CR alone, as on old machines: the LF behind it is the first byte of the data. */
+static void reads_data_that_begins_with_line_feed(void **state)
+{
+    bytes_built b = start(false, "\r");
+    (void)state;
+    build_text(&b, "element vertex 1\rproperty uchar x\rproperty uchar y\rproperty uchar z\rend_header\r\n\r\n");
+    read_good row = {"CR", b.bytes, b.size, "10,13,10", NULL};
+    read_good_rows(&row, 1);
+}
+
 /* Coordinates of 64 bits are not those of 32. */
 static void tells_float_from_double(void **state)
 {
@@ -311,6 +321,7 @@ int main(void)
         cmocka_unit_test(reads_text),
         cmocka_unit_test(refuses_text),
         cmocka_unit_test(reads_binary),
+        cmocka_unit_test(reads_data_that_begins_with_line_feed),
         cmocka_unit_test(tells_float_from_double),
         cmocka_unit_test(refuses_binary_cut_short),
         cmocka_unit_test(refuses_binary),

@@ -1,6 +1,7 @@
 /* mesh.c - the mesh as a container: appending, going back, releasing. */
 #include "read/mesh.h"
 
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -159,6 +160,23 @@ bool mesh_source(roberts_mesh *mesh, const char *name)
 void mesh_float32(roberts_mesh *mesh)
 {
     mesh->source[mesh->source_count - 1].float32 = true;
+}
+
+double mesh_float32_step(const roberts_mesh *mesh)
+{
+    double most = 0.0;
+    int exponent;
+    for (size_t i = 0; i < mesh->source_count; i++) {
+        size_t end = i + 1 < mesh->source_count ? mesh->source[i + 1].first_vertex : mesh->vertex_count;
+        for (size_t v = mesh->source[i].first_vertex; mesh->source[i].float32 && v < end; v++) {
+            roberts_vec3 p = mesh->vertex[v];
+            most = fmax(most, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
+        }
+    }
+    if (most == 0.0)
+        return 0.0;
+    frexp(most, &exponent); /* 2^(exponent - 1) <= most, and the last of 24 bits is 2^-23 of that */
+    return ldexp(2.0, exponent - FLT_MANT_DIG);
 }
 
 bool mesh_group(roberts_mesh *mesh, const char *name)

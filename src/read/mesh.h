@@ -72,6 +72,10 @@ bool mesh_source(roberts_mesh *mesh, const char *name);
 /* Notes that the input at hand keeps coordinates as 32-bit floats. */
 void mesh_float32(roberts_mesh *mesh);
 
+/* Two units of the last place of a 32-bit float as large as the largest coordinate that came as one, model units; 0:
+ * none did. Rounding to floats moves a point along each axis by no more than a quarter of that. */
+double mesh_float32_step(const roberts_mesh *mesh);
+
 /* Room for the name of a group that readers take, its end included; longer ones are cut off. */
 enum { MESH_GROUP_NAME = 256 };
 

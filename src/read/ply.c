@@ -86,8 +86,9 @@ static roberts_status bad_header(ply_reader *p, const char *wanted)
     return read_expected(p->r, ROBERTS_BAD_SYNTAX, "%s in the header of PLY", wanted);
 }
 
-/* Takes the end of a header's line, which for binary data must not be one byte more. */
-static roberts_status end_line(ply_reader *p)
+/* Takes the end of a header's line. Behind the last line binary data may begin with LF: CR LF ends that line only if it
+ * has ended another one. */
+static roberts_status end_line(ply_reader *p, bool last)
 {
     input *in = &p->r->in;
     if (input_skip_in_line(in))
@@ -97,7 +98,7 @@ static roberts_status end_line(ply_reader *p)
     const bool cr = *in->at == '\r';
     in->at++;
     in->line++;
-    if (cr && (p->cr_lf || p->elements == 0) && input_need(in, 1) && *in->at == '\n') {
+    if (cr && (p->cr_lf || !last || !p->binary) && input_need(in, 1) && *in->at == '\n') {
         in->at++;
         p->cr_lf = true;
     }
@@ -242,7 +243,7 @@ static roberts_status read_header(ply_reader *p)
     bool format = false;
     p->r->in.plain = true;
     p->r->in.at += 3; /* "ply" */
-    roberts_status status = end_line(p);
+    roberts_status status = end_line(p, false);
     while (status == ROBERTS_OK) {
         if (!input_skip(&p->r->in) || !take_word(p, word))
             return bad_header(p, "end_header");
@@ -262,14 +263,14 @@ static roberts_status read_header(ply_reader *p)
         } else if (!format) {
             return read_fail(p->r, ROBERTS_BAD_SYNTAX, "the header of PLY has no format");
         } else {
-            status = end_line(p);
+            status = end_line(p, true);
             if (status == ROBERTS_OK)
                 status = check_header(p);
             p->r->binary = p->binary;
             return status;
         }
         if (status == ROBERTS_OK)
-            status = end_line(p);
+            status = end_line(p, false);
     }
     return status;
 }

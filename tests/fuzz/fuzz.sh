@@ -14,7 +14,8 @@ here=$(dirname "$0")
 seed() {
     name=$(echo "$2" | tr / _)
     case $1 in
-    fuzz_read | fuzz_obj | fuzz_ply) cp "$2" "$folder/seeds/$name" ;;
+    fuzz_read | fuzz_obj) cp "$2" "$folder/seeds/$name" ;;
+    fuzz_ply) tail -c +5 "$2" >"$folder/seeds/$name" ;;
     fuzz_stl)
         { printf '\000' && tail -c +85 "$2"; } >"$folder/seeds/0-$name"
         { printf '\001' && cat "$2"; } >"$folder/seeds/1-$name"
