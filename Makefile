@@ -21,7 +21,7 @@ QHULL_CFLAGS = $(shell pkg-config --cflags qhull_r)
 LIBS         = $(shell pkg-config --libs cairo qhull_r) -lm
 CMOCKA_LIBS  = $(shell pkg-config --libs cmocka)
 
-LIB_SRC  := $(sort $(wildcard $(foreach room,base model view hide ray draw,src/$(room)/*.c)))
+LIB_SRC  := $(sort $(wildcard $(foreach room,base read model view hide ray draw,src/$(room)/*.c)))
 CLI_SRC  := $(sort $(wildcard src/cli/*.c))
 TOOL_SRC := $(sort $(wildcard tools/*.c))
 MODEL_SRC:= $(sort $(wildcard tools/models/*.c))
@@ -43,7 +43,7 @@ TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
 DEMO     := table temple tower staircase city lattice
 EDGES    ?= 5000000
 SANITIZE := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
-FUZZER   := $(BUILD)/fuzz/fuzz_read $(BUILD)/fuzz/fuzz_pipeline
+FUZZER   := $(FUZZ_SRC:tests/fuzz/%.c=$(BUILD)/fuzz/%)
 FUZZ     := -O1 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 FUZZ_SECONDS ?= 60
 
@@ -80,7 +80,7 @@ check-long: $(BUILD)/tests/oracle/compare ## some 5,000,000 edges against the ex
 	$(BUILD)/tests/oracle/compare --folder $(BUILD) --edges $(EDGES) --per-family
 	@$(MAKE) --no-print-directory fuzz
 
-fuzz: ## both fuzzers, by clang, FUZZ_SECONDS=60 each (tools/install-deps.sh fuzz)
+fuzz: ## all fuzzers, by clang, FUZZ_SECONDS=60 each (tools/install-deps.sh fuzz)
 	@$(MAKE) --no-print-directory fuzzers BUILD=$(BUILD)/fuzzing CC=clang OPENMP= CFLAGS='$(FUZZ)'
 	tests/fuzz/fuzz.sh $(BUILD)/fuzzing $(FUZZ_SECONDS)
 
@@ -179,6 +179,9 @@ fuzzers: $(FUZZER)
 $(FUZZER): $(BUILD)/fuzz/%: $(BUILD)/obj/tests/fuzz/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
 	$(LINK) -fsanitize=fuzzer -Wl,--defsym=LLVMFuzzerTestOneInput=$* $(LIBS)
+
+# The checks of every reader
+$(FUZZER): $(call object,tests/fuzz/fuzz_read.c)
 
 # It holds a source of the program, which has something to say.
 $(BUILD)/tests/test_verify_report: $(call object,src/cli/message.c src/cli/progress.c)

@@ -47,7 +47,7 @@ typedef enum roberts_status {
     ROBERTS_OK,
     ROBERTS_NO_MEMORY,    /**< an allocation failed */
     ROBERTS_IO,           /**< reading or writing failed; the message holds the system's reason */
-    ROBERTS_BAD_SYNTAX,   /**< the bytes are no OFF file that can be understood */
+    ROBERTS_BAD_SYNTAX,   /**< the bytes are no file that can be understood */
     ROBERTS_BAD_INDEX,    /**< a face names a vertex that is not there */
     ROBERTS_BAD_NUMBER,   /**< a coordinate is infinite, not a number, or too large to compute with */
     ROBERTS_NOT_CLOSED,   /**< an edge of a component is not shared by exactly two faces */
@@ -90,13 +90,21 @@ typedef struct roberts_color {
 typedef struct roberts_source {
     char *name; /**< owned by the mesh */
     uint32_t first_vertex, first_face;
+    bool float32; /**< its coordinates are 32-bit floats, and so off by up to half a unit of their last place */
 } roberts_source;
+
+/** Faces that the input has under one name (o or g of OBJ, solid of STL): from first_face up to that of the next group.
+ * The same name may come again. */
+typedef struct roberts_group {
+    char *name; /**< owned by the mesh; "": none */
+    uint32_t first_face;
+} roberts_group;
 
 /** Polygons over shared vertices, in the order of the input. Faces of any corner count (also 1 and 2) and any winding.
  * Fill it with roberts_mesh_read*() or roberts_mesh_add_*(); release it with roberts_mesh_free(). Readers may look at
  * all arrays; only the functions below change them. */
 typedef struct roberts_mesh {
-    size_t vertex_count, face_count, corner_count, source_count;
+    size_t vertex_count, face_count, corner_count, source_count, group_count;
     roberts_vec3 *vertex;        /**< [vertex_count] */
     uint32_t *face_start;        /**< [face_count + 1] face f has corners corner[face_start[f]] .. [face_start[f+1]-1];
                                       NULL while there is no face */
@@ -104,7 +112,9 @@ typedef struct roberts_mesh {
     roberts_color *vertex_color; /**< [vertex_count], or NULL where no vertex has a colour */
     roberts_color *face_color;   /**< [face_count], or NULL where no face has a colour */
     roberts_source *source;      /**< [source_count] */
-    size_t vertex_room, face_room, corner_room, vertex_color_room, face_color_room, source_room; /**< private */
+    roberts_group *group;        /**< [group_count] first_face ascends; NULL where no input has groups */
+    size_t vertex_room, face_room, corner_room, vertex_color_room, face_color_room, source_room,
+        group_room;   /**< private */
     uint32_t threads; /**< to be set by you before reading: how many may read a large file; 0 = what there is. What is
                            read does not depend on it */
 } roberts_mesh;
@@ -113,18 +123,21 @@ typedef struct roberts_mesh {
 typedef ptrdiff_t roberts_read_fn(void *context, void *buffer, size_t size);
 
 /**
- * Reads one OFF file, text or binary, and appends its polygons to `mesh` (vertex numbers go on from those before).
+ * Reads one file in OFF, STL, OBJ or PLY, text or binary, and appends its polygons to `mesh` (vertex numbers go on from those
+ * before). The format is recognised by what the file holds, not by its name.
  * name      what messages call the input; copied
- * read      called until it returns 0 or the last declared face is in; bytes are taken in blocks
+ * read      called until it returns 0 or the last declared element is in; bytes are taken in blocks
  * warnings  NULL: none wanted
  * On failure `mesh` is as it was before the call.
+ * Corners of STL with equal positions become one vertex within each of its solids. Vertices are numbered from 0 in all formats.
  * Returns ROBERTS_OK, _NO_MEMORY, _IO, _BAD_SYNTAX, _BAD_INDEX or _BAD_NUMBER (a coordinate beyond 1e150).
- * Source: the OFF format of Geomview, with the dialects of qhull, Antiprism, OpenSCAD, ModelNet and trimesh.
+ * Sources: the OFF format of Geomview, with the dialects of qhull, Antiprism, OpenSCAD, ModelNet and trimesh; for the others see
+ * src/read.
  */
 roberts_status roberts_mesh_read(roberts_mesh *mesh, const char *name, roberts_read_fn *read, void *context,
                                  const roberts_warnings *warnings, roberts_error *error);
 
-/** The same from a file; "-" is standard input. */
+/** The same from a file; "-" is standard input. Colours of OBJ are taken from the .mtl beside it, if there is one. */
 roberts_status roberts_mesh_read_file(roberts_mesh *mesh, const char *path, const roberts_warnings *warnings,
                                       roberts_error *error);
 
@@ -229,8 +242,8 @@ bool roberts_camera_preset(const char *name, roberts_camera *camera);
  * degrees, and the direction exact at multiples of 90. False where one of them is not finite or out of its range. */
 bool roberts_camera_angles(double azimuth, double elevation, double roll, roberts_camera *camera);
 
-/** Turns `camera` by `degrees` about the upright line through the centre of the scene's box, from the front to the right:
- * its direction or eye, look-at point and up. What the drawing shows turns the other way. */
+/** Turns `camera` by `degrees` about the upright line through the centre of the scene's box, from the front to the
+ * right: its direction or eye, look-at point and up. What the drawing shows turns the other way. */
 void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_camera *camera);
 
 /**
@@ -291,6 +304,14 @@ typedef struct roberts_time {
     double cpu, wall;
 } roberts_time;
 
+/** Why the touching distance is what it is. */
+typedef enum roberts_epsilon_reason {
+    ROBERTS_EPSILON_GIVEN,    /**< by the options */
+    ROBERTS_EPSILON_DIAMETER, /**< 1e-11 of the scene's diameter */
+    ROBERTS_EPSILON_ROUNDING, /**< 16 units of the last place of the largest coordinate */
+    ROBERTS_EPSILON_FLOAT32,  /**< 2 units of the last place of the largest coordinate that came as a 32-bit float */
+} roberts_epsilon_reason;
+
 /** The segments of all edges, sorted by solid, v0, v1, t0, with what was counted on the way. */
 typedef struct roberts_drawing {
     size_t count;
@@ -300,6 +321,7 @@ typedef struct roberts_drawing {
                       (see roberts_page_shape()) */
     bool windowed;  /**< to be set by you: the page is laid out by the window, beyond which nothing reaches */
     double epsilon; /**< the touching distance that was used, model units */
+    roberts_epsilon_reason epsilon_reason;
     double scene_diameter;        /**< diagonal of the box round the scene */
     uint32_t grid, grid_rows;     /**< columns and rows of cells, as chosen */
     size_t solids, culled_solids; /**< all; known to be wholly hidden before they were cut (their faces and edges are
@@ -316,9 +338,10 @@ typedef struct roberts_hide_options {
                                 (default: 0.1) */
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
-    double epsilon;        /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, at least 16 ulp */
-    uint32_t grid;         /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
-    uint32_t threads;      /**< up to ROBERTS_THREADS_MOST; 0 = what there is */
+    double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
+                                largest coordinate, and 2 ulp of a float where coordinates are 32-bit floats */
+    uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
+    uint32_t threads; /**< up to ROBERTS_THREADS_MOST; 0 = what there is */
 } roberts_hide_options;
 
 roberts_hide_options roberts_hide_options_default(void);
@@ -570,8 +593,8 @@ typedef struct roberts_page {
                                      widest pen from the edge anyhow (a tenth of the shorter side at the most) */
 } roberts_page;
 
-/** Makes a field of view, the window of a drawing that is `framed`, wider or higher about its middle until it has the shape of
- * what the page's margins leave: so much of the picture is drawn there. */
+/** Makes a field of view, the window of a drawing that is `framed`, wider or higher about its middle until it has the
+ * shape of what the page's margins leave: so much of the picture is drawn there. */
 void roberts_page_shape(const roberts_page *page, roberts_vec2 *min, roberts_vec2 *max);
 
 /** How a drawing is laid on its page. A zeroed struct fits it into the margins. */

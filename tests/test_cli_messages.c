@@ -311,10 +311,11 @@ static void what_is_no_model(void **state)
     (void)state;
     put("a.svg", "<svg/>\n");
     assert_int_equal(run("models/table.off a.svg"), 1);
-    assert_said("a.svg:1: this is XML (as AMF, X3D and COLLADA are), but only OFF can be read; to draw into it: -o and "
+    assert_said("a.svg:1: this is XML (as AMF, X3D and COLLADA are), but only OFF, STL, OBJ and PLY can be read; to "
+                "draw into it: -o and "
                 "its name\n");
     assert_int_equal(run("models/table.off a.svg -o b.svg"), 1);
-    assert_said("but only OFF can be read\n");
+    assert_said("but only OFF, STL, OBJ and PLY can be read\n");
     assert_int_equal(run("in -f null"), 1);
     assert_said("roberts: in: is a folder; name the files in it, as *.off\n");
 }

@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "memory.h"
-#include "model/off_pieces.h"
+#include "read/off.h"
 
 /* Long enough that every array grows several times. */
 static size_t make_input(char *text, bool binary)
@@ -122,14 +122,14 @@ static void pieces_survive(void **state)
         length += (size_t)sprintf(text + length, "%d 0 0\n", i);
     for (int i = 0; i < 60; i++)
         length += (size_t)sprintf(text + length, "3 0 1 %d\n", i);
-    const off_source source = {
+    const input_source source = {
         .read = read_on, .context = text, .read_at = read_at, .go = go, .size = length, .finite = true};
     for (size_t n = 1;; n++) {
         roberts_mesh mesh = {0};
         roberts_error error;
         place = 0;
         memory_fail(n);
-        roberts_status status = off_read(&mesh, "pieces", &source, &division, NULL, &error);
+        roberts_status status = read_mesh(&mesh, "pieces", &source, &division, NULL, &error);
         bool failed = memory_failed();
         memory_fail(0);
         failures += status == ROBERTS_NO_MEMORY;

@@ -14,7 +14,6 @@
 #include <cmocka.h>
 
 #include "base/number.h"
-#include "base/power.h"
 
 enum { ROOM = 2 * NUMBER_LENGTH_MAX };
 

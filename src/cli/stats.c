@@ -215,6 +215,13 @@ void stats_print(const cli_options *options, const run_stats *run, const roberts
         {"read", run->read},    {"solids", run->solids}, {"view", d->view_time}, {"grid", d->grid_time},
         {"hide", d->hide_time}, {"verify", run->verify}, {"draw", run->draw},    {"total", run->total},
     };
+    static const struct reason {
+        const char *json, *text;
+    } reasons[] = {[ROBERTS_EPSILON_GIVEN] = {"given", "as given"},
+                   [ROBERTS_EPSILON_DIAMETER] = {"diameter", "1e-11 of the diameter"},
+                   [ROBERTS_EPSILON_ROUNDING] = {"rounding", "16 units of the last place of the largest coordinate"},
+                   [ROBERTS_EPSILON_FLOAT32] = {"float32", "2 units of the last place of the largest 32-bit float"}};
+    const struct reason *reason = &reasons[d->epsilon_reason];
     fputs(json ? "{\"version\":\"" ROBERTS_VERSION "\"," : "", log);
     print_name(options);
     if (views > 1)
@@ -222,10 +229,11 @@ void stats_print(const cli_options *options, const run_stats *run, const roberts
     print_figures(log, counts, sizeof counts / sizeof counts[0], json);
     print_ink(log, &run->ink, &options->draw.placement, json);
     if (json)
-        fprintf(log, ",\"epsilon\":%.17g,\"scene_diameter\":%.17g,\"tests\":{", d->epsilon, d->scene_diameter);
+        fprintf(log, ",\"epsilon\":%.17g,\"epsilon_reason\":\"%s\",\"scene_diameter\":%.17g,\"tests\":{", d->epsilon,
+                reason->json, d->scene_diameter);
     else
-        fprintf(log, "%14.4g  epsilon, model units\n%14.6g  diameter of the scene, model units\n", d->epsilon,
-                d->scene_diameter);
+        fprintf(log, "%14.4g  epsilon, model units: %s\n%14.6g  diameter of the scene, model units\n", d->epsilon,
+                reason->text, d->scene_diameter);
     print_figures(log, tests, sizeof tests / sizeof tests[0], json);
     fputs(json ? "}" : "", log);
     print_verified(log, options, &run->found);

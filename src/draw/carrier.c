@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/fetch.h"
+#include "base/bits.h"
 #include "base/vec.h"
 
 /* Radians by which coincident pieces may differ: 0.001 mm on 100 mm. Shorter ones are held to it all the same, so that

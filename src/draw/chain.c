@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/fetch.h"
+#include "base/bits.h"
 
 #define NO_PLACE UINT32_MAX
 

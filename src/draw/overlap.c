@@ -12,8 +12,8 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/fetch.h"
-#include "base/radix.h"
+#include "base/bits.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include "draw/carrier.h"
 

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#include "base/angle.h"
+#include "base/vec.h"
 
 /* mm */
 static const double narrow = 1.75, wide = 3.5; /* radii; `wide` is also half of the cone's length */

@@ -7,7 +7,7 @@
 
 #include "base/array.h"
 #include "base/box.h"
-#include "base/radix.h"
+#include "base/sort.h"
 
 /* So many are put in order one by one. */
 #define FEW 64

@@ -8,7 +8,7 @@
 
 #include "base/array.h"
 #include "base/error.h"
-#include "base/fetch.h"
+#include "base/bits.h"
 #include "base/threads.h"
 #include "hide/cells.h"
 #include "hide/segments.h"
@@ -203,6 +203,7 @@ static void describe(const hide_job *job, const roberts_camera *camera, roberts_
     const hide_picture *picture = &job->picture;
     double unit = picture->view.unit;
     drawing->epsilon = picture->view.epsilon * unit;
+    drawing->epsilon_reason = picture->view.epsilon_reason;
     drawing->scene_diameter = picture->view.diameter * unit;
     drawing->grid = job->grid.frame.nx;
     drawing->grid_rows = job->grid.frame.ny;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/radix.h"
+#include "base/sort.h"
 
 /* With more parts than this a new one is not held against each, or with more hulls only against so many of the last: they
  * are joined when all are there. */
@@ -83,13 +83,7 @@ void hide_parts_hulls_done(hide_parts *hulls)
 /* A run in which few are far from their places, one by one. */
 static void put_in_place(hide_solid_part *item, size_t count)
 {
-    for (size_t i = 1; i < count; i++) {
-        hide_solid_part moved = item[i];
-        size_t k = i;
-        for (; k > 0 && compare(&item[k - 1], &moved) > 0; k--)
-            item[k] = item[k - 1];
-        item[k] = moved;
-    }
+    SORT_FEW(hide_solid_part, item, count, compare(a, b) > 0)
 }
 
 static float begins(const hide_solid_part *p)

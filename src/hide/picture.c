@@ -5,7 +5,7 @@
 
 #include "base/array.h"
 #include "base/error.h"
-#include "base/fetch.h"
+#include "base/bits.h"
 #include "base/threads.h"
 #include "hide/cells.h"
 #include "hide/copies.h"

@@ -10,7 +10,6 @@
 #define ROBERTS_HIDE_PICTURE_H
 
 #include "base/bits.h"
-#include "base/fetch.h"
 #include "hide/bundle.h"
 #include "hide/cover.h"
 #include "hide/tests_wide.h"

@@ -6,8 +6,7 @@
 
 #include "base/array.h"
 #include "base/bits.h"
-#include "base/fetch.h"
-#include "base/radix.h"
+#include "base/sort.h"
 
 /* ---- tiles ---- */
 

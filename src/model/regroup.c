@@ -13,7 +13,7 @@
 #include "base/sets.h"
 #include "model/edges.h"
 #include "model/layout.h"
-#include "model/mesh.h"
+#include "read/mesh.h"
 #include "model/place.h"
 #include "model/split.h"
 #include "model/weld.h"

@@ -16,6 +16,7 @@
 #include "model/place.h"
 #include "model/regroup.h"
 #include "model/solid_build.h"
+#include "read/mesh.h"
 
 #define CHUNK_SOLIDS 256
 #define CHUNKS_PER_THREAD 4 /* with less work than this a thread costs more than it does */
@@ -302,6 +303,8 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
             status = build_hulls(*scene, mesh, &chosen, &found);
         }
     }
+    if (status == ROBERTS_OK)
+        (*scene)->float32_step = mesh_float32_step(mesh);
     if (status != ROBERTS_OK) {
         roberts_scene_free(*scene);
         *scene = NULL;

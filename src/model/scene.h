@@ -54,6 +54,7 @@ struct roberts_scene {
     roberts_color *vertex_color, *face_color; /* as in the input, compact numbering; NULL where there are none */
     roberts_vec3 box_min, box_max;            /* box round all vertices that faces use */
     roberts_vec3 centre;                      /* middle of that box */
+    double float32_step;                      /* see mesh_float32_step() */
     double unit; /* about the box's size, a power of two; of face_deviation and face_width, and of view space */
 };
 

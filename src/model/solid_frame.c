@@ -8,7 +8,7 @@
 
 #include "base/array.h"
 #include "base/box.h"
-#include "model/mesh.h"
+#include "read/mesh.h"
 
 /* Beyond these sizes a solid is scaled, so that fourth powers of its lengths (squared areas), and of lengths a
  * thousand-millionth of it, are far from the ends of the range. */

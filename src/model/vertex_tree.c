@@ -9,7 +9,7 @@
 
 #include "base/array.h"
 #include "base/box.h"
-#include "base/compare.h"
+#include "base/sort.h"
 
 enum { LEAF = 8 }; /* points */
 

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/sort.h"
 #include "base/vec.h"
 
 enum { SHORT_BUCKET = 16 };
@@ -46,13 +47,7 @@ static void sort_bucket(spot *first, uint32_t count)
         qsort(first, count, sizeof *first, compare_spots);
         return;
     }
-    for (uint32_t i = 1; i < count; i++) {
-        spot moving = first[i];
-        uint32_t j = i;
-        for (; j > 0 && compare_spots(&first[j - 1], &moving) > 0; j--)
-            first[j] = first[j - 1];
-        first[j] = moving;
-    }
+    SORT_FEW(spot, first, count, compare_spots(a, b) > 0)
 }
 
 /* Deals the vertices; end[b] becomes the end of bucket b. */

@@ -6,7 +6,7 @@
 
 #include "base/array.h"
 #include "base/bits.h"
-#include "base/radix.h"
+#include "base/sort.h"
 
 /* How far boxes reach beyond their faces, in loose epsilons: a corner of angle a, grown by epsilon, sticks out by
  * epsilon / sin (a / 2). */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/sort.h"
 #include "base/error.h"
 #include "ray/sight.h"
 #include "view/clip.h"
@@ -80,13 +81,7 @@ static int by_depth(const void *a, const void *b)
 static void order(roberts_picked *picked, double touching)
 {
     qsort(picked->hit, picked->count, sizeof *picked->hit, by_depth);
-    for (size_t i = 1; i < picked->count; i++) {
-        roberts_pick_hit hit = picked->hit[i];
-        size_t k = i;
-        for (; k > 0 && picked->hit[k - 1].solid > hit.solid && hit.depth - picked->hit[k - 1].depth <= touching; k--)
-            picked->hit[k] = picked->hit[k - 1];
-        picked->hit[k] = hit;
-    }
+    SORT_FEW(roberts_pick_hit, picked->hit, picked->count, a->solid > b->solid && b->depth - a->depth <= touching)
 }
 
 roberts_status roberts_pick(const roberts_scene *scene, const roberts_camera *camera, double x, double y,

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "base/fetch.h"
+#include "base/sort.h"
+#include "base/bits.h"
 #include "base/lanes.h"
 
 enum {
@@ -233,13 +234,7 @@ static int largest(const builder *b, const part *p, int parts)
 
 static void nearest_first(part *p, int parts)
 {
-    for (int i = 1; i < parts; i++) {
-        part moved = p[i];
-        int k = i;
-        for (; k > 0 && p[k - 1].below.all.hi_z < moved.below.all.hi_z; k--)
-            p[k] = p[k - 1];
-        p[k] = moved;
-    }
+    SORT_FEW(part, p, parts, a->below.all.hi_z < b->below.all.hi_z)
 }
 
 static void set_child(tree_node *node, int i, const cover *c, uint32_t owner, uint32_t first, uint32_t count)

@@ -14,7 +14,7 @@
 
 #include "base/array.h"
 #include "base/error.h"
-#include "base/radix.h"
+#include "base/sort.h"
 #include "base/threads.h"
 #include "ray/occluders.h"
 #include "view/clip.h"
@@ -286,12 +286,8 @@ static uint32_t find_edge(const roberts_scene *scene, const roberts_segment *row
 /* Puts the rows of [first, end) in order of t0; they are few, and mostly in order already. */
 static void sort_rows(verifier *f, uint32_t first, uint32_t end)
 {
-    for (uint32_t i = first + 1; i < end; i++) {
-        uint32_t row = f->row[i], k = i;
-        for (; k > first && f->drawing->segment[f->row[k - 1]].t0 > f->drawing->segment[row].t0; k--)
-            f->row[k] = f->row[k - 1];
-        f->row[k] = row;
-    }
+    const roberts_segment *segment = f->drawing->segment;
+    SORT_FEW(uint32_t, f->row + first, end - first, segment[*a].t0 > segment[*b].t0)
 }
 
 /* Rows by edge, by counting: row_start first counts, then points behind each edge's rows, then to their first. */

@@ -1,7 +1,7 @@
 /* camera.c - the named views, those by angles, and turning about the scene. */
 #include <string.h>
 
-#include "base/angle.h"
+#include "base/vec.h"
 #include "model/scene.h"
 
 bool roberts_camera_preset(const char *name, roberts_camera *camera)

@@ -331,6 +331,7 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
     to->box_max = from->box_max;
     to->centre = from->centre;
     to->unit = from->unit;
+    to->float32_step = from->float32_step;
     if (!map || !to->solid || !array_reserve(&to->face_start, &c->start_room, 1, sizeof *to->face_start)) {
         free(map);
         return error_no_memory(error);

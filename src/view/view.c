@@ -4,7 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "base/angle.h"
+#include "base/vec.h"
 #include "base/error.h"
 #include "base/lanes.h"
 
@@ -361,6 +361,24 @@ static void set_across_from_eye(view *v, const roberts_scene *scene, double acro
     v->across_rounding = rounding;
 }
 
+/* The touching distance: as given, or the greatest that one of the reasons asks for. largest_coordinate: view units. */
+static void choose_epsilon(view *v, const roberts_scene *scene, double given, double largest_coordinate)
+{
+    const struct choice {
+        double epsilon;
+        roberts_epsilon_reason reason;
+    } choices[] = {{EPSILON_OF_DIAMETER * v->diameter, ROBERTS_EPSILON_DIAMETER},
+                   {EPSILON_ULPS * DBL_EPSILON * largest_coordinate, ROBERTS_EPSILON_ROUNDING},
+                   {scene->float32_step / v->unit, ROBERTS_EPSILON_FLOAT32}};
+    v->epsilon = given / v->unit;
+    v->epsilon_reason = ROBERTS_EPSILON_GIVEN;
+    for (size_t i = 0; !(given > 0.0) && i < sizeof choices / sizeof choices[0]; i++)
+        if (choices[i].epsilon > v->epsilon) {
+            v->epsilon = choices[i].epsilon;
+            v->epsilon_reason = choices[i].reason;
+        }
+}
+
 /* The largest view coordinate, then the touching distance and the rounding that follow from it. */
 static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
 {
@@ -385,9 +403,7 @@ static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
             ROUNDINGS * 0.5 * DBL_EPSILON *
             fmax(v->diameter, vec3_length(vec3_scale(v->per_unit, vec3_sub(v->viewpoint, scene->centre))));
     }
-    v->epsilon = epsilon > 0.0
-                     ? epsilon / v->unit
-                     : fmax(EPSILON_OF_DIAMETER * v->diameter, EPSILON_ULPS * DBL_EPSILON * fmax(raw, v->extent));
+    choose_epsilon(v, scene, epsilon, fmax(raw, v->extent));
 }
 
 /* The direction toward the viewer, about 1 long: as given, so that exact arithmetic can go back to it; or, in an oblique
