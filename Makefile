@@ -39,6 +39,7 @@ PREFIX   ?= /usr/local
 LIBDIR   ?= $(PREFIX)/lib
 object    = $(1:%.c=$(BUILD)/obj/%.o)
 TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
+PAGES    := $(BUILD)/roberts.1 $(BUILD)/completions/bash $(BUILD)/completions/zsh $(BUILD)/completions/fish
 TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
 DEMO     := table temple tower staircase city lattice
 EDGES    ?= 5000000
@@ -57,7 +58,7 @@ check: ## builds everything, runs all tests
 	@$(MAKE) --no-print-directory test
 
 ##@ To build and test with what is there
-all: $(BUILD)/roberts $(BUILD)/libroberts.a ## the program and the library (what `make` alone does)
+all: $(BUILD)/roberts $(BUILD)/libroberts.a $(PAGES) ## program, library and manual page (what `make` alone does)
 
 tools: $(TOOL_BIN) ## what helps to build and measure, to build/tools/
 
@@ -115,10 +116,10 @@ install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, man page, comple
 	ln -sf $(SHARED) $(DESTDIR)$(LIBDIR)/$(SONAME)
 	ln -sf $(SONAME) $(DESTDIR)$(LIBDIR)/libroberts.so
 	install -m 644 $(BUILD)/roberts.pc $(DESTDIR)$(LIBDIR)/pkgconfig/
-	install -D -m 644 src/cli/roberts.1 $(DESTDIR)$(PREFIX)/share/man/man1/roberts.1
-	install -D -m 644 src/cli/completions/bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/roberts
-	install -D -m 644 src/cli/completions/zsh $(DESTDIR)$(PREFIX)/share/zsh/site-functions/_roberts
-	install -D -m 644 src/cli/completions/fish $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d/roberts.fish
+	install -D -m 644 $(BUILD)/roberts.1 $(DESTDIR)$(PREFIX)/share/man/man1/roberts.1
+	install -D -m 644 $(BUILD)/completions/bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/roberts
+	install -D -m 644 $(BUILD)/completions/zsh $(DESTDIR)$(PREFIX)/share/zsh/site-functions/_roberts
+	install -D -m 644 $(BUILD)/completions/fish $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d/roberts.fish
 	@# The loader's cache, where the loader looks into LIBDIR: root alone can renew it, and packages (DESTDIR) do it themselves.
 	@if [ -z "$(DESTDIR)" ] && [ "$$(id -u)" = 0 ] && ldconfig -v -N -X 2>/dev/null | grep -q "^$(LIBDIR):"; then ldconfig; fi
 
@@ -166,6 +167,15 @@ $(TOOL_BIN): $(BUILD)/%: $(BUILD)/obj/%.o $(BUILD)/libroberts.a
 	$(LINK) $(LIBS)
 
 $(BUILD)/tools/make-models: $(call object,$(MODEL_SRC))
+$(BUILD)/tools/print-options: $(filter-out %/main.o,$(call object,$(CLI_SRC)))
+
+# The manual page and the completions get the options from their table in src/cli/option_table.c.
+$(BUILD)/roberts.1: src/cli/roberts.1 $(BUILD)/tools/print-options
+	$(BUILD)/tools/print-options manual <$< >$@
+
+$(BUILD)/completions/%: src/cli/completions/% $(BUILD)/tools/print-options
+	@mkdir -p $(@D)
+	$(BUILD)/tools/print-options $* <$< >$@
 
 $(TEST_BIN): $(BUILD)/%: $(BUILD)/obj/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
@@ -182,6 +192,7 @@ $(FUZZER): $(BUILD)/fuzz/%: $(BUILD)/obj/tests/fuzz/%.o $(BUILD)/libroberts.a
 
 # It holds a source of the program, which has something to say.
 $(BUILD)/tests/test_verify_report: $(call object,src/cli/message.c src/cli/progress.c)
+$(BUILD)/tests/test_options: $(filter-out %/main.o,$(call object,$(CLI_SRC)))
 $(BUILD)/tests/test_fuzz: $(call object,$(FUZZ_SRC))
 
 # The exact oracle: C++ with CGAL, for tests alone.

@@ -366,7 +366,7 @@ static const struct {
     {"-f csv --background white", "--background has no effect: csv has no page\n"},
     {"-f json --scale 1:2 --unit in --margin 5 --landscape --frame",
      "--landscape, --margin, --scale, --unit, --frame have no effect: json has no page\n"},
-    {"-f null --order none --dpi 9", "--order, --dpi have no effect: null has no page\n"},
+    {"-f null --order none --dpi 9", "--dpi, --order have no effect: null has no page\n"},
     {"-f null -o in/b.svg", "--output has no effect: the format null writes nothing\n"},
     {"-f csv --hidden dashed --crease 5", ""},
 };

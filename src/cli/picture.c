@@ -8,11 +8,11 @@
 
 #include "cli/empty.h"
 #include "cli/message.h"
-#include "cli/parse.h"
 #include "cli/progress.h"
 #include "cli/rays.h"
 #include "cli/refusal.h"
 #include "cli/stats.h"
+#include "cli/values.h"
 
 enum { NAME_SIZE = 4096, HULLS_TOLD = 20 };
 
@@ -344,7 +344,7 @@ static int draw_turntable(const cli_options *options, roberts_scene **scene, con
     for (uint32_t i = 0; i < options->turntable && result == EXIT_DONE; i++) {
         cli_options one = *options;
         one.camera = turned(options, *scene, i);
-        parse_numbered(options->output, i, name, sizeof name);
+        values_numbered_name(options->output, i, name, sizeof name);
         one.output = one.label = name;
         result = draw(&one, scene, i + 1 == options->turntable, &window, *run, stats_now());
         progress_count(i + 1, options->turntable);

@@ -1,8 +1,5 @@
-/* nearest.c - the word that was meant, by edit distance.
- *
- * Source: the restricted form of Damerau, "A technique for computer detection and correction of spelling errors",
- * CACM 7(3), 1964: a letter left out, added, wrong, or two changed places. */
-#include "cli/nearest.h"
+/* hints.c - what was meant, or what can be done: the second half of a message. */
+#include "cli/hints.h"
 
 #include <ctype.h>
 #include <stdbool.h>
@@ -24,6 +21,9 @@ static bool same(char a, char b)
     return tolower((unsigned char)a) == tolower((unsigned char)b);
 }
 
+/* The edit distance of two words: letters left out, added or wrong, and pairs that changed places.
+ * Source: the restricted form of Damerau, "A technique for computer detection and correction of spelling errors",
+ * CACM 7(3), 1964. */
 static size_t distance(const char *a, const char *b)
 {
     size_t n = strlen(a), m = strlen(b);
@@ -45,13 +45,13 @@ static size_t distance(const char *a, const char *b)
     return row[1][m];
 }
 
-const char *nearest_word(const char *word, const char *const *words, size_t count)
+const char *hint_word(const char *word, const char *const *words)
 {
     const char *best = NULL;
     size_t length = strlen(word), best_distance = FAR;
-    for (size_t i = 0; i < count; i++) {
-        /* What is the beginning of a word means that word, and "isometric" means iso; else a third of the letters may
-         * be wrong, of two none. */
+    for (size_t i = 0; words[i]; i++) {
+        /* The beginning of a word means that word, and "isometric" means iso; of other words a third of the letters may
+         * be wrong, of two letters none. */
         size_t shorter = least(length, strlen(words[i]));
         bool begins = shorter >= 2 && strncmp(words[i], word, shorter) == 0;
         size_t d = begins ? 0 : distance(word, words[i]);
@@ -63,7 +63,7 @@ const char *nearest_word(const char *word, const char *const *words, size_t coun
     return best;
 }
 
-const char *nearest_option(const char *word)
+const char *hint_option(const char *word)
 {
     static const struct {
         const char *word, *option;
@@ -109,11 +109,11 @@ const char *nearest_option(const char *word)
     return NULL;
 }
 
-int nearest_unknown(const char *what, const char *word, const char *const *words, size_t count, const char *also)
+int hint_unknown(const char *what, const char *word, const char *const *words, const char *also)
 {
-    const char *meant = nearest_word(word, words, count);
+    const char *meant = hint_word(word, words);
     char list[256] = ""; /* more than all names of any option */
-    for (size_t i = 0, used = 0; i < count && used < sizeof list; i++)
+    for (size_t i = 0, used = 0; words[i] && used < sizeof list; i++)
         used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", words[i]);
     if (meant)
         return message_misuse("%s: \"%s\" is unknown; did you mean %s? It can be %s%s%s", what, word, meant, list,
