@@ -95,8 +95,8 @@ static const struct {
     {"-o", "-o needs a value"},
     {"--format", "--format needs a value"},
     {"--output=", "--output: the name is empty"},
-    {"-o a.dxf models/table.off",
-     "a.dxf: no format is known by this ending, as by .svg, .pdf, .ps, .eps, .png, .csv or .json; say which with -f"},
+    {"-o a.dxf models/table.off", "a.dxf: no format has this ending (.svg, .pdf, .ps, .eps, .png, .csv and .json are "
+                                  "known); name the format with -f"},
     {"--turntable 4", "--turntable needs a name with a place for the number: -o turn-%03d.svg"},
     {"--turntable 4 -o a.svg", "--turntable needs a name with a place"},
     {"--turntable 4 -o a-%d-%d.svg", "--turntable needs a name with a place"},
@@ -673,7 +673,7 @@ static void examples_of_the_help_run(void **state)
     assert_non_null(line);
     for (line = strtok(line + 10, "\n"); line; line = strtok(NULL, "\n"), count++) {
         assert_int_equal(strncmp(line, "  roberts ", 10), 0);
-        snprintf(command, sizeof command, "%s %s 2>err", program, line + 10);
+        snprintf(command, sizeof command, "'%s' %s 2>err", program, line + 10);
         print_message("%s\n", line);
         assert_int_equal(system(command), 0);
         char *name = strstr(line, " table.") ? strstr(line, " table.") + 1 : strstr(line, ">table.");

@@ -24,6 +24,15 @@ static void read_stream(FILE *stream, char text[TEXT])
     text[size] = '\0';
 }
 
+/* Where make puts the manual page and the completions. */
+static const char *in_build(const char *name)
+{
+    static char path[4096];
+    const char *build = getenv("ROBERTS_BUILD");
+    snprintf(path, sizeof path, "%s/%s", build ? build : "build", name);
+    return path;
+}
+
 static void read_file(const char *path, char text[TEXT])
 {
     FILE *file = fopen(path, "r");
@@ -46,7 +55,7 @@ static int set_up(void **state)
     char command[4096];
     const char *build = getenv("ROBERTS_BUILD");
     (void)state;
-    snprintf(command, sizeof command, "%s/roberts --help", build ? build : "build");
+    snprintf(command, sizeof command, "'%s/roberts' --help", build ? build : "build");
     FILE *pipe = popen(command, "r");
     read_stream(pipe, help);
     if (pclose(pipe) != 0)
@@ -100,7 +109,7 @@ static void manual_page(void **state)
 {
     static char text[TEXT];
     (void)state;
-    read_file("src/cli/roberts.1", text);
+    read_file(in_build("roberts.1"), text);
     char *to = text;
     for (const char *from = text; *from; from++)
         if (strncmp(from, "\\fB", 3) == 0 || strncmp(from, "\\fR", 3) == 0 || strncmp(from, "\\fI", 3) == 0)
@@ -115,7 +124,7 @@ static void examples_are_in_the_manual(void **state)
 {
     static char text[TEXT];
     (void)state;
-    read_file("src/cli/roberts.1", text);
+    read_file(in_build("roberts.1"), text);
     char *to = text;
     for (const char *from = text; *from; from++)
         if (*from != '\\')
@@ -137,9 +146,9 @@ static void completions_of_bash_and_zsh(void **state)
 {
     static char text[TEXT];
     (void)state;
-    read_file("src/cli/completions/bash", text);
+    read_file(in_build("completions/bash"), text);
     expect_options(text);
-    read_file("src/cli/completions/zsh", text);
+    read_file(in_build("completions/zsh"), text);
     expect_options(text);
 }
 
@@ -148,7 +157,7 @@ static void completions_of_fish(void **state)
 {
     static char text[TEXT];
     (void)state;
-    read_file("src/cli/completions/fish", text);
+    read_file(in_build("completions/fish"), text);
     int found = 0;
     for (int i = 0; i < option_count; i++) {
         bool is_long = option[i][1] == '-';
@@ -181,13 +190,13 @@ static void colors_are_listed(void **state)
     const char *build = getenv("ROBERTS_BUILD");
     int count = 0;
     (void)state;
-    snprintf(command, sizeof command, "%s/roberts --background no-such-color 2>&1", build ? build : "build");
+    snprintf(command, sizeof command, "'%s/roberts' --background no-such-color 2>&1", build ? build : "build");
     FILE *pipe = popen(command, "r");
     read_stream(pipe, said);
     assert_true(pclose(pipe) != 0);
     char *list = strstr(said, "it can be ");
     assert_non_null(list);
-    read_file("src/cli/roberts.1", manual);
+    read_file(in_build("roberts.1"), manual);
     read_file("README.md", readme);
     for (char *name = strtok(list + strlen("it can be "), ", \n"); name && *name != '#'; name = strtok(NULL, ", \n")) {
         count++;
@@ -224,12 +233,12 @@ static void bash_completes(void **state)
     if (access("/bin/bash", X_OK) != 0)
         skip();
     for (size_t i = 0; i < sizeof bash_cases / sizeof bash_cases[0]; i++) {
-        char command[1024], offered[1024];
+        char command[8192], offered[1024];
         snprintf(command, sizeof command,
-                 "/bin/bash --norc -c '. src/cli/completions/bash; COMP_WORDS=(%s); COMP_CWORD=$((${#COMP_WORDS[@]} - "
+                 "/bin/bash --norc -c '. \"$0\"; COMP_WORDS=(%s); COMP_CWORD=$((${#COMP_WORDS[@]} - "
                  "1)); _roberts roberts \"${COMP_WORDS[COMP_CWORD]#=}\" \"${COMP_WORDS[COMP_CWORD - 1]}\"; "
-                 "printf \"%%s \" ${COMPREPLY[@]+\"${COMPREPLY[@]}\"}'",
-                 bash_cases[i].words);
+                 "printf \"%%s \" ${COMPREPLY[@]+\"${COMPREPLY[@]}\"}' '%s'",
+                 bash_cases[i].words, in_build("completions/bash"));
         print_message("%s\n", bash_cases[i].words);
         FILE *pipe = popen(command, "r");
         assert_non_null(pipe);

@@ -1,8 +1,9 @@
-/* sense.c - whether options make sense together.
+/* check.c - whether options make sense together.
  *
- * The rule: what would draw something else than is meant, or lose a file, is misuse. What changes nothing is a warning, so
- * that a script can give the same options to every run; --quiet drops it. */
-#include "cli/sense.h"
+ * The rule: what would draw something else than is meant, or lose a file, is misuse. What changes nothing is worth only
+ * a warning, so that a script can give the same options to every run. The table of options says which options exclude
+ * or need each other; here is what depends on values and files. */
+#include "cli/check.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -13,17 +14,7 @@
 #include "cli/parse.h"
 #include "cli/values.h"
 
-#define COUNT(array) (sizeof(array) / sizeof(array)[0])
-
 enum { NAME_SIZE = 4096, LIST_SIZE = 512 };
-
-static bool is_given(sense_given given, const char *name)
-{
-    for (size_t i = 0; i < given.count; i++)
-        if (strcmp(given.name[i], name) == 0)
-            return true;
-    return false;
-}
 
 static bool has_page(roberts_format format)
 {
@@ -81,8 +72,9 @@ static int check_batch(const cli_options *options)
     return EXIT_DONE;
 }
 
-/* A name that ends in a slash is one of a folder, whether that is there or not. A turntable has a say of its own. */
-int sense_check_folder(const cli_options *options)
+/* A name that ends in a slash is one of a folder, whether that is there or not. check_turntable() judges names of its
+ * own. */
+int check_folder(const cli_options *options)
 {
     struct stat found;
     const char *name = options->output;
@@ -94,6 +86,18 @@ int sense_check_folder(const cli_options *options)
     return message_misuse("--output: %s is a folder; name a file in it, or draw each input by itself into it with "
                           "--batch %s",
                           name, name);
+}
+
+int check_format(const cli_options *options)
+{
+    const roberts_format format = options->draw.format;
+    const bool is_binary = format == ROBERTS_PDF || format == ROBERTS_PNG;
+    if (options->is_sheet && (format == ROBERTS_CSV || format == ROBERTS_JSON))
+        return message_misuse("--sheet makes a page, not a table: choose another format than %s",
+                              values_format_name(format));
+    if (is_binary && !options->batch && strcmp(options->output, "-") == 0 && isatty(STDOUT_FILENO))
+        return message_misuse("a terminal cannot show %s: name a file with -o", values_format_name(format));
+    return EXIT_DONE;
 }
 
 static bool is_same_file(const struct stat *a, const struct stat *b)
@@ -125,17 +129,13 @@ static int check_files(const cli_options *options, bool output_given)
     return streams > 1 ? message_misuse("standard input (-) can be read only once") : EXIT_DONE;
 }
 
-int sense_check(const cli_options *options, sense_given given)
+int check_options(const cli_options *options, const options_given *given)
 {
-    static const char *const of_eye[] = {"look-at", "near", "fov"};
     int status;
-    for (size_t i = 0; i < COUNT(of_eye); i++)
-        if (is_given(given, of_eye[i]) && !is_given(given, "eye"))
-            return message_misuse("--%s needs --eye", of_eye[i]);
     if ((status = check_margin(options)) != EXIT_DONE || (status = check_turntable(options)) != EXIT_DONE ||
         (status = check_batch(options)) != EXIT_DONE)
         return status;
-    return check_files(options, is_given(given, "output"));
+    return check_files(options, options_is_given(given, "output"));
 }
 
 /* ---- warnings ---- */
@@ -143,17 +143,6 @@ int sense_check(const cli_options *options, sense_given given)
 static void warn(const char *what, const char *why)
 {
     fprintf(stderr, "roberts: warning: %s has no effect: %s\n", what, why);
-}
-
-/* Those of `names` that were given, as "--a, --b"; how many they are. */
-static size_t list_given(sense_given given, const char *const *names, size_t count, char list[LIST_SIZE])
-{
-    size_t found = 0, used = 0;
-    list[0] = '\0';
-    for (size_t i = 0; i < count && used < LIST_SIZE; i++)
-        if (is_given(given, names[i]))
-            used += (size_t)snprintf(list + used, LIST_SIZE - used, "%s--%s", found++ ? ", " : "", names[i]);
-    return found;
 }
 
 static bool same_pen(const roberts_pen *a, const roberts_pen *b)
@@ -167,18 +156,22 @@ static bool is_dashed(const roberts_pen *pen)
     return pen->dash_mm > 0.0 && !pen->off;
 }
 
-static void warn_tables(const cli_options *options, sense_given given)
+/* Of a drawing that comes on no page, options of the paper. */
+static void warn_paper(const cli_options *options, const options_given *given)
 {
-    static const char *const names[] = {"page",  "landscape",  "margin", "fit",  "scale", "unit", "align",
-                                        "frame", "background", "style",  "dash", "order", "dpi"};
     char list[LIST_SIZE];
-    size_t found = list_given(given, names, COUNT(names), list);
+    size_t found = 0, used = 0;
+    for (size_t i = 0; i < given->table->count && used < LIST_SIZE; i++) {
+        const option *o = &given->table->row[i];
+        if (given->row[i] && (o->flags & OPTION_PAPER))
+            used += (size_t)snprintf(list + used, LIST_SIZE - used, "%s--%s", found++ ? ", " : "", o->name);
+    }
     if (found > 0)
         fprintf(stderr, "roberts: warning: %s %s no effect: %s has no page\n", list, found > 1 ? "have" : "has",
                 values_format_name(options->draw.format));
 }
 
-/* A pen was chosen for lines of a class that are not drawn: because of what is `missing`, else (NULL) if they are off. */
+/* A pen was chosen for lines that are not drawn, because something is `missing` or (NULL) because they are off. */
 static void warn_pen(const char *class, const roberts_pen *pen, const roberts_pen *usual, const char *missing)
 {
     char what[64];
@@ -188,27 +181,27 @@ static void warn_pen(const char *class, const roberts_pen *pen, const roberts_pe
     warn(what, missing ? missing : "these lines are off");
 }
 
-static void warn_pages(const cli_options *options, sense_given given)
+static void warn_pages(const cli_options *options, const options_given *given)
 {
     const roberts_draw_options *draw = &options->draw, usual = roberts_draw_options_default();
     const bool hidden = draw->hidden != ROBERTS_HIDDEN_NONE;
-    if (is_given(given, "dpi") && draw->format != ROBERTS_PNG)
+    if (options_is_given(given, "dpi") && draw->format != ROBERTS_PNG)
         warn("--dpi", "only png has a resolution");
-    if (is_given(given, "unit") && !is_given(given, "scale"))
+    if (options_is_given(given, "unit") && !options_is_given(given, "scale"))
         warn("--unit", "the drawing is fitted on the page, and not true to --scale");
     warn_pen("outline", &draw->outline, &usual.outline, NULL);
     warn_pen("crease", &draw->crease, &usual.crease, NULL);
     warn_pen("hidden", &draw->back, &usual.back,
              hidden ? NULL : "hidden lines are not drawn without --hidden dashed or solid");
     warn_pen("frame", &draw->frame, &usual.frame,
-             !draw->frame.off || is_given(given, "frame") ? NULL : "it is not drawn without --frame");
+             !draw->frame.off || options_is_given(given, "frame") ? NULL : "it is not drawn without --frame");
     warn_pen("symbol", &draw->symbol, &usual.symbol, options->is_sheet ? NULL : "it is not drawn without --sheet");
     if (draw->real_dashes && !is_dashed(&draw->outline) && !is_dashed(&draw->crease) &&
         !(draw->hidden == ROBERTS_HIDDEN_DASHED && is_dashed(&draw->back)))
         warn("--dash real", "no lines are dashed, as by --hidden dashed");
 }
 
-/* Whoever opens it by its ending is misled. */
+/* An ending that names another format misleads whoever opens the file. */
 static void warn_ending(const cli_options *options)
 {
     char text[80];
@@ -221,28 +214,29 @@ static void warn_ending(const cli_options *options)
     message_warning(stderr, options->output, 0, text);
 }
 
-/* A name as --turntable takes it, where nothing counts: a file may be called so, but hardly is meant to. */
+/* A name as --turntable takes it, without a turntable: a file may be called so, but that is hardly meant. */
 static void warn_number(const cli_options *options)
 {
     char name[NAME_SIZE];
     if (options->turntable == 0 && options->draw.format != ROBERTS_NULL &&
         parse_numbered(options->output, 0, name, sizeof name))
-        message_warning(stderr, options->output, 0, "the file is called just so: only --turntable puts a number there");
+        message_warning(stderr, options->output, 0,
+                        "the file gets this very name: only --turntable puts a number there");
 }
 
-void sense_warn(const cli_options *options, sense_given given)
+void check_warn(const cli_options *options, const options_given *given)
 {
     if (options->quiet)
         return;
-    if (options->draw.format == ROBERTS_NULL && is_given(given, "output") && !options->turntable)
+    if (options->draw.format == ROBERTS_NULL && options_is_given(given, "output") && !options->turntable)
         warn("--output", "the format null writes nothing");
-    if (is_given(given, "format"))
+    if (options_is_given(given, "format"))
         warn_ending(options);
     warn_number(options);
     if (has_page(options->draw.format))
         warn_pages(options, given);
     else
-        warn_tables(options, given);
+        warn_paper(options, given);
     if (isatty(STDIN_FILENO) && strcmp(options->input[0], "-") == 0)
         fputs(
             "roberts: reading the model from the terminal; ctrl-D ends it (roberts --help tells how to name a file)\n",
