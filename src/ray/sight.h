@@ -92,6 +92,19 @@ sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_
 sight_answer sight_hides_strictly(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack,
                                   const roberts_vec3 ends[2]);
 
+/* A part of a segment, from t0 to t1. */
+typedef struct sight_part {
+    double t0, t1;
+} sight_part;
+
+/* The part of the segment AB that the face surely hides, 0 <= t0 <= t1 <= 1; the border counts in. False: none. After
+ * M. Cyrus and J. Beck. Of a sampled face a part may come out shorter, or none, where the part lies wholly between a few
+ * of its samples and its border. */
+bool sight_hidden_part(const sight *s, uint32_t face, roberts_vec3 A, roberts_vec3 B, sight_part *part);
+
+/* How far from the face's plane, on either side, all counts as in it. */
+double sight_touch(const sight *s, uint32_t face);
+
 /* Is X farther behind the front face, or nearly front face, than what counts as in its plane? A face that is not front: yes. */
 bool sight_well_behind(const sight *s, uint32_t face, roberts_vec3 X);
 
