@@ -107,12 +107,34 @@ static bool sides_spare_samples(const sight *s, uint32_t face)
     return true;
 }
 
+/* Seen from any corner, the others lie outside of a side by no more than the face's size times the sine of what its sides
+ * turn the wrong way in all. */
+static double dent_of(const sight *s, uint32_t face)
+{
+    uint32_t count = corner_count(s, face);
+    plane F = s->scene->face_plane[face];
+    roberts_vec3 n = {F.a, F.b, F.c}, A = corner_of(s, face, count - 2), B = corner_of(s, face, count - 1);
+    double turned = 0.0, length = vec3_length(vec3_sub(B, A)), around = 0.0;
+    for (uint32_t k = 0; k < count; k++) {
+        roberts_vec3 C = corner_of(s, face, k);
+        double next = vec3_length(vec3_sub(C, B)), left = -vec3_dot(n, vec3_cross(vec3_sub(B, A), vec3_sub(C, B)));
+        if (left < 0.0 && length * next > 0.0)
+            turned += -left / (length * next);
+        around += next;
+        length = next;
+        A = B;
+        B = C;
+    }
+    return 0.5 * around * turned;
+}
+
 bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
 {
     *s = (sight){.scene = scene, .perspective = v->perspective, .unit = v->unit};
     s->P = alloc_array(scene->vertex_count, sizeof *s->P);
     s->facing = alloc_array(scene->face_count, sizeof *s->facing);
-    if (!s->P || !s->facing) {
+    s->dent = alloc_zeroed(scene->face_count, sizeof *s->dent);
+    if (!s->P || !s->facing || !s->dent) {
         sight_free(s);
         return false;
     }
@@ -121,8 +143,11 @@ bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
     s->viewpoint =
         s->perspective ? vec3_scale(1.0 / s->unit, vec3_sub(v->viewpoint, scene->centre)) : normalised(v->viewpoint);
     set_margins(s, v);
-    for (uint32_t face = 0; face < scene->face_count; face++)
+    for (uint32_t face = 0; face < scene->face_count; face++) {
         s->facing[face] = (unsigned char)facing_of(s, face);
+        if (s->facing[face] != SIGHT_NOT_FRONT)
+            s->dent[face] = (float)(dent_of(s, face) * SCENE_UPWARD);
+    }
     return true;
 }
 
@@ -144,6 +169,7 @@ void sight_free(sight *s)
         return;
     free(s->P);
     free(s->facing);
+    free(s->dent);
     free(s->sampled);
     *s = (sight){0};
 }
@@ -232,6 +258,7 @@ sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, robert
     uint32_t end = scene->face_start[face + 1];
     roberts_vec3 A = s->P[scene->corner[end - 1]];
     sight_answer answer = SIGHT_SURELY;
+    slack += (double)s->dent[face];
     if (s->sampled && s->sampled[face]) {
         sight_answer early = pass_samples(s, face, X, v, slack);
         if (early != SIGHT_POSSIBLY)

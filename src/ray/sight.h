@@ -26,6 +26,8 @@ typedef struct sight {
     const roberts_scene *scene;
     roberts_vec3 *P;       /* [vertex_count] */
     unsigned char *facing; /* [face_count] */
+    float *dent;           /* [face_count] bound of how far a corner of the face lies outside of one of its sides: faces
+                              that are given to few digits, or cut by the near plane, are only nearly convex */
     bool *sampled;         /* [face_count] see sight_through(); NULL: no face is */
     bool perspective;
     roberts_vec3 viewpoint; /* the direction toward the viewer, of length 1, or the eye */
@@ -74,7 +76,7 @@ static inline double sight_behind(const sight *s, uint32_t face, roberts_vec3 X)
 typedef enum sight_answer { SIGHT_NO, SIGHT_POSSIBLY, SIGHT_SURELY } sight_answer;
 
 /* Whether the line through X along v (toward the viewer) passes within the sides of the face. Outside of a side, but
- * within the touching distance and `slack` of it, it possibly does.
+ * within the touching distance, `slack` and the face's dents of it, it possibly does.
  *
  * Of a face of very many corners that is `sampled`, a side is asked before all, and whether the line passes well within a
  * triangle, or the polygon, of some of its corners: no side of the face cuts that, so that it passes within all of them. */
