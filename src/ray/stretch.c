@@ -33,6 +33,8 @@
 #define CLOSE_NEIGHBOUR 0.25
 /* A solid of few faces has so many at most. */
 #define FEW_FACES 12
+/* After so many points in turn behind one solid, a walk leaps. */
+#define LEAP_AFTER 4
 /* Further rays near the ends of visible stretches, as parts of the edge. */
 static const double end_parts[] = {1e-6, 1e-4};
 
@@ -52,6 +54,10 @@ typedef struct stretch_probe {
     double close;   /* closest to a change that a ray is cast, in t */
     double end;     /* walk: where it ends */
     double stride;  /* walk: how far it goes on where no face says */
+    uint32_t solid; /* walk: the solid that hid the last point, */
+    uint32_t same;  /* ... and how many before it */
+    double leap;    /* walk: length of the next leap behind one solid, */
+    double back;    /* ... and where to go back to when this one has failed; INFINITY: this is no leap */
 } stretch_probe;
 
 struct stretch_checker {
@@ -178,17 +184,42 @@ static double hidden_until(const occluders *o, const stretch_probe *p, const sig
     return all.t1 >= 1.0 ? p->end : p->t + all.t1 * (p->end - p->t);
 }
 
+/* Leaps behind a solid of many faces, farther from time to time. What lies behind a convex solid is convex: where the solid
+ * hides both ends of a leap, it hides all between. */
+static void leap(stretch_probe *p, double next)
+{
+    p->leap = greater(p->leap, 2.0 * (next - p->t));
+    p->back = next;
+    p->t = lesser(next + p->leap, p->end);
+    p->leap *= 2.0;
+}
+
 /* Takes the walk to its next point; false at its end. Strides get longer as long as no face says how far to go; the last of
  * these stops at the end itself. */
 static bool walk_on(const occluders *o, stretch_probe *p, const sight_question *q)
 {
-    double until = q->answer == SIGHT_SURELY ? hidden_until(o, p, q) : p->t;
-    if (p->t >= p->end)
+    uint32_t solid = q->answer == SIGHT_SURELY ? o->face_solid[q->hider] : ROBERTS_NONE;
+    bool leapt = p->back < INFINITY;
+    if (leapt && solid != p->solid) {
+        p->t = p->back;
+        p->back = INFINITY;
+        p->leap /= 8.0;
+        p->same = 0;
+        return true;
+    }
+    p->same = solid != ROBERTS_NONE && solid == p->solid ? p->same + 1 : 0;
+    p->solid = solid;
+    p->back = INFINITY;
+    double until = solid != ROBERTS_NONE ? hidden_until(o, p, q) : p->t;
+    if (p->t >= p->end || until >= p->end)
         return false;
     if (until > p->t + p->close) {
         p->stride = p->close;
-        p->t = until + p->close;
-        return p->t < p->end;
+        if (p->same >= LEAP_AFTER)
+            leap(p, until + p->close);
+        else
+            p->t = until + p->close;
+        return p->t < p->end || p->back < p->end;
     }
     p->t = lesser(p->t + p->stride, p->end);
     p->stride *= 2.0;
@@ -311,7 +342,8 @@ void stretch_check(stretch_checker *c, const stretch *s)
     bool wide = 4.0 * p.close < width, walk = wide && s->drawn == ROBERTS_HIDDEN;
     ask_evenly(c, s, &p, walk);
     if (wide && !walk) {
-        ask_ends(c, s, &p);
+        if (c->o->s.sampled)
+            ask_ends(c, s, &p);
         ask_hidden_part(c, s, &p);
     }
     if (s->named) {
@@ -321,6 +353,8 @@ void stretch_check(stretch_checker *c, const stretch *s)
     if (walk) {
         p.kind = PROBE_WALK;
         p.stride = p.close;
+        p.solid = ROBERTS_NONE;
+        p.back = INFINITY;
         p.end = s->t1 - p.close;
         ask_point(c, s, &p, s->t0 + p.close, CLOSE_NEIGHBOUR * p.close);
     }
