@@ -212,7 +212,8 @@ typedef struct roberts_camera {
                                farther away; 0,0 = sight lines at right angles to the picture plane */
     double
         near_distance;  /**< perspective: what is nearer to the eye's plane is cut off, model units; 0 = a thousandth of
-                               the look-at point's distance, and at least 1e-5 of the scene's diameter */
+                               the look-at point's distance, and at least 1e-5 of the scene's diameter. What is
+                               nearer than 1e-6 of the diameter is cut off in any case */
     double fov_degrees; /**< perspective: angle between the sides of the picture, and between top and bottom, under 180
                                (on a page that is not square, across its shorter side); 0 = the whole scene, or
                                60 where the near plane cuts the scene */

@@ -275,6 +275,22 @@ sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, robert
     return answer;
 }
 
+bool sight_well_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
+{
+    const roberts_scene *scene = s->scene;
+    uint32_t end = scene->face_start[face + 1];
+    roberts_vec3 A = s->P[scene->corner[end - 1]];
+    if (s->sampled && s->sampled[face] && well_inside(s, face, X, v))
+        return true;
+    for (uint32_t k = scene->face_start[face]; k < end; k++) {
+        roberts_vec3 B = s->P[scene->corner[k]];
+        if (!well_left(s, A, B, X, v))
+            return false;
+        A = B;
+    }
+    return true;
+}
+
 sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)
 {
     if (s->facing[face] == SIGHT_NOT_FRONT)

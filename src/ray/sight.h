@@ -82,6 +82,9 @@ typedef enum sight_answer { SIGHT_NO, SIGHT_POSSIBLY, SIGHT_SURELY } sight_answe
  * triangle, or the polygon, of some of its corners: no side of the face cuts that, so that it passes within all of them. */
 sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack);
 
+/* Whether the line passes within the sides, farther from all of them than the touching distance. */
+bool sight_well_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v);
+
 /* Whether the face hides X from the viewer: X lies behind its plane and the sight line passes through it. Behind, but by
  * less than the touching distance and the face's departure from its plane, it possibly does. A face that is not front
  * hides nothing. */

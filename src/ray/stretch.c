@@ -154,15 +154,20 @@ static bool may_be_seen(const occluders *o, uint32_t solid, const sight_question
     return false;
 }
 
+/* Near the border of the nearest face, what lies beside it may be seen instead. */
 static void judge_nearest(stretch_checker *c, const stretch_probe *p, const sight_question *q)
 {
     const occluders *o = c->o;
-    if (q->answer == SIGHT_POSSIBLY)
-        c->result->undecided++;
-    if (q->answer != SIGHT_SURELY)
-        return; /* whether it is hidden at all, other rays say */
-    if (o->face_solid[q->hider] != p->drawn_by && !may_be_seen(o, p->drawn_by, q, occluders_meet(o, q->hider, q->X)))
+    if (q->answer != SIGHT_SURELY) {
+        c->result->undecided += q->answer == SIGHT_POSSIBLY; /* whether it is hidden at all, other rays say */
+        return;
+    }
+    if (o->face_solid[q->hider] == p->drawn_by || may_be_seen(o, p->drawn_by, q, occluders_meet(o, q->hider, q->X)))
+        return;
+    if (sight_well_through(&o->s, q->hider, q->X, sight_from(&o->s, q->X)))
         contradict(c->result, p, q->solid, ROBERTS_HIDDEN, o->face_solid[q->hider]);
+    else
+        c->result->undecided++;
 }
 
 /* ---- walks ------------------------------------------------------------------------------------------------------ */
