@@ -235,7 +235,8 @@ typedef struct roberts_camera {
                                farther away; 0,0 = sight lines at right angles to the picture plane */
     double
         near_distance;  /**< perspective: what is nearer to the eye's plane is cut off, model units; 0 = a thousandth of
-                               the look-at point's distance, and at least 1e-5 of the scene's diameter */
+                               the look-at point's distance, and at least 1e-5 of the scene's diameter. What is
+                               nearer than 1e-6 of the diameter is cut off in any case */
     double fov_degrees; /**< perspective: angle between the sides of the picture, and between top and bottom, under 180
                                (on a page that is not square, across its shorter side); 0 = the whole scene, or
                                60 where the near plane cuts the scene */
@@ -491,15 +492,17 @@ typedef struct roberts_contradiction {
     uint32_t solid, v0, v1; /**< the edge, as in roberts_segment */
     double t;               /**< where on it */
     roberts_state drawn;    /**< what the drawing says */
-    roberts_state cast;     /**< what the ray says */
+    roberts_state cast;     /**< what the ray says; clipped: the near plane cuts the point off */
     uint32_t by;            /**< cast hidden: a solid that hides the point; else ROBERTS_NONE */
+    uint32_t drawn_by;      /**< drawn hidden: the solid that the drawing names, which is wrong if `cast` is hidden too:
+                                 `by` hides it, or the point lies not behind it; ROBERTS_NONE where it names none */
 } roberts_contradiction;
 
 /** Receives contradictions, by edge and then along it. */
 typedef void roberts_contradiction_fn(void *context, const roberts_contradiction *contradiction);
 
 typedef struct roberts_verify_options {
-    uint32_t rays;         /**< per segment, near its ends and evenly between them; 0 = 3 */
+    uint32_t rays;         /**< per segment, near its ends and evenly between them; 0 = 3. Others are cast besides */
     double crease_degrees; /**< as given to roberts_hide(), to tell edges hidden altogether from those not drawn */
     bool all_edges;        /**< the same */
     uint32_t threads;      /**< 0 = what there is; the result does not depend on it */
@@ -523,6 +526,8 @@ typedef struct roberts_verification {
  * scene, camera   those that `drawing` was made from
  * drawing         with or without hidden segments; what is missing of an edge that has to be drawn counts as hidden
  * options         NULL for the defaults
+ * Besides options->rays to a segment, rays are cast close to the ends of visible segments, behind whatever face hides
+ * a part of one, step by step along hidden segments, and at the middle of segments that name what hides them (`by`).
  * The rule is that of roberts_hide(), with drawing->epsilon; points where the answer depends on a few epsilon are
  * counted as undecided. Segments in state ROBERTS_CLIPPED are not looked at. A contradiction is not a failure.
  * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW, or _BAD_ARGUMENT (a segment of no edge of the scene, t out of order).

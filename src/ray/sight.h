@@ -26,6 +26,8 @@ typedef struct sight {
     const roberts_scene *scene;
     roberts_vec3 *P;       /* [vertex_count] */
     unsigned char *facing; /* [face_count] */
+    float *dent;           /* [face_count] bound of how far a corner of the face lies outside of one of its sides: faces
+                              that are given to few digits, or cut by the near plane, are only nearly convex */
     bool *sampled;         /* [face_count] see sight_through(); NULL: no face is */
     bool perspective;
     roberts_vec3 viewpoint; /* the direction toward the viewer, of length 1, or the eye */
@@ -74,11 +76,14 @@ static inline double sight_behind(const sight *s, uint32_t face, roberts_vec3 X)
 typedef enum sight_answer { SIGHT_NO, SIGHT_POSSIBLY, SIGHT_SURELY } sight_answer;
 
 /* Whether the line through X along v (toward the viewer) passes within the sides of the face. Outside of a side, but
- * within the touching distance and `slack` of it, it possibly does.
+ * within the touching distance, `slack` and the face's dents of it, it possibly does.
  *
  * Of a face of very many corners that is `sampled`, a side is asked before all, and whether the line passes well within a
  * triangle, or the polygon, of some of its corners: no side of the face cuts that, so that it passes within all of them. */
 sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack);
+
+/* Whether the line passes within the sides, farther from all of them than the touching distance. */
+bool sight_well_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v);
 
 /* Whether the face hides X from the viewer: X lies behind its plane and the sight line passes through it. Behind, but by
  * less than the touching distance and the face's departure from its plane, it possibly does. A face that is not front
@@ -91,6 +96,19 @@ sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_
  * well, the edge crosses the plane or the side, near X and as exactly as it is computed, and X may be on either side of it. */
 sight_answer sight_hides_strictly(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack,
                                   const roberts_vec3 ends[2]);
+
+/* A part of a segment, from t0 to t1. */
+typedef struct sight_part {
+    double t0, t1;
+} sight_part;
+
+/* The part of the segment AB that the face surely hides, 0 <= t0 <= t1 <= 1; the border counts in. False: none. After
+ * M. Cyrus and J. Beck. Of a sampled face a part may come out shorter, or none, where the part lies wholly between a few
+ * of its samples and its border. */
+bool sight_hidden_part(const sight *s, uint32_t face, roberts_vec3 A, roberts_vec3 B, sight_part *part);
+
+/* How far from the face's plane, on either side, all counts as in it. */
+double sight_touch(const sight *s, uint32_t face);
 
 /* Is X farther behind the front face, or nearly front face, than what counts as in its plane? A face that is not front: yes. */
 bool sight_well_behind(const sight *s, uint32_t face, roberts_vec3 X);

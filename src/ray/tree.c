@@ -478,3 +478,52 @@ void tree_walk_keep(tree_walk *w)
         w->kept[w->kept_count - 1] = w->leaf;
     }
 }
+
+/* ---- searching along a segment ---------------------------------------------------------------------------------- */
+
+/* Whether the box may be over a point of the segment: no axis of the picture and no line along the segment parts them
+ * (the separating axis test). NaN, which boxes without an end bring, parts nothing. */
+static inline bool is_over_segment(const tree_search *s, const tree_node *n, uint32_t i)
+{
+    double lo_x = n->lo_x[i], hi_x = n->hi_x[i], lo_y = n->lo_y[i], hi_y = n->hi_y[i];
+    double x = s->middle.x - 0.5 * (lo_x + hi_x), y = s->middle.y - 0.5 * (lo_y + hi_y);
+    double wide = 0.5 * (hi_x - lo_x), high = 0.5 * (hi_y - lo_y);
+    double dx = fabs(s->half.x), dy = fabs(s->half.y);
+    bool apart = n->hi_z[i] < s->low_z || fabs(x) > wide + dx || fabs(y) > high + dy;
+    return !apart && !(fabs(s->half.x * y - s->half.y * x) > wide * dy + high * dx);
+}
+
+static void search_children(tree_search *s, uint32_t index)
+{
+    const tree_node *n = &s->t->node[index];
+    for (uint32_t i = TREE_WIDTH; i-- > 0;)
+        if (n->owner[i] != s->skip && is_over_segment(s, n, i))
+            s->stack[s->depth++] = TREE_WIDTH * index + i;
+}
+
+void tree_search_start(tree_search *s, const tree *t, roberts_vec3 a, roberts_vec3 b, uint32_t skip)
+{
+    s->t = t;
+    s->middle = (roberts_vec2){0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+    s->half = (roberts_vec2){0.5 * (b.x - a.x), 0.5 * (b.y - a.y)};
+    s->low_z = lesser(a.z, b.z);
+    s->skip = skip;
+    s->depth = 0;
+    if (t->node_count)
+        search_children(s, 0);
+}
+
+bool tree_search_next(tree_search *s, tree_leaf *leaf)
+{
+    while (s->depth) {
+        uint32_t child = s->stack[--s->depth], i = child % TREE_WIDTH;
+        const tree_node *n = &s->t->node[child / TREE_WIDTH];
+        if (n->count[i]) {
+            leaf->item = s->t->item + n->first[i];
+            leaf->item_count = n->count[i];
+            return true;
+        }
+        search_children(s, n->first[i]);
+    }
+    return false;
+}

@@ -124,6 +124,12 @@ static inline void tree_points_drop(tree_points *p, uint32_t i)
     p->live.word[i / 64] &= ~((uint64_t)1 << i % 64);
 }
 
+/* From now on boxes are over point i only if they reach up to z. */
+static inline void tree_points_raise(tree_points *p, uint32_t i, double z)
+{
+    p->z[i] = (float)z;
+}
+
 /* Those of the points in `of` that lie under the entry's box, and do not skip its owner. */
 tree_set tree_points_under(const tree_points *p, const tree_entry *e, const tree_set *of);
 
@@ -165,5 +171,21 @@ bool tree_walk_next(tree_walk *w, tree_leaf *leaf);
 
 /* The leaf just found was of use, and is to come first on the next walks, and once more in its turn. */
 void tree_walk_keep(tree_walk *w);
+
+/* A search for the leaves whose boxes may lie over some point of a segment. */
+typedef struct tree_search {
+    const tree *t;
+    roberts_vec2 middle, half; /* of the segment: its middle, and half the way from end to end */
+    double low_z;              /* of its lower end */
+    uint32_t skip;             /* as in tree_points */
+    uint32_t depth;
+    uint32_t stack[(TREE_WIDTH - 1) * TREE_DEPTH + 1]; /* children, numbered as in tree_crowd */
+} tree_search;
+
+/* Starts a search for what is over the segment from `a` to `b`; leaves that are all of the owner `skip` are left out. */
+void tree_search_start(tree_search *s, const tree *t, roberts_vec3 a, roberts_vec3 b, uint32_t skip);
+
+/* The next leaf (`points` is not set); false at the end. */
+bool tree_search_next(tree_search *s, tree_leaf *leaf);
 
 #endif

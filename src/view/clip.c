@@ -15,6 +15,9 @@
  * scene's diameter. Nearer things would be drawn a thousand times as large as at the look-at point. */
 #define NEAR_OF_DISTANCE 1e-3
 #define NEAR_OF_DIAMETER 1e-5
+/* The least distance of the near plane, whatever is given, as a part of the scene's diameter. Coordinates in the picture
+ * grow by one over it, and with them the touching distance. */
+#define NEAR_LEAST 1e-6
 /* What is nearer to the near plane than this lies in it, to rounding, and the eye on a face; in ulps of the largest
  * coordinate, the eye's included. */
 #define TOUCHING_ULPS 16.0
@@ -305,11 +308,7 @@ static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, robert
 /* Distances from the eye's plane; the least of them. */
 static double measure_depths(cutter *c)
 {
-    const roberts_vec3 corners[] = {c->from->box_min, c->from->box_max, c->eye};
     double least = INFINITY;
-    for (size_t i = 0; i < sizeof corners / sizeof corners[0]; i++)
-        c->touching = fmax(c->touching, fmax(fabs(corners[i].x), fmax(fabs(corners[i].y), fabs(corners[i].z))));
-    c->touching *= TOUCHING_ULPS * DBL_EPSILON;
     for (uint32_t v = 0; v < c->from->vertex_count; v++) {
         c->depth[v] = vec3_dot(c->dir, vec3_sub(c->eye, c->from->point[v]));
         if (fabs(c->depth[v] - c->near) <= c->touching)
@@ -350,6 +349,14 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
     return status;
 }
 
+static void set_touching(cutter *c)
+{
+    const roberts_vec3 corners[] = {c->from->box_min, c->from->box_max, c->eye};
+    for (size_t i = 0; i < sizeof corners / sizeof corners[0]; i++)
+        c->touching = fmax(c->touching, fmax(fabs(corners[i].x), fmax(fabs(corners[i].y), fabs(corners[i].z))));
+    c->touching *= TOUCHING_ULPS * DBL_EPSILON;
+}
+
 /* The line of sight and the near plane; false where view_prepare() will refuse the camera. */
 static bool set_near(cutter *c, const roberts_camera *camera)
 {
@@ -365,6 +372,8 @@ static bool set_near(cutter *c, const roberts_camera *camera)
     c->near = camera->near_distance;
     if (c->near <= 0.0)
         c->near = fmax(NEAR_OF_DISTANCE * vec3_length(back) * largest, NEAR_OF_DIAMETER * diameter);
+    set_touching(c);
+    c->near = fmax(c->near, NEAR_LEAST * diameter + c->touching);
     return true;
 }
 

@@ -12,9 +12,10 @@
 #define EPSILON_OF_DIAMETER 1e-11
 /* ... and in units of the last place of the largest coordinate, for scenes far from the origin. */
 #define EPSILON_ULPS 16.0
-/* The eye must have at least this part of the scene's diameter between itself and the scene, measured along the line
- * of sight: nearer, the picture grows without bound. */
-#define NEAR_OF_DIAMETER 1e-6
+/* The eye must have more than this part of the scene's diameter between itself and the scene, measured along the line of
+ * sight: nearer, the picture grows without bound. Half of what the near plane always cuts off (see clip.c), so that rounding
+ * does not matter. */
+#define NEAREST_OF_DIAMETER 5e-7
 /* Roundings that one view coordinate gathers: subtraction, three products and two sums with unit vectors that are
  * themselves rounded, the division; in halves of an ulp of the largest coordinate. */
 #define ROUNDINGS 8.0
@@ -263,7 +264,7 @@ static roberts_status set_eye(view *v, const roberts_scene *scene, const roberts
         nearest = fmin(nearest, distance - vec3_dot(v->dir, q));
     }
     v->inverse_distance = 1.0 / distance;
-    if (!(nearest > NEAR_OF_DIAMETER * v->diameter))
+    if (!(nearest > NEAREST_OF_DIAMETER * v->diameter))
         return error_set(error, ROBERTS_BAD_VIEW, 0,
                          "the scene is not wholly in front of the eye: its nearest vertex lies %.6g %s the eye's plane",
                          fabs(nearest) * v->unit, nearest < 0.0 ? "behind" : "in front of");
