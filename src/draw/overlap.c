@@ -46,10 +46,13 @@ static double depth(const line_view *v, const piece *p, double t)
     return p->za + (p->zb - p->za) * ((t - ta) / (tb - ta));
 }
 
-/* Whether piece i is drawn rather than j at t. */
+/* Whether piece i is drawn rather than j at t. What is visible is always drawn: a hidden edge may be nearer, as one that
+ * lies just below the surface of the solid whose edge is seen. */
 static bool is_before(const line_view *v, uint32_t i, uint32_t j, double t)
 {
     const piece *p = &v->p->item[i], *q = &v->p->item[j];
+    if ((p->line == ROBERTS_BACK) != (q->line == ROBERTS_BACK))
+        return q->line == ROBERTS_BACK;
     double nearer = depth(v, p, t) - depth(v, q, t);
     if (fabs(nearer) > v->tie)
         return nearer > 0.0;
