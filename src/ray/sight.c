@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "ray/ray.h"
+#include "ray/determinant.h"
 
 /* Faces of more corners than this are sampled: so many corners, evenly spaced. */
 #define SAMPLES 64
