@@ -1,8 +1,9 @@
-/* shapes.c - a ray against the usual shapes: segment, plane, triangle, polygon, sphere and circle, box, convex polyhedron.
+/* shapes.c - a ray against the usual shapes: segment, plane, triangle, polygon, sphere and circle, box, convex
+ * polyhedron.
  *
- * The ray is S + t v with t >= 0, and v of any length but 0. Shapes are closed: what only touches is met. Sources are the
- * lectures "Lancer de rayons I" [L], "Intersection entre un rayon et une boite" [B] and "Prienik luca s objektami" [Z];
- * the README lists the formulas and their corrections.
+ * The ray is S + t v with t >= 0, and v of any length but 0. Shapes are closed: what only touches is met. Sources are
+ * the lectures "Lancer de rayons I" [L], "Intersection entre un rayon et une boite" [B] and "Prienik luca s
+ * objektami" [Z]; the README lists the formulas and their corrections.
  *
  * Invariant: NaN in, miss out. Every comparison that accepts is written so that it fails for NaN. */
 #include "ray/determinant.h"
@@ -31,8 +32,8 @@ typedef struct inside_part {
 
 static const inside_part whole_line = {-INFINITY, INFINITY, ROBERTS_NONE, ROBERTS_NONE};
 
-/* Fills `span` with the part and with what the ray meets first. A part that lies behind S, or beyond all numbers, is not
- * met. */
+/* Fills `span` with the part and with what the ray meets first. A part that lies behind S, or beyond all numbers, is
+ * not met. */
 static bool meet_part(inside_part in, roberts_span *span)
 {
     if (!(in.t_in <= in.t_out) || !(in.t_out >= 0.0) || !(in.t_in < INFINITY))
@@ -44,7 +45,7 @@ static bool meet_part(inside_part in, roberts_span *span)
     return true;
 }
 
-/* ---- segment and plane -------------------------------------------------------------------------------------------- */
+/* ---- segment and plane ----------------------------------------------------------------------------------------- */
 
 /* [L] 1.1, proposition 1: S + t v = A + alpha AB. The dot product with n (across AB) leaves t, that with m (across v)
  * alpha. Since AB . m = -(v . n), one determinant serves both. */
@@ -79,11 +80,11 @@ bool roberts_ray_plane(roberts_ray ray, roberts_plane F, roberts_hit *hit)
     return true;
 }
 
-/* ---- triangle ----------------------------------------------------------------------------------------------------- */
+/* ---- triangle -------------------------------------------------------------------------------------------------- */
 
-/* Three forms of S + t v = A + alpha AB + beta AC. They differ in how they solve this. All agree on the determinant (v . n
- * with n = AB x AC, up to its sign), on when it is too small (relative to its six terms), and on what is met: alpha >= 0,
- * beta >= 0, alpha + beta <= 1, t >= 0. */
+/* Three forms of S + t v = A + alpha AB + beta AC. They differ in how they solve this. All agree on the determinant
+ * (v . n with n = AB x AC, up to its sign), on when it is too small (relative to its six terms), and on what is met:
+ * alpha >= 0, beta >= 0, alpha + beta <= 1, t >= 0. */
 static bool hit_triangle(double t, double alpha, double beta, double vn, roberts_hit *hit)
 {
     if (!(t >= 0.0 && alpha >= 0.0 && beta >= 0.0 && alpha + beta <= 1.0 && t < INFINITY))
@@ -124,8 +125,8 @@ bool roberts_ray_triangle_mt(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, ro
     return hit_triangle(f * vec3_dot(e2, q), u, f * vec3_dot(d, q), -determinant, hit);
 }
 
-/* [Z]: P in the plane first, then w = P - V0 in the base (u, v) of the sides, where v is the side V2 - V0 and not the ray
- * (correction 1). */
+/* [Z]: P in the plane first, then w = P - V0 in the base (u, v) of the sides, where v is the side V2 - V0 and not the
+ * ray (correction 1). */
 bool roberts_ray_triangle_barycentric(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, roberts_vec3 c, roberts_hit *hit)
 {
     roberts_vec3 u = vec3_sub(b, a), v = vec3_sub(c, a), n = vec3_cross(u, v);
@@ -139,7 +140,7 @@ bool roberts_ray_triangle_barycentric(roberts_ray ray, roberts_vec3 a, roberts_v
     return hit_triangle(r, (uv * wv - vv * wu) / gram, (uv * wu - uu * wv) / gram, dn, hit);
 }
 
-/* ---- polygon ------------------------------------------------------------------------------------------------------ */
+/* ---- polygon --------------------------------------------------------------------------------------------------- */
 
 /* The note leaves out points on the border; here they are inside. The frame of the plane stands on the corner whose two
  * sides span most: the note's A1 may lie on the line of its neighbours.
@@ -325,10 +326,11 @@ bool roberts_ray_polygon(roberts_ray ray, const roberts_vec3 *corner, size_t cou
     return true;
 }
 
-/* ---- sphere and circle -------------------------------------------------------------------------------------------- */
+/* ---- sphere and circle ----------------------------------------------------------------------------------------- */
 
-/* [L] 2.1 to 2.3. The note takes v of length 1; here v has any length, with a = v . v (the note's exercise: the decision
- * takes no square root). A tangent touches at t_in = t_out. A negative radius is an empty sphere, radius 0 a point.
+/* [L] 2.1 to 2.3. The note takes v of length 1; here v has any length, with a = v . v (the note's exercise: the
+ * decision takes no square root). A tangent touches at t_in = t_out. A negative radius is an empty sphere, radius 0 a
+ * point.
  *
  * a t^2 + 2 B t + C = 0 with B = v . OS, C = OS^2 - R^2 and the reduced discriminant B^2 - a C (proposition 7;
  * correction 2: C, not C^2). The root of larger size comes from a sum without cancellation, the other from their
@@ -366,11 +368,11 @@ bool roberts_ray_circle(roberts_ray2 ray, roberts_vec2 centre, double radius, ro
     return roberts_ray_sphere_geometric(flat, (roberts_vec3){centre.x, centre.y, 0.0}, radius, span);
 }
 
-/* ---- box ---------------------------------------------------------------------------------------------------------- */
+/* ---- box ------------------------------------------------------------------------------------------------------- */
 
-/* A box is what the slabs of its axes have in common: [L] 3, [B]. Cuts `line` with p <= s + t v <= q, or q <= ... <= p, on
- * `axis`. Where v = 0 the line runs along the slab: inside it for all t or for none (the notes skip the axis or divide by
- * zero: corrections 3 and 1). */
+/* A box is what the slabs of its axes have in common: [L] 3, [B]. Cuts `line` with p <= s + t v <= q, or q <= ... <=
+ * p, on `axis`. Where v = 0 the line runs along the slab: inside it for all t or for none (the notes skip the axis or
+ * divide by zero: corrections 3 and 1). */
 static bool clip_slab(inside_part *line, uint32_t axis, double p, double q, double s, double v)
 {
     double lo = fmin(p, q), hi = fmax(p, q);
@@ -407,10 +409,11 @@ bool roberts_ray_box(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, roberts_sp
            clip_slab(&line, 2, a.z, b.z, s.z, v.z) && meet_part(line, span);
 }
 
-/* ---- convex polyhedron -------------------------------------------------------------------------------------------- */
+/* ---- convex polyhedron ----------------------------------------------------------------------------------------- */
 
-/* Cuts the line by one half-space after the other (Cyrus and Beck). Along the ray F is F(S) + t (v . n): a plane with v . n > 0 is where the line enters, with v . n < 0 where it leaves.
- * A plane parallel to the ray keeps all of it where S is inside or on it, else nothing. */
+/* Cuts the line by one half-space after the other (Cyrus and Beck). Along the ray F is F(S) + t (v . n): a plane with
+ * v . n > 0 is where the line enters, with v . n < 0 where it leaves. A plane parallel to the ray keeps all of it
+ * where S is inside or on it, else nothing. */
 bool roberts_ray_polyhedron(roberts_ray ray, const roberts_plane *F, size_t count, roberts_span *span)
 {
     inside_part line = whole_line;
