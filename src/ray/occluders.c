@@ -16,11 +16,12 @@
 #define SLICES 1024
 #define SLICE_GAIN 0.75
 #define SLICE_COST 20.0
-/* A solid of so many faces at the most, whose picture fills at least this part of its box, stands in the tree as one. */
+/* A solid of so many faces at the most, whose picture fills at least this part of its box, stands in the tree as one.
+ */
 #define FACES_TOGETHER 12
 #define FILL_TOGETHER 0.125
 
-/* ---- the picture ------------------------------------------------------------------------------------------------ */
+/* ---- the picture ----------------------------------------------------------------------------------------------- */
 
 /* Two directions across the line of sight, and it. Which way up does not matter: nothing is shown. */
 static void set_picture(occluders *o, const view *v)
@@ -44,7 +45,7 @@ static roberts_vec3 picture_point(const occluders *o, roberts_vec3 X)
     return (roberts_vec3){w * vec3_dot(o->right, q), w * vec3_dot(o->up, q), w};
 }
 
-/* ---- the tree --------------------------------------------------------------------------------------------------- */
+/* ---- the tree -------------------------------------------------------------------------------------------------- */
 
 /* Boxes on their way into the tree. */
 typedef struct box_list {
@@ -93,9 +94,9 @@ static void slice_face(const occluders *o, uint32_t face, tree_box whole, tree_b
     }
 }
 
-/* Leaves in `slice` the boxes of a face, and returns how many. A long face across the axes fills little of its box, and
- * a heap of such faces makes a tree useless. Slicing helps (Ernst and Greiner, "Early split clipping for bounding volume
- * hierarchies", 2007), where the rays saved, in proportion to the shadow saved, outweigh the boxes added. */
+/* Leaves in `slice` the boxes of a face, and returns how many. A long face across the axes fills little of its box,
+ * and a heap of such faces makes a tree useless. Slicing helps (Ernst and Greiner, "Early split clipping for bounding
+ * volume hierarchies", 2007), where the rays saved, in proportion to the shadow saved, outweigh the boxes added. */
 static uint32_t boxes_of_face(const occluders *o, uint32_t face, const box_list *list, tree_box *slice)
 {
     tree_box finer[SLICES], whole = face_box(o, face);
@@ -218,7 +219,7 @@ static bool build_tree(occluders *o, const double *rays)
     return built;
 }
 
-/* ---- copies ----------------------------------------------------------------------------------------------------- */
+/* ---- copies ---------------------------------------------------------------------------------------------------- */
 
 /* Of the solid's points; that copies have the same one is all that it must do. */
 static uint32_t solid_key(const occluders *o, uint32_t solid)
@@ -277,7 +278,7 @@ static bool find_twins(occluders *o)
     return done;
 }
 
-/* ---- the whole -------------------------------------------------------------------------------------------------- */
+/* ---- the whole ------------------------------------------------------------------------------------------------- */
 
 bool occluders_build(occluders *o, const roberts_scene *scene, const view *v, const double *rays)
 {
@@ -311,7 +312,7 @@ void occluders_free(occluders *o)
     *o = (occluders){0};
 }
 
-/* ---- places ----------------------------------------------------------------------------------------------------- */
+/* ---- places ---------------------------------------------------------------------------------------------------- */
 
 /* x from low to high as 0 .. 65535; 0 for NaN too. */
 static uint32_t cell(double x, double low, double high)
@@ -327,7 +328,7 @@ uint32_t occluders_place(const occluders *o, roberts_vec3 X)
            bits_spread(cell(p.y, o->window.lo.y, o->window.hi.y)) << 1;
 }
 
-/* ---- casting ---------------------------------------------------------------------------------------------------- */
+/* ---- casting --------------------------------------------------------------------------------------------------- */
 
 /* Questions on their way through the tree. */
 typedef struct casting {
@@ -356,8 +357,8 @@ roberts_vec3 occluders_meet(const occluders *o, uint32_t face, roberts_vec3 X)
     return vec3_add(X, vec3_scale(t, v));
 }
 
-/* A hider for a question that wants the nearest one. From now on the point counts as lying there, so that boxes that do not
- * reach so high are left out. */
+/* A hider for a question that wants the nearest one. From now on the point counts as lying there, so that boxes that
+ * do not reach so high are left out. */
 static void keep_nearest(casting *c, uint32_t i, uint32_t face)
 {
     sight_question *q = &c->question[i];
@@ -431,7 +432,7 @@ void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, 
     }
 }
 
-/* ---- searching -------------------------------------------------------------------------------------------------- */
+/* ---- searching ------------------------------------------------------------------------------------------------- */
 
 void occluders_search_start(occluders_search *s, const occluders *o, roberts_vec3 A, roberts_vec3 B, uint32_t solid,
                             bool own)

@@ -24,12 +24,13 @@ void occluders_free(occluders *o);
 /* A key for X's place in the picture: points of like keys are near each other. */
 uint32_t occluders_place(const occluders *o, roberts_vec3 X);
 
-/* A question about X, a point of an edge of `solid`: which faces hide it? Those of `solid` itself take part only if `own`.
+/* A question about X, a point of an edge of `solid`: which faces hide it? Those of `solid` itself take part only if
+ * `own`.
  *
- * `ends`: NULL, or the ends of the edge that X lies on. With them the answer comes from sight_hides_strictly(), and is
- * "surely" only for a point well behind all front faces of a solid: were its corners and planes exact, a point near the
- * plane of one of them might be in front of the solid.
- * `nearest`: look for the hider that is nearest to the viewer, not just for any one. */
+ * `ends`: NULL, or the ends of the edge that X lies on. With them the answer comes from sight_hides_strictly(), and
+ * is "surely" only for a point well behind all front faces of a solid: were its corners and planes exact, a point
+ * near the plane of one of them might be in front of the solid. `nearest`: look for the hider that is nearest to the
+ * viewer, not just for any one. */
 typedef struct sight_question {
     roberts_vec3 X;
     uint32_t solid;
@@ -40,9 +41,9 @@ typedef struct sight_question {
     double height;  /* `nearest`: the picture's z of the hider over X */
 } sight_question;
 
-/* Answers `count` questions, TREE_POINTS at most. Points that are near each other should be asked together, and lots that
- * are near each other one after the other: they meet the same faces. w: from tree_walk_init(). Which hider is found
- * depends on the walks before. */
+/* Answers `count` questions, TREE_POINTS at most. Points that are near each other should be asked together, and lots
+ * that are near each other one after the other: they meet the same faces. w: from tree_walk_init(). Which hider is
+ * found depends on the walks before. */
 void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, uint32_t count);
 
 /* The point where the sight line from X, which `face` hides, meets the plane of `face`. */

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "ray/ray.h"
+#include "ray/determinant.h"
 
 /* Faces of more corners than this are sampled: so many corners, evenly spaced. */
 #define SAMPLES 64
@@ -41,7 +41,8 @@ static void set_margins(sight *s, const view *v)
     s->loose = v->epsilon * far * far * SIGHT_MARGIN;
 }
 
-/* Decided by the width of the face's picture along the picture of its normal, as a length at its first corner's depth. */
+/* Decided by the width of the face's picture along the picture of its normal, as a length at its first corner's
+ * depth. */
 static int facing_of(const sight *s, uint32_t face)
 {
     const roberts_scene *scene = s->scene;
@@ -54,8 +55,8 @@ static int facing_of(const sight *s, uint32_t face)
         return SIGHT_NOT_FRONT;
     v = vec3_scale(1.0 / length, v);
     double tilt = fabs(vec3_dot(n, v));
-    /* no picture is narrower than its area over its greatest chord: where even that is plain, so is the rest; where it is
-     * not, the picture may be a sliver aslant to `across`, or all but edge-on */
+    /* no picture is narrower than its area over its greatest chord: where even that is plain, so is the rest; where
+     * it is not, the picture may be a sliver aslant to `across`, or all but edge-on */
     bool sliver = tilt * scene_width(scene, face) / s->unit <= s->loose + s->rounding;
     roberts_vec3 across = vec3_sub(n, vec3_scale(vec3_dot(n, v), v));
     if (vec3_length(across) <= 0.5)
@@ -90,7 +91,8 @@ static uint32_t sample_of(const sight *s, uint32_t face, uint32_t sample)
     return (uint32_t)((uint64_t)corner_count(s, face) * sample / SAMPLES);
 }
 
-/* Is no sample outside of any side, as the viewer sees it? So it is in convex faces, but those with dents are accepted too. */
+/* Is no sample outside of any side, as the viewer sees it? So it is in convex faces, but those with dents are
+ * accepted too. */
 static bool sides_spare_samples(const sight *s, uint32_t face)
 {
     const uint32_t *corner = s->scene->corner + s->scene->face_start[face];
@@ -107,8 +109,8 @@ static bool sides_spare_samples(const sight *s, uint32_t face)
     return true;
 }
 
-/* Seen from any corner, the others lie outside of a side by no more than the face's size times the sine of what its sides
- * turn the wrong way in all. */
+/* Seen from any corner, the others lie outside of a side by no more than the face's size times the sine of what its
+ * sides turn the wrong way in all. */
 static double dent_of(const sight *s, uint32_t face)
 {
     uint32_t count = corner_count(s, face);
@@ -174,9 +176,9 @@ void sight_free(sight *s)
     *s = (sight){0};
 }
 
-/* How the line passes the side AB. Corners of a front face run counter-clockwise for the viewer, so that inside is where every
- * side turns to the left. XA x XB is taken as XA x AB, whose rounding is in proportion to AB: a short side stays exact far
- * from X. */
+/* How the line passes the side AB. Corners of a front face run counter-clockwise for the viewer, so that inside is
+ * where every side turns to the left. XA x XB is taken as XA x AB, whose rounding is in proportion to AB: a short
+ * side stays exact far from X. */
 static inline sight_answer pass_side(const sight *s, roberts_vec3 A, roberts_vec3 B, roberts_vec3 X, roberts_vec3 v,
                                      double slack)
 {
@@ -201,8 +203,8 @@ static inline bool well_left(const sight *s, roberts_vec3 A, roberts_vec3 B, rob
     return inside > 0.0 && inside * inside > far * far * vec3_dot(spread, spread);
 }
 
-/* Does the line pass within the polygon of the samples, farther from its sides than the touching distance? The face's own
- * sides are no nearer to it. */
+/* Does the line pass within the polygon of the samples, farther from its sides than the touching distance? The face's
+ * own sides are no nearer to it. */
 static bool well_inside(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
 {
     roberts_vec3 A = corner_of(s, face, sample_of(s, face, SAMPLES - 1));
@@ -215,11 +217,11 @@ static bool well_inside(const sight *s, uint32_t face, roberts_vec3 X, roberts_v
     return true;
 }
 
-/* Diagonals from the first corner part a convex face in triangles: bisects which of them the line passes, or beyond which
- * one's outer side (F. Preparata, M. Shamos, "Computational Geometry", 1985, 2.2). Returns the first of two neighbours among
- * low .. high, which are corners or samples. across: v x the way from X to the first corner; its product with the way on to
- * another one is >= 0 where the line passes left of the diagonal. The ends are not asked: beyond the first and the last
- * diagonal lie the first and the last side. */
+/* Diagonals from the first corner part a convex face in triangles: bisects which of them the line passes, or beyond
+ * which one's outer side (F. Preparata, M. Shamos, "Computational Geometry", 1985, 2.2). Returns the first of two
+ * neighbours among low .. high, which are corners or samples. across: v x the way from X to the first corner; its
+ * product with the way on to another one is >= 0 where the line passes left of the diagonal. The ends are not asked:
+ * beyond the first and the last diagonal lie the first and the last side. */
 static uint32_t bisect(const sight *s, uint32_t face, roberts_vec3 across, uint32_t low, uint32_t high, bool samples)
 {
     roberts_vec3 first = corner_of(s, face, 0);
@@ -236,8 +238,9 @@ static uint32_t bisect(const sight *s, uint32_t face, roberts_vec3 across, uint3
 
 /* What the samples say; SIGHT_POSSIBLY: ask all sides.
  *
- * Bisection only tells what to ask: whether the line passes well within a triangle of three samples, which is a part of the
- * polygon of them all, then whether it passes outside of one side. Near a diagonal the polygon is asked, for it has none. */
+ * Bisection only tells what to ask: whether the line passes well within a triangle of three samples, which is a part
+ * of the polygon of them all, then whether it passes outside of one side. Near a diagonal the polygon is asked, for
+ * it has none. */
 static sight_answer pass_samples(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)
 {
     roberts_vec3 first = corner_of(s, face, 0), across = vec3_cross(v, vec3_sub(first, X));
@@ -320,8 +323,8 @@ static bool runs_along(const sight *s, roberts_vec3 A, roberts_vec3 B, const rob
     return is_on_side(s, A, B, ends[0], sight_from(s, ends[0])) && is_on_side(s, A, B, ends[1], sight_from(s, ends[1]));
 }
 
-/* Whether the line, which passes all sides on their inner side, passes one nearer than the touching distance, but not in
- * contact with the whole edge. */
+/* Whether the line, which passes all sides on their inner side, passes one nearer than the touching distance, but not
+ * in contact with the whole edge. */
 static bool grazes_side(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, const roberts_vec3 ends[2])
 {
     const roberts_scene *scene = s->scene;
@@ -384,8 +387,8 @@ static bool clip_part(sight_part *part, double a, double b)
     return part->t0 <= part->t1;
 }
 
-/* How far the ends of AB lie inside of the side PQ, times a length. The points that count as inside are those on one side
- * of a plane in space, through PQ and along the sight lines: so this is linear along AB, in both projections. */
+/* How far the ends of AB lie inside of the side PQ, times a length. The points that count as inside are those on one
+ * side of a plane in space, through PQ and along the sight lines: so this is linear along AB, in both projections. */
 static void measure_side(const sight *s, roberts_vec3 P, roberts_vec3 Q, const roberts_vec3 AB[2], double inside[2])
 {
     roberts_vec3 n = vec3_cross(vec3_sub(Q, P), sight_from(s, P));
@@ -418,8 +421,8 @@ static bool clip_to_cap(const sight *s, uint32_t face, uint32_t k, const roberts
     return clip_part(part, -inside[0], -inside[1]) && clip_to_sides(s, face, first, end, AB, part);
 }
 
-/* Of a sampled face the polygon of the samples is asked, and then only the caps beyond those of its sides by which AB enters
- * and leaves it. */
+/* Of a sampled face the polygon of the samples is asked, and then only the caps beyond those of its sides by which AB
+ * enters and leaves it. */
 static bool clip_to_samples(const sight *s, uint32_t face, const roberts_vec3 AB[2], sight_part *part)
 {
     sight_part inner = *part, cap;

@@ -1,12 +1,12 @@
 /* sight.h - sight lines against faces, in model space: what verify and pick have in common.
  *
  * A sight line runs from a point X toward the viewer: along dir, or to the eye. It meets a face F where X is behind F
- * and where the line passes all its sides AB on the inner side: v . (XA x XB) >= 0, six times the volume of the tetrahedron
- * that the pieces v and AB of two lines span. Divided by |v x AB| that is the distance of the lines from each other, so
- * it can be compared with a length, in both projections alike.
+ * and where the line passes all its sides AB on the inner side: v . (XA x XB) >= 0, six times the volume of the
+ * tetrahedron that the pieces v and AB of two lines span. Divided by |v x AB| that is the distance of the lines from
+ * each other, so it can be compared with a length, in both projections alike.
  *
- * No coordinate is turned or projected for that, and there are no tests 1 to 4 and no grid: nothing is shared with what
- * hides lines but the solids themselves and what the near plane leaves of them.
+ * No coordinate is turned or projected for that, and there are no tests 1 to 4 and no grid: nothing is shared with
+ * what hides lines but the solids themselves and what the near plane leaves of them.
  *
  * Lengths are counted in `unit`, points from the scene's centre; products of coordinates stay far from over- and
  * underflow. */
@@ -42,13 +42,13 @@ typedef struct sight {
  * comes out within this factor. */
 #define SIGHT_MARGIN 4.0
 
-/* Prepares `s` for `scene` seen by `camera`, with `v` from view_prepare() (its frame is not used, only unit, epsilon and
- * the distance of the eye). False: no memory. */
+/* Prepares `s` for `scene` seen by `camera`, with `v` from view_prepare() (its frame is not used, only unit, epsilon
+ * and the distance of the eye). False: no memory. */
 bool sight_prepare(sight *s, const roberts_scene *scene, const view *v);
 void sight_free(sight *s);
 
-/* Finds out which faces are sampled: for many questions, since it takes time in proportion to all corners times the samples.
- * False: no memory; sight_free() is due as before. */
+/* Finds out which faces are sampled: for many questions, since it takes time in proportion to all corners times the
+ * samples. False: no memory; sight_free() is due as before. */
 bool sight_sample(sight *s);
 
 /* A point of the model in these coordinates. */
@@ -70,30 +70,32 @@ static inline double sight_behind(const sight *s, uint32_t face, roberts_vec3 X)
     return F.a * X.x + F.b * X.y + F.c * X.z + F.d / s->unit;
 }
 
-/* Exact contact has its rule: on a side counts as inside, in the plane does not count as behind. Nearer than the touching
- * distance, but not in contact, either may be right: an edge that runs along a side is drawn as if it touched, one that
- * crosses it is cut at the crossing itself. */
+/* Exact contact has its rule: on a side counts as inside, in the plane does not count as behind. Nearer than the
+ * touching distance, but not in contact, either may be right: an edge that runs along a side is drawn as if it
+ * touched, one that crosses it is cut at the crossing itself. */
 typedef enum sight_answer { SIGHT_NO, SIGHT_POSSIBLY, SIGHT_SURELY } sight_answer;
 
 /* Whether the line through X along v (toward the viewer) passes within the sides of the face. Outside of a side, but
  * within the touching distance, `slack` and the face's dents of it, it possibly does.
  *
- * Of a face of very many corners that is `sampled`, a side is asked before all, and whether the line passes well within a
- * triangle, or the polygon, of some of its corners: no side of the face cuts that, so that it passes within all of them. */
+ * Of a face of very many corners that is `sampled`, a side is asked before all, and whether the line passes well
+ * within a triangle, or the polygon, of some of its corners: no side of the face cuts that, so that it passes within
+ * all of them. */
 sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack);
 
 /* Whether the line passes within the sides, farther from all of them than the touching distance. */
 bool sight_well_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v);
 
-/* Whether the face hides X from the viewer: X lies behind its plane and the sight line passes through it. Behind, but by
- * less than the touching distance and the face's departure from its plane, it possibly does. A face that is not front
- * hides nothing. */
+/* Whether the face hides X from the viewer: X lies behind its plane and the sight line passes through it. Behind, but
+ * by less than the touching distance and the face's departure from its plane, it possibly does. A face that is not
+ * front hides nothing. */
 sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack);
 
-/* The same, but what is not in contact is only possible on both sides of where it touches: in front of the plane by less
- * than that distance, and inside of a side. For an edge that only just reaches behind a face may count as touching it, and
- * one that only just ends in front of it as ending in it. `ends`, of the edge that X lies on: where they are not in contact as
- * well, the edge crosses the plane or the side, near X and as exactly as it is computed, and X may be on either side of it. */
+/* The same, but what is not in contact is only possible on both sides of where it touches: in front of the plane by
+ * less than that distance, and inside of a side. For an edge that only just reaches behind a face may count as
+ * touching it, and one that only just ends in front of it as ending in it. `ends`, of the edge that X lies on: where
+ * they are not in contact as well, the edge crosses the plane or the side, near X and as exactly as it is computed,
+ * and X may be on either side of it. */
 sight_answer sight_hides_strictly(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack,
                                   const roberts_vec3 ends[2]);
 
@@ -103,14 +105,15 @@ typedef struct sight_part {
 } sight_part;
 
 /* The part of the segment AB that the face surely hides, 0 <= t0 <= t1 <= 1; the border counts in. False: none. After
- * M. Cyrus and J. Beck. Of a sampled face a part may come out shorter, or none, where the part lies wholly between a few
- * of its samples and its border. */
+ * M. Cyrus and J. Beck. Of a sampled face a part may come out shorter, or none, where the part lies wholly between a
+ * few of its samples and its border. */
 bool sight_hidden_part(const sight *s, uint32_t face, roberts_vec3 A, roberts_vec3 B, sight_part *part);
 
 /* How far from the face's plane, on either side, all counts as in it. */
 double sight_touch(const sight *s, uint32_t face);
 
-/* Is X farther behind the front face, or nearly front face, than what counts as in its plane? A face that is not front: yes. */
+/* Is X farther behind the front face, or nearly front face, than what counts as in its plane? A face that is not
+ * front: yes. */
 bool sight_well_behind(const sight *s, uint32_t face, roberts_vec3 X);
 
 #endif

@@ -6,15 +6,16 @@
  *   within the edge;
  * - a visible stretch: one behind the middle of the longest part that a face hides. A search along the stretch finds
  *   such parts (Cyrus and Beck), so that nothing hidden is missed between two rays;
- * - a hidden stretch: a walk. A ray finds a face that hides the point; the next ray is cast from just beyond the end of
+ * - a hidden stretch: a walk. A ray finds a face that hides the point; the next ray is cast from just beyond the end
+ *   of
  *   what that face hides, and so on to the end of the stretch. Whatever is visible on the way, however short, is met.
  *
  * The middle of a part that the drawing says is hidden by a solid is asked what hides it nearest to the viewer.
  *
- * Searches only choose where rays are cast. A point surely hidden that is drawn visible contradicts the drawing, and so
- * does one drawn hidden that is not even possibly hidden, if rays cast by stricter rules from it and from neighbours
- * on both sides say so too, by two of three. All else is undecided: an edge that passes behind a mere corner is hidden in
- * one point, of which a drawing shows nothing. */
+ * Searches only choose where rays are cast. A point surely hidden that is drawn visible contradicts the drawing, and
+ * so does one drawn hidden that is not even possibly hidden, if rays cast by stricter rules from it and from
+ * neighbours on both sides say so too, by two of three. All else is undecided: an edge that passes behind a mere
+ * corner is hidden in one point, of which a drawing shows nothing. */
 #include "ray/stretch.h"
 
 #include <stdlib.h>
@@ -88,7 +89,7 @@ static roberts_vec3 point_at(const roberts_vec3 ends[2], double t)
     return vec3_add(ends[0], vec3_scale(t, vec3_sub(ends[1], ends[0])));
 }
 
-/* ---- contradictions --------------------------------------------------------------------------------------------- */
+/* ---- contradictions -------------------------------------------------------------------------------------------- */
 
 /* Whether the answer surely contradicts the drawing. */
 static bool contradicts(const stretch_probe *p, const sight_question *q)
@@ -135,10 +136,10 @@ static bool judge_point(stretch_checker *c, const stretch_probe *p, const sight_
     return true;
 }
 
-/* ---- who is seen ------------------------------------------------------------------------------------------------ */
+/* ---- who is seen ----------------------------------------------------------------------------------------------- */
 
-/* Whether a front face of `solid` possibly lies on the sight line of X, no farther from the viewer than Y on it, to within
- * what counts as touching. */
+/* Whether a front face of `solid` possibly lies on the sight line of X, no farther from the viewer than Y on it, to
+ * within what counts as touching. */
 static bool may_be_seen(const occluders *o, uint32_t solid, const sight_question *q, roberts_vec3 Y)
 {
     const roberts_scene *scene = o->s.scene;
@@ -170,7 +171,7 @@ static void judge_nearest(stretch_checker *c, const stretch_probe *p, const sigh
         c->result->undecided++;
 }
 
-/* ---- walks ------------------------------------------------------------------------------------------------------ */
+/* ---- walks ----------------------------------------------------------------------------------------------------- */
 
 /* Where the face that hides the point of the walk hides no more, as far as can be said; p->end if it hides all that is
  * left. Of a solid of few faces the others are asked too, in the order of the file, which spares rays. */
@@ -189,8 +190,8 @@ static double hidden_until(const occluders *o, const stretch_probe *p, const sig
     return all.t1 >= 1.0 ? p->end : p->t + all.t1 * (p->end - p->t);
 }
 
-/* Leaps behind a solid of many faces, farther from time to time. What lies behind a convex solid is convex: where the solid
- * hides both ends of a leap, it hides all between. */
+/* Leaps behind a solid of many faces, farther from time to time. What lies behind a convex solid is convex: where the
+ * solid hides both ends of a leap, it hides all between. */
 static void leap(stretch_probe *p, double next)
 {
     p->leap = greater(p->leap, 2.0 * (next - p->t));
@@ -199,8 +200,8 @@ static void leap(stretch_probe *p, double next)
     p->leap *= 2.0;
 }
 
-/* Takes the walk to its next point; false at its end. Strides get longer as long as no face says how far to go; the last of
- * these stops at the end itself. */
+/* Takes the walk to its next point; false at its end. Strides get longer as long as no face says how far to go; the
+ * last of these stops at the end itself. */
 static bool walk_on(const occluders *o, stretch_probe *p, const sight_question *q)
 {
     uint32_t solid = q->answer == SIGHT_SURELY ? o->face_solid[q->hider] : ROBERTS_NONE;
@@ -231,7 +232,7 @@ static bool walk_on(const occluders *o, stretch_probe *p, const sight_question *
     return true;
 }
 
-/* ---- the queue -------------------------------------------------------------------------------------------------- */
+/* ---- the queue ------------------------------------------------------------------------------------------------- */
 
 /* Casts the rays of all that wait, and judges them. Walks that go on wait again. */
 static void cast(stretch_checker *c)
@@ -278,7 +279,7 @@ static void ask_point(stretch_checker *c, const stretch *s, stretch_probe *p, do
     ask(c, s, p);
 }
 
-/* ---- a stretch -------------------------------------------------------------------------------------------------- */
+/* ---- a stretch ------------------------------------------------------------------------------------------------- */
 
 /* Where point k of n lies within a stretch, 0 < position < 1. */
 static double position(uint32_t k, uint32_t n)
@@ -290,8 +291,8 @@ static double position(uint32_t k, uint32_t n)
     return (double)k / (n - 1);
 }
 
-/* Close to the ends that lie within the edge: where the drawing changes too early or too late, a ray is cast in between.
- * Not at the edge's own ends, for the sake of speed. */
+/* Close to the ends that lie within the edge: where the drawing changes too early or too late, a ray is cast in
+ * between. Not at the edge's own ends, for the sake of speed. */
 static void ask_ends(stretch_checker *c, const stretch *s, stretch_probe *p)
 {
     double at = p->close;

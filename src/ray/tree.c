@@ -42,7 +42,7 @@ tree_entry tree_entry_of(tree_box box, uint32_t owner, tree_item item)
                         item};
 }
 
-/* ---- building --------------------------------------------------------------------------------------------------- */
+/* ---- building -------------------------------------------------------------------------------------------------- */
 
 /* What counts of a box. */
 typedef struct cover {
@@ -90,7 +90,8 @@ typedef struct builder {
     float floor; /* the least z of all boxes */
 } builder;
 
-/* Planes across an axis: those whose bin is below `bin` go first; 0: nowhere. Middles of boxes (twice) begin at `low`. */
+/* Planes across an axis: those whose bin is below `bin` go first; 0: nowhere. Middles of boxes (twice) begin at
+ * `low`. */
 typedef struct split {
     int axis, bin, bins;
     float low, bins_per_length, cost;
@@ -301,7 +302,7 @@ void tree_free(tree *t)
     *t = (tree){0};
 }
 
-/* ---- walking ---------------------------------------------------------------------------------------------------- */
+/* ---- walking --------------------------------------------------------------------------------------------------- */
 
 void tree_walk_init(tree_walk *w, const tree *t)
 {
@@ -328,8 +329,8 @@ void tree_walk_start(tree_walk *w, const tree_points *points)
     }
 }
 
-/* The fours of points, by the first of each, of which one at least is in the set. Points that go together mostly follow one
- * another. */
+/* The fours of points, by the first of each, of which one at least is in the set. Points that go together mostly
+ * follow one another. */
 typedef struct fours {
     uint32_t count;
     unsigned char first[TREE_POINTS / 4];
@@ -479,7 +480,7 @@ void tree_walk_keep(tree_walk *w)
     }
 }
 
-/* ---- searching along a segment ---------------------------------------------------------------------------------- */
+/* ---- searching along a segment --------------------------------------------------------------------------------- */
 
 /* Whether the box may be over a point of the segment: no axis of the picture and no line along the segment parts them
  * (the separating axis test). NaN, which boxes without an end bring, parts nothing. */

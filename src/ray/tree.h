@@ -1,17 +1,17 @@
 /* tree.h - a tree of boxes over boxes, to find those that lie over points without asking them all.
  *
- * Boxes live in a picture: x and y across the sight lines, z toward the viewer, so that every sight line runs along +z
- * and a box is met where it lies over (x, y) and reaches higher than z.
+ * Boxes live in a picture: x and y across the sight lines, z toward the viewer, so that every sight line runs along
+ * +z and a box is met where it lies over (x, y) and reaches higher than z.
  *
  * Idea: a bounding volume hierarchy. Boxes are divided at the best of a few planes across each axis (Wald, "On fast
  * construction of SAH-based bounding volume hierarchies", 2007). In place of the surface stands what is in proportion
- * here to the chance of being met: the volume of the shadow that the box throws away from the viewer. A node has up to four
- * children, so that there are few nodes to fetch (H. Dammertz, J. Hanika, A. Keller, "Shallow bounding volume hierarchies
- * for fast SIMD ray tracing of incoherent rays", 2008). Points go down the tree many at a time, each child with those that
- * its box is over (I. Wald, C. Gribble, S. Boulos, A. Kensler, "SIMD ray stream tracing", 2007): a node is fetched once
- * for all of them, and a box is held against four at a time.
- * Invariants: a child's box holds the boxes of all items below it; node 0 is the root; children that reach farther toward the
- * viewer come first; depth is at most TREE_DEPTH. The tree is a function of the boxes alone. */
+ * here to the chance of being met: the volume of the shadow that the box throws away from the viewer. A node has up
+ * to four children, so that there are few nodes to fetch (H. Dammertz, J. Hanika, A. Keller, "Shallow bounding volume
+ * hierarchies for fast SIMD ray tracing of incoherent rays", 2008). Points go down the tree many at a time, each
+ * child with those that its box is over (I. Wald, C. Gribble, S. Boulos, A. Kensler, "SIMD ray stream tracing",
+ * 2007): a node is fetched once for all of them, and a box is held against four at a time. Invariants: a child's box
+ * holds the boxes of all items below it; node 0 is the root; children that reach farther toward the viewer come
+ * first; depth is at most TREE_DEPTH. The tree is a function of the boxes alone. */
 #ifndef ROBERTS_RAY_TREE_H
 #define ROBERTS_RAY_TREE_H
 
@@ -71,8 +71,8 @@ typedef struct tree {
     uint32_t node_count;
 } tree;
 
-/* Builds `t` over `count` entries, UINT32_MAX / TREE_WIDTH at the most, whose order changes. False: no memory, and `t` is
- * empty. */
+/* Builds `t` over `count` entries, UINT32_MAX / TREE_WIDTH at the most, whose order changes. False: no memory, and
+ * `t` is empty. */
 bool tree_build(tree *t, tree_entry *entry, uint32_t count);
 void tree_free(tree *t);
 
@@ -165,8 +165,8 @@ void tree_walk_init(tree_walk *w, const tree *t);
 /* The points may be dropped on the way, and must stay otherwise. */
 void tree_walk_start(tree_walk *w, const tree_points *points);
 
-/* The next leaf with a point under its box, first the kept ones; false at the end. A box that is only just missed may be
- * taken for met. */
+/* The next leaf with a point under its box, first the kept ones; false at the end. A box that is only just missed may
+ * be taken for met. */
 bool tree_walk_next(tree_walk *w, tree_leaf *leaf);
 
 /* The leaf just found was of use, and is to come first on the next walks, and once more in its turn. */
@@ -182,7 +182,8 @@ typedef struct tree_search {
     uint32_t stack[(TREE_WIDTH - 1) * TREE_DEPTH + 1]; /* children, numbered as in tree_crowd */
 } tree_search;
 
-/* Starts a search for what is over the segment from `a` to `b`; leaves that are all of the owner `skip` are left out. */
+/* Starts a search for what is over the segment from `a` to `b`; leaves that are all of the owner `skip` are left out.
+ */
 void tree_search_start(tree_search *s, const tree *t, roberts_vec3 a, roberts_vec3 b, uint32_t skip);
 
 /* The next leaf (`points` is not set); false at the end. */

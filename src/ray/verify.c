@@ -51,7 +51,7 @@ roberts_verify_options roberts_verify_options_default(void)
     return (roberts_verify_options){.rays = 3, .crease_degrees = 0.1};
 }
 
-/* ---- edges ------------------------------------------------------------------------------------------------------ */
+/* ---- edges ----------------------------------------------------------------------------------------------------- */
 
 static stretch_edge classify_edge(const verifier *f, const scene_edge *e)
 {
@@ -65,7 +65,8 @@ static stretch_edge classify_edge(const verifier *f, const scene_edge *e)
     return unsure ? STRETCH_UNSURE : STRETCH_BACK;
 }
 
-/* Whether the drawing has to show the edge where nothing hides it: an outline, or bent by more than the crease angle. */
+/* Whether the drawing has to show the edge where nothing hides it: an outline, or bent by more than the crease angle.
+ */
 static bool is_surely_drawn(const verifier *f, const scene_edge *e)
 {
     const double degrees = 180.0 / 3.14159265358979323846;
@@ -119,7 +120,8 @@ static void check_gap(stretch_checker *checker, double t0, double t1, stretch *s
         stretch_check(checker, s);
 }
 
-/* Checks the rows of an edge and the gaps between them. What the near plane cuts off, drawn as clipped or not, is no gap. */
+/* Checks the rows of an edge and the gaps between them. What the near plane cuts off, drawn as clipped or not, is no
+ * gap. */
 static void check_edge(const verifier *f, stretch_checker *checker, uint32_t solid, uint32_t index)
 {
     clip_edge left = left_of(f, index);
@@ -146,7 +148,7 @@ static void check_edge(const verifier *f, stretch_checker *checker, uint32_t sol
         check_gap(checker, end, left.t1, &s);
 }
 
-/* ---- rows to edges ---------------------------------------------------------------------------------------------- */
+/* ---- rows to edges --------------------------------------------------------------------------------------------- */
 
 /* The edge of `solid` between input vertices v0 and v1; edge_count where there is none. */
 static uint32_t find_edge(const roberts_scene *scene, const roberts_segment *row)
@@ -200,7 +202,7 @@ static roberts_status assign_rows(verifier *f, roberts_error *error)
     return ROBERTS_OK;
 }
 
-/* ---- chunks ----------------------------------------------------------------------------------------------------- */
+/* ---- chunks ---------------------------------------------------------------------------------------------------- */
 
 static void check_chunk(verifier *f, uint32_t index)
 {
@@ -228,7 +230,7 @@ static void check_chunks(verifier *f)
         check_chunk(f, i);
 }
 
-/* ---- what was found --------------------------------------------------------------------------------------------- */
+/* ---- what was found -------------------------------------------------------------------------------------------- */
 
 static int by_edge(const void *a, const void *b)
 {
@@ -240,8 +242,8 @@ static int by_edge(const void *a, const void *b)
     return p->what.by < q->what.by ? -1 : p->what.by > q->what.by;
 }
 
-/* Passes on the contradictions of all chunks, by edge and then along it; of two rays from the same point once. False: no
- * memory. */
+/* Passes on the contradictions of all chunks, by edge and then along it; of two rays from the same point once. False:
+ * no memory. */
 static bool pass_on(const verifier *f, size_t count, roberts_verification *result)
 {
     stretch_finding *all = alloc_array(count, sizeof *all);
@@ -287,7 +289,7 @@ static roberts_status report(const verifier *f, roberts_verification *result, ro
     return ROBERTS_OK;
 }
 
-/* ---- before it -------------------------------------------------------------------------------------------------- */
+/* ---- before it ------------------------------------------------------------------------------------------------- */
 
 /* Cuts the solids' edges into runs. */
 static void find_runs(verifier *f)

@@ -1,5 +1,5 @@
-/* clip.c - see clip.h. Source of the cutting: I. E. Sutherland, G. W. Hodgman, "Reentrant polygon clipping", CACM 17(1),
- * 1974, face by face; the cap is what the cuts of the faces join to. */
+/* clip.c - see clip.h. Source of the cutting: I. E. Sutherland, G. W. Hodgman, "Reentrant polygon clipping", CACM
+ * 17(1), 1974, face by face; the cap is what the cuts of the faces join to. */
 #include "view/clip.h"
 
 #include <float.h>
@@ -15,8 +15,8 @@
  * scene's diameter. Nearer things would be drawn a thousand times as large as at the look-at point. */
 #define NEAR_OF_DISTANCE 1e-3
 #define NEAR_OF_DIAMETER 1e-5
-/* The least distance of the near plane, whatever is given, as a part of the scene's diameter. Coordinates in the picture
- * grow by one over it, and with them the touching distance. */
+/* The least distance of the near plane, whatever is given, as a part of the scene's diameter. Coordinates in the
+ * picture grow by one over it, and with them the touching distance. */
 #define NEAR_LEAST 1e-6
 /* What is nearer to the near plane than this lies in it, to rounding, and the eye on a face; in ulps of the largest
  * coordinate, the eye's included. */

@@ -12,9 +12,9 @@
 #define EPSILON_OF_DIAMETER 1e-11
 /* ... and in units of the last place of the largest coordinate, for scenes far from the origin. */
 #define EPSILON_ULPS 16.0
-/* The eye must have more than this part of the scene's diameter between itself and the scene, measured along the line of
- * sight: nearer, the picture grows without bound. Half of what the near plane always cuts off (see clip.c), so that rounding
- * does not matter. */
+/* The eye must have more than this part of the scene's diameter between itself and the scene, measured along the line
+ * of sight: nearer, the picture grows without bound. Half of what the near plane always cuts off (see clip.c), so
+ * that rounding does not matter. */
 #define NEAREST_OF_DIAMETER 5e-7
 /* Roundings that one view coordinate gathers: subtraction, three products and two sums with unit vectors that are
  * themselves rounded, the division; in halves of an ulp of the largest coordinate. */
@@ -61,8 +61,8 @@ static void roll_frame(view *v, double degrees)
     v->up = vec3_add(vec3_scale(by.y, right), vec3_scale(by.x, up));
 }
 
-/* a x dir, 1 long. Of two that are nearly parallel it is little more than rounding, of which a part lies along dir: that is
- * taken off, or depth would leak into the picture. */
+/* a x dir, 1 long. Of two that are nearly parallel it is little more than rounding, of which a part lies along dir:
+ * that is taken off, or depth would leak into the picture. */
 static roberts_vec3 unit_across(roberts_vec3 a, roberts_vec3 dir)
 {
     roberts_vec3 across = unit_vector(vec3_cross(a, dir));
@@ -87,9 +87,9 @@ static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up, double roll_de
     }
 }
 
-/* Divides by the weight w = 1 - e / D. Nearer to the eye than to the look-at point, x, y and w are taken from the eye, which
- * is on the axis of sight: there the two terms of w nearly cancel, as do those of x and y, while the difference of P and
- * the eye is exact or nearly so. */
+/* Divides by the weight w = 1 - e / D. Nearer to the eye than to the look-at point, x, y and w are taken from the
+ * eye, which is on the axis of sight: there the two terms of w nearly cancel, as do those of x and y, while the
+ * difference of P and the eye is exact or nearly so. */
 static roberts_vec3 perspective_point(const view *v, roberts_vec3 P, roberts_vec3 p)
 {
     double w = 1.0 - p.z * v->inverse_distance;
@@ -174,8 +174,8 @@ static double extent_across(const roberts_scene *scene, uint32_t face, const rob
     return high - low;
 }
 
-/* Width of the face's picture: its least extent, which a polygon has across one of its sides. A face of very many corners
- * is measured across (b, -a) only, where the tilt of its plane makes it narrow. */
+/* Width of the face's picture: its least extent, which a polygon has across one of its sides. A face of very many
+ * corners is measured across (b, -a) only, where the tilt of its plane makes it narrow. */
 static double picture_width(const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P)
 {
     uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
@@ -188,8 +188,8 @@ static double picture_width(const roberts_scene *scene, uint32_t face, plane F, 
     return width;
 }
 
-/* The picture is about |c| times as wide as the face at the least; one that is wider than this, which is enough by a factor of
- * 4, need not be measured. Model units. */
+/* The picture is about |c| times as wide as the face at the least; one that is wider than this, which is enough by a
+ * factor of 4, need not be measured. Model units. */
 static inline double wide_enough(const view *v)
 {
     return 4.0 * v->epsilon * v->unit;
@@ -289,15 +289,15 @@ static double leak(roberts_vec3 a, roberts_vec3 V)
     return fabs(vec3_dot(a, V)) + 2.0 * DBL_EPSILON * reach_along(a, size_of(V));
 }
 
-/* Bounds of x and y and of their errors, for a parallel view at right angles. A scene may be much deeper than its picture
- * is wide, and what a coordinate is not made of adds nothing to its error.
+/* Bounds of x and y and of their errors, for a parallel view at right angles. A scene may be much deeper than its
+ * picture is wide, and what a coordinate is not made of adds nothing to its error.
  *
- * The exact picture is a projection along the viewpoint V as given. For the axis a (right or up) it is
- * x' = (a - (a.V / V.V) V) . q with q = P - origin; a shift, a stretch or a turn of the picture changes no parameter
- * and no sign. Computed is x = a . q: by one subtraction, one product and at most two sums, each off by half an epsilon
- * of what it gives, so by no more than 4.01 halves of epsilon times the sum of |a_i q_i|; eight are taken, and the rest is
- * for the rounding of products of coordinates (see hide_plain()). And by |x - x'| = |a.V| |V.q| / V.V: the depth leaks into
- * x as far as the axis is not at a right angle to V. */
+ * The exact picture is a projection along the viewpoint V as given. For the axis a (right or up) it is x' = (a - (a.V
+ * / V.V) V) . q with q = P - origin; a shift, a stretch or a turn of the picture changes no parameter and no sign.
+ * Computed is x = a . q: by one subtraction, one product and at most two sums, each off by half an epsilon of what it
+ * gives, so by no more than 4.01 halves of epsilon times the sum of |a_i q_i|; eight are taken, and the rest is for
+ * the rounding of products of coordinates (see hide_plain()). And by |x - x'| = |a.V| |V.q| / V.V: the depth leaks
+ * into x as far as the axis is not at a right angle to V. */
 static void set_across(view *v, const roberts_scene *scene)
 {
     roberts_vec3 low = vec3_sub(v->origin, scene->box_min), high = vec3_sub(scene->box_max, v->origin);
@@ -314,20 +314,21 @@ static void set_across(view *v, const roberts_scene *scene)
     v->across_rounding = rounding;
 }
 
-/* Bound of the error of x and y of one vertex seen from an eye V; leaks: bound of |a.(V - O)| for both axes a of the picture.
+/* Bound of the error of x and y of one vertex seen from an eye V; leaks: bound of |a.(V - O)| for both axes a of the
+ * picture.
  *
- * The exact picture is x' / w' with x' = a.(P - V) and w' = -dir.(P - V) / D, for axes and D as they are stored: a map that
- * takes planes through V to lines. Computed are, with q = P - O, x = a.q and w = 1 - dir.q / D. In halves u of epsilon, and
- * with R(a) for the sum of |a_i q_i|:
+ * The exact picture is x' / w' with x' = a.(P - V) and w' = -dir.(P - V) / D, for axes and D as they are stored: a
+ * map that takes planes through V to lines. Computed are, with q = P - O, x = a.q and w = 1 - dir.q / D. In halves u
+ * of epsilon, and with R(a) for the sum of |a_i q_i|:
  *
  *     x is off by 4.01 u R(a), as in set_across(), and by a.(V - O), which is zero but for rounding;
  *     w is off by 5.01 u R(dir) / D + u w, and by dir.(V - O) / D - 1: the roundings of dir and D, less than 16 u;
  *     1 / w and its product with x are off by u each, of |x / w| <= R(a) / w.
  *
- * So x / w is off by no more than (7.01 u R(a) + |a.(V - O)| + |x / w| u (5.01 R(dir) / D + 16)) / w. Sixteen u are taken
- * of each, and what is left of those of R(a) is for the rounding of products of coordinates (see hide_plain()). Where
- * perspective_point() takes x, y and w from the eye, q is P - V: the same holds without a.(V - O) and without the 16 u. What
- * rounding took from a vertex that the near plane made is a part of q. */
+ * So x / w is off by no more than (7.01 u R(a) + |a.(V - O)| + |x / w| u (5.01 R(dir) / D + 16)) / w. Sixteen u are
+ * taken of each, and what is left of those of R(a) is for the rounding of products of coordinates (see hide_plain()).
+ * Where perspective_point() takes x, y and w from the eye, q is P - V: the same holds without a.(V - O) and without
+ * the 16 u. What rounding took from a vertex that the near plane made is a part of q. */
 static double eye_rounding(const view *v, const roberts_scene *scene, uint32_t vertex, double leaks)
 {
     roberts_vec3 P = scene->point[vertex], q = vec3_scale(v->per_unit, vec3_sub(P, v->origin)), X = view_point(v, P);
@@ -407,8 +408,8 @@ static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
     choose_epsilon(v, scene, epsilon, fmax(raw, v->extent));
 }
 
-/* The direction toward the viewer, about 1 long: as given, so that exact arithmetic can go back to it; or, in an oblique
- * view, what the map makes of it. */
+/* The direction toward the viewer, about 1 long: as given, so that exact arithmetic can go back to it; or, in an
+ * oblique view, what the map makes of it. */
 static void set_sight_line(view *v, const roberts_camera *camera)
 {
     int exponent;
