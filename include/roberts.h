@@ -215,6 +215,10 @@ size_t roberts_scene_face_count(const roberts_scene *scene);
 size_t roberts_scene_edge_count(const roberts_scene *scene);
 size_t roberts_scene_vertex_count(const roberts_scene *scene); /**< vertices that solids use */
 
+/** What the input calls the group that the solid's first face is in (o or g of OBJ, solid of STL); "": nothing. Valid as
+ * long as the scene. */
+const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid);
+
 /** Whether a solid is the convex hull of what the mesh has in its place; false where there is none of that number. */
 bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid);
 

@@ -141,6 +141,29 @@ static void steps(void **state)
     }
 }
 
+/* Solids have the names of their groups, be the mesh taken over or copied. */
+static void names(void **state)
+{
+    (void)state;
+    for (int taken = 0; taken < 2; taken++) {
+        roberts_mesh mesh = {0};
+        roberts_scene *scene;
+        assert_int_equal(roberts_mesh_read_file(&mesh, "tests/fuzz/seeds/house.off", NULL, NULL), ROBERTS_OK);
+        assert_int_equal(roberts_mesh_read_file(&mesh, "tests/fuzz/seeds/house.stl", NULL, NULL), ROBERTS_OK);
+        assert_int_equal(roberts_mesh_read_file(&mesh, "tests/fuzz/seeds/house-big.ply", NULL, NULL), ROBERTS_OK);
+        assert_int_equal(taken ? roberts_scene_take(&mesh, NULL, &scene, NULL)
+                               : roberts_scene_build(&mesh, NULL, &scene, NULL),
+                         ROBERTS_OK);
+        assert_int_equal(mesh.group_count, taken ? 0 : 3);
+        roberts_mesh_free(&mesh);
+        static const char *const expected[] = {"", "", "walls", "roof", "", "", ""};
+        assert_int_equal(roberts_scene_solid_count(scene), 6);
+        for (uint32_t s = 0; s < 7; s++)
+            assert_string_equal(roberts_scene_name(scene, s), expected[s]);
+        roberts_scene_free(scene);
+    }
+}
+
 /* The groups of a file end with it. */
 static void groups_of_several_inputs(void **state)
 {
@@ -160,10 +183,8 @@ static void groups_of_several_inputs(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_drawing),
-        cmocka_unit_test(epsilon_of_floats),
-        cmocka_unit_test(steps),
-        cmocka_unit_test(groups_of_several_inputs),
+        cmocka_unit_test(one_drawing), cmocka_unit_test(epsilon_of_floats),        cmocka_unit_test(steps),
+        cmocka_unit_test(names),       cmocka_unit_test(groups_of_several_inputs),
     };
     return cmocka_run_group_tests_name("formats", tests, NULL, NULL);
 }

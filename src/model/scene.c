@@ -279,6 +279,13 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
 
+static bool copy_groups(roberts_scene *scene, const roberts_mesh *mesh)
+{
+    scene->group = mesh_groups_copy(mesh);
+    scene->group_count = scene->group ? mesh->group_count : 0;
+    return scene->group_count == mesh->group_count;
+}
+
 static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const roberts_scene_options *options,
                                   roberts_scene **scene, roberts_error *error)
 {
@@ -303,8 +310,11 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
             status = build_hulls(*scene, mesh, &chosen, &found);
         }
     }
-    if (status == ROBERTS_OK)
+    if (status == ROBERTS_OK) {
         (*scene)->float32_step = mesh_float32_step(mesh);
+        if (!lend && !copy_groups(*scene, mesh))
+            status = error_no_memory(&found);
+    }
     if (status != ROBERTS_OK) {
         roberts_scene_free(*scene);
         *scene = NULL;
@@ -340,6 +350,10 @@ static void part_from(roberts_scene *scene, roberts_mesh *mesh)
         scene->face_color = mesh->face_color;
         mesh->face_color = NULL;
     }
+    scene->group = mesh->group;
+    scene->group_count = mesh->group_count;
+    mesh->group = NULL;
+    mesh->group_count = 0;
 }
 
 roberts_status roberts_scene_take(roberts_mesh *mesh, const roberts_scene_options *options, roberts_scene **scene,
@@ -384,4 +398,21 @@ size_t roberts_scene_vertex_count(const roberts_scene *scene)
 bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid)
 {
     return solid < scene->solid_count && scene_face_number(scene, scene->solid[solid].face) == ROBERTS_NONE;
+}
+
+/* That of the last group that begins at or before the solid's first face. */
+const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid)
+{
+    size_t low = 0, high = scene->group_count;
+    if (solid >= scene->solid_count || scene->solid[solid].face == scene->solid[solid + 1].face)
+        return "";
+    const uint32_t face = scene_face_number(scene, scene->solid[solid].face);
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (scene->group[middle].first_face <= face)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return face != ROBERTS_NONE && low > 0 ? scene->group[low - 1].name : "";
 }

@@ -190,6 +190,26 @@ bool mesh_group(roberts_mesh *mesh, const char *name)
     return true;
 }
 
+roberts_group *mesh_groups_copy(const roberts_mesh *mesh)
+{
+    roberts_group *copy = mesh->group_count ? alloc_array(mesh->group_count, sizeof *copy) : NULL;
+    for (size_t i = 0; copy && i < mesh->group_count; i++) {
+        copy[i] = (roberts_group){copy_name(mesh->group[i].name), mesh->group[i].first_face};
+        if (!copy[i].name) {
+            mesh_groups_free(copy, i);
+            return NULL;
+        }
+    }
+    return copy;
+}
+
+void mesh_groups_free(roberts_group *group, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        free(group[i].name);
+    free(group);
+}
+
 roberts_status roberts_mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position, uint32_t *index, roberts_error *error)
 {
     error_set_file(error, "");
@@ -229,10 +249,8 @@ void roberts_mesh_free(roberts_mesh *mesh)
         return;
     for (size_t i = 0; i < mesh->source_count; i++)
         free(mesh->source[i].name);
-    for (size_t i = 0; i < mesh->group_count; i++)
-        free(mesh->group[i].name);
+    mesh_groups_free(mesh->group, mesh->group_count);
     free(mesh->source);
-    free(mesh->group);
     free(mesh->vertex);
     free(mesh->face_start);
     free(mesh->corner);

@@ -82,4 +82,8 @@ enum { MESH_GROUP_NAME = 256 };
 /* Notes that the faces that follow belong to a group called `name` (copied); "": to none. */
 bool mesh_group(roberts_mesh *mesh, const char *name);
 
+/* A copy of the groups; NULL: there are none, or no memory. */
+roberts_group *mesh_groups_copy(const roberts_mesh *mesh);
+void mesh_groups_free(roberts_group *group, size_t count);
+
 #endif

@@ -349,21 +349,42 @@ static bool is_vertex(const ply_reader *p, double index)
     return index >= 0.0 && index < (double)p->vertices && index == floor(index);
 }
 
+/* Reads all corners at once where they are binary words and few, as nearly always. False: they are not, or one of them
+ * is no vertex, and nothing is taken. */
+static bool read_words(ply_reader *p, value_type type, uint64_t count)
+{
+    reader *r = p->r;
+    if (!r->binary || (type != INT32 && type != UINT32) || count > AT_ONCE || !input_need(&r->in, 4 * (size_t)count))
+        return false;
+    uint32_t *corner = r->mesh->corner + r->mesh->corner_count;
+    for (size_t i = 0; i < count; i++) {
+        uint32_t index = read_word(r->in.at + 4 * i, p->little);
+        if (index >= p->vertices || index > INT32_MAX)
+            return false;
+        corner[i] = (uint32_t)r->mark.vertices + index;
+    }
+    r->in.at += 4 * count;
+    r->mesh->corner_count += count;
+    return true;
+}
+
 /* Reads the corners of a face; room is made as they come. */
 static roberts_status read_corners(ply_reader *p, const element *e, uint64_t row, value_type type, uint64_t count)
 {
     roberts_mesh *mesh = p->r->mesh;
+    p->r->thin_faces += count < 3;
     for (uint64_t i = 0; i < count; i++) {
         double index;
         if (i % AT_ONCE == 0 && !mesh_corner_room(mesh, count - i < AT_ONCE ? count - i : AT_ONCE))
             return error_no_memory(p->r->error);
+        if (i == 0 && read_words(p, type, count))
+            return ROBERTS_OK;
         if (!take_value(p, type, false, &index))
             return missing(p, e, row);
         if (!is_vertex(p, index))
             return bad_corner(p, e, row, index);
         mesh->corner[mesh->corner_count++] = (uint32_t)(p->r->mark.vertices + (uint64_t)index);
     }
-    p->r->thin_faces += count < 3;
     return ROBERTS_OK;
 }
 

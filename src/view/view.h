@@ -31,10 +31,10 @@ typedef struct view {
                                     units */
     double viewpoint_depth;      /* orthographic: of the viewpoint along dir */
     bool perspective;
-    double diameter;        /* diagonal of the scene's box, view units */
-    double extent;          /* no view coordinate is larger than this, view units; at least the diameter */
-    double across;          /* no x and no y is larger than this, view units; at most the extent */
-    double epsilon;         /* touching distance, view units */
+    double diameter; /* diagonal of the scene's box, view units */
+    double extent;   /* no view coordinate is larger than this, view units; at least the diameter */
+    double across;   /* no x and no y is larger than this, view units; at most the extent */
+    double epsilon;  /* touching distance, view units */
     roberts_epsilon_reason epsilon_reason;
     double rounding;        /* bound of the rounding error of one view coordinate, view units */
     double across_rounding; /* ... of an x or y; at most `rounding` */
