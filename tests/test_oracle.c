@@ -306,7 +306,8 @@ static void test_rays(void **state)
                 double t = (double)(random >> 11 & 0xffffff) / 0x1000000;
                 if (e->survives != ORACLE_YES || t < e->t0 || t > e->t1)
                     continue;
-                bool ray = oracle_point_hidden(&scene.mesh, result.vertex_solid, &scene.view, e->v0, e->v1, t);
+                oracle_point point = {&scene.mesh, result.vertex_solid, &scene.view, e->v0, e->v1, t, {0, 0, 0}};
+                bool ray = oracle_point_hidden(&point);
                 if (ray != within(result.interval + e->sure, e->sure_count, t))
                     fail_msg("%s-%u: edge %u-%u at %.17g: the ray says %s", scene_family_name(f), (unsigned)seed, e->v0,
                              e->v1, t, ray ? "hidden" : "visible");
