@@ -188,17 +188,19 @@ void make_digits_convex(studio *st)
 
 /* ---- beams ------------------------------------------------------------------------------------------------------- */
 
-/* Long beams along x, one above the other, whose sides start in line and part by as little as 1e-11 of their length. */
+/* Long beams along x, one above the other, whose sides start in line and part by as little as 1e-11 of their length; their ends are
+ * slanted, so that their boxes reach farther than their sides. */
 static void put_beams(studio *st, bool tilted)
 {
-    int count = dice_int(&st->d, 4, 16), digits = dice_int(&st->d, 1, 11);
+    int count = dice_int(&st->d, 4, 16), fine = dice_int(&st->d, 0, 1), slanted = dice_int(&st->d, 0, 1);
+    int digits = dice_int(&st->d, fine ? 9 : 1, fine ? 10 : 8);
     double wide = dice_int(&st->d, 0, 1) ? 1 : 0.125, spread = pow(10, -digits);
     shape s = dice_int(&st->d, 0, 1) ? shape_box(1, 1, 1) : shape_random(&st->d, 4, 1);
     for (int i = 0; i < count; i++) {
-        double length = dice_int(&st->d, 4, 64), x = dice_int(&st->d, -64, 32), row = dice_int(&st->d, -2, 2);
+        double length = dice_int(&st->d, 4, 64), x = dice_int(&st->d, -64, 32), row = dice_int(&st->d, -3, 3) / 2.0;
         double side = dice_int(&st->d, 0, 1) * spread * dice_real(&st->d), lean = spread * dice_real(&st->d);
-        double rise = dice_int(&st->d, 0, 1) * lean, slope = dice_int(&st->d, -1, 1);
-        double m[3][3] = {{length, 0, 0}, {length * lean, wide, 0}, {0, 0, 1}};
+        double rise = dice_int(&st->d, 0, 1) * lean, slope = dice_int(&st->d, -1, 1), slant = dice_int(&st->d, -8, 8);
+        double m[3][3] = {{length, slanted * slant, 0}, {length * lean, wide, 0}, {0, 0, 1}};
         if (tilted) /* all in planes through one line, or nearly so, and across one another there */
             m[2][0] = length * (slope + rise);
         put_mapped(st, &s, (roberts_vec3){x, wide * row - lean * (length / 2) + side, tilted ? slope * x : 2 * i}, m);
