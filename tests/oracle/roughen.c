@@ -216,6 +216,7 @@ void leave_open(studio *st)
     for (uint32_t solid = 0; solid < st->solid_count; solid++) {
         rough r = measure(st, solid);
         move = fmax(move, r.departure > 0 ? r.k * r.radius : 0);
+        st->scene->rough = st->scene->rough || r.departure > 0;
     }
     near_touching(st);
     st->scene->slack +=
