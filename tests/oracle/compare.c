@@ -118,6 +118,7 @@ static void add(judge_total *sum, const judge_total *t)
     sum->pairs += t->pairs;
     sum->exact += t->exact;
     sum->seen += t->seen;
+    sum->reordered += t->reordered;
 }
 
 static void print(const char *name, const judge_total *t)

@@ -10,6 +10,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "order.h"
+
 enum {
     REPORTS = 3,     /* of one scene, at most */
     SEEN_FACES = 200 /* plain rays are slow: only in scenes this small */
@@ -494,6 +496,43 @@ static bool judge_visible(const char *name, const test_scene *scene, const rober
     return drawn && !wrong;
 }
 
+/* Holds the segments against those of the same scene written in another order: vertices, faces, and corners within these. But for their
+ * names, and for whom of several solids that touch `by` names, they are the same. */
+static bool judge_order(const char *name, const test_scene *scene, const roberts_drawing *drawing, const char *folder,
+                        judge_total *total, FILE *out)
+{
+    size_t count = scene->mesh.vertex_count;
+    uint32_t *number = calloc(count + 1, sizeof *number), *vertex_solid = calloc(count + 1, sizeof *vertex_solid);
+    roberts_mesh other = {0};
+    roberts_drawing again = {0};
+    roberts_error error = {0};
+    const roberts_segment *wrong = NULL;
+    for (size_t i = 0; i < drawing->count && vertex_solid; i++)
+        vertex_solid[drawing->segment[i].v0] = vertex_solid[drawing->segment[i].v1] = drawing->segment[i].solid;
+    bool drawn = number && vertex_solid && order_shuffle(&scene->mesh, count, &other, number) &&
+                 draw(scene, &other, true, &again, &error) == ROBERTS_OK &&
+                 order_restore(&again, number, count, vertex_solid);
+    for (size_t i = 0; i < drawing->count && drawn && !wrong; i++)
+        if (i == again.count || !is_same(drawing->segment + i, again.segment + i))
+            wrong = drawing->segment + i;
+    total->reordered++;
+    if (wrong)
+        fprintf(out, "%s: solid %u, edge %u-%u: in another order it is not %s from %.17g to %.17g\n", name,
+                wrong->solid, wrong->v0, wrong->v1, wrong->state == ROBERTS_HIDDEN ? "hidden" : "visible", wrong->t0,
+                wrong->t1);
+    if (!drawn)
+        fprintf(out, "%s: in another order the program refuses it: %s\n", name, error.message);
+    if (wrong || !drawn) {
+        write_failure(name, 0, folder, scene, &scene->mesh, out);
+        total->disagreements++;
+    }
+    free(number);
+    free(vertex_solid);
+    roberts_mesh_free(&other);
+    roberts_drawing_free(&again);
+    return drawn && !wrong;
+}
+
 bool judge_scene(const char *name, const test_scene *scene, const char *folder, judge_total *total, FILE *out)
 {
     roberts_drawing drawing;
@@ -508,6 +547,8 @@ bool judge_scene(const char *name, const test_scene *scene, const char *folder, 
     }
     ok = judge_drawing(name, &drawing, scene, false, folder, total, out);
     ok = judge_visible(name, scene, &drawing, folder, total, out) && ok;
+    if (!scene->has_soup)
+        ok = judge_order(name, scene, &drawing, folder, total, out) && ok;
     if (scene->has_original)
         ok = judge_drawing(name, &drawing, scene, true, folder, total, out) && ok;
     else if (scene->mesh.face_count <= SEEN_FACES)

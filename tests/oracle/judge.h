@@ -17,6 +17,7 @@ typedef struct judge_total {
     double worst;                     /* greatest difference on an edge that did not fail */
     size_t pairs, exact;              /* of edge and solid, clipped by the oracle; thereof with rational numbers */
     size_t seen;                      /* hidden segments whose `by` was compared */
+    size_t reordered;                 /* scenes drawn once more in another order */
 } judge_total;
 
 /* Compares all edges of a scene and adds to `total`. `name` ("crowd-17") names files. For each of the first few edges
