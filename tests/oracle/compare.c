@@ -117,6 +117,7 @@ static void add(judge_total *sum, const judge_total *t)
     sum->worst = sum->worst > t->worst ? sum->worst : t->worst;
     sum->pairs += t->pairs;
     sum->exact += t->exact;
+    sum->slivers += t->slivers;
     sum->seen += t->seen;
     sum->reordered += t->reordered;
 }
@@ -125,9 +126,10 @@ static void print(const char *name, const judge_total *t)
 {
     printf("%-14s %9zu edges (%zu drawn, %zu cut, %zu at the near plane) of %zu scenes: %zu disagreements; greatest "
            "difference %.1e; "
-           "not judged: %.5g edges; %zu segments' `by`; %zu of %zu pairs by rational numbers\n",
-           name, t->edges, t->drawn, t->cut, t->clipped, t->scenes, t->disagreements, t->worst, t->unjudged, t->seen,
-           t->exact, t->pairs);
+           "not judged: %.5g edges, and less than ends are open by of %zu; %zu segments' `by`; %zu of %zu pairs by "
+           "rational numbers\n",
+           name, t->edges, t->drawn, t->cut, t->clipped, t->scenes, t->disagreements, t->worst, t->unjudged, t->slivers,
+           t->seen, t->exact, t->pairs);
     fflush(stdout);
 }
 
