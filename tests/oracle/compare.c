@@ -120,16 +120,18 @@ static void add(judge_total *sum, const judge_total *t)
     sum->slivers += t->slivers;
     sum->seen += t->seen;
     sum->reordered += t->reordered;
+    sum->reordered_open += t->reordered_open;
 }
 
 static void print(const char *name, const judge_total *t)
 {
-    printf("%-14s %9zu edges (%zu drawn, %zu cut, %zu at the near plane) of %zu scenes: %zu disagreements; greatest "
-           "difference %.1e; "
-           "not judged: %.5g edges, and less than ends are open by of %zu; %zu segments' `by`; %zu of %zu pairs by "
-           "rational numbers\n",
+    printf("%-24s %8zu edges (%zu drawn, %zu cut, %zu at the near plane) of %zu scenes: %zu disagreements; greatest "
+           "difference "
+           "%.1e; left open: %.5g edges, parts of %zu shorter than their ends are sure; %zu segments' `by`; %zu scenes "
+           "in another "
+           "order, %zu with other lines where contact is open; %zu of %zu pairs by rational numbers\n",
            name, t->edges, t->drawn, t->cut, t->clipped, t->scenes, t->disagreements, t->worst, t->unjudged, t->slivers,
-           t->seen, t->exact, t->pairs);
+           t->seen, t->reordered, t->reordered_open, t->exact, t->pairs);
     fflush(stdout);
 }
 

@@ -506,8 +506,29 @@ static bool judge_visible(const char *name, const test_scene *scene, const rober
     return drawn && !wrong;
 }
 
+/* Do the segments differ from the oracle's only where the answer is open? */
+static bool is_open(const test_scene *scene, const roberts_drawing *drawing)
+{
+    oracle_options options = {scene->slack, false};
+    oracle_result truth;
+    edge_segments mine = {0};
+    size_t at = 0;
+    if (scene->slack == 0 || !oracle_run(&scene->mesh, &scene->view, &options, &truth))
+        return false;
+    mine.hidden = calloc(drawing->count + 1, sizeof *mine.hidden);
+    bool ok = mine.hidden != NULL;
+    for (size_t i = 0; i < truth.edge_count && ok; i++) {
+        take_edge(drawing, &at, truth.edge + i, &mine);
+        ok = wrong_length(&mine, &truth, truth.edge + i) <= limit_of(scene, &scene->mesh, truth.edge + i);
+    }
+    free(mine.hidden);
+    oracle_free(&truth);
+    return ok && at == drawing->count;
+}
+
 /* Holds the segments against those of the same scene written in another order: vertices, faces, and corners within these. But for their
- * names, and for whom of several solids that touch `by` names, they are the same. */
+ * names, and for whom of several solids that touch `by` names, they are the same; where contact is open, rounding may decide otherwise: that is
+ * counted. */
 static bool judge_order(const char *name, const test_scene *scene, const roberts_drawing *drawing, const char *folder,
                         judge_total *total, FILE *out)
 {
@@ -526,6 +547,10 @@ static bool judge_order(const char *name, const test_scene *scene, const roberts
         if (i == again.count || !is_same(drawing->segment + i, again.segment + i))
             wrong = drawing->segment + i;
     total->reordered++;
+    if (wrong && is_open(scene, &again)) {
+        total->reordered_open++;
+        wrong = NULL;
+    }
     if (wrong)
         fprintf(out, "%s: solid %u, edge %u-%u: in another order it is not %s from %.17g to %.17g\n", name,
                 wrong->solid, wrong->v0, wrong->v1, wrong->state == ROBERTS_HIDDEN ? "hidden" : "visible", wrong->t0,
