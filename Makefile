@@ -33,9 +33,11 @@ TEST_SRC := $(sort $(wildcard tests/test_*.c))
 ORACLE_P := tests/oracle/compare.c tests/oracle/regolden.c
 ORACLE   := $(filter-out $(ORACLE_P),$(sort $(wildcard tests/oracle/*.c)))
 ORACLE_X := $(sort $(wildcard tests/oracle/*.cpp))
+PAPER_P  := tests/paper/compare.c
+PAPER    := $(filter-out $(PAPER_P),$(sort $(wildcard tests/paper/*.c)))
 FUZZ_SRC := $(sort $(wildcard tests/fuzz/*.c))
 C_SRC    := $(LIB_SRC) $(CLI_SRC) $(TOOL_SRC) $(MODEL_SRC) $(TEST_SRC) $(ORACLE) $(ORACLE_P) \
-            $(FUZZ_SRC)
+            $(FUZZ_SRC) $(PAPER) $(PAPER_P)
 VERSION  := $(shell sed -n 's/^.define ROBERTS_VERSION "\(.*\)"/\1/p' include/roberts.h)
 SONAME   := libroberts.so.$(firstword $(subst ., ,$(VERSION)))
 SHARED   := libroberts.so.$(VERSION)
@@ -57,6 +59,7 @@ PAGES    := $(BUILD)/roberts.1 $(BUILD)/completions/bash $(BUILD)/completions/zs
 TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
 DEMO     := table temple tower staircase city lattice
 EDGES    ?= 5000000
+DRAWINGS ?= 1000
 SANITIZE := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 FUZZER   := $(FUZZ_SRC:tests/fuzz/%.c=$(BUILD)/fuzz/%)
 FUZZ     := -O1 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
@@ -91,8 +94,9 @@ drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
 test: check-includes all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests
 	@CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH='$(abspath $(BUILD)/locale)' tests/run.sh $(TEST_BIN)
 
-check-long: $(BUILD)/tests/oracle/compare ## compares 5,000,000 edges with the exact oracle (EDGES=n); fuzzes, too
+check-long: $(BUILD)/tests/oracle/compare $(BUILD)/tests/paper/compare ## compares 5,000,000 edges with the exact oracle (EDGES=n), 1,000 drawings with their tables (DRAWINGS=n); fuzzes, too
 	$(BUILD)/tests/oracle/compare --folder $(BUILD) --edges $(EDGES) --per-family
+	$(BUILD)/tests/paper/compare --folder $(BUILD) --count $(DRAWINGS)
 	@$(MAKE) --no-print-directory fuzz
 
 fuzz: ## runs all fuzzers, FUZZ_SECONDS=60 each; needs clang (tools/install-deps.sh fuzz)
@@ -240,13 +244,21 @@ $(ORACLE_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(ORACLE_OBJ) $(BUILD)/
 	$(call show,LD,$@)
 	$(Q)$(LINK) $(ORACLE_LIBS) $(LIBS)
 
+# Pages read back: PDF by zlib, PNG by Cairo; their scenes are those of the oracle, too.
+$(BUILD)/tests/test_paper: $(call object,$(PAPER)) $(ORACLE_OBJ)
+$(BUILD)/tests/test_paper: TEST_LIBS = -lz $(ORACLE_LIBS)
+
+$(PAPER_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(call object,$(PAPER)) $(ORACLE_OBJ) $(BUILD)/libroberts.a
+	@mkdir -p $(@D)
+	$(LINK) -lz $(ORACLE_LIBS) $(LIBS)
+
 # -frounding-math: intervals of doubles set the rounding mode, which the compiler must not assume.
 $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call show,CXX,$<)
 	$(Q)$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math $(CXXFLAGS) -Iinclude -MMD -MP -c -o $@ $<
 
-$(BUILD)/obj/src/draw/%.o $(BUILD)/obj/tests/test_render.o $(BUILD)/obj/tests/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
+$(BUILD)/obj/src/draw/%.o $(BUILD)/obj/tests/paper/%.o $(BUILD)/obj/tests/test_render.o $(BUILD)/obj/tests/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
 $(BUILD)/obj/src/model/qhull.o: NEEDS = $(QHULL_CFLAGS)
 
 $(BUILD)/obj/%.o: %.c $(BUILD)/flags

@@ -16,9 +16,9 @@
 #include "base/bits.h"
 #include "base/vec.h"
 
-/* Radians by which coincident pieces may differ: 0.001 mm on 100 mm. Shorter ones are held to it all the same, so that
- * fine facets keep their bends; what coincides exactly is rounded to far less. */
-static const double same_direction = 1e-5;
+/* Radians by which coincident pieces may differ: 0.001 mm on 30 mm, and models whose coordinates have five digits. Shorter
+ * ones are held to it all the same, so that fine facets keep their bends. */
+static const double same_direction = 3e-5;
 
 enum { DIRECTIONS = 25000 }; /* cells from 0 to 2, 8 times as wide as what coincides */
 

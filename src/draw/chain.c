@@ -277,12 +277,26 @@ static void add_links(net *n, const pieces *p, roberts_line line)
     }
 }
 
-/* ---- walks ---- */
-
 static uint32_t other_end(const link *l, uint32_t from)
 {
     return l->from == from ? l->to : l->from;
 }
+
+/* Of links between the same two places one is drawn: their pieces were so near each other that they became one. */
+static void drop_doubles(net *n)
+{
+    for (uint32_t at = 0; at < n->place_count; at++) {
+        const place *p = &n->place[at];
+        uint32_t count = p->left < LOOK_AT_MOST ? p->left : LOOK_AT_MOST;
+        for (uint32_t i = 1; i < count; i++)
+            for (uint32_t k = 0; k < i; k++) {
+                link *one = &n->link[n->leaving[p->start + i]], *other = &n->link[n->leaving[p->start + k]];
+                one->drawn = one->drawn || (!other->drawn && other_end(one, at) == other_end(other, at));
+            }
+    }
+}
+
+/* ---- walks ---- */
 
 /* Takes a link off the list of a place; the last of the list comes in its stead. */
 static void leave_out(net *n, uint32_t at, uint32_t index)
@@ -379,6 +393,7 @@ bool chain_pieces(const pieces *p, roberts_line line, polylines *out)
     bool done = net_init(&n, count);
     if (done) {
         add_links(&n, p, line);
+        drop_doubles(&n);
         done = walk_all(&n, out);
     }
     net_free(&n);

@@ -16,6 +16,7 @@
 #include "base/sort.h"
 #include "base/vec.h"
 #include "draw/carrier.h"
+#include "draw/chain.h"
 
 enum { AHEAD = 16 }; /* pieces before their turn that memory is asked for them */
 
@@ -46,17 +47,22 @@ static double depth(const line_view *v, const piece *p, double t)
     return p->za + (p->zb - p->za) * ((t - ta) / (tb - ta));
 }
 
-/* Whether piece i is drawn rather than j at t. What is visible is always drawn: a hidden edge may be nearer, as one that
- * lies just below the surface of the solid whose edge is seen. */
+/* Whether piece p is drawn rather than q where it is nearer by so much. What is visible is always drawn: a hidden edge may be
+ * nearer, as one that lies just below the surface of the solid whose edge is seen. */
+static bool is_drawn_first(const piece *p, const piece *q, double nearer, double tie)
+{
+    if ((p->line == ROBERTS_BACK) != (q->line == ROBERTS_BACK))
+        return q->line == ROBERTS_BACK;
+    if (fabs(nearer) > tie)
+        return nearer > 0.0;
+    return p->line != q->line ? p->line < q->line : p->number < q->number;
+}
+
+/* Whether piece i is drawn rather than j at t. */
 static bool is_before(const line_view *v, uint32_t i, uint32_t j, double t)
 {
     const piece *p = &v->p->item[i], *q = &v->p->item[j];
-    if ((p->line == ROBERTS_BACK) != (q->line == ROBERTS_BACK))
-        return q->line == ROBERTS_BACK;
-    double nearer = depth(v, p, t) - depth(v, q, t);
-    if (fabs(nearer) > v->tie)
-        return nearer > 0.0;
-    return p->line != q->line ? p->line < q->line : p->number < q->number;
+    return is_drawn_first(p, q, depth(v, p, t) - depth(v, q, t), v->tie);
 }
 
 static void emit(span *out, size_t *count, uint32_t piece_index, double t0, double t1)
@@ -149,8 +155,13 @@ static bool add_piece(result *out, const line_view *v, const span *s)
     bool forward = position(v, first->a) <= position(v, first->b);
     if (!array_reserve(&out->item, &out->room, out->count + 1, sizeof *out->item))
         return false;
-    out->item[out->count++] =
-        (piece){.a = forward ? a : b, .b = forward ? b : a, .number = first->number, .line = seen->line};
+    double za = depth(v, seen, s->t0), zb = depth(v, seen, s->t1);
+    out->item[out->count++] = (piece){.a = forward ? a : b,
+                                      .b = forward ? b : a,
+                                      .za = forward ? za : zb,
+                                      .zb = forward ? zb : za,
+                                      .number = first->number,
+                                      .line = seen->line};
     return true;
 }
 
@@ -232,6 +243,118 @@ static bool replace(pieces *p, const result *by)
     return done;
 }
 
+/* ---- twins: pieces from one place to another ---- */
+
+enum { TWIN_CELL = 16 /* units; so wide that few ends lie near a border */ };
+
+#define NO_PIECE UINT32_MAX
+
+typedef struct twins {
+    pieces *p;
+    uint32_t *head, *next; /* pieces by cells of their ends */
+    unsigned bits;
+    double tie;
+} twins;
+
+/* The ends of a piece, rounded. */
+typedef struct rounded_ends {
+    page_point a, b;
+} rounded_ends;
+
+static rounded_ends ends_of(const piece *p)
+{
+    return (rounded_ends){{page_round(p->a.x), page_round(p->a.y)}, {page_round(p->b.x), page_round(p->b.y)}};
+}
+
+static bool is_one_place(page_point p, page_point q)
+{
+    return llabs((int64_t)p.x - q.x) <= (int64_t)PIECE_TOUCH && llabs((int64_t)p.y - q.y) <= (int64_t)PIECE_TOUCH;
+}
+
+static bool are_twins(rounded_ends p, rounded_ends q)
+{
+    return (is_one_place(p.a, q.a) && is_one_place(p.b, q.b)) || (is_one_place(p.a, q.b) && is_one_place(p.b, q.a));
+}
+
+/* The cell of a coordinate and a neighbour that may hold what is within PIECE_TOUCH of it, or itself again. */
+static int cells_near(int32_t value, int32_t cell[2])
+{
+    int32_t in = ((value % TWIN_CELL) + TWIN_CELL) % TWIN_CELL;
+    cell[0] = (value - in) / TWIN_CELL;
+    cell[1] = in == 0 ? cell[0] - 1 : cell[0] + 1;
+    return in == 0 || in == TWIN_CELL - 1 ? 2 : 1;
+}
+
+/* Hashes of the cells near a point; the first is that of its own. Returns how many. */
+static int end_hashes(page_point at, uint64_t hash[4])
+{
+    int32_t x[2], y[2];
+    int columns = cells_near(at.x, x), rows = cells_near(at.y, y), count = 0;
+    for (int i = 0; i < columns; i++)
+        for (int k = 0; k < rows; k++)
+            hash[count++] = ((uint64_t)(uint32_t)x[i] << 32 | (uint32_t)y[k]) * 0x9e3779b97f4a7c15u;
+    return count;
+}
+
+/* The list of pieces with ends in two cells, either way round. */
+static uint32_t *list_of(const twins *t, uint64_t a, uint64_t b)
+{
+    uint64_t mixed = (a ^ a >> 29) + (b ^ b >> 29);
+    return &t->head[mixed * 0xbf58476d1ce4e5b9u >> (64 - t->bits)];
+}
+
+/* Puts piece i into its list, unless it has a twin there: then one of both is gone. */
+static void add_piece_or_drop(twins *t, uint32_t i)
+{
+    piece *own = &t->p->item[i];
+    const rounded_ends ends = ends_of(own);
+    uint64_t a[4], b[4];
+    int as = end_hashes(ends.a, a), bs = end_hashes(ends.b, b);
+    for (int m = 0; m < as; m++)
+        for (int n = 0; n < bs; n++)
+            for (uint32_t k = *list_of(t, a[m], b[n]); k != NO_PIECE; k = t->next[k]) {
+                piece *other = &t->p->item[k];
+                if (other->line == PIECE_GONE || !are_twins(ends, ends_of(other)))
+                    continue;
+                double nearer = 0.5 * (own->za + own->zb - other->za - other->zb);
+                if (!is_drawn_first(own, other, nearer, t->tie)) {
+                    own->line = PIECE_GONE;
+                    return;
+                }
+                other->line = PIECE_GONE;
+            }
+    uint32_t *list = list_of(t, a[0], b[0]);
+    t->next[i] = *list;
+    *list = i;
+}
+
+/* Of pieces from one place to another one is kept. Edges of solids thinner than PIECE_TOUCH are such: they do not always lie on one
+ * line, but rounding would draw them as one. False: no memory. */
+
+static bool drop_twins(pieces *p, double tie)
+{
+    size_t kept = 0;
+    twins t = {.p = p, .bits = 4, .tie = tie};
+    while (t.bits < 31 && p->count >> t.bits)
+        t.bits++;
+    size_t cells = (size_t)1 << t.bits;
+    t.head = alloc_array(cells, sizeof *t.head);
+    t.next = alloc_array(p->count, sizeof *t.next);
+    bool done = t.head && t.next;
+    if (done)
+        memset(t.head, 0xff, cells * sizeof *t.head);
+    for (size_t i = 0; i < p->count && done; i++)
+        add_piece_or_drop(&t, (uint32_t)i);
+    for (size_t i = 0; i < p->count && done; i++)
+        if (p->item[i].line != PIECE_GONE)
+            p->item[kept++] = p->item[i];
+    if (done)
+        p->count = kept;
+    free(t.head);
+    free(t.next);
+    return done;
+}
+
 bool overlap_remove(pieces *p, double tie)
 {
     carriers lines;
@@ -240,7 +363,7 @@ bool overlap_remove(pieces *p, double tie)
         return true;
     bool done = carriers_find(&lines, p) && do_lines(p, &lines, tie, &out);
     carriers_free(&lines);
-    done = done && (out.count == 0 || replace(p, &out));
+    done = done && (out.count == 0 || replace(p, &out)) && drop_twins(p, tie);
     free(out.item);
     return done;
 }

@@ -11,7 +11,6 @@
 #include "draw/dashes.h"
 #include "draw/overlap.h"
 #include "draw/sheet.h"
-#include "draw/symbol.h"
 #include "draw/travel.h"
 
 /* Cairo keeps coordinates in 32 bits, 8 of them behind the point, and lets larger ones wrap without a word: a page has

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "draw/output.h"
 #include "draw/page.h"
-#include "draw/paper.h"
+#include "draw/cairo.h"
 #include "draw/strokes.h"
 #include "draw/svg.h"
 #include "draw/table.h"
@@ -106,7 +106,7 @@ static roberts_status write_page(const subject *what, const roberts_draw_options
     roberts_status status = what->sheet ? strokes_make_sheet(&s, what->sheet, options, error)
                                         : strokes_make(&s, what->drawing, options, error);
     if (status == ROBERTS_OK)
-        status = options->format == ROBERTS_SVG ? svg_write(&s, out, error) : paper_write(&s, out, error);
+        status = options->format == ROBERTS_SVG ? svg_write(&s, out, error) : surface_write(&s, out, error);
     if (status == ROBERTS_OK && options->ink)
         *options->ink = strokes_measure(&s);
     strokes_free(&s);
