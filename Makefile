@@ -190,9 +190,8 @@ $(FUZZER): $(BUILD)/fuzz/%: $(BUILD)/obj/tests/fuzz/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
 	$(LINK) -fsanitize=fuzzer -Wl,--defsym=LLVMFuzzerTestOneInput=$* $(LIBS)
 
-# It holds a source of the program, which has something to say.
-$(BUILD)/tests/test_verify_report: $(call object,src/cli/message.c src/cli/progress.c)
-$(BUILD)/tests/test_options: $(filter-out %/main.o,$(call object,$(CLI_SRC)))
+# Tests of the program's own functions
+$(BUILD)/tests/test_options $(BUILD)/tests/test_verify_report: $(filter-out %/main.o,$(call object,$(CLI_SRC)))
 $(BUILD)/tests/test_fuzz: $(call object,$(FUZZ_SRC))
 
 # The exact oracle: C++ with CGAL, for tests alone.

@@ -187,6 +187,16 @@ roberts_status roberts_scene_take(roberts_mesh *mesh, const roberts_scene_option
                                   roberts_error *error);
 void roberts_scene_free(roberts_scene *scene);
 
+/**
+ * The tolerance that would accept a mesh that roberts_scene_build() has refused as not planar or not convex: 1, 2 or 5
+ * times a power of ten, as small as does, for all solids together. 0 where there is none up to 0.01, or up to the limit
+ * beyond which any shape would pass: 0.025 / sqrt(faces of a solid), and less for a solid that is farther from the
+ * origin than it is large. Right below that limit it has another digit (0.007 for twelve faces). The mesh is built
+ * several times to find it; a mesh of more than 200,000 faces is not tried and gives 0.
+ * options  as given to roberts_scene_build(); `hull` and `warnings` are not used
+ */
+double roberts_scene_tolerance(const roberts_mesh *mesh, const roberts_scene_options *options);
+
 size_t roberts_scene_solid_count(const roberts_scene *scene);
 size_t roberts_scene_face_count(const roberts_scene *scene);
 size_t roberts_scene_edge_count(const roberts_scene *scene);

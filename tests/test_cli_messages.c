@@ -139,6 +139,22 @@ static void a_tolerance_that_helps_is_named(void **state)
     }
 }
 
+/* Right below the limit a tolerance has another digit than 1, 2 or 5. The limit is 0.025 / sqrt(12) for a dodecahedron. */
+static void a_tolerance_below_the_limit_is_named(void **state)
+{
+    static char text[TEXT], moved[TEXT];
+    (void)state;
+    read_text("models/platonic/dodecahedron.off", text);
+    const char *corner = strstr(text, "\n1 1 1\n");
+    assert_non_null(corner);
+    snprintf(moved, sizeof moved, "%.*s\n1.07 1.07 1.07%s", (int)(corner - text), text, corner + strlen("\n1 1 1"));
+    put("moved.off", moved);
+    assert_int_equal(run("-f null moved.off"), 1);
+    assert_said(" beside their plane (--tolerance 0.007 would do; see also --hull)\n");
+    assert_int_equal(run("-f null moved.off --tolerance 0.007"), 0);
+    assert_int_equal(run("-f null moved.off --tolerance 0.005"), 1);
+}
+
 /* A surface of revolution as triangles, with a waist of `depth` in the middle: 1.5 high and low, 1 wide. */
 static void put_round(const char *path, int around, int rings, double depth)
 {
@@ -672,6 +688,7 @@ int main(void)
         IN_FOLDER(one_model_after_another),
         IN_FOLDER(every_refusal_names_the_file),
         IN_FOLDER(a_tolerance_that_helps_is_named),
+        IN_FOLDER(a_tolerance_below_the_limit_is_named),
         IN_FOLDER(a_tolerance_that_passes_any_shape_is_not_named),
         IN_FOLDER(misuse_tells_what_was_meant),
         IN_FOLDER(images_too_large_for_memory),

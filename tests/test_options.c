@@ -10,10 +10,10 @@
 
 #include <cmocka.h>
 
-#include "../src/cli/help.h"
-#include "../src/cli/message.h"
-#include "../src/cli/options.h"
-#include "../src/cli/values.h"
+#include "cli/help.h"
+#include "cli/message.h"
+#include "cli/options.h"
+#include "cli/values.h"
 
 enum { TEXT = 1 << 16 };
 

@@ -1,5 +1,4 @@
-/* What --verify says of a wrong drawing. The program never makes one, so that its own source is called with a spoiled
- * drawing here. */
+/* What --verify says of a wrong drawing. The program never makes one, so its function is called with a spoiled drawing. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "../src/cli/rays.c" /* NOLINT(bugprone-suspicious-include): the program is no library */
+#include "cli/report.h"
 
 /* A cube of side 2 under a plate that hides all of it from above. */
 static roberts_scene *make_scene(void)
@@ -35,7 +34,7 @@ static bool report(const cli_options *options, const roberts_drawing *drawing, c
     assert_non_null(file);
     cli_options own = *options;
     own.log = file;
-    roberts_status status = rays_verify(&own, scene, drawing, &found, NULL);
+    roberts_status status = report_verify(&own, scene, drawing, &found, NULL);
     rewind(file);
     text[fread(text, 1, size - 1, file)] = '\0';
     fclose(file);

@@ -1,8 +1,8 @@
 /* check.c - whether options make sense together.
  *
- * The rule: what would draw something else than is meant, or lose a file, is misuse. What changes nothing is worth a
- * warning only, so that a script can give the same options to every run; --quiet drops it. Which options exclude or need
- * each other stands in the table of options; here is what depends on values and files. */
+ * The rule: what would draw something else than is meant, or lose a file, is misuse. What changes nothing is worth only
+ * a warning, so that a script can give the same options to every run. The table of options says which options exclude
+ * or need each other; here is what depends on values and files. */
 #include "cli/check.h"
 
 #include <stdio.h>
@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "cli/message.h"
+#include "cli/parse.h"
 #include "cli/values.h"
 
 enum { NAME_SIZE = 4096, LIST_SIZE = 512 };
@@ -36,7 +37,7 @@ static int check_turntable(const cli_options *options)
     static const char how[] = "--turntable needs a name with a place for the number: -o turn-%03d.svg";
     char name[NAME_SIZE];
     const char *place = strchr(options->output, '%');
-    if (options->turntable == 0 || values_numbered_name(options->output, 0, name, sizeof name))
+    if (options->turntable == 0 || parse_numbered(options->output, 0, name, sizeof name))
         return EXIT_DONE;
     if (!place)
         return message_misuse("%s", how);
@@ -170,7 +171,7 @@ static void warn_paper(const cli_options *options, const options_given *given)
                 values_format_name(options->draw.format));
 }
 
-/* A pen was chosen for lines of a class that are not drawn: because something is `missing`, or (NULL) where they are off. */
+/* A pen was chosen for lines that are not drawn, because something is `missing` or (NULL) because they are off. */
 static void warn_pen(const char *class, const roberts_pen *pen, const roberts_pen *usual, const char *missing)
 {
     char what[64];
@@ -218,7 +219,7 @@ static void warn_number(const cli_options *options)
 {
     char name[NAME_SIZE];
     if (options->turntable == 0 && options->draw.format != ROBERTS_NULL &&
-        values_numbered_name(options->output, 0, name, sizeof name))
+        parse_numbered(options->output, 0, name, sizeof name))
         message_warning(stderr, options->output, 0, "the file is called just so: only --turntable puts a number there");
 }
 

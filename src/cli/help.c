@@ -1,4 +1,4 @@
-/* help.c - what is said of the options, from their table. A test runs the examples. */
+/* help.c - what the table of options says, in five forms. A test runs the examples. */
 #include "cli/help.h"
 
 #include <ctype.h>

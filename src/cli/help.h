@@ -1,5 +1,5 @@
-/* help.h - what is said of the options: --help, the manual page, and the completions of bash, zsh and fish. All of it is
- * written from the table of options. */
+/* help.h - what the table of options says: as --help, in the manual page, and in the completions of bash, zsh and
+ * fish. */
 #ifndef ROBERTS_CLI_HELP_H
 #define ROBERTS_CLI_HELP_H
 

@@ -7,11 +7,10 @@
 
 #include "cli/batch.h"
 #include "cli/help.h"
-#include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/options.h"
 #include "cli/picture.h"
-#include "cli/progress.h"
+#include "cli/signals.h"
 
 /* The exit status, once everything for standard output is written. */
 static int finish_output(void)
@@ -29,20 +28,20 @@ static bool is_watched(const cli_options *options)
     return isatty(STDERR_FILENO) && !options->quiet && !to_terminal;
 }
 
-/* A file must not take the number of a stream that is closed: messages would go into it. What takes that number here fails
- * to read or write, as a closed stream does; messages are lost. */
+/* Where a stream is closed, a file that is opened would take its number, and messages would go into it. Here something
+ * else takes the number, which fails to read or write as the closed stream does. */
 static void hold_streams(void)
 {
     for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++)
         if (fcntl(stream, F_GETFD) == -1 && errno == EBADF)
-            (void)open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_WRONLY); /* the least number that is free */
+            (void)open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_WRONLY); /* takes the least free number */
 }
 
 int main(int argc, char **argv)
 {
     cli_options options;
     hold_streams();
-    interrupt_prepare();
+    signals_prepare();
     int status = options_parse(&option_table_all, argc, argv, &options);
     if (status != EXIT_DONE)
         return status;
@@ -54,8 +53,8 @@ int main(int argc, char **argv)
         return finish_output();
     options.scene.warnings.warn = options.quiet ? NULL : message_warning;
     options.scene.warnings.context = options.log = stderr;
-    options.draw.temporary = interrupt_temporary;
-    options.draw.temporary_context = interrupt_slot(0);
+    options.draw.temporary = signals_temporary;
+    options.draw.temporary_context = signals_slot(0);
     if (is_watched(&options))
         progress_begin();
     status = options.batch ? batch_make(&options) : picture_make(&options);

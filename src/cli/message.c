@@ -4,7 +4,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-#include "cli/progress.h"
+#include "cli/signals.h"
 
 enum { MISUSE_SIZE = 8192 }; /* two names of files and what is wrong with them */
 

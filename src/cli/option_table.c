@@ -445,12 +445,12 @@ static const option rows[] = {
      RANGE(0, 1),
      .brief = "how far from planar and convex",
      .help = "how far from planar and convex a solid may be, as a part of its size (default: 0, 1e-5)",
-     .manual =
-         "How far from planar and convex a solid may be, as a part of its size (the diagonal of its box). Default: 0, "
-         "which is 1e-5. When a model is refused for this, the message names the smallest tolerance that would accept "
-         "it, where one up to 0.01 does. It names a smaller one at most for solids of more than six faces, by the root "
-         "of their number, and for those farther from the origin than they are large: there a larger tolerance would "
-         "accept any shape."},
+     .manual = "How far from planar and convex a solid may be, as a part of its size (the diagonal of its box). "
+               "Default: 0, which is 1e-5.\nWhen a model is refused as not planar or not convex, the message names a "
+               "tolerance that would accept it, where there is one up to 0.01: 1, 2 or 5 times a power of ten, as "
+               "small as does. The limit is lower for a solid of more than six faces, 0.025 divided by the root of "
+               "their number, and lower again for a solid that is farther from the origin than it is large: a greater "
+               "tolerance would accept any shape. For models of more than 200,000 faces none is named."},
 
     /* ---- messages ---- */
     {.group = GROUP_MESSAGES,

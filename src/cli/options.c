@@ -11,7 +11,7 @@
 #include "cli/check.h"
 #include "cli/hints.h"
 #include "cli/message.h"
-#include "cli/values.h"
+#include "cli/parse.h"
 
 /* ---- the description ---- */
 
@@ -143,7 +143,7 @@ static int take_long(parser *p, int *i)
     return apply(p, o, value);
 }
 
-/* argv[*i] is -x, -xyz or -xvalue; as above. One minus before a long name is a slip; as letters it could name a file. */
+/* argv[*i] is -x, -xyz or -xvalue; as above. One minus before a long name is a slip, and misuse. */
 static int take_short(parser *p, int *i)
 {
     const char *word = p->argv[*i] + 1;
@@ -175,7 +175,7 @@ static int misplaced_value(const option_table *table, const char *before, const 
     uint32_t number;
     if (!o || !(o->flags & OPTION_OPTIONAL))
         return EXIT_DONE;
-    bool meant = !o->words && values_parse_integer(operand, &number);
+    bool meant = !o->words && parse_integer(operand, &number);
     for (size_t i = 0; o->words && o->words[i]; i++)
         meant = meant || strcmp(operand, o->words[i]) == 0;
     if (!meant || access(operand, F_OK) == 0)
@@ -286,7 +286,7 @@ static void lay_down(roberts_page *page)
     }
 }
 
-/* A turntable is not drawn again without a name that has a place for the numbers; its folder is left out. */
+/* The name of a turntable's pictures is part of the command, as that needs it; its folder is left out. */
 static void describe_files(cli_options *options, size_t operands)
 {
     const char *slash = strrchr(options->output, '/');

@@ -1,146 +1,13 @@
-/* values.c - values of options. The program never sets a locale, so strtod() knows the point alone. */
+/* values.c - what the value of each option may be, and where it goes. */
 #include "cli/values.h"
 
 #include <float.h>
-#include <inttypes.h>
-#include <math.h>
-#include <stdlib.h>
+#include <stdio.h>
 #include <string.h>
-#include <strings.h>
 
 #include "cli/hints.h"
 #include "cli/message.h"
-
-/* ---- numbers in text ---- */
-
-/* Reads one number at `*at`, which moves behind it. strtod() would also take blanks, inf, nan and 0x10. */
-static bool take_number(const char **at, double *number)
-{
-    char *end;
-    size_t length = strspn(*at, "+-.0123456789eE");
-    if (length == 0 || strchr("eE", **at))
-        return false;
-    *number = strtod(*at, &end);
-    if (end != *at + length || !isfinite(*number))
-        return false;
-    *at = end;
-    return true;
-}
-
-/* The whole of `text` is one decimal number, finite. */
-static bool parse_number(const char *text, double *number)
-{
-    double value;
-    if (!take_number(&text, &value) || *text)
-        return false;
-    *number = value;
-    return true;
-}
-
-/* The same with mm, cm, in or pt (1/72 inch) behind it; `*unit_mm` is 0 where nothing is. */
-static bool parse_measure(const char *text, double *number, double *unit_mm)
-{
-    static const struct {
-        const char *name;
-        double mm;
-    } units[] = {{"", 0.0}, {"mm", 1.0}, {"cm", 10.0}, {"in", 25.4}, {"pt", 25.4 / 72.0}};
-    double value;
-    if (!take_number(&text, &value))
-        return false;
-    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++)
-        if (strcasecmp(text, units[i].name) == 0) {
-            *number = value;
-            *unit_mm = units[i].mm;
-            return true;
-        }
-    return false;
-}
-
-/* The same in mm. A number alone is one of mm. */
-static bool parse_length(const char *text, double *mm)
-{
-    double number, unit_mm;
-    if (!parse_measure(text, &number, &unit_mm))
-        return false;
-    *mm = unit_mm > 0.0 ? number * unit_mm : number;
-    return true;
-}
-
-bool values_parse_integer(const char *text, uint32_t *number)
-{
-    uint64_t value = 0;
-    if (!*text)
-        return false;
-    for (; *text; text++) {
-        if (*text < '0' || *text > '9')
-            return false;
-        value = value * 10 + (uint64_t)(*text - '0');
-        if (value > UINT32_MAX)
-            return false;
-    }
-    *number = (uint32_t)value;
-    return true;
-}
-
-/* The whole of `text` is `count` numbers with commas between them. */
-static bool parse_numbers(const char *text, double *number, size_t count)
-{
-    for (size_t i = 0; i < count; i++)
-        if ((i > 0 && *text++ != ',') || !take_number(&text, &number[i]))
-            return false;
-    return *text == '\0';
-}
-
-/* Copies what stands before the first `end` (or all); returns what stands behind it, or NULL: there is no `end`.
- * `*fits` is false where that is longer than any value. */
-static const char *take_word(const char *text, char end, char *word, size_t size, bool *fits)
-{
-    const char *stop = strchr(text, end);
-    size_t length = stop ? (size_t)(stop - text) : strlen(text);
-    *fits = length < size;
-    snprintf(word, size, "%.*s", (int)(*fits ? length : size - 1), text);
-    return stop ? stop + 1 : NULL;
-}
-
-/* Two numbers with a sign between them. */
-static bool parse_pair(const char *value, char sign, double *a, double *b)
-{
-    char word[64];
-    bool fits;
-    const char *second = take_word(value, sign, word, sizeof word, &fits);
-    return second && fits && parse_number(word, a) && parse_number(second, b);
-}
-
-/* Two lengths with a sign between them. A unit behind one of them holds for both, as in 8.5x11in. */
-static bool parse_lengths(const char *value, char sign, double *a_mm, double *b_mm)
-{
-    char word[64];
-    bool fits;
-    double a, b, unit_a, unit_b;
-    const char *second = take_word(value, sign, word, sizeof word, &fits);
-    if (!second || !fits || !parse_measure(word, &a, &unit_a) || !parse_measure(second, &b, &unit_b))
-        return false;
-    const double unit = unit_b > 0.0 ? unit_b : unit_a > 0.0 ? unit_a : 1.0;
-    *a_mm = a * (unit_a > 0.0 ? unit_a : unit);
-    *b_mm = b * unit;
-    return true;
-}
-
-bool values_numbered_name(const char *pattern, uint32_t number, char *name, size_t size)
-{
-    const char *place = strchr(pattern, '%'), *at = place;
-    int width = 0;
-    if (!place)
-        return false;
-    if (*++at == '0' && at[1] >= '1' && at[1] <= '9') {
-        width = at[1] - '0';
-        at += 2;
-    }
-    if (*at != 'd' || strchr(at, '%'))
-        return false;
-    int length = snprintf(name, size, "%.*s%0*" PRIu32 "%s", (int)(place - pattern), pattern, width, number, at + 1);
-    return length >= 0 && (size_t)length < size;
-}
+#include "cli/parse.h"
 
 /* ---- any option ---- */
 
@@ -177,7 +44,7 @@ int values_set_number(const option *o, const char *value, cli_options *options)
 int values_set_integer(const option *o, const char *value, cli_options *options)
 {
     uint32_t *number = field(o, options);
-    if (!values_parse_integer(value, number))
+    if (!parse_integer(value, number))
         return message_misuse("--%s: \"%s\" is not a whole number from %.0f to %.0f", o->name, value, o->least,
                               o->most);
     if (*number < o->least || *number > o->most)
@@ -213,20 +80,11 @@ int values_set_direction(const option *o, const char *value, cli_options *option
     return status;
 }
 
-/* Index of `word` in a list that ends with NULL, which may be the end. */
-static size_t find_word(const char *word, const char *const *words)
-{
-    size_t i = 0;
-    while (words[i] && strcmp(word, words[i]) != 0)
-        i++;
-    return i;
-}
-
 /* Index of the value among the option's words. */
 static int choose(const option *o, const char *value, size_t *index)
 {
     char what[40];
-    *index = find_word(value, o->words);
+    *index = parse_find(value, o->words);
     if (o->words[*index])
         return EXIT_DONE;
     snprintf(what, sizeof what, "--%s", o->name);
@@ -297,7 +155,7 @@ int values_set_page(const option *o, const char *value, cli_options *options)
     for (size_t i = 0; i < length; i++)
         word[i] = (char)(value[i] >= 'A' && value[i] <= 'Z' ? value[i] - 'A' + 'a' : value[i]);
     word[length] = '\0';
-    const size_t i = find_word(word, o->words);
+    const size_t i = parse_find(word, o->words);
     double width, height;
     if (o->words[i]) {
         page->width_mm = sizes[i][0];
@@ -418,7 +276,7 @@ static int parse_color(const char *what, const char *also, const char *value, un
     static const unsigned char parts[][3] = {{0, 0, 0},     {255, 255, 255}, {128, 128, 128}, {255, 0, 0},
                                              {0, 128, 0},   {0, 0, 255},     {0, 255, 255},   {165, 42, 42},
                                              {255, 0, 255}, {255, 255, 0},   {255, 165, 0},   {128, 0, 128}};
-    const size_t i = find_word(strcmp(value, "grey") == 0 ? "gray" : value, color_names);
+    const size_t i = parse_find(strcmp(value, "grey") == 0 ? "gray" : value, color_names);
     if (color_names[i])
         memcpy(part, parts[i], 3);
     else if (!parse_hex(value, part))
@@ -497,8 +355,8 @@ static int set_key(roberts_pen *pen, const char *item)
     static const char *const names[] = {"width", "color", "colour", "dash", "off", "on", NULL};
     char key[64];
     bool fits;
-    const char *value = take_word(item, '=', key, sizeof key, &fits);
-    const size_t i = find_word(key, names);
+    const char *value = parse_word(item, '=', key, sizeof key, &fits);
+    const size_t i = parse_find(key, names);
     if (!names[i])
         return hint_unknown("--style", key, names, "as in outline:width=0.7,color=red");
     if ((i < OFF) != (value != NULL))
@@ -525,8 +383,8 @@ int values_set_style(const option *o, const char *value, cli_options *options)
     roberts_pen *const pens[] = {&draw->outline, &draw->crease, &draw->back, &draw->frame, &draw->symbol};
     char word[64];
     bool fits;
-    const char *rest = take_word(value, ':', word, sizeof word, &fits);
-    const size_t i = find_word(word, o->words);
+    const char *rest = parse_word(value, ':', word, sizeof word, &fits);
+    const size_t i = parse_find(word, o->words);
     int status = EXIT_DONE;
     if (!rest && (o->words[i] || strchr(value, '=')))
         return message_misuse("--style: \"%s\" is not CLASS:key=value,..., as outline:width=0.7,color=red", value);
@@ -536,7 +394,7 @@ int values_set_style(const option *o, const char *value, cli_options *options)
         return message_misuse("--style: \"%s\": there is a comma between two values, as outline:width=0.7,color=red",
                               value);
     while (rest && status == EXIT_DONE) {
-        rest = take_word(rest, ',', word, sizeof word, &fits);
+        rest = parse_word(rest, ',', word, sizeof word, &fits);
         status = fits ? set_key(pens[i], word) : message_misuse("--style: \"%s...\" is too long", word);
     }
     return status;
@@ -613,7 +471,7 @@ int values_set_verify(const option *o, const char *value, cli_options *options)
     options->verify = true;
     if (!value)
         return EXIT_DONE;
-    if (values_parse_integer(value, &options->verify_rays) && options->verify_rays == 0)
+    if (parse_integer(value, &options->verify_rays) && options->verify_rays == 0)
         return message_misuse("--verify: 0 rays check nothing; it takes 1 or more (3 where none is given)");
     return values_set_integer(o, value, options);
 }

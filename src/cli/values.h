@@ -1,4 +1,4 @@
-/* values.h - values of options: strict, and the same in every locale. */
+/* values.h - what the value of each option may be, and where it goes. */
 #ifndef ROBERTS_CLI_VALUES_H
 #define ROBERTS_CLI_VALUES_H
 
@@ -33,12 +33,5 @@ option_set values_set_format, values_set_sheet, values_set_hidden, values_set_pa
     values_set_align, values_set_frame, values_set_background, values_set_dpi, values_set_style, values_set_dash,
     values_set_order, values_set_view, values_set_dir, values_set_eye, values_set_look_at, values_set_fov,
     values_set_stats, values_set_verify, values_set_pick;
-
-/* The whole of `text` is one whole number in decimal digits, below 2^32. */
-bool values_parse_integer(const char *text, uint32_t *number);
-
-/* Puts `number` in the one place that `pattern` has for it: %d, or %03d (at least so many digits, up to 9, with zeros in
- * front). False where there is no such place, more than one, another %, or the name does not fit. */
-bool values_numbered_name(const char *pattern, uint32_t number, char *name, size_t size);
 
 #endif

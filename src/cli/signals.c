@@ -1,15 +1,61 @@
-/* progress.c - a line on the terminal that says what is being done.
+/* signals.c - what the program does on signals.
  *
- * A signal once a second writes it, so that work on drawings need not know of it and a short run says nothing. The
- * handler reads only what is written whole (a pointer to a constant, numbers that fit a sig_atomic_t), and calls write()
- * and alarm(), which are async-signal-safe. There are no colours. */
-#include "cli/progress.h"
+ * Handlers read only what is written whole: a pointer to a constant, numbers that fit a sig_atomic_t, and a name while
+ * its `unfinished` is set. They call unlink(), signal(), raise(), write() and alarm() alone, which are
+ * async-signal-safe. */
+#include "cli/signals.h"
 
 #include <errno.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <string.h>
 #include <unistd.h>
+
+/* ---- interruption: each thread that writes has a slot of its own ---- */
+
+static struct slot {
+    char name[4096 + 64]; /* PATH_MAX; longer ones cannot be opened */
+    volatile sig_atomic_t unfinished;
+} slots[SIGNALS_SLOTS];
+
+static void on_signal(int number)
+{
+    for (int i = 0; i < SIGNALS_SLOTS; i++)
+        if (slots[i].unfinished)
+            unlink(slots[i].name);
+    signal(number, SIG_DFL);
+    raise(number); /* comes when the handler has returned */
+}
+
+void signals_prepare(void)
+{
+    static const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+    struct sigaction action = {.sa_handler = on_signal}, old;
+    sigemptyset(&action.sa_mask);
+    for (size_t i = 0; i < sizeof ending / sizeof ending[0]; i++)
+        if (sigaction(ending[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) /* nohup stays nohup */
+            sigaction(ending[i], &action, NULL);
+#ifdef SIGXFSZ
+    signal(SIGXFSZ, SIG_IGN);
+#endif
+}
+
+void *signals_slot(int number)
+{
+    return &slots[number];
+}
+
+void signals_temporary(void *context, const char *path)
+{
+    struct slot *slot = context;
+    slot->unfinished = 0;
+    if (path && strlen(path) < sizeof slot->name) {
+        strcpy(slot->name, path);
+        slot->unfinished = 1;
+    }
+}
+
+/* ---- progress: work on drawings need not know of it, and a short run says nothing ---- */
 
 enum { LINE = 72 };
 
@@ -35,7 +81,7 @@ static size_t put_number(char *line, size_t used, int number)
     return put_text(line, used, digits + at);
 }
 
-/* The line is as long as ever, so that a longer one before it is gone. */
+/* Every line is filled up to the same length, so that it covers a longer one before it. */
 static void write_line(const char *text, size_t used)
 {
     char line[LINE + 2];
