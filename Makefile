@@ -74,7 +74,7 @@ gallery: $(BUILD)/roberts ## the pictures of README's gallery, anew, to models/g
 drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
 	@echo "drawn: $(sort $^)"
 
-test: all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests
+test: check-includes all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests
 	@CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH=$(abspath $(BUILD)/locale) tests/run.sh $(TEST_BIN)
 
 check-long: $(BUILD)/tests/oracle/compare ## some 5,000,000 edges against the exact oracle (EDGES=n), and a short fuzzing
@@ -132,6 +132,9 @@ uninstall: ## takes them away again
 	    $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d/roberts.fish
 
 ##@ To check
+check-includes: ## the includes of src/ point one way (part of `make test`)
+	@tools/check-includes.sh
+
 lint: lint-format lint-tidy lint-cppcheck ## formatter and static checks (tools/install-deps.sh lint)
 
 clean: ## removes build/
@@ -250,7 +253,7 @@ lint-cppcheck:
 	cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
-.PHONY: all demo figures gallery check check-long install uninstall test-threads tools models drawings test test-sanitize fuzz fuzzers bench bench-baseline lint \
+.PHONY: all check-includes demo figures gallery check check-long install uninstall test-threads tools models drawings test test-sanitize fuzz fuzzers bench bench-baseline lint \
     lint-format lint-tidy lint-cppcheck clean help force
 .SECONDARY:
 .DELETE_ON_ERROR:
