@@ -673,7 +673,7 @@ static void examples_of_the_help_run(void **state)
     assert_non_null(line);
     for (line = strtok(line + 10, "\n"); line; line = strtok(NULL, "\n"), count++) {
         assert_int_equal(strncmp(line, "  roberts ", 10), 0);
-        snprintf(command, sizeof command, "%s %s 2>err", program, line + 10);
+        snprintf(command, sizeof command, "'%s' %s 2>err", program, line + 10);
         print_message("%s\n", line);
         assert_int_equal(system(command), 0);
         char *name = strstr(line, " table.") ? strstr(line, " table.") + 1 : strstr(line, ">table.");

@@ -135,8 +135,8 @@ head_line() {
     printf '\tleast_total_cpu\n'
 }
 
-# measure TABLE KIND SCENE RUNS THREADS FORMAT [OPTION|FILE]...: adds the row of the median run to build/bench/TABLE.tsv;
-# fails where the program does
+# measure TABLE KIND SCENE RUNS THREADS FORMAT [OPTION|FILE]...: adds the row of the median run to
+# build/bench/TABLE.tsv; fails where the program does
 measure() {
     table=$1 kind=$2 name=$3 runs=$4 threads=$5 format=$6
     shift 6
