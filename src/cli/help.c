@@ -128,7 +128,30 @@ static void print_paragraphs(FILE *file, const char *text)
     fputc('\n', file);
 }
 
-static void print_manual_option(FILE *file, const option *o)
+/* Which options contradict this one, and which it needs. */
+static void print_relations(FILE *file, const option *o, const option_table *table)
+{
+    const char *before = ".IP\nExcludes ";
+    for (EACH_OPTION(other, table))
+        if (option_excludes(o, other)) {
+            fprintf(file, "%s\\-\\-", before);
+            put_roff(file, other->name, strlen(other->name));
+            before = ", ";
+        }
+    fputs(*before == ',' ? ".\n" : "", file);
+    if (o->needs) {
+        fputs(*before == ',' ? "Needs " : ".IP\nNeeds ", file);
+        for (const char *at = o->needs; *at; at += strspn(at, " ")) {
+            const size_t length = strcspn(at, " ");
+            fputs(at == o->needs ? "\\-\\-" : " or \\-\\-", file);
+            put_roff(file, at, length);
+            at += length;
+        }
+        fputs(".\n", file);
+    }
+}
+
+static void print_manual_option(FILE *file, const option *o, const option_table *table)
 {
     fputs(".TP\n", file);
     if (o->letter)
@@ -142,6 +165,7 @@ static void print_manual_option(FILE *file, const option *o)
         fprintf(file, " \\fI%s\\fR", o->value);
     fputc('\n', file);
     print_paragraphs(file, o->manual ? o->manual : o->help);
+    print_relations(file, o, table);
 }
 
 void help_print_manual(FILE *file, const option_table *table)
@@ -152,7 +176,7 @@ void help_print_manual(FILE *file, const option_table *table)
             print_paragraphs(file, option_titles[group].manual);
         for (EACH_OPTION(o, table))
             if (o->group == (option_group)group)
-                print_manual_option(file, o);
+                print_manual_option(file, o, table);
     }
 }
 
