@@ -271,7 +271,8 @@ $(BUILD)/locale/de_DE.UTF-8:
 C_FILES  = $(wildcard include/*.h src/*/*.[ch] tools/*.[ch] tools/*/*.[ch] tests/*.[ch] tests/*/*.[ch] tests/*/*.cpp)
 CPUS     = $(shell nproc 2>/dev/null || echo 1)
 lint-format:
-	clang-format --dry-run -Werror $(C_FILES)
+	@echo clang-format on $(words $(C_FILES)) files
+	$(Q)clang-format --dry-run -Werror $(C_FILES)
 
 lint-tidy:
 	@mkdir -p $(BUILD)
@@ -284,7 +285,8 @@ lint-tidy:
 # uninitvar is off: it takes an address for a use, and two loops of one length for two lengths. Both compilers and the
 # analyzer of clang-tidy check the same.
 lint-cppcheck:
-	cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
+	@echo cppcheck on src and tools
+	$(Q)cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
 .PHONY: all bench bench-baseline check check-includes check-long clean demo drawings figures force fuzz fuzzers \

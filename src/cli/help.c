@@ -34,11 +34,6 @@ static const char closing[] =
     "  roberts --batch drawings -f pdf models/table.off models/tower.off\n"
     "  roberts -f null --verify --pick 0,5 models/table.off\n";
 
-#define EACH_OPTION(o, table)                                                                                          \
-    const option *o = (table)->row;                                                                                    \
-    o < (table)->row + (table)->count;                                                                                 \
-    o++
-
 /* ---- --help ---- */
 
 /* Words with lines broken between them; `column` is where the text begins. */
@@ -82,7 +77,7 @@ void help_print(FILE *file, const option_table *table)
         if (title->help)
             fprintf(file, " (%s)", title->help);
         fputc('\n', file);
-        for (EACH_OPTION(o, table))
+        for (const option *o = table->row; o < table->row + table->count; o++)
             if (o->group == (option_group)group)
                 print_option(file, o);
     }
@@ -132,7 +127,7 @@ static void print_paragraphs(FILE *file, const char *text)
 static void print_relations(FILE *file, const option *o, const option_table *table)
 {
     const char *before = ".IP\nExcludes ";
-    for (EACH_OPTION(other, table))
+    for (const option *other = table->row; other < table->row + table->count; other++)
         if (option_excludes(o, other)) {
             fprintf(file, "%s\\-\\-", before);
             put_roff(file, other->name, strlen(other->name));
@@ -174,7 +169,7 @@ void help_print_manual(FILE *file, const option_table *table)
         fprintf(file, ".SS \"%s\"\n", option_titles[group].title);
         if (option_titles[group].manual)
             print_paragraphs(file, option_titles[group].manual);
-        for (EACH_OPTION(o, table))
+        for (const option *o = table->row; o < table->row + table->count; o++)
             if (o->group == (option_group)group)
                 print_manual_option(file, o, table);
     }
@@ -210,10 +205,10 @@ static void print_bash_option(FILE *file, const option *o)
 void help_print_bash(FILE *file, const option_table *table)
 {
     fputs("_roberts_options='", file);
-    for (EACH_OPTION(o, table))
+    for (const option *o = table->row; o < table->row + table->count; o++)
         if (o->letter)
             fprintf(file, "-%c ", o->letter);
-    for (EACH_OPTION(o, table)) {
+    for (const option *o = table->row; o < table->row + table->count; o++) {
         fprintf(file, "%s--%s", o == table->row ? "" : " ", o->name);
         for (size_t i = 0; o->words && (o->flags & OPTION_OPTIONAL) && o->words[i]; i++)
             fprintf(file, " --%s=%s", o->name, o->words[i]);
@@ -221,7 +216,7 @@ void help_print_bash(FILE *file, const option_table *table)
     fputs("'\n\n# completes the value of option $1 that begins with $2; fails where the option takes none\n"
           "_roberts_value() {\n    case $1 in\n",
           file);
-    for (EACH_OPTION(o, table))
+    for (const option *o = table->row; o < table->row + table->count; o++)
         if (o->value)
             print_bash_option(file, o);
     fputs("    *) return 1 ;;\n    esac\n    return 0\n}\n", file);
@@ -231,7 +226,7 @@ void help_print_bash(FILE *file, const option_table *table)
 static void print_zsh_excluded(FILE *file, const option *o, const option_table *table)
 {
     const char *before = "(";
-    for (EACH_OPTION(other, table)) {
+    for (const option *other = table->row; other < table->row + table->count; other++) {
         const bool itself = other == o && o->letter && !(o->flags & OPTION_REPEATS);
         if (!itself && !option_excludes(o, other))
             continue;
@@ -278,13 +273,13 @@ static void print_zsh_option(FILE *file, const option *o, const option_table *ta
 
 void help_print_zsh(FILE *file, const option_table *table)
 {
-    for (EACH_OPTION(o, table))
+    for (const option *o = table->row; o < table->row + table->count; o++)
         print_zsh_option(file, o, table);
 }
 
 void help_print_fish(FILE *file, const option_table *table)
 {
-    for (EACH_OPTION(o, table)) {
+    for (const option *o = table->row; o < table->row + table->count; o++) {
         fputs("complete -c roberts", file);
         if (o->letter)
             fprintf(file, " -s %c", o->letter);
