@@ -327,8 +327,9 @@ static void what_is_no_model(void **state)
     (void)state;
     put("a.svg", "<svg/>\n");
     assert_int_equal(run("models/table.off a.svg"), 1);
-    assert_said("a.svg:1: this is XML (as AMF, X3D and COLLADA are), but only OFF can be read; to draw into it: -o and "
-                "its name\n");
+    assert_said(
+        "a.svg:1: this is XML (as AMF, X3D and COLLADA are), but only OFF can be read; to draw into it, name it "
+        "with -o\n");
     assert_int_equal(run("models/table.off a.svg -o b.svg"), 1);
     assert_said("but only OFF can be read\n");
     assert_int_equal(run("in -f null"), 1);
@@ -422,7 +423,7 @@ static void endings_that_mislead_are_warned_of(void **state)
 /* A place for a number, and nothing that counts. */
 static void numbers_without_a_turntable_are_warned_of(void **state)
 {
-    static const char said[] = "warning: the file is called just so: only --turntable puts a number there\n";
+    static const char said[] = "warning: the file gets this very name: only --turntable puts a number there\n";
     char whole[200];
     (void)state;
     assert_int_equal(run("-o in/one-%03d.svg models/platonic/cube.off"), 0);

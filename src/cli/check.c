@@ -96,7 +96,7 @@ int check_format(const cli_options *options)
         return message_misuse("--sheet makes a page, not a table: choose another format than %s",
                               values_format_name(format));
     if (is_binary && !options->batch && strcmp(options->output, "-") == 0 && isatty(STDOUT_FILENO))
-        return message_misuse("these bytes are not for a terminal: name a file with -o");
+        return message_misuse("a terminal cannot show %s: name a file with -o", values_format_name(format));
     return EXIT_DONE;
 }
 
@@ -220,7 +220,8 @@ static void warn_number(const cli_options *options)
     char name[NAME_SIZE];
     if (options->turntable == 0 && options->draw.format != ROBERTS_NULL &&
         parse_numbered(options->output, 0, name, sizeof name))
-        message_warning(stderr, options->output, 0, "the file is called just so: only --turntable puts a number there");
+        message_warning(stderr, options->output, 0,
+                        "the file gets this very name: only --turntable puts a number there");
 }
 
 void check_warn(const cli_options *options, const options_given *given)

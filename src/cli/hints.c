@@ -139,7 +139,7 @@ void hint_unread(const cli_options *options, const char *name, roberts_error *er
         snprintf(error->message, sizeof error->message, "is a folder; name the files in it, as *.off");
     else if (error->status == ROBERTS_BAD_SYNTAX && strcmp(options->output, "-") == 0 &&
              roberts_format_by_path(name, &format))
-        snprintf(error->message + used, room, "; to draw into it: -o and its name");
+        snprintf(error->message + used, room, "; to draw into it, name it with -o");
 }
 
 /* Fewer points have no convex hull. */

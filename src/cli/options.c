@@ -259,8 +259,8 @@ static int choose_format(const options_given *given, cli_options *options)
     const char *slash = strrchr(options->output, '/'), *name = slash ? slash + 1 : options->output;
     if (!options_is_given(given, "format") && !roberts_format_by_path(options->output, &options->draw.format) &&
         strchr(name + (*name == '.'), '.'))
-        return message_misuse("%s: no format is known by this ending, as by .svg, .pdf, .ps, .eps, .png, .csv or "
-                              ".json; say which with -f",
+        return message_misuse("%s: no format has this ending (.svg, .pdf, .ps, .eps, .png, .csv and .json are known); "
+                              "name the format with -f",
                               options->output);
     return EXIT_DONE;
 }
@@ -276,7 +276,7 @@ static void set_camera(const options_given *given, cli_options *options)
     camera->roll_degrees = options->roll;
 }
 
-/* The longer side lies below, in whatever order --landscape and --page came. */
+/* The longer side becomes horizontal, in whatever order --landscape and --page came. */
 static void lay_down(roberts_page *page)
 {
     if (page->width_mm < page->height_mm) {

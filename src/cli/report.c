@@ -243,7 +243,7 @@ void report_stats(const cli_options *options, const run_stats *run, const robert
         {"clipped", "clipped", run->segments[ROBERTS_CLIPPED]},
         {"grid", "columns of the grid", d->grid},
         {"grid_rows", "rows", d->grid_rows},
-        {"peak_memory_kb", "kB of memory at the most", peak_memory()},
+        {"peak_memory_kb", "kB of memory at most", peak_memory()},
     };
     const figure tests[] = {
         {"pairs", "pairs of edge and front", d->tally.pairs},

@@ -480,7 +480,7 @@ int values_set_pick(const option *o, const char *value, cli_options *options)
 {
     double p[2];
     if (options->pick_count == PICKS_MOST)
-        return message_misuse("--pick: %d points are the most", PICKS_MOST);
+        return message_misuse("--pick: at most %d points can be given", PICKS_MOST);
     if (!parse_numbers(value, p, 2))
         return message_misuse("--%s: \"%s\" is not X,Y (two numbers, point for decimals)", o->name, value);
     options->pick[options->pick_count++] = (roberts_vec2){p[0], p[1]};
