@@ -89,7 +89,8 @@ drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
 	@echo "drawn: $(sort $^)"
 
 test: check-includes all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests
-	@CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH='$(abspath $(BUILD)/locale)' tests/run.sh $(TEST_BIN)
+	@CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH='$(abspath $(BUILD)/locale)' \
+	    tests/run.sh $(TEST_BIN)
 
 check-long: $(BUILD)/tests/oracle/compare ## compares 5,000,000 edges with the exact oracle (EDGES=n); fuzzes, too
 	$(BUILD)/tests/oracle/compare --folder $(BUILD) --edges $(EDGES) --per-family
@@ -163,7 +164,7 @@ clean: ## removes build/
 
 help: ## lists the targets
 	@sed -n -e 's/^##@ \(.*\)/\n\1:/p' -e 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 24
-	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS LDFLAGS WERROR=-Werror OPENMP= V=1 BUILD=folder PREFIX=folder LIBDIR DESTDIR\n'
+	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS LDFLAGS WERROR=-Werror OPENMP= V=1 BUILD= PREFIX= LIBDIR= DESTDIR=\n'
 
 # How things are made
 $(BUILD)/libroberts.a: $(call object,$(LIB_SRC))
@@ -290,7 +291,8 @@ lint-cppcheck:
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
 .PHONY: all bench bench-baseline check check-includes check-long clean demo drawings figures force fuzz fuzzers \
-    gallery goldens help install lint lint-cppcheck lint-format lint-tidy models test test-sanitize test-threads tools uninstall
+    gallery goldens help install lint lint-cppcheck lint-format lint-tidy models test test-sanitize test-threads tools \
+    uninstall
 .SECONDARY:
 .DELETE_ON_ERROR:
 -include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.d)
