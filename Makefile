@@ -92,9 +92,11 @@ drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
 	@echo "drawn: $(sort $^)"
 
 test: check-includes all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests
-	@CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH='$(abspath $(BUILD)/locale)' tests/run.sh $(TEST_BIN)
+	@CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH='$(abspath $(BUILD)/locale)' \
+	    tests/run.sh $(TEST_BIN)
 
-check-long: $(BUILD)/tests/oracle/compare $(BUILD)/tests/paper/compare ## compares 5,000,000 edges with the exact oracle (EDGES=n), 1,000 drawings with their tables (DRAWINGS=n); fuzzes, too
+# 5,000,000 edges against the exact oracle (EDGES=n), 1,000 drawings against their tables (DRAWINGS=n)
+check-long: $(BUILD)/tests/oracle/compare $(BUILD)/tests/paper/compare ## compares millions of edges with the oracle; fuzzes
 	$(BUILD)/tests/oracle/compare --folder $(BUILD) --edges $(EDGES) --per-family
 	$(BUILD)/tests/paper/compare --folder $(BUILD) --count $(DRAWINGS)
 	@$(MAKE) --no-print-directory fuzz
@@ -167,7 +169,7 @@ clean: ## removes build/
 
 help: ## lists the targets
 	@sed -n -e 's/^##@ \(.*\)/\n\1:/p' -e 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 24
-	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS LDFLAGS WERROR=-Werror OPENMP= V=1 BUILD=folder PREFIX=folder LIBDIR DESTDIR\n'
+	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS LDFLAGS WERROR=-Werror OPENMP= V=1 BUILD= PREFIX= LIBDIR= DESTDIR=\n'
 
 # How things are made
 $(BUILD)/libroberts.a: $(call object,$(LIB_SRC))
@@ -305,7 +307,8 @@ lint-cppcheck:
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
 .PHONY: all bench bench-baseline check check-includes check-long clean demo drawings figures force fuzz fuzzers \
-    gallery goldens help install lint lint-cppcheck lint-format lint-tidy models test test-sanitize test-threads tools uninstall
+    gallery goldens help install lint lint-cppcheck lint-format lint-tidy models test test-sanitize test-threads tools \
+    uninstall
 .SECONDARY:
 .DELETE_ON_ERROR:
 -include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.d)

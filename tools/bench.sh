@@ -312,8 +312,10 @@ renew_baseline() {
     kept=$baseline
     [ -f "$kept" ] || kept=/dev/null
     {
-        echo "# Instructions executed (callgrind; the whole run, --threads 1 -f null $general), kept so that a change shows."
-        echo "# The -10000 are of make-models. They depend on compiler and C library; these: $(${CC:-cc} --version | head -n 1)."
+        echo "# Instructions executed (callgrind; the whole run, --threads 1 -f null $general), kept so that a change" \
+            "shows."
+        echo "# The -10000 are of make-models. They depend on compiler and C library; these:" \
+            "$(${CC:-cc} --version | head -n 1)."
         echo "# Written by: make bench-baseline"
         awk 'FNR == 1 { file++ }
             file == 1 && FNR > 1 { print $1, $2; counted[$1] = 1 }
@@ -355,7 +357,8 @@ for part in "$@"; do
 done
 
 echo "$("$roberts" --version), $(${CC:-cc} --version | head -n 1), $(uname -m), $(getconf _NPROCESSORS_ONLN) cores"
-[ ! -r /proc/loadavg ] || echo "processes at work on this machine in the last minutes: $(cut -d ' ' -f 1-3 /proc/loadavg)"
+[ ! -r /proc/loadavg ] ||
+    echo "processes at work on this machine in the last minutes: $(cut -d ' ' -f 1-3 /proc/loadavg)"
 for which in "$@"; do
     case $which in
     scenes)
