@@ -12,8 +12,9 @@ typedef struct occluders {
     tree t;                         /* its items are ranges of faces, of which those front or nearly front count */
     uint32_t *face_solid;           /* [face_count] */
     uint32_t *twin; /* [solid_count] the solid itself, or a copy of it that is in the tree if the solid is not */
-    double *
-        slack; /* [solid_count] how far a back edge may stick out of the picture of the front faces of its solid, because coordinates are rounded: by what its faces depart from their planes */
+    /* [solid_count] how far a back edge may stick out of the picture of the front faces of its solid: where coordinates
+     * are rounded, faces depart from their planes */
+    double *slack;
 } occluders;
 
 /* Prepares `o` for `scene` seen by `v`. rays: [solid_count] about how many rays will ask for the faces of each solid.

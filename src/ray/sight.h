@@ -26,8 +26,9 @@ typedef struct sight {
     const roberts_scene *scene;
     roberts_vec3 *P;       /* [vertex_count] */
     unsigned char *facing; /* [face_count] */
-    float *
-        dent; /* [face_count] no corner of the face lies outside of one of its sides by more than this. Faces given to few digits, or cut by the near plane, are only nearly convex */
+    /* [face_count] no corner of the face lies outside of one of its sides by more than this. Faces given to few digits,
+     * or cut by the near plane, are only nearly convex. */
+    float *dent;
     bool *sampled; /* [face_count] see sight_through(); NULL: no face is */
     bool perspective;
     roberts_vec3 viewpoint; /* the direction toward the viewer, of length 1, or the eye */
