@@ -382,7 +382,8 @@ static const option rows[] = {
      .help = "with --eye: cut off what is nearer than this (default: a thousandth of the way to look-at)",
      .manual =
          "Cuts off what is nearer to the eye than this, measured along the axis of sight. Default: a thousandth of "
-         "the way to the look-at point, and at least 1e-5 of the scene's diameter."},
+         "the way to the look-at point, and at least 1e-5 of the scene's diameter. What is nearer than 1e-6 of the "
+         "diameter is cut off in any case."},
     {.group = GROUP_VIEW,
      .name = "up",
      .flags = OPTION_DRAWS,
@@ -473,9 +474,11 @@ static const option rows[] = {
      .brief = "check the drawing by rays",
      .help = "check the drawing by N rays per visible or hidden segment (default: 3); exit status 1 if any of them "
              "contradicts it",
-     .manual = "Checks the drawing by casting N rays (default: 3) from points of each visible or hidden segment toward "
-               "the viewer, and reports on standard error. The exit status is 1 if any ray contradicts the drawing. "
-               "Points within about epsilon of a change are reported as undecided and contradict nothing."},
+     .manual =
+         "Checks the drawing by casting N rays (default: 3) from points of each visible or hidden segment toward "
+         "the viewer, and others wherever something may have been missed, and reports on standard error. The exit "
+         "status is 1 if any ray contradicts the drawing. "
+         "Points within about epsilon of a change are reported as undecided and contradict nothing."},
     {.group = GROUP_MESSAGES,
      .name = "pick",
      .flags = OPTION_REPEATS,

@@ -1,4 +1,4 @@
-/* occluders.c - all that may hide something. See occluders.h. */
+/* occluders.c - the front faces of a scene, in a tree of boxes. See occluders.h. */
 #include "ray/occluders.h"
 
 #include <stdlib.h>
@@ -8,16 +8,16 @@
 #include "base/bits.h"
 #include "base/sort.h"
 
-/* How far boxes reach beyond their faces, in loose epsilons: a corner of angle a, grown by epsilon, sticks out by
- * epsilon / sin (a / 2). */
+/* How far boxes reach beyond their faces, in loose epsilons. A corner of angle a, grown by epsilon, sticks out by
+ * epsilon / sin(a / 2). */
 #define BOX_MARGIN 1000.0
-/* Faces are cut into so many boxes at the most, doubling while all boxes together shrink at least to this part and save
- * more asking of boxes than so many for each new one (what building it costs, measured). */
+/* A face is cut into at most SLICES boxes. Their number doubles as long as all boxes together shrink to SLICE_GAIN or
+ * less and each new box saves more than SLICE_COST questions (what building it costs, measured). */
 #define SLICES 1024
 #define SLICE_GAIN 0.75
 #define SLICE_COST 20.0
-/* A solid of so many faces at the most, whose picture fills at least this part of its box, stands in the tree as one.
- */
+/* A solid of at most FACES_TOGETHER faces stands in the tree as one, if its picture fills at least FILL_TOGETHER of
+ * its box. */
 #define FACES_TOGETHER 12
 #define FILL_TOGETHER 0.125
 
@@ -34,8 +34,8 @@ static void set_picture(occluders *o, const view *v)
     o->toward = d;
 }
 
-/* A point in the picture; z is the height, or one over the distance from the eye's plane: both grow toward the viewer,
- * and both are linear where planes are. */
+/* A point in the picture. z is the height, or one over the distance from the eye's plane: both grow toward the
+ * viewer, and with both planes stay planes. */
 static roberts_vec3 picture_point(const occluders *o, roberts_vec3 X)
 {
     if (!o->s.perspective)
@@ -68,8 +68,8 @@ static tree_box face_box(const occluders *o, uint32_t face)
     return box;
 }
 
-/* Boxes round the parts of a face between `count` + 1 evenly spaced lines across the longer side of `whole`, the box
- * round all of it. Convex, a part reaches no farther than what its borders' sides reach between the lines. */
+/* Divides a face by `count` + 1 evenly spaced lines across the longer side of `whole`, its box, and leaves the boxes
+ * of the parts. The face is convex, so a part reaches no farther than the sides between its two lines. */
 static void slice_face(const occluders *o, uint32_t face, tree_box whole, tree_box *slice, uint32_t count)
 {
     const roberts_scene *scene = o->s.scene;
@@ -94,9 +94,10 @@ static void slice_face(const occluders *o, uint32_t face, tree_box whole, tree_b
     }
 }
 
-/* Leaves in `slice` the boxes of a face, and returns how many. A long face across the axes fills little of its box,
- * and a heap of such faces makes a tree useless. Slicing helps (Ernst and Greiner, "Early split clipping for bounding
- * volume hierarchies", 2007), where the rays saved, in proportion to the shadow saved, outweigh the boxes added. */
+/* Leaves the boxes of a face in `slice` and returns their number. A long face that lies aslant fills little of its
+ * box, and many such faces make a tree useless. Slices help (M. Ernst, G. Greiner, "Early split clipping for bounding
+ * volume hierarchies", 2007) if the rays they save, in proportion to the shadow they save, outweigh the boxes they
+ * add. */
 static uint32_t boxes_of_face(const occluders *o, uint32_t face, const box_list *list, tree_box *slice)
 {
     tree_box finer[SLICES], whole = face_box(o, face);
@@ -118,7 +119,7 @@ static uint32_t boxes_of_face(const occluders *o, uint32_t face, const box_list 
     return count;
 }
 
-/* The box with a margin of this length in the model. */
+/* The box with a margin that has this length in the model. */
 static tree_box grown(const occluders *o, tree_box box, double margin)
 {
     roberts_vec3 m = {margin, margin, margin};
@@ -183,8 +184,8 @@ static tree_box solid_box(const occluders *o, uint32_t solid, double *fill, tree
     return box;
 }
 
-/* A small solid goes into the tree as one, which makes that some times smaller: of its front faces a ray meets one,
- * mostly. Not where it is long and thin, across the axes: its faces are better cut into slices. */
+/* Adds a small solid as one box, which makes the tree smaller: a ray meets one of its front faces, mostly. A solid
+ * that is long, thin and aslant is better off with slices of its faces. */
 static bool add_solid(const occluders *o, uint32_t solid, box_list *list)
 {
     const roberts_scene *scene = o->s.scene;
@@ -194,7 +195,7 @@ static bool add_solid(const occluders *o, uint32_t solid, box_list *list)
         return add_faces(o, solid, list);
     tree_box box = solid_box(o, solid, &fill, &fronts);
     if (fronts.count == 0)
-        return true; /* mostly one of which the near plane leaves nothing */
+        return true; /* mostly because the near plane leaves nothing of it */
     return fill >= FILL_TOGETHER ? add_entry(o, box, solid, fronts, list) : add_faces(o, solid, list);
 }
 
@@ -221,7 +222,7 @@ static bool build_tree(occluders *o, const double *rays)
 
 /* ---- copies ---------------------------------------------------------------------------------------------------- */
 
-/* Of the solid's points; that copies have the same one is all that it must do. */
+/* A hash of the solid's points. All that matters is that copies have the same one. */
 static uint32_t solid_key(const occluders *o, uint32_t solid)
 {
     const scene_solid *s = &o->s.scene->solid[solid];
@@ -251,8 +252,9 @@ static bool is_copy(const occluders *o, uint32_t a, uint32_t b)
     return true;
 }
 
-/* Of a solid that is there many times at one place two are enough, so that for each of them there is another one: a
- * thousand copies would else be asked by the rays of a thousand. A stable order of the keys brings copies together. */
+/* Finds copies: solids at the very same place. The tree takes two of each, so that every copy finds another one
+ * before it; with a thousand in the tree, the rays of a thousand would ask a thousand. Sorting the keys stably brings
+ * copies together. */
 static bool find_twins(occluders *o)
 {
     uint32_t count = o->s.scene->solid_count;
@@ -357,8 +359,8 @@ roberts_vec3 occluders_meet(const occluders *o, uint32_t face, roberts_vec3 X)
     return vec3_add(X, vec3_scale(t, v));
 }
 
-/* A hider for a question that wants the nearest one. From now on the point counts as lying there, so that boxes that
- * do not reach so high are left out. */
+/* Notes a hider for a question about the nearest one. From now on the point counts as lying on the hider, so that
+ * boxes that do not reach so high are left out. */
 static void keep_nearest(casting *c, uint32_t i, uint32_t face)
 {
     sight_question *q = &c->question[i];
@@ -370,7 +372,7 @@ static void keep_nearest(casting *c, uint32_t i, uint32_t face)
     }
 }
 
-/* Asks the face on behalf of those of the points whose answer it may change. */
+/* Asks the face for those of the points whose answer it may change. */
 static void ask(casting *c, uint32_t face, tree_set points)
 {
     const occluders *o = c->o;
@@ -395,7 +397,7 @@ static void ask(casting *c, uint32_t face, tree_set points)
     }
 }
 
-/* Asks the front faces of an item; where they are several, each on behalf of the points under its own box. */
+/* Asks the front faces of an item. If there are several, each is asked for the points under its own box. */
 static void ask_item(casting *c, tree_item item, const tree_set *points)
 {
     const occluders *o = c->o;

@@ -1,4 +1,4 @@
-/* occluders.h - all that may hide something: the front faces of a scene, in a tree of boxes, asked point by point. */
+/* occluders.h - the front faces of a scene, in a tree of boxes: which of them hide a point, or a part of a segment? */
 #ifndef ROBERTS_RAY_OCCLUDERS_H
 #define ROBERTS_RAY_OCCLUDERS_H
 
@@ -9,28 +9,30 @@ typedef struct occluders {
     sight s;
     roberts_vec3 right, up, toward; /* the picture that the tree's boxes live in */
     tree_box window;                /* the scene's in it */
-    tree t;               /* its items are ranges of faces, of which the front ones count, or nearly front ones */
-    uint32_t *face_solid; /* [face_count] */
-    uint32_t *twin;       /* [solid_count] the solid itself; where it is left out, a copy of it that is in the tree */
-    double *slack;        /* [solid_count] how far a back edge may stick out of the picture of its solid's front faces
-                             where coordinates are rounded: by what all its faces depart from their planes */
+    tree t;                         /* its items are ranges of faces, of which those front or nearly front count */
+    uint32_t *face_solid;           /* [face_count] */
+    uint32_t *twin; /* [solid_count] the solid itself, or a copy of it that is in the tree if the solid is not */
+    /* [solid_count] how far a back edge may stick out of the picture of the front faces of its solid: where coordinates
+     * are rounded, faces depart from their planes */
+    double *slack;
 } occluders;
 
-/* Prepares `o` for `scene` seen by `v`; rays: [solid_count] about how many will be cast that ask for the solid's faces.
+/* Prepares `o` for `scene` seen by `v`. rays: [solid_count] about how many rays will ask for the faces of each solid.
  * False: no memory, and `o` is empty. */
 bool occluders_build(occluders *o, const roberts_scene *scene, const view *v, const double *rays);
 void occluders_free(occluders *o);
 
-/* A key for X's place in the picture: points of like keys are near each other. */
+/* A key for the place of X in the picture: near points have near keys, mostly. */
 uint32_t occluders_place(const occluders *o, roberts_vec3 X);
 
-/* A question about X, a point of an edge of `solid`: which faces hide it? Those of `solid` itself take part only if
+/* A question about X, a point of an edge of `solid`: which faces hide it? Faces of `solid` itself take part only if
  * `own`.
  *
  * `ends`: NULL, or the ends of the edge that X lies on. With them the answer comes from sight_hides_strictly(), and
- * is "surely" only for a point well behind all front faces of a solid: were its corners and planes exact, a point
- * near the plane of one of them might be in front of the solid. `nearest`: look for the hider that is nearest to the
- * viewer, not just for any one. */
+ * is "surely" only if X lies well behind all front faces of a solid: near the plane of one of them it might be in
+ * front of the solid, were corners and planes exact.
+ *
+ * `nearest`: look for the hider nearest to the viewer, not for any one. */
 typedef struct sight_question {
     roberts_vec3 X;
     uint32_t solid;

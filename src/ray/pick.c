@@ -1,6 +1,7 @@
 /* pick.c - what is seen at a point of the picture, and what lies behind it.
  *
- * Idea: the sight line through that point is asked of every front face; one question does not pay for a tree. */
+ * Idea: ask every front face whether the sight line through that point passes through it. A tree would not pay for
+ * one question. */
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -40,7 +41,7 @@ static roberts_vec3 meet(const picker *p, uint32_t face)
     return vec3_add(p->Q, vec3_scale(t, p->toward));
 }
 
-/* The front faces of one solid on the sight line; neighbours that share the point met count once. */
+/* Picks the front faces of one solid on the sight line. Neighbours that share the point met count once. */
 static bool pick_solid(picker *p, uint32_t solid)
 {
     const roberts_scene *scene = p->s.scene;
@@ -76,8 +77,8 @@ static int by_depth(const void *a, const void *b)
     return p->face < q->face ? -1 : p->face > q->face;
 }
 
-/* Equal depths by solid: within a run of hits that each touch the next in depth. Not part of by_depth(), since touching
- * is not transitive. */
+/* Sorts by depth, then equal depths by solid: within a run of hits each of which touches the next in depth.
+ * by_depth() cannot do this, since touching is not transitive. */
 static void order(roberts_picked *picked, double touching)
 {
     qsort(picked->hit, picked->count, sizeof *picked->hit, by_depth);

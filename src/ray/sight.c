@@ -7,9 +7,10 @@
 #include "base/array.h"
 #include "ray/determinant.h"
 
-/* Faces of more corners than this are sampled: so many corners, evenly spaced. */
+/* A face of more corners than this is sampled: this many of its corners, evenly spaced, stand for all. */
 #define SAMPLES 64
-/* Roundings of a coordinate or distance, in ulps of the largest coordinate: differences, three products, two sums. */
+/* How many roundings a coordinate or distance gathers, in ulps of the largest coordinate: differences, three
+ * products, two sums. */
 #define ROUNDINGS 8.0
 
 static roberts_vec3 normalised(roberts_vec3 a)
@@ -19,9 +20,9 @@ static roberts_vec3 normalised(roberts_vec3 a)
     return vec3_scale(1.0 / vec3_length(a), a);
 }
 
-/* Along the line of sight a length l at distance r D from the eye (D: of the look-at point) has in view space a picture
- * of l / r, and a depth of up to l / r^2. `near` and `far` bound r over the scene. An oblique view stretches or presses
- * lengths once in its picture and once in a plane's tilt. */
+/* Let the eye be at distance D from the look-at point. At distance r D from the eye, a length l has a picture of l /
+ * r in view space, and a depth of up to l / r^2. `near` and `far` bound r over the scene. An oblique view stretches
+ * or presses lengths once in the picture and once in the tilt of a plane. */
 static void set_margins(sight *s, const view *v)
 {
     double far = 1.0 + hypot(v->oblique.x, v->oblique.y), near = 1.0 / far, extent = 0.0;
@@ -41,8 +42,8 @@ static void set_margins(sight *s, const view *v)
     s->loose = v->epsilon * far * far * SIGHT_MARGIN;
 }
 
-/* Decided by the width of the face's picture along the picture of its normal, as a length at its first corner's
- * depth. */
+/* The width of the face's picture decides. It is measured along the picture of the normal, as a length at the depth
+ * of the first corner. */
 static int facing_of(const sight *s, uint32_t face)
 {
     const roberts_scene *scene = s->scene;
@@ -55,8 +56,8 @@ static int facing_of(const sight *s, uint32_t face)
         return SIGHT_NOT_FRONT;
     v = vec3_scale(1.0 / length, v);
     double tilt = fabs(vec3_dot(n, v));
-    /* no picture is narrower than its area over its greatest chord: where even that is plain, so is the rest; where
-     * it is not, the picture may be a sliver aslant to `across`, or all but edge-on */
+    /* A picture is at least as wide as its area over its greatest chord. If that is too little to be sure, the
+     * picture may be a sliver aslant to `across`, or nearly edge-on. */
     bool sliver = tilt * scene_width(scene, face) / s->unit <= s->loose + s->rounding;
     roberts_vec3 across = vec3_sub(n, vec3_scale(vec3_dot(n, v), v));
     if (vec3_length(across) <= 0.5)
@@ -78,21 +79,21 @@ static uint32_t corner_count(const sight *s, uint32_t face)
     return s->scene->face_start[face + 1] - s->scene->face_start[face];
 }
 
-/* Corner i of the face, which may be as many as it has: that is the first. */
+/* Corner i of the face; one more than the last is the first again. */
 static roberts_vec3 corner_of(const sight *s, uint32_t face, uint32_t i)
 {
     uint32_t k = i < corner_count(s, face) ? i : 0;
     return s->P[s->scene->corner[s->scene->face_start[face] + k]];
 }
 
-/* Which corner the sample is; one more than the last is the first again. */
+/* The corner that the sample is; one more than the last sample is the first again. */
 static uint32_t sample_of(const sight *s, uint32_t face, uint32_t sample)
 {
     return (uint32_t)((uint64_t)corner_count(s, face) * sample / SAMPLES);
 }
 
-/* Is no sample outside of any side, as the viewer sees it? So it is in convex faces, but those with dents are
- * accepted too. */
+/* Whether no sample lies outside of any side, as the viewer sees it. This holds for convex faces, and for some with
+ * dents. */
 static bool sides_spare_samples(const sight *s, uint32_t face)
 {
     const uint32_t *corner = s->scene->corner + s->scene->face_start[face];
@@ -109,8 +110,8 @@ static bool sides_spare_samples(const sight *s, uint32_t face)
     return true;
 }
 
-/* Seen from any corner, the others lie outside of a side by no more than the face's size times the sine of what its
- * sides turn the wrong way in all. */
+/* A bound: a corner lies outside of a side by no more than half the way round the face times what the sides turn the
+ * wrong way in all. */
 static double dent_of(const sight *s, uint32_t face)
 {
     uint32_t count = corner_count(s, face);
@@ -176,9 +177,9 @@ void sight_free(sight *s)
     *s = (sight){0};
 }
 
-/* How the line passes the side AB. Corners of a front face run counter-clockwise for the viewer, so that inside is
- * where every side turns to the left. XA x XB is taken as XA x AB, whose rounding is in proportion to AB: a short
- * side stays exact far from X. */
+/* How the line passes the side AB. Corners of a front face run counter-clockwise for the viewer, so inside is to the
+ * left of every side. XA x XB is computed as XA x AB: its rounding is in proportion to AB, so that a short side far
+ * from X stays exact. */
 static inline sight_answer pass_side(const sight *s, roberts_vec3 A, roberts_vec3 B, roberts_vec3 X, roberts_vec3 v,
                                      double slack)
 {
@@ -194,7 +195,8 @@ static inline sight_answer pass_side(const sight *s, roberts_vec3 A, roberts_vec
     return contact ? SIGHT_SURELY : SIGHT_POSSIBLY;
 }
 
-/* Does the line pass AB on the inner side, farther from it than the touching distance? Not where AB is but a point. */
+/* Whether the line passes AB on the inner side, farther from it than the touching distance. False if AB is a mere
+ * point. */
 static inline bool well_left(const sight *s, roberts_vec3 A, roberts_vec3 B, roberts_vec3 X, roberts_vec3 v)
 {
     roberts_vec3 xa = vec3_sub(A, X), ab = vec3_sub(B, A), spread = vec3_cross(v, ab);
@@ -203,8 +205,8 @@ static inline bool well_left(const sight *s, roberts_vec3 A, roberts_vec3 B, rob
     return inside > 0.0 && inside * inside > far * far * vec3_dot(spread, spread);
 }
 
-/* Does the line pass within the polygon of the samples, farther from its sides than the touching distance? The face's
- * own sides are no nearer to it. */
+/* Whether the line passes within the polygon of the samples, farther from its sides than the touching distance. The
+ * sides of the face are no nearer to it. */
 static bool well_inside(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
 {
     roberts_vec3 A = corner_of(s, face, sample_of(s, face, SAMPLES - 1));
@@ -217,11 +219,11 @@ static bool well_inside(const sight *s, uint32_t face, roberts_vec3 X, roberts_v
     return true;
 }
 
-/* Diagonals from the first corner part a convex face in triangles: bisects which of them the line passes, or beyond
- * which one's outer side (F. Preparata, M. Shamos, "Computational Geometry", 1985, 2.2). Returns the first of two
- * neighbours among low .. high, which are corners or samples. across: v x the way from X to the first corner; its
- * product with the way on to another one is >= 0 where the line passes left of the diagonal. The ends are not asked:
- * beyond the first and the last diagonal lie the first and the last side. */
+/* The diagonals from the first corner divide a convex face into triangles. This bisects between which two of them the
+ * line passes (F. Preparata, M. Shamos, "Computational Geometry", 1985, 2.2) and returns the first of two neighbours
+ * among low .. high, which are corners or samples. `across` is v x the way from X to the first corner: its product
+ * with the way on to a corner is >= 0 if the line passes left of that diagonal. The ends are not asked: beyond the
+ * first and the last diagonal lie the first and the last side. */
 static uint32_t bisect(const sight *s, uint32_t face, roberts_vec3 across, uint32_t low, uint32_t high, bool samples)
 {
     roberts_vec3 first = corner_of(s, face, 0);
@@ -236,11 +238,11 @@ static uint32_t bisect(const sight *s, uint32_t face, roberts_vec3 across, uint3
     return low;
 }
 
-/* What the samples say; SIGHT_POSSIBLY: ask all sides.
+/* The answer by samples; SIGHT_POSSIBLY: ask all sides.
  *
- * Bisection only tells what to ask: whether the line passes well within a triangle of three samples, which is a part
- * of the polygon of them all, then whether it passes outside of one side. Near a diagonal the polygon is asked, for
- * it has none. */
+ * Bisection only chooses what to ask. First, whether the line passes well within a triangle of three samples, which
+ * is a part of their polygon. Then, whether it passes outside of one side. Near a diagonal of the triangles the whole
+ * polygon is asked: it has none. */
 static sight_answer pass_samples(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)
 {
     roberts_vec3 first = corner_of(s, face, 0), across = vec3_cross(v, vec3_sub(first, X));
@@ -310,7 +312,7 @@ sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_
     return through;
 }
 
-/* In contact with the side AB, as pass_side() has it. */
+/* Whether the line is in contact with the side AB, as in pass_side(). */
 static bool is_on_side(const sight *s, roberts_vec3 A, roberts_vec3 B, roberts_vec3 X, roberts_vec3 v)
 {
     roberts_vec3 xa = vec3_sub(A, X), ab = vec3_sub(B, A), spread = vec3_cross(v, ab);
@@ -323,8 +325,8 @@ static bool runs_along(const sight *s, roberts_vec3 A, roberts_vec3 B, const rob
     return is_on_side(s, A, B, ends[0], sight_from(s, ends[0])) && is_on_side(s, A, B, ends[1], sight_from(s, ends[1]));
 }
 
-/* Whether the line, which passes all sides on their inner side, passes one nearer than the touching distance, but not
- * in contact with the whole edge. */
+/* Whether the line passes a side nearer than the touching distance without contact of the whole edge. The line is
+ * known to pass all sides on the inner side. */
 static bool grazes_side(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, const roberts_vec3 ends[2])
 {
     const roberts_scene *scene = s->scene;
@@ -387,8 +389,8 @@ static bool clip_part(sight_part *part, double a, double b)
     return part->t0 <= part->t1;
 }
 
-/* How far the ends of AB lie inside of the side PQ, times a length. The points that count as inside are those on one
- * side of a plane in space, through PQ and along the sight lines: so this is linear along AB, in both projections. */
+/* How far the two ends of AB lie inside of the side PQ, times a length. The inside is a half-space: its border plane
+ * runs through PQ and along the sight lines. So the distance is linear along AB, in both projections. */
 static void measure_side(const sight *s, roberts_vec3 P, roberts_vec3 Q, const roberts_vec3 AB[2], double inside[2])
 {
     roberts_vec3 n = vec3_cross(vec3_sub(Q, P), sight_from(s, P));
@@ -412,7 +414,8 @@ static bool clip_to_sides(const sight *s, uint32_t face, uint32_t first, uint32_
     return true;
 }
 
-/* What is left of `part` between sample k, the next one, and the corners between them. */
+/* What is left of `part` in the cap beyond sample k: between that sample, the next one, and the corners between them.
+ */
 static bool clip_to_cap(const sight *s, uint32_t face, uint32_t k, const roberts_vec3 AB[2], sight_part *part)
 {
     uint32_t first = sample_of(s, face, k), end = sample_of(s, face, k + 1);
@@ -421,8 +424,7 @@ static bool clip_to_cap(const sight *s, uint32_t face, uint32_t k, const roberts
     return clip_part(part, -inside[0], -inside[1]) && clip_to_sides(s, face, first, end, AB, part);
 }
 
-/* Of a sampled face the polygon of the samples is asked, and then only the caps beyond those of its sides by which AB
- * enters and leaves it. */
+/* Clips to the polygon of the samples, then to the caps beyond the two sides by which AB enters and leaves it. */
 static bool clip_to_samples(const sight *s, uint32_t face, const roberts_vec3 AB[2], sight_part *part)
 {
     sight_part inner = *part, cap;

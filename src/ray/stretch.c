@@ -1,42 +1,40 @@
 /* stretch.c - one stretch of an edge, checked by rays.
  *
- * Each stretch gets three kinds of rays:
+ * These rays are cast:
  *
- * - `rays` of them near its ends and evenly between, and three more close to each end of a visible stretch that lies
- *   within the edge;
- * - a visible stretch: one behind the middle of the longest part that a face hides. A search along the stretch finds
- *   such parts (Cyrus and Beck), so that nothing hidden is missed between two rays;
- * - a hidden stretch: a walk. A ray finds a face that hides the point; the next ray is cast from just beyond the end
- *   of
- *   what that face hides, and so on to the end of the stretch. Whatever is visible on the way, however short, is met.
+ * - from each stretch, `rays` of them near its ends and evenly between;
+ * - from a visible stretch, one amid the longest part that a face hides. A search along the stretch finds this part
+ *   by Cyrus and Beck's clipping, so nothing hidden is missed between two rays. That is not quite so for faces of
+ *   very many corners: if there are any, up to three more rays are cast close to each end that lies within the edge;
+ * - from a hidden stretch, a walk. A ray finds a face that hides the point. The next ray starts just beyond what that
+ *   face hides, and so on to the end of the stretch. Whatever is visible on the way is met;
+ * - from the middle of a hidden stretch that names a solid, one that looks for the face nearest to the viewer.
  *
- * The middle of a part that the drawing says is hidden by a solid is asked what hides it nearest to the viewer.
- *
- * Searches only choose where rays are cast. A point surely hidden that is drawn visible contradicts the drawing, and
- * so does one drawn hidden that is not even possibly hidden, if rays cast by stricter rules from it and from
- * neighbours on both sides say so too, by two of three. All else is undecided: an edge that passes behind a mere
- * corner is hidden in one point, of which a drawing shows nothing. */
+ * Searches only choose where rays are cast; rays decide. A point surely hidden that is drawn visible contradicts the
+ * drawing, and so does a point drawn hidden that is not even possibly hidden. Both are asked again by stricter rules,
+ * with a neighbour on each side, and two of the three have to agree: an edge that passes behind a mere corner is
+ * hidden in one point, of which a drawing shows nothing. All else is undecided. */
 #include "ray/stretch.h"
 
 #include <stdlib.h>
 
 #include "base/array.h"
 
-/* The first and last of the even rays lie this part of the stretch from its ends. */
+/* The first and the last of the even rays are this far from the ends of the stretch, as a part of it. */
 #define END_MARGIN 0x1p-10
-/* Distance of a ray's neighbours, as a part of the stretch. */
+/* How far the neighbours of a ray are, as a part of the stretch. */
 #define NEIGHBOUR 0x1p-12
-/* Closest to an end, or to a change on the way, rays are cast at this many touching distances from it ... */
+/* How close to an end, or to a change on a walk, a ray is cast: at so many touching distances ... */
 #define CLOSE 64.0
-/* ... and at no less than this part of the edge: ten times the error that a parameter t may have. */
+/* ... and at least at this part of the edge, ten times what a parameter t may be off. */
 #define CLOSE_PART 1e-9
-/* Neighbours of close rays, as a part of their distance from the end. */
+/* How far the neighbours of close rays are, as a part of that distance. */
 #define CLOSE_NEIGHBOUR 0.25
-/* A solid of few faces has so many at most. */
+/* The other faces of a hider are asked too if it has no more than this. */
 #define FEW_FACES 12
-/* After so many points in turn behind one solid, a walk leaps. */
+/* After so many points in a row behind one solid, a walk leaps. */
 #define LEAP_AFTER 4
-/* Further rays near the ends of visible stretches, as parts of the edge. */
+/* Further rays close to the ends of visible stretches, as parts of the edge. */
 static const double end_parts[] = {1e-6, 1e-4};
 
 typedef enum probe_kind {
@@ -119,7 +117,7 @@ static void contradict(stretch_result *out, const stretch_probe *p, uint32_t sol
         out->lost = true;
 }
 
-/* Whether the drawing is right, as far as the ray says. Counts what it is not. */
+/* Whether the drawing is right, as far as the ray says. Counts what is undecided, and notes what is wrong. */
 static bool judge_point(stretch_checker *c, const stretch_probe *p, const sight_question *q)
 {
     if (!contradicts(p, q)) {
@@ -138,8 +136,8 @@ static bool judge_point(stretch_checker *c, const stretch_probe *p, const sight_
 
 /* ---- who is seen ----------------------------------------------------------------------------------------------- */
 
-/* Whether a front face of `solid` possibly lies on the sight line of X, no farther from the viewer than Y on it, to
- * within what counts as touching. */
+/* Whether a front face of `solid` may lie on the sight line of X, no farther from the viewer than Y, which is on that
+ * line. What touches Y counts. */
 static bool may_be_seen(const occluders *o, uint32_t solid, const sight_question *q, roberts_vec3 Y)
 {
     const roberts_scene *scene = o->s.scene;
@@ -155,7 +153,8 @@ static bool may_be_seen(const occluders *o, uint32_t solid, const sight_question
     return false;
 }
 
-/* Near the border of the nearest face, what lies beside it may be seen instead. */
+/* Compares the solid that is named with the one found nearest. Near the border of the nearest face another one may be
+ * seen. */
 static void judge_nearest(stretch_checker *c, const stretch_probe *p, const sight_question *q)
 {
     const occluders *o = c->o;
@@ -173,8 +172,8 @@ static void judge_nearest(stretch_checker *c, const stretch_probe *p, const sigh
 
 /* ---- walks ----------------------------------------------------------------------------------------------------- */
 
-/* Where the face that hides the point of the walk hides no more, as far as can be said; p->end if it hides all that is
- * left. Of a solid of few faces the others are asked too, in the order of the file, which spares rays. */
+/* How far the face that hides the point of the walk hides what follows; p->end: all that is left. Of a solid of few
+ * faces the others are asked too, in the order of the file, which spares rays. */
 static double hidden_until(const occluders *o, const stretch_probe *p, const sight_question *q)
 {
     const scene_solid *solid = &o->s.scene->solid[o->face_solid[q->hider]];
@@ -190,8 +189,8 @@ static double hidden_until(const occluders *o, const stretch_probe *p, const sig
     return all.t1 >= 1.0 ? p->end : p->t + all.t1 * (p->end - p->t);
 }
 
-/* Leaps behind a solid of many faces, farther from time to time. What lies behind a convex solid is convex: where the
- * solid hides both ends of a leap, it hides all between. */
+/* Leaps behind a solid of many faces, farther each time. What lies behind a convex solid is convex: if the solid
+ * hides both ends of a leap, it hides all between. */
 static void leap(stretch_probe *p, double next)
 {
     p->leap = greater(p->leap, 2.0 * (next - p->t));
@@ -200,8 +199,8 @@ static void leap(stretch_probe *p, double next)
     p->leap *= 2.0;
 }
 
-/* Takes the walk to its next point; false at its end. Strides get longer as long as no face says how far to go; the
- * last of these stops at the end itself. */
+/* Takes the walk to its next point; false at its end. Strides double as long as no face says how far to go, and the
+ * last of them stops at the end itself. */
 static bool walk_on(const occluders *o, stretch_probe *p, const sight_question *q)
 {
     uint32_t solid = q->answer == SIGHT_SURELY ? o->face_solid[q->hider] : ROBERTS_NONE;
@@ -234,7 +233,7 @@ static bool walk_on(const occluders *o, stretch_probe *p, const sight_question *
 
 /* ---- the queue ------------------------------------------------------------------------------------------------- */
 
-/* Casts the rays of all that wait, and judges them. Walks that go on wait again. */
+/* Casts the rays of all probes that wait, and judges them. Walks that go on wait again. */
 static void cast(stretch_checker *c)
 {
     uint32_t count = c->count;
@@ -291,8 +290,7 @@ static double position(uint32_t k, uint32_t n)
     return (double)k / (n - 1);
 }
 
-/* Close to the ends that lie within the edge: where the drawing changes too early or too late, a ray is cast in
- * between. Not at the edge's own ends, for the sake of speed. */
+/* Close to the ends that lie within the edge: if the drawing changes too early or too late, a ray falls in between. */
 static void ask_ends(stretch_checker *c, const stretch *s, stretch_probe *p)
 {
     double at = p->close;
@@ -307,7 +305,7 @@ static void ask_ends(stretch_checker *c, const stretch *s, stretch_probe *p)
     }
 }
 
-/* Amid the longest part of a visible stretch that a face hides, if there is one. */
+/* Amid the longest part of a visible stretch that a face hides, if any does. */
 static void ask_hidden_part(stretch_checker *c, const stretch *s, stretch_probe *p)
 {
     occluders_search search;
@@ -325,7 +323,7 @@ static void ask_hidden_part(stretch_checker *c, const stretch *s, stretch_probe 
         ask_point(c, s, p, s->t0 + middle * width, CLOSE_NEIGHBOUR * longest * width);
 }
 
-/* Evenly spaced. Where a walk starts close to one end and goes to the other, the first and the last are left out. */
+/* Evenly spaced. A walk starts close to one end and goes to the other, so it spares the first and the last. */
 static void ask_evenly(stretch_checker *c, const stretch *s, stretch_probe *p, bool walk)
 {
     double width = s->t1 - s->t0;

@@ -27,7 +27,7 @@ typedef struct stretch_finding {
     uint32_t edge;
 } stretch_finding;
 
-/* What came out for many stretches. Zeroed: nothing yet. */
+/* What was found in many stretches. Zeroed: nothing yet. */
 typedef struct stretch_result {
     size_t segments, points, undecided;
     stretch_finding *found; /* [count] in no order */
@@ -44,7 +44,7 @@ stretch_checker *stretch_checker_new(const occluders *o, uint32_t rays, stretch_
 /* Puts the points of a stretch in the queue, and casts their rays when it is full. */
 void stretch_check(stretch_checker *c, const stretch *s);
 
-/* Says that the stretch is contradicted at t, where the near plane leaves nothing of the edge. */
+/* Notes a contradiction at t, where the near plane leaves nothing of the edge. */
 void stretch_is_clipped(stretch_checker *c, const stretch *s, double t);
 
 /* Casts all rays that wait, and frees the checker. */

@@ -170,14 +170,15 @@ static uint32_t find_edge(const roberts_scene *scene, const roberts_segment *row
     return scene->edge_count;
 }
 
-/* Puts the rows of [first, end) in order of t0; they are few, and mostly in order already. */
+/* Sorts the rows of [first, end) by t0. They are few, and mostly in order already. */
 static void sort_rows(verifier *f, uint32_t first, uint32_t end)
 {
     const roberts_segment *segment = f->drawing->segment;
     SORT_FEW(uint32_t, f->row + first, end - first, segment[*a].t0 > segment[*b].t0)
 }
 
-/* Rows by edge, by counting: row_start first counts, then points behind each edge's rows, then to their first. */
+/* Sorts rows by edge, by counting. row_start first counts the rows of each edge, then points behind them, then to the
+ * first. */
 static roberts_status assign_rows(verifier *f, roberts_error *error)
 {
     const roberts_scene *scene = f->scene;
@@ -315,7 +316,8 @@ static bool order_runs(verifier *f)
     return done;
 }
 
-/* About how many rays will ask for the faces of each solid: all but those from edges that the solid itself shows. */
+/* Estimates how many rays will ask for the faces of each solid: all but those from edges that the solid itself shows.
+ */
 static void count_rays(const verifier *f, double *rays)
 {
     const roberts_drawing *drawing = f->drawing;

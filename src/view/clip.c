@@ -1,5 +1,5 @@
-/* clip.c - see clip.h. Source of the cutting: I. E. Sutherland, G. W. Hodgman, "Reentrant polygon clipping", CACM
- * 17(1), 1974, face by face; the cap is what the cuts of the faces join to. */
+/* clip.c - cutting by the near plane. See clip.h. Faces are cut one by one (I. E. Sutherland, G. W. Hodgman,
+ * "Reentrant polygon clipping", CACM 17(1), 1974); what is cut off them joins to the cap. */
 #include "view/clip.h"
 
 #include <float.h>
@@ -11,15 +11,15 @@
 #include "base/error.h"
 #include "model/face_plane.h"
 
-/* The near plane's distance where none is given: as a part of the distance of the look-at point, and at least of the
- * scene's diameter. Nearer things would be drawn a thousand times as large as at the look-at point. */
+/* The distance of the near plane if none is given: this part of the distance of the look-at point, and at least this
+ * part of the scene's diameter. Nearer things would be drawn a thousand times as large as at the look-at point. */
 #define NEAR_OF_DISTANCE 1e-3
 #define NEAR_OF_DIAMETER 1e-5
 /* The least distance of the near plane, whatever is given, as a part of the scene's diameter. Coordinates in the
  * picture grow by one over it, and with them the touching distance. */
 #define NEAR_LEAST 1e-6
-/* What is nearer to the near plane than this lies in it, to rounding, and the eye on a face; in ulps of the largest
- * coordinate, the eye's included. */
+/* What is nearer than this to the near plane lies in it, to rounding; likewise the eye and a face. In ulps of the
+ * largest coordinate, the eye's included. */
 #define TOUCHING_ULPS 16.0
 
 typedef struct cutter {
@@ -27,21 +27,23 @@ typedef struct cutter {
     const roberts_scene *from;
     roberts_vec3 eye, dir; /* dir: from the look-at point to the eye, unit */
     double near;
-    double touching;    /* what is nearer to the near plane than this lies in it, an eye to a face on it; model units */
-    scene_solid first;  /* of the solid at hand in the clipped scene */
-    bool whole;         /* the solid at hand is not cut: none of its vertices is nearer than the near plane */
-    double *depth;      /* [vertex_count of from] distance from the eye's plane */
-    uint32_t *vertex;   /* [vertex_count of from] what it is in the clipped scene, or ROBERTS_NONE */
-    uint32_t *cut;      /* [edge_count of from] the vertex where the edge is cut, or ROBERTS_NONE */
-    uint32_t *next;     /* [edge_count of from] cap: which cut edge follows this one, counter-clockwise. A permutation
-                           of a solid's cut edges: each is entered by in one of its faces and left by in the other */
+    double touching;   /* what is nearer to the near plane than this lies in it, an eye to a face on it; model units */
+    scene_solid first; /* of the solid at hand in the clipped scene */
+    bool whole;        /* the solid at hand is not cut: none of its vertices is nearer than the near plane */
+    double *depth;     /* [vertex_count of from] distance from the eye's plane */
+    uint32_t *vertex;  /* [vertex_count of from] what it is in the clipped scene, or ROBERTS_NONE */
+    uint32_t *cut;     /* [edge_count of from] the vertex where the edge is cut, or ROBERTS_NONE */
+    /* [edge_count of from] cap: which cut edge follows this one, counter-clockwise. A permutation of the cut edges of a
+     * solid: the cap's border enters one face of each and leaves the other. */
+    uint32_t *next;
     roberts_vec3 *ring; /* [corners] scratch: positions of a cut face */
     size_t vertex_room, low_room, number_room, start_room, corner_room, plane_room, deviation_room, width_room,
         face_room;
     size_t edge_room, cap_room, ring_room;
 } cutter;
 
-/* What lies in the plane goes with what lies before it: so no face is left as a line, and no cap lies on a face. */
+/* What lies in the plane is cut off, with all on the eye's side of it. So no face is left as a line, and no cap lies
+ * on a face. */
 static bool is_kept(const cutter *c, uint32_t v)
 {
     return c->depth[v] > c->near || c->whole;
@@ -118,7 +120,7 @@ static uint32_t find_edge(const cutter *c, uint32_t solid, uint32_t a, uint32_t 
     return low;
 }
 
-/* a + t (b - a), which a double holds only to its last place: near the eye that is a wide angle. */
+/* a + t (b - a). A double holds this only to its last place, which near the eye is a wide angle; `low` is the rest. */
 static double divide(double a, double b, double t, double *low)
 {
     dd p = dd_add((dd){a, 0.0}, dd_mul((dd){t, 0.0}, dd_two_diff(b, a)));
@@ -133,7 +135,7 @@ static bool add_cut(cutter *c, roberts_vec3 A, roberts_vec3 B, double t)
     return add_vertex(c, point, low, ROBERTS_NONE);
 }
 
-/* Vertices that stay, and one on each edge that the plane cuts. */
+/* Adds the vertices that stay, and one on each edge that the plane cuts. */
 static bool cut_vertices(cutter *c, uint32_t solid)
 {
     const roberts_scene *from = c->from;
@@ -184,8 +186,8 @@ static bool measure_width(cutter *c, uint32_t first, double *width)
     return true;
 }
 
-/* One face; where it is cut, the cap will run along the cut the other way. A side that is straight only within the
- * tolerance may weave through the plane: each way in belongs to the way out before it. */
+/* Cuts one face. The cap will run along the cut the other way. A side that is straight only within the tolerance may
+ * weave through the plane: then each way in belongs to the way out before it. */
 static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face)
 {
     const roberts_scene *from = c->from;
@@ -219,9 +221,9 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
     return add_face(c, from->face_plane[face], scene_deviation(from, face), width, scene_face_number(from, face));
 }
 
-/* The cap's face, as plane as its corners lie in the near plane; `start` is one of the cut edges. Where a side weaves
- * through the plane there are several rings, and the cap has one of them: the outline is then no single cycle, and the
- * faces hide one by one (see front.c). */
+/* Adds the cap, as plane as its corners lie in the near plane; `start` is one of the cut edges. If a side weaves
+ * through the plane there are several rings, and the cap has one of them. The outline is then no single cycle, and
+ * the faces hide one by one (see front.c). */
 static bool add_cap(cutter *c, uint32_t start)
 {
     const roberts_scene *from = c->from;
@@ -237,8 +239,8 @@ static bool add_cap(cutter *c, uint32_t start)
     return measure_width(c, begin, &width) && add_face(c, F, c->touching, width, ROBERTS_NONE);
 }
 
-/* Edges that stay, wholly or in part, in their order; those along the cap last. map: faces to faces of the clipped
- * scene. */
+/* Adds the edges that stay, whole or in part, in their order, and those along the cap last. map: from faces to faces
+ * of the clipped scene. */
 static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t cap)
 {
     const roberts_scene *from = c->from;
@@ -257,7 +259,7 @@ static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t c
     for (uint32_t i = first; i < end && cap != ROBERTS_NONE; i++) {
         if (c->cut[i] == ROBERTS_NONE)
             continue;
-        /* between cut i and the next the cap meets the face that is entered by edge i: v[0] -> v[1] runs round f[0] */
+        /* from cut i to the next, the cap meets the face that edge i leads into: v[0] -> v[1] runs round f[0] */
         const scene_edge edge = scene_edge_at(from, solid, i);
         uint32_t face = edge.f[is_kept(c, edge.v[1]) ? 0 : 1];
         if (!add_edge(c, c->cut[i], c->cut[c->next[i]], cap, map[face], true))
@@ -266,7 +268,8 @@ static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t c
     return true;
 }
 
-/* An eye on a face is outside, to rounding; what a face departs from its plane is not counted. */
+/* Whether the eye is inside of a solid. On a face it is outside, to rounding; what a face departs from its plane does
+ * not count. */
 static bool holds_eye(const cutter *c, uint32_t solid)
 {
     roberts_vec3 P = vec3_sub(c->eye, c->from->centre);
@@ -276,7 +279,7 @@ static bool holds_eye(const cutter *c, uint32_t solid)
     return true;
 }
 
-/* One solid; `map` is scratch, [face_count of from]. */
+/* Cuts one solid. `map` is scratch, [face_count of from]. */
 static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, roberts_error *error)
 {
     const roberts_scene *from = c->from;
@@ -305,7 +308,7 @@ static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, robert
     return cut_edges(c, solid, map, cap) ? ROBERTS_OK : error_no_memory(error);
 }
 
-/* Distances from the eye's plane; the least of them. */
+/* Measures distances from the eye's plane, and returns the least. */
 static double measure_depths(cutter *c)
 {
     double least = INFINITY;

@@ -1,4 +1,4 @@
-/* view.c - the map to view space, and what it makes of points, planes and faces. See view.h. */
+/* map.c - the map to view space: of points, planes and faces. See view.h. */
 #include "view/view.h"
 
 #include <float.h>
@@ -10,26 +10,26 @@
 
 /* Touching distance as a part of the scene's diameter: far above rounding (1e-16), far below a pen (1e-4 of a page). */
 #define EPSILON_OF_DIAMETER 1e-11
-/* ... and in units of the last place of the largest coordinate, for scenes far from the origin. */
+/* The least touching distance, in units of the last place of the largest coordinate: for scenes far from the origin. */
 #define EPSILON_ULPS 16.0
 /* The eye must have more than this part of the scene's diameter between itself and the scene, measured along the line
  * of sight: nearer, the picture grows without bound. Half of what the near plane always cuts off (see clip.c), so
  * that rounding does not matter. */
 #define NEAREST_OF_DIAMETER 5e-7
-/* Roundings that one view coordinate gathers: subtraction, three products and two sums with unit vectors that are
- * themselves rounded, the division; in halves of an ulp of the largest coordinate. */
+/* How many roundings one view coordinate gathers, in halves of an ulp of the largest coordinate: a subtraction, three
+ * products and two sums with unit vectors that are themselves rounded, and the division. */
 #define ROUNDINGS 8.0
-/* Bounds of x and y are taken for themselves where they are no more than this part of those of all coordinates: where
- * little is gained, the larger bound has the most oblique crossings computed more exactly than is promised. */
+/* The bounds of x and y replace those of all coordinates if they are no more than this part of them. Otherwise little
+ * is gained, and with the larger bound the most oblique crossings are computed more exactly than is promised. */
 #define MUCH_SHARPER 0.25
-/* Faces of more corners are not measured across each side: that takes time in proportion to the square. */
+/* A face of more corners is not measured across each side, which takes time in proportion to the square. */
 #define MEASURED_CORNERS 64
-/* Steeper than this an oblique view shows nothing that anyone could read. */
+/* A steeper oblique view shows nothing that anyone could read. */
 #define OBLIQUE_MOST 1000.0
-/* Sine of the angle between `up` and the line of sight under which they count as parallel. */
+/* If the sine of the angle between `up` and the line of sight is no more than this, they count as parallel. */
 #define PARALLEL 1e-9
-/* Cosine of the angle between an axis of the picture and the line of sight up to which they are at right angles: mere
- * rounding. */
+/* If the cosine of the angle between an axis of the picture and the line of sight is no more than this, it is mere
+ * rounding, and they are at right angles. */
 #define ACROSS (4.0 * DBL_EPSILON)
 
 static double largest(roberts_vec3 a)
@@ -52,7 +52,7 @@ static roberts_vec3 unit_vector(roberts_vec3 a)
     return vec3_scale(1.0 / vec3_length(a), a);
 }
 
-/* The drawing counter-clockwise: a point that was right of the origin comes up. */
+/* Turns the drawing counter-clockwise: a point right of the origin moves up. */
 static void roll_frame(view *v, double degrees)
 {
     roberts_vec2 by = angle_unit(degrees);
@@ -61,8 +61,8 @@ static void roll_frame(view *v, double degrees)
     v->up = vec3_add(vec3_scale(by.y, right), vec3_scale(by.x, up));
 }
 
-/* a x dir, 1 long. Of two that are nearly parallel it is little more than rounding, of which a part lies along dir:
- * that is taken off, or depth would leak into the picture. */
+/* a x dir, 1 long. If the two are nearly parallel, the product is little more than rounding, and a part of it lies
+ * along dir. That part is taken off; otherwise depth would leak into the picture. */
 static roberts_vec3 unit_across(roberts_vec3 a, roberts_vec3 dir)
 {
     roberts_vec3 across = unit_vector(vec3_cross(a, dir));
@@ -70,8 +70,8 @@ static roberts_vec3 unit_across(roberts_vec3 a, roberts_vec3 dir)
     return fabs(along) > ACROSS ? unit_vector(vec3_sub(across, vec3_scale(along, dir))) : across;
 }
 
-/* Right and up of the picture: `up` made perpendicular to the line of sight. Where it is zero or parallel to it, +z and
- * then +y take its place. */
+/* Sets right and up of the picture: `up` made perpendicular to the line of sight. If it is zero or parallel to that
+ * line, +z takes its place, and then +y. */
 static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up, double roll_degrees)
 {
     const roberts_vec3 choices[] = {unit_vector(up), {0, 0, 1}, {0, 1, 0}};
@@ -87,8 +87,8 @@ static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up, double roll_de
     }
 }
 
-/* Divides by the weight w = 1 - e / D. Nearer to the eye than to the look-at point, x, y and w are taken from the
- * eye, which is on the axis of sight: there the two terms of w nearly cancel, as do those of x and y, while the
+/* Divides by the weight w = 1 - e / D. Points nearer to the eye than to the look-at point take x, y and w from the
+ * eye, which is on the axis of sight. Near it the two terms of w nearly cancel, and so do those of x and y, while the
  * difference of P and the eye is exact or nearly so. */
 static roberts_vec3 perspective_point(const view *v, roberts_vec3 P, roberts_vec3 p)
 {
@@ -111,7 +111,7 @@ roberts_vec3 view_point(const view *v, roberts_vec3 P)
     return v->perspective ? perspective_point(v, P, p) : p;
 }
 
-/* x and y side by side; each is what view_point() makes of it, to the last bit. */
+/* Computes x and y side by side. Each is what view_point() gives, to the last bit. */
 static void points_in_parallel(const view *v, const roberts_vec3 *P, size_t count, roberts_vec3 *out)
 {
     two ax = two_of(v->right.x, v->up.x), ay = two_of(v->right.y, v->up.y), az = two_of(v->right.z, v->up.z);
@@ -135,7 +135,7 @@ void view_points(const view *v, const roberts_vec3 *P, size_t count, roberts_vec
         out[i] = view_point(v, P[i]);
 }
 
-/* Whether the view is parallel and along dir: turning is all that the map does, but for the unit. */
+/* Whether the view is parallel and looks along dir: then the map only turns, and changes the unit. */
 static inline bool at_right_angles(const view *v)
 {
     return !v->perspective && v->oblique.x == 0.0 && v->oblique.y == 0.0;
@@ -174,8 +174,8 @@ static double extent_across(const roberts_scene *scene, uint32_t face, const rob
     return high - low;
 }
 
-/* Width of the face's picture: its least extent, which a polygon has across one of its sides. A face of very many
- * corners is measured across (b, -a) only, where the tilt of its plane makes it narrow. */
+/* The width of the face's picture: its least extent, which a polygon has across one of its sides. A face of very many
+ * corners is measured only across (b, -a), where the tilt of its plane makes it narrow. */
 static double picture_width(const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P)
 {
     uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
@@ -188,8 +188,8 @@ static double picture_width(const roberts_scene *scene, uint32_t face, plane F, 
     return width;
 }
 
-/* The picture is about |c| times as wide as the face at the least; one that is wider than this, which is enough by a
- * factor of 4, need not be measured. Model units. */
+/* The picture of a face is at least about |c| times as wide as the face. If it is wider than this, which leaves a
+ * factor of 4, it need not be measured. Model units. */
 static inline double wide_enough(const view *v)
 {
     return 4.0 * v->epsilon * v->unit;
@@ -197,7 +197,7 @@ static inline double wide_enough(const view *v)
 
 int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P)
 {
-    double shrunk = 1.0; /* in perspective a face shrinks with its distance besides, by less than this */
+    double shrunk = 1.0; /* in perspective a face also shrinks with its distance, but not more than this */
     if (v->perspective) {
         double z = P[scene->corner[scene->face_start[face]]].z;
         shrunk = lesser(1.0, 1.0 + z * v->inverse_distance);
@@ -209,8 +209,8 @@ int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane 
     return F.c < 0.0 ? VIEW_FRONT : F.c > 0.0 ? VIEW_BACK : VIEW_EDGE_ON;
 }
 
-/* At right angles: how deep the normal looks says it all where the face is wide enough, and of a back face no
- * more is wanted. a and b side by side; the plane is what view_plane() makes of it, to the last bit. */
+/* In a view at right angles, the depth of the normal decides alone if the face is wide enough, and a back face needs
+ * no plane. a and b are computed side by side. The plane is what view_plane() gives, to the last bit. */
 int view_face(const view *v, const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, plane *F,
               double *stretch)
 {
@@ -234,8 +234,8 @@ int view_face(const view *v, const roberts_scene *scene, uint32_t face, const ro
     return view_facing(v, scene, face, *F, P);
 }
 
-/* With weights w = 1 - e / D = 1 / (1 + z / D): R(t) in space is (1-t) A + t B, whose picture divides the picture of AB
- * as (1-t) wA : t wB. */
+/* With weights w = 1 - e / D = 1 / (1 + z / D), the picture of R(t) = (1-t) A + t B divides the picture of AB as
+ * (1-t) wA : t wB. */
 double view_to_space(const view *v, double zA, double zB, double s)
 {
     if (!v->perspective)
@@ -252,7 +252,7 @@ double view_from_space(const view *v, double zA, double zB, double t)
     return t * near_a / ((1.0 - t) * near_b + t * near_a);
 }
 
-/* Distance D of the eye, and a scene wholly in front of it. */
+/* Sets the distance D of the eye. The whole scene must lie in front of it. */
 static roberts_status set_eye(view *v, const roberts_scene *scene, const roberts_camera *camera, roberts_error *error)
 {
     roberts_vec3 back = vec3_sub(camera->eye, v->origin);
@@ -271,7 +271,7 @@ static roberts_status set_eye(view *v, const roberts_scene *scene, const roberts
     return ROBERTS_OK;
 }
 
-/* The sum of |a_i| h_i: no point of a box of half sizes h about the origin is farther from it along a. */
+/* The sum of |a_i| h_i: in a box of half sizes h about the origin, no point is farther from it along a. */
 static double reach_along(roberts_vec3 a, roberts_vec3 h)
 {
     return fabs(a.x) * h.x + fabs(a.y) * h.y + fabs(a.z) * h.z;
@@ -282,8 +282,9 @@ static roberts_vec3 size_of(roberts_vec3 a)
     return (roberts_vec3){fabs(a.x), fabs(a.y), fabs(a.z)};
 }
 
-/* Bound of |a . V|, which is zero but for rounding: three products and two sums add no more than 3.01 units of rounding
- * (half an epsilon each) times the sum of |a_i V_i|, and a subtraction that made V one more. */
+/* A bound of |a . V|, which is zero but for rounding. Three products and two sums add no more than 3.01 units of
+ * rounding (half an epsilon each) times the sum of |a_i V_i|, and V may come from a subtraction, which adds one more.
+ */
 static double leak(roberts_vec3 a, roberts_vec3 V)
 {
     return fabs(vec3_dot(a, V)) + 2.0 * DBL_EPSILON * reach_along(a, size_of(V));
@@ -349,7 +350,7 @@ static double eye_rounding(const view *v, const roberts_scene *scene, uint32_t v
     return 1.001 * bound / w; /* the bounds are rounded themselves; 1 + z / D would not tell 1 / w where w is large */
 }
 
-/* set_across() for an eye, where no x and no y is larger than `across`. */
+/* set_across() for an eye. No x and no y is larger than `across`. */
 static void set_across_from_eye(view *v, const roberts_scene *scene, double across)
 {
     roberts_vec3 back = vec3_scale(v->per_unit, vec3_sub(v->viewpoint, v->origin));
@@ -381,11 +382,12 @@ static void choose_epsilon(view *v, const roberts_scene *scene, double given, do
         }
 }
 
-/* The largest view coordinate, then the touching distance and the rounding that follow from it. */
+/* Sets the bound of all view coordinates, and the touching distance and the rounding that follow from it. */
 static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
 {
     double raw = fmax(largest(scene->box_min), largest(scene->box_max)) / v->unit;
-    /* turning about the box's centre takes no point farther than that, and depth not more than its part of it */
+    /* turning about the box's centre takes no point farther away than this; an oblique view adds its part of the
+     * depth */
     v->extent = v->diameter * (1.0 + fmax(fabs(v->oblique.x), fabs(v->oblique.y)));
     double across = 0.0;
     for (uint32_t i = 0; v->perspective && i < scene->vertex_count; i++) {
@@ -408,8 +410,8 @@ static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
     choose_epsilon(v, scene, epsilon, fmax(raw, v->extent));
 }
 
-/* The direction toward the viewer, about 1 long: as given, so that exact arithmetic can go back to it; or, in an
- * oblique view, what the map makes of it. */
+/* Sets the direction toward the viewer, about 1 long. It is kept as given, so that exact arithmetic can go back to
+ * it; in an oblique view it is what the map makes of it. */
 static void set_sight_line(view *v, const roberts_camera *camera)
 {
     int exponent;
