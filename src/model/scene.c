@@ -14,7 +14,7 @@
 #include "model/layout.h"
 #include "model/patterns.h"
 #include "model/place.h"
-#include "model/regroup.h"
+#include "model/weld.h"
 #include "model/solid_build.h"
 #include "read/mesh.h"
 
