@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "model/narrow_face.h"
 #include "model/place.h"
-#include "model/solid_check.h"
+#include "model/convex.h"
 
 /* Whether the solid's edges are stored with its pattern's, which is closed. */
 static bool is_stored(const roberts_scene *scene, uint32_t s)
