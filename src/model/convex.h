@@ -3,7 +3,7 @@
 #define ROBERTS_MODEL_CONVEX_H
 
 #include "base/vec.h"
-#include "model/solid_frame.h"
+#include "model/solid.h"
 
 /* ---- is a face convex? ------------------------------------------------------------------------------------------- */
 

@@ -20,7 +20,7 @@
 #include "model/layout.h"
 #include "model/polygons.h"
 #include "model/qhull.h"
-#include "model/solid_build.h"
+#include "model/solid.h"
 
 /* Facets come out as planar as a few widths: a tenth of the tolerance keeps them within it. */
 static const double WIDTH_PART = 0.1;

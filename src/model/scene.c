@@ -15,7 +15,7 @@
 #include "model/patterns.h"
 #include "model/place.h"
 #include "model/weld.h"
-#include "model/solid_build.h"
+#include "model/solid.h"
 #include "read/mesh.h"
 
 #define CHUNK_SOLIDS 256

@@ -17,7 +17,7 @@
 #include "base/array.h"
 #include "base/sets.h"
 #include "model/face_plane.h"
-#include "model/solid_frame.h"
+#include "model/solid.h"
 
 /* ---- by angles: the walk along the walls ------------------------------------------------------------------------- */
 
