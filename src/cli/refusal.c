@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 
 #include "base/box.h"
-#include "model/hull_inputs.h"
+#include "model/hull.h"
 #include "model/scene.h"
 
 /* 1, 2 or 5 times a power of ten, up to a hundredth of the size, which is what coordinates rounded to two digits may be off.
@@ -24,7 +24,7 @@ enum { TOLERANCES = sizeof tolerances / sizeof tolerances[0] };
 #define FACES_TRIED 200000
 
 /* Of n faces each is about 1 / sqrt(n) of the size wide, and a vertex may lie outside its plane by sqrt(n) tolerances (see
- * solid_check.c): by no more than this part of the size, which a cube's may at a hundredth. Else the tolerance would pass a
+ * convex.c): by no more than this part of the size, which a cube's may at a hundredth. Else the tolerance would pass a
  * surface of many small faces, or a solid far from the origin, whatever its shape. */
 static const double OUTSIDE_MOST = 0.025;
 

@@ -10,7 +10,6 @@
 #include "base/threads.h"
 #include "model/components.h"
 #include "model/hull.h"
-#include "model/hull_inputs.h"
 #include "model/layout.h"
 #include "model/patterns.h"
 #include "model/place.h"

@@ -15,6 +15,9 @@
 
 /* ---- a frame of its own ------------------------------------------------------------------------------------------ */
 
+/* Differences to a vertex of the solid are exact or nearly so, wherever the solid stands. Scaling by a power of two changes no
+ * digit, so a solid times 2^k gets the same planes. */
+
 /* Beyond these sizes a solid is scaled, so that fourth powers of its lengths (squared areas), and of lengths a
  * thousand-millionth of it, are far from the ends of the range. */
 static const double LARGE = 0x1p200, SMALL = 0x1p-200;

@@ -56,7 +56,7 @@ static inline roberts_vec3 frame_origin(const solid_frame *frame, const roberts_
     return frame->point[scene->corner[scene->face_start[frame->face_first + f]] - frame->vertex_first];
 }
 
-/* Fits the plane of each face and turns it and its corners so that the barycentre is inside (face_fit.c). */
+/* Fits the plane of each face and turns it and its corners so that the barycentre is inside. */
 void frame_fit_faces(solid_frame *frame, roberts_scene *scene);
 
 /* Writes face f's plane, deviation and width to the scene, in model units and relative to the scene's centre; `mean`:
