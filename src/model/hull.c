@@ -19,7 +19,7 @@
 #include "base/threads.h"
 #include "model/layout.h"
 #include "model/place.h"
-#include "model/polygons.h"
+#include "model/components.h"
 #include "model/qhull.h"
 #include "model/scene.h"
 #include "model/solid.h"

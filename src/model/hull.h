@@ -2,7 +2,7 @@
 #ifndef ROBERTS_MODEL_HULL_H
 #define ROBERTS_MODEL_HULL_H
 
-#include "model/polygons.h"
+#include "model/components.h"
 #include "model/scene.h"
 
 /* ---- inputs ------------------------------------------------------------------------------------------------------ */

@@ -4,7 +4,7 @@
 
 #include "roberts.h"
 
-#include "model/polygons.h"
+#include "model/components.h"
 #include "model/scene.h"
 
 /* ---- equal positions --------------------------------------------------------------------------------------------- */
