@@ -9,7 +9,7 @@
 #include "base/sort.h"
 #include "base/vec.h"
 #include "model/face_plane.h"
-#include "model/place.h"
+#include "model/source.h"
 
 /* ---- is a face convex? ------------------------------------------------------------------------------------------- */
 
@@ -319,18 +319,18 @@ static const double BEND_PART = 0.1;
 /* Numbers as messages give them, within the solid's file. */
 static uint32_t input_solid(const roberts_scene *scene, const solid_frame *frame)
 {
-    return frame->solid - place_of_solid(scene, frame->solid, frame->mesh).solid;
+    return frame->solid - source_of_solid(scene, frame->solid, frame->mesh).solid;
 }
 
 static uint32_t input_face(const roberts_scene *scene, const solid_frame *frame, uint32_t f)
 {
-    return scene_face_number(scene, frame->face_first + f) - place_of_solid(scene, frame->solid, frame->mesh).face;
+    return scene_face_number(scene, frame->face_first + f) - source_of_solid(scene, frame->solid, frame->mesh).face;
 }
 
 static uint32_t input_vertex(const roberts_scene *scene, const solid_frame *frame, uint32_t v)
 {
     return scene_vertex_number(scene, frame->vertex_first + v) -
-           place_of_solid(scene, frame->solid, frame->mesh).vertex;
+           source_of_solid(scene, frame->solid, frame->mesh).vertex;
 }
 
 /* The face by itself: corners in one plane, a convex simple polygon. */

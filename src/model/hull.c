@@ -18,7 +18,7 @@
 #include "base/error.h"
 #include "base/threads.h"
 #include "model/layout.h"
-#include "model/place.h"
+#include "model/source.h"
 #include "model/components.h"
 #include "model/qhull.h"
 #include "model/scene.h"
@@ -134,7 +134,7 @@ typedef enum hull_fate {
 static roberts_status hull_refuse(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh,
                                   roberts_status status, const char *why, roberts_error *error)
 {
-    place at = place_of_points(scene, s, mesh);
+    solid_source at = source_of_points(scene, s, mesh);
     error_set_file(error, at.file);
     return error_set(error, status, 0, "the convex hull of solid %u, of %u points from vertex %u on, %s", s - at.solid,
                      scene->solid[s + 1].vertex - scene->solid[s].vertex,

@@ -10,7 +10,7 @@
 #include "model/edges.h"
 #include "model/face_plane.h"
 #include "model/layout.h"
-#include "model/place.h"
+#include "model/source.h"
 #include "read/mesh.h"
 
 /* ---- a frame of its own ------------------------------------------------------------------------------------------ */
@@ -528,7 +528,7 @@ static roberts_status wind(roberts_scene *scene, builder *work, uint32_t s, robe
         return error_no_memory(error);
     if (status != ROBERTS_OK)
         return error_set(error, status, 0, "solid %u is not convex: its surface has one side only",
-                         s - place_of_solid(scene, s, work->frame.mesh).solid);
+                         s - source_of_solid(scene, s, work->frame.mesh).solid);
     return edges_pair(scene, s, &work->edges) == EDGES_PAIRED ? ROBERTS_OK : error_no_memory(error);
 }
 
@@ -541,7 +541,7 @@ static build_result refuse_numbers(roberts_scene *scene, builder *work, uint32_t
     if (result != BUILD_OK)
         return result;
     error_set(error, ROBERTS_BAD_NUMBER, 0, "a vertex of solid %u is not a finite number up to 1e150",
-              s - place_of_solid(scene, s, work->frame.mesh).solid);
+              s - source_of_solid(scene, s, work->frame.mesh).solid);
     return BUILD_REFUSED;
 }
 
@@ -551,7 +551,7 @@ static roberts_status refuse_turned(const roberts_scene *scene, const solid_fram
 {
     for (uint32_t f = 0; f < frame->face_count; f++)
         if (plane_at(frame->face[f].F, frame->barycentre) < 0.0) {
-            place at = place_of_solid(scene, frame->solid, frame->mesh);
+            solid_source at = source_of_solid(scene, frame->solid, frame->mesh);
             return error_set(error, ROBERTS_NOT_CONVEX, 0,
                              "solid %u is not convex: its middle lies %.6g outside face %u", frame->solid - at.solid,
                              -plane_at(frame->face[f].F, frame->barycentre) * frame->unit,
@@ -583,7 +583,7 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
         return BUILD_REFUSED;
     if (!sphere)
         return error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: its surface has holes",
-                         s - place_of_solid(scene, s, mesh).solid),
+                         s - source_of_solid(scene, s, mesh).solid),
                BUILD_REFUSED;
     if (narrow_mend(scene, &work->frame) != ROBERTS_OK)
         return error_no_memory(error), BUILD_REFUSED;

@@ -15,7 +15,7 @@
 #include "base/vec.h"
 #include "model/edges.h"
 #include "model/layout.h"
-#include "model/place.h"
+#include "model/source.h"
 #include "model/split.h"
 #include "read/mesh.h"
 
@@ -198,7 +198,7 @@ static uint32_t number_solids(uint32_t *of, uint32_t id_count, const polygons *f
 }
 
 /* Where solid s comes from, by the solid of each face: all vertices and faces of the solids of earlier files are smaller. */
-static place place_of_group(uint32_t s, const uint32_t *of, const polygons *faces, const roberts_mesh *mesh)
+static solid_source source_of_group(uint32_t s, const uint32_t *of, const polygons *faces, const roberts_mesh *mesh)
 {
     uint32_t v[2] = {ROBERTS_NONE, 0}, f[2] = {ROBERTS_NONE, 0};
     for (uint32_t face = 0; face < faces->face_count; face++)
@@ -208,7 +208,7 @@ static place place_of_group(uint32_t s, const uint32_t *of, const polygons *face
             f[0] = face < f[0] ? face : f[0];
             f[1] = face;
         }
-    place at = place_find(mesh, v[0], v[1], f[0], f[1]);
+    solid_source at = source_find(mesh, v[0], v[1], f[0], f[1]);
     for (uint32_t face = 0; face < faces->face_count; face++)
         for (uint32_t i = faces->start[face]; i < faces->start[face + 1] && of[face] != ROBERTS_NONE; i++)
             if (faces->corner[i] < at.vertex && of[face] >= at.solid)
@@ -218,7 +218,7 @@ static place place_of_group(uint32_t s, const uint32_t *of, const polygons *face
 
 /* Says that solid s, which is the group `group` and comes from `at`, is not closed: its first edge (by vertices) that has
  * not two faces. */
-static roberts_status refuse_open(uint32_t s, place at, uint32_t group, const split_groups *groups,
+static roberts_status refuse_open(uint32_t s, solid_source at, uint32_t group, const split_groups *groups,
                                   const roberts_scene *loose, const edge_scratch *edges, roberts_error *error)
 {
     uint32_t start = 0, others = 0, v0 = 0, v1 = 0, has = 0;
@@ -289,7 +289,7 @@ static roberts_status lay_out_again(roberts_scene *scene, const roberts_scene *l
     for (uint32_t s = 0; status == ROBERTS_OK && s < solids && !keep_open; s++)
         if (id_of[s] >= components && !groups->closed[id_of[s] - components])
             status =
-                refuse_open(s, place_of_group(s, of, faces, mesh), id_of[s] - components, groups, loose, edges, error);
+                refuse_open(s, source_of_group(s, of, faces, mesh), id_of[s] - components, groups, loose, edges, error);
     if (status == ROBERTS_OK) {
         layout_clear(scene);
         if (!layout_solids(scene, faces, of, solids, mesh->vertex))
