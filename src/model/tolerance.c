@@ -19,7 +19,7 @@ enum { STEPS = sizeof steps / sizeof steps[0] };
 enum { FACES_TRIED = 200000 };
 
 /* Of n faces each is about 1 / sqrt(n) of the size wide, and a vertex may lie outside its plane by sqrt(n) tolerances
- * (see solid_check.c). That must be no more than this part of the size, which it is for a cube at a hundredth. A larger
+ * (see convex.c). That must be no more than this part of the size, which it is for a cube at a hundredth. A larger
  * tolerance would accept a surface of many small faces, or a solid far from the origin, whatever its shape. */
 static const double OUTSIDE_MOST = 0.025;
 

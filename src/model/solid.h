@@ -1,8 +1,11 @@
-/* solid_frame.h - one solid and its faces in a frame of its own, in which nothing overflows or loses digits. */
-#ifndef ROBERTS_MODEL_SOLID_FRAME_H
-#define ROBERTS_MODEL_SOLID_FRAME_H
+/* solid.h - one solid: its frame, and its faces from those laid out to planes, winding, edges and checks. */
+#ifndef ROBERTS_MODEL_SOLID_H
+#define ROBERTS_MODEL_SOLID_H
 
+#include "model/edges.h"
 #include "model/scene.h"
+
+/* ---- a frame of its own ------------------------------------------------------------------------------------------ */
 
 /* A face in its solid's frame. */
 typedef struct local_face {
@@ -53,7 +56,7 @@ static inline roberts_vec3 frame_origin(const solid_frame *frame, const roberts_
     return frame->point[scene->corner[scene->face_start[frame->face_first + f]] - frame->vertex_first];
 }
 
-/* Fits the plane of each face and turns it and its corners so that the barycentre is inside (face_fit.c). */
+/* Fits the plane of each face and turns it and its corners so that the barycentre is inside. */
 void frame_fit_faces(solid_frame *frame, roberts_scene *scene);
 
 /* Writes face f's plane, deviation and width to the scene, in model units and relative to the scene's centre; `mean`:
@@ -61,5 +64,32 @@ void frame_fit_faces(solid_frame *frame, roberts_scene *scene);
 void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean);
 
 void frame_free(solid_frame *frame);
+
+/* ---- one solid --------------------------------------------------------------------------------------------------- */
+
+/* From faces that are laid out to solids: planes, winding, edges, checks. */
+
+/* Scratch memory that serves solid after solid; zeroed = empty. */
+typedef struct builder {
+    solid_frame frame;
+    edge_scratch edges;
+} builder;
+
+typedef enum build_result {
+    BUILD_OK,
+    BUILD_OPEN,    /* the edges do not have two faces each, or the surface is not one closed one without holes */
+    BUILD_REFUSED, /* `error` says why */
+} build_result;
+
+/* Whether solid s is closed: each edge has two faces, and corners, sides and faces number as on a sphere. BUILD_REFUSED: no
+ * memory. */
+build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t s, roberts_error *error);
+
+/* Makes solid s: planes, corners counter-clockwise from outside, its edges in work->frame.edge, and checks it. Where
+ * `must_close`, a surface with holes is refused, not BUILD_OPEN. */
+build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const roberts_mesh *mesh, double tolerance,
+                         bool must_close, roberts_error *error);
+
+void builder_free(builder *work);
 
 #endif

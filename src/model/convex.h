@@ -1,8 +1,11 @@
-/* face_polygon.h - whether a face is a convex simple polygon. */
-#ifndef ROBERTS_MODEL_FACE_POLYGON_H
-#define ROBERTS_MODEL_FACE_POLYGON_H
+/* convex.h - whether faces and solids are convex. */
+#ifndef ROBERTS_MODEL_CONVEX_H
+#define ROBERTS_MODEL_CONVEX_H
 
 #include "base/vec.h"
+#include "model/solid.h"
+
+/* ---- is a face convex? ------------------------------------------------------------------------------------------- */
 
 /* Whether the polygon, which turns counter-clockwise seen from the end of its normal n, turns left at every corner and
  * once in all: strictly convex, decided without a tolerance. False does not yet mean that it is refused. */
@@ -15,5 +18,11 @@ double polygon_dent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n, 
 /* The same for a face without area, which has no normal: the greatest distance of a corner from the line through the
  * first corner and the one farthest from it. */
 double polygon_spread(const roberts_vec3 *corner, uint32_t count);
+
+/* ---- is a solid convex? ------------------------------------------------------------------------------------------ */
+
+/* Checks a solid whose edges are paired. Returns ROBERTS_OK, _NOT_PLANAR, _NOT_CONVEX, _FLAT or _NO_MEMORY; `error` then
+ * says which solid, face or vertex and how much, in the numbers of its file. Marks faces that have to lean on their neighbours. */
+roberts_status solid_check(const roberts_scene *scene, solid_frame *frame, roberts_error *error);
 
 #endif

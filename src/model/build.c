@@ -1,4 +1,4 @@
-/* scene.c - from polygons to solids: the stages in order. */
+/* build.c - from polygons to solids: the stages in order. */
 #include "model/scene.h"
 
 #include <stdatomic.h>
@@ -10,12 +10,11 @@
 #include "base/threads.h"
 #include "model/components.h"
 #include "model/hull.h"
-#include "model/hull_inputs.h"
 #include "model/layout.h"
 #include "model/patterns.h"
-#include "model/place.h"
-#include "model/regroup.h"
-#include "model/solid_build.h"
+#include "model/source.h"
+#include "model/weld.h"
+#include "model/solid.h"
 #include "read/mesh.h"
 
 #define CHUNK_SOLIDS 256
@@ -94,7 +93,7 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
     }
     if (result == BUILD_OPEN) {
         error_set(found, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed",
-                  s - place_of_solid(c->scene, s, c->mesh).solid);
+                  s - source_of_solid(c->scene, s, c->mesh).solid);
         result = BUILD_REFUSED;
     }
     if (result == BUILD_OK && !only_ask)
@@ -103,7 +102,7 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
         return;
     worker->no_memory |= found->status == ROBERTS_NO_MEMORY;
     if (s < worker->refused) {
-        error_set_file(found, place_of_solid(c->scene, s, c->mesh).file);
+        error_set_file(found, source_of_solid(c->scene, s, c->mesh).file);
         worker->refused = s;
         worker->error = *found;
     }

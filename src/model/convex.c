@@ -1,4 +1,305 @@
-/* solid_check.c - whether a closed component is a convex solid, within the tolerance.
+/* convex.c - whether faces and solids are convex, within the tolerance. */
+#include "model/convex.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/box.h"
+#include "base/error.h"
+#include "base/sort.h"
+#include "base/vec.h"
+#include "model/face_plane.h"
+#include "model/source.h"
+
+/* ---- is a face convex? ------------------------------------------------------------------------------------------- */
+
+/* Whether a face is a convex simple polygon.
+ *
+ * Nearly all faces are strictly convex and are told by signs alone. The rest (corners in a line, coordinates rounded to
+ * few digits, pentagrams, concave faces) is measured against the convex hull of the corners, found by the monotone
+ * chain. Source: A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information
+ * Processing Letters 9(5), 1979. */
+
+/* The polygon along the coordinate axis nearest to its normal: which axis, and whether it is seen from its end. */
+static roberts_vec2 drop(roberts_vec3 p, int axis)
+{
+    return axis == 0 ? (roberts_vec2){p.y, p.z} : axis == 1 ? (roberts_vec2){p.z, p.x} : (roberts_vec2){p.x, p.y};
+}
+
+bool polygon_strictly_convex(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n)
+{
+    double x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);
+    int axis = x > y && x > z ? 0 : y > z ? 1 : 2;
+    double sign = (axis == 0 ? n.x : axis == 1 ? n.y : n.z) < 0.0 ? -1.0 : 1.0;
+    roberts_vec2 b = drop(corner[count - 1], axis), a = drop(corner[count - 2], axis);
+    double ex = b.x - a.x, ey = b.y - a.y;
+    bool rising = ey > 0.0 || (ey == 0.0 && ex > 0.0);
+    unsigned starts = 0; /* sides where the direction comes into the upper half-plane: once for each turn */
+    for (uint32_t i = 0; i < count; i++) {
+        roberts_vec2 c = drop(corner[i], axis);
+        double fx = c.x - b.x, fy = c.y - b.y;
+        bool up = fy > 0.0 || (fy == 0.0 && fx > 0.0);
+        if (!(sign * (ex * fy - ey * fx) > 0.0))
+            return false;
+        starts += up && !rising;
+        rising = up;
+        ex = fx;
+        ey = fy;
+        b = c;
+    }
+    return starts == 1;
+}
+
+typedef struct spot {
+    double x, y;
+    uint32_t at; /* corner */
+} spot;
+
+static int compare_spots(const void *a, const void *b)
+{
+    const spot *p = a, *q = b;
+    if (p->x != q->x)
+        return p->x < q->x ? -1 : 1;
+    if (p->y != q->y)
+        return p->y < q->y ? -1 : 1;
+    return (p->at > q->at) - (p->at < q->at);
+}
+
+/* > 0 where a, b, c turn left. */
+static double turn(spot a, spot b, spot c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/* Convex hull of the sorted spots, counter-clockwise, without corners in a line; hull has room for count + 1. */
+static uint32_t monotone_chain(const spot *sorted, uint32_t count, spot *hull)
+{
+    uint32_t size = 0, lower;
+    for (uint32_t i = 0; i < count; i++) {
+        while (size >= 2 && turn(hull[size - 2], hull[size - 1], sorted[i]) <= 0.0)
+            size--;
+        hull[size++] = sorted[i];
+    }
+    lower = size + 1;
+    for (uint32_t i = count - 1; i-- > 0;) {
+        while (size >= lower && turn(hull[size - 2], hull[size - 1], sorted[i]) <= 0.0)
+            size--;
+        hull[size++] = sorted[i];
+    }
+    return size - 1; /* the last one is the first again */
+}
+
+static double distance(spot a, spot b)
+{
+    return hypot(b.x - a.x, b.y - a.y);
+}
+
+/* Walks the corners from hull[0] on: each is the hull's next vertex (or one after it, where those between are no farther
+ * away than `allowed`), or lies beside the side that the walk is on, and there not behind where the walk already was. */
+static double walk(const spot *polygon, uint32_t count, const spot *hull, uint32_t size, const uint32_t *rank,
+                   double allowed, uint32_t *deepest)
+{
+    double dent = 0.0, reached = 0.0;
+    uint32_t side = 0;
+    for (uint32_t k = 1; k < count; k++) {
+        spot c = polygon[(hull[0].at + (size_t)k) % count], a = hull[side], b = hull[side + 1];
+        if (rank[c.at] != ROBERTS_NONE && rank[c.at] > side) {
+            for (side++; side < rank[c.at]; side++)
+                if (distance(hull[side], c) > allowed)
+                    return INFINITY;
+            reached = 0.0;
+            continue;
+        }
+        double length = distance(a, b), depth = turn(a, b, c) / length;
+        double along = ((c.x - a.x) * (b.x - a.x) + (c.y - a.y) * (b.y - a.y)) / length;
+        if (depth > dent) {
+            dent = depth;
+            *deepest = c.at;
+        }
+        if (depth > allowed)
+            continue; /* it may well turn back in there */
+        if (along < reached - allowed)
+            return INFINITY;
+        reached = fmax(reached, along);
+    }
+    for (side++; side < size; side++)
+        if (distance(hull[side], hull[0]) > allowed)
+            return INFINITY;
+    return dent;
+}
+
+double polygon_dent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n, double allowed, uint32_t *deepest)
+{
+    spot *polygon = alloc_array(count, sizeof *polygon), *sorted = alloc_array(count, sizeof *sorted);
+    spot *hull = alloc_array((size_t)count + 1, sizeof *hull);
+    uint32_t *rank = alloc_array(count, sizeof *rank), size; /* place in the hull, or ROBERTS_NONE */
+    double dent = -1.0;
+    if (polygon && sorted && hull && rank) {
+        roberts_vec3 u = vec3_cross(fabs(n.x) < 0.6 ? (roberts_vec3){1, 0, 0} : (roberts_vec3){0, 1, 0}, n), v;
+        u = vec3_scale(1.0 / vec3_length(u), u);
+        v = vec3_cross(n, u);
+        for (uint32_t i = 0; i < count; i++) {
+            roberts_vec3 p = vec3_sub(corner[i], corner[0]);
+            polygon[i] = sorted[i] = (spot){vec3_dot(u, p), vec3_dot(v, p), i};
+            rank[i] = ROBERTS_NONE;
+        }
+        qsort(sorted, count, sizeof *sorted, compare_spots);
+        size = monotone_chain(sorted, count, hull);
+        for (uint32_t i = 0; i < size; i++)
+            rank[hull[i].at] = i;
+        dent = size < 3 ? 0.0 : walk(polygon, count, hull, size, rank, allowed, deepest);
+    }
+    free(polygon);
+    free(sorted);
+    free(hull);
+    free(rank);
+    return dent;
+}
+
+double polygon_spread(const roberts_vec3 *corner, uint32_t count)
+{
+    roberts_vec3 chord = {0, 0, 0};
+    double squared = 0.0, greatest = 0.0;
+    for (uint32_t i = 1; i < count; i++) {
+        roberts_vec3 d = vec3_sub(corner[i], corner[0]);
+        if (vec3_dot(d, d) > squared) {
+            squared = vec3_dot(d, d);
+            chord = d;
+        }
+    }
+    for (uint32_t i = 1; i < count && squared > 0.0; i++)
+        greatest = fmax(greatest, vec3_length(vec3_cross(chord, vec3_sub(corner[i], corner[0]))) / sqrt(squared));
+    return greatest;
+}
+
+/* ---- the vertex farthest out of a plane -------------------------------------------------------------------------- */
+
+/* Boxes round boxes round points, for the question which point lies farthest out of a plane.
+ *
+ * Idea: the points are sorted along the Z-order curve and cut into leaves of eight; a complete binary tree of boxes
+ * stands over the leaves. A box whose nearest possible F is no better than the best so far is passed over.
+ * Source: G. M. Morton, "A computer oriented geodetic data base and a new technique in file sequencing", IBM 1966. */
+
+typedef struct vertex_box {
+    roberts_vec3 lo, hi;
+} vertex_box;
+
+typedef struct vertex_tree {
+    const roberts_vec3 *point;
+    uint32_t count, leaves; /* leaves: a power of two */
+    uint32_t *order;        /* [count] points along a space-filling curve */
+    vertex_box *box;        /* [2 * leaves] a heap: box i holds boxes 2 i and 2 i + 1; the last `leaves` hold points */
+} vertex_tree;
+
+enum { LEAF = 8 }; /* points */
+
+/* Spreads ten bits so that two free bits follow each. */
+static uint32_t spread(uint32_t x)
+{
+    x = (x | x << 16) & 0x030000ff;
+    x = (x | x << 8) & 0x0300f00f;
+    x = (x | x << 4) & 0x030c30c3;
+    return (x | x << 2) & 0x09249249;
+}
+
+static uint32_t cell(double x, double lo, double hi)
+{
+    return hi > lo ? (uint32_t)fmin(1023.0, (x - lo) / (hi - lo) * 1024.0) : 0;
+}
+
+/* Fills tree->order along the curve. */
+static bool sort_points(vertex_tree *tree)
+{
+    roberts_vec3 lo = tree->point[0], hi = lo;
+    uint64_t *key = alloc_array(tree->count, sizeof *key);
+    if (!key)
+        return false;
+    box_add_all(&lo, &hi, tree->point, tree->count);
+    for (uint32_t v = 0; v < tree->count; v++) {
+        roberts_vec3 p = tree->point[v];
+        uint32_t code =
+            spread(cell(p.x, lo.x, hi.x)) | spread(cell(p.y, lo.y, hi.y)) << 1 | spread(cell(p.z, lo.z, hi.z)) << 2;
+        key[v] = (uint64_t)code << 32 | v;
+    }
+    qsort(key, tree->count, sizeof *key, compare_u64);
+    for (uint32_t v = 0; v < tree->count; v++)
+        tree->order[v] = (uint32_t)key[v];
+    free(key);
+    return true;
+}
+
+static void vertex_tree_free(vertex_tree *tree)
+{
+    free(tree->order);
+    free(tree->box);
+    *tree = (vertex_tree){0};
+}
+
+/* `point` stays the caller's and must outlive the tree. False: no memory. */
+static bool vertex_tree_build(vertex_tree *tree, const roberts_vec3 *point, uint32_t count)
+{
+    const vertex_box empty = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    *tree = (vertex_tree){.point = point, .count = count, .leaves = 1};
+    while ((uint64_t)tree->leaves * LEAF < count)
+        tree->leaves *= 2;
+    tree->order = alloc_array(count, sizeof *tree->order);
+    tree->box = alloc_array(2 * (size_t)tree->leaves, sizeof *tree->box);
+    if (!tree->order || !tree->box || !sort_points(tree)) {
+        vertex_tree_free(tree);
+        return false;
+    }
+    for (uint32_t i = 0; i < 2 * tree->leaves; i++)
+        tree->box[i] = empty;
+    for (uint32_t i = 0; i < count; i++) {
+        vertex_box *box = &tree->box[tree->leaves + i / LEAF];
+        box_add(&box->lo, &box->hi, point[tree->order[i]]);
+    }
+    for (uint32_t i = tree->leaves - 1; i > 0; i--)
+        for (uint32_t child = 2 * i; child <= 2 * i + 1; child++)
+            if (tree->box[child].lo.x <= tree->box[child].hi.x) {
+                box_add(&tree->box[i].lo, &tree->box[i].hi, tree->box[child].lo);
+                box_add(&tree->box[i].lo, &tree->box[i].hi, tree->box[child].hi);
+            }
+    return true;
+}
+
+/* The least F in a box; INFINITY in an empty one. */
+static double least_in_box(const vertex_box *box, plane F)
+{
+    roberts_vec3 corner = {F.a > 0.0 ? box->lo.x : box->hi.x, F.b > 0.0 ? box->lo.y : box->hi.y,
+                           F.c > 0.0 ? box->lo.z : box->hi.z};
+    return box->lo.x <= box->hi.x ? plane_at(F, corner) : INFINITY;
+}
+
+/* The point with the least F, if that is below `bound`; else ROBERTS_NONE. */
+static uint32_t vertex_tree_outermost(const vertex_tree *tree, plane F, double bound)
+{
+    uint32_t stack[34], depth = 0, found = ROBERTS_NONE; /* at most one box a level waits */
+    stack[depth++] = 1;
+    while (depth > 0) {
+        uint32_t i = stack[--depth];
+        if (!(least_in_box(&tree->box[i], F) < bound))
+            continue;
+        if (i < tree->leaves) {
+            bool left = least_in_box(&tree->box[2 * i], F) < least_in_box(&tree->box[2 * i + 1], F);
+            stack[depth++] = 2 * i + left; /* the better one goes first */
+            stack[depth++] = 2 * i + !left;
+            continue;
+        }
+        for (uint32_t k = (i - tree->leaves) * LEAF; k < tree->count && k / LEAF == i - tree->leaves; k++) {
+            double value = plane_at(F, tree->point[tree->order[k]]);
+            if (value < bound) {
+                bound = value;
+                found = tree->order[k];
+            }
+        }
+    }
+    return found;
+}
+
+/* ---- is a solid convex? ------------------------------------------------------------------------------------------ */
+
+/* Whether a closed component is a convex solid, within the tolerance.
  *
  * A closed surface bounds a convex solid where every face is a convex polygon, every vertex lies behind every face's
  * plane, and the faces, seen from the barycentre, cover all directions once. A vertex may lie outside a plane by the
@@ -9,13 +310,6 @@
  * part of the size) anything can lie outside. Where that sum is not far below the tolerance, because coordinates are
  * rounded or the solid is not convex, each plane is compared with the vertices: with all of them in a small solid, with
  * a tree of boxes round them in a large one. */
-#include "model/solid_check.h"
-
-#include "base/error.h"
-#include "model/face_plane.h"
-#include "model/face_polygon.h"
-#include "model/place.h"
-#include "model/vertex_tree.h"
 
 enum { ALL_PAIRS = 2048 }; /* pairs of vertex and face; up to so many, comparing them all is quicker than a tree */
 
@@ -25,18 +319,18 @@ static const double BEND_PART = 0.1;
 /* Numbers as messages give them, within the solid's file. */
 static uint32_t input_solid(const roberts_scene *scene, const solid_frame *frame)
 {
-    return frame->solid - place_of_solid(scene, frame->solid, frame->mesh).solid;
+    return frame->solid - source_of_solid(scene, frame->solid, frame->mesh).solid;
 }
 
 static uint32_t input_face(const roberts_scene *scene, const solid_frame *frame, uint32_t f)
 {
-    return scene_face_number(scene, frame->face_first + f) - place_of_solid(scene, frame->solid, frame->mesh).face;
+    return scene_face_number(scene, frame->face_first + f) - source_of_solid(scene, frame->solid, frame->mesh).face;
 }
 
 static uint32_t input_vertex(const roberts_scene *scene, const solid_frame *frame, uint32_t v)
 {
     return scene_vertex_number(scene, frame->vertex_first + v) -
-           place_of_solid(scene, frame->solid, frame->mesh).vertex;
+           source_of_solid(scene, frame->solid, frame->mesh).vertex;
 }
 
 /* The face by itself: corners in one plane, a convex simple polygon. */
