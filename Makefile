@@ -40,6 +40,10 @@ LIBDIR   ?= $(PREFIX)/lib
 object    = $(1:%.c=$(BUILD)/obj/%.o)
 TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
 TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
+# What takes longer than a second or two is left out of `make test-quick`.
+SLOW     := fault_files faults install memory_ahead metamorphic off oracle render same_bytes hull_memory
+QUICK_BIN = $(filter-out $(SLOW:%=$(BUILD)/tests/test_%),$(TEST_BIN))
+RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH=$(abspath $(BUILD)/locale) tests/run.sh
 DEMO     := table temple tower staircase city lattice
 EDGES    ?= 5000000
 SANITIZE := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
@@ -73,8 +77,11 @@ gallery: $(BUILD)/roberts ## the pictures of README's gallery, anew, to models/g
 drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
 	@echo "drawn: $(sort $^)"
 
-test: all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests
-	@CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH=$(abspath $(BUILD)/locale) tests/run.sh $(TEST_BIN)
+test: all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests, JOBS=n programs at a time
+	@$(RUN_TESTS) $(TEST_BIN)
+
+test-quick: all tools $(QUICK_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs those that take no longer than a second or two, for work in between
+	@$(RUN_TESTS) $(QUICK_BIN)
 
 check-long: $(BUILD)/tests/oracle/compare ## some 5,000,000 edges against the exact oracle (EDGES=n), and a short fuzzing
 	$(BUILD)/tests/oracle/compare --folder $(BUILD) --edges $(EDGES) --per-family
@@ -240,7 +247,10 @@ lint-cppcheck:
 	cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
-.PHONY: all demo figures gallery check check-long install uninstall test-threads tools models drawings test test-sanitize fuzz fuzzers bench bench-baseline lint \
+JOBS     ?= $(CPUS)
+export JOBS
+
+.PHONY: all demo figures gallery check check-long test-quick install uninstall test-threads tools models drawings test test-sanitize fuzz fuzzers bench bench-baseline lint \
     lint-format lint-tidy lint-cppcheck clean help force
 .SECONDARY:
 .DELETE_ON_ERROR:
