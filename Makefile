@@ -57,6 +57,10 @@ object    = $(1:%.c=$(BUILD)/obj/%.o)
 TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
 PAGES    := $(BUILD)/roberts.1 $(BUILD)/completions/bash $(BUILD)/completions/zsh $(BUILD)/completions/fish
 TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
+# What takes longer than a second or two is left out of `make test-quick`.
+SLOW     := fault_files faults install memory_ahead metamorphic off oracle render same_bytes hull_memory
+QUICK_BIN = $(filter-out $(SLOW:%=$(BUILD)/tests/test_%),$(TEST_BIN))
+RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH=$(abspath $(BUILD)/locale) tests/run.sh
 DEMO     := table temple tower staircase city lattice
 EDGES    ?= 5000000
 DRAWINGS ?= 1000
@@ -91,9 +95,13 @@ gallery: $(BUILD)/roberts ## draws the pictures of README's gallery anew, to mod
 drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
 	@echo "drawn: $(sort $^)"
 
-test: check-includes all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests
-	@CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH='$(abspath $(BUILD)/locale)' \
-	    tests/run.sh $(TEST_BIN)
+TESTED   := all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(BUILD)/locale/de_DE.UTF-8
+
+test: check-includes $(TESTED) $(TEST_BIN) ## runs all tests, JOBS=n programs at a time
+	@$(RUN_TESTS) $(TEST_BIN)
+
+test-quick: $(TESTED) $(QUICK_BIN) ## runs the tests that take a second or two at most
+	@$(RUN_TESTS) $(QUICK_BIN)
 
 # 5,000,000 edges against the exact oracle (EDGES=n), 1,000 drawings against their tables (DRAWINGS=n)
 check-long: $(BUILD)/tests/oracle/compare $(BUILD)/tests/paper/compare ## compares millions of edges with the oracle; fuzzes
@@ -306,9 +314,12 @@ lint-cppcheck:
 	$(Q)cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
+JOBS     ?= $(CPUS)
+export JOBS
+
 .PHONY: all bench bench-baseline check check-includes check-long clean demo drawings figures force fuzz fuzzers \
-    gallery goldens help install lint lint-cppcheck lint-format lint-tidy models test test-sanitize test-threads tools \
-    uninstall
+    gallery goldens help install lint lint-cppcheck lint-format lint-tidy models test test-quick test-sanitize \
+    test-threads tools uninstall
 .SECONDARY:
 .DELETE_ON_ERROR:
 -include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.d)

@@ -22,6 +22,7 @@
 #include <cmocka.h>
 
 #include "program.h"
+#include "skip.h"
 
 /* ---- misuse ---- */
 
@@ -572,7 +573,7 @@ static void progress_is_for_terminals(void **state)
     (void)state;
     int terminal = posix_openpt(O_RDWR | O_NOCTTY);
     if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0)
-        skip();
+        SKIP_BECAUSE("no terminal can be opened");
     int side = open(ptsname(terminal), O_RDWR | O_NOCTTY);
     assert_true(side >= 0);
     run_slowly("-", side, 1300);

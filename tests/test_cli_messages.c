@@ -13,6 +13,7 @@
 #include "program.h"
 #include "roberts.h"
 #include "sanitized.h"
+#include "skip.h"
 
 /* ---- which file ---- */
 
@@ -274,7 +275,7 @@ static void images_too_large_for_memory(void **state)
     (void)state;
     assert_int_equal(getrlimit(RLIMIT_AS, &limit), 0);
     if (SANITIZED || (limit.rlim_max != RLIM_INFINITY && limit.rlim_max < megabytes_600))
-        skip();
+        SKIP_BECAUSE("address space cannot be limited here, or under a sanitizer");
     low = limit;
     low.rlim_cur = megabytes_600;
     assert_int_equal(setrlimit(RLIMIT_AS, &low), 0);
@@ -445,7 +446,7 @@ static void terminals_are_told_of(void **state)
     (void)state;
     int terminal = posix_openpt(O_RDWR | O_NOCTTY);
     if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0)
-        skip();
+        SKIP_BECAUSE("no terminal can be opened");
     for (int quiet = 0; quiet < 2; quiet++) {
         assert_int_equal(write(terminal, "\004", 1), 1); /* ctrl-D */
         finish(start(quiet ? "-q" : "--view top", ptsname(terminal), -1));

@@ -12,6 +12,8 @@
 
 #include <cmocka.h>
 
+#include "skip.h"
+
 enum { TEXT = 1 << 17, OPTIONS = 200 };
 
 static char help[TEXT], option[OPTIONS][32]; /* "--output", and "-o" where it has a letter */
@@ -243,7 +245,7 @@ static void bash_completes(void **state)
 {
     (void)state;
     if (access("/bin/bash", X_OK) != 0)
-        skip();
+        SKIP_BECAUSE("no /bin/bash");
     for (size_t i = 0; i < sizeof bash_cases / sizeof bash_cases[0]; i++) {
         char command[8192], offered[1024];
         snprintf(command, sizeof command,

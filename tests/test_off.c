@@ -18,6 +18,7 @@
 
 #include "read/off.h"
 #include "roberts.h"
+#include "skip.h"
 
 enum { ROOM = 1 << 14 };
 
@@ -772,7 +773,7 @@ static void reads_dev_zero(void **state)
     roberts_error error;
     (void)state;
     if (access("/dev/zero", R_OK) != 0)
-        skip();
+        SKIP_BECAUSE("no /dev/zero");
     assert_int_equal(roberts_mesh_read_file(&mesh, "/dev/zero", NULL, &error), ROBERTS_BAD_SYNTAX);
     assert_string_equal(error.file, "/dev/zero");
     assert_int_equal(error.line, 1);

@@ -22,6 +22,7 @@
 
 #include "sanitized.h"
 #include "temporary.h"
+#include "skip.h"
 
 /* Runs a shell command and gives its exit status. */
 static int shell(const char *command)
@@ -209,7 +210,7 @@ static void test_example(void **state)
     char path[512];
     int compiled = 0;
     if (SANITIZED)
-        skip(); /* the README's command cannot link a library with sanitizers */
+        SKIP_BECAUSE("the README's command cannot link a library with sanitizers");
     snprintf(path, sizeof path, "%s/example.c", temporary);
     FILE *example = fopen(path, "w");
     assert_non_null(example);
@@ -366,8 +367,7 @@ static void test_figures(void **state)
     char command[1024];
     (void)state;
     if (shell("pkg-config --modversion cairo | grep -q '^1[.]16[.]'") != 0) {
-        print_message("figures were drawn with Cairo 1.16: skipped\n");
-        skip();
+        SKIP_BECAUSE("figures were drawn with Cairo 1.16");
     }
     snprintf(command, sizeof command,
              "ROBERTS_BUILD='%s' tools/draw-figures.sh '%s/figures' && diff -r '%s/figures' models/figures >&2",

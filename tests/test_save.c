@@ -18,6 +18,7 @@
 
 #include "drawing.h"
 #include "temporary.h"
+#include "skip.h"
 
 #define TABLE                                                                                                          \
     "solid,v0,v1,t0,t1,state,x0,y0,x1,y1,by\n"                                                                         \
@@ -180,7 +181,7 @@ static void devices_are_written_in_place(void **state)
     assert_int_equal(save("/dev/null", NULL), ROBERTS_OK);
     assert_int_equal(mode_of("/dev/null"), before);
     if (access("/dev/full", W_OK) != 0)
-        skip();
+        SKIP_BECAUSE("no /dev/full");
     roberts_error error = {0};
     assert_int_equal(save("/dev/full", &error), ROBERTS_IO);
     assert_string_equal(error.file, "/dev/full");
