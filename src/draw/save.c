@@ -5,6 +5,9 @@
  * (a device, a pipe) cannot be replaced and is written in place; so are the names of open descriptors (/dev/stdout,
  * /dev/fd/3), because a shell's `>>` or what was written before would be lost otherwise.
  *
+ * The new file is locked while it is written. Its name depends on the target's alone: a later run removes what a killed one
+ * has left, and takes another name where the lock says that somebody is still writing.
+ *
  * Nothing is forced to disk: this is against failures and interruptions of the program, not against loss of power. */
 #include <errno.h>
 #include <fcntl.h>
@@ -12,10 +15,11 @@
 #include <math.h>
 #include <poll.h>
 #include <stdio.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "base/error.h"
@@ -274,14 +278,45 @@ static int follow_links(target *t)
     return ELOOP;
 }
 
-/* A name that nobody else has; `attempt` makes another one. */
+/* A name that the same target gets again, so that a later run finds what a killed one has left; `attempt` makes another one.
+ * Short whatever the target's name is. FNV-1a (G. Fowler, L. C. Noll, P. Vo). */
 static char *temporary_name(const target *t, unsigned attempt)
 {
-    struct timespec now = {0};
+    const char *slash = strrchr(t->path, '/');
+    uint64_t hash = 14695981039346656037u;
     char name[64];
-    clock_gettime(CLOCK_REALTIME, &now);
-    snprintf(name, sizeof name, ".roberts-%lx-%lx-%x", (unsigned long)getpid(), (unsigned long)now.tv_nsec, attempt);
+    for (const char *c = slash ? slash + 1 : t->path; *c; c++)
+        hash = (hash ^ (unsigned char)*c) * 1099511628211u;
+    snprintf(name, sizeof name, ".roberts-%016llx-%x", (unsigned long long)hash, attempt);
     return beside(t->path, name);
+}
+
+/* Whether an open file is the one of that name. */
+static bool is_named(int descriptor, const char *path)
+{
+    struct stat own, named;
+    return fstat(descriptor, &own) == 0 && lstat(path, &named) == 0 && own.st_dev == named.st_dev &&
+           own.st_ino == named.st_ino;
+}
+
+/* Removes the unfinished file of a run that was killed. One that is being written is locked, and stays; so does one that is not
+ * ours, and where there are no locks. */
+static void remove_left(const char *path)
+{
+    struct stat left;
+    int descriptor = open(path, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    if (fstat(descriptor, &left) == 0 && S_ISREG(left.st_mode) && left.st_uid == geteuid() &&
+        flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_named(descriptor, path))
+        unlink(path);
+    close(descriptor);
+}
+
+/* Locks a file that has just been created, so that no other run removes it. False: one was faster. */
+static bool keep_ours(int descriptor, const char *path)
+{
+    return (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) && is_named(descriptor, path);
 }
 
 static void announce(const roberts_draw_options *options, const char *path)
@@ -290,21 +325,30 @@ static void announce(const roberts_draw_options *options, const char *path)
         options->temporary(options->temporary_context, path);
 }
 
+/* Creates the unfinished file and locks it. It is announced before, but not where the name is taken: whoever is interrupted removes
+ * what has been announced. */
 static int open_beside(target *t, const roberts_draw_options *options)
 {
     mode_t mode = t->replaces ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
+    struct stat other;
     int reason = EEXIST;
     for (unsigned i = 0; i < NAMES_TRIED && reason == EEXIST; i++) {
         free(t->temporary);
         t->temporary = temporary_name(t, i);
         if (!t->temporary)
             return ENOMEM;
+        remove_left(t->temporary);
+        if (lstat(t->temporary, &other) == 0)
+            continue;
         announce(options, t->temporary);
         t->descriptor = open(t->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-        if (t->descriptor >= 0)
+        reason = t->descriptor < 0 ? errno : EEXIST;
+        if (t->descriptor >= 0 && keep_ours(t->descriptor, t->temporary))
             return 0;
-        reason = errno;
         announce(options, NULL);
+        if (t->descriptor >= 0)
+            close(t->descriptor);
+        t->descriptor = -1;
     }
     free(t->temporary);
     t->temporary = NULL;
@@ -377,6 +421,7 @@ static roberts_status close_target(target *t, const roberts_draw_options *option
     int reason = 0;
     if (status == ROBERTS_OK && t->replaces)
         reason = take_mode(t);
+    int lock = t->temporary ? dup(t->descriptor) : -1; /* holds until the file has its name */
     if (close(t->descriptor) != 0 && !reason && errno != EINTR)
         reason = errno; /* the last chance of a network's disk to be full */
     if (t->temporary) {
@@ -386,6 +431,8 @@ static roberts_status close_target(target *t, const roberts_draw_options *option
             unlink(t->temporary);
         announce(options, NULL);
     }
+    if (lock >= 0)
+        close(lock);
     return status == ROBERTS_OK && reason ? output_error(error, "cannot write", reason) : status;
 }
 
