@@ -421,7 +421,7 @@ static roberts_status close_target(target *t, const roberts_draw_options *option
     int reason = 0;
     if (status == ROBERTS_OK && t->replaces)
         reason = take_mode(t);
-    int lock = t->temporary ? dup(t->descriptor) : -1; /* holds until the file has its name */
+    int lock = t->temporary ? fcntl(t->descriptor, F_DUPFD_CLOEXEC, 0) : -1; /* holds until the file has its name */
     if (close(t->descriptor) != 0 && !reason && errno != EINTR)
         reason = errno; /* the last chance of a network's disk to be full */
     if (t->temporary) {
