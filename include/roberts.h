@@ -638,7 +638,8 @@ typedef struct roberts_ink {
 } roberts_ink;
 
 /** Where save has an unfinished file: called with its name just before it is created, and with NULL once it is renamed
- * or removed, so that a program can remove it when it is interrupted. The name is valid between the two calls. */
+ * or removed, so that a program can remove it when it is interrupted. The name is valid between the two calls. What a killed
+ * program leaves is removed when the same file is saved again. */
 typedef void roberts_temporary_fn(void *context, const char *path);
 
 /** How a drawing is written. Start from roberts_draw_options_default() and change what you need. */

@@ -12,7 +12,7 @@
 
 #include <cmocka.h>
 
-#include "draw/decimal.h"
+#include "draw/output.h"
 #include "drawing.h"
 #include "skip.h"
 

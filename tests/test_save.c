@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -382,6 +383,68 @@ static void unfinished_file_is_announced(void **state)
     assert_int_equal(a.calls, 4);
 }
 
+/* Leaves what a killed process would leave that has saved in/a: its unfinished file, which is called `name`. */
+static void leave_unfinished(char name[300])
+{
+    announced a = {0};
+    roberts_segment one = line_at(ROBERTS_OUTLINE, 0, 0, 1, 1);
+    roberts_drawing drawing = {.count = 1, .segment = &one};
+    roberts_draw_options options = table_options();
+    options.temporary = take_name;
+    options.temporary_context = &a;
+    assert_int_equal(roberts_drawing_save(&drawing, &options, "in/a", NULL), ROBERTS_OK);
+    assert_int_equal(unlink("in/a"), 0);
+    snprintf(name, 300, "%s", a.name);
+    put(name, "half of a table", 0600); /* what the killed process had written */
+}
+
+static void what_a_killed_run_has_left_is_removed(void **state)
+{
+    char name[300];
+    (void)state;
+    leave_unfinished(name);
+    assert_int_equal(entries("in", false), 1);
+    assert_int_equal(save("in/b", NULL), ROBERTS_OK); /* another file's: it stays */
+    assert_int_equal(entries("in", false), 2);
+    assert_int_equal(save("in/a", NULL), ROBERTS_OK);
+    assert_holds("in/a", TABLE);
+    assert_int_equal(entries("in", false), 2);
+}
+
+static void what_is_being_written_stays(void **state)
+{
+    char name[300];
+    (void)state;
+    leave_unfinished(name);
+    int other = open(name, O_WRONLY);
+    assert_true(other >= 0);
+    assert_int_equal(flock(other, LOCK_EX | LOCK_NB), 0);
+    assert_int_equal(save("in/a", NULL), ROBERTS_OK);
+    assert_holds("in/a", TABLE);
+    assert_holds(name, "half of a table");
+    close(other);
+    assert_int_equal(save("in/a", NULL), ROBERTS_OK);
+    assert_int_equal(entries("in", false), 1);
+}
+
+/* A link or a folder of that name is nobody's unfinished file. */
+static void what_is_no_unfinished_file_stays(void **state)
+{
+    char name[300];
+    (void)state;
+    leave_unfinished(name);
+    put("in/own", "something", 0600);
+    assert_int_equal(unlink(name), 0);
+    assert_int_equal(symlink("own", name), 0);
+    assert_int_equal(save("in/a", NULL), ROBERTS_OK);
+    assert_holds("in/own", "something");
+    assert_int_equal(unlink(name), 0);
+    assert_int_equal(mkdir(name, 0700), 0);
+    assert_int_equal(save("in/a", NULL), ROBERTS_OK);
+    assert_holds("in/a", TABLE);
+    assert_int_equal(entries("in", false), 3);
+}
+
 #define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)
 
 int main(void)
@@ -402,6 +465,9 @@ int main(void)
         IN_FOLDER(bad_drawing_leaves_the_old_file),
         IN_FOLDER(null_writes_nothing),
         IN_FOLDER(unfinished_file_is_announced),
+        IN_FOLDER(what_a_killed_run_has_left_is_removed),
+        IN_FOLDER(what_is_being_written_stays),
+        IN_FOLDER(what_is_no_unfinished_file_stays),
     };
     return cmocka_run_group_tests_name("save", tests, NULL, NULL);
 }

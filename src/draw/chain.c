@@ -155,14 +155,6 @@ static uint32_t *cell_of(const net *n, int32_t x, int32_t y)
     return &n->head[(key * 0x9e3779b97f4a7c15u) >> (64 - n->bits)];
 }
 
-/* The cell of a coordinate and a neighbour that may hold what is within PIECE_TOUCH of it, or itself again. */
-static void cells_near(int32_t value, int32_t cell[2])
-{
-    int32_t in = ((value % PLACE_CELL) + PLACE_CELL) % PLACE_CELL;
-    cell[0] = (value - in) / PLACE_CELL;
-    cell[1] = in == 0 ? cell[0] - 1 : in == PLACE_CELL - 1 ? cell[0] + 1 : cell[0];
-}
-
 /* Where the place of a point is looked for. */
 typedef struct search {
     page_point at;
@@ -174,9 +166,7 @@ static search search_for(const net *n, roberts_vec2 p)
 {
     search f = {.at = rounded(p)};
     int32_t x[2], y[2];
-    cells_near(f.at.x, x);
-    cells_near(f.at.y, y);
-    int columns = x[1] != x[0] ? 2 : 1, rows = y[1] != y[0] ? 2 : 1;
+    int columns = page_cells(f.at.x, PLACE_CELL, x), rows = page_cells(f.at.y, PLACE_CELL, y);
     for (int i = 0; i < columns; i++)
         for (int k = 0; k < rows; k++)
             f.cell[f.cells++] = cell_of(n, x[i], y[k]);
@@ -186,8 +176,7 @@ static search search_for(const net *n, roberts_vec2 p)
 /* The first place from `i` on, all in one cell, within PIECE_TOUCH of a point; NO_PLACE. */
 static uint32_t find_in_cell(const net *n, page_point at, uint32_t i)
 {
-    while (i != NO_PLACE && (llabs((int64_t)n->place[i].at.x - at.x) > (int64_t)PIECE_TOUCH ||
-                             llabs((int64_t)n->place[i].at.y - at.y) > (int64_t)PIECE_TOUCH))
+    while (i != NO_PLACE && !page_touches(n->place[i].at, at))
         i = n->place[i].next;
     return i;
 }

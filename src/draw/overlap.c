@@ -1,6 +1,6 @@
 /* overlap.c - no line is drawn twice.
  *
- * Edges of solids that touch coincide, and so do edges behind one another. Pieces are first sorted to lines (carrier.c).
+ * Edges of solids that touch coincide, and so do edges behind one another. Pieces are first sorted to lines (collinear.c).
  * On each line the nearest pieces make the upper envelope of depth over position, by halving and merging (Hershberger,
  * "Finding the upper envelope of n line segments in O(n log n) time", Information Processing Letters 33(4), 1989):
  * n log n however many lie on one another. Two that coincide and pass one another in depth are told apart in the middle
@@ -15,8 +15,7 @@
 #include "base/bits.h"
 #include "base/sort.h"
 #include "base/vec.h"
-#include "draw/carrier.h"
-#include "draw/chain.h"
+#include "draw/collinear.h"
 
 enum { AHEAD = 16 }; /* pieces before their turn that memory is asked for them */
 
@@ -181,7 +180,7 @@ static bool do_group(const line_view *v, span *item, size_t count, span *pool, r
     return true;
 }
 
-static bool do_line(const pieces *p, const carrier *c, const uint32_t *member, span *pool, double tie, result *out)
+static bool do_line(const pieces *p, const page_line *c, const uint32_t *member, span *pool, double tie, result *out)
 {
     const piece *longest = &p->item[c->longest];
     double length = piece_length(longest);
@@ -206,7 +205,7 @@ static bool do_line(const pieces *p, const carrier *c, const uint32_t *member, s
     return true;
 }
 
-static bool do_lines(const pieces *p, const carriers *lines, double tie, result *out)
+static bool do_lines(const pieces *p, const page_lines *lines, double tie, result *out)
 {
     span *pool = alloc_array(lines->most, 5 * sizeof *pool); /* stretches, their envelope, work */
     bool done = pool != NULL;
@@ -266,30 +265,16 @@ static rounded_ends ends_of(const piece *p)
     return (rounded_ends){{page_round(p->a.x), page_round(p->a.y)}, {page_round(p->b.x), page_round(p->b.y)}};
 }
 
-static bool is_one_place(page_point p, page_point q)
-{
-    return llabs((int64_t)p.x - q.x) <= (int64_t)PIECE_TOUCH && llabs((int64_t)p.y - q.y) <= (int64_t)PIECE_TOUCH;
-}
-
 static bool are_twins(rounded_ends p, rounded_ends q)
 {
-    return (is_one_place(p.a, q.a) && is_one_place(p.b, q.b)) || (is_one_place(p.a, q.b) && is_one_place(p.b, q.a));
-}
-
-/* The cell of a coordinate and a neighbour that may hold what is within PIECE_TOUCH of it, or itself again. */
-static int cells_near(int32_t value, int32_t cell[2])
-{
-    int32_t in = ((value % TWIN_CELL) + TWIN_CELL) % TWIN_CELL;
-    cell[0] = (value - in) / TWIN_CELL;
-    cell[1] = in == 0 ? cell[0] - 1 : cell[0] + 1;
-    return in == 0 || in == TWIN_CELL - 1 ? 2 : 1;
+    return (page_touches(p.a, q.a) && page_touches(p.b, q.b)) || (page_touches(p.a, q.b) && page_touches(p.b, q.a));
 }
 
 /* Hashes of the cells near a point; the first is that of its own. Returns how many. */
 static int end_hashes(page_point at, uint64_t hash[4])
 {
     int32_t x[2], y[2];
-    int columns = cells_near(at.x, x), rows = cells_near(at.y, y), count = 0;
+    int columns = page_cells(at.x, TWIN_CELL, x), rows = page_cells(at.y, TWIN_CELL, y), count = 0;
     for (int i = 0; i < columns; i++)
         for (int k = 0; k < rows; k++)
             hash[count++] = ((uint64_t)(uint32_t)x[i] << 32 | (uint32_t)y[k]) * 0x9e3779b97f4a7c15u;
@@ -357,12 +342,12 @@ static bool drop_twins(pieces *p, double tie)
 
 bool overlap_remove(pieces *p, double tie)
 {
-    carriers lines;
+    page_lines lines;
     result out = {0};
     if (p->count < 2)
         return true;
-    bool done = carriers_find(&lines, p) && do_lines(p, &lines, tie, &out);
-    carriers_free(&lines);
+    bool done = collinear_find(&lines, p) && do_lines(p, &lines, tie, &out);
+    collinear_free(&lines);
     done = done && (out.count == 0 || replace(p, &out)) && drop_twins(p, tie);
     free(out.item);
     return done;

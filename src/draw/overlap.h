@@ -2,7 +2,7 @@
 #ifndef ROBERTS_DRAW_OVERLAP_H
 #define ROBERTS_DRAW_OVERLAP_H
 
-#include "draw/piece.h"
+#include "draw/chain.h"
 
 /* Cuts pieces that lie on one another so that each place is drawn once: as hidden only where all of them are hidden there,
  * else as the class of the nearest visible one. Of several within `tie` (in the measure of za, zb) of it, an outline is

@@ -1,4 +1,4 @@
-/* carrier.c - pieces are sorted to the lines that they lie on, by a hash of direction and distance from the origin.
+/* collinear.c - pieces are sorted to the lines that they lie on, by a hash of direction and distance from the origin.
  *
  * The cells of the hash are wider than what coincides, so that a piece looks into its own cell, and into a neighbour only
  * where it lies near the border. In drawings of millions of pieces many lines are in one cell; what is kept with each tells
@@ -7,7 +7,7 @@
  * Directions are measured as x + y of a point on the diamond |x| + |y| = 1, upper half: 0 to 2, no slower than the angle
  * by more than a half. They are turned first, so that the wrap from 2 to 0, where a line's sign changes, is at no
  * direction that drawings are full of. */
-#include "draw/carrier.h"
+#include "draw/collinear.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -40,7 +40,7 @@ typedef struct bearing {
 
 typedef struct sorter {
     const pieces *p;
-    carriers *lines;
+    page_lines *lines;
     roberts_vec2 origin;  /* the middle of all pieces */
     double half;          /* half of the diagonal round them */
     double reach;         /* distances of coincident lines differ by no more */
@@ -110,7 +110,7 @@ static bool make_cells(sorter *s, size_t lines)
  * both ends within PIECE_TOUCH of the line of the longer and no farther than `half` from the origin: so the lines'
  * distances differ by no more than PIECE_TOUCH and that times the angle between them, which is at most twice the difference
  * of the directions. */
-static bool may_coincide(const sorter *s, const carrier *c, bearing at)
+static bool may_coincide(const sorter *s, const page_line *c, bearing at)
 {
     const double rounding = 1e-3 + 1e-6 * s->half; /* units: floats of up to `half`, and of up to 2, times twice that */
     double angle = 2.0 * fabs(at.direction - (double)c->direction); /* far too much where directions wrap: no harm */
@@ -178,7 +178,7 @@ static uint32_t likely_line(const sorter *s, const search *f)
     return line;
 }
 
-static void set_longest(carrier *c, uint32_t i, bearing at)
+static void set_longest(page_line *c, uint32_t i, bearing at)
 {
     c->longest = i;
     c->near = (float)at.distance;
@@ -195,7 +195,7 @@ static void sort_to_line(sorter *s, uint32_t i, const search *f)
     if (line == NO_LINE) {
         uint32_t *cell = cell_of(s, f->hash[0]);
         line = s->lines->count++;
-        s->lines->item[line] = (carrier){.distance = f->at.distance, .hash = f->hash[0], .start = *cell};
+        s->lines->item[line] = (page_line){.distance = f->at.distance, .hash = f->hash[0], .start = *cell};
         *cell = line;
         set_longest(&s->lines->item[line], i, f->at);
     } else if (piece_length(p) > piece_length(&s->p->item[s->lines->item[line].longest])) {
@@ -255,16 +255,16 @@ static void prepare(sorter *s)
 
 static void list_members(const sorter *s)
 {
-    carriers *lines = s->lines;
+    page_lines *lines = s->lines;
     uint32_t total = 0;
     for (uint32_t l = 0; l < lines->count; l++) {
-        carrier *c = &lines->item[l];
+        page_line *c = &lines->item[l];
         c->start = total;
         total += c->count > 1 ? c->count : 0;
         lines->most = c->count > lines->most ? c->count : lines->most;
     }
     for (uint32_t i = 0; i < s->p->count; i++) { /* `start` becomes the end of its line, for a moment */
-        carrier *c = &lines->item[s->line_of[i]];
+        page_line *c = &lines->item[s->line_of[i]];
         if (i + AT_A_TIME < s->p->count)
             FETCH_AHEAD(&lines->item[s->line_of[i + AT_A_TIME]]);
         if (c->count > 1)
@@ -275,10 +275,11 @@ static void list_members(const sorter *s)
             lines->item[l].start -= lines->item[l].count;
 }
 
-bool carriers_find(carriers *c, const pieces *p)
+bool collinear_find(page_lines *c, const pieces *p)
 {
     sorter s = {.p = p, .lines = c, .line_of = alloc_array(p->count, sizeof *s.line_of)};
-    *c = (carriers){.item = alloc_array(p->count, sizeof *c->item), .member = alloc_array(p->count, sizeof *c->member)};
+    *c = (page_lines){.item = alloc_array(p->count, sizeof *c->item),
+                      .member = alloc_array(p->count, sizeof *c->member)};
     prepare(&s);
     bool done = c->item && c->member && s.line_of && sort_to_lines(&s);
     if (done)
@@ -288,9 +289,9 @@ bool carriers_find(carriers *c, const pieces *p)
     return done;
 }
 
-void carriers_free(carriers *c)
+void collinear_free(page_lines *c)
 {
     free(c->item);
     free(c->member);
-    *c = (carriers){0};
+    *c = (page_lines){0};
 }

@@ -1,34 +1,34 @@
-/* carrier.h - the lines that pieces lie on. */
-#ifndef ROBERTS_DRAW_CARRIER_H
-#define ROBERTS_DRAW_CARRIER_H
+/* collinear.h - the lines that pieces lie on. */
+#ifndef ROBERTS_DRAW_COLLINEAR_H
+#define ROBERTS_DRAW_COLLINEAR_H
 
 #include <math.h>
 #include <stddef.h>
 
-#include "draw/piece.h"
+#include "draw/chain.h"
 
 /* One line with pieces on it. */
-typedef struct carrier {
+typedef struct page_line {
     double distance;       /* of its first piece from the middle of all, with no sign */
     float near, direction; /* of its longest piece: distance with no sign, and direction */
     uint32_t longest;      /* piece */
     uint32_t count;        /* pieces */
     uint32_t hash;         /* of the cell that its first piece lies in */
     uint32_t start;        /* of its pieces in `member`; while they are sorted, the next line in its cell */
-} carrier;
+} page_line;
 
-typedef struct carriers {
-    carrier *item;
+typedef struct page_lines {
+    page_line *item;
     uint32_t count;
     uint32_t most;    /* pieces on a line */
     uint32_t *member; /* the pieces of each line that has several; ascends */
-} carriers;
+} page_lines;
 
 /* Sorts pieces to lines, in their order: a piece belongs to the first line found that it coincides with, and its longest
- * piece stands for a line. `c` is released by carriers_free() in any case. False: no memory. */
-bool carriers_find(carriers *c, const pieces *p);
+ * piece stands for a line. `c` is released by collinear_free() in any case. False: no memory. */
+bool collinear_find(page_lines *c, const pieces *p);
 
-void carriers_free(carriers *c);
+void collinear_free(page_lines *c);
 
 static inline double piece_length(const piece *p)
 {
