@@ -60,7 +60,8 @@ TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
 # What takes longer than a second or two is left out of `make test-quick`.
 SLOW     := fault_files faults install memory_ahead metamorphic off oracle render same_bytes hull_memory
 QUICK_BIN = $(filter-out $(SLOW:%=$(BUILD)/tests/test_%),$(TEST_BIN))
-RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH=$(abspath $(BUILD)/locale) tests/run.sh
+RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH='$(abspath $(BUILD)/locale)' \
+             tests/run.sh
 DEMO     := table temple tower staircase city lattice
 EDGES    ?= 5000000
 DRAWINGS ?= 1000
