@@ -12,7 +12,7 @@
 
 #include "base/bits.h"
 #include "base/error.h"
-#include "base/power.h"
+#include "base/number.h"
 
 /* ---- numbers ---- */
 
