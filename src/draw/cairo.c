@@ -1,10 +1,11 @@
 /* cairo.c - the page as PDF, PostScript, EPS and PNG, by Cairo's surfaces.
  *
- * Cairo outlines every stroke once, to know what it touches, whatever the surface. A stroke for each segment is several times as
- * slow as one for many; but the outline of 100,000 segments takes 600 MB, and beyond 1,000 nothing is gained.
+ * Cairo outlines every stroke once, to know what it touches, whatever the surface. A stroke for each segment is
+ * several times as slow as one for many; but the outline of 100,000 segments takes 600 MB, and beyond 1,000 nothing
+ * is gained.
  *
- * Its fixed point holds 1/256 of a point, 0.0014 mm. The day on which a file was made is left out, so that the same drawing
- * gives the same bytes: a PDF surface can be told, from a PostScript stream the line is dropped. */
+ * Its fixed point holds 1/256 of a point, 0.0014 mm. The day on which a file was made is left out, so that the same
+ * drawing gives the same bytes: a PDF surface can be told, from a PostScript stream the line is dropped. */
 #include "draw/cairo.h"
 
 #include <cairo-pdf.h>
@@ -134,7 +135,7 @@ static cairo_status_t undated_stream(void *closure, const unsigned char *bytes, 
     return u->out->failed ? CAIRO_STATUS_WRITE_ERROR : CAIRO_STATUS_SUCCESS;
 }
 
-/* Passes on a PNG with its resolution, for which Cairo has no words, as a chunk behind the first, the header. */
+/* Passes on a PNG and adds its resolution, which Cairo cannot write, as a chunk behind the header. */
 typedef struct measured {
     output *out;
     size_t passed; /* bytes of Cairo's so far, up to those of signature and header */
@@ -199,7 +200,7 @@ static cairo_surface_t *document(const strokes *s, output *out, undated *filter)
     return surface;
 }
 
-/* A rectangle, not all of the surface: of that, PostScript would make an image. */
+/* A rectangle: PostScript would make an image of a whole surface that is painted. */
 static void paint_page(cairo_t *cairo, const roberts_page *page, const roberts_background *color)
 {
     cairo_set_source_rgb(cairo, color->red / 255.0, color->green / 255.0, color->blue / 255.0);
@@ -218,7 +219,7 @@ static void draw_page(cairo_t *cairo, const strokes *s, double units_per_mm)
     }
 }
 
-/* Bytes that the process may have, as far as is known: what the machine has, or the limit that was set for it. */
+/* The most memory that the process can have, in bytes: what the machine has, or the limit of the process. */
 static double memory_there_is(void)
 {
     double most = INFINITY;
@@ -233,7 +234,8 @@ static double memory_there_is(void)
     return most;
 }
 
-/* Where memory is promised before it is there, an image too large would not be refused but end the process, or others. */
+/* A system that promises memory before it is there would not refuse an image that is too large: it would end the
+ * process, or others. */
 static roberts_status check_image(double width, double height, const roberts_draw_options *options,
                                   roberts_error *error)
 {

@@ -76,7 +76,7 @@ static bool is_between(page_point p, page_point q, page_point r)
     return ax * by == ay * bx && ax * bx + ay * by > 0;
 }
 
-/* Appends a point; where the last one lies straight on the way to it, in its stead. */
+/* Appends a point. It replaces the last one where that lies on the straight way to it. */
 static bool add_point(polylines *out, page_point at)
 {
     if (out->item[out->count - 1].count < 2)
@@ -88,7 +88,7 @@ static bool add_point(polylines *out, page_point at)
     return true;
 }
 
-/* A line that has come back to where it began is closed; then the first point may be one of the way as well. */
+/* Closes a line that has come back to where it began. Then its first point may lie on a straight way, and goes. */
 static void finish_line(polylines *out)
 {
     polyline *line = &out->item[out->count - 1];
@@ -217,7 +217,7 @@ static bool net_init(net *n, size_t count)
     return true;
 }
 
-/* The places of some ends, two by two, and the links between them. Pieces whose ends are one place are no longer than can be
+/* Finds the places of some ends, two by two, and links them. A piece between one place and itself is too short to be
  * seen. */
 static void link_some(net *n, const search *f, size_t ends)
 {
@@ -271,7 +271,7 @@ static uint32_t other_end(const link *l, uint32_t from)
     return l->from == from ? l->to : l->from;
 }
 
-/* Of links between the same two places one is drawn: their pieces were so near each other that they became one. */
+/* Keeps one of several links between the same two places: their pieces were so near each other that they became one. */
 static void drop_doubles(net *n)
 {
     for (uint32_t at = 0; at < n->place_count; at++) {
@@ -287,14 +287,14 @@ static void drop_doubles(net *n)
 
 /* ---- walks ---- */
 
-/* Takes a link off the list of a place; the last of the list comes in its stead. */
+/* Takes a link off the list of a place. The last of the list takes its position. */
 static void leave_out(net *n, uint32_t at, uint32_t index)
 {
     place *p = &n->place[at];
     n->leaving[p->start + index] = n->leaving[p->start + --p->left];
 }
 
-/* Drops links that have been drawn from the other end, as far as the next choice would look. */
+/* Drops links that have been drawn from their other end, as far as the next choice looks. */
 static void tidy(net *n, uint32_t at)
 {
     const place *p = &n->place[at];
@@ -305,8 +305,8 @@ static void tidy(net *n, uint32_t at)
             i++;
 }
 
-/* Which of the links at place `at`, an index of its list, goes on as straight as can be for one who comes from `from`;
- * the first for one who starts there. */
+/* The link at place `at` that goes on straightest for one who comes from `from`, as an index of the place's list. The
+ * first link for one who starts there. */
 static uint32_t straightest(const net *n, page_point from, uint32_t at)
 {
     const place *p = &n->place[at];
@@ -358,7 +358,7 @@ static uint32_t count_left(net *n, uint32_t at)
     return p->left;
 }
 
-/* Loose ends first, so that where three meet, the two that go straight on become one line. */
+/* Starts at loose ends, so that where three links meet, the two that go straight on become one line. */
 static bool walk_all(net *n, polylines *out)
 {
     for (uint32_t i = 0; i < n->place_count; i++)

@@ -33,7 +33,7 @@ typedef struct page_point {
     int32_t x, y;
 } page_point;
 
-/* To the nearest whole unit, up where there are two; a page is far from what int32_t holds. */
+/* Rounds to the nearest whole unit, halves up. int32_t holds far more than a page. */
 static inline int32_t page_round(double units)
 {
     double up = units + 0.5;
@@ -41,8 +41,8 @@ static inline int32_t page_round(double units)
     return whole - (up < whole);
 }
 
-/* Their distance squared: exact, for a page is less than 2^22 units wide. Roots of two such numbers differ where these do, and
- * in the same sense. */
+/* The square of their distance. It is exact, because a page is less than 2^22 units wide. Square roots of two such
+ * numbers are in the same order as the numbers. */
 static inline double page_square(page_point p, page_point q)
 {
     double x = (double)p.x - q.x, y = (double)p.y - q.y;
@@ -54,8 +54,8 @@ static inline double page_distance(page_point p, page_point q)
     return sqrt(page_square(p, q));
 }
 
-/* The cell of a coordinate, `size` units wide, and a neighbour that may hold what is within PIECE_TOUCH of it. Returns how many of
- * both have to be looked into: 1 or 2. */
+/* The cell of a coordinate, `size` units wide, and a neighbour that may hold what is within PIECE_TOUCH of it.
+ * Returns how many of both have to be looked into: 1 or 2. */
 static inline int page_cells(int32_t value, int32_t size, int32_t cell[2])
 {
     int32_t in = ((value % size) + size) % size;
@@ -70,7 +70,8 @@ static inline bool page_touches(page_point p, page_point q)
     return llabs((int64_t)p.x - q.x) <= (int64_t)PIECE_TOUCH && llabs((int64_t)p.y - q.y) <= (int64_t)PIECE_TOUCH;
 }
 
-/* What the pen draws without being lifted: at least two points, neighbours differ. Closed: on to the first again. */
+/* What the pen draws without being lifted: at least two points, neighbours differ. A closed one goes on to its first
+ * point. */
 typedef struct polyline {
     uint32_t first, count; /* points */
     bool closed;
@@ -89,7 +90,7 @@ enum { CHAIN_POINTS_MAX = 5000 };
  * one place. Where more than two meet, the line goes on as straight as it can. False: no memory. */
 bool chain_pieces(const pieces *p, roberts_line line, polylines *out);
 
-/* The same in the order of the pieces: a polyline goes on with the next piece where that starts or ends at its end. */
+/* The same in the order of the pieces. A polyline goes on with the next piece where that starts or ends at its end. */
 bool chain_in_order(const pieces *p, roberts_line line, polylines *out);
 
 /* Begins a polyline; appends a point to the last one. False: no memory. */

@@ -1,12 +1,12 @@
 /* collinear.c - pieces are sorted to the lines that they lie on, by a hash of direction and distance from the origin.
  *
- * The cells of the hash are wider than what coincides, so that a piece looks into its own cell, and into a neighbour only
- * where it lies near the border. In drawings of millions of pieces many lines are in one cell; what is kept with each tells
- * apart nearly all that do not coincide, without a look at its longest piece.
+ * The cells of the hash are wider than what coincides, so that a piece looks into its own cell, and into a neighbour
+ * only where it lies near the border. In drawings of millions of pieces many lines are in one cell; what is kept with
+ * each tells apart nearly all that do not coincide, without a look at its longest piece.
  *
- * Directions are measured as x + y of a point on the diamond |x| + |y| = 1, upper half: 0 to 2, no slower than the angle
- * by more than a half. They are turned first, so that the wrap from 2 to 0, where a line's sign changes, is at no
- * direction that drawings are full of. */
+ * Directions are measured as x + y of a point on the diamond |x| + |y| = 1, upper half: 0 to 2, no slower than the
+ * angle by more than a half. They are turned first, so that the wrap from 2 to 0, where a line's sign changes, is at
+ * no direction that drawings are full of. */
 #include "draw/collinear.h"
 
 #include <stdlib.h>
@@ -16,16 +16,16 @@
 #include "base/bits.h"
 #include "base/vec.h"
 
-/* Radians by which coincident pieces may differ: 0.001 mm on 30 mm, and models whose coordinates have five digits. Shorter
- * ones are held to it all the same, so that fine facets keep their bends. */
+/* Radians by which coincident pieces may differ: 0.001 mm on 30 mm, and models whose coordinates have five digits.
+ * Shorter ones are held to it all the same, so that fine facets keep their bends. */
 static const double same_direction = 3e-5;
 
-enum { DIRECTIONS = 25000 }; /* cells from 0 to 2, 8 times as wide as what coincides */
+enum { DIRECTIONS = 25000 }; /* cells from 0 to 2, 2.7 times as wide as what coincides */
 
 static const double direction_cell = 2.0 / DIRECTIONS;
 
-/* Of large drawings nearly every step meets memory that is not at hand: so each is taken for some pieces at a time, and what
- * the next one needs is asked for. 16 are as good as 64. */
+/* In large drawings nearly every step waits for memory. So each step is taken for some pieces at a time, and asks for
+ * the memory that the next step needs. 16 pieces at a time are as good as 64. */
 enum { AT_A_TIME = 16 };
 
 enum { BITS_MOST = 31 }; /* of the hash */
@@ -106,10 +106,10 @@ static bool make_cells(sorter *s, size_t lines)
     return true;
 }
 
-/* False where a piece so placed, `at` with no sign, cannot coincide with the longest of line c. Where it does, the shorter of
- * both ends within PIECE_TOUCH of the line of the longer and no farther than `half` from the origin: so the lines'
- * distances differ by no more than PIECE_TOUCH and that times the angle between them, which is at most twice the difference
- * of the directions. */
+/* False where a piece with the bearing `at` (no sign) cannot coincide with the longest piece of line c. Where they
+ * coincide, the shorter ends within PIECE_TOUCH of the line of the longer, and no farther than `half` from the
+ * origin. So their distances differ by at most PIECE_TOUCH plus `half` times the angle between them, and the angle is
+ * at most twice the difference of the directions. */
 static bool may_coincide(const sorter *s, const page_line *c, bearing at)
 {
     const double rounding = 1e-3 + 1e-6 * s->half; /* units: floats of up to `half`, and of up to 2, times twice that */
@@ -127,7 +127,7 @@ static uint32_t find_in_cell(const sorter *s, const piece *p, bearing at, uint32
     return line;
 }
 
-/* The two cells of a value, or one twice, where neighbours need not be looked at. */
+/* The cell of a value and the neighbour to be looked into, or the cell twice where there is none. */
 static void cells_near(double value, double width, double reach, int64_t cell[2])
 {
     double cells = value / width;
@@ -185,7 +185,7 @@ static void set_longest(page_line *c, uint32_t i, bearing at)
     c->direction = (float)at.direction;
 }
 
-/* Piece i to the first line found that it lies on, or to a new one. */
+/* Puts piece i on the first line found that it lies on, or on a new one. */
 static void sort_to_line(sorter *s, uint32_t i, const search *f)
 {
     const piece *p = &s->p->item[i];
@@ -205,7 +205,7 @@ static void sort_to_line(sorter *s, uint32_t i, const search *f)
     s->line_of[i] = line;
 }
 
-/* Pieces first .. first + count - 1, whose cells have been asked for. */
+/* Sorts the pieces first .. first + count - 1. Memory has been asked for their cells. */
 static void sort_some(sorter *s, const search *f, size_t first, size_t count)
 {
     for (size_t i = 0; i < count; i++)
@@ -239,7 +239,7 @@ static bool sort_to_lines(sorter *s)
     return true;
 }
 
-/* The origin of distances: near the pieces, so that the distance of a line suffers least from its direction. */
+/* Sets the origin in the middle of the pieces, where errors of a line's direction change its distance least. */
 static void prepare(sorter *s)
 {
     roberts_vec2 min = {INFINITY, INFINITY}, max = {-INFINITY, -INFINITY};

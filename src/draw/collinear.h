@@ -24,8 +24,8 @@ typedef struct page_lines {
     uint32_t *member; /* the pieces of each line that has several; ascends */
 } page_lines;
 
-/* Sorts pieces to lines, in their order: a piece belongs to the first line found that it coincides with, and its longest
- * piece stands for a line. `c` is released by collinear_free() in any case. False: no memory. */
+/* Sorts pieces to lines, in their order: a piece belongs to the first line found that it coincides with, and its
+ * longest piece stands for a line. `c` is released by collinear_free() in any case. False: no memory. */
 bool collinear_find(page_lines *c, const pieces *p);
 
 void collinear_free(page_lines *c);

@@ -1,8 +1,8 @@
 /* output.c - bytes on their way out: one buffer before the caller's function, and doubles as decimal text.
  *
- * printf takes 0.3 us a number, and the point is a comma in some locales. A double is m 2^e with m < 2^53, and 10^k for k <= 27 is
- * a word and a power of two. Their product is exact in two words, and the 17 digits are one shift of it, rounded half to even as
- * printf does. That serves 1e-11 <= |x| < 1e17; the rest goes through printf. */
+ * printf takes 0.3 us a number, and the point is a comma in some locales. A double is m 2^e with m < 2^53, and 10^k
+ * for k <= 27 is a word and a power of two. Their product is exact in two words, and the 17 digits are one shift of
+ * it, rounded half to even as printf does. That serves 1e-11 <= |x| < 1e17; the rest goes through printf. */
 #include "draw/output.h"
 
 #include <errno.h>

@@ -1,10 +1,10 @@
 /* overlap.c - no line is drawn twice.
  *
- * Edges of solids that touch coincide, and so do edges behind one another. Pieces are first sorted to lines (collinear.c).
- * On each line the nearest pieces make the upper envelope of depth over position, by halving and merging (Hershberger,
- * "Finding the upper envelope of n line segments in O(n log n) time", Information Processing Letters 33(4), 1989):
- * n log n however many lie on one another. Two that coincide and pass one another in depth are told apart in the middle
- * of each stretch between ends. */
+ * Edges of solids that touch coincide, and so do edges behind one another. Pieces are first sorted to lines
+ * (collinear.c). On each line the nearest pieces make the upper envelope of depth over position, by halving and
+ * merging (Hershberger, "Finding the upper envelope of n line segments in O(n log n) time", Information Processing
+ * Letters 33(4), 1989): n log n however many lie on one another. Two that coincide and pass one another in depth are
+ * told apart in the middle of each stretch between ends. */
 #include "draw/overlap.h"
 
 #include <math.h>
@@ -46,8 +46,8 @@ static double depth(const line_view *v, const piece *p, double t)
     return p->za + (p->zb - p->za) * ((t - ta) / (tb - ta));
 }
 
-/* Whether piece p is drawn rather than q where it is nearer by so much. What is visible is always drawn: a hidden edge may be
- * nearer, as one that lies just below the surface of the solid whose edge is seen. */
+/* Whether piece p is drawn rather than q where it is nearer by so much. What is visible is always drawn: a hidden
+ * edge may be nearer, as one that lies just below the surface of the solid whose edge is seen. */
 static bool is_drawn_first(const piece *p, const piece *q, double nearer, double tie)
 {
     if ((p->line == ROBERTS_BACK) != (q->line == ROBERTS_BACK))
@@ -106,7 +106,7 @@ static size_t envelope(const line_view *v, span *item, size_t count, span *work)
     return merged;
 }
 
-/* Joins neighbours of one class; what is shorter than PIECE_TOUCH goes to a neighbour that it touches. */
+/* Joins neighbours of one class. A stretch shorter than PIECE_TOUCH goes to a neighbour that it touches. */
 static size_t join(const line_view *v, span *item, size_t count)
 {
     size_t kept = 0;
@@ -145,7 +145,7 @@ typedef struct result {
     size_t count, room;
 } result;
 
-/* What a stretch is drawn as; it runs the way its first piece does. */
+/* Appends what a stretch is drawn as. It runs the way that its first piece does. */
 static bool add_piece(result *out, const line_view *v, const span *s)
 {
     const piece *first = &v->p->item[s->first], *seen = &v->p->item[s->piece];
@@ -164,7 +164,7 @@ static bool add_piece(result *out, const line_view *v, const span *s)
     return true;
 }
 
-/* The stretches item[0 .. count-1], sorted, one group of which each touches one before. */
+/* Draws a group: the stretches item[0 .. count-1], sorted, each of which touches one before it. */
 static bool do_group(const line_view *v, span *item, size_t count, span *pool, result *out)
 {
     if (count == 1)
@@ -288,7 +288,7 @@ static uint32_t *list_of(const twins *t, uint64_t a, uint64_t b)
     return &t->head[mixed * 0xbf58476d1ce4e5b9u >> (64 - t->bits)];
 }
 
-/* Puts piece i into its list, unless it has a twin there: then one of both is gone. */
+/* Puts piece i into its list. Where it has a twin, one of both goes. */
 static void add_piece_or_drop(twins *t, uint32_t i)
 {
     piece *own = &t->p->item[i];
@@ -313,8 +313,8 @@ static void add_piece_or_drop(twins *t, uint32_t i)
     *list = i;
 }
 
-/* Of pieces from one place to another one is kept. Edges of solids thinner than PIECE_TOUCH are such: they do not always lie on one
- * line, but rounding would draw them as one. False: no memory. */
+/* Keeps one of several pieces between the same two places. Edges of solids thinner than PIECE_TOUCH are such pieces.
+ * They do not always lie on one line, but rounding would draw them as one. False: no memory. */
 
 static bool drop_twins(pieces *p, double tie)
 {

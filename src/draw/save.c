@@ -1,12 +1,12 @@
 /* save.c - a drawing or a sheet in any format: to a function, or into a file that appears whole or not at all.
  *
- * The bytes go into a new file beside the old one, which is then renamed over it: at every moment the name leads to the
- * old file or to the whole new one. Links are followed first, so that the link stays one. What is no regular file
+ * The bytes go into a new file beside the old one, which is then renamed over it: at every moment the name leads to
+ * the old file or to the whole new one. Links are followed first, so that the link stays one. What is no regular file
  * (a device, a pipe) cannot be replaced and is written in place; so are the names of open descriptors (/dev/stdout,
  * /dev/fd/3), because a shell's `>>` or what was written before would be lost otherwise.
  *
- * The new file is locked while it is written. Its name depends on the target's alone: a later run removes what a killed one
- * has left, and takes another name where the lock says that somebody is still writing.
+ * The new file is locked while it is written. Its name depends on the target's alone: a later run removes what a
+ * killed one has left, and takes another name where the lock says that somebody is still writing.
  *
  * Nothing is forced to disk: this is against failures and interruptions of the program, not against loss of power. */
 #include <errno.h>
@@ -278,8 +278,8 @@ static int follow_links(target *t)
     return ELOOP;
 }
 
-/* A name that the same target gets again, so that a later run finds what a killed one has left; `attempt` makes another one.
- * Short whatever the target's name is. FNV-1a (G. Fowler, L. C. Noll, P. Vo). */
+/* A name that the same target gets again, so that a later run finds what a killed one has left; `attempt` makes
+ * another one. Short whatever the target's name is. FNV-1a (G. Fowler, L. C. Noll, P. Vo). */
 static char *temporary_name(const target *t, unsigned attempt)
 {
     const char *slash = strrchr(t->path, '/');
@@ -299,8 +299,8 @@ static bool is_named(int descriptor, const char *path)
            own.st_ino == named.st_ino;
 }
 
-/* Removes the unfinished file of a run that was killed. One that is being written is locked, and stays; so does one that is not
- * ours, and where there are no locks. */
+/* Removes the unfinished file of a run that was killed. A file stays that is locked, because it is being written,
+ * that is not ours, or that cannot be locked. */
 static void remove_left(const char *path)
 {
     struct stat left;
@@ -325,8 +325,8 @@ static void announce(const roberts_draw_options *options, const char *path)
         options->temporary(options->temporary_context, path);
 }
 
-/* Creates the unfinished file and locks it. It is announced before, but not where the name is taken: whoever is interrupted removes
- * what has been announced. */
+/* Creates the unfinished file and locks it. It is announced before it is created, because an interrupted program
+ * removes what was announced; so a name that is taken is not announced. */
 static int open_beside(target *t, const roberts_draw_options *options)
 {
     mode_t mode = t->replaces ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
@@ -355,8 +355,8 @@ static int open_beside(target *t, const roberts_draw_options *options)
     return reason;
 }
 
-/* Gives the new file the owner and mode of the old one. The owner only root can set; without it the bits that lend
- * rights go. */
+/* Gives the new file the owner and mode of the old one. Only root can set the owner; where that fails, the set-user
+ * and set-group bits are dropped. */
 static int take_mode(const target *t)
 {
     mode_t mode = t->old.st_mode & (S_ISUID | S_ISGID | S_IRWXU | S_IRWXG | S_IRWXO);
@@ -414,7 +414,7 @@ static bool write_descriptor(void *context, const void *bytes, size_t size)
     return true;
 }
 
-/* Closes, and renames where all went well; in every case the temporary file is gone. */
+/* Closes the file, and renames it where all went well. In every case the temporary file is gone. */
 static roberts_status close_target(target *t, const roberts_draw_options *options, roberts_status status,
                                    roberts_error *error)
 {

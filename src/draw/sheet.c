@@ -2,8 +2,8 @@
  *
  * Two columns and two rows: the front view stands in the first column, the top view above or below it, the side view
  * beside it, and the isometric view in the middle of the cell that is left. All views of one scene have its centre at
- * 0, 0, so that front and top view have one x, front and side view one y. Below all a strip is kept for the symbol, where
- * there is one.
+ * 0, 0, so that front and top view have one x, front and side view one y. Below all a strip is kept for the symbol,
+ * where there is one.
  *
  * Lengths of the model are taken as parts of the largest of all, so that nothing overflows. */
 #include "draw/sheet.h"
@@ -92,8 +92,9 @@ static void divide(const roberts_sheet *sheet, layout *l)
     l->rows = widths(l->y[FRONT], l->y[TOP], l->y[ISO], gap_mm);
 }
 
-/* How large the symbol is where margins and frame leave so much: no wider and no higher than one of four equal cells for the
- * views, with the gaps between them; 0 where it would be less than the lettering of 1.8 mm asks for, ISO 3098's smallest. */
+/* The size of the symbol where margins and frame leave so much. It is no wider and no higher than one of four equal
+ * cells for the views, with gaps between them. 0 where it would be smaller than lettering of 1.8 mm asks for, the
+ * smallest of ISO 3098. */
 static double symbol_size(const layout *l, double width_mm, double height_mm)
 {
     const double least = 1.8 / 3.5;
@@ -102,7 +103,7 @@ static double symbol_size(const layout *l, double width_mm, double height_mm)
     return size < least ? 0.0 : fmin(size, 1.0);
 }
 
-/* What there is for the views and their gaps, as a page with margins of its own. Fills l->symbol. */
+/* Finds the room for the views and their gaps, as a page. Fills l->symbol. */
 static bool find_room(layout *l, const roberts_draw_options *options, roberts_page *room, roberts_error *error)
 {
     const roberts_page *page = &options->page;
@@ -137,7 +138,7 @@ static bool find_scale(layout *l, const roberts_placement *placement, const robe
     return false;
 }
 
-/* Where a line of cells begins that has `room_mm` from `start_mm` on. align: -1 at the start, 1 at the end. */
+/* Places a column or row of cells in `room_mm` from `start_mm` on. align: -1 at the start, 1 at the end. */
 static void place_cells(cells *c, double half_mm, double start_mm, double room_mm, int align, bool iso_first)
 {
     double front = c->front * half_mm, iso = c->iso * half_mm, free_mm = room_mm - front - c->gap_mm - iso;
@@ -201,9 +202,10 @@ bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *c
 
 /* ---- the symbol of the projection method (ISO 5456-2) ----
  *
- * A truncated cone, its narrow end to the left, and beside it the two circles that are seen from there. The view from the left
- * stands on the right in first angle projection, on the left in third angle projection. In full size the narrow end is as wide
- * as lettering of 3.5 mm is high. Centre lines are long, dot, long (ISO 128-2), so that the circles' cross in a long one. */
+ * A truncated cone, its narrow end to the left, and beside it the two circles that are seen from there. The view from
+ * the left stands on the right in first angle projection, on the left in third angle projection. In full size the
+ * narrow end is as wide as lettering of 3.5 mm is high. Centre lines are long, dot, long (ISO 128-2), so that those of
+ * the circles cross in a long one. */
 
 /* mm */
 static const double narrow = 1.75, wide = 3.5; /* radii; `wide` is also half of the cone's length */

@@ -1,8 +1,8 @@
 /* svg.c - the page as SVG: size and user units in mm, one layer and one path per class of lines.
  *
- * Cairo holds each path, in whole units of the page, and is asked for it by cairo_copy_path(): it leaves out points on a
- * straight way. The text is written here, because the SVG of Cairo 1.16 knows no layers and numbers its groups by a counter of
- * the process. */
+ * Cairo holds each path, in whole units of the page, and is asked for it by cairo_copy_path(): it leaves out points
+ * on a straight way. The text is written here, because the SVG of Cairo 1.16 knows no layers and numbers its groups
+ * by a counter of the process. */
 #include "draw/svg.h"
 
 #include <math.h>
@@ -46,7 +46,7 @@ static void write_color(output *out, unsigned char red, unsigned char green, uns
 
 /* ---- text ---- */
 
-/* Length of the character that `text` begins with, 0 where it is none of XML. */
+/* The length of the character that `text` begins with; 0 where XML does not allow it. */
 static size_t character(const unsigned char *text)
 {
     static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
@@ -64,8 +64,9 @@ static size_t character(const unsigned char *text)
     return length == 0 || code < least[length] || control || none ? 0 : length;
 }
 
-/* Writes UTF-8 (RFC 3629: no surrogates, nothing beyond U+10FFFF, no longer than need be) with <, > and & as entities. A byte
- * that belongs to no character of XML 1.0 becomes a question mark: names of files may hold anything. */
+/* Writes UTF-8 (RFC 3629: no surrogates, nothing beyond U+10FFFF, no longer than need be) with <, > and & as
+ * entities. A byte that belongs to no character of XML 1.0 becomes a question mark: names of files may hold anything.
+ */
 static void write_escaped(output *out, const char *text)
 {
     while (*text) {

@@ -1,7 +1,7 @@
 /* check.c - holds what a page shows against the segments that it was drawn from.
  *
- * What lies within a distance of a line is convex, so a straight row meets it in one interval. The intervals of all lines
- * nearby have to cover the row, and those of all rows nearby have to cover a line: nothing is sampled. */
+ * What lies within a distance of a line is convex, so a straight row meets it in one interval. The intervals of all
+ * lines nearby have to cover the row, and those of all rows nearby have to cover a line: nothing is sampled. */
 #include "check.h"
 
 #include <math.h>
@@ -270,8 +270,8 @@ static bool has_line(const paper *p, roberts_vec2 at, int line)
     return false;
 }
 
-/* Whether a row of another class that is drawn in its stead lies on a row there: a visible one that is not farther, or any
- * visible one where the row is hidden. */
+/* Whether a row of another class that is drawn in its stead lies on a row there: a visible one that is not farther,
+ * or any visible one where the row is hidden. */
 static bool is_replaced(const row_list *r, const paper *p, const row *own, roberts_vec2 at)
 {
     for (size_t i = 0; i < r->count; i++) {
@@ -287,8 +287,9 @@ static bool is_replaced(const row_list *r, const paper *p, const row *own, rober
     return false;
 }
 
-/* How far a point of a row of that class may lie from what is drawn of it. A gap of a real dash is stretched by less than a
- * half, and by less than two thirds on a closed line without corners (0.5 in dashes.c's formula: a gap for each dash). */
+/* How far a point of a row of that class may lie from what is drawn of it. A gap of a real dash is stretched by less
+ * than a half, and by less than two thirds on a closed line without corners (0.5 in dashes.c's formula: a gap for
+ * each dash). */
 static double reach_of(const roberts_draw_options *options, int line)
 {
     bool gaps = line == ROBERTS_BACK && options->real_dashes && options->hidden == ROBERTS_HIDDEN_DASHED;
@@ -360,8 +361,8 @@ static bool is_same_place(roberts_vec2 p, roberts_vec2 q)
     return fabs(p.x - q.x) < rounding && fabs(p.y - q.y) < rounding;
 }
 
-/* Whether the shorter of two lines lies beside the longer by less than half of what coordinates are rounded to, on a length
- * that no rounding explains. */
+/* Whether the shorter of two lines lies beside the longer by less than half of what coordinates are rounded to, on a
+ * length that no rounding explains. */
 static bool is_beside(const paper_line *p, const paper_line *q)
 {
     const double beside = 0.0005, along = 0.02;
@@ -391,8 +392,9 @@ static bool runs_along(const row *r, const paper_line *p)
     return t.from <= t.to && fabs(x * v - y * u) <= aslant * hypot(x, y) * hypot(u, v);
 }
 
-/* Whether two rows count as on one line: the ends of the shorter are within 0.001 mm of the longer, and they differ by 1e-5
- * radians at most; or both lead from one place to another. A little less is asked for here, so that rounding does not decide. */
+/* Whether two rows count as on one line: the ends of the shorter are within 0.001 mm of the longer, and they differ
+ * by 1e-5 radians at most; or both lead from one place to another. A little less is asked for here, so that rounding
+ * does not decide. */
 static bool is_one_line(const row *p, const row *q)
 {
     const double touch = 0.0009, same_direction = 0.9e-5;
@@ -421,8 +423,9 @@ static bool belongs_to(const row *r, const paper_line *p)
     return runs_along(r, p) || is_in_line(r, p);
 }
 
-/* Whether all rows along two lines count as on one line. Those of a bundle need not: edges that meet at a very small angle, and
- * edges of which some are within 0.001 mm of one another and some are not. There no grouping is the right one. */
+/* Whether all rows along two lines count as on one line. Those of a bundle need not: edges that meet at a very small
+ * angle, and edges of which some are within 0.001 mm of one another and some are not. There no grouping is the right
+ * one. */
 static bool are_one_line(const row_list *r, const paper_line *p, const paper_line *q)
 {
     for (size_t i = 0; i < r->count; i++) {
@@ -503,8 +506,8 @@ static const roberts_pen *pen_of(const roberts_draw_options *options, int line)
     return line == ROBERTS_OUTLINE ? &options->outline : line == ROBERTS_CREASE ? &options->crease : &options->back;
 }
 
-/* Whether the pixel at a point of a row is as it has to be. Which of two visible classes is drawn is a matter of depth, which
- * check_lines() asks about; what is visible covers what is hidden. */
+/* Whether the pixel at a point of a row is as it has to be. Which of two visible classes is drawn is a matter of
+ * depth, which check_lines() asks about; what is visible covers what is hidden. */
 static bool is_drawn_at(const picture *p, const roberts_draw_options *options, int line, roberts_vec2 at, double scale)
 {
     int x = (int)(at.x * scale), y = (int)(at.y * scale);

@@ -21,8 +21,8 @@ typedef struct row_list {
     roberts_vec2 frame_mm[2]; /* upper left and lower right corner of the frame */
 } row_list;
 
-/* Places what is drawn of a drawing, or of the views of a sheet. Margins are no less than half of the widest pen. False: no
- * memory, or the sheet does not fit. */
+/* Places what is drawn of a drawing, or of the views of a sheet. Margins are no less than half of the widest pen.
+ * False: no memory, or the sheet does not fit. */
 bool rows_place(row_list *r, const roberts_drawing *drawing, const roberts_draw_options *options);
 bool rows_place_sheet(row_list *r, const roberts_sheet *sheet, const roberts_draw_options *options);
 void rows_free(row_list *r);
@@ -38,8 +38,8 @@ typedef struct findings {
 
 size_t findings_total(const findings *f);
 
-/* Every row is covered by lines of its class within 0.01 mm, or where a nearer visible one lies on it, by lines of that one's
- * class; every line is covered by rows of its class; no two lines lie on one another. */
+/* Every row is covered by lines of its class within 0.01 mm, or where a nearer visible one lies on it, by lines of
+ * that one's class; every line is covered by rows of its class; no two lines lie on one another. */
 void check_lines(const row_list *r, const paper *p, const roberts_draw_options *options, findings *f);
 
 /* Both have as much of lines, as far as the rounding of a PDF goes. */

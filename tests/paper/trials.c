@@ -170,8 +170,8 @@ static void put_disc(studio *st, int count, double radius, double low, double hi
     free(face);
 }
 
-/* Discs of very many corners on one another, among boxes so large that the sides of the discs are shorter than a micrometre on the
- * page, or not. */
+/* Discs of very many corners on one another, among boxes so large that the sides of the discs are shorter than a
+ * micrometre on the page, or not. */
 static void discs(studio *st)
 {
     int count = dice_int(&st->d, 2, 4), corners = dice_int(&st->d, 100, 500);

@@ -39,8 +39,8 @@ void trial_free(trial_scene *scene);
 
 typedef enum trial_result { TRIAL_RIGHT, TRIAL_WRONG, TRIAL_REFUSED } trial_result;
 
-/* Draws the scene in a style and checks what comes out. Faults are described on f->out. Refused: the scene, its view or its sheet
- * is. */
+/* Draws the scene in a style and checks what comes out. Faults are described on f->out. Refused: the scene, its view
+ * or its sheet is. */
 trial_result trial_run(const trial_scene *scene, const trial_style *style, findings *f);
 
 #endif
