@@ -1,4 +1,5 @@
 # `make help` lists the targets. Each kind of build (another compiler, other flags) has a folder of its own: BUILD=...
+# A line is printed for each file that is made; V=1 prints the commands.
 .DEFAULT_GOAL := all
 
 CC       ?= cc
@@ -9,6 +10,9 @@ CXXFLAGS ?= -O2 -g
 WERROR   ?=
 # Empty for a build without threads; clang then needs no libomp-dev.
 OPENMP   ?= -fopenmp
+V        ?=
+Q        := $(if $(V),,@)
+show      = $(if $(V),,@printf '  %-6s %s\n' $1 '$2')
 STD      := -std=c17 -D_POSIX_C_SOURCE=200809L
 # -ffp-contract=off: a fused multiply-add would make signs depend on the compiler (see src/base/vec.h)
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
@@ -21,7 +25,7 @@ QHULL_CFLAGS = $(shell pkg-config --cflags qhull_r)
 LIBS         = $(shell pkg-config --libs cairo qhull_r) -lm
 CMOCKA_LIBS  = $(shell pkg-config --libs cmocka)
 
-LIB_SRC  := $(sort $(wildcard $(foreach room,base model view hide ray draw,src/$(room)/*.c)))
+LIB_SRC  := $(sort $(wildcard $(foreach room,base read model view hide ray draw,src/$(room)/*.c)))
 CLI_SRC  := $(sort $(wildcard src/cli/*.c))
 TOOL_SRC := $(sort $(wildcard tools/*.c))
 MODEL_SRC:= $(sort $(wildcard tools/models/*.c))
@@ -29,68 +33,94 @@ TEST_SRC := $(sort $(wildcard tests/test_*.c))
 ORACLE_P := tests/oracle/compare.c tests/oracle/mesh_compare.c tests/oracle/regolden.c
 ORACLE   := $(filter-out $(ORACLE_P),$(sort $(wildcard tests/oracle/*.c)))
 ORACLE_X := $(sort $(wildcard tests/oracle/*.cpp))
+PAPER_P  := tests/paper/compare.c
+PAPER    := $(filter-out $(PAPER_P),$(sort $(wildcard tests/paper/*.c)))
 FUZZ_SRC := $(sort $(wildcard tests/fuzz/*.c))
 C_SRC    := $(LIB_SRC) $(CLI_SRC) $(TOOL_SRC) $(MODEL_SRC) $(TEST_SRC) $(ORACLE) $(ORACLE_P) \
-            $(FUZZ_SRC)
+            $(FUZZ_SRC) $(PAPER) $(PAPER_P)
 VERSION  := $(shell sed -n 's/^.define ROBERTS_VERSION "\(.*\)"/\1/p' include/roberts.h)
 SONAME   := libroberts.so.$(firstword $(subst ., ,$(VERSION)))
 SHARED   := libroberts.so.$(VERSION)
 PREFIX   ?= /usr/local
 LIBDIR   ?= $(PREFIX)/lib
+# A relative PREFIX counts from here: roberts.pc needs the whole path. (No $(abspath): it takes a blank for two names.)
+from_here = $(if $(filter /%,$(firstword $1)),$1,$(if $1,$(CURDIR)/$1))
+override PREFIX := $(call from_here,$(PREFIX:~/%=$(HOME)/%))
+override LIBDIR := $(call from_here,$(LIBDIR:~/%=$(HOME)/%))
+ifneq ($(findstring ',$(PREFIX)$(LIBDIR)$(DESTDIR)),)
+$(error PREFIX, LIBDIR and DESTDIR must have no apostrophe in them)
+endif
+ifneq ($(word 2,$(BUILD)),)
+$(error BUILD=$(BUILD): make cannot build in a folder with blanks in its name)
+endif
 object    = $(1:%.c=$(BUILD)/obj/%.o)
 TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
+PAGES    := $(BUILD)/roberts.1 $(BUILD)/completions/bash $(BUILD)/completions/zsh $(BUILD)/completions/fish
 TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
+# What takes longer than a second or two is left out of `make test-quick`.
+SLOW     := fault_files faults install memory_ahead metamorphic off oracle render same_bytes hull_memory
+QUICK_BIN = $(filter-out $(SLOW:%=$(BUILD)/tests/test_%),$(TEST_BIN))
+RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH='$(abspath $(BUILD)/locale)' \
+             tests/run.sh
 DEMO     := table temple tower staircase city lattice
 EDGES    ?= 5000000
+DRAWINGS ?= 1000
 SANITIZE := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
-FUZZER   := $(BUILD)/fuzz/fuzz_read $(BUILD)/fuzz/fuzz_pipeline
+FUZZER   := $(FUZZ_SRC:tests/fuzz/%.c=$(BUILD)/fuzz/%)
 FUZZ     := -O1 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 FUZZ_SECONDS ?= 60
 
-##@ The two to begin with; both install what is missing, as root or by a sudo that asks nothing
-demo: ## builds, and draws some of models/ to build/demo/*.svg
-	CC='$(CC)' tools/install-deps.sh build
+##@ The two to begin with; both install what is missing, as root or with passwordless sudo
+demo: ## builds the program and draws some of models/ to build/demo/*.svg
+	@CC='$(CC)' tools/install-deps.sh build
 	@$(MAKE) --no-print-directory drawings
 
 check: ## builds everything, runs all tests
-	CC='$(CC)' CXX='$(CXX)' tools/install-deps.sh build test
+	@CC='$(CC)' CXX='$(CXX)' tools/install-deps.sh build test
 	@$(MAKE) --no-print-directory test
 
 ##@ To build and test with what is there
-all: $(BUILD)/roberts $(BUILD)/libroberts.a ## the program and the library (what `make` alone does)
+all: $(BUILD)/roberts $(BUILD)/libroberts.a $(PAGES) ## program, library and manual page (what `make` alone does)
 
-tools: $(TOOL_BIN) ## what helps to build and measure, to build/tools/
+tools: $(TOOL_BIN) ## the programs that help to build and measure, in build/tools/
 
-models: $(BUILD)/tools/make-models ## the files of models/, anew
+models: $(BUILD)/tools/make-models ## writes the files of models/ anew
 	$< --all models
 
-figures: $(BUILD)/roberts ## the figures of src/*/README.md, anew, to models/figures/
+figures: $(BUILD)/roberts ## draws the figures of src/*/README.md anew, to models/figures/
 	ROBERTS_BUILD=$(BUILD) tools/draw-figures.sh
 
-gallery: $(BUILD)/roberts ## the pictures of README's gallery, anew, to models/gallery/
+gallery: $(BUILD)/roberts ## draws the pictures of README's gallery anew, to models/gallery/
 	ROBERTS_BUILD=$(BUILD) tools/draw-gallery.sh
 
 drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
 	@echo "drawn: $(sort $^)"
 
-test: all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests
-	@CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH=$(abspath $(BUILD)/locale) tests/run.sh $(TEST_BIN)
+TESTED   := all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(BUILD)/locale/de_DE.UTF-8
 
-check-long: $(BUILD)/tests/oracle/compare ## some 5,000,000 edges against the exact oracle (EDGES=n), and a short fuzzing
+test: check-includes $(TESTED) $(TEST_BIN) ## runs all tests, JOBS=n programs at a time
+	@$(RUN_TESTS) $(TEST_BIN)
+
+test-quick: $(TESTED) $(QUICK_BIN) ## runs the tests that take a second or two at most
+	@$(RUN_TESTS) $(QUICK_BIN)
+
+# 5,000,000 edges against the exact oracle (EDGES=n), 1,000 drawings against their tables (DRAWINGS=n)
+check-long: $(BUILD)/tests/oracle/compare $(BUILD)/tests/paper/compare ## compares millions of edges with the oracle; fuzzes
 	$(BUILD)/tests/oracle/compare --folder $(BUILD) --edges $(EDGES) --per-family
+	$(BUILD)/tests/paper/compare --folder $(BUILD) --count $(DRAWINGS)
 	@$(MAKE) --no-print-directory fuzz
 
-fuzz: ## both fuzzers, by clang, FUZZ_SECONDS=60 each (tools/install-deps.sh fuzz)
+fuzz: ## runs all fuzzers, FUZZ_SECONDS=60 each; needs clang (tools/install-deps.sh fuzz)
 	@$(MAKE) --no-print-directory fuzzers BUILD=$(BUILD)/fuzzing CC=clang OPENMP= CFLAGS='$(FUZZ)'
 	tests/fuzz/fuzz.sh $(BUILD)/fuzzing $(FUZZ_SECONDS)
 
-goldens: $(BUILD)/tests/oracle/regolden ## tests/golden/ anew, as far as program and oracle agree
+goldens: $(BUILD)/tests/oracle/regolden ## writes tests/golden/ anew, as far as program and oracle agree
 	@find models -name '*.off' | sort | while read -r model; do \
 	    case $$model in models/tests/*) view=top ;; *) view=iso ;; esac; \
 	    golden=tests/golden/$${model#models/}; mkdir -p $${golden%/*}; \
 	    $< $$model $$view $${golden%.off}.txt || exit 1; done
 
-test-sanitize: ## the same with the address and the undefined behaviour sanitizer, in build/sanitize/
+test-sanitize: ## runs the tests with the sanitizers of addresses and undefined behaviour, in build/sanitize/
 	@$(MAKE) --no-print-directory test BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' CXXFLAGS='$(SANITIZE)'
 
 bench: all tools ## measures speed and memory, 10 minutes; shorter: BENCH_MAX=1e5 (see tools/bench.sh)
@@ -99,38 +129,48 @@ bench: all tools ## measures speed and memory, 10 minutes; shorter: BENCH_MAX=1e
 bench-baseline: all tools ## counts instructions (valgrind) and keeps them in tools/bench-baseline.txt
 	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh baseline
 
-test-threads: ## calls the library from several threads at once, and reads and hides by them, under the thread sanitizer, in build/threads/
-	@$(MAKE) --no-print-directory build/threads/tests/test_threads build/threads/tests/test_off_pieces build/threads/tests/test_hide_chunks \
-	    BUILD=build/threads OPENMP= CFLAGS='-O1 -g -fsanitize=thread'
+test-threads: ## runs the tests with several threads under the thread sanitizer, in build/threads/
+	@$(MAKE) --no-print-directory build/threads/tests/test_threads build/threads/tests/test_off_pieces \
+	    build/threads/tests/test_schedule BUILD=build/threads OPENMP= CFLAGS='-O1 -g -fsanitize=thread'
 	TSAN_OPTIONS=suppressions=tests/threads.supp build/threads/tests/test_threads
 	build/threads/tests/test_off_pieces
-	build/threads/tests/test_hide_chunks
+	build/threads/tests/test_schedule
 
 ##@ To install
+TO  = $(DESTDIR)$(PREFIX)
+LIB = $(DESTDIR)$(LIBDIR)
 install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, man page, completions, libraries, header and roberts.pc
-	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(PREFIX)/include
-	install -m 755 $(BUILD)/roberts $(DESTDIR)$(PREFIX)/bin/
-	install -m 644 include/roberts.h $(DESTDIR)$(PREFIX)/include/
-	install -m 644 $(BUILD)/libroberts.a $(BUILD)/$(SHARED) $(DESTDIR)$(LIBDIR)/
-	ln -sf $(SHARED) $(DESTDIR)$(LIBDIR)/$(SONAME)
-	ln -sf $(SONAME) $(DESTDIR)$(LIBDIR)/libroberts.so
-	install -m 644 $(BUILD)/roberts.pc $(DESTDIR)$(LIBDIR)/pkgconfig/
-	install -D -m 644 src/cli/roberts.1 $(DESTDIR)$(PREFIX)/share/man/man1/roberts.1
-	install -D -m 644 src/cli/completions/bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/roberts
-	install -D -m 644 src/cli/completions/zsh $(DESTDIR)$(PREFIX)/share/zsh/site-functions/_roberts
-	install -D -m 644 src/cli/completions/fish $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d/roberts.fish
-	@# The loader's cache, where the loader looks into LIBDIR: root alone can renew it, and packages (DESTDIR) do it themselves.
-	@if [ -z "$(DESTDIR)" ] && [ "$$(id -u)" = 0 ] && ldconfig -v -N -X 2>/dev/null | grep -q "^$(LIBDIR):"; then ldconfig; fi
+	@for folder in '$(TO)/bin' '$(TO)/include' '$(TO)/share/man/man1' '$(LIB)/pkgconfig'; do \
+	    there=$$folder; while [ ! -e "$$there" ]; do there=$$(dirname "$$there"); done; \
+	    [ -d "$$there" ] && [ -w "$$there" ] || { \
+	        echo "make install: cannot write to $$there; as root: sudo make install; or for yourself alone:" >&2; \
+	        echo "    make install PREFIX=\"$$HOME/.local\"" >&2; exit 1; }; done
+	$(Q)install -d '$(TO)/bin' '$(TO)/include' '$(LIB)/pkgconfig'
+	$(Q)install -m 755 $(BUILD)/roberts '$(TO)/bin/'
+	$(Q)install -m 644 include/roberts.h '$(TO)/include/'
+	$(Q)install -m 644 $(BUILD)/libroberts.a $(BUILD)/$(SHARED) '$(LIB)/'
+	$(Q)ln -sf $(SHARED) '$(LIB)/$(SONAME)'
+	$(Q)ln -sf $(SONAME) '$(LIB)/libroberts.so'
+	$(Q)install -m 644 $(BUILD)/roberts.pc '$(LIB)/pkgconfig/'
+	$(Q)install -D -m 644 $(BUILD)/roberts.1 '$(TO)/share/man/man1/roberts.1'
+	$(Q)install -D -m 644 $(BUILD)/completions/bash '$(TO)/share/bash-completion/completions/roberts'
+	$(Q)install -D -m 644 $(BUILD)/completions/zsh '$(TO)/share/zsh/site-functions/_roberts'
+	$(Q)install -D -m 644 $(BUILD)/completions/fish '$(TO)/share/fish/vendor_completions.d/roberts.fish'
+	@# Root renews the loader's cache where the loader looks into LIBDIR. Packages (DESTDIR) do that themselves.
+	@if [ -z '$(DESTDIR)' ] && [ "$$(id -u)" = 0 ] && ldconfig -v -N -X 2>/dev/null | grep -q '^$(LIBDIR):'; then \
+	    ldconfig; fi
+	@echo 'installed below $(TO)'
 
-uninstall: ## takes them away again
-	rm -f $(DESTDIR)$(PREFIX)/bin/roberts $(DESTDIR)$(PREFIX)/include/roberts.h \
-	    $(DESTDIR)$(LIBDIR)/libroberts.a $(DESTDIR)$(LIBDIR)/libroberts.so* $(DESTDIR)$(LIBDIR)/pkgconfig/roberts.pc \
-	    $(DESTDIR)$(PREFIX)/share/man/man1/roberts.1 \
-	    $(DESTDIR)$(PREFIX)/share/bash-completion/completions/roberts \
-	    $(DESTDIR)$(PREFIX)/share/zsh/site-functions/_roberts \
-	    $(DESTDIR)$(PREFIX)/share/fish/vendor_completions.d/roberts.fish
+uninstall: ## removes what install has put there
+	$(Q)rm -f '$(TO)/bin/roberts' '$(TO)/include/roberts.h' '$(LIB)/libroberts.a' '$(LIB)'/libroberts.so* \
+	    '$(LIB)/pkgconfig/roberts.pc' '$(TO)/share/man/man1/roberts.1' \
+	    '$(TO)/share/bash-completion/completions/roberts' '$(TO)/share/zsh/site-functions/_roberts' \
+	    '$(TO)/share/fish/vendor_completions.d/roberts.fish'
 
 ##@ To check
+check-includes: ## the includes of src/ point one way (part of `make test`)
+	@tools/check-includes.sh
+
 lint: lint-format lint-tidy lint-cppcheck ## formatter and static checks (tools/install-deps.sh lint)
 
 clean: ## removes build/
@@ -138,50 +178,70 @@ clean: ## removes build/
 
 help: ## lists the targets
 	@sed -n -e 's/^##@ \(.*\)/\n\1:/p' -e 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 24
-	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS LDFLAGS WERROR=-Werror OPENMP= BUILD=folder PREFIX=/usr/local LIBDIR DESTDIR\n'
+	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS LDFLAGS WERROR=-Werror OPENMP= V=1 BUILD= PREFIX= LIBDIR= DESTDIR=\n'
 
 # How things are made
 $(BUILD)/libroberts.a: $(call object,$(LIB_SRC))
-	rm -f $@ && $(AR) rcs $@ $^
+	$(call show,AR,$@)
+	$(Q)rm -f $@ && $(AR) rcs $@ $^
 
 # Nothing but what roberts.h declares can be called from outside.
 $(BUILD)/$(SHARED): $(call object,$(LIB_SRC))
 	@printf '{ global: roberts_*; local: *; };\n' >$(BUILD)/exported.map
-	$(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) -Wl,--version-script,$(BUILD)/exported.map \
+	$(call show,LD,$@)
+	$(Q)$(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) -Wl,--version-script,$(BUILD)/exported.map \
 	    -Wl,-z,defs -o $@ $^ $(LIBS)
 
-# What a program that links the static library needs besides stands under Libs.private.
+# Libs.private: what a program that links the static library needs besides.
 $(BUILD)/roberts.pc: force
 	@mkdir -p $(@D)
 	@printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: roberts' \
 	    'Description: line drawings of convex polyhedra with the hidden lines removed' 'Version: $(VERSION)' \
-	    'Requires.private: cairo qhull_r' 'Libs: -L$${libdir} -lroberts' 'Libs.private: $(OPENMP) -lm' \
-	    'Cflags: -I$${includedir}' >$@
+	    'Requires.private: cairo qhull_r' 'Libs: -L"$${libdir}" -lroberts' 'Libs.private: $(OPENMP) -lm' \
+	    'Cflags: -I"$${includedir}"' >$@
 
 $(BUILD)/roberts: $(call object,$(CLI_SRC)) $(BUILD)/libroberts.a
-	$(LINK) $(LIBS)
+	$(call show,LD,$@)
+	$(Q)$(LINK) $(LIBS)
 
 $(TOOL_BIN): $(BUILD)/%: $(BUILD)/obj/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
-	$(LINK) $(LIBS)
+	$(call show,LD,$@)
+	$(Q)$(LINK) $(LIBS)
 
 $(BUILD)/tools/make-models: $(call object,$(MODEL_SRC))
+$(BUILD)/tools/print-options: $(filter-out %/main.o,$(call object,$(CLI_SRC)))
+
+# The manual page and the completions get the options from their table in src/cli/option_table.c.
+$(BUILD)/roberts.1: src/cli/roberts.1 $(BUILD)/tools/print-options
+	$(call show,GEN,$@)
+	$(Q)$(BUILD)/tools/print-options manual <$< >$@
+
+$(BUILD)/completions/%: src/cli/completions/% $(BUILD)/tools/print-options
+	@mkdir -p $(@D)
+	$(call show,GEN,$@)
+	$(Q)$(BUILD)/tools/print-options $* <$< >$@
 
 $(TEST_BIN): $(BUILD)/%: $(BUILD)/obj/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
-	$(LINK) $(TEST_LIBS) $(CMOCKA_LIBS) $(LIBS)
+	$(call show,LD,$@)
+	$(Q)$(LINK) $(TEST_LIBS) $(CMOCKA_LIBS) $(LIBS)
 
 # Tests in which allocations fail: tests/memory.h
 $(BUILD)/tests/test_memory_%: TEST_LIBS = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 
-# The fuzzers: libFuzzer brings main() and calls one function of a fixed name, which the linker makes of ours.
+# The fuzzers: libFuzzer has main() and calls a function of a fixed name, which the linker lets stand for ours.
 fuzzers: $(FUZZER)
 $(FUZZER): $(BUILD)/fuzz/%: $(BUILD)/obj/tests/fuzz/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
-	$(LINK) -fsanitize=fuzzer -Wl,--defsym=LLVMFuzzerTestOneInput=$* $(LIBS)
+	$(call show,LD,$@)
+	$(Q)$(LINK) -fsanitize=fuzzer -Wl,--defsym=LLVMFuzzerTestOneInput=$* $(LIBS)
 
-# It holds a source of the program, which has something to say.
-$(BUILD)/tests/test_verify_report: $(call object,src/cli/message.c src/cli/progress.c)
+# The checks of every reader
+$(FUZZER): $(call object,tests/fuzz/fuzz_read.c)
+
+# Tests of the program's own functions
+$(BUILD)/tests/test_options $(BUILD)/tests/test_verify_report: $(filter-out %/main.o,$(call object,$(CLI_SRC)))
 $(BUILD)/tests/test_fuzz: $(call object,$(FUZZ_SRC))
 
 # The exact oracle: C++ with CGAL, for tests alone.
@@ -192,21 +252,32 @@ $(BUILD)/tests/test_oracle $(BUILD)/tests/test_golden: TEST_LIBS = $(ORACLE_LIBS
 
 $(ORACLE_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(ORACLE_OBJ) $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
-	$(LINK) $(ORACLE_LIBS) $(LIBS)
+	$(call show,LD,$@)
+	$(Q)$(LINK) $(ORACLE_LIBS) $(LIBS)
+
+# Pages read back: PDF by zlib, PNG by Cairo; their scenes are those of the oracle, too.
+$(BUILD)/tests/test_paper: $(call object,$(PAPER)) $(ORACLE_OBJ)
+$(BUILD)/tests/test_paper: TEST_LIBS = -lz $(ORACLE_LIBS)
+
+$(PAPER_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(call object,$(PAPER)) $(ORACLE_OBJ) $(BUILD)/libroberts.a
+	@mkdir -p $(@D)
+	$(LINK) -lz $(ORACLE_LIBS) $(LIBS)
 
 # -frounding-math: intervals of doubles set the rounding mode, which the compiler must not assume.
 $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math $(CXXFLAGS) -Iinclude -MMD -MP -c -o $@ $<
+	$(call show,CXX,$<)
+	$(Q)$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math $(CXXFLAGS) -Iinclude -MMD -MP -c -o $@ $<
 
-$(BUILD)/obj/src/draw/%.o $(BUILD)/obj/tests/test_render.o $(BUILD)/obj/tests/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
+$(BUILD)/obj/src/draw/%.o $(BUILD)/obj/tests/paper/%.o $(BUILD)/obj/tests/test_render.o $(BUILD)/obj/tests/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
 $(BUILD)/obj/src/model/qhull.o: NEEDS = $(QHULL_CFLAGS)
 
 $(BUILD)/obj/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(COMPILE) -c -o $@ $<
+	$(call show,CC,$<)
+	$(Q)$(COMPILE) -c -o $@ $<
 
-# The compiler and its flags as last used; other ones compile everything anew.
+# The compiler and its flags as last used: when they change, everything is compiled anew.
 FLAGS = $(CC) $(CXX) $(OPENMP) $(CFLAGS) $(CXXFLAGS) $(WERROR) $(LDFLAGS)
 $(BUILD)/flags: force
 	@mkdir -p $(@D)
@@ -214,9 +285,10 @@ $(BUILD)/flags: force
 
 $(BUILD)/demo/%.svg: models/%.off $(BUILD)/roberts
 	@mkdir -p $(@D)
-	$(BUILD)/roberts $< -o $@
+	$(call show,DRAW,$@)
+	$(Q)$(BUILD)/roberts $< -o $@
 
-# A locale that writes 0,5: for the tests that nothing depends on the locale, which skip themselves where it is not there.
+# A locale that writes 0,5: tests check that nothing depends on the locale. They are skipped where it is missing.
 $(BUILD)/locale/de_DE.UTF-8:
 	@mkdir -p $(@D)
 	-@localedef -i de_DE -f UTF-8 $@ 2>/dev/null || echo "no locale de_DE.UTF-8: its tests are skipped"
@@ -225,23 +297,30 @@ $(BUILD)/locale/de_DE.UTF-8:
 C_FILES  = $(wildcard include/*.h src/*/*.[ch] tools/*.[ch] tools/*/*.[ch] tests/*.[ch] tests/*/*.[ch] tests/*/*.cpp)
 CPUS     = $(shell nproc 2>/dev/null || echo 1)
 lint-format:
-	clang-format --dry-run -Werror $(C_FILES)
+	@echo clang-format on $(words $(C_FILES)) files
+	$(Q)clang-format --dry-run -Werror $(C_FILES)
 
 lint-tidy:
 	@mkdir -p $(BUILD)
 	@echo clang-tidy on $(words $(C_SRC)) files
 	@printf '%s\n' $(C_SRC) | xargs -P $(CPUS) -I FILE \
-	    clang-tidy --quiet FILE -- $(STD) $(WARN) -Iinclude -Isrc $(patsubst -I%,-isystem%,$(CAIRO_CFLAGS) $(QHULL_CFLAGS)) 2>$(BUILD)/tidy.err || \
+	    clang-tidy --quiet FILE -- $(STD) $(WARN) -Iinclude -Isrc \
+	    $(patsubst -I%,-isystem%,$(CAIRO_CFLAGS) $(QHULL_CFLAGS)) 2>$(BUILD)/tidy.err || \
 	    { cat $(BUILD)/tidy.err; exit 1; }
 
-# uninitvar: it takes an address for a use, and two loops of one length for two lengths; both compilers and the analyzer
-# of clang-tidy watch over the same
+# uninitvar is off: it takes an address for a use, and two loops of one length for two lengths. Both compilers and the
+# analyzer of clang-tidy check the same.
 lint-cppcheck:
-	cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
+	@echo cppcheck on src and tools
+	$(Q)cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
-.PHONY: all demo figures gallery check check-long install uninstall test-threads tools models drawings test test-sanitize fuzz fuzzers bench bench-baseline lint \
-    lint-format lint-tidy lint-cppcheck clean help force
+JOBS     ?= $(CPUS)
+export JOBS
+
+.PHONY: all bench bench-baseline check check-includes check-long clean demo drawings figures force fuzz fuzzers \
+    gallery goldens help install lint lint-cppcheck lint-format lint-tidy models test test-quick test-sanitize \
+    test-threads tools uninstall
 .SECONDARY:
 .DELETE_ON_ERROR:
 -include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.d)

@@ -47,7 +47,7 @@ typedef enum roberts_status {
     ROBERTS_OK,
     ROBERTS_NO_MEMORY,    /**< an allocation failed */
     ROBERTS_IO,           /**< reading or writing failed; the message holds the system's reason */
-    ROBERTS_BAD_SYNTAX,   /**< the bytes are no OFF file that can be understood */
+    ROBERTS_BAD_SYNTAX,   /**< the bytes are no file that can be understood */
     ROBERTS_BAD_INDEX,    /**< a face names a vertex that is not there */
     ROBERTS_BAD_NUMBER,   /**< a coordinate is infinite, not a number, or too large to compute with */
     ROBERTS_NOT_CLOSED,   /**< an edge of a component is not shared by exactly two faces */
@@ -90,13 +90,21 @@ typedef struct roberts_color {
 typedef struct roberts_source {
     char *name; /**< owned by the mesh */
     uint32_t first_vertex, first_face;
+    bool float32; /**< its coordinates are 32-bit floats, and so off by up to half a unit of their last place */
 } roberts_source;
+
+/** Faces that the input has under one name (o or g of OBJ, solid of STL): from first_face up to that of the next group.
+ * The same name may come again. */
+typedef struct roberts_group {
+    char *name; /**< owned by the mesh; "": none */
+    uint32_t first_face;
+} roberts_group;
 
 /** Polygons over shared vertices, in the order of the input. Faces of any corner count (also 1 and 2) and any winding.
  * Fill it with roberts_mesh_read*() or roberts_mesh_add_*(); release it with roberts_mesh_free(). Readers may look at
  * all arrays; only the functions below change them. */
 typedef struct roberts_mesh {
-    size_t vertex_count, face_count, corner_count, source_count;
+    size_t vertex_count, face_count, corner_count, source_count, group_count;
     roberts_vec3 *vertex;        /**< [vertex_count] */
     uint32_t *face_start;        /**< [face_count + 1] face f has corners corner[face_start[f]] .. [face_start[f+1]-1];
                                       NULL while there is no face */
@@ -104,7 +112,9 @@ typedef struct roberts_mesh {
     roberts_color *vertex_color; /**< [vertex_count], or NULL where no vertex has a colour */
     roberts_color *face_color;   /**< [face_count], or NULL where no face has a colour */
     roberts_source *source;      /**< [source_count] */
-    size_t vertex_room, face_room, corner_room, vertex_color_room, face_color_room, source_room; /**< private */
+    roberts_group *group;        /**< [group_count] first_face ascends; NULL where no input has groups */
+    size_t vertex_room, face_room, corner_room, vertex_color_room, face_color_room, source_room,
+        group_room;   /**< private */
     uint32_t threads; /**< to be set by you before reading: how many may read a large file; 0 = what there is. What is
                            read does not depend on it */
 } roberts_mesh;
@@ -113,18 +123,21 @@ typedef struct roberts_mesh {
 typedef ptrdiff_t roberts_read_fn(void *context, void *buffer, size_t size);
 
 /**
- * Reads one OFF file, text or binary, and appends its polygons to `mesh` (vertex numbers go on from those before).
+ * Reads one file in OFF, STL, OBJ or PLY, text or binary, and appends its polygons to `mesh` (vertex numbers go on from those
+ * before). The format is recognised by what the file holds, not by its name.
  * name      what messages call the input; copied
- * read      called until it returns 0 or the last declared face is in; bytes are taken in blocks
+ * read      called until it returns 0 or the last declared element is in; bytes are taken in blocks
  * warnings  NULL: none wanted
  * On failure `mesh` is as it was before the call.
+ * Corners of STL with equal positions become one vertex within each of its solids. Vertices are numbered from 0 in all formats.
  * Returns ROBERTS_OK, _NO_MEMORY, _IO, _BAD_SYNTAX, _BAD_INDEX or _BAD_NUMBER (a coordinate beyond 1e150).
- * Source: the OFF format of Geomview, with the dialects of qhull, Antiprism, OpenSCAD, ModelNet and trimesh.
+ * Sources: the OFF format of Geomview, with the dialects of qhull, Antiprism, OpenSCAD, ModelNet and trimesh; for the others see
+ * src/read.
  */
 roberts_status roberts_mesh_read(roberts_mesh *mesh, const char *name, roberts_read_fn *read, void *context,
                                  const roberts_warnings *warnings, roberts_error *error);
 
-/** The same from a file; "-" is standard input. */
+/** The same from a file; "-" is standard input. Colours of OBJ are taken from the .mtl beside it, if there is one. */
 roberts_status roberts_mesh_read_file(roberts_mesh *mesh, const char *path, const roberts_warnings *warnings,
                                       roberts_error *error);
 
@@ -191,6 +204,16 @@ roberts_status roberts_scene_take(roberts_mesh *mesh, const roberts_scene_option
                                   roberts_error *error);
 void roberts_scene_free(roberts_scene *scene);
 
+/**
+ * The tolerance that would accept a mesh that roberts_scene_build() has refused as not planar or not convex: 1, 2 or 5
+ * times a power of ten, as small as does, for all solids together. 0 where there is none up to 0.01, or up to the limit
+ * beyond which any shape would pass: 0.025 / sqrt(faces of a solid), and less for a solid that is farther from the
+ * origin than it is large. Right below that limit it has another digit (0.007 for twelve faces). The mesh is built
+ * several times to find it; a mesh of more than 200,000 faces is not tried and gives 0.
+ * options  as given to roberts_scene_build(); `hull` and `warnings` are not used
+ */
+double roberts_scene_tolerance(const roberts_mesh *mesh, const roberts_scene_options *options);
+
 size_t roberts_scene_solid_count(const roberts_scene *scene);
 size_t roberts_scene_face_count(const roberts_scene *scene);
 size_t roberts_scene_edge_count(const roberts_scene *scene);
@@ -205,6 +228,10 @@ typedef enum roberts_body_kind {
 
 roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene,
                                           uint32_t body); /**< ROBERTS_OPEN: there is none */
+
+/** What the input calls the group that the solid's first face is in (o or g of OBJ, solid of STL); "": nothing. Valid as
+ * long as the scene. */
+const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid);
 
 /** Whether a solid is the convex hull of what the mesh has in its place; false where there is none of that number. */
 bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid);
@@ -226,7 +253,8 @@ typedef struct roberts_camera {
                                farther away; 0,0 = sight lines at right angles to the picture plane */
     double
         near_distance;  /**< perspective: what is nearer to the eye's plane is cut off, model units; 0 = a thousandth of
-                               the look-at point's distance, and at least 1e-5 of the scene's diameter */
+                               the look-at point's distance, and at least 1e-5 of the scene's diameter. What is
+                               nearer than 1e-6 of the diameter is cut off in any case */
     double fov_degrees; /**< perspective: angle between the sides of the picture, and between top and bottom, under 180
                                (on a page that is not square, across its shorter side); 0 = the whole scene, or
                                60 where the near plane cuts the scene */
@@ -243,8 +271,8 @@ bool roberts_camera_preset(const char *name, roberts_camera *camera);
  * degrees, and the direction exact at multiples of 90. False where one of them is not finite or out of its range. */
 bool roberts_camera_angles(double azimuth, double elevation, double roll, roberts_camera *camera);
 
-/** Turns `camera` by `degrees` about the upright line through the centre of the scene's box, from the front to the right:
- * its direction or eye, look-at point and up. What the drawing shows turns the other way. */
+/** Turns `camera` by `degrees` about the upright line through the centre of the scene's box, from the front to the
+ * right: its direction or eye, look-at point and up. What the drawing shows turns the other way. */
 void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_camera *camera);
 
 /**
@@ -307,6 +335,14 @@ typedef struct roberts_time {
     double cpu, wall;
 } roberts_time;
 
+/** Why the touching distance is what it is. */
+typedef enum roberts_epsilon_reason {
+    ROBERTS_EPSILON_GIVEN,    /**< by the options */
+    ROBERTS_EPSILON_DIAMETER, /**< 1e-11 of the scene's diameter */
+    ROBERTS_EPSILON_ROUNDING, /**< 16 units of the last place of the largest coordinate */
+    ROBERTS_EPSILON_FLOAT32,  /**< 2 units of the last place of the largest coordinate that came as a 32-bit float */
+} roberts_epsilon_reason;
+
 /** The segments of all edges, sorted by solid, v0, v1, t0, with what was counted on the way. */
 typedef struct roberts_drawing {
     size_t count;
@@ -316,6 +352,7 @@ typedef struct roberts_drawing {
                       (see roberts_page_shape()) */
     bool windowed;  /**< to be set by you: the page is laid out by the window, beyond which nothing reaches */
     double epsilon; /**< the touching distance that was used, model units */
+    roberts_epsilon_reason epsilon_reason;
     double scene_diameter;        /**< diagonal of the box round the scene */
     uint32_t grid, grid_rows;     /**< columns and rows of cells, as chosen */
     size_t solids, culled_solids; /**< all; known to be wholly hidden before they were cut (their faces and edges are
@@ -331,12 +368,12 @@ typedef struct roberts_drawing {
 typedef struct roberts_hide_options {
     double crease_degrees; /**< an edge between two front faces, or two back ones, flatter than this is not drawn
                                 (default: 0.1) */
-    bool
-        crease_auto; /**< of a body that is not convex, and has many faces most of which meet at small angles (a scan, a
-                                curved part), edges flatter than 30 degrees are left out (default: true) */
-    bool all_edges;  /**< draw them all the same */
-    bool keep_hidden; /**< give hidden segments too, of back edges as well, with `by` */
-    double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, at least 16 ulp */
+    bool crease_auto;      /**< of a body that is not convex, and has many faces most of which meet at small angles (a
+                                scan, a curved part), edges flatter than 30 degrees are left out (default: true) */
+    bool all_edges;        /**< draw them all the same */
+    bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
+    double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
+                                largest coordinate, and 2 ulp of a float where coordinates are 32-bit floats */
     uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
     uint32_t threads; /**< up to ROBERTS_THREADS_MOST; 0 = what there is */
 } roberts_hide_options;
@@ -478,15 +515,17 @@ typedef struct roberts_contradiction {
     uint32_t solid, v0, v1; /**< the edge, as in roberts_segment */
     double t;               /**< where on it */
     roberts_state drawn;    /**< what the drawing says */
-    roberts_state cast;     /**< what the ray says */
+    roberts_state cast;     /**< what the ray says; clipped: the near plane cuts the point off */
     uint32_t by;            /**< cast hidden: a solid that hides the point; else ROBERTS_NONE */
+    uint32_t drawn_by;      /**< drawn hidden: the solid that the drawing names, which is wrong if `cast` is hidden too:
+                                 `by` hides it, or the point lies not behind it; ROBERTS_NONE where it names none */
 } roberts_contradiction;
 
 /** Receives contradictions, by edge and then along it. */
 typedef void roberts_contradiction_fn(void *context, const roberts_contradiction *contradiction);
 
 typedef struct roberts_verify_options {
-    uint32_t rays;         /**< per segment, near its ends and evenly between them; 0 = 3 */
+    uint32_t rays;         /**< per segment, near its ends and evenly between them; 0 = 3. Others are cast besides */
     double crease_degrees; /**< as given to roberts_hide(), to tell edges hidden altogether from those not drawn */
     bool all_edges;        /**< the same */
     uint32_t threads;      /**< 0 = what there is; the result does not depend on it */
@@ -510,6 +549,8 @@ typedef struct roberts_verification {
  * scene, camera   those that `drawing` was made from
  * drawing         with or without hidden segments; what is missing of an edge that has to be drawn counts as hidden
  * options         NULL for the defaults
+ * Besides options->rays to a segment, rays are cast close to the ends of visible segments, behind whatever face hides
+ * a part of one, step by step along hidden segments, and at the middle of segments that name what hides them (`by`).
  * The rule is that of roberts_hide(), with drawing->epsilon; points where the answer depends on a few epsilon are
  * counted as undecided. Segments in state ROBERTS_CLIPPED are not looked at. A contradiction is not a failure.
  * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW, or _BAD_ARGUMENT (a segment of no edge of the scene, t out of order).
@@ -590,8 +631,8 @@ typedef struct roberts_page {
                                      widest pen from the edge anyhow (a tenth of the shorter side at the most) */
 } roberts_page;
 
-/** Makes a field of view, the window of a drawing that is `framed`, wider or higher about its middle until it has the shape of
- * what the page's margins leave: so much of the picture is drawn there. */
+/** Makes a field of view, the window of a drawing that is `framed`, wider or higher about its middle until it has the
+ * shape of what the page's margins leave: so much of the picture is drawn there. */
 void roberts_page_shape(const roberts_page *page, roberts_vec2 *min, roberts_vec2 *max);
 
 /** How a drawing is laid on its page. A zeroed struct fits it into the margins. */
@@ -616,7 +657,8 @@ typedef struct roberts_ink {
 } roberts_ink;
 
 /** Where save has an unfinished file: called with its name just before it is created, and with NULL once it is renamed
- * or removed, so that a program can remove it when it is interrupted. The name is valid between the two calls. */
+ * or removed, so that a program can remove it when it is interrupted. The name is valid between the two calls. What a killed
+ * program leaves is removed when the same file is saved again. */
 typedef void roberts_temporary_fn(void *context, const char *path);
 
 /** How a drawing is written. Start from roberts_draw_options_default() and change what you need. */
@@ -651,8 +693,8 @@ typedef bool roberts_write_fn(void *context, const void *bytes, size_t size);
  * options  NULL for the defaults
  * The same drawing and options give the same bytes, on every run and in every locale. SVG is true to 0.0005 mm
  * where nothing is joined (all lengths here times ten on pages longer than 4 m). On pages no line is drawn twice: of
- * segments that lie on one another the nearest is drawn; parts of one line and class that are 0.001 mm apart or less
- * are joined, as are ends; and what is no longer than that may be left out. Tables have all segments as they are.
+ * segments that lie on one another the nearest visible one is drawn, or else the nearest hidden one; parts of one line
+ * and class that are 0.001 mm apart or less are joined, as are ends; and what is no longer than that may be left out. Tables have all segments as they are.
  * Returns ROBERTS_OK, _NO_MEMORY, _IO (a write failed), _BAD_NUMBER (a segment is not finite) or _BAD_ARGUMENT (also: at
  * its scale the drawing leaves the page).
  */

@@ -1,26 +1,27 @@
 #!/bin/sh
-# Runs test programs one after the other, goes on after a failure, and fails at the end: tests/run.sh PROGRAM...
+# Runs test programs, several at a time, goes on after a failure, and fails at the end: tests/run.sh PROGRAM...
 #
 # A program's output goes to PROGRAM.out and PROGRAM.err and is shown where the program fails; lines that start with
-# "note: " are shown in any case. Each line tells how many tests cmocka reported (on standard output; its listings at
-# the end are on standard error); the last line is their sum, which also goes to the end of the file that TEST_RESULTS
-# names. A program that dies, or stops without having run a test, counts as one failure, and so does one that leaves a
-# temporary folder (temporary.h).
+# "note: " are shown in any case, and each skipped test with its reason (support/skip.h). Each line tells how many tests
+# cmocka reported (on standard output; its listings at the end are on standard error); the last line is their sum, which
+# also goes to the end of the file that TEST_RESULTS names. A program that dies, or stops without having run a test,
+# counts as one failure, and so does one that leaves a temporary folder (support/temporary.h).
+#
+# JOBS: how many programs run at a time (default: as many as there are processors)
 set -u
-
-TMPDIR=$(mktemp -d) || exit 1
-export TMPDIR
-trap 'rm -rf "$TMPDIR"' EXIT
-trap 'exit 1' HUP INT TERM
-
-passed=0 failed=0 skipped=0
 
 # count WORD PROGRAM: how many of its tests a program reported so
 count() {
     grep -c "^\[ *$1 *\] " "$2.out"
 }
 
-for program in "$@"; do
+# Runs one program with a temporary folder of its own, leaves its three counts in PROGRAM.counts, and tells about it.
+run_one() {
+    program=$1
+    TMPDIR=$(mktemp -d) || exit 1
+    export TMPDIR
+    trap 'rm -rf "$TMPDIR"' EXIT
+    trap 'exit 1' HUP INT TERM
     "$program" >"$program.out" 2>"$program.err" </dev/null
     status=$?
     good=$(count OK "$program") bad=$(count FAILED "$program") out=$(count SKIPPED "$program")
@@ -30,17 +31,43 @@ for program in "$@"; do
     left=$(cd "$TMPDIR" && ls -d roberts-* 2>/dev/null)
     if [ -n "$left" ]; then
         echo "left in TMPDIR:" $left >>"$program.err"
-        rm -rf "$TMPDIR"/roberts-*
         [ "$bad" -ne 0 ] || bad=1
     fi
+    echo "$good $bad $out" >"$program.counts"
+    skips=$([ "$out" -eq 0 ] || echo ", $out skipped")
+    { # in one piece, so that programs that end at the same time do not mix their lines
+        if [ "$bad" -ne 0 ]; then
+            echo "FAILED  $program: $good passed, $bad failed (exit status $status)"
+            sed 's/^/    /' "$program.out" "$program.err"
+        elif [ "$good" -eq 0 ]; then
+            echo "skipped $program: none passed$skips"
+        else
+            echo "ok      $program: $good passed$skips"
+        fi
+        [ "$bad" -ne 0 ] || awk '
+            /^skipped: / { reason = ": " substr($0, 10) }
+            /^note: / { print "        " substr($0, 7) }
+            /^\[  SKIPPED \] / { print "        skipped: " substr($0, 14) reason }
+            /^\[ RUN / { reason = "" }' "$program.out"
+    } >"$program.report"
+    cat "$program.report"
+}
+
+if [ "${1:-}" = --one ]; then
+    run_one "$2"
+    exit 0
+fi
+
+for program in "$@"; do
+    rm -f "$program.counts"
+done
+printf '%s\0' "$@" | xargs -0 -n 1 -P "${JOBS:-$(nproc 2>/dev/null || echo 1)}" "$0" --one
+
+passed=0 failed=0 skipped=0
+for program in "$@"; do
+    good=0 bad=1 out=0
+    [ ! -f "$program.counts" ] || read -r good bad out <"$program.counts"
     passed=$((passed + good)) failed=$((failed + bad)) skipped=$((skipped + out))
-    if [ "$bad" -ne 0 ]; then
-        echo "FAILED  $program: $good passed, $bad failed (exit status $status)"
-        sed 's/^/    /' "$program.out" "$program.err"
-    else
-        echo "ok      $program: $good passed"
-        sed -n 's/^\[  SKIPPED \] /        skipped: /p; s/^note: /        /p' "$program.out"
-    fi
 done
 echo
 echo "$passed passed, $failed failed, $skipped skipped"

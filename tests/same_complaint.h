@@ -19,4 +19,11 @@ static inline bool same_complaint(const roberts_error *once, const roberts_error
            (twice->message[length] == '\0' || strncmp(twice->message + length, "; look: line ", 13) == 0);
 }
 
+/* Whether nothing but its size tells that this is binary STL: from a function, whose size is not known, it is something else. */
+static inline bool only_size_tells(const void *bytes, size_t size)
+{
+    const unsigned char *b = bytes;
+    return size >= 84 && size == 84 + 50 * (b[80] | (size_t)b[81] << 8 | (size_t)b[82] << 16 | (size_t)b[83] << 24);
+}
+
 #endif

@@ -1,4 +1,4 @@
-/* same_mesh.h - whether two meshes hold the same vertices, faces and colours. Their inputs are not compared. */
+/* same_mesh.h - whether two meshes hold the same vertices, faces, colours and groups. Their inputs are not compared. */
 #ifndef ROBERTS_TESTS_SAME_MESH_H
 #define ROBERTS_TESTS_SAME_MESH_H
 
@@ -16,6 +16,14 @@ static inline bool same_colors(const roberts_color *a, const roberts_color *b, s
     return true;
 }
 
+static inline bool same_groups(const roberts_mesh *a, const roberts_mesh *b)
+{
+    for (size_t i = 0; i < a->group_count && i < b->group_count; i++)
+        if (strcmp(a->group[i].name, b->group[i].name) != 0 || a->group[i].first_face != b->group[i].first_face)
+            return false;
+    return a->group_count == b->group_count;
+}
+
 static inline bool same_mesh(const roberts_mesh *a, const roberts_mesh *b)
 {
     return a->vertex_count == b->vertex_count && a->face_count == b->face_count && a->corner_count == b->corner_count &&
@@ -24,7 +32,7 @@ static inline bool same_mesh(const roberts_mesh *a, const roberts_mesh *b)
            !a->face_start == !b->face_start &&
            (!a->face_start || memcmp(a->face_start, b->face_start, (a->face_count + 1) * sizeof *a->face_start) == 0) &&
            same_colors(a->vertex_color, b->vertex_color, a->vertex_count) &&
-           same_colors(a->face_color, b->face_color, a->face_count);
+           same_colors(a->face_color, b->face_color, a->face_count) && same_groups(a, b);
 }
 
 #endif

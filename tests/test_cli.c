@@ -22,6 +22,7 @@
 #include <cmocka.h>
 
 #include "program.h"
+#include "skip.h"
 
 /* ---- misuse ---- */
 
@@ -95,8 +96,8 @@ static const struct {
     {"-o", "-o needs a value"},
     {"--format", "--format needs a value"},
     {"--output=", "--output: the name is empty"},
-    {"-o a.dxf models/table.off",
-     "a.dxf: no format is known by this ending, as by .svg, .pdf, .ps, .eps, .png, .csv or .json; say which with -f"},
+    {"-o a.dxf models/table.off", "a.dxf: no format has this ending (.svg, .pdf, .ps, .eps, .png, .csv and .json are "
+                                  "known); name the format with -f"},
     {"--turntable 4", "--turntable needs a name with a place for the number: -o turn-%03d.svg"},
     {"--turntable 4 -o a.svg", "--turntable needs a name with a place"},
     {"--turntable 4 -o a-%d-%d.svg", "--turntable needs a name with a place"},
@@ -572,7 +573,7 @@ static void progress_is_for_terminals(void **state)
     (void)state;
     int terminal = posix_openpt(O_RDWR | O_NOCTTY);
     if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0)
-        skip();
+        SKIP_BECAUSE("no terminal can be opened");
     int side = open(ptsname(terminal), O_RDWR | O_NOCTTY);
     assert_true(side >= 0);
     run_slowly("-", side, 1300);
@@ -673,7 +674,7 @@ static void examples_of_the_help_run(void **state)
     assert_non_null(line);
     for (line = strtok(line + 10, "\n"); line; line = strtok(NULL, "\n"), count++) {
         assert_int_equal(strncmp(line, "  roberts ", 10), 0);
-        snprintf(command, sizeof command, "%s %s 2>err", program, line + 10);
+        snprintf(command, sizeof command, "'%s' %s 2>err", program, line + 10);
         print_message("%s\n", line);
         assert_int_equal(system(command), 0);
         char *name = strstr(line, " table.") ? strstr(line, " table.") + 1 : strstr(line, ">table.");
@@ -830,11 +831,11 @@ static void checks_by_rays(void **state)
     assert_int_equal(
         sscanf(last.err, "roberts: verify: %u points of %u segments checked; contradictions: 0,", &points, &segments),
         2);
-    assert_true(segments > 10 && points == 3 * segments);
+    assert_true(segments > 10 && points > segments);
     assert_int_equal(strncmp(last.out, "solid,v0,v1,", 12), 0);
     assert_int_equal(run("--verify=11 -f null models/table.off"), 0);
     assert_int_equal(sscanf(last.err, "roberts: verify: %u points", &more), 1);
-    assert_int_equal(more, 11 * segments);
+    assert_true(more >= points + 8 * segments);
     assert_int_equal(run("--verify --all-edges --hidden solid -f null models/sphere.off"), 0);
     assert_int_equal(run("--verify --crease 45 --quiet -f null models/sphere.off"), 0);
     assert_string_equal(last.err, ""); /* nothing wrong, nothing to say */

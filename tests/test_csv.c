@@ -12,8 +12,9 @@
 
 #include <cmocka.h>
 
-#include "draw/decimal.h"
+#include "draw/output.h"
 #include "drawing.h"
+#include "skip.h"
 
 /* ---- numbers ---- */
 
@@ -196,8 +197,7 @@ static void rows_in_a_locale_with_commas(void **state)
 {
     (void)state;
     if (!setlocale(LC_ALL, "de_DE.UTF-8")) {
-        print_message("no locale de_DE.UTF-8\n");
-        skip();
+        SKIP_BECAUSE("no locale de_DE.UTF-8");
     }
     char text[16];
     snprintf(text, sizeof text, "%g", 0.5);

@@ -11,6 +11,7 @@
 
 #include "program.h"
 #include "sanitized.h"
+#include "skip.h"
 
 static const char cube_name[] = "models/platonic/cube.off";
 static char cube[TEXT], table[TEXT]; /* the cube, and its drawing as CSV */
@@ -221,7 +222,7 @@ static void little_stack(void **state)
 {
     (void)state;
     if (SANITIZED)
-        skip();
+        SKIP_BECAUSE("a sanitizer needs more memory");
     assert_int_equal(run("models/lattice.off --hidden dashed -o in/a.svg"), 0);
     assert_int_equal(run_from("ulimit -s 128", "models/lattice.off --hidden dashed --verify -o in/b.svg", ""), 0);
     assert_said("contradictions: 0");
@@ -237,7 +238,7 @@ static void little_memory(void **state)
     bool drawn = false, refused = false;
     (void)state;
     if (SANITIZED)
-        skip();
+        SKIP_BECAUSE("a sanitizer needs more memory");
     for (int kilobytes = 8000; kilobytes <= 64000; kilobytes += 1000) {
         char before[200];
         snprintf(before, sizeof before, "ulimit -v %d; m=models/icosahedra.off; set -- \"$@\" $m $m $m $m $m $m $m $m",

@@ -216,7 +216,10 @@ static bool one_by_one(const hide_space *space, const hide_face *F, const hide_e
         tally->test2_visible++;
         return false;
     }
-    return hide_by_sides(space, F, e, sides, tally, part) && hide_pierce(space, F, e, sides, part);
+    if (!hide_by_sides(space, F, e, sides, tally, part))
+        return false;
+    hide_part inside = *part;
+    return hide_pierce(space, F, e, &inside, sides, part) && hide_is_left(space, e, part);
 }
 
 /* All four, and where AB pierces the face; on the ramp z = x. */

@@ -39,6 +39,9 @@ static void found(void **state)
     assert_non_null(directory);
     for (struct dirent *entry; (entry = readdir(directory));) {
         harness *fuzz = strncmp(entry->d_name, "read-", 5) == 0       ? fuzz_read
+                        : strncmp(entry->d_name, "stl-", 4) == 0      ? fuzz_stl
+                        : strncmp(entry->d_name, "obj-", 4) == 0      ? fuzz_obj
+                        : strncmp(entry->d_name, "ply-", 4) == 0      ? fuzz_ply
                         : strncmp(entry->d_name, "pipeline-", 9) == 0 ? fuzz_pipeline
                                                                       : NULL;
         if (!fuzz)
@@ -53,10 +56,20 @@ static void found(void **state)
 
 static void models(void **state)
 {
-    static const char *const files[] = {"models/table.off",      "models/tower.off",
-                                        "models/plates.off",     "models/stella-octangula.off",
-                                        "models/staircase.off",  "models/compound-of-three-cubes.off",
-                                        "models/brick-wall.off", "models/tests/test3-pierced.off"};
+    static const char *const files[] = {"models/table.off",
+                                        "models/tower.off",
+                                        "models/plates.off",
+                                        "models/stella-octangula.off",
+                                        "models/staircase.off",
+                                        "models/compound-of-three-cubes.off",
+                                        "models/brick-wall.off",
+                                        "models/tests/test3-pierced.off",
+                                        "tests/fuzz/seeds/house.stl",
+                                        "tests/fuzz/seeds/house-binary.stl",
+                                        "tests/fuzz/seeds/house.obj",
+                                        "tests/fuzz/seeds/house.ply",
+                                        "tests/fuzz/seeds/house-little.ply",
+                                        "tests/fuzz/seeds/house-big.ply"};
     static const char settings[][FUZZ_SETTINGS + 1] = {
         {0},                             /* isometric */
         "\1\12\24\36\1\0\4\3\12\0\0\0",  /* from any side, with hidden lines */
@@ -67,6 +80,11 @@ static void models(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
         run(fuzz_read, files[i], NULL, 0);
+        run(fuzz_stl, files[i], "\0", 1);
+        run(fuzz_stl, files[i], "\1", 1);
+        run(fuzz_stl, files[i], "\2", 1);
+        run(fuzz_obj, files[i], NULL, 0);
+        run(fuzz_ply, files[i], NULL, 0);
         for (size_t k = 0; k < sizeof settings / sizeof settings[0]; k++)
             run(fuzz_pipeline, files[i], settings[k], FUZZ_SETTINGS);
     }

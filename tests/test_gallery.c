@@ -172,7 +172,7 @@ static void pictures_are_shown(void **state)
     (void)each_picture(committed, expect_shown);
     for (const char *at = readme; (at = strstr(at, "models/gallery/")); at++) {
         char name[100], byte;
-        snprintf(name, sizeof name, "%.*s", (int)strcspn(at + 15, "\""), at + 15);
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(at + 15, "\")"), at + 15);
         if (contents(committed, name, &byte, 1) == 0)
             fail_msg("there is no %s", name);
     }

@@ -5,6 +5,7 @@
  * the low and 1 on the high side. From "top" (x right, y up) only the upper faces are front, the four sides are edge-on;
  * from "front" (x right, z up) only those of least y; from "iso" those of greatest x, least y and greatest z, a point P
  * being hidden by a box that P + s (1, -1, 1) meets for some s > 0. */
+#include <float.h>
 #include <stdio.h>
 
 #include "scenes.h"
@@ -317,6 +318,82 @@ static void add_tetrahedron(model *m, const roberts_vec3 point[4])
     model_close_solid(m);
 }
 
+/* An edge 8-9 of solid 2 runs along y = 0, at so flat an angle to a border of solid 0 that it is within epsilon
+ * (1.2e-9 to 1.7e-9) of the border's line for twelve and more of its hundred units. But there is a gap that is far
+ * wider than epsilon. */
+static void borders_at_flat_angles(void **state)
+{
+    static const struct {
+        const char *name;
+        roberts_vec3 solid[3][4];
+        const char *rows;
+    } table[] = {
+        {"the border ends at a corner",
+         {{{0, 0, 10}, {50, 0, 10}, {60, -30, 10}, {30, -10, 5}},
+          {{58, -1, 10}, {59, -1, 10}, {59, 1, 10}, {58, 1, 11}},
+          {{0, -4.9e-9, 0}, {100, 5.1e-9, 0}, {50, -5, -10}, {50, -4, -11}}},
+         "8-9 v 9.8e-11 h0 0.49 v 0.58 h1 0.59 v"},
+        {"... and the other way along the edge",
+         {{{100, 0, 10}, {50, 0, 10}, {40, -30, 10}, {70, -10, 5}},
+          {{42, -1, 10}, {41, -1, 10}, {41, 1, 10}, {42, 1, 11}},
+          {{0, 5.1e-9, 0}, {100, -4.9e-9, 0}, {50, -5, -10}, {50, -4, -11}}},
+         "8-9 v 0.41 h1 0.42 v 0.51 h0 0.999999999902 v"},
+        {"the edge is before the plane",
+         {{{0, 0, 0}, {100, 0, 100}, {100, 10, 100}, {100, 0, 90}},
+          {{44, -1, 60}, {45, -1, 60}, {45, 1, 60}, {44, 1, 61}},
+          {{0, -1e-8, 50}, {100, 1e-8, 50}, {50, -5, 40}, {50, -4, 39}}},
+         "8-9 v 0.44 h1 0.45 v 0.5 h0"},
+        /* it is within epsilon outside of one side, and crosses the line of the other 0.01 beyond the corner of both */
+        {"beyond a sharp corner",
+         {{{10, -1e-10, 10}, {20, -1e-10, 10}, {10, -1e-7, 10}, {13, -3e-8, 9}},
+          {{58, -1, 10}, {59, -1, 10}, {59, 1, 10}, {58, 1, 11}},
+          {{0, 0, 0}, {100, 0, 0}, {50, -5, -10}, {50, -4, -11}}},
+         "8-9 v 0.1 h0 0.2 v 0.58 h1 0.59 v"},
+    };
+    roberts_camera camera = {.dir = {0, 0, 1}};
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)
+        for (uint32_t grid = 0; grid < 2; grid++) {
+            roberts_hide_options options = with_hidden();
+            model m = {0};
+            options.grid = grid;
+            for (int k = 0; k < 3; k++)
+                add_tetrahedron(&m, table[i].solid[k]);
+            roberts_drawing drawing = model_draw(&m, &camera, &options);
+            expect_edge(table[i].name, "top", &drawing, table[i].rows);
+            roberts_drawing_free(&drawing);
+            model_free(&m);
+        }
+}
+
+/* A roof of two faces, and an edge from x = 0 to 100 that pierces both of their planes, at x = 49 and, at so flat an
+ * angle that it is within epsilon for ten units, at x = 50. It is hidden from there on, in whatever order the faces
+ * come. */
+static void pierced_planes_in_any_order(void **state)
+{
+    static const roberts_vec2 section[4] = {{-1, 5}, {49, 10 - 1e-10}, {101, 10 + 5.1e-9}, {101, 0}}; /* x and z */
+    static const uint32_t face[6][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6},
+                                        {3, 0, 4, 7}, {3, 2, 1, 0}, {4, 5, 6, 7}};
+    static const roberts_vec3 edge[4] = {{0, 0, 10}, {100, 0, 10}, {50, 3, -20}, {48, -3, -22}};
+    roberts_camera camera = {.dir = {0, 0, 1}};
+    roberts_hide_options options = with_hidden();
+    (void)state;
+    for (int first = 0; first < 6; first++)
+        for (int step = 1; step < 6; step += 4) {
+            model m = {0};
+            for (int i = 0; i < 8; i++)
+                model_vertex(&m, (roberts_vec3){section[i % 4].x, i < 4 ? -5 : 5, section[i % 4].y});
+            for (int f = 0; f < 6; f++)
+                model_face(&m, face[(first + step * f) % 6], 4);
+            model_close_solid(&m);
+            add_tetrahedron(&m, edge);
+            roberts_drawing drawing = model_draw(&m, &camera, &options);
+            expect_edge("pierced", "top", &drawing, "8-9 v 0.5 h0");
+            roberts_drawing_free(&drawing);
+            model_free(&m);
+        }
+}
+
 /* A prism whose upper edge 32-33... passes diagonally under the corner where four plates meet. */
 static void edge_under_a_corner_of_four(void **state)
 {
@@ -335,6 +412,57 @@ static void edge_under_a_corner_of_four(void **state)
     expect_visible("under four plates", "top", &drawing, 20);
     roberts_drawing_free(&drawing);
     model_free(&m);
+}
+
+/* Solids that are convex only within the tolerance, seen from the top: their outlines are not convex. A tetrahedron
+ * below is hidden all the same. */
+static void outlines_that_are_not_convex(void **state)
+{
+    static const struct {
+        const char *name;
+        roberts_vec3 corner[6];
+        size_t count, edge_on;
+        uint32_t face[8][4]; /* three corners and a 0, or four */
+    } table[] = {
+        /* A prism with corner 4 a little inside. 1-3-4 and 1-2-4 are slivers, 0-1-3 and 2-4-5 edge-on. 2 and 5 are one
+         * point of the picture: the outline runs from there to 4 and back. */
+        {"out along a sliver and back",
+         {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, {1.999999, 1e-7, 1}, {0, 2, 1}},
+         6,
+         3,
+         {{0, 1, 2}, {3, 4, 5}, {0, 1, 3}, {1, 3, 4}, {1, 2, 4}, {2, 4, 5}, {0, 2, 5, 3}}},
+        /* A pyramid that stands on its tip, the side 0-1 of its upper face with a dent at 3, near to 0. */
+        {"inward where no face is edge-on",
+         {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0.02, 2e-5, 0}, {0.5, 0.5, -1}},
+         5,
+         0,
+         {{0, 2, 3}, {1, 2, 3}, {0, 3, 4}, {1, 3, 4}, {1, 2, 4}, {0, 2, 4}}},
+    };
+    roberts_camera camera = preset("top");
+    roberts_hide_options options = with_hidden();
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        model m = {0};
+        size_t segments = 0;
+        for (size_t v = 0; v < table[i].count; v++)
+            model_vertex(&m, table[i].corner[v]);
+        for (size_t f = 0; table[i].face[f][1]; f++)
+            model_face(&m, table[i].face[f], table[i].face[f][3] ? 4 : 3);
+        model_close_solid(&m);
+        add_tetrahedron(
+            &m, (roberts_vec3[]){{0.3, 1e-4, -0.2}, {0.4, 1e-4, -0.2}, {0.3, 2e-4, -0.2}, {0.32, 1.5e-4, -0.1}});
+        roberts_drawing drawing = model_draw(&m, &camera, &options);
+        assert_int_equal(drawing.edge_on_faces, table[i].edge_on);
+        for (size_t k = 0; k < drawing.count; k++) {
+            const roberts_segment *s = &drawing.segment[k];
+            if (s->solid == 1 && s->state != ROBERTS_HIDDEN)
+                fail_msg("%s: edge %u-%u is seen from %g to %g", table[i].name, s->v0, s->v1, s->t0, s->t1);
+            segments += s->solid == 1;
+        }
+        assert_int_equal(segments, 6);
+        roberts_drawing_free(&drawing);
+        model_free(&m);
+    }
 }
 
 /* A bar's edge of y = 0 from x = 0 to 10 under three plates: one hides x < 5, one x > 6, and one up to x = 3.6, where its
@@ -538,6 +666,54 @@ static void eyes_refused(void **state)
             fail_msg("%s: status %d, message \"%s\"", table[i].name, status, error.message);
         assert_true(status == ROBERTS_OK || (d.count == 0 && !d.segment));
         roberts_drawing_free(&d);
+    }
+    roberts_scene_free(scene);
+    model_free(&m);
+}
+
+/* Eyes so near a cube, or in contact with it, that the near plane has to stand farther away than it is asked to: nothing is
+ * refused, the drawing is that of the least distance there is, and rays find nothing wrong with it. */
+static void eyes_very_near(void **state)
+{
+    static const struct {
+        const char *name;
+        roberts_vec3 eye;
+        bool seen; /* else all that is left of the cube lies behind where it is cut */
+    } table[] = {
+        {"before a corner", {1.000001, 1.000001, 1.000001}, true},
+        {"nearer to it", {1.0000001, 1.0000001, 1.0000001}, true},
+        {"at it", {1, 1, 1}, false},
+        {"before an edge", {1.000001, 0.25, 1.000001}, true},
+        {"at it", {1, 0.25, 1}, false},
+        {"before a face", {0.5, 0.25, 1.0000001}, true},
+        {"on it", {0.5, 0.25, 1}, false},
+        {"in its plane", {1.0000005, 0.25, 1}, true},
+    };
+    const double least = 1e-6 * sqrt(12.0) + 64 * DBL_EPSILON; /* of the cube's diameter, and some rounding */
+    model m = {0};
+    (void)state;
+    model_box(&m, (roberts_vec3){-1, -1, -1}, (roberts_vec3){1, 1, 1});
+    roberts_scene *scene = model_build(&m);
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        const double nears[] = {1e-6, 1e-9, least};
+        roberts_drawing d[3];
+        for (int k = 0; k < 3; k++) {
+            roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = table[i].eye, .near_distance = nears[k]};
+            roberts_error error = {0};
+            roberts_verification found;
+            if (roberts_hide(scene, &camera, NULL, &d[k], &error) != ROBERTS_OK)
+                fail_msg("%s: %s", table[i].name, error.message);
+            assert_int_equal(roberts_verify(scene, &camera, &d[k], NULL, &found, NULL), ROBERTS_OK);
+            assert_true((found.points > 0) == table[i].seen && found.contradictions == 0);
+            assert_int_equal(d[k].count, d[0].count);
+        }
+        for (size_t k = 0; k < d[0].count; k++) {
+            assert_true(d[0].segment[k].t0 == d[1].segment[k].t0 && d[0].segment[k].t1 == d[1].segment[k].t1);
+            assert_true(fabs(d[0].segment[k].t0 - d[2].segment[k].t0) < 1e-12 &&
+                        fabs(d[0].segment[k].t1 - d[2].segment[k].t1) < 1e-12);
+        }
+        for (int k = 0; k < 3; k++)
+            roberts_drawing_free(&d[k]);
     }
     roberts_scene_free(scene);
     model_free(&m);
@@ -911,12 +1087,16 @@ int main(void)
         cmocka_unit_test(boxes_by_table),
         cmocka_unit_test(boxes_seen_obliquely),
         cmocka_unit_test(edge_under_a_corner_of_four),
+        cmocka_unit_test(outlines_that_are_not_convex),
         cmocka_unit_test(border_that_runs_nearly_along),
+        cmocka_unit_test(borders_at_flat_angles),
+        cmocka_unit_test(pierced_planes_in_any_order),
         cmocka_unit_test(perspective_by_hand),
         cmocka_unit_test(near_plane_by_hand),
         cmocka_unit_test(side_that_weaves_through_the_near_plane),
         cmocka_unit_test(field_of_view),
         cmocka_unit_test(eyes_refused),
+        cmocka_unit_test(eyes_very_near),
         cmocka_unit_test(eyes_on_a_face),
         cmocka_unit_test(box_buried_in_a_slab_under_the_eye),
         cmocka_unit_test(flat_edges_by_table),

@@ -46,13 +46,14 @@ static int set_up(void **state)
     return 0;
 }
 
-/* The compiler's own flags belong to the build that is tested: a sanitizer's library needs its run-time library. */
+/* pkg-config puts a backslash before a blank in a path, which the shell has to read once more (eval).
+ * The compiler's own flags belong to the build that is tested: a sanitizer's library needs its run-time library. */
 static void build_client(const char *compiler, const char *source, const char *flags, const char *link)
 {
     char command[4096];
     snprintf(command, sizeof command,
              "PKG_CONFIG_PATH=\"$PWD/%s/lib/pkgconfig\"; export PKG_CONFIG_PATH; "
-             "%s %s tests/examples/%s $(pkg-config --cflags roberts) -o %s/client %s -lm",
+             "eval \"%s %s tests/examples/%s $(pkg-config --cflags roberts) -o %s/client %s -lm\"",
              root, compiler, flags, source, root, link);
     run(command);
 }
@@ -125,11 +126,12 @@ static void brings_manual_and_completions(void **state)
 static void tells_the_loader(void **state)
 {
     static const struct {
-        const char *user, *destdir, *looked_into, *wanted;
-    } table[] = {{"0", "", "$PWD/$d/usr/lib", "told"},
-                 {"1000", "", "$PWD/$d/usr/lib", ""},
-                 {"0", "$PWD/", "$d/usr/lib", ""},
-                 {"0", "", "$PWD/$d/usr", ""}};
+        const char *user, *destdir, *prefix, *looked_into, *wanted;
+    } table[] = {{"0", "", "$PWD/$d/usr", "$PWD/$d/usr/lib", "told"},
+                 {"0", "", "$d/usr", "$PWD/$d/usr/lib", "told"}, /* a relative PREFIX counts from the top folder */
+                 {"1000", "", "$PWD/$d/usr", "$PWD/$d/usr/lib", ""},
+                 {"0", "$PWD/$d", "/usr", "/usr/lib", ""},
+                 {"0", "", "$PWD/$d/usr", "$PWD/$d/usr", ""}};
     (void)state;
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         char command[4096];
@@ -137,13 +139,33 @@ static void tells_the_loader(void **state)
             command, sizeof command,
             "d=%s/loader; mkdir -p $d/bin; rm -f $d/told; echo \"#!/bin/sh\" >$d/bin/id; cp $d/bin/id $d/bin/ldconfig; "
             "echo echo %s >>$d/bin/id; chmod +x $d/bin/*; "
-            "echo \"[ \\$# = 0 ] && echo told >$d/told || echo %s: \" >>$d/bin/ldconfig; "
-            "PATH=\"$PWD/$d/bin:$PATH\" make --no-print-directory install BUILD=%s DESTDIR=%s PREFIX=%s$d/usr && "
+            "echo \"[ \\$# = 0 ] && echo told >$d/told || echo '%s: '\" >>$d/bin/ldconfig; "
+            "PATH=\"$PWD/$d/bin:$PATH\" make --no-print-directory install BUILD=%s DESTDIR=\"%s\" PREFIX=\"%s\" && "
             "test \"$(cat $d/told 2>/dev/null)\" = '%s'",
             root, table[i].user, table[i].looked_into, setting("ROBERTS_BUILD", "build"), table[i].destdir,
-            *table[i].destdir ? "" : "$PWD/", table[i].wanted);
+            table[i].prefix, table[i].wanted);
         run(command);
     }
+}
+
+/* A folder with a blank in its name, and one in which nothing can be made: a message says what to do. */
+static void other_folders(void **state)
+{
+    const char *build = setting("ROBERTS_BUILD", "build");
+    char command[4096];
+    (void)state;
+    snprintf(command, sizeof command,
+             "make --no-print-directory install BUILD=%s PREFIX='%s/a b' && '%s/a b/bin/roberts' --version && "
+             "grep -q \"^prefix=$PWD/%s/a b$\" '%s/a b/lib/pkgconfig/roberts.pc' && "
+             "make --no-print-directory uninstall BUILD=%s PREFIX='%s/a b' && test -z \"$(find '%s/a b' -type f)\"",
+             build, root, root, root, root, build, root, root);
+    run(command);
+    snprintf(command, sizeof command,
+             "! make --no-print-directory install BUILD=%s PREFIX=/dev/null/usr 2>%s.said && "
+             "grep -q 'cannot write to /dev/null; as root: sudo make install' %s.said && "
+             "grep -q '  make install PREFIX=.*/.local' %s.said",
+             build, root, root, root);
+    run(command);
 }
 
 static void uninstalls(void **state)
@@ -167,6 +189,7 @@ int main(void)
         cmocka_unit_test(brings_manual_and_completions),
         cmocka_unit_test(uninstalls),
         cmocka_unit_test(tells_the_loader),
+        cmocka_unit_test(other_folders),
     };
     return cmocka_run_group_tests_name("install", tests, set_up, NULL);
 }

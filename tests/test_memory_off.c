@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "memory.h"
-#include "model/off_pieces.h"
+#include "read/off.h"
 
 /* Long enough that every array grows several times. */
 static size_t make_input(char *text, bool binary)
@@ -81,6 +81,42 @@ static void binary_survives(void **state)
     reading_survives(true);
 }
 
+/* STL, OBJ with its colours, PLY: one allocation after the other fails, of the reader and of the solids' names. */
+static void other_formats_survive(void **state)
+{
+    static const struct row {
+        const char *path;
+        size_t
+            least; /* failures: block, source, name, three arrays; of STL the table, of OBJ groups, colours and materials */
+    } rows[] = {{"tests/fuzz/seeds/house.stl", 10},
+                {"tests/fuzz/seeds/house-binary.stl", 7},
+                {"tests/fuzz/seeds/house.obj", 14},
+                {"tests/fuzz/seeds/house.ply", 7},
+                {"tests/fuzz/seeds/house-big.ply", 7}};
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        size_t failures = 0, before = memory_blocks;
+        bool failed = true;
+        for (size_t n = 1; failed; n++) {
+            roberts_mesh mesh = {0};
+            roberts_error error = {0};
+            memory_fail(n);
+            roberts_status status = roberts_mesh_read_file(&mesh, rows[i].path, NULL, &error);
+            failed = memory_failed();
+            memory_fail(0);
+            assert_int_equal(status, failed ? ROBERTS_NO_MEMORY : ROBERTS_OK);
+            assert_string_equal(error.message, failed ? "not enough memory" : "");
+            assert_true(!failed ||
+                        (!mesh.vertex && !mesh.face_start && !mesh.source && !mesh.group && !mesh.face_color));
+            failures += failed;
+            roberts_mesh_free(&mesh);
+            assert_int_equal(memory_blocks, before);
+        }
+        if (failures < rows[i].least)
+            fail_msg("%s: %zu failures", rows[i].path, failures);
+    }
+}
+
 static ptrdiff_t read_at(void *context, uint64_t offset, void *buffer, size_t size)
 {
     const char *text = context;
@@ -122,14 +158,14 @@ static void pieces_survive(void **state)
         length += (size_t)sprintf(text + length, "%d 0 0\n", i);
     for (int i = 0; i < 60; i++)
         length += (size_t)sprintf(text + length, "3 0 1 %d\n", i);
-    const off_source source = {
+    const input_source source = {
         .read = read_on, .context = text, .read_at = read_at, .go = go, .size = length, .finite = true};
     for (size_t n = 1;; n++) {
         roberts_mesh mesh = {0};
         roberts_error error;
         place = 0;
         memory_fail(n);
-        roberts_status status = off_read(&mesh, "pieces", &source, &division, NULL, &error);
+        roberts_status status = read_mesh(&mesh, "pieces", &source, &division, NULL, &error);
         bool failed = memory_failed();
         memory_fail(0);
         failures += status == ROBERTS_NO_MEMORY;
@@ -209,11 +245,9 @@ static void declared_counts_take_no_memory(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(text_survives),
-        cmocka_unit_test(binary_survives),
-        cmocka_unit_test(pieces_survive),
-        cmocka_unit_test(adding_survives),
-        cmocka_unit_test(declared_counts_take_no_memory),
+        cmocka_unit_test(text_survives),         cmocka_unit_test(binary_survives),
+        cmocka_unit_test(other_formats_survive), cmocka_unit_test(pieces_survive),
+        cmocka_unit_test(adding_survives),       cmocka_unit_test(declared_counts_take_no_memory),
     };
     return cmocka_run_group_tests_name("memory off", tests, NULL, NULL);
 }

@@ -14,7 +14,7 @@
 #include <cmocka.h>
 
 #include "base/number.h"
-#include "base/power.h"
+#include "skip.h"
 
 enum { ROOM = 2 * NUMBER_LENGTH_MAX };
 
@@ -231,7 +231,7 @@ static void rounds_middles_to_even(void **state)
             continue;
         long double middle = ((long double)double_of(bits) + double_of(bits + 1)) / 2; /* exact with 64 bits */
         if (LDBL_MANT_DIG < 64)
-            skip();
+            SKIP_BECAUSE("long double has fewer than 64 bits");
         memset(text, 0, sizeof text);
         int length = snprintf(text, ROOM / 2, "%.1100Lf", middle);
         while (text[length - 1] == '0')
@@ -364,8 +364,7 @@ static void knows_no_locale(void **state)
     for (size_t i = 0; i < sizeof comma / sizeof *comma && !found; i++)
         found = setlocale(LC_NUMERIC, comma[i]);
     if (!found) {
-        print_message("no locale with a decimal comma is installed\n");
-        skip();
+        SKIP_BECAUSE("no locale with a decimal comma");
     }
     bool really = strtod("1,5", NULL) == 1.5; /* what makes this test one */
     static const char short_text[32] = "1.5", long_text[64] = "9007199254740993.00000000000000000000000000000001";

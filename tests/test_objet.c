@@ -796,18 +796,16 @@ static void cells_by_table(void **state)
     };
     hide_box *box = malloc(BOXES * sizeof *box);
     rng r = {79};
-    bool unite;
     double depth;
     (void)state;
     assert_non_null(box);
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         make_boxes(box, table[i].huge, table[i].w, table[i].h, &r);
         scan_frame f = cells_for_lists(box, BOXES, window_low, window_high, 0, MARGIN, &depth);
-        scan_frame c = cells_for_covers(box, BOXES, window_low, window_high, MARGIN, 1, &unite);
+        scan_frame c = cells_for_covers(box, BOXES, window_low, window_high, MARGIN, 1);
         double listed = entries(&f, box), cells = (double)scan_cells(&f), covers = (double)scan_cells(&c);
         if (listed > 40.0 * BOXES || cells > 8.0 * BOXES || cells < table[i].least_cells || covers > 64.0 * BOXES)
             fail_msg("%s: %g cells, %g entries, %g cells of covers", table[i].name, cells, listed, covers);
-        assert_int_equal(unite, table[i].huge >= 2000); /* over one another */
     }
     free(box);
 }
@@ -816,7 +814,6 @@ static void cells_given_or_few(void **state)
 {
     hide_box box[2] = {{-1, 7, 2, 6, 0, 1}, {0, 1, 3, 4, 0, 1}};
     roberts_vec2 upright = {window_low.x, window_high.y};
-    bool unite;
     double depth;
     (void)state;
     scan_frame f = cells_for_lists(box, 2, window_low, window_high, 17, MARGIN, &depth);
@@ -825,7 +822,7 @@ static void cells_given_or_few(void **state)
     assert_true(f.nx == 1 && f.ny == 1);
     f = cells_for_lists(box, 2, window_low, upright, 0, MARGIN, &depth); /* no width */
     assert_true(f.nx >= 1 && f.ny >= 1 && f.dx > 0 && f.dy > 0);
-    f = cells_for_covers(box, 2, window_low, upright, MARGIN, 1, &unite);
+    f = cells_for_covers(box, 2, window_low, upright, MARGIN, 1);
     assert_int_equal(scan_cells(&f), 0);
     double area = (window_high.x - window_low.x) * (window_high.y - window_low.y);
     cells_for_lists(box, 2, window_low, window_high, 0, MARGIN, &depth);
@@ -837,15 +834,14 @@ static void cells_by_threads(void **state)
 {
     hide_box *box = malloc(4 * BOXES * sizeof *box);
     rng r = {80};
-    bool unite;
     (void)state;
     assert_non_null(box);
     for (int i = 0; i < 4; i++)
         make_boxes(box + i * BOXES, 20, 0.03, 0.05, &r);
-    scan_frame one = cells_for_covers(box, 4 * BOXES, window_low, window_high, MARGIN, 1, &unite);
+    scan_frame one = cells_for_covers(box, 4 * BOXES, window_low, window_high, MARGIN, 1);
     assert_true(one.nx > 100);
     for (int threads = 2; threads < 5; threads++) {
-        scan_frame f = cells_for_covers(box, 4 * BOXES, window_low, window_high, MARGIN, threads, &unite);
+        scan_frame f = cells_for_covers(box, 4 * BOXES, window_low, window_high, MARGIN, threads);
         assert_memory_equal(&f, &one, sizeof f);
     }
     free(box);

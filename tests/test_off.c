@@ -16,8 +16,9 @@
 
 #include <cmocka.h>
 
-#include "model/off_pieces.h"
+#include "read/off.h"
 #include "roberts.h"
+#include "skip.h"
 
 enum { ROOM = 1 << 14 };
 
@@ -329,21 +330,29 @@ static const struct {
 } bad[] = {
     {"empty", "", ROBERTS_BAD_SYNTAX, 1, "the input is empty"},
     {"blank", "\n  \n# c\n", ROBERTS_BAD_SYNTAX, 4, "the input is empty"},
-    {"another format", "ply\nformat ascii 1.0\n", ROBERTS_BAD_SYNTAX, 1,
-     "this is PLY (MeshLab saves it as OFF), but only OFF can be read"},
-    {"STL", "solid cube\n facet normal 0 0 1\n", ROBERTS_BAD_SYNTAX, 1,
-     "this is STL (OpenSCAD or MeshLab saves it as OFF), but only OFF can be read"},
-    {"OBJ after comments", "# made by\n\nmtllib a.mtl\no Cube\n", ROBERTS_BAD_SYNTAX, 3,
-     "this is OBJ (MeshLab saves it as OFF), but only OFF can be read"},
-    {"OBJ", "v 0 0 0\n", ROBERTS_BAD_SYNTAX, 1, "this is OBJ (MeshLab saves it as OFF), but only OFF can be read"},
+    {"glTF, binary", "glTF\2", ROBERTS_BAD_SYNTAX, 1,
+     "this is glTF, but only OFF, STL, OBJ and PLY can be read; to convert it: assimp export model.glb model.stl"},
+    {"glTF, text", "{\n  \"asset\": {}\n}\n", ROBERTS_BAD_SYNTAX, 2,
+     "this is JSON (as glTF is), but only OFF, STL, OBJ and PLY can be read; to convert it: assimp export model.glb "
+     "model.stl"},
+    {"STEP", "ISO-10303-21;\nHEADER;\n", ROBERTS_BAD_SYNTAX, 1,
+     "this is STEP, but only OFF, STL, OBJ and PLY can be read; to convert it: gmsh -2 model.step -o model.stl"},
+    {"OpenSCAD", "// a box\ncube([1, 2, 3]);\n", ROBERTS_BAD_SYNTAX, 1,
+     "this is a program (as OpenSCAD's are), but only OFF, STL, OBJ and PLY can be read; to convert it: openscad -o "
+     "model.stl model.scad"},
+    {"OpenSCAD without a comment", "difference() {\n cube(3);\n}\n", ROBERTS_BAD_SYNTAX, 1,
+     "this is OpenSCAD, but only OFF, STL, OBJ and PLY can be read; to convert it: openscad -o model.stl model.scad"},
     {"XML", "<?xml version=\"1.0\"?>\n", ROBERTS_BAD_SYNTAX, 1,
-     "this is XML (as AMF, X3D and COLLADA are), but only OFF can be read"},
+     "this is XML (as AMF, X3D and COLLADA are), but only OFF, STL, OBJ and PLY can be read"},
     {"a word that only begins like a format", "plywood\n", ROBERTS_BAD_SYNTAX, 1,
-     "the beginning of an OFF file (keyword OFF, or the counts) expected, found \"plywood\""},
-    {"ZIP", "PK\x03\x04", ROBERTS_BAD_SYNTAX, 1, "this is a ZIP archive (as 3MF is), but only OFF can be read"},
+     "the beginning of OFF (keyword or counts), STL, OBJ or PLY expected, found \"plywood\""},
+    {"ZIP", "PK\x03\x04", ROBERTS_BAD_SYNTAX, 1,
+     "this is a ZIP archive (as 3MF is), but only OFF, STL, OBJ and PLY can be read; to convert it: assimp export "
+     "model.3mf model.stl"},
     {"UTF-16", "\xff\xfeO", ROBERTS_BAD_SYNTAX, 1,
-     "this is text in UTF-16 (to be saved as UTF-8), but only OFF can be read"},
-    {"gzip", "\x1f\x8b\x08", ROBERTS_BAD_SYNTAX, 1, "this is compressed, as by gzip, but only OFF can be read"},
+     "this is text in UTF-16 (to be saved as UTF-8), but only OFF, STL, OBJ and PLY can be read"},
+    {"gzip", "\x1f\x8b\x08", ROBERTS_BAD_SYNTAX, 1,
+     "this is compressed, as by gzip, but only OFF, STL, OBJ and PLY can be read"},
     {"points without their number", "3 rbox c\n0 0 0\n", ROBERTS_BAD_SYNTAX, 2,
      "the number of points, alone on its line, expected, found \"0\""},
     {"points of four dimensions", "4 rbox c D4\n16\n", ROBERTS_BAD_SYNTAX, 1,
@@ -353,17 +362,17 @@ static const struct {
     {"fewer points than told", "3 rbox c\n3\n0 0 0\n1 1 1\n", ROBERTS_BAD_SYNTAX, 5,
      "x of vertex 2 of 0..2 expected, but the input ends here"},
     {"another format with counts", "#VRML V2.0 utf8\nShape {\n", ROBERTS_BAD_SYNTAX, 2,
-     "the beginning of an OFF file (keyword OFF, or the counts) expected, found \"Shape\""},
+     "the beginning of OFF (keyword or counts), STL, OBJ or PLY expected, found \"Shape\""},
     {"unknown prefix", "XOFF\n3 1 0\n", ROBERTS_BAD_SYNTAX, 1,
-     "the beginning of an OFF file (keyword OFF, or the counts) expected, found \"XOFF\""},
+     "the beginning of OFF (keyword or counts), STL, OBJ or PLY expected, found \"XOFF\""},
     {"prefix twice", "NNOFF\n3 1 0\n", ROBERTS_BAD_SYNTAX, 1,
-     "the beginning of an OFF file (keyword OFF, or the counts) expected, found \"NNOFF\""},
+     "the beginning of OFF (keyword or counts), STL, OBJ or PLY expected, found \"NNOFF\""},
     {"keyword with a tail", "OFFICE\n3 1 0\n", ROBERTS_BAD_SYNTAX, 1,
-     "the beginning of an OFF file (keyword OFF, or the counts) expected, found \"OFFICE\""},
+     "the beginning of OFF (keyword or counts), STL, OBJ or PLY expected, found \"OFFICE\""},
     {"unprintable start", "\x1b[31m\x80\n", ROBERTS_BAD_SYNTAX, 1,
-     "the beginning of an OFF file (keyword OFF, or the counts) expected, found \"\\x1b\""},
+     "the beginning of OFF (keyword or counts), STL, OBJ or PLY expected, found \"\\x1b\""},
     {"long word", "OFFOFFOFFOFFOFFOFFOFFOFFOFFOFF\n", ROBERTS_BAD_SYNTAX, 1,
-     "the beginning of an OFF file (keyword OFF, or the counts) expected, found \"OFFOFFOFFOFFOFFOFFOFFOFF...\""},
+     "the beginning of OFF (keyword or counts), STL, OBJ or PLY expected, found \"OFFOFFOFFOFFOFFOFFOFFOFF...\""},
     {"keyword alone", "OFF\n", ROBERTS_BAD_SYNTAX, 2, "the number of vertices expected, but the input ends here"},
     {"counts are words", "OFF\nthree 1 0\n", ROBERTS_BAD_SYNTAX, 2, "the number of vertices expected, found \"three\""},
     {"negative count", "OFF\n-3 1 0\n", ROBERTS_BAD_SYNTAX, 2,
@@ -512,13 +521,13 @@ static const struct {
     {"minus the number of vertices", "OFF\n3 1 0\n" POINTS "3 0 -3 2\n", ROBERTS_BAD_INDEX, 6,
      "face 0 names vertex -3, but there are 3"},
     {"XYZ", "4\nmethanol, in part\nC 0 0 0.1\nO 0 0 1.4\n", ROBERTS_BAD_SYNTAX, 0,
-     "this looks like XYZ, the atoms of a molecule, but only OFF can be read"},
+     "this looks like XYZ, the atoms of a molecule, but only OFF, STL, OBJ and PLY can be read"},
     {"XYZ of three atoms", "3\r\nwater\r\nO 0 0 .1 -0.8\r\nH 0 .7 -.4 0.4\r\n", ROBERTS_BAD_SYNTAX, 0,
-     "this looks like XYZ, the atoms of a molecule, but only OFF can be read"},
+     "this looks like XYZ, the atoms of a molecule, but only OFF, STL, OBJ and PLY can be read"},
     {"XYZ without a title", "3\n\nO 0 0 .1\nH 0 .7 -.4\n", ROBERTS_BAD_SYNTAX, 0,
-     "this looks like XYZ, the atoms of a molecule, but only OFF can be read"},
+     "this looks like XYZ, the atoms of a molecule, but only OFF, STL, OBJ and PLY can be read"},
     {"XYZ with an energy for a title", "12\n-76.4\nO 0 0 .1\n", ROBERTS_BAD_SYNTAX, 0,
-     "this looks like XYZ, the atoms of a molecule, but only OFF can be read"},
+     "this looks like XYZ, the atoms of a molecule, but only OFF, STL, OBJ and PLY can be read"},
     {"a dimension, counts and a word", "3\n4 4 6\nx 0 0 0\n", ROBERTS_BAD_SYNTAX, 3,
      "x of vertex 0 of 0..3 expected, found \"x\""},
     {"another dimension and words", "4\nfour-dimensional\n0 0 0 1\n", ROBERTS_BAD_SYNTAX, 1,
@@ -559,9 +568,9 @@ static void refuses_nul_bytes(void **state)
         const char *message;
     } rows[] = {
         {zeros, sizeof zeros, 1,
-         "the beginning of an OFF file (keyword OFF, or the counts) expected, found a word of more than "
+         "the beginning of OFF (keyword or counts), STL, OBJ or PLY expected, found a word of more than "
          "4096 characters"},
-        {zeros, 2, 1, "the beginning of an OFF file (keyword OFF, or the counts) expected, found \"\\x00\\x00\""},
+        {zeros, 2, 1, "the beginning of OFF (keyword or counts), STL, OBJ or PLY expected, found \"\\x00\\x00\""},
         {"OFF\n1 0 0\n0 0\0 0\n", 18, 3, "y of vertex 0 of 0..0 expected, found \"0\\x00\""},
         {"OFF\n1 0 0\n0 0 \0\n", 16, 3, "z of vertex 0 of 0..0 expected, found \"\\x00\""},
         {"OFF\n1 1 0\n0 0 0\n3 0\0", 20, 4, "corner 1 of 3 in face 0 of 0..0 expected, found \"0\\x00\""},
@@ -631,11 +640,11 @@ static void looks_again_not_for_ever(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         endless source = {rows[i].head, rows[i].body, 0};
-        const off_source both = {
+        const input_source both = {
             .read = read_endless, .context = &source, .read_at = read_endless_at, .go = go_endless};
         roberts_mesh mesh = {0};
         roberts_error error;
-        roberts_status status = off_read(&mesh, "test.off", &both, &whole, NULL, &error);
+        roberts_status status = read_mesh(&mesh, "test.off", &both, &whole, NULL, &error);
         if (status == ROBERTS_OK || error.line != rows[i].line || strcmp(error.message, rows[i].message) != 0)
             fail_msg("\"%s\" and \"%s\" for ever: line %zu: %s", rows[i].head, rows[i].body, error.line, error.message);
         roberts_mesh_free(&mesh);
@@ -680,7 +689,7 @@ static void stops_reading_the_endless(void **state)
         {"", "1", ROBERTS_BAD_SYNTAX, 1 << 17,
          "the number of vertices expected, found a word of more than 4096 characters"},
         {"", "x", ROBERTS_BAD_SYNTAX, 1 << 17,
-         "the beginning of an OFF file (keyword OFF, or the counts) expected, found a word of more than 4096 "
+         "the beginning of OFF (keyword or counts), STL, OBJ or PLY expected, found a word of more than 4096 "
          "characters"},
         {"OFF ", "1", ROBERTS_BAD_SYNTAX, 1 << 17,
          "the number of vertices expected, found a word of more than 4096 characters"},
@@ -764,7 +773,7 @@ static void reads_dev_zero(void **state)
     roberts_error error;
     (void)state;
     if (access("/dev/zero", R_OK) != 0)
-        skip();
+        SKIP_BECAUSE("no /dev/zero");
     assert_int_equal(roberts_mesh_read_file(&mesh, "/dev/zero", NULL, &error), ROBERTS_BAD_SYNTAX);
     assert_string_equal(error.file, "/dev/zero");
     assert_int_equal(error.line, 1);

@@ -98,6 +98,10 @@ static void check(bytes input)
         assert_true(!whole.vertex_count && !whole.face_count && !whole.source_count && !whole.vertex_color &&
                     !whole.face_color && !whole.face_start);
     }
+    if (only_size_tells(input.text, input.length)) {
+        roberts_mesh_free(&whole);
+        return;
+    }
     if (roberts_mesh_read(&pieces, "any.off", read_feed, &source, NULL, &other) != status ||
         (status != ROBERTS_OK && !same_complaint(&other, &error)) || !same_mesh(&whole, &pieces)) {
         fprintf(stderr, "input:");

@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "roberts.h"
+#include "skip.h"
 
 enum { LINE = 4096 };
 
@@ -28,8 +29,7 @@ static FILE *open_index(void)
     snprintf(path, sizeof path, "%s/models/INDEX.md", folder());
     FILE *file = fopen(path, "r");
     if (!file) {
-        print_message("no %s\n", path);
-        skip();
+        SKIP_BECAUSE("no %s", path);
     }
     return file;
 }

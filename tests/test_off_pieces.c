@@ -16,7 +16,7 @@
 
 #include <cmocka.h>
 
-#include "model/off_pieces.h"
+#include "read/off.h"
 #include "same_mesh.h"
 #include "temporary.h"
 #include "whole_file.h"
@@ -60,16 +60,16 @@ static void run_in_turn(off_work_fn *work, void *job, uint32_t threads)
 
 /* ---- an input, and what is read from it ----------------------------------------------------------------------------- */
 
-typedef struct input {
+typedef struct test_input {
     const char *text;
     size_t size, at, step; /* step: bytes given at a time, 0: any number */
     size_t read;           /* bytes taken by the one reader */
     size_t first;          /* vertices that the mesh has before */
-} input;
+} test_input;
 
 static ptrdiff_t read_at(void *context, uint64_t offset, void *buffer, size_t size)
 {
-    const input *in = context;
+    const test_input *in = context;
     size_t left = offset < in->size ? in->size - (size_t)offset : 0, n = left < size ? left : size;
     if (n)
         memcpy(buffer, in->text + offset, n);
@@ -78,7 +78,7 @@ static ptrdiff_t read_at(void *context, uint64_t offset, void *buffer, size_t si
 
 static ptrdiff_t read_on(void *context, void *buffer, size_t size)
 {
-    input *in = context;
+    test_input *in = context;
     ptrdiff_t got = read_at(in, in->at, buffer, in->step && in->step < size ? in->step : size);
     in->at += (size_t)got;
     in->read += (size_t)got;
@@ -87,7 +87,7 @@ static ptrdiff_t read_on(void *context, void *buffer, size_t size)
 
 static bool go(void *context, uint64_t offset)
 {
-    input *in = context;
+    test_input *in = context;
     in->at = (size_t)offset;
     return true;
 }
@@ -105,19 +105,19 @@ static void keep_warning(void *context, const char *file, size_t line, const cha
     snprintf(text + length, sizeof((result *)0)->warnings - length, "%s:%zu: %s;", file, line, message);
 }
 
-static void read_input(input *in, const off_division *division, result *r)
+static void read_input(test_input *in, const off_division *division, result *r)
 {
     const roberts_warnings warnings = {keep_warning, r->warnings};
-    const off_source source = {
+    const input_source source = {
         .read = read_on, .context = in, .read_at = read_at, .go = go, .size = in->size, .finite = true};
     *r = (result){0};
     for (size_t i = 0; i < in->first; i++)
         assert_int_equal(roberts_mesh_add_vertex(&r->mesh, (roberts_vec3){1, 2, 3}, NULL, NULL), ROBERTS_OK);
     in->at = in->read = 0;
-    (void)off_read(&r->mesh, "t", &source, division, &warnings, &r->error);
+    (void)read_mesh(&r->mesh, "t", &source, division, &warnings, &r->error);
 }
 
-static void compare(const result *one, const result *other, const input *in, const char *way)
+static void compare(const result *one, const result *other, const test_input *in, const char *way)
 {
     if (one->error.status != other->error.status || one->error.line != other->error.line ||
         strcmp(one->error.message, other->error.message) != 0 || strcmp(one->warnings, other->warnings) != 0 ||
@@ -132,7 +132,7 @@ static const off_division alone = {.threads = 1};
 /* Reads it by one thread, whole and in steps of some bytes, and in pieces. */
 static void check(const char *text, size_t size, const off_division *division, size_t piece_count)
 {
-    input in = {.text = text, .size = size};
+    test_input in = {.text = text, .size = size};
     result one, other;
     char way[80];
     read_input(&in, &alone, &one);
@@ -220,7 +220,7 @@ static void borders_anywhere(void **state)
         check(text, size, &division, 1);
         if (piece < 100)
             continue;
-        input in = {.text = text, .size = size, .step = 40, .first = 5};
+        test_input in = {.text = text, .size = size, .step = 40, .first = 5};
         result r, one;
         read_input(&in, &division, &r);
         assert_true(r.error.status == ROBERTS_OK && r.mesh.vertex_count == 155 && r.mesh.face_count == 150);

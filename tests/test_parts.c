@@ -6,14 +6,24 @@
 
 enum { PARTS = 8 };
 
+/* A part as the tables have it: its ends, and how far it reaches beyond them. */
+typedef struct row {
+    double t0, t1, e0, e1;
+} row;
+
+static hide_part part_of(row r)
+{
+    return (hide_part){r.t0, r.t1, r.t0 - r.e0, r.t1 + r.e1};
+}
+
 /* ---- as they come ------------------------------------------------------------------------------------------------- */
 
-/* Two parts, added either way round: one of them stays two, or they join; their reach t0 - e0, t1 + e1 is kept. */
+/* Two parts, added either way round: one of them stays two, or they join; their reach is kept. */
 static void joined_as_they_come(void **state)
 {
     static const struct {
         const char *name;
-        hide_part first, second;
+        row first, second;
         size_t count;
         double t0, t1, reach0, reach1; /* of the joined one */
     } table[] = {
@@ -28,14 +38,15 @@ static void joined_as_they_come(void **state)
     for (size_t i = 0; i < 2 * (sizeof table / sizeof table[0]); i++) {
         hide_parts parts = {0};
         size_t k = i / 2;
-        hide_part one = i % 2 ? table[k].second : table[k].first, two = i % 2 ? table[k].first : table[k].second;
+        hide_part one = part_of(i % 2 ? table[k].second : table[k].first);
+        hide_part two = part_of(i % 2 ? table[k].first : table[k].second);
         assert_true(hide_parts_add(&parts, 5, &one));
         assert_true(hide_parts_add(&parts, 7, &two));
         hide_part part = parts.item[0].part;
         if (parts.count != table[k].count ||
-            (parts.count == 1 && (part.t0 != table[k].t0 || part.t1 != table[k].t1 ||
-                                  part.t0 - part.e0 != table[k].reach0 || part.t1 + part.e1 != table[k].reach1)))
-            fail_msg("%s: %zu parts, %g..%g, %g, %g", table[k].name, parts.count, part.t0, part.t1, part.e0, part.e1);
+            (parts.count == 1 && (part.t0 != table[k].t0 || part.t1 != table[k].t1 || part.r0 != table[k].reach0 ||
+                                  part.r1 != table[k].reach1)))
+            fail_msg("%s: %zu parts, %g..%g, %g, %g", table[k].name, parts.count, part.t0, part.t1, part.r0, part.r1);
         free(parts.item);
     }
 }
@@ -51,7 +62,7 @@ static void fill(hide_parts *parts, const hide_part *part, const uint32_t *order
     }
 }
 
-static uint32_t count_of(const hide_part *part)
+static uint32_t count_of(const row *part)
 {
     uint32_t count = 0;
     while (count < PARTS && part[count].t1 > 0.0)
@@ -59,7 +70,7 @@ static uint32_t count_of(const hide_part *part)
     return count;
 }
 
-static bool equal(const hide_parts *parts, const hide_part *expected)
+static bool equal(const hide_parts *parts, const row *expected)
 {
     if (parts->count != count_of(expected))
         return false;
@@ -75,7 +86,7 @@ static void union_by_table(void **state)
     static const struct {
         const char *name;
         double epsilon, length;
-        hide_part parts[PARTS], expected[PARTS];
+        row parts[PARTS], expected[PARTS];
     } table[] = {
         {"none", 0, 1, {{0, 0, 0, 0}}, {{0, 0, 0, 0}}},
         {"one", 0, 1, {{0.25, 0.5, 0, 0}}, {{0.25, 0.5, 0, 0}}},
@@ -142,8 +153,11 @@ static void union_by_table(void **state)
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)
         for (int k = 0; k < 10; k++) {
             uint32_t order[PARTS], count = count_of(table[i].parts);
+            hide_part part[PARTS];
+            for (uint32_t p = 0; p < count; p++)
+                part[p] = part_of(table[i].parts[p]);
             rng_permutation(&r, order, count);
-            fill(&parts, table[i].parts, order, count);
+            fill(&parts, part, order, count);
             hide_parts_unite(&parts, table[i].epsilon, table[i].length);
             if (!equal(&parts, table[i].expected)) {
                 for (size_t p = 0; p < parts.count; p++)
@@ -173,7 +187,7 @@ static void union_of_many(void **state)
             int from =
                 rng_int(&r, 0, CELLS / 16 - 1) * (k % 3 ? 1 : 16) + (k % 3 ? rng_int(&r, 0, CELLS * 15 / 16) : 0);
             int to = rng_int(&r, from + 1, from + 8 < CELLS ? from + 8 : CELLS);
-            part[i] = (hide_part){low + from * unit, low + to * unit, 0, 0};
+            part[i] = part_of((row){low + from * unit, low + to * unit, 0, 0});
             for (int c = from; c < to; c++)
                 covered[c] = true;
         }
@@ -204,7 +218,7 @@ static void union_of_many(void **state)
 
 static bool reach_each_other(hide_part a, hide_part b)
 {
-    return a.t0 - a.e0 <= b.t1 + b.e1 && b.t0 - b.e0 <= a.t1 + a.e1;
+    return a.r0 <= b.r1 && b.r0 <= a.r1;
 }
 
 /* Whatever reaches each other, if only by way of others, is one part. All numbers are on a scale of 1/4096, so that sums
@@ -220,7 +234,8 @@ static void reach_joins_in_any_order(void **state)
         hide_part part[MANY];
         for (uint32_t i = 0; i < count; i++) {
             int from = rng_int(&r, 0, 4000), to = from + rng_int(&r, 1, 90);
-            part[i] = (hide_part){from / 4096.0, to / 4096.0, rng_int(&r, 0, 40) / 4096.0, rng_int(&r, 0, 40) / 4096.0};
+            double e0 = rng_int(&r, 0, 40) / 4096.0, e1 = rng_int(&r, 0, 40) / 4096.0;
+            part[i] = part_of((row){from / 4096.0, to / 4096.0, e0, e1});
             group[i] = i;
         }
         for (uint32_t pass = 0; pass < count; pass++) /* the least number spreads through each group */
@@ -254,7 +269,7 @@ static void reach_joins_in_any_order(void **state)
 static void union_names_a_member(void **state)
 {
     hide_parts parts = {0};
-    const hide_part part[3] = {{0.5, 0.75, 0, 0}, {0, 0.125, 0, 0}, {0.625, 1, 0, 0}};
+    const hide_part part[3] = {{0.5, 0.75, 0.5, 0.75}, {0, 0.125, 0, 0.125}, {0.625, 1, 0.625, 1}};
     (void)state;
     fill(&parts, part, (uint32_t[]){2, 0, 1}, 3);
     hide_parts_unite(&parts, 0, 1);
@@ -277,7 +292,7 @@ static void one_hull_of_each_solid(void **state)
         for (uint32_t k = 0; k < FACES * count; k++) {
             uint32_t solid = in_turn ? k % count : k / FACES, face = in_turn ? k / count : k % FACES;
             double t0 = solid / 256.0 + place[face] / 1024.0;
-            assert_true(hide_parts_hull(&hulls, solid, &(hide_part){t0, t0 + 1 / 2048.0, 0, 0}));
+            assert_true(hide_parts_hull(&hulls, solid, &(hide_part){t0, t0 + 1 / 2048.0, t0, t0 + 1 / 2048.0}));
         }
         hide_parts_hulls_done(&hulls);
         assert_int_equal(hulls.count, count);

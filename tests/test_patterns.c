@@ -1,7 +1,7 @@
 /* test_patterns.c - solids that repeat one another in a file get what each of them gets alone; components that follow one
  * another are found as the definition has it. */
 #include "base/box.h"
-#include "model/blocks.h"
+#include "model/components.h"
 #include "model/layout.h"
 #include "model/scene.h"
 #include "scenes.h"

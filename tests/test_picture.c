@@ -39,7 +39,7 @@ static void expect_apart(const tiles *t, const hide_picture *picture, int round)
     for (uint32_t k = t->round[round]; k < t->round[round + 1]; k++)
         for (uint32_t i = t->tile[k].first; i < t->tile[k].end; i++) {
             const hide_box *box = &picture->box[t->solid[i]];
-            double m = f->margin, dx = 1.5 * f->dx + m, dy = 1.5 * f->dy + m; /* as unite_hides() asks at corners */
+            double m = f->margin, dx = 1.5 * f->dx + m, dy = 1.5 * f->dy + m; /* more than any solid asks */
             uint32_t last = scan_column(f, (double)box->x1 + dx), high = scan_row(f, (double)box->y1 + dy);
             for (uint32_t c = scan_column(f, (double)box->x0 - dx); c <= last; c++)
                 for (uint32_t j = scan_row(f, (double)box->y0 - dy); j <= high; j++) {
@@ -187,14 +187,14 @@ static const struct scene_case {
     const char *name;
     int kind;
     const roberts_camera *camera;
-    bool cull, covers, together; /* covers kept, of one or of two fronts */
+    bool cull, covers; /* covers: they are kept */
 } scene_cases[] = {
-    {"a lattice", 0, &aslant, true, true, false},
-    {"a lattice, nothing culled", 0, &aslant, false, false, false},
-    {"a lattice from near by", 0, &eye, true, true, false},
-    {"a heap of plates", 1, &along, true, true, true},
-    {"a wall", 2, &aslant, true, false, false},
-    {"round solids, face by face", 3, &aslant, true, true, false},
+    {"a lattice", 0, &aslant, true, true},
+    {"a lattice, nothing culled", 0, &aslant, false, false},
+    {"a lattice from near by", 0, &eye, true, true},
+    {"a heap of plates", 1, &along, true, true},
+    {"a wall", 2, &aslant, true, false},
+    {"round solids, face by face", 3, &aslant, true, true},
 };
 
 /* The model's solids at an offset; the model is empty afterwards. */
@@ -260,10 +260,9 @@ static void same_by_any_threads(void **state)
         roberts_scene *scene = make(c->kind);
         assert_int_equal(hide_picture_build(&one, scene, c->camera, 0, c->cull, 1, NULL), ROBERTS_OK);
         expect_window(c->name, &one);
-        if (c->covers != (one.cover.depth != NULL) || c->together != (one.cover.rest != NULL) ||
-            (c->covers && one.culled_count < scene->solid_count / 10))
-            fail_msg("%s: covers are %skept, together %skept, %zu of %u culled", c->name, one.cover.depth ? "" : "not ",
-                     one.cover.rest ? "" : "not ", one.culled_count, scene->solid_count);
+        if (c->covers != (one.cover.depth != NULL) || (c->covers && one.culled_count < scene->solid_count / 10))
+            fail_msg("%s: covers are %skept, %zu of %u culled", c->name, one.cover.depth ? "" : "not ",
+                     one.culled_count, scene->solid_count);
         for (size_t k = 0; k < sizeof threads / sizeof threads[0]; k++) {
             assert_int_equal(hide_picture_build(&many, scene, c->camera, 0, c->cull, threads[k], NULL), ROBERTS_OK);
             expect_same(c->name, threads[k], &one, &many);

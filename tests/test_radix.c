@@ -1,7 +1,7 @@
 /* The sort by radix against the library's, and its keys for floats. */
 #include <float.h>
 
-#include "base/radix.h"
+#include "base/sort.h"
 #include "scenes.h"
 
 typedef struct keyed {

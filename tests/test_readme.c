@@ -1,6 +1,6 @@
 /* test_readme.c - what the README shows works as it stands there, and what it links to is there.
  *
- * In a new folder with links to build, include and models, each line of a ```sh block is run as printed, with `roberts` the one
+ * In a new folder with links to build, include and models, each line of a ```sh block of the README and of the recipes is run as printed, with `roberts` the one
  * in build, and the ```c block is compiled, as example.c, by the README's own command, where `cc` is the compiler that
  * built the library (CC). What the pages on the stages say of constants and files holds too. A block with a name behind
  * its language (```python seen.py) is first written to a file of that name. Lines that need a program that is not
@@ -22,6 +22,7 @@
 
 #include "sanitized.h"
 #include "temporary.h"
+#include "skip.h"
 
 /* Runs a shell command and gives its exit status. */
 static int shell(const char *command)
@@ -115,14 +116,18 @@ static bool lacks_program(const char *line)
     return false;
 }
 
-/* Copies the lines of the README's ````language` blocks, one after the other, to `use`. */
-static int each_line(const char *language, void use(const char *line, void *context), void *context)
+/* Pages whose commands are run. */
+static const char *const pages[] = {"README.md", "models/recipes.md"};
+enum { PAGES = sizeof pages / sizeof pages[0] };
+
+/* Gives the lines of a page's ````language` blocks, one after the other, to `use`. */
+static int each_line(const char *page, const char *language, void use(const char *line, void *context), void *context)
 {
-    FILE *readme = fopen("README.md", "r");
+    FILE *text = fopen(page, "r");
     char line[1024];
     int count = 0, inside = 0;
-    assert_non_null(readme);
-    while (fgets(line, sizeof line, readme)) {
+    assert_non_null(text);
+    while (fgets(line, sizeof line, text)) {
         line[strcspn(line, "\n")] = '\0';
         if (strncmp(line, "```", 3) == 0) {
             inside = !inside && strcmp(line + 3, language) == 0;
@@ -131,18 +136,18 @@ static int each_line(const char *language, void use(const char *line, void *cont
             count++;
         }
     }
-    fclose(readme);
+    fclose(text);
     return count;
 }
 
-/* Writes the blocks that have a name to files of that name. */
-static void write_named_blocks(void)
+/* Writes the blocks of a page that have a name to files of that name. */
+static void write_named_blocks(const char *page)
 {
-    FILE *readme = fopen("README.md", "r"), *file = NULL;
+    FILE *text = fopen(page, "r"), *file = NULL;
     char line[1024], name[64], path[512];
     bool inside = false;
-    assert_non_null(readme);
-    while (fgets(line, sizeof line, readme)) {
+    assert_non_null(text);
+    while (fgets(line, sizeof line, text)) {
         if (strncmp(line, "```", 3) != 0) {
             if (file)
                 fputs(line, file);
@@ -159,14 +164,15 @@ static void write_named_blocks(void)
         }
     }
     assert_null(file);
-    fclose(readme);
+    fclose(text);
 }
 
 static void try_command(const char *line, void *context)
 {
     char output[64];
     bool our_make = strncmp(line, "make ", 5) == 0 && strncmp(line, "make -f ", 8) != 0;
-    if (our_make || strncmp(line, "cc ", 3) == 0 || lacks_program(line))
+    bool clone = strncmp(line, "git clone ", 10) == 0;
+    if (our_make || clone || strncmp(line, "cc ", 3) == 0 || lacks_program(line))
         return;
     output_of(line, output);
     run_command(line, output);
@@ -177,8 +183,10 @@ static void test_commands(void **state)
 {
     (void)state;
     int tried = 0;
-    write_named_blocks();
-    each_line("sh", try_command, &tried);
+    for (int i = 0; i < PAGES; i++) {
+        write_named_blocks(pages[i]);
+        each_line(pages[i], "sh", try_command, &tried);
+    }
     assert_true(tried > 15);
 }
 
@@ -202,13 +210,13 @@ static void test_example(void **state)
     char path[512];
     int compiled = 0;
     if (SANITIZED)
-        skip(); /* the README's command cannot link a library with sanitizers */
+        SKIP_BECAUSE("the README's command cannot link a library with sanitizers");
     snprintf(path, sizeof path, "%s/example.c", temporary);
     FILE *example = fopen(path, "w");
     assert_non_null(example);
-    assert_true(each_line("c", write_line, example) > 0);
+    assert_true(each_line("README.md", "c", write_line, example) > 0);
     assert_int_equal(fclose(example), 0);
-    each_line("sh", try_compiling, &compiled);
+    each_line("README.md", "sh", try_compiling, &compiled);
     assert_int_equal(compiled, 1);
     run_command("./example models/table.off > segments", "segments");
     run_command("build/roberts -f csv models/table.off > rows.csv", "rows.csv");
@@ -245,8 +253,8 @@ static void test_links(void **state)
     int links = 0;
     (void)state;
     assert_int_equal(glob("README.md", 0, NULL, &texts), 0);
-    assert_int_equal(glob("*/README.md", GLOB_APPEND, NULL, &texts), 0);
-    assert_int_equal(glob("src/*/README.md", GLOB_APPEND, NULL, &texts), 0);
+    assert_int_equal(glob("*/*.md", GLOB_APPEND, NULL, &texts), 0);
+    assert_int_equal(glob("*/*/README.md", GLOB_APPEND, NULL, &texts), 0);
     for (size_t i = 0; i < texts.gl_pathc; i++)
         links += check_links(texts.gl_pathv[i]);
     globfree(&texts);
@@ -341,15 +349,15 @@ static void check_files(const char *path)
 
 static void test_pages(void **state)
 {
-    glob_t pages;
+    glob_t rooms;
     (void)state;
-    assert_int_equal(glob("src/*/README.md", 0, NULL, &pages), 0);
-    assert_int_equal(pages.gl_pathc, 5);
-    for (size_t i = 0; i < pages.gl_pathc; i++) {
-        assert_true(check_page(pages.gl_pathv[i]) > 8);
-        check_files(pages.gl_pathv[i]);
+    assert_int_equal(glob("src/*/README.md", 0, NULL, &rooms), 0);
+    assert_true(rooms.gl_pathc >= 5);
+    for (size_t i = 0; i < rooms.gl_pathc; i++) {
+        assert_true(check_page(rooms.gl_pathv[i]) > 8);
+        check_files(rooms.gl_pathv[i]);
     }
-    globfree(&pages);
+    globfree(&rooms);
 }
 
 /* The figures are what the program draws. Another Cairo may write the same path in other words. */
@@ -359,8 +367,7 @@ static void test_figures(void **state)
     char command[1024];
     (void)state;
     if (shell("pkg-config --modversion cairo | grep -q '^1[.]16[.]'") != 0) {
-        print_message("figures were drawn with Cairo 1.16: skipped\n");
-        skip();
+        SKIP_BECAUSE("figures were drawn with Cairo 1.16");
     }
     snprintf(command, sizeof command,
              "ROBERTS_BUILD='%s' tools/draw-figures.sh '%s/figures' && diff -r '%s/figures' models/figures >&2",

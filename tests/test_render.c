@@ -16,6 +16,7 @@
 
 #include "drawing.h"
 #include "temporary.h"
+#include "skip.h"
 
 /* ---- two pictures beside each other ---- */
 
@@ -176,8 +177,7 @@ static void librsvg_sees_the_same(void **state)
 {
     (void)state;
     if (!has_librsvg()) {
-        print_message("no rsvg-convert: skipped\n");
-        skip();
+        SKIP_BECAUSE("no rsvg-convert");
     }
     for (size_t i = 0; i < CASES; i++) {
         roberts_drawing drawing = model_drawing(cases[i].model, "iso");
@@ -201,8 +201,7 @@ static void inkscape_sees_the_same(void **state)
     char command[600];
     snprintf(command, sizeof command, "HOME='%s' inkscape --version >/dev/null 2>&1", temporary);
     if (system(command) != 0) {
-        print_message("no Inkscape: skipped\n");
-        skip();
+        SKIP_BECAUSE("no Inkscape");
     }
     roberts_drawing drawing = model_drawing(cases[table].model, "iso");
     roberts_draw_options options = options_for_browser(table);
@@ -243,8 +242,7 @@ static void chromium_sees_the_same(void **state)
     char page[80];
     bool librsvg = has_librsvg();
     if (!run_chromium("data:text/html,x")) {
-        print_message("no Chromium that draws a page: skipped\n");
-        skip();
+        SKIP_BECAUSE("no Chromium that draws a page");
     }
     snprintf(page, sizeof page, "file://%s", path("a.svg"));
     for (size_t i = 0; i < CASES; i++) {

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,6 +19,7 @@
 
 #include "drawing.h"
 #include "temporary.h"
+#include "skip.h"
 
 #define TABLE                                                                                                          \
     "solid,v0,v1,t0,t1,state,x0,y0,x1,y1,by\n"                                                                         \
@@ -180,7 +182,7 @@ static void devices_are_written_in_place(void **state)
     assert_int_equal(save("/dev/null", NULL), ROBERTS_OK);
     assert_int_equal(mode_of("/dev/null"), before);
     if (access("/dev/full", W_OK) != 0)
-        skip();
+        SKIP_BECAUSE("no /dev/full");
     roberts_error error = {0};
     assert_int_equal(save("/dev/full", &error), ROBERTS_IO);
     assert_string_equal(error.file, "/dev/full");
@@ -381,6 +383,68 @@ static void unfinished_file_is_announced(void **state)
     assert_int_equal(a.calls, 4);
 }
 
+/* Leaves what a killed process would leave that has saved in/a: its unfinished file, which is called `name`. */
+static void leave_unfinished(char name[300])
+{
+    announced a = {0};
+    roberts_segment one = line_at(ROBERTS_OUTLINE, 0, 0, 1, 1);
+    roberts_drawing drawing = {.count = 1, .segment = &one};
+    roberts_draw_options options = table_options();
+    options.temporary = take_name;
+    options.temporary_context = &a;
+    assert_int_equal(roberts_drawing_save(&drawing, &options, "in/a", NULL), ROBERTS_OK);
+    assert_int_equal(unlink("in/a"), 0);
+    snprintf(name, 300, "%s", a.name);
+    put(name, "half of a table", 0600); /* what the killed process had written */
+}
+
+static void what_a_killed_run_has_left_is_removed(void **state)
+{
+    char name[300];
+    (void)state;
+    leave_unfinished(name);
+    assert_int_equal(entries("in", false), 1);
+    assert_int_equal(save("in/b", NULL), ROBERTS_OK); /* another file's: it stays */
+    assert_int_equal(entries("in", false), 2);
+    assert_int_equal(save("in/a", NULL), ROBERTS_OK);
+    assert_holds("in/a", TABLE);
+    assert_int_equal(entries("in", false), 2);
+}
+
+static void what_is_being_written_stays(void **state)
+{
+    char name[300];
+    (void)state;
+    leave_unfinished(name);
+    int other = open(name, O_WRONLY);
+    assert_true(other >= 0);
+    assert_int_equal(flock(other, LOCK_EX | LOCK_NB), 0);
+    assert_int_equal(save("in/a", NULL), ROBERTS_OK);
+    assert_holds("in/a", TABLE);
+    assert_holds(name, "half of a table");
+    close(other);
+    assert_int_equal(save("in/a", NULL), ROBERTS_OK);
+    assert_int_equal(entries("in", false), 1);
+}
+
+/* A link or a folder of that name is nobody's unfinished file. */
+static void what_is_no_unfinished_file_stays(void **state)
+{
+    char name[300];
+    (void)state;
+    leave_unfinished(name);
+    put("in/own", "something", 0600);
+    assert_int_equal(unlink(name), 0);
+    assert_int_equal(symlink("own", name), 0);
+    assert_int_equal(save("in/a", NULL), ROBERTS_OK);
+    assert_holds("in/own", "something");
+    assert_int_equal(unlink(name), 0);
+    assert_int_equal(mkdir(name, 0700), 0);
+    assert_int_equal(save("in/a", NULL), ROBERTS_OK);
+    assert_holds("in/a", TABLE);
+    assert_int_equal(entries("in", false), 3);
+}
+
 #define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)
 
 int main(void)
@@ -401,6 +465,9 @@ int main(void)
         IN_FOLDER(bad_drawing_leaves_the_old_file),
         IN_FOLDER(null_writes_nothing),
         IN_FOLDER(unfinished_file_is_announced),
+        IN_FOLDER(what_a_killed_run_has_left_is_removed),
+        IN_FOLDER(what_is_being_written_stays),
+        IN_FOLDER(what_is_no_unfinished_file_stays),
     };
     return cmocka_run_group_tests_name("save", tests, NULL, NULL);
 }

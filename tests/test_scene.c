@@ -15,6 +15,7 @@
 
 #include "model/scene.h"
 #include "scenes.h"
+#include "skip.h"
 
 /* What is no convex solid is refused. */
 static const roberts_scene_options only_solids = {.solids = true};
@@ -1010,8 +1011,7 @@ static void models_of_others(void **state)
         roberts_mesh_free(&mesh);
     }
     if (!seen) {
-        print_message("no models in %s/models\n", folder ? folder : "../shared");
-        skip();
+        SKIP_BECAUSE("no models in %s/models", folder ? folder : "../shared");
     }
     assert_int_equal(seen, sizeof models / sizeof *models);
 }

@@ -68,7 +68,12 @@ static const struct {
     {"the same backward", {{'o', 1, 1, 9, 1, 0, 0}, {'o', 9, 1, 1, 1, 0, 0}}, "outline 1,1 9,1"},
     {"the nearer wins: crease", {{'o', 1, 1, 9, 1, 0, 0}, {'c', 1, 1, 9, 1, 1, 1}}, "crease 1,1 9,1"},
     {"the nearer wins: outline", {{'o', 1, 1, 9, 1, 1, 1}, {'c', 1, 1, 9, 1, 0, 0}}, "outline 1,1 9,1"},
-    {"the nearer wins: hidden", {{'h', 1, 1, 9, 1, 1, 1}, {'c', 1, 1, 9, 1, 0, 0}}, "hidden 1,1 9,1"},
+    {"visible wins over a nearer hidden one: crease",
+     {{'h', 1, 1, 9, 1, 1, 1}, {'c', 1, 1, 9, 1, 0, 0}},
+     "crease 1,1 9,1"},
+    {"visible wins over a nearer hidden one: outline, in its middle",
+     {{'h', 1, 1, 9, 1, 1, 1}, {'o', 4, 1, 6, 1, 0, 0}, {'h', 1, 1, 9, 1, 2, 2}},
+     "hidden 1,1 4,1; hidden 6,1 9,1; outline 4,1 6,1"},
     {"equally near: outline before crease", {{'c', 1, 1, 9, 1, 0, 0}, {'o', 1, 1, 9, 1, 0, 0}}, "outline 1,1 9,1"},
     {"equally near: crease before hidden", {{'h', 1, 1, 9, 1, 0, 0}, {'c', 1, 1, 9, 1, 0, 0}}, "crease 1,1 9,1"},
     {"nearer by less than epsilon: no", {{'c', 1, 1, 9, 1, 5e-10, 5e-10}, {'o', 1, 1, 9, 1, 0, 0}}, "outline 1,1 9,1"},
@@ -118,6 +123,9 @@ static const struct {
       {'o', 20, 13.998799358492153, 30, 20.840197441909076, 0, 0},
       {'o', 20, 13.998399358492154, 30, 20.83973744190908, 0, 0}},
      "outline 1,1 91,62.572"},
+    {"from one place to another, though at an angle",
+     {{'o', 1, 1, 2, 1, 0, 0}, {'c', 1, 1.0007, 2, 0.9993, 1, 1}, {'h', 2.0004, 1.0004, 1.0004, 1, 2, 2}},
+     "crease 1,1.001 2,0.999"},
     {"no length", {{'o', 5, 5, 5, 5, 0, 0}, {'o', 1, 1, 9, 1, 0, 0}}, "outline 1,1 9,1"},
     {"leaves the frame",
      {{'o', -50, 10, 50, 10, 0, 0}, {'o', 10, 50, 10, 150, 0, 0}},
@@ -226,7 +234,8 @@ static uint32_t random_below(uint64_t *seed, uint32_t n)
     return (uint32_t)((*seed >> 33) % n);
 }
 
-/* A random run of steps, drawn either way, at a random height; `wanted` keeps what is nearest. */
+/* A random run of steps, drawn either way, at a random height; `wanted` keeps the nearest visible one, or else the nearest
+ * hidden one. */
 static roberts_segment random_run(uint64_t *seed, steps wanted)
 {
     for (;;) {
@@ -243,7 +252,8 @@ static roberts_segment random_run(uint64_t *seed, steps wanted)
         s.state = class == ROBERTS_BACK ? ROBERTS_HIDDEN : ROBERTS_VISIBLE;
         for (int i = 0; i < n; i++) {
             step *w = &wanted[k][x + i * direction[k][0]][y + i * direction[k][1]];
-            if (!w->times || z > w->z || (z == w->z && class < w->line))
+            int first = w->times ? (class == ROBERTS_BACK) - (w->line == ROBERTS_BACK) : -1;
+            if (first < 0 || (first == 0 && (z > w->z || (z == w->z && class < w->line))))
                 *w = (step){1, class, z};
         }
         return s;

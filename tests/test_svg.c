@@ -14,6 +14,7 @@
 #include <cmocka.h>
 
 #include "drawing.h"
+#include "skip.h"
 
 static double random_unit(uint64_t *seed)
 {
@@ -228,8 +229,7 @@ static void locale_changes_nothing(void **state)
 {
     (void)state;
     if (!setlocale(LC_ALL, "de_DE.UTF-8")) {
-        print_message("no locale de_DE.UTF-8\n");
-        skip();
+        SKIP_BECAUSE("no locale de_DE.UTF-8");
     }
     texts(NULL);
     setlocale(LC_ALL, "C");

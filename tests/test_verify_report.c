@@ -1,5 +1,4 @@
-/* What --verify says of a wrong drawing. The program never makes one, so that its own source is called with a spoiled
- * drawing here. */
+/* What --verify says of a wrong drawing. The program never makes one, so its function is called with a spoiled drawing. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "../src/cli/rays.c" /* NOLINT(bugprone-suspicious-include): the program is no library */
+#include "cli/report.h"
 
 /* A cube of side 2 under a plate that hides all of it from above. */
 static roberts_scene *make_scene(void)
@@ -35,7 +34,7 @@ static bool report(const cli_options *options, const roberts_drawing *drawing, c
     assert_non_null(file);
     cli_options own = *options;
     own.log = file;
-    roberts_status status = rays_verify(&own, scene, drawing, &found, NULL);
+    roberts_status status = report_verify(&own, scene, drawing, &found, NULL);
     rewind(file);
     text[fread(text, 1, size - 1, file)] = '\0';
     fclose(file);
@@ -64,29 +63,44 @@ static void test_report(void **state)
     assert_false(report(&options, &drawing, text, sizeof text));
     assert_string_equal(
         text,
-        "roberts: verify: 8 points of 8 segments checked, visible and hidden ones; contradictions: 0, undecided: 0\n");
+        "roberts: verify: 12 points of 8 segments checked, visible and hidden ones; contradictions: 0, undecided: 0\n");
     drawing.count = 5;
     options.quiet = true; /* what is wrong is said all the same */
     assert_true(report(&options, &drawing, text, sizeof text));
     assert_string_equal(
         text,
         "roberts: verify: solid 0, edge 4-5, t = 0.5: drawn visible, but solid 1 hides it\n"
-        "roberts: verify: 8 points of 8 segments checked, visible and hidden ones; contradictions: 1, undecided: 0\n");
+        "roberts: verify: 12 points of 8 segments checked, visible and hidden ones; contradictions: 1, undecided: 0\n");
+    rows[4].state = ROBERTS_HIDDEN; /* behind the plate, but it is drawn as hidden by the cube */
+    rows[4].by = 0;
+    assert_true(report(&options, &drawing, text, sizeof text));
+    assert_string_equal(text,
+                        "roberts: verify: solid 0, edge 4-5, t = 0.5: drawn hidden, but it is solid 1 that hides it, "
+                        "not solid 0\n"
+                        "roberts: verify: 13 points of 8 segments checked, visible and hidden ones; "
+                        "contradictions: 1, undecided: 0\n");
     rows[0].state = ROBERTS_HIDDEN;
     drawing.count = 4;
     assert_true(report(&options, &drawing, text, sizeof text));
-    assert_string_equal(
-        text,
-        "roberts: verify: solid 1, edge 12-13, t = 0.5: drawn hidden, but nothing hides it\n"
-        "roberts: verify: 8 points of 8 segments checked, visible and hidden ones; contradictions: 1, undecided: 0\n");
+    assert_int_equal(strncmp(text, "roberts: verify: solid 1, edge 12-13, t = ", 42), 0);
+    assert_non_null(strstr(text, ": drawn hidden, but nothing hides it\n"
+                                 "roberts: verify: solid 1, edge 12-13, t = 0.5: drawn hidden, but nothing hides it\n"
+                                 "roberts: verify: 14 points of 8 segments checked, visible and hidden ones; "
+                                 "contradictions: 2, undecided: 0\n"));
     options.label = "turn-3.svg"; /* one of several pictures */
     assert_true(report(&options, &drawing, text, sizeof text));
-    assert_int_equal(strncmp(text, "roberts: turn-3.svg: verify: solid 1, edge 12-13, t = 0.5: ", 59), 0);
-    assert_non_null(strstr(text, "\nroberts: turn-3.svg: verify: 8 points of 8 segments checked, "));
+    assert_int_equal(strncmp(text, "roberts: turn-3.svg: verify: solid 1, edge 12-13, t = ", 54), 0);
+    assert_non_null(strstr(text, "\nroberts: turn-3.svg: verify: 14 points of 8 segments checked, "));
     options.label = NULL;
     options.verify_rays = 40;
     assert_true(report(&options, &drawing, text, sizeof text));
-    assert_non_null(strstr(text, "roberts: verify: ... and 20 more\n"));
+    assert_non_null(strstr(text, "roberts: verify: ... and 19 more\n")); /* 38 rays amid the edge, and one that walks */
+    options.camera = (roberts_camera){.projection = ROBERTS_PERSPECTIVE, .eye = {1, 1, 20}, .near_distance = 16.5};
+    options.verify_rays = 1; /* the near plane cuts the plate amid its sides, and all but these off */
+    rows[0] = row(1, 8, 12);
+    drawing.count = 1;
+    assert_true(report(&options, &drawing, text, sizeof text));
+    assert_non_null(strstr(text, ", edge 8-12, t = 1: drawn visible, but the near plane cuts it off\n"));
 }
 
 int main(void)

@@ -135,8 +135,8 @@ head_line() {
     printf '\tleast_total_cpu\n'
 }
 
-# measure TABLE KIND SCENE RUNS THREADS FORMAT [OPTION|FILE]...: adds the row of the median run to build/bench/TABLE.tsv;
-# fails where the program does
+# measure TABLE KIND SCENE RUNS THREADS FORMAT [OPTION|FILE]...: adds the row of the median run to
+# build/bench/TABLE.tsv; fails where the program does
 measure() {
     table=$1 kind=$2 name=$3 runs=$4 threads=$5 format=$6
     shift 6
@@ -312,8 +312,10 @@ renew_baseline() {
     kept=$baseline
     [ -f "$kept" ] || kept=/dev/null
     {
-        echo "# Instructions executed (callgrind; the whole run, --threads 1 -f null $general), kept so that a change shows."
-        echo "# The -10000 are of make-models. They depend on compiler and C library; these: $(${CC:-cc} --version | head -n 1)."
+        echo "# Instructions executed (callgrind; the whole run, --threads 1 -f null $general), kept so that a change" \
+            "shows."
+        echo "# The -10000 are of make-models. They depend on compiler and C library; these:" \
+            "$(${CC:-cc} --version | head -n 1)."
         echo "# Written by: make bench-baseline"
         awk 'FNR == 1 { file++ }
             file == 1 && FNR > 1 { print $1, $2; counted[$1] = 1 }
@@ -355,7 +357,8 @@ for part in "$@"; do
 done
 
 echo "$("$roberts" --version), $(${CC:-cc} --version | head -n 1), $(uname -m), $(getconf _NPROCESSORS_ONLN) cores"
-[ ! -r /proc/loadavg ] || echo "processes at work on this machine in the last minutes: $(cut -d ' ' -f 1-3 /proc/loadavg)"
+[ ! -r /proc/loadavg ] ||
+    echo "processes at work on this machine in the last minutes: $(cut -d ' ' -f 1-3 /proc/loadavg)"
 for which in "$@"; do
     case $which in
     scenes)

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Draws the figures of src/*/README.md: tools/draw-figures.sh [FOLDER] (default: models/figures). `make figures` calls it.
+# Draws the figures of src/*/README.md: tools/draw-figures.sh [FOLDER] (default: models/figures). `make figures` calls
+# it.
 set -eu
 cd "$(dirname "$0")/.."
 roberts=${ROBERTS_BUILD:-build}/roberts
@@ -24,4 +25,5 @@ figure view-perspective 50x50 --eye 8,-8,7 --hidden dashed $cubes
 figure view-near 50x50 --eye 8,-8,7 --near 11 --fov 40 --hidden dashed $cubes
 
 figure draw-pattern 60x45 --hidden dashed models/stella-octangula.off
-figure draw-real 60x45 --hidden dashed --dash real --style outline:color=red --style crease:color=blue models/stella-octangula.off
+figure draw-real 60x45 --hidden dashed --dash real --style outline:color=red --style crease:color=blue \
+    models/stella-octangula.off

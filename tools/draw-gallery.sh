@@ -1,5 +1,5 @@
 #!/bin/sh
-# Draws the pictures of README.md's gallery by the commands that stand there: tools/draw-gallery.sh [FOLDER] (default:
+# Draws the pictures of README.md's gallery by the commands in models/gallery/README.md: tools/draw-gallery.sh [FOLDER] (default:
 # models/gallery). `make gallery` calls it.
 set -eu
 cd "$(dirname "$0")/.."
@@ -10,7 +10,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 ln -s "$PWD/models" "$work/models"
-sed -n '/^## Gallery/,/^## [^G]/s/^roberts .*/&/p' README.md >"$work/commands"
+sed -n 's/^roberts .*/&/p' models/gallery/README.md >"$work/commands"
 cd "$work"
 PATH=$build:$PATH sh -e commands
 mv ./*.svg "$folder"

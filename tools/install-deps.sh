@@ -1,8 +1,8 @@
 #!/bin/sh
 # Installs the Debian packages that are missing, and nothing else: tools/install-deps.sh [build] [test] [lint] [fuzz]
 #
-# A package counts as there when what we need of it works (a command runs, a header is found) or when dpkg says so; where
-# nothing is missing, on Debian or elsewhere, nothing is installed. Installs as root, or by a sudo that asks nothing;
+# A package counts as there when what we need of it works (a command runs, a header is found) or when dpkg says so.
+# Where nothing is missing, on Debian or elsewhere, nothing is installed. Installs as root or with passwordless sudo;
 # otherwise lists what is missing and stops with exit status 1. Never prompts. Needs no more than a POSIX shell.
 #   build  what the program and its library are built with
 #   test   what the tests are built with and call
@@ -61,6 +61,7 @@ find_missing() {
             need libcgal-dev has_header "$cxx" c++ CGAL/version.h
             need libgmp-dev has_header "$cxx" c++ gmp.h
             need libmpfr-dev has_header "$cxx" c++ mpfr.h
+            need zlib1g-dev has_header "$cc" c zlib.h
             need librsvg2-bin has_command rsvg-convert
             need locales test -e /usr/share/i18n/locales/de_DE
             ;;
@@ -100,7 +101,7 @@ if [ "$(id -u)" = 0 ]; then
 elif sudo -n true 2>/dev/null; then
     as_root="sudo -n"
 else
-    refuse "neither root nor a sudo that asks nothing"
+    refuse "not root, and no passwordless sudo"
 fi
 
 apt() {

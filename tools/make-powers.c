@@ -1,14 +1,14 @@
-/* make-powers.c - prints src/base/power.c, the powers of ten to 128 bits, by schoolbook arithmetic on long integers.
+/* make-powers.c - prints src/base/number_powers.c, the powers of ten to 128 bits, by schoolbook arithmetic on long integers.
  *
  * 10^q = 5^q 2^q, and the power of two goes into the exponent. For q >= 0 the 128 highest bits of 5^q are taken; for
  * q < 0 those of 1 / 5^-q, one bit at a time by long division. Both cut off what follows.
  *
- * Usage: build/tools/make-powers > src/base/power.c */
+ * Usage: build/tools/make-powers > src/base/number_powers.c */
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "base/power.h"
+#include "base/number.h"
 
 enum { WORDS = 30 }; /* 30 * 32 bits: 5^326 has 757, and one bit more is needed while dividing */
 
@@ -88,8 +88,9 @@ static power_ten power(int q)
 
 int main(void)
 {
-    puts("/* power.c - powers of ten, as power.h says. Made by tools/make-powers.c; change that. */\n"
-         "#include \"base/power.h\"\n\n"
+    puts("/* number_powers.c - powers of ten to 128 bits, as number.h says. Made by tools/make-powers.c; change that. "
+         "*/\n"
+         "#include \"base/number.h\"\n\n"
          "/* clang-format off */\n"
          "const power_ten power_table[POWER_MAX - POWER_MIN + 1] = {");
     for (int q = POWER_MIN; q <= POWER_MAX; q++) {

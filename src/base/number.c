@@ -20,8 +20,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/power.h"
-
 enum {
     MANTISSA_BITS = 52,     /* stored; a 53rd bit is implied */
     LEAST_EXPONENT = -1022, /* of a normal double */
@@ -74,8 +72,8 @@ static uint64_t round_product(uint64_t high, int q, int zeros)
     return ((uint64_t)exponent << MANTISSA_BITS) + (((high >> (9 + upper)) + 1) >> 1);
 }
 
-/* The double nearest to w * 10^q, w > 0, as its bits, by both products; 0 where the middle is possible even so, and where
- * the result is no normal double. */
+/* The double nearest to w * 10^q, w > 0, as its bits, by both products; 0 where the middle is possible even so, and
+ * where the result is no normal double. */
 static uint64_t nearest(uint64_t w, int q)
 {
     if (q < POWER_MIN || q > POWER_MAX)

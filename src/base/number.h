@@ -45,8 +45,8 @@ static inline int number_digit_count(uint64_t chunk)
     return other ? bits_trailing_zeros(other) >> 3 : 8;
 }
 
-/* A guess at how many digits come, namely as many as the last time. Asking whether it is right, instead of how many there
- * are, lets the processor go on to what follows without waiting for the answer. */
+/* A guess at how many digits come, namely as many as the last time. Asking whether it is right, instead of how many
+ * there are, lets the processor go on to what follows without waiting for the answer. */
 typedef struct number_guess {
     uint64_t digits;     /* 0..8 */
     uint64_t mark, upto; /* the mark of number_not_digits() after so many digits, and all marks up to it */
@@ -93,9 +93,10 @@ static inline int number_short_integer(const char *text, uint32_t *value)
     return count;
 }
 
-/* ---- the usual number ---------------------------------------------------------------------------------------------- */
+/* ---- the usual number -------------------------------------------------------------------------------------------- */
 
-/* Digits that make w * 10^-fraction: every integer of 19 digits is below 2^64, and at least one stands before the point. */
+/* Digits that make w * 10^-fraction: every integer of 19 digits is below 2^64, and at least one stands before the
+ * point. */
 #define NUMBER_MOST_DIGITS 19
 #define NUMBER_MOST_WHOLE 11
 #define NUMBER_MOST_FRACTION (NUMBER_MOST_DIGITS - 1)
@@ -107,8 +108,9 @@ static inline int number_short_integer(const char *text, uint32_t *value)
 #define NUMBER_EXACT_QUOTIENT 0
 #endif
 
-/* 10^-fraction: the upper half of its 128 bits, as in power.h, and what a normal double's exponent field holds beside the
- * implied bit for w * 10^-fraction, w's highest bit at 63 and the product's at 126: floor(log2(10^-fraction)) + 63 + 1022. */
+/* 10^-fraction: the upper half of its 128 bits, as in power_table, and what a normal double's exponent field holds
+ * beside the implied bit for w * 10^-fraction, w's highest bit at 63 and the product's at 126:
+ * floor(log2(10^-fraction)) + 63 + 1022. */
 typedef struct number_scale {
     uint64_t high, exponent;
 } number_scale;
@@ -117,8 +119,8 @@ extern BITS_HIDDEN const number_scale number_scales[NUMBER_MOST_FRACTION + 1]; /
 extern BITS_HIDDEN const uint64_t number_short_power[8];                       /* 10^0 .. 10^7 */
 extern BITS_HIDDEN const double number_power[NUMBER_MOST_FRACTION + 1];        /* 10^fraction, exact */
 
-/* The bits of the double nearest to w * 10^-fraction, w > 0, by one product with the upper half of the power; 0 where the
- * middle between two doubles may be as near as the lower half counts (see number.c). */
+/* The bits of the double nearest to w * 10^-fraction, w > 0, by one product with the upper half of the power; 0 where
+ * the middle between two doubles may be as near as the lower half counts (see number.c). */
 BITS_INLINE uint64_t number_nearest(uint64_t w, ptrdiff_t fraction)
 {
     const number_scale *scale = &number_scales[fraction];
@@ -142,8 +144,8 @@ BITS_INLINE uint64_t number_quotient(uint64_t w, ptrdiff_t fraction)
 }
 
 /* Adds the digits after the eighth after the point to *w, wrapping where they are too many; returns the first other
- * character. (Of 17 digits in all, now 15 and now 18 stand after the point. Code without a branch for that, which has to wait
- * for the count, measured slower than the branches that are guessed wrong.) */
+ * character. (Of 17 digits in all, now 15 and now 18 stand after the point. Code without a branch for that, which has
+ * to wait for the count, measured slower than the branches that are guessed wrong.) */
 BITS_INLINE const char *number_far_digits(const char *text, uint64_t *w)
 {
     uint64_t chunk = bits_load(text) ^ NUMBER_DIGITS, value = *w, others = number_not_digits(chunk);
@@ -161,8 +163,8 @@ BITS_INLINE const char *number_far_digits(const char *text, uint64_t *w)
 }
 
 /* Reads [-] digits [. digits] with 1 to NUMBER_MOST_WHOLE digits before the point and at most 19 in all: nearly every
- * coordinate there is. Returns the first character after them, which may be an 'e'; NULL where number_parse() has to see to
- * it. */
+ * coordinate there is. Returns the first character after them, which may be an 'e'; NULL where number_parse() has to
+ * see to it. */
 BITS_INLINE const char *number_usual(const char *text, number_guess *guess, double *value)
 {
     bool negative = *text == '-';
@@ -209,5 +211,18 @@ BITS_INLINE const char *number_usual(const char *text, number_guess *guess, doub
 /* Reads an unsigned integer of any length; returns the first character after its digits, NULL where there is none.
  * What does not fit becomes UINT64_MAX. */
 const char *number_integer(const char *text, uint64_t *value);
+
+/* ---- powers of ten ----------------------------------------------------------------------------------------------- */
+
+/* To 128 bits, cut off: 10^q = (high * 2^64 + low + d) * 2^(floor(log2(10^q)) - 127) with 0 <= d < 1, and d = 0 for
+ * 0 <= q <= 55. The highest bit of `high` is set. */
+typedef struct power_ten {
+    uint64_t high, low;
+} power_ten;
+
+#define POWER_MIN (-326) /* 19 digits times 10^-326 can just reach the least normal double, 2.2e-308 */
+#define POWER_MAX 308    /* 1 times 10^309 is beyond the greatest double */
+
+extern BITS_HIDDEN const power_ten power_table[POWER_MAX - POWER_MIN + 1]; /* [q - POWER_MIN] */
 
 #endif

@@ -1,5 +1,5 @@
-/* sets.h - disjoint sets of numbers, each told by its root: R. E. Tarjan, J. van Leeuwen, "Worst-case analysis of set union
- * algorithms", Journal of the ACM 31(2), 1984. */
+/* sets.h - disjoint sets of numbers, each told by its root: R. E. Tarjan, J. van Leeuwen, "Worst-case analysis of set
+ * union algorithms", Journal of the ACM 31(2), 1984. */
 #ifndef ROBERTS_BASE_SETS_H
 #define ROBERTS_BASE_SETS_H
 

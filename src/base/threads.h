@@ -12,8 +12,9 @@
 #include <omp.h>
 #endif
 
-/* Bytes between what different threads write: two cache lines, since processors fetch them in pairs. Nearer, the threads
- * would take the line from one another at every step. (A member `apart` ends what stands in an array, one for each thread.) */
+/* Bytes between what different threads write: two cache lines, since processors fetch them in pairs. Nearer, the
+ * threads would take the line from one another at every step. (A member `apart` ends what stands in an array, one for
+ * each thread.) */
 #define THREADS_APART 128
 
 /* Threads for a parallel loop: as many as asked for (0: as there are), but no more than have something to do. */
@@ -48,8 +49,8 @@ static inline void thread_lower(_Atomic uint32_t *shared, uint32_t value)
         ;
 }
 
-/* Lets others go first, where one waits for them the `turn`th time in a row, from 0; in the long run they are not at work,
- * but put aside by the system, and to ask for them again and again would keep them there. */
+/* Lets others go first, where one waits for them the `turn`th time in a row, from 0; in the long run they are not at
+ * work, but put aside by the system, and to ask for them again and again would keep them there. */
 static inline void thread_wait(unsigned turn)
 {
     if (turn < 32)

@@ -1,7 +1,7 @@
 /* batch.c - one picture for each file, threads over the files.
  *
- * Each file has a log in memory; whoever finishes one prints those whose turn it is, so that a large file holds up the
- * messages of the later ones and not their work. */
+ * Each file has a log in memory. The thread that finishes a file prints the logs whose turn it is. So a large file
+ * holds up the messages of later files, but not their work. */
 #include "cli/batch.h"
 
 #include <errno.h>
@@ -13,10 +13,9 @@
 #include <omp.h>
 #endif
 
-#include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/picture.h"
-#include "cli/progress.h"
+#include "cli/signals.h"
 #include "cli/values.h"
 
 typedef struct batch_file {
@@ -29,7 +28,7 @@ typedef struct batch_file {
 typedef struct batch {
     const cli_options *options;
     batch_file *file;
-    size_t count, done, printed; /* printed: logs of the files before this are out */
+    size_t count, done, printed; /* printed: the logs of the files before this one are out */
 } batch;
 
 /* DIR/name.svg for any/where/name.off; NULL: no memory. */
@@ -61,7 +60,7 @@ static int no_memory(void)
 static int check_names(const batch *b)
 {
     int result = EXIT_DONE;
-    /* an array of pointers, which the check takes for a slip */
+    /* an array of pointers: the check takes sizeof a pointer for a slip */
     batch_file **order = malloc(b->count * sizeof *order); /* NOLINT(bugprone-sizeof-expression) */
     if (!order)
         return no_memory();
@@ -154,7 +153,7 @@ static void make_one(const batch *b, batch_file *file, int thread)
     description_word(&own.description, file->input);
     own.log = log;
     own.scene.warnings.context = log;
-    own.draw.temporary_context = interrupt_slot(thread);
+    own.draw.temporary_context = signals_slot(thread);
     file->result = picture_make(&own);
     if (fclose(log) != 0) {
         free(file->text);
@@ -186,7 +185,7 @@ static void make_all(batch *b)
     long count = (long)b->count;
 #ifdef _OPENMP
     uint32_t asked = b->options->hide.threads ? b->options->hide.threads : (uint32_t)omp_get_max_threads();
-    int threads = asked < INTERRUPT_SLOTS ? (int)asked : INTERRUPT_SLOTS;
+    int threads = asked < SIGNALS_SLOTS ? (int)asked : SIGNALS_SLOTS;
     if (threads > count)
         threads = (int)count;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)

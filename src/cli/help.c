@@ -1,94 +1,24 @@
-/* help.c - the text of --help. A test runs its examples. */
+/* help.c - what the table of options says, in five forms. A test runs the examples. */
 #include "cli/help.h"
 
-#include <stddef.h>
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
 
-const char *const help_text[] = {
+#include "cli/options.h"
+
+enum { INDENT = 23, WIDTH = 110, MANUAL_WIDTH = 100 };
+
+static const char usage[] =
     "Usage: roberts [OPTION]... [FILE.off]...\n"
-    "Draws convex polyhedra without their hidden lines, by Roberts' method. Several files share one space; - or\n"
-    "nothing is standard input.\n"
+    "Draws convex polyhedra without their hidden lines, by Roberts' method. Several files share "
+    "one space; - or\n"
+    "nothing is standard input.\n";
+
+static const char closing[] =
     "\n"
-    "Output\n"
-    "  -o, --output FILE    where to (default: -, standard output)\n"
-    "  -f, --format FORMAT  svg, pdf, ps, eps, png, csv, json, or null: compute, write nothing\n"
-    "                       (default: by the ending of FILE, else svg)\n"
-    "      --turntable N    N pictures, the view turned about the upright line through the scene, at one scale; FILE\n"
-    "                       has a place for the number, from 0: turn-%03d.svg\n"
-    "      --sheet ANGLE    first or third angle projection: front, top, side and isometric view on one page, at one\n"
-    "                       scale, with the symbol\n"
-    "      --batch DIR      draw each FILE.off by itself, into DIR/FILE.svg (or as -f says), several at a time; one "
-    "that\n"
-    "                       fails does not stop the others\n"
-    "      --hidden MODE    hidden lines: none, dashed or solid (default: none); in tables, dashed and solid keep "
-    "them\n"
-    "      --crease DEGREES leave out edges between two front faces, or two back ones, flatter than this\n"
-    "                       (default: auto: 0.1, and 30 for curved bodies of many faces)\n"
-    "      --all-edges      draw those too\n"
-    "      --solids         refuse what is no closed convex solid\n"
-    "      --fill-rule RULE faces that cross themselves are where their border winds round at all: nonzero (the\n"
-    "                       default); or an odd number of times: evenodd\n"
-    "      --hull           draw the convex hulls of solids that are not closed, planar and convex, and of points\n"
-    "                       without faces; warns of how many, and -v says which; what is flat is\n"
-    "                       left out with a warning\n"
-    "\n"
-    "Page (lengths: mm, or with cm, in or pt behind them, as in 8.5x11in; of pens too)\n"
-    "      --page SIZE      a0 to a6, b0 to b6, letter, legal, tabloid, or WxH in mm (default: a4)\n"
-    "      --landscape      the longer side lies below\n"
-    "      --margin MM      on all four sides (default: 10)\n"
-    "      --fit            as large as the margins allow (the default)\n"
-    "      --scale RATIO    true to scale: 1:20, 2:1 or 0.05; the page has to hold it. Or standard: the largest of\n"
-    "                       ... 1:10, 1:5, 1:2, 1:1, 2:1, 5:1, 10:1 ... (ISO 5455) that the page holds; -v tells "
-    "which\n"
-    "      --unit UNIT      ... with a model unit of 1 mm (the default), cm, m, in or ft\n"
-    "      --align WHERE    center (the default), left, right, top, bottom, top-left, top-right, bottom-left,\n"
-    "                       bottom-right\n"
-    "      --frame          draw the border of what the margins leave; the drawing keeps 5 mm from it. Or, where it\n"
-    "                       is cut off (--fov, --near), the border at which it is\n"
-    "      --background COLOR  what lies below the lines, all over the page: a name as red, #rrggbb or #rgb (default:\n"
-    "                       none; png is white)\n"
-    "      --dpi N          resolution of png (default: 150)\n"
-    "\n"
-    "Lines\n"
-    "      --style CLASS:KEY=VALUE,...  a pen; CLASS: outline, crease, hidden, frame or symbol (default: 0.5, 0.35,\n"
-    "                       0.25 dashed, 0.7, 0.35 mm, black). width=MM; color=NAME, #rrggbb or #rgb; dash=DASH/GAP\n"
-    "                       in mm as seen, or none; off, on\n"
-    "      --dash MODE      dashes as a pattern of the line, or real: strokes, fitted to it (default: pattern)\n"
-    "      --order MODE     travel: for short ways of the lifted pen; none: as in the model (default: travel)\n"
-    "\n",
-    "View\n"
-    "      --view NAME      iso (the default: 1,-1,1), dimetric, trimetric, front, back, right, left, top, bottom;\n"
-    "                       oblique: cavalier, cabinet\n"
-    "      --dir X,Y,Z      parallel view; points from the scene toward the viewer\n"
-    "      --azimuth DEGREES ... by angles instead: 0 = front, 90 = right, 180 = back (default: 0)\n"
-    "      --elevation DEGREES ... over the horizon: 90 = top (default: 0)\n"
-    "      --eye X,Y,Z      perspective, from this point\n"
-    "      --look-at X,Y,Z  ... toward this one (default: the centre of the scene)\n"
-    "      --fov DEGREES    ... with this angle, above 0 and up to 179, across the shorter side of what the margins\n"
-    "                       leave, which the picture fills (default: the whole scene; 60 where it is cut)\n"
-    "      --near DISTANCE  ... cutting off what is nearer to the eye (default: a thousandth of the way to look-at)\n"
-    "      --up X,Y,Z       what points up in the drawing (default: 0,0,1; where parallel to the view, 0,1,0)\n"
-    "      --roll DEGREES   turns the drawing of any view, counter-clockwise (default: 0)\n"
-    "\n"
-    "Engine (0 = choose)\n"
-    "      --threads N      up to 1024 (default: 0, what there is)\n"
-    "      --grid N         cells per side, up to 4096 (default: 0)\n"
-    "      --epsilon E      what is nearer than this touches, model units (default: 0, 1e-11 of the scene's diameter)\n"
-    "      --tolerance T    how far from planar and convex a solid may be, as a part of its size (default: 0, 1e-5)\n"
-    "\n"
-    "Messages\n"
-    "      --stats[=json]   counts, tests and times, on standard error\n"
-    "      --verify[=N]     check the drawing by N rays per visible or hidden segment (default: 3); exit status 1 if\n"
-    "                       any of them contradicts it\n"
-    "      --pick X,Y       say which solid and face is seen there (x, y as in the csv) and what lies behind it; may "
-    "be\n"
-    "                       given several times\n"
-    "  -q, --quiet          no warnings, and no line of progress on a terminal\n"
-    "  -v, --verbose        say what was read and written\n"
-    "  -h, --help           this text\n"
-    "  -V, --version        the version\n"
-    "\n"
-    "Of an option given twice the last counts, but for --style and --pick, which add up. What has no effect is warned "
-    "of.\n"
+    "Of an option given twice the last counts, unless it may be given several times (--style, --pick). The program\n"
+    "warns of an option that has no effect.\n"
     "Exit status: 0 done, 1 the input or the work failed, 2 misuse.\n"
     "\n"
     "Examples\n"
@@ -102,6 +32,269 @@ const char *const help_text[] = {
     "  roberts --elevation 30 --turntable 4 models/table.off -o turn-%03d.svg\n"
     "  roberts --sheet first --landscape --hidden dashed models/table.off -o sheet.pdf\n"
     "  roberts --batch drawings -f pdf models/table.off models/tower.off\n"
-    "  roberts -f null --verify --pick 0,5 models/table.off\n",
-    NULL,
-};
+    "  roberts -f null --verify --pick 0,5 models/table.off\n";
+
+/* ---- --help ---- */
+
+/* Words with lines broken between them; `column` is where the text begins. */
+static void print_wrapped(FILE *file, const char *text, size_t column)
+{
+    for (bool first = true; *text; first = false) {
+        const size_t length = strcspn(text, " ");
+        const bool breaks = !first && column + 1 + length > WIDTH;
+        if (breaks)
+            fprintf(file, "\n%*s", INDENT, "");
+        else if (!first)
+            fputc(' ', file);
+        fprintf(file, "%.*s", (int)length, text);
+        column = (breaks ? INDENT : column + !first) + length;
+        text += length + strspn(text + length, " ");
+    }
+    fputc('\n', file);
+}
+
+static void print_option(FILE *file, const option *o)
+{
+    char name[80];
+    int length = o->letter ? snprintf(name, sizeof name, "  -%c, --%s", o->letter, o->name)
+                           : snprintf(name, sizeof name, "      --%s", o->name);
+    if (o->value)
+        length += snprintf(name + length, sizeof name - (size_t)length, o->flags & OPTION_OPTIONAL ? "[=%s]" : " %s",
+                           o->value);
+    if (length < INDENT)
+        fprintf(file, "%-*s", INDENT, name);
+    else
+        fprintf(file, "%s\n%*s", name, INDENT, "");
+    print_wrapped(file, o->help, INDENT);
+}
+
+void help_print(FILE *file, const option_table *table)
+{
+    fputs(usage, file);
+    for (int group = 0; group < OPTION_GROUPS; group++) {
+        const option_title *title = &option_titles[group];
+        fprintf(file, "\n%s", title->title);
+        if (title->help)
+            fprintf(file, " (%s)", title->help);
+        fputc('\n', file);
+        for (const option *o = table->row; o < table->row + table->count; o++)
+            if (o->group == (option_group)group)
+                print_option(file, o);
+    }
+    fputs(closing, file);
+}
+
+/* ---- the manual page ---- */
+
+/* A word as roff takes it: every hyphen a minus, so that it can be copied to a shell, and no line that looks like a
+ * command. */
+static void put_roff(FILE *file, const char *word, size_t length)
+{
+    if (*word == '.' || *word == '\'')
+        fputs("\\&", file);
+    for (size_t i = 0; i < length; i++) {
+        if (word[i] == '-' || word[i] == '\\')
+            fputc('\\', file);
+        fputc(word[i] == '\\' ? 'e' : word[i], file);
+    }
+}
+
+/* A newline in the text begins a paragraph. */
+static void print_paragraphs(FILE *file, const char *text)
+{
+    size_t column = 0;
+    while (*text) {
+        const size_t length = strcspn(text, " \n");
+        if (column > 0 && column + 1 + length > MANUAL_WIDTH) {
+            fputc('\n', file);
+            column = 0;
+        }
+        if (column > 0)
+            fputc(' ', file);
+        put_roff(file, text, length);
+        column += length + 1;
+        text += length;
+        if (*text == '\n') {
+            fputs("\n.IP\n", file);
+            column = 0;
+        }
+        text += strspn(text, " \n");
+    }
+    fputc('\n', file);
+}
+
+/* Which options contradict this one, and which it needs. */
+static void print_relations(FILE *file, const option *o, const option_table *table)
+{
+    const char *before = ".IP\nExcludes ";
+    for (const option *other = table->row; other < table->row + table->count; other++)
+        if (option_excludes(o, other)) {
+            fprintf(file, "%s\\-\\-", before);
+            put_roff(file, other->name, strlen(other->name));
+            before = ", ";
+        }
+    fputs(*before == ',' ? ".\n" : "", file);
+    if (o->needs) {
+        fputs(*before == ',' ? "Needs " : ".IP\nNeeds ", file);
+        for (const char *at = o->needs; *at; at += strspn(at, " ")) {
+            const size_t length = strcspn(at, " ");
+            fputs(at == o->needs ? "\\-\\-" : " or \\-\\-", file);
+            put_roff(file, at, length);
+            at += length;
+        }
+        fputs(".\n", file);
+    }
+}
+
+static void print_manual_option(FILE *file, const option *o, const option_table *table)
+{
+    fputs(".TP\n", file);
+    if (o->letter)
+        fprintf(file, "\\fB\\-%c\\fR, ", o->letter);
+    fputs("\\fB\\-\\-", file);
+    put_roff(file, o->name, strlen(o->name));
+    fputs("\\fR", file);
+    if (o->value && (o->flags & OPTION_OPTIONAL))
+        fprintf(file, "[=\\fI%s\\fR]", o->value);
+    else if (o->value)
+        fprintf(file, " \\fI%s\\fR", o->value);
+    fputc('\n', file);
+    print_paragraphs(file, o->manual ? o->manual : o->help);
+    print_relations(file, o, table);
+}
+
+void help_print_manual(FILE *file, const option_table *table)
+{
+    for (int group = 0; group < OPTION_GROUPS; group++) {
+        fprintf(file, ".SS \"%s\"\n", option_titles[group].title);
+        if (option_titles[group].manual)
+            print_paragraphs(file, option_titles[group].manual);
+        for (const option *o = table->row; o < table->row + table->count; o++)
+            if (o->group == (option_group)group)
+                print_manual_option(file, o, table);
+    }
+}
+
+/* ---- completions ---- */
+
+static void print_words(FILE *file, const option *o, const char *separator)
+{
+    for (size_t i = 0; o->words[i]; i++)
+        fprintf(file, "%s%s%s", i ? separator : "", o->words[i], o->flags & OPTION_COLON ? ":" : "");
+}
+
+/* One branch of a case: what the option's value is completed to. */
+static void print_bash_option(FILE *file, const option *o)
+{
+    fputs("    ", file);
+    if (o->letter)
+        fprintf(file, "-%c | ", o->letter);
+    if (!(o->flags & OPTION_OPTIONAL))
+        fprintf(file, "--%s | ", o->name);
+    fprintf(file, "--%s=) ", o->name);
+    if (o->words) {
+        fputs("_roberts_words \"$2\" ", file);
+        print_words(file, o, " ");
+        fputs(o->flags & OPTION_COLON ? "; compopt +o filenames -o nospace 2>/dev/null ;;\n" : " ;;\n", file);
+    } else if (o->flags & (OPTION_FILE | OPTION_FOLDER))
+        fprintf(file, "_roberts_names -%c \"$2\" ;;\n", o->flags & OPTION_FILE ? 'f' : 'd');
+    else
+        fputs(";;\n", file);
+}
+
+void help_print_bash(FILE *file, const option_table *table)
+{
+    fputs("_roberts_options='", file);
+    for (const option *o = table->row; o < table->row + table->count; o++)
+        if (o->letter)
+            fprintf(file, "-%c ", o->letter);
+    for (const option *o = table->row; o < table->row + table->count; o++) {
+        fprintf(file, "%s--%s", o == table->row ? "" : " ", o->name);
+        for (size_t i = 0; o->words && (o->flags & OPTION_OPTIONAL) && o->words[i]; i++)
+            fprintf(file, " --%s=%s", o->name, o->words[i]);
+    }
+    fputs("'\n\n# completes the value of option $1 that begins with $2; fails where the option takes none\n"
+          "_roberts_value() {\n    case $1 in\n",
+          file);
+    for (const option *o = table->row; o < table->row + table->count; o++)
+        if (o->value)
+            print_bash_option(file, o);
+    fputs("    *) return 1 ;;\n    esac\n    return 0\n}\n", file);
+}
+
+/* The options that cannot follow this one: those that it excludes, and itself where once is enough. */
+static void print_zsh_excluded(FILE *file, const option *o, const option_table *table)
+{
+    const char *before = "(";
+    for (const option *other = table->row; other < table->row + table->count; other++) {
+        const bool itself = other == o && o->letter && !(o->flags & OPTION_REPEATS);
+        if (!itself && !option_excludes(o, other))
+            continue;
+        fputs(before, file);
+        if (other->letter)
+            fprintf(file, "-%c ", other->letter);
+        fprintf(file, "--%s", other->name);
+        before = " ";
+    }
+    fputs(*before == '(' ? "" : ")", file);
+}
+
+static void print_zsh_option(FILE *file, const option *o, const option_table *table)
+{
+    fputs("    '", file);
+    if (o->flags & OPTION_ALONE)
+        fputs("(- *)", file);
+    else
+        print_zsh_excluded(file, o, table);
+    if (o->flags & OPTION_REPEATS)
+        fputc('*', file);
+    if (o->letter)
+        fprintf(file, "'{-%c,--%s}'", o->letter, o->name);
+    else
+        fprintf(file, "--%s%s", o->name, o->flags & OPTION_OPTIONAL ? "=-" : "");
+    fprintf(file, "[%s]", o->brief);
+    if (o->value)
+        fputs(o->flags & OPTION_OPTIONAL ? "::" : ":", file);
+    for (const char *c = o->value; c && *c; c++) {
+        fputs(*c == ':' ? "\\" : "", file);
+        fputc(tolower((unsigned char)*c), file);
+    }
+    if (o->words) {
+        fputs(":(", file);
+        for (size_t i = 0; o->words[i]; i++)
+            fprintf(file, "%s%s%s", i ? " " : "", o->words[i], o->flags & OPTION_COLON ? "\\:" : "");
+        fputc(')', file);
+    } else if (o->flags & OPTION_FILE)
+        fputs(":_files", file);
+    else if (o->flags & OPTION_FOLDER)
+        fputs(":_files -/", file);
+    fputs("' \\\n", file);
+}
+
+void help_print_zsh(FILE *file, const option_table *table)
+{
+    for (const option *o = table->row; o < table->row + table->count; o++)
+        print_zsh_option(file, o, table);
+}
+
+void help_print_fish(FILE *file, const option_table *table)
+{
+    for (const option *o = table->row; o < table->row + table->count; o++) {
+        fputs("complete -c roberts", file);
+        if (o->letter)
+            fprintf(file, " -s %c", o->letter);
+        fprintf(file, " -l %s", o->name);
+        if (o->flags & OPTION_FILE)
+            fputs(" -r -F", file);
+        else if (o->flags & OPTION_FOLDER)
+            fputs(" -x -a '(__fish_complete_directories)'", file);
+        else if (o->value && !(o->flags & OPTION_OPTIONAL))
+            fputs(" -x", file);
+        if (o->words && !(o->flags & OPTION_OPTIONAL)) {
+            fputs(" -a '", file);
+            print_words(file, o, " ");
+            fputs("'", file);
+        }
+        fprintf(file, " -d '%c%s'\n", toupper((unsigned char)o->brief[0]), o->brief + 1);
+    }
+}

@@ -4,7 +4,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-#include "cli/progress.h"
+#include "cli/signals.h"
 
 enum { MISUSE_SIZE = 8192 }; /* two names of files and what is wrong with them */
 
@@ -27,7 +27,7 @@ int message_misuse(const char *format, ...)
     va_end(arguments);
     fputs("roberts: ", stderr);
     put_plain(stderr, text);
-    fputs("\nroberts --help tells how it is used.\n", stderr);
+    fputs("\nroberts --help lists the options.\n", stderr);
     return EXIT_MISUSED;
 }
 

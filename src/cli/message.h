@@ -1,4 +1,4 @@
-/* message.h - what the program says on standard error, or in a log that goes there in its turn. Every line begins with
+/* message.h - what the program says on standard error, or in a log that is printed there later. Every line begins with
  * "roberts: ". */
 #ifndef ROBERTS_CLI_MESSAGE_H
 #define ROBERTS_CLI_MESSAGE_H
@@ -18,17 +18,17 @@ enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_MISUSED = 2 };
 /* Says what is wrong with the command and where help is; returns EXIT_MISUSED. */
 int message_misuse(const char *format, ...) MESSAGE_PRINTF;
 
-/* Around what is written to a log: where that is standard error, a line of progress makes room meanwhile. */
+/* Around what is written to a log. Where the log is standard error, the line of progress is taken away meanwhile. */
 void message_open(FILE *log);
 void message_close(FILE *log);
 
-/* "roberts: ", and what it is about: a file or a picture; NULL: nothing else. */
+/* Writes "roberts: " and what the message is about: a file or a picture, or NULL. */
 void message_begin(FILE *log, const char *label);
 
-/* FILE:LINE: what and why; returns the exit status that goes with it. */
+/* Writes FILE:LINE: what and why. Returns the exit status that goes with it. */
 int message_error(FILE *log, const roberts_error *error);
 
-/* A roberts_warning_fn, whose context is the log: FILE:LINE: warning: what. */
+/* Writes FILE:LINE: warning: what. A roberts_warning_fn, whose context is the log. */
 void message_warning(void *context, const char *file, size_t line, const char *text);
 
 #endif

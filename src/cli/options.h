@@ -1,31 +1,43 @@
-/* options.h - the command line as a plain struct. */
+/* options.h - the command line as a plain struct, and the table that says which options there are.
+ *
+ * Everything about an option stands in one row of the table: how it is parsed, what it excludes and needs, and what
+ * --help, the manual page and the completions of the shells say. A new option is a new row. */
 #ifndef ROBERTS_CLI_OPTIONS_H
 #define ROBERTS_CLI_OPTIONS_H
 
 #include <stdio.h>
 
-#include "cli/description.h"
 #include "roberts.h"
 
 enum { PICKS_MOST = 64 };
 
 typedef enum cli_stats { STATS_NONE, STATS_TEXT, STATS_JSON } cli_stats;
 
+/* What is drawn and how, as a command of a shell. What does not fit is cut off and marked by three dots. */
+typedef struct description {
+    char text[4096];
+    size_t length;
+    bool is_full;
+} description;
+
 typedef struct cli_options {
     char **input; /* [input_count], of argv; "-" is standard input; at least one */
     size_t input_count;
     const char *output; /* "-" is standard output */
     const char *batch;  /* NULL, or the folder for a picture of each input; then `output` is not used */
-    uint32_t turntable; /* 0, or how many pictures; then `output` holds a place for their numbers */
+    uint32_t turntable; /* 0, or how many pictures; then `output` has a place for their numbers */
     bool is_sheet;      /* several views on one page; then the camera is not used */
     roberts_sheet_angle sheet;
     FILE *log;         /* for messages */
-    const char *label; /* NULL, or which of several pictures this is: begins what is said of it */
+    const char *label; /* NULL, or which of several pictures this is: messages begin with it */
     roberts_scene_options scene;
     roberts_camera camera;
+    roberts_vec3 up;                 /* goes into the camera last, as --roll does; so the order of options is free */
+    double azimuth, elevation, roll; /* degrees */
     roberts_hide_options hide;
     roberts_draw_options draw;
-    description description; /* of the drawing, as a command */
+    bool landscape;
+    description description;
     cli_stats stats;
     bool verify;
     uint32_t verify_rays; /* per segment; 0 = choose */
@@ -34,8 +46,86 @@ typedef struct cli_options {
     bool quiet, verbose, help, version;
 } cli_options;
 
-/* Fills `options` from the arguments, which are put in order: operands to the end. Returns EXIT_DONE, or EXIT_MISUSED
- * and has said why. */
-int options_parse(int argc, char **argv, cli_options *options);
+/* ---- the table ---- */
+
+enum { OPTIONS_MOST = 128 };
+
+typedef enum option_group {
+    GROUP_OUTPUT,
+    GROUP_PAGE,
+    GROUP_LINES,
+    GROUP_VIEW,
+    GROUP_ENGINE,
+    GROUP_MESSAGES,
+    OPTION_GROUPS
+} option_group;
+
+typedef enum option_flags {
+    OPTION_DRAWS = 1,    /* changes what is drawn: part of the description in a drawing */
+    OPTION_PAPER = 2,    /* says how a drawing comes on paper: without effect on tables */
+    OPTION_REPEATS = 4,  /* may be given several times; of others the last one counts */
+    OPTION_OPTIONAL = 8, /* the value may be left out; it stands behind "=" only */
+    OPTION_FILE = 16,    /* the value is a file: for completions */
+    OPTION_FOLDER = 32,  /* the value is a folder */
+    OPTION_COLON = 64,   /* completions put a colon behind the words */
+    OPTION_ALONE = 128,  /* the program does this and nothing else */
+} option_flags;
+
+typedef struct option option;
+
+/* Puts the value into `options`. `value` is NULL where none was given. Returns EXIT_DONE, or EXIT_MISUSED and has said
+ * why. */
+typedef int option_set(const option *o, const char *value, cli_options *options);
+
+struct option {
+    option_group group;
+    const char *name;         /* without the two dashes */
+    char letter;              /* 0: none */
+    unsigned flags;           /* of option_flags */
+    const char *value;        /* what --help calls the value; NULL: the option takes none */
+    const char *const *words; /* values to choose from, ending with NULL; NULL: any. For messages and completions */
+    option_set *set;          /* NULL: it is enough that the option was given */
+    size_t field;             /* what `set` fills: an offset in cli_options */
+    double least, most;       /* of numbers */
+    const char *excludes;     /* options that contradict this one, with blanks between them; it works both ways */
+    const char *needs;        /* options of which one has to be given, too */
+    const char *brief;        /* for completions: a few words in small letters, without quotes, colons and brackets */
+    const char *help;         /* for --help */
+    const char *manual;       /* for the manual page, a newline between paragraphs; NULL: as `help` */
+};
+
+typedef struct option_table {
+    const option *row;
+    size_t count;
+} option_table;
+
+extern const option_table option_table_all;
+
+typedef struct option_title {
+    const char *title;
+    const char *help, *manual; /* what holds for the whole group, or NULL */
+} option_title;
+
+extern const option_title option_titles[OPTION_GROUPS];
+
+/* Whether one of the two excludes the other. */
+bool option_excludes(const option *a, const option *b);
+
+/* ---- parsing ---- */
+
+/* Which options were given. */
+typedef struct options_given {
+    const option_table *table;
+    bool row[OPTIONS_MOST];
+} options_given;
+
+bool options_is_given(const options_given *given, const char *name);
+
+/* Fills `options` from the arguments and puts the operands at the front of argv. Returns EXIT_DONE, or EXIT_MISUSED and
+ * has said why. */
+int options_parse(const option_table *table, int argc, char **argv, cli_options *options);
+
+/* Adds one word to a description. */
+void description_word(description *d, const char *word);
 
 #endif

@@ -1,4 +1,4 @@
-/* parse.c - values of options. The program never sets a locale, so strtod() knows the point alone. */
+/* parse.c - numbers, lengths and words in text. The program never sets a locale, so strtod() knows the point alone. */
 #include "cli/parse.h"
 
 #include <inttypes.h>
@@ -31,7 +31,8 @@ bool parse_number(const char *text, double *number)
     return true;
 }
 
-bool parse_measure(const char *text, double *number, double *unit_mm)
+/* A number, finite, with mm, cm, in or pt (1/72 inch) behind it; `*unit_mm` is 0 where nothing is. */
+static bool parse_measure(const char *text, double *number, double *unit_mm)
 {
     static const struct {
         const char *name;
@@ -74,27 +75,42 @@ bool parse_integer(const char *text, uint32_t *number)
     return true;
 }
 
-bool parse_point(const char *text, roberts_vec2 *point)
+bool parse_numbers(const char *text, double *number, size_t count)
 {
-    roberts_vec2 p;
-    if (!take_number(&text, &p.x) || *text++ != ',')
-        return false;
-    if (!take_number(&text, &p.y) || *text)
-        return false;
-    *point = p;
-    return true;
+    for (size_t i = 0; i < count; i++)
+        if ((i > 0 && *text++ != ',') || !take_number(&text, &number[i]))
+            return false;
+    return *text == '\0';
 }
 
-bool parse_vector(const char *text, roberts_vec3 *vector)
+const char *parse_word(const char *text, char end, char *word, size_t size, bool *fits)
 {
-    roberts_vec3 v;
-    if (!take_number(&text, &v.x) || *text++ != ',')
+    const char *stop = strchr(text, end);
+    size_t length = stop ? (size_t)(stop - text) : strlen(text);
+    *fits = length < size;
+    snprintf(word, size, "%.*s", (int)(*fits ? length : size - 1), text);
+    return stop ? stop + 1 : NULL;
+}
+
+bool parse_pair(const char *value, char sign, double *a, double *b)
+{
+    char word[64];
+    bool fits;
+    const char *second = parse_word(value, sign, word, sizeof word, &fits);
+    return second && fits && parse_number(word, a) && parse_number(second, b);
+}
+
+bool parse_lengths(const char *value, char sign, double *a_mm, double *b_mm)
+{
+    char word[64];
+    bool fits;
+    double a, b, unit_a, unit_b;
+    const char *second = parse_word(value, sign, word, sizeof word, &fits);
+    if (!second || !fits || !parse_measure(word, &a, &unit_a) || !parse_measure(second, &b, &unit_b))
         return false;
-    if (!take_number(&text, &v.y) || *text++ != ',')
-        return false;
-    if (!take_number(&text, &v.z) || *text)
-        return false;
-    *vector = v;
+    const double unit = unit_b > 0.0 ? unit_b : unit_a > 0.0 ? unit_a : 1.0;
+    *a_mm = a * (unit_a > 0.0 ? unit_a : unit);
+    *b_mm = b * unit;
     return true;
 }
 
@@ -112,4 +128,12 @@ bool parse_numbered(const char *pattern, uint32_t number, char *name, size_t siz
         return false;
     int length = snprintf(name, size, "%.*s%0*" PRIu32 "%s", (int)(place - pattern), pattern, width, number, at + 1);
     return length >= 0 && (size_t)length < size;
+}
+
+size_t parse_find(const char *word, const char *const *words)
+{
+    size_t i = 0;
+    while (words[i] && strcmp(word, words[i]) != 0)
+        i++;
+    return i;
 }

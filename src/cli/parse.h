@@ -1,30 +1,42 @@
-/* parse.h - values of options: strict, and the same in every locale. */
+/* parse.h - numbers, lengths and words in text: strict, and the same in every locale. */
 #ifndef ROBERTS_CLI_PARSE_H
 #define ROBERTS_CLI_PARSE_H
 
-#include "roberts.h"
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
 
-/* The whole of `text` is one decimal number, finite. */
+/* ---- the whole text; false where it is anything else ---- */
+
+/* One decimal number, finite. */
 bool parse_number(const char *text, double *number);
 
-/* The whole of `text` is one decimal number, finite, with mm, cm, in or pt (1/72 inch) behind it; `*unit_mm` is 0 where
- * nothing is. */
-bool parse_measure(const char *text, double *number, double *unit_mm);
-
-/* The same in mm, which a number alone is taken for. */
-bool parse_length(const char *text, double *mm);
-
-/* The whole of `text` is one whole number in decimal digits, below 2^32. */
+/* One whole number in decimal digits, below 2^32. */
 bool parse_integer(const char *text, uint32_t *number);
 
-/* The whole of `text` is X,Y. */
-bool parse_point(const char *text, roberts_vec2 *point);
+/* `count` numbers with commas between them. */
+bool parse_numbers(const char *text, double *number, size_t count);
 
-/* The whole of `text` is X,Y,Z. */
-bool parse_vector(const char *text, roberts_vec3 *vector);
+/* Two numbers with `sign` between them. */
+bool parse_pair(const char *text, char sign, double *a, double *b);
 
-/* Puts `number` in the one place that `pattern` has for it, %d or %03d (digits at the least, up to 9, filled up by
- * zeros); false where there is none, more than one, another %, or the name does not fit. */
+/* A number of mm, or with mm, cm, in or pt (1/72 inch) behind it. */
+bool parse_length(const char *text, double *mm);
+
+/* Two lengths with `sign` between them. A unit behind one of them holds for both, as in 8.5x11in. */
+bool parse_lengths(const char *text, char sign, double *a_mm, double *b_mm);
+
+/* ---- words ---- */
+
+/* Copies what stands before the first `end` (or all); returns what stands behind it, or NULL: there is no `end`.
+ * `*fits` is false where that is longer than `word`. */
+const char *parse_word(const char *text, char end, char *word, size_t size, bool *fits);
+
+/* Index of `word` in a list that ends with NULL; that of the NULL where it is not there. */
+size_t parse_find(const char *word, const char *const *words);
+
+/* Puts `number` in the one place that `pattern` has for it: %d, or %03d (at least so many digits, up to 9, with zeros
+ * in front). False where there is no such place, more than one, another %, or the name does not fit. */
 bool parse_numbered(const char *pattern, uint32_t number, char *name, size_t size);
 
 #endif

@@ -1,18 +1,16 @@
 /* picture.c - from the files to what is written.
  *
- * Pictures of a turntable are laid on the page by one window, the box of the windows of all sides, so that they have one
- * scale and nothing jumps. */
+ * The pictures of a turntable share one window, the box of the windows of all sides, so that they have one scale and
+ * nothing jumps. */
 #include "cli/picture.h"
 
 #include <string.h>
 
-#include "cli/empty.h"
+#include "cli/hints.h"
 #include "cli/message.h"
 #include "cli/parse.h"
-#include "cli/progress.h"
-#include "cli/rays.h"
-#include "cli/refusal.h"
-#include "cli/stats.h"
+#include "cli/report.h"
+#include "cli/signals.h"
 
 enum { NAME_SIZE = 4096, HULLS_TOLD = 20 };
 
@@ -21,14 +19,14 @@ typedef struct picture_window {
     bool framed; /* one of them is a field of view */
 } picture_window;
 
-/* What comes on one page: one view, or those of a sheet. */
+/* What is drawn on one page: one view, or those of a sheet. */
 typedef struct views {
     roberts_drawing drawing[ROBERTS_SHEET_VIEWS];
     size_t count;
-    bool explained; /* why there is next to nothing on it */
+    bool explained; /* a warning has said why there is next to nothing on it */
 } views;
 
-/* What to call the inputs: the first of them, and how many more there are. */
+/* What messages call the inputs: the first of them, and how many more there are. */
 static const char *name_inputs(const cli_options *options, const char *first, char *name, size_t size)
 {
     if (strcmp(first, "-") == 0)
@@ -47,7 +45,7 @@ static const char *write_title(const cli_options *options, char *title, size_t s
     return name_inputs(options, slash ? slash + 1 : first, title, size);
 }
 
-/* What went wrong concerns the inputs, where it names no file. Returns the exit status. */
+/* Reports the error, which concerns the inputs where it names no file. Returns the exit status. */
 static int fail(const cli_options *options, roberts_error *error)
 {
     if (!error->file[0] && error->status != ROBERTS_BAD_ARGUMENT)
@@ -61,12 +59,12 @@ static roberts_status read_all(const cli_options *options, roberts_mesh *mesh, r
     for (size_t i = 0; i < options->input_count && status == ROBERTS_OK; i++) {
         status = roberts_mesh_read_file(mesh, options->input[i], &options->scene.warnings, error);
         if (status != ROBERTS_OK)
-            refusal_explain_reading(options, options->input[i], error);
+            hint_unread(options, options->input[i], error);
     }
     return status;
 }
 
-/* Which solids were none, by their numbers; nothing where all are sound. */
+/* Names the solids that hulls have replaced, by their numbers; says nothing where all are sound. */
 static void tell_hulls(const cli_options *options, const roberts_scene *scene)
 {
     char name[NAME_SIZE];
@@ -77,7 +75,7 @@ static void tell_hulls(const cli_options *options, const roberts_scene *scene)
     if (hulls == 0)
         return;
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
-    fprintf(options->log, "convex hulls take the place of %u solid%s", (unsigned)hulls, hulls == 1 ? "" : "s");
+    fprintf(options->log, "convex hulls replace %u solid%s", (unsigned)hulls, hulls == 1 ? "" : "s");
     for (uint32_t s = 0; s < solids && told < HULLS_TOLD; s++)
         if (roberts_scene_is_hull(scene, s))
             fprintf(options->log, "%s%u", told++ ? ", " : ": ", (unsigned)s);
@@ -97,23 +95,23 @@ static void tell_scene(const cli_options *options, const roberts_scene *scene, c
     message_close(options->log);
 }
 
-/* What is not needed any more is released on the way. */
+/* Reads the inputs and builds the scene. The mesh is released on the way. */
 static roberts_status load(const cli_options *options, roberts_scene **scene, run_stats *run, roberts_error *error)
 {
     roberts_mesh mesh = {.threads = options->hide.threads};
     roberts_scene_options solids = options->scene;
-    roberts_time start = stats_now();
+    roberts_time start = report_now();
     solids.threads = options->hide.threads;
     progress_stage("reading");
     roberts_status status = read_all(options, &mesh, error);
-    run->read = stats_since(start);
+    run->read = report_since(start);
     if (status == ROBERTS_OK) {
-        start = stats_now();
+        start = report_now();
         progress_stage("finding the solids");
         status = roberts_scene_take(&mesh, &solids, scene, error);
-        run->solids = stats_since(start);
+        run->solids = report_since(start);
         if (status != ROBERTS_OK)
-            refusal_explain(options, &mesh, error);
+            hint_refused(options, &mesh, error);
     }
     roberts_mesh_free(&mesh);
     if (status != ROBERTS_OK)
@@ -125,8 +123,8 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     return status;
 }
 
-/* Where nothing is written of the segments, no ray asks for them, and a page could only be empty where there are none,
- * none is kept: the drawing then has no more than what was counted. */
+/* Whether segments need only be counted: nothing is written of them, no ray asks for them, and a page could be empty
+ * only where there are none. The drawing then holds no segments. */
 static bool is_counted_only(const cli_options *options)
 {
     const roberts_draw_options *page = &options->draw;
@@ -139,33 +137,33 @@ static roberts_status hide_and_count(const cli_options *options, const roberts_s
                                      run_stats *run, roberts_error *error)
 {
     if (is_counted_only(options))
-        return roberts_hide_each(scene, &options->camera, &options->hide, stats_count, run, drawing, error);
+        return roberts_hide_each(scene, &options->camera, &options->hide, report_count, run, drawing, error);
     roberts_status status = roberts_hide(scene, &options->camera, &options->hide, drawing, error);
     for (size_t i = 0; i < drawing->count && options->stats != STATS_NONE; i++)
-        stats_count(run, &drawing->segment[i]);
+        report_count(run, &drawing->segment[i]);
     return status;
 }
 
-/* One view; what it takes and finds is added to `run`. */
+/* Hides one view; its times and findings are added to `run`. */
 static roberts_status hide(const cli_options *options, const roberts_scene *scene, roberts_drawing *drawing,
                            run_stats *run, roberts_error *error)
 {
     progress_stage("removing hidden lines");
     roberts_status status = hide_and_count(options, scene, drawing, run, error);
-    if (status == ROBERTS_BAD_ARGUMENT) /* only this is judged by the scene; all else was when it was read */
+    if (status == ROBERTS_BAD_ARGUMENT) /* all other options were checked when they were parsed */
         snprintf(error->file, sizeof error->file, "--epsilon");
-    roberts_time start = stats_now();
+    roberts_time start = report_now();
     if (status == ROBERTS_OK && options->verify) {
         progress_stage("verifying");
-        status = rays_verify(options, scene, drawing, &run->found, error);
+        status = report_verify(options, scene, drawing, &run->found, error);
     }
     if (status == ROBERTS_OK)
-        status = rays_pick(options, scene, error);
-    run->verify = stats_sum(run->verify, stats_since(start));
+        status = report_picks(options, scene, error);
+    run->verify = report_sum(run->verify, report_since(start));
     return status;
 }
 
-/* A view of a sheet, as messages call it. */
+/* What messages call a view of a sheet. */
 static const char *name_view(const cli_options *options, size_t i, char *name, size_t size)
 {
     const bool first = options->sheet == ROBERTS_FIRST_ANGLE;
@@ -195,7 +193,7 @@ static roberts_status hide_all(const cli_options *options, const roberts_scene *
     return status;
 }
 
-/* What to call the drawing. */
+/* What messages call the drawing. */
 static const char *name_output(const cli_options *options, char *name, size_t size)
 {
     if (options->draw.format == ROBERTS_NULL)
@@ -203,11 +201,11 @@ static const char *name_output(const cli_options *options, char *name, size_t si
     return strcmp(options->output, "-") == 0 ? "standard output" : options->output;
 }
 
-/* While there is the scene to ask. */
+/* This has to come before the scene is released. */
 static void warn_near(const cli_options *options, const roberts_scene *scene, views *v)
 {
     char why[256], name[NAME_SIZE];
-    if (options->quiet || !empty_by_near(options, scene, &v->drawing[0], why, sizeof why))
+    if (options->quiet || !hint_near_plane(options, scene, &v->drawing[0], why, sizeof why))
         return;
     message_warning(options->log, name_output(options, name, sizeof name), 0, why);
     v->explained = true;
@@ -221,7 +219,7 @@ static void free_views(views *v)
 
 static roberts_status save(const cli_options *options, const views *v, run_stats *run, roberts_error *error)
 {
-    roberts_time start = stats_now();
+    roberts_time start = report_now();
     progress_stage("writing");
     roberts_draw_options page = options->draw;
     roberts_sheet sheet = {.angle = options->sheet};
@@ -236,15 +234,15 @@ static roberts_status save(const cli_options *options, const views *v, run_stats
         drawing.count = 0;
     roberts_status status = options->is_sheet ? roberts_sheet_save(&sheet, &page, options->output, error)
                                               : roberts_drawing_save(&drawing, &page, options->output, error);
-    run->draw = stats_since(start);
+    run->draw = report_since(start);
     return status;
 }
 
-/* A page on which there is nothing is hardly what was meant. */
+/* An empty page is hardly what was meant. */
 static void warn_empty(const cli_options *options, const views *v)
 {
     bool known = is_counted_only(options) && v->drawing[0].count > 0;
-    const char *why = options->quiet || known || v->explained ? NULL : empty_reason(options, v->drawing, v->count);
+    const char *why = options->quiet || known || v->explained ? NULL : hint_empty(options, v->drawing, v->count);
     char text[256], name[NAME_SIZE];
     if (!why)
         return;
@@ -254,8 +252,8 @@ static void warn_empty(const cli_options *options, const views *v)
 
 static void tell(const cli_options *options, const run_stats *run, const views *v)
 {
-    char name[NAME_SIZE], ratio[STATS_RATIO];
-    const bool to_scale = stats_ratio(&run->ink, &options->draw.placement, ratio);
+    char name[NAME_SIZE], ratio[REPORT_RATIO];
+    const bool to_scale = report_ratio(&run->ink, &options->draw.placement, ratio);
     size_t segments = 0;
     warn_empty(options, v);
     for (size_t i = 0; i < v->count; i++)
@@ -267,11 +265,11 @@ static void tell(const cli_options *options, const run_stats *run, const views *
                 to_scale ? ratio : "", run->total.wall);
     }
     if (options->stats != STATS_NONE)
-        stats_print(options, run, v->drawing, v->count);
+        report_stats(options, run, v->drawing, v->count);
     message_close(options->log);
 }
 
-/* One picture; the scene is released before it is written, where it is the last. Returns the exit status. */
+/* Makes one picture. Before the last one is written the scene is released. Returns the exit status. */
 static int draw(const cli_options *options, roberts_scene **scene, bool last, const picture_window *window,
                 run_stats run, roberts_time begin)
 {
@@ -292,10 +290,10 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     }
     if (status == ROBERTS_OK)
         status = save(options, &v, &run, &error);
-    run.total = stats_since(begin);
+    run.total = report_since(begin);
     int result = status != ROBERTS_OK ? fail(options, &error) : EXIT_DONE;
     if (status == ROBERTS_OK && run.found.contradictions > 0)
-        result = EXIT_FAILED; /* and the drawing is there to look at */
+        result = EXIT_FAILED; /* the drawing is written all the same, to be looked at */
     if (status == ROBERTS_OK)
         tell(options, &run, &v);
     free_views(&v);
@@ -346,7 +344,7 @@ static int draw_turntable(const cli_options *options, roberts_scene **scene, con
         one.camera = turned(options, *scene, i);
         parse_numbered(options->output, i, name, sizeof name);
         one.output = one.label = name;
-        result = draw(&one, scene, i + 1 == options->turntable, &window, *run, stats_now());
+        result = draw(&one, scene, i + 1 == options->turntable, &window, *run, report_now());
         progress_count(i + 1, options->turntable);
     }
     return result;
@@ -357,7 +355,7 @@ int picture_make(const cli_options *options)
     roberts_scene *scene = NULL;
     roberts_error error = {0};
     run_stats run = {.files = options->input_count};
-    roberts_time begin = stats_now();
+    roberts_time begin = report_now();
     int result;
     if (load(options, &scene, &run, &error) != ROBERTS_OK)
         result = fail(options, &error);

@@ -1,175 +1,504 @@
-/* values.c - values of the options that name a view, a format or a mode, and of those that are vectors or numbers. */
+/* values.c - what the value of each option may be, and where it goes. */
 #include "cli/values.h"
 
 #include <float.h>
-#include <inttypes.h>
+#include <stdio.h>
 #include <string.h>
 
+#include "cli/hints.h"
 #include "cli/message.h"
-#include "cli/nearest.h"
 #include "cli/parse.h"
 
-enum { TURNTABLE_MOST = 100000 };
+/* ---- any option ---- */
 
-enum { FORMATS = ROBERTS_NULL + 1 };
+static void *field(const option *o, cli_options *options)
+{
+    return (char *)options + o->field;
+}
 
-static const char *const format_names[FORMATS] = {
-    [ROBERTS_SVG] = "svg", [ROBERTS_PDF] = "pdf", [ROBERTS_PS] = "ps",     [ROBERTS_EPS] = "eps",
-    [ROBERTS_PNG] = "png", [ROBERTS_CSV] = "csv", [ROBERTS_JSON] = "json", [ROBERTS_NULL] = "null",
+int values_set_flag(const option *o, const char *value, cli_options *options)
+{
+    (void)value;
+    *(bool *)field(o, options) = true;
+    return EXIT_DONE;
+}
+
+int values_set_text(const option *o, const char *value, cli_options *options)
+{
+    *(const char **)field(o, options) = value;
+    return *value ? EXIT_DONE : message_misuse("--%s: the name is empty", o->name);
+}
+
+int values_set_number(const option *o, const char *value, cli_options *options)
+{
+    double *number = field(o, options);
+    if (!parse_number(value, number))
+        return message_misuse("--%s: \"%s\" is not a number", o->name, value);
+    if (*number < o->least && o->most == DBL_MAX)
+        return message_misuse("--%s: %s is less than %g", o->name, value, o->least);
+    if (!(*number >= o->least && *number <= o->most))
+        return message_misuse("--%s: %s is not in %g..%g", o->name, value, o->least, o->most);
+    return EXIT_DONE;
+}
+
+int values_set_integer(const option *o, const char *value, cli_options *options)
+{
+    uint32_t *number = field(o, options);
+    if (!parse_integer(value, number))
+        return message_misuse("--%s: \"%s\" is not a whole number from %.0f to %.0f", o->name, value, o->least,
+                              o->most);
+    if (*number < o->least || *number > o->most)
+        return message_misuse("--%s: %s is not in %.0f..%.0f", o->name, value, o->least, o->most);
+    return EXIT_DONE;
+}
+
+int values_set_length(const option *o, const char *value, cli_options *options)
+{
+    double *mm = field(o, options);
+    if (!parse_length(value, mm))
+        return message_misuse("--%s: \"%s\" is not a length in mm, or with cm, in or pt behind it", o->name, value);
+    if (!(*mm >= o->least && *mm <= o->most))
+        return message_misuse("--%s: %s is not in %g..%g mm", o->name, value, o->least, o->most);
+    return EXIT_DONE;
+}
+
+static int set_vector(const option *o, const char *value, cli_options *options)
+{
+    double v[3];
+    if (!parse_numbers(value, v, 3))
+        return message_misuse("--%s: \"%s\" is not X,Y,Z (three numbers, point for decimals)", o->name, value);
+    *(roberts_vec3 *)field(o, options) = (roberts_vec3){v[0], v[1], v[2]};
+    return EXIT_DONE;
+}
+
+int values_set_direction(const option *o, const char *value, cli_options *options)
+{
+    const roberts_vec3 *v = field(o, options);
+    int status = set_vector(o, value, options);
+    if (status == EXIT_DONE && v->x == 0.0 && v->y == 0.0 && v->z == 0.0)
+        return message_misuse("--%s: 0,0,0 is no direction", o->name);
+    return status;
+}
+
+/* Index of the value among the option's words. */
+static int choose(const option *o, const char *value, size_t *index)
+{
+    char what[40];
+    *index = parse_find(value, o->words);
+    if (o->words[*index])
+        return EXIT_DONE;
+    snprintf(what, sizeof what, "--%s", o->name);
+    return hint_unknown(what, value, o->words, NULL);
+}
+
+/* ---- output ---- */
+
+const char *const values_formats[] = {
+    [ROBERTS_SVG] = "svg",   [ROBERTS_PDF] = "pdf",   [ROBERTS_PS] = "ps",
+    [ROBERTS_EPS] = "eps",   [ROBERTS_PNG] = "png",   [ROBERTS_CSV] = "csv",
+    [ROBERTS_JSON] = "json", [ROBERTS_NULL] = "null", [ROBERTS_NULL + 1] = NULL,
 };
 
 const char *values_format_name(roberts_format format)
 {
-    return format_names[format];
+    return values_formats[format];
 }
 
-int values_set_format(cli_options *options, const char *value)
+int values_set_format(const option *o, const char *value, cli_options *options)
 {
+    size_t i;
     if (roberts_format_by_name(value, &options->draw.format))
         return EXIT_DONE;
-    return nearest_unknown("--format", value, format_names, FORMATS, NULL);
+    return choose(o, value, &i);
 }
 
-int values_set_view(cli_options *options, const char *value)
+const char *const values_sheets[] = {"first", "third", NULL};
+
+int values_set_sheet(const option *o, const char *value, cli_options *options)
 {
-    static const char *const names[] = {"iso",   "dimetric", "trimetric", "front",    "back",   "left",
-                                        "right", "top",      "bottom",    "cavalier", "cabinet"};
-    if (roberts_camera_preset(value, &options->camera))
+    size_t i;
+    int status = choose(o, value, &i);
+    options->is_sheet = true;
+    options->sheet = i == 0 ? ROBERTS_FIRST_ANGLE : ROBERTS_THIRD_ANGLE;
+    return status;
+}
+
+const char *const values_hidden[] = {"none", "dashed", "solid", NULL};
+
+int values_set_hidden(const option *o, const char *value, cli_options *options)
+{
+    static const roberts_hidden modes[] = {ROBERTS_HIDDEN_NONE, ROBERTS_HIDDEN_DASHED, ROBERTS_HIDDEN_SOLID};
+    size_t i;
+    int status = choose(o, value, &i);
+    if (status == EXIT_DONE) {
+        options->draw.hidden = modes[i];
+        options->hide.keep_hidden = modes[i] != ROBERTS_HIDDEN_NONE;
+    }
+    return status;
+}
+
+int values_set_crease(const option *o, const char *value, cli_options *options)
+{
+    options->hide.crease_auto = strcmp(value, "auto") == 0;
+    return options->hide.crease_auto ? EXIT_DONE : values_set_number(o, value, options);
+}
+
+const char *const values_fill_rules[] = {"nonzero", "evenodd", NULL};
+
+int values_set_fill_rule(const option *o, const char *value, cli_options *options)
+{
+    size_t i;
+    int status = choose(o, value, &i);
+    options->scene.even_odd = i == 1;
+    return status;
+}
+
+/* ---- page ---- */
+
+/* ISO 216, and what North America uses */
+const char *const values_pages[] = {"a0", "a1", "a2", "a3", "a4", "a5",     "a6",    "b0",      "b1",
+                                    "b2", "b3", "b4", "b5", "b6", "letter", "legal", "tabloid", NULL};
+
+int values_set_page(const option *o, const char *value, cli_options *options)
+{
+    static const double sizes[][2] = {{841, 1189},    {594, 841},    {420, 594},   {297, 420},  {210, 297},
+                                      {148, 210},     {105, 148},    {1000, 1414}, {707, 1000}, {500, 707},
+                                      {353, 500},     {250, 353},    {176, 250},   {125, 176},  {215.9, 279.4},
+                                      {215.9, 355.6}, {279.4, 431.8}};
+    roberts_page *page = &options->draw.page;
+    char word[64]; /* in small letters, as of "A4", "210X297" */
+    size_t length = strlen(value) < sizeof word ? strlen(value) : sizeof word - 1;
+    for (size_t i = 0; i < length; i++)
+        word[i] = (char)(value[i] >= 'A' && value[i] <= 'Z' ? value[i] - 'A' + 'a' : value[i]);
+    word[length] = '\0';
+    const size_t i = parse_find(word, o->words);
+    double width, height;
+    if (o->words[i]) {
+        page->width_mm = sizes[i][0];
+        page->height_mm = sizes[i][1];
         return EXIT_DONE;
-    return nearest_unknown("--view", value, names, sizeof names / sizeof names[0], NULL);
+    }
+    if (value[length] || !parse_lengths(word, 'x', &width, &height))
+        return hint_unknown("--page", value, o->words, "or WxH in mm, as 210x297, or 8.5x11in");
+    if (!(width >= 1.0 && width <= 40000.0 && height >= 1.0 && height <= 40000.0))
+        return message_misuse("--page: %s: each side has 1 to 40000 mm", value);
+    page->width_mm = width;
+    page->height_mm = height;
+    return EXIT_DONE;
 }
 
-int values_set_hidden(cli_options *options, const char *value)
+const char *const values_scales[] = {"standard", NULL};
+
+int values_set_scale(const option *o, const char *value, cli_options *options)
 {
-    static const char *const names[] = {"none", "dashed", "solid"};
-    static const roberts_hidden mode[] = {ROBERTS_HIDDEN_NONE, ROBERTS_HIDDEN_DASHED, ROBERTS_HIDDEN_SOLID};
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
-        if (strcmp(value, names[i]) == 0) {
-            options->draw.hidden = mode[i];
-            options->hide.keep_hidden = mode[i] != ROBERTS_HIDDEN_NONE;
-            return EXIT_DONE;
-        }
-    return nearest_unknown("--hidden", value, names, sizeof names / sizeof names[0], NULL);
+    roberts_placement *placement = &options->draw.placement;
+    double a, b = 1.0;
+    placement->standard = strcmp(value, o->words[0]) == 0;
+    placement->scale = 0.0;
+    if (placement->standard)
+        return EXIT_DONE;
+    if (!parse_pair(value, ':', &a, &b) && !parse_number(value, &a))
+        return message_misuse("--scale: \"%s\" is not like 1:20, 2:1 or 0.05, nor standard", value);
+    if (!(a > 0.0 && b > 0.0 && a / b >= 1e-12 && a / b <= 1e12))
+        return message_misuse("--scale: %s is not in 1e-12..1e12", value);
+    placement->scale = a / b;
+    return EXIT_DONE;
 }
 
-int values_set_stats(cli_options *options, const char *value)
+const char *const values_units[] = {"mm", "cm", "m", "in", "ft", NULL};
+
+int values_set_unit(const option *o, const char *value, cli_options *options)
 {
-    static const char *const names[] = {"json"};
-    if (value && strcmp(value, names[0]) != 0)
-        return nearest_unknown("--stats", value, names, 1, "or left out");
+    static const double mm[] = {1.0, 10.0, 1000.0, 25.4, 304.8};
+    size_t i;
+    int status = choose(o, value, &i);
+    if (status == EXIT_DONE)
+        options->draw.placement.unit_mm = mm[i];
+    return status;
+}
+
+const char *const values_places[] = {"center",   "left",      "right",       "top",          "bottom",
+                                     "top-left", "top-right", "bottom-left", "bottom-right", NULL};
+
+int values_set_align(const option *o, const char *value, cli_options *options)
+{
+    static const int sides[][2] = {{0, 0}, {-1, 0}, {1, 0}, {0, 1}, {0, -1}, {-1, 1}, {1, 1}, {-1, -1}, {1, -1}};
+    size_t i;
+    int status = choose(o, strcmp(value, "centre") == 0 ? "center" : value, &i);
+    if (status == EXIT_DONE) {
+        options->draw.placement.align_x = sides[i][0];
+        options->draw.placement.align_y = sides[i][1];
+    }
+    return status;
+}
+
+int values_set_frame(const option *o, const char *value, cli_options *options)
+{
+    (void)o;
+    (void)value;
+    options->draw.frame.off = false;
+    return EXIT_DONE;
+}
+
+/* A range without its lower end, 0; `why` says what 0 would do. */
+static int set_number_above_zero(const option *o, const char *value, const char *why, double *number)
+{
+    if (!parse_number(value, number))
+        return message_misuse("--%s: \"%s\" is not a number", o->name, value);
+    if (!(*number > 0.0 && *number <= o->most))
+        return message_misuse("--%s: %s %s; it takes a number above 0, up to %g", o->name, value,
+                              *number == 0.0 ? why : "is out of range", o->most);
+    return EXIT_DONE;
+}
+
+int values_set_dpi(const option *o, const char *value, cli_options *options)
+{
+    return set_number_above_zero(o, value, "gives no image", field(o, options));
+}
+
+/* ---- colours and pens ---- */
+
+const char *const values_backgrounds[] = {"none", "black", "white",   "gray",   "red",    "green",  "blue",
+                                          "cyan", "brown", "magenta", "yellow", "orange", "purple", NULL};
+
+static const char *const *const color_names = values_backgrounds + 1;
+
+static bool hex_digit(char c, unsigned *value)
+{
+    static const char digits[] = "0123456789abcdef";
+    const char *at = c ? strchr(digits, c >= 'A' && c <= 'F' ? c - 'A' + 'a' : c) : NULL;
+    *value = at ? (unsigned)(at - digits) : 0;
+    return at != NULL;
+}
+
+/* #rgb or #rrggbb. */
+static bool parse_hex(const char *value, unsigned char part[3])
+{
+    size_t length = strlen(value), each = length == 4 ? 1 : 2;
+    if (value[0] != '#' || (length != 4 && length != 7))
+        return false;
+    for (size_t i = 0; i < 3; i++) {
+        unsigned high, low;
+        if (!hex_digit(value[1 + i * each], &high) || !hex_digit(value[each + i * each], &low))
+            return false;
+        part[i] = (unsigned char)(16 * high + low);
+    }
+    return true;
+}
+
+/* Where the value is no colour, the message is about `what`, which can also be `also`. */
+static int parse_color(const char *what, const char *also, const char *value, unsigned char part[3])
+{
+    static const unsigned char parts[][3] = {{0, 0, 0},     {255, 255, 255}, {128, 128, 128}, {255, 0, 0},
+                                             {0, 128, 0},   {0, 0, 255},     {0, 255, 255},   {165, 42, 42},
+                                             {255, 0, 255}, {255, 255, 0},   {255, 165, 0},   {128, 0, 128}};
+    const size_t i = parse_find(strcmp(value, "grey") == 0 ? "gray" : value, color_names);
+    if (color_names[i])
+        memcpy(part, parts[i], 3);
+    else if (!parse_hex(value, part))
+        return hint_unknown(what, value, color_names, also);
+    return EXIT_DONE;
+}
+
+int values_set_background(const option *o, const char *value, cli_options *options)
+{
+    unsigned char part[3] = {0};
+    roberts_background *background = &options->draw.background;
+    (void)o;
+    background->on = strcmp(value, "none") != 0;
+    if (!background->on)
+        return EXIT_DONE;
+    int status = parse_color("--background", "#rrggbb, #rgb or none", value, part);
+    *background = (roberts_background){true, part[0], part[1], part[2]};
+    return status;
+}
+
+static int set_color(roberts_pen *pen, const char *value)
+{
+    unsigned char part[3] = {0};
+    int status = parse_color("--style: colour", "#rrggbb or #rgb", value, part);
+    if (status != EXIT_DONE)
+        return status;
+    pen->red = part[0];
+    pen->green = part[1];
+    pen->blue = part[2];
+    return EXIT_DONE;
+}
+
+static bool is_length(double mm, double least)
+{
+    return mm >= least && mm <= 1000.0;
+}
+
+/* none, DASH or DASH/GAP; a gap is a quarter of its dash unless given. */
+static int set_dashes(roberts_pen *pen, const char *value)
+{
+    double dash = 0.0, gap = 0.0;
+    if (strcmp(value, "none") != 0 && !parse_lengths(value, '/', &dash, &gap)) {
+        if (!parse_length(value, &dash))
+            return message_misuse("--style: dash=%s is neither none nor DASH/GAP in mm, or with cm, in or pt behind it",
+                                  value);
+        gap = dash / 4.0;
+    }
+    if (strcmp(value, "none") != 0 && !(is_length(dash, 0.001) && is_length(gap, 0.001)))
+        return message_misuse("--style: dash=%s is not in 0.001..1000 mm", value);
+    pen->dash_mm = dash;
+    pen->gap_mm = gap;
+    return EXIT_DONE;
+}
+
+/* Dashes of 12 and gaps of 3 widths follow the width. */
+static int set_width(roberts_pen *pen, const char *value)
+{
+    double width;
+    if (!parse_length(value, &width))
+        return message_misuse("--style: width=%s is not a length in mm, or with cm, in or pt behind it", value);
+    if (!is_length(width, 0.001))
+        return message_misuse("--style: width=%s is not in 0.001..1000 mm", value);
+    bool follows = pen->dash_mm == 12.0 * pen->width_mm && pen->gap_mm == 3.0 * pen->width_mm && pen->dash_mm > 0.0;
+    pen->width_mm = width;
+    if (follows) {
+        pen->dash_mm = 12.0 * width;
+        pen->gap_mm = 3.0 * width;
+    }
+    return EXIT_DONE;
+}
+
+/* One key=value, or a key alone. */
+static int set_key(roberts_pen *pen, const char *item)
+{
+    enum { WIDTH, COLOR, COLOUR, DASH, OFF, ON };
+    static const char *const names[] = {"width", "color", "colour", "dash", "off", "on", NULL};
+    char key[64];
+    bool fits;
+    const char *value = parse_word(item, '=', key, sizeof key, &fits);
+    const size_t i = parse_find(key, names);
+    if (!names[i])
+        return hint_unknown("--style", key, names, "as in outline:width=0.7,color=red");
+    if ((i < OFF) != (value != NULL))
+        return message_misuse("--style: %s %s", key, i < OFF ? "needs a value" : "takes no value");
+    switch (i) {
+    case WIDTH:
+        return set_width(pen, value);
+    case COLOR:
+    case COLOUR:
+        return set_color(pen, value);
+    case DASH:
+        return set_dashes(pen, value);
+    default:
+        pen->off = i == OFF;
+        return EXIT_DONE;
+    }
+}
+
+const char *const values_pens[] = {"outline", "crease", "hidden", "frame", "symbol", NULL};
+
+int values_set_style(const option *o, const char *value, cli_options *options)
+{
+    roberts_draw_options *draw = &options->draw;
+    roberts_pen *const pens[] = {&draw->outline, &draw->crease, &draw->back, &draw->frame, &draw->symbol};
+    char word[64];
+    bool fits;
+    const char *rest = parse_word(value, ':', word, sizeof word, &fits);
+    const size_t i = parse_find(word, o->words);
+    int status = EXIT_DONE;
+    if (!rest && (o->words[i] || strchr(value, '=')))
+        return message_misuse("--style: \"%s\" is not CLASS:key=value,..., as outline:width=0.7,color=red", value);
+    if (!o->words[i])
+        return hint_unknown("--style", word, o->words, NULL);
+    if (strchr(rest, ':'))
+        return message_misuse("--style: \"%s\": there is a comma between two values, as outline:width=0.7,color=red",
+                              value);
+    while (rest && status == EXIT_DONE) {
+        rest = parse_word(rest, ',', word, sizeof word, &fits);
+        status = fits ? set_key(pens[i], word) : message_misuse("--style: \"%s...\" is too long", word);
+    }
+    return status;
+}
+
+const char *const values_dashes[] = {"pattern", "real", NULL};
+
+int values_set_dash(const option *o, const char *value, cli_options *options)
+{
+    size_t i;
+    int status = choose(o, value, &i);
+    options->draw.real_dashes = i == 1;
+    return status;
+}
+
+const char *const values_orders[] = {"travel", "none", NULL};
+
+int values_set_order(const option *o, const char *value, cli_options *options)
+{
+    size_t i;
+    int status = choose(o, value, &i);
+    options->draw.order = i == 0 ? ROBERTS_ORDER_TRAVEL : ROBERTS_ORDER_NONE;
+    return status;
+}
+
+/* ---- view ---- */
+
+const char *const values_views[] = {"iso",   "dimetric", "trimetric", "front",    "back",    "left",
+                                    "right", "top",      "bottom",    "cavalier", "cabinet", NULL};
+
+int values_set_view(const option *o, const char *value, cli_options *options)
+{
+    size_t i;
+    return roberts_camera_preset(value, &options->camera) ? EXIT_DONE : choose(o, value, &i);
+}
+
+int values_set_dir(const option *o, const char *value, cli_options *options)
+{
+    options->camera.projection = ROBERTS_ORTHOGRAPHIC;
+    return values_set_direction(o, value, options);
+}
+
+int values_set_eye(const option *o, const char *value, cli_options *options)
+{
+    options->camera.projection = ROBERTS_PERSPECTIVE;
+    return set_vector(o, value, options);
+}
+
+int values_set_look_at(const option *o, const char *value, cli_options *options)
+{
+    options->camera.has_look_at = true;
+    return set_vector(o, value, options);
+}
+
+int values_set_fov(const option *o, const char *value, cli_options *options)
+{
+    return set_number_above_zero(o, value, "shows nothing", field(o, options));
+}
+
+/* ---- messages ---- */
+
+const char *const values_stats[] = {"json", NULL};
+
+int values_set_stats(const option *o, const char *value, cli_options *options)
+{
+    if (value && strcmp(value, o->words[0]) != 0)
+        return hint_unknown("--stats", value, o->words, "or left out");
     options->stats = value ? STATS_JSON : STATS_TEXT;
     return EXIT_DONE;
 }
 
-int values_set_sheet(cli_options *options, const char *value)
+int values_set_verify(const option *o, const char *value, cli_options *options)
 {
-    static const char *const names[] = {"first", "third"};
-    options->is_sheet = true;
-    options->sheet = strcmp(value, names[0]) == 0 ? ROBERTS_FIRST_ANGLE : ROBERTS_THIRD_ANGLE;
-    return strcmp(value, names[options->sheet]) == 0 ? EXIT_DONE : nearest_unknown("--sheet", value, names, 2, NULL);
-}
-
-int values_set_fill_rule(cli_options *options, const char *value)
-{
-    static const char *const names[] = {"nonzero", "evenodd"};
-    options->scene.even_odd = strcmp(value, names[1]) == 0;
-    return strcmp(value, names[options->scene.even_odd]) == 0 ? EXIT_DONE
-                                                              : nearest_unknown("--fill-rule", value, names, 2, NULL);
-}
-
-int values_set_vector(const char *name, const char *value, roberts_vec3 *vector)
-{
-    if (parse_vector(value, vector))
+    options->verify = true;
+    if (!value)
         return EXIT_DONE;
-    return message_misuse("--%s: \"%s\" is not X,Y,Z (three numbers, point for decimals)", name, value);
-}
-
-static int set_point(const char *name, const char *value, roberts_vec2 *point)
-{
-    if (parse_point(value, point))
-        return EXIT_DONE;
-    return message_misuse("--%s: \"%s\" is not X,Y (two numbers, point for decimals)", name, value);
-}
-
-/* A vector that has to point somewhere. */
-int values_set_direction(const char *name, const char *value, roberts_vec3 *vector)
-{
-    int status = values_set_vector(name, value, vector);
-    if (status == EXIT_DONE && vector->x == 0.0 && vector->y == 0.0 && vector->z == 0.0)
-        return message_misuse("--%s: 0,0,0 is no direction", name);
-    return status;
-}
-
-int values_set_number_between(const char *name, const char *value, double min, double max, double *number)
-{
-    if (!parse_number(value, number))
-        return message_misuse("--%s: \"%s\" is not a number", name, value);
-    if (*number < min && max == DBL_MAX)
-        return message_misuse("--%s: %s is less than %g", name, value, min);
-    if (!(*number >= min && *number <= max))
-        return message_misuse("--%s: %s is not in %g..%g", name, value, min, max);
-    return EXIT_DONE;
-}
-
-int values_set_number(const char *name, const char *value, double max, double *number)
-{
-    return values_set_number_between(name, value, 0.0, max, number);
-}
-
-int values_set_length(const char *name, const char *value, double max, double *mm)
-{
-    if (!parse_length(value, mm))
-        return message_misuse("--%s: \"%s\" is not a length in mm, or with cm, in or pt behind it", name, value);
-    if (!(*mm >= 0.0 && *mm <= max))
-        return message_misuse("--%s: %s is not in 0..%g mm", name, value, max);
-    return EXIT_DONE;
-}
-
-int values_set_integer(const char *name, const char *value, uint32_t min, uint32_t max, uint32_t *number)
-{
-    if (!parse_integer(value, number))
-        return message_misuse("--%s: \"%s\" is not a whole number from %" PRIu32 " to %" PRIu32, name, value, min, max);
-    if (*number < min || *number > max)
-        return message_misuse("--%s: %s is not in %" PRIu32 "..%" PRIu32, name, value, min, max);
-    return EXIT_DONE;
-}
-
-/* A range without its lower end, 0, of which `why` tells what it would do. */
-static int set_number_above_zero(const char *name, const char *value, double max, const char *why, double *number)
-{
-    if (!parse_number(value, number))
-        return message_misuse("--%s: \"%s\" is not a number", name, value);
-    if (!(*number > 0.0 && *number <= max))
-        return message_misuse("--%s: %s %s; it takes a number above 0, up to %g", name, value,
-                              *number == 0.0 ? why : "is out of range", max);
-    return EXIT_DONE;
-}
-
-int values_set_angle_of_view(const char *value, double *degrees)
-{
-    return set_number_above_zero("fov", value, 179.0, "shows nothing", degrees);
-}
-
-int values_set_resolution(const char *value, double *dpi)
-{
-    return set_number_above_zero("dpi", value, 100000.0, "gives no image", dpi);
-}
-
-int values_set_rays(const char *value, uint32_t *rays)
-{
-    if (parse_integer(value, rays) && *rays == 0)
+    if (parse_integer(value, &options->verify_rays) && options->verify_rays == 0)
         return message_misuse("--verify: 0 rays check nothing; it takes 1 or more (3 where none is given)");
-    return values_set_integer("verify", value, 1, UINT32_MAX, rays);
+    return values_set_integer(o, value, options);
 }
 
-int values_add_pick(cli_options *options, const char *value)
+int values_set_pick(const option *o, const char *value, cli_options *options)
 {
+    double p[2];
     if (options->pick_count == PICKS_MOST)
-        return message_misuse("--pick: %d points are the most", PICKS_MOST);
-    return set_point("pick", value, &options->pick[options->pick_count++]);
-}
-
-int values_set_turntable(const char *value, uint32_t *number)
-{
-    return values_set_integer("turntable", value, 1, TURNTABLE_MOST, number);
+        return message_misuse("--pick: at most %d points can be given", PICKS_MOST);
+    if (!parse_numbers(value, p, 2))
+        return message_misuse("--%s: \"%s\" is not X,Y (two numbers, point for decimals)", o->name, value);
+    options->pick[options->pick_count++] = (roberts_vec2){p[0], p[1]};
+    return EXIT_DONE;
 }

@@ -1,31 +1,38 @@
-/* values.h - values of the options that name a view, a format or a mode, and of those that are vectors or numbers. */
+/* values.h - what the value of each option may be, and where it goes. */
 #ifndef ROBERTS_CLI_VALUES_H
 #define ROBERTS_CLI_VALUES_H
 
 #include "cli/options.h"
 
+/* Words that values are chosen from, ending with NULL. */
+extern const char *const values_formats[],
+    *const values_fill_rules[], *const values_sheets[], *const values_hidden[],
+                                                            *const values_pages[],
+                                                                *const values_scales[],
+                                                                    *const values_units[],
+                                                                        *const values_places[],
+                                                                            *const values_backgrounds[],
+                                                                                *const values_pens[],
+                                                                                    *const values_dashes[],
+                                                                                        *const values_orders[],
+                                                                                            *const values_views[],
+                                                                                                *const values_stats[];
+
 /* The name that -f and endings of files give to a format. */
 const char *values_format_name(roberts_format format);
 
-/* Each returns EXIT_DONE, or EXIT_MISUSED and has said why. `value` NULL: none was given. */
-int values_set_format(cli_options *options, const char *value);
-int values_set_view(cli_options *options, const char *value);
-int values_set_hidden(cli_options *options, const char *value);
-int values_set_stats(cli_options *options, const char *value); /* NULL, json */
-int values_set_sheet(cli_options *options, const char *value);
-int values_set_fill_rule(cli_options *options, const char *value); /* nonzero, evenodd */
-int values_add_pick(cli_options *options, const char *value);      /* one more point */
-int values_set_angle_of_view(const char *value, double *degrees);
-int values_set_resolution(const char *value, double *dpi);
-int values_set_rays(const char *value, uint32_t *rays);
-int values_set_turntable(const char *value, uint32_t *number);
+/* For any option: the row says where the value goes (o->field) and what it may be. */
+option_set values_set_flag;      /* bool */
+option_set values_set_text;      /* const char *, not empty */
+option_set values_set_number;    /* double, from o->least to o->most */
+option_set values_set_integer;   /* uint32_t, from o->least to o->most */
+option_set values_set_length;    /* double in mm, from o->least to o->most; a unit may stand behind it */
+option_set values_set_direction; /* roberts_vec3, not 0,0,0 */
 
-/* Of the option --name. */
-int values_set_vector(const char *name, const char *value, roberts_vec3 *vector);
-int values_set_direction(const char *name, const char *value, roberts_vec3 *vector);    /* points somewhere */
-int values_set_number(const char *name, const char *value, double max, double *number); /* 0 .. max */
-int values_set_length(const char *name, const char *value, double max, double *mm);     /* the same, of mm */
-int values_set_number_between(const char *name, const char *value, double min, double max, double *number);
-int values_set_integer(const char *name, const char *value, uint32_t min, uint32_t max, uint32_t *number);
+/* For one option each. */
+option_set values_set_format, values_set_sheet, values_set_hidden, values_set_crease, values_set_fill_rule,
+    values_set_page, values_set_scale, values_set_unit, values_set_align, values_set_frame, values_set_background,
+    values_set_dpi, values_set_style, values_set_dash, values_set_order, values_set_view, values_set_dir,
+    values_set_eye, values_set_look_at, values_set_fov, values_set_stats, values_set_verify, values_set_pick;
 
 #endif

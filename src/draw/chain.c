@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/fetch.h"
+#include "base/bits.h"
 
 #define NO_PLACE UINT32_MAX
 
@@ -76,7 +76,7 @@ static bool is_between(page_point p, page_point q, page_point r)
     return ax * by == ay * bx && ax * bx + ay * by > 0;
 }
 
-/* Appends a point; where the last one lies straight on the way to it, in its stead. */
+/* Appends a point. It replaces the last one where that lies on the straight way to it. */
 static bool add_point(polylines *out, page_point at)
 {
     if (out->item[out->count - 1].count < 2)
@@ -88,7 +88,7 @@ static bool add_point(polylines *out, page_point at)
     return true;
 }
 
-/* A line that has come back to where it began is closed; then the first point may be one of the way as well. */
+/* Closes a line that has come back to where it began. Then its first point may lie on a straight way, and goes. */
 static void finish_line(polylines *out)
 {
     polyline *line = &out->item[out->count - 1];
@@ -155,14 +155,6 @@ static uint32_t *cell_of(const net *n, int32_t x, int32_t y)
     return &n->head[(key * 0x9e3779b97f4a7c15u) >> (64 - n->bits)];
 }
 
-/* The cell of a coordinate and a neighbour that may hold what is within PIECE_TOUCH of it, or itself again. */
-static void cells_near(int32_t value, int32_t cell[2])
-{
-    int32_t in = ((value % PLACE_CELL) + PLACE_CELL) % PLACE_CELL;
-    cell[0] = (value - in) / PLACE_CELL;
-    cell[1] = in == 0 ? cell[0] - 1 : in == PLACE_CELL - 1 ? cell[0] + 1 : cell[0];
-}
-
 /* Where the place of a point is looked for. */
 typedef struct search {
     page_point at;
@@ -174,9 +166,7 @@ static search search_for(const net *n, roberts_vec2 p)
 {
     search f = {.at = rounded(p)};
     int32_t x[2], y[2];
-    cells_near(f.at.x, x);
-    cells_near(f.at.y, y);
-    int columns = x[1] != x[0] ? 2 : 1, rows = y[1] != y[0] ? 2 : 1;
+    int columns = page_cells(f.at.x, PLACE_CELL, x), rows = page_cells(f.at.y, PLACE_CELL, y);
     for (int i = 0; i < columns; i++)
         for (int k = 0; k < rows; k++)
             f.cell[f.cells++] = cell_of(n, x[i], y[k]);
@@ -186,8 +176,7 @@ static search search_for(const net *n, roberts_vec2 p)
 /* The first place from `i` on, all in one cell, within PIECE_TOUCH of a point; NO_PLACE. */
 static uint32_t find_in_cell(const net *n, page_point at, uint32_t i)
 {
-    while (i != NO_PLACE && (llabs((int64_t)n->place[i].at.x - at.x) > (int64_t)PIECE_TOUCH ||
-                             llabs((int64_t)n->place[i].at.y - at.y) > (int64_t)PIECE_TOUCH))
+    while (i != NO_PLACE && !page_touches(n->place[i].at, at))
         i = n->place[i].next;
     return i;
 }
@@ -228,7 +217,7 @@ static bool net_init(net *n, size_t count)
     return true;
 }
 
-/* The places of some ends, two by two, and the links between them. Pieces whose ends are one place are no longer than can be
+/* Finds the places of some ends, two by two, and links them. A piece between one place and itself is too short to be
  * seen. */
 static void link_some(net *n, const search *f, size_t ends)
 {
@@ -277,21 +266,35 @@ static void add_links(net *n, const pieces *p, roberts_line line)
     }
 }
 
-/* ---- walks ---- */
-
 static uint32_t other_end(const link *l, uint32_t from)
 {
     return l->from == from ? l->to : l->from;
 }
 
-/* Takes a link off the list of a place; the last of the list comes in its stead. */
+/* Keeps one of several links between the same two places: their pieces were so near each other that they became one. */
+static void drop_doubles(net *n)
+{
+    for (uint32_t at = 0; at < n->place_count; at++) {
+        const place *p = &n->place[at];
+        uint32_t count = p->left < LOOK_AT_MOST ? p->left : LOOK_AT_MOST;
+        for (uint32_t i = 1; i < count; i++)
+            for (uint32_t k = 0; k < i; k++) {
+                link *one = &n->link[n->leaving[p->start + i]], *other = &n->link[n->leaving[p->start + k]];
+                one->drawn = one->drawn || (!other->drawn && other_end(one, at) == other_end(other, at));
+            }
+    }
+}
+
+/* ---- walks ---- */
+
+/* Takes a link off the list of a place. The last of the list takes its position. */
 static void leave_out(net *n, uint32_t at, uint32_t index)
 {
     place *p = &n->place[at];
     n->leaving[p->start + index] = n->leaving[p->start + --p->left];
 }
 
-/* Drops links that have been drawn from the other end, as far as the next choice would look. */
+/* Drops links that have been drawn from their other end, as far as the next choice looks. */
 static void tidy(net *n, uint32_t at)
 {
     const place *p = &n->place[at];
@@ -302,8 +305,8 @@ static void tidy(net *n, uint32_t at)
             i++;
 }
 
-/* Which of the links at place `at`, an index of its list, goes on as straight as can be for one who comes from `from`;
- * the first for one who starts there. */
+/* The link at place `at` that goes on straightest for one who comes from `from`, as an index of the place's list. The
+ * first link for one who starts there. */
 static uint32_t straightest(const net *n, page_point from, uint32_t at)
 {
     const place *p = &n->place[at];
@@ -355,7 +358,7 @@ static uint32_t count_left(net *n, uint32_t at)
     return p->left;
 }
 
-/* Loose ends first, so that where three meet, the two that go straight on become one line. */
+/* Starts at loose ends, so that where three links meet, the two that go straight on become one line. */
 static bool walk_all(net *n, polylines *out)
 {
     for (uint32_t i = 0; i < n->place_count; i++)
@@ -379,6 +382,7 @@ bool chain_pieces(const pieces *p, roberts_line line, polylines *out)
     bool done = net_init(&n, count);
     if (done) {
         add_links(&n, p, line);
+        drop_doubles(&n);
         done = walk_all(&n, out);
     }
     net_free(&n);

@@ -2,12 +2,13 @@
  *
  * A run is what lies between two corners, or ends, of a polyline. Of length L as seen it has n gaps and n + 1 dashes,
  *
- *     n = max(1, round((L - d) / (d + g))),    each L / (n (d + g) + d) times as long as the pattern's d and g;
+ * n = max(1, round((L - d) / (d + g))),    each L / (n (d + g) + d) times as long as the pattern's d and g;
  *
- * the last dash of a run and the first of the next are one stroke, round the corner. Where a run is so short that it would
- * leave less than the pen's width of a gap, the gap keeps that and the dashes what is left; where they in turn would be
- * less than least_dash_widths, the run is drawn whole: it is shorter than any dash, so that it does not read as a line of another
- * class, while its absence would leave a corner open. A pattern that is finer than this by itself stays as it is. */
+ * the last dash of a run and the first of the next are one stroke, round the corner. Where a run is so short that it
+ * would leave less than the pen's width of a gap, the gap keeps that and the dashes what is left; where they in turn
+ * would be less than least_dash_widths, the run is drawn whole: it is shorter than any dash, so that it does not read
+ * as a line of another class, while its absence would leave a corner open. A pattern that is finer than this by
+ * itself stays as it is. */
 #include "draw/dashes.h"
 
 #include <math.h>
@@ -45,8 +46,9 @@ static double side_length(const walker *w, uint32_t i)
     return page_distance(corner(w, i), corner(w, i + 1));
 }
 
-/* Whether the way turns at point i, which has neighbours. It does not where rounding alone has bent a straight line, nor in
- * a curve: sides with small turns, on which a pattern of their own would leave a gap of less than the pen's width. */
+/* Whether the way turns at point i, which has neighbours. It does not where rounding alone has bent a straight line,
+ * nor in a curve: sides with small turns, on which a pattern of their own would leave a gap of less than the pen's
+ * width. */
 static bool is_corner(const walker *w, const dash_pattern *pattern, uint32_t i)
 {
     page_point p = corner(w, i + w->count - 1), q = corner(w, i), r = corner(w, i + 1);
@@ -86,8 +88,8 @@ static bool add(polylines *out, page_point at)
     return same || polylines_append(out, at);
 }
 
-/* Goes on by `way`, or to the end of the run; with `out`, what is drawn on the way is added to its last polyline. False:
- * no memory. */
+/* Goes on by `way`, or to the end of the run. Where `out` is given, the way is added to its last polyline. False: no
+ * memory. */
 static bool go(walker *w, double way, polylines *out)
 {
     while (way >= w->length - w->at) {
@@ -111,7 +113,8 @@ typedef struct fit {
     double down, up;
 } fit;
 
-/* For a run of this length, whose dashes are one more than its gaps; as many on a `ring`, a closed line without corners. */
+/* Fits the pattern to a run of this length, with one dash more than gaps. A `ring`, a closed line without corners,
+ * has as many of both. */
 static fit fit_pattern(const dash_pattern *p, double length, bool ring)
 {
     const double more = ring ? 0.0 : 1.0, seen = ring ? length : length + p->width, period = p->dash + p->gap;
@@ -132,7 +135,7 @@ static bool put_down(const walker *w, polylines *out)
     return polylines_start(out) && add(out, here(w));
 }
 
-/* Cuts a run behind its first dash: a gap and a dash, so many times; the last one goes to the end. */
+/* Cuts a run behind its first dash into gaps and dashes. The last dash goes to the end of the run. */
 static bool cut_run(walker *w, const fit *f, polylines *out)
 {
     for (size_t k = 1; k <= f->gaps; k++)
@@ -157,8 +160,8 @@ static bool has_room(const walker *w, const fit *f, const polylines *out)
     return out->count < w->most && f->gaps < w->most - out->count;
 }
 
-/* The runs from side `from` to side `end`. Of a closed line, whose first run has a gap, the first dash is drawn last, as the end of
- * the one that leads to it. */
+/* Cuts the runs from side `from` to side `end`. The first run of a closed line has a gap. Its first dash is drawn
+ * last, as the end of the dash that leads to it. */
 static roberts_status cut_runs(walker *w, const dash_pattern *pattern, uint32_t from, uint32_t end, polylines *out)
 {
     fit first = {0};
@@ -193,7 +196,7 @@ static roberts_status cut_ring(walker *w, const dash_pattern *pattern, polylines
     return ROBERTS_OK;
 }
 
-/* Begins at a corner behind which there is a gap, so that the dash round the corner where it ends is one stroke as well. */
+/* Cuts a closed line from a corner on behind which there is a gap, so that the dash round that corner is one stroke. */
 static roberts_status cut_closed(walker *w, const dash_pattern *pattern, polylines *out)
 {
     uint32_t first = 0;

@@ -1,11 +1,141 @@
-/* output.c - bytes on their way out: one buffer before the caller's function. */
+/* output.c - bytes on their way out: one buffer before the caller's function, and doubles as decimal text.
+ *
+ * printf takes 0.3 us a number, and the point is a comma in some locales. A double is m 2^e with m < 2^53, and 10^k
+ * for k <= 27 is a word and a power of two. Their product is exact in two words, and the 17 digits are one shift of
+ * it, rounded half to even as printf does. That serves 1e-11 <= |x| < 1e17; the rest goes through printf. */
 #include "draw/output.h"
 
 #include <errno.h>
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
+#include "base/bits.h"
 #include "base/error.h"
-#include "draw/decimal.h"
+#include "base/number.h"
+
+/* ---- numbers ---- */
+
+enum { DIGITS = 17, EXACT_POWER = 27 /* 5^27 < 2^63 */ };
+
+static const uint64_t ten_to_16 = 10000000000000000u, ten_to_17 = 100000000000000000u;
+
+typedef struct wide {
+    uint64_t high, low;
+} wide;
+
+/* n / 2^shift, rounded half to even; 0 < shift < 128, and the result fits. */
+static uint64_t shift_right(wide n, int shift)
+{
+    wide rest, half;
+    uint64_t quotient;
+    if (shift < 64) {
+        quotient = n.high << (64 - shift) | n.low >> shift;
+        rest = (wide){0, n.low & ((UINT64_C(1) << shift) - 1)};
+        half = (wide){0, UINT64_C(1) << (shift - 1)};
+    } else {
+        quotient = shift == 64 ? n.high : n.high >> (shift - 64);
+        rest = (wide){shift == 64 ? 0 : n.high & ((UINT64_C(1) << (shift - 64)) - 1), n.low};
+        half = shift == 64 ? (wide){0, UINT64_C(1) << 63} : (wide){UINT64_C(1) << (shift - 65), 0};
+    }
+    bool above = rest.high > half.high || (rest.high == half.high && rest.low > half.low);
+    bool tie = rest.high == half.high && rest.low == half.low;
+    return quotient + (above || (tie && (quotient & 1)));
+}
+
+/* m 2^e times 10^k to the nearest integer. m < 2^53, 0 <= k <= EXACT_POWER, and the result is below 10^18. */
+static uint64_t scaled(uint64_t m, int e, int k)
+{
+    const int log2_power = k * 217706 >> 16; /* floor(log2(10^k)) */
+    wide n;
+    n.high = bits_multiply(m, power_table[k - POWER_MIN].high, &n.low);
+    return shift_right(n, 63 - log2_power - e); /* above 0: the upper half of the power alone has 64 bits */
+}
+
+/* The 17 digits of x > 0 as one integer, and the exponent of ten of the first. False: out of the exact range. */
+static bool exact_digits(double x, uint64_t *digits, int *exponent)
+{
+    if (!(x >= 1e-11 && x < 1e17))
+        return false;
+    int e;
+    uint64_t m = (uint64_t)ldexp(frexp(x, &e), 53);
+    int p = (int)floor((e - 1) * 0.30102999566398120); /* log10(2): right or 1 too small, as 2^(e-1) <= x < 2^e */
+    if (p < DIGITS - 1 - EXACT_POWER)
+        p = DIGITS - 1 - EXACT_POWER;
+    e -= 53;
+    *digits = scaled(m, e, DIGITS - 1 - p);
+    if (*digits >= ten_to_17)
+        *digits = scaled(m, e, DIGITS - 1 - ++p);
+    *exponent = p;
+    return *digits >= ten_to_16; /* not so just below 10^-11 */
+}
+
+/* Lays digits out as %g does: exponents from -4 to 16 without e, no trailing zeros. */
+static size_t lay_out(char *out, uint64_t digits, int exponent)
+{
+    char text[DIGITS];
+    char *at = out;
+    int count = DIGITS;
+    for (int i = DIGITS - 1; i >= 0; i--, digits /= 10)
+        text[i] = (char)('0' + digits % 10);
+    while (count > 1 && text[count - 1] == '0')
+        count--;
+    bool plain = exponent >= -4;
+    int whole = plain ? exponent + 1 : 1; /* digits before the point */
+    if (whole <= 0) {
+        *at++ = '0';
+        *at++ = '.';
+        for (int i = whole; i < 0; i++)
+            *at++ = '0';
+    }
+    for (int i = 0; i < count || i < whole; i++) {
+        if (i == whole && i > 0)
+            *at++ = '.';
+        *at++ = i < count ? text[i] : '0';
+    }
+    if (!plain) {
+        *at++ = 'e';
+        *at++ = '-';
+        *at++ = (char)('0' + -exponent / 10);
+        *at++ = (char)('0' + -exponent % 10);
+    }
+    *at = '\0';
+    return (size_t)(at - out);
+}
+
+size_t decimal_unlocalise(char *out, const char *text)
+{
+    char *at = out;
+    for (; *text; text++) {
+        if (strchr("0123456789+-e", *text))
+            *at++ = *text;
+        else if (at == out || at[-1] != '.')
+            *at++ = '.';
+    }
+    *at = '\0';
+    return (size_t)(at - out);
+}
+
+size_t decimal_format(char out[DECIMAL_ROOM], double x)
+{
+    uint64_t digits;
+    int exponent;
+    size_t sign = x < 0.0;
+    if (x == 0.0) {
+        out[0] = '0';
+        out[1] = '\0';
+        return 1;
+    }
+    if (exact_digits(fabs(x), &digits, &exponent)) {
+        out[0] = '-';
+        return sign + lay_out(out + sign, digits, exponent);
+    }
+    char text[DECIMAL_ROOM * 2]; /* a point of several bytes */
+    snprintf(text, sizeof text, "%.17g", x);
+    return decimal_unlocalise(out, text);
+}
+
+/* ---- bytes ---- */
 
 void output_start(output *out, roberts_write_fn *write, void *context)
 {

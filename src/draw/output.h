@@ -1,4 +1,4 @@
-/* output.h - bytes on their way out: one buffer before the caller's function. */
+/* output.h - bytes on their way out: one buffer before the caller's function, and doubles as decimal text. */
 #ifndef ROBERTS_DRAW_OUTPUT_H
 #define ROBERTS_DRAW_OUTPUT_H
 
@@ -28,5 +28,14 @@ roberts_status output_finish(output *out, roberts_error *error);
 
 /* error_set() for ROBERTS_IO: "what: the system's reason for errno". */
 roberts_status output_error(roberts_error *error, const char *what, int reason);
+
+enum { DECIMAL_ROOM = 32 }; /* the longest is -1.2345678901234567e-308 and its NUL */
+
+/* Writes what printf("%.17g", x) does in the C locale, but "0" for -0, and returns its length. Reading it back gives x
+ * itself. x is finite. */
+size_t decimal_format(char out[DECIMAL_ROOM], double x);
+
+/* Copies what printf made of a number in some locale: whatever is no digit, sign or exponent becomes one point. */
+size_t decimal_unlocalise(char *out, const char *text);
 
 #endif

@@ -1,10 +1,10 @@
 /* overlap.c - no line is drawn twice.
  *
- * Edges of solids that touch coincide, and so do edges behind one another. Pieces are first sorted to lines (carrier.c).
- * On each line the nearest pieces make the upper envelope of depth over position, by halving and merging (Hershberger,
- * "Finding the upper envelope of n line segments in O(n log n) time", Information Processing Letters 33(4), 1989):
- * n log n however many lie on one another. Two that coincide and pass one another in depth are told apart in the middle
- * of each stretch between ends. */
+ * Edges of solids that touch coincide, and so do edges behind one another. Pieces are first sorted to lines
+ * (collinear.c). On each line the nearest pieces make the upper envelope of depth over position, by halving and
+ * merging (Hershberger, "Finding the upper envelope of n line segments in O(n log n) time", Information Processing
+ * Letters 33(4), 1989): n log n however many lie on one another. Two that coincide and pass one another in depth are
+ * told apart in the middle of each stretch between ends. */
 #include "draw/overlap.h"
 
 #include <math.h>
@@ -12,10 +12,10 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/fetch.h"
-#include "base/radix.h"
+#include "base/bits.h"
+#include "base/sort.h"
 #include "base/vec.h"
-#include "draw/carrier.h"
+#include "draw/collinear.h"
 
 enum { AHEAD = 16 }; /* pieces before their turn that memory is asked for them */
 
@@ -46,14 +46,22 @@ static double depth(const line_view *v, const piece *p, double t)
     return p->za + (p->zb - p->za) * ((t - ta) / (tb - ta));
 }
 
+/* Whether piece p is drawn rather than q where it is nearer by so much. What is visible is always drawn: a hidden
+ * edge may be nearer, as one that lies just below the surface of the solid whose edge is seen. */
+static bool is_drawn_first(const piece *p, const piece *q, double nearer, double tie)
+{
+    if ((p->line == ROBERTS_BACK) != (q->line == ROBERTS_BACK))
+        return q->line == ROBERTS_BACK;
+    if (fabs(nearer) > tie)
+        return nearer > 0.0;
+    return p->line != q->line ? p->line < q->line : p->number < q->number;
+}
+
 /* Whether piece i is drawn rather than j at t. */
 static bool is_before(const line_view *v, uint32_t i, uint32_t j, double t)
 {
     const piece *p = &v->p->item[i], *q = &v->p->item[j];
-    double nearer = depth(v, p, t) - depth(v, q, t);
-    if (fabs(nearer) > v->tie)
-        return nearer > 0.0;
-    return p->line != q->line ? p->line < q->line : p->number < q->number;
+    return is_drawn_first(p, q, depth(v, p, t) - depth(v, q, t), v->tie);
 }
 
 static void emit(span *out, size_t *count, uint32_t piece_index, double t0, double t1)
@@ -98,7 +106,7 @@ static size_t envelope(const line_view *v, span *item, size_t count, span *work)
     return merged;
 }
 
-/* Joins neighbours of one class; what is shorter than PIECE_TOUCH goes to a neighbour that it touches. */
+/* Joins neighbours of one class. A stretch shorter than PIECE_TOUCH goes to a neighbour that it touches. */
 static size_t join(const line_view *v, span *item, size_t count)
 {
     size_t kept = 0;
@@ -137,7 +145,7 @@ typedef struct result {
     size_t count, room;
 } result;
 
-/* What a stretch is drawn as; it runs the way its first piece does. */
+/* Appends what a stretch is drawn as. It runs the way that its first piece does. */
 static bool add_piece(result *out, const line_view *v, const span *s)
 {
     const piece *first = &v->p->item[s->first], *seen = &v->p->item[s->piece];
@@ -146,12 +154,17 @@ static bool add_piece(result *out, const line_view *v, const span *s)
     bool forward = position(v, first->a) <= position(v, first->b);
     if (!array_reserve(&out->item, &out->room, out->count + 1, sizeof *out->item))
         return false;
-    out->item[out->count++] =
-        (piece){.a = forward ? a : b, .b = forward ? b : a, .number = first->number, .line = seen->line};
+    double za = depth(v, seen, s->t0), zb = depth(v, seen, s->t1);
+    out->item[out->count++] = (piece){.a = forward ? a : b,
+                                      .b = forward ? b : a,
+                                      .za = forward ? za : zb,
+                                      .zb = forward ? zb : za,
+                                      .number = first->number,
+                                      .line = seen->line};
     return true;
 }
 
-/* The stretches item[0 .. count-1], sorted, one group of which each touches one before. */
+/* Draws a group: the stretches item[0 .. count-1], sorted, each of which touches one before it. */
 static bool do_group(const line_view *v, span *item, size_t count, span *pool, result *out)
 {
     if (count == 1)
@@ -167,7 +180,7 @@ static bool do_group(const line_view *v, span *item, size_t count, span *pool, r
     return true;
 }
 
-static bool do_line(const pieces *p, const carrier *c, const uint32_t *member, span *pool, double tie, result *out)
+static bool do_line(const pieces *p, const page_line *c, const uint32_t *member, span *pool, double tie, result *out)
 {
     const piece *longest = &p->item[c->longest];
     double length = piece_length(longest);
@@ -192,7 +205,7 @@ static bool do_line(const pieces *p, const carrier *c, const uint32_t *member, s
     return true;
 }
 
-static bool do_lines(const pieces *p, const carriers *lines, double tie, result *out)
+static bool do_lines(const pieces *p, const page_lines *lines, double tie, result *out)
 {
     span *pool = alloc_array(lines->most, 5 * sizeof *pool); /* stretches, their envelope, work */
     bool done = pool != NULL;
@@ -229,15 +242,113 @@ static bool replace(pieces *p, const result *by)
     return done;
 }
 
+/* ---- twins: pieces from one place to another ---- */
+
+enum { TWIN_CELL = 16 /* units; so wide that few ends lie near a border */ };
+
+#define NO_PIECE UINT32_MAX
+
+typedef struct twins {
+    pieces *p;
+    uint32_t *head, *next; /* pieces by cells of their ends */
+    unsigned bits;
+    double tie;
+} twins;
+
+/* The ends of a piece, rounded. */
+typedef struct rounded_ends {
+    page_point a, b;
+} rounded_ends;
+
+static rounded_ends ends_of(const piece *p)
+{
+    return (rounded_ends){{page_round(p->a.x), page_round(p->a.y)}, {page_round(p->b.x), page_round(p->b.y)}};
+}
+
+static bool are_twins(rounded_ends p, rounded_ends q)
+{
+    return (page_touches(p.a, q.a) && page_touches(p.b, q.b)) || (page_touches(p.a, q.b) && page_touches(p.b, q.a));
+}
+
+/* Hashes of the cells near a point; the first is that of its own. Returns how many. */
+static int end_hashes(page_point at, uint64_t hash[4])
+{
+    int32_t x[2], y[2];
+    int columns = page_cells(at.x, TWIN_CELL, x), rows = page_cells(at.y, TWIN_CELL, y), count = 0;
+    for (int i = 0; i < columns; i++)
+        for (int k = 0; k < rows; k++)
+            hash[count++] = ((uint64_t)(uint32_t)x[i] << 32 | (uint32_t)y[k]) * 0x9e3779b97f4a7c15u;
+    return count;
+}
+
+/* The list of pieces with ends in two cells, either way round. */
+static uint32_t *list_of(const twins *t, uint64_t a, uint64_t b)
+{
+    uint64_t mixed = (a ^ a >> 29) + (b ^ b >> 29);
+    return &t->head[mixed * 0xbf58476d1ce4e5b9u >> (64 - t->bits)];
+}
+
+/* Puts piece i into its list. Where it has a twin, one of both goes. */
+static void add_piece_or_drop(twins *t, uint32_t i)
+{
+    piece *own = &t->p->item[i];
+    const rounded_ends ends = ends_of(own);
+    uint64_t a[4], b[4];
+    int as = end_hashes(ends.a, a), bs = end_hashes(ends.b, b);
+    for (int m = 0; m < as; m++)
+        for (int n = 0; n < bs; n++)
+            for (uint32_t k = *list_of(t, a[m], b[n]); k != NO_PIECE; k = t->next[k]) {
+                piece *other = &t->p->item[k];
+                if (other->line == PIECE_GONE || !are_twins(ends, ends_of(other)))
+                    continue;
+                double nearer = 0.5 * (own->za + own->zb - other->za - other->zb);
+                if (!is_drawn_first(own, other, nearer, t->tie)) {
+                    own->line = PIECE_GONE;
+                    return;
+                }
+                other->line = PIECE_GONE;
+            }
+    uint32_t *list = list_of(t, a[0], b[0]);
+    t->next[i] = *list;
+    *list = i;
+}
+
+/* Keeps one of several pieces between the same two places. Edges of solids thinner than PIECE_TOUCH are such pieces.
+ * They do not always lie on one line, but rounding would draw them as one. False: no memory. */
+
+static bool drop_twins(pieces *p, double tie)
+{
+    size_t kept = 0;
+    twins t = {.p = p, .bits = 4, .tie = tie};
+    while (t.bits < 31 && p->count >> t.bits)
+        t.bits++;
+    size_t cells = (size_t)1 << t.bits;
+    t.head = alloc_array(cells, sizeof *t.head);
+    t.next = alloc_array(p->count, sizeof *t.next);
+    bool done = t.head && t.next;
+    if (done)
+        memset(t.head, 0xff, cells * sizeof *t.head);
+    for (size_t i = 0; i < p->count && done; i++)
+        add_piece_or_drop(&t, (uint32_t)i);
+    for (size_t i = 0; i < p->count && done; i++)
+        if (p->item[i].line != PIECE_GONE)
+            p->item[kept++] = p->item[i];
+    if (done)
+        p->count = kept;
+    free(t.head);
+    free(t.next);
+    return done;
+}
+
 bool overlap_remove(pieces *p, double tie)
 {
-    carriers lines;
+    page_lines lines;
     result out = {0};
     if (p->count < 2)
         return true;
-    bool done = carriers_find(&lines, p) && do_lines(p, &lines, tie, &out);
-    carriers_free(&lines);
-    done = done && (out.count == 0 || replace(p, &out));
+    bool done = collinear_find(&lines, p) && do_lines(p, &lines, tie, &out);
+    collinear_free(&lines);
+    done = done && (out.count == 0 || replace(p, &out)) && drop_twins(p, tie);
     free(out.item);
     return done;
 }

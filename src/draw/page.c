@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-/* mm. The largest is what Cairo's fixed point holds at 0.01 mm a unit (see svg.c), far beyond any roll of paper. */
+/* mm. Cairo's fixed point holds the longest at 0.01 mm a unit (see strokes.c); no roll of paper is as long. */
 static const double shortest_side = 1.0, longest_side = 40000.0;
 
 static bool side_is_valid(double side)
@@ -54,7 +54,8 @@ page_map page_fit(const roberts_page *page, roberts_vec2 min, roberts_vec2 max)
     };
     if (half_x <= 0.0 && half_y <= 0.0)
         return map;
-    /* The side that is wider in proportion to its room decides; as parts of the larger, so that nothing overflows. */
+    /* The side that is longer in proportion to its room decides. Both are taken as parts of the longer, so that
+     * nothing overflows. */
     double larger = fmax(half_x, half_y);
     bool by_width = half_x / larger * room_y >= half_y / larger * room_x;
     map.half = by_width ? half_x : half_y;
@@ -67,8 +68,8 @@ double page_scale(const page_map *map)
     return map->half_mm / map->half;
 }
 
-/* The largest of 1, 2 and 5 times a power of ten that is no larger than `scale`. ISO 5455 has them from 50:1 to 1:10000, and
- * allows further powers of ten. */
+/* The largest of 1, 2 and 5 times a power of ten that is no larger than `scale`. ISO 5455 has them from 50:1 to
+ * 1:10000, and allows further powers of ten. */
 static double standard_scale(double scale)
 {
     static const double steps[] = {1.0, 2.0, 5.0, 10.0};
@@ -100,7 +101,7 @@ static void scale_name(double scale, char *text, size_t size)
             *c = '.'; /* some locales' point */
 }
 
-/* A length in whole mm, rounded up; the longest in one digit, which no locale has a point for. */
+/* A length in whole mm, rounded up. Very long ones have one digit, so that no locale's point is needed. */
 static void length_name(double mm, char *text, size_t size)
 {
     snprintf(text, size, mm < 1e9 ? "%.0f" : "%.0e", ceil(mm));

@@ -17,11 +17,11 @@ typedef struct page_map {
 /* Whether there is room between the margins; fills `error` where not. */
 bool page_is_valid(const roberts_page *page, roberts_error *error);
 
-/* Whether scale, unit and alignment have sense; fills `error` where not. */
+/* Whether scale, unit and alignment make sense; fills `error` where not. */
 bool page_placement_is_valid(const roberts_placement *placement, roberts_error *error);
 
-/* Says that the drawing, so large on paper, leaves the page at the placement's scale, and which scale fits: `fitting` mm by
- * model unit. */
+/* Says that the drawing, `drawn_mm` large at the placement's scale, leaves the page, and which scale would fit:
+ * `fitting` mm by model unit. */
 void page_refuse(const roberts_page *page, const roberts_placement *placement, double fitting, roberts_vec2 drawn_mm,
                  roberts_error *error);
 
@@ -30,8 +30,8 @@ void page_refuse(const roberts_page *page, const roberts_placement *placement, d
  * lie in the middle, at one mm per model unit. */
 page_map page_fit(const roberts_page *page, roberts_vec2 min, roberts_vec2 max);
 
-/* Lays the box on the page as `placement` says: fitted, or at its scale; aligned by the margins. False: at its scale the
- * drawing leaves the margins, or the placement is senseless; fills `error`, which says what would fit. */
+/* Lays the box on the page as `placement` says: fitted, or at its scale; aligned by the margins. False: at its scale
+ * the drawing leaves the margins, or the placement is senseless; fills `error`, which says what would fit. */
 bool page_lay(const roberts_page *page, const roberts_placement *placement, roberts_vec2 min, roberts_vec2 max,
               page_map *map, roberts_error *error);
 

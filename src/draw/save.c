@@ -1,25 +1,223 @@
-/* save.c - a drawing into a file that appears whole or not at all.
+/* save.c - a drawing or a sheet in any format: to a function, or into a file that appears whole or not at all.
  *
- * The bytes go into a new file beside the old one, which is then renamed over it: at every moment the name leads to the
- * old file or to the whole new one. Links are followed first, so that the link stays one. What is no regular file
+ * The bytes go into a new file beside the old one, which is then renamed over it: at every moment the name leads to
+ * the old file or to the whole new one. Links are followed first, so that the link stays one. What is no regular file
  * (a device, a pipe) cannot be replaced and is written in place; so are the names of open descriptors (/dev/stdout,
  * /dev/fd/3), because a shell's `>>` or what was written before would be lost otherwise.
+ *
+ * The new file is locked while it is written. Its name depends on the target's alone: a later run removes what a
+ * killed one has left, and takes another name where the lock says that somebody is still writing.
  *
  * Nothing is forced to disk: this is against failures and interruptions of the program, not against loss of power. */
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <math.h>
 #include <poll.h>
 #include <stdio.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "base/error.h"
+#include "draw/cairo.h"
 #include "draw/output.h"
-#include "draw/write.h"
+#include "draw/page.h"
+#include "draw/strokes.h"
+#include "draw/svg.h"
+#include "draw/table.h"
+
+/* ---- formats, and any of them to a function ---- */
+
+/* What is written: one of the two, the other NULL. */
+typedef struct subject {
+    const roberts_drawing *drawing;
+    const roberts_sheet *sheet;
+} subject;
+
+static const double widest_gap = 1000.0; /* mm, between the views of a sheet */
+
+static const struct {
+    const char *name; /* also the ending of file names */
+    roberts_format format;
+} formats[] = {
+    {"svg", ROBERTS_SVG}, {"pdf", ROBERTS_PDF}, {"ps", ROBERTS_PS},     {"eps", ROBERTS_EPS},
+    {"png", ROBERTS_PNG}, {"csv", ROBERTS_CSV}, {"json", ROBERTS_JSON}, {"null", ROBERTS_NULL},
+};
+
+/* Letters A to Z fold, whatever the locale. */
+static bool same_word(const char *a, const char *b)
+{
+    for (;; a++, b++) {
+        int x = *a >= 'A' && *a <= 'Z' ? *a - 'A' + 'a' : *a, y = *b >= 'A' && *b <= 'Z' ? *b - 'A' + 'a' : *b;
+        if (x != y)
+            return false;
+        if (x == '\0')
+            return true;
+    }
+}
+
+bool roberts_format_by_name(const char *name, roberts_format *format)
+{
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++)
+        if (same_word(name, formats[i].name)) {
+            *format = formats[i].format;
+            return true;
+        }
+    return false;
+}
+
+bool roberts_format_by_path(const char *path, roberts_format *format)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    return dot && dot != name && roberts_format_by_name(dot + 1, format);
+}
+
+roberts_draw_options roberts_draw_options_default(void)
+{
+    return (roberts_draw_options){
+        .format = ROBERTS_SVG,
+        .hidden = ROBERTS_HIDDEN_NONE,
+        .page = {.width_mm = 210.0, .height_mm = 297.0, .margin_mm = 10.0},
+        .outline = {.width_mm = 0.5},
+        .crease = {.width_mm = 0.35},
+        .back = {.width_mm = 0.25, .dash_mm = 12 * 0.25, .gap_mm = 3 * 0.25},
+        .frame = {.width_mm = 0.7, .off = true},
+        .symbol = {.width_mm = 0.35},
+        .dpi = 150.0,
+    };
+}
+
+static bool pen_is_valid(const roberts_pen *pen)
+{
+    const double widest = 1000.0; /* mm */
+    return pen->width_mm > 0.0 && pen->width_mm <= widest && pen->dash_mm >= 0.0 && pen->dash_mm <= widest &&
+           pen->gap_mm >= 0.0 && pen->gap_mm <= widest;
+}
+
+static roberts_status check_options(const roberts_draw_options *options, roberts_error *error)
+{
+    if (options->hidden < ROBERTS_HIDDEN_NONE || options->hidden > ROBERTS_HIDDEN_SOLID)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no such way to draw hidden lines");
+    if (!pen_is_valid(&options->outline) || !pen_is_valid(&options->crease) || !pen_is_valid(&options->back) ||
+        !pen_is_valid(&options->frame) || !pen_is_valid(&options->symbol))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a pen is 0.001 to 1000 mm wide, dashes and gaps up to that");
+    if (options->order < ROBERTS_ORDER_TRAVEL || options->order > ROBERTS_ORDER_NONE)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no such order");
+    return page_is_valid(&options->page, error) ? ROBERTS_OK : ROBERTS_BAD_ARGUMENT;
+}
+
+static bool is_finite(roberts_vec2 p)
+{
+    return isfinite(p.x) && isfinite(p.y);
+}
+
+static roberts_status check_segments(const roberts_drawing *drawing, roberts_error *error)
+{
+    for (size_t i = 0; i < drawing->count; i++) {
+        const roberts_segment *s = &drawing->segment[i];
+        if (!(is_finite(s->p0) && is_finite(s->p1) && isfinite(s->t0) && isfinite(s->t1)))
+            return error_set(error, ROBERTS_BAD_NUMBER, 0, "segment %zu is not finite", i);
+    }
+    return ROBERTS_OK;
+}
+
+static roberts_status write_page(const subject *what, const roberts_draw_options *options, output *out,
+                                 roberts_error *error)
+{
+    strokes s;
+    roberts_status status = what->sheet ? strokes_make_sheet(&s, what->sheet, options, error)
+                                        : strokes_make(&s, what->drawing, options, error);
+    if (status == ROBERTS_OK)
+        status = options->format == ROBERTS_SVG ? svg_write(&s, out, error) : surface_write(&s, out, error);
+    if (status == ROBERTS_OK && options->ink)
+        *options->ink = strokes_measure(&s);
+    strokes_free(&s);
+    return status;
+}
+
+static roberts_status write_table(const subject *what, const roberts_draw_options *options, output *out,
+                                  roberts_error *error)
+{
+    bool with_hidden = options->hidden != ROBERTS_HIDDEN_NONE;
+    if (what->sheet)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a table cannot hold a sheet of several views");
+    if (options->format == ROBERTS_CSV)
+        table_write_csv(what->drawing, with_hidden, out);
+    else
+        table_write_json(what->drawing, with_hidden, out);
+    return ROBERTS_OK;
+}
+
+static roberts_status write_format(const subject *what, const roberts_draw_options *options, output *out,
+                                   roberts_error *error)
+{
+    switch (options->format) {
+    case ROBERTS_SVG:
+    case ROBERTS_PDF:
+    case ROBERTS_PS:
+    case ROBERTS_EPS:
+    case ROBERTS_PNG:
+        return write_page(what, options, out, error);
+    case ROBERTS_CSV:
+    case ROBERTS_JSON:
+        return write_table(what, options, out, error);
+    case ROBERTS_NULL:
+        return ROBERTS_OK;
+    }
+    return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no such format");
+}
+
+static roberts_status check_subject(const subject *what, roberts_error *error)
+{
+    roberts_status status = ROBERTS_OK;
+    if (!what->sheet)
+        return check_segments(what->drawing, error);
+    if (!(what->sheet->gap_mm >= 0.0 && what->sheet->gap_mm <= widest_gap))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "sheet: its gap has 0 to 1000 mm");
+    for (int i = 0; i < ROBERTS_SHEET_VIEWS && status == ROBERTS_OK; i++)
+        if (what->sheet->view[i])
+            status = check_segments(what->sheet->view[i], error);
+    return status;
+}
+
+/* As roberts_drawing_write(); `options` are not NULL. */
+static roberts_status write_subject(const subject *what, const roberts_draw_options *options, roberts_write_fn *write,
+                                    void *context, roberts_error *error)
+{
+    roberts_status status, written;
+    if ((status = check_options(options, error)) != ROBERTS_OK)
+        return status;
+    if ((status = check_subject(what, error)) != ROBERTS_OK)
+        return status;
+    output *out = malloc(sizeof *out);
+    if (!out)
+        return error_no_memory(error);
+    output_start(out, write, context);
+    status = write_format(what, options, out, error);
+    written = status == ROBERTS_OK || out->failed ? output_finish(out, error) : status;
+    free(out);
+    return status == ROBERTS_OK ? written : status;
+}
+
+roberts_status roberts_drawing_write(const roberts_drawing *drawing, const roberts_draw_options *options,
+                                     roberts_write_fn *write, void *context, roberts_error *error)
+{
+    const roberts_draw_options defaults = roberts_draw_options_default();
+    return write_subject(&(subject){.drawing = drawing}, options ? options : &defaults, write, context, error);
+}
+
+roberts_status roberts_sheet_write(const roberts_sheet *sheet, const roberts_draw_options *options,
+                                   roberts_write_fn *write, void *context, roberts_error *error)
+{
+    const roberts_draw_options defaults = roberts_draw_options_default();
+    return write_subject(&(subject){.sheet = sheet}, options ? options : &defaults, write, context, error);
+}
+
+/* ---- to a file ---- */
 
 enum { LINKS_MAX = 40 /* as the kernel's own limit */, NAMES_TRIED = 100 };
 
@@ -80,14 +278,45 @@ static int follow_links(target *t)
     return ELOOP;
 }
 
-/* A name that nobody else has; `attempt` makes another one. */
+/* A name that the same target gets again, so that a later run finds what a killed one has left; `attempt` makes
+ * another one. Short whatever the target's name is. FNV-1a (G. Fowler, L. C. Noll, P. Vo). */
 static char *temporary_name(const target *t, unsigned attempt)
 {
-    struct timespec now = {0};
+    const char *slash = strrchr(t->path, '/');
+    uint64_t hash = 14695981039346656037u;
     char name[64];
-    clock_gettime(CLOCK_REALTIME, &now);
-    snprintf(name, sizeof name, ".roberts-%lx-%lx-%x", (unsigned long)getpid(), (unsigned long)now.tv_nsec, attempt);
+    for (const char *c = slash ? slash + 1 : t->path; *c; c++)
+        hash = (hash ^ (unsigned char)*c) * 1099511628211u;
+    snprintf(name, sizeof name, ".roberts-%016llx-%x", (unsigned long long)hash, attempt);
     return beside(t->path, name);
+}
+
+/* Whether an open file is the one of that name. */
+static bool is_named(int descriptor, const char *path)
+{
+    struct stat own, named;
+    return fstat(descriptor, &own) == 0 && lstat(path, &named) == 0 && own.st_dev == named.st_dev &&
+           own.st_ino == named.st_ino;
+}
+
+/* Removes the unfinished file of a run that was killed. A file stays that is locked, because it is being written,
+ * that is not ours, or that cannot be locked. */
+static void remove_left(const char *path)
+{
+    struct stat left;
+    int descriptor = open(path, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    if (fstat(descriptor, &left) == 0 && S_ISREG(left.st_mode) && left.st_uid == geteuid() &&
+        flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_named(descriptor, path))
+        unlink(path);
+    close(descriptor);
+}
+
+/* Locks a file that has just been created, so that no other run removes it. False: one was faster. */
+static bool keep_ours(int descriptor, const char *path)
+{
+    return (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) && is_named(descriptor, path);
 }
 
 static void announce(const roberts_draw_options *options, const char *path)
@@ -96,29 +325,38 @@ static void announce(const roberts_draw_options *options, const char *path)
         options->temporary(options->temporary_context, path);
 }
 
+/* Creates the unfinished file and locks it. It is announced before it is created, because an interrupted program
+ * removes what was announced; so a name that is taken is not announced. */
 static int open_beside(target *t, const roberts_draw_options *options)
 {
     mode_t mode = t->replaces ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
+    struct stat other;
     int reason = EEXIST;
     for (unsigned i = 0; i < NAMES_TRIED && reason == EEXIST; i++) {
         free(t->temporary);
         t->temporary = temporary_name(t, i);
         if (!t->temporary)
             return ENOMEM;
+        remove_left(t->temporary);
+        if (lstat(t->temporary, &other) == 0)
+            continue;
         announce(options, t->temporary);
         t->descriptor = open(t->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-        if (t->descriptor >= 0)
+        reason = t->descriptor < 0 ? errno : EEXIST;
+        if (t->descriptor >= 0 && keep_ours(t->descriptor, t->temporary))
             return 0;
-        reason = errno;
         announce(options, NULL);
+        if (t->descriptor >= 0)
+            close(t->descriptor);
+        t->descriptor = -1;
     }
     free(t->temporary);
     t->temporary = NULL;
     return reason;
 }
 
-/* Gives the new file the owner and mode of the old one. The owner only root can set; without it the bits that lend
- * rights go. */
+/* Gives the new file the owner and mode of the old one. Only root can set the owner; where that fails, the set-user
+ * and set-group bits are dropped. */
 static int take_mode(const target *t)
 {
     mode_t mode = t->old.st_mode & (S_ISUID | S_ISGID | S_IRWXU | S_IRWXG | S_IRWXO);
@@ -176,13 +414,14 @@ static bool write_descriptor(void *context, const void *bytes, size_t size)
     return true;
 }
 
-/* Closes, and renames where all went well; in every case the temporary file is gone. */
+/* Closes the file, and renames it where all went well. In every case the temporary file is gone. */
 static roberts_status close_target(target *t, const roberts_draw_options *options, roberts_status status,
                                    roberts_error *error)
 {
     int reason = 0;
     if (status == ROBERTS_OK && t->replaces)
         reason = take_mode(t);
+    int lock = t->temporary ? fcntl(t->descriptor, F_DUPFD_CLOEXEC, 0) : -1; /* holds until the file has its name */
     if (close(t->descriptor) != 0 && !reason && errno != EINTR)
         reason = errno; /* the last chance of a network's disk to be full */
     if (t->temporary) {
@@ -192,6 +431,8 @@ static roberts_status close_target(target *t, const roberts_draw_options *option
             unlink(t->temporary);
         announce(options, NULL);
     }
+    if (lock >= 0)
+        close(lock);
     return status == ROBERTS_OK && reason ? output_error(error, "cannot write", reason) : status;
 }
 

@@ -2,16 +2,16 @@
  *
  * Two columns and two rows: the front view stands in the first column, the top view above or below it, the side view
  * beside it, and the isometric view in the middle of the cell that is left. All views of one scene have its centre at
- * 0, 0, so that front and top view have one x, front and side view one y. Below all a strip is kept for the symbol, where
- * there is one.
+ * 0, 0, so that front and top view have one x, front and side view one y. Below all a strip is kept for the symbol,
+ * where there is one.
  *
  * Lengths of the model are taken as parts of the largest of all, so that nothing overflows. */
 #include "draw/sheet.h"
 
 #include <math.h>
 
+#include "base/vec.h"
 #include "base/error.h"
-#include "draw/symbol.h"
 
 /* mm */
 static const double default_gap = 15.0;
@@ -92,8 +92,9 @@ static void divide(const roberts_sheet *sheet, layout *l)
     l->rows = widths(l->y[FRONT], l->y[TOP], l->y[ISO], gap_mm);
 }
 
-/* How large the symbol is where margins and frame leave so much: no wider and no higher than one of four equal cells for the
- * views, with the gaps between them; 0 where it would be less than the lettering of 1.8 mm asks for, ISO 3098's smallest. */
+/* The size of the symbol where margins and frame leave so much. It is no wider and no higher than one of four equal
+ * cells for the views, with gaps between them. 0 where it would be smaller than lettering of 1.8 mm asks for, the
+ * smallest of ISO 3098. */
 static double symbol_size(const layout *l, double width_mm, double height_mm)
 {
     const double least = 1.8 / 3.5;
@@ -102,7 +103,7 @@ static double symbol_size(const layout *l, double width_mm, double height_mm)
     return size < least ? 0.0 : fmin(size, 1.0);
 }
 
-/* What there is for the views and their gaps, as a page with margins of its own. Fills l->symbol. */
+/* Finds the room for the views and their gaps, as a page. Fills l->symbol. */
 static bool find_room(layout *l, const roberts_draw_options *options, roberts_page *room, roberts_error *error)
 {
     const roberts_page *page = &options->page;
@@ -137,7 +138,7 @@ static bool find_scale(layout *l, const roberts_placement *placement, const robe
     return false;
 }
 
-/* Where a line of cells begins that has `room_mm` from `start_mm` on. align: -1 at the start, 1 at the end. */
+/* Places a column or row of cells in `room_mm` from `start_mm` on. align: -1 at the start, 1 at the end. */
 static void place_cells(cells *c, double half_mm, double start_mm, double room_mm, int align, bool iso_first)
 {
     double front = c->front * half_mm, iso = c->iso * half_mm, free_mm = room_mm - front - c->gap_mm - iso;
@@ -197,4 +198,87 @@ bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *c
     if (view == ISO && first)
         camera->dir.x = -camera->dir.x;
     return true;
+}
+
+/* ---- the symbol of the projection method (ISO 5456-2) ----
+ *
+ * A truncated cone, its narrow end to the left, and beside it the two circles that are seen from there. The view from
+ * the left stands on the right in first angle projection, on the left in third angle projection. In full size the
+ * narrow end is as wide as lettering of 3.5 mm is high. Centre lines are long, dot, long (ISO 128-2), so that those of
+ * the circles cross in a long one. */
+
+/* mm */
+static const double narrow = 1.75, wide = 3.5; /* radii; `wide` is also half of the cone's length */
+static const double overhang = 1.75;           /* of centre lines */
+static const double apart = 12.25;             /* between the middles of cone and circles */
+
+enum { CIRCLE_CORNERS = 48 /* within 0.008 mm of the circle */ };
+
+typedef struct symbol {
+    polylines *out;
+    roberts_vec2 origin; /* what the following are counted from, mm on the page */
+    double size;
+    double units_per_mm;
+    bool failed;
+} symbol;
+
+static void add_point(symbol *s, double x, double y)
+{
+    page_point p = {(int32_t)floor((s->origin.x + s->size * x) * s->units_per_mm + 0.5),
+                    (int32_t)floor((s->origin.y + s->size * y) * s->units_per_mm + 0.5)};
+    s->failed = s->failed || !polylines_append(s->out, p);
+}
+
+static void start(symbol *s, bool closed)
+{
+    s->failed = s->failed || !polylines_start(s->out);
+    if (!s->failed)
+        s->out->item[s->out->count - 1].closed = closed;
+}
+
+static void add_cone(symbol *s)
+{
+    start(s, true);
+    add_point(s, -wide, -narrow);
+    add_point(s, wide, -wide);
+    add_point(s, wide, wide);
+    add_point(s, -wide, narrow);
+}
+
+static void add_circle(symbol *s, double radius)
+{
+    start(s, true);
+    for (int i = 0; i < CIRCLE_CORNERS; i++) {
+        roberts_vec2 p = angle_unit(360.0 * i / CIRCLE_CORNERS);
+        add_point(s, radius * p.x, radius * p.y);
+    }
+}
+
+/* Through the origin; upright or level. */
+static void add_centre_line(symbol *s, bool upright)
+{
+    const double ends[][2] = {
+        {-wide - overhang, -3.6}, {-2.65, -2.45}, {-1.5, 1.5}, {2.45, 2.65}, {3.6, wide + overhang}};
+    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
+        start(s, false);
+        for (int k = 0; k < 2; k++)
+            add_point(s, upright ? 0.0 : ends[i][k], upright ? ends[i][k] : 0.0);
+    }
+}
+
+bool symbol_draw(roberts_sheet_angle angle, roberts_vec2 corner, double size, double units_per_mm, polylines *out)
+{
+    const double reach = size * wide, more = size * overhang;
+    const roberts_vec2 right = {corner.x - reach - more, corner.y - reach - more},
+                       left = {right.x - size * apart, right.y};
+    const bool first = angle == ROBERTS_FIRST_ANGLE;
+    symbol s = {.out = out, .origin = first ? left : right, .size = size, .units_per_mm = units_per_mm};
+    add_cone(&s);
+    add_centre_line(&s, false);
+    s.origin = first ? right : left;
+    add_circle(&s, narrow);
+    add_circle(&s, wide);
+    add_centre_line(&s, false);
+    add_centre_line(&s, true);
+    return !s.failed;
 }

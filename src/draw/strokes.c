@@ -11,11 +11,10 @@
 #include "draw/dashes.h"
 #include "draw/overlap.h"
 #include "draw/sheet.h"
-#include "draw/symbol.h"
 #include "draw/travel.h"
 
-/* Cairo keeps coordinates in 32 bits, 8 of them behind the point, and lets larger ones wrap without a word: a page has
- * less than half of 2^23 units, so that wide pens on its border are safe too. */
+/* Cairo keeps coordinates in 32 bits, 8 of them behind the point, and larger ones wrap silently. A page has less than
+ * half of 2^23 units, so that wide pens on its border are safe too. */
 static const double finest_longest_mm = 4000.0, fine_units_per_mm = 1000.0, coarse_units_per_mm = 100.0;
 
 static const double from_frame_mm = 5.0; /* what is drawn, so that no outline lies on the frame */
@@ -50,7 +49,7 @@ bool strokes_dash(const roberts_draw_options *options, roberts_line line, double
     return is_broken(options, line) && !options->real_dashes;
 }
 
-/* Not where its pen is off, nor hidden lines where they are not wanted. */
+/* A class is drawn unless its pen is off, or it is that of hidden lines and these are not wanted. */
 static bool is_class_drawn(const roberts_draw_options *options, roberts_line line)
 {
     return !strokes_pen(options, line)->off && !(line == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_NONE);
@@ -73,8 +72,8 @@ static void enlarge(roberts_vec2 *min, roberts_vec2 *max, roberts_vec2 p)
     *max = (roberts_vec2){greater(max->x, p.x), greater(max->y, p.y)};
 }
 
-/* Cuts the part of p..q that lies in the drawing's field of view, t[0] to t[1]; false where there is none. Liang, Barsky,
- * "A new concept and method for line clipping", ACM TOG 3(1), 1984. */
+/* Cuts the part of p..q that lies in the drawing's field of view, t[0] to t[1]; false where there is none. Liang,
+ * Barsky, "A new concept and method for line clipping", ACM TOG 3(1), 1984. */
 static bool frame_cut(const roberts_drawing *drawing, roberts_vec2 p, roberts_vec2 q, double t[2])
 {
     const roberts_vec2 low = drawing->window_min, high = drawing->window_max;
@@ -131,8 +130,8 @@ static bool is_point(const piece *p)
     return page_round(p->a.x) == page_round(p->b.x) && page_round(p->a.y) == page_round(p->b.y);
 }
 
-/* The pieces that are drawn, numbered from `number` on; what is of length 0 once rounded is none. `p` has room for all
- * segments. */
+/* Appends the pieces that are drawn, numbered from `number` on. What has no length once rounded is left out. `p` has
+ * room for all segments. */
 static void collect(const strokes *s, const placed *view, size_t number, pieces *p)
 {
     for (size_t i = 0; i < view->drawing->count; i++) {
@@ -231,8 +230,8 @@ static strokes nothing_drawn(const roberts_draw_options *options)
                                   {page->width_mm - page->margin_mm, page->height_mm - page->margin_mm}}};
 }
 
-/* The page that the drawing is laid on: within a frame it keeps 5 mm from it, on small pages a tenth of the shorter side that
- * the margins leave; but nothing where the frame is the border of a field of view, at which the drawing is cut off. */
+/* The page that the drawing is laid on. It keeps 5 mm from a frame, on small pages a tenth of the shorter side that
+ * the margins leave. It keeps nothing from the border of a field of view, which cuts it off. */
 static roberts_page page_within_frame(const roberts_drawing *drawing, const roberts_draw_options *options)
 {
     roberts_page page = options->page;
@@ -242,9 +241,9 @@ static roberts_page page_within_frame(const roberts_drawing *drawing, const robe
     return page;
 }
 
-/* A line on the border of the margins has half of its width beyond it. So a drawing that is fitted keeps half of the widest pen
- * from the page's edge, on small pages a tenth of their shorter side: else margins of less, as 0, would cut lines off. Not what
- * is true to scale, which may fill the page, nor what is within a frame. */
+/* A line on the border of the margins has half of its width beyond it. So that small margins cut no line off, a
+ * fitted drawing keeps half of the widest pen from the page's edge, on small pages a tenth of their shorter side. A
+ * drawing at a given scale may fill the page, and one within a frame is far from its edge. */
 static roberts_page page_within_edge(roberts_page page, const roberts_draw_options *options)
 {
     double widest = 0.0;

@@ -5,8 +5,8 @@
 #include "draw/chain.h"
 #include "draw/page.h"
 
-/* The border of the picture or of what the margins leave, and the symbol of a sheet: classes of their own beside those of
- * roberts_line. */
+/* The border of the picture or of what the margins leave, and the symbol of a sheet: classes of their own beside
+ * those of roberts_line. */
 #define LINE_FRAME ((roberts_line)(ROBERTS_BACK + 1))
 #define LINE_SYMBOL ((roberts_line)(ROBERTS_BACK + 2))
 
@@ -29,9 +29,10 @@ typedef struct strokes {
     size_t start[LINE_CLASSES + 1]; /* class line_order[i] has the polylines start[i] .. start[i + 1] - 1 */
 } strokes;
 
-/* Lays the drawing on the page and makes strokes of it. What is to be drawn is placed; of a field of view the
- * window, in the page's shape, and all is cut to it. `s` is released by strokes_free() in any case. Returns ROBERTS_OK,
- * _NO_MEMORY or _BAD_ARGUMENT (a scale at which the drawing leaves the page, too many dashes). `options` have been checked. */
+/* Lays the drawing on the page and makes strokes of it. It is laid there by the box of what is drawn. A field of view
+ * is laid there by its window, made to the page's shape, and all is cut to it. `s` is released by strokes_free() in
+ * any case. Returns ROBERTS_OK, _NO_MEMORY or _BAD_ARGUMENT (a scale at which the drawing leaves the page, too many
+ * dashes). `options` have been checked. */
 roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const roberts_draw_options *options,
                             roberts_error *error);
 /* The same with the views of a sheet, and with its symbol. */
@@ -42,10 +43,9 @@ void strokes_free(strokes *s);
 /* The pen for a class of lines. Segments in state hidden are of class ROBERTS_BACK here, whatever their edge is. */
 const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line line);
 
-/* Fills `dash` with the lengths in mm of pen down and pen up along a line of class `line`; false where it is unbroken, or its dashes
- * are strokes of their own.
- * A round cap adds half of the width to both ends of a dash, so pen down is shorter than what is seen by the width, and
- * a dash no longer than that is a dot. */
+/* Fills `dash` with the lengths in mm of pen down and pen up along a line of class `line`; false where it is
+ * unbroken, or its dashes are strokes of their own. A round cap adds half of the width to both ends of a dash, so pen
+ * down is shorter than what is seen by the width, and a dash no longer than that is a dot. */
 bool strokes_dash(const roberts_draw_options *options, roberts_line line, double dash[2]);
 
 /* How often and how far the pen goes. */

@@ -1,162 +1,36 @@
 /* svg.c - the page as SVG: size and user units in mm, one layer and one path per class of lines.
  *
- * Cairo draws the paths. What stands round them is ours, because Cairo 1.16 knows no layers, numbers its groups by a
- * counter of the process, and keeps coordinates as multiples of 1/256 of a device unit: in points, that is 0.0014 mm,
- * and all page units are the same. So the device unit here is 0.001 mm with a transformation to mm on top; Cairo then
- * writes each coordinate of a path in mm with three digits, and the transformation beside it. Of its stream only the
- * path data are kept, joined to one path.
- *
- * The page comes in several Cairo surfaces, because each holds its drawing twice until it is finished. */
+ * Cairo holds each path, in whole units of the page, and is asked for it by cairo_copy_path(): it leaves out points
+ * on a straight way. The text is written here, because the SVG of Cairo 1.16 knows no layers and numbers its groups
+ * by a counter of the process. */
 #include "draw/svg.h"
 
-#include <cairo-svg.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "base/error.h"
-#include "draw/ink.h"
-#include "draw/xml.h"
+#include "draw/cairo.h"
 
-enum { SEGMENTS_PER_SURFACE = 50000 };
+enum { SEGMENTS_PER_PATH = 1000 /* Cairo holds no more at a time */ };
 
-/* ---- Cairo's stream, path data alone ---- */
+/* ---- numbers and colours ---- */
 
-typedef enum place {
-    BETWEEN,   /* not in a tag */
-    NAME,      /* in the name of a tag */
-    TAG,       /* in a tag that is no path */
-    PATH,      /* in a path's tag, before or in the name of an attribute */
-    VALUE,     /* in the value of an attribute that is not wanted */
-    PATH_DATA, /* in the value of d */
-} place;
-
-enum { DATA_TAIL = 48 }; /* longer than a command and its numbers */
-
-typedef struct extract {
-    output *out;
-    char tail[DATA_TAIL]; /* the last bytes of path data, kept back */
-    size_t tail_length;
-    place at;
-    char name[8]; /* of a tag or an attribute; the beginning of longer ones */
-    size_t length;
-    size_t paths; /* path data so far, over all surfaces of the class */
-} extract;
-
-static void name_start(extract *e, place at)
+/* A number with at most three decimals: 0.35, 12, 1189.5. */
+static void write_thousandths(output *out, int32_t n)
 {
-    e->at = at;
-    e->length = 0;
+    if (n < 0)
+        output_bytes(out, "-", 1);
+    uint32_t whole = (uint32_t)abs(n) / 1000, rest = (uint32_t)abs(n) % 1000;
+    output_integer(out, whole);
+    if (rest == 0)
+        return;
+    const char digits[] = {'.', (char)('0' + rest / 100), (char)('0' + rest / 10 % 10), (char)('0' + rest % 10)};
+    output_bytes(out, digits, rest % 10 ? 4 : rest % 100 ? 3 : 2);
 }
 
-static void name_add(extract *e, unsigned char c)
-{
-    if (e->length < sizeof e->name)
-        e->name[e->length++] = (char)c;
-}
-
-static bool name_is(const extract *e, const char *name)
-{
-    return e->length == strlen(name) && memcmp(e->name, name, e->length) == 0;
-}
-
-/* One byte, outside of path data. */
-static void extract_byte(extract *e, unsigned char c)
-{
-    bool blank = c == ' ' || c == '\n';
-    switch (e->at) {
-    case BETWEEN:
-        if (c == '<')
-            name_start(e, NAME);
-        break;
-    case NAME:
-        if (c == '>')
-            e->at = BETWEEN;
-        else if (blank)
-            name_start(e, name_is(e, "path") ? PATH : TAG);
-        else
-            name_add(e, c);
-        break;
-    case TAG:
-        if (c == '>')
-            e->at = BETWEEN;
-        break;
-    case PATH:
-        if (c == '>')
-            e->at = BETWEEN;
-        else if (c == '"' && name_is(e, "d="))
-            e->at = PATH_DATA;
-        else if (c == '"')
-            e->at = VALUE;
-        else if (blank)
-            name_start(e, PATH);
-        else
-            name_add(e, c);
-        break;
-    default: /* VALUE */
-        if (c == '"')
-            name_start(e, PATH);
-    }
-}
-
-static void data_add(extract *e, const char *bytes, size_t size)
-{
-    size_t total = e->tail_length + size, out = total > DATA_TAIL ? total - DATA_TAIL : 0;
-    size_t of_tail = out < e->tail_length ? out : e->tail_length;
-    output_bytes(e->out, e->tail, of_tail);
-    output_bytes(e->out, bytes, out - of_tail);
-    memmove(e->tail, e->tail + of_tail, e->tail_length - of_tail);
-    e->tail_length -= of_tail;
-    memcpy(e->tail + e->tail_length, bytes + (out - of_tail), size - (out - of_tail));
-    e->tail_length += size - (out - of_tail);
-}
-
-/* Behind a closed line Cairo goes to its start once more, as the start of another line; where none follows, that is not
- * passed on. */
-static void data_end(extract *e)
-{
-    size_t last = e->tail_length;
-    while (last > 0 && !(e->tail[last - 1] >= 'A' && e->tail[last - 1] <= 'Z'))
-        last--;
-    output_bytes(e->out, e->tail, last > 0 && e->tail[last - 1] == 'M' ? last - 1 : e->tail_length);
-    e->tail_length = 0;
-}
-
-static cairo_status_t extract_stream(void *closure, const unsigned char *bytes, unsigned size)
-{
-    extract *e = closure;
-    const unsigned char *end = bytes + size;
-    while (bytes < end) {
-        if (e->at == PATH_DATA) {
-            const unsigned char *quote = memchr(bytes, '"', (size_t)(end - bytes));
-            const unsigned char *stop = quote ? quote : end;
-            data_add(e, (const char *)bytes, (size_t)(stop - bytes));
-            bytes = stop;
-            if (!quote)
-                break;
-            data_end(e);
-            name_start(e, PATH);
-        } else {
-            extract_byte(e, *bytes);
-            if (e->at == PATH_DATA && e->paths++)
-                output_text(e->out, "\n");
-        }
-        bytes++;
-    }
-    return e->out->failed ? CAIRO_STATUS_WRITE_ERROR : CAIRO_STATUS_SUCCESS;
-}
-
-/* ---- the page ---- */
-
-/* A length with at most three decimals: 0.35, 12, 1189.5. */
 static void write_mm(output *out, double mm)
 {
-    uint32_t um = (uint32_t)floor(mm * 1000.0 + 0.5);
-    output_integer(out, um / 1000);
-    if ((um %= 1000) == 0)
-        return;
-    char digits[] = {'.', (char)('0' + um / 100), (char)('0' + um / 10 % 10), (char)('0' + um % 10)};
-    size_t length = um % 10 ? 4 : um % 100 ? 3 : 2;
-    output_bytes(out, digits, length);
+    write_thousandths(out, (int32_t)floor(mm * 1000.0 + 0.5));
 }
 
 static void write_color(output *out, unsigned char red, unsigned char green, unsigned char blue)
@@ -167,6 +41,43 @@ static void write_color(output *out, unsigned char red, unsigned char green, uns
     for (int i = 0; i < 3; i++) {
         output_bytes(out, &hex[part[i] >> 4], 1);
         output_bytes(out, &hex[part[i] & 15], 1);
+    }
+}
+
+/* ---- text ---- */
+
+/* The length of the character that `text` begins with; 0 where XML does not allow it. */
+static size_t character(const unsigned char *text)
+{
+    static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    uint32_t code = text[0];
+    size_t length = code < 0x80 ? 1 : code < 0xc0 ? 0 : code < 0xe0 ? 2 : code < 0xf0 ? 3 : code < 0xf8 ? 4 : 0;
+    if (length > 1)
+        code &= 0x7fu >> length;
+    for (size_t i = 1; i < length; i++) {
+        if ((text[i] & 0xc0) != 0x80) /* the end of the text as well */
+            return 0;
+        code = code << 6 | (text[i] & 0x3f);
+    }
+    bool control = code < 0x20 && code != '\t' && code != '\n';
+    bool none = (code >= 0xd800 && code < 0xe000) || code == 0xfffe || code == 0xffff || code > 0x10ffff;
+    return length == 0 || code < least[length] || control || none ? 0 : length;
+}
+
+/* Writes UTF-8 (RFC 3629: no surrogates, nothing beyond U+10FFFF, no longer than need be) with <, > and & as
+ * entities. A byte that belongs to no character of XML 1.0 becomes a question mark: names of files may hold anything.
+ */
+static void write_escaped(output *out, const char *text)
+{
+    while (*text) {
+        size_t length = character((const unsigned char *)text);
+        if (*text == '<' || *text == '>' || *text == '&')
+            output_text(out, *text == '<' ? "&lt;" : *text == '>' ? "&gt;" : "&amp;");
+        else if (length)
+            output_bytes(out, text, length);
+        else
+            output_text(out, "?");
+        text += length ? length : 1;
     }
 }
 
@@ -198,45 +109,89 @@ static void open_layer(output *out, const roberts_draw_options *options, roberts
     output_text(out, " d=\"");
 }
 
-/* Draws some polylines from `*at` on through a surface of its own; `*paths` grows by the number of paths. */
-static roberts_status write_some(const strokes *s, size_t *at, size_t end, size_t *paths, extract *e,
-                                 roberts_error *error)
+/* ---- paths ---- */
+
+static void add_line(cairo_t *cairo, const strokes *s, const polyline *line)
 {
-    const roberts_page *page = &s->options->page;
-    cairo_surface_t *surface = cairo_svg_surface_create_for_stream(extract_stream, e, page->width_mm * s->units_per_mm,
-                                                                   page->height_mm * s->units_per_mm);
-    cairo_t *cairo = cairo_create(surface);
-    cairo_scale(cairo, s->units_per_mm, s->units_per_mm);
-    cairo_set_tolerance(cairo, 1e6); /* device units: the roughest outline will do, as only the path is written */
-    *paths += ink_strokes(cairo, s, at, end, SEGMENTS_PER_SURFACE);
-    return ink_finish(cairo, surface, error);
+    const page_point *p = s->lines.point + line->first;
+    cairo_move_to(cairo, p->x, p->y);
+    for (uint32_t i = 1; i < line->count; i++)
+        cairo_line_to(cairo, p[i].x, p[i].y);
+    if (line->closed)
+        cairo_close_path(cairo);
 }
 
-static roberts_status write_layer(const strokes *s, int class, output *out, roberts_error *error)
+static void write_point(output *out, const char *command, const cairo_path_data_t *at, int32_t thousandths)
 {
-    extract e = {.out = out};
-    size_t at = s->start[class], end = s->start[class + 1], paths = 0;
+    output_text(out, command);
+    write_thousandths(out, (int32_t)at->point.x * thousandths);
+    output_bytes(out, " ", 1);
+    write_thousandths(out, (int32_t)at->point.y * thousandths);
+    output_bytes(out, " ", 1);
+}
+
+/* Behind a closed line Cairo moves to its start once more; a move without a line is not written. */
+static void write_path(output *out, const cairo_path_t *path, int32_t thousandths)
+{
+    const cairo_path_data_t *start = NULL;
+    for (int i = 0; i < path->num_data; i += path->data[i].header.length) {
+        const cairo_path_data_t *data = &path->data[i];
+        if (data->header.type == CAIRO_PATH_MOVE_TO) {
+            start = data + 1;
+            continue;
+        }
+        if (start)
+            write_point(out, "M ", start, thousandths);
+        start = NULL;
+        if (data->header.type == CAIRO_PATH_LINE_TO)
+            write_point(out, "L ", data + 1, thousandths);
+        else
+            output_text(out, "Z ");
+    }
+}
+
+/* Polylines from `*at` on, up to `end`, as one path of Cairo's. */
+static cairo_status_t write_some(cairo_t *cairo, const strokes *s, size_t *at, size_t end, output *out)
+{
+    const int32_t thousandths = (int32_t)(1000.0 / s->units_per_mm + 0.5); /* of a mm, in a unit */
+    cairo_new_path(cairo);
+    for (size_t segments = 0; *at < end && segments < SEGMENTS_PER_PATH; ++*at) {
+        add_line(cairo, s, &s->lines.item[*at]);
+        segments += s->lines.item[*at].count;
+    }
+    cairo_path_t *path = cairo_copy_path(cairo);
+    cairo_status_t status = path->status;
+    if (status == CAIRO_STATUS_SUCCESS)
+        write_path(out, path, thousandths);
+    cairo_path_destroy(path);
+    return status;
+}
+
+static roberts_status write_layer(const strokes *s, int class, output *out, cairo_t *cairo, roberts_error *error)
+{
+    size_t at = s->start[class], end = s->start[class + 1];
     if (at == end)
         return ROBERTS_OK; /* no layer without lines */
     open_layer(out, s->options, line_order[class]);
-    while (at < end) {
-        e.at = BETWEEN;
-        roberts_status status = write_some(s, &at, end, &paths, &e, error);
-        if (status != ROBERTS_OK || out->failed)
-            return status;
+    while (at < end && !out->failed) {
+        cairo_status_t status = write_some(cairo, s, &at, end, out);
+        if (status != CAIRO_STATUS_SUCCESS)
+            return surface_failure(status, error);
+        if (at < end)
+            output_text(out, "\n");
     }
     output_text(out, "\"/>\n</g>\n");
-    if (e.paths != paths)
-        return error_set(error, ROBERTS_IO, 0, "this version of Cairo writes SVG in a form that is not understood");
     return ROBERTS_OK;
 }
+
+/* ---- the page ---- */
 
 static void write_text(output *out, const char *tag, const char *text)
 {
     const char *const parts[] = {"<", tag, ">", text, "</", tag, ">\n"};
     for (int i = 0; text && i < 7; i++)
         if (i == 3)
-            xml_text(out, text);
+            write_escaped(out, text);
         else
             output_text(out, parts[i]);
 }
@@ -270,11 +225,13 @@ roberts_status svg_write(const strokes *s, output *out, roberts_error *error)
     write_text(out, "desc", s->options->description);
     if (s->options->background.on)
         write_background(out, page, &s->options->background);
-    for (int i = 0; i < LINE_CLASSES; i++) {
-        roberts_status status = write_layer(s, i, out, error);
-        if (status != ROBERTS_OK)
-            return status;
-    }
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1); /* nothing is drawn on it */
+    cairo_t *cairo = cairo_create(surface);
+    roberts_status status = ROBERTS_OK;
+    for (int i = 0; i < LINE_CLASSES && status == ROBERTS_OK; i++)
+        status = write_layer(s, i, out, cairo, error);
+    cairo_destroy(cairo);
+    cairo_surface_destroy(surface);
     output_text(out, "</svg>\n");
-    return ROBERTS_OK;
+    return status;
 }

@@ -65,7 +65,8 @@ static size_t cell_of(const tour *t, page_point p)
     return (size_t)row_of(t, p) * t->nx[0] + column_of(t, p);
 }
 
-/* Square cells, as many as give each ENDS_PER_CELL if the ends were spread evenly, and no more in a narrow box. */
+/* Chooses square cells: so many that each has ENDS_PER_CELL ends if they are spread evenly, and no more in a narrow
+ * box. */
 static void set_frame(tour *t)
 {
     double x1 = -INFINITY, y1 = -INFINITY;
@@ -268,8 +269,8 @@ static uint32_t look_count(const tour *t, size_t cell)
     return count < LOOK_IN_CELL ? count : LOOK_IN_CELL;
 }
 
-/* Tries the ends in a cell that are nearer to p than the pen's way behind k, squared, as what could follow polyline k (from
- * its exit) or come before k + 1 (from its entry). */
+/* Tries the ends in a cell that could follow polyline k (from its exit) or come before k + 1 (from its entry). The
+ * square of their distance from p has to be less than `way_square`, that of the pen's way behind k. */
 static bool try_cell(tour *t, uint32_t k, bool from_exit, page_point p, double way_square, size_t cell)
 {
     uint32_t first = t->start[cell], end = first + look_count(t, cell);
@@ -289,7 +290,7 @@ static bool try_cell(tour *t, uint32_t k, bool from_exit, page_point p, double w
     return false;
 }
 
-/* No more than the distance of a coordinate from all that lie in column or row `i` of the grid. */
+/* A lower bound for the distance of a coordinate from all that lie in column or row `i` of the grid. */
 static double gap(double at, double start, double cell, uint32_t i)
 {
     const double rounding = 1.0; /* unit; of where columns begin */
@@ -357,7 +358,8 @@ static void turn_points(page_point *p, uint32_t count)
     }
 }
 
-/* Puts the polylines in the tour's order; the points stay, but for their order in what is turned round. */
+/* Puts the polylines in the tour's order. Points stay where they are, but those of a polyline that is turned round
+ * change their order. */
 static bool apply(const tour *t, polylines *p, size_t first)
 {
     polyline *sorted = alloc_array(t->count, sizeof *sorted);

@@ -4,7 +4,7 @@
 
 #include "draw/chain.h"
 
-/* Orders item[first ..] of `p` so that the pen, which comes from `*pen`, is lifted for short ways; open polylines may be
+/* Orders item[first ..] of `p` for short ways of the lifted pen, which comes from `*pen`. Open polylines may be
  * turned round. `*pen` becomes the end of the last. False: no memory, and nothing has changed. */
 bool travel_order(polylines *p, size_t first, page_point *pen);
 

@@ -7,7 +7,7 @@
 
 #include "base/array.h"
 #include "base/box.h"
-#include "base/radix.h"
+#include "base/sort.h"
 
 /* So many are put in order one by one. */
 #define FEW 64
@@ -79,7 +79,7 @@ static bool sort(const middles *m, uint32_t first, uint32_t count)
 /* The items of a node whose parts are nodes of `rank`: so that these are of faces near one another, they are put in order along
  * the longer side of the box of their middles, and then in each part likewise. (By places on a Z-order curve, which jumps, an
  * edge before a fan was asked two to five times as many faces.) */
-static bool divide(const middles *m, const ranks *over, int rank, uint32_t first, uint32_t end)
+static bool divide(const middles *m, const list_tree *over, int rank, uint32_t first, uint32_t end)
 {
     roberts_vec3 low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
     for (uint32_t i = first; i < end; i++)
@@ -92,7 +92,7 @@ static bool divide(const middles *m, const ranks *over, int rank, uint32_t first
     if (!sort(m, first, end - first))
         return false;
     for (uint32_t next; rank > 0 && first < end; first = next) {
-        next = ranks_end(over, rank, first);
+        next = list_tree_end(over, rank, first);
         if (!divide(m, over, rank - 1, first, next))
             return false;
     }
@@ -100,7 +100,7 @@ static bool divide(const middles *m, const ranks *over, int rank, uint32_t first
 }
 
 /* Faces whose middles are near one another come together. */
-static bool put_in_order(const hide_space *space, const hide_face *face, const ranks *over, uint32_t *order)
+static bool put_in_order(const hide_space *space, const hide_face *face, const list_tree *over, uint32_t *order)
 {
     uint32_t count = over->items;
     roberts_vec3 *at = alloc_array(count, sizeof *at);
@@ -111,7 +111,7 @@ static bool put_in_order(const hide_space *space, const hide_face *face, const r
         order[i] = i;
     }
     middles m = {at, order, scratch, scratch + count, scratch + 2 * (size_t)count};
-    done = done && divide(&m, over, (int)over->count - 1, 0, count);
+    done = done && divide(&m, over, (int)over->ranks - 1, 0, count);
     free(at);
     free(scratch);
     return done;
@@ -183,20 +183,20 @@ static bundle_node make_node(const some *s)
 
 static bundle *make_bundle(const hide_space *space, const hide_face *face, uint32_t count)
 {
-    ranks over = ranks_over(count);
-    bundle *b = malloc(sizeof *b + over.start[over.count] * sizeof *b->node);
+    list_tree over = list_tree_over(count);
+    bundle *b = malloc(sizeof *b + over.start[over.ranks] * sizeof *b->node);
     if (!b)
         return NULL;
-    b->ranks = over;
+    b->tree = over;
     b->order = alloc_array(count, sizeof *b->order);
     if (!b->order || !put_in_order(space, face, &over, b->order)) {
         free_bundle(b);
         return NULL;
     }
-    for (int rank = 0; rank < (int)over.count; rank++)
+    for (int rank = 0; rank < (int)over.ranks; rank++)
         for (uint32_t item = 0, end; item < count; item = end) {
-            end = ranks_end(&over, rank, item);
-            b->node[ranks_node(&over, rank, item)] = make_node(&(some){space, face, b->order, item, end});
+            end = list_tree_end(&over, rank, item);
+            b->node[list_tree_node(&over, rank, item)] = make_node(&(some){space, face, b->order, item, end});
         }
     return b;
 }
@@ -225,11 +225,11 @@ static bool holds(const bundle_node *n, double px, double py)
 
 bool bundle_next(const bundle *b, double x, double y, uint32_t *item, uint32_t *end)
 {
-    while (*item < b->ranks.items) {
-        int rank = ranks_highest(&b->ranks, *item);
-        while (rank >= 0 && holds(&b->node[ranks_node(&b->ranks, rank, *item)], x, y))
+    while (*item < b->tree.items) {
+        int rank = list_tree_highest(&b->tree, *item);
+        while (rank >= 0 && holds(&b->node[list_tree_node(&b->tree, rank, *item)], x, y))
             rank--;
-        *end = ranks_end(&b->ranks, rank < 0 ? 0 : rank, *item);
+        *end = list_tree_end(&b->tree, rank < 0 ? 0 : rank, *item);
         if (rank < 0)
             return true;
         *item = *end;

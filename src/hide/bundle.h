@@ -8,7 +8,7 @@
 #ifndef ROBERTS_HIDE_BUNDLE_H
 #define ROBERTS_HIDE_BUNDLE_H
 
-#include "hide/ranks.h"
+#include "hide/list_tree.h"
 #include "hide/space.h"
 
 /* Solids of no more front faces make no bundle. */
@@ -23,7 +23,7 @@ typedef struct bundle_node {
 } bundle_node;
 
 typedef struct bundle {
-    ranks ranks;     /* the items are `order` */
+    list_tree tree;  /* the items are `order` */
     uint32_t *order; /* faces, counted from the solid's first front face, those beside one another together */
     bundle_node node[];
 } bundle;

@@ -18,9 +18,6 @@
 #define COVER_SMALLEST 0.3
 /* Mean number of boxes over a point of the picture from which covers pay. In flat scenes they cost a little. */
 #define COVER_DEPTH 2.5
-/* ... and from which covers of two fronts together pay. At half of it they cost a fifth of the whole in a lattice and save a
- * fifth in a city seen from the front; at twice that they save more than half in such a city. */
-#define UNION_DEPTH 40.0
 /* Cells per box, and cells that cost nothing to speak of. */
 #define CELLS_PER_BOX 4.0
 #define COVER_CELLS_PER_BOX 32.0
@@ -113,14 +110,12 @@ scan_frame cells_for_lists(const hide_box *box, uint32_t count, roberts_vec2 low
 }
 
 scan_frame cells_for_covers(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, double margin,
-                            int threads, bool *unite)
+                            int threads)
 {
     double nx, ny;
     sizes s = measure(box, count, low, high, threads);
-    *unite = false;
     if (!(s.area > COVER_DEPTH) || !(s.width > 0.0) || !(s.height > 0.0))
         return (scan_frame){0};
-    *unite = s.area > UNION_DEPTH;
     double smaller = s.area > COVER_DEPTH_OF_SMALLER ? pow(COVER_DEPTH_OF_SMALLER / s.area, COVER_SHRINKING) : 1.0;
     smaller = greater(smaller, COVER_SMALLEST); /* each front enters all cells that it covers */
     divide(&s, count, BOXES_PER_COVER_CELL * smaller, COVER_CELLS_PER_BOX * count + CELLS_FREE, &nx, &ny);

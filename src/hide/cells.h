@@ -12,9 +12,9 @@ scan_frame cells_for_lists(const hide_box *box, uint32_t count, roberts_vec2 low
                            double margin, double *depth);
 
 /* Cells for covers: much smaller than a mean box. Without columns where covers would not pay: where few boxes lie over
- * one another. *unite: so many do that covers of two fronts together pay as well. By so many threads; what comes out is
+ * one another. By so many threads; what comes out is
  * the same. */
 scan_frame cells_for_covers(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, double margin,
-                            int threads, bool *unite);
+                            int threads);
 
 #endif

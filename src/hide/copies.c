@@ -6,7 +6,7 @@
 
 #include "base/array.h"
 #include "base/bits.h"
-#include "base/radix.h"
+#include "base/sort.h"
 
 /* Bits for each front: of so many fronts that have no copy one in ten falls on another's bit. */
 #define BITS_PER_FRONT 8

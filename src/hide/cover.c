@@ -45,7 +45,6 @@ void cover_free(cover *c)
 {
     free(c->depth);
     free(c->by);
-    free(c->rest);
     *c = (cover){0};
 }
 

@@ -10,18 +10,10 @@
 #include "hide/scan.h"
 #include "hide/space.h"
 
-/* What else a cell without a cover knows; see unite.h. There `by` is the first of two fronts, and this the second. */
-typedef struct cover_rest {
-    uint32_t front;                  /* or ROBERTS_NONE */
-    signed char first_by, second_by; /* how far they reach beyond the cell's middle, and its corner `corner` */
-    unsigned char corner;
-} cover_rest;
-
 typedef struct cover {
     scan_frame frame;
-    float *depth;     /* [nx * ny] -infinity without cover; NULL: no covers are kept, nothing is ever behind one */
-    uint32_t *by;     /* [nx * ny] what covers the cell, as cover_add() was told */
-    cover_rest *rest; /* [nx * ny] NULL: not kept */
+    float *depth; /* [nx * ny] -infinity without cover; NULL: no covers are kept, nothing is ever behind one */
+    uint32_t *by; /* [nx * ny] what covers the cell, as cover_add() was told */
 } cover;
 
 /* Takes a frame of the cells; one without columns keeps no covers. By so many threads. No memory: false. */

@@ -19,8 +19,6 @@
 #define SHORT_LIST 32
 /* When so many fronts have met a group of lines, most of what the next ones hide is hidden already. */
 #define MANY_FRONTS 6
-/* By so much of its edge a hidden part may touch another without regard to where the front that hides it ends. No unit. */
-#define EDGE_REACH 1e-6
 
 bool hide_worker_more(hide_worker *w)
 {
@@ -55,45 +53,37 @@ void hide_worker_free(hide_worker *w)
     *w = (hide_worker){0};
 }
 
-/* What runs nearly along a border of a front is near to the border's line for long, but to the front no longer than where it
- * leaves its box; and what is nearer than all corners of the front is not hidden and touches nothing that is, whatever its
- * faces' planes are rounded to. False: nothing is left. */
+/* What is nearer than all corners of a front is not hidden and touches nothing that is, whatever its faces' planes are
+ * rounded to. False: nothing is left. */
 static BITS_RARE bool confine(const hide_worker *w, const hide_box *box, const hide_edge *e, hide_part *part)
 {
-    double t0 = part->t0, t1 = part->t1, first = t0 - part->e0, last = t1 + part->e1, m = w->margin;
-    double nearest = (double)box->z1 + m;
-    box_clip(e->A.z, e->B.z, -INFINITY, nearest, &t0, &t1);
-    box_clip(e->A.z, e->B.z, -INFINITY, nearest, &first, &last);
-    box_clip(e->A.x, e->B.x, (double)box->x0 - m, (double)box->x1 + m, &first, &last);
-    box_clip(e->A.y, e->B.y, (double)box->y0 - m, (double)box->y1 + m, &first, &last);
-    *part = (hide_part){t0, t1, greater(t0 - first, 0.0), greater(last - t1, 0.0)};
-    return (t1 - t0) * e->length3 > w->picture->space.epsilon;
+    double nearest = (double)box->z1 + w->margin;
+    return box_clip(e->A.z, e->B.z, -INFINITY, nearest, &part->t0, &part->t1) &&
+           box_clip(e->A.z, e->B.z, -INFINITY, nearest, &part->r0, &part->r1) &&
+           hide_is_left(&w->picture->space, e, part);
 }
 
 /* Whether that may change anything. */
 static inline bool is_confined(const hide_worker *w, const hide_box *box, const hide_edge *e, const hide_part *part)
 {
     double nearest = (double)box->z1 + w->margin, dz = e->B.z - e->A.z;
-    return part->e0 <= EDGE_REACH && part->e1 <= EDGE_REACH && e->A.z + part->t0 * dz <= nearest &&
-           e->A.z + part->t1 * dz <= nearest;
+    return e->A.z + part->r0 * dz <= nearest && e->A.z + part->r1 * dz <= nearest;
 }
 
-/* Of a line that is hidden at one end only the rest, which begins at P, need meet other fronts: where their boxes miss the
- * rest's by the margin, what they hide is hidden already and touches nothing beyond it: they reach no farther than their boxes,
- * or no more than EDGE_REACH farther. What is known of the line's other end stays. */
+/* Of a line that is hidden at one end only the rest, which begins at P, need meet other fronts: where their boxes miss
+ * the rest's by the margin, what they hide is hidden already and touches nothing beyond it: they reach no farther than
+ * their boxes and the margin. What is known of the line's other end stays. */
 static void shrink(hide_worker *w, size_t n, const hide_part *hidden)
 {
     const hide_edge *e = &w->line[n].e;
     hide_lanes *l = &w->lanes;
     roberts_vec3 P, end;
-    if (hidden->t0 == 0.0 && hidden->t1 > 2.0 * EDGE_REACH) {
-        P = hide_edge_at(e, hidden->t1 - 2.0 * EDGE_REACH);
+    if (hidden->t0 == 0.0) {
+        P = hide_edge_at(e, hidden->t1);
         end = e->B;
-    } else if (hidden->t1 == 1.0 && hidden->t0 < 1.0 - 2.0 * EDGE_REACH) {
-        P = hide_edge_at(e, hidden->t0 + 2.0 * EDGE_REACH);
-        end = e->A;
     } else {
-        return;
+        P = hide_edge_at(e, hidden->t0);
+        end = e->A;
     }
     if (P.x < end.x)
         l->x0[n] = hide_float_below(P.x - w->margin);

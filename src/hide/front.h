@@ -3,7 +3,7 @@
 #define ROBERTS_HIDE_FRONT_H
 
 #include "base/threads.h"
-#include "hide/tiles.h"
+#include "hide/schedule.h"
 
 /* What a thread needs for itself. */
 typedef struct front_scratch {
@@ -12,7 +12,7 @@ typedef struct front_scratch {
     char apart[THREADS_APART];
 } front_scratch;
 
-/* Maps a solid of the tile and enters its front, unless two others hide it: then it is culled. False: no memory. */
+/* Maps a solid of the tile and enters its front. False: no memory. */
 bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile, uint32_t solid);
 
 /* How far a distance from the face's plane can be trusted: `touch` within the reach that is returned, `limit` anywhere. The

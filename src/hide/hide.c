@@ -8,7 +8,7 @@
 
 #include "base/array.h"
 #include "base/error.h"
-#include "base/fetch.h"
+#include "base/bits.h"
 #include "base/threads.h"
 #include "hide/cells.h"
 #include "hide/segments.h"
@@ -42,20 +42,20 @@ static bool do_chunk(const hide_job *job, hide_worker *w, hide_chunk *out, uint3
 /* The solids of one chunk of the order in which they lie in the picture. */
 static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
 {
-    uint32_t first = index * AHEAD_CHUNK, count = job->ahead.count;
-    uint32_t end = count - first < AHEAD_CHUNK ? count : first + AHEAD_CHUNK;
+    uint32_t first = index * KEPT_SOLIDS, count = job->order.count;
+    uint32_t end = count - first < KEPT_SOLIDS ? count : first + KEPT_SOLIDS;
     for (uint32_t k = first; k < end; k++) {
-        uint32_t s = job->ahead.order[k];
+        uint32_t s = job->order.solid[k];
         if (k + 2 * SOLIDS_AHEAD < count) {
-            FETCH_AHEAD(&job->scene->solid[job->ahead.order[k + 2 * SOLIDS_AHEAD]]);
-            FETCH_AHEAD(&job->picture.culled[job->ahead.order[k + 2 * SOLIDS_AHEAD]]);
+            FETCH_AHEAD(&job->scene->solid[job->order.solid[k + 2 * SOLIDS_AHEAD]]);
+            FETCH_AHEAD(&job->picture.culled[job->order.solid[k + 2 * SOLIDS_AHEAD]]);
         }
-        if (k + SOLIDS_AHEAD < count && !job->picture.culled[job->ahead.order[k + SOLIDS_AHEAD]])
-            hide_picture_fetch(&job->picture, job->ahead.order[k + SOLIDS_AHEAD]);
+        if (k + SOLIDS_AHEAD < count && !job->picture.culled[job->order.solid[k + SOLIDS_AHEAD]])
+            hide_picture_fetch(&job->picture, job->order.solid[k + SOLIDS_AHEAD]);
         hide_worker_begin(w);
         if (!job->picture.culled[s] && scene_is_convex(job->scene, s) && !segments_hide(job, w, s))
             return false;
-        if (!ahead_keep(&job->ahead, k, w))
+        if (!picture_order_keep(&job->order, k, w))
             return false;
     }
     return true;
@@ -70,7 +70,7 @@ static bool look_ahead_at_all(hide_job *job, hide_worker *worker, int threads)
 #else
     (void)threads;
 #endif
-    for (uint32_t i = 0; i < job->ahead.chunks; i++) {
+    for (uint32_t i = 0; i < job->order.chunks; i++) {
         int self = thread_self();
         lost = lost || !look_ahead(job, &worker[self], i);
     }
@@ -206,6 +206,7 @@ static void describe(const hide_job *job, const roberts_camera *camera, roberts_
     const hide_picture *picture = &job->picture;
     double unit = picture->view.unit;
     drawing->epsilon = picture->view.epsilon * unit;
+    drawing->epsilon_reason = picture->view.epsilon_reason;
     drawing->scene_diameter = picture->view.diameter * unit;
     drawing->grid = job->grid.frame.nx;
     drawing->grid_rows = job->grid.frame.ny;
@@ -248,7 +249,7 @@ static roberts_status build(hide_job *job, const roberts_camera *camera, roberts
     double depth;
     scan_frame frame = cells_for_lists(picture->front_box, picture->front_count, picture->low, picture->high,
                                        options->grid, hide_margin(&picture->space), &depth);
-    if (!ahead_init(&job->ahead, picture, depth))
+    if (!picture_order_init(&job->order, picture, depth))
         return ROBERTS_NO_MEMORY;
     hide_picture_drop_boxes(&job->picture);
     status = objet_build(&job->grid, picture, frame, options->threads);
@@ -281,7 +282,7 @@ static roberts_status hide(hide_job *job, const roberts_camera *camera, roberts_
         status = do_chunks(job, drawing);
         drawing->hide_time = lap(&clock);
     }
-    ahead_free(&job->ahead);
+    picture_order_free(&job->order);
     objet_free(&job->grid);
     hide_picture_free(&job->picture);
     view_clip_free(&job->clip);

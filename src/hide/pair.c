@@ -1,7 +1,8 @@
 /* pair.c - see pair.h. */
 #include "hide/pair.h"
 
-#include "hide/many.h"
+#include "hide/tests_wide.h"
+#include "hide/parts.h"
 
 bool hide_within_reach(const hide_picture *picture, const hide_front *front, const hide_edge *e)
 {
@@ -16,8 +17,10 @@ bool hide_pierce_all(const hide_picture *picture, const hide_face *face, uint32_
 {
     hide_part inside = *part;
     for (; bits; bits &= bits - 1)
-        if (!hide_pierce(&picture->space, face + bits_trailing_zeros(bits), e, sides, part))
+        if (!hide_pierce(&picture->space, face + bits_trailing_zeros(bits), e, &inside, sides, part))
             return false;
+    if (!hide_is_left(&picture->space, e, part))
+        return false;
     tally->pierced += part->t0 != inside.t0 || part->t1 != inside.t1;
     return true;
 }
@@ -54,14 +57,7 @@ BITS_INLINE bool by_face(const hide_picture *picture, const hide_face *F, double
 /* Lets the hull of what is known to be hidden hold a part, with which it begins if nothing has been `*found`. */
 static void join(hide_part *hull, bool *found, const hide_part *part)
 {
-    if (!*found || part->t0 < hull->t0) {
-        hull->t0 = part->t0;
-        hull->e0 = part->e0;
-    }
-    if (!*found || part->t1 > hull->t1) {
-        hull->t1 = part->t1;
-        hull->e1 = part->e1;
-    }
+    *hull = *found ? hide_parts_joined(hull, part) : *part;
     *found = true;
 }
 
@@ -95,7 +91,7 @@ static bool may_hide_more(const climb *c, const bundle_node *n, double *reach)
 
 static void ask_faces(climb *c, uint32_t item)
 {
-    for (uint32_t end = ranks_end(&c->b->ranks, 0, item); item < end; item++) {
+    for (uint32_t end = list_tree_end(&c->b->tree, 0, item); item < end; item++) {
         hide_part part;
         if (by_face(c->picture, &c->face[c->b->order[item]], c->span, c->e, c->sides, c->tally, &part))
             join(c->hull, &c->found, &part);
@@ -106,10 +102,10 @@ static void ask_faces(climb *c, uint32_t item)
  * first, so that they leave little to the others. */
 static void ask_nodes(climb *c, int rank, uint32_t item, uint32_t end)
 {
-    uint32_t from[1 << RANKS_BITS], count = 0;
-    double reach[1 << RANKS_BITS], own;
-    for (; item < end; item = ranks_end(&c->b->ranks, rank, item)) {
-        if (!may_hide_more(c, &c->b->node[ranks_node(&c->b->ranks, rank, item)], &own))
+    uint32_t from[1 << LIST_TREE_BITS], count = 0;
+    double reach[1 << LIST_TREE_BITS], own;
+    for (; item < end; item = list_tree_end(&c->b->tree, rank, item)) {
+        if (!may_hide_more(c, &c->b->node[list_tree_node(&c->b->tree, rank, item)], &own))
             continue;
         uint32_t i = count++;
         for (; i > 0 && reach[i - 1] < own; i--) {
@@ -125,19 +121,19 @@ static void ask_nodes(climb *c, int rank, uint32_t item, uint32_t end)
         if (rank == 0)
             ask_faces(c, from[i]);
         else
-            ask_nodes(c, rank - 1, from[i], ranks_end(&c->b->ranks, rank, from[i]));
+            ask_nodes(c, rank - 1, from[i], list_tree_end(&c->b->tree, rank, from[i]));
     }
 }
 
 /* First where the hull ends, then where it begins. */
 static BITS_RARE bool by_bundle(climb *c)
 {
-    int highest = (int)c->b->ranks.count - 1;
+    int highest = (int)c->b->tree.ranks - 1;
     c->forward = true;
-    ask_nodes(c, highest, 0, c->b->ranks.items);
+    ask_nodes(c, highest, 0, c->b->tree.items);
     c->forward = false;
     if (c->found && c->hull->t0 > 0.0)
-        ask_nodes(c, highest, 0, c->b->ranks.items);
+        ask_nodes(c, highest, 0, c->b->tree.items);
     return c->found;
 }
 

@@ -97,24 +97,24 @@ BITS_INLINE bool hide_by_outline(const hide_picture *picture, const uint32_t *co
                                  const hide_edge *e, const hide_part *hidden, hide_sides *sides, roberts_tally *tally,
                                  hide_part *part)
 {
-    if (count > QUICK_CORNERS)
+    if (count > FAST_CORNERS)
         return hide_by_outline_closely(picture, corner, count, e, sides, tally, part);
-    if (sides->quick.corner != corner)
-        quick_take(&sides->quick, picture->P, corner, count);
-    switch (quick_test(&sides->quick, &picture->space, e, span, hidden, part)) {
-    case QUICK_MISSED:
+    if (sides->outline.corner != corner)
+        fast_take(&sides->outline, picture->P, corner, count);
+    switch (fast_test(&sides->outline, &picture->space, e, span, hidden, part)) {
+    case FAST_MISSED:
         tally->test2_visible++;
         return false;
-    case QUICK_OUTSIDE:
+    case FAST_OUTSIDE:
         tally->test3_visible++;
         return false;
-    case QUICK_INSIDE:
+    case FAST_INSIDE:
         tally->test3_invisible++;
         return true;
-    case QUICK_CUT:
+    case FAST_CUT:
         tally->test4++;
         return true;
-    case QUICK_EMPTY:
+    case FAST_EMPTY:
         tally->test4++;
         return false;
     default:

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/radix.h"
+#include "base/sort.h"
 
 /* With more parts than this a new one is not held against each, or with more hulls only against so many of the last: they
  * are joined when all are there. */
@@ -52,9 +52,8 @@ bool hide_parts_hull(hide_parts *hulls, uint32_t solid, hide_part *part)
 static int compare(const void *pa, const void *pb)
 {
     const hide_solid_part *a = pa, *b = pb;
-    double reach_a = a->part.t0 - a->part.e0, reach_b = b->part.t0 - b->part.e0;
-    if (reach_a != reach_b)
-        return reach_a < reach_b ? -1 : 1;
+    if (a->part.r0 != b->part.r0)
+        return a->part.r0 < b->part.r0 ? -1 : 1;
     if (a->part.t0 != b->part.t0)
         return a->part.t0 < b->part.t0 ? -1 : 1;
     return (a->solid > b->solid) - (a->solid < b->solid);
@@ -84,18 +83,12 @@ void hide_parts_hulls_done(hide_parts *hulls)
 /* A run in which few are far from their places, one by one. */
 static void put_in_place(hide_solid_part *item, size_t count)
 {
-    for (size_t i = 1; i < count; i++) {
-        hide_solid_part moved = item[i];
-        size_t k = i;
-        for (; k > 0 && compare(&item[k - 1], &moved) > 0; k--)
-            item[k] = item[k - 1];
-        item[k] = moved;
-    }
+    SORT_FEW(hide_solid_part, item, count, compare(a, b) > 0)
 }
 
 static float begins(const hide_solid_part *p)
 {
-    return (float)(p->part.t0 - p->part.e0);
+    return (float)p->part.r0;
 }
 
 /* By a float's worth of where they begin, without comparing; false: no memory. */

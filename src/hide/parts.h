@@ -17,20 +17,16 @@ typedef struct hide_parts {
     size_t count, room;
 } hide_parts;
 
-/* Within their e0, e1. */
+/* Is every point between them within reach of one of them? */
 static inline bool hide_parts_touch(const hide_part *a, const hide_part *b)
 {
-    return a->t0 - a->e0 <= b->t1 + b->e1 && b->t0 - b->e0 <= a->t1 + a->e1;
+    return a->r0 <= b->r1 && b->r0 <= a->r1;
 }
 
 /* Their union, which reaches as far as either of them, also where the shorter one reaches farther. */
 static inline hide_part hide_parts_joined(const hide_part *a, const hide_part *b)
 {
-    double reach0 = lesser(a->t0 - a->e0, b->t0 - b->e0), reach1 = greater(a->t1 + a->e1, b->t1 + b->e1);
-    hide_part all = {.t0 = lesser(a->t0, b->t0), .t1 = greater(a->t1, b->t1)};
-    all.e0 = all.t0 - reach0;
-    all.e1 = reach1 - all.t1;
-    return all;
+    return (hide_part){lesser(a->t0, b->t0), greater(a->t1, b->t1), lesser(a->r0, b->r0), greater(a->r1, b->r1)};
 }
 
 bool hide_parts_add_closely(hide_parts *parts, uint32_t solid, hide_part *part);

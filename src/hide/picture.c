@@ -5,14 +5,13 @@
 
 #include "base/array.h"
 #include "base/error.h"
-#include "base/fetch.h"
+#include "base/bits.h"
 #include "base/threads.h"
 #include "hide/cells.h"
 #include "hide/copies.h"
 #include "hide/cull.h"
 #include "hide/front.h"
 #include "hide/span.h"
-#include "hide/unite.h"
 
 /* With fewer solids than this a thread costs more than it does. */
 #define SOLIDS_PER_THREAD 2048
@@ -171,14 +170,11 @@ static void cull_late(hide_picture *picture, picture_tile *tile, uint32_t s)
 }
 
 /* Once more, when every cover is known. */
-static void cull_again(build *b, front_scratch *scratch, picture_tile *tile)
+static void cull_again(hide_picture *picture, picture_tile *tile)
 {
-    hide_picture *picture = b->picture;
     for (uint32_t k = tile->first; k < tile->front; k++) {
         const hide_front *front = &picture->front[k];
-        if (cull_hides(picture, &picture->front_box[k], front->solid) ||
-            (tile_unites(tile) && unite_hides(picture, &scratch->scan, picture->outline + front->outline,
-                                              front->corners, picture->front_box[k].z1)))
+        if (cull_hides(picture, &picture->front_box[k], front->solid))
             cull_late(picture, tile, front->solid);
     }
     for (size_t k = 0; k < tile->single_count; k++) {
@@ -207,7 +203,7 @@ static bool do_tiles(build *b)
 #pragma omp parallel for schedule(dynamic, 1) num_threads(b->threads)
 #endif
     for (uint32_t i = 0; i < t->count; i++)
-        cull_again(b, &b->scratch[thread_self()], &t->tile[i]);
+        cull_again(b->picture, &t->tile[i]);
     return true;
 }
 
@@ -368,15 +364,14 @@ roberts_status hide_picture_build(hide_picture *picture, const roberts_scene *sc
     if (status != ROBERTS_OK)
         return status;
     scan_frame frame = {0};
-    bool unite = false, done = alloc_picture(picture) && box_solids(picture, b.threads);
+    bool done = alloc_picture(picture) && box_solids(picture, b.threads);
     if (done) {
         set_space(picture);
         if (cull)
             frame = cells_for_covers(picture->box, scene->solid_count, picture->low, picture->high,
-                                     hide_margin(&picture->space), b.threads, &unite);
+                                     hide_margin(&picture->space), b.threads);
     }
-    if (done && cover_init(&picture->cover, frame, b.threads) && (!unite || unite_init(&picture->cover)) &&
-        add_solids(&b))
+    if (done && cover_init(&picture->cover, frame, b.threads) && add_solids(&b))
         return ROBERTS_OK;
     hide_picture_free(picture);
     return error_no_memory(error);

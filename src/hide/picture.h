@@ -10,10 +10,9 @@
 #define ROBERTS_HIDE_PICTURE_H
 
 #include "base/bits.h"
-#include "base/fetch.h"
 #include "hide/bundle.h"
 #include "hide/cover.h"
-#include "hide/runs.h"
+#include "hide/tests_wide.h"
 #include "hide/space.h"
 
 typedef struct hide_front {

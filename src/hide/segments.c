@@ -182,7 +182,7 @@ static bool take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
             return false;
         if (fronts == 0) {
             line->hidden = true;
-            if (!hide_parts_add(&line->parts, solid, &(hide_part){0.0, 1.0, 0.0, 0.0}))
+            if (!hide_parts_add(&line->parts, solid, &(hide_part){0.0, 1.0, 0.0, 1.0}))
                 return false;
         }
     }
@@ -270,7 +270,7 @@ static bool find_in_solid(const hide_job *job, hide_worker *w, hide_chunk *out, 
         return surface_find(job, w, out, solid);
     if (job->picture.culled[solid] && !(job->clip.clipped && job->options->keep_hidden))
         return true;
-    if (job->ahead.order ? !ahead_recall(&job->ahead, solid, w) : !segments_hide(job, w, solid))
+    if (job->order.solid ? !picture_order_recall(&job->order, solid, w) : !segments_hide(job, w, solid))
         return false;
     return add_solid(job, w, out, solid);
 }
@@ -278,8 +278,8 @@ static bool find_in_solid(const hide_job *job, hide_worker *w, hide_chunk *out, 
 bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t first, uint32_t end)
 {
     for (uint32_t s = first; s < end; s++) {
-        if (job->ahead.order)
-            ahead_fetch(&job->ahead, s);
+        if (job->order.solid)
+            picture_order_fetch(&job->order, s);
         if (!find_in_solid(job, w, out, s))
             return false;
     }

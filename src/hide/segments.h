@@ -2,8 +2,7 @@
 #ifndef ROBERTS_HIDE_SEGMENTS_H
 #define ROBERTS_HIDE_SEGMENTS_H
 
-#include "hide/ahead.h"
-#include "hide/chunks.h"
+#include "hide/schedule.h"
 #include "view/clip.h"
 
 /* One scene seen by one camera, all that its segments follow from. */
@@ -16,7 +15,7 @@ typedef struct hide_job {
     const roberts_hide_options *options;
     hide_picture picture;
     objet grid;
-    ahead ahead;         /* what was found before its turn, if anything */
+    picture_order order; /* what was found before its turn, if anything */
     double crease_chord; /* distance of two unit normals that meet at the crease angle, squared */
     double smooth_chord; /* the same for bodies that are taken for curved */
 } hide_job;

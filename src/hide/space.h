@@ -56,12 +56,14 @@ typedef struct hide_edge {
     double length3;    /* of AB in view space */
 } hide_edge;
 
-/* The hidden part of an edge by one face or solid: parameters along its picture. An end within e0 (e1) of another part's
- * end touches it: that is epsilon, divided by how fast the edge runs away from the border where the part ends. */
+/* The hidden part t0 .. t1 of an edge by one face or solid: parameters along its picture. From r0 to r1 the edge is
+ * within epsilon of what hides it (see reach.h); r0 <= t0 and r1 >= t1. */
 typedef struct hide_part {
     double t0, t1;
-    double e0, e1;
+    double r0, r1;
 } hide_part;
+
+static const hide_part hide_whole = {0.0, 1.0, 0.0, 1.0};
 
 static inline roberts_vec3 hide_edge_at(const hide_edge *e, double t)
 {

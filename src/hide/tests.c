@@ -77,9 +77,9 @@ typedef struct side_line {
     int direction; /* 1, or -1 where the face has it the other way */
 } side_line;
 
-static side_line measure(const hide_space *space, const hide_face *F, uint32_t i, const hide_edge *e)
+static side_line measure(const hide_space *space, const hide_face *F, hide_chord side, const hide_edge *e)
 {
-    uint32_t p = F->corner[i], q = F->corner[i + 1 < F->count ? i + 1 : 0];
+    uint32_t p = F->corner[side.first], q = F->corner[side.last];
     side_line s = {.p = p < q ? p : q, .q = p < q ? q : p, .direction = p < q ? 1 : -1};
     roberts_vec3 P = space->P[s.p], Q = space->P[s.q];
     double dx = Q.x - P.x, dy = Q.y - P.y, ax = e->A.x - P.x, ay = e->A.y - P.y, bx = e->B.x - P.x, by = e->B.y - P.y;
@@ -104,10 +104,10 @@ static int sign_closely(const hide_space *space, const side_line *s, uint32_t x,
 }
 
 /* The one predicate for inside, on and outside of a side, where the signs are not plain. */
-static hide_side look_closely(const hide_space *space, const hide_face *F, uint32_t i, const hide_edge *e,
+static hide_side look_closely(const hide_space *space, const hide_face *F, hide_chord side, const hide_edge *e,
                               uint64_t *refined)
 {
-    side_line s = measure(space, F, i, e);
+    side_line s = measure(space, F, side, e);
     /* A side no longer than epsilon bounds nothing that its neighbours do not bound to within epsilon. */
     if (s.length <= space->epsilon)
         return (hide_side){0, 0};
@@ -129,7 +129,7 @@ hide_verdict hide_test3(const hide_space *space, const hide_face *F, const hide_
         if (fabs(a) > space->plain && fabs(b) > space->plain)
             H = (hide_side){a > 0.0 ? 1 : -1, b > 0.0 ? 1 : -1};
         else
-            H = look_closely(space, F, i, e, &sides->refined);
+            H = look_closely(space, F, hide_side_of(F, i), e, &sides->refined);
         if (hide_side_outside(H))
             return HIDE_VISIBLE;
         inside = inside && H.a >= 0 && H.b >= 0;
@@ -143,22 +143,22 @@ hide_verdict hide_test3(const hide_space *space, const hide_face *F, const hide_
 }
 
 /* The same of one side by itself. */
-hide_side hide_side_signs(const hide_space *space, const hide_face *F, uint32_t i, const hide_edge *e,
+hide_side hide_side_signs(const hide_space *space, const hide_face *F, hide_chord side, const hide_edge *e,
                           uint64_t *refined)
 {
-    roberts_vec3 P = space->P[F->corner[i]], Q = space->P[F->corner[i + 1 < F->count ? i + 1 : 0]];
+    roberts_vec3 P = space->P[F->corner[side.first]], Q = space->P[F->corner[side.last]];
     double a = (P.x - e->A.x) * (Q.y - e->A.y) - (P.y - e->A.y) * (Q.x - e->A.x);
     double b = (P.x - e->B.x) * (Q.y - e->B.y) - (P.y - e->B.y) * (Q.x - e->B.x);
     if (fabs(a) > space->plain && fabs(b) > space->plain)
         return (hide_side){a > 0.0 ? 1 : -1, b > 0.0 ? 1 : -1};
-    return look_closely(space, F, i, e, refined);
+    return look_closely(space, F, side, e, refined);
 }
 
-hide_crossing hide_cross_side(const hide_space *space, const hide_face *F, uint32_t i, const hide_edge *e)
+hide_crossing hide_cross_side(const hide_space *space, const hide_face *F, hide_chord side, const hide_edge *e)
 {
-    side_line s = measure(space, F, i, e);
+    side_line s = measure(space, F, side, e);
     double apart = fabs(s.a - s.b), error = (s.error_a + s.error_b) / apart;
-    hide_crossing c = {.t = s.a / (s.a - s.b), .touch = space->epsilon * s.length / apart, .p = s.p, .q = s.q};
+    hide_crossing c = {.t = s.a / (s.a - s.b), .touch = space->epsilon * s.length / apart, .side = side};
     if (hide_accurate(space, e, error) || !space->scene)
         return c;
     roberts_vec3 P = space->P[s.p], Q = space->P[s.q];
@@ -168,49 +168,60 @@ hide_crossing hide_cross_side(const hide_space *space, const hide_face *F, uint3
 }
 
 /* Twice the precision, where that is needed. */
-static void settle(const hide_space *space, const hide_edge *e, hide_crossing *c, uint64_t *refined)
+static void settle(const hide_cutting *c, hide_crossing *at)
 {
-    if (c->error == 0.0)
+    if (at->error == 0.0)
         return;
-    c->t = refine_crossing(space, c->p, c->q, e);
-    c->error = 0.0;
-    ++*refined;
+    uint32_t p = c->F->corner[at->side.first], q = c->F->corner[at->side.last];
+    at->t = refine_crossing(c->space, p < q ? p : q, p < q ? q : p, c->e);
+    at->error = 0.0;
+    ++*c->refined;
 }
 
-/* Takes c for *last where it comes later along the edge (direction 1), or earlier (-1). What is certain without is not
- * refined. (No number, of a side that AB is parallel to, is not certain.) */
-static void take_later(const hide_space *space, const hide_edge *e, double direction, hide_crossing *last,
-                       hide_crossing c, uint64_t *refined)
+/* Takes `at` for *last where it comes later along the edge (direction 1), or earlier (-1). What is certain without is
+ * not refined. (No number, of a side that AB is parallel to, is not certain.) */
+static void take_later(const hide_cutting *c, double direction, hide_crossing *last, hide_crossing at)
 {
-    double ahead = direction * (c.t - last->t), error = c.error + last->error;
+    double ahead = direction * (at.t - last->t), error = at.error + last->error;
     if (ahead <= -error)
         return;
     if (!(ahead > error)) {
-        settle(space, e, last, refined);
-        settle(space, e, &c, refined);
-        ahead = direction * (c.t - last->t);
+        settle(c, last);
+        settle(c, &at);
+        ahead = direction * (at.t - last->t);
     }
     if (ahead > 0.0)
-        *last = c;
+        *last = at;
 }
 
-bool hide_cut_by(const hide_space *space, const hide_face *F, uint32_t i, hide_side H, const hide_edge *e,
-                 hide_cut *cut, uint64_t *refined)
+bool hide_cut_by(const hide_cutting *c, hide_chord side, hide_side H, hide_cut *cut)
 {
-    hide_crossing c = hide_cross_side(space, F, i, e);
+    hide_crossing at = hide_cross_side(c->space, c->F, side, c->e);
     if (H.a < 0)
-        take_later(space, e, 1.0, &cut->in, c, refined);
+        take_later(c, 1.0, &cut->in, at);
     if (H.b < 0)
-        take_later(space, e, -1.0, &cut->out, c, refined);
+        take_later(c, -1.0, &cut->out, at);
     return cut->in.t - cut->in.error < cut->out.t + cut->out.error;
 }
 
-bool hide_cut_end(const hide_space *space, const hide_edge *e, hide_cut *cut, uint64_t *refined, hide_part *part)
+/* How far the edge is within epsilon of the border from a crossing on; none: its end. */
+static double reach_of(const hide_cutting *c, hide_crossing *at, bool out)
 {
-    settle(space, e, &cut->in, refined);
-    settle(space, e, &cut->out, refined);
-    *part = (hide_part){cut->in.t, cut->out.t, cut->in.touch, cut->out.touch};
-    return (part->t1 - part->t0) * e->length3 > space->epsilon;
+    if (reach_is_plain(c->space, c->e, at->touch))
+        return out ? at->t + at->touch : at->t - at->touch;
+    reach_border border = {c->F, at->side.first, at->side.last, out};
+    return reach_along(c->space, c->e, &border, at->touch, &at->t);
+}
+
+bool hide_cut_end(const hide_cutting *c, hide_cut *cut, hide_part *part)
+{
+    settle(c, &cut->in);
+    settle(c, &cut->out);
+    if (!((cut->out.t - cut->in.t) * c->e->length3 > c->space->epsilon))
+        return false;
+    double r0 = reach_of(c, &cut->in, false), r1 = reach_of(c, &cut->out, true);
+    *part = (hide_part){cut->in.t, cut->out.t, r0, r1};
+    return hide_is_left(c->space, c->e, part);
 }
 
 /* TEST 4. t_i is the crossing of AB with side plane H_i. Of those by which AB comes in, the last lies on the side itself
@@ -218,13 +229,14 @@ bool hide_cut_end(const hide_space *space, const hide_edge *e, hide_cut *cut, ui
  * order. So the s_i need not be computed, and of the crossings at most those two closely. */
 bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part)
 {
+    hide_cutting c = {space, F, e, &sides->refined};
     hide_cut cut = hide_uncut;
     for (uint32_t i = 0; i < F->count; i++) {
         hide_side H = sides->H[i];
-        if ((H.a < 0 || H.b < 0) && !hide_cut_by(space, F, i, H, e, &cut, &sides->refined))
+        if ((H.a < 0 || H.b < 0) && !hide_cut_by(&c, hide_side_of(F, i), H, &cut))
             return false;
     }
-    return hide_cut_end(space, e, &cut, &sides->refined, part);
+    return hide_cut_end(&c, &cut, part);
 }
 
 /* What counts as on the plane at X: a solid that the near plane cuts may have its nearest corner a thousand times as near. */
@@ -235,30 +247,43 @@ static double touch_at(const hide_space *space, const hide_face *F, roberts_vec3
     return lesser(F->touch, space->epsilon + (double)F->departure * (1.0 + X.z * space->view->inverse_distance));
 }
 
-bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part)
+/* Where F comes to -touch between t, where it is f, and r, where the reach ends: there the reach has to end. */
+static double reach_behind(const hide_space *space, const hide_face *F, const hide_edge *e, double t, double f,
+                           double r)
 {
-    roberts_vec3 X0 = hide_edge_at(e, part->t0), X1 = hide_edge_at(e, part->t1);
+    double touch = touch_at(space, F, hide_edge_at(e, t)), end = plane_at(F->F, hide_edge_at(e, r));
+    return end < -touch && f > end ? t + (r - t) * lesser((f + touch) / (f - end), 1.0) : r;
+}
+
+bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, const hide_part *inside,
+                 hide_sides *sides, hide_part *part)
+{
+    roberts_vec3 X0 = hide_edge_at(e, inside->t0), X1 = hide_edge_at(e, inside->t1);
     double f0 = plane_at(F->F, X0), f1 = plane_at(F->F, X1);
     double touch0 = touch_at(space, F, X0), touch1 = touch_at(space, F, X1);
     int sign0 = sign_within(f0, touch0), sign1 = sign_within(f1, touch1);
     if (sign0 <= 0 && sign1 <= 0)
         return false;
+    if (sign0 >= 0)
+        part->r0 = greater(part->r0, reach_behind(space, F, e, inside->t0, f0, inside->r0));
+    if (sign1 >= 0)
+        part->r1 = lesser(part->r1, reach_behind(space, F, e, inside->t1, f1, inside->r1));
     if (sign0 >= 0 && sign1 >= 0)
         return true;
-    double width = part->t1 - part->t0, slope = fabs(f0 - f1);
-    double t = part->t0 + width * (f0 / (f0 - f1));
+    double width = inside->t1 - inside->t0, slope = fabs(f0 - f1);
+    double t = inside->t0 + width * (f0 / (f0 - f1));
     if (!hide_accurate(space, e, width * 4.0 * space->depth_rounding / slope) && space->scene) {
-        t = fmin(fmax(refine_pierce(space, F, e), part->t0), part->t1);
+        t = fmin(fmax(refine_pierce(space, F, e), inside->t0), inside->t1);
         sides->refined++;
     }
     if (sign0 < 0) {
-        part->t0 = t;
-        part->e0 = width * touch0 / slope;
+        part->t0 = greater(part->t0, t);
+        part->r0 = greater(part->r0, t - width * touch0 / slope);
     } else {
-        part->t1 = t;
-        part->e1 = width * touch1 / slope;
+        part->t1 = lesser(part->t1, t);
+        part->r1 = lesser(part->r1, t + width * touch1 / slope);
     }
-    return (part->t1 - part->t0) * e->length3 > space->epsilon;
+    return true;
 }
 
 bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
@@ -270,7 +295,7 @@ bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge 
         return false;
     case HIDE_INVISIBLE:
         tally->test3_invisible++;
-        *part = (hide_part){0.0, 1.0, 0.0, 0.0};
+        *part = hide_whole;
         return true;
     default:
         tally->test4++;

@@ -17,7 +17,8 @@
 #ifndef ROBERTS_HIDE_TESTS_H
 #define ROBERTS_HIDE_TESTS_H
 
-#include "hide/quick.h"
+#include "hide/tests_fast.h"
+#include "hide/reach.h"
 #include "hide/space.h"
 
 typedef enum hide_verdict { HIDE_UNDECIDED, HIDE_VISIBLE, HIDE_INVISIBLE } hide_verdict;
@@ -32,17 +33,27 @@ typedef struct hide_sides {
     size_t room;
     uint64_t refined; /* signs and crossings computed in twice the precision */
     /* The outline that was asked last. (A table of 64 is right a third of the time, and saves nothing.) */
-    quick_outline quick;
+    fast_outline outline;
 } hide_sides;
 
-/* t_i, and how far along the edge it may be from another crossing that touches it. */
+/* A side of F, or the chord of several that are straight: from corner `first` of F to corner `last`. */
+typedef struct hide_chord {
+    uint32_t first, last;
+} hide_chord;
+
+static inline hide_chord hide_side_of(const hide_face *F, uint32_t i)
+{
+    return (hide_chord){i, i + 1 < F->count ? i + 1 : 0};
+}
+
+/* t_i, and how far along the edge from there it is epsilon away from the side's line. */
 typedef struct hide_crossing {
     double t, touch;
     double error; /* bound of t's error where it is not accurate, 0 where it is */
-    uint32_t p, q;
+    hide_chord side;
 } hide_crossing;
 
-/* The last crossing inward and the first one outward. */
+/* The last crossing inward and the first one outward; touch is 0 where there is none. */
 typedef struct hide_cut {
     hide_crossing in, out;
 } hide_cut;
@@ -66,7 +77,7 @@ bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e,
 int hide_corner_side(const hide_space *space, roberts_vec3 P, const hide_edge *e, bool *certain);
 
 /* Test 3: the signs of A and B against side i. */
-hide_side hide_side_signs(const hide_space *space, const hide_face *F, uint32_t i, const hide_edge *e,
+hide_side hide_side_signs(const hide_space *space, const hide_face *F, hide_chord side, const hide_edge *e,
                           uint64_t *refined);
 
 static inline bool hide_side_outside(hide_side H)
@@ -75,19 +86,35 @@ static inline bool hide_side_outside(hide_side H)
 }
 
 /* Test 4: where AB crosses side i. */
-hide_crossing hide_cross_side(const hide_space *space, const hide_face *F, uint32_t i, const hide_edge *e);
+hide_crossing hide_cross_side(const hide_space *space, const hide_face *F, hide_chord side, const hide_edge *e);
+
+/* An edge that the sides of F cut; `refined` counts. */
+typedef struct hide_cutting {
+    const hide_space *space;
+    const hide_face *F;
+    const hide_edge *e;
+    uint64_t *refined;
+} hide_cutting;
 
 /* ... and takes it into account; false where nothing is left between the crossings. Begin with hide_uncut. */
-bool hide_cut_by(const hide_space *space, const hide_face *F, uint32_t i, hide_side H, const hide_edge *e,
-                 hide_cut *cut, uint64_t *refined);
-bool hide_cut_end(const hide_space *space, const hide_edge *e, hide_cut *cut, uint64_t *refined, hide_part *part);
+bool hide_cut_by(const hide_cutting *c, hide_chord side, hide_side H, hide_cut *cut);
+bool hide_cut_end(const hide_cutting *c, hide_cut *cut, hide_part *part);
 
 static const hide_cut hide_uncut = {.out = {.t = 1.0}};
 
 /* ---- all tests ---- */
 
-/* Cuts `part`, all of it inside the sides, where e pierces F's plane; false where nothing of it lies behind. */
-bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part);
+/* Cuts `part` where e pierces F's plane, and its reach where e is more than `touch` before it; false where nothing of
+ * `inside` lies behind. `inside` is what all sides leave of e: what one plane cuts off has no say in what another
+ * does. */
+bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, const hide_part *inside,
+                 hide_sides *sides, hide_part *part);
+
+/* Is so much left that it counts? */
+static inline bool hide_is_left(const hide_space *space, const hide_edge *e, const hide_part *part)
+{
+    return (part->t1 - part->t0) * e->length3 > space->epsilon;
+}
 
 /* Tests 3 and 4, counted in `tally`: the part of e inside all sides; false where there is none. */
 bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,

@@ -10,18 +10,18 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/compare.h"
 #include "base/error.h"
 #include "base/sets.h"
+#include "base/sort.h"
 #include "model/components.h"
 #include "model/layout.h"
-#include "model/mesh.h"
-#include "model/regroup.h"
-#include "model/solid_build.h"
+#include "model/solid.h"
 #include "model/surface.h"
 #include "model/weld.h"
+#include "read/mesh.h"
 
-/* The touching distance, as in the view: a part of the scene's diameter, and ulps of its largest coordinate. */
+/* The touching distance, as in the view: a part of the scene's diameter, ulps of its largest coordinate, and the step of 32-bit
+ * floats where coordinates are such. */
 #define TOUCHING_OF_DIAMETER 1e-11
 #define TOUCHING_ULPS 16.0
 
@@ -128,11 +128,11 @@ static double largest(roberts_vec3 a)
     return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
 }
 
-static double touching_distance(const roberts_scene *scene)
+static double touching_distance(const roberts_scene *scene, const roberts_mesh *mesh)
 {
     double diameter = vec3_length(vec3_sub(scene->box_max, scene->box_min));
-    return fmax(TOUCHING_OF_DIAMETER * diameter,
-                TOUCHING_ULPS * DBL_EPSILON * fmax(largest(scene->box_min), largest(scene->box_max)));
+    double rounding = TOUCHING_ULPS * DBL_EPSILON * fmax(largest(scene->box_min), largest(scene->box_max));
+    return fmax(TOUCHING_OF_DIAMETER * diameter, fmax(rounding, mesh_float32_step(mesh)));
 }
 
 static uint32_t piece_of(uint32_t incidence)
@@ -635,7 +635,7 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
     roberts_status status = sort_components(&a, known, error);
     if (status == ROBERTS_OK) {
         a.surface.name = a.name;
-        double touching = touching_distance(scene);
+        double touching = touching_distance(scene, mesh);
         face_rules rules = {mesh->vertex, options->tolerance, touching, scene->unit, options->even_odd};
         if (!surface_take_faces(&a.surface, a.listed, &rules) || !surface_find_edges(&a.surface, touching) ||
             !list_all(&a) || !number_bodies(&a))

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/compare.h"
+#include "base/sort.h"
 
 enum { SHORT_BUCKET = 24 }; /* half-edges; up to so many, insertion beats the library's sort */
 
@@ -65,13 +65,7 @@ static void sort_bucket(uint64_t *half, uint32_t count)
         qsort(half, count, sizeof *half, compare_u64);
         return;
     }
-    for (uint32_t i = 1; i < count; i++) {
-        uint64_t moving = half[i];
-        uint32_t j = i;
-        for (; j > 0 && half[j - 1] > moving; j--)
-            half[j] = half[j - 1];
-        half[j] = moving;
-    }
+    SORT_FEW(uint64_t, half, count, *a > *b)
 }
 
 /* Counts the half-edges of each smaller vertex; end[v] becomes the start of v's bucket. */

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "base/compare.h"
 #include "base/dd.h"
+#include "base/sort.h"
 
 /* A border whose signed areas cancel has a Newell normal that says nothing: less than this part of its size squared. */
 #define CANCELLED 1e-6

@@ -9,7 +9,7 @@
  * is worth knowing. */
 #include "model/face_plane.h"
 
-#include "model/face_polygon.h"
+#include "model/convex.h"
 
 enum { PAIRS_UP_TO = 8 }; /* corners; up to so many, all pairs are measured for the greatest chord */
 

@@ -10,17 +10,211 @@
 #include "model/hull.h"
 
 #include <stdatomic.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/array.h"
 #include "base/error.h"
 #include "base/threads.h"
-#include "model/hull_tell.h"
 #include "model/layout.h"
-#include "model/polygons.h"
+#include "model/source.h"
+#include "model/components.h"
 #include "model/qhull.h"
-#include "model/solid_build.h"
+#include "model/scene.h"
+#include "model/solid.h"
+
+/* ---- inputs ------------------------------------------------------------------------------------------------------ */
+
+/* The inputs of a mesh, and those that have points without faces: each gets one face for all its points. */
+
+size_t hull_input_count(const roberts_mesh *mesh)
+{
+    return mesh->source_count ? mesh->source_count : 1;
+}
+
+hull_input hull_input_at(const roberts_mesh *mesh, size_t i)
+{
+    hull_input range = {0, mesh->vertex_count, 0, mesh->face_count};
+    if (i > 0) {
+        range.vertex = mesh->source[i].first_vertex;
+        range.face = mesh->source[i].first_face;
+    }
+    if (i + 1 < mesh->source_count) {
+        range.vertex_end = mesh->source[i + 1].first_vertex;
+        range.face_end = mesh->source[i + 1].first_face;
+    }
+    return range;
+}
+
+size_t hull_bare_points(const roberts_mesh *mesh, size_t i)
+{
+    const hull_input range = hull_input_at(mesh, i);
+    for (size_t f = range.face; f < range.face_end; f++)
+        if (mesh->face_start[f + 1] - mesh->face_start[f] >= 3)
+            return 0;
+    return range.vertex_end - range.vertex;
+}
+
+bool hull_bare_input(const roberts_mesh *mesh)
+{
+    for (size_t i = 0; i < hull_input_count(mesh); i++)
+        if (hull_bare_points(mesh, i) > 0)
+            return true;
+    return false;
+}
+
+static roberts_status refuse_few(const char *name, size_t points, roberts_error *error)
+{
+    error_set_file(error, name ? name : "");
+    return error_set(error, ROBERTS_FLAT, 0, "a convex hull takes four points, but there %s %zu",
+                     points == 1 ? "is" : "are", points);
+}
+
+roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, roberts_error *error)
+{
+    const size_t inputs = hull_input_count(mesh);
+    size_t corners = mesh->corner_count, count = mesh->face_count, few = inputs, vertices_of_few = 0;
+    for (size_t i = 0; i < inputs; i++) {
+        const size_t points = hull_bare_points(mesh, i);
+        if (points >= HULL_POINTS) {
+            corners += points;
+            count++;
+        } else if (points > 0) {
+            vertices_of_few += points;
+            few = few < i ? few : i;
+        }
+    }
+    if (few < inputs && vertices_of_few == mesh->vertex_count)
+        return refuse_few(mesh->source_count ? mesh->source[few].name : NULL, hull_bare_points(mesh, few), error);
+    if (count == mesh->face_count)
+        return ROBERTS_OK;
+    if (count >= ROBERTS_NONE || corners >= ROBERTS_NONE)
+        return error_no_memory(error);
+    uint32_t *start = alloc_array(count + 1, sizeof *start), *corner = alloc_array(corners, sizeof *corner);
+    if (!start || !corner) {
+        free(start);
+        free(corner);
+        return error_no_memory(error);
+    }
+    start[0] = 0;
+    if (mesh->face_count > 0)
+        memcpy(start, mesh->face_start, (mesh->face_count + 1) * sizeof *start);
+    if (mesh->corner_count > 0)
+        memcpy(corner, mesh->corner, mesh->corner_count * sizeof *corner);
+    faces->face_count = (uint32_t)mesh->face_count;
+    for (size_t i = 0; i < inputs; i++) {
+        const hull_input range = hull_input_at(mesh, i);
+        if (hull_bare_points(mesh, i) < HULL_POINTS)
+            continue;
+        uint32_t to = start[faces->face_count];
+        for (size_t v = range.vertex; v < range.vertex_end; v++)
+            corner[to++] = (uint32_t)v;
+        start[++faces->face_count] = to;
+    }
+    faces->start = faces->own_start = start;
+    faces->corner = faces->own_corner = corner;
+    return ROBERTS_OK;
+}
+
+/* ---- what is said ------------------------------------------------------------------------------------------------ */
+
+/* What is said of solids in whose place there is a hull, or nothing. */
+
+/* What has become of a solid. */
+typedef enum hull_fate {
+    FATE_KEPT,  /* it is sound, or stands for points without faces, whose hull is all that was wanted */
+    FATE_FLAT,  /* left out */
+    FATE_OPEN,  /* replaced by its hull, since it is not closed */
+    FATE_BENT,  /* ... since a face is not planar */
+    FATE_DENTED /* ... since it is not convex, or too flat to tell */
+} hull_fate;
+
+/* Fails: solid s has no hull, and why. */
+static roberts_status hull_refuse(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh,
+                                  roberts_status status, const char *why, roberts_error *error)
+{
+    solid_source at = source_of_points(scene, s, mesh);
+    error_set_file(error, at.file);
+    return error_set(error, status, 0, "the convex hull of solid %u, of %u points from vertex %u on, %s", s - at.solid,
+                     scene->solid[s + 1].vertex - scene->solid[s].vertex,
+                     scene_vertex_number(scene, scene->solid[s].vertex) - at.vertex, why);
+}
+
+static const char *name_input(const roberts_mesh *mesh, size_t input)
+{
+    return mesh->source_count && mesh->source[input].name ? mesh->source[input].name : "";
+}
+
+static void warn_flat(const roberts_scene *scene, uint32_t first, uint32_t count, const roberts_mesh *mesh,
+                      size_t input, const roberts_warnings *warnings)
+{
+    const bool one = count == 1;
+    warning_send(warnings, name_input(mesh, input), 0,
+                 "%u flat component%s ignored, %sof %u points from vertex %u on: %s", count, one ? "" : "s",
+                 one ? "" : "the first ", scene->solid[first + 1].vertex - scene->solid[first].vertex,
+                 scene_vertex_number(scene, scene->solid[first].vertex) - (uint32_t)hull_input_at(mesh, input).vertex,
+                 one ? "it has no convex hull" : "they have no convex hulls");
+}
+
+/* "3 solids replaced by their convex hulls: 2 not closed, 1 not convex", without the counts where there is one reason only. */
+static void warn_replaced(const uint32_t count[], const char *name, const roberts_warnings *warnings)
+{
+    static const char *const why[] = {
+        [FATE_OPEN] = "not closed", [FATE_BENT] = "not planar", [FATE_DENTED] = "not convex"};
+    const uint32_t all = count[FATE_OPEN] + count[FATE_BENT] + count[FATE_DENTED];
+    char reasons[120] = "";
+    size_t used = 0;
+    if (all == 0)
+        return;
+    for (int i = FATE_OPEN; i <= FATE_DENTED; i++)
+        if (count[i] == all)
+            snprintf(reasons, sizeof reasons, "%s", why[i]);
+        else if (count[i] > 0)
+            used +=
+                (size_t)snprintf(reasons + used, sizeof reasons - used, "%s%u %s", used ? ", " : "", count[i], why[i]);
+    warning_send(warnings, name, 0, "%u solid%s replaced by %s: %s", all, all == 1 ? "" : "s",
+                 all == 1 ? "its convex hull" : "their convex hulls", reasons);
+}
+
+static void warn_few(size_t points, const char *name, const roberts_warnings *warnings)
+{
+    if (points > 0 && points < HULL_POINTS)
+        warning_send(warnings, name, 0, "%zu point%s ignored: a convex hull takes four", points,
+                     points == 1 ? "" : "s");
+}
+
+static bool all_flat(const uint8_t *fate, uint32_t solids)
+{
+    uint32_t s = 0;
+    while (s < solids && fate[s] == FATE_FLAT)
+        s++;
+    return s == solids;
+}
+
+/* An input has the solids whose first vertex is in it. */
+/* Warns of each input by itself. Where all solids are flat nothing is left to draw: ROBERTS_FLAT. fate: [solids] hull_fate. */
+static roberts_status hull_tell(const uint8_t *fate, const roberts_scene *scene, const roberts_mesh *mesh,
+                                const roberts_warnings *warnings, roberts_error *error)
+{
+    uint32_t s = 0;
+    if (all_flat(fate, scene->solid_count))
+        return hull_refuse(scene, 0, mesh, ROBERTS_FLAT, "is flat: they lie in one plane, or nearly so", error);
+    for (size_t i = 0; i < hull_input_count(mesh); i++) {
+        const size_t vertex_end = hull_input_at(mesh, i).vertex_end;
+        uint32_t count[FATE_DENTED + 1] = {0}, first = ROBERTS_NONE;
+        for (; s < scene->solid_count && scene_vertex_number(scene, scene->solid[s].vertex) < vertex_end; s++)
+            if (count[fate[s]]++ == 0 && fate[s] == FATE_FLAT)
+                first = s;
+        warn_replaced(count, name_input(mesh, i), warnings);
+        if (first != ROBERTS_NONE)
+            warn_flat(scene, first, count[FATE_FLAT], mesh, i, warnings);
+        warn_few(hull_bare_points(mesh, i), name_input(mesh, i), warnings);
+    }
+    return ROBERTS_OK;
+}
+
+/* ---- hulls ------------------------------------------------------------------------------------------------------- */
 
 /* Facets come out as planar as a few widths: a tenth of the tolerance keeps them within it. */
 static const double WIDTH_PART = 0.1;

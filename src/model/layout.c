@@ -7,6 +7,7 @@
 
 #include "base/array.h"
 #include "base/box.h"
+#include "read/mesh.h"
 
 enum { LEAST_EXPONENT = -1000 }; /* of the unit: 1 / 2^-1074 would overflow */
 
@@ -77,6 +78,7 @@ void layout_clear(roberts_scene *scene)
     scene_surface_free(scene->surface);
     free(scene->vertex_color);
     free(scene->face_color);
+    mesh_groups_free(scene->group, scene->group_count);
     *scene = (roberts_scene){0};
 }
 

@@ -2,7 +2,7 @@
 #ifndef ROBERTS_MODEL_LAYOUT_H
 #define ROBERTS_MODEL_LAYOUT_H
 
-#include "model/polygons.h"
+#include "model/components.h"
 #include "model/scene.h"
 
 /* What the vertices and faces of a scene keep of the mesh's numbering. */

@@ -2,18 +2,18 @@
  *
  * Everything is numbered compactly and solid by solid: solid s owns vertices solid[s].vertex .. solid[s+1].vertex - 1,
  * and in the same way its faces and edges (a sentinel solid closes the list). `number` leads back to the input; in most
- * files the numbers are the input's own, and then there is none. What a stored edge names is counted from its solid's first
- * vertex and face.
+ * files the numbers are the input's own, and then there is none. What a stored edge names is counted from its solid's
+ * first vertex and face.
  *
- * Invariants: every face has at least three different corners, counter-clockwise seen from outside; its plane F has
- * F > 0 inside. Solids are numbered by their smallest input vertex (of several that share it, by their smallest face; a
- * vertex that several solids use is there once for each; a hull by that of all its points); vertices and faces of a solid
- * ascend by input number; edges ascend by (number of v[0], number of v[1]) and v[0] < v[1]. A face that is narrower than
- * the tolerance, or has no area, is wound like its neighbours and may have a plane that leans on theirs; it is the only
- * kind of face whose corners may turn the other way about its plane. Every edge has two faces.
+ * Invariants: every face has at least three different corners, counter-clockwise seen from outside; its plane F has F >
+ * 0 inside. Solids are numbered by their smallest input vertex (of several that share it, by their smallest face; a
+ * vertex that several solids use is there once for each; a hull by that of all its points); vertices and faces of a
+ * solid ascend by input number; edges ascend by (number of v[0], number of v[1]) and v[0] < v[1]. A face that is
+ * narrower than the tolerance, or has no area, is wound like its neighbours and may have a plane that leans on theirs;
+ * it is the only kind of face whose corners may turn the other way about its plane. Every edge has two faces.
  *
- * That is so of convex bodies. A scene with others has a scene_surface; a new vertex, where a border crosses itself, has no
- * number (ROBERTS_NONE); and an edge has f[1] or both ROBERTS_NONE where it has one face or none. */
+ * That is so of convex bodies. A scene with others has a scene_surface; a new vertex, where a border crosses itself, has
+ * no number (ROBERTS_NONE); and an edge has f[1] or both ROBERTS_NONE where it has one face or none. */
 #ifndef ROBERTS_MODEL_SCENE_H
 #define ROBERTS_MODEL_SCENE_H
 
@@ -92,6 +92,9 @@ struct roberts_scene {
     roberts_vec3 box_min, box_max;            /* box round all vertices that faces use */
     roberts_vec3 centre;                      /* middle of that box */
     scene_surface *surface;                   /* NULL: all bodies are convex */
+    double float32_step;                      /* see mesh_float32_step() */
+    roberts_group *group;                     /* [group_count] as in the input; NULL where there are none */
+    size_t group_count;
     double unit; /* about the box's size, a power of two; of face_deviation and face_width, and of view space */
 };
 
@@ -135,9 +138,9 @@ static inline scene_edge scene_edge_at(const roberts_scene *scene, uint32_t s, u
                         {edge->f[0] + solid->face, edge->f[1] + solid->face}};
 }
 
-/* Greatest distance of a corner of the face from the fitted plane, model units, and its width, which is area over greatest
- * chord: between half of the least width and all of it. Both are bounds: rounded to floats, the deviation upward and the
- * width downward (to 1e-45 of the scene's size). */
+/* Greatest distance of a corner of the face from the fitted plane, model units, and its width, which is area over
+ * greatest chord: between half of the least width and all of it. Both are bounds: rounded to floats, the deviation
+ * upward and the width downward (to 1e-45 of the scene's size). */
 static inline double scene_deviation(const roberts_scene *scene, uint32_t face)
 {
     return scene->unit * (double)scene->face_deviation[face];

@@ -6,7 +6,7 @@
  *
  * 1. By the file. Faces of one solid mostly stand together, so faces are taken in order until each edge of those taken has
  *    two of them; these are a solid, or some that do not touch. It needs no geometry, and gives back what was written.
- * 2. By the angles between faces: see walls.c.
+ * 2. By the angles between faces: see below.
  *
  * Both are linear for faces with few neighbours. */
 #include "model/split.h"
@@ -16,7 +16,330 @@
 
 #include "base/array.h"
 #include "base/sets.h"
-#include "model/walls.h"
+#include "model/face_plane.h"
+#include "model/solid.h"
+
+/* ---- by angles: the walk along the walls ------------------------------------------------------------------------- */
+
+/* Solids that touch, told apart by the angles between their faces.
+ *
+ * Idea: from a face and an assumed inner side one proceeds over each edge to the face that comes first when one turns through
+ * the inside, as one walks along the walls of a room; a solid is convex, so that the turn is at most a half one. If this
+ * closes, it is a solid. Faces with the same vertices are one wall with two sides, taken once for each solid. One begins with
+ * the outermost face that is left, from which only one side can close, and goes on with the other sides of the walls just
+ * taken, where the neighbours are. That is linear for faces with few neighbours; a budget bounds what hostile input can cost. */
+
+/* What both ways work on. */
+typedef struct splitter {
+    const roberts_scene *loose;
+    const edge_scratch *edges;
+    split_groups *groups;
+    uint32_t face_count, corner_count, edge_count;
+    uint32_t *edge_of;    /* [corner_count] edge that starts at the corner */
+    uint32_t *edge_start; /* [edge_count + 1] into edges->half */
+    uint32_t *parent;     /* [face_count] union-find over edges */
+    uint32_t *order;      /* [face_count] faces by piece */
+    uint32_t *count;      /* [edge_count] faces taken, 0 between uses */
+    uint32_t *last;       /* [edge_count] a face taken */
+} splitter;
+
+/* The face of half-edge i. */
+static inline uint32_t splitter_face(const splitter *s, uint32_t i)
+{
+    return s->edges->face_of[(uint32_t)s->edges->half[i]];
+}
+
+/* The number of a new group. */
+static inline uint32_t splitter_group(splitter *s, bool closed)
+{
+    s->groups->closed[s->groups->count] = closed;
+    return s->groups->count++;
+}
+
+/* Radians. Neighbours are coplanar or folded onto one another within this: coarse, since it only guides the walk; what
+ * it yields is checked like any other solid. */
+static const double ANGLE_SLACK = 0.01;
+
+/* Radians. Angles nearer to one another are a tie. */
+static const double ANGLE_TIE = 1e-6;
+
+enum { BUDGET = 40 }; /* angles per corner that walks may compute on the average; blocks of cubes take some 7 */
+
+/* Faces with the same vertices. */
+typedef struct wall {
+    uint32_t first, size, used; /* members are sorted[first] .. sorted[first + size - 1]; the first `used` are taken */
+    uint32_t walk;              /* the walk that has it */
+    int side;                   /* +1: its inside is where n points, -1: the other */
+    roberts_vec3 n, middle;
+} wall;
+
+typedef struct wall_key {
+    uint64_t hash; /* of the vertices, in any order */
+    uint32_t face;
+} wall_key;
+
+typedef struct start_key {
+    roberts_vec3 at; /* the least corner */
+    double facing;   /* |x| of the normal, greatest first */
+    uint32_t wall;
+} start_key;
+
+typedef struct step {
+    uint32_t wall;
+    int side;
+} step;
+
+typedef struct walker {
+    splitter *s;
+    const solid_frame *frame;
+    wall *walls;
+    uint32_t wall_count, walk;
+    wall_key *sorted;  /* [faces of the piece] */
+    uint32_t *wall_of; /* [face_count] */
+    start_key *start;  /* [wall_count] */
+    step *queue;       /* [wall_count] the walk */
+    step *beyond;      /* other sides of walls taken */
+    uint32_t beyond_count;
+    size_t beyond_room;
+    uint64_t budget;
+} walker;
+
+static uint64_t scramble(uint64_t x)
+{
+    x = (x + 0x9e3779b97f4a7c15u) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ x >> 27) * 0x94d049bb133111ebu;
+    return x ^ x >> 31;
+}
+
+static int compare_wall_keys(const void *a, const void *b)
+{
+    const wall_key *p = a, *q = b;
+    if (p->hash != q->hash)
+        return p->hash < q->hash ? -1 : 1;
+    return (p->face > q->face) - (p->face < q->face);
+}
+
+static int compare_starts(const void *a, const void *b)
+{
+    const start_key *p = a, *q = b;
+    int order = vec3_compare(p->at, q->at);
+    if (order)
+        return order;
+    if (p->facing != q->facing)
+        return p->facing > q->facing ? -1 : 1;
+    return (p->wall > q->wall) - (p->wall < q->wall);
+}
+
+static uint32_t size_of(const splitter *s, uint32_t f)
+{
+    return s->loose->face_start[f + 1] - s->loose->face_start[f];
+}
+
+/* Sorts the piece's faces into walls. Two faces with the same hash by chance (one in 2^64) or by malice make a walk that
+ * does not close, which is refused like any other. */
+static void find_walls(walker *w, uint32_t from, uint32_t to)
+{
+    splitter *s = w->s;
+    for (uint32_t i = from; i < to; i++) {
+        uint32_t f = s->order[i];
+        uint64_t hash = 0;
+        for (uint32_t c = s->loose->face_start[f]; c < s->loose->face_start[f + 1]; c++)
+            hash += scramble(s->loose->corner[c]);
+        w->sorted[i - from] = (wall_key){hash, f};
+    }
+    qsort(w->sorted, to - from, sizeof *w->sorted, compare_wall_keys);
+    for (uint32_t i = 0; i < to - from; i++) {
+        if (i == 0 || w->sorted[i].hash != w->sorted[i - 1].hash ||
+            size_of(s, w->sorted[i].face) != size_of(s, w->sorted[i - 1].face))
+            w->walls[w->wall_count++] = (wall){.first = i};
+        w->walls[w->wall_count - 1].size++;
+        w->wall_of[w->sorted[i].face] = w->wall_count - 1;
+    }
+}
+
+static void measure_walls(walker *w)
+{
+    for (uint32_t i = 0; i < w->wall_count; i++) {
+        wall *it = &w->walls[i];
+        uint32_t n = frame_ring(w->frame, w->s->loose, w->sorted[it->first].face);
+        roberts_vec3 origin = frame_origin(w->frame, w->s->loose, w->sorted[it->first].face);
+        roberts_vec3 least = origin, sum = {0, 0, 0};
+        it->n = face_plane_fit(w->frame->ring, n).n;
+        for (uint32_t k = 0; k < n; k++) {
+            roberts_vec3 p = vec3_add(origin, w->frame->ring[k]);
+            sum = vec3_add(sum, p);
+            if (p.x < least.x || (p.x == least.x && (p.y < least.y || (p.y == least.y && p.z < least.z))))
+                least = p;
+        }
+        it->middle = vec3_scale(1.0 / n, sum);
+        w->start[i] = (start_key){least, fabs(it->n.x), i};
+    }
+    qsort(w->start, w->wall_count, sizeof *w->start, compare_starts);
+}
+
+/* From the edge at P along `along` (of length 1) into the face. */
+static roberts_vec3 into_face(const wall *it, roberts_vec3 P, roberts_vec3 along)
+{
+    roberts_vec3 d = vec3_sub(it->middle, P);
+    d = vec3_sub(d, vec3_scale(vec3_dot(d, along), along));
+    return vec3_scale(1.0 / vec3_length(d), d);
+}
+
+/* The wall that follows `it` over edge e when one turns from it through the inside. False where there is none within a
+ * half turn. */
+static bool next_wall(walker *w, uint32_t it, int side, uint32_t e, step *next)
+{
+    const splitter *s = w->s;
+    const wall *from = &w->walls[it];
+    uint32_t corner = (uint32_t)s->edges->half[s->edge_start[e]], f = s->edges->face_of[corner];
+    uint32_t after = corner + 1 < s->loose->face_start[f + 1] ? corner + 1 : s->loose->face_start[f];
+    roberts_vec3 P = w->frame->point[s->loose->corner[corner]], Q = w->frame->point[s->loose->corner[after]];
+    roberts_vec3 along = vec3_sub(Q, P), u, m = vec3_scale(side, from->n);
+    double best = 3.14159265358979323846 + ANGLE_SLACK;
+    bool found = false;
+    along = vec3_scale(1.0 / vec3_length(along), along);
+    u = into_face(from, P, along);
+    for (uint32_t i = s->edge_start[e]; i < s->edge_start[e + 1]; i++) {
+        uint32_t other = w->wall_of[splitter_face(s, i)];
+        const wall *to = &w->walls[other];
+        roberts_vec3 v = into_face(to, P, along), back;
+        double angle = atan2(vec3_dot(v, m), vec3_dot(v, u));
+        bool taken = to->walk == w->walk;
+        w->budget -= w->budget > 0;
+        if (other == it || (!taken && to->used == to->size) || !(angle > ANGLE_SLACK || angle < -3.0))
+            continue;
+        angle = angle < 0.0 ? angle + 2.0 * 3.14159265358979323846 : angle;
+        /* of walls that lie on one another, the one that is in the walk already */
+        if (found && (angle > best + ANGLE_TIE || (angle > best - ANGLE_TIE && !taken)))
+            continue;
+        if (!found && !(angle <= best))
+            continue;
+        back = vec3_sub(vec3_scale(sin(angle), u), vec3_scale(cos(angle), m));
+        best = angle;
+        found = true;
+        *next = (step){other, vec3_dot(to->n, back) > 0.0 ? 1 : -1};
+    }
+    return found;
+}
+
+/* Walks from one side of a wall. Returns how many walls the walk has, in w->queue; 0 where it does not close. */
+static uint32_t walk_from(walker *w, step begin)
+{
+    const splitter *s = w->s;
+    uint32_t head = 0, tail = 0;
+    w->walk++;
+    w->walls[begin.wall].walk = w->walk;
+    w->walls[begin.wall].side = begin.side;
+    w->queue[tail++] = begin;
+    while (head < tail) {
+        step here = w->queue[head++], next;
+        uint32_t f = w->sorted[w->walls[here.wall].first].face;
+        for (uint32_t c = s->loose->face_start[f]; c < s->loose->face_start[f + 1]; c++) {
+            if (w->budget == 0 || !next_wall(w, here.wall, here.side, s->edge_of[c], &next))
+                return 0;
+            wall *to = &w->walls[next.wall];
+            if (to->walk == w->walk && to->side != next.side)
+                return 0;
+            if (to->walk == w->walk)
+                continue;
+            to->walk = w->walk;
+            to->side = next.side;
+            w->queue[tail++] = next;
+        }
+    }
+    return tail;
+}
+
+/* Whether each edge of the walk has two of its walls. */
+static bool walk_closes(walker *w, uint32_t count)
+{
+    splitter *s = w->s;
+    bool closes = true;
+    for (int pass = 0; pass < 3; pass++) /* count, compare, forget */
+        for (uint32_t i = 0; i < count; i++) {
+            uint32_t f = w->sorted[w->walls[w->queue[i].wall].first].face;
+            for (uint32_t c = s->loose->face_start[f]; c < s->loose->face_start[f + 1]; c++) {
+                uint32_t *seen = &s->count[s->edge_of[c]];
+                closes &= pass != 1 || *seen == 2;
+                *seen = pass == 0 ? *seen + 1 : pass == 1 ? *seen : 0;
+            }
+        }
+    return closes;
+}
+
+/* Takes one face of each wall of the walk for a new group, and notes the other sides of walls that have more. */
+static bool take_walk(walker *w, uint32_t count)
+{
+    uint32_t group = splitter_group(w->s, true);
+    if (!array_reserve(&w->beyond, &w->beyond_room, (size_t)w->beyond_count + count, sizeof *w->beyond))
+        return false;
+    for (uint32_t i = 0; i < count; i++) {
+        wall *it = &w->walls[w->queue[i].wall];
+        w->s->groups->of[w->sorted[it->first + it->used++].face] = group;
+        if (it->used < it->size)
+            w->beyond[w->beyond_count++] = (step){w->queue[i].wall, -w->queue[i].side};
+    }
+    return true;
+}
+
+static bool try_side(walker *w, step begin, bool *enough)
+{
+    uint32_t count;
+    if (w->walls[begin.wall].used == w->walls[begin.wall].size)
+        return false;
+    count = walk_from(w, begin);
+    if (count == 0 || !walk_closes(w, count))
+        return false;
+    *enough = take_walk(w, count);
+    return true;
+}
+
+static bool walk_all(walker *w)
+{
+    bool enough = true;
+    for (uint32_t i = 0; i < w->wall_count && enough; i++) {
+        uint32_t it = w->start[i].wall;
+        int side = w->walls[it].n.x < 0.0 ? -1 : 1; /* everything left lies toward +x */
+        bool more = true;
+        while (more && enough) {
+            more = try_side(w, (step){it, side}, &enough) || try_side(w, (step){it, -side}, &enough);
+            while (enough && w->beyond_count > 0)
+                try_side(w, w->beyond[--w->beyond_count], &enough);
+        }
+    }
+    return enough;
+}
+
+/* Splits the piece order[from] .. order[to - 1], in the frame of all points; what does not close stays without a
+ * group. False: no memory. */
+static bool walls_split(splitter *s, const solid_frame *frame, uint32_t from, uint32_t to)
+{
+    walker w = {.s = s, .frame = frame};
+    size_t faces = to - from;
+    bool enough;
+    w.walls = alloc_array(faces, sizeof *w.walls);
+    w.sorted = alloc_array(faces, sizeof *w.sorted);
+    w.wall_of = alloc_array(s->face_count, sizeof *w.wall_of);
+    w.start = alloc_array(faces, sizeof *w.start);
+    w.queue = alloc_array(faces, sizeof *w.queue);
+    enough = w.walls && w.sorted && w.wall_of && w.start && w.queue;
+    if (enough) {
+        for (uint32_t i = from; i < to; i++)
+            w.budget += BUDGET * (uint64_t)size_of(s, s->order[i]);
+        find_walls(&w, from, to);
+        measure_walls(&w);
+        enough = walk_all(&w);
+    }
+    free(w.walls);
+    free(w.sorted);
+    free(w.wall_of);
+    free(w.start);
+    free(w.queue);
+    free(w.beyond);
+    return enough;
+}
+
+/* ---- pieces, and both ways --------------------------------------------------------------------------------------- */
 
 /* ---- pieces -------------------------------------------------------------------------------------------------------- */
 

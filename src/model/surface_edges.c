@@ -8,8 +8,8 @@
 
 #include "base/array.h"
 #include "base/box.h"
-#include "base/compare.h"
 #include "base/sets.h"
+#include "base/sort.h"
 #include "model/point_grid.h"
 #include "model/surface.h"
 

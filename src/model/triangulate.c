@@ -7,7 +7,7 @@
 
 #include "base/array.h"
 #include "base/bits.h"
-#include "base/compare.h"
+#include "base/sort.h"
 #include "model/face_pieces.h"
 
 /* With more corners than this those near a triangle are found along a curve. */

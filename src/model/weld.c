@@ -9,7 +9,17 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/error.h"
+#include "base/sets.h"
+#include "base/sort.h"
 #include "base/vec.h"
+#include "model/edges.h"
+#include "model/layout.h"
+#include "model/source.h"
+#include "model/split.h"
+#include "read/mesh.h"
+
+/* ---- equal positions --------------------------------------------------------------------------------------------- */
 
 enum { SHORT_BUCKET = 16 };
 
@@ -46,13 +56,7 @@ static void sort_bucket(spot *first, uint32_t count)
         qsort(first, count, sizeof *first, compare_spots);
         return;
     }
-    for (uint32_t i = 1; i < count; i++) {
-        spot moving = first[i];
-        uint32_t j = i;
-        for (; j > 0 && compare_spots(&first[j - 1], &moving) > 0; j--)
-            first[j] = first[j - 1];
-        first[j] = moving;
-    }
+    SORT_FEW(spot, first, count, compare_spots(a, b) > 0)
 }
 
 /* Deals the vertices; end[b] becomes the end of bucket b. */
@@ -93,4 +97,233 @@ bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const
     free(sorted);
     free(end);
     return enough;
+}
+
+/* ---- components that are not closed ------------------------------------------------------------------------------ */
+
+/* Components that are not closed as they stand: welded, split, and numbered together with the others.
+ *
+ * Files that give each face vertices of its own ("soup") have a component for each face. Open components are welded with
+ * one another where positions are exactly equal, never with closed ones: solids that are whole in the file stay as they
+ * are, though they may touch. */
+
+typedef struct solid_key {
+    uint32_t vertex, face; /* the smallest of each */
+    uint32_t id;
+} solid_key;
+
+static int compare_keys(const void *a, const void *b)
+{
+    const solid_key *p = a, *q = b;
+    if (p->vertex != q->vertex)
+        return p->vertex < q->vertex ? -1 : 1;
+    return (p->face > q->face) - (p->face < q->face);
+}
+
+/* Gives each vertex of an open component the name of the first one at its position, all others their own. */
+static roberts_status weld_open(const roberts_scene *scene, const uint8_t *open, polygons *faces,
+                                const roberts_mesh *mesh, roberts_error *error)
+{
+    uint32_t *name = alloc_array(faces->vertex_count, sizeof *name);
+    uint32_t *listed = alloc_array(scene->vertex_count, sizeof *listed), count = 0;
+    roberts_status status = ROBERTS_OK;
+    bool enough = name && listed;
+    for (uint32_t v = 0; v < faces->vertex_count && enough; v++)
+        name[v] = v;
+    for (uint32_t s = 0; s < scene->solid_count && enough; s++)
+        for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex && open[s]; v++) {
+            listed[count++] = scene_vertex_number(scene, v);
+            if (!mesh_position(scene->point[v]))
+                status = error_set(error, ROBERTS_BAD_NUMBER, 0, "vertex %u is not a finite number up to 1e150",
+                                   scene_vertex_number(scene, v));
+        }
+    if (status == ROBERTS_OK &&
+        !(enough && weld_vertices(name, listed, count, mesh->vertex) && polygons_clean(faces, name)))
+        status = error_no_memory(error);
+    free(name);
+    free(listed);
+    return status;
+}
+
+/* Sets of[f], and returns the number of faces that need splitting: those get 0 in `loose_of`, the others none. */
+static uint32_t list_open(const roberts_scene *scene, const uint8_t *open, const polygons *faces, uint32_t *of,
+                          uint32_t *loose_of)
+{
+    uint32_t count = 0;
+    memset(of, 0xff, faces->face_count * sizeof *of);
+    memset(loose_of, 0xff, faces->face_count * sizeof *loose_of);
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        for (uint32_t i = scene->solid[s].face; i < scene->solid[s + 1].face; i++) {
+            uint32_t f = scene_face_number(scene, i);
+            if (!open[s]) {
+                of[f] = s;
+            } else if (polygon_size(faces, f) >= 3) { /* welding may have left fewer */
+                loose_of[f] = 0;
+                count++;
+            }
+        }
+    return count;
+}
+
+/* Replaces the ids in of[] (below id_count, some not in use) by solid numbers, and gives the id of each solid. Returns
+ * how many solids there are, or ROBERTS_NONE: no memory. */
+static uint32_t number_solids(uint32_t *of, uint32_t id_count, const polygons *faces, uint32_t *id_of)
+{
+    solid_key *key = alloc_array(id_count, sizeof *key);
+    uint32_t *rank = alloc_array(id_count, sizeof *rank), count = 0;
+    if (key && rank) {
+        for (uint32_t i = 0; i < id_count; i++)
+            key[i] = (solid_key){ROBERTS_NONE, ROBERTS_NONE, i};
+        for (uint32_t f = 0; f < faces->face_count; f++) {
+            if (of[f] == ROBERTS_NONE)
+                continue;
+            solid_key *k = &key[of[f]];
+            k->face = k->face == ROBERTS_NONE ? f : k->face;
+            for (uint32_t i = faces->start[f]; i < faces->start[f + 1]; i++)
+                k->vertex = faces->corner[i] < k->vertex ? faces->corner[i] : k->vertex;
+        }
+        qsort(key, id_count, sizeof *key, compare_keys);
+        for (; count < id_count && key[count].face != ROBERTS_NONE; count++) {
+            rank[key[count].id] = count;
+            id_of[count] = key[count].id;
+        }
+        for (uint32_t f = 0; f < faces->face_count; f++)
+            of[f] = of[f] == ROBERTS_NONE ? ROBERTS_NONE : rank[of[f]];
+    } else {
+        count = ROBERTS_NONE;
+    }
+    free(key);
+    free(rank);
+    return count;
+}
+
+/* Where solid s comes from, by the solid of each face: all vertices and faces of the solids of earlier files are smaller. */
+static solid_source source_of_group(uint32_t s, const uint32_t *of, const polygons *faces, const roberts_mesh *mesh)
+{
+    uint32_t v[2] = {ROBERTS_NONE, 0}, f[2] = {ROBERTS_NONE, 0};
+    for (uint32_t face = 0; face < faces->face_count; face++)
+        for (uint32_t i = faces->start[face]; i < faces->start[face + 1] && of[face] == s; i++) {
+            v[0] = faces->corner[i] < v[0] ? faces->corner[i] : v[0];
+            v[1] = faces->corner[i] > v[1] ? faces->corner[i] : v[1];
+            f[0] = face < f[0] ? face : f[0];
+            f[1] = face;
+        }
+    solid_source at = source_find(mesh, v[0], v[1], f[0], f[1]);
+    for (uint32_t face = 0; face < faces->face_count; face++)
+        for (uint32_t i = faces->start[face]; i < faces->start[face + 1] && of[face] != ROBERTS_NONE; i++)
+            if (faces->corner[i] < at.vertex && of[face] >= at.solid)
+                at.solid = of[face] + 1;
+    return at;
+}
+
+/* Says that solid s, which is the group `group` and comes from `at`, is not closed: its first edge (by vertices) that has
+ * not two faces. */
+static roberts_status refuse_open(uint32_t s, solid_source at, uint32_t group, const split_groups *groups,
+                                  const roberts_scene *loose, const edge_scratch *edges, roberts_error *error)
+{
+    uint32_t start = 0, others = 0, v0 = 0, v1 = 0, has = 0;
+    for (uint32_t v = 0; v < loose->vertex_count; start = edges->end[v++])
+        for (uint32_t i = start, to; i < edges->end[v]; i = to) {
+            bool here = false;
+            for (to = i; to < edges->end[v] && edges->half[to] >> 32 == edges->half[i] >> 32; to++)
+                here |= groups->of[edges->face_of[(uint32_t)edges->half[to]]] == group;
+            if (to - i == 2)
+                continue;
+            others++;
+            if (has || !here)
+                continue;
+            v0 = loose->number[v] - at.vertex;
+            v1 = loose->number[edges->half[i] >> 32] - at.vertex;
+            has = to - i;
+        }
+    error_set_file(error, at.file);
+    s -= at.solid;
+    if (!has)
+        return error_set(error, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed", s);
+    if (others > 1)
+        return error_set(error, ROBERTS_NOT_CLOSED, 0,
+                         "solid %u is not closed: edge %u-%u belongs to %u face%s instead of 2 (%u such edges in all)",
+                         s, v0, v1, has, has == 1 ? "" : "s", others);
+    return error_set(error, ROBERTS_NOT_CLOSED, 0,
+                     "solid %u is not closed: edge %u-%u belongs to %u face%s instead of 2", s, v0, v1, has,
+                     has == 1 ? "" : "s");
+}
+
+/* Makes one of the groups that are open and share a vertex. False: no memory. */
+static bool join_open(split_groups *groups, const roberts_scene *loose)
+{
+    uint32_t *parent = alloc_array(groups->count, sizeof *parent);
+    uint32_t *owner = alloc_array(loose->vertex_count, sizeof *owner); /* the first open group that has the vertex */
+    bool enough = parent && owner;
+    for (uint32_t g = 0; enough && g < groups->count; g++)
+        parent[g] = g;
+    for (uint32_t v = 0; enough && v < loose->vertex_count; v++)
+        owner[v] = ROBERTS_NONE;
+    for (uint32_t f = 0; enough && f < loose->face_count; f++)
+        for (uint32_t i = loose->face_start[f]; i < loose->face_start[f + 1] && !groups->closed[groups->of[f]]; i++) {
+            uint32_t *first = &owner[loose->corner[i]];
+            if (*first == ROBERTS_NONE)
+                *first = groups->of[f];
+            parent[sets_root(parent, groups->of[f])] = sets_root(parent, *first);
+        }
+    for (uint32_t f = 0; enough && f < loose->face_count; f++)
+        groups->of[f] = sets_root(parent, groups->of[f]);
+    free(parent);
+    free(owner);
+    return enough;
+}
+
+/* Splits the loose faces, numbers all solids, and lays them out in place of the components. */
+static roberts_status lay_out_again(roberts_scene *scene, const roberts_scene *loose, const edge_scratch *edges,
+                                    split_groups *groups, uint32_t *of, const polygons *faces, const roberts_mesh *mesh,
+                                    bool keep_open, roberts_error *error)
+{
+    uint32_t components = scene->solid_count, solids;
+    uint32_t *id_of = alloc_array((size_t)components + groups->count, sizeof *id_of);
+    roberts_status status = ROBERTS_OK;
+    for (uint32_t f = 0; f < loose->face_count; f++)
+        of[loose->face_number[f]] = components + groups->of[f];
+    solids = id_of ? number_solids(of, components + groups->count, faces, id_of) : ROBERTS_NONE;
+    if (solids == ROBERTS_NONE)
+        status = error_no_memory(error);
+    for (uint32_t s = 0; status == ROBERTS_OK && s < solids && !keep_open; s++)
+        if (id_of[s] >= components && !groups->closed[id_of[s] - components])
+            status =
+                refuse_open(s, source_of_group(s, of, faces, mesh), id_of[s] - components, groups, loose, edges, error);
+    if (status == ROBERTS_OK) {
+        layout_clear(scene);
+        if (!layout_solids(scene, faces, of, solids, mesh->vertex))
+            status = error_no_memory(error);
+    }
+    free(id_of);
+    return status;
+}
+
+roberts_status regroup(roberts_scene *scene, const uint8_t *open, polygons *faces, const roberts_mesh *mesh,
+                       bool keep_open, roberts_error *error)
+{
+    roberts_status status = weld_open(scene, open, faces, mesh, error);
+    roberts_scene loose = {0};
+    edge_scratch edges = {0};
+    split_groups groups = {0};
+    uint32_t *of, *loose_of;
+    if (status != ROBERTS_OK)
+        return status;
+    of = alloc_array(faces->face_count, sizeof *of);
+    loose_of = alloc_array(faces->face_count, sizeof *loose_of);
+    status = ROBERTS_NO_MEMORY;
+    if (!of || !loose_of)
+        goto done;
+    if (list_open(scene, open, faces, of, loose_of) > 0 &&
+        (!layout_solids(&loose, faces, loose_of, 1, mesh->vertex) || !edges_sort(&loose, 0, &edges) ||
+         !split_faces(&groups, &loose, &edges) || (keep_open && !join_open(&groups, &loose))))
+        goto done;
+    status = lay_out_again(scene, &loose, &edges, &groups, of, faces, mesh, keep_open, error);
+done:
+    layout_clear(&loose);
+    edge_scratch_free(&edges);
+    split_groups_free(&groups);
+    free(of);
+    free(loose_of);
+    return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }

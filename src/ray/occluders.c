@@ -1,4 +1,4 @@
-/* occluders.c - all that may hide something. See occluders.h. */
+/* occluders.c - the front faces of a scene, in a tree of boxes. See occluders.h. */
 #include "ray/occluders.h"
 
 #include <stdlib.h>
@@ -6,21 +6,22 @@
 
 #include "base/array.h"
 #include "base/bits.h"
-#include "base/radix.h"
+#include "base/sort.h"
 
-/* How far boxes reach beyond their faces, in loose epsilons: a corner of angle a, grown by epsilon, sticks out by
- * epsilon / sin (a / 2). */
+/* How far boxes reach beyond their faces, in loose epsilons. A corner of angle a, grown by epsilon, sticks out by
+ * epsilon / sin(a / 2). */
 #define BOX_MARGIN 1000.0
-/* Faces are cut into so many boxes at the most, doubling while all boxes together shrink at least to this part and save
- * more asking of boxes than so many for each new one (what building it costs, measured). */
+/* A face is cut into at most SLICES boxes. Their number doubles as long as all boxes together shrink to SLICE_GAIN or
+ * less and each new box saves more than SLICE_COST questions (what building it costs, measured). */
 #define SLICES 1024
 #define SLICE_GAIN 0.75
 #define SLICE_COST 20.0
-/* A solid of so many faces at the most, whose picture fills at least this part of its box, stands in the tree as one. */
+/* A solid of at most FACES_TOGETHER faces stands in the tree as one, if its picture fills at least FILL_TOGETHER of
+ * its box. */
 #define FACES_TOGETHER 12
 #define FILL_TOGETHER 0.125
 
-/* ---- the picture ------------------------------------------------------------------------------------------------ */
+/* ---- the picture ----------------------------------------------------------------------------------------------- */
 
 /* Two directions across the line of sight, and it. Which way up does not matter: nothing is shown. */
 static void set_picture(occluders *o, const view *v)
@@ -33,8 +34,8 @@ static void set_picture(occluders *o, const view *v)
     o->toward = d;
 }
 
-/* A point in the picture; z is the height, or one over the distance from the eye's plane: both grow toward the viewer,
- * and both are linear where planes are. */
+/* A point in the picture. z is the height, or one over the distance from the eye's plane: both grow toward the
+ * viewer, and with both planes stay planes. */
 static roberts_vec3 picture_point(const occluders *o, roberts_vec3 X)
 {
     if (!o->s.perspective)
@@ -44,7 +45,7 @@ static roberts_vec3 picture_point(const occluders *o, roberts_vec3 X)
     return (roberts_vec3){w * vec3_dot(o->right, q), w * vec3_dot(o->up, q), w};
 }
 
-/* ---- the tree --------------------------------------------------------------------------------------------------- */
+/* ---- the tree -------------------------------------------------------------------------------------------------- */
 
 /* Boxes on their way into the tree. */
 typedef struct box_list {
@@ -67,8 +68,8 @@ static tree_box face_box(const occluders *o, uint32_t face)
     return box;
 }
 
-/* Boxes round the parts of a face between `count` + 1 evenly spaced lines across the longer side of `whole`, the box
- * round all of it. Convex, a part reaches no farther than what its borders' sides reach between the lines. */
+/* Divides a face by `count` + 1 evenly spaced lines across the longer side of `whole`, its box, and leaves the boxes
+ * of the parts. The face is convex, so a part reaches no farther than the sides between its two lines. */
 static void slice_face(const occluders *o, uint32_t face, tree_box whole, tree_box *slice, uint32_t count)
 {
     const roberts_scene *scene = o->s.scene;
@@ -93,9 +94,10 @@ static void slice_face(const occluders *o, uint32_t face, tree_box whole, tree_b
     }
 }
 
-/* Leaves in `slice` the boxes of a face, and returns how many. A long face across the axes fills little of its box, and
- * a heap of such faces makes a tree useless. Slicing helps (Ernst and Greiner, "Early split clipping for bounding volume
- * hierarchies", 2007), where the rays saved, in proportion to the shadow saved, outweigh the boxes added. */
+/* Leaves the boxes of a face in `slice` and returns their number. A long face that lies aslant fills little of its
+ * box, and many such faces make a tree useless. Slices help (M. Ernst, G. Greiner, "Early split clipping for bounding
+ * volume hierarchies", 2007) if the rays they save, in proportion to the shadow they save, outweigh the boxes they
+ * add. */
 static uint32_t boxes_of_face(const occluders *o, uint32_t face, const box_list *list, tree_box *slice)
 {
     tree_box finer[SLICES], whole = face_box(o, face);
@@ -117,7 +119,7 @@ static uint32_t boxes_of_face(const occluders *o, uint32_t face, const box_list 
     return count;
 }
 
-/* The box with a margin of this length in the model. */
+/* The box with a margin that has this length in the model. */
 static tree_box grown(const occluders *o, tree_box box, double margin)
 {
     roberts_vec3 m = {margin, margin, margin};
@@ -182,8 +184,8 @@ static tree_box solid_box(const occluders *o, uint32_t solid, double *fill, tree
     return box;
 }
 
-/* A small solid goes into the tree as one, which makes that some times smaller: of its front faces a ray meets one,
- * mostly. Not where it is long and thin, across the axes: its faces are better cut into slices. */
+/* Adds a small solid as one box, which makes the tree smaller: a ray meets one of its front faces, mostly. A solid
+ * that is long, thin and aslant is better off with slices of its faces. */
 static bool add_solid(const occluders *o, uint32_t solid, box_list *list)
 {
     const roberts_scene *scene = o->s.scene;
@@ -193,7 +195,7 @@ static bool add_solid(const occluders *o, uint32_t solid, box_list *list)
         return add_faces(o, solid, list);
     tree_box box = solid_box(o, solid, &fill, &fronts);
     if (fronts.count == 0)
-        return true; /* mostly one of which the near plane leaves nothing */
+        return true; /* mostly because the near plane leaves nothing of it */
     return fill >= FILL_TOGETHER ? add_entry(o, box, solid, fronts, list) : add_faces(o, solid, list);
 }
 
@@ -218,9 +220,9 @@ static bool build_tree(occluders *o, const double *rays)
     return built;
 }
 
-/* ---- copies ----------------------------------------------------------------------------------------------------- */
+/* ---- copies ---------------------------------------------------------------------------------------------------- */
 
-/* Of the solid's points; that copies have the same one is all that it must do. */
+/* A hash of the solid's points. All that matters is that copies have the same one. */
 static uint32_t solid_key(const occluders *o, uint32_t solid)
 {
     const scene_solid *s = &o->s.scene->solid[solid];
@@ -250,8 +252,9 @@ static bool is_copy(const occluders *o, uint32_t a, uint32_t b)
     return true;
 }
 
-/* Of a solid that is there many times at one place two are enough, so that for each of them there is another one: a
- * thousand copies would else be asked by the rays of a thousand. A stable order of the keys brings copies together. */
+/* Finds copies: solids at the very same place. The tree takes two of each, so that every copy finds another one
+ * before it; with a thousand in the tree, the rays of a thousand would ask a thousand. Sorting the keys stably brings
+ * copies together. */
 static bool find_twins(occluders *o)
 {
     uint32_t count = o->s.scene->solid_count;
@@ -277,7 +280,7 @@ static bool find_twins(occluders *o)
     return done;
 }
 
-/* ---- the whole -------------------------------------------------------------------------------------------------- */
+/* ---- the whole ------------------------------------------------------------------------------------------------- */
 
 bool occluders_build(occluders *o, const roberts_scene *scene, const view *v, const double *rays)
 {
@@ -311,7 +314,7 @@ void occluders_free(occluders *o)
     *o = (occluders){0};
 }
 
-/* ---- places ----------------------------------------------------------------------------------------------------- */
+/* ---- places ---------------------------------------------------------------------------------------------------- */
 
 /* x from low to high as 0 .. 65535; 0 for NaN too. */
 static uint32_t cell(double x, double low, double high)
@@ -327,7 +330,7 @@ uint32_t occluders_place(const occluders *o, roberts_vec3 X)
            bits_spread(cell(p.y, o->window.lo.y, o->window.hi.y)) << 1;
 }
 
-/* ---- casting ---------------------------------------------------------------------------------------------------- */
+/* ---- casting --------------------------------------------------------------------------------------------------- */
 
 /* Questions on their way through the tree. */
 typedef struct casting {
@@ -348,7 +351,28 @@ static sight_answer hides_strictly(const occluders *o, uint32_t face, const sigh
     return answer;
 }
 
-/* Asks the face on behalf of those of the points whose answer it may change. */
+roberts_vec3 occluders_meet(const occluders *o, uint32_t face, roberts_vec3 X)
+{
+    plane F = o->s.scene->face_plane[face];
+    roberts_vec3 v = sight_from(&o->s, X);
+    double t = -sight_behind(&o->s, face, X) / vec3_dot((roberts_vec3){F.a, F.b, F.c}, v);
+    return vec3_add(X, vec3_scale(t, v));
+}
+
+/* Notes a hider for a question about the nearest one. From now on the point counts as lying on the hider, so that
+ * boxes that do not reach so high are left out. */
+static void keep_nearest(casting *c, uint32_t i, uint32_t face)
+{
+    sight_question *q = &c->question[i];
+    double height = picture_point(c->o, occluders_meet(c->o, face, q->X)).z;
+    if (q->hider == ROBERTS_NONE || height > q->height) {
+        q->hider = face;
+        q->height = height;
+        tree_points_raise(&c->points, i, height);
+    }
+}
+
+/* Asks the face for those of the points whose answer it may change. */
 static void ask(casting *c, uint32_t face, tree_set points)
 {
     const occluders *o = c->o;
@@ -357,21 +381,23 @@ static void ask(casting *c, uint32_t face, tree_set points)
         uint32_t i = tree_set_take(&points);
         sight_question *q = &c->question[i];
         bool own = solid == (q->own ? o->twin[q->solid] : q->solid);
-        if (q->answer == SIGHT_SURELY || (own && !q->own))
+        if ((q->answer == SIGHT_SURELY && !q->nearest) || (own && !q->own))
             continue;
         double slack = own ? o->slack[q->solid] : 0.0;
         sight_answer answer =
             q->ends ? hides_strictly(o, face, q, c->v[i], slack) : sight_hides(&o->s, face, q->X, c->v[i], slack);
         if (answer > q->answer)
             q->answer = answer;
-        if (answer == SIGHT_SURELY) {
+        if (answer == SIGHT_SURELY && q->nearest) {
+            keep_nearest(c, i, face);
+        } else if (answer == SIGHT_SURELY) {
             q->hider = face;
             tree_points_drop(&c->points, i);
         }
     }
 }
 
-/* Asks the front faces of an item; where they are several, each on behalf of the points under its own box. */
+/* Asks the front faces of an item. If there are several, each is asked for the points under its own box. */
 static void ask_item(casting *c, tree_item item, const tree_set *points)
 {
     const occluders *o = c->o;
@@ -406,4 +432,47 @@ void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, 
         if (memcmp(&live, &c.points.live, sizeof live) != 0)
             tree_walk_keep(w);
     }
+}
+
+/* ---- searching ------------------------------------------------------------------------------------------------- */
+
+void occluders_search_start(occluders_search *s, const occluders *o, roberts_vec3 A, roberts_vec3 B, uint32_t solid,
+                            bool own)
+{
+    s->o = o;
+    s->A = A;
+    s->B = B;
+    s->solid = solid;
+    s->own = own;
+    s->item = s->item_end = NULL;
+    s->face = s->face_end = 0;
+    tree_search_start(&s->tree, &o->t, picture_point(o, A), picture_point(o, B), own ? o->s.scene->solid_count : solid);
+}
+
+/* The next item of the leaf, or of the next leaf. */
+static bool next_item(occluders_search *s)
+{
+    tree_leaf leaf;
+    if (s->item == s->item_end) {
+        if (!tree_search_next(&s->tree, &leaf))
+            return false;
+        s->item = leaf.item;
+        s->item_end = leaf.item + leaf.item_count;
+    }
+    s->face = s->item->first;
+    s->face_end = s->item->first + s->item->count;
+    s->item++;
+    return true;
+}
+
+bool occluders_search_next(occluders_search *s, uint32_t *face, sight_part *part)
+{
+    do {
+        while (s->face < s->face_end) {
+            *face = s->face++;
+            if ((s->own || s->o->face_solid[*face] != s->solid) && sight_hidden_part(&s->o->s, *face, s->A, s->B, part))
+                return true;
+        }
+    } while (next_item(s));
+    return false;
 }

@@ -1,4 +1,4 @@
-/* occluders.h - all that may hide something: the front faces of a scene, in a tree of boxes, asked point by point. */
+/* occluders.h - the front faces of a scene, in a tree of boxes: which of them hide a point, or a part of a segment? */
 #ifndef ROBERTS_RAY_OCCLUDERS_H
 #define ROBERTS_RAY_OCCLUDERS_H
 
@@ -9,37 +9,64 @@ typedef struct occluders {
     sight s;
     roberts_vec3 right, up, toward; /* the picture that the tree's boxes live in */
     tree_box window;                /* the scene's in it */
-    tree t;               /* its items are ranges of faces, of which the front ones count, or nearly front ones */
-    uint32_t *face_solid; /* [face_count] */
-    uint32_t *twin;       /* [solid_count] the solid itself; where it is left out, a copy of it that is in the tree */
-    double *slack;        /* [solid_count] how far a back edge may stick out of the picture of its solid's front faces
-                             where coordinates are rounded: by what all its faces depart from their planes */
+    tree t;                         /* its items are ranges of faces, of which those front or nearly front count */
+    uint32_t *face_solid;           /* [face_count] */
+    uint32_t *twin; /* [solid_count] the solid itself, or a copy of it that is in the tree if the solid is not */
+    /* [solid_count] how far a back edge may stick out of the picture of the front faces of its solid: where coordinates
+     * are rounded, faces depart from their planes */
+    double *slack;
 } occluders;
 
-/* Prepares `o` for `scene` seen by `v`; rays: [solid_count] about how many will be cast that ask for the solid's faces.
+/* Prepares `o` for `scene` seen by `v`. rays: [solid_count] about how many rays will ask for the faces of each solid.
  * False: no memory, and `o` is empty. */
 bool occluders_build(occluders *o, const roberts_scene *scene, const view *v, const double *rays);
 void occluders_free(occluders *o);
 
-/* A key for X's place in the picture: points of like keys are near each other. */
+/* A key for the place of X in the picture: near points have near keys, mostly. */
 uint32_t occluders_place(const occluders *o, roberts_vec3 X);
 
-/* What may hide X, a point of an edge of `solid`: faces of all other solids, and if `own` those of that one too. If
- * `ends`, by sight_hides_strictly(), and surely only what is well behind all front faces of a solid: what is about in the plane
- * of one of them is in front of the solid, were its corners and planes exact.
- * `hider`: where the answer is SIGHT_SURELY, a face that does. */
+/* A question about X, a point of an edge of `solid`: which faces hide it? Faces of `solid` itself take part only if
+ * `own`.
+ *
+ * `ends`: NULL, or the ends of the edge that X lies on. With them the answer comes from sight_hides_strictly(), and
+ * is "surely" only if X lies well behind all front faces of a solid: near the plane of one of them it might be in
+ * front of the solid, were corners and planes exact.
+ *
+ * `nearest`: look for the hider nearest to the viewer, not for any one. */
 typedef struct sight_question {
     roberts_vec3 X;
     uint32_t solid;
-    bool own;
-    const roberts_vec3 *ends; /* [2] NULL: not strictly; of the edge that X lies on */
+    bool own, nearest;
+    const roberts_vec3 *ends; /* [2] */
     sight_answer answer;
-    uint32_t hider;
+    uint32_t hider; /* where the answer is SIGHT_SURELY: a face that hides X */
+    double height;  /* `nearest`: the picture's z of the hider over X */
 } sight_question;
 
-/* Fills in the answers to `count` questions, TREE_POINTS at the most: whether anything hides X. Points next to each other
- * are asked best together, and one such lot after the other, for they have to do with the same faces. w: from
- * tree_walk_init(); `hider` depends on where it has been. */
+/* Answers `count` questions, TREE_POINTS at most. Points that are near each other should be asked together, and lots
+ * that are near each other one after the other: they meet the same faces. w: from tree_walk_init(). Which hider is
+ * found depends on the walks before. */
 void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, uint32_t count);
+
+/* The point where the sight line from X, which `face` hides, meets the plane of `face`. */
+roberts_vec3 occluders_meet(const occluders *o, uint32_t face, roberts_vec3 X);
+
+/* A search for the faces that hide a part of a segment. */
+typedef struct occluders_search {
+    const occluders *o;
+    roberts_vec3 A, B;
+    uint32_t solid;
+    bool own;
+    tree_search tree;
+    const tree_item *item, *item_end; /* items of the leaf that are still to be asked */
+    uint32_t face, face_end;          /* faces of the item that are still to be asked */
+} occluders_search;
+
+/* Starts a search for what hides parts of AB, which lies on an edge of `solid`; `own` as in sight_question. */
+void occluders_search_start(occluders_search *s, const occluders *o, roberts_vec3 A, roberts_vec3 B, uint32_t solid,
+                            bool own);
+
+/* The next face and the part of AB that it surely hides; false at the end. A face may come more than once. */
+bool occluders_search_next(occluders_search *s, uint32_t *face, sight_part *part);
 
 #endif

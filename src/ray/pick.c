@@ -1,9 +1,11 @@
 /* pick.c - what is seen at a point of the picture, and what lies behind it.
  *
- * Idea: the sight line through that point is asked of every front face; one question does not pay for a tree. */
+ * Idea: ask every front face whether the sight line through that point passes through it. A tree would not pay for
+ * one question. */
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/sort.h"
 #include "base/error.h"
 #include "ray/sight.h"
 #include "view/clip.h"
@@ -39,7 +41,7 @@ static roberts_vec3 meet(const picker *p, uint32_t face)
     return vec3_add(p->Q, vec3_scale(t, p->toward));
 }
 
-/* The front faces of one solid on the sight line; neighbours that share the point met count once. */
+/* Picks the front faces of one solid on the sight line. Neighbours that share the point met count once. */
 static bool pick_solid(picker *p, uint32_t solid)
 {
     const roberts_scene *scene = p->s.scene;
@@ -75,18 +77,12 @@ static int by_depth(const void *a, const void *b)
     return p->face < q->face ? -1 : p->face > q->face;
 }
 
-/* Equal depths by solid: within a run of hits that each touch the next in depth. Not part of by_depth(), since touching
- * is not transitive. */
+/* Sorts by depth, then equal depths by solid: within a run of hits each of which touches the next in depth.
+ * by_depth() cannot do this, since touching is not transitive. */
 static void order(roberts_picked *picked, double touching)
 {
     qsort(picked->hit, picked->count, sizeof *picked->hit, by_depth);
-    for (size_t i = 1; i < picked->count; i++) {
-        roberts_pick_hit hit = picked->hit[i];
-        size_t k = i;
-        for (; k > 0 && picked->hit[k - 1].solid > hit.solid && hit.depth - picked->hit[k - 1].depth <= touching; k--)
-            picked->hit[k] = picked->hit[k - 1];
-        picked->hit[k] = hit;
-    }
+    SORT_FEW(roberts_pick_hit, picked->hit, picked->count, a->solid > b->solid && b->depth - a->depth <= touching)
 }
 
 roberts_status roberts_pick(const roberts_scene *scene, const roberts_camera *camera, double x, double y,

@@ -5,11 +5,12 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "ray/ray.h"
+#include "ray/determinant.h"
 
-/* Faces of more corners than this are sampled: so many corners, evenly spaced. */
+/* A face of more corners than this is sampled: this many of its corners, evenly spaced, stand for all. */
 #define SAMPLES 64
-/* Roundings of a coordinate or distance, in ulps of the largest coordinate: differences, three products, two sums. */
+/* How many roundings a coordinate or distance gathers, in ulps of the largest coordinate: differences, three
+ * products, two sums. */
 #define ROUNDINGS 8.0
 
 static roberts_vec3 normalised(roberts_vec3 a)
@@ -19,9 +20,9 @@ static roberts_vec3 normalised(roberts_vec3 a)
     return vec3_scale(1.0 / vec3_length(a), a);
 }
 
-/* Along the line of sight a length l at distance r D from the eye (D: of the look-at point) has in view space a picture
- * of l / r, and a depth of up to l / r^2. `near` and `far` bound r over the scene. An oblique view stretches or presses
- * lengths once in its picture and once in a plane's tilt. */
+/* Let the eye be at distance D from the look-at point. At distance r D from the eye, a length l has a picture of l /
+ * r in view space, and a depth of up to l / r^2. `near` and `far` bound r over the scene. An oblique view stretches
+ * or presses lengths once in the picture and once in the tilt of a plane. */
 static void set_margins(sight *s, const view *v)
 {
     double far = 1.0 + hypot(v->oblique.x, v->oblique.y), near = 1.0 / far, extent = 0.0;
@@ -41,7 +42,8 @@ static void set_margins(sight *s, const view *v)
     s->loose = v->epsilon * far * far * SIGHT_MARGIN;
 }
 
-/* Decided by the width of the face's picture along the picture of its normal, as a length at its first corner's depth. */
+/* The width of the face's picture decides. It is measured along the picture of the normal, as a length at the depth
+ * of the first corner. */
 static int facing_of(const sight *s, uint32_t face)
 {
     const roberts_scene *scene = s->scene;
@@ -54,8 +56,8 @@ static int facing_of(const sight *s, uint32_t face)
         return SIGHT_NOT_FRONT;
     v = vec3_scale(1.0 / length, v);
     double tilt = fabs(vec3_dot(n, v));
-    /* no picture is narrower than its area over its greatest chord: where even that is plain, so is the rest; where it is
-     * not, the picture may be a sliver aslant to `across`, or all but edge-on */
+    /* A picture is at least as wide as its area over its greatest chord. If that is too little to be sure, the
+     * picture may be a sliver aslant to `across`, or nearly edge-on. */
     bool sliver = tilt * scene_width(scene, face) / s->unit <= s->loose + s->rounding;
     roberts_vec3 across = vec3_sub(n, vec3_scale(vec3_dot(n, v), v));
     if (vec3_length(across) <= 0.5)
@@ -77,20 +79,21 @@ static uint32_t corner_count(const sight *s, uint32_t face)
     return s->scene->face_start[face + 1] - s->scene->face_start[face];
 }
 
-/* Corner i of the face, which may be as many as it has: that is the first. */
+/* Corner i of the face; one more than the last is the first again. */
 static roberts_vec3 corner_of(const sight *s, uint32_t face, uint32_t i)
 {
     uint32_t k = i < corner_count(s, face) ? i : 0;
     return s->P[s->scene->corner[s->scene->face_start[face] + k]];
 }
 
-/* Which corner the sample is; one more than the last is the first again. */
+/* The corner that the sample is; one more than the last sample is the first again. */
 static uint32_t sample_of(const sight *s, uint32_t face, uint32_t sample)
 {
     return (uint32_t)((uint64_t)corner_count(s, face) * sample / SAMPLES);
 }
 
-/* Is no sample outside of any side, as the viewer sees it? So it is in convex faces, but those with dents are accepted too. */
+/* Whether no sample lies outside of any side, as the viewer sees it. This holds for convex faces, and for some with
+ * dents. */
 static bool sides_spare_samples(const sight *s, uint32_t face)
 {
     const uint32_t *corner = s->scene->corner + s->scene->face_start[face];
@@ -107,12 +110,34 @@ static bool sides_spare_samples(const sight *s, uint32_t face)
     return true;
 }
 
+/* A bound: a corner lies outside of a side by no more than half the way round the face times what the sides turn the
+ * wrong way in all. */
+static double dent_of(const sight *s, uint32_t face)
+{
+    uint32_t count = corner_count(s, face);
+    plane F = s->scene->face_plane[face];
+    roberts_vec3 n = {F.a, F.b, F.c}, A = corner_of(s, face, count - 2), B = corner_of(s, face, count - 1);
+    double turned = 0.0, length = vec3_length(vec3_sub(B, A)), around = 0.0;
+    for (uint32_t k = 0; k < count; k++) {
+        roberts_vec3 C = corner_of(s, face, k);
+        double next = vec3_length(vec3_sub(C, B)), left = -vec3_dot(n, vec3_cross(vec3_sub(B, A), vec3_sub(C, B)));
+        if (left < 0.0 && length * next > 0.0)
+            turned += -left / (length * next);
+        around += next;
+        length = next;
+        A = B;
+        B = C;
+    }
+    return 0.5 * around * turned;
+}
+
 bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
 {
     *s = (sight){.scene = scene, .perspective = v->perspective, .unit = v->unit};
     s->P = alloc_array(scene->vertex_count, sizeof *s->P);
     s->facing = alloc_array(scene->face_count, sizeof *s->facing);
-    if (!s->P || !s->facing) {
+    s->dent = alloc_zeroed(scene->face_count, sizeof *s->dent);
+    if (!s->P || !s->facing || !s->dent) {
         sight_free(s);
         return false;
     }
@@ -121,8 +146,11 @@ bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
     s->viewpoint =
         s->perspective ? vec3_scale(1.0 / s->unit, vec3_sub(v->viewpoint, scene->centre)) : normalised(v->viewpoint);
     set_margins(s, v);
-    for (uint32_t face = 0; face < scene->face_count; face++)
+    for (uint32_t face = 0; face < scene->face_count; face++) {
         s->facing[face] = (unsigned char)facing_of(s, face);
+        if (s->facing[face] != SIGHT_NOT_FRONT)
+            s->dent[face] = (float)(dent_of(s, face) * SCENE_UPWARD);
+    }
     return true;
 }
 
@@ -144,13 +172,14 @@ void sight_free(sight *s)
         return;
     free(s->P);
     free(s->facing);
+    free(s->dent);
     free(s->sampled);
     *s = (sight){0};
 }
 
-/* How the line passes the side AB. Corners of a front face run counter-clockwise for the viewer, so that inside is where every
- * side turns to the left. XA x XB is taken as XA x AB, whose rounding is in proportion to AB: a short side stays exact far
- * from X. */
+/* How the line passes the side AB. Corners of a front face run counter-clockwise for the viewer, so inside is to the
+ * left of every side. XA x XB is computed as XA x AB: its rounding is in proportion to AB, so that a short side far
+ * from X stays exact. */
 static inline sight_answer pass_side(const sight *s, roberts_vec3 A, roberts_vec3 B, roberts_vec3 X, roberts_vec3 v,
                                      double slack)
 {
@@ -166,7 +195,8 @@ static inline sight_answer pass_side(const sight *s, roberts_vec3 A, roberts_vec
     return contact ? SIGHT_SURELY : SIGHT_POSSIBLY;
 }
 
-/* Does the line pass AB on the inner side, farther from it than the touching distance? Not where AB is but a point. */
+/* Whether the line passes AB on the inner side, farther from it than the touching distance. False if AB is a mere
+ * point. */
 static inline bool well_left(const sight *s, roberts_vec3 A, roberts_vec3 B, roberts_vec3 X, roberts_vec3 v)
 {
     roberts_vec3 xa = vec3_sub(A, X), ab = vec3_sub(B, A), spread = vec3_cross(v, ab);
@@ -175,8 +205,8 @@ static inline bool well_left(const sight *s, roberts_vec3 A, roberts_vec3 B, rob
     return inside > 0.0 && inside * inside > far * far * vec3_dot(spread, spread);
 }
 
-/* Does the line pass within the polygon of the samples, farther from its sides than the touching distance? The face's own
- * sides are no nearer to it. */
+/* Whether the line passes within the polygon of the samples, farther from its sides than the touching distance. The
+ * sides of the face are no nearer to it. */
 static bool well_inside(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
 {
     roberts_vec3 A = corner_of(s, face, sample_of(s, face, SAMPLES - 1));
@@ -189,11 +219,11 @@ static bool well_inside(const sight *s, uint32_t face, roberts_vec3 X, roberts_v
     return true;
 }
 
-/* Diagonals from the first corner part a convex face in triangles: bisects which of them the line passes, or beyond which
- * one's outer side (F. Preparata, M. Shamos, "Computational Geometry", 1985, 2.2). Returns the first of two neighbours among
- * low .. high, which are corners or samples. across: v x the way from X to the first corner; its product with the way on to
- * another one is >= 0 where the line passes left of the diagonal. The ends are not asked: beyond the first and the last
- * diagonal lie the first and the last side. */
+/* The diagonals from the first corner divide a convex face into triangles. This bisects between which two of them the
+ * line passes (F. Preparata, M. Shamos, "Computational Geometry", 1985, 2.2) and returns the first of two neighbours
+ * among low .. high, which are corners or samples. `across` is v x the way from X to the first corner: its product
+ * with the way on to a corner is >= 0 if the line passes left of that diagonal. The ends are not asked: beyond the
+ * first and the last diagonal lie the first and the last side. */
 static uint32_t bisect(const sight *s, uint32_t face, roberts_vec3 across, uint32_t low, uint32_t high, bool samples)
 {
     roberts_vec3 first = corner_of(s, face, 0);
@@ -208,10 +238,11 @@ static uint32_t bisect(const sight *s, uint32_t face, roberts_vec3 across, uint3
     return low;
 }
 
-/* What the samples say; SIGHT_POSSIBLY: ask all sides.
+/* The answer by samples; SIGHT_POSSIBLY: ask all sides.
  *
- * Bisection only tells what to ask: whether the line passes well within a triangle of three samples, which is a part of the
- * polygon of them all, then whether it passes outside of one side. Near a diagonal the polygon is asked, for it has none. */
+ * Bisection only chooses what to ask. First, whether the line passes well within a triangle of three samples, which
+ * is a part of their polygon. Then, whether it passes outside of one side. Near a diagonal of the triangles the whole
+ * polygon is asked: it has none. */
 static sight_answer pass_samples(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)
 {
     roberts_vec3 first = corner_of(s, face, 0), across = vec3_cross(v, vec3_sub(first, X));
@@ -232,6 +263,7 @@ sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, robert
     uint32_t end = scene->face_start[face + 1];
     roberts_vec3 A = s->P[scene->corner[end - 1]];
     sight_answer answer = SIGHT_SURELY;
+    slack += (double)s->dent[face];
     if (s->sampled && s->sampled[face]) {
         sight_answer early = pass_samples(s, face, X, v, slack);
         if (early != SIGHT_POSSIBLY)
@@ -246,6 +278,22 @@ sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, robert
         A = B;
     }
     return answer;
+}
+
+bool sight_well_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
+{
+    const roberts_scene *scene = s->scene;
+    uint32_t end = scene->face_start[face + 1];
+    roberts_vec3 A = s->P[scene->corner[end - 1]];
+    if (s->sampled && s->sampled[face] && well_inside(s, face, X, v))
+        return true;
+    for (uint32_t k = scene->face_start[face]; k < end; k++) {
+        roberts_vec3 B = s->P[scene->corner[k]];
+        if (!well_left(s, A, B, X, v))
+            return false;
+        A = B;
+    }
+    return true;
 }
 
 sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)
@@ -264,7 +312,7 @@ sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_
     return through;
 }
 
-/* In contact with the side AB, as pass_side() has it. */
+/* Whether the line is in contact with the side AB, as in pass_side(). */
 static bool is_on_side(const sight *s, roberts_vec3 A, roberts_vec3 B, roberts_vec3 X, roberts_vec3 v)
 {
     roberts_vec3 xa = vec3_sub(A, X), ab = vec3_sub(B, A), spread = vec3_cross(v, ab);
@@ -277,8 +325,8 @@ static bool runs_along(const sight *s, roberts_vec3 A, roberts_vec3 B, const rob
     return is_on_side(s, A, B, ends[0], sight_from(s, ends[0])) && is_on_side(s, A, B, ends[1], sight_from(s, ends[1]));
 }
 
-/* Whether the line, which passes all sides on their inner side, passes one nearer than the touching distance, but not in
- * contact with the whole edge. */
+/* Whether the line passes a side nearer than the touching distance without contact of the whole edge. The line is
+ * known to pass all sides on the inner side. */
 static bool grazes_side(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, const roberts_vec3 ends[2])
 {
     const roberts_scene *scene = s->scene;
@@ -298,8 +346,7 @@ static bool grazes_side(const sight *s, uint32_t face, roberts_vec3 X, roberts_v
     return false;
 }
 
-/* How far from the face's plane, on either side, all counts as in it. */
-static double touch_of(const sight *s, uint32_t face)
+double sight_touch(const sight *s, uint32_t face)
 {
     return s->loose + s->rounding + SIGHT_MARGIN * scene_deviation(s->scene, face) / s->unit;
 }
@@ -312,7 +359,7 @@ static bool lies_in_plane(const sight *s, uint32_t face, roberts_vec3 X)
 sight_answer sight_hides_strictly(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack,
                                   const roberts_vec3 ends[2])
 {
-    double behind = sight_behind(s, face, X), touch = touch_of(s, face);
+    double behind = sight_behind(s, face, X), touch = sight_touch(s, face);
     if (s->facing[face] == SIGHT_NOT_FRONT || !(behind > -touch))
         return SIGHT_NO;
     if (lies_in_plane(s, face, X) && lies_in_plane(s, face, ends[0]) && lies_in_plane(s, face, ends[1]))
@@ -327,5 +374,97 @@ sight_answer sight_hides_strictly(const sight *s, uint32_t face, roberts_vec3 X,
 
 bool sight_well_behind(const sight *s, uint32_t face, roberts_vec3 X)
 {
-    return s->facing[face] == SIGHT_NOT_FRONT || sight_behind(s, face, X) > touch_of(s, face);
+    return s->facing[face] == SIGHT_NOT_FRONT || sight_behind(s, face, X) > sight_touch(s, face);
+}
+
+/* Clips the part to where a linear function, a at t = 0 and b at t = 1, is not negative. */
+static bool clip_part(sight_part *part, double a, double b)
+{
+    if (!(a >= 0.0 || b >= 0.0))
+        return false;
+    if (a < 0.0)
+        part->t0 = greater(part->t0, a / (a - b));
+    else if (b < 0.0)
+        part->t1 = lesser(part->t1, a / (a - b));
+    return part->t0 <= part->t1;
+}
+
+/* How far the two ends of AB lie inside of the side PQ, times a length. The inside is a half-space: its border plane
+ * runs through PQ and along the sight lines. So the distance is linear along AB, in both projections. */
+static void measure_side(const sight *s, roberts_vec3 P, roberts_vec3 Q, const roberts_vec3 AB[2], double inside[2])
+{
+    roberts_vec3 n = vec3_cross(vec3_sub(Q, P), sight_from(s, P));
+    for (int i = 0; i < 2; i++)
+        inside[i] = vec3_dot(n, vec3_sub(P, AB[i]));
+}
+
+/* What is left of `part` within the sides from corner `first` to corner `end`. */
+static bool clip_to_sides(const sight *s, uint32_t face, uint32_t first, uint32_t end, const roberts_vec3 AB[2],
+                          sight_part *part)
+{
+    roberts_vec3 P = corner_of(s, face, first);
+    for (uint32_t k = first; k < end; k++) {
+        roberts_vec3 Q = corner_of(s, face, k + 1);
+        double inside[2];
+        measure_side(s, P, Q, AB, inside);
+        if (!clip_part(part, inside[0], inside[1]))
+            return false;
+        P = Q;
+    }
+    return true;
+}
+
+/* What is left of `part` in the cap beyond sample k: between that sample, the next one, and the corners between them.
+ */
+static bool clip_to_cap(const sight *s, uint32_t face, uint32_t k, const roberts_vec3 AB[2], sight_part *part)
+{
+    uint32_t first = sample_of(s, face, k), end = sample_of(s, face, k + 1);
+    double inside[2];
+    measure_side(s, corner_of(s, face, first), corner_of(s, face, end), AB, inside);
+    return clip_part(part, -inside[0], -inside[1]) && clip_to_sides(s, face, first, end, AB, part);
+}
+
+/* Clips to the polygon of the samples, then to the caps beyond the two sides by which AB enters and leaves it. */
+static bool clip_to_samples(const sight *s, uint32_t face, const roberts_vec3 AB[2], sight_part *part)
+{
+    sight_part inner = *part, cap;
+    uint32_t in = SAMPLES, out = SAMPLES;
+    for (uint32_t k = 0; k < SAMPLES; k++) {
+        sight_part before = inner;
+        double inside[2];
+        measure_side(s, corner_of(s, face, sample_of(s, face, k)), corner_of(s, face, sample_of(s, face, k + 1)), AB,
+                     inside);
+        bool met = clip_part(&inner, inside[0], inside[1]);
+        bool beside = inside[0] < 0.0 && inside[1] < 0.0;
+        in = beside || inner.t0 > before.t0 ? k : in;
+        out = beside || inner.t1 < before.t1 ? k : out;
+        if (met)
+            continue;
+        cap = *part;
+        if (in < SAMPLES && clip_to_cap(s, face, in, AB, part))
+            return true;
+        *part = cap;
+        return out < SAMPLES && out != in && clip_to_cap(s, face, out, AB, part);
+    }
+    cap = *part;
+    if (in < SAMPLES && clip_to_cap(s, face, in, AB, &cap))
+        inner.t0 = lesser(inner.t0, cap.t0);
+    cap = *part;
+    if (out < SAMPLES && clip_to_cap(s, face, out, AB, &cap))
+        inner.t1 = greater(inner.t1, cap.t1);
+    *part = inner;
+    return true;
+}
+
+bool sight_hidden_part(const sight *s, uint32_t face, roberts_vec3 A, roberts_vec3 B, sight_part *part)
+{
+    if (s->facing[face] == SIGHT_NOT_FRONT)
+        return false;
+    const roberts_vec3 AB[2] = {A, B};
+    double touch = sight_touch(s, face);
+    *part = (sight_part){0.0, 1.0};
+    if (!clip_part(part, sight_behind(s, face, A) - touch, sight_behind(s, face, B) - touch))
+        return false;
+    return s->sampled && s->sampled[face] ? clip_to_samples(s, face, AB, part)
+                                          : clip_to_sides(s, face, 0, corner_count(s, face), AB, part);
 }

@@ -1,14 +1,14 @@
-/* sight.h - sight lines against faces, in model space: what verify and pick have in common.
+/* sight.h - sight lines against faces, in model space. `--verify` and `--pick` rest on it.
  *
- * A sight line runs from a point X toward the viewer: along dir, or to the eye. It meets a face F where X is behind F
- * and where the line passes all its sides AB on the inner side: v . (XA x XB) >= 0, six times the volume of the tetrahedron
- * that the pieces v and AB of two lines span. Divided by |v x AB| that is the distance of the lines from each other, so
- * it can be compared with a length, in both projections alike.
+ * A sight line runs from a point X toward the viewer: along dir, or to the eye. It meets a face F if X is behind F
+ * and the line passes every side AB of F on the inner side: v . (XA x XB) >= 0. The product is six times the volume
+ * of the tetrahedron that the pieces v and AB of the two lines span. Divided by |v x AB| it is the distance of the
+ * lines, which can be compared with a length, in both projections alike.
  *
- * No coordinate is turned or projected for that, and there are no tests 1 to 4 and no grid: nothing is shared with what
- * hides lines but the solids themselves and what the near plane leaves of them.
+ * No coordinate is turned or projected, and there are no tests 1 to 4 and no grid. Only the solids, and what the near
+ * plane leaves of them, are shared with the code that hides lines.
  *
- * Lengths are counted in `unit`, points from the scene's centre; products of coordinates stay far from over- and
+ * Lengths are counted in `unit`, points from the scene's centre. Products of coordinates stay far from overflow and
  * underflow. */
 #ifndef ROBERTS_RAY_SIGHT_H
 #define ROBERTS_RAY_SIGHT_H
@@ -26,27 +26,30 @@ typedef struct sight {
     const roberts_scene *scene;
     roberts_vec3 *P;       /* [vertex_count] */
     unsigned char *facing; /* [face_count] */
-    bool *sampled;         /* [face_count] see sight_through(); NULL: no face is */
+    /* [face_count] no corner of the face lies outside of one of its sides by more than this. Faces given to few digits,
+     * or cut by the near plane, are only nearly convex. */
+    float *dent;
+    bool *sampled; /* [face_count] see sight_through(); NULL: no face is */
     bool perspective;
     roberts_vec3 viewpoint; /* the direction toward the viewer, of length 1, or the eye */
     double unit;            /* model units, a power of two */
-    /* The touching distance, measured after the view's map, as a length here: at least `tight`, at most `loose`, both
-     * with a factor SIGHT_MARGIN to spare. Rounding of coordinates and distances is below `rounding`. */
+    /* The touching distance is measured after the view's map. As a length here it is at least `tight` and at most
+     * `loose`, both with a factor SIGHT_MARGIN to spare. Rounding of coordinates and distances is below `rounding`. */
     double tight, loose, rounding;
 } sight;
 
-/* How much a decision may depend on where exactly the touching distance lies. The rule compares distances from a face's
- * sides and plane, in view space, with epsilon; whoever measures them otherwise (from a corner, along another line)
- * comes out within this factor. */
+/* How much a decision may depend on where exactly the touching distance lies. The rule compares distances in view
+ * space, from the sides and the plane of a face, with epsilon. Distances measured in another way (from a corner,
+ * along another line) agree with those within this factor. */
 #define SIGHT_MARGIN 4.0
 
-/* Prepares `s` for `scene` seen by `camera`, with `v` from view_prepare() (its frame is not used, only unit, epsilon and
- * the distance of the eye). False: no memory. */
+/* Prepares `s` for `scene` as `v`, from view_prepare(), sees it. Of `v` only unit, epsilon and the distance of the
+ * eye are used, not the frame. False: no memory. */
 bool sight_prepare(sight *s, const roberts_scene *scene, const view *v);
 void sight_free(sight *s);
 
-/* Finds out which faces are sampled: for many questions, since it takes time in proportion to all corners times the samples.
- * False: no memory; sight_free() is due as before. */
+/* Finds out which faces are sampled. This pays for many questions: it takes time in proportion to all corners times
+ * the samples. False: no memory; sight_free() is due as before. */
 bool sight_sample(sight *s);
 
 /* A point of the model in these coordinates. */
@@ -68,31 +71,49 @@ static inline double sight_behind(const sight *s, uint32_t face, roberts_vec3 X)
     return F.a * X.x + F.b * X.y + F.c * X.z + F.d / s->unit;
 }
 
-/* Exact contact has its rule: on a side counts as inside, in the plane does not count as behind. Nearer than the touching
- * distance, but not in contact, either may be right: an edge that runs along a side is drawn as if it touched, one that
- * crosses it is cut at the crossing itself. */
+/* How sure an answer is. Exact contact has its rule: a point on a side is inside, a point in the plane is not behind
+ * it. Nearer than the touching distance, but not in contact, either answer may be right: an edge that runs along a
+ * side is drawn as if it touched, one that crosses the side is cut at the crossing itself. */
 typedef enum sight_answer { SIGHT_NO, SIGHT_POSSIBLY, SIGHT_SURELY } sight_answer;
 
-/* Whether the line through X along v (toward the viewer) passes within the sides of the face. Outside of a side, but
- * within the touching distance and `slack` of it, it possibly does.
+/* Whether the line through X along v, toward the viewer, passes within the sides of the face. It possibly does if it
+ * passes outside of a side by no more than the touching distance, `slack` and the face's dents together.
  *
- * Of a face of very many corners that is `sampled`, a side is asked before all, and whether the line passes well within a
- * triangle, or the polygon, of some of its corners: no side of the face cuts that, so that it passes within all of them. */
+ * A `sampled` face has very many corners. Most lines need only one of its sides, or a triangle of some of its
+ * corners: no side cuts that triangle, so a line well within it passes within all sides. */
 sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack);
 
-/* Whether the face hides X from the viewer: X lies behind its plane and the sight line passes through it. Behind, but by
- * less than the touching distance and the face's departure from its plane, it possibly does. A face that is not front
+/* Whether the line passes within the sides, farther from all of them than the touching distance. */
+bool sight_well_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v);
+
+/* Whether the face hides X: X lies behind its plane and the sight line passes through it. The answer is "possibly" if
+ * X lies behind by less than the touching distance and the face's departure from its plane. A face that is not front
  * hides nothing. */
 sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack);
 
-/* The same, but what is not in contact is only possible on both sides of where it touches: in front of the plane by less
- * than that distance, and inside of a side. For an edge that only just reaches behind a face may count as touching it, and
- * one that only just ends in front of it as ending in it. `ends`, of the edge that X lies on: where they are not in contact as
- * well, the edge crosses the plane or the side, near X and as exactly as it is computed, and X may be on either side of it. */
+/* The same by stricter rules: near the plane or a side the answer is "possibly" on both sides of it, in front and
+ * behind, outside and inside, except in contact. An edge that only just reaches behind a face may count as touching
+ * it, and one that ends just before it as ending in it.
+ *
+ * `ends`: of the edge that X lies on. If X is in contact but the ends are not, the edge crosses the plane or the side
+ * at X; how exactly is a matter of rounding, so that too is only possible. */
 sight_answer sight_hides_strictly(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack,
                                   const roberts_vec3 ends[2]);
 
-/* Is X farther behind the front face, or nearly front face, than what counts as in its plane? A face that is not front: yes. */
+/* A part of a segment, from t0 to t1. */
+typedef struct sight_part {
+    double t0, t1;
+} sight_part;
+
+/* The part of the segment AB that the face surely hides, 0 <= t0 <= t1 <= 1; the border counts as inside. False:
+ * none. By Cyrus and Beck's clipping. For a sampled face the part may come out too short, or be missed, if it lies
+ * wholly between a few samples and the border. */
+bool sight_hidden_part(const sight *s, uint32_t face, roberts_vec3 A, roberts_vec3 B, sight_part *part);
+
+/* What is no farther than this from the face's plane, on either side, counts as lying in it. */
+double sight_touch(const sight *s, uint32_t face);
+
+/* Whether X lies behind the face by more than sight_touch(). True for a face that is not front. */
 bool sight_well_behind(const sight *s, uint32_t face, roberts_vec3 X);
 
 #endif

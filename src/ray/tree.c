@@ -5,14 +5,15 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "base/fetch.h"
+#include "base/sort.h"
+#include "base/bits.h"
 #include "base/lanes.h"
 
 enum {
-    LEAF_ITEMS = 1, /* two: 6 % more time on most scenes, 10 % less on needles seen askew */
-    BINS = 12,      /* planes tried across an axis, and one; more gained nothing */
-    SAMPLE = 1000,  /* entries that judge a plane, at the most twice as many; more gained nothing */
-    BIN_DEPTH = 60, /* from here on nodes are halved by number, which ends after 32 more levels */
+    LEAF_ITEMS = 1, /* with two: 6 % more time on most scenes, 10 % less on needles seen askew */
+    BINS = 12,      /* one more than the planes tried across an axis; more of them gained nothing */
+    SAMPLE = 1000,  /* entries that judge a plane, or up to twice as many; more gained nothing */
+    BIN_DEPTH = 60, /* deeper nodes are halved by number, which ends after 32 more levels */
 };
 
 double tree_box_shadow(tree_box a, double floor)
@@ -41,9 +42,9 @@ tree_entry tree_entry_of(tree_box box, uint32_t owner, tree_item item)
                         item};
 }
 
-/* ---- building --------------------------------------------------------------------------------------------------- */
+/* ---- building -------------------------------------------------------------------------------------------------- */
 
-/* What counts of a box. */
+/* What matters of a box. */
 typedef struct cover {
     float lo_x, lo_y, hi_x, hi_y, hi_z;
 } cover;
@@ -89,13 +90,14 @@ typedef struct builder {
     float floor; /* the least z of all boxes */
 } builder;
 
-/* Planes across an axis: those whose bin is below `bin` go first; 0: nowhere. Middles of boxes (twice) begin at `low`. */
+/* A plane across an axis: entries whose bin is below `bin` go before it; 0: there is no plane. Middles of boxes,
+ * doubled, begin at `low`. */
 typedef struct split {
     int axis, bin, bins;
     float low, bins_per_length, cost;
 } split;
 
-/* Twice the middle of a box along an axis; NaN where it has no end on both sides. */
+/* Twice the middle of a box along an axis; NaN if it is endless on both sides. */
 static inline float middle(const tree_entry *e, int axis)
 {
     return e->lo[axis] + e->hi[axis];
@@ -122,7 +124,7 @@ static inline int bin_of(const split *s, const tree_entry *e)
     return bin < (float)s->bins ? (int)bin : s->bins - 1; /* the last one for NaN too */
 }
 
-/* The cheapest of an axis's planes. */
+/* The cheapest plane across an axis. */
 static void find_plane(split *s, const cover *bin, const uint32_t *bin_count, float floor)
 {
     cover side = no_cover;
@@ -145,7 +147,7 @@ static void find_plane(split *s, const cover *bin, const uint32_t *bin_count, fl
     }
 }
 
-/* The best plane of all axes, judged by a sample where there are many entries. */
+/* The best plane across any axis. A sample judges if there are many entries. */
 static split find_split(const builder *b, uint32_t first, uint32_t count, const crop *below)
 {
     cover bin[3][BINS];
@@ -177,8 +179,8 @@ static split find_split(const builder *b, uint32_t first, uint32_t count, const 
     return best;
 }
 
-/* Moves the entries below the split to the front, the others behind them; returns how many are below. No split: half of
- * them. `side`: what they come to. */
+/* Moves the entries below the split to the front, the others behind them, and returns how many are below. Without a
+ * split: half of them. `side`: the boxes of both. */
 static uint32_t divide(const builder *b, uint32_t first, uint32_t count, const split *s, crop *side)
 {
     tree_entry *entry = b->entry + first;
@@ -197,14 +199,14 @@ static uint32_t divide(const builder *b, uint32_t first, uint32_t count, const s
     return below;
 }
 
-/* Entries that come to be one child. */
+/* Entries that become one child. */
 typedef struct part {
     uint32_t first, count;
     int depth;
     crop below;
 } part;
 
-/* Leaves in `p` the nearer part, about, and in `rest` the others. */
+/* Leaves the nearer part in `p`, roughly, and the others in `rest`. */
 static void divide_part(const builder *b, part *p, part *rest)
 {
     split s = {.bin = 0};
@@ -216,7 +218,7 @@ static void divide_part(const builder *b, part *p, part *rest)
     *p = (part){p->first, below, p->depth + 1, side[0]};
 }
 
-/* The part that is met most often of those that are no leaves; none: parts. */
+/* Of the parts that are no leaves, the one that is met most often; `parts`: there is none. */
 static int largest(const builder *b, const part *p, int parts)
 {
     int best = parts;
@@ -233,13 +235,7 @@ static int largest(const builder *b, const part *p, int parts)
 
 static void nearest_first(part *p, int parts)
 {
-    for (int i = 1; i < parts; i++) {
-        part moved = p[i];
-        int k = i;
-        for (; k > 0 && p[k - 1].below.all.hi_z < moved.below.all.hi_z; k--)
-            p[k] = p[k - 1];
-        p[k] = moved;
-    }
+    SORT_FEW(part, p, parts, a->below.all.hi_z < b->below.all.hi_z)
 }
 
 static void set_child(tree_node *node, int i, const cover *c, uint32_t owner, uint32_t first, uint32_t count)
@@ -254,7 +250,7 @@ static void set_child(tree_node *node, int i, const cover *c, uint32_t owner, ui
     node->count[i] = count;
 }
 
-/* The node over `all`; gives its number. */
+/* Builds the node over `all` and returns its number. */
 static uint32_t build_node(const builder *b, const part *all)
 {
     part p[TREE_WIDTH] = {*all};
@@ -279,7 +275,7 @@ bool tree_build(tree *t, tree_entry *entry, uint32_t count)
 {
     builder b = {t, entry, INFINITY};
     part all = {0, count, 0, no_crop};
-    /* A node over four items or more has four parts, so that over n > 1 items stand (2 n - 1) / 3 nodes at the most. */
+    /* A node over four items or more has four parts, so over n > 1 items stand at most (2 n - 1) / 3 nodes. */
     size_t nodes = 2 * (size_t)count / 3 + 1;
     *t = (tree){alloc_array(nodes, sizeof *t->node), alloc_array(count, sizeof *t->item), 0};
     if (!t->node || !t->item) {
@@ -306,7 +302,7 @@ void tree_free(tree *t)
     *t = (tree){0};
 }
 
-/* ---- walking ---------------------------------------------------------------------------------------------------- */
+/* ---- walking --------------------------------------------------------------------------------------------------- */
 
 void tree_walk_init(tree_walk *w, const tree *t)
 {
@@ -333,8 +329,8 @@ void tree_walk_start(tree_walk *w, const tree_points *points)
     }
 }
 
-/* The fours of points, by the first of each, of which one at least is in the set. Points that go together mostly follow one
- * another. */
+/* Groups of four points that hold at least one of the set, each by its first point. Points that walk together mostly
+ * follow one another. */
 typedef struct fours {
     uint32_t count;
     unsigned char first[TREE_POINTS / 4];
@@ -351,7 +347,7 @@ static void find_fours(fours *f, const tree_set *of)
         }
 }
 
-/* Those of the points of the fours, all in `of`, that the box is over and which do not skip the owner. */
+/* Those points of the groups, all in `of`, that the box is over and that do not skip the owner. */
 static inline tree_set set_under(const tree_points *p, const cover *c, uint32_t owner, const fours *f,
                                  const tree_set *of)
 {
@@ -395,7 +391,7 @@ static inline unsigned met_children(const tree_walk *w, const tree_node *n)
     return 15u ^ four_signs(four_either(four_either(x, y), z));
 }
 
-/* To the stack the node's children, the first on top, each with those of the points that its box is over. */
+/* Puts the children of a node on the stack, the first on top, each with the points that its box is over. */
 static void spread(tree_walk *w, uint32_t index, const tree_set *points)
 {
     const tree_node *n = &w->t->node[index];
@@ -467,7 +463,7 @@ bool tree_walk_next(tree_walk *w, tree_leaf *leaf)
     return false;
 }
 
-/* Each time a leaf is of use it changes places with the one before it: those of use most often come to be first. */
+/* A leaf that was of use changes places with the one before it, so that those of use most often come first. */
 void tree_walk_keep(tree_walk *w)
 {
     uint32_t i = 0;
@@ -482,4 +478,53 @@ void tree_walk_keep(tree_walk *w)
         w->kept_count += w->kept_count < TREE_KEPT;
         w->kept[w->kept_count - 1] = w->leaf;
     }
+}
+
+/* ---- searching along a segment --------------------------------------------------------------------------------- */
+
+/* Whether the box may be over a point of the segment: neither an axis of the picture nor a line along the segment
+ * separates them. Endless boxes bring NaN, which separates nothing. */
+static inline bool is_over_segment(const tree_search *s, const tree_node *n, uint32_t i)
+{
+    double lo_x = n->lo_x[i], hi_x = n->hi_x[i], lo_y = n->lo_y[i], hi_y = n->hi_y[i];
+    double x = s->middle.x - 0.5 * (lo_x + hi_x), y = s->middle.y - 0.5 * (lo_y + hi_y);
+    double wide = 0.5 * (hi_x - lo_x), high = 0.5 * (hi_y - lo_y);
+    double dx = fabs(s->half.x), dy = fabs(s->half.y);
+    bool apart = n->hi_z[i] < s->low_z || fabs(x) > wide + dx || fabs(y) > high + dy;
+    return !apart && !(fabs(s->half.x * y - s->half.y * x) > wide * dy + high * dx);
+}
+
+static void search_children(tree_search *s, uint32_t index)
+{
+    const tree_node *n = &s->t->node[index];
+    for (uint32_t i = TREE_WIDTH; i-- > 0;)
+        if (n->owner[i] != s->skip && is_over_segment(s, n, i))
+            s->stack[s->depth++] = TREE_WIDTH * index + i;
+}
+
+void tree_search_start(tree_search *s, const tree *t, roberts_vec3 a, roberts_vec3 b, uint32_t skip)
+{
+    s->t = t;
+    s->middle = (roberts_vec2){0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+    s->half = (roberts_vec2){0.5 * (b.x - a.x), 0.5 * (b.y - a.y)};
+    s->low_z = lesser(a.z, b.z);
+    s->skip = skip;
+    s->depth = 0;
+    if (t->node_count)
+        search_children(s, 0);
+}
+
+bool tree_search_next(tree_search *s, tree_leaf *leaf)
+{
+    while (s->depth) {
+        uint32_t child = s->stack[--s->depth], i = child % TREE_WIDTH;
+        const tree_node *n = &s->t->node[child / TREE_WIDTH];
+        if (n->count[i]) {
+            leaf->item = s->t->item + n->first[i];
+            leaf->item_count = n->count[i];
+            return true;
+        }
+        search_children(s, n->first[i]);
+    }
+    return false;
 }

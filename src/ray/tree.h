@@ -1,17 +1,18 @@
-/* tree.h - a tree of boxes over boxes, to find those that lie over points without asking them all.
+/* tree.h - a tree of boxes over boxes, which finds those over a point, or over a segment.
  *
- * Boxes live in a picture: x and y across the sight lines, z toward the viewer, so that every sight line runs along +z
- * and a box is met where it lies over (x, y) and reaches higher than z.
+ * Boxes live in a picture: x and y across the sight lines, z toward the viewer. Every sight line runs along +z, so a
+ * box is met if it lies over (x, y) and reaches higher than z.
  *
- * Idea: a bounding volume hierarchy. Boxes are divided at the best of a few planes across each axis (Wald, "On fast
- * construction of SAH-based bounding volume hierarchies", 2007). In place of the surface stands what is in proportion
- * here to the chance of being met: the volume of the shadow that the box throws away from the viewer. A node has up to four
- * children, so that there are few nodes to fetch (H. Dammertz, J. Hanika, A. Keller, "Shallow bounding volume hierarchies
- * for fast SIMD ray tracing of incoherent rays", 2008). Points go down the tree many at a time, each child with those that
- * its box is over (I. Wald, C. Gribble, S. Boulos, A. Kensler, "SIMD ray stream tracing", 2007): a node is fetched once
- * for all of them, and a box is held against four at a time.
- * Invariants: a child's box holds the boxes of all items below it; node 0 is the root; children that reach farther toward the
- * viewer come first; depth is at most TREE_DEPTH. The tree is a function of the boxes alone. */
+ * Idea: a bounding volume hierarchy. Boxes are divided at the best of a few planes across each axis (I. Wald, "On
+ * fast construction of SAH-based bounding volume hierarchies", 2007). The chance of being met is in proportion to the
+ * volume of the shadow that a box throws away from the viewer, which takes the place of the surface area. A node has
+ * up to four children, so that there are few nodes to fetch (H. Dammertz, J. Hanika, A. Keller, "Shallow bounding
+ * volume hierarchies for fast SIMD ray tracing of incoherent rays", 2008). Many points go down the tree together, to
+ * each child those that its box is over (I. Wald, C. Gribble, S. Boulos, A. Kensler, "SIMD ray stream tracing",
+ * 2007): a node is fetched once for all of them, and a box is compared with four at a time.
+ *
+ * Invariants: a child's box holds the boxes of all items below it; node 0 is the root; children that reach farther
+ * toward the viewer come first; the depth is at most TREE_DEPTH. The tree is a function of the boxes alone. */
 #ifndef ROBERTS_RAY_TREE_H
 #define ROBERTS_RAY_TREE_H
 
@@ -21,8 +22,8 @@
 enum {
     TREE_DEPTH = 96,
     TREE_WIDTH = 4,
-    TREE_POINTS = 128, /* that walk together at the most, in multiples of 64 */
-    TREE_KEPT = 4,     /* leaves that come first */
+    TREE_POINTS = 128, /* most points that walk together; a multiple of 64 */
+    TREE_KEPT = 4,     /* leaves that are asked first */
 };
 
 typedef struct tree_box {
@@ -41,13 +42,13 @@ static inline tree_box tree_box_union(tree_box a, tree_box b)
 /* Volume of a box's shadow down to z = `floor`; 0 for an empty one. */
 double tree_box_shadow(tree_box a, double floor);
 
-/* What is found: `count` things of the caller's from `first` on. */
+/* What a search finds: `count` things of the caller's, from `first` on. */
 typedef struct tree_item {
     uint32_t first, count;
 } tree_item;
 
-/* An item on its way into the tree: its box in single precision, rounded outward (by up to two of its last places), and
- * whose it is. */
+/* An item to be put into the tree: its owner, and its box in single precision, rounded outward (by up to two units in
+ * the last place). */
 typedef struct tree_entry {
     float lo[3], hi[3];
     uint32_t owner; /* not ROBERTS_NONE */
@@ -56,13 +57,13 @@ typedef struct tree_entry {
 
 tree_entry tree_entry_of(tree_box box, uint32_t owner, tree_item item);
 
-/* Two cache lines; child by child. How deep a box reaches does not matter; nothing is below that of a child that is not
- * there. */
+/* A node: two cache lines. How deep a box reaches does not matter. The box of a child that is not there lies over
+ * nothing. */
 typedef struct tree_node {
     float lo_x[TREE_WIDTH], hi_x[TREE_WIDTH], lo_y[TREE_WIDTH], hi_y[TREE_WIDTH], hi_z[TREE_WIDTH];
     uint32_t owner[TREE_WIDTH]; /* of all items below, or ROBERTS_NONE where they have several */
-    uint32_t first[TREE_WIDTH]; /* leaf: its first item; else a node */
-    uint32_t count[TREE_WIDTH]; /* leaf: its items; else 0 */
+    uint32_t first[TREE_WIDTH]; /* leaf: its first item; otherwise a node */
+    uint32_t count[TREE_WIDTH]; /* leaf: its items; otherwise 0 */
 } tree_node;
 
 typedef struct tree {
@@ -71,12 +72,12 @@ typedef struct tree {
     uint32_t node_count;
 } tree;
 
-/* Builds `t` over `count` entries, UINT32_MAX / TREE_WIDTH at the most, whose order changes. False: no memory, and `t` is
- * empty. */
+/* Builds `t` over `count` entries, at most UINT32_MAX / TREE_WIDTH, and changes their order. False: no memory, and
+ * `t` is empty. */
 bool tree_build(tree *t, tree_entry *entry, uint32_t count);
 void tree_free(tree *t);
 
-/* Some of the points that walk together: point i is bit i % 64 of word i / 64. */
+/* A set of the points that walk together: point i is bit i % 64 of word i / 64. */
 typedef struct tree_set {
     uint64_t word[TREE_POINTS / 64];
 } tree_set;
@@ -89,7 +90,7 @@ static inline bool tree_set_is_empty(const tree_set *s)
     return any == 0;
 }
 
-/* The least point of the set, which is taken off it and must not be empty. */
+/* Takes the least point off the set, which must not be empty. */
 static inline uint32_t tree_set_take(tree_set *s)
 {
     uint32_t k = 0;
@@ -100,13 +101,13 @@ static inline uint32_t tree_set_take(tree_set *s)
     return i;
 }
 
-/* Points that walk together; none yet where it is zeroed. Single precision takes no box from a point: rounding to the
- * nearest keeps order, and boxes are rounded outward. */
+/* Points that walk together. Zeroed: none yet. Single precision loses no box: boxes are rounded outward, and rounding
+ * to the nearest keeps order. */
 typedef struct tree_points {
     uint32_t count;
     tree_set live; /* not dropped */
     float x[TREE_POINTS], y[TREE_POINTS], z[TREE_POINTS];
-    uint32_t skip[TREE_POINTS]; /* an owner whose items need not be found, or any number that is no owner's */
+    uint32_t skip[TREE_POINTS]; /* an owner whose items need not be found; any number that is no owner: none */
 } tree_points;
 
 static inline void tree_points_add(tree_points *p, roberts_vec3 point, uint32_t skip)
@@ -124,6 +125,12 @@ static inline void tree_points_drop(tree_points *p, uint32_t i)
     p->live.word[i / 64] &= ~((uint64_t)1 << i % 64);
 }
 
+/* From now on boxes are over point i only if they reach up to z. */
+static inline void tree_points_raise(tree_points *p, uint32_t i, double z)
+{
+    p->z[i] = (float)z;
+}
+
 /* Those of the points in `of` that lie under the entry's box, and do not skip its owner. */
 tree_set tree_points_under(const tree_points *p, const tree_entry *e, const tree_set *of);
 
@@ -133,15 +140,16 @@ typedef struct tree_crowd {
     tree_set points;
 } tree_crowd;
 
-/* Walks through the leaves over points, for each without those that are all of the owner it skips; leaves nearer to
- * the viewer come first, about. */
+/* A walk through the leaves over some points. Leaves that are all of the owner that a point skips are not found for
+ * it. Leaves nearer to the viewer come first, roughly. */
 typedef struct tree_walk {
     const tree *t;
     const tree_points *points;
-    float lo_x, hi_x, lo_y, hi_y, lo_z;           /* of them all */
-    uint32_t kept[TREE_KEPT], kept_count;         /* leaves, as children */
-    uint32_t first[TREE_KEPT], first_count, leaf; /* kept when the walk began, and not yet asked; the leaf last found */
-    bool begun;                                   /* with what is not kept */
+    float lo_x, hi_x, lo_y, hi_y, lo_z;   /* of them all */
+    uint32_t kept[TREE_KEPT], kept_count; /* leaves, as children */
+    uint32_t first[TREE_KEPT], first_count,
+        leaf;   /* of those kept when the walk began, the ones not yet asked; the leaf found last */
+    bool begun; /* with the leaves that are not kept */
     uint32_t depth;
     tree_crowd stack[(TREE_WIDTH - 1) * TREE_DEPTH + 1];
 } tree_walk;
@@ -153,17 +161,34 @@ typedef struct tree_leaf {
     tree_set points;
 } tree_leaf;
 
-/* A walker, for walk after walk through the same tree. */
+/* Prepares `w` for any number of walks through the same tree. */
 void tree_walk_init(tree_walk *w, const tree *t);
 
-/* The points may be dropped on the way, and must stay otherwise. */
+/* Starts a walk. Points may be dropped on the way, and must not change otherwise. */
 void tree_walk_start(tree_walk *w, const tree_points *points);
 
-/* The next leaf with a point under its box, first the kept ones; false at the end. A box that is only just missed may be
- * taken for met. */
+/* The next leaf with a point under its box, the kept ones first; false at the end. A box that is only just missed may
+ * count as met. */
 bool tree_walk_next(tree_walk *w, tree_leaf *leaf);
 
-/* The leaf just found was of use, and is to come first on the next walks, and once more in its turn. */
+/* Keeps the leaf just found, which was of use: the next walks find it first, and once more in its turn. */
 void tree_walk_keep(tree_walk *w);
+
+/* A search for the leaves whose boxes may lie over some point of a segment. */
+typedef struct tree_search {
+    const tree *t;
+    roberts_vec2 middle, half; /* of the segment: its middle, and half the way from end to end */
+    double low_z;              /* of its lower end */
+    uint32_t skip;             /* as in tree_points */
+    uint32_t depth;
+    uint32_t stack[(TREE_WIDTH - 1) * TREE_DEPTH + 1]; /* children, numbered as in tree_crowd */
+} tree_search;
+
+/* Starts a search for what is over the segment from `a` to `b`; leaves that are all of the owner `skip` are left out.
+ */
+void tree_search_start(tree_search *s, const tree *t, roberts_vec3 a, roberts_vec3 b, uint32_t skip);
+
+/* The next leaf (`points` is not set); false at the end. */
+bool tree_search_next(tree_search *s, tree_leaf *leaf);
 
 #endif

@@ -1,57 +1,35 @@
 /* verify.c - a drawing checked by rays.
  *
- * Idea: at some points of each visible and each hidden stretch of an edge the rule is applied directly: a point is
- * hidden where a front face of another solid lies on its sight line, nearer to the viewer. For an edge without front
- * face (which its own solid hides) the own solid counts as well.
+ * The rule is applied directly: a point is hidden where a front face of another solid lies on its sight line, nearer to
+ * the viewer. For an edge without a front face, which its own solid hides, the own solid counts as well. stretch.c says
+ * which points of an edge are asked and what contradicts the drawing.
  *
- * Every question has three answers: surely, possibly, no. A point surely hidden that is drawn visible, or not even
- * possibly hidden and drawn hidden, is a contradiction; what is only possible is left undecided.
- *
- * Edges are taken in runs, and runs by where they are in the picture, so that rays cast after one another have to do with
- * the same faces. Chunks of runs are for any number of threads; a chunk keeps what it finds, and the findings come in
- * the edges' order. */
+ * Edges are taken in runs, and runs by where they are in the picture, so that rays cast one after another meet the same
+ * faces. Threads take chunks of runs. Each chunk keeps what it finds; the findings are sorted by edge in the end. */
 #include <stdlib.h>
 
 #include "base/array.h"
 #include "base/error.h"
-#include "base/radix.h"
+#include "base/sort.h"
 #include "base/threads.h"
-#include "ray/occluders.h"
+#include "ray/stretch.h"
 #include "view/clip.h"
 
-/* The first and last point of a stretch lie this part of it from its ends: near enough to find an end that is off by a
- * thousandth of the stretch, and farther than epsilon from it for all stretches that a pen can show. */
-#define END_MARGIN 0x1p-10
-/* A wrong point counts where a neighbour at this part of the stretch is wrong as well. */
-#define NEIGHBOUR 0x1p-12
-/* Gaps between the rows of an edge that are rounding (t has a size of 1). */
+/* Gaps between the rows of an edge that are no wider are rounding (t has a size of 1). */
 #define GAP 1e-15
-/* An angle so near the crease angle may be taken for either side of it; degrees. */
+/* An angle this near to the crease angle may be taken for either side of it; degrees. */
 #define CREASE_MARGIN 1e-6
-/* Edges of one solid that stay together, at the most. */
+/* Most edges of a run, all of one solid. */
 #define RUN_EDGES 32
 /* Runs in a chunk: enough to forget the cost of sharing them out. */
 #define CHUNK_RUNS 32
-/* With less work than this a thread costs more than it does. */
+/* With fewer chunks than this for each, a thread costs more than it saves. */
 #define CHUNKS_PER_THREAD 4
 
-/* Edges of one solid, up to the next run's first. */
+/* Edges of one solid, up to the first edge of the next run. */
 typedef struct edge_run {
     uint32_t solid, edge;
 } edge_run;
-
-typedef struct finding {
-    roberts_contradiction what;
-    uint32_t run;
-} finding;
-
-/* What a chunk of runs came to. */
-typedef struct chunk {
-    size_t segments, points, undecided;
-    finding *found;
-    size_t count, room;
-    bool lost; /* no memory */
-} chunk;
 
 typedef struct verifier {
     const roberts_scene *scene; /* as given: the drawing's numbers and t go by it */
@@ -60,11 +38,11 @@ typedef struct verifier {
     const roberts_drawing *drawing;
     roberts_verify_options options;
     occluders o;
-    uint32_t *row_start; /* [edge_count + 1] */
-    uint32_t *row;       /* [segments] rows of the drawing, edge by edge, by t */
-    edge_run *run;       /* [run_count + 1] the last one ends them */
-    uint32_t *order;     /* [run_count] runs by where they are in the picture */
-    chunk *chunk;        /* [chunk_count] */
+    uint32_t *row_start;    /* [edge_count + 1] */
+    uint32_t *row;          /* [segments] rows of the drawing, edge by edge, by t */
+    edge_run *run;          /* [run_count + 1] the last one ends them */
+    uint32_t *order;        /* [run_count] runs by where they are in the picture */
+    stretch_result *result; /* [chunk_count] */
     uint32_t run_count, chunk_count;
 } verifier;
 
@@ -73,28 +51,26 @@ roberts_verify_options roberts_verify_options_default(void)
     return (roberts_verify_options){.rays = 3, .crease_degrees = 0.1};
 }
 
-/* ---- edges ------------------------------------------------------------------------------------------------------ */
+/* ---- edges ----------------------------------------------------------------------------------------------------- */
 
-/* What an edge's faces make of it. */
-enum { EDGE_FRONT, EDGE_BACK, EDGE_UNSURE };
-
-static int edge_class(const verifier *f, const scene_edge *e)
+static stretch_edge classify_edge(const verifier *f, const scene_edge *e)
 {
     bool unsure = false;
     for (int i = 0; i < 2; i++) {
         int facing = e->f[i] == ROBERTS_NONE ? SIGHT_NOT_FRONT : f->o.s.facing[e->f[i]];
         if (facing == SIGHT_FRONT)
-            return EDGE_FRONT;
+            return STRETCH_FRONT;
         unsure |= facing == SIGHT_UNSURE;
     }
-    return unsure ? EDGE_UNSURE : EDGE_BACK;
+    return unsure ? STRETCH_UNSURE : STRETCH_BACK;
 }
 
-/* Whether the drawing has to show the edge where nothing hides it: an outline, or bent by more than the crease angle. */
-static bool surely_drawn(const verifier *f, const scene_edge *e)
+/* Whether the drawing has to show the edge where nothing hides it: an outline, or bent by more than the crease angle.
+ */
+static bool is_surely_drawn(const verifier *f, const scene_edge *e)
 {
     const double degrees = 180.0 / 3.14159265358979323846;
-    if (edge_class(f, e) != EDGE_FRONT)
+    if (classify_edge(f, e) != STRETCH_FRONT)
         return false;
     if (f->options.all_edges || e->f[1] == ROBERTS_NONE || f->o.s.facing[e->f[0]] == SIGHT_NOT_FRONT ||
         f->o.s.facing[e->f[1]] == SIGHT_NOT_FRONT)
@@ -105,163 +81,74 @@ static bool surely_drawn(const verifier *f, const scene_edge *e)
     return angle > f->options.crease_degrees + CREASE_MARGIN;
 }
 
-/* ---- points of a stretch ---------------------------------------------------------------------------------------- */
-
-/* Where point k of n lies within a stretch, 0 < position < 1. */
-static double position(uint32_t k, uint32_t n)
-{
-    if (n == 1)
-        return 0.5;
-    if (k == 0 || k == n - 1)
-        return k == 0 ? END_MARGIN : 1.0 - END_MARGIN;
-    return (double)k / (n - 1);
-}
-
-/* A stretch of an edge that the drawing shows in one state. */
-typedef struct stretch {
-    uint32_t solid, edge;
-    int class;
-    double t0, t1;
-    roberts_state drawn;
-} stretch;
-
-/* A point of a stretch. */
-typedef struct probe {
-    double t, step; /* where, and how far its neighbours are */
-    uint32_t edge, run;
-    roberts_state drawn;
-} probe;
-
-/* Points of a chunk's edges, in order, that are asked together. */
-typedef struct batch {
-    chunk *out;
-    uint32_t run, count;
-    probe probe[TREE_POINTS];
-    sight_question question[TREE_POINTS];
-    tree_walk walk;
-} batch;
-
-static roberts_vec3 point_of(const verifier *f, uint32_t solid, uint32_t edge, double t)
-{
-    const scene_edge e = scene_edge_at(f->scene, solid, edge);
-    roberts_vec3 A = sight_point(&f->o.s, f->scene->point[e.v[0]]);
-    roberts_vec3 AB = vec3_sub(sight_point(&f->o.s, f->scene->point[e.v[1]]), A);
-    return vec3_add(A, vec3_scale(t, AB));
-}
-
-/* Whether the answer surely contradicts the drawing. */
-static bool contradicts(const probe *p, const sight_question *q)
-{
-    return q->answer == (p->drawn == ROBERTS_HIDDEN ? SIGHT_NO : SIGHT_SURELY);
-}
-
-/* Whether the point, asked strictly, still contradicts the drawing, and a neighbour of it as well; or both neighbours where the
- * point itself lies just where the edge crosses a side, as between two faces that hide it. */
-static bool contradicts_strictly(const verifier *f, tree_walk *w, const probe *p, const sight_question *q)
-{
-    sight_question again[3] = {*q, *q, *q};
-    const roberts_vec3 ends[2] = {point_of(f, q->solid, p->edge, 0.0), point_of(f, q->solid, p->edge, 1.0)};
-    again[1].X = point_of(f, q->solid, p->edge, p->t - p->step);
-    again[2].X = point_of(f, q->solid, p->edge, p->t + p->step);
-    for (int i = 0; i < 3; i++)
-        again[i].ends = ends;
-    occluders_cast(&f->o, w, again, 3);
-    return contradicts(p, &again[0]) + contradicts(p, &again[1]) + contradicts(p, &again[2]) >= 2;
-}
-
-static void contradict(const verifier *f, chunk *out, const probe *p, const sight_question *q)
-{
-    const scene_edge edge = scene_edge_at(f->scene, q->solid, p->edge);
-    roberts_contradiction c = {q->solid,
-                               scene_vertex_number(f->scene, edge.v[0]),
-                               scene_vertex_number(f->scene, edge.v[1]),
-                               p->t,
-                               p->drawn,
-                               ROBERTS_VISIBLE,
-                               ROBERTS_NONE};
-    if (p->drawn == ROBERTS_VISIBLE) {
-        c.cast = ROBERTS_HIDDEN;
-        c.by = f->o.face_solid[q->hider];
-    }
-    if (array_reserve(&out->found, &out->room, out->count + 1, sizeof *out->found))
-        out->found[out->count++] = (finding){c, p->run};
-    else
-        out->lost = true;
-}
-
-/* Casts the rays of the points that wait, and judges them. Where an edge passes behind a mere corner the rule hides one
- * point of it, and the drawing rightly shows nothing of that: only what is contradicted at a neighbouring point too
- * counts. */
-static void judge(const verifier *f, batch *b)
-{
-    occluders_cast(&f->o, &b->walk, b->question, b->count);
-    for (uint32_t i = 0; i < b->count; i++) {
-        const sight_question *q = &b->question[i];
-        if (!contradicts(&b->probe[i], q))
-            b->out->undecided += q->answer == SIGHT_POSSIBLY;
-        else if (contradicts_strictly(f, &b->walk, &b->probe[i], q))
-            contradict(f, b->out, &b->probe[i], q);
-        else
-            b->out->undecided++;
-    }
-    b->count = 0;
-}
-
-/* The points of a stretch. */
-static void check_stretch(const verifier *f, batch *b, const stretch *e)
-{
-    double length = e->t1 - e->t0;
-    b->out->segments++;
-    b->out->points += f->options.rays;
-    if (e->class == EDGE_UNSURE) {
-        b->out->undecided += f->options.rays;
-        return;
-    }
-    for (uint32_t k = 0; k < f->options.rays; k++) {
-        double t = e->t0 + length * position(k, f->options.rays);
-        if (b->count == TREE_POINTS)
-            judge(f, b);
-        b->probe[b->count] = (probe){t, NEIGHBOUR * length, e->edge, b->run, e->drawn};
-        b->question[b->count++] =
-            (sight_question){.X = point_of(f, e->solid, e->edge, t), .solid = e->solid, .own = e->class == EDGE_BACK};
-    }
-}
-
 /* What the near plane leaves of an edge. */
 static clip_edge left_of(const verifier *f, uint32_t index)
 {
     return f->clip.clipped ? f->clip.origin[index] : (clip_edge){index, 0.0, 1.0};
 }
 
-/* The rows of an edge, and between them, where the edge has to be drawn, the gaps: hidden and left out. */
-static void check_edge(const verifier *f, batch *b, uint32_t solid, uint32_t index)
+static roberts_vec3 vertex_point(const verifier *f, uint32_t vertex)
+{
+    return sight_point(&f->o.s, f->scene->point[vertex]);
+}
+
+/* Checks one row: its ends against what the near plane leaves of the edge, and the stretch between them by rays. */
+static void check_row(stretch_checker *checker, const clip_edge *left, const roberts_segment *row, stretch *s)
+{
+    s->t0 = fmax(row->t0, left->t0);
+    s->t1 = fmin(row->t1, left->t1);
+    s->drawn = (roberts_state)row->state;
+    s->named = s->drawn == ROBERTS_HIDDEN;
+    s->drawn_by = s->named ? row->by : ROBERTS_NONE;
+    if (row->t0 < left->t0 - GAP)
+        stretch_is_clipped(checker, s, row->t0);
+    if (row->t1 > left->t1 + GAP)
+        stretch_is_clipped(checker, s, row->t1);
+    if (s->t0 < s->t1)
+        stretch_check(checker, s);
+}
+
+/* Where the edge has to be drawn, a gap from t0 to t1 says that it is hidden. */
+static void check_gap(stretch_checker *checker, double t0, double t1, stretch *s)
+{
+    s->t0 = t0;
+    s->t1 = t1;
+    s->drawn = ROBERTS_HIDDEN;
+    s->named = false;
+    s->drawn_by = ROBERTS_NONE;
+    if (t1 - t0 > GAP)
+        stretch_check(checker, s);
+}
+
+/* Checks the rows of an edge and the gaps between them. What the near plane cuts off, drawn as clipped or not, is no
+ * gap. */
+static void check_edge(const verifier *f, stretch_checker *checker, uint32_t solid, uint32_t index)
 {
     clip_edge left = left_of(f, index);
     if (left.edge == ROBERTS_NONE)
         return;
-    const scene_edge edge = scene_edge_at(f->seen, solid, left.edge);
-    bool gaps = surely_drawn(f, &edge);
-    stretch e = {.solid = solid, .edge = index, .class = edge_class(f, &edge)};
+    const scene_edge edge = scene_edge_at(f->seen, solid, left.edge), whole = scene_edge_at(f->scene, solid, index);
+    bool gaps = is_surely_drawn(f, &edge);
     double end = left.t0;
-    for (uint32_t k = f->row_start[index]; k <= f->row_start[index + 1]; k++) {
-        const roberts_segment *row = k < f->row_start[index + 1] ? &f->drawing->segment[f->row[k]] : NULL;
-        e.t0 = end;
-        e.t1 = row ? fmin(row->t0, left.t1) : left.t1;
-        e.drawn = ROBERTS_HIDDEN;
-        if (gaps && e.t1 - e.t0 > GAP)
-            check_stretch(f, b, &e);
-        if (!row)
-            return;
-        e.t0 = row->t0;
-        e.t1 = row->t1;
-        e.drawn = (roberts_state)row->state;
-        if (e.drawn != ROBERTS_CLIPPED)
-            check_stretch(f, b, &e);
+    stretch s = {.A = vertex_point(f, whole.v[0]),
+                 .B = vertex_point(f, whole.v[1]),
+                 .solid = solid,
+                 .edge = index,
+                 .faces = classify_edge(f, &edge)};
+    for (uint32_t k = f->row_start[index]; k < f->row_start[index + 1]; k++) {
+        const roberts_segment *row = &f->drawing->segment[f->row[k]];
+        if (row->state == ROBERTS_CLIPPED)
+            continue;
+        if (gaps)
+            check_gap(checker, end, fmin(row->t0, left.t1), &s);
+        check_row(checker, &left, row, &s);
         end = fmax(end, row->t1);
     }
+    if (gaps)
+        check_gap(checker, end, left.t1, &s);
 }
 
-/* ---- rows to edges ---------------------------------------------------------------------------------------------- */
+/* ---- rows to edges --------------------------------------------------------------------------------------------- */
 
 /* The edge of `solid` between input vertices v0 and v1; edge_count where there is none. */
 static uint32_t find_edge(const roberts_scene *scene, const roberts_segment *row)
@@ -283,18 +170,15 @@ static uint32_t find_edge(const roberts_scene *scene, const roberts_segment *row
     return scene->edge_count;
 }
 
-/* Puts the rows of [first, end) in order of t0; they are few, and mostly in order already. */
+/* Sorts the rows of [first, end) by t0. They are few, and mostly in order already. */
 static void sort_rows(verifier *f, uint32_t first, uint32_t end)
 {
-    for (uint32_t i = first + 1; i < end; i++) {
-        uint32_t row = f->row[i], k = i;
-        for (; k > first && f->drawing->segment[f->row[k - 1]].t0 > f->drawing->segment[row].t0; k--)
-            f->row[k] = f->row[k - 1];
-        f->row[k] = row;
-    }
+    const roberts_segment *segment = f->drawing->segment;
+    SORT_FEW(uint32_t, f->row + first, end - first, segment[*a].t0 > segment[*b].t0)
 }
 
-/* Rows by edge, by counting: row_start first counts, then points behind each edge's rows, then to their first. */
+/* Sorts rows by edge, by counting. row_start first counts the rows of each edge, then points behind them, then to the
+ * first. */
 static roberts_status assign_rows(verifier *f, roberts_error *error)
 {
     const roberts_scene *scene = f->scene;
@@ -319,22 +203,22 @@ static roberts_status assign_rows(verifier *f, roberts_error *error)
     return ROBERTS_OK;
 }
 
-/* ---- the whole -------------------------------------------------------------------------------------------------- */
+/* ---- chunks ---------------------------------------------------------------------------------------------------- */
 
 static void check_chunk(verifier *f, uint32_t index)
 {
     uint32_t first = index * CHUNK_RUNS, left = f->run_count - first;
-    batch b;
-    b.out = &f->chunk[index];
-    b.count = 0;
-    tree_walk_init(&b.walk, &f->o.t);
-    for (uint32_t i = 0; i < (left < CHUNK_RUNS ? left : CHUNK_RUNS); i++) {
-        b.run = f->order[first + i];
-        const edge_run *r = &f->run[b.run];
-        for (uint32_t edge = r->edge; edge < r[1].edge; edge++)
-            check_edge(f, &b, r->solid, edge);
+    stretch_checker *checker = stretch_checker_new(&f->o, f->options.rays, &f->result[index]);
+    if (!checker) {
+        f->result[index].lost = true;
+        return;
     }
-    judge(f, &b);
+    for (uint32_t i = 0; i < (left < CHUNK_RUNS ? left : CHUNK_RUNS); i++) {
+        const edge_run *r = &f->run[f->order[first + i]];
+        for (uint32_t edge = r->edge; edge < r[1].edge; edge++)
+            check_edge(f, checker, r->solid, edge);
+    }
+    stretch_checker_finish(checker);
 }
 
 static void check_chunks(verifier *f)
@@ -347,50 +231,66 @@ static void check_chunks(verifier *f)
         check_chunk(f, i);
 }
 
-/* Tells the contradictions in the order of the edges: run by run, each of which has its own together, in order. */
-static bool tell(const verifier *f, roberts_verification *result)
+/* ---- what was found -------------------------------------------------------------------------------------------- */
+
+static int by_edge(const void *a, const void *b)
 {
-    struct {
-        const finding *first;
-        size_t count;
-    } *of = alloc_zeroed(f->run_count, sizeof *of);
-    for (uint32_t i = 0; of && i < f->chunk_count; i++) {
-        for (const finding *found = f->chunk[i].found; found < f->chunk[i].found + f->chunk[i].count; found++) {
-            if (of[found->run].count++ == 0)
-                of[found->run].first = found;
-        }
-    }
-    for (uint32_t run = 0; of && run < f->run_count; run++) {
-        for (size_t k = 0; k < of[run].count; k++) {
-            if (result->contradictions++ == 0)
-                result->first = of[run].first[k].what;
-            if (f->options.contradiction)
-                f->options.contradiction(f->options.context, &of[run].first[k].what);
-        }
-    }
-    free(of);
-    return of != NULL;
+    const stretch_finding *p = a, *q = b;
+    if (p->edge != q->edge)
+        return p->edge < q->edge ? -1 : 1;
+    if (p->what.t != q->what.t)
+        return p->what.t < q->what.t ? -1 : 1;
+    return p->what.by < q->what.by ? -1 : p->what.by > q->what.by;
 }
 
-/* Sums the chunks up, and tells their contradictions. */
+/* Passes on the contradictions of all chunks, by edge and then along it; of two rays from the same point once. False:
+ * no memory. */
+static bool pass_on(const verifier *f, size_t count, roberts_verification *result)
+{
+    stretch_finding *all = alloc_array(count, sizeof *all);
+    size_t k = 0;
+    if (!all)
+        return false;
+    for (uint32_t i = 0; i < f->chunk_count; i++)
+        for (size_t j = 0; j < f->result[i].count; j++)
+            all[k++] = f->result[i].found[j];
+    qsort(all, count, sizeof *all, by_edge);
+    for (k = 0; k < count; k++) {
+        roberts_contradiction *what = &all[k].what;
+        if (k > 0 && by_edge(&all[k - 1], &all[k]) == 0)
+            continue;
+        const scene_edge edge = scene_edge_at(f->scene, what->solid, all[k].edge);
+        what->v0 = scene_vertex_number(f->scene, edge.v[0]);
+        what->v1 = scene_vertex_number(f->scene, edge.v[1]);
+        result->contradictions++;
+        if (f->options.contradiction)
+            f->options.contradiction(f->options.context, what);
+    }
+    result->first = all[0].what;
+    free(all);
+    return true;
+}
+
+/* Sums the chunks up and passes on their contradictions. */
 static roberts_status report(const verifier *f, roberts_verification *result, roberts_error *error)
 {
-    bool lost = false, found = false;
+    bool lost = false;
+    size_t found = 0;
     for (uint32_t i = 0; i < f->chunk_count; i++) {
-        lost |= f->chunk[i].lost;
-        found |= f->chunk[i].count > 0;
+        lost |= f->result[i].lost;
+        found += f->result[i].count;
     }
-    if (lost || (found && !tell(f, result)))
+    if (lost || (found && !pass_on(f, found, result)))
         return error_no_memory(error);
     for (uint32_t i = 0; i < f->chunk_count; i++) {
-        result->segments += f->chunk[i].segments;
-        result->points += f->chunk[i].points;
-        result->undecided += f->chunk[i].undecided;
+        result->segments += f->result[i].segments;
+        result->points += f->result[i].points;
+        result->undecided += f->result[i].undecided;
     }
     return ROBERTS_OK;
 }
 
-/* ---- before it -------------------------------------------------------------------------------------------------- */
+/* ---- before it ------------------------------------------------------------------------------------------------- */
 
 /* Cuts the solids' edges into runs. */
 static void find_runs(verifier *f)
@@ -416,7 +316,8 @@ static bool order_runs(verifier *f)
     return done;
 }
 
-/* About how many rays will ask for the faces of each solid: all but those from edges that the solid itself shows. */
+/* Estimates how many rays will ask for the faces of each solid: all but those from edges that the solid itself shows.
+ */
 static void count_rays(const verifier *f, double *rays)
 {
     const roberts_drawing *drawing = f->drawing;
@@ -452,15 +353,15 @@ static bool prepare(verifier *f)
         return false;
     find_runs(f);
     f->chunk_count = f->run_count / CHUNK_RUNS + (f->run_count % CHUNK_RUNS != 0);
-    f->chunk = alloc_zeroed(f->chunk_count, sizeof *f->chunk);
-    return f->chunk;
+    f->result = alloc_zeroed(f->chunk_count, sizeof *f->result);
+    return f->result;
 }
 
 static void release(verifier *f)
 {
-    for (uint32_t i = 0; f->chunk && i < f->chunk_count; i++)
-        free(f->chunk[i].found);
-    free(f->chunk);
+    for (uint32_t i = 0; f->result && i < f->chunk_count; i++)
+        free(f->result[i].found);
+    free(f->result);
     free(f->run);
     free(f->order);
     free(f->row_start);

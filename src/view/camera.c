@@ -1,7 +1,7 @@
 /* camera.c - the named views, those by angles, and turning about the scene. */
 #include <string.h>
 
-#include "base/angle.h"
+#include "base/vec.h"
 #include "model/scene.h"
 
 bool roberts_camera_preset(const char *name, roberts_camera *camera)
@@ -33,8 +33,8 @@ bool roberts_camera_preset(const char *name, roberts_camera *camera)
     return false;
 }
 
-/* With azimuth a and elevation e the viewer is at (sin a cos e, -cos a cos e, sin e); up is the derivative by e, which
- * has a direction at the zenith too. */
+/* The viewer is at (sin a cos e, -cos a cos e, sin e), with azimuth a and elevation e. `up` is the derivative by e,
+ * which has a direction at the zenith too. */
 bool roberts_camera_angles(double azimuth, double elevation, double roll, roberts_camera *camera)
 {
     if (!isfinite(azimuth) || !isfinite(roll) || !(fabs(elevation) <= 90.0))
@@ -60,7 +60,7 @@ static bool is_upright(roberts_vec3 v)
     return v.x == 0.0 && v.y == 0.0;
 }
 
-/* What is up from straight above or below by default, +y, does not turn by itself as +z does. */
+/* From straight above or below the default for up is +y. Unlike +z it changes with a turn, so it is set before. */
 void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_camera *camera)
 {
     const roberts_vec3 centre = scene->centre;

@@ -1,5 +1,5 @@
-/* clip.c - see clip.h. Source of the cutting: I. E. Sutherland, G. W. Hodgman, "Reentrant polygon clipping", CACM 17(1),
- * 1974, face by face; the cap is what the cuts of the faces join to. */
+/* clip.c - cutting by the near plane. See clip.h. Faces are cut one by one (I. E. Sutherland, G. W. Hodgman,
+ * "Reentrant polygon clipping", CACM 17(1), 1974); what is cut off them joins to the cap. */
 #include "view/clip.h"
 
 #include <float.h>
@@ -12,12 +12,15 @@
 #include "model/face_plane.h"
 #include "view/cutter.h"
 
-/* The near plane's distance where none is given: as a part of the distance of the look-at point, and at least of the
- * scene's diameter. Nearer things would be drawn a thousand times as large as at the look-at point. */
+/* The distance of the near plane if none is given: this part of the distance of the look-at point, and at least this
+ * part of the scene's diameter. Nearer things would be drawn a thousand times as large as at the look-at point. */
 #define NEAR_OF_DISTANCE 1e-3
 #define NEAR_OF_DIAMETER 1e-5
-/* What is nearer to the near plane than this lies in it, to rounding, and the eye on a face; in ulps of the largest
- * coordinate, the eye's included. */
+/* The least distance of the near plane, whatever is given, as a part of the scene's diameter. Coordinates in the
+ * picture grow by one over it, and with them the touching distance. */
+#define NEAR_LEAST 1e-6
+/* What is nearer than this to the near plane lies in it, to rounding; likewise the eye and a face. In ulps of the
+ * largest coordinate, the eye's included. */
 #define TOUCHING_ULPS 16.0
 
 bool cutter_add_vertex(cutter *c, roberts_vec3 point, roberts_vec3 low, uint32_t number)
@@ -90,7 +93,7 @@ static uint32_t find_edge(const cutter *c, uint32_t solid, uint32_t a, uint32_t 
     return low;
 }
 
-/* a + t (b - a), which a double holds only to its last place: near the eye that is a wide angle. */
+/* a + t (b - a). A double holds this only to its last place, which near the eye is a wide angle; `low` is the rest. */
 static double divide(double a, double b, double t, double *low)
 {
     dd p = dd_add((dd){a, 0.0}, dd_mul((dd){t, 0.0}, dd_two_diff(b, a)));
@@ -104,7 +107,7 @@ bool cutter_add_cut(cutter *c, roberts_vec3 A, roberts_vec3 B, double t)
     return cutter_add_vertex(c, point, low, ROBERTS_NONE);
 }
 
-/* Vertices that stay, and one on each edge that the plane cuts. */
+/* Adds the vertices that stay, and one on each edge that the plane cuts. */
 static bool cut_vertices(cutter *c, uint32_t solid)
 {
     const roberts_scene *from = c->from;
@@ -154,8 +157,8 @@ bool cutter_measure_width(cutter *c, uint32_t first, double *width)
     return true;
 }
 
-/* One face; where it is cut, the cap will run along the cut the other way. A side that is straight only within the
- * tolerance may weave through the plane: each way in belongs to the way out before it. */
+/* Cuts one face. The cap will run along the cut the other way. A side that is straight only within the tolerance may
+ * weave through the plane: then each way in belongs to the way out before it. */
 static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face)
 {
     const roberts_scene *from = c->from;
@@ -190,9 +193,9 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
                            scene_face_number(from, face));
 }
 
-/* The cap's face, as plane as its corners lie in the near plane; `start` is one of the cut edges. Where a side weaves
- * through the plane there are several rings, and the cap has one of them: the outline is then no single cycle, and the
- * faces hide one by one (see front.c). */
+/* Adds the cap, as plane as its corners lie in the near plane; `start` is one of the cut edges. If a side weaves
+ * through the plane there are several rings, and the cap has one of them. The outline is then no single cycle, and
+ * the faces hide one by one (see front.c). */
 static bool add_cap(cutter *c, uint32_t start)
 {
     const roberts_scene *from = c->from;
@@ -208,8 +211,8 @@ static bool add_cap(cutter *c, uint32_t start)
     return cutter_measure_width(c, begin, &width) && cutter_add_face(c, F, c->touching, width, ROBERTS_NONE);
 }
 
-/* Edges that stay, wholly or in part, in their order; those along the cap last. map: faces to faces of the clipped
- * scene. */
+/* Adds the edges that stay, whole or in part, in their order, and those along the cap last. map: from faces to faces
+ * of the clipped scene. */
 static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t cap)
 {
     const roberts_scene *from = c->from;
@@ -228,7 +231,7 @@ static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t c
     for (uint32_t i = first; i < end && cap != ROBERTS_NONE; i++) {
         if (c->cut[i] == ROBERTS_NONE)
             continue;
-        /* between cut i and the next the cap meets the face that is entered by edge i: v[0] -> v[1] runs round f[0] */
+        /* from cut i to the next, the cap meets the face that edge i leads into: v[0] -> v[1] runs round f[0] */
         const scene_edge edge = scene_edge_at(from, solid, i);
         uint32_t face = edge.f[cutter_keeps(c, edge.v[1]) ? 0 : 1];
         if (!cutter_add_edge(c, c->cut[i], c->cut[c->next[i]], cap, map[face], true))
@@ -237,7 +240,8 @@ static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t c
     return true;
 }
 
-/* An eye on a face is outside, to rounding; what a face departs from its plane is not counted. */
+/* Whether the eye is inside of a solid. On a face it is outside, to rounding; what a face departs from its plane does
+ * not count. */
 static bool holds_eye(const cutter *c, uint32_t solid)
 {
     roberts_vec3 P = vec3_sub(c->eye, c->from->centre);
@@ -247,7 +251,7 @@ static bool holds_eye(const cutter *c, uint32_t solid)
     return true;
 }
 
-/* One solid; `map` is scratch, [face_count of from]. */
+/* Cuts one solid. `map` is scratch, [face_count of from]. */
 static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, roberts_error *error)
 {
     if (!scene_is_convex(c->from, solid))
@@ -278,14 +282,10 @@ static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, robert
     return cut_edges(c, solid, map, cap) ? ROBERTS_OK : error_no_memory(error);
 }
 
-/* Distances from the eye's plane; the least of them. */
+/* Measures distances from the eye's plane, and returns the least. */
 static double measure_depths(cutter *c)
 {
-    const roberts_vec3 corners[] = {c->from->box_min, c->from->box_max, c->eye};
     double least = INFINITY;
-    for (size_t i = 0; i < sizeof corners / sizeof corners[0]; i++)
-        c->touching = fmax(c->touching, fmax(fabs(corners[i].x), fmax(fabs(corners[i].y), fabs(corners[i].z))));
-    c->touching *= TOUCHING_ULPS * DBL_EPSILON;
     for (uint32_t v = 0; v < c->from->vertex_count; v++) {
         c->depth[v] = vec3_dot(c->dir, vec3_sub(c->eye, c->from->point[v]));
         if (fabs(c->depth[v] - c->near) <= c->touching)
@@ -307,6 +307,7 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
     to->box_max = from->box_max;
     to->centre = from->centre;
     to->unit = from->unit;
+    to->float32_step = from->float32_step;
     if (!map || !to->solid || !array_reserve(&to->face_start, &c->start_room, 1, sizeof *to->face_start)) {
         free(map);
         return error_no_memory(error);
@@ -329,6 +330,14 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
     return status;
 }
 
+static void set_touching(cutter *c)
+{
+    const roberts_vec3 corners[] = {c->from->box_min, c->from->box_max, c->eye};
+    for (size_t i = 0; i < sizeof corners / sizeof corners[0]; i++)
+        c->touching = fmax(c->touching, fmax(fabs(corners[i].x), fmax(fabs(corners[i].y), fabs(corners[i].z))));
+    c->touching *= TOUCHING_ULPS * DBL_EPSILON;
+}
+
 /* The line of sight and the near plane; false where view_prepare() will refuse the camera. */
 static bool set_near(cutter *c, const roberts_camera *camera)
 {
@@ -344,6 +353,8 @@ static bool set_near(cutter *c, const roberts_camera *camera)
     c->near = camera->near_distance;
     if (c->near <= 0.0)
         c->near = fmax(NEAR_OF_DISTANCE * vec3_length(back) * largest, NEAR_OF_DIAMETER * diameter);
+    set_touching(c);
+    c->near = fmax(c->near, NEAR_LEAST * diameter + c->touching);
     return true;
 }
 

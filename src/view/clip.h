@@ -1,9 +1,9 @@
-/* clip.h - what lies behind the eye or too near it is cut off, before the projective map, which could not bear it.
+/* clip.h - what lies behind the eye, or too near to it, is cut off before the projective map, which could not bear
+ * it.
  *
- * A solid that the near plane passes through is cut along it and closed by a cap: it stays a closed convex solid, so that
- * everything after is the same code. The cap hides (one does not look into the solid) but its edges are not drawn. Parts
- * of edges on the eye's side are clipped; a solid wholly on it is left without vertices, so that solids keep their
- * numbers. */
+ * A solid that the near plane passes through is cut along it and closed by a cap. It stays a closed convex solid, so
+ * all later code is the same. The cap hides, since nobody looks into a solid, but its edges are not drawn. Parts of
+ * edges on the eye's side are clipped. A solid wholly on that side is left without vertices and keeps its number. */
 #ifndef ROBERTS_VIEW_CLIP_H
 #define ROBERTS_VIEW_CLIP_H
 
@@ -22,9 +22,9 @@ typedef struct view_clip {
     bool clipped;        /* false: nothing need be cut, and all of the above is empty */
 } view_clip;
 
-/* Cuts `scene` for a perspective camera (for another, and for a scene wholly beyond the near plane, `clipped` is false).
- * Returns ROBERTS_OK, _NO_MEMORY or _BAD_VIEW: the eye is inside a solid, or nothing lies in front of it. A camera that
- * view_prepare() refuses is left to it. */
+/* Cuts `scene` for a perspective camera. `clipped` is false for another camera, and for a scene wholly beyond the
+ * near plane. Returns ROBERTS_OK, _NO_MEMORY or _BAD_VIEW: the eye is inside a solid, or nothing lies in front of it.
+ * A camera that view_prepare() refuses is left to it. */
 roberts_status view_clip_scene(view_clip *clip, const roberts_scene *scene, const roberts_camera *camera,
                                roberts_error *error);
 void view_clip_free(view_clip *clip);

@@ -27,18 +27,18 @@ typedef struct view {
     double unit;                 /* model units in one unit of view space: the scene's */
     double per_unit;             /* 1 / unit */
     roberts_vec2 oblique;        /* orthographic: what a unit of depth away moves right and up; 0, 0 mostly */
-    roberts_vec3 viewpoint;      /* the direction toward the viewer as given but for a power of two, or the eye in model
-                                    units */
-    double viewpoint_depth;      /* orthographic: of the viewpoint along dir */
+    roberts_vec3
+        viewpoint; /* the direction toward the viewer, as given but for a power of two; or the eye in model units */
+    double viewpoint_depth; /* orthographic: of the viewpoint along dir */
     bool perspective;
-    double diameter;        /* diagonal of the scene's box, view units */
-    double extent;          /* no view coordinate is larger than this, view units; at least the diameter */
-    double across;          /* no x and no y is larger than this, view units; at most the extent */
-    double epsilon;         /* touching distance, view units */
+    double diameter; /* diagonal of the scene's box, view units */
+    double extent;   /* no view coordinate is larger than this, view units; at least the diameter */
+    double across;   /* no x and no y is larger than this, view units; at most the extent */
+    double epsilon;  /* touching distance, view units */
+    roberts_epsilon_reason epsilon_reason;
     double rounding;        /* bound of the rounding error of one view coordinate, view units */
     double across_rounding; /* ... of an x or y; at most `rounding` */
-    double
-        plane_rounding; /* perspective: bound of that of the eye's distance from a face's plane, view units; else 0 */
+    double plane_rounding;  /* perspective: ... of the eye's distance from a face's plane; otherwise 0 */
 } view;
 
 /* Prepares the map of `scene` seen by `camera`. epsilon: touching distance in model units, 0 = choose (1e-11 of the
@@ -53,24 +53,25 @@ roberts_vec3 view_point(const view *v, roberts_vec3 P);
 /* The same of `count` points. */
 void view_points(const view *v, const roberts_vec3 *P, size_t count, roberts_vec3 *out);
 
-/* A face's plane in view space (view units, unit normal) from its plane in the model. `*stretch`, where not NULL: by
- * how much distances from the plane grow per unit of 1 + z / D (1 for the orthographic view). */
+/* A face's plane in view space (view units, unit normal) from its plane in the model. `*stretch`, unless NULL: how
+ * much distances from the plane grow per unit of 1 + z / D (1 for the orthographic view). */
 plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, double *stretch);
 
-/* Front, back, or edge-on: the projection is no wider than epsilon. P: view points of all vertices of the scene;
- * F: the face's plane in view space. */
+/* Front, back, or edge-on: the picture of the face is no wider than epsilon. P: view points of all vertices of the
+ * scene; F: the plane of the face in view space. */
 int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P);
 
-/* Both: how the face is turned; and its plane, where it is front. */
+/* Both at once: how the face is turned and, if it is front, its plane. */
 int view_face(const view *v, const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, plane *F,
               double *stretch);
 
 /* The parameter along an edge in space that belongs to parameter `s` along its picture, and back. zA, zB: view depths
- * of its ends. The same for the orthographic view; else the edge's points crowd where it is far from the eye. */
+ * of its ends. In the orthographic view both are the same; in perspective equal steps in space crowd in the picture
+ * where the edge is far from the eye. */
 double view_to_space(const view *v, double zA, double zB, double s);
 double view_from_space(const view *v, double zA, double zB, double t);
 
-/* True: the picture is the square about the look-at point of `*half` model units each way, because of a field of view
+/* Whether the picture is a square about the look-at point, `*half` model units each way: because of a field of view
  * or, `clipped`, because the near plane cuts the scene. */
 bool view_frame(const view *v, const roberts_camera *camera, bool clipped, double *half);
 

@@ -2,7 +2,7 @@
 #include "view/clip.h"
 #include "view/view.h"
 
-#define FOV_OF_CLIPPED 60.0 /* degrees: what a scene that goes on behind the eye is drawn in */
+#define FOV_OF_CLIPPED 60.0 /* degrees: the field of view for a scene that goes on behind the eye */
 
 bool view_frame(const view *v, const roberts_camera *camera, bool clipped, double *half)
 {

@@ -1,5 +1,5 @@
 /* fuzz.h - what a fuzzer calls with bytes of its own making. Each stops the process where something is wrong that no
- * sanitizer sees; both also run over the seeds and over what was once found, in test_fuzz.c. */
+ * sanitizer sees; all also run over the seeds and over what was once found, in test_fuzz.c. */
 #ifndef ROBERTS_TESTS_FUZZ_H
 #define ROBERTS_TESTS_FUZZ_H
 
@@ -20,8 +20,14 @@
 /* Bytes of an input of fuzz_pipeline() that stand before the file and choose camera and options. */
 enum { FUZZ_SETTINGS = 12 };
 
-/* Both return 0, as the fuzzer wants it. */
+/* All return 0, as the fuzzer wants it. */
 int fuzz_read(const uint8_t *bytes, size_t size);
+int fuzz_stl(const uint8_t *bytes, size_t size);
+int fuzz_obj(const uint8_t *bytes, size_t size);
+int fuzz_ply(const uint8_t *bytes, size_t size);
 int fuzz_pipeline(const uint8_t *bytes, size_t size);
+
+/* fuzz_read() with the bytes behind `length` others. */
+int fuzz_read_behind(const void *begins, size_t length, const uint8_t *bytes, size_t size);
 
 #endif

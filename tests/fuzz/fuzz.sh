@@ -1,9 +1,9 @@
 #!/bin/sh
-# Runs the fuzzers, one after the other: tests/fuzz/fuzz.sh BUILD SECONDS [fuzz_read|fuzz_pipeline]
+# Runs the fuzzers, one after the other: tests/fuzz/fuzz.sh BUILD SECONDS [fuzz_read|fuzz_stl|fuzz_obj|fuzz_ply|fuzz_pipeline]
 #
-# Each starts from the small files of models/ and from what was once found, and goes on from what an earlier run has left in
+# Each starts from the small files of models/, from seeds/ and from what was once found, and goes on from what an earlier run has left in
 # BUILD/fuzz/NAME.d/corpus; what libFuzzer says is in log beside it. An input that fails is kept in found beside it; make it
-# small with -minimize_crash=1 -runs=100000, mend what is wrong, and put it into tests/fuzz/found/, as read-* or pipeline-*.
+# small with -minimize_crash=1 -runs=100000, mend what is wrong, and put it into tests/fuzz/found/, as read-*, stl-*, obj-*, ply-* or pipeline-*.
 # FUZZ_FLAGS are further words for libFuzzer.
 set -eu
 build=$1 seconds=$2
@@ -14,7 +14,12 @@ here=$(dirname "$0")
 seed() {
     name=$(echo "$2" | tr / _)
     case $1 in
-    fuzz_read) cp "$2" "$folder/seeds/$name" ;;
+    fuzz_read | fuzz_obj) cp "$2" "$folder/seeds/$name" ;;
+    fuzz_ply) tail -c +5 "$2" >"$folder/seeds/$name" ;;
+    fuzz_stl)
+        { printf '\000' && tail -c +85 "$2"; } >"$folder/seeds/0-$name"
+        { printf '\001' && cat "$2"; } >"$folder/seeds/1-$name"
+        ;;
     fuzz_pipeline)
         i=0
         for settings in '\000\000\000\000\000\000\000\000\000\000\000\000' \
@@ -27,11 +32,11 @@ seed() {
     esac
 }
 
-[ $# -gt 0 ] || set -- fuzz_read fuzz_pipeline
+[ $# -gt 0 ] || set -- fuzz_read fuzz_stl fuzz_obj fuzz_ply fuzz_pipeline
 for program in "$@"; do
     folder=$build/fuzz/$program.d
     mkdir -p "$folder/corpus" "$folder/seeds" "$folder/found"
-    find models -name '*.off' -size -6k | sort >"$folder/list"
+    find models "$here/seeds" -type f -size -6k ! -name '*.svg' ! -name '*.md' | sort >"$folder/list"
     while read -r file; do
         seed "$program" "$file"
     done <"$folder/list"

@@ -1,5 +1,5 @@
-/* fuzz_read.c - the reader with any bytes: at once from memory, and through a callback that gives pieces of changing
- * size. Both must say the same, and what they give must keep what roberts.h promises. */
+/* fuzz_read.c - the readers with any bytes: at once from memory, and through a callback that gives pieces of changing size.
+ * Both must say the same, and what they give must keep what roberts.h promises. */
 #include <math.h>
 #include <string.h>
 
@@ -47,6 +47,9 @@ static void require_sound(const roberts_mesh *mesh)
     FUZZ_REQUIRE(mesh->face_count == 0 || mesh->face_start[mesh->face_count] == mesh->corner_count);
     for (size_t i = 0; i < mesh->corner_count; i++)
         FUZZ_REQUIRE(mesh->corner[i] < mesh->vertex_count);
+    for (size_t i = 0; i < mesh->group_count; i++)
+        FUZZ_REQUIRE(mesh->group[i].first_face <= mesh->face_count && strlen(mesh->group[i].name) < 256 &&
+                     (i == 0 || mesh->group[i - 1].first_face <= mesh->group[i].first_face));
 }
 
 /* Room in proportion to the bytes: no face, vertex or corner takes less than a byte of the file. */
@@ -63,19 +66,34 @@ int fuzz_read(const uint8_t *bytes, size_t size)
     roberts_error error[2] = {{0}, {0}};
     pieces p = {bytes, size, 0, (uint32_t)size};
     roberts_status status = roberts_mesh_read_memory(&whole, "bytes", bytes, size, &warnings[0], &error[0]);
-    roberts_status second = roberts_mesh_read(&pieced, "bytes", read_piece, &p, &warnings[1], &error[1]);
-    /* What follows the last face is looked at only as far as it has come: a callback may wait for more. And what cannot be
-     * read twice is not looked at for a number that is missing. */
-    FUZZ_REQUIRE(status == second && warned[0] - warned[1] <= 2);
-    FUZZ_REQUIRE(same_mesh(&whole, &pieced) && whole.source_count == pieced.source_count);
     require_sound(&whole);
     require_modest(&whole, size);
+    if (!only_size_tells(bytes, size)) {
+        roberts_status second = roberts_mesh_read(&pieced, "bytes", read_piece, &p, &warnings[1], &error[1]);
+        /* What follows the last face is looked at only as far as it has come: a callback may wait for more. And what cannot
+         * be read twice is not looked at for a number that is missing. */
+        FUZZ_REQUIRE(status == second && warned[0] - warned[1] <= 2);
+        FUZZ_REQUIRE(same_mesh(&whole, &pieced) && whole.source_count == pieced.source_count);
+        FUZZ_REQUIRE(status == ROBERTS_OK || (error[1].status == status && same_complaint(&error[1], &error[0])));
+    }
     if (status != ROBERTS_OK) {
-        FUZZ_REQUIRE(error[0].status == status && error[1].status == status && error[0].message[0]);
-        FUZZ_REQUIRE(same_complaint(&error[1], &error[0]));
+        FUZZ_REQUIRE(error[0].status == status && error[0].message[0]);
         FUZZ_REQUIRE(whole.vertex_count == 0 && whole.face_count == 0 && whole.source_count == 0);
+        FUZZ_REQUIRE(whole.group_count == 0);
     }
     roberts_mesh_free(&whole);
     roberts_mesh_free(&pieced);
+    return 0;
+}
+
+int fuzz_read_behind(const void *begins, size_t length, const uint8_t *bytes, size_t size)
+{
+    uint8_t *file = malloc(length + size + 1);
+    FUZZ_REQUIRE(file);
+    memcpy(file, begins, length);
+    if (size)
+        memcpy(file + length, bytes, size);
+    fuzz_read(file, length + size);
+    free(file);
     return 0;
 }

@@ -10,6 +10,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "order.h"
+
 enum {
     REPORTS = 3,     /* of one scene, at most */
     SEEN_FACES = 200 /* plain rays are slow: only in scenes this small */
@@ -65,7 +67,7 @@ static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, bool
     roberts_scene *scene = NULL;
     roberts_camera camera = judge_camera(how);
     /* so that no faces are made one that are not coplanar */
-    roberts_scene_options solids = {.hull = how->hull, .tolerance = how->hull ? 1e-10 : 0};
+    roberts_scene_options solids = {.hull = how->hull, .tolerance = how->hull ? 1e-10 : how->tolerance};
     roberts_hide_options options = roberts_hide_options_default();
     options.all_edges = true;
     options.keep_hidden = keep_hidden;
@@ -127,6 +129,14 @@ static double wrong_length(const edge_segments *mine, const oracle_result *truth
            judge_outside(truth->interval + edge->sure, edge->sure_count, mine->hidden, mine->hidden_count);
 }
 
+/* What an edge may be wrong on. In a rough scene a part that is shorter than its ends may move by is as open as they are: it is there for
+ * some positions of the corners within the slack, and not for others. (From an eye slack counts for more; 2 for each end, 2 for that.) */
+static double limit_of(const test_scene *scene, const roberts_mesh *mesh, const oracle_edge *edge)
+{
+    roberts_vec3 p = mesh->vertex[edge->v0], q = mesh->vertex[edge->v1];
+    return JUDGE_LIMIT + (scene->rough ? 4 * scene->slack / hypot(hypot(p.x - q.x, p.y - q.y), p.z - q.z) : 0);
+}
+
 /* ---- reports ----------------------------------------------------------------------------------------------------- */
 
 bool judge_write_off(const char *path, const roberts_mesh *mesh, const char *comment)
@@ -179,7 +189,7 @@ static bool part_of(const roberts_mesh *mesh, const uint32_t *vertex_solid, cons
 }
 
 typedef struct one_edge {
-    double wrong;
+    double wrong, limit;
     oracle_edge edge;
     oracle_result truth;
     roberts_drawing drawing;
@@ -212,6 +222,7 @@ static void judge_one(const test_scene *how, const roberts_mesh *mesh, uint32_t 
         if (e->v0 == v0 && e->v1 == v1) {
             one->edge = *e;
             one->wrong = wrong_length(&one->mine, &one->truth, e);
+            one->limit = limit_of(how, mesh, e);
             return;
         }
     }
@@ -258,6 +269,8 @@ static void write_failure(const char *name, size_t nth, const char *folder, cons
     if (c.has_look_at)
         snprintf(command + used, sizeof command - (size_t)used, " --look-at=%.17g,%.17g,%.17g --near %.17g",
                  c.look_at.x, c.look_at.y, c.look_at.z, c.near_distance);
+    if (how->tolerance != 0)
+        snprintf(command + strlen(command), sizeof command - strlen(command), " --tolerance %.17g", how->tolerance);
     snprintf(comment, sizeof comment, "%s; slack %.17g", command, how->slack);
     if (judge_write_off(path, how->has_soup && mesh == &how->mesh ? &how->soup : mesh, comment))
         fprintf(out, "  build/roberts %s %s\n", command, path);
@@ -273,7 +286,7 @@ static bool part_fails(const test_scene *scene, const oracle_result *truth, cons
     *one = (one_edge){0};
     if (part_of(&scene->mesh, truth->vertex_solid, wanted, part, &v0, &v1))
         judge_one(scene, part, v0, v1, one);
-    return one->wrong > JUDGE_LIMIT;
+    return one->wrong > one->limit;
 }
 
 /* Leaves out halves, quarters, ... of the solids and in the end single ones, as long as the edge still fails; its own
@@ -358,8 +371,9 @@ static bool judge_drawing(const char *name, const roberts_drawing *drawing, cons
         double wrong = wrong_length(&mine, &truth, e);
         if (!original)
             count_edge(&truth, e, total);
-        if (wrong <= JUDGE_LIMIT) {
-            total->worst = fmax(total->worst, wrong);
+        if (wrong <= limit_of(scene, &scene->mesh, e)) {
+            total->slivers += wrong > JUDGE_LIMIT;
+            total->worst = wrong > JUDGE_LIMIT ? total->worst : fmax(total->worst, wrong);
             continue;
         }
         if (failed++ >= REPORTS)
@@ -386,30 +400,64 @@ static bool judge_drawing(const char *name, const roberts_drawing *drawing, cons
     return failed == 0;
 }
 
-/* Holds `by` of one hidden segment against the plain rays of rays.cpp: what is seen at its middle. Where the middle is
- * rounded and lies in line with a border, what is seen a little before or after it will do. */
+/* Does the program see at the middle of a hidden segment what a plain ray sees? Where the middle is rounded and lies in line with a
+ * border, what is seen a little before or after it will do; and with slack, what is seen beside it by that, or up to ten times as far: from an
+ * eye, what a corner moves by counts for more behind it. */
+static bool is_seen(const test_scene *scene, const oracle_result *truth, const roberts_segment *s, double epsilon,
+                    uint32_t *seen)
+{
+    static const double along[] = {0, -1e-12, 1e-12}, beside[] = {2, 20};
+    for (int i = 0; i < 3; i++)
+        for (int way = 0; way < (scene->slack > 0 ? 54 : 1); way++) { /* way 0: not at all; then to all sides */
+            double by = scene->slack * beside[way / 27], t = (s->t0 + s->t1) / 2 + along[i] * (s->t1 - s->t0);
+            roberts_vec3 aside = {by * ((way + 1) % 3 - 1), by * ((way / 3 + 1) % 3 - 1), by * ((way / 9 + 1) % 3 - 1)};
+            oracle_point point = {&scene->mesh, truth->vertex_solid, &scene->view, s->v0, s->v1, t, aside};
+            /* what counts as touching is there too, and the smallest number counts */
+            double touch = 2 * epsilon + 2 * scene->slack;
+            if (oracle_point_seen(&point, 0, s->by, seen) && *seen == s->by)
+                return true;
+            if ((s->by < *seen || scene->slack > 0) && oracle_point_seen(&point, touch, s->by, seen))
+                return true;
+        }
+    return false;
+}
+
+/* Is the middle of the segment hidden wherever within the slack corners lie? */
+static bool is_surely_hidden(const oracle_result *truth, const roberts_segment *s)
+{
+    double t = (s->t0 + s->t1) / 2;
+    for (size_t i = 0; i < truth->edge_count; i++) {
+        const oracle_edge *e = truth->edge + i;
+        if (e->solid != s->solid || e->v0 != s->v0 || e->v1 != s->v1)
+            continue;
+        for (size_t k = e->sure; k < e->sure + e->sure_count; k++)
+            if (truth->interval[k].t0 <= t && t <= truth->interval[k].t1)
+                return e->survives != ORACLE_UNSURE;
+    }
+    return false;
+}
+
+/* Holds `by` of one hidden segment against the plain rays of rays.cpp. Where it is open whether a point is hidden, it is
+ * open by what. */
 static bool judge_seen(const char *name, const test_scene *scene, const roberts_drawing *drawing, const char *folder,
                        judge_total *total, FILE *out)
 {
-    static const double near[] = {0, -1e-12, 1e-12};
     const roberts_segment *s = NULL;
+    const oracle_options options = {scene->slack, false};
     oracle_result truth;
     uint32_t seen = ROBERTS_NONE;
-    bool agreed = false;
-    for (size_t i = 0, start = drawing->count * 5 / 8; i < drawing->count && !s; i++)
-        if (drawing->segment[(start + i) % drawing->count].state == ROBERTS_HIDDEN)
-            s = drawing->segment + (start + i) % drawing->count;
-    if (!s || !oracle_run(&scene->mesh, &scene->view, NULL, &truth))
+    bool agreed = true;
+    if (!oracle_run(&scene->mesh, &scene->view, &options, &truth))
         return true;
-    for (size_t i = 0; i < sizeof near / sizeof *near && !agreed; i++) {
-        double t = (s->t0 + s->t1) / 2 + near[i] * (s->t1 - s->t0);
-        agreed = oracle_point_seen(&scene->mesh, truth.vertex_solid, &scene->view, s->v0, s->v1, t, 0, s->by, &seen) &&
-                 seen == s->by;
-        if (!agreed) /* what counts as touching is there too, and the smallest number counts */
-            agreed = s->by < seen && oracle_point_seen(&scene->mesh, truth.vertex_solid, &scene->view, s->v0, s->v1, t,
-                                                       2 * drawing->epsilon, s->by, &seen);
+    for (size_t i = 0, start = drawing->count * 5 / 8; i < drawing->count && !s; i++) {
+        const roberts_segment *at = drawing->segment + (start + i) % drawing->count;
+        if (at->state == ROBERTS_HIDDEN && (scene->slack == 0 || is_surely_hidden(&truth, at)))
+            s = at;
     }
-    total->seen++;
+    if (s) {
+        total->seen++;
+        agreed = is_seen(scene, &truth, s, drawing->epsilon, &seen);
+    }
     if (!agreed) {
         fprintf(
             out,
@@ -458,6 +506,68 @@ static bool judge_visible(const char *name, const test_scene *scene, const rober
     return drawn && !wrong;
 }
 
+/* Do the segments differ from the oracle's only where the answer is open? */
+static bool is_open(const test_scene *scene, const roberts_drawing *drawing)
+{
+    oracle_options options = {scene->slack, false};
+    oracle_result truth;
+    edge_segments mine = {0};
+    size_t at = 0;
+    if (scene->slack == 0 || !oracle_run(&scene->mesh, &scene->view, &options, &truth))
+        return false;
+    mine.hidden = calloc(drawing->count + 1, sizeof *mine.hidden);
+    bool ok = mine.hidden != NULL;
+    for (size_t i = 0; i < truth.edge_count && ok; i++) {
+        take_edge(drawing, &at, truth.edge + i, &mine);
+        ok = wrong_length(&mine, &truth, truth.edge + i) <= limit_of(scene, &scene->mesh, truth.edge + i);
+    }
+    free(mine.hidden);
+    oracle_free(&truth);
+    return ok && at == drawing->count;
+}
+
+/* Holds the segments against those of the same scene written in another order: vertices, faces, and corners within these. But for their
+ * names, and for whom of several solids that touch `by` names, they are the same; where contact is open, rounding may decide otherwise: that is
+ * counted. */
+static bool judge_order(const char *name, const test_scene *scene, const roberts_drawing *drawing, const char *folder,
+                        judge_total *total, FILE *out)
+{
+    size_t count = scene->mesh.vertex_count;
+    uint32_t *number = calloc(count + 1, sizeof *number), *vertex_solid = calloc(count + 1, sizeof *vertex_solid);
+    roberts_mesh other = {0};
+    roberts_drawing again = {0};
+    roberts_error error = {0};
+    const roberts_segment *wrong = NULL;
+    for (size_t i = 0; i < drawing->count && vertex_solid; i++)
+        vertex_solid[drawing->segment[i].v0] = vertex_solid[drawing->segment[i].v1] = drawing->segment[i].solid;
+    bool drawn = number && vertex_solid && order_shuffle(&scene->mesh, count, &other, number) &&
+                 draw(scene, &other, true, &again, &error) == ROBERTS_OK &&
+                 order_restore(&again, number, count, vertex_solid);
+    for (size_t i = 0; i < drawing->count && drawn && !wrong; i++)
+        if (i == again.count || !is_same(drawing->segment + i, again.segment + i))
+            wrong = drawing->segment + i;
+    total->reordered++;
+    if (wrong && is_open(scene, &again)) {
+        total->reordered_open++;
+        wrong = NULL;
+    }
+    if (wrong)
+        fprintf(out, "%s: solid %u, edge %u-%u: in another order it is not %s from %.17g to %.17g\n", name,
+                wrong->solid, wrong->v0, wrong->v1, wrong->state == ROBERTS_HIDDEN ? "hidden" : "visible", wrong->t0,
+                wrong->t1);
+    if (!drawn)
+        fprintf(out, "%s: in another order the program refuses it: %s\n", name, error.message);
+    if (wrong || !drawn) {
+        write_failure(name, 0, folder, scene, &scene->mesh, out);
+        total->disagreements++;
+    }
+    free(number);
+    free(vertex_solid);
+    roberts_mesh_free(&other);
+    roberts_drawing_free(&again);
+    return drawn && !wrong;
+}
+
 bool judge_scene(const char *name, const test_scene *scene, const char *folder, judge_total *total, FILE *out)
 {
     roberts_drawing drawing;
@@ -472,6 +582,8 @@ bool judge_scene(const char *name, const test_scene *scene, const char *folder, 
     }
     ok = judge_drawing(name, &drawing, scene, false, folder, total, out);
     ok = judge_visible(name, scene, &drawing, folder, total, out) && ok;
+    if (!scene->has_soup)
+        ok = judge_order(name, scene, &drawing, folder, total, out) && ok;
     if (scene->has_original)
         ok = judge_drawing(name, &drawing, scene, true, folder, total, out) && ok;
     else if (scene->mesh.face_count <= SEEN_FACES)

@@ -6,7 +6,8 @@
 
 #include "families.h"
 
-/* An edge fails where program and oracle differ on more than this part of it. */
+/* An edge fails where program and oracle differ on more than this part of it; in rough scenes, where they differ on more than four times the slack
+ * besides. */
 #define JUDGE_LIMIT 1e-9
 
 typedef struct judge_total {
@@ -14,9 +15,12 @@ typedef struct judge_total {
     size_t clipped;                   /* reach the near plane */
     size_t disagreements;             /* edges, or whole scenes that the program refused */
     double unjudged;                  /* length of t that was not judged, because of slack; whole edges count 1 */
-    double worst;                     /* greatest difference on an edge that did not fail */
-    size_t pairs, exact;              /* of edge and solid, clipped by the oracle; thereof with rational numbers */
-    size_t seen;                      /* hidden segments whose `by` was compared */
+    size_t slivers;        /* edges that differ by more than JUDGE_LIMIT, but by less than their ends are open by */
+    double worst;          /* greatest difference on an edge that did not fail */
+    size_t pairs, exact;   /* of edge and solid, clipped by the oracle; thereof with rational numbers */
+    size_t seen;           /* hidden segments whose `by` was compared */
+    size_t reordered;      /* scenes drawn once more in another order */
+    size_t reordered_open; /* thereof with other lines where contact is open */
 } judge_total;
 
 /* Compares all edges of a scene and adds to `total`. `name` ("crowd-17") names files. For each of the first few edges

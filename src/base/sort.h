@@ -1,0 +1,44 @@
+/* sort.h - sorting: a few items in place, many by counting, and an order for the library's qsort().
+ *
+ * Few and nearly sorted: SORT_FEW(). Many with a key of 32 bits: radix_order(). All others: qsort(). */
+#ifndef ROBERTS_BASE_SORT_H
+#define ROBERTS_BASE_SORT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+/* Sorts items[0 .. count-1], each a `type`, by insertion: stable, and the fastest way for some ten items and for those
+ * of which few are far from their places. `behind` is an expression about `const type *a` and `const type *b`: whether
+ * *a, which comes before *b, belongs behind it. */
+#define SORT_FEW(type, items, count, behind)                                                                           \
+    for (size_t sort_i = 1; sort_i < (size_t)(count); sort_i++) {                                                      \
+        const type sort_moved = (items)[sort_i], *const b = &sort_moved;                                               \
+        size_t sort_k = sort_i;                                                                                        \
+        for (; sort_k > 0; sort_k--) {                                                                                 \
+            const type *const a = &(items)[sort_k - 1];                                                                \
+            if (!(behind))                                                                                             \
+                break;                                                                                                 \
+            (items)[sort_k] = *a;                                                                                      \
+        }                                                                                                              \
+        (items)[sort_k] = sort_moved;                                                                                  \
+    }
+
+/* A key that ascends where `x` descends; +0 and -0 alike. x: not NaN. */
+uint32_t radix_key_descending(float x);
+
+/* Fills order[0 .. count-1] with 0 .. count-1 so that their keys ascend, ties by number, in time proportional to
+ * `count`. False: no memory. */
+bool radix_order(const uint32_t *key, uint32_t count, uint32_t *order);
+
+/* For qsort(): of two uint64_t, the lesser first. */
+static inline int compare_u64(const void *a, const void *b)
+{
+    uint64_t x, y;
+    memcpy(&x, a, sizeof x);
+    memcpy(&y, b, sizeof y);
+    return (x > y) - (x < y);
+}
+
+#endif

@@ -1,0 +1,244 @@
+/* check.c - whether options make sense together.
+ *
+ * The rule: what would draw something else than is meant, or lose a file, is misuse. What changes nothing is worth only
+ * a warning, so that a script can give the same options to every run. The table of options says which options exclude
+ * or need each other; here is what depends on values and files. */
+#include "cli/check.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "cli/message.h"
+#include "cli/parse.h"
+#include "cli/values.h"
+
+enum { NAME_SIZE = 4096, LIST_SIZE = 512 };
+
+static bool has_page(roberts_format format)
+{
+    return format != ROBERTS_CSV && format != ROBERTS_JSON && format != ROBERTS_NULL;
+}
+
+/* ---- misuse ---- */
+
+static int check_margin(const cli_options *options)
+{
+    const roberts_page *page = &options->draw.page;
+    if (2.0 * page->margin_mm < (page->width_mm < page->height_mm ? page->width_mm : page->height_mm))
+        return EXIT_DONE;
+    return message_misuse("--margin: %g mm leave no room on a page of %g x %g mm", page->margin_mm, page->width_mm,
+                          page->height_mm);
+}
+
+static int check_turntable(const cli_options *options)
+{
+    static const char how[] = "--turntable needs a name with a place for the number: -o turn-%03d.svg";
+    char name[NAME_SIZE];
+    const char *place = strchr(options->output, '%');
+    if (options->turntable == 0 || parse_numbered(options->output, 0, name, sizeof name))
+        return EXIT_DONE;
+    if (!place)
+        return message_misuse("%s", how);
+    if (strchr(place + 1, '%'))
+        return message_misuse("%s; \"%s\" has more than one %%", how, options->output);
+    if (strlen(options->output) + 10 > sizeof name)
+        return message_misuse("%s; this one is too long", how);
+    return message_misuse("%s; \"%s\" has a %% of another kind", how, options->output);
+}
+
+static bool ends_like_input(const char *name)
+{
+    size_t length = strlen(name);
+    return length >= 4 && name[length - 4] == '.' && strchr("oO", name[length - 3]) && strchr("fF", name[length - 2]) &&
+           strchr("fF", name[length - 1]);
+}
+
+/* A file forgotten behind --batch, or the folder: then the first file is taken for the folder. */
+static int check_batch(const cli_options *options)
+{
+    static const char how[] = "--batch DIR FILE.off...";
+    struct stat found;
+    if (!options->batch)
+        return EXIT_DONE;
+    bool there = stat(options->batch, &found) == 0;
+    if ((there && !S_ISDIR(found.st_mode)) || (!there && ends_like_input(options->batch)))
+        return message_misuse("--batch: %s is %s, where the folder for the drawings should be: %s", options->batch,
+                              there ? "a file" : "the name of a file", how);
+    for (size_t i = 0; i < options->input_count; i++)
+        if (strcmp(options->input[i], "-") == 0)
+            return message_misuse("--batch needs names of files: %s", how);
+    return EXIT_DONE;
+}
+
+/* A name that ends in a slash is one of a folder, whether that is there or not. check_turntable() judges names of its
+ * own. */
+int check_folder(const cli_options *options)
+{
+    struct stat found;
+    const char *name = options->output;
+    const bool folder = stat(name, &found) == 0 ? S_ISDIR(found.st_mode) : name[strlen(name) - 1] == '/';
+    if (!folder || strcmp(name, "-") == 0 || options->turntable || options->draw.format == ROBERTS_NULL)
+        return EXIT_DONE;
+    if (strcmp(options->input[0], "-") == 0)
+        return message_misuse("--output: %s is a folder; name a file in it", name);
+    return message_misuse("--output: %s is a folder; name a file in it, or draw each input by itself into it with "
+                          "--batch %s",
+                          name, name);
+}
+
+int check_format(const cli_options *options)
+{
+    const roberts_format format = options->draw.format;
+    const bool is_binary = format == ROBERTS_PDF || format == ROBERTS_PNG;
+    if (options->is_sheet && (format == ROBERTS_CSV || format == ROBERTS_JSON))
+        return message_misuse("--sheet makes a page, not a table: choose another format than %s",
+                              values_format_name(format));
+    if (is_binary && !options->batch && strcmp(options->output, "-") == 0 && isatty(STDOUT_FILENO))
+        return message_misuse("a terminal cannot show %s: name a file with -o", values_format_name(format));
+    return EXIT_DONE;
+}
+
+static bool is_same_file(const struct stat *a, const struct stat *b)
+{
+    return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
+/* The drawing must not take the place of a model, and a name for the drawing is not one of a model. */
+static int check_files(const cli_options *options, bool output_given)
+{
+    struct stat output, input;
+    size_t streams = 0;
+    bool there = output_given && options->draw.format != ROBERTS_NULL && strcmp(options->output, "-") != 0 &&
+                 stat(options->output, &output) == 0;
+    for (size_t i = 0; i < options->input_count; i++) {
+        roberts_format format;
+        const char *name = options->input[i];
+        if (!*name)
+            return message_misuse("the name of an input is empty");
+        if (strcmp(name, "-") == 0) {
+            streams++;
+        } else if (stat(name, &input) == 0) {
+            if (there && S_ISREG(output.st_mode) && is_same_file(&output, &input))
+                return message_misuse("--output: %s is an input; the drawing would take its place", options->output);
+        } else if (!output_given && !options->batch && roberts_format_by_path(name, &format)) {
+            return message_misuse("%s: there is no such file to read; to draw into it: -o %s", name, name);
+        }
+    }
+    return streams > 1 ? message_misuse("standard input (-) can be read only once") : EXIT_DONE;
+}
+
+int check_options(const cli_options *options, const options_given *given)
+{
+    int status;
+    if ((status = check_margin(options)) != EXIT_DONE || (status = check_turntable(options)) != EXIT_DONE ||
+        (status = check_batch(options)) != EXIT_DONE)
+        return status;
+    return check_files(options, options_is_given(given, "output"));
+}
+
+/* ---- warnings ---- */
+
+static void warn(const char *what, const char *why)
+{
+    fprintf(stderr, "roberts: warning: %s has no effect: %s\n", what, why);
+}
+
+static bool same_pen(const roberts_pen *a, const roberts_pen *b)
+{
+    return a->width_mm == b->width_mm && a->dash_mm == b->dash_mm && a->gap_mm == b->gap_mm && a->red == b->red &&
+           a->green == b->green && a->blue == b->blue;
+}
+
+static bool is_dashed(const roberts_pen *pen)
+{
+    return pen->dash_mm > 0.0 && !pen->off;
+}
+
+/* Of a drawing that comes on no page, options of the paper. */
+static void warn_paper(const cli_options *options, const options_given *given)
+{
+    char list[LIST_SIZE];
+    size_t found = 0, used = 0;
+    for (size_t i = 0; i < given->table->count && used < LIST_SIZE; i++) {
+        const option *o = &given->table->row[i];
+        if (given->row[i] && (o->flags & OPTION_PAPER))
+            used += (size_t)snprintf(list + used, LIST_SIZE - used, "%s--%s", found++ ? ", " : "", o->name);
+    }
+    if (found > 0)
+        fprintf(stderr, "roberts: warning: %s %s no effect: %s has no page\n", list, found > 1 ? "have" : "has",
+                values_format_name(options->draw.format));
+}
+
+/* A pen was chosen for lines that are not drawn, because something is `missing` or (NULL) because they are off. */
+static void warn_pen(const char *class, const roberts_pen *pen, const roberts_pen *usual, const char *missing)
+{
+    char what[64];
+    if (same_pen(pen, usual) || !(missing || pen->off))
+        return;
+    snprintf(what, sizeof what, "%s--style %s", missing ? "" : "the pen of ", class);
+    warn(what, missing ? missing : "these lines are off");
+}
+
+static void warn_pages(const cli_options *options, const options_given *given)
+{
+    const roberts_draw_options *draw = &options->draw, usual = roberts_draw_options_default();
+    const bool hidden = draw->hidden != ROBERTS_HIDDEN_NONE;
+    if (options_is_given(given, "dpi") && draw->format != ROBERTS_PNG)
+        warn("--dpi", "only png has a resolution");
+    if (options_is_given(given, "unit") && !options_is_given(given, "scale"))
+        warn("--unit", "the drawing is fitted on the page, and not true to --scale");
+    warn_pen("outline", &draw->outline, &usual.outline, NULL);
+    warn_pen("crease", &draw->crease, &usual.crease, NULL);
+    warn_pen("hidden", &draw->back, &usual.back,
+             hidden ? NULL : "hidden lines are not drawn without --hidden dashed or solid");
+    warn_pen("frame", &draw->frame, &usual.frame,
+             !draw->frame.off || options_is_given(given, "frame") ? NULL : "it is not drawn without --frame");
+    warn_pen("symbol", &draw->symbol, &usual.symbol, options->is_sheet ? NULL : "it is not drawn without --sheet");
+    if (draw->real_dashes && !is_dashed(&draw->outline) && !is_dashed(&draw->crease) &&
+        !(draw->hidden == ROBERTS_HIDDEN_DASHED && is_dashed(&draw->back)))
+        warn("--dash real", "no lines are dashed, as by --hidden dashed");
+}
+
+/* An ending that names another format misleads whoever opens the file. */
+static void warn_ending(const cli_options *options)
+{
+    char text[80];
+    roberts_format told;
+    const roberts_format written = options->draw.format;
+    if (written == ROBERTS_NULL || !roberts_format_by_path(options->output, &told) || told == written)
+        return;
+    snprintf(text, sizeof text, "its ending says %s, but it is %s, as --format says", values_format_name(told),
+             values_format_name(written));
+    message_warning(stderr, options->output, 0, text);
+}
+
+/* A name as --turntable takes it, without a turntable: a file may be called so, but that is hardly meant. */
+static void warn_number(const cli_options *options)
+{
+    char name[NAME_SIZE];
+    if (options->turntable == 0 && options->draw.format != ROBERTS_NULL &&
+        parse_numbered(options->output, 0, name, sizeof name))
+        message_warning(stderr, options->output, 0,
+                        "the file gets this very name: only --turntable puts a number there");
+}
+
+void check_warn(const cli_options *options, const options_given *given)
+{
+    if (options->quiet)
+        return;
+    if (options->draw.format == ROBERTS_NULL && options_is_given(given, "output") && !options->turntable)
+        warn("--output", "the format null writes nothing");
+    if (options_is_given(given, "format"))
+        warn_ending(options);
+    warn_number(options);
+    if (has_page(options->draw.format))
+        warn_pages(options, given);
+    else
+        warn_paper(options, given);
+    if (isatty(STDIN_FILENO) && strcmp(options->input[0], "-") == 0)
+        fputs(
+            "roberts: reading the model from the terminal; ctrl-D ends it (roberts --help tells how to name a file)\n",
+            stderr);
+}

@@ -1,0 +1,15 @@
+/* check.h - whether options make sense together, and with the files that are named. */
+#ifndef ROBERTS_CLI_CHECK_H
+#define ROBERTS_CLI_CHECK_H
+
+#include "cli/options.h"
+
+/* Each returns EXIT_DONE, or EXIT_MISUSED and has said why. */
+int check_folder(const cli_options *options); /* an output that is a folder; before its name tells the format */
+int check_format(const cli_options *options); /* the format goes with the other options and the output */
+int check_options(const cli_options *options, const options_given *given); /* all else */
+
+/* Warns of options that change nothing, and says why. */
+void check_warn(const cli_options *options, const options_given *given);
+
+#endif

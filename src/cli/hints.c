@@ -1,0 +1,265 @@
+/* hints.c - what was meant, why a drawing is empty, or what can be done: the second half of a message. */
+#include "cli/hints.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "cli/message.h"
+
+/* ---- words ---- */
+
+enum { LONGEST = 32, FAR = LONGEST * 2 };
+
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+/* "ISO" means iso: what is near is so in any case of letters. */
+static bool same(char a, char b)
+{
+    return tolower((unsigned char)a) == tolower((unsigned char)b);
+}
+
+/* The edit distance of two words: letters left out, added or wrong, and pairs that changed places.
+ * Source: the restricted form of Damerau, "A technique for computer detection and correction of spelling errors",
+ * CACM 7(3), 1964. */
+static size_t distance(const char *a, const char *b)
+{
+    size_t n = strlen(a), m = strlen(b);
+    size_t row[3][LONGEST + 1]; /* of the table: two rows ago, the last, this one */
+    if (n > LONGEST || m > LONGEST)
+        return FAR;
+    for (size_t j = 0; j <= m; j++)
+        row[1][j] = row[0][j] = j;
+    for (size_t i = 1; i <= n; i++) {
+        row[2][0] = i;
+        for (size_t j = 1; j <= m; j++) {
+            size_t change = row[1][j - 1] + !same(a[i - 1], b[j - 1]);
+            row[2][j] = least(change, least(row[1][j], row[2][j - 1]) + 1);
+            if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1]))
+                row[2][j] = least(row[2][j], row[0][j - 2] + 1);
+        }
+        memmove(row[0], row[1], 2 * sizeof row[0]);
+    }
+    return row[1][m];
+}
+
+const char *hint_word(const char *word, const char *const *words)
+{
+    const char *best = NULL;
+    size_t length = strlen(word), best_distance = FAR;
+    for (size_t i = 0; words[i]; i++) {
+        /* The beginning of a word means that word, and "isometric" means iso; of other words a third of the letters may
+         * be wrong, of two letters none. */
+        size_t shorter = least(length, strlen(words[i]));
+        bool begins = shorter >= 2 && strncmp(words[i], word, shorter) == 0;
+        size_t d = begins ? 0 : distance(word, words[i]);
+        if (d < best_distance && (begins || (shorter > 2 && 3 * d <= shorter + 1))) {
+            best = words[i];
+            best_distance = d;
+        }
+    }
+    return best;
+}
+
+const char *hint_option(const char *word)
+{
+    static const struct {
+        const char *word, *option;
+    } known[] = {
+        {"angle", "fov"},
+        {"border", "frame"},
+        {"camera", "eye"},
+        {"check", "verify"},
+        {"color", "style outline:color=NAME"},
+        {"colour", "style outline:color=NAME"},
+        {"convex", "hull"},
+        {"dashed", "hidden dashed"},
+        {"debug", "stats"},
+        {"direction", "dir"},
+        {"height", "page WxH"},
+        {"isometric", "view iso"},
+        {"jobs", "threads"},
+        {"line-width", "style outline:width=MM"},
+        {"linewidth", "style outline:width=MM"},
+        {"optimize", "order"},
+        {"paper", "page"},
+        {"pen", "style outline:width=MM"},
+        {"perspective", "eye"},
+        {"portrait", "page"},
+        {"position", "eye"},
+        {"projection", "view"},
+        {"resolution", "dpi"},
+        {"rotate", "azimuth"},
+        {"silent", "quiet"},
+        {"size", "page"},
+        {"stroke-width", "style outline:width=MM"},
+        {"target", "look-at"},
+        {"type", "format"},
+        {"units", "unit"},
+        {"viewpoint", "eye"},
+        {"width", "style outline:width=MM"},
+        {"wireframe", "hidden solid"},
+        {"zoom", "scale"},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (strcmp(word, known[i].word) == 0)
+            return known[i].option;
+    return NULL;
+}
+
+int hint_unknown(const char *what, const char *word, const char *const *words, const char *also)
+{
+    const char *meant = hint_word(word, words);
+    char list[256] = ""; /* more than all names of any option */
+    for (size_t i = 0, used = 0; words[i] && used < sizeof list; i++)
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", words[i]);
+    if (meant)
+        return message_misuse("%s: \"%s\" is unknown; did you mean %s? It can be %s%s%s", what, word, meant, list,
+                              also ? ", " : "", also ? also : "");
+    return message_misuse("%s: \"%s\" is unknown; it can be %s%s%s", what, word, list, also ? ", " : "",
+                          also ? also : "");
+}
+
+/* ---- files and models ---- */
+
+/* Where -o is forgotten, a drawing of an earlier run is taken for a model. */
+void hint_unread(const cli_options *options, const char *name, roberts_error *error)
+{
+    const size_t used = strlen(error->message), room = sizeof error->message - used;
+    struct stat found;
+    roberts_format format;
+    if (strcmp(name, "-") == 0 || stat(name, &found) != 0)
+        return;
+    if (S_ISDIR(found.st_mode))
+        snprintf(error->message, sizeof error->message, "is a folder; name the files in it, as *.off");
+    else if (error->status == ROBERTS_BAD_SYNTAX && strcmp(options->output, "-") == 0 &&
+             roberts_format_by_path(name, &format))
+        snprintf(error->message + used, room, "; to draw into it, name it with -o");
+}
+
+/* Fewer points have no convex hull. */
+enum { HULL_POINTS = 4 };
+
+void hint_refused(const cli_options *options, const roberts_mesh *mesh, roberts_error *error)
+{
+    const bool shape = error->status == ROBERTS_NOT_PLANAR || error->status == ROBERTS_NOT_CONVEX;
+    const size_t used = strlen(error->message), room = sizeof error->message - used;
+    roberts_scene_options solids = options->scene;
+    solids.threads = options->hide.threads;
+    if (options->scene.hull || (!shape && error->status != ROBERTS_NOT_CLOSED))
+        return;
+    const double tolerance = shape ? roberts_scene_tolerance(mesh, &solids) : 0.0;
+    if (tolerance > 0.0)
+        snprintf(error->message + used, room, " (--tolerance %g would do; see also --hull)", tolerance);
+    else if (mesh->vertex_count >= HULL_POINTS)
+        snprintf(error->message + used, room, " (see --hull)");
+}
+
+/* ---- drawings that show nothing ---- */
+
+/* As many as a box has edges. */
+enum { FEW_LINES = 12 };
+
+/* Cuts what of [*t0, *t1] lies where a + t (b - a) is low or more; false where nothing is left. */
+static bool clip(double a, double b, double low, double *t0, double *t1)
+{
+    if (a < low && b < low)
+        return false;
+    if (a < low)
+        *t0 = fmax(*t0, (low - a) / (b - a));
+    if (b < low)
+        *t1 = fmin(*t1, (low - a) / (b - a));
+    return *t0 <= *t1;
+}
+
+/* Whether a part of the segment lies in the window: Liang and Barsky, "A new concept and method for line clipping", ACM
+ * Transactions on Graphics 3(1), 1984. */
+static bool is_in_window(roberts_vec2 min, roberts_vec2 max, const roberts_segment *s)
+{
+    double t0 = 0.0, t1 = 1.0;
+    return clip(s->p0.x, s->p1.x, min.x, &t0, &t1) && clip(-s->p0.x, -s->p1.x, -max.x, &t0, &t1) &&
+           clip(s->p0.y, s->p1.y, min.y, &t0, &t1) && clip(-s->p0.y, -s->p1.y, -max.y, &t0, &t1);
+}
+
+static const roberts_pen *pen_of(const cli_options *options, const roberts_segment *s)
+{
+    const roberts_draw_options *draw = &options->draw;
+    if (s->state == ROBERTS_HIDDEN)
+        return &draw->back;
+    return s->line == ROBERTS_CREASE ? &draw->crease : &draw->outline;
+}
+
+/* What is seen of the scene, on the page where there is one. */
+typedef struct glance {
+    bool any_seen, any_inside; /* by the eye; in the field of view */
+    size_t drawn;
+} glance;
+
+/* Looks at segments until `enough` of them are known to be drawn. */
+static glance look(const cli_options *options, const roberts_drawing *drawing, size_t views, size_t enough)
+{
+    const bool page = options->draw.format != ROBERTS_CSV && options->draw.format != ROBERTS_JSON;
+    glance g = {0};
+    for (const roberts_drawing *d = drawing; d < drawing + views; d++) {
+        roberts_vec2 min = d->window_min, max = d->window_max;
+        roberts_page_shape(&options->draw.page, &min, &max);
+        for (size_t i = 0; i < d->count && g.drawn < enough; i++) {
+            const roberts_segment *s = &d->segment[i];
+            if (s->state == ROBERTS_CLIPPED)
+                continue;
+            g.any_seen = true;
+            if (d->framed && page && !is_in_window(min, max, s))
+                continue;
+            g.any_inside = true;
+            g.drawn += !page || !pen_of(options, s)->off;
+        }
+    }
+    return g;
+}
+
+const char *hint_empty(const cli_options *options, const roberts_drawing *drawing, size_t views)
+{
+    const glance g = look(options, drawing, views, 1);
+    bool too_far = true;
+    for (const roberts_drawing *d = drawing; d < drawing + views; d++)
+        too_far = too_far && d->epsilon >= d->scene_diameter;
+    if (g.drawn > 0)
+        return NULL;
+    if (g.any_inside)
+        return "--style has turned off all lines that would be seen";
+    if (g.any_seen)
+        return "no line of the scene lies in the field of view; --look-at turns the eye (default: to the middle of the "
+               "scene), --fov makes the field wider";
+    if (too_far)
+        return "the scene is smaller than what counts as touching from so far; bring --eye nearer, or set --epsilon";
+    return "no line of the scene is seen from there; --eye, --look-at and --near say what is in front of the eye";
+}
+
+/* A face that the input does not have is the cut of the near plane (or one of a hull). roberts_pick() takes as long as
+ * the view, so it is called only where hardly anything is drawn. A cut by a --near that was given, and shows something,
+ * is meant. */
+bool hint_near_plane(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing, char *why,
+                     size_t size)
+{
+    const size_t few = options->camera.near_distance > 0.0 ? 1 : FEW_LINES;
+    roberts_picked picked;
+    if (options->camera.projection != ROBERTS_PERSPECTIVE || options->scene.hull || !drawing->framed ||
+        look(options, drawing, 1, few).drawn >= few ||
+        roberts_pick(scene, &options->camera, 0.0, 0.0, &picked, NULL) != ROBERTS_OK)
+        return false;
+    const bool cut = picked.count > 0 && picked.hit[0].face == ROBERTS_NONE;
+    if (cut) {
+        const roberts_vec3 eye = options->camera.eye, p = picked.hit[0].point;
+        snprintf(why, size,
+                 "the near plane, %.3g before the eye, cuts solid %u in the middle of the picture, so that nothing is "
+                 "seen there: move --eye away from it, or make --near less",
+                 hypot(hypot(p.x - eye.x, p.y - eye.y), p.z - eye.z), (unsigned)picked.hit[0].solid);
+    }
+    roberts_picked_free(&picked);
+    return cut;
+}

@@ -1,0 +1,39 @@
+/* hints.h - what was meant, why a drawing is empty, or what can be done: the second half of a message. */
+#ifndef ROBERTS_CLI_HINTS_H
+#define ROBERTS_CLI_HINTS_H
+
+#include "cli/options.h"
+
+/* ---- words; their lists end with NULL ---- */
+
+/* The word of the list that `word` is most like; NULL where none is near enough to be what was meant. */
+const char *hint_word(const char *word, const char *const *words);
+
+/* The option that does here what other programs call --word, perhaps with its value; NULL where nothing is known. */
+const char *hint_option(const char *word);
+
+/* Says that `word` is no value of `what`, and what was meant or what it can be (`also`: what else than `words`, or
+ * NULL). Returns EXIT_MISUSED. */
+int hint_unknown(const char *what, const char *word, const char *const *words, const char *also);
+
+/* ---- files and models ---- */
+
+/* The input called `name` could not be read. Where it is a folder or a drawing, the message says so, or what was
+ * meant. */
+void hint_unread(const cli_options *options, const char *name, roberts_error *error);
+
+/* The mesh was refused. Appends to the message which options would accept it. */
+void hint_refused(const cli_options *options, const roberts_mesh *mesh, roberts_error *error);
+
+/* ---- drawings that show nothing ---- */
+
+/* Why none of the drawings that come on a page (or in a table) shows a line, and which option changes that; NULL where
+ * one does. */
+const char *hint_empty(const cli_options *options, const roberts_drawing *drawing, size_t views);
+
+/* Whether the drawing shows next to nothing because the eye is on a solid, or so near that the near plane cuts the
+ * solid in the middle of the picture; then `why` says so. */
+bool hint_near_plane(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing, char *why,
+                     size_t size);
+
+#endif

@@ -1,0 +1,557 @@
+/* option_table.c - the options, one row each, in the order in which --help and the manual page name them. */
+#include <float.h>
+#include <stddef.h>
+
+#include "cli/options.h"
+#include "cli/values.h"
+
+#define COUNT(array) (sizeof(array) / sizeof(array)[0])
+
+/* Where a value goes, and the range of a number. */
+#define TO(member) .field = offsetof(cli_options, member)
+#define RANGE(low, high) .least = (low), .most = (high)
+
+const option_title option_titles[OPTION_GROUPS] = {
+    [GROUP_OUTPUT] = {"Output", NULL, NULL},
+    [GROUP_PAGE] = {"Page", "lengths: mm, or with cm, in or pt behind them, as in 8.5x11in; of pens too",
+                    "Lengths on paper are in mm, or have their unit behind them: mm, cm, in or pt (1/72 inch; TeX's is "
+                    "1/72.27), as in 8.5x11in. This holds for pens, too: width=0.8pt."},
+    [GROUP_LINES] = {"Lines", NULL, NULL},
+    [GROUP_VIEW] = {"View", NULL,
+                    "A view is given by one of --view, --dir, --eye, and the pair --azimuth and --elevation. --up and "
+                    "--roll go with each of them."},
+    [GROUP_ENGINE] = {"Engine", "0: choose", "0 lets the program choose."},
+    [GROUP_MESSAGES] = {"Messages", NULL, NULL},
+};
+
+static const option rows[] = {
+    /* ---- output ---- */
+    {.group = GROUP_OUTPUT,
+     .name = "output",
+     .letter = 'o',
+     .flags = OPTION_FILE,
+     .value = "FILE",
+     .set = values_set_text,
+     TO(output),
+     .brief = "where to",
+     .help = "where to (default: -, standard output)",
+     .manual = "The file to write. Default: -, standard output. A file is there whole or not at all: it takes its name "
+               "once all of it is written."},
+    {.group = GROUP_OUTPUT,
+     .name = "format",
+     .letter = 'f',
+     .value = "FORMAT",
+     .words = values_formats,
+     .set = values_set_format,
+     .brief = "format",
+     .help = "svg, pdf, ps, eps, png, csv, json, or null: compute, write nothing (default: by the ending of FILE, else "
+             "svg)",
+     .manual = "svg, pdf, ps, eps, png, csv, json, or null, which computes and writes nothing; see OUTPUT FORMATS. "
+               "Default: by the ending of FILE, else svg."},
+    {.group = GROUP_OUTPUT,
+     .name = "turntable",
+     .flags = OPTION_DRAWS,
+     .value = "N",
+     .set = values_set_integer,
+     TO(turntable),
+     RANGE(1, 100000),
+     .brief = "N pictures from all round",
+     .help = "N pictures, the view turned about the upright line through the scene, at one scale; FILE has a place for "
+             "the number, from 0: turn-%03d.svg",
+     .manual = "Draws N pictures. From one to the next the view turns by the same angle about the upright line through "
+               "the scene's centre. All have one scale. The name of the output has a place for the number, which "
+               "counts from 0: %d, or %03d for at least three digits, as in turn-%03d.svg. Without this option a % in "
+               "a name is just a %."},
+    {.group = GROUP_OUTPUT,
+     .name = "sheet",
+     .flags = OPTION_DRAWS,
+     .value = "ANGLE",
+     .words = values_sheets,
+     .set = values_set_sheet,
+     .excludes = "view dir eye azimuth elevation up roll turntable pick",
+     .brief = "several views on one page",
+     .help = "first or third angle projection: front, top, side and isometric view on one page, at one scale, with the "
+             "symbol",
+     .manual =
+         "Draws the front, top, side and isometric view on one page, at one scale and 15 mm apart, with the symbol of "
+         "their arrangement (ISO 5456-2). ANGLE is first or third. In first angle projection the top view is below and "
+         "the view from the left is at the right. In third angle projection the top view is above and the view from "
+         "the right is at the right. The isometric view has no hidden lines. --scale, --fit and --align hold for all "
+         "views together, and --stats adds them up.\n"
+         "The symbol is smaller where the margins leave less than 61 x 52 mm, and is left out where they leave less "
+         "than some 38 x 36 mm."},
+    {.group = GROUP_OUTPUT,
+     .name = "batch",
+     .flags = OPTION_FOLDER,
+     .value = "DIR",
+     .set = values_set_text,
+     TO(batch),
+     .excludes = "output turntable",
+     .brief = "draw each file by itself",
+     .help = "draw each FILE.off by itself, into DIR/FILE.svg (or as -f says), several at a time; one that fails does "
+             "not stop the others",
+     .manual = "Draws each FILE.off by itself, into DIR/FILE.svg, or with the ending of the format that -f names. "
+               "Several files are drawn at a time. A file that fails does not stop the others, but then the exit "
+               "status is 1. The folder is made where it is missing."},
+    {.group = GROUP_OUTPUT,
+     .name = "hidden",
+     .flags = OPTION_DRAWS,
+     .value = "MODE",
+     .words = values_hidden,
+     .set = values_set_hidden,
+     .brief = "hidden lines",
+     .help = "hidden lines: none, dashed or solid (default: none); in tables, dashed and solid keep them",
+     .manual =
+         "How hidden lines are drawn: none (the default), dashed or solid. In tables, dashed and solid keep them."},
+    {.group = GROUP_OUTPUT,
+     .name = "crease",
+     .flags = OPTION_DRAWS,
+     .value = "DEGREES",
+     .set = values_set_crease,
+     TO(hide.crease_degrees),
+     RANGE(0, 180),
+     .excludes = "all-edges",
+     .brief = "leave out flatter edges",
+     .help = "leave out edges between two front faces, or two back ones, flatter than this (default: auto, which is "
+             "0.1, and 30 for curved bodies of many faces)",
+     .manual = "Leaves out edges between two front faces that are flatter than this; of hidden lines, also those "
+               "between two back faces. Default: auto, which is 0.1; for a body that is not convex and has more than "
+               "500 faces, half of which meet their neighbours at less than 20 degrees, it is 30. A larger angle thins "
+               "out the slivers of scanned models."},
+    {.group = GROUP_OUTPUT,
+     .name = "all-edges",
+     .flags = OPTION_DRAWS,
+     .set = values_set_flag,
+     TO(hide.all_edges),
+     .brief = "draw flat edges too",
+     .help = "draw all edges, those that --crease leaves out too",
+     .manual = "Draws all edges, also those that --crease leaves out."},
+    {.group = GROUP_OUTPUT,
+     .name = "solids",
+     .flags = OPTION_DRAWS,
+     .set = values_set_flag,
+     TO(scene.solids),
+     .excludes = "hull",
+     .brief = "refuse what is no convex solid",
+     .help = "refuse what is no closed convex solid",
+     .manual = "Refuses a file with a body that is no closed, planar, convex solid, and says which and why. Otherwise "
+               "bodies of any kind are drawn."},
+    {.group = GROUP_OUTPUT,
+     .name = "fill-rule",
+     .flags = OPTION_DRAWS,
+     .value = "RULE",
+     .words = values_fill_rules,
+     .set = values_set_fill_rule,
+     .brief = "where faces that cross themselves are",
+     .help = "faces that cross themselves are where their border winds round at all: nonzero (the default); or an odd "
+             "number of times: evenodd",
+     .manual = "Where a face is whose border crosses itself, such as a pentagram: nonzero (the default), wherever the "
+               "border winds round at all; evenodd, where it winds round an odd number of times, which leaves the "
+               "middle of a pentagram open."},
+    {.group = GROUP_OUTPUT,
+     .name = "hull",
+     .flags = OPTION_DRAWS,
+     .set = values_set_flag,
+     TO(scene.hull),
+     .brief = "convex hulls of what is not convex, and of points",
+     .help = "draw the convex hulls of solids that are not closed, planar and convex, and of points without faces; a "
+             "warning says how many, -v which; what is flat is left out",
+     .manual =
+         "Draws the convex hull of each solid that is not closed, planar and convex, instead of the solid. Sound "
+         "solids stay as they are. What is open is taken together as far as it shares vertices. A file of points "
+         "without faces becomes the hull of all its points. A warning counts the solids that were replaced and says "
+         "why; -v names them by their numbers.\n"
+         "What is flat, such as a stray triangle or a whole file, is left out with a warning. It is refused where "
+         "there is nothing else."},
+
+    /* ---- page ---- */
+    {.group = GROUP_PAGE,
+     .name = "page",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "SIZE",
+     .words = values_pages,
+     .set = values_set_page,
+     .brief = "size of the page",
+     .help = "a0 to a6, b0 to b6, letter, legal, tabloid, or WxH in mm (default: a4)",
+     .manual = "The paper: a0 to a6, b0 to b6, letter, legal, tabloid, or WxH in mm, upright. Default: a4."},
+    {.group = GROUP_PAGE,
+     .name = "landscape",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .set = values_set_flag,
+     TO(landscape),
+     .brief = "the longer side is horizontal",
+     .help = "the longer side is horizontal",
+     .manual = "Turns the paper, so that its longer side is horizontal."},
+    {.group = GROUP_PAGE,
+     .name = "margin",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "MM",
+     .set = values_set_length,
+     TO(draw.page.margin_mm),
+     RANGE(0, 20000),
+     .brief = "on all four sides",
+     .help = "on all four sides (default: 10)",
+     .manual = "The margin on all four sides. Default: 10. A drawing that is fitted keeps at least half of its widest "
+               "pen from the page's edge, with --margin 0 too."},
+    {.group = GROUP_PAGE,
+     .name = "fit",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .excludes = "scale",
+     .brief = "as large as the margins allow",
+     .help = "as large as the margins allow (the default)",
+     .manual = "Draws as large as the margins allow. This is the default."},
+    {.group = GROUP_PAGE,
+     .name = "scale",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "RATIO",
+     .words = values_scales,
+     .set = values_set_scale,
+     .brief = "true to scale, as 1/20",
+     .help = "true to scale: 1:20, 2:1 or 0.05; the page has to hold it. Or standard: the largest of ... 1:10, 1:5, "
+             "1:2, 1:1, 2:1, 5:1, 10:1 ... (ISO 5455) that the page holds; -v tells which",
+     .manual =
+         "Draws true to scale: 1:20, 2:1 or 0.05. A drawing that would leave the page is refused, and the message "
+         "names the scale that would fit. standard is the largest scale that the page holds of those of ISO 5455: 1, 2 "
+         "or 5 times a power of ten, as 1:50 or 2:1; -v and --stats tell which. In perspective the scale holds for "
+         "what lies in the plane through the look-at point, across the line of sight: nearer things are drawn larger, "
+         "farther ones smaller.\n"
+         "A drawing that is true to scale may fill the page. There the outer half of a line on the edge is cut off."},
+    {.group = GROUP_PAGE,
+     .name = "unit",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "UNIT",
+     .words = values_units,
+     .set = values_set_unit,
+     .brief = "model unit",
+     .help = "with --scale: a model unit is 1 mm (the default), cm, m, in or ft",
+     .manual = "For --scale: a unit of the model is 1 mm (the default), cm, m, in or ft."},
+    {.group = GROUP_PAGE,
+     .name = "align",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "WHERE",
+     .words = values_places,
+     .set = values_set_align,
+     .brief = "where on the page",
+     .help = "center (the default), left, right, top, bottom, top-left, top-right, bottom-left, bottom-right",
+     .manual = "Where the drawing is on the page: center (the default), left, right, top, bottom, top-left, top-right, "
+               "bottom-left or bottom-right."},
+    {.group = GROUP_PAGE,
+     .name = "frame",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .set = values_set_frame,
+     .brief = "draw the border of the margins",
+     .help = "draw the border of what the margins leave; the drawing keeps 5 mm from it. Where the drawing is cut off "
+             "(--fov, --near), the border at which it is cut",
+     .manual = "Draws the border of what the margins leave, 0.7 mm wide. The drawing keeps 5 mm from it, a sheet 10 "
+               "mm; on pages with less than 50 mm of room, a tenth of that room. Where the drawing is cut off (--fov, "
+               "--near), the frame is the border at which it is cut: that of the margins again, unless --scale leaves "
+               "the picture smaller."},
+    {.group = GROUP_PAGE,
+     .name = "background",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "COLOR",
+     .words = values_backgrounds,
+     .set = values_set_background,
+     .brief = "below the lines",
+     .help = "what lies below the lines, all over the page: a name such as red, #rrggbb or #rgb (default: none; png is "
+             "white)",
+     .manual = "The colour below the lines, all over the page: black, white, gray, red, green, blue, cyan, brown, "
+               "magenta, yellow, orange, purple, #rrggbb or #rgb. Default: none, which in png is white. In svg it is a "
+               "rectangle that is in no layer. It is meant for the web, where the page round a drawing may be dark. "
+               "Pen plotters may take it for something to draw."},
+    {.group = GROUP_PAGE,
+     .name = "dpi",
+     .flags = OPTION_PAPER,
+     .value = "N",
+     .set = values_set_dpi,
+     TO(draw.dpi),
+     RANGE(0, 100000),
+     .brief = "resolution of png",
+     .help = "resolution of png (default: 150)",
+     .manual = "The resolution of png. Default: 150. An image has at most 32767 pixels a side."},
+
+    /* ---- lines ---- */
+    {.group = GROUP_LINES,
+     .name = "style",
+     .flags = OPTION_DRAWS | OPTION_PAPER | OPTION_REPEATS | OPTION_COLON,
+     .value = "CLASS:KEY=VALUE,...",
+     .words = values_pens,
+     .set = values_set_style,
+     .brief = "a pen",
+     .help = "a pen; CLASS: outline, crease, hidden, frame or symbol (default: 0.5, 0.35, 0.25 dashed, 0.7, 0.35 mm, "
+             "black). width=MM; color=NAME, #rrggbb or #rgb; dash=DASH/GAP in mm as seen, or none; off, on",
+     .manual = "Sets a pen. CLASS is outline, crease, hidden, frame or symbol. width=MM is its width, color=COLOR its "
+               "colour (as of --background). dash=DASH/GAP are the lengths of dashes and gaps in mm, as seen on paper; "
+               "dash=DASH has gaps of a quarter of it; dash=none draws whole lines. off leaves the class out, on "
+               "brings it back. May be given several times.\n"
+               "The defaults are 0.5, 0.35, 0.25, 0.7 and 0.35 mm, black; hidden lines have dashes of 3 mm and gaps of "
+               "0.75 mm, which follow the width. They do not depend on the page: small or crowded pictures want "
+               "thinner pens."},
+    {.group = GROUP_LINES,
+     .name = "dash",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "MODE",
+     .words = values_dashes,
+     .set = values_set_dash,
+     .brief = "dashes",
+     .help = "pattern: dashes as a pattern of the line; real: dashes as strokes, fitted to the line (default: pattern)",
+     .manual =
+         "pattern: broken lines have a dash pattern, which runs on round corners and ends anywhere (the default). "
+         "real: each dash is a stroke of its own. Dashes are fitted from corner to corner, so that they meet at "
+         "corners and every straight line begins and ends with a dash and has a gap, unless it is shorter than "
+         "three widths of the pen. Real dashes are for pen plotters and for the best print; files are twice as "
+         "large."},
+    {.group = GROUP_LINES,
+     .name = "order",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "MODE",
+     .words = values_orders,
+     .set = values_set_order,
+     .brief = "order of the strokes",
+     .help = "travel: short ways of the lifted pen; none: as in the model (default: travel)",
+     .manual = "travel (the default): strokes are ordered so that the lifted pen has short ways: the nearest next, "
+               "then 2-opt within fixed counts. none: as in the model."},
+
+    /* ---- view ---- */
+    {.group = GROUP_VIEW,
+     .name = "view",
+     .flags = OPTION_DRAWS,
+     .value = "NAME",
+     .words = values_views,
+     .set = values_set_view,
+     .excludes = "eye look-at",
+     .brief = "named view",
+     .help =
+         "iso (the default: 1,-1,1), dimetric, trimetric, front, back, right, left, top, bottom; oblique: cavalier, "
+         "cabinet",
+     .manual = "A named view, as by --dir: iso (the default) is 1,-1,1; dimetric 1,-2.64575,1 (the root of 7); "
+               "trimetric 3,-6,4; front 0,-1,0; back 0,1,0; right 1,0,0; left -1,0,0; top 0,0,1 and bottom 0,0,-1, "
+               "both with +y up. Oblique are cavalier and cabinet: the front, with depth drawn at 45 degrees, in full "
+               "and in half."},
+    {.group = GROUP_VIEW,
+     .name = "dir",
+     .flags = OPTION_DRAWS,
+     .value = "X,Y,Z",
+     .set = values_set_dir,
+     TO(camera.dir),
+     .excludes = "view eye look-at",
+     .brief = "from the scene toward the viewer",
+     .help = "parallel view; points from the scene toward the viewer",
+     .manual = "A parallel view. The vector points from the scene toward the viewer and has any length."},
+    {.group = GROUP_VIEW,
+     .name = "azimuth",
+     .flags = OPTION_DRAWS,
+     .value = "DEGREES",
+     .set = values_set_number,
+     TO(azimuth),
+     RANGE(-360, 360),
+     .excludes = "dir view eye",
+     .brief = "view by angles",
+     .help = "parallel view by angles: 0 = front, 90 = right, 180 = back (default: 0)",
+     .manual = "A parallel view by angles: 0 is the front, 90 the right, 180 the back. Default: 0, where only "
+               "--elevation is given."},
+    {.group = GROUP_VIEW,
+     .name = "elevation",
+     .flags = OPTION_DRAWS,
+     .value = "DEGREES",
+     .set = values_set_number,
+     TO(elevation),
+     RANGE(-90, 90),
+     .excludes = "dir view eye",
+     .brief = "over the horizon",
+     .help = "the viewer over the horizon, with or without --azimuth: 90 = top (default: 0)",
+     .manual = "How far the viewer stands over the horizon, with or without --azimuth: 90 is the top. Default: 0."},
+    {.group = GROUP_VIEW,
+     .name = "eye",
+     .flags = OPTION_DRAWS,
+     .value = "X,Y,Z",
+     .set = values_set_eye,
+     TO(camera.eye),
+     .brief = "perspective from this point",
+     .help = "perspective, from this point",
+     .manual = "A perspective view from this point, which has to be outside all solids."},
+    {.group = GROUP_VIEW,
+     .name = "look-at",
+     .flags = OPTION_DRAWS,
+     .value = "X,Y,Z",
+     .set = values_set_look_at,
+     TO(camera.look_at),
+     .needs = "eye",
+     .brief = "toward this point",
+     .help = "with --eye: the point looked at (default: the centre of the scene)",
+     .manual = "The point that --eye looks at. Default: the centre of the scene's box."},
+    {.group = GROUP_VIEW,
+     .name = "fov",
+     .flags = OPTION_DRAWS,
+     .value = "DEGREES",
+     .set = values_set_fov,
+     TO(camera.fov_degrees),
+     RANGE(0, 179),
+     .needs = "eye",
+     .brief = "angle of the picture",
+     .help = "with --eye: the angle across the shorter side of the picture, above 0 and up to 179; the picture fills "
+             "what the margins leave (default: the whole scene; 60 where it is cut)",
+     .manual = "The angle of a perspective picture, above 0 and up to 179 degrees. The picture has the shape of what "
+               "the page's margins leave, and this angle across its shorter side. The look-at point is in its middle. "
+               "The drawing ends at its border, but tables also have what lies beyond. Default: the whole scene, or 60 "
+               "degrees where the near plane cuts it."},
+    {.group = GROUP_VIEW,
+     .name = "near",
+     .flags = OPTION_DRAWS,
+     .value = "DISTANCE",
+     .set = values_set_number,
+     TO(camera.near_distance),
+     RANGE(0, DBL_MAX),
+     .needs = "eye",
+     .brief = "cut off what is nearer",
+     .help = "with --eye: cut off what is nearer than this (default: a thousandth of the way to look-at)",
+     .manual =
+         "Cuts off what is nearer to the eye than this, measured along the axis of sight. Default: a thousandth of "
+         "the way to the look-at point, and at least 1e-5 of the scene's diameter. What is nearer than 1e-6 of the "
+         "diameter is cut off in any case."},
+    {.group = GROUP_VIEW,
+     .name = "up",
+     .flags = OPTION_DRAWS,
+     .value = "X,Y,Z",
+     .set = values_set_direction,
+     TO(up),
+     .brief = "what points up",
+     .help = "what points up in the drawing (default: 0,0,1; where parallel to the view, 0,1,0)",
+     .manual = "What points up in the drawing. Default: 0,0,1, or 0,1,0 where that is parallel to the view."},
+    {.group = GROUP_VIEW,
+     .name = "roll",
+     .flags = OPTION_DRAWS,
+     .value = "DEGREES",
+     .set = values_set_number,
+     TO(roll),
+     RANGE(-360, 360),
+     .brief = "turn the drawing",
+     .help = "turn the drawing of any view, counter-clockwise (default: 0)",
+     .manual = "Turns the drawing of any view, counter-clockwise. Default: 0."},
+
+    /* ---- engine ---- */
+    {.group = GROUP_ENGINE,
+     .name = "threads",
+     .value = "N",
+     .set = values_set_integer,
+     TO(hide.threads),
+     RANGE(0, ROBERTS_THREADS_MOST),
+     .brief = "how many",
+     .help = "how many threads work, up to 1024 (default: 0, what there is)",
+     .manual =
+         "How many threads work, up to 1024; with --batch, how many files are drawn at a time. Default: 0, as many "
+         "as there are processors. The drawing does not depend on it."},
+    {.group = GROUP_ENGINE,
+     .name = "grid",
+     .value = "N",
+     .set = values_set_integer,
+     TO(hide.grid),
+     RANGE(0, ROBERTS_GRID_MOST),
+     .brief = "cells per side",
+     .help = "cells per side of the grid, up to 4096 (default: 0)",
+     .manual =
+         "Cells per side of the grid that keeps pairs of edge and face few, up to 4096. Default: 0. It changes the "
+         "time, never the drawing."},
+    {.group = GROUP_ENGINE,
+     .name = "epsilon",
+     .value = "E",
+     .set = values_set_number,
+     TO(hide.epsilon),
+     RANGE(0, 1e150),
+     .brief = "touching distance",
+     .help = "what is nearer than this touches, model units (default: 0, 1e-11 of the scene's diameter)",
+     .manual =
+         "What is nearer than this touches, in model units; at most a hundredth of the scene. Default: 0, which is "
+         "1e-11 of the scene's diameter, and at least 16 units in the last place of the largest coordinate."},
+    {.group = GROUP_ENGINE,
+     .name = "tolerance",
+     .value = "T",
+     .set = values_set_number,
+     TO(scene.tolerance),
+     RANGE(0, 1),
+     .brief = "how far from planar and convex",
+     .help = "how far from planar and convex a solid may be, as a part of its size (default: 0, 1e-5)",
+     .manual = "How far from planar and convex a solid may be, as a part of its size (the diagonal of its box). "
+               "Default: 0, which is 1e-5.\nWhen a model is refused as not planar or not convex, the message names a "
+               "tolerance that would accept it, where there is one up to 0.01: 1, 2 or 5 times a power of ten, as "
+               "small as does. The limit is lower for a solid of more than six faces, 0.025 divided by the root of "
+               "their number, and lower again for a solid that is farther from the origin than it is large: a greater "
+               "tolerance would accept any shape. For models of more than 200,000 faces none is named."},
+
+    /* ---- messages ---- */
+    {.group = GROUP_MESSAGES,
+     .name = "stats",
+     .flags = OPTION_OPTIONAL,
+     .value = "json",
+     .words = values_stats,
+     .set = values_set_stats,
+     .brief = "counts and times",
+     .help = "counts, tests and times, on standard error",
+     .manual = "Prints counts, what each test decided, and times, on standard error; see STATISTICS. As JSON it is one "
+               "object on a line for each picture."},
+    {.group = GROUP_MESSAGES,
+     .name = "verify",
+     .flags = OPTION_OPTIONAL,
+     .value = "N",
+     .set = values_set_verify,
+     TO(verify_rays),
+     RANGE(1, UINT32_MAX),
+     .brief = "check the drawing by rays",
+     .help = "check the drawing by N rays per visible or hidden segment (default: 3); exit status 1 if any of them "
+             "contradicts it",
+     .manual =
+         "Checks the drawing by casting N rays (default: 3) from points of each visible or hidden segment toward "
+         "the viewer, and others wherever something may have been missed, and reports on standard error. The exit "
+         "status is 1 if any ray contradicts the drawing. "
+         "Points within about epsilon of a change are reported as undecided and contradict nothing."},
+    {.group = GROUP_MESSAGES,
+     .name = "pick",
+     .flags = OPTION_REPEATS,
+     .value = "X,Y",
+     .set = values_set_pick,
+     .brief = "what is seen there",
+     .help = "say which solid and face is seen there (x, y as in tables) and what lies behind it; may be given several "
+             "times",
+     .manual =
+         "Says which solid and face is seen at this point of the picture (x and y as in tables), where that is in "
+         "the model, and what lies behind it. May be given several times. The depth is counted away from the "
+         "viewer, from the plane through the middle of the scene's box or, in perspective, through the look-at "
+         "point: in front of that plane it is negative."},
+    {.group = GROUP_MESSAGES,
+     .name = "quiet",
+     .letter = 'q',
+     .set = values_set_flag,
+     TO(quiet),
+     .excludes = "verbose",
+     .brief = "no warnings",
+     .help = "no warnings, and no line of progress on a terminal",
+     .manual = "No warnings, and no line of progress on a terminal. Errors are still reported."},
+    {.group = GROUP_MESSAGES,
+     .name = "verbose",
+     .letter = 'v',
+     .set = values_set_flag,
+     TO(verbose),
+     .brief = "say what was read and written",
+     .help = "say what was read and written",
+     .manual = "Says what was read and written, and which solids --hull has replaced."},
+    {.group = GROUP_MESSAGES,
+     .name = "help",
+     .letter = 'h',
+     .flags = OPTION_ALONE,
+     .set = values_set_flag,
+     TO(help),
+     .brief = "help",
+     .help = "this text",
+     .manual = "Prints a summary of the options."},
+    {.group = GROUP_MESSAGES,
+     .name = "version",
+     .letter = 'V',
+     .flags = OPTION_ALONE,
+     .set = values_set_flag,
+     TO(version),
+     .brief = "version",
+     .help = "the version",
+     .manual = "Prints the version."},
+};
+
+const option_table option_table_all = {rows, COUNT(rows)};

@@ -1,0 +1,411 @@
+/* report.c - what --stats, --verify and --pick say. */
+#include "cli/report.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <sys/resource.h>
+#include <time.h>
+
+#include "cli/message.h"
+
+/* ---- times ---- */
+
+static double seconds(clockid_t clock)
+{
+    struct timespec now = {0};
+    clock_gettime(clock, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+roberts_time report_now(void)
+{
+    return (roberts_time){seconds(CLOCK_PROCESS_CPUTIME_ID), seconds(CLOCK_MONOTONIC)};
+}
+
+roberts_time report_since(roberts_time start)
+{
+    roberts_time now = report_now();
+    return (roberts_time){now.cpu - start.cpu, now.wall - start.wall};
+}
+
+roberts_time report_sum(roberts_time a, roberts_time b)
+{
+    return (roberts_time){a.cpu + b.cpu, a.wall + b.wall};
+}
+
+/* ---- JSON ---- */
+
+/* Length of the character of two bytes or more that `text` begins with, 0 where it is none. */
+static size_t character(const unsigned char *text)
+{
+    static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    size_t length = text[0] < 0xc0 ? 0 : text[0] < 0xe0 ? 2 : text[0] < 0xf0 ? 3 : text[0] < 0xf8 ? 4 : 0;
+    uint32_t code = length ? text[0] & (0x7fu >> length) : 0;
+    for (size_t i = 1; i < length; i++) {
+        if ((text[i] & 0xc0) != 0x80) /* the end of the text as well */
+            return 0;
+        code = code << 6 | (text[i] & 0x3f);
+    }
+    return code < least[length] || (code >= 0xd800 && code < 0xe000) || code > 0x10ffff ? 0 : length;
+}
+
+/* Writes `text` as a string of JSON (RFC 8259), with its quotes. UTF-8 is checked after RFC 3629: no surrogates,
+ * nothing beyond U+10FFFF, no longer than needed; other bytes, as names of files may have, become U+FFFD. NULL is
+ * null. */
+static void json_string(FILE *file, const char *text)
+{
+    if (!text) {
+        fputs("null", file);
+        return;
+    }
+    fputc('"', file);
+    for (const unsigned char *at = (const unsigned char *)text; *at;) {
+        size_t length = *at < 0x80 ? 1 : character(at);
+        if (*at == '"' || *at == '\\')
+            fprintf(file, "\\%c", *at);
+        else if (*at < 0x20)
+            fprintf(file, "\\u%04x", *at);
+        else if (length)
+            fwrite(at, 1, length, file);
+        else
+            fputs("\\ufffd", file);
+        at += length ? length : 1;
+    }
+    fputc('"', file);
+}
+
+/* ---- --stats ---- */
+
+typedef struct figure {
+    const char *key; /* in JSON */
+    const char *text;
+    uint64_t value;
+} figure;
+
+typedef struct stage {
+    const char *name;
+    roberts_time time;
+} stage;
+
+bool report_count(void *run, const roberts_segment *segment)
+{
+    ((run_stats *)run)->segments[segment->state]++;
+    return true;
+}
+
+static void add_tally(roberts_tally *sum, const roberts_tally *t)
+{
+    sum->pairs += t->pairs;
+    sum->test1_visible += t->test1_visible;
+    sum->test2_visible += t->test2_visible;
+    sum->test3_visible += t->test3_visible;
+    sum->test3_invisible += t->test3_invisible;
+    sum->test4 += t->test4;
+    sum->covered += t->covered;
+    sum->pierced += t->pierced;
+    sum->refined += t->refined;
+}
+
+/* Adds up what was counted and timed in all views. The sum has no segments. */
+static roberts_drawing add_up(const roberts_drawing *drawing, size_t views)
+{
+    roberts_drawing sum = *drawing;
+    for (const roberts_drawing *d = drawing + 1; d < drawing + views; d++) {
+        sum.count += d->count;
+        sum.solids += d->solids;
+        sum.culled_solids += d->culled_solids;
+        sum.front_faces += d->front_faces;
+        sum.back_faces += d->back_faces;
+        sum.edge_on_faces += d->edge_on_faces;
+        sum.edges += d->edges;
+        sum.surviving_edges += d->surviving_edges;
+        sum.drawn_edges += d->drawn_edges;
+        add_tally(&sum.tally, &d->tally);
+        sum.view_time = report_sum(sum.view_time, d->view_time);
+        sum.grid_time = report_sum(sum.grid_time, d->grid_time);
+        sum.hide_time = report_sum(sum.hide_time, d->hide_time);
+    }
+    sum.segment = NULL;
+    return sum;
+}
+
+/* kB; Linux and the BSDs count in these, others in bytes. */
+static uint64_t peak_memory(void)
+{
+    struct rusage usage = {0};
+    getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+    usage.ru_maxrss /= 1024;
+#endif
+    return (uint64_t)usage.ru_maxrss;
+}
+
+static void print_figures(FILE *log, const figure *figures, size_t count, bool json)
+{
+    for (size_t i = 0; i < count; i++)
+        if (json)
+            fprintf(log, "%s\"%s\":%" PRIu64, i ? "," : "", figures[i].key, figures[i].value);
+        else
+            fprintf(log, "%14" PRIu64 "  %s\n", figures[i].value, figures[i].text);
+}
+
+static void print_stages(FILE *log, const stage *stages, size_t count, bool json)
+{
+    if (!json)
+        fputs("           cpu        wall  seconds\n", log);
+    for (size_t i = 0; i < count; i++)
+        if (json)
+            fprintf(log, "%s\"%s\":{\"cpu\":%.6f,\"wall\":%.6f}", i ? "," : "", stages[i].name, stages[i].time.cpu,
+                    stages[i].time.wall);
+        else
+            fprintf(log, "%14.3f%12.3f  %s\n", stages[i].time.cpu, stages[i].time.wall, stages[i].name);
+}
+
+/* The ways of the pen; nothing where there is no page. */
+static void print_ink(FILE *log, const roberts_ink *ink, const roberts_placement *placement, bool json)
+{
+    char ratio[REPORT_RATIO];
+    if (json && !(ink->scale > 0.0))
+        fputs(",\"strokes\":null,\"pen_down_mm\":null,\"pen_up_mm\":null,\"scale\":null", log);
+    else if (json)
+        fprintf(log, ",\"strokes\":%zu,\"pen_down_mm\":%.3f,\"pen_up_mm\":%.3f,\"scale\":%.17g", ink->strokes,
+                ink->down_mm, ink->up_mm, ink->scale);
+    else if (ink->scale > 0.0)
+        fprintf(log,
+                "%14zu  strokes\n%14.1f  mm with the pen down\n%14.1f  mm with the pen up\n%14.6g  mm on paper by "
+                "model unit\n",
+                ink->strokes, ink->down_mm, ink->up_mm, ink->scale);
+    if (!json && report_ratio(ink, placement, ratio))
+        fprintf(log, "%14s  scale\n", ratio);
+}
+
+bool report_ratio(const roberts_ink *ink, const roberts_placement *placement, char ratio[REPORT_RATIO])
+{
+    double scale = ink->scale / (placement->unit_mm > 0.0 ? placement->unit_mm : 1.0);
+    if (!(scale > 0.0) || !(placement->scale > 0.0 || placement->standard))
+        return false;
+    const double larger = scale < 1.0 ? 1.0 / scale : scale;
+    const bool whole = larger >= 1e5 && larger < 1e15; /* 1:1000000, and not 1:1e+06 */
+    snprintf(ratio, REPORT_RATIO, scale < 1.0 ? "1:%.*g" : "%.*g:1", whole ? 15 : 6,
+             whole ? nearbyint(larger) : larger);
+    return true;
+}
+
+/* What --verify found, in JSON alone: report_verify() has told people already. null where it was not asked for. */
+static void print_verified(FILE *log, const cli_options *options, const roberts_verification *found)
+{
+    if (options->stats == STATS_JSON && !options->verify)
+        fputs(",\"verified\":null", log);
+    else if (options->stats == STATS_JSON)
+        fprintf(log, ",\"verified\":{\"segments\":%zu,\"points\":%zu,\"undecided\":%zu,\"contradictions\":%zu}",
+                found->segments, found->points, found->undecided, found->contradictions);
+}
+
+/* Which picture it is. */
+static void print_name(const cli_options *options)
+{
+    if (options->stats == STATS_JSON) {
+        fputs("\"file\":", options->log);
+        json_string(options->log, options->input[0]);
+        fputs(",\"output\":", options->log);
+        json_string(options->log, options->draw.format == ROBERTS_NULL ? NULL : options->output);
+        fputs(",", options->log);
+    } else if (options->label) {
+        message_begin(options->log, options->label);
+        fputs("statistics\n", options->log);
+    }
+}
+
+void report_stats(const cli_options *options, const run_stats *run, const roberts_drawing *drawing, size_t views)
+{
+    FILE *log = options->log;
+    const bool json = options->stats == STATS_JSON;
+    const roberts_drawing sum = add_up(drawing, views), *d = &sum;
+    const figure counts[] = {
+        {"files", "files", run->files},
+        {"solids", "solids", d->solids},
+        {"culled_solids", "of them culled, wholly hidden", d->culled_solids},
+        {"vertices", "vertices", run->vertices * views},
+        {"faces", "faces", run->faces * views},
+        {"front_faces", "of them front", d->front_faces},
+        {"back_faces", "back", d->back_faces},
+        {"edge_on_faces", "edge-on", d->edge_on_faces},
+        {"edges", "edges", d->edges},
+        {"surviving_edges", "of them with a front face", d->surviving_edges},
+        {"drawn_edges",
+         options->hide.keep_hidden ? "to draw: those at the back too, none flatter than the crease"
+                                   : "to draw: none at the back, none flatter than the crease",
+         d->drawn_edges},
+        {"segments", "segments", d->count},
+        {"visible", "of them visible", run->segments[ROBERTS_VISIBLE]},
+        {"hidden", "hidden", run->segments[ROBERTS_HIDDEN]},
+        {"clipped", "clipped", run->segments[ROBERTS_CLIPPED]},
+        {"grid", "columns of the grid", d->grid},
+        {"grid_rows", "rows", d->grid_rows},
+        {"peak_memory_kb", "kB of memory at most", peak_memory()},
+    };
+    const figure tests[] = {
+        {"pairs", "pairs of edge and front", d->tally.pairs},
+        {"test1_visible", "test 1: in front of the plane, visible", d->tally.test1_visible},
+        {"test2_visible", "test 2: the sight plane misses the face, visible", d->tally.test2_visible},
+        {"test3_visible", "test 3: outside one side, visible", d->tally.test3_visible},
+        {"test3_invisible", "test 3: inside all sides, invisible", d->tally.test3_invisible},
+        {"test4", "test 4: cut at the crossings", d->tally.test4},
+        {"covered", "edges behind covers, no test", d->tally.covered},
+        {"pierced", "hidden parts that end in a face", d->tally.pierced},
+        {"refined", "signs and crossings refined", d->tally.refined},
+    };
+    const stage stages[] = {
+        {"read", run->read},    {"solids", run->solids}, {"view", d->view_time}, {"grid", d->grid_time},
+        {"hide", d->hide_time}, {"verify", run->verify}, {"draw", run->draw},    {"total", run->total},
+    };
+    static const struct reason {
+        const char *json, *text;
+    } reasons[] = {[ROBERTS_EPSILON_GIVEN] = {"given", "as given"},
+                   [ROBERTS_EPSILON_DIAMETER] = {"diameter", "1e-11 of the diameter"},
+                   [ROBERTS_EPSILON_ROUNDING] = {"rounding", "16 units of the last place of the largest coordinate"},
+                   [ROBERTS_EPSILON_FLOAT32] = {"float32", "2 units of the last place of the largest 32-bit float"}};
+    const struct reason *reason = &reasons[d->epsilon_reason];
+    fputs(json ? "{\"version\":\"" ROBERTS_VERSION "\"," : "", log);
+    print_name(options);
+    if (views > 1)
+        fprintf(log, json ? "\"views\":%zu," : "%14zu  views, counted together\n", views);
+    print_figures(log, counts, sizeof counts / sizeof counts[0], json);
+    print_ink(log, &run->ink, &options->draw.placement, json);
+    if (json)
+        fprintf(log, ",\"epsilon\":%.17g,\"epsilon_reason\":\"%s\",\"scene_diameter\":%.17g,\"tests\":{", d->epsilon,
+                reason->json, d->scene_diameter);
+    else
+        fprintf(log, "%14.4g  epsilon, model units: %s\n%14.6g  diameter of the scene, model units\n", d->epsilon,
+                reason->text, d->scene_diameter);
+    print_figures(log, tests, sizeof tests / sizeof tests[0], json);
+    fputs(json ? "}" : "", log);
+    print_verified(log, options, &run->found);
+    fputs(json ? ",\"seconds\":{" : "", log);
+    print_stages(log, stages, sizeof stages / sizeof stages[0], json);
+    fputs(json ? "}}\n" : "", log);
+}
+
+/* ---- --verify ---- */
+
+enum { TOLD_MOST = 20 };
+
+typedef struct telling {
+    const cli_options *options;
+    size_t told;
+} telling;
+
+static void tell_contradiction(void *context, const roberts_contradiction *c)
+{
+    telling *t = context;
+    FILE *log = t->options->log;
+    if (t->told++ >= TOLD_MOST)
+        return;
+    message_open(log);
+    message_begin(log, t->options->label);
+    fprintf(log, "verify: solid %u, edge %u-%u, t = %.17g: drawn %s, but ", (unsigned)c->solid, (unsigned)c->v0,
+            (unsigned)c->v1, c->t, c->drawn == ROBERTS_VISIBLE ? "visible" : "hidden");
+    if (c->cast == ROBERTS_CLIPPED)
+        fputs("the near plane cuts it off\n", log);
+    else if (c->cast == ROBERTS_HIDDEN && c->drawn == ROBERTS_HIDDEN)
+        fprintf(log, "it is solid %u that hides it, not solid %u\n", (unsigned)c->by, (unsigned)c->drawn_by);
+    else if (c->cast == ROBERTS_HIDDEN)
+        fprintf(log, "solid %u hides it\n", (unsigned)c->by);
+    else
+        fputs("nothing hides it\n", log);
+    message_close(log);
+}
+
+roberts_status report_verify(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing,
+                             roberts_verification *sum, roberts_error *error)
+{
+    telling t = {.options = options};
+    FILE *log = options->log;
+    roberts_verification found;
+    roberts_verify_options verify = roberts_verify_options_default();
+    verify.rays = options->verify_rays;
+    verify.crease_degrees = options->hide.crease_degrees;
+    verify.all_edges = options->hide.all_edges;
+    verify.threads = options->hide.threads;
+    verify.contradiction = tell_contradiction;
+    verify.context = &t;
+    roberts_status status = roberts_verify(scene, &options->camera, drawing, &verify, &found, error);
+    if (status == ROBERTS_OK) {
+        sum->segments += found.segments;
+        sum->points += found.points;
+        sum->undecided += found.undecided;
+        sum->contradictions += found.contradictions;
+    }
+    message_open(log);
+    if (t.told > TOLD_MOST) {
+        message_begin(log, options->label);
+        fprintf(log, "verify: ... and %zu more\n", t.told - TOLD_MOST);
+    }
+    if (status == ROBERTS_OK && (found.contradictions > 0 || !options->quiet)) {
+        message_begin(log, options->label);
+        fprintf(log,
+                "verify: %zu points of %zu segments checked, visible and hidden ones; contradictions: %zu, undecided: "
+                "%zu\n",
+                found.points, found.segments, found.contradictions, found.undecided);
+    }
+    message_close(log);
+    return status;
+}
+
+/* ---- --pick ---- */
+
+/* Whoever misses the whole picture may have taken its coordinates for millimetres of the page. */
+static void tell_nothing_picked(const cli_options *options, const roberts_scene *scene, roberts_vec2 p)
+{
+    roberts_vec2 low, high;
+    bool framed, known = roberts_window(scene, &options->camera, &low, &high, &framed, NULL) == ROBERTS_OK;
+    if (known && framed)
+        roberts_page_shape(&options->draw.page, &low, &high);
+    message_begin(options->log, options->label);
+    fprintf(options->log, "pick %.12g,%.12g: nothing is there", p.x, p.y);
+    if (known && (p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y))
+        fprintf(options->log, "; the picture reaches from %.6g,%.6g to %.6g,%.6g", low.x, low.y, high.x, high.y);
+    fputs("\n", options->log);
+}
+
+/* A face that the input does not have. */
+static const char *name_unnumbered(const cli_options *options)
+{
+    if (!options->scene.hull)
+        return "cut by the near plane";
+    return options->camera.projection == ROBERTS_PERSPECTIVE ? "a face of its hull, or cut by the near plane"
+                                                             : "a face of its hull";
+}
+
+static roberts_status pick_one(const cli_options *options, const roberts_scene *scene, roberts_vec2 p,
+                               roberts_error *error)
+{
+    roberts_picked picked;
+    roberts_status status = roberts_pick(scene, &options->camera, p.x, p.y, &picked, error);
+    message_open(options->log);
+    if (status == ROBERTS_OK && picked.count == 0)
+        tell_nothing_picked(options, scene, p);
+    for (size_t i = 0; i < picked.count; i++) {
+        const roberts_pick_hit *hit = &picked.hit[i];
+        message_begin(options->log, options->label);
+        fprintf(options->log, "pick %.12g,%.12g: %ssolid %u, ", p.x, p.y, i ? "behind it " : "", (unsigned)hit->solid);
+        if (hit->face == ROBERTS_NONE)
+            fprintf(options->log, "%s, ", name_unnumbered(options));
+        else
+            fprintf(options->log, "face %u, ", (unsigned)hit->face);
+        fprintf(options->log, "depth %.12g, at %.12g,%.12g,%.12g\n", hit->depth, hit->point.x, hit->point.y,
+                hit->point.z);
+    }
+    message_close(options->log);
+    roberts_picked_free(&picked);
+    return status;
+}
+
+roberts_status report_picks(const cli_options *options, const roberts_scene *scene, roberts_error *error)
+{
+    roberts_status status = ROBERTS_OK;
+    for (size_t i = 0; i < options->pick_count && status == ROBERTS_OK; i++)
+        status = pick_one(options, scene, options->pick[i], error);
+    return status;
+}

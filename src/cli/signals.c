@@ -1,0 +1,153 @@
+/* signals.c - what the program does on signals.
+ *
+ * Handlers read only what is written whole: a pointer to a constant, numbers that fit a sig_atomic_t, and a name while
+ * its `unfinished` is set. They call unlink(), signal(), raise(), write() and alarm() alone, which are
+ * async-signal-safe. */
+#include "cli/signals.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <string.h>
+#include <unistd.h>
+
+/* ---- interruption: each thread that writes has a slot of its own ---- */
+
+static struct slot {
+    char name[4096 + 64]; /* PATH_MAX; longer ones cannot be opened */
+    volatile sig_atomic_t unfinished;
+} slots[SIGNALS_SLOTS];
+
+static void on_signal(int number)
+{
+    for (int i = 0; i < SIGNALS_SLOTS; i++)
+        if (slots[i].unfinished)
+            unlink(slots[i].name);
+    signal(number, SIG_DFL);
+    raise(number); /* comes when the handler has returned */
+}
+
+void signals_prepare(void)
+{
+    static const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+    struct sigaction action = {.sa_handler = on_signal}, old;
+    sigemptyset(&action.sa_mask);
+    for (size_t i = 0; i < sizeof ending / sizeof ending[0]; i++)
+        if (sigaction(ending[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) /* nohup stays nohup */
+            sigaction(ending[i], &action, NULL);
+#ifdef SIGXFSZ
+    signal(SIGXFSZ, SIG_IGN);
+#endif
+}
+
+void *signals_slot(int number)
+{
+    return &slots[number];
+}
+
+void signals_temporary(void *context, const char *path)
+{
+    struct slot *slot = context;
+    slot->unfinished = 0;
+    if (path && strlen(path) < sizeof slot->name) {
+        strcpy(slot->name, path);
+        slot->unfinished = 1;
+    }
+}
+
+/* ---- progress: work on drawings need not know of it, and a short run says nothing ---- */
+
+enum { LINE = 72 };
+
+static const char *volatile stage = "starting";
+static volatile sig_atomic_t seconds, counted, count_of, hidden, shown;
+static bool begun;
+
+static size_t put_text(char *line, size_t used, const char *text)
+{
+    while (*text && used < LINE)
+        line[used++] = *text++;
+    return used;
+}
+
+static size_t put_number(char *line, size_t used, int number)
+{
+    char digits[12];
+    size_t at = sizeof digits;
+    digits[--at] = '\0';
+    do
+        digits[--at] = (char)('0' + number % 10);
+    while ((number /= 10) > 0);
+    return put_text(line, used, digits + at);
+}
+
+/* Every line is filled up to the same length, so that it covers a longer one before it. */
+static void write_line(const char *text, size_t used)
+{
+    char line[LINE + 2];
+    memset(line, ' ', sizeof line);
+    line[0] = '\r';
+    memcpy(line + 1, text, used);
+    line[LINE + 1] = '\r';
+    ssize_t written = write(STDERR_FILENO, line, sizeof line);
+    (void)written; /* nothing is lost with it */
+}
+
+static void on_alarm(int number)
+{
+    int kept = errno;
+    char line[LINE];
+    (void)number;
+    seconds++;
+    alarm(1);
+    if (!hidden) {
+        size_t used = put_text(line, 0, "roberts: ");
+        if (count_of > 0) {
+            used = put_number(line, used, (int)counted);
+            used = put_text(line, used, " of ");
+            used = put_number(line, used, (int)count_of);
+            used = put_text(line, used, " drawn");
+        } else {
+            used = put_text(line, used, stage);
+        }
+        used = put_text(line, used, ", ");
+        used = put_number(line, used, (int)seconds);
+        used = put_text(line, used, " s");
+        shown = 1;
+        write_line(line, used);
+    }
+    errno = kept;
+}
+
+void progress_begin(void)
+{
+    struct sigaction action = {.sa_handler = on_alarm, .sa_flags = SA_RESTART};
+    sigemptyset(&action.sa_mask);
+    begun = sigaction(SIGALRM, &action, NULL) == 0;
+    if (begun)
+        alarm(1);
+}
+
+void progress_stage(const char *name)
+{
+    stage = name;
+}
+
+void progress_count(size_t done, size_t total)
+{
+    counted = (sig_atomic_t)done;
+    count_of = (sig_atomic_t)total;
+}
+
+void progress_hide(void)
+{
+    hidden = 1;
+    if (begun && shown)
+        write_line("", 0);
+    shown = 0;
+}
+
+void progress_show(void)
+{
+    hidden = 0;
+}

@@ -1,0 +1,54 @@
+/* list_tree.h - the shape of a tree over a list: a node for each eight items, one for each eight of these nodes, and so on,
+ * until no more than eight nodes are left. The nodes of one level are a rank, the lowest first. What a node holds is the
+ * caller's. */
+#ifndef ROBERTS_HIDE_LIST_TREE_H
+#define ROBERTS_HIDE_LIST_TREE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/bits.h"
+
+/* A node has 2^LIST_TREE_BITS items. */
+#define LIST_TREE_BITS 3
+/* Ranks of the tree over 2^32 items. */
+#define LIST_TREE_RANKS 10
+
+typedef struct list_tree {
+    uint32_t items, ranks;
+    uint32_t start[LIST_TREE_RANKS + 1]; /* each rank's first node; start[ranks] is the number of nodes */
+} list_tree;
+
+/* The tree over `items` items; one item has a node too. */
+static inline list_tree list_tree_over(uint32_t items)
+{
+    list_tree t = {.items = items};
+    for (uint32_t n = items; t.ranks == 0 || n > 1u << LIST_TREE_BITS;) {
+        n = (n >> LIST_TREE_BITS) + (n % (1u << LIST_TREE_BITS) > 0);
+        t.start[t.ranks + 1] = t.start[t.ranks] + n;
+        t.ranks++;
+    }
+    return t;
+}
+
+/* The highest rank that has a node beginning with this item, a multiple of eight. */
+static inline int list_tree_highest(const list_tree *t, uint32_t item)
+{
+    int most = (int)t->ranks - 1, rank = item ? bits_trailing_zeros(item) / LIST_TREE_BITS - 1 : most;
+    return rank < most ? rank : most;
+}
+
+/* The node of this rank that holds the item. */
+static inline uint32_t list_tree_node(const list_tree *t, int rank, uint32_t item)
+{
+    return t->start[rank] + (item >> (LIST_TREE_BITS * (rank + 1)));
+}
+
+/* The item after the last one of the node of this rank that begins with `item`. */
+static inline uint32_t list_tree_end(const list_tree *t, int rank, uint32_t item)
+{
+    uint64_t end = (uint64_t)item + (UINT64_C(1) << (LIST_TREE_BITS * (rank + 1)));
+    return end < t->items ? (uint32_t)end : t->items;
+}
+
+#endif

@@ -1,0 +1,47 @@
+/* reach.c - see reach.h. */
+#include "hide/reach.h"
+
+/* Where the edge is epsilon outside of the line from P to Q, going out (coming in); no limit where it does not, or
+ * where the side is no longer than epsilon: that bounds nothing that its neighbours do not bound. */
+static double leaves(const hide_space *space, const hide_edge *e, roberts_vec3 P, roberts_vec3 Q, bool out)
+{
+    double dx = Q.x - P.x, dy = Q.y - P.y, length = sqrt(dx * dx + dy * dy);
+    double a = dx * (e->A.y - P.y) - dy * (e->A.x - P.x), b = dx * (e->B.y - P.y) - dy * (e->B.x - P.x);
+    if (length <= space->epsilon || (out ? a <= b : b <= a))
+        return out ? INFINITY : -INFINITY;
+    return (a + space->epsilon * length) / (a - b);
+}
+
+/* The parameter of the edge's point that is nearest to P in the picture. */
+static double along(roberts_vec3 P, const hide_edge *e)
+{
+    return ((e->B.x - e->A.x) * (P.x - e->A.x) + (e->B.y - e->A.y) * (P.y - e->A.y)) / (e->length * e->length);
+}
+
+/* The walk along the border, from the side that is crossed on, as the edge goes, as far as the reach or the farthest
+ * corner. (Sides that lie behind the crossing are flatter to the edge, and it is epsilon outside of them later.) Where
+ * the edge comes in it is taken backward: all parameters change their signs. */
+double reach_along(const hide_space *space, const hide_edge *e, const reach_border *border, double touch, double *t)
+{
+    const hide_face *F = border->F;
+    double sign = border->out ? 1.0 : -1.0, epsilon = space->epsilon / e->length, begin = sign * *t;
+    double s0 = sign * along(space->P[F->corner[border->first]], e), reach = begin + touch;
+    double s1 = sign * along(space->P[F->corner[border->last]], e), farthest = greater(s0, s1);
+    bool up = s1 >= s0;
+    uint32_t from = up ? border->last : border->first;
+    for (uint32_t n = 0; n < F->count && farthest < reach; n++) {
+        uint32_t to = up ? (from + 1 < F->count ? from + 1 : 0) : (from > 0 ? from : F->count) - 1;
+        double s = sign * along(space->P[F->corner[to]], e);
+        if (s < farthest - epsilon) {
+            begin = begin > farthest + epsilon ? farthest : begin;
+            reach = lesser(reach, greater(farthest, begin) + epsilon);
+            break;
+        }
+        roberts_vec3 P = space->P[F->corner[up ? from : to]], Q = space->P[F->corner[up ? to : from]];
+        reach = lesser(reach, sign * leaves(space, e, P, Q, border->out));
+        farthest = greater(farthest, s);
+        from = to;
+    }
+    *t = sign * begin;
+    return sign * greater(reach, begin + space->epsilon / e->length3);
+}

@@ -1,0 +1,458 @@
+/* schedule.c - see schedule.h. */
+#include "hide/schedule.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/bits.h"
+#include "base/sort.h"
+
+/* ---- tiles ---- */
+
+/* Side of a tile in cells of covers: at least seven mean boxes, 128 kB of cells. */
+#define TILE_CELLS 128
+/* How far a solid may reach out of its tile, in cells. What is asked of the covers is within two cells of its box. */
+#define TILE_REACH (TILE_CELLS / 2 - 2)
+/* Without covers, or of few: */
+#define TILE_SOLIDS 512
+
+/* Tiles of one round, those of every other column and row beginning with (i, j). */
+typedef struct layout {
+    uint32_t first[TILE_ROUNDS], up[TILE_ROUNDS];
+} layout;
+
+static layout lay_out(tiles *t, const scan_frame *f)
+{
+    layout l = {{0}, {0}};
+    uint32_t across = (f->nx - 1) / TILE_CELLS + 1, up = (f->ny - 1) / TILE_CELLS + 1;
+    t->count = 1;
+    for (uint32_t r = 1; r < TILE_ROUNDS; r++) {
+        uint32_t i = (r - 1) / 2, j = (r - 1) % 2;
+        l.first[r] = t->round[r] = t->count;
+        l.up[r] = (up + 1 - j) / 2;
+        t->count += (across + 1 - i) / 2 * l.up[r];
+    }
+    t->round[TILE_ROUNDS] = t->count;
+    return l;
+}
+
+static bool within(uint32_t first, uint32_t last, uint32_t tile)
+{
+    return first + TILE_REACH >= tile * TILE_CELLS && last < (tile + 1) * TILE_CELLS + TILE_REACH;
+}
+
+static uint32_t tile_of(const layout *l, const scan_frame *f, const hide_box *box)
+{
+    uint32_t i = scan_column(f, 0.5 * ((double)box->x0 + (double)box->x1)) / TILE_CELLS;
+    uint32_t j = scan_row(f, 0.5 * ((double)box->y0 + (double)box->y1)) / TILE_CELLS;
+    if (!within(scan_column(f, (double)box->x0 - f->margin), scan_column(f, (double)box->x1 + f->margin), i) ||
+        !within(scan_row(f, (double)box->y0 - f->margin), scan_row(f, (double)box->y1 + f->margin), j))
+        return 0;
+    uint32_t r = 1 + i % 2 * 2 + j % 2;
+    return l->first[r] + i / 2 * l->up[r] + j / 2;
+}
+
+/* Counts of solids, faces and vertices become places. */
+static void set_places(tiles *t)
+{
+    uint32_t first = 0, face = 0, outline = 0;
+    for (uint32_t k = 0; k < t->count; k++) {
+        picture_tile *to = &t->tile[k];
+        uint32_t solids = to->end, faces = to->face, vertices = to->outline;
+        to->first = to->end = to->front = first;
+        to->face = face;
+        to->outline = outline;
+        first += solids;
+        face += faces;
+        outline += vertices;
+    }
+}
+
+/* The tile of each solid. */
+static void find_tiles(const layout *l, const hide_picture *picture, uint32_t *own, int threads)
+{
+    uint32_t count = picture->scene->solid_count;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(threads)
+#else
+    (void)threads;
+#endif
+    for (uint32_t s = 0; s < count; s++)
+        own[s] = tile_of(l, &picture->cover.frame, &picture->box[s]);
+}
+
+static bool by_place(tiles *t, const hide_picture *picture, int threads)
+{
+    const roberts_scene *scene = picture->scene;
+    layout l = lay_out(t, &picture->cover.frame);
+    uint32_t *own = alloc_array(scene->solid_count, sizeof *own);
+    t->tile = alloc_zeroed(t->count, sizeof *t->tile);
+    t->solid = alloc_array(scene->solid_count, sizeof *t->solid);
+    bool done = own && t->tile && t->solid;
+    if (done)
+        find_tiles(&l, picture, own, threads);
+    for (uint32_t s = 0; done && s < scene->solid_count; s++) {
+        picture_tile *to = &t->tile[own[s]];
+        to->end++;
+        to->face += scene->solid[s + 1].face - scene->solid[s].face;
+        to->outline += scene->solid[s + 1].vertex - scene->solid[s].vertex;
+    }
+    if (done)
+        set_places(t);
+    for (uint32_t s = 0; done && s < scene->solid_count; s++)
+        t->solid[t->tile[own[s]].end++] = s;
+    free(own);
+    return done;
+}
+
+static bool by_number(tiles *t, const hide_picture *picture)
+{
+    const roberts_scene *scene = picture->scene;
+    t->count = scene->solid_count / TILE_SOLIDS + 1;
+    t->round[1] = t->round[2] = t->round[3] = t->round[4] = t->round[5] = t->count;
+    t->tile = alloc_zeroed(t->count, sizeof *t->tile);
+    for (uint32_t k = 0; t->tile && k < t->count; k++) {
+        uint32_t first = k * TILE_SOLIDS, left = scene->solid_count - first;
+        t->tile[k] = (picture_tile){.first = first,
+                                    .end = first + (left < TILE_SOLIDS ? left : TILE_SOLIDS),
+                                    .front = first,
+                                    .face = scene->solid[first].face,
+                                    .outline = scene->solid[first].vertex};
+    }
+    return t->tile != NULL;
+}
+
+bool tiles_make(tiles *t, const hide_picture *picture, int threads)
+{
+    *t = (tiles){0};
+    return picture->cover.depth ? by_place(t, picture, threads) : by_number(t, picture);
+}
+
+void tiles_free(tiles *t)
+{
+    for (uint32_t k = 0; t->tile && k < t->count; k++) {
+        free(t->tile[k].single);
+        free(t->tile[k].single_box);
+    }
+    free(t->tile);
+    free(t->solid);
+    *t = (tiles){0};
+}
+
+bool tiles_order(tiles *t, const picture_tile *of, const hide_picture *picture)
+{
+    uint32_t count = of->end - of->first, *solid = t->solid + of->first;
+    uint32_t *key = alloc_array(count, 3 * sizeof *key), *order, *sorted;
+    if (!key)
+        return false;
+    order = key + count;
+    sorted = order + count;
+    for (uint32_t k = 0; k < count; k++)
+        key[k] = radix_key_descending(picture->box[solid[k]].z1);
+    bool done = radix_order(key, count, order);
+    for (uint32_t k = 0; done && k < count; k++)
+        sorted[k] = solid[order[k]];
+    if (done)
+        memcpy(solid, sorted, count * sizeof *solid);
+    free(key);
+    return done;
+}
+
+/* ---- the order of the picture ---- */
+
+/* Fewer solids than this do not leave the cache. */
+#define MANY_SOLIDS 32768
+/* The picture is counted in so many columns and rows for the order... */
+#define SIDE 1024
+/* ... and if one solid lies on average farther than this from the last, the file has them as they come. Rows, heaps and
+ * lattices that were built one beside the other have less than 30, random ones more than 600. */
+#define FAR_APART 100.0
+/* ... or if as many boxes as this lie over a point of the picture: what lies behind one another lies anywhere in the file. In
+ * flat scenes the order costs a fifth of hiding, in deep ones it saves a fourth to a half. */
+#define DEEP 2.5
+
+/* Solids between asking for what is kept of one and needing it; twice as many before, where it is. */
+#define RECALLS_AHEAD 4
+
+static double apart(uint32_t a, uint32_t b)
+{
+    return a < b ? b - a : a - b;
+}
+
+/* Fills `key` so that the solids' order follows the Z-order curve through the picture. Gives how far one is from the last, on
+ * average. */
+static double find_keys(const hide_picture *picture, uint32_t *key)
+{
+    uint32_t count = picture->scene->solid_count, last_i = 0, last_j = 0;
+    double way = 0.0;
+    scan_frame frame = scan_frame_over(picture->low, picture->high, SIDE, SIDE, hide_margin(&picture->space));
+    for (uint32_t s = 0; s < count; s++) {
+        const hide_box *box = &picture->box[s];
+        uint32_t i = scan_column(&frame, 0.5 * ((double)box->x0 + (double)box->x1));
+        uint32_t j = scan_row(&frame, 0.5 * ((double)box->y0 + (double)box->y1));
+        way += apart(i, last_i) + apart(j, last_j);
+        key[s] = bits_spread(i) << 1 | bits_spread(j);
+        last_i = i;
+        last_j = j;
+    }
+    return way / count;
+}
+
+bool picture_order_init(picture_order *o, const hide_picture *picture, double depth)
+{
+    *o = (picture_order){.count = picture->scene->solid_count};
+    if (o->count < MANY_SOLIDS)
+        return true;
+    uint32_t *key = alloc_array(o->count, sizeof *key);
+    if (!key)
+        return false;
+    bool far = find_keys(picture, key) > FAR_APART, done = true;
+    if (far || depth > DEEP) {
+        o->solid = alloc_array(o->count, sizeof *o->solid);
+        o->place = alloc_array(o->count, sizeof *o->place);
+        o->chunks = (o->count + KEPT_SOLIDS - 1) / KEPT_SOLIDS;
+        o->chunk = alloc_zeroed(o->chunks, sizeof *o->chunk);
+        done = o->solid && o->place && o->chunk && radix_order(key, o->count, o->solid);
+        for (uint32_t k = 0; done && k < o->count; k++)
+            o->place[o->solid[k]] = k;
+    }
+    free(key);
+    return done;
+}
+
+void picture_order_free(picture_order *o)
+{
+    for (uint32_t c = 0; o->chunk && c < o->chunks; c++) {
+        free(o->chunk[c].line);
+        free(o->chunk[c].t);
+        free(o->chunk[c].by);
+    }
+    free(o->solid);
+    free(o->place);
+    free(o->chunk);
+    *o = (picture_order){0};
+}
+
+static bool wholly_hidden(const hide_line *line)
+{
+    return line->hidden ||
+           (line->parts.count == 1 && line->parts.item[0].part.t0 == 0.0 && line->parts.item[0].part.t1 == 1.0);
+}
+
+static bool keep_line(kept_chunk *c, const hide_line *line, bool all)
+{
+    size_t parts = line->parts.count, first = c->part_count, end = first + parts;
+    if (!array_reserve(&c->line, &c->line_room, c->line_count + 1, sizeof *c->line) ||
+        !array_reserve(&c->t, &c->t_room, 2 * end, sizeof *c->t) ||
+        (all && !array_reserve(&c->by, &c->by_room, end, sizeof *c->by)) || parts > UINT32_MAX || end > UINT32_MAX)
+        return false;
+    c->line[c->line_count++] = (kept_line){line->edge, (uint32_t)parts};
+    for (size_t i = 0; i < parts; i++) {
+        c->t[2 * (first + i)] = line->parts.item[i].part.t0;
+        c->t[2 * (first + i) + 1] = line->parts.item[i].part.t1;
+        if (all)
+            c->by[first + i] = line->parts.item[i].solid;
+    }
+    c->part_count = end;
+    return true;
+}
+
+/* An array that cannot be made smaller stays as it is. */
+static void *shrunk(void *array, size_t size)
+{
+    void *smaller = size ? realloc(array, size) : NULL;
+    return smaller ? smaller : array;
+}
+
+/* What a chunk has not used. */
+static void shrink(kept_chunk *c)
+{
+    c->line = shrunk(c->line, c->line_count * sizeof *c->line);
+    c->t = shrunk(c->t, 2 * c->part_count * sizeof *c->t);
+    if (c->by)
+        c->by = shrunk(c->by, c->part_count * sizeof *c->by);
+}
+
+bool picture_order_keep(picture_order *o, uint32_t place, const hide_worker *w)
+{
+    kept_chunk *c = &o->chunk[place / KEPT_SOLIDS];
+    uint32_t k = place % KEPT_SOLIDS;
+    for (size_t i = 0; i < w->line_count; i++)
+        if ((w->all || !wholly_hidden(&w->line[i])) && !keep_line(c, &w->line[i], w->all))
+            return false;
+    c->first_line[k + 1] = (uint32_t)c->line_count;
+    c->first_part[k + 1] = (uint32_t)c->part_count;
+    if (k + 1 == KEPT_SOLIDS || place + 1 == o->count)
+        shrink(c);
+    return true;
+}
+
+void picture_order_fetch(const picture_order *o, uint32_t solid)
+{
+    if (o->count - solid <= 2 * RECALLS_AHEAD)
+        return;
+    uint32_t later = o->place[solid + 2 * RECALLS_AHEAD], sooner = o->place[solid + RECALLS_AHEAD];
+    const kept_chunk *c = &o->chunk[later / KEPT_SOLIDS];
+    FETCH_AHEAD(c);
+    FETCH_AHEAD(&c->first_line[later % KEPT_SOLIDS]);
+    FETCH_AHEAD(&c->first_part[later % KEPT_SOLIDS]);
+    c = &o->chunk[sooner / KEPT_SOLIDS];
+    uint32_t k = sooner % KEPT_SOLIDS;
+    size_t lines = c->first_line[k + 1] - c->first_line[k], parts = c->first_part[k + 1] - c->first_part[k];
+    if (lines)
+        FETCH_ARRAY(c->line + c->first_line[k], lines * sizeof *c->line);
+    if (parts)
+        FETCH_ARRAY(c->t + 2 * (size_t)c->first_part[k], 2 * parts * sizeof *c->t);
+}
+
+bool picture_order_recall(const picture_order *o, uint32_t solid, hide_worker *w)
+{
+    const roberts_scene *scene = w->picture->scene;
+    const kept_chunk *c = &o->chunk[o->place[solid] / KEPT_SOLIDS];
+    uint32_t k = o->place[solid] % KEPT_SOLIDS, end = c->first_line[k + 1], part = c->first_part[k];
+    hide_worker_begin(w);
+    for (uint32_t i = c->first_line[k]; i < end; i++) {
+        uint32_t edge = c->line[i].edge;
+        hide_line *line = hide_worker_add(w, edge, scene_edge_stored(scene, solid, edge), scene->solid[solid].vertex);
+        if (!line)
+            return false;
+        hide_parts *parts = &line->parts;
+        if (!array_reserve(&parts->item, &parts->room, c->line[i].parts, sizeof *parts->item))
+            return false;
+        for (parts->count = 0; parts->count < c->line[i].parts; part++) {
+            const double *t = c->t + 2 * (size_t)part;
+            parts->item[parts->count++] = (hide_solid_part){{t[0], t[1], 0.0, 0.0}, c->by ? c->by[part] : ROBERTS_NONE};
+        }
+    }
+    return true;
+}
+
+/* ---- chunks ---- */
+
+/* At the end threads wait for the last run, so that each should have many. */
+#define RUNS_PER_THREAD 16
+
+bool chunks_init(chunks *c, uint32_t total, int threads, roberts_drawing *drawing, roberts_segment_fn *each,
+                 void *context)
+{
+    *c = (chunks){.total = total, .drawing = drawing, .each = each, .context = context, .threads = threads};
+    uint32_t fair = total / ((uint32_t)threads * RUNS_PER_THREAD);
+    c->run = fair < 1 ? 1 : fair < CHUNKS_RUN ? fair : CHUNKS_RUN;
+    c->queue = alloc_zeroed((size_t)threads, sizeof *c->queue);
+    for (int i = 0; c->queue && i < threads; i++)
+        for (uint32_t k = 0; k < CHUNKS_WAITING; k++)
+            c->queue[i].spare[k] = &c->queue[i].chunk[k];
+    return c->queue != NULL;
+}
+
+void chunks_free(chunks *c)
+{
+    for (int i = 0; c->queue && i < c->threads; i++)
+        for (uint32_t k = 0; k < CHUNKS_WAITING; k++)
+            free(c->queue[i].chunk[k].segment);
+    free(c->queue);
+    c->queue = NULL;
+}
+
+void chunks_fail(chunks *c, roberts_status status)
+{
+    int ok = ROBERTS_OK;
+    atomic_compare_exchange_strong(&c->status, &ok, (int)status);
+}
+
+static bool goes_on(chunks *c)
+{
+    return atomic_load(&c->status) == ROBERTS_OK;
+}
+
+static void give_away(chunks *c, const hide_chunk *chunk)
+{
+    for (size_t i = 0; i < chunk->count; i++, c->drawing->count++)
+        if (!c->each(c->context, &chunk->segment[i])) {
+            chunks_fail(c, ROBERTS_STOPPED);
+            return;
+        }
+    atomic_store(&c->turn, chunk->number + 1);
+}
+
+/* The drawing moves only while nobody writes to it. The next has its turn before the copying, most of which is the system
+ * bringing new memory. */
+static void lay_down(chunks *c, const hide_chunk *chunk)
+{
+    size_t first = c->drawing->count, total = first + chunk->count;
+    if (total > c->room) {
+        for (unsigned turn = 0; atomic_load(&c->copying); turn++)
+            thread_wait(turn);
+        if (!array_reserve(&c->drawing->segment, &c->room, total, sizeof *c->drawing->segment)) {
+            chunks_fail(c, ROBERTS_NO_MEMORY);
+            return;
+        }
+    }
+    roberts_segment *to = c->drawing->segment + first;
+    c->drawing->count = total;
+    atomic_fetch_add(&c->copying, 1);
+    atomic_store(&c->turn, chunk->number + 1);
+    if (chunk->count)
+        memcpy(to, chunk->segment, chunk->count * sizeof *chunk->segment);
+    atomic_fetch_sub(&c->copying, 1);
+}
+
+/* The thread's own whose turn it is: they are free again. */
+static void settle(chunks *c, chunk_queue *own)
+{
+    for (; own->count && goes_on(c); own->first = (own->first + 1) % CHUNKS_WAITING) {
+        hide_chunk *chunk = own->waiting[own->first];
+        if (chunk->number != atomic_load(&c->turn))
+            break;
+        if (c->each)
+            give_away(c, chunk);
+        else
+            lay_down(c, chunk);
+        own->count--;
+        own->spare[CHUNKS_WAITING - 1 - own->count] = chunk;
+    }
+}
+
+/* Until no more than `most` of the thread's own are waiting. */
+static void wait_for_turns(chunks *c, chunk_queue *own, uint32_t most)
+{
+    for (unsigned turn = 0; own->count > most && goes_on(c); turn++) {
+        thread_wait(turn);
+        settle(c, own);
+    }
+}
+
+/* The thread's next run, where there is one; else an empty one. */
+static void take_run(chunks *c, chunk_queue *own)
+{
+    uint32_t run_count = (c->total + c->run - 1) / c->run;
+    uint32_t k = atomic_load(&c->taken) < run_count ? atomic_fetch_add(&c->taken, 1) : run_count;
+    if (k >= run_count)
+        return;
+    own->next = k * c->run;
+    own->end = c->total - own->next < c->run ? c->total : own->next + c->run;
+}
+
+hide_chunk *chunks_take(chunks *c, int self)
+{
+    chunk_queue *own = &c->queue[self];
+    wait_for_turns(c, own, CHUNKS_WAITING - 1);
+    if (own->next == own->end)
+        take_run(c, own);
+    if (own->next == own->end)
+        wait_for_turns(c, own, 0);
+    if (own->next == own->end || !goes_on(c))
+        return NULL;
+    hide_chunk *chunk = own->spare[CHUNKS_WAITING - 1 - own->count];
+    chunk->number = own->next++;
+    chunk->count = 0;
+    return chunk;
+}
+
+void chunks_done(chunks *c, int self, hide_chunk *chunk)
+{
+    chunk_queue *own = &c->queue[self];
+    own->waiting[(own->first + own->count++) % CHUNKS_WAITING] = chunk;
+    settle(c, own);
+}

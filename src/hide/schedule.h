@@ -1,0 +1,153 @@
+/* schedule.h - which solids a thread takes, in what order, and how what the threads find comes out in the order of the file.
+ * Nothing here changes what is found.
+ *
+ * 1. Tiles: fronts are built tile by tile. Where covers are kept, a tile holds the solids whose middle is in a square of
+ *    TILE_CELLS cells, so that the covers that it touches stay in a cache. Tiles are taken in rounds. No two tiles of a round
+ *    lie beside one another, and no solid reaches farther out of its tile than nearly half of one. So solids of different
+ *    tiles of a round never ask or enter the same cover, and what is culled does not depend on the threads. The few solids
+ *    that reach farther are a tile by themselves, and the first round. Without covers, a tile holds solids that follow one
+ *    another in the file, and there is one round.
+ *
+ * 2. The order of the picture: lines come out in the order of the file. Where solids that follow one another in the file lie
+ *    anywhere in the picture, and are more than a cache holds, each edge would fetch the fronts around it from memory. There
+ *    solids are hidden in the order in which they lie in the picture first. Of their lines only the parameters of what is
+ *    hidden are kept, until it is the solid's turn; where hidden segments are wanted, so is the solid seen there.
+ *
+ * 3. Chunks: segments are found in chunks of solids. Any thread takes the next few chunks, one run, since neighbours ask for
+ *    the same fronts. No thread waits for another. A chunk whose turn has not come stays with its thread, which looks after
+ *    every chunk whether its turn has come, and then gives the segments away or lays them down itself: they are still in its
+ *    cache. Only a thread with a full queue has to wait. */
+#ifndef ROBERTS_HIDE_SCHEDULE_H
+#define ROBERTS_HIDE_SCHEDULE_H
+
+#include <stdatomic.h>
+#include <stdbool.h>
+
+#include "base/threads.h"
+#include "hide/edge.h"
+#include "hide/picture.h"
+#include "roberts.h"
+
+/* ---- tiles ---- */
+
+/* The first round has one tile, for solids that reach far. Four rounds follow, by odd and even columns and rows of tiles. */
+enum { TILE_ROUNDS = 5 };
+
+/* A solid has at most one front for all of it, no more front faces than faces, and no more corners in its outline than vertices.
+ * So a tile's places in the picture's arrays begin where those of the tiles before it must end. Room that is not used is never
+ * touched. */
+typedef struct picture_tile {
+    uint32_t first, end;           /* of tiles.solid */
+    uint32_t front, face, outline; /* of the picture's arrays: the next to be written */
+    hide_front *single;            /* fronts of one face each, of solids that are entered face by face */
+    hide_box *single_box;
+    size_t single_count, single_room, single_box_room;
+    size_t faces, back, edge_on, culled;
+    uint32_t most_corners;
+    char apart[THREADS_APART];
+} picture_tile;
+
+typedef struct tiles {
+    picture_tile *tile;
+    uint32_t count, round[TILE_ROUNDS + 1]; /* first tile of each round, and the last one's end */
+    uint32_t *solid;                        /* tile by tile; NULL: as they are numbered */
+} tiles;
+
+/* Makes the tiles of a picture that has its boxes and the frame of its covers. threads: upper bound. False: no memory;
+ * tiles_free() is due in any case. */
+bool tiles_make(tiles *t, const hide_picture *picture, int threads);
+void tiles_free(tiles *t);
+
+/* Orders a tile's solids, nearest first, ties by number. False: no memory. */
+bool tiles_order(tiles *t, const picture_tile *of, const hide_picture *picture);
+
+/* ---- the order of the picture ---- */
+
+#define KEPT_SOLIDS 64 /* solids: their edges are kept together */
+
+/* An edge of which something may be visible, or is wanted though it is hidden. */
+typedef struct kept_line {
+    uint32_t edge, parts;
+} kept_line;
+
+typedef struct kept_chunk {
+    kept_line *line; /* [line_count] */
+    double *t;       /* [2 part_count] t0, t1 of each line's parts */
+    uint32_t *by;    /* [part_count] who is seen there; NULL: not wanted */
+    size_t line_count, line_room, part_count, t_room, by_room;
+    uint32_t first_line[KEPT_SOLIDS + 1], first_part[KEPT_SOLIDS + 1]; /* of each solid; the next one's is the end */
+} kept_chunk;
+
+typedef struct picture_order {
+    uint32_t count, chunks; /* of solids; of chunks, if any are kept */
+    uint32_t *solid;        /* [count] in this order; NULL: the order of the file serves as well, nothing is kept */
+    uint32_t *place;        /* [count] where in `order` a solid is */
+    kept_chunk *chunk;      /* [chunks] one for every KEPT_SOLIDS solids of them */
+} picture_order;
+
+/* Finds the order; depth: mean number of fronts' boxes over a point of the picture. False: no memory; picture_order_free() is due in any case. */
+bool picture_order_init(picture_order *o, const hide_picture *picture, double depth);
+void picture_order_free(picture_order *o);
+
+/* Keeps the worker's lines, of the solid order[place], as hide_worker_run() has left them; within a chunk solids come one
+ * after the other. Of a solid that is culled the lines are none. False: no memory. */
+bool picture_order_keep(picture_order *o, uint32_t place, const hide_worker *w);
+
+/* Asks for what will be wanted at the recalling of the solids soon after this one: their lines lie anywhere. */
+void picture_order_fetch(const picture_order *o, uint32_t solid);
+
+/* Gives the worker the solid's lines back; those that are wholly hidden only where it keeps hidden parts. False: no memory. */
+bool picture_order_recall(const picture_order *o, uint32_t solid, hide_worker *w);
+
+/* ---- chunks ---- */
+
+/* What is found of one chunk. */
+typedef struct hide_chunk {
+    roberts_segment *segment; /* [count] */
+    size_t count, room;
+    uint32_t number;
+} hide_chunk;
+
+/* A run has at most so many chunks; and so many of a thread may wait for their turn: its run, while those before it are at
+ * work, and more, so that a thread that is slow or put aside by the system does not stop the others. */
+enum { CHUNKS_RUN = 16, CHUNKS_WAITING = 3 * CHUNKS_RUN };
+
+/* The chunks of one thread: those waiting in the order of their numbers, a ring, and those that are free. */
+typedef struct chunk_queue {
+    hide_chunk chunk[CHUNKS_WAITING];
+    hide_chunk *waiting[CHUNKS_WAITING], *spare[CHUNKS_WAITING]; /* spare: last the one used last */
+    uint32_t first, count;                                       /* of those waiting */
+    uint32_t next, end;                                          /* of the run at work */
+    char apart[THREADS_APART];
+} chunk_queue;
+
+typedef struct chunks {
+    chunk_queue *queue; /* [threads] */
+    int threads;
+    uint32_t total, run;      /* run: chunks of one */
+    roberts_segment_fn *each; /* takes the segments; NULL: the drawing keeps them */
+    void *context;
+    _Atomic uint32_t taken;   /* runs */
+    atomic_int status;        /* roberts_status; what is not ROBERTS_OK ends the work */
+    _Atomic uint32_t turn;    /* of the chunk that is given away or placed next; its thread alone may touch: */
+    roberts_drawing *drawing; /* (whose segments may be written by those whose turn it was) */
+    size_t room;              /* of drawing->segment */
+    _Atomic uint32_t copying; /* threads that write to the drawing, which must stay where it is */
+} chunks;
+
+/* For `total` chunks found by `threads` threads. False: no memory; chunks_free() is due in any case. */
+bool chunks_init(chunks *c, uint32_t total, int threads, roberts_drawing *drawing, roberts_segment_fn *each,
+                 void *context);
+void chunks_free(chunks *c);
+
+/* The next chunk for thread `self`, counted from 0, to be filled; NULL: there is no more, or the work is over for what
+ * `status` says. When all threads have got NULL, or have failed, all segments are where they belong. */
+hide_chunk *chunks_take(chunks *c, int self);
+
+/* The chunk that the thread has taken is full. */
+void chunks_done(chunks *c, int self, hide_chunk *chunk);
+
+/* Ends the work, unless it has ended already. */
+void chunks_fail(chunks *c, roberts_status status);
+
+#endif

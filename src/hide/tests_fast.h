@@ -1,0 +1,187 @@
+/* tests_fast.h - tests 2 to 4 at a stroke, for an edge and an outline between which all signs are plain.
+ *
+ * A sign is plain where its cross product is larger than hide_space.plain: then it is the one that tests.c would find,
+ * without looking at lengths and errors. The sides' functions H_i(A), H_i(B) are computed two at a time, in the form
+ * that test 4 needs for t_i, so that the part found is the same to the last bit. Where a sign is not plain (but for those of
+ * an edge that ends well inside), or a crossing not accurate, the verdict is left to tests.c. */
+#ifndef ROBERTS_HIDE_QUICK_H
+#define ROBERTS_HIDE_QUICK_H
+
+#include "base/bits.h"
+#include "base/lanes.h"
+#include "hide/reach.h"
+
+/* Corners of the outlines that are taken up; those of more are left to tests.c. Even. */
+#define FAST_CORNERS 16
+
+/* An outline at hand, drawn together from the picture. An odd number of sides is made even: the last stands twice, and so
+ * does the first corner. */
+typedef struct fast_outline {
+    const uint32_t *corner;                               /* whose; NULL: nobody's */
+    uint32_t sides;                                       /* as many as there are */
+    size_t count;                                         /* ... made even */
+    _Alignas(16) double x[FAST_CORNERS], y[FAST_CORNERS]; /* corners */
+    double ox[FAST_CORNERS], oy[FAST_CORNERS];            /* of side i the end of smaller number */
+    double dx[FAST_CORNERS], dy[FAST_CORNERS];            /* ... and from its first corner to the next */
+} fast_outline;
+
+typedef enum fast_verdict {
+    FAST_UNCLEAR, /* ask tests 2 to 4 themselves */
+    FAST_MISSED,  /* test 2: the sight plane through AB misses the outline */
+    FAST_OUTSIDE, /* test 3: outside one side */
+    FAST_INSIDE,  /* test 3: inside all sides */
+    FAST_CUT,     /* test 4: a part is inside */
+    FAST_EMPTY,   /* test 4: none is, or none that is not known to be hidden */
+} fast_verdict;
+
+/* Takes up the outline P[corner[0]], P[corner[1]], ... of at most FAST_CORNERS corners. */
+void fast_take(fast_outline *o, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
+
+/* H_i(A) and H_i(B), times the lengths of the sides; > 0 inside. */
+typedef struct fast_sides {
+    _Alignas(16) double a[FAST_CORNERS], b[FAST_CORNERS];
+    uint32_t out_a, out_b; /* bit i: A, B is outside of side i */
+} fast_sides;
+
+/* Test 3. True: all signs are plain. */
+BITS_INLINE bool fast_signs(const fast_outline *o, double plain, const hide_edge *e, fast_sides *H)
+{
+    two ax = two_all(e->A.x), ay = two_all(e->A.y), bx = two_all(e->B.x), by = two_all(e->B.y);
+    two nearest = two_all(INFINITY);
+    unsigned out_a = 0, out_b = 0;
+    for (size_t i = o->count; i > 0;) { /* from the end, so that bits need only move up */
+        i -= 2;
+        two ox = two_load_aligned(o->ox + i), oy = two_load_aligned(o->oy + i);
+        two dx = two_load_aligned(o->dx + i), dy = two_load_aligned(o->dy + i);
+        two a = two_sub(two_mul(dx, two_sub(ay, oy)), two_mul(dy, two_sub(ax, ox)));
+        two b = two_sub(two_mul(dx, two_sub(by, oy)), two_mul(dy, two_sub(bx, ox)));
+        two_store(H->a + i, a);
+        two_store(H->b + i, b);
+        out_a = 4 * out_a + two_signs(a);
+        out_b = 4 * out_b + two_signs(b);
+        nearest = two_lesser(nearest, two_lesser(two_abs(a), two_abs(b)));
+    }
+    H->out_a = out_a;
+    H->out_b = out_b;
+    return two_least(nearest) > plain;
+}
+
+/* Test 2: how the corners lie about the sight plane through AB. */
+BITS_INLINE fast_verdict fast_corners(const fast_outline *o, double plain, const hide_edge *e)
+{
+    two ax = two_all(e->A.x), ay = two_all(e->A.y), dx = two_all(e->B.x - e->A.x), dy = two_all(e->B.y - e->A.y);
+    two nearest = two_all(INFINITY);
+    unsigned right = 0, all = (1u << o->count) - 1;
+    for (size_t i = o->count; i > 0;) {
+        i -= 2;
+        two px = two_sub(two_load_aligned(o->x + i), ax), py = two_sub(two_load_aligned(o->y + i), ay);
+        two Q = two_sub(two_mul(dx, py), two_mul(dy, px));
+        nearest = two_lesser(nearest, two_abs(Q));
+        right = 4 * right + two_signs(Q);
+    }
+    if (!(two_least(nearest) > plain))
+        return FAST_UNCLEAR;
+    return right == 0 || right == all ? FAST_MISSED : FAST_CUT;
+}
+
+/* Test 4 where some crossing is not accurate by the bound for all of them: as hide_test4() has it. */
+fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
+                              hide_part *part);
+
+/* reach_along() of side i: it is crossed at *t, `touch` is below 0 where the edge comes in. */
+double fast_reach_along(const fast_outline *o, const hide_space *space, const hide_edge *e, int i, double touch,
+                        double *t);
+
+/* How far the edge is within epsilon of the border from *t on, where it crosses side i; i < 0: it does not. */
+BITS_INLINE double fast_reach(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
+                              int i, double *t)
+{
+    if (i < 0)
+        return *t;
+    double length = sqrt(o->dx[i] * o->dx[i] + o->dy[i] * o->dy[i]), apart = H->a[i] - H->b[i];
+    double touch = space->epsilon * length / apart; /* with its sign: below 0 where the edge comes in */
+    return reach_is_plain(space, e, fabs(touch)) ? *t + touch : fast_reach_along(o, space, e, i, touch, t);
+}
+
+/* Test 4. The error of a t_i is that of the two distances, 2 rounding (side + reach) each, over their difference, and side
+ * and reach are no more than `span`. */
+BITS_INLINE fast_verdict fast_cut(const fast_outline *o, const hide_space *space, const hide_edge *e, double span,
+                                  const fast_sides *H, hide_part *part)
+{
+    int in = -1, out = -1;
+    double t0 = 0.0, t1 = 1.0, apart = INFINITY;
+    for (uint32_t crossed = H->out_a | H->out_b; crossed; crossed &= crossed - 1) {
+        int i = bits_trailing_zeros(crossed);
+        double a = H->a[i], difference = a - H->b[i], t = a / difference;
+        apart = lesser(apart, fabs(difference));
+        if (a < 0.0) {
+            if (t > t0) {
+                t0 = t;
+                in = i;
+            }
+        } else if (t < t1) {
+            t1 = t;
+            out = i;
+        }
+    }
+    if (!hide_accurate(space, e, 8.0 * space->rounding * span / apart))
+        return fast_cut_closely(o, space, e, H, part);
+    if (t0 >= t1 || !((t1 - t0) * e->length3 > space->epsilon))
+        return FAST_EMPTY;
+    double r0 = fast_reach(o, space, e, H, in, &t0), r1 = fast_reach(o, space, e, H, out, &t1);
+    *part = (hide_part){t0, t1, r0, r1};
+    return (t1 - t0) * e->length3 > space->epsilon ? FAST_CUT : FAST_EMPTY;
+}
+
+/* Is what lies inside plainly within what is hidden, with all that it touches? That is so where the point at which the hidden
+ * part begins is outside of a side that A is outside of, and the one at which it ends of a side that B is outside of (or the
+ * edge itself begins or ends there), and neither is near to any side. */
+BITS_INLINE bool fast_within(const fast_outline *o, double plain, const fast_sides *H, const hide_part *hidden)
+{
+    two t0 = two_all(hidden->t0), t1 = two_all(hidden->t1), nearest = two_all(INFINITY);
+    unsigned before = 0, after = 0;
+    for (size_t i = o->count; i > 0;) {
+        i -= 2;
+        two a = two_load_aligned(H->a + i), ab = two_sub(two_load_aligned(H->b + i), a);
+        two h0 = two_add(a, two_mul(ab, t0)), h1 = two_add(a, two_mul(ab, t1));
+        before = 4 * before + two_signs(h0);
+        after = 4 * after + two_signs(h1);
+        nearest = two_lesser(nearest, two_lesser(two_abs(h0), two_abs(h1)));
+    }
+    return (hidden->t0 == 0.0 || (before & H->out_a)) && (hidden->t1 == 1.0 || (after & H->out_b)) &&
+           two_least(nearest) > plain;
+}
+
+/* Where not all signs are plain. FAST_OUTSIDE: of one side plainly, whatever the others say. FAST_CUT: one end is plainly
+ * inside, the other near to some side, and H has the signs that tests.c would find. FAST_UNCLEAR: that takes twice the
+ * precision, or no end is plainly inside. */
+fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const hide_edge *e, fast_sides *H);
+
+/* span: no two points of outline and edge are farther apart, along x and y together; hidden: a part of the edge that is, what
+ * lies within it need not be found; NULL: find all. Fills `part` where the verdict is FAST_INSIDE or FAST_CUT. */
+BITS_INLINE fast_verdict fast_test(const fast_outline *o, const hide_space *space, const hide_edge *e, double span,
+                                   const hide_part *hidden, hide_part *part)
+{
+    fast_sides H;
+    if (!fast_signs(o, space->plain, e, &H)) {
+        fast_verdict verdict = fast_settle(o, space, e, &H);
+        if (verdict != FAST_CUT)
+            return verdict == FAST_OUTSIDE ? FAST_OUTSIDE : FAST_UNCLEAR;
+    }
+    if (H.out_a & H.out_b)
+        return FAST_OUTSIDE;
+    if (!(H.out_a | H.out_b)) {
+        *part = hide_whole;
+        return FAST_INSIDE;
+    }
+    if (hidden && fast_within(o, space->plain, &H, hidden))
+        return FAST_EMPTY;
+    if (H.out_a && H.out_b) { /* with an end inside there are corners on both sides */
+        fast_verdict verdict = fast_corners(o, space->plain, e);
+        if (verdict != FAST_CUT)
+            return verdict == FAST_MISSED ? FAST_MISSED : FAST_UNCLEAR;
+    }
+    return fast_cut(o, space, e, span, &H, part);
+}
+
+#endif

@@ -1,0 +1,479 @@
+/* build.c - from polygons to solids: the stages in order. */
+#include "model/scene.h"
+
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/error.h"
+#include "base/threads.h"
+#include "model/bodies.h"
+#include "model/components.h"
+#include "model/hull.h"
+#include "model/layout.h"
+#include "model/patterns.h"
+#include "model/source.h"
+#include "model/weld.h"
+#include "model/solid.h"
+#include "read/mesh.h"
+
+#define CHUNK_SOLIDS 256
+/* Of a solid that is marked open: it is closed, but its surface has holes. */
+#define OPEN_HOLES 2
+#define CHUNKS_PER_THREAD 4 /* with less work than this a thread costs more than it does */
+
+/* What the threads that build solids share. */
+typedef struct construction {
+    roberts_scene *scene;
+    const roberts_mesh *mesh;
+    double tolerance;
+    uint8_t *open; /* [solid_count] which are not closed; NULL: that is an error */
+    atomic_bool any_open;
+    _Atomic uint32_t refused; /* the first solid known to be refused; ROBERTS_NONE: none */
+} construction;
+
+/* What each has for itself. */
+typedef struct construction_worker {
+    builder tools;
+    roberts_error error, found; /* `found`: of the solid at hand, where it is refused */
+    uint32_t refused;           /* the first solid that it refused, for the reason in `error` */
+    bool no_memory;
+    char apart[THREADS_APART];
+} construction_worker;
+
+/* Those that a mesh may lend, and that keep their order, are left to roberts_scene_take(). */
+static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh, bool lend)
+{
+    if (mesh->vertex_color && (scene->number || !lend)) {
+        scene->vertex_color = alloc_array(scene->vertex_count, sizeof *scene->vertex_color);
+        if (!scene->vertex_color)
+            return false;
+        for (uint32_t v = 0; v < scene->vertex_count; v++)
+            scene->vertex_color[v] = scene_vertex_number(scene, v) == ROBERTS_NONE
+                                         ? (roberts_color){0}
+                                         : mesh->vertex_color[scene_vertex_number(scene, v)];
+    }
+    if (mesh->face_color && (scene->face_number || !lend)) {
+        scene->face_color = alloc_array(scene->face_count, sizeof *scene->face_color);
+        if (!scene->face_color)
+            return false;
+        for (uint32_t f = 0; f < scene->face_count; f++) {
+            uint32_t number = scene_face_number(scene, f);
+            scene->face_color[f] = (roberts_color){0};
+            if (number != ROBERTS_NONE)
+                scene->face_color[f] = mesh->face_color[number];
+        }
+    }
+    return true;
+}
+
+/* Keeps the edges of a solid that is built. Those of its pattern are there already, once each way round: the first edge tells
+ * which it is. */
+static void store_edges(roberts_scene *scene, uint32_t s, const solid_frame *frame)
+{
+    scene_edge *stored = scene->edge + scene->solid[s].stored;
+    if (scene->solid[s].stored >= scene->shared)
+        memcpy(stored, frame->edge, frame->edge_count * sizeof *stored);
+    else if (frame->edge->f[0] != stored->f[0])
+        scene->solid[s].stored += frame->edge_count;
+}
+
+/* Builds solid s. What has already been found by any thread spares work: once a solid is open, the others are only asked
+ * whether they are closed, since their numbers will change; so are those behind one that is refused. */
+static void build_solid(construction *c, construction_worker *worker, uint32_t s)
+{
+    const bool only_ask = atomic_load_explicit(&c->any_open, memory_order_relaxed) ||
+                          s > atomic_load_explicit(&c->refused, memory_order_relaxed);
+    roberts_error *found = &worker->found;
+    build_result result;
+    if (only_ask && !c->open)
+        return;
+    result = only_ask ? solid_is_closed(c->scene, &worker->tools, s, found)
+                      : solid_build(c->scene, &worker->tools, s, c->mesh, c->tolerance, !c->open, found);
+    if (result == BUILD_OPEN && c->open) {
+        c->open[s] = worker->tools.holes ? OPEN_HOLES : 1;
+        atomic_store_explicit(&c->any_open, true, memory_order_relaxed);
+        return;
+    }
+    if (result == BUILD_OPEN) {
+        error_set(found, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed",
+                  s - source_of_solid(c->scene, s, c->mesh).solid);
+        result = BUILD_REFUSED;
+    }
+    if (result == BUILD_OK && !only_ask)
+        store_edges(c->scene, s, &worker->tools.frame);
+    if (result != BUILD_REFUSED)
+        return;
+    worker->no_memory |= found->status == ROBERTS_NO_MEMORY;
+    if (s < worker->refused) {
+        error_set_file(found, source_of_solid(c->scene, s, c->mesh).file);
+        worker->refused = s;
+        worker->error = *found;
+    }
+    thread_lower(&c->refused, s);
+}
+
+/* The refusal of the first solid that is refused, whichever thread met it; a lack of memory comes before all. */
+static roberts_status first_refusal(const construction *c, const construction_worker *worker, int threads,
+                                    roberts_error *error)
+{
+    const construction_worker *first = worker;
+    for (int i = 0; i < threads; i++) {
+        if (worker[i].no_memory)
+            return error_no_memory(error);
+        if (worker[i].refused < first->refused)
+            first = &worker[i];
+    }
+    if (first->refused == ROBERTS_NONE || atomic_load(&c->any_open))
+        return ROBERTS_OK;
+    *error = first->error;
+    return first->error.status;
+}
+
+static void free_workers(construction_worker *worker, int threads)
+{
+    for (int i = 0; worker && i < threads; i++)
+        builder_free(&worker[i].tools);
+    free(worker);
+}
+
+/* `list`: empty where the patterns are not known yet. It is released. False: no memory. */
+static bool number_edges(roberts_scene *scene, patterns *list, edge_scratch *scratch)
+{
+    bool done = (list->count > 0 || patterns_find(list, scene)) && patterns_number_edges(list, scene, scratch);
+    patterns_free(list);
+    return done;
+}
+
+/* Builds the solids as laid out, whose patterns are in `list` (empty: are not known yet). `open`: NULL where all must be
+ * closed; else it receives a mark for each solid that is not, and *any_open whether there is one. The result does not depend
+ * on the threads. */
+static roberts_status build_solids(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
+                                   patterns *list, uint8_t *open, bool *any_open, roberts_error *error)
+{
+    construction c = {.scene = scene, .mesh = mesh, .tolerance = options->tolerance, .open = open};
+    uint32_t chunks = (scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
+    int threads = threads_for(options->threads, 1 + chunks / CHUNKS_PER_THREAD);
+    construction_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
+    roberts_status status;
+    if (!worker || !number_edges(scene, list, &worker[0].tools.edges)) {
+        free_workers(worker, threads);
+        return error_no_memory(error);
+    }
+    atomic_init(&c.any_open, false);
+    atomic_init(&c.refused, ROBERTS_NONE);
+    for (int i = 0; i < threads; i++)
+        worker[i].refused = ROBERTS_NONE;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+#endif
+    for (uint32_t chunk = 0; chunk < chunks; chunk++) {
+        uint32_t first = chunk * CHUNK_SOLIDS, left = scene->solid_count - first;
+        for (uint32_t s = first; s < first + (left < CHUNK_SOLIDS ? left : CHUNK_SOLIDS); s++)
+            build_solid(&c, &worker[thread_self()], s);
+    }
+    *any_open = atomic_load(&c.any_open);
+    status = first_refusal(&c, worker, threads, error);
+    free_workers(worker, threads);
+    return status;
+}
+
+/* The file's name where there is one file. */
+static const char *only_name(const roberts_mesh *mesh)
+{
+    return mesh->source_count == 1 && mesh->source[0].name ? mesh->source[0].name : "";
+}
+
+static roberts_status refuse_empty(const roberts_mesh *mesh, roberts_error *error)
+{
+    error_set_file(error, only_name(mesh));
+    return error_set(error, ROBERTS_NOT_CLOSED, 0, "no solid: there is no face with three or more corners");
+}
+
+static void warn_repeated(const polygons *faces, const roberts_mesh *mesh, const roberts_warnings *warnings)
+{
+    const char *name = only_name(mesh);
+    if (faces->repeated > 0)
+        warning_send(warnings, name, 0, "%zu corner%s that repeat%s another of the same face ignored", faces->repeated,
+                     faces->repeated == 1 ? "" : "s", faces->repeated == 1 ? "s" : "");
+}
+
+/* Are all solids that are open closed surfaces with holes? Welding and splitting makes no convex solids of those. */
+static bool only_holes(const uint8_t *open, uint32_t count)
+{
+    for (uint32_t s = 0; s < count; s++)
+        if (open[s] && open[s] != OPEN_HOLES)
+            return false;
+    return true;
+}
+
+/* Refused for its shape alone. */
+static bool is_shape(roberts_status status)
+{
+    return status == ROBERTS_NOT_CLOSED || status == ROBERTS_NOT_PLANAR || status == ROBERTS_NOT_CONVEX ||
+           status == ROBERTS_FLAT;
+}
+
+/* Components first; where some are open, solids once more from what welding and splitting makes of them. */
+static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool lend,
+                            const roberts_scene_options *options, bool *known, roberts_error *error)
+{
+    polygons faces;
+    patterns list = {0};
+    uint8_t *open = NULL;
+    bool any_open = false;
+    roberts_status status = polygons_of_mesh(&faces, mesh, error);
+    if (status != ROBERTS_OK)
+        return status;
+    status = ROBERTS_NO_MEMORY;
+    if (!components_lay_out(scene, &faces, mesh, lend, &list))
+        goto done;
+    warn_repeated(&faces, mesh, &options->warnings);
+    if (!(open = alloc_zeroed(scene->solid_count, sizeof *open)))
+        goto done;
+    status = build_solids(scene, mesh, options, &list, open, &any_open, error);
+    bool bodies = !options->solids && !options->hull;
+    *known = is_shape(status);
+    if (status == ROBERTS_OK && any_open && bodies && only_holes(open, scene->solid_count)) {
+        status = error_set(error, ROBERTS_NOT_CONVEX, 0, "a surface has holes"); /* as bodies_build() takes it */
+        *known = true;
+    } else if (status == ROBERTS_OK && any_open) {
+        layout_turn_back(scene); /* regrouping starts from the mesh */
+        status = regroup(scene, open, &faces, mesh, false, error);
+        if (status == ROBERTS_OK)
+            status = build_solids(scene, mesh, options, &list, NULL, &any_open, error);
+    }
+    if (status == ROBERTS_OK && scene->solid_count == 0)
+        status = refuse_empty(mesh, error);
+    if (status == ROBERTS_OK && !copy_colors(scene, mesh, lend))
+        status = ROBERTS_NO_MEMORY;
+done:
+    free(open);
+    patterns_free(&list);
+    polygons_free(&faces);
+    return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
+}
+
+/* Marks the components that are open, but for those that stand for a bare input. */
+static roberts_status find_open(roberts_scene *scene, builder *work, const roberts_mesh *mesh, uint8_t *open,
+                                bool *any_open, roberts_error *error)
+{
+    for (uint32_t s = 0; s < scene->solid_count; s++) {
+        build_result result = solid_is_closed(scene, work, s, error);
+        if (result == BUILD_REFUSED)
+            return error->status;
+        open[s] = result == BUILD_OPEN && scene_face_number(scene, scene->solid[s].face) < mesh->face_count;
+        *any_open |= open[s];
+    }
+    return ROBERTS_OK;
+}
+
+/* The same where hulls take the place of what is refused: components and what welding and splitting makes of the open ones,
+ * bare inputs as further components, then hulls. Warnings have been given. */
+static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
+                                  roberts_error *error)
+{
+    polygons faces;
+    patterns list = {0};
+    builder work = {0};
+    uint8_t *open = NULL;
+    bool any_open = false;
+    roberts_status status = polygons_of_mesh(&faces, mesh, error);
+    if (status == ROBERTS_OK)
+        status = hull_add_inputs(&faces, mesh, error);
+    if (status == ROBERTS_OK && !(components_lay_out(scene, &faces, mesh, false, &list) &&
+                                  (open = alloc_zeroed(scene->solid_count, sizeof *open))))
+        status = ROBERTS_NO_MEMORY;
+    patterns_free(&list); /* hulls have others */
+    if (status == ROBERTS_OK)
+        status = find_open(scene, &work, mesh, open, &any_open, error);
+    if (status == ROBERTS_OK && any_open)
+        status = regroup(scene, open, &faces, mesh, true, error);
+    if (status == ROBERTS_OK && scene->solid_count == 0)
+        status = refuse_empty(mesh, error);
+    if (status == ROBERTS_OK)
+        status = hull_solids(scene, mesh, options, error);
+    if (status == ROBERTS_OK)
+        status = build_solids(scene, mesh, options, &list, NULL, &any_open, error);
+    if (status == ROBERTS_OK && !copy_colors(scene, mesh, false))
+        status = ROBERTS_NO_MEMORY;
+    free(open);
+    builder_free(&work);
+    polygons_free(&faces);
+    return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
+}
+
+/* Are there elements of two corners that are no edges of the solids? */
+static bool has_wires(const roberts_scene *scene, const roberts_mesh *mesh, roberts_status *status)
+{
+    bool found = false;
+    if (*status == ROBERTS_OK && scene->face_count < mesh->face_count && !bodies_wires(scene, mesh, &found))
+        *status = ROBERTS_NO_MEMORY;
+    return found;
+}
+
+/* The same where bodies need not be convex solids. */
+static roberts_status build_bodies(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
+                                   bool known, roberts_error *error)
+{
+    roberts_status status = bodies_build(scene, mesh, options, known, error);
+    if (status == ROBERTS_OK && !copy_colors(scene, mesh, false))
+        status = error_no_memory(error);
+    return status;
+}
+
+static bool copy_groups(roberts_scene *scene, const roberts_mesh *mesh)
+{
+    scene->group = mesh_groups_copy(mesh);
+    scene->group_count = scene->group ? mesh->group_count : 0;
+    return scene->group_count == mesh->group_count;
+}
+
+static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const roberts_scene_options *options,
+                                  roberts_scene **scene, roberts_error *error)
+{
+    roberts_scene_options chosen = options ? *options : (roberts_scene_options){0};
+    roberts_error found = {0};
+    roberts_status status;
+    bool known = false;
+    *scene = NULL;
+    if (chosen.tolerance == 0.0)
+        chosen.tolerance = SCENE_TOLERANCE;
+    if (!(chosen.tolerance > 0.0 && chosen.tolerance <= 1.0)) {
+        status =
+            error_set(&found, ROBERTS_BAD_ARGUMENT, 0, "the tolerance, %g, is not between 0 and 1", chosen.tolerance);
+    } else if (chosen.threads > ROBERTS_THREADS_MOST) {
+        status = error_set(&found, ROBERTS_BAD_ARGUMENT, 0, "more than %d threads", ROBERTS_THREADS_MOST);
+    } else if (!(*scene = alloc_zeroed(1, sizeof **scene))) {
+        status = error_no_memory(&found);
+    } else {
+        status = build(*scene, mesh, lend, &chosen, &known, &found);
+        if (chosen.hull && status != ROBERTS_NO_MEMORY && (status != ROBERTS_OK || hull_bare_input(mesh))) {
+            layout_clear(*scene);
+            found = (roberts_error){0};
+            status = build_hulls(*scene, mesh, &chosen, &found);
+        } else if (!chosen.solids && !chosen.hull && (is_shape(status) || has_wires(*scene, mesh, &status))) {
+            roberts_error other = {0};
+            layout_clear(*scene);
+            status = build_bodies(*scene, mesh, &chosen, known, &other);
+            if (status != ROBERTS_NOT_CLOSED)
+                found = other;
+        } else if (status == ROBERTS_NO_MEMORY) {
+            error_no_memory(&found);
+        }
+    }
+    if (status == ROBERTS_OK) {
+        (*scene)->float32_step = mesh_float32_step(mesh);
+        if (!lend && !copy_groups(*scene, mesh))
+            status = error_no_memory(&found);
+    }
+    if (status != ROBERTS_OK) {
+        roberts_scene_free(*scene);
+        *scene = NULL;
+        if (error)
+            *error = found;
+    }
+    return status;
+}
+
+roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,
+                                   roberts_scene **scene, roberts_error *error)
+{
+    return build_scene(mesh, false, options, scene, error);
+}
+
+/* What the scene has taken over is no longer the mesh's. */
+static void part_from(roberts_scene *scene, roberts_mesh *mesh)
+{
+    if (scene->lent & LENT_POINT)
+        mesh->vertex = NULL;
+    if (scene->lent & LENT_FACE_START)
+        mesh->face_start = NULL;
+    if (scene->lent & LENT_CORNER)
+        mesh->corner = NULL;
+    free(scene->turned);
+    scene->turned = NULL;
+    scene->lent = 0;
+    if (!scene->vertex_color) {
+        scene->vertex_color = mesh->vertex_color;
+        mesh->vertex_color = NULL;
+    }
+    if (!scene->face_color) {
+        scene->face_color = mesh->face_color;
+        mesh->face_color = NULL;
+    }
+    scene->group = mesh->group;
+    scene->group_count = mesh->group_count;
+    mesh->group = NULL;
+    mesh->group_count = 0;
+}
+
+roberts_status roberts_scene_take(roberts_mesh *mesh, const roberts_scene_options *options, roberts_scene **scene,
+                                  roberts_error *error)
+{
+    roberts_status status = build_scene(mesh, true, options, scene, error);
+    if (status != ROBERTS_OK)
+        return status;
+    part_from(*scene, mesh);
+    roberts_mesh_free(mesh);
+    return ROBERTS_OK;
+}
+
+void roberts_scene_free(roberts_scene *scene)
+{
+    if (scene)
+        layout_clear(scene);
+    free(scene);
+}
+
+size_t roberts_scene_solid_count(const roberts_scene *scene)
+{
+    return scene->solid_count;
+}
+
+size_t roberts_scene_face_count(const roberts_scene *scene)
+{
+    return scene->face_count;
+}
+
+size_t roberts_scene_edge_count(const roberts_scene *scene)
+{
+    return scene->edge_count;
+}
+
+size_t roberts_scene_vertex_count(const roberts_scene *scene)
+{
+    return scene->vertex_count;
+}
+
+roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t body)
+{
+    if (body >= scene->solid_count)
+        return ROBERTS_OPEN;
+    return scene->surface ? (roberts_body_kind)scene->surface->kind[body] : ROBERTS_CONVEX;
+}
+
+/* All faces of a hull are without numbers, and no others are. */
+bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid)
+{
+    return solid < scene->solid_count && scene->solid[solid].face < scene->solid[solid + 1].face &&
+           scene_face_number(scene, scene->solid[solid].face) == ROBERTS_NONE;
+}
+
+/* That of the last group that begins at or before the solid's first face. */
+const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid)
+{
+    size_t low = 0, high = scene->group_count;
+    if (solid >= scene->solid_count || scene->solid[solid].face == scene->solid[solid + 1].face)
+        return "";
+    const uint32_t face = scene_face_number(scene, scene->solid[solid].face);
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (scene->group[middle].first_face <= face)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return face != ROBERTS_NONE && low > 0 ? scene->group[low - 1].name : "";
+}

@@ -1,0 +1,589 @@
+/* convex.c - whether faces and solids are convex, within the tolerance. */
+#include "model/convex.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/box.h"
+#include "base/error.h"
+#include "base/sort.h"
+#include "base/vec.h"
+#include "model/face_plane.h"
+#include "model/source.h"
+
+/* ---- is a face convex? ------------------------------------------------------------------------------------------- */
+
+/* Whether a face is a convex simple polygon.
+ *
+ * Nearly all faces are strictly convex and are told by signs alone. The rest (corners in a line, coordinates rounded to
+ * few digits, pentagrams, concave faces) is measured against the convex hull of the corners, found by the monotone
+ * chain. Source: A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information
+ * Processing Letters 9(5), 1979. */
+
+/* The polygon along the coordinate axis nearest to its normal: which axis, and whether it is seen from its end. */
+static roberts_vec2 drop(roberts_vec3 p, int axis)
+{
+    return axis == 0 ? (roberts_vec2){p.y, p.z} : axis == 1 ? (roberts_vec2){p.z, p.x} : (roberts_vec2){p.x, p.y};
+}
+
+bool polygon_strictly_convex(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n)
+{
+    double x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);
+    int axis = x > y && x > z ? 0 : y > z ? 1 : 2;
+    double sign = (axis == 0 ? n.x : axis == 1 ? n.y : n.z) < 0.0 ? -1.0 : 1.0;
+    roberts_vec2 b = drop(corner[count - 1], axis), a = drop(corner[count - 2], axis);
+    double ex = b.x - a.x, ey = b.y - a.y;
+    bool rising = ey > 0.0 || (ey == 0.0 && ex > 0.0);
+    unsigned starts = 0; /* sides where the direction comes into the upper half-plane: once for each turn */
+    for (uint32_t i = 0; i < count; i++) {
+        roberts_vec2 c = drop(corner[i], axis);
+        double fx = c.x - b.x, fy = c.y - b.y;
+        bool up = fy > 0.0 || (fy == 0.0 && fx > 0.0);
+        if (!(sign * (ex * fy - ey * fx) > 0.0))
+            return false;
+        starts += up && !rising;
+        rising = up;
+        ex = fx;
+        ey = fy;
+        b = c;
+    }
+    return starts == 1;
+}
+
+typedef struct spot {
+    double x, y;
+    uint32_t at; /* corner */
+} spot;
+
+static int compare_spots(const void *a, const void *b)
+{
+    const spot *p = a, *q = b;
+    if (p->x != q->x)
+        return p->x < q->x ? -1 : 1;
+    if (p->y != q->y)
+        return p->y < q->y ? -1 : 1;
+    return (p->at > q->at) - (p->at < q->at);
+}
+
+/* > 0 where a, b, c turn left. */
+static double turn(spot a, spot b, spot c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/* Convex hull of the sorted spots, counter-clockwise, without corners in a line; hull has room for count + 1. */
+static uint32_t monotone_chain(const spot *sorted, uint32_t count, spot *hull)
+{
+    uint32_t size = 0, lower;
+    for (uint32_t i = 0; i < count; i++) {
+        while (size >= 2 && turn(hull[size - 2], hull[size - 1], sorted[i]) <= 0.0)
+            size--;
+        hull[size++] = sorted[i];
+    }
+    lower = size + 1;
+    for (uint32_t i = count - 1; i-- > 0;) {
+        while (size >= lower && turn(hull[size - 2], hull[size - 1], sorted[i]) <= 0.0)
+            size--;
+        hull[size++] = sorted[i];
+    }
+    return size - 1; /* the last one is the first again */
+}
+
+static double distance(spot a, spot b)
+{
+    return hypot(b.x - a.x, b.y - a.y);
+}
+
+/* Walks the corners from hull[0] on: each is the hull's next vertex (or one after it, where those between are no farther
+ * away than `allowed`), or lies beside the side that the walk is on, and there not behind where the walk already was. */
+static double walk(const spot *polygon, uint32_t count, const spot *hull, uint32_t size, const uint32_t *rank,
+                   double allowed, uint32_t *deepest)
+{
+    double dent = 0.0, reached = 0.0;
+    uint32_t side = 0;
+    for (uint32_t k = 1; k < count; k++) {
+        spot c = polygon[(hull[0].at + (size_t)k) % count], a = hull[side], b = hull[side + 1];
+        if (rank[c.at] != ROBERTS_NONE && rank[c.at] > side) {
+            for (side++; side < rank[c.at]; side++)
+                if (distance(hull[side], c) > allowed)
+                    return INFINITY;
+            reached = 0.0;
+            continue;
+        }
+        double length = distance(a, b), depth = turn(a, b, c) / length;
+        double along = ((c.x - a.x) * (b.x - a.x) + (c.y - a.y) * (b.y - a.y)) / length;
+        if (depth > dent) {
+            dent = depth;
+            *deepest = c.at;
+        }
+        if (depth > allowed)
+            continue; /* it may well turn back in there */
+        if (along < reached - allowed)
+            return INFINITY;
+        reached = fmax(reached, along);
+    }
+    for (side++; side < size; side++)
+        if (distance(hull[side], hull[0]) > allowed)
+            return INFINITY;
+    return dent;
+}
+
+double polygon_dent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n, double allowed, uint32_t *deepest)
+{
+    spot *polygon = alloc_array(count, sizeof *polygon), *sorted = alloc_array(count, sizeof *sorted);
+    spot *hull = alloc_array((size_t)count + 1, sizeof *hull);
+    uint32_t *rank = alloc_array(count, sizeof *rank), size; /* place in the hull, or ROBERTS_NONE */
+    double dent = -1.0;
+    if (polygon && sorted && hull && rank) {
+        roberts_vec3 u = vec3_cross(fabs(n.x) < 0.6 ? (roberts_vec3){1, 0, 0} : (roberts_vec3){0, 1, 0}, n), v;
+        u = vec3_scale(1.0 / vec3_length(u), u);
+        v = vec3_cross(n, u);
+        for (uint32_t i = 0; i < count; i++) {
+            roberts_vec3 p = vec3_sub(corner[i], corner[0]);
+            polygon[i] = sorted[i] = (spot){vec3_dot(u, p), vec3_dot(v, p), i};
+            rank[i] = ROBERTS_NONE;
+        }
+        qsort(sorted, count, sizeof *sorted, compare_spots);
+        size = monotone_chain(sorted, count, hull);
+        for (uint32_t i = 0; i < size; i++)
+            rank[hull[i].at] = i;
+        dent = size < 3 ? 0.0 : walk(polygon, count, hull, size, rank, allowed, deepest);
+    }
+    free(polygon);
+    free(sorted);
+    free(hull);
+    free(rank);
+    return dent;
+}
+
+double polygon_spread(const roberts_vec3 *corner, uint32_t count)
+{
+    roberts_vec3 chord = {0, 0, 0};
+    double squared = 0.0, greatest = 0.0;
+    for (uint32_t i = 1; i < count; i++) {
+        roberts_vec3 d = vec3_sub(corner[i], corner[0]);
+        if (vec3_dot(d, d) > squared) {
+            squared = vec3_dot(d, d);
+            chord = d;
+        }
+    }
+    for (uint32_t i = 1; i < count && squared > 0.0; i++)
+        greatest = fmax(greatest, vec3_length(vec3_cross(chord, vec3_sub(corner[i], corner[0]))) / sqrt(squared));
+    return greatest;
+}
+
+/* ---- the vertex farthest out of a plane -------------------------------------------------------------------------- */
+
+/* Boxes round boxes round points, for the question which point lies farthest out of a plane.
+ *
+ * Idea: the points are sorted along the Z-order curve and cut into leaves of eight; a complete binary tree of boxes
+ * stands over the leaves. A box whose nearest possible F is no better than the best so far is passed over.
+ * Source: G. M. Morton, "A computer oriented geodetic data base and a new technique in file sequencing", IBM 1966. */
+
+typedef struct vertex_box {
+    roberts_vec3 lo, hi;
+} vertex_box;
+
+typedef struct vertex_tree {
+    const roberts_vec3 *point;
+    uint32_t count, leaves; /* leaves: a power of two */
+    uint32_t *order;        /* [count] points along a space-filling curve */
+    vertex_box *box;        /* [2 * leaves] a heap: box i holds boxes 2 i and 2 i + 1; the last `leaves` hold points */
+} vertex_tree;
+
+enum { LEAF = 8 }; /* points */
+
+/* Spreads ten bits so that two free bits follow each. */
+static uint32_t spread(uint32_t x)
+{
+    x = (x | x << 16) & 0x030000ff;
+    x = (x | x << 8) & 0x0300f00f;
+    x = (x | x << 4) & 0x030c30c3;
+    return (x | x << 2) & 0x09249249;
+}
+
+static uint32_t cell(double x, double lo, double hi)
+{
+    return hi > lo ? (uint32_t)fmin(1023.0, (x - lo) / (hi - lo) * 1024.0) : 0;
+}
+
+/* Fills tree->order along the curve. */
+static bool sort_points(vertex_tree *tree)
+{
+    roberts_vec3 lo = tree->point[0], hi = lo;
+    uint64_t *key = alloc_array(tree->count, sizeof *key);
+    if (!key)
+        return false;
+    box_add_all(&lo, &hi, tree->point, tree->count);
+    for (uint32_t v = 0; v < tree->count; v++) {
+        roberts_vec3 p = tree->point[v];
+        uint32_t code =
+            spread(cell(p.x, lo.x, hi.x)) | spread(cell(p.y, lo.y, hi.y)) << 1 | spread(cell(p.z, lo.z, hi.z)) << 2;
+        key[v] = (uint64_t)code << 32 | v;
+    }
+    qsort(key, tree->count, sizeof *key, compare_u64);
+    for (uint32_t v = 0; v < tree->count; v++)
+        tree->order[v] = (uint32_t)key[v];
+    free(key);
+    return true;
+}
+
+static void vertex_tree_free(vertex_tree *tree)
+{
+    free(tree->order);
+    free(tree->box);
+    *tree = (vertex_tree){0};
+}
+
+/* `point` stays the caller's and must outlive the tree. False: no memory. */
+static bool vertex_tree_build(vertex_tree *tree, const roberts_vec3 *point, uint32_t count)
+{
+    const vertex_box empty = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    *tree = (vertex_tree){.point = point, .count = count, .leaves = 1};
+    while ((uint64_t)tree->leaves * LEAF < count)
+        tree->leaves *= 2;
+    tree->order = alloc_array(count, sizeof *tree->order);
+    tree->box = alloc_array(2 * (size_t)tree->leaves, sizeof *tree->box);
+    if (!tree->order || !tree->box || !sort_points(tree)) {
+        vertex_tree_free(tree);
+        return false;
+    }
+    for (uint32_t i = 0; i < 2 * tree->leaves; i++)
+        tree->box[i] = empty;
+    for (uint32_t i = 0; i < count; i++) {
+        vertex_box *box = &tree->box[tree->leaves + i / LEAF];
+        box_add(&box->lo, &box->hi, point[tree->order[i]]);
+    }
+    for (uint32_t i = tree->leaves - 1; i > 0; i--)
+        for (uint32_t child = 2 * i; child <= 2 * i + 1; child++)
+            if (tree->box[child].lo.x <= tree->box[child].hi.x) {
+                box_add(&tree->box[i].lo, &tree->box[i].hi, tree->box[child].lo);
+                box_add(&tree->box[i].lo, &tree->box[i].hi, tree->box[child].hi);
+            }
+    return true;
+}
+
+/* The least F in a box; INFINITY in an empty one. */
+static double least_in_box(const vertex_box *box, plane F)
+{
+    roberts_vec3 corner = {F.a > 0.0 ? box->lo.x : box->hi.x, F.b > 0.0 ? box->lo.y : box->hi.y,
+                           F.c > 0.0 ? box->lo.z : box->hi.z};
+    return box->lo.x <= box->hi.x ? plane_at(F, corner) : INFINITY;
+}
+
+/* The point with the least F, if that is below `bound`; else ROBERTS_NONE. */
+static uint32_t vertex_tree_outermost(const vertex_tree *tree, plane F, double bound)
+{
+    uint32_t stack[34], depth = 0, found = ROBERTS_NONE; /* at most one box a level waits */
+    stack[depth++] = 1;
+    while (depth > 0) {
+        uint32_t i = stack[--depth];
+        if (!(least_in_box(&tree->box[i], F) < bound))
+            continue;
+        if (i < tree->leaves) {
+            bool left = least_in_box(&tree->box[2 * i], F) < least_in_box(&tree->box[2 * i + 1], F);
+            stack[depth++] = 2 * i + left; /* the better one goes first */
+            stack[depth++] = 2 * i + !left;
+            continue;
+        }
+        for (uint32_t k = (i - tree->leaves) * LEAF; k < tree->count && k / LEAF == i - tree->leaves; k++) {
+            double value = plane_at(F, tree->point[tree->order[k]]);
+            if (value < bound) {
+                bound = value;
+                found = tree->order[k];
+            }
+        }
+    }
+    return found;
+}
+
+/* ---- is a solid convex? ------------------------------------------------------------------------------------------ */
+
+/* Whether a closed component is a convex solid, within the tolerance.
+ *
+ * A closed surface bounds a convex solid where every face is a convex polygon, every vertex lies behind every face's
+ * plane, and the faces, seen from the barycentre, cover all directions once. A vertex may lie outside a plane by the
+ * tolerance; where the face is small compared with the solid, its plane cannot be trusted far from it, and distances
+ * count in proportion.
+ *
+ * Mostly it is enough that no edge bends inward: the angles by which edges do, summed over all of them, bound how far (as a
+ * part of the size) anything can lie outside. Where that sum is not far below the tolerance, because coordinates are
+ * rounded or the solid is not convex, each plane is compared with the vertices: with all of them in a small solid, with
+ * a tree of boxes round them in a large one. */
+
+enum { ALL_PAIRS = 2048 }; /* pairs of vertex and face; up to so many, comparing them all is quicker than a tree */
+
+/* The edges' inward bends may add up to this part of the tolerance without a closer look. */
+static const double BEND_PART = 0.1;
+
+/* Numbers as messages give them, within the solid's file. */
+static uint32_t input_solid(const roberts_scene *scene, const solid_frame *frame)
+{
+    return frame->solid - source_of_solid(scene, frame->solid, frame->mesh).solid;
+}
+
+static uint32_t input_face(const roberts_scene *scene, const solid_frame *frame, uint32_t f)
+{
+    return scene_face_number(scene, frame->face_first + f) - source_of_solid(scene, frame->solid, frame->mesh).face;
+}
+
+static uint32_t input_vertex(const roberts_scene *scene, const solid_frame *frame, uint32_t v)
+{
+    return scene_vertex_number(scene, frame->vertex_first + v) -
+           source_of_solid(scene, frame->solid, frame->mesh).vertex;
+}
+
+/* The face by itself: corners in one plane, a convex simple polygon. */
+static roberts_status check_face(const roberts_scene *scene, const solid_frame *frame, uint32_t f, roberts_error *error)
+{
+    const local_face *face = &frame->face[f];
+    uint32_t n, deepest = 0, start = scene->face_start[frame->face_first + f];
+    double dent;
+    if (face->deviation > frame->allowed)
+        return error_set(error, ROBERTS_NOT_PLANAR, 0,
+                         "face %u of solid %u is not planar: its corners lie up to %.6g beside their plane",
+                         input_face(scene, frame, f), input_solid(scene, frame), face->deviation * frame->unit);
+    if (face->strict)
+        return ROBERTS_OK;
+    n = frame_ring(frame, scene, f);
+    if (face->area > 0.0)
+        dent =
+            polygon_dent(frame->ring, n, (roberts_vec3){-face->F.a, -face->F.b, -face->F.c}, frame->allowed, &deepest);
+    else
+        dent = polygon_spread(frame->ring, n) > frame->allowed ? INFINITY : 0.0;
+    if (dent < 0.0)
+        return error_no_memory(error);
+    if (dent == INFINITY)
+        return error_set(error, ROBERTS_NOT_CONVEX, 0, "face %u of solid %u is not a convex polygon: it crosses itself",
+                         input_face(scene, frame, f), input_solid(scene, frame));
+    if (dent > frame->allowed)
+        return error_set(error, ROBERTS_NOT_CONVEX, 0,
+                         "face %u of solid %u is not a convex polygon: vertex %u lies %.6g inside its outline",
+                         input_face(scene, frame, f), input_solid(scene, frame),
+                         input_vertex(scene, frame, scene->corner[start + deepest] - frame->vertex_first),
+                         dent * frame->unit);
+    return ROBERTS_OK;
+}
+
+/* How far a vertex may lie outside this face's plane. */
+static double allowance(const solid_frame *frame, const local_face *face)
+{
+    return face->width < frame->size ? frame->allowed * (frame->size / face->width) : frame->allowed;
+}
+
+static roberts_status refuse_vertex(const roberts_scene *scene, const solid_frame *frame, uint32_t f, uint32_t v,
+                                    roberts_error *error)
+{
+    double outside = -plane_at(frame->face[f].F, frame->point[v]);
+    return error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: vertex %u lies %.6g outside face %u",
+                     input_solid(scene, frame), input_vertex(scene, frame, v), outside * frame->unit,
+                     input_face(scene, frame, f));
+}
+
+static roberts_status refuse_flat(const roberts_scene *scene, const solid_frame *frame, double thickness,
+                                  roberts_error *error)
+{
+    return error_set(error, ROBERTS_FLAT, 0, "solid %u is flat: %.6g thick where it is %.6g across",
+                     input_solid(scene, frame), thickness * frame->unit, frame->size * frame->unit);
+}
+
+/* The least F of the solid's vertices. */
+static double least_distance(const solid_frame *frame, plane F)
+{
+    double least = INFINITY;
+    for (uint32_t v = 0; v < frame->vertex_count; v++) {
+        double value = plane_at(F, frame->point[v]);
+        least = value < least ? value : least;
+    }
+    return least;
+}
+
+/* How thick the solid is across this face. */
+static double thickness(const solid_frame *frame, plane F)
+{
+    return 0.0 - least_distance(frame, (plane){-F.a, -F.b, -F.c, -F.d}) - least_distance(frame, F);
+}
+
+/* The vertex with the least F. */
+static uint32_t outermost(const solid_frame *frame, plane F)
+{
+    uint32_t found = 0;
+    for (uint32_t v = 1; v < frame->vertex_count; v++)
+        found = plane_at(F, frame->point[v]) < plane_at(F, frame->point[found]) ? v : found;
+    return found;
+}
+
+static bool is_large(const solid_frame *frame)
+{
+    return (uint64_t)frame->vertex_count * frame->face_count > ALL_PAIRS;
+}
+
+/* How thick the solid is where that may be little: of a small one across each face that is near the barycentre, of a large
+ * one across the widest and across the one of greatest area. */
+static double least_thickness(const solid_frame *frame)
+{
+    double least = INFINITY;
+    uint32_t greatest = 0;
+    for (uint32_t f = 0; f < frame->face_count; f++) {
+        const local_face *face = &frame->face[f];
+        greatest = face->area > frame->face[greatest].area ? f : greatest;
+        if (!is_large(frame) && face->depth < frame->flat && face->area > 0.0)
+            least = fmin(least, thickness(frame, face->F));
+    }
+    if (is_large(frame))
+        least = fmin(thickness(frame, frame->face[frame->widest].F), thickness(frame, frame->face[greatest].F));
+    return least;
+}
+
+/* The angle by which an edge bends inward (its sine; 1 for more than a right one), 0 for outward. */
+static double bend_of(const solid_frame *frame, const scene_edge *edge)
+{
+    plane F = frame->face[edge->f[0]].F, G = frame->face[edge->f[1]].F;
+    roberts_vec3 along = vec3_sub(frame->point[edge->v[1]], frame->point[edge->v[0]]);
+    roberts_vec3 m = {F.a, F.b, F.c}, n = {G.a, G.b, G.c};
+    double bend = vec3_dot(vec3_cross(m, n), along); /* > 0: outward */
+    if (vec3_dot(m, n) <= 0.0 && bend <= 0.0)
+        return 1.0; /* folded, or an edge or a face without extent, which tells nothing */
+    return bend < 0.0 ? -bend / vec3_length(along) : 0.0;
+}
+
+static inline two_vec3 normals_of(const solid_frame *frame, uint32_t f, uint32_t g)
+{
+    const plane *F = &frame->face[f].F, *G = &frame->face[g].F;
+    return (two_vec3){two_of(F->a, G->a), two_of(F->b, G->b), two_of(F->c, G->c)};
+}
+
+/* Whether both of two edges bend outward, as bend_of() has it. */
+static inline bool both_outward(const solid_frame *frame, const scene_edge *a, const scene_edge *b)
+{
+    const roberts_vec3 *point = frame->point;
+    two_vec3 along =
+        two_vec3_sub(two_vec3_of(&point[a->v[1]], &point[b->v[1]]), two_vec3_of(&point[a->v[0]], &point[b->v[0]]));
+    two_vec3 m = normals_of(frame, a->f[0], b->f[0]), n = normals_of(frame, a->f[1], b->f[1]);
+    return two_at_most(two_vec3_dot(two_vec3_cross(m, n), along), two_all(0.0)) == 0;
+}
+
+/* Sum of the angles by which edges bend inward. */
+static double inward_bend(const solid_frame *frame)
+{
+    const scene_edge *edge = frame->edge, *end = edge + frame->edge_count;
+    double sum = 0.0;
+    for (; end - edge >= 2; edge += 2)
+        if (!both_outward(frame, edge, edge + 1)) {
+            sum += bend_of(frame, edge);
+            sum += bend_of(frame, edge + 1);
+        }
+    return edge < end ? sum + bend_of(frame, edge) : sum;
+}
+
+/* Every vertex against every plane. */
+static roberts_status check_pairs(const roberts_scene *scene, solid_frame *frame, roberts_error *error)
+{
+    for (uint32_t f = 0; f < frame->face_count; f++) {
+        local_face *face = &frame->face[f];
+        double outside = -least_distance(frame, face->F);
+        if (outside <= frame->allowed)
+            continue;
+        if (outside > allowance(frame, face))
+            return refuse_vertex(scene, frame, f, outermost(frame, face->F), error);
+        frame->any_lean = face->lean = true;
+    }
+    return ROBERTS_OK;
+}
+
+/* Every plane against the tree of vertices. */
+static roberts_status check_by_tree(const roberts_scene *scene, solid_frame *frame, roberts_error *error)
+{
+    roberts_status status = ROBERTS_OK;
+    vertex_tree tree;
+    if (!vertex_tree_build(&tree, frame->point, frame->vertex_count))
+        return error_no_memory(error);
+    for (uint32_t f = 0; f < frame->face_count && status == ROBERTS_OK; f++) {
+        local_face *face = &frame->face[f];
+        double bound = face->width > frame->allowed ? allowance(frame, face) : frame->allowed;
+        uint32_t v = face->area > 0.0 ? vertex_tree_outermost(&tree, face->F, -bound) : ROBERTS_NONE;
+        if (v == ROBERTS_NONE)
+            continue;
+        frame->any_lean = face->lean = true;
+        if (-plane_at(face->F, frame->point[v]) > allowance(frame, face))
+            status = refuse_vertex(scene, frame, f, v, error);
+    }
+    vertex_tree_free(&tree);
+    return status;
+}
+
+/* The faces by themselves, then together. Four points cannot lie but convexly. */
+static roberts_status check_faces(const roberts_scene *scene, solid_frame *frame, roberts_error *error)
+{
+    for (uint32_t f = 0; frame->any_doubt && f < frame->face_count; f++) {
+        roberts_status status;
+        if ((frame->face[f].deviation > frame->allowed || !frame->face[f].strict) &&
+            (status = check_face(scene, frame, f, error)) != ROBERTS_OK)
+            return status;
+    }
+    if (frame->vertex_count == 4 || inward_bend(frame) * frame->size <= BEND_PART * frame->allowed)
+        return ROBERTS_OK;
+    return is_large(frame) ? check_by_tree(scene, frame, error) : check_pairs(scene, frame, error);
+}
+
+/* Whether the ray from the barycentre passes through the face: it lies on or inside every plane through the barycentre
+ * and a side. A side's two faces see exactly opposite signs. */
+static bool covers(const roberts_scene *scene, const solid_frame *frame, uint32_t f, roberts_vec3 ray)
+{
+    uint32_t start = scene->face_start[frame->face_first + f], end = scene->face_start[frame->face_first + f + 1];
+    roberts_vec3 a = vec3_sub(frame->point[scene->corner[end - 1] - frame->vertex_first], frame->barycentre);
+    for (uint32_t i = start; i < end; i++) {
+        roberts_vec3 b = vec3_sub(frame->point[scene->corner[i] - frame->vertex_first], frame->barycentre);
+        if (vec3_dot(vec3_cross(a, b), ray) < 0.0)
+            return false;
+        a = b;
+    }
+    return true;
+}
+
+/* How many faces the barycentre sees in one direction: that of the middle of the widest face, well inside it. Only faces that
+ * look that way are asked. */
+static uint32_t count_covers(const roberts_scene *scene, const solid_frame *frame)
+{
+    uint32_t n = frame_ring(frame, scene, frame->widest), count = 1;
+    roberts_vec3 X = {0, 0, 0}, ray;
+    for (uint32_t i = 1; i < n; i++)
+        X = vec3_add(X, frame->ring[i]);
+    X = vec3_add(vec3_scale(1.0 / n, X), frame_origin(frame, scene, frame->widest));
+    ray = vec3_sub(X, frame->barycentre);
+    for (uint32_t f = 0; f < frame->face_count; f++) {
+        const plane *F = &frame->face[f].F;
+        if (F->a * ray.x + F->b * ray.y + F->c * ray.z < 0.0 && f != frame->widest)
+            count += covers(scene, frame, f, ray);
+    }
+    return count;
+}
+
+/* Whether the faces cannot but cover each direction once. To cover them k times, a sphere's surface has to go round some two
+ * vertices twice or more (2 k - 2 times too often in all, by Riemann and Hurwitz). Seen from the barycentre a face takes less
+ * than a half turn round its corner, so that these two vertices have five edges at least, and all others three. */
+static bool too_few_to_wind(const solid_frame *frame)
+{
+    return !frame->any_doubt && !frame->any_lean &&
+           2 * (uint64_t)frame->edge_count < 3 * (uint64_t)frame->vertex_count + 4;
+}
+
+roberts_status solid_check(const roberts_scene *scene, solid_frame *frame, roberts_error *error)
+{
+    uint32_t count;
+    roberts_status status;
+    if (frame->size == 0.0)
+        status = error_set(error, ROBERTS_FLAT, 0, "solid %u is flat: all its vertices lie in one point",
+                           input_solid(scene, frame));
+    else if (!(frame->face[frame->widest].area > 0.0))
+        status = error_set(error, ROBERTS_FLAT, 0, "solid %u is flat: none of its faces has an area",
+                           input_solid(scene, frame));
+    else if (frame->any_shallow && least_thickness(frame) < frame->flat)
+        status = refuse_flat(scene, frame, least_thickness(frame), error);
+    else
+        status = check_faces(scene, frame, error);
+    if (status == ROBERTS_OK && !too_few_to_wind(frame) && (count = count_covers(scene, frame)) != 1)
+        status = error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: its faces go round it %u times",
+                           input_solid(scene, frame), count);
+    return status;
+}

@@ -1,0 +1,611 @@
+/* solid.c - one solid: its frame, the planes of its faces, its winding and its edges. */
+#include "model/solid.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/box.h"
+#include "base/error.h"
+#include "model/convex.h"
+#include "model/edges.h"
+#include "model/face_plane.h"
+#include "model/layout.h"
+#include "model/source.h"
+#include "read/mesh.h"
+
+/* ---- a frame of its own ------------------------------------------------------------------------------------------ */
+
+/* Differences to a vertex of the solid are exact or nearly so, wherever the solid stands. Scaling by a power of two changes no
+ * digit, so a solid times 2^k gets the same planes. */
+
+/* Beyond these sizes a solid is scaled, so that fourth powers of its lengths (squared areas), and of lengths a
+ * thousand-millionth of it, are far from the ends of the range. */
+static const double LARGE = 0x1p200, SMALL = 0x1p-200;
+
+/* Thinner than this part of its size, a solid is flat: far above what rounding leaves of a plate that has no thickness
+ * (some 1e-16), far below any plate that somebody would draw. */
+static const double FLAT_PART = 1e-9;
+
+static bool make_room(solid_frame *frame)
+{
+    return array_reserve(&frame->point, &frame->point_room, frame->vertex_count, sizeof *frame->point) &&
+           array_reserve(&frame->face, &frame->face_room, frame->face_count, sizeof *frame->face) &&
+           array_reserve(&frame->ring, &frame->ring_room, frame->vertex_count, sizeof *frame->ring);
+}
+
+/* A power of two that brings a size beyond the limits to about 1; 1 for all others. */
+static double scale_for(double size)
+{
+    int exponent;
+    if ((size <= LARGE && size >= SMALL) || size == 0.0)
+        return 1.0;
+    frexp(size, &exponent);
+    return ldexp(1.0, exponent < -1000 ? 1000 : -exponent); /* denormal sizes: 2^1074 would overflow */
+}
+
+/* Moves `count` points so that the first is at the origin, and scales them; returns their sum. */
+static roberts_vec3 move_points(roberts_vec3 *to, const roberts_vec3 *point, uint32_t count, double scale)
+{
+    two origin = two_of(point[0].x, point[0].y), by = two_all(scale), sum = two_all(0.0);
+    double origin_z = point[0].z;
+    roberts_vec3 all = {0, 0, 0};
+    for (uint32_t v = 0; v < count; v++) {
+        two xy = two_mul(by, two_sub(two_of(point[v].x, point[v].y), origin));
+        double z = scale * (point[v].z - origin_z);
+        two_part(&to[v].x, &to[v].y, xy);
+        to[v].z = z;
+        sum = two_add(sum, xy);
+        all.z += z;
+    }
+    two_part(&all.x, &all.y, sum);
+    return all;
+}
+
+static void name_parts(solid_frame *frame, const roberts_scene *scene, uint32_t s)
+{
+    const scene_solid *first = scene->solid + s;
+    frame->solid = s;
+    frame->vertex_first = first->vertex;
+    frame->vertex_count = first[1].vertex - first->vertex;
+    frame->face_first = first->face;
+    frame->face_count = first[1].face - first->face;
+    frame->edge_count = scene_corners(scene, s) / 2;
+}
+
+roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint32_t s, double tolerance)
+{
+    const roberts_vec3 *point = scene->point + scene->solid[s].vertex;
+    roberts_vec3 lo = point[0], hi = point[0], sum, diagonal;
+    double largest, scale;
+    name_parts(frame, scene, s);
+    const uint32_t count = frame->vertex_count;
+    if (!make_room(frame))
+        return ROBERTS_NO_MEMORY;
+    box_add_all(&lo, &hi, point + 1, count - 1);
+    diagonal = vec3_sub(hi, lo);
+    scale = scale_for(diagonal.x > diagonal.y ? (diagonal.x > diagonal.z ? diagonal.x : diagonal.z)
+                                              : (diagonal.y > diagonal.z ? diagonal.y : diagonal.z));
+    sum = move_points(frame->point, point, count, scale);
+    largest = -lo.x;
+    largest = hi.x > largest ? hi.x : largest;
+    largest = -lo.y > largest ? -lo.y : largest;
+    largest = hi.y > largest ? hi.y : largest;
+    largest = -lo.z > largest ? -lo.z : largest;
+    largest = hi.z > largest ? hi.z : largest;
+    frame->barycentre = vec3_scale(1.0 / frame->vertex_count, sum);
+    frame->unit = 1.0 / scale;
+    frame->scene_units = frame->unit / scene->unit;
+    frame->size = vec3_length(vec3_scale(scale, diagonal));
+    frame->allowed = tolerance * (largest * scale > frame->size ? largest * scale : frame->size);
+    frame->flat = FLAT_PART * frame->size;
+    /* a number that is not finite makes the sum so */
+    return largest <= MESH_COORDINATE_MAX && isfinite(sum.x + sum.y + sum.z) ? ROBERTS_OK : ROBERTS_BAD_NUMBER;
+}
+
+uint32_t frame_ring(const solid_frame *frame, const roberts_scene *scene, uint32_t f)
+{
+    const uint32_t *start = scene->face_start + frame->face_first + f, base = frame->vertex_first;
+    const uint32_t *corner = scene->corner + start[0];
+    const roberts_vec3 *point = frame->point, origin = point[corner[0] - base];
+    uint32_t n = start[1] - start[0];
+    roberts_vec3 *ring = frame->ring;
+    for (uint32_t i = 0; i < n; i++)
+        ring[i] = vec3_sub(point[corner[i] - base], origin);
+    return n;
+}
+
+void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean)
+{
+    const local_face *face = &frame->face[f];
+    uint32_t to = frame->face_first + f;
+    double unit = frame->unit;
+    plane F = face->F, *G = &scene->face_plane[to];
+    roberts_vec3 p = vec3_sub(scene->point[scene->corner[scene->face_start[to]]], scene->centre);
+    G->a = F.a;
+    G->b = F.b;
+    G->c = F.c;
+    G->d = -(F.a * p.x + F.b * p.y + F.c * p.z) - mean * unit;
+    scene_set_bounds(scene, to, face->deviation * unit, face->width * unit);
+}
+
+void frame_free(solid_frame *frame)
+{
+    free(frame->point);
+    free(frame->face);
+    free(frame->ring);
+    *frame = (solid_frame){0};
+}
+
+/* ---- planes of faces --------------------------------------------------------------------------------------------- */
+
+/* The planes of a solid's faces, and which way round their corners run.
+ *
+ * Nearly all faces have three or four corners: they are fitted two at a time, each with the next of its kind. */
+
+/* Counter-clockwise about the inward normal is clockwise seen from outside. */
+static void turn(solid_frame *frame, roberts_scene *scene, uint32_t f)
+{
+    layout_turn_face(scene, frame->face_first + f);
+    frame->turned++;
+}
+
+/* What the checks ask of all faces together. */
+static void note(solid_frame *frame, const local_face *face)
+{
+    frame->any_lean |= face->lean;
+    frame->any_doubt |= face->deviation > frame->allowed || !face->strict;
+    frame->any_shallow |= face->depth < frame->flat;
+}
+
+/* Fills in face f, of five corners or more. */
+static void fit_face(solid_frame *frame, roberts_scene *scene, uint32_t f)
+{
+    local_face *face = &frame->face[f];
+    roberts_vec3 origin = frame_origin(frame, scene, f), b = vec3_sub(frame->barycentre, origin);
+    fitted_plane fit = face_plane_fit(frame->ring, frame_ring(frame, scene, f));
+    double depth = vec3_dot(fit.n, b) - fit.mean, side = depth < 0.0 ? -1.0 : 1.0;
+    face->F.a = side * fit.n.x;
+    face->F.b = side * fit.n.y;
+    face->F.c = side * fit.n.z;
+    face->F.d = side * (-vec3_dot(fit.n, origin) - fit.mean);
+    face->depth = side * depth;
+    face->deviation = fit.deviation;
+    face->area = fit.area;
+    face->width = fit.width;
+    face->strict = fit.strict;
+    face->lean = !(fit.area > 0.0);
+    note(frame, face);
+    if (side > 0.0)
+        turn(frame, scene, f);
+    frame_store(frame, scene, f, side * fit.mean);
+}
+
+/* Two faces of three or four corners each, lane by lane; they may be the same. */
+typedef struct two_faces {
+    uint32_t f, g;         /* counted from the solid's first */
+    const uint32_t *c, *d; /* their corners */
+    two_vec3 origin;       /* their first corners */
+    two_planes fit;
+    two side; /* -1 where the fitted normal points outward */
+} two_faces;
+
+/* Corner k of both. */
+static inline two_vec3 corners_at(const solid_frame *frame, const two_faces *t, uint32_t k)
+{
+    const roberts_vec3 *point = frame->point;
+    return two_vec3_of(&point[t->c[k] - frame->vertex_first], &point[t->d[k] - frame->vertex_first]);
+}
+
+static inline two_faces take_two(const solid_frame *frame, const roberts_scene *scene, uint32_t f, uint32_t g,
+                                 uint32_t corners)
+{
+    two_faces t = {.f = f, .g = g};
+    t.c = scene->corner + scene->face_start[frame->face_first + f];
+    t.d = scene->corner + scene->face_start[frame->face_first + g];
+    t.origin = corners_at(frame, &t, 0);
+    two_vec3 a = two_vec3_sub(corners_at(frame, &t, 1), t.origin), b = two_vec3_sub(corners_at(frame, &t, 2), t.origin);
+    if (corners == 3)
+        t.fit = two_planes_of_triangles(a, b);
+    else
+        t.fit = two_planes_of_quadrilaterals(a, b, two_vec3_sub(corners_at(frame, &t, 3), t.origin));
+    return t;
+}
+
+/* The planes in the frame and in the scene. */
+static inline void store_planes(const solid_frame *frame, roberts_scene *scene, const two_faces *t)
+{
+    local_face *p = &frame->face[t->f], *q = &frame->face[t->g];
+    plane *G = &scene->face_plane[frame->face_first + t->f], *H = &scene->face_plane[frame->face_first + t->g];
+    two_vec3 first =
+        two_vec3_sub(two_vec3_of(&scene->point[t->c[0]], &scene->point[t->d[0]]), two_vec3_all(scene->centre));
+    two zero = two_all(0.0), mean = t->fit.mean;
+    two_vec3 n = t->fit.n, F = {two_mul(t->side, n.x), two_mul(t->side, n.y), two_mul(t->side, n.z)};
+    two_part(&p->F.a, &q->F.a, F.x);
+    two_part(&p->F.b, &q->F.b, F.y);
+    two_part(&p->F.c, &q->F.c, F.z);
+    two_part(&p->F.d, &q->F.d, two_mul(t->side, two_sub(two_sub(zero, two_vec3_dot(n, t->origin)), mean)));
+    two_part(&G->a, &H->a, F.x);
+    two_part(&G->b, &H->b, F.y);
+    two_part(&G->c, &H->c, F.z);
+    two_part(&G->d, &H->d,
+             two_sub(two_sub(zero, two_vec3_dot(F, first)), two_mul(two_mul(t->side, mean), two_all(frame->unit))));
+}
+
+static inline void store_sizes(const solid_frame *frame, roberts_scene *scene, const two_faces *t, two depth)
+{
+    local_face *p = &frame->face[t->f], *q = &frame->face[t->g];
+    uint32_t f = frame->face_first + t->f, g = frame->face_first + t->g;
+    two_part(&p->depth, &q->depth, depth);
+    two_part(&p->deviation, &q->deviation, t->fit.deviation);
+    two_part(&p->area, &q->area, t->fit.area);
+    two_part(&p->width, &q->width, t->fit.width);
+    two_part_floats(&scene->face_deviation[f], &scene->face_deviation[g],
+                    two_mul(t->fit.deviation, two_all(frame->scene_units * SCENE_UPWARD)));
+    two_part_floats(&scene->face_width[f], &scene->face_width[g],
+                    two_mul(t->fit.width, two_all(frame->scene_units * SCENE_DOWNWARD)));
+    p->strict = t->fit.strict & 1;
+    q->strict = t->fit.strict >> 1 & 1;
+    p->lean = q->lean = false;
+}
+
+/* A face without area: as fitted_plane has it. */
+static void store_empty(solid_frame *frame, roberts_scene *scene, uint32_t f)
+{
+    frame->face[f] = (local_face){.lean = true};
+    note(frame, &frame->face[f]);
+    frame_store(frame, scene, f, 0.0);
+}
+
+/* Fills in faces f and g, both of `corners` corners, 3 or 4; f and g may be the same. */
+static void fit_two(solid_frame *frame, roberts_scene *scene, uint32_t f, uint32_t g, uint32_t corners)
+{
+    two_faces t = take_two(frame, scene, f, g, corners);
+    two depth = two_sub(two_vec3_dot(t.fit.n, two_vec3_sub(two_vec3_all(frame->barycentre), t.origin)), t.fit.mean);
+    t.side = two_side(depth);
+    depth = two_mul(t.side, depth);
+    store_planes(frame, scene, &t);
+    store_sizes(frame, scene, &t, depth);
+    unsigned full = 3 & ~t.fit.empty, outward = two_at_most(t.side, two_all(0.0));
+    frame->any_doubt |= (two_at_most(t.fit.deviation, two_all(frame->allowed)) & t.fit.strict & full) != full;
+    frame->any_shallow |= (two_at_most(two_all(frame->flat), depth) & full) != full;
+    if (!(outward & 1))
+        turn(frame, scene, f);
+    if (!(outward & 2) && f != g)
+        turn(frame, scene, g);
+    if (t.fit.empty & 1)
+        store_empty(frame, scene, f);
+    if (t.fit.empty & 2 && f != g)
+        store_empty(frame, scene, g);
+}
+
+/* Neighbours in the list that are of one kind go together; others wait for the next of theirs. */
+static void fit_all(solid_frame *frame, roberts_scene *scene)
+{
+    uint32_t waiting[2] = {ROBERTS_NONE, ROBERTS_NONE};
+    const uint32_t *start = scene->face_start + frame->face_first, count = frame->face_count;
+    for (uint32_t f = 0; f < count; f++) {
+        uint32_t n = start[f + 1] - start[f], *other = &waiting[n == 4];
+        if (n > 4) {
+            fit_face(frame, scene, f);
+        } else if (f + 1 < count && start[f + 2] - start[f + 1] == n) {
+            fit_two(frame, scene, f, f + 1, n);
+            f++;
+        } else if (*other == ROBERTS_NONE) {
+            *other = f;
+        } else {
+            fit_two(frame, scene, *other, f, n);
+            *other = ROBERTS_NONE;
+        }
+    }
+    for (uint32_t i = 0; i < 2; i++)
+        if (waiting[i] != ROBERTS_NONE)
+            fit_two(frame, scene, waiting[i], waiting[i], 3 + i);
+}
+
+void frame_fit_faces(solid_frame *frame, roberts_scene *scene)
+{
+    double greatest;
+    frame->turned = frame->widest = 0;
+    frame->any_lean = frame->any_doubt = frame->any_shallow = false;
+    fit_all(frame, scene);
+    greatest = frame->face[0].width;
+    for (uint32_t f = 1; f < frame->face_count; f++)
+        if (frame->face[f].width > greatest) {
+            greatest = frame->face[f].width;
+            frame->widest = f;
+        }
+}
+
+/* ---- faces that are too narrow ----------------------------------------------------------------------------------- */
+
+/* Faces too narrow to tell by themselves which side is the inner one, or where their plane lies.
+ *
+ * In coordinates given to six digits a face may be narrower than the rounding: its plane then points anywhere, and it
+ * may cut the solid. Triangles without any area occur as well, where a corner of one face lies on a side of another. Such
+ * faces are kept, since the surface is closed only with them. They take winding and plane from their neighbours: the
+ * mean of two adjacent planes touches the solid along their common edge, and so hides nothing and is hidden by nothing
+ * that the neighbours are not. */
+
+enum { UNSEEN, KEEP, TURN };
+
+/* Which edges each face has: edge[start[f]] .. edge[start[f + 1] - 1]. */
+typedef struct face_edges {
+    uint32_t *start, *edge;
+} face_edges;
+
+static bool collect_edges(face_edges *of, const solid_frame *frame)
+{
+    uint32_t count = 2 * frame->edge_count;
+    of->start = alloc_zeroed((size_t)frame->face_count + 2, sizeof *of->start);
+    of->edge = alloc_array(count, sizeof *of->edge);
+    if (!of->start || !of->edge)
+        return false;
+    for (uint32_t e = 0; e < count; e++)
+        of->start[frame->edge[e / 2].f[e % 2] + 2]++;
+    for (uint32_t f = 0; f < frame->face_count; f++)
+        of->start[f + 2] += of->start[f + 1];
+    for (uint32_t e = 0; e < count; e++)
+        of->edge[of->start[frame->edge[e / 2].f[e % 2] + 1]++] = e / 2;
+    return true;
+}
+
+/* Decides all faces that are connected with `seed` by edges. */
+static void flood(const solid_frame *frame, const face_edges *of, const uint8_t *alike, uint32_t seed,
+                  uint8_t *decision, uint32_t *queue)
+{
+    uint32_t head = 0, tail = 0;
+    decision[seed] = KEEP;
+    queue[tail++] = seed;
+    while (head < tail) {
+        uint32_t f = queue[head++];
+        for (uint32_t i = of->start[f]; i < of->start[f + 1]; i++) {
+            const scene_edge *e = frame->edge + of->edge[i];
+            uint32_t other = e->f[0] == f ? e->f[1] : e->f[0];
+            if (decision[other] != UNSEEN)
+                continue;
+            decision[other] = alike[of->edge[i]] == (decision[f] == KEEP) ? TURN : KEEP;
+            queue[tail++] = other;
+        }
+    }
+}
+
+static void turn_face(roberts_scene *scene, solid_frame *frame, uint32_t f)
+{
+    plane *global = &scene->face_plane[frame->face_first + f], *F = &frame->face[f].F;
+    layout_turn_face(scene, frame->face_first + f);
+    *F = (plane){-F->a, -F->b, -F->c, -F->d};
+    frame->face[f].depth = -frame->face[f].depth;
+    *global = (plane){-global->a, -global->b, -global->c, -global->d};
+}
+
+/* Whether the decisions leave the two faces of each edge passing it in opposite directions. */
+static bool agree(const solid_frame *frame, const uint8_t *alike, const uint8_t *decision)
+{
+    for (uint32_t e = 0; e < frame->edge_count; e++) {
+        const scene_edge *edge = &frame->edge[e];
+        bool turned = decision[edge->f[0]] != decision[edge->f[1]];
+        if (turned != (alike[e] != 0))
+            return false;
+    }
+    return true;
+}
+
+/* Winds the faces of a solid alike, beginning from the widest, where the edges (paired, but mixed) say that the
+ * barycentre has not. A face that is turned has its corners reversed and its plane too. Edges have to be paired anew
+ * afterwards. Returns ROBERTS_OK, _NO_MEMORY or _NOT_CONVEX (the surface has one side only). */
+static roberts_status narrow_wind(roberts_scene *scene, solid_frame *frame, const edge_scratch *edges)
+{
+    face_edges of = {0};
+    uint8_t *decision = alloc_zeroed(frame->face_count, sizeof *decision);
+    uint32_t *queue = alloc_array(frame->face_count, sizeof *queue);
+    roberts_status status = ROBERTS_NO_MEMORY;
+    if (!decision || !queue || !collect_edges(&of, frame))
+        goto done;
+    flood(frame, &of, edges->alike, frame->widest, decision, queue);
+    for (uint32_t f = 0; f < frame->face_count; f++)
+        if (decision[f] == UNSEEN)
+            flood(frame, &of, edges->alike, f, decision, queue);
+    status = agree(frame, edges->alike, decision) ? ROBERTS_OK : ROBERTS_NOT_CONVEX;
+    for (uint32_t f = 0; f < frame->face_count && status == ROBERTS_OK; f++)
+        if (decision[f] == TURN)
+            turn_face(scene, frame, f);
+done:
+    free(decision);
+    free(queue);
+    free(of.start);
+    free(of.edge);
+    return status;
+}
+
+/* Adds to `sum` the neighbour's normal, weighed by the length of the edge, if the neighbour stands by itself. */
+static void add_neighbour(const solid_frame *frame, const scene_edge *edge, uint32_t neighbour, roberts_vec3 *sum)
+{
+    const local_face *face = &frame->face[neighbour];
+    roberts_vec3 a = frame->point[edge->v[0]], b = frame->point[edge->v[1]];
+    if (!face->lean)
+        *sum = vec3_add(*sum, vec3_scale(vec3_length(vec3_sub(b, a)), (roberts_vec3){face->F.a, face->F.b, face->F.c}));
+}
+
+/* For a face without area and without neighbours to lean on: from the line that it is toward the barycentre. */
+static roberts_vec3 toward_barycentre(const solid_frame *frame, roberts_vec3 origin, uint32_t count)
+{
+    roberts_vec3 inward = vec3_sub(frame->barycentre, origin), chord = {0, 0, 0};
+    for (uint32_t i = 1; i < count; i++) {
+        roberts_vec3 d = frame->ring[i];
+        chord = vec3_dot(d, d) > vec3_dot(chord, chord) ? d : chord;
+    }
+    if (vec3_dot(chord, chord) > 0.0)
+        inward = vec3_sub(inward, vec3_scale(vec3_dot(inward, chord) / vec3_dot(chord, chord), chord));
+    return inward;
+}
+
+/* Gives face f the normal n (of any length), through the mean of its corners. */
+static void mend_face(roberts_scene *scene, solid_frame *frame, uint32_t f, roberts_vec3 n)
+{
+    local_face *face = &frame->face[f];
+    uint32_t count = frame_ring(frame, scene, f);
+    double sum = 0.0, mean, deviation = 0.0;
+    if (face->area == 0.0 && vec3_length(n) == 0.0)
+        n = toward_barycentre(frame, frame_origin(frame, scene, f), count);
+    if (vec3_length(n) == 0.0)
+        return;
+    n = vec3_scale(1.0 / vec3_length(n), n);
+    for (uint32_t i = 1; i < count; i++)
+        sum += vec3_dot(n, frame->ring[i]);
+    mean = sum / count;
+    for (uint32_t i = 0; i < count; i++)
+        deviation = fmax(deviation, fabs(vec3_dot(n, frame->ring[i]) - mean));
+    if (face->area > 0.0 && deviation > frame->allowed)
+        return;
+    face->F = (plane){n.x, n.y, n.z, -vec3_dot(n, frame_origin(frame, scene, f)) - mean};
+    face->deviation = deviation;
+    frame_store(frame, scene, f, mean);
+}
+
+/* Gives each face that is marked so a plane that leans on its neighbours' instead of its own, if that one is no farther
+ * than the tolerance from its corners. Returns ROBERTS_OK or _NO_MEMORY. */
+static roberts_status narrow_mend(roberts_scene *scene, solid_frame *frame)
+{
+    roberts_vec3 *sum;
+    if (!frame->any_lean)
+        return ROBERTS_OK;
+    sum = alloc_zeroed(frame->face_count, sizeof *sum); /* all bits zero are 0.0 */
+    if (!sum)
+        return ROBERTS_NO_MEMORY;
+    for (const scene_edge *edge = frame->edge; edge < frame->edge + frame->edge_count; edge++) {
+        add_neighbour(frame, edge, edge->f[0], &sum[edge->f[1]]);
+        add_neighbour(frame, edge, edge->f[1], &sum[edge->f[0]]);
+    }
+    for (uint32_t f = 0; f < frame->face_count; f++)
+        if (frame->face[f].lean)
+            mend_face(scene, frame, f, sum[f]);
+    free(sum);
+    return ROBERTS_OK;
+}
+
+/* ---- one solid --------------------------------------------------------------------------------------------------- */
+
+/* From faces that are laid out to solids: planes, winding, edges, checks.
+ *
+ * The solid's barycentre, the mean of its vertices, lies inside a convex solid: it decides which side of each face is
+ * the inner one, whatever the winding in the file. The two faces of each edge then pass it in opposite directions; where
+ * they do not, faces too narrow to decide are wound like their neighbours. */
+
+/* Whether the solid's edges are stored with its pattern's, which is closed. */
+static bool is_stored(const roberts_scene *scene, uint32_t s)
+{
+    return scene->solid[s].stored < scene->shared;
+}
+
+/* Fewer vertices and faces than on a sphere: solids that share vertices would have more. */
+static bool has_holes(const roberts_scene *scene, uint32_t s)
+{
+    const scene_solid *first = scene->solid + s;
+    uint64_t vertices = first[1].vertex - first->vertex, faces = first[1].face - first->face;
+    return vertices + faces < scene_corners(scene, s) / 2 + (uint64_t)2;
+}
+
+build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t s, roberts_error *error)
+{
+    work->holes = false;
+    if (is_stored(scene, s))
+        return BUILD_OK;
+    edge_pairing pairing = edges_pair(scene, s, &work->edges);
+    if (pairing == EDGES_NO_MEMORY)
+        return error_no_memory(error), BUILD_REFUSED;
+    work->holes = pairing != EDGES_OPEN && has_holes(scene, s);
+    return pairing == EDGES_OPEN || !edges_like_a_sphere(scene, s) ? BUILD_OPEN : BUILD_OK;
+}
+
+/* The edges of solid s, whose faces have been wound: its pattern's, where all or none of them were turned, else found
+ * anew. */
+static edge_pairing pair(const roberts_scene *scene, builder *work, uint32_t s)
+{
+    solid_frame *frame = &work->frame;
+    if (!is_stored(scene, s) || frame->turned % frame->face_count != 0) {
+        edge_pairing pairing = edges_pair(scene, s, &work->edges);
+        frame->edge = work->edges.edge;
+        return pairing;
+    }
+    frame->edge = scene->edge + scene->solid[s].stored + (frame->turned > 0 ? frame->edge_count : 0);
+    return EDGES_PAIRED;
+}
+
+static roberts_status wind(roberts_scene *scene, builder *work, uint32_t s, roberts_error *error)
+{
+    roberts_status status = narrow_wind(scene, &work->frame, &work->edges);
+    if (status == ROBERTS_NO_MEMORY)
+        return error_no_memory(error);
+    if (status != ROBERTS_OK)
+        return error_set(error, status, 0, "solid %u is not convex: its surface has one side only",
+                         s - source_of_solid(scene, s, work->frame.mesh).solid);
+    return edges_pair(scene, s, &work->edges) == EDGES_PAIRED ? ROBERTS_OK : error_no_memory(error);
+}
+
+/* Of a vertex that is no finite number. An open solid is told of when it is welded, so that what is told does not depend on
+ * whether it was built or only asked. */
+static build_result refuse_numbers(roberts_scene *scene, builder *work, uint32_t s, bool must_close,
+                                   roberts_error *error)
+{
+    build_result result = must_close ? BUILD_OK : solid_is_closed(scene, work, s, error);
+    if (result != BUILD_OK)
+        return result;
+    error_set(error, ROBERTS_BAD_NUMBER, 0, "a vertex of solid %u is not a finite number up to 1e150",
+              s - source_of_solid(scene, s, work->frame.mesh).solid);
+    return BUILD_REFUSED;
+}
+
+/* A face that its neighbours have turned, and that has not been mended, may be within a wide tolerance and still look away
+ * from the inside: F > 0 there is promised. */
+static roberts_status refuse_turned(const roberts_scene *scene, const solid_frame *frame, roberts_error *error)
+{
+    for (uint32_t f = 0; f < frame->face_count; f++)
+        if (plane_at(frame->face[f].F, frame->barycentre) < 0.0) {
+            solid_source at = source_of_solid(scene, frame->solid, frame->mesh);
+            return error_set(error, ROBERTS_NOT_CONVEX, 0,
+                             "solid %u is not convex: its middle lies %.6g outside face %u", frame->solid - at.solid,
+                             -plane_at(frame->face[f].F, frame->barycentre) * frame->unit,
+                             scene_face_number(scene, frame->face_first + f) - at.face);
+        }
+    return ROBERTS_OK;
+}
+
+build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const roberts_mesh *mesh, double tolerance,
+                         bool must_close, roberts_error *error)
+{
+    const bool sphere = edges_like_a_sphere(scene, s);
+    edge_pairing pairing;
+    roberts_status status = frame_enter(&work->frame, scene, s, tolerance);
+    work->frame.mesh = mesh;
+    work->holes = false;
+    if (status == ROBERTS_NO_MEMORY)
+        return error_no_memory(error), BUILD_REFUSED;
+    if (status != ROBERTS_OK)
+        return refuse_numbers(scene, work, s, must_close, error);
+    frame_fit_faces(&work->frame, scene);
+    pairing = pair(scene, work, s);
+    if (pairing == EDGES_NO_MEMORY)
+        return error_no_memory(error), BUILD_REFUSED;
+    work->holes = pairing != EDGES_OPEN && has_holes(scene, s);
+    if (pairing == EDGES_OPEN || (!must_close && !sphere))
+        return BUILD_OPEN;
+    if (pairing == EDGES_MIXED && wind(scene, work, s, error) != ROBERTS_OK)
+        return BUILD_REFUSED;
+    if (solid_check(scene, &work->frame, error) != ROBERTS_OK)
+        return BUILD_REFUSED;
+    if (!sphere)
+        return error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: its surface has holes",
+                         s - source_of_solid(scene, s, mesh).solid),
+               BUILD_REFUSED;
+    if (narrow_mend(scene, &work->frame) != ROBERTS_OK)
+        return error_no_memory(error), BUILD_REFUSED;
+    if (pairing == EDGES_MIXED && refuse_turned(scene, &work->frame, error) != ROBERTS_OK)
+        return BUILD_REFUSED;
+    return BUILD_OK;
+}
+
+void builder_free(builder *work)
+{
+    frame_free(&work->frame);
+    edge_scratch_free(&work->edges);
+}

@@ -1,0 +1,96 @@
+/* solid.h - one solid: its frame, and its faces from those laid out to planes, winding, edges and checks. */
+#ifndef ROBERTS_MODEL_SOLID_H
+#define ROBERTS_MODEL_SOLID_H
+
+#include "model/edges.h"
+#include "model/scene.h"
+
+/* ---- a frame of its own ------------------------------------------------------------------------------------------ */
+
+/* A face in its solid's frame. */
+typedef struct local_face {
+    plane F;            /* inward; 0,0,0,0 where the face has no area */
+    double depth;       /* F at the barycentre, >= 0 */
+    double deviation;   /* greatest distance of a corner from the plane */
+    double area, width; /* width: area over greatest chord */
+    bool strict;        /* strictly convex as a polygon, told without a tolerance */
+    bool lean;          /* its plane leaves a vertex outside by more than the tolerance, or it has none: to be mended */
+} local_face;
+
+/* One solid relative to its first vertex and, where it is very large or very small, scaled by a power of two. The arrays
+ * serve solid after solid; zeroed = empty. */
+typedef struct solid_frame {
+    uint32_t solid;           /* its number */
+    const roberts_mesh *mesh; /* for messages */
+    uint32_t vertex_first, vertex_count, face_first, face_count;
+    roberts_vec3 *point;    /* [vertex_count] */
+    local_face *face;       /* [face_count] */
+    const scene_edge *edge; /* [edge_count] as they are stored in a scene, once they are paired */
+    uint32_t edge_count;
+    roberts_vec3 *ring;      /* room for the corners of any one face */
+    uint32_t turned;         /* so many faces ran clockwise in the input, seen from outside */
+    uint32_t widest;         /* the face of greatest width */
+    bool any_lean;           /* some face is lean */
+    bool any_doubt;          /* some face is not strictly convex, or not planar within the tolerance */
+    bool any_shallow;        /* some face is nearer to the barycentre than a solid may be thick */
+    roberts_vec3 barycentre; /* mean of the vertices: inside, if the solid is convex */
+    double unit;             /* model units per unit of this frame */
+    double scene_units;      /* the scene's units (of deviation and width) per unit of this frame */
+    double size;             /* diagonal of the box */
+    double allowed;          /* the tolerance as a length */
+    double flat;             /* thinner than this, the solid is flat */
+    size_t point_room, face_room, ring_room;
+} solid_frame;
+
+/* Takes up solid s: makes room, moves and scales its vertices, measures it. Its faces are not filled in.
+ * Returns ROBERTS_OK, _NO_MEMORY or _BAD_NUMBER (a coordinate is not finite or beyond 1e150). */
+roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint32_t s, double tolerance);
+
+/* Copies the corners of face f (counted from the solid's first), relative to the first of them, to frame->ring; returns how
+ * many. */
+uint32_t frame_ring(const solid_frame *frame, const roberts_scene *scene, uint32_t f);
+
+/* The first corner of face f. */
+static inline roberts_vec3 frame_origin(const solid_frame *frame, const roberts_scene *scene, uint32_t f)
+{
+    return frame->point[scene->corner[scene->face_start[frame->face_first + f]] - frame->vertex_first];
+}
+
+/* Fits the plane of each face and turns it and its corners so that the barycentre is inside. */
+void frame_fit_faces(solid_frame *frame, roberts_scene *scene);
+
+/* Writes face f's plane, deviation and width to the scene, in model units and relative to the scene's centre; `mean`:
+ * the plane is n.(P - first corner) = mean. */
+void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean);
+
+void frame_free(solid_frame *frame);
+
+/* ---- one solid --------------------------------------------------------------------------------------------------- */
+
+/* From faces that are laid out to solids: planes, winding, edges, checks. */
+
+/* Scratch memory that serves solid after solid; zeroed = empty. */
+typedef struct builder {
+    solid_frame frame;
+    edge_scratch edges;
+    bool holes; /* the solid built or asked last is closed, but its surface has holes: welding does not help */
+} builder;
+
+typedef enum build_result {
+    BUILD_OK,
+    BUILD_OPEN,    /* the edges do not have two faces each, or the surface is not one closed one without holes */
+    BUILD_REFUSED, /* `error` says why */
+} build_result;
+
+/* Whether solid s is closed: each edge has two faces, and corners, sides and faces number as on a sphere. BUILD_REFUSED: no
+ * memory. */
+build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t s, roberts_error *error);
+
+/* Makes solid s: planes, corners counter-clockwise from outside, its edges in work->frame.edge, and checks it. Where
+ * `must_close`, a surface with holes is refused, not BUILD_OPEN. */
+build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const roberts_mesh *mesh, double tolerance,
+                         bool must_close, roberts_error *error);
+
+void builder_free(builder *work);
+
+#endif

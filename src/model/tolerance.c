@@ -1,0 +1,98 @@
+/* tolerance.c - the tolerance that would accept a model that has been refused.
+ *
+ * It is found by trying: a tolerance that is named has had the whole model pass. By how much the first solid failed
+ * would not tell, since others may fail by more, and some failures have nothing to do with the tolerance. */
+#include <math.h>
+
+#include "base/box.h"
+#include "model/scene.h"
+
+/* 1, 2 or 5 times a power of ten, up to a hundredth of the size: coordinates rounded to two digits may be off by that
+ * much. What is farther from convex is of another shape: a drawing of it would look wrong. Its hull is at least a
+ * solid. */
+static const double steps[] = {1e-10, 2e-10, 5e-10, 1e-9, 2e-9, 5e-9, 1e-8, 2e-8, 5e-8, 1e-7, 2e-7, 5e-7, 1e-6,
+                               2e-6,  5e-6,  1e-5,  2e-5, 5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2};
+
+enum { STEPS = sizeof steps / sizeof steps[0] };
+
+/* With more faces than this nothing is tried: a refusal must not take seconds. */
+enum { FACES_TRIED = 200000 };
+
+/* Of n faces each is about 1 / sqrt(n) of the size wide, and a vertex may lie outside its plane by sqrt(n) tolerances
+ * (see convex.c). That must be no more than this part of the size, which it is for a cube at a hundredth. A larger
+ * tolerance would accept a surface of many small faces, or a solid far from the origin, whatever its shape. */
+static const double OUTSIDE_MOST = 0.025;
+
+/* The size of solid s as a part of its largest coordinate, at most 1: the tolerance counts by that coordinate where the
+ * solid is far from the origin. */
+static double part_of_coordinates(const roberts_scene *scene, uint32_t s)
+{
+    const uint32_t first = scene->solid[s].vertex;
+    roberts_vec3 low = scene->point[first], high = low;
+    box_add_all(&low, &high, scene->point + first, scene->solid[s + 1].vertex - first);
+    const double size = fmax(high.x - low.x, fmax(high.y - low.y, high.z - low.z));
+    const double largest = fmax(fmax(fmax(high.x, -low.x), fmax(high.y, -low.y)), fmax(high.z, -low.z));
+    return size < largest ? size / largest : 1.0;
+}
+
+/* The greatest tolerance with which the shape of all solids still matters. */
+static double greatest_tolerance(const roberts_scene *scene)
+{
+    double most = OUTSIDE_MOST;
+    for (uint32_t s = 0; s < scene->solid_count; s++) {
+        const uint32_t faces = scene->solid[s + 1].face - scene->solid[s].face;
+        most = fmin(most, OUTSIDE_MOST / sqrt(faces) * part_of_coordinates(scene, s));
+    }
+    return most;
+}
+
+/* Whether the mesh passes; then `most` is the greatest tolerance that can be named. */
+static bool passes(const roberts_mesh *mesh, uint32_t threads, double tolerance, double *most)
+{
+    const roberts_scene_options options = {.solids = true, .tolerance = tolerance, .threads = threads};
+    roberts_scene *scene = NULL;
+    const bool passed = roberts_scene_build(mesh, &options, &scene, NULL) == ROBERTS_OK;
+    if (passed)
+        *most = greatest_tolerance(scene);
+    roberts_scene_free(scene);
+    return passed;
+}
+
+/* One digit of it: 0.007 of 0.0072. */
+static double round_down(double x)
+{
+    const double power = pow(10.0, -floor(log10(x)));
+    return floor(x * power) / power;
+}
+
+/* The first of the steps up to `most` that passes, by bisection, or else `most` itself, which does. */
+static double first_step(const roberts_mesh *mesh, uint32_t threads, double tried, double most)
+{
+    size_t fails = 0, does = 0;
+    double ignored;
+    while (does < STEPS && steps[does] <= most)
+        does++;
+    while (fails < does) {
+        const size_t middle = fails + (does - fails) / 2;
+        if (steps[middle] > tried && passes(mesh, threads, steps[middle], &ignored))
+            does = middle;
+        else
+            fails = middle + 1;
+    }
+    return does < STEPS && steps[does] <= most ? steps[does] : most;
+}
+
+double roberts_scene_tolerance(const roberts_mesh *mesh, const roberts_scene_options *options)
+{
+    const double tried = options && options->tolerance > 0.0 ? options->tolerance : SCENE_TOLERANCE;
+    const uint32_t threads = options ? options->threads : 0;
+    double most = steps[STEPS - 1], bound;
+    if (mesh->face_count > FACES_TRIED || most <= tried || !passes(mesh, threads, most, &bound))
+        return 0.0;
+    if (bound < most) {
+        most = round_down(bound);
+        if (most <= tried || !passes(mesh, threads, most, &bound))
+            return 0.0;
+    }
+    return first_step(mesh, threads, tried, most);
+}

@@ -1,0 +1,260 @@
+/* mesh.c - the mesh as a container: appending, going back, releasing. */
+#include "read/mesh.h"
+
+#include <float.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/error.h"
+
+mesh_mark mesh_here(const roberts_mesh *mesh)
+{
+    return (mesh_mark){.vertices = mesh->vertex_count,
+                       .faces = mesh->face_count,
+                       .corners = mesh->corner_count,
+                       .sources = mesh->source_count,
+                       .groups = mesh->group_count,
+                       .has_vertex = mesh->vertex,
+                       .has_start = mesh->face_start,
+                       .has_corner = mesh->corner,
+                       .has_vertex_color = mesh->vertex_color,
+                       .has_face_color = mesh->face_color,
+                       .has_source = mesh->source,
+                       .has_group = mesh->group};
+}
+
+/* Releases an array that was not there before. */
+static void drop(bool keep, void *array, size_t *room)
+{
+    void *none = NULL, *old;
+    if (keep)
+        return;
+    memcpy(&old, array, sizeof old); /* `array` points to a pointer of any type, as in array_reserve() */
+    free(old);
+    memcpy(array, &none, sizeof none);
+    *room = 0;
+}
+
+void mesh_back(roberts_mesh *mesh, mesh_mark mark)
+{
+    while (mesh->source_count > mark.sources)
+        free(mesh->source[--mesh->source_count].name);
+    while (mesh->group_count > mark.groups)
+        free(mesh->group[--mesh->group_count].name);
+    mesh->vertex_count = mark.vertices;
+    mesh->face_count = mark.faces;
+    mesh->corner_count = mark.corners;
+    drop(mark.has_vertex, &mesh->vertex, &mesh->vertex_room);
+    drop(mark.has_start, &mesh->face_start, &mesh->face_room);
+    drop(mark.has_corner, &mesh->corner, &mesh->corner_room);
+    drop(mark.has_vertex_color, &mesh->vertex_color, &mesh->vertex_color_room);
+    drop(mark.has_face_color, &mesh->face_color, &mesh->face_color_room);
+    drop(mark.has_source, &mesh->source, &mesh->source_room);
+    drop(mark.has_group, &mesh->group, &mesh->group_room);
+}
+
+/* array_reserve() up to what uint32_t can number, so that a count below the room needs no other check. */
+static bool reserve(void *array, size_t *room, size_t need, size_t most, size_t size)
+{
+    if (need > most || !array_reserve(array, room, need, size))
+        return false;
+    if (*room > most)
+        *room = most; /* the rest of the block is never used */
+    return true;
+}
+
+bool mesh_more_vertices(roberts_mesh *mesh)
+{
+    return reserve(&mesh->vertex, &mesh->vertex_room, mesh->vertex_count + 1, MESH_MOST, sizeof *mesh->vertex);
+}
+
+bool mesh_more_faces(roberts_mesh *mesh)
+{
+    if (!reserve(&mesh->face_start, &mesh->face_room, mesh->face_count + 2, MESH_MOST, sizeof *mesh->face_start))
+        return false;
+    if (mesh->face_count == 0)
+        mesh->face_start[0] = 0;
+    return true;
+}
+
+bool mesh_more_corners(roberts_mesh *mesh, size_t more)
+{
+    return more <= UINT32_MAX - mesh->corner_count &&
+           reserve(&mesh->corner, &mesh->corner_room, mesh->corner_count + more, UINT32_MAX, sizeof *mesh->corner);
+}
+
+bool mesh_room(roberts_mesh *mesh, size_t vertices, size_t faces, size_t corners)
+{
+    if (!reserve(&mesh->vertex, &mesh->vertex_room, vertices, MESH_MOST, sizeof *mesh->vertex) ||
+        !reserve(&mesh->corner, &mesh->corner_room, corners, UINT32_MAX, sizeof *mesh->corner))
+        return false;
+    if (faces == 0)
+        return true;
+    if (!reserve(&mesh->face_start, &mesh->face_room, faces + 1, MESH_MOST, sizeof *mesh->face_start))
+        return false;
+    if (mesh->face_count == 0)
+        mesh->face_start[0] = 0;
+    return true;
+}
+
+/* Makes `count` colours; those from `filled` on are none. */
+static bool fill(roberts_color **color, size_t *room, size_t filled, size_t count)
+{
+    if (!array_reserve(color, room, count, sizeof **color))
+        return false;
+    for (size_t i = filled; i < count; i++)
+        (*color)[i] = (roberts_color){0};
+    return true;
+}
+
+bool mesh_color_vertex(roberts_mesh *mesh, size_t index, roberts_color color, size_t *filled)
+{
+    if (!fill(&mesh->vertex_color, &mesh->vertex_color_room, *filled, index + 1))
+        return false;
+    mesh->vertex_color[index] = color;
+    *filled = index + 1;
+    return true;
+}
+
+bool mesh_color_face(roberts_mesh *mesh, size_t index, roberts_color color, size_t *filled)
+{
+    if (!fill(&mesh->face_color, &mesh->face_color_room, *filled, index + 1))
+        return false;
+    mesh->face_color[index] = color;
+    *filled = index + 1;
+    return true;
+}
+
+bool mesh_color_rest(roberts_mesh *mesh, size_t vertices_filled, size_t faces_filled)
+{
+    if (mesh->vertex_color && !fill(&mesh->vertex_color, &mesh->vertex_color_room, vertices_filled, mesh->vertex_count))
+        return false;
+    return !mesh->face_color || fill(&mesh->face_color, &mesh->face_color_room, faces_filled, mesh->face_count);
+}
+
+/* NULL: no memory. */
+static char *copy_name(const char *name)
+{
+    size_t size = strlen(name) + 1;
+    char *copy = alloc_array(size, 1);
+    if (copy)
+        memcpy(copy, name, size);
+    return copy;
+}
+
+bool mesh_source(roberts_mesh *mesh, const char *name)
+{
+    if (mesh->group_count && !mesh_group(mesh, "")) /* groups of the inputs before end here */
+        return false;
+    if (!array_reserve(&mesh->source, &mesh->source_room, mesh->source_count + 1, sizeof *mesh->source))
+        return false;
+    char *copy = copy_name(name);
+    if (!copy)
+        return false;
+    mesh->source[mesh->source_count++] =
+        (roberts_source){copy, (uint32_t)mesh->vertex_count, (uint32_t)mesh->face_count, false};
+    return true;
+}
+
+void mesh_float32(roberts_mesh *mesh)
+{
+    mesh->source[mesh->source_count - 1].float32 = true;
+}
+
+double mesh_float32_step(const roberts_mesh *mesh)
+{
+    double most = 0.0;
+    int exponent;
+    for (size_t i = 0; i < mesh->source_count; i++) {
+        size_t end = i + 1 < mesh->source_count ? mesh->source[i + 1].first_vertex : mesh->vertex_count;
+        for (size_t v = mesh->source[i].first_vertex; mesh->source[i].float32 && v < end; v++) {
+            roberts_vec3 p = mesh->vertex[v];
+            most = fmax(most, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
+        }
+    }
+    if (most == 0.0)
+        return 0.0;
+    frexp(most, &exponent); /* 2^(exponent - 1) <= most, and the last of 24 bits is 2^-23 of that */
+    return ldexp(2.0, exponent - FLT_MANT_DIG);
+}
+
+bool mesh_group(roberts_mesh *mesh, const char *name)
+{
+    if (!array_reserve(&mesh->group, &mesh->group_room, mesh->group_count + 1, sizeof *mesh->group))
+        return false;
+    char *copy = copy_name(name);
+    if (!copy)
+        return false;
+    mesh->group[mesh->group_count++] = (roberts_group){copy, (uint32_t)mesh->face_count};
+    return true;
+}
+
+roberts_group *mesh_groups_copy(const roberts_mesh *mesh)
+{
+    roberts_group *copy = mesh->group_count ? alloc_array(mesh->group_count, sizeof *copy) : NULL;
+    for (size_t i = 0; copy && i < mesh->group_count; i++) {
+        copy[i] = (roberts_group){copy_name(mesh->group[i].name), mesh->group[i].first_face};
+        if (!copy[i].name) {
+            mesh_groups_free(copy, i);
+            return NULL;
+        }
+    }
+    return copy;
+}
+
+void mesh_groups_free(roberts_group *group, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        free(group[i].name);
+    free(group);
+}
+
+roberts_status roberts_mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position, uint32_t *index, roberts_error *error)
+{
+    error_set_file(error, "");
+    if (!mesh_position(position))
+        return error_set(error, ROBERTS_BAD_NUMBER, 0, "vertex %zu has a coordinate that is infinite or beyond %g",
+                         mesh->vertex_count, MESH_COORDINATE_MAX);
+    if (!mesh_vertex_room(mesh) || !(!mesh->vertex_color || fill(&mesh->vertex_color, &mesh->vertex_color_room,
+                                                                 mesh->vertex_count, mesh->vertex_count + 1)))
+        return error_no_memory(error);
+    if (index)
+        *index = (uint32_t)mesh->vertex_count;
+    mesh->vertex[mesh->vertex_count++] = position;
+    return ROBERTS_OK;
+}
+
+roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners, size_t count, roberts_error *error)
+{
+    error_set_file(error, "");
+    for (size_t i = 0; i < count; i++) {
+        if (corners[i] >= mesh->vertex_count)
+            return error_set(error, ROBERTS_BAD_INDEX, 0, "face %zu names vertex %lu, but there are %zu",
+                             mesh->face_count, (unsigned long)corners[i], mesh->vertex_count);
+    }
+    if (!mesh_corner_room(mesh, count) || !mesh_face_room(mesh) ||
+        !(!mesh->face_color || fill(&mesh->face_color, &mesh->face_color_room, mesh->face_count, mesh->face_count + 1)))
+        return error_no_memory(error);
+    if (count)
+        memcpy(mesh->corner + mesh->corner_count, corners, count * sizeof *corners);
+    mesh->corner_count += count;
+    mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
+    return ROBERTS_OK;
+}
+
+void roberts_mesh_free(roberts_mesh *mesh)
+{
+    if (!mesh)
+        return;
+    for (size_t i = 0; i < mesh->source_count; i++)
+        free(mesh->source[i].name);
+    mesh_groups_free(mesh->group, mesh->group_count);
+    free(mesh->source);
+    free(mesh->vertex);
+    free(mesh->face_start);
+    free(mesh->corner);
+    free(mesh->vertex_color);
+    free(mesh->face_color);
+    *mesh = (roberts_mesh){0};
+}

@@ -1,0 +1,516 @@
+/* obj.c - Wavefront OBJ: a text of which each line begins with a word that says what it is.
+ *
+ *   v x y z [w] [r g b]     vertex, perhaps with a colour; w, the weight for rational curves, is not used
+ *   f a b c ...             face; corners are v, v/vt, v/vt/vn or v//vn, and negative numbers count from the last vertex
+ *   l a b c ...             line from vertex to vertex: an element of two corners for each part
+ *   o name, g name          the faces that follow are called so; the last one counts
+ *   usemtl name             ... have the colour Kd of this material
+ *   mtllib name             the file beside this one that has the materials; without it there are no colours
+ *
+ * Lines with other words are passed. A backslash before the end of a line joins the next line to it. '#' begins a
+ * comment where a word could begin. Vertices are numbered from 0 here, as in the other formats, though OBJ counts from
+ * 1.
+ *
+ * Source: "Object Files", appendix B1 of the manual of Wavefront's Advanced Visualizer, 1995. */
+#include "read/obj.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/array.h"
+#include "read/read.h"
+
+enum { POSITION = 3, COLOR = 3, NUMBERS_MOST = 8, PATH_ROOM = 4096 };
+
+typedef struct obj_reader {
+    reader *r;
+    obj_materials materials;
+    bool sorted;           /* the materials are */
+    roberts_color color;   /* of the faces that follow */
+    int64_t greatest;      /* vertex named so far, counted over the whole mesh; -1: none */
+    size_t greatest_line;  /* the first line that names it */
+    size_t unknown;        /* lines with a word that is not known, */
+    size_t first_unknown;  /* and the first of them */
+    char unknown_word[32]; /* with its word */
+} obj_reader;
+
+/* ---- lines ------------------------------------------------------------------------------------------------------- */
+
+/* Goes to the next word of the line; a comment is none. A line that ends in a backslash goes on. */
+static bool next_word(input *in)
+{
+    while (input_skip_in_line(in) && *in->at != '#') {
+        if (*in->at != '\\' || !input_need(in, 2) || (in->at[1] != '\n' && in->at[1] != '\r'))
+            return true;
+        in->at += 2;
+        in->line++;
+        if (in->at[-1] == '\r' && input_need(in, 1) && *in->at == '\n')
+            in->at++;
+    }
+    return false;
+}
+
+/* Length of the word here; a backslash at the end of the line is no part of it. */
+static size_t word_length(input *in)
+{
+    size_t length = input_token(in);
+    const bool ends = length > 1 && length <= INPUT_TOKEN_MAX && in->at[length - 1] == '\\';
+    return ends && (in->at[length] == '\n' || in->at[length] == '\r') ? length - 1 : length;
+}
+
+static bool is_word(input *in, size_t length, const char *word)
+{
+    return strlen(word) == length && memcmp(in->at, word, length) == 0;
+}
+
+/* Reads the number that is the whole word here. */
+static bool number(input *in, double *value)
+{
+    const char *end = number_parse(in->at, value);
+    if (!end || !input_separator(*end)) {
+        size_t length = word_length(in);
+        end = length <= INPUT_TOKEN_MAX ? number_parse(in->at, value) : NULL;
+        if (end != in->at + length)
+            return false;
+    }
+    in->at = end;
+    return true;
+}
+
+/* ---- materials --------------------------------------------------------------------------------------------------- */
+
+static bool add_material(obj_materials *m, const char *name)
+{
+    if (!array_reserve(&m->item, &m->room, m->count + 1, sizeof *m->item))
+        return false;
+    char *copy = alloc_array(strlen(name) + 1, 1);
+    if (!copy)
+        return false;
+    memcpy(copy, name, strlen(name) + 1);
+    m->item[m->count] = (obj_material){.name = copy, .order = m->count};
+    m->count++;
+    return true;
+}
+
+/* Reads "Kd r g b" for the last material; other forms ("Kd spectral", "Kd xyz") are passed. */
+static void read_diffuse(obj_materials *m, input *in)
+{
+    double value[COLOR];
+    for (int i = 0; i < COLOR; i++)
+        if (!next_word(in) || !number(in, &value[i]) || !(value[i] >= 0.0 && value[i] <= 1.0))
+            return;
+    if (m->count)
+        m->item[m->count - 1].color =
+            (roberts_color){.count = COLOR, .value = {(float)value[0], (float)value[1], (float)value[2]}};
+}
+
+/* Goes to the end of the line, past lines that are joined to it. False: it does not end. */
+static bool pass_line(input *in)
+{
+    uint64_t start = in->taken;
+    for (;;) {
+        const char *c = in->at;
+        while (c < in->end && *c != '\n' && *c != '\r')
+            c++;
+        bool joined = c > in->at && c[-1] == '\\' && c < in->end;
+        in->at = c;
+        if (joined) {
+            in->at--;
+            if (!next_word(in))
+                return true;
+        } else if (c < in->end || !input_more(in)) {
+            return in->taken - start <= INPUT_BLANK_MAX;
+        } else if (in->taken - start > INPUT_BLANK_MAX) {
+            return false;
+        }
+    }
+}
+
+/* Takes the rest of the line as one name: words with one blank between them, at most `room` - 1 characters. */
+static void take_name(input *in, char *name, size_t room)
+{
+    size_t used = 0;
+    while (next_word(in)) {
+        size_t length = word_length(in), left;
+        if (length > INPUT_TOKEN_MAX)
+            break;
+        if (used && used + 1 < room)
+            name[used++] = ' ';
+        left = room - 1 - used;
+        memcpy(name + used, in->at, length < left ? length : left);
+        used += length < left ? length : left;
+        in->at += length;
+    }
+    name[used] = '\0';
+    for (size_t i = 0; i < used; i++)
+        if (name[i] == '\0')
+            name[i] = '?';
+}
+
+bool obj_materials_read(obj_materials *m, const input_source *source)
+{
+    input in;
+    char name[MESH_GROUP_NAME];
+    bool good = input_open(&in, source);
+    in.plain = true;
+    while (good && input_skip(&in)) {
+        size_t length = word_length(&in);
+        if (length <= INPUT_TOKEN_MAX && is_word(&in, length, "newmtl")) {
+            in.at += length;
+            take_name(&in, name, sizeof name);
+            good = add_material(m, name);
+        } else if (length <= INPUT_TOKEN_MAX && is_word(&in, length, "Kd")) {
+            in.at += length;
+            read_diffuse(m, &in);
+        }
+        if (!pass_line(&in))
+            break;
+    }
+    input_close(&in);
+    return good;
+}
+
+static int by_name(const void *a, const void *b)
+{
+    const obj_material *x = a, *y = b;
+    int order = strcmp(x->name, y->name);
+    return order ? order : x->order < y->order ? -1 : x->order > y->order;
+}
+
+void obj_materials_sort(obj_materials *m)
+{
+    if (m->count)
+        qsort(m->item, m->count, sizeof *m->item, by_name);
+}
+
+roberts_color obj_materials_color(const obj_materials *m, const char *name)
+{
+    size_t low = 0, high = m->count; /* the last one that is not after `name` lies before `low` */
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (strcmp(m->item[middle].name, name) <= 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low && strcmp(m->item[low - 1].name, name) == 0 ? m->item[low - 1].color : (roberts_color){0};
+}
+
+void obj_materials_free(obj_materials *m)
+{
+    for (size_t i = 0; i < m->count; i++)
+        free(m->item[i].name);
+    free(m->item);
+    *m = (obj_materials){0};
+}
+
+/* The last part of a name, which may be a path of another machine: only the OBJ's own folder is looked into. */
+static const char *last_part(const char *name)
+{
+    const char *last = name;
+    for (const char *c = name; *c; c++)
+        if (*c == '/' || *c == '\\')
+            last = c + 1;
+    return last;
+}
+
+/* Reads the file of that name beside the input, if it is there. False: no memory. */
+static bool read_library(obj_reader *o, const char *name, bool *found)
+{
+    char path[PATH_ROOM];
+    const char *obj = o->r->in.source.path, *last = last_part(name);
+    const char *slash = obj ? strrchr(obj, '/') : NULL;
+    int folder = slash ? (int)(slash + 1 - obj) : 0;
+    struct stat about;
+    bool good = true;
+    *found = false;
+    if (!obj || !*last || (size_t)snprintf(path, sizeof path, "%.*s%s", folder, obj, last) >= sizeof path)
+        return true;
+    input_file f = {.descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+    if (f.descriptor < 0)
+        return true;
+    if (fstat(f.descriptor, &about) == 0 && S_ISREG(about.st_mode)) {
+        const input_source source = input_from_file(&f);
+        good = obj_materials_read(&o->materials, &source);
+        o->sorted = false;
+        *found = true;
+    }
+    close(f.descriptor);
+    return good;
+}
+
+/* mtllib: one name that may have blanks, or several names. */
+static bool read_libraries(obj_reader *o)
+{
+    char name[PATH_ROOM];
+    bool found;
+    take_name(&o->r->in, name, sizeof name);
+    if (!read_library(o, name, &found))
+        return false;
+    for (char *rest = NULL, *one = found ? NULL : strtok_r(name, " ", &rest); one; one = strtok_r(NULL, " ", &rest))
+        if (!read_library(o, one, &found))
+            return false;
+    return true;
+}
+
+static void use_material(obj_reader *o)
+{
+    char name[MESH_GROUP_NAME];
+    take_name(&o->r->in, name, sizeof name);
+    if (!o->sorted)
+        obj_materials_sort(&o->materials);
+    o->sorted = true;
+    o->color = obj_materials_color(&o->materials, name);
+}
+
+/* ---- vertices ---------------------------------------------------------------------------------------------------- */
+
+static size_t vertices_read(const reader *r)
+{
+    return r->mesh->vertex_count - r->mark.vertices;
+}
+
+/* Three numbers are a position; a fourth is a weight; with six or seven numbers the last ones are a colour. */
+static roberts_status read_vertex(reader *r)
+{
+    static const char *const part[POSITION] = {"x", "y", "z"};
+    double value[NUMBERS_MOST];
+    int count = 0;
+    while (count < NUMBERS_MOST && next_word(&r->in) && number(&r->in, &value[count]))
+        count++;
+    if (count < POSITION)
+        return read_expected(r, read_not_finite(r) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX, "%s of vertex %zu",
+                             part[count], vertices_read(r));
+    roberts_vec3 p = {value[0], value[1], value[2]};
+    if (!mesh_position(p))
+        return read_bad_position(r, vertices_read(r));
+    if (!mesh_vertex_room(r->mesh))
+        return error_no_memory(r->error);
+    r->mesh->vertex[r->mesh->vertex_count++] = p;
+    if (count < POSITION + COLOR)
+        return ROBERTS_OK;
+    const double *rgb = value + (count == POSITION + COLOR ? POSITION : POSITION + 1);
+    roberts_color color = {.count = COLOR};
+    for (int i = 0; i < COLOR; i++) {
+        if (!(rgb[i] >= 0.0 && rgb[i] <= 1.0))
+            return ROBERTS_OK; /* something else */
+        color.value[i] = (float)rgb[i];
+    }
+    return mesh_color_vertex(r->mesh, r->mesh->vertex_count - 1, color, &r->vertices_filled)
+               ? ROBERTS_OK
+               : error_no_memory(r->error);
+}
+
+/* ---- faces and lines --------------------------------------------------------------------------------------------- */
+
+/* Reads a number with or without a sign, of at most 18 digits; returns the character behind it, NULL where there is
+ * none. */
+static const char *reference(const char *c, int64_t *value)
+{
+    bool negative = *c == '-';
+    int64_t n = 0;
+    c += *c == '-' || *c == '+';
+    const char *first = c;
+    for (; *c >= '0' && *c <= '9' && c - first < 18; c++)
+        n = 10 * n + (*c - '0');
+    *value = negative ? -n : n;
+    return c > first ? c : NULL;
+}
+
+/* Reads v, v/vt, v/vt/vn or v//vn. */
+static const char *corner(const char *c, int64_t *v)
+{
+    int64_t unused;
+    c = reference(c, v);
+    for (int i = 0; i < 2 && c && *c == '/'; i++) {
+        const char *end = reference(c + 1, &unused);
+        c = end ? end : c + 1;
+    }
+    return c;
+}
+
+/* What messages call the element at hand. */
+typedef struct element_name {
+    char text[40];
+} element_name;
+
+static element_name name_element(const obj_reader *o, bool face)
+{
+    element_name name = {"a line"};
+    if (face)
+        snprintf(name.text, sizeof name.text, "face %zu", o->r->mesh->face_count - o->r->mark.faces);
+    return name;
+}
+
+/* Reads the corner that is the whole word here. Notes its vertex, since vertices may follow their faces. */
+static roberts_status read_corner(obj_reader *o, bool face, uint32_t *vertex)
+{
+    reader *r = o->r;
+    int64_t v, count = (int64_t)vertices_read(r);
+    const char *end = corner(r->in.at, &v);
+    if (!end || !input_separator(*end)) {
+        size_t length = word_length(&r->in);
+        end = length <= INPUT_TOKEN_MAX ? corner(r->in.at, &v) : NULL;
+        if (end != r->in.at + length)
+            return read_expected(r, ROBERTS_BAD_SYNTAX, "a corner of %s", name_element(o, face).text);
+    }
+    if (v == 0)
+        return read_fail(r, ROBERTS_BAD_INDEX, "%s names vertex 0, but OBJ counts from 1", name_element(o, face).text);
+    if (v < -count || v > (int64_t)MESH_MOST)
+        return read_fail(r, ROBERTS_BAD_INDEX, "%s names vertex %lld, but there are %lld so far",
+                         name_element(o, face).text, (long long)v, (long long)count);
+    v = (int64_t)r->mark.vertices + (v < 0 ? v + count : v - 1);
+    if (v > (int64_t)MESH_MOST)
+        return error_no_memory(r->error);
+    if (v > o->greatest) {
+        o->greatest = v;
+        o->greatest_line = r->in.line;
+    }
+    *vertex = (uint32_t)v;
+    r->in.at = end;
+    return ROBERTS_OK;
+}
+
+static roberts_status end_face(obj_reader *o, size_t corners)
+{
+    roberts_mesh *mesh = o->r->mesh;
+    if (!mesh_face_room(mesh))
+        return error_no_memory(o->r->error);
+    mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
+    o->r->thin_faces += corners < 3;
+    if (o->color.count && !mesh_color_face(mesh, mesh->face_count - 1, o->color, &o->r->faces_filled))
+        return error_no_memory(o->r->error);
+    return ROBERTS_OK;
+}
+
+static roberts_status read_face(obj_reader *o)
+{
+    roberts_mesh *mesh = o->r->mesh;
+    size_t count = 0;
+    for (; next_word(&o->r->in); count++) {
+        uint32_t v;
+        roberts_status status = read_corner(o, true, &v);
+        if (status != ROBERTS_OK)
+            return status;
+        if (!mesh_corner_room(mesh, 1))
+            return error_no_memory(o->r->error);
+        mesh->corner[mesh->corner_count++] = v;
+    }
+    if (count == 0)
+        return read_expected(o->r, ROBERTS_BAD_SYNTAX, "a corner of %s", name_element(o, true).text);
+    return end_face(o, count);
+}
+
+static roberts_status read_line(obj_reader *o)
+{
+    roberts_mesh *mesh = o->r->mesh;
+    uint32_t last = 0, v;
+    roberts_status status = ROBERTS_OK;
+    for (size_t count = 0; status == ROBERTS_OK && next_word(&o->r->in); count++, last = v) {
+        if ((status = read_corner(o, false, &v)) != ROBERTS_OK || count == 0)
+            continue;
+        if (!mesh_corner_room(mesh, 2))
+            return error_no_memory(o->r->error);
+        mesh->corner[mesh->corner_count++] = last;
+        mesh->corner[mesh->corner_count++] = v;
+        status = end_face(o, 2);
+    }
+    return status;
+}
+
+/* ---- the whole file ---------------------------------------------------------------------------------------------- */
+
+static roberts_status read_group(obj_reader *o)
+{
+    char name[MESH_GROUP_NAME];
+    take_name(&o->r->in, name, sizeof name);
+    return mesh_group(o->r->mesh, name) ? ROBERTS_OK : error_no_memory(o->r->error);
+}
+
+/* Words that say nothing about what is drawn. */
+static bool is_passed(input *in, size_t length)
+{
+    static const char *const passed[] = {"vn", "vt", "vp", "s", "p", "mg", "lod", "bevel", "c_interp", "d_interp"};
+    for (size_t i = 0; i < sizeof passed / sizeof passed[0]; i++)
+        if (is_word(in, length, passed[i]))
+            return true;
+    return false;
+}
+
+static void note_unknown(obj_reader *o, size_t length)
+{
+    if (o->unknown++ > 0)
+        return;
+    o->first_unknown = o->r->in.line;
+    for (size_t i = 0; i < length && i + 1 < sizeof o->unknown_word; i++) {
+        char c = o->r->in.at[i];
+        o->unknown_word[i] = c > ' ' && c < 0x7f ? c : '?';
+    }
+}
+
+/* Reads what the line has to say; what else stands on it is passed. */
+static roberts_status read_statement(obj_reader *o)
+{
+    input *in = &o->r->in;
+    size_t length = word_length(in);
+    const char first = *in->at;
+    if (length == 1 && first == 'v') {
+        in->at++;
+        return read_vertex(o->r);
+    }
+    if (length == 1 && (first == 'f' || first == 'l')) {
+        in->at++;
+        return first == 'f' ? read_face(o) : read_line(o);
+    }
+    if (length == 1 && (first == 'o' || first == 'g')) {
+        in->at++;
+        return read_group(o);
+    }
+    if (length <= INPUT_TOKEN_MAX && is_word(in, length, "mtllib")) {
+        in->at += length;
+        return read_libraries(o) ? ROBERTS_OK : error_no_memory(o->r->error);
+    }
+    if (length <= INPUT_TOKEN_MAX && is_word(in, length, "usemtl")) {
+        in->at += length;
+        use_material(o);
+    } else if (first != '#' && !(length <= INPUT_TOKEN_MAX && is_passed(in, length))) {
+        note_unknown(o, length);
+    }
+    return ROBERTS_OK;
+}
+
+/* All vertices have come: is every corner one of them? */
+static roberts_status check_corners(const obj_reader *o)
+{
+    reader *r = o->r;
+    if (o->greatest < (int64_t)r->mesh->vertex_count)
+        return ROBERTS_OK;
+    return error_set(r->error, ROBERTS_BAD_INDEX, o->greatest_line, "vertex %lld is named here, but there are %zu",
+                     (long long)(o->greatest - (int64_t)r->mark.vertices + 1), vertices_read(r));
+}
+
+roberts_status obj_read(reader *r)
+{
+    obj_reader o = {.r = r, .greatest = -1};
+    roberts_status status = ROBERTS_OK;
+    r->in.plain = true;
+    while (status == ROBERTS_OK && input_skip(&r->in)) {
+        status = read_statement(&o);
+        if (status == ROBERTS_OK && !pass_line(&r->in))
+            status = read_fail(r, ROBERTS_BAD_SYNTAX, "the line does not end");
+    }
+    if (status == ROBERTS_OK && (r->in.failure || r->in.too_blank))
+        status = read_expected(r, ROBERTS_IO, "the end");
+    if (status == ROBERTS_OK)
+        status = check_corners(&o);
+    if (status == ROBERTS_OK && o.unknown)
+        warning_send(r->warnings, r->name, o.first_unknown, "%zu line%s ignored, the first with \"%s\"", o.unknown,
+                     o.unknown == 1 ? "" : "s", o.unknown_word);
+    obj_materials_free(&o.materials);
+    return status;
+}

@@ -1,0 +1,27 @@
+/* obj.h - the materials of an OBJ file, which stand in other files (.mtl). */
+#ifndef ROBERTS_READ_OBJ_H
+#define ROBERTS_READ_OBJ_H
+
+#include "read/input.h"
+
+typedef struct obj_material {
+    char *name;
+    size_t order;        /* of several of one name the last one counts */
+    roberts_color color; /* count 0: none given */
+} obj_material;
+
+typedef struct obj_materials {
+    obj_material *item; /* [count] by name once obj_materials_sort() is done */
+    size_t count, room;
+} obj_materials;
+
+/* Adds the materials of one .mtl. What cannot be understood there is passed: colours are no reason to refuse a model.
+ * False: no memory. */
+bool obj_materials_read(obj_materials *m, const input_source *source);
+void obj_materials_sort(obj_materials *m);
+
+/* The colour of a material; count 0: it has none, or there is none of that name. */
+roberts_color obj_materials_color(const obj_materials *m, const char *name);
+void obj_materials_free(obj_materials *m);
+
+#endif

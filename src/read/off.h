@@ -1,0 +1,160 @@
+/* off.h - what the parts of the OFF reader share.
+ *
+ * off.c          the driver: what comes after what; errors and colours
+ * off_header.c   keyword, dimension, counts
+ * off_text.c     vertices and faces as text
+ * off_pieces.c   large texts by several threads
+ * off_binary.c   vertices and faces as 32-bit words
+ * off_explain.c  what is said about a file that is not as it should be */
+#ifndef ROBERTS_READ_OFF_H
+#define ROBERTS_READ_OFF_H
+
+#include "read/read.h"
+
+/* What precedes the vertices. */
+typedef struct off_header {
+    bool texture, color, normal, homogeneous, dimension; /* prefixes ST, C, N, 4, n */
+    bool binary;
+    bool bare;                /* no keyword */
+    size_t line;              /* where the counts end; 0: not yet read, or a vertex begins there */
+    size_t braces;            /* opened, and to be closed after the last face */
+    uint64_t vertices, faces; /* as declared: nothing is allocated for them */
+} off_header;
+
+struct off_division;
+
+typedef struct off_reader {
+    input in;
+    off_header header;
+    roberts_mesh *mesh;
+    mesh_mark mark; /* the mesh before this input */
+    const char *name;
+    const roberts_warnings *warnings;
+    roberts_error *error;
+    size_t vertices_filled, faces_filled; /* up to here colours are set */
+    size_t thin_faces;                    /* with fewer than 3 corners */
+    const struct off_division *division;  /* into pieces for threads */
+    unsigned tries_in_vain;               /* of pieces */
+    size_t odd_colors, first_odd_color;   /* colours that make no sense, and the line of the first */
+} off_reader;
+
+/* ---- off.c ------------------------------------------------------------------------------------------------------- */
+
+/* Fills the error with the current line; returns `status`. */
+roberts_status off_fail(off_reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
+
+/* Fails because the input does not have here what `format` names. The message quotes what is there, or says that the
+ * input ends or that reading failed. */
+roberts_status off_expected(off_reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
+
+/* Says that there are fewer faces than declared. */
+void off_warn_fewer(off_reader *r, uint64_t found);
+
+/* Read the number, or the unsigned integer, that is the whole token at the input's place. False: it is none, and
+ * nothing is taken. */
+bool off_number_slowly(off_reader *r, double *value);
+bool off_integer(off_reader *r, uint64_t *value);
+
+static inline bool off_number(off_reader *r, double *value)
+{
+    const char *end = number_parse(r->in.at, value);
+    if (!end || !input_separator(*end))
+        return off_number_slowly(r, value);
+    r->in.at = end;
+    return true;
+}
+
+enum { COLOR_MOST = 4 };
+
+/* The numbers of a colour as the file has them. */
+typedef struct off_color_numbers {
+    int count;
+    bool real; /* one of them has a point or an exponent */
+    double value[COLOR_MOST];
+} off_color_numbers;
+
+/* Colour the vertex, or the face, that was read last. A colour that makes no sense is counted and left out. */
+roberts_status off_color_vertex(off_reader *r, const off_color_numbers *numbers);
+roberts_status off_color_face(off_reader *r, const off_color_numbers *numbers);
+
+/* ---- the other parts --------------------------------------------------------------------------------------------- */
+
+roberts_status off_read_header(off_reader *r);
+roberts_status off_read_text(off_reader *r);
+roberts_status off_read_binary(off_reader *r);
+
+/* Whether a word is a keyword of OFF. */
+bool off_is_keyword(const char *word, size_t length);
+
+/* Whether a keyword comes next, perhaps after "{" or "{ =". What precedes it is taken. */
+bool off_at_keyword(off_reader *r);
+
+/* After an error: reads the text once more and adds which of its lines may be the reason, or says that this is no OFF.
+ * After success: warns of a line in which a number seems to be missing. The reader's buffer is lost. */
+void off_explain_error(off_reader *r);
+void off_explain_warning(off_reader *r);
+
+/* Warns of text after the last face: it is another model where it has a keyword, and the input is no OFF where it does
+ * not look like one. */
+void off_explain_rest(off_reader *r);
+
+/* ---- plain lines (off_text.c) ------------------------------------------------------------------------------------ */
+
+/* A plain line is a vertex or a face and nothing else, as nearly all lines of large files are: three numbers, or a
+ * count of at most PLAIN_CORNERS and as many vertex numbers. Blanks (spaces and tabs) stand between them, perhaps
+ * before and after them too; the line ends with LF or CR LF. It has no comment, no colour, and no vertex number of nine
+ * digits. Whatever else comes ends the plain lines, and the reader that knows all forms goes on from there.
+ *
+ * `at` is the first character after a token, and the first line begins after the line end that follows it. The text
+ * must end in 1 + NUMBER_PADDING zeros: a line that may go on beyond them is not taken. */
+enum { PLAIN_CORNERS = 255 };
+
+/* The character after the line end that follows blanks alone; NULL where something else comes. */
+const char *plain_next_line(const char *at);
+
+/* Reads at most `room` vertices; returns the character after the last token taken, and how many in *count. */
+const char *plain_vertices(const char *at, roberts_vec3 *vertex, size_t room, size_t *count);
+
+/* Where faces go. */
+typedef struct plain_faces {
+    uint32_t *corner; /* [corner_room] vertex numbers plus `first` */
+    uint32_t *end;    /* [room] how many corners there are up to the end of each face */
+    size_t corner_room, room;
+    uint32_t first, limit;            /* vertex numbers of the file are below `limit` */
+    size_t count, corner_count, thin; /* so far; faces with fewer than 3 corners */
+} plain_faces;
+
+/* Adds faces; returns the character after the last token taken. */
+const char *plain_read_faces(const char *at, plain_faces *faces);
+
+/* Above all vertex numbers of the file that plain lines can have: those have at most eight digits. */
+static inline uint32_t off_index_limit(const off_reader *r)
+{
+    return r->header.vertices < UINT32_MAX ? (uint32_t)r->header.vertices : UINT32_MAX;
+}
+
+/* ---- pieces (off_pieces.c) --------------------------------------------------------------------------------------- */
+
+/* What each of the threads, numbered from 0, does. */
+typedef void off_work_fn(void *job, uint32_t thread);
+
+/* Has `work` done by so many threads, or fewer, and waits for them. */
+typedef void off_run_fn(off_work_fn *work, void *job, uint32_t threads);
+
+/* How the work is divided. Tests have values of their own. */
+typedef struct off_division {
+    uint32_t threads; /* 1: no pieces */
+    size_t piece;     /* bytes of a piece */
+    size_t overhang;  /* bytes that a piece's last line may have beyond the piece; at a longer line the pieces end */
+    size_t least;     /* bytes left for each thread that make it worth while */
+    off_run_fn *run;
+} off_division;
+
+/* The division by so many threads (0: what there is); by one inside a parallel region. */
+off_division off_divide(uint32_t threads);
+
+/* Reads on from the end of a vertex or face as far as pieces go, into the mesh; counts lines. `in` is then at the end
+ * of a vertex or face again. Costs next to nothing where there is nothing to do. */
+void off_read_pieces(off_reader *r);
+
+#endif

@@ -1,0 +1,227 @@
+/* off_header.c - keyword, dimension and counts, in all the forms in which they are found.
+ *
+ * The format says [ST][C][N][4][n]OFF. Prefixes are taken in any order, since MeshLab writes NCSTOFF. The keyword may
+ * be missing, in lower case (then n stands for N), glued to the first count, or followed by BINARY. Without a keyword,
+ * a first line that holds one integer is a dimension (qhull). The edge count, which nobody needs, may be missing.
+ *
+ * A dimension with words behind it ("3 rbox 50 s") begins points without faces, and only their number follows: rbox
+ * writes points so, and qhull reads them. */
+#include "read/off.h"
+
+#include <string.h>
+
+/* Compares with upper-case `word`, ignoring case, in no locale. */
+static bool same_word(const char *text, size_t length, const char *word)
+{
+    for (size_t i = 0; i < length; i++) {
+        char c = text[i] >= 'a' && text[i] <= 'z' ? (char)(text[i] - 'a' + 'A') : text[i];
+        if (word[i] == '\0' || c != word[i])
+            return false;
+    }
+    return word[length] == '\0';
+}
+
+static bool set_once(bool *flag)
+{
+    bool first = !*flag;
+    *flag = true;
+    return first;
+}
+
+/* Length of the keyword that begins the token, 0 where there is none. */
+static size_t keyword(const char *token, size_t length, off_header *h)
+{
+    off_header found = *h;
+    size_t i = 0;
+    bool good = true;
+    while (good && i + 3 <= length && !same_word(token + i, 3, "OFF")) {
+        if (same_word(token + i, 2, "ST") && i++ < length)
+            good = set_once(&found.texture);
+        else if (token[i] == 'n' && i + 4 <= length && memcmp(token + i + 1, "OFF", 3) == 0)
+            good = set_once(&found.dimension);
+        else if (same_word(token + i, 1, "C"))
+            good = set_once(&found.color);
+        else if (same_word(token + i, 1, "N"))
+            good = set_once(&found.normal);
+        else if (token[i] == '4')
+            good = set_once(&found.homogeneous);
+        else
+            return 0;
+        i++;
+    }
+    i += 3;
+    if (!good || i > length || (i < length && (token[i] < '0' || token[i] > '9')))
+        return 0;
+    *h = found;
+    return i;
+}
+
+/* Takes "{" and "{ =" as often as they come (Geomview nests objects so). Returns how many braces. */
+static size_t open_braces(off_reader *r)
+{
+    size_t count = 0;
+    for (; input_skip(&r->in) && *r->in.at == '{'; count++) {
+        r->in.at++;
+        if (input_skip(&r->in) && *r->in.at == '=')
+            r->in.at++;
+    }
+    return count;
+}
+
+bool off_is_keyword(const char *word, size_t length)
+{
+    off_header unused = {0};
+    return length <= INPUT_TOKEN_MAX && keyword(word, length, &unused) > 0;
+}
+
+bool off_at_keyword(off_reader *r)
+{
+    open_braces(r);
+    const size_t length = input_token(&r->in); /* moves `at` */
+    return off_is_keyword(r->in.at, length);
+}
+
+static roberts_status opening(off_reader *r)
+{
+    r->header.braces = open_braces(r);
+    if (input_token(&r->in) == 0 && !r->in.failure && !r->in.too_blank)
+        return off_fail(r, ROBERTS_BAD_SYNTAX, "the input is empty");
+    return ROBERTS_OK;
+}
+
+/* "BINARY" after the keyword; one line end and then the data follow. */
+static roberts_status binary_word(off_reader *r)
+{
+    if (!input_skip_in_line(&r->in))
+        return ROBERTS_OK;
+    size_t length = input_token(&r->in); /* which moves `at` */
+    if (!same_word(r->in.at, length, "BINARY"))
+        return ROBERTS_OK;
+    r->in.at += 6;
+    while (input_need(&r->in, 1) && (*r->in.at == ' ' || *r->in.at == '\t'))
+        r->in.at++;
+    if (input_need(&r->in, 1) && *r->in.at == '\r')
+        r->in.at++;
+    if (!input_need(&r->in, 1) || *r->in.at != '\n')
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "the end of the line after BINARY");
+    r->in.at++;
+    r->header.binary = true;
+    return ROBERTS_OK;
+}
+
+/* Whether an unsigned integer stands here, alone on its line. */
+static bool lonely_integer(off_reader *r)
+{
+    size_t i = 0;
+    for (bool blank = false;; i++) {
+        if (!input_need(&r->in, i + 1))
+            return i > 0;
+        char c = r->in.at[i];
+        if (c == '\n' || c == '\r' || c == '#')
+            return i > 0;
+        if (c == ' ' || c == '\t')
+            blank = true;
+        else if (c < '0' || c > '9' || blank || i > INPUT_TOKEN_MAX)
+            return false;
+    }
+}
+
+static roberts_status dimension(off_reader *r)
+{
+    uint64_t dimension;
+    if (!input_skip(&r->in) || !off_integer(r, &dimension))
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "the dimension");
+    if (dimension != 3)
+        return off_fail(r, ROBERTS_BAD_SYNTAX, "the dimension is %llu, but only 3 can be drawn",
+                        (unsigned long long)dimension);
+    return ROBERTS_OK;
+}
+
+static roberts_status counts(off_reader *r)
+{
+    uint64_t edges;
+    if (!input_skip(&r->in) || !off_integer(r, &r->header.vertices))
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of vertices");
+    if (!input_skip(&r->in) || !off_integer(r, &r->header.faces))
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of faces");
+    r->header.line = r->in.line;
+    if (input_skip_in_line(&r->in)) {
+        if (*r->in.at == '-')
+            r->in.at++; /* some programs write -1 for what they do not know */
+        if (!off_integer(r, &edges))
+            return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of edges");
+    } else if (input_skip(&r->in) && lonely_integer(r)) {
+        off_integer(r, &edges); /* on a line of its own */
+        r->header.line = r->in.line;
+    }
+    /* only 4OFF is in doubt: with OFF, what else stands on this line is the first vertex */
+    if (r->header.homogeneous && input_skip_in_line(&r->in) && off_integer(r, &edges))
+        return off_fail(r, ROBERTS_BAD_SYNTAX,
+                        "four counts: this is the 4OFF of four-dimensional polytopes with cells (as of Stella), not "
+                        "4OFF with homogeneous coordinates, and cannot be drawn");
+    if (r->in.line == r->header.line && input_skip_in_line(&r->in))
+        r->header.line = 0;
+    return ROBERTS_OK;
+}
+
+/* Whether an unsigned integer stands here, and behind it on the line a word that begins with a letter. */
+static bool titled_integer(off_reader *r)
+{
+    size_t i = 0;
+    while (input_need(&r->in, i + 1) && r->in.at[i] >= '0' && r->in.at[i] <= '9' && i < INPUT_TOKEN_MAX)
+        i++;
+    for (size_t digits = i; input_need(&r->in, i + 1) && i < digits + INPUT_TOKEN_MAX; i++) {
+        char c = r->in.at[i];
+        if (c != ' ' && c != '\t')
+            return i > digits && digits > 0 && ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'));
+    }
+    return false;
+}
+
+/* The rest of the line, which is a title, and the number of points. */
+static roberts_status count_points(off_reader *r)
+{
+    uint64_t start = r->in.taken;
+    while (input_skip_in_line(&r->in)) {
+        if (r->in.taken - start > INPUT_BLANK_MAX)
+            return off_fail(r, ROBERTS_BAD_SYNTAX, "the first line does not end");
+        input_pass_token(&r->in);
+    }
+    if (!input_skip(&r->in) || !lonely_integer(r) || !off_integer(r, &r->header.vertices))
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of points, alone on its line,");
+    r->header.line = r->in.line;
+    return ROBERTS_OK;
+}
+
+/* Refuses an input that begins with a word that is no keyword. */
+static roberts_status refuse_word(off_reader *r, size_t length)
+{
+    const char *hint, *format = read_foreign(r->in.at, length, &hint);
+    if (format)
+        return off_fail(r, ROBERTS_BAD_SYNTAX, "this is %s, but only OFF, STL, OBJ and PLY can be read%s%s", format,
+                        *hint ? "; to convert it: " : "", hint);
+    return off_expected(r, ROBERTS_BAD_SYNTAX, "the beginning of OFF (keyword or counts), STL, OBJ or PLY");
+}
+
+roberts_status off_read_header(off_reader *r)
+{
+    roberts_status status = opening(r);
+    if (status != ROBERTS_OK)
+        return status;
+    size_t length = input_token(&r->in), word = 0;
+    if (length <= INPUT_TOKEN_MAX)
+        word = keyword(r->in.at, length, &r->header);
+    r->header.bare = word == 0;
+    if (word == 0 && (*r->in.at < '0' || *r->in.at > '9'))
+        return refuse_word(r, length);
+    r->in.at += word;
+    if (word == length && (status = binary_word(r)) != ROBERTS_OK)
+        return status;
+    if (r->header.binary)
+        return ROBERTS_OK; /* dimension and counts are binary too */
+    if (word == 0 && titled_integer(r))
+        return (status = dimension(r)) == ROBERTS_OK ? count_points(r) : status;
+    if (r->header.dimension || (word == 0 && lonely_integer(r)))
+        status = dimension(r);
+    return status == ROBERTS_OK ? counts(r) : status;
+}

@@ -1,0 +1,511 @@
+/* off_text.c - vertices and faces as text.
+ *
+ * Numbers may be spread over lines in any way, but a colour is what else stands on the line: for a face all that
+ * follows its last corner; for a vertex (prefix C) all that follows position and normal, but for the last two numbers
+ * where there are texture coordinates (prefix ST). 0, 1, 3 or 4 numbers are a colour. A vertex with any other count on
+ * its line is taken to be laid out freely: the next four numbers are its colour, on whatever line they stand.
+ *
+ * Reading spends its time on plain lines (off.h), so two loops read those with everything written out. That saves a
+ * fifth of the time, and threads (off_pieces.c) read nothing else. */
+#include "read/off.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/number.h"
+
+/* ---- plain lines ------------------------------------------------------------------------------------------------- */
+
+static inline bool is_blank(char c)
+{
+    return c == ' ' || c == '\t';
+}
+
+static inline const char *pass_blanks(const char *at)
+{
+    while (is_blank(*at))
+        at++;
+    return at;
+}
+
+const char *plain_next_line(const char *at)
+{
+    at = pass_blanks(at);
+    at += *at == '\r';
+    return *at == '\n' ? at + 1 : NULL;
+}
+
+/* The first character of the next line that is no blank; NULL where the line does not end here. */
+BITS_INLINE const char *begin_line(const char *at)
+{
+    const char *c = *at == '\n' ? at + 1 : plain_next_line(at);
+    return c && (unsigned char)*c <= ' ' ? pass_blanks(c) : c;
+}
+
+static inline bool line_ends(const char *at)
+{
+    return *at == '\n' || plain_next_line(at);
+}
+
+/* Reads the one coordinate in some hundred that number_usual() leaves; NULL where it is no number, or too large. */
+BITS_RARE static const char *any_coordinate(const char *c, double *value)
+{
+    c = number_parse(c, value);
+    return c && (unsigned char)*c <= ' ' && mesh_coordinate(*value) ? c : NULL;
+}
+
+/* Reads a coordinate and goes to the next token of the line, or to the end of the line. */
+BITS_INLINE const char *coordinate(const char *c, number_guess *guess, double *value)
+{
+    const char *end = number_usual(c, guess, value); /* far below MESH_COORDINATE_MAX */
+    if (!end || (unsigned char)*end > ' ')
+        end = any_coordinate(c, value);
+    if (!end)
+        return NULL;
+    return *end == ' ' && (unsigned char)end[1] > ' ' ? end + 1 : pass_blanks(end);
+}
+
+const char *plain_vertices(const char *at, roberts_vec3 *vertex, size_t room, size_t *count)
+{
+    number_guess guess[3] = {number_guess_digits(8), number_guess_digits(8), number_guess_digits(8)};
+    size_t n = 0;
+    for (; n < room; n++) {
+        roberts_vec3 *p = &vertex[n];
+        const char *c = begin_line(at);
+        if (!c || !(c = coordinate(c, &guess[0], &p->x)) || !(c = coordinate(c, &guess[1], &p->y)) ||
+            !(c = coordinate(c, &guess[2], &p->z)) || !line_ends(c))
+            break;
+        at = c;
+    }
+    *count = n;
+    return at;
+}
+
+/* Where the next vertex number is not as long as the last one or not one blank away: returns its place, and makes the
+ * right guess. NULL where there is none. */
+BITS_RARE static const char *guess_again(const char *at, number_guess *guess)
+{
+    const char *c = pass_blanks(at);
+    int digits = number_digit_count(bits_load(c) ^ NUMBER_DIGITS);
+    if (c == at || digits == 0)
+        return NULL;
+    *guess = number_guess_digits(digits);
+    return c;
+}
+
+/* Reads `count` vertex numbers; NULL where one is not plain or out of range. */
+BITS_INLINE const char *plain_corners(const char *at, const plain_faces *f, number_guess *guess, uint32_t *corner,
+                                      uint32_t count)
+{
+    const uint32_t first = f->first, limit = f->limit;
+    for (const uint32_t *end = corner + count; corner < end; corner++) {
+        const char *c = at + 1;
+        uint64_t chunk = bits_load(c) ^ NUMBER_DIGITS;
+        if (!number_guess_right(chunk, guess) || *at != ' ') {
+            c = guess_again(at, guess);
+            if (!c)
+                return NULL;
+            chunk = bits_load(c) ^ NUMBER_DIGITS;
+        }
+        uint32_t index = (uint32_t)number_eight_digits(chunk << (64 - 8 * guess->digits));
+        if (index >= limit)
+            return NULL;
+        *corner = first + index;
+        at = c + guess->digits; /* a ninth digit would stand here, and is no blank */
+    }
+    return at;
+}
+
+const char *plain_read_faces(const char *at, plain_faces *faces)
+{
+    number_guess guess = number_guess_digits(1);
+    plain_faces f = *faces; /* a copy, so that its numbers can stay in registers */
+    while (f.count < f.room) {
+        const char *c = begin_line(at);
+        if (!c)
+            break;
+        uint32_t count = (uint32_t)(unsigned char)*c - '0';
+        int digits = 1;
+        if (count > 9 || c[1] != ' ')
+            digits = number_short_integer(c, &count);
+        if (digits == 0 || count == 0 || count > PLAIN_CORNERS || count > f.corner_room - f.corner_count)
+            break;
+        c = plain_corners(c + digits, &f, &guess, f.corner + f.corner_count, count);
+        if (!c || !line_ends(c))
+            break;
+        f.corner_count += count;
+        f.end[f.count++] = (uint32_t)f.corner_count;
+        f.thin += count < 3;
+        at = c;
+    }
+    *faces = f;
+    return at;
+}
+
+/* ---- all other lines --------------------------------------------------------------------------------------------- */
+
+enum {
+    TEXTURE = 2,
+    NORMAL = 3,
+    CORNERS_AT_ONCE = 256,
+    PATIENCE = 4, /* lines in a row that turn out not to be plain ... */
+    PAUSE = 60    /* ... after which so many are not tried */
+};
+
+/* Reads one number of a colour; *real where it has a point or an exponent. */
+static bool color_number(off_reader *r, double *value, bool *real)
+{
+    size_t length = input_token(&r->in);
+    for (size_t i = 0; i < length; i++)
+        *real |= r->in.at[i] == '.' || r->in.at[i] == 'e' || r->in.at[i] == 'E';
+    return off_number(r, value);
+}
+
+/* Whether plain lines are worth trying. After PATIENCE lines that were none, PAUSE more go to the other parser untried.
+ */
+typedef struct patience {
+    uint32_t wait, fruitless;
+} patience;
+
+static bool worth_trying(patience *p)
+{
+    if (p->wait == 0)
+        return true;
+    p->wait--;
+    return false;
+}
+
+static void tried(patience *p, size_t found)
+{
+    p->fruitless = found ? 0 : p->fruitless + (p->fruitless < PATIENCE);
+    p->wait = p->fruitless == PATIENCE ? PAUSE : 0;
+}
+
+/* ---- vertices ---------------------------------------------------------------------------------------------------- */
+
+static bool not_finite(off_reader *r)
+{
+    size_t length = input_token(&r->in);
+    const char *c = r->in.at;
+    if (length && (*c == '-' || *c == '+')) {
+        c++;
+        length--;
+    }
+    return length >= 3 && ((c[0] | 0x20) == 'n' ? (c[1] | 0x20) == 'a' && (c[2] | 0x20) == 'n'
+                                                : (c[0] | 0x20) == 'i' && (c[1] | 0x20) == 'n' && (c[2] | 0x20) == 'f');
+}
+
+static roberts_status bad_vertex(off_reader *r, uint64_t v, const char *part)
+{
+    return off_expected(r, not_finite(r) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX, "%s of vertex %llu of 0..%llu",
+                        part, (unsigned long long)v, (unsigned long long)r->header.vertices - 1);
+}
+
+/* Skips a normal. Nothing here needs it, so even "nan" will do. */
+static roberts_status skip_normal(off_reader *r, uint64_t v)
+{
+    double unused;
+    for (int i = 0; i < NORMAL; i++) {
+        if (!input_skip(&r->in))
+            return bad_vertex(r, v, "the normal");
+        if (off_number(r, &unused))
+            continue;
+        if (!not_finite(r))
+            return bad_vertex(r, v, "the normal");
+        input_pass_token(&r->in);
+    }
+    return ROBERTS_OK;
+}
+
+/* Reads colour and texture coordinates, as the top of the file says. */
+static roberts_status vertex_extras(off_reader *r, uint64_t v)
+{
+    const int texture = r->header.texture ? TEXTURE : 0, most = texture + (r->header.color ? COLOR_MOST : 0);
+    off_color_numbers color = {0};
+    double value[COLOR_MOST + TEXTURE] = {0};
+    bool real[COLOR_MOST + TEXTURE] = {0};
+    int count = 0;
+    for (; count < most; count++) {
+        bool may_end = count == texture || count == texture + 1 || count == texture + 3;
+        if (!input_skip_in_line(&r->in) && may_end)
+            break;
+        if (!input_skip(&r->in))
+            return bad_vertex(r, v, "the colour or texture");
+        if (color_number(r, &value[count], &real[count]))
+            continue;
+        if (!not_finite(r))
+            return bad_vertex(r, v, "the colour or texture");
+        input_pass_token(&r->in);
+        value[count] = NAN; /* no harm in a texture coordinate; an odd colour */
+    }
+    color.count = count - texture;
+    memcpy(color.value, value, sizeof color.value);
+    for (int i = 0; i < color.count; i++)
+        color.real |= real[i];
+    return color.count ? off_color_vertex(r, &color) : ROBERTS_OK;
+}
+
+static roberts_status too_large(off_reader *r, uint64_t v, double w)
+{
+    if (w == 0.0)
+        return off_fail(r, ROBERTS_BAD_NUMBER, "vertex %llu lies at infinity: its fourth coordinate is 0",
+                        (unsigned long long)v);
+    return off_fail(r, ROBERTS_BAD_NUMBER, "vertex %llu has a coordinate beyond %g", (unsigned long long)v,
+                    MESH_COORDINATE_MAX);
+}
+
+static roberts_status read_vertex(off_reader *r, uint64_t v)
+{
+    static const char *const part[4] = {"x", "y", "z", "w"};
+    const int size = r->header.homogeneous ? 4 : 3;
+    roberts_mesh *mesh = r->mesh;
+    roberts_status status = ROBERTS_OK;
+    double p[4] = {0, 0, 0, 1};
+    for (int i = 0; i < size; i++) {
+        if (!input_skip(&r->in) || !off_number(r, &p[i]))
+            return bad_vertex(r, v, part[i]);
+    }
+    if (size == 4) {
+        for (int i = 0; i < 3; i++)
+            p[i] /= p[3];
+    }
+    if (!mesh_position((roberts_vec3){p[0], p[1], p[2]}))
+        return too_large(r, v, p[3]);
+    if (!mesh_vertex_room(mesh))
+        return error_no_memory(r->error);
+    mesh->vertex[mesh->vertex_count++] = (roberts_vec3){p[0], p[1], p[2]};
+    if (r->header.normal)
+        status = skip_normal(r, v);
+    if (status == ROBERTS_OK && (r->header.color || r->header.texture))
+        status = vertex_extras(r, v);
+    return status;
+}
+
+/* Reads plain lines of the buffer as far as the mesh has room; returns how many vertices. */
+static size_t take_vertices(off_reader *r, uint64_t left)
+{
+    roberts_mesh *mesh = r->mesh;
+    size_t room = mesh->vertex_room - mesh->vertex_count, count;
+    r->in.at = plain_vertices(r->in.at, mesh->vertex + mesh->vertex_count, room < left ? room : (size_t)left, &count);
+    r->in.line += count;
+    mesh->vertex_count += count;
+    return count;
+}
+
+static uint64_t vertices_read(const off_reader *r)
+{
+    return r->mesh->vertex_count - r->mark.vertices;
+}
+
+static roberts_status read_vertices(off_reader *r)
+{
+    const bool plain = !(r->header.color || r->header.texture || r->header.normal || r->header.homogeneous);
+    const uint64_t count = r->header.vertices;
+    patience lines = {0};
+    while (vertices_read(r) < count) {
+        if (plain && vertices_read(r) > 0) /* the line of the counts may go on */
+            off_read_pieces(r);
+        if (plain && r->mesh->vertex_count < r->mesh->vertex_room && worth_trying(&lines))
+            tried(&lines, take_vertices(r, count - vertices_read(r)));
+        if (vertices_read(r) == count)
+            break;
+        roberts_status status = read_vertex(r, vertices_read(r));
+        if (status != ROBERTS_OK)
+            return status;
+    }
+    return ROBERTS_OK;
+}
+
+/* ---- faces ------------------------------------------------------------------------------------------------------- */
+
+static bool long_index(off_reader *r, uint64_t limit, uint64_t *value)
+{
+    size_t length = input_token(&r->in);
+    if (length > INPUT_TOKEN_MAX || number_integer(r->in.at, value) != r->in.at + length || *value >= limit)
+        return false;
+    r->in.at += length;
+    return true;
+}
+
+/* Reads an unsigned integer below `limit`; nearly all are short. False: nothing is taken. */
+static inline bool index_number(off_reader *r, uint64_t limit, uint64_t *value)
+{
+    uint32_t number;
+    int count = number_short_integer(r->in.at, &number);
+    if (count == 0 || !input_separator(r->in.at[count]))
+        return long_index(r, limit, value);
+    if (number >= limit)
+        return false;
+    r->in.at += count;
+    *value = number;
+    return true;
+}
+
+/* Whether a corner before corner i of the face at hand is vertex 0. */
+static bool names_first(const off_reader *r, uint64_t i)
+{
+    const roberts_mesh *mesh = r->mesh;
+    const size_t end = mesh->corner_count + (size_t)(i % CORNERS_AT_ONCE); /* whole parts are counted in already */
+    for (size_t k = r->mark.corners; k < end; k++)
+        if (mesh->corner[k] == r->mark.vertices)
+            return true;
+    return false;
+}
+
+/* Says why corner i of face f was not taken; `at` is still before it. A file that counts from 1 comes here with the
+ * number of vertices as index, and has not named vertex 0. */
+static roberts_status bad_corner(off_reader *r, uint64_t f, uint64_t i, uint64_t count)
+{
+    uint64_t index;
+    bool negative = *r->in.at == '-';
+    input *in = &r->in;
+    in->at += negative;
+    if (!off_integer(r, &index)) {
+        in->at -= negative;
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "corner %llu of %llu in face %llu of 0..%llu",
+                            (unsigned long long)i + 1, (unsigned long long)count, (unsigned long long)f,
+                            (unsigned long long)r->header.faces - 1);
+    }
+    const bool next = !negative && index == r->header.vertices;
+    return off_fail(r, ROBERTS_BAD_INDEX, "face %llu names vertex %s%llu, but there are %llu%s%s",
+                    (unsigned long long)f, negative ? "-" : "", (unsigned long long)index,
+                    (unsigned long long)r->header.vertices, next ? ", numbered from 0" : "",
+                    next && !names_first(r, i) ? "; up to here no face names vertex 0: do they count from 1?" : "");
+}
+
+/* Reads the corners of face f into the mesh. Room is made as they come: a count alone takes no memory. */
+static roberts_status read_corners(off_reader *r, uint64_t f, uint64_t count)
+{
+    const uint32_t first = (uint32_t)r->mark.vertices;
+    const uint64_t vertices = r->header.vertices;
+    roberts_mesh *mesh = r->mesh;
+    for (uint64_t done = 0, part; done < count; done += part) {
+        part = count - done < CORNERS_AT_ONCE ? count - done : CORNERS_AT_ONCE;
+        if (!mesh_corner_room(mesh, part))
+            return error_no_memory(r->error);
+        uint32_t *corner = mesh->corner + mesh->corner_count;
+        for (uint64_t i = 0; i < part; i++) {
+            uint64_t index;
+            if (!input_skip(&r->in))
+                return bad_corner(r, f, done + i, count);
+            if (!index_number(r, vertices, &index))
+                return bad_corner(r, f, done + i, count);
+            corner[i] = first + (uint32_t)index;
+        }
+        mesh->corner_count += part;
+    }
+    if (!mesh_face_room(mesh))
+        return error_no_memory(r->error);
+    mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
+    r->thin_faces += count < 3;
+    return ROBERTS_OK;
+}
+
+/* Reads what else stands on the line of the last face: a colour, or something that is ignored with a warning. */
+static roberts_status face_color(off_reader *r)
+{
+    off_color_numbers raw = {0};
+    bool good = true;
+    uint64_t start = r->in.taken;
+    while (input_skip_in_line(&r->in) && !(*r->in.at == '}' && r->header.braces)) {
+        if (r->in.taken - start > INPUT_BLANK_MAX)
+            return off_fail(r, ROBERTS_BAD_SYNTAX, "the line of face %zu does not end",
+                            r->mesh->face_count - 1 - r->mark.faces);
+        if (good && raw.count < COLOR_MOST && color_number(r, &raw.value[raw.count++], &raw.real))
+            continue;
+        good = false;
+        input_pass_token(&r->in);
+    }
+    if (raw.count == 0 && good)
+        return ROBERTS_OK;
+    if (!good)
+        raw.count = COLOR_MOST + 1;
+    return off_color_face(r, &raw);
+}
+
+/* Reads a face; something stands here. */
+static roberts_status read_face(off_reader *r, uint64_t f)
+{
+    uint64_t count;
+    if (!index_number(r, UINT64_MAX, &count))
+        return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of corners of face %llu of 0..%llu",
+                            (unsigned long long)f, (unsigned long long)r->header.faces - 1);
+    roberts_status status = read_corners(r, f, count);
+    if (status == ROBERTS_OK && *r->in.at != '\n')
+        status = face_color(r);
+    return status;
+}
+
+/* As take_vertices(). */
+static size_t take_faces(off_reader *r, uint64_t left)
+{
+    roberts_mesh *mesh = r->mesh;
+    size_t room = mesh->face_room - mesh->face_count - 1;
+    plain_faces faces = {.corner = mesh->corner,
+                         .end = mesh->face_start + mesh->face_count + 1,
+                         .corner_room = mesh->corner_room,
+                         .room = room < left ? room : (size_t)left,
+                         .first = (uint32_t)r->mark.vertices,
+                         .limit = off_index_limit(r),
+                         .corner_count = mesh->corner_count};
+    r->in.at = plain_read_faces(r->in.at, &faces);
+    r->in.line += faces.count;
+    r->thin_faces += faces.thin;
+    mesh->corner_count = faces.corner_count;
+    mesh->face_count += faces.count;
+    return faces.count;
+}
+
+static uint64_t faces_read(const off_reader *r)
+{
+    return r->mesh->face_count - r->mark.faces;
+}
+
+static roberts_status read_faces(off_reader *r)
+{
+    const uint64_t count = r->header.faces;
+    patience lines = {0};
+    while (faces_read(r) < count) {
+        if (faces_read(r) > 0)
+            off_read_pieces(r);
+        if (r->mesh->face_count + 1 < r->mesh->face_room && worth_trying(&lines))
+            tried(&lines, take_faces(r, count - faces_read(r)));
+        uint64_t f = faces_read(r);
+        if (f == count)
+            break;
+        if (!input_skip(&r->in) || (*r->in.at == '}' && r->header.braces)) {
+            if (r->in.failure || r->in.too_blank)
+                return off_expected(r, ROBERTS_BAD_SYNTAX, "face %llu", (unsigned long long)f);
+            off_warn_fewer(r, f);
+            return ROBERTS_OK;
+        }
+        roberts_status status = read_face(r, f);
+        if (status != ROBERTS_OK)
+            return status;
+    }
+    return ROBERTS_OK;
+}
+
+/* Warns of text after the last face. An input that may wait for ever (a pipe, a terminal) is not read on for that: only
+ * the last block is looked at. */
+static roberts_status ending(off_reader *r)
+{
+    input *in = &r->in;
+    if (!r->in.source.finite)
+        in->ended = true;
+    for (; r->header.braces && input_skip(in) && *in->at == '}'; r->header.braces--)
+        in->at++;
+    if (input_skip(in))
+        off_explain_rest(r);
+    if (in->failure)
+        return off_expected(r, ROBERTS_IO, "the end");
+    return ROBERTS_OK;
+}
+
+roberts_status off_read_text(off_reader *r)
+{
+    roberts_status status = read_vertices(r);
+    if (status == ROBERTS_OK)
+        status = read_faces(r);
+    return status == ROBERTS_OK ? ending(r) : status;
+}

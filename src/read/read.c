@@ -1,0 +1,316 @@
+/* read.c - a mesh from a function, a file or memory: which format it is, and what the readers of all formats share. */
+#include "read/read.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "read/off.h"
+
+/* ---- errors ------------------------------------------------------------------------------------------------------ */
+
+roberts_status read_fail(reader *r, roberts_status status, const char *format, ...)
+{
+    char message[sizeof r->error->message];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    if (r->binary)
+        return error_set(r->error, status, 0, "%s (byte %llu)", message, (unsigned long long)input_offset(&r->in));
+    return error_set(r->error, status, r->in.line, "%s", message);
+}
+
+roberts_status read_expected(reader *r, roberts_status status, const char *format, ...)
+{
+    char wanted[120];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(wanted, sizeof wanted, format, arguments);
+    va_end(arguments);
+    if (r->binary && !r->in.failure)
+        return read_fail(r, ROBERTS_BAD_SYNTAX, "%s expected, but the input ends before", wanted);
+    return input_expected(&r->in, r->error, status, r->in.line, wanted,
+                          status == ROBERTS_BAD_NUMBER ? "; it must be a finite number" : "");
+}
+
+roberts_status read_bad_position(reader *r, uint64_t v)
+{
+    return read_fail(r, ROBERTS_BAD_NUMBER, "vertex %llu has a coordinate that is infinite or beyond %g",
+                     (unsigned long long)v, MESH_COORDINATE_MAX);
+}
+
+void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t count)
+{
+    if (count)
+        warning_send(warnings, name, 0, "%zu face%s with fewer than 3 corners ignored", count, count == 1 ? "" : "s");
+}
+
+/* ---- words ------------------------------------------------------------------------------------------------------- */
+
+bool read_not_finite(reader *r)
+{
+    size_t length = input_token(&r->in);
+    const char *c = r->in.at;
+    if (length && (*c == '-' || *c == '+')) {
+        c++;
+        length--;
+    }
+    return length >= 3 && ((c[0] | 0x20) == 'n' ? (c[1] | 0x20) == 'a' && (c[2] | 0x20) == 'n'
+                                                : (c[0] | 0x20) == 'i' && (c[1] | 0x20) == 'n' && (c[2] | 0x20) == 'f');
+}
+
+bool read_at_word(reader *r, const char *word)
+{
+    const size_t length = strlen(word);
+    if (input_token(&r->in) != length)
+        return false;
+    for (size_t i = 0; i < length; i++) {
+        char c = r->in.at[i];
+        if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != word[i])
+            return false;
+    }
+    return true;
+}
+
+bool read_number_slowly(reader *r, double *value)
+{
+    size_t length = input_token(&r->in);
+    if (length > INPUT_TOKEN_MAX || number_parse(r->in.at, value) != r->in.at + length)
+        return false;
+    r->in.at += length;
+    return true;
+}
+
+bool read_integer(reader *r, uint64_t *value)
+{
+    size_t length = input_token(&r->in);
+    if (length > INPUT_TOKEN_MAX || number_integer(r->in.at, value) != r->in.at + length)
+        return false;
+    r->in.at += length;
+    return true;
+}
+
+bool read_pass_line(reader *r)
+{
+    const uint64_t start = r->in.taken;
+    while (input_skip_in_line(&r->in)) {
+        if (r->in.taken - start > INPUT_BLANK_MAX)
+            return false;
+        input_pass_token(&r->in);
+    }
+    return true;
+}
+
+void read_rest(reader *r, char *text, size_t room)
+{
+    size_t used = 0;
+    while (input_skip_in_line(&r->in)) {
+        size_t length = input_token(&r->in);
+        if (length > INPUT_TOKEN_MAX)
+            break;
+        if (used && used + 1 < room)
+            text[used++] = ' ';
+        for (size_t i = 0; i < length && used + 1 < room; i++)
+            text[used++] = r->in.at[i] ? r->in.at[i] : '?';
+        r->in.at += length;
+    }
+    text[used] = '\0';
+}
+
+/* ---- which format ------------------------------------------------------------------------------------------------ */
+
+#define GLTF_COMMAND "assimp export model.glb model.stl"
+#define SCAD_COMMAND "openscad -o model.stl model.scad"
+
+static const struct foreign {
+    const char *begins, *format, *command;
+    bool whole; /* that must be the whole word */
+} foreign[] = {
+    {"glTF", "glTF", GLTF_COMMAND, false},
+    {"\"", "JSON (as glTF is)", GLTF_COMMAND, false},
+    {"PK", "a ZIP archive (as 3MF is)", "assimp export model.3mf model.stl", false},
+    {"ISO-10303-21", "STEP", "gmsh -2 model.step -o model.stl", false},
+    {"module", "OpenSCAD", SCAD_COMMAND, true},
+    {"function", "OpenSCAD", SCAD_COMMAND, true},
+    {"use", "OpenSCAD", SCAD_COMMAND, true},
+    {"include", "OpenSCAD", SCAD_COMMAND, true},
+    {"//", "a program (as OpenSCAD's are)", SCAD_COMMAND, false},
+    {"/*", "a program (as OpenSCAD's are)", SCAD_COMMAND, false},
+    {"$f", "OpenSCAD", SCAD_COMMAND, false},
+    {"cube(", "OpenSCAD", SCAD_COMMAND, false},
+    {"sphere(", "OpenSCAD", SCAD_COMMAND, false},
+    {"cylinder(", "OpenSCAD", SCAD_COMMAND, false},
+    {"union(", "OpenSCAD", SCAD_COMMAND, false},
+    {"difference(", "OpenSCAD", SCAD_COMMAND, false},
+    {"intersection(", "OpenSCAD", SCAD_COMMAND, false},
+    {"translate(", "OpenSCAD", SCAD_COMMAND, false},
+    {"rotate(", "OpenSCAD", SCAD_COMMAND, false},
+    {"linear_extrude(", "OpenSCAD", SCAD_COMMAND, false},
+    {"$MeshFormat", "Gmsh", "gmsh -0 model.msh -o model.stl", true},
+    {"MeshVersionFormatted", "Medit", "gmsh -0 model.mesh -o model.stl", true},
+    {"LIST", "a Geomview LIST", "", true},
+    {"MESH", "a Geomview MESH", "", true},
+    {"<", "XML (as AMF, X3D and COLLADA are)", "", false},
+    {"\x1f", "compressed, as by gzip", "", false},
+    {"\xff\xfe", "text in UTF-16 (to be saved as UTF-8)", "", false},
+    {"\xfe\xff", "text in UTF-16 (to be saved as UTF-8)", "", false},
+};
+
+const char *read_foreign(const char *word, size_t length, const char **hint)
+{
+    *hint = "";
+    for (size_t i = 0; i < sizeof foreign / sizeof foreign[0]; i++) {
+        size_t wanted = strlen(foreign[i].begins);
+        if ((foreign[i].whole ? length == wanted : length >= wanted) && memcmp(word, foreign[i].begins, wanted) == 0) {
+            *hint = foreign[i].command;
+            return foreign[i].format;
+        }
+    }
+    return NULL;
+}
+
+enum { STL_HEADER = 80, STL_TRIANGLE = 50, STL_FIRST = STL_HEADER + 4, LOOK = 512 };
+
+/* Whether the input is as long as binary STL with so many triangles is. */
+static bool has_size_of_stl(reader *r)
+{
+    const input_source *source = &r->in.source;
+    if (!source->read_at || source->size < STL_FIRST || !input_need(&r->in, STL_FIRST))
+        return false;
+    const uint64_t count = read_word(r->in.at + STL_HEADER, true);
+    return count > 0 && source->size == STL_FIRST + STL_TRIANGLE * count;
+}
+
+/* Whether one of the first `count` bytes stands in no text. */
+static bool looks_binary(reader *r, size_t count)
+{
+    (void)input_need(&r->in, count);
+    for (const char *c = r->in.at; c < r->in.end && c < r->in.at + count; c++)
+        if ((unsigned char)*c < ' ' && !(*c >= '\t' && *c <= '\r'))
+            return true;
+    return false;
+}
+
+/* Whether an input of unknown or wrong length can be binary STL even so: it is no text, and its first triangle has
+ * corners of a sensible size. */
+static bool looks_like_stl(reader *r)
+{
+    if (!looks_binary(r, STL_FIRST) || !input_need(&r->in, STL_FIRST + STL_TRIANGLE) ||
+        read_word(r->in.at + STL_HEADER, true) == 0)
+        return false;
+    for (int i = 3; i < 12; i++) /* behind the normal */
+        if (!(fabsf(read_float(r->in.at + STL_FIRST + 4 * (ptrdiff_t)i, true)) < 1e15f))
+            return false;
+    return true;
+}
+
+static bool is_obj_word(const char *word, size_t length)
+{
+    static const char *const words[] = {"v", "vn", "vt", "vp", "f", "l", "p", "o", "g", "s", "mtllib", "usemtl"};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
+        if (strlen(words[i]) == length && memcmp(word, words[i], length) == 0)
+            return true;
+    return false;
+}
+
+/* Reads in the format that the first bytes tell. OFF, which may begin with a number, is what is left; it refuses what
+ * is nothing of all that. */
+static roberts_status read_any(reader *r, const off_division *division)
+{
+    input *in = &r->in;
+    if (has_size_of_stl(r))
+        return stl_read_binary(r);
+    if (input_need(in, 3) && memcmp(in->at, "\xef\xbb\xbf", 3) == 0)
+        in->at += 3; /* a byte-order mark */
+    size_t length = input_need(in, 1) ? input_token(in) : 0;
+    if (length == 3 && memcmp(in->at, "ply", 3) == 0)
+        return ply_read(r);
+    const char *hint;
+    const bool known = length == 0 || length > INPUT_TOKEN_MAX || strchr("#{0123456789", *in->at) ||
+                       input_separator(*in->at) || off_is_keyword(in->at, length) || is_obj_word(in->at, length) ||
+                       read_foreign(in->at, length, &hint);
+    if (!known && (read_at_word(r, "solid") ? looks_binary(r, LOOK) : looks_like_stl(r)))
+        return stl_read_binary(r);
+    if (!input_skip(in))
+        return off_read(r, division);
+    if (read_at_word(r, "solid"))
+        return stl_read_text(r);
+    length = input_token(in);
+    return is_obj_word(in->at, length) ? obj_read(r) : off_read(r, division);
+}
+
+/* ---- where from -------------------------------------------------------------------------------------------------- */
+
+roberts_status read_mesh(roberts_mesh *mesh, const char *name, const input_source *source, const off_division *division,
+                         const roberts_warnings *warnings, roberts_error *error)
+{
+    roberts_status status = ROBERTS_NO_MEMORY;
+    reader r = {.mesh = mesh,
+                .mark = mesh_here(mesh),
+                .name = name,
+                .warnings = warnings,
+                .error = error,
+                .vertices_filled = mesh->vertex_color ? mesh->vertex_count : 0,
+                .faces_filled = mesh->face_color ? mesh->face_count : 0};
+    error_set_file(error, name);
+    if (input_open(&r.in, source) && mesh_source(mesh, name))
+        status = read_any(&r, division);
+    if (status == ROBERTS_OK && !mesh_color_rest(mesh, r.vertices_filled, r.faces_filled))
+        status = ROBERTS_NO_MEMORY;
+    if (status == ROBERTS_NO_MEMORY)
+        error_no_memory(error);
+    if (status == ROBERTS_OK)
+        read_warn_thin(warnings, name, r.thin_faces);
+    input_close(&r.in);
+    if (status != ROBERTS_OK)
+        mesh_back(mesh, r.mark);
+    return status;
+}
+
+static roberts_status read_source(roberts_mesh *mesh, const char *name, const input_source *source,
+                                  const roberts_warnings *warnings, roberts_error *error)
+{
+    off_division division = off_divide(mesh->threads);
+    return read_mesh(mesh, name, source, &division, warnings, error);
+}
+
+roberts_status roberts_mesh_read(roberts_mesh *mesh, const char *name, roberts_read_fn *read, void *context,
+                                 const roberts_warnings *warnings, roberts_error *error)
+{
+    const input_source source = {.read = read, .context = context};
+    return read_source(mesh, name, &source, warnings, error);
+}
+
+roberts_status roberts_mesh_read_file(roberts_mesh *mesh, const char *path, const roberts_warnings *warnings,
+                                      roberts_error *error)
+{
+    bool standard = strcmp(path, "-") == 0;
+    const char *name = standard ? "standard input" : path;
+    input_file f = {.descriptor = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC)};
+    if (f.descriptor < 0) {
+        char reason[128];
+        if (strerror_r(errno, reason, sizeof reason) != 0)
+            snprintf(reason, sizeof reason, "it cannot be opened");
+        error_set_file(error, name);
+        return error_set(error, ROBERTS_IO, 0, "%s", reason);
+    }
+    input_source source = input_from_file(&f);
+    source.path = standard ? NULL : path;
+    roberts_status status = read_source(mesh, name, &source, warnings, error);
+    if (!standard)
+        close(f.descriptor);
+    return status;
+}
+
+roberts_status roberts_mesh_read_memory(roberts_mesh *mesh, const char *name, const void *bytes, size_t size,
+                                        const roberts_warnings *warnings, roberts_error *error)
+{
+    input_memory m = {bytes, size, 0};
+    const input_source source = input_from_memory(&m);
+    return read_source(mesh, name, &source, warnings, error);
+}

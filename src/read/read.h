@@ -1,0 +1,101 @@
+/* read.h - what the readers of all formats share. */
+#ifndef ROBERTS_READ_READ_H
+#define ROBERTS_READ_READ_H
+
+#include "roberts.h"
+
+#include <string.h>
+
+#include "base/error.h"
+#include "read/input.h"
+#include "read/mesh.h"
+
+struct off_division;
+
+typedef struct reader {
+    input in;
+    roberts_mesh *mesh;
+    mesh_mark mark;   /* the mesh before this input */
+    const char *name; /* what messages call the input */
+    const roberts_warnings *warnings;
+    roberts_error *error;
+    bool binary;                          /* errors name bytes, not lines */
+    size_t vertices_filled, faces_filled; /* up to here colours are set */
+    size_t thin_faces;                    /* with fewer than 3 corners; OFF counts its own */
+} reader;
+
+/* Reads one input of any format; see roberts_mesh_read(). division: how OFF is divided among threads. */
+roberts_status read_mesh(roberts_mesh *mesh, const char *name, const input_source *source,
+                         const struct off_division *division, const roberts_warnings *warnings, roberts_error *error);
+
+/* The readers. The input is at its first byte, a byte-order mark excepted; of OBJ at its first word. On failure they
+ * may leave anything in the mesh behind r->mark. */
+roberts_status off_read(reader *r, const struct off_division *division);
+roberts_status stl_read_text(reader *r);
+roberts_status stl_read_binary(reader *r);
+roberts_status obj_read(reader *r);
+roberts_status ply_read(reader *r);
+
+/* ---- errors ------------------------------------------------------------------------------------------------------ */
+
+/* Fills the error, with the current line or, in a binary file, the current byte. Returns `status`. */
+roberts_status read_fail(reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
+
+/* The same because the input does not have here what `format` names; see input_expected(). A binary input ends here. */
+roberts_status read_expected(reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
+
+/* Whether the token here is an infinite number or "nan". */
+bool read_not_finite(reader *r);
+
+/* Warns of faces with fewer than 3 corners, if there are any. */
+void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t count);
+
+/* The name of another format that begins with this word, and in *hint a command that converts it, or "". NULL: not
+ * known. */
+const char *read_foreign(const char *word, size_t length, const char **hint);
+
+/* ---- text, word by word ------------------------------------------------------------------------------------------ */
+
+/* Whether the token here is `word`, which is in lower case; upper case in the input will do. */
+bool read_at_word(reader *r, const char *word);
+
+/* Read the number, or the unsigned integer, that is the whole token here. False: it is none, and nothing is taken. */
+bool read_number_slowly(reader *r, double *value);
+bool read_integer(reader *r, uint64_t *value);
+
+static inline bool read_number(reader *r, double *value)
+{
+    const char *end = number_parse(r->in.at, value);
+    if (!end || !input_separator(*end))
+        return read_number_slowly(r, value);
+    r->in.at = end;
+    return true;
+}
+
+/* Goes to the end of the line. False: it does not end. */
+bool read_pass_line(reader *r);
+
+/* Takes the rest of the line as one name: its words with one blank between them, cut off at `room` - 1 characters. */
+void read_rest(reader *r, char *text, size_t room);
+
+/* ---- binary ------------------------------------------------------------------------------------------------------ */
+
+static inline uint32_t read_word(const char *bytes, bool little)
+{
+    const unsigned char *b = (const unsigned char *)bytes;
+    return little ? (uint32_t)b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24
+                  : (uint32_t)b[3] | (uint32_t)b[2] << 8 | (uint32_t)b[1] << 16 | (uint32_t)b[0] << 24;
+}
+
+static inline float read_float(const char *bytes, bool little)
+{
+    uint32_t word = read_word(bytes, little);
+    float value;
+    memcpy(&value, &word, sizeof value);
+    return value;
+}
+
+/* Fails where a coordinate is infinite, not a number, or too large: vertex number `v` of the file. */
+roberts_status read_bad_position(reader *r, uint64_t v);
+
+#endif

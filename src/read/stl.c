@@ -1,0 +1,292 @@
+/* stl.c - STL: triangles without shared vertices, as text or binary.
+ *
+ * Text is "solid NAME", facets, "endsolid", as often as it comes; each solid is a group of that name. Binary is 80
+ * bytes of anything, the number n of triangles, and 50 bytes for each: a normal, three corners (little-endian floats),
+ * and two bytes that everybody uses differently. Its 84 + 50 n bytes tell it from text: many programs begin the 80
+ * bytes with "solid".
+ *
+ * Corners with equal positions become one vertex, numbered by its first appearance: within a solid, since solids that
+ * touch are two solids all the same. Normals are not read; winding and planes follow from the corners. */
+#include "read/read.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/bits.h"
+
+enum { HEADER = 80, COUNT = 4, TRIANGLE = 50, FLOAT = 4, POINT = 3 * FLOAT, LEAST_CORNERS = 3, AT_ONCE = 32 };
+
+/* ---- equal positions --------------------------------------------------------------------------------------------- */
+
+/* Vertices of one group by position: a hash table with open addressing (D. E. Knuth, The Art of Computer Programming 3,
+ * 6.4, algorithm L), at most half full. */
+typedef struct position_table {
+    uint32_t *slot;     /* [size] vertex + 1; 0: free */
+    size_t size, count; /* size: 0 or a power of two */
+    size_t first;       /* vertices before it belong to other groups */
+} position_table;
+
+static uint64_t position_hash(roberts_vec3 p)
+{
+    uint64_t word[3], hash = 0;
+    memcpy(word, &p, sizeof word);
+    for (int i = 0; i < 3; i++) {
+        hash = (hash ^ word[i]) * UINT64_C(0x9e3779b97f4a7c15);
+        hash ^= hash >> 32;
+    }
+    return hash * UINT64_C(0x9e3779b97f4a7c15) >> 20;
+}
+
+/* The slot in which to look first. */
+static size_t home(const position_table *t, uint64_t hash)
+{
+    return (size_t)hash & (t->size - 1);
+}
+
+static bool same(roberts_vec3 a, roberts_vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/* The slot that has p, or the free one where p belongs. */
+static size_t find_slot(const position_table *t, const roberts_mesh *mesh, roberts_vec3 p, uint64_t hash)
+{
+    size_t i = home(t, hash);
+    while (t->slot[i] && !same(mesh->vertex[t->slot[i] - 1], p))
+        i = (i + 1) & (t->size - 1);
+    return i;
+}
+
+/* Makes room for `more` positions. False: no memory. */
+static bool reserve(position_table *t, const roberts_mesh *mesh, size_t more)
+{
+    if (2 * (t->count + more) <= t->size)
+        return true;
+    position_table larger = {.size = t->size ? 2 * t->size : 1024, .count = t->count, .first = t->first};
+    larger.slot = alloc_zeroed(larger.size, sizeof *larger.slot);
+    if (!larger.slot)
+        return false;
+    for (size_t v = t->first; v < mesh->vertex_count; v++)
+        larger.slot[find_slot(&larger, mesh, mesh->vertex[v], position_hash(mesh->vertex[v]))] = (uint32_t)v + 1;
+    free(t->slot);
+    *t = larger;
+    return true;
+}
+
+/* Begins another group. */
+static void start_group(position_table *t, const roberts_mesh *mesh)
+{
+    if (t->count)
+        memset(t->slot, 0, t->size * sizeof *t->slot);
+    t->count = 0;
+    t->first = mesh->vertex_count;
+}
+
+/* -0 becomes +0: they are one position. */
+static roberts_vec3 without_sign_of_zero(roberts_vec3 p)
+{
+    return (roberts_vec3){p.x + 0.0, p.y + 0.0, p.z + 0.0};
+}
+
+/* Adds the vertex at p, if there is none yet, as a corner of the face that comes next. The table has room. False: no
+ * memory. */
+static bool add_corner(roberts_mesh *mesh, position_table *t, roberts_vec3 p, uint64_t hash)
+{
+    size_t i = find_slot(t, mesh, p, hash);
+    if (!t->slot[i]) {
+        if (!mesh_vertex_room(mesh))
+            return false;
+        mesh->vertex[mesh->vertex_count++] = p;
+        t->slot[i] = (uint32_t)mesh->vertex_count;
+        t->count++;
+    }
+    if (!mesh_corner_room(mesh, 1))
+        return false;
+    mesh->corner[mesh->corner_count++] = t->slot[i] - 1;
+    return true;
+}
+
+static bool end_face(roberts_mesh *mesh)
+{
+    if (!mesh_face_room(mesh))
+        return false;
+    mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
+    return true;
+}
+
+/* ---- text -------------------------------------------------------------------------------------------------------- */
+
+static size_t facets_read(const reader *r)
+{
+    return r->mesh->face_count - r->mark.faces;
+}
+
+static roberts_status missing(reader *r, const char *word)
+{
+    return read_expected(r, ROBERTS_BAD_SYNTAX, "%s of facet %zu", word, facets_read(r));
+}
+
+/* Takes one word of the facet. */
+static roberts_status take_word(reader *r, const char *word)
+{
+    if (!input_skip(&r->in) || !read_at_word(r, word))
+        return missing(r, word);
+    input_pass_token(&r->in);
+    return ROBERTS_OK;
+}
+
+/* Skips the normal, whatever stands there, up to "outer". */
+static roberts_status skip_normal(reader *r)
+{
+    enum { MOST = 4 }; /* "normal" and three numbers */
+    for (int i = 0; i < MOST && input_skip(&r->in) && !read_at_word(r, "outer"); i++)
+        input_pass_token(&r->in);
+    return take_word(r, "outer");
+}
+
+static roberts_status read_corner(reader *r, position_table *t)
+{
+    static const char *const part[3] = {"x", "y", "z"};
+    double p[3];
+    for (int i = 0; i < 3; i++) {
+        if (!input_skip(&r->in) || !read_number(r, &p[i]))
+            return read_expected(r, read_not_finite(r) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX,
+                                 "%s of a corner of facet %zu", part[i], facets_read(r));
+    }
+    if (!mesh_position((roberts_vec3){p[0], p[1], p[2]}))
+        return read_bad_position(r, r->mesh->vertex_count - r->mark.vertices);
+    const roberts_vec3 at = without_sign_of_zero((roberts_vec3){p[0], p[1], p[2]});
+    const bool good = reserve(t, r->mesh, 1) && add_corner(r->mesh, t, at, position_hash(at));
+    return good ? ROBERTS_OK : error_no_memory(r->error);
+}
+
+/* After "facet". */
+static roberts_status read_facet(reader *r, position_table *t)
+{
+    roberts_status status = skip_normal(r);
+    size_t corners = 0;
+    if (status == ROBERTS_OK)
+        status = take_word(r, "loop");
+    for (; status == ROBERTS_OK && input_skip(&r->in) && read_at_word(r, "vertex"); corners++) {
+        input_pass_token(&r->in);
+        status = read_corner(r, t);
+    }
+    if (status == ROBERTS_OK && corners < LEAST_CORNERS)
+        status = missing(r, "vertex");
+    if (status == ROBERTS_OK)
+        status = take_word(r, "endloop");
+    if (status == ROBERTS_OK)
+        status = take_word(r, "endfacet");
+    if (status == ROBERTS_OK && !end_face(r->mesh))
+        status = error_no_memory(r->error);
+    return status;
+}
+
+/* From "solid" to "endsolid", both with the rest of their lines. */
+static roberts_status read_solid(reader *r, position_table *t, bool *ended)
+{
+    char name[MESH_GROUP_NAME];
+    roberts_status status = ROBERTS_OK;
+    input_pass_token(&r->in);
+    read_rest(r, name, sizeof name);
+    if (!mesh_group(r->mesh, name))
+        return error_no_memory(r->error);
+    start_group(t, r->mesh);
+    *ended = false;
+    while (status == ROBERTS_OK && input_skip(&r->in)) {
+        *ended = read_at_word(r, "endsolid");
+        if (!*ended && !read_at_word(r, "facet"))
+            return read_expected(r, ROBERTS_BAD_SYNTAX, "facet or endsolid");
+        input_pass_token(&r->in);
+        if (*ended)
+            return read_pass_line(r) ? ROBERTS_OK : read_fail(r, ROBERTS_BAD_SYNTAX, "the line does not end");
+        status = read_facet(r, t);
+    }
+    return status;
+}
+
+roberts_status stl_read_text(reader *r)
+{
+    position_table table = {0};
+    roberts_status status = ROBERTS_OK;
+    bool ended = true;
+    r->in.plain = true;
+    while (status == ROBERTS_OK && ended && input_skip(&r->in)) {
+        if (read_at_word(r, "solid")) {
+            status = read_solid(r, &table, &ended);
+        } else {
+            warning_send(r->warnings, r->name, r->in.line, "text after the last solid ignored");
+            break;
+        }
+    }
+    free(table.slot);
+    if (status == ROBERTS_OK && r->in.failure)
+        return read_expected(r, ROBERTS_IO, "endsolid");
+    if (status == ROBERTS_OK && !ended)
+        warning_send(r->warnings, r->name, 0, "there is no endsolid at the end: is the file complete?");
+    return status;
+}
+
+/* ---- binary ------------------------------------------------------------------------------------------------------ */
+
+static roberts_status ends_early(reader *r, uint64_t triangle, uint64_t count)
+{
+    return read_expected(r, ROBERTS_BAD_SYNTAX, "triangle %llu of 0..%llu", (unsigned long long)triangle,
+                         (unsigned long long)count - 1);
+}
+
+/* Reads `count` triangles, which stand in the buffer; at most AT_ONCE. It asks for all their places in the table before
+ * it needs the first one: in a large model each comes from memory, and this saves a quarter of the time. */
+static roberts_status read_triangles(reader *r, position_table *t, size_t count)
+{
+    roberts_vec3 p[3 * AT_ONCE];
+    uint64_t hash[3 * AT_ONCE];
+    if (!reserve(t, r->mesh, 3 * count))
+        return error_no_memory(r->error);
+    for (size_t i = 0; i < 3 * count; i++) {
+        const char *at = r->in.at + i / 3 * TRIANGLE + POINT + i % 3 * POINT; /* the normal comes first */
+        p[i] = (roberts_vec3){read_float(at, true), read_float(at + FLOAT, true),
+                              read_float(at + 2 * (size_t)FLOAT, true)};
+        if (!mesh_position(p[i])) {
+            r->in.at += i / 3 * TRIANGLE;
+            return read_fail(r, ROBERTS_BAD_NUMBER, "triangle %zu has a coordinate that is infinite or no number",
+                             facets_read(r) + i / 3);
+        }
+        p[i] = without_sign_of_zero(p[i]);
+        hash[i] = position_hash(p[i]);
+        FETCH_AHEAD(&t->slot[home(t, hash[i])]);
+    }
+    for (size_t i = 0; i < 3 * count; i++)
+        if (t->slot[home(t, hash[i])])
+            FETCH_AHEAD(&r->mesh->vertex[t->slot[home(t, hash[i])] - 1]);
+    for (size_t i = 0; i < 3 * count; i++)
+        if (!add_corner(r->mesh, t, p[i], hash[i]) || (i % 3 == 2 && !end_face(r->mesh)))
+            return error_no_memory(r->error);
+    r->in.at += count * TRIANGLE;
+    return ROBERTS_OK;
+}
+
+roberts_status stl_read_binary(reader *r)
+{
+    position_table table = {.first = r->mesh->vertex_count};
+    roberts_status status = ROBERTS_OK;
+    r->binary = true;
+    if (!input_need(&r->in, HEADER + COUNT))
+        return read_expected(r, ROBERTS_BAD_SYNTAX, "the number of triangles");
+    const uint64_t count = read_word(r->in.at + HEADER, true);
+    r->in.at += HEADER + COUNT;
+    mesh_float32(r->mesh);
+    for (uint64_t done = 0; done < count && status == ROBERTS_OK;) {
+        size_t part = count - done < AT_ONCE ? (size_t)(count - done) : AT_ONCE;
+        if (!input_need(&r->in, part * TRIANGLE))
+            part = (size_t)(r->in.end - r->in.at) / TRIANGLE; /* what there is before it ends */
+        status = part ? read_triangles(r, &table, part) : ends_early(r, done, count);
+        done += part;
+    }
+    free(table.slot);
+    r->in.ended |= !r->in.source.finite; /* what may wait for ever is not read on */
+    if (status == ROBERTS_OK && input_need(&r->in, 1))
+        warning_send(r->warnings, r->name, 0, "data after the last triangle ignored");
+    return status;
+}

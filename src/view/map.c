@@ -1,0 +1,477 @@
+/* map.c - the map to view space: of points, planes and faces. See view.h. */
+#include "view/view.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "base/vec.h"
+#include "base/error.h"
+#include "base/lanes.h"
+
+/* Touching distance as a part of the scene's diameter: far above rounding (1e-16), far below a pen (1e-4 of a page). */
+#define EPSILON_OF_DIAMETER 1e-11
+/* The least touching distance, in units of the last place of the largest coordinate: for scenes far from the origin. */
+#define EPSILON_ULPS 16.0
+/* The eye must have more than this part of the scene's diameter between itself and the scene, measured along the line
+ * of sight: nearer, the picture grows without bound. Half of what the near plane always cuts off (see clip.c), so
+ * that rounding does not matter. */
+#define NEAREST_OF_DIAMETER 5e-7
+/* How many roundings one view coordinate gathers, in halves of an ulp of the largest coordinate: a subtraction, three
+ * products and two sums with unit vectors that are themselves rounded, and the division. */
+#define ROUNDINGS 8.0
+/* The bounds of x and y replace those of all coordinates if they are no more than this part of them. Otherwise little
+ * is gained, and with the larger bound the most oblique crossings are computed more exactly than is promised. */
+#define MUCH_SHARPER 0.25
+/* A face of more corners is not measured across each side, which takes time in proportion to the square. */
+#define MEASURED_CORNERS 64
+/* A steeper oblique view shows nothing that anyone could read. */
+#define OBLIQUE_MOST 1000.0
+/* If the sine of the angle between `up` and the line of sight is no more than this, they count as parallel. */
+#define PARALLEL 1e-9
+/* If the cosine of the angle between an axis of the picture and the line of sight is no more than this, it is mere
+ * rounding, and they are at right angles. */
+#define ACROSS (4.0 * DBL_EPSILON)
+
+static double largest(roberts_vec3 a)
+{
+    return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
+}
+
+static bool finite3(roberts_vec3 a)
+{
+    return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
+}
+
+/* a / |a|, also where the squares would overflow or vanish; zero stays zero. */
+static roberts_vec3 unit_vector(roberts_vec3 a)
+{
+    double m = largest(a);
+    if (m == 0.0)
+        return a;
+    a = (roberts_vec3){a.x / m, a.y / m, a.z / m}; /* not times 1 / m, which overflows for a denormal m */
+    return vec3_scale(1.0 / vec3_length(a), a);
+}
+
+/* Turns the drawing counter-clockwise: a point right of the origin moves up. */
+static void roll_frame(view *v, double degrees)
+{
+    roberts_vec2 by = angle_unit(degrees);
+    roberts_vec3 right = v->right, up = v->up;
+    v->right = vec3_sub(vec3_scale(by.x, right), vec3_scale(by.y, up));
+    v->up = vec3_add(vec3_scale(by.y, right), vec3_scale(by.x, up));
+}
+
+/* a x dir, 1 long. If the two are nearly parallel, the product is little more than rounding, and a part of it lies
+ * along dir. That part is taken off; otherwise depth would leak into the picture. */
+static roberts_vec3 unit_across(roberts_vec3 a, roberts_vec3 dir)
+{
+    roberts_vec3 across = unit_vector(vec3_cross(a, dir));
+    double along = vec3_dot(across, dir);
+    return fabs(along) > ACROSS ? unit_vector(vec3_sub(across, vec3_scale(along, dir))) : across;
+}
+
+/* Sets right and up of the picture: `up` made perpendicular to the line of sight. If it is zero or parallel to that
+ * line, +z takes its place, and then +y. */
+static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up, double roll_degrees)
+{
+    const roberts_vec3 choices[] = {unit_vector(up), {0, 0, 1}, {0, 1, 0}};
+    v->dir = unit_vector(dir);
+    for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
+        if (vec3_length(vec3_cross(choices[i], v->dir)) > PARALLEL) {
+            v->right = unit_across(choices[i], v->dir);
+            v->up = vec3_cross(v->dir, v->right);
+            if (roll_degrees != 0.0) /* else -0 might become 0 */
+                roll_frame(v, roll_degrees);
+            return;
+        }
+    }
+}
+
+/* Divides by the weight w = 1 - e / D. Points nearer to the eye than to the look-at point take x, y and w from the
+ * eye, which is on the axis of sight. Near it the two terms of w nearly cancel, and so do those of x and y, while the
+ * difference of P and the eye is exact or nearly so. */
+static roberts_vec3 perspective_point(const view *v, roberts_vec3 P, roberts_vec3 p)
+{
+    double w = 1.0 - p.z * v->inverse_distance;
+    if (w < 0.5) {
+        roberts_vec3 q = vec3_scale(v->per_unit, vec3_sub(P, v->viewpoint));
+        p.x = vec3_dot(v->right, q);
+        p.y = vec3_dot(v->up, q);
+        w = -vec3_dot(v->dir, q) * v->inverse_distance;
+    }
+    return vec3_scale(1.0 / w, p);
+}
+
+roberts_vec3 view_point(const view *v, roberts_vec3 P)
+{
+    roberts_vec3 q = vec3_scale(v->per_unit, vec3_sub(P, v->origin));
+    roberts_vec3 p = {vec3_dot(v->right, q), vec3_dot(v->up, q), vec3_dot(v->dir, q)};
+    p.x -= v->oblique.x * p.z;
+    p.y -= v->oblique.y * p.z;
+    return v->perspective ? perspective_point(v, P, p) : p;
+}
+
+/* Computes x and y side by side. Each is what view_point() gives, to the last bit. */
+static void points_in_parallel(const view *v, const roberts_vec3 *P, size_t count, roberts_vec3 *out)
+{
+    two ax = two_of(v->right.x, v->up.x), ay = two_of(v->right.y, v->up.y), az = two_of(v->right.z, v->up.z);
+    two oblique = two_of(v->oblique.x, v->oblique.y);
+    for (size_t i = 0; i < count; i++) {
+        roberts_vec3 q = vec3_scale(v->per_unit, vec3_sub(P[i], v->origin));
+        two xy = two_add(two_add(two_mul(ax, two_all(q.x)), two_mul(ay, two_all(q.y))), two_mul(az, two_all(q.z)));
+        double z = vec3_dot(v->dir, q);
+        two_part(&out[i].x, &out[i].y, two_sub(xy, two_mul(oblique, two_all(z))));
+        out[i].z = z;
+    }
+}
+
+void view_points(const view *v, const roberts_vec3 *P, size_t count, roberts_vec3 *out)
+{
+    if (!v->perspective) {
+        points_in_parallel(v, P, count, out);
+        return;
+    }
+    for (size_t i = 0; i < count; i++)
+        out[i] = view_point(v, P[i]);
+}
+
+/* Whether the view is parallel and looks along dir: then the map only turns, and changes the unit. */
+static inline bool at_right_angles(const view *v)
+{
+    return !v->perspective && v->oblique.x == 0.0 && v->oblique.y == 0.0;
+}
+
+plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, double *stretch)
+{
+    plane F = scene->face_plane[face];
+    roberts_vec3 n = {F.a, F.b, F.c};
+    plane G = {vec3_dot(v->right, n), vec3_dot(v->up, n), vec3_dot(v->dir, n), F.d * v->per_unit};
+    if (stretch)
+        *stretch = 1.0;
+    if (at_right_angles(v))
+        return G; /* turning keeps the normal's length */
+    G.c += v->oblique.x * G.a + v->oblique.y * G.b;
+    if (v->perspective) { /* c' = c + d / D, the eye's distance from the plane as a part of D: from the eye itself */
+        G.d += vec3_dot(n, vec3_sub(v->origin, scene->centre)) * v->per_unit;
+        G.c = (F.d + vec3_dot(n, vec3_sub(v->viewpoint, scene->centre))) * v->per_unit * v->inverse_distance;
+    }
+    double length = sqrt(G.a * G.a + G.b * G.b + G.c * G.c);
+    if (stretch)
+        *stretch = 1.0 / length;
+    return (plane){G.a / length, G.b / length, G.c / length, G.d / length};
+}
+
+/* Extent of the face's picture across the direction (x, y), any length but 0. */
+static double extent_across(const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, double x, double y)
+{
+    double low = INFINITY, high = -INFINITY, length = hypot(x, y);
+    for (uint32_t k = scene->face_start[face]; k < scene->face_start[face + 1]; k++) {
+        roberts_vec3 p = P[scene->corner[k]];
+        double s = (x * p.y - y * p.x) / length;
+        low = lesser(low, s);
+        high = greater(high, s);
+    }
+    return high - low;
+}
+
+/* The width of the face's picture: its least extent, which a polygon has across one of its sides. A face of very many
+ * corners is measured only across (b, -a), where the tilt of its plane makes it narrow. */
+static double picture_width(const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P)
+{
+    uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
+    double width = F.a != 0.0 || F.b != 0.0 ? extent_across(scene, face, P, F.b, -F.a) : INFINITY;
+    for (uint32_t k = first; k < end && end - first <= MEASURED_CORNERS; k++) {
+        roberts_vec3 p = P[scene->corner[k]], q = P[scene->corner[k + 1 < end ? k + 1 : first]];
+        if (p.x != q.x || p.y != q.y)
+            width = lesser(width, extent_across(scene, face, P, q.x - p.x, q.y - p.y));
+    }
+    return width;
+}
+
+/* The picture of a face is at least about |c| times as wide as the face. If it is wider than this, which leaves a
+ * factor of 4, it need not be measured. Model units. */
+static inline double wide_enough(const view *v)
+{
+    return 4.0 * v->epsilon * v->unit;
+}
+
+int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P)
+{
+    double shrunk = 1.0; /* in perspective a face also shrinks with its distance, but not more than this */
+    if (v->perspective) {
+        double z = P[scene->corner[scene->face_start[face]]].z;
+        shrunk = lesser(1.0, 1.0 + z * v->inverse_distance);
+        shrunk *= shrunk;
+    }
+    if (fabs(F.c) * scene_width(scene, face) * shrunk <= wide_enough(v) &&
+        picture_width(scene, face, F, P) <= v->epsilon)
+        return VIEW_EDGE_ON;
+    return F.c < 0.0 ? VIEW_FRONT : F.c > 0.0 ? VIEW_BACK : VIEW_EDGE_ON;
+}
+
+/* In a view at right angles, the depth of the normal decides alone if the face is wide enough, and a back face needs
+ * no plane. a and b are computed side by side. The plane is what view_plane() gives, to the last bit. */
+int view_face(const view *v, const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, plane *F,
+              double *stretch)
+{
+    if (at_right_angles(v)) {
+        const plane *G = &scene->face_plane[face];
+        double c = vec3_dot(v->dir, (roberts_vec3){G->a, G->b, G->c}), least = wide_enough(v);
+        double wide = c * scene_width(scene, face);
+        if (wide > least)
+            return VIEW_BACK;
+        if (wide < -least) {
+            two a = two_of(v->right.x, v->up.x), b = two_of(v->right.y, v->up.y), d = two_of(v->right.z, v->up.z);
+            a = two_add(two_mul(a, two_all(G->a)), two_mul(b, two_all(G->b)));
+            two_part(&F->a, &F->b, two_add(a, two_mul(d, two_all(G->c))));
+            F->c = c;
+            F->d = G->d * v->per_unit;
+            *stretch = 1.0;
+            return VIEW_FRONT;
+        }
+    }
+    *F = view_plane(v, scene, face, stretch);
+    return view_facing(v, scene, face, *F, P);
+}
+
+/* With weights w = 1 - e / D = 1 / (1 + z / D), the picture of R(t) = (1-t) A + t B divides the picture of AB as
+ * (1-t) wA : t wB. */
+double view_to_space(const view *v, double zA, double zB, double s)
+{
+    if (!v->perspective)
+        return s;
+    double near_a = 1.0 + zA * v->inverse_distance, near_b = 1.0 + zB * v->inverse_distance; /* 1 / wA, 1 / wB */
+    return s * near_b / ((1.0 - s) * near_a + s * near_b);
+}
+
+double view_from_space(const view *v, double zA, double zB, double t)
+{
+    if (!v->perspective)
+        return t;
+    double near_a = 1.0 + zA * v->inverse_distance, near_b = 1.0 + zB * v->inverse_distance;
+    return t * near_a / ((1.0 - t) * near_b + t * near_a);
+}
+
+/* Sets the distance D of the eye. The whole scene must lie in front of it. */
+static roberts_status set_eye(view *v, const roberts_scene *scene, const roberts_camera *camera, roberts_error *error)
+{
+    roberts_vec3 back = vec3_sub(camera->eye, v->origin);
+    double m = largest(back);
+    double distance = m * vec3_length((roberts_vec3){back.x / m, back.y / m, back.z / m}) / v->unit;
+    double nearest = INFINITY;
+    for (uint32_t i = 0; i < scene->vertex_count; i++) {
+        roberts_vec3 q = vec3_scale(v->per_unit, vec3_sub(scene->point[i], v->origin));
+        nearest = fmin(nearest, distance - vec3_dot(v->dir, q));
+    }
+    v->inverse_distance = 1.0 / distance;
+    if (!(nearest > NEAREST_OF_DIAMETER * v->diameter))
+        return error_set(error, ROBERTS_BAD_VIEW, 0,
+                         "the scene is not wholly in front of the eye: its nearest vertex lies %.6g %s the eye's plane",
+                         fabs(nearest) * v->unit, nearest < 0.0 ? "behind" : "in front of");
+    return ROBERTS_OK;
+}
+
+/* The sum of |a_i| h_i: in a box of half sizes h about the origin, no point is farther from it along a. */
+static double reach_along(roberts_vec3 a, roberts_vec3 h)
+{
+    return fabs(a.x) * h.x + fabs(a.y) * h.y + fabs(a.z) * h.z;
+}
+
+static roberts_vec3 size_of(roberts_vec3 a)
+{
+    return (roberts_vec3){fabs(a.x), fabs(a.y), fabs(a.z)};
+}
+
+/* A bound of |a . V|, which is zero but for rounding. Three products and two sums add no more than 3.01 units of
+ * rounding (half an epsilon each) times the sum of |a_i V_i|, and V may come from a subtraction, which adds one more.
+ */
+static double leak(roberts_vec3 a, roberts_vec3 V)
+{
+    return fabs(vec3_dot(a, V)) + 2.0 * DBL_EPSILON * reach_along(a, size_of(V));
+}
+
+/* Bounds of x and y and of their errors, for a parallel view at right angles. A scene may be much deeper than its
+ * picture is wide, and what a coordinate is not made of adds nothing to its error.
+ *
+ * The exact picture is a projection along the viewpoint V as given. For the axis a (right or up) it is x' = (a - (a.V
+ * / V.V) V) . q with q = P - origin; a shift, a stretch or a turn of the picture changes no parameter and no sign.
+ * Computed is x = a . q: by one subtraction, one product and at most two sums, each off by half an epsilon of what it
+ * gives, so by no more than 4.01 halves of epsilon times the sum of |a_i q_i|; eight are taken, and the rest is for
+ * the rounding of products of coordinates (see hide_plain()). And by |x - x'| = |a.V| |V.q| / V.V: the depth leaks
+ * into x as far as the axis is not at a right angle to V. */
+static void set_across(view *v, const roberts_scene *scene)
+{
+    roberts_vec3 low = vec3_sub(v->origin, scene->box_min), high = vec3_sub(scene->box_max, v->origin);
+    roberts_vec3 h =
+        vec3_scale(v->per_unit, (roberts_vec3){fmax(low.x, high.x), fmax(low.y, high.y), fmax(low.z, high.z)});
+    roberts_vec3 V = v->viewpoint;
+    double depth = reach_along(V, h) / vec3_dot(V, V);
+    /* the bounds are rounded themselves */
+    double across = 1.001 * fmax(reach_along(v->right, h), reach_along(v->up, h));
+    double rounding = ROUNDINGS * 0.5 * DBL_EPSILON * across + fmax(leak(v->right, V), leak(v->up, V)) * 1.001 * depth;
+    if (rounding > MUCH_SHARPER * v->rounding)
+        return;
+    v->across = across;
+    v->across_rounding = rounding;
+}
+
+/* Bound of the error of x and y of one vertex seen from an eye V; leaks: bound of |a.(V - O)| for both axes a of the
+ * picture.
+ *
+ * The exact picture is x' / w' with x' = a.(P - V) and w' = -dir.(P - V) / D, for axes and D as they are stored: a
+ * map that takes planes through V to lines. Computed are, with q = P - O, x = a.q and w = 1 - dir.q / D. In halves u
+ * of epsilon, and with R(a) for the sum of |a_i q_i|:
+ *
+ *     x is off by 4.01 u R(a), as in set_across(), and by a.(V - O), which is zero but for rounding;
+ *     w is off by 5.01 u R(dir) / D + u w, and by dir.(V - O) / D - 1: the roundings of dir and D, less than 16 u;
+ *     1 / w and its product with x are off by u each, of |x / w| <= R(a) / w.
+ *
+ * So x / w is off by no more than (7.01 u R(a) + |a.(V - O)| + |x / w| u (5.01 R(dir) / D + 16)) / w. Sixteen u are
+ * taken of each, and what is left of those of R(a) is for the rounding of products of coordinates (see hide_plain()).
+ * Where perspective_point() takes x, y and w from the eye, q is P - V: the same holds without a.(V - O) and without
+ * the 16 u. What rounding took from a vertex that the near plane made is a part of q. */
+static double eye_rounding(const view *v, const roberts_scene *scene, uint32_t vertex, double leaks)
+{
+    roberts_vec3 P = scene->point[vertex], q = vec3_scale(v->per_unit, vec3_sub(P, v->origin)), X = view_point(v, P);
+    double wide = fmax(fabs(X.x), fabs(X.y)), widest = wide * v->inverse_distance;
+    double w = 1.0 - vec3_dot(v->dir, q) * v->inverse_distance;
+    if (w < 0.5) {
+        q = vec3_scale(v->per_unit, vec3_sub(P, v->viewpoint));
+        w = -vec3_dot(v->dir, q) * v->inverse_distance;
+        leaks = 0.0;
+    }
+    q = size_of(q);
+    double bound = fmax(reach_along(v->right, q), reach_along(v->up, q)) + wide + widest * reach_along(v->dir, q);
+    bound = 2.0 * ROUNDINGS * 0.5 * DBL_EPSILON * bound + leaks;
+    if (scene->low) {
+        roberts_vec3 low = size_of(vec3_scale(v->per_unit, scene->low[vertex]));
+        bound += fmax(reach_along(v->right, low), reach_along(v->up, low)) + widest * reach_along(v->dir, low);
+    }
+    return 1.001 * bound / w; /* the bounds are rounded themselves; 1 + z / D would not tell 1 / w where w is large */
+}
+
+/* set_across() for an eye. No x and no y is larger than `across`. */
+static void set_across_from_eye(view *v, const roberts_scene *scene, double across)
+{
+    roberts_vec3 back = vec3_scale(v->per_unit, vec3_sub(v->viewpoint, v->origin));
+    double leaks = fmax(leak(v->right, back), leak(v->up, back)), rounding = 0.0, most = MUCH_SHARPER * v->rounding;
+    for (uint32_t i = 0; i < scene->vertex_count; i++) {
+        rounding = fmax(rounding, eye_rounding(v, scene, i, leaks));
+        if (rounding > most)
+            return;
+    }
+    v->across = across;
+    v->across_rounding = rounding;
+}
+
+/* The touching distance: as given, or the greatest that one of the reasons asks for. largest_coordinate: view units. */
+static void choose_epsilon(view *v, const roberts_scene *scene, double given, double largest_coordinate)
+{
+    const struct choice {
+        double epsilon;
+        roberts_epsilon_reason reason;
+    } choices[] = {{EPSILON_OF_DIAMETER * v->diameter, ROBERTS_EPSILON_DIAMETER},
+                   {EPSILON_ULPS * DBL_EPSILON * largest_coordinate, ROBERTS_EPSILON_ROUNDING},
+                   {scene->float32_step / v->unit, ROBERTS_EPSILON_FLOAT32}};
+    v->epsilon = given / v->unit;
+    v->epsilon_reason = ROBERTS_EPSILON_GIVEN;
+    for (size_t i = 0; !(given > 0.0) && i < sizeof choices / sizeof choices[0]; i++)
+        if (choices[i].epsilon > v->epsilon) {
+            v->epsilon = choices[i].epsilon;
+            v->epsilon_reason = choices[i].reason;
+        }
+}
+
+/* Sets the bound of all view coordinates, and the touching distance and the rounding that follow from it. */
+static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
+{
+    double raw = fmax(largest(scene->box_min), largest(scene->box_max)) / v->unit;
+    /* turning about the box's centre takes no point farther away than this; an oblique view adds its part of the
+     * depth */
+    v->extent = v->diameter * (1.0 + fmax(fabs(v->oblique.x), fabs(v->oblique.y)));
+    double across = 0.0;
+    for (uint32_t i = 0; v->perspective && i < scene->vertex_count; i++) {
+        roberts_vec3 X = view_point(v, scene->point[i]);
+        across = fmax(across, fmax(fabs(X.x), fabs(X.y)));
+        v->extent = fmax(v->extent, fmax(across, fabs(X.z)));
+    }
+    if (v->perspective)
+        raw = fmax(raw, fmax(largest(v->viewpoint), largest(v->origin)) / v->unit);
+    v->rounding = v->across_rounding = ROUNDINGS * 0.5 * DBL_EPSILON * v->extent;
+    v->across = v->extent;
+    if (at_right_angles(v))
+        set_across(v, scene);
+    if (v->perspective) {
+        set_across_from_eye(v, scene, across);
+        v->plane_rounding =
+            ROUNDINGS * 0.5 * DBL_EPSILON *
+            fmax(v->diameter, vec3_length(vec3_scale(v->per_unit, vec3_sub(v->viewpoint, scene->centre))));
+    }
+    choose_epsilon(v, scene, epsilon, fmax(raw, v->extent));
+}
+
+/* Sets the direction toward the viewer, about 1 long. It is kept as given, so that exact arithmetic can go back to
+ * it; in an oblique view it is what the map makes of it. */
+static void set_sight_line(view *v, const roberts_camera *camera)
+{
+    int exponent;
+    frexp(largest(camera->dir), &exponent);
+    v->viewpoint = (roberts_vec3){ldexp(camera->dir.x, -exponent), ldexp(camera->dir.y, -exponent),
+                                  ldexp(camera->dir.z, -exponent)};
+    roberts_vec2 by = angle_unit(camera->roll_degrees), oblique = camera->oblique; /* turns with the drawing */
+    v->oblique = (roberts_vec2){by.x * oblique.x - by.y * oblique.y, by.y * oblique.x + by.x * oblique.y};
+    if (v->oblique.x != 0.0 || v->oblique.y != 0.0)
+        v->viewpoint = vec3_add(v->dir, vec3_add(vec3_scale(v->oblique.x, v->right), vec3_scale(v->oblique.y, v->up)));
+    v->viewpoint_depth = vec3_dot(v->viewpoint, v->dir);
+}
+
+static roberts_status check_camera(const roberts_camera *camera, double epsilon, roberts_error *error)
+{
+    bool perspective = camera->projection == ROBERTS_PERSPECTIVE;
+    if (!(epsilon >= 0.0) || !isfinite(epsilon))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "epsilon must be a finite length, 0 or more");
+    if (perspective && (!finite3(camera->eye) || (camera->has_look_at && !finite3(camera->look_at))))
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye and the look-at point must be finite");
+    if (perspective && (!(camera->fov_degrees >= 0.0) || !(camera->fov_degrees < 180.0)))
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the field of view must be between 0 and 180 degrees");
+    if (perspective && (!(camera->near_distance >= 0.0) || !isfinite(camera->near_distance)))
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the near distance must be finite and not negative");
+    if (!perspective && (!finite3(camera->dir) || largest(camera->dir) == 0.0))
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the direction of view must be finite and not zero");
+    if (!isfinite(camera->oblique.x) || !isfinite(camera->oblique.y) ||
+        fmax(fabs(camera->oblique.x), fabs(camera->oblique.y)) > OBLIQUE_MOST)
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "an oblique view moves a unit of depth by no more than %g",
+                         OBLIQUE_MOST);
+    if (!finite3(camera->up) || !isfinite(camera->roll_degrees))
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the up vector and the roll must be finite");
+    return ROBERTS_OK;
+}
+
+roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
+                            roberts_error *error)
+{
+    roberts_vec3 half = vec3_sub(vec3_scale(0.5, scene->box_max), vec3_scale(0.5, scene->box_min));
+    roberts_vec3 dir = camera->dir;
+    roberts_status status = check_camera(camera, epsilon, error);
+    *v = (view){.origin = scene->centre, .unit = scene->unit, .per_unit = 1.0 / scene->unit, .diameter = 1.0};
+    if (status != ROBERTS_OK)
+        return status;
+    if (largest(half) > 0.0)
+        v->diameter = 2.0 * vec3_length(vec3_scale(v->per_unit, half));
+    if (camera->projection == ROBERTS_PERSPECTIVE) {
+        v->perspective = true;
+        v->viewpoint = camera->eye;
+        if (camera->has_look_at)
+            v->origin = camera->look_at;
+        dir = vec3_sub(camera->eye, v->origin);
+        if (!finite3(dir) || largest(dir) == 0.0)
+            return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is at the point that it looks at; move one of them");
+    }
+    set_frame(v, dir, camera->up, camera->roll_degrees);
+    if (!v->perspective)
+        set_sight_line(v, camera);
+    if (v->perspective && (status = set_eye(v, scene, camera, error)) != ROBERTS_OK)
+        return status;
+    set_tolerances(v, scene, epsilon);
+    return ROBERTS_OK;
+}

@@ -1,0 +1,216 @@
+/* test_memory_order.c - scenes so large that solids which lie scattered in the picture, or behind one another, are hidden in
+ * another order than that of the file: the same drawing as of the same solids in order, or as with hidden lines kept, by any
+ * number of threads; and memory that fails. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "hide/schedule.h"
+#include "hide/cells.h"
+#include "memory.h"
+#include "roberts.h"
+
+enum { SIDE = 190, COUNT = SIDE * SIDE, FAILURES = 30 };
+
+/* A number between 0 and 1 that hangs together with no other. */
+static double anyhow(uint64_t n)
+{
+    n = (n ^ n >> 30) * 0xbf58476d1ce4e5b9u;
+    n = (n ^ n >> 27) * 0x94d049bb133111ebu;
+    return (double)(n >> 11) * 0x1p-53;
+}
+
+/* A meadow of tetrahedra that reach over one another, two deep; more where they are `wide`. cell[i]: where the i-th stands, row
+ * by row. */
+static roberts_scene *make_scene(const uint32_t *cell, double wide)
+{
+    static const uint32_t face[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    for (uint32_t i = 0; i < COUNT; i++) {
+        double x = cell[i] % SIDE + anyhow(3 * cell[i] + 1), y = cell[i] / SIDE + anyhow(3 * cell[i] + 2);
+        double z = 3.0 * anyhow(3 * cell[i] + 3);
+        const roberts_vec3 point[4] = {
+            {x, y, z}, {x + 1.5 * wide, y + 0.1, z}, {x + 0.2, y + 1.4 * wide, z}, {x + 0.5, y + 0.5, z + 1}};
+        for (int k = 0; k < 4; k++)
+            assert_int_equal(roberts_mesh_add_vertex(&mesh, point[k], NULL, NULL), ROBERTS_OK);
+        for (int k = 0; k < 4; k++) {
+            uint32_t corner[3] = {4 * i + face[k][0], 4 * i + face[k][1], 4 * i + face[k][2]};
+            assert_int_equal(roberts_mesh_add_face(&mesh, corner, 3, NULL), ROBERTS_OK);
+        }
+    }
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    roberts_mesh_free(&mesh);
+    return scene;
+}
+
+static const roberts_camera camera = {.dir = {1, -2, 30}};
+
+/* In order, or (the same on each run) scattered. */
+static void fill(uint32_t *cell, bool scattered)
+{
+    for (uint32_t i = 0; i < COUNT; i++)
+        cell[i] = i;
+    for (uint32_t i = COUNT - 1; scattered && i > 0; i--) {
+        uint32_t k = (uint32_t)(anyhow(i) * (i + 1)), was = cell[i];
+        cell[i] = cell[k];
+        cell[k] = was;
+    }
+}
+
+static bool is_worth(const roberts_scene *scene)
+{
+    hide_picture picture;
+    picture_order order;
+    double depth;
+    assert_int_equal(hide_picture_build(&picture, scene, &camera, 0.0, true, 1, NULL), ROBERTS_OK);
+    cells_for_lists(picture.front_box, picture.front_count, picture.low, picture.high, 0, 0.0, &depth);
+    assert_true(picture_order_init(&order, &picture, depth));
+    bool worth = order.solid != NULL;
+    for (uint32_t i = 0; worth && i < COUNT; i++)
+        assert_true(order.solid[i] < COUNT && order.place[order.solid[i]] == i);
+    picture_order_free(&order);
+    hide_picture_free(&picture);
+    return worth;
+}
+
+/* Segments of the scattered scene, where those of cell c begin in order; `first` has one more at the end. */
+static void find_cells(const roberts_drawing *drawing, const uint32_t *cell, size_t *first, size_t *count)
+{
+    memset(count, 0, COUNT * sizeof *count);
+    for (size_t i = drawing->count; i-- > 0;) {
+        first[cell[drawing->segment[i].solid]] = i;
+        count[cell[drawing->segment[i].solid]]++;
+    }
+}
+
+static void same_part(const roberts_segment *a, const roberts_segment *b)
+{
+    assert_int_equal(a->v0 - 4 * a->solid, b->v0 - 4 * b->solid);
+    assert_int_equal(a->v1 - 4 * a->solid, b->v1 - 4 * b->solid);
+    assert_true(a->t0 == b->t0 && a->t1 == b->t1 && a->p0.x == b->p0.x && a->p1.y == b->p1.y && a->z1 == b->z1);
+    assert_int_equal(a->state, b->state);
+    assert_int_equal(a->line, b->line);
+}
+
+static void scattered_as_in_order(void **state)
+{
+    const bool *keep_hidden = *state;
+    uint32_t *cell = calloc(COUNT, sizeof *cell);
+    size_t *first = calloc(COUNT, sizeof *first), *count = calloc(COUNT, sizeof *count), next = 0;
+    roberts_drawing ordered, drawing;
+    roberts_hide_options options = roberts_hide_options_default();
+    options.keep_hidden = *keep_hidden;
+    fill(cell, false);
+    roberts_scene *scene = make_scene(cell, 1.0);
+    assert_false(is_worth(scene));
+    assert_int_equal(roberts_hide(scene, &camera, &options, &ordered, NULL), ROBERTS_OK);
+    roberts_scene_free(scene);
+    fill(cell, true);
+    scene = make_scene(cell, 1.0);
+    assert_true(is_worth(scene));
+    for (options.threads = 1; options.threads <= 3; options.threads += 2, next = 0) {
+        assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+        assert_int_equal(drawing.count, ordered.count);
+        assert_memory_equal(&drawing.tally, &ordered.tally, sizeof ordered.tally);
+        assert_int_equal(drawing.drawn_edges, ordered.drawn_edges);
+        assert_true(drawing.count > COUNT);
+        for (size_t i = 1; i < drawing.count; i++)
+            assert_true(drawing.segment[i - 1].solid <= drawing.segment[i].solid);
+        find_cells(&drawing, cell, first, count);
+        for (uint32_t c = 0; c < COUNT; c++)
+            for (size_t k = 0; k < count[c]; k++, next++) {
+                uint32_t by = drawing.segment[first[c] + k].by;
+                same_part(&drawing.segment[first[c] + k], &ordered.segment[next]);
+                assert_int_equal(by == ROBERTS_NONE ? by : cell[by], ordered.segment[next].by);
+            }
+        assert_int_equal(next, ordered.count);
+        roberts_drawing_free(&drawing);
+    }
+    roberts_drawing_free(&ordered);
+    roberts_scene_free(scene);
+    free(cell);
+    free(first);
+    free(count);
+}
+
+/* In the order of the file, but deep. */
+static void deep_as_with_hidden(void **state)
+{
+    uint32_t *cell = calloc(COUNT, sizeof *cell);
+    roberts_hide_options options = {.keep_hidden = true};
+    roberts_drawing all, drawing;
+    (void)state;
+    fill(cell, false);
+    roberts_scene *scene = make_scene(cell, 1.5);
+    assert_true(is_worth(scene));
+    assert_int_equal(roberts_hide(scene, &camera, &options, &all, NULL), ROBERTS_OK);
+    options.keep_hidden = false;
+    for (options.threads = 1; options.threads <= 3; options.threads += 2) {
+        size_t next = 0;
+        assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+        assert_true(drawing.count > COUNT && drawing.count < all.count);
+        for (size_t i = 0; i < all.count; i++)
+            if (all.segment[i].state == ROBERTS_VISIBLE) {
+                assert_true(next < drawing.count);
+                assert_int_equal(drawing.segment[next].solid, all.segment[i].solid);
+                same_part(&drawing.segment[next++], &all.segment[i]);
+            }
+        assert_int_equal(next, drawing.count);
+        roberts_drawing_free(&drawing);
+    }
+    roberts_drawing_free(&all);
+    roberts_scene_free(scene);
+    free(cell);
+}
+
+/* Some of the many allocations, from all over the run. An array that cannot be made smaller is kept as it is. */
+static void memory_fails(void **state)
+{
+    const bool *keep_hidden = *state;
+    uint32_t *cell = calloc(COUNT, sizeof *cell);
+    size_t lost = 0;
+    roberts_drawing drawing;
+    roberts_hide_options options = roberts_hide_options_default();
+    options.threads = 1;
+    options.keep_hidden = *keep_hidden;
+    fill(cell, true);
+    roberts_scene *scene = make_scene(cell, 1.0);
+    memory_fail(0);
+    size_t before = memory_blocks;
+    assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+    size_t calls = memory_calls, whole = drawing.count;
+    roberts_drawing_free(&drawing);
+    assert_true(calls > 2 * COUNT / KEPT_SOLIDS);
+    for (size_t n = 1; n <= FAILURES; n++) {
+        memory_fail(n < FAILURES / 2 ? 2 * n : calls * n / (FAILURES + 1));
+        roberts_status status = roberts_hide(scene, &camera, &options, &drawing, NULL);
+        assert_true(memory_failed());
+        memory_fail(0);
+        assert_true(status == ROBERTS_NO_MEMORY || (status == ROBERTS_OK && drawing.count == whole));
+        lost += status == ROBERTS_NO_MEMORY;
+        roberts_drawing_free(&drawing);
+        assert_int_equal(memory_blocks, before);
+    }
+    assert_true(lost > FAILURES / 2);
+    roberts_scene_free(scene);
+    free(cell);
+}
+
+int main(void)
+{
+    bool visible = false, all = true; /* keep_hidden */
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_prestate(scattered_as_in_order, &visible),
+        cmocka_unit_test_prestate(scattered_as_in_order, &all),
+        cmocka_unit_test(deep_as_with_hidden),
+        cmocka_unit_test_prestate(memory_fails, &visible),
+        cmocka_unit_test_prestate(memory_fails, &all),
+    };
+    return cmocka_run_group_tests_name("memory_order", tests, NULL, NULL);
+}

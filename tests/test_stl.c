@@ -1,0 +1,260 @@
+/* test_stl.c - STL as text and binary: what is read, what is welded, what is refused and where. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "read_rows.h"
+
+#define FACET(a, b, c)                                                                                                 \
+    "facet normal 0 0 1\n outer loop\n vertex " a "\n vertex " b "\n vertex " c "\n endloop\nendfacet\n"
+#define FIRST FACET("0 0 0", "1 0 0", "0 1 0")
+
+static const read_good good[] = {
+    {"one facet", "solid a\n" FIRST "endsolid a\n", 0, "0,0,0 1,0,0 0,1,0 | 0-1-2 | a@0", NULL},
+    {"equal positions are one vertex", "solid a\n" FIRST FACET("1 0 0", "0 1 0", "0 0 1") "endsolid\n", 0,
+     "0,0,0 1,0,0 0,1,0 0,0,1 | 0-1-2 1-2-3 | a@0", NULL},
+    {"-0 is 0", "solid a\n" FACET("0 0 0", "1 -0 0", "1 0.0 1") FACET("-0 0 0", "1 0 0", "0 1 0") "endsolid\n", 0,
+     "0,0,0 1,0,0 1,0,1 0,1,0 | 0-1-2 0-1-3 | a@0", NULL},
+    {"nearly equal positions are not", "solid a\n" FACET("0 0 0", "1 0 0", "1 1e-300 0") "endsolid\n", 0,
+     "0,0,0 1,0,0 1,1e-300,0 | 0-1-2 | a@0", NULL},
+    {"two solids share nothing", "solid a\n" FIRST "endsolid a\nsolid b\n" FIRST "endsolid b\n", 0,
+     "0,0,0 1,0,0 0,1,0 0,0,0 1,0,0 0,1,0 | 0-1-2 3-4-5 | a@0 b@1", NULL},
+    {"an empty solid", "solid a\n" FIRST "endsolid a\nsolid b\nendsolid b\n", 0, "0,0,0 1,0,0 0,1,0 | 0-1-2 | a@0 b@1",
+     NULL},
+    {"no facet at all", "solid\nendsolid\n", 0, " | @0", NULL},
+    {"a name of several words", "solid  my # {box}\t\n" FIRST "endsolid\n", 0,
+     "0,0,0 1,0,0 0,1,0 | 0-1-2 | my # {box}@0", NULL},
+    {"upper case",
+     "SOLID A\nFACET NORMAL 0 0 1 OUTER LOOP VERTEX 0 0 0 VERTEX 1 0 0 Vertex 0 1 0 ENDLOOP ENDFACET ENDSOLID", 0,
+     "0,0,0 1,0,0 0,1,0 | 0-1-2 | A@0", NULL},
+    {"CR LF",
+     "solid a\r\nfacet normal 0 0 1\r\nouter loop\r\nvertex 0 0 0\r\nvertex 1 0 0\r\nvertex 0 1 0\r\nendloop\r\n"
+     "endfacet\r\nendsolid a\r\n",
+     0, "0,0,0 1,0,0 0,1,0 | 0-1-2 | a@0", NULL},
+    {"blank lines before, and a byte-order mark", "\xef\xbb\xbf\n  solid a\n" FIRST "endsolid\n", 0,
+     "0,0,0 1,0,0 0,1,0 | 0-1-2 | a@0", NULL},
+    {"a normal that is none",
+     "solid a\nfacet normal nan -nan inf outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop "
+     "endfacet endsolid",
+     0, "0,0,0 1,0,0 0,1,0 | 0-1-2 | a@0", NULL},
+    {"no normal", "solid a\nfacet outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet endsolid", 0,
+     "0,0,0 1,0,0 0,1,0 | 0-1-2 | a@0", NULL},
+    {"four corners",
+     "solid a\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 1 1 0 vertex 0 1 0 endloop "
+     "endfacet endsolid",
+     0, "0,0,0 1,0,0 1,1,0 0,1,0 | 0-1-2-3 | a@0", NULL},
+    {"without endsolid", "solid a\n" FIRST, 0, "0,0,0 1,0,0 0,1,0 | 0-1-2 | a@0",
+     "0: there is no endsolid at the end: is the file complete?;"},
+    {"text after it", "solid a\n" FIRST "endsolid a\nmade by hand\n", 0, "0,0,0 1,0,0 0,1,0 | 0-1-2 | a@0",
+     "10: text after the last solid ignored;"},
+};
+
+static const read_bad bad[] = {
+    {"a facet without loop", "solid a\nfacet normal 0 0 1\nvertex 0 0 0\n", 0, ROBERTS_BAD_SYNTAX, 3,
+     "outer of facet 0 expected, found \"vertex\""},
+    {"two corners", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n", 0,
+     ROBERTS_BAD_SYNTAX, 6, "vertex of facet 0 expected, found \"endloop\""},
+    {"a word for a number", "solid a\n" FIRST "facet normal 0 0 1\nouter loop\nvertex 0 zero 0\n", 0,
+     ROBERTS_BAD_SYNTAX, 11, "y of a corner of facet 1 expected, found \"zero\""},
+    {"a decimal comma", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0,5 1 0\n", 0, ROBERTS_BAD_SYNTAX, 4,
+     "x of a corner of facet 0 expected, found \"0,5\""},
+    {"not a number", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n", 0, ROBERTS_BAD_NUMBER, 4,
+     "z of a corner of facet 0 expected, found \"nan\"; it must be a finite number"},
+    {"too large", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 1e151\n", 0, ROBERTS_BAD_NUMBER, 4,
+     "vertex 0 has a coordinate that is infinite or beyond 1e+150"},
+    {"ends in a facet", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0", 0, ROBERTS_BAD_SYNTAX, 4,
+     "z of a corner of facet 0 expected, but the input ends here"},
+    {"no endloop", "solid a\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0\nendfacet\n", 0,
+     ROBERTS_BAD_SYNTAX, 3, "endloop of facet 0 expected, found \"endfacet\""},
+    {"another word", "solid a\n" FIRST "face\n", 0, ROBERTS_BAD_SYNTAX, 9,
+     "facet or endsolid expected, found \"face\""},
+};
+
+static void reads_text(void **state)
+{
+    (void)state;
+    read_good_rows(good, sizeof good / sizeof good[0]);
+}
+
+static void refuses_text(void **state)
+{
+    (void)state;
+    read_bad_rows(bad, sizeof bad / sizeof bad[0]);
+}
+
+/* ---- binary ------------------------------------------------------------------------------------------------------ */
+
+static const float tetrahedron[4][9] = {
+    {0, 0, 0, 0, 1, 0, 1, 0, 0}, {0, 0, 0, 1, 0, 0, 0, 0, 1}, {0, 0, 0, 0, 0, 1, 0, 1, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1}};
+static const char tetrahedron_text[] = "0,0,0 0,1,0 1,0,0 0,0,1 | 0-1-2 0-2-3 0-3-1 2-1-3 | float32";
+
+static bytes_built build_header(const char *begins, uint32_t count)
+{
+    bytes_built b = {.size = 0};
+    char header[80] = {0};
+    memcpy(header, begins, strlen(begins));
+    build_bytes(&b, header, sizeof header);
+    build_number(&b, count, 4);
+    return b;
+}
+
+static bytes_built build_tetrahedron(const char *begins)
+{
+    bytes_built b = build_header(begins, 4);
+    for (int i = 0; i < 4; i++) {
+        for (int k = 0; k < 3; k++)
+            build_float(&b, NAN); /* the normal */
+        for (int k = 0; k < 9; k++)
+            build_float(&b, tetrahedron[i][k]);
+        build_number(&b, 0xffff, 2);
+    }
+    return b;
+}
+
+/* Whatever the 80 bytes are: also the beginnings of all the other formats, and a text that fills them. */
+static void reads_binary(void **state)
+{
+    static const char *const begins[] = {
+        "",
+        "solid",
+        "solid a",
+        "solid of 80 characters, none of them a zero, as some programs have it: facet normal ",
+        "OFF 8 6 12\n",
+        "ply\n",
+        "v 0 0 0\nf 1 2 3\n",
+        "glTF",
+        "{",
+        "3 1 0\n",
+        "\xef\xbb\xbf"
+        "OFF",
+        "COLOR="};
+    (void)state;
+    for (size_t i = 0; i < sizeof begins / sizeof begins[0]; i++) {
+        bytes_built b = build_tetrahedron(begins[i]);
+        read_good row = {begins[i], b.bytes, b.size, tetrahedron_text, NULL};
+        read_good_rows(&row, 1);
+    }
+}
+
+/* A size that is not known, or not right: recognised by bytes that no text has. */
+static void reads_binary_of_unknown_size(void **state)
+{
+    bytes_built b = build_tetrahedron("solid made by a program");
+    read_pieces pieces = {b.bytes, b.size, 0};
+    roberts_mesh mesh = {0};
+    (void)state;
+    assert_int_equal(roberts_mesh_read(&mesh, "t", read_rows_piece, &pieces, NULL, NULL), ROBERTS_OK);
+    mesh_text found = mesh_as_text(&mesh);
+    assert_string_equal(found.text, tetrahedron_text);
+    roberts_mesh_free(&mesh);
+    b = build_tetrahedron("made by another program");
+    build_bytes(&b, "more", 4);
+    read_good row = {"too long", b.bytes, b.size, tetrahedron_text, "0: data after the last triangle ignored;"};
+    read_good_rows(&row, 1);
+    read_bad short_row = {"too short", b.bytes,
+                          b.size - 14, ROBERTS_BAD_SYNTAX,
+                          0,           "triangle 3 of 0..3 expected, but the input ends before (byte 234)"};
+    read_bad_rows(&short_row, 1);
+}
+
+static void refuses_binary(void **state)
+{
+    static const float wrong[] = {NAN, INFINITY, -INFINITY};
+    (void)state;
+    for (size_t i = 0; i < 3; i++) {
+        bytes_built b = build_tetrahedron("solid");
+        size_t end = b.size;
+        b.size = 84 + 50 + 12 + 4; /* the second triangle's first y */
+        build_float(&b, wrong[i]);
+        read_bad row = {"no number", b.bytes,
+                        end,         ROBERTS_BAD_NUMBER,
+                        0,           "triangle 1 has a coordinate that is infinite or no number (byte 134)"};
+        read_bad_rows(&row, 1);
+    }
+}
+
+/* Many triangles: the table of positions grows often. A grid of n x n squares has (n + 1)^2 vertices. */
+static void welds_many(void **state)
+{
+    enum { SIDE = 150 };
+    static const int corner[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+    const size_t triangles = 2 * SIDE * SIDE, size = 84 + 50 * triangles;
+    char *bytes = calloc(size, 1), *at = bytes + 84;
+    roberts_mesh mesh = {0};
+    (void)state;
+    assert_non_null(bytes);
+    for (int i = 0; i < 4; i++)
+        bytes[80 + i] = (char)(triangles >> 8 * i);
+    for (int i = 0; i < SIDE * SIDE; i++)
+        for (int k = 0; k < 6; k++) {
+            bytes_built b = {.size = 0};
+            build_float(&b, (float)(i % SIDE + corner[k][0]) / 3);
+            build_float(&b, (float)(i / SIDE + corner[k][1]) / 7);
+            memcpy(at + 12 + 12 * (ptrdiff_t)(k % 3), b.bytes, 8);
+            at += k % 3 == 2 ? 50 : 0;
+        }
+    assert_int_equal(roberts_mesh_read_memory(&mesh, "grid", bytes, size, NULL, NULL), ROBERTS_OK);
+    assert_int_equal(mesh.vertex_count, (SIDE + 1) * (SIDE + 1));
+    assert_int_equal(mesh.face_count, triangles);
+    for (size_t i = 0; i < 3 * triangles; i++) { /* each corner has its own position */
+        float x;
+        memcpy(&x, bytes + 84 + i / 3 * 50 + 12 + i % 3 * 12, sizeof x);
+        assert_true(mesh.vertex[mesh.corner[i]].x == (double)x);
+    }
+    roberts_mesh_free(&mesh);
+    free(bytes);
+}
+
+/* ---- files ------------------------------------------------------------------------------------------------------- */
+
+static void reads_published_files(void **state)
+{
+    static const struct file {
+        const char *name;
+        size_t vertices, faces, groups;
+        bool float32;
+    } files[] = {{"Spider_ascii.stl", 0, 1368, 1, false},
+                 {"Spider_binary.stl", 0, 1368, 0, true},
+                 {"triangle_with_empty_solid.stl", 3, 1, 2, false},
+                 {"triangle_with_two_solids.stl", 6, 2, 2, false}};
+    size_t read = 0;
+    (void)state;
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+        char path[256];
+        roberts_mesh mesh = {0};
+        snprintf(path, sizeof path, "../shared/models/other/%s", files[i].name);
+        if (access(path, R_OK) != 0)
+            continue;
+        assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
+        assert_int_equal(mesh.face_count, files[i].faces);
+        assert_int_equal(mesh.group_count, files[i].groups);
+        assert_true(files[i].vertices == 0 || mesh.vertex_count == files[i].vertices);
+        assert_int_equal(mesh.source[0].float32, files[i].float32);
+        roberts_mesh_free(&mesh);
+        read++;
+    }
+    if (read == 0) {
+        printf("no published files\n");
+        skip();
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(reads_text),
+        cmocka_unit_test(refuses_text),
+        cmocka_unit_test(reads_binary),
+        cmocka_unit_test(reads_binary_of_unknown_size),
+        cmocka_unit_test(refuses_binary),
+        cmocka_unit_test(welds_many),
+        cmocka_unit_test(reads_published_files),
+    };
+    return cmocka_run_group_tests_name("stl", tests, NULL, NULL);
+}

@@ -1,0 +1,254 @@
+/* test_verify_spoiled.c - drawings spoiled in one place at a time: --verify finds each fault that can be seen, and none in
+ * the drawing as it was. */
+#include "roberts.h"
+#include "scenes.h"
+
+#define COUNT(a) (sizeof(a) / sizeof(a)[0])
+
+enum { ROUNDS = 8, TRIES = 12 }; /* scenes of a family; faults of a kind in one drawing */
+
+/* ---- scenes ----------------------------------------------------------------------------------------------------- */
+
+typedef enum family { CROWD, LATTICE, BALLS, COINS, WALL, DIGITS, FAMILIES } family;
+
+static const char *const family_names[FAMILIES] = {"crowd", "lattice", "balls", "coins", "wall", "digits"};
+
+static roberts_scene *build_family(family which, uint64_t seed)
+{
+    rng r = {seed};
+    model m = {0};
+    switch (which) {
+    case CROWD:
+        model_crowd(&m, 12, 5, seed);
+        break;
+    case LATTICE:
+        model_lattice(&m, 3, 0.7, seed);
+        break;
+    case BALLS:
+        model_balls(&m, 2, 0.9, seed);
+        break;
+    case COINS: /* faces of many corners */
+        for (int i = 0; i < 6; i++)
+            model_round(&m, 80, false, mat3_times(mat3_turn(&r), mat3_scale(1, 0.7, 0.1)),
+                        (roberts_vec3){rng_between(&r, -1, 1), rng_between(&r, -1, 1), i});
+        break;
+    case WALL:
+        model_wall(&m, 5, 5);
+        model_box(&m, (roberts_vec3){3.5, -2, 1.5}, (roberts_vec3){4.25, 4, 2.75});
+        break;
+    default:
+        model_lattice(&m, 3, 0.7, seed);
+        model_to_digits(&m, 6);
+        break;
+    }
+    roberts_scene *scene = model_build(&m);
+    model_free(&m);
+    return scene;
+}
+
+/* Parallel, from an eye outside, and from one in between, by turns. */
+static roberts_camera camera_for(rng *r, int round)
+{
+    roberts_camera camera = {.dir = {rng_between(r, -1, 1), rng_between(r, -1, 1), rng_between(r, -1, 1)}};
+    if (round % 3 == 0)
+        return camera;
+    double far = round % 3 == 1 ? 20.0 : 9.0;
+    camera.projection = ROBERTS_PERSPECTIVE;
+    camera.eye = vec3_add(vec3_scale(far / vec3_length(camera.dir), camera.dir), (roberts_vec3){1, 1, 1});
+    camera.look_at = (roberts_vec3){1, 1, 1};
+    camera.has_look_at = true;
+    camera.near_distance = round % 3 == 1 ? 0.0 : 8.0;
+    return camera;
+}
+
+/* ---- faults ----------------------------------------------------------------------------------------------------- */
+
+typedef enum fault {
+    END_1E3, /* an end is moved by a thousandth of the edge, */
+    END_1E4, /* ... by 1e-4 of it, */
+    END_1E6, /* ... by 1e-6 of it */
+    NAME,    /* another solid is named */
+    GAP,     /* a visible part between two hidden ones is drawn as hidden */
+    OVERLAY, /* a hidden part between two visible ones is drawn as visible */
+    MISSING, /* a visible part is left out */
+    FAULTS
+} fault;
+
+static const char *const fault_names[FAULTS] = {"end off by 1e-3", "end off by 1e-4",  "end off by 1e-6", "wrong by",
+                                                "gap swallowed",   "hider overlooked", "left out"};
+
+static bool same_edge(const roberts_segment *a, const roberts_segment *b)
+{
+    return a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1;
+}
+
+static void drop_rows(roberts_drawing *drawing, size_t first, size_t count)
+{
+    roberts_segment *row = drawing->segment;
+    memmove(row + first, row + first + count, (drawing->count - first - count) * sizeof *row);
+    drawing->count -= count;
+}
+
+/* Moves the end that row i shares with the next one, either way. Without hidden rows the next one is a gap. */
+static bool move_end(roberts_drawing *drawing, size_t i, double by)
+{
+    roberts_segment *row = &drawing->segment[i], *next = i + 1 < drawing->count ? row + 1 : NULL;
+    bool joined = next && same_edge(row, next) && next->t0 == row->t1 && next->state != ROBERTS_CLIPPED;
+    double end = next && same_edge(row, next) ? next->t1 : 1.0;
+    if (row->t1 >= 1.0 || row->state == ROBERTS_CLIPPED || row->t1 + by <= row->t0 || row->t1 + by >= end)
+        return false;
+    if (!joined && row->state == ROBERTS_HIDDEN && by < 0.0)
+        return false; /* what is missing counts as hidden, and it is */
+    if (!joined && next && same_edge(row, next) && next->state != ROBERTS_CLIPPED && row->t1 + by >= next->t0)
+        return false; /* the gap must not vanish */
+    row->t1 += by;
+    if (joined)
+        next->t0 = row->t1;
+    return true;
+}
+
+/* Joins row i with those before and after it, as what these are. Parts so short that a pen shows nothing of them may be
+ * swallowed rightly. */
+static bool swallow(roberts_drawing *drawing, size_t i, roberts_state what)
+{
+    roberts_segment *row = &drawing->segment[i];
+    if (i == 0 || i + 1 >= drawing->count || row->state != what || row->t1 - row->t0 < 1e-6 ||
+        !same_edge(row, row - 1) || !same_edge(row, row + 1) || row[-1].state != row[1].state ||
+        row[-1].state == ROBERTS_CLIPPED)
+        return false;
+    row[-1].t1 = row[1].t1;
+    drop_rows(drawing, i, 2);
+    return true;
+}
+
+/* Puts the fault in row i. False: that cannot be, and nothing has changed. */
+static bool spoil(const roberts_scene *scene, roberts_drawing *drawing, size_t i, fault what, rng *r)
+{
+    static const double off[] = {1e-3, 1e-4, 1e-6};
+    roberts_segment *row = &drawing->segment[i];
+    uint32_t solids = (uint32_t)roberts_scene_solid_count(scene), other;
+    switch (what) {
+    case NAME:
+        other = (uint32_t)rng_int(r, 0, (int)solids - 1);
+        if (row->state != ROBERTS_HIDDEN || row->by == other)
+            return false;
+        row->by = other;
+        return true;
+    case GAP:
+        return swallow(drawing, i, ROBERTS_VISIBLE);
+    case OVERLAY:
+        return swallow(drawing, i, ROBERTS_HIDDEN);
+    case MISSING:
+        if (row->state != ROBERTS_VISIBLE || row->t1 - row->t0 < 1e-6)
+            return false;
+        drop_rows(drawing, i, 1);
+        return true;
+    default:
+        return move_end(drawing, i, rng_int(r, 0, 1) ? off[what] : -off[what]);
+    }
+}
+
+/* ---- rates ------------------------------------------------------------------------------------------------------ */
+
+typedef struct rate {
+    size_t tried, found;
+} rate;
+
+static void count_on(void *context, const roberts_contradiction *c)
+{
+    roberts_segment *row = context; /* the edge that is spoiled; `line` says whether that is found */
+    if (c->solid == row->solid && c->v0 == row->v0 && c->v1 == row->v1)
+        row->line = 1;
+    assert_true(c->drawn != c->cast || (c->cast == ROBERTS_HIDDEN && c->by != c->drawn_by));
+}
+
+/* Whether a contradiction is found on the edge of `row`; row == NULL: on any. */
+static bool is_found(const roberts_scene *scene, const roberts_camera *camera, const roberts_drawing *drawing,
+                     const roberts_segment *row)
+{
+    roberts_verify_options options = roberts_verify_options_default();
+    roberts_verification found;
+    roberts_segment edge = row ? *row : (roberts_segment){0};
+    edge.line = 0;
+    options.contradiction = row ? count_on : NULL;
+    options.context = &edge;
+    assert_int_equal(roberts_verify(scene, camera, drawing, &options, &found, NULL), ROBERTS_OK);
+    return row ? edge.line : found.contradictions > 0;
+}
+
+/* Faults of each kind in rows at random, one at a time. */
+static void spoil_rows(const roberts_scene *scene, const roberts_camera *camera, const roberts_drawing *sound, rng *r,
+                       rate rates[FAULTS])
+{
+    roberts_segment *rows = malloc(sound->count * sizeof *rows);
+    assert_non_null(rows);
+    for (fault what = 0; what < FAULTS; what++)
+        for (int tries = 0, spoiled = 0; tries < 60 * TRIES && spoiled < TRIES; tries++) {
+            roberts_drawing drawing = *sound;
+            size_t i = (size_t)rng_int(r, 0, (int)sound->count - 1);
+            memcpy(rows, sound->segment, sound->count * sizeof *rows);
+            drawing.segment = rows;
+            if (!spoil(scene, &drawing, i, what, r))
+                continue;
+            spoiled++;
+            rates[what].tried++;
+            bool found = is_found(scene, camera, &drawing, &sound->segment[i]);
+            rates[what].found += found;
+            if (!found)
+                print_message("not found: %s, solid %u, edge %u-%u, t %.17g to %.17g\n", fault_names[what],
+                              (unsigned)sound->segment[i].solid, (unsigned)sound->segment[i].v0,
+                              (unsigned)sound->segment[i].v1, sound->segment[i].t0, sound->segment[i].t1);
+        }
+    free(rows);
+}
+
+static void check_family(family which, rate rates[FAULTS])
+{
+    rng r = {100 + (uint64_t)which};
+    for (int round = 0; round < ROUNDS; round++) {
+        roberts_scene *scene = build_family(which, 1000 * (uint64_t)which + (uint64_t)round);
+        roberts_camera camera = camera_for(&r, round);
+        roberts_hide_options options = roberts_hide_options_default();
+        for (int keep = 0; keep < 2; keep++) {
+            roberts_drawing drawing = {0};
+            roberts_error error = {0};
+            options.keep_hidden = keep;
+            roberts_status status = roberts_hide(scene, &camera, &options, &drawing, &error);
+            if (status == ROBERTS_BAD_VIEW) /* the eye is in a solid */
+                continue;
+            assert_int_equal(status, ROBERTS_OK);
+            if (is_found(scene, &camera, &drawing, NULL))
+                fail_msg("%s %d: a sound drawing is contradicted", family_names[which], round);
+            spoil_rows(scene, &camera, &drawing, &r, rates);
+            roberts_drawing_free(&drawing);
+        }
+        roberts_scene_free(scene);
+    }
+}
+
+static void test_spoiled(void **state)
+{
+    rate rates[FAULTS] = {{0}};
+    (void)state;
+    for (family which = 0; which < FAMILIES; which++) {
+        rate of[FAULTS] = {{0}};
+        check_family(which, of);
+        for (fault what = 0; what < FAULTS; what++) {
+            print_message("%s, %s: %zu of %zu found\n", family_names[which], fault_names[what], of[what].found,
+                          of[what].tried);
+            rates[what].tried += of[what].tried;
+            rates[what].found += of[what].found;
+        }
+    }
+    for (fault what = 0; what < FAULTS; what++) {
+        if (rates[what].found != rates[what].tried)
+            fail_msg("%s: %zu of %zu found", fault_names[what], rates[what].found, rates[what].tried);
+        assert_true(rates[what].tried > 200);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_spoiled)};
+    return cmocka_run_group_tests_name("verify_spoiled", tests, NULL, NULL);
+}
