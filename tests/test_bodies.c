@@ -85,7 +85,7 @@ static const body_case cases[] = {
     {"a box open above: one sees into it",
      "OFF\n8 5 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n4 0 1 2 3\n"
      "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n",
-     TOP, "o", 0, 8, 0, 0, false, false},
+     TOP, "o", 8, 8, 0, 0, false, false},
 };
 
 /* Visible length of each class. */
