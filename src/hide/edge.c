@@ -107,14 +107,40 @@ static bool is_own(const hide_worker *w, const hide_line *line, const hide_front
     return own;
 }
 
-/* Leaves out the lines, given by bits from `first` on, whose own face the front is. */
-static BITS_RARE uint64_t without_own(const hide_worker *w, const hide_line *first, uint64_t bits,
-                                      const hide_front *front)
+/* (Q - P) x (X - P), of the picture: > 0 where X is on the left of P -> Q. */
+static double left_of(roberts_vec3 P, roberts_vec3 Q, roberts_vec3 X)
+{
+    return (Q.x - P.x) * (X.y - P.y) - (Q.y - P.y) * (X.x - P.x);
+}
+
+/* Does the line begin or end at a corner of the face, and go on plainly outside of it from there? Of a surface most faces that a
+ * line meets are of this kind. */
+static bool leaves_at_corner(const hide_picture *picture, const hide_edge *e, const hide_face *F)
+{
+    uint32_t at = F->count;
+    for (uint32_t i = 0; i < F->count; i++)
+        if (F->corner[i] == e->a || F->corner[i] == e->b) {
+            if (at < F->count)
+                return false;
+            at = i;
+        }
+    if (at == F->count)
+        return false;
+    roberts_vec3 before = picture->P[F->corner[at > 0 ? at - 1 : F->count - 1]], V = picture->P[F->corner[at]];
+    roberts_vec3 after = picture->P[F->corner[at + 1 < F->count ? at + 1 : 0]], X = F->corner[at] == e->a ? e->B : e->A;
+    return left_of(V, after, X) < -picture->space.plain || left_of(V, X, before) < -picture->space.plain;
+}
+
+/* Leaves out the lines, given by bits from `first` on, whose own face the front is, and those that only touch it at a corner. */
+static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *first, uint64_t bits,
+                                       const hide_front *front)
 {
     uint64_t left = bits;
-    for (; bits; bits &= bits - 1)
-        if (is_own(w, first + bits_trailing_zeros(bits), front))
+    for (; bits; bits &= bits - 1) {
+        const hide_line *line = first + bits_trailing_zeros(bits);
+        if (is_own(w, line, front) || leaves_at_corner(w->picture, &line->e, w->picture->face + front->face))
             left &= ~(bits & -bits);
+    }
     return left;
 }
 
@@ -183,7 +209,7 @@ BITS_INLINE bool meet_once(hide_worker *w, uint32_t solid, hide_line *line, cons
     const hide_lanes *lanes = hull ? &w->whole : &w->lanes;
     uint64_t bits = line ? 1 : met_by(lanes, w->line_count, &w->picture->front_box[front]);
     if (solid == ROBERTS_NONE && w->picture->front[front].surface)
-        bits = without_own(w, line ? line : w->line, bits, &w->picture->front[front]);
+        bits = not_left_out(w, line ? line : w->line, bits, &w->picture->front[front]);
     return !bits || w->picture->front[front].solid == solid || meet(w, line ? line : w->line, bits, box, front);
 }
 

@@ -218,10 +218,6 @@ static void describe(const hide_job *job, const roberts_camera *camera, roberts_
     drawing->edge_on_faces = picture->edge_on;
     drawing->window_min = (roberts_vec2){picture->low.x * unit, picture->low.y * unit};
     drawing->window_max = (roberts_vec2){picture->high.x * unit, picture->high.y * unit};
-    const scene_surface *surface = job->source->surface;
-    for (uint32_t s = 0;
-         surface && job->options->crease_auto && !job->options->all_edges && s < job->source->solid_count; s++)
-        drawing->smooth_bodies += surface->smooth[s];
     set_frame(job, camera, drawing);
 }
 

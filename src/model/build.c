@@ -454,6 +454,11 @@ roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t b
     return scene->surface ? (roberts_body_kind)scene->surface->kind[body] : ROBERTS_CONVEX;
 }
 
+bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body)
+{
+    return scene->surface && body < scene->solid_count && scene->surface->smooth[body];
+}
+
 /* All faces of a hull are without numbers, and no others are. */
 bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid)
 {
