@@ -44,7 +44,8 @@ TEST_BIN := $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(TEST_SRC)))
 # What takes longer than a second or two is left out of `make test-quick`.
 SLOW     := fault_files faults install memory_ahead metamorphic off oracle render same_bytes hull_memory
 QUICK_BIN = $(filter-out $(SLOW:%=$(BUILD)/tests/test_%),$(TEST_BIN))
-RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH=$(abspath $(BUILD)/locale) tests/run.sh
+RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) \
+            LOCPATH='$(abspath $(BUILD)/locale)' tests/run.sh
 DEMO     := table temple tower staircase city lattice
 EDGES    ?= 5000000
 SANITIZE := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
@@ -78,10 +79,10 @@ gallery: $(BUILD)/roberts ## the pictures of README's gallery, anew, to models/g
 drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
 	@echo "drawn: $(sort $^)"
 
-test: all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests, JOBS=n programs at a time
+test: all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(TEST_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs all tests
 	@$(RUN_TESTS) $(TEST_BIN)
 
-test-quick: all tools $(QUICK_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs those that take no longer than a second or two, for work in between
+test-quick: all tools $(QUICK_BIN) $(BUILD)/locale/de_DE.UTF-8 ## runs the fast ones, for work in between
 	@$(RUN_TESTS) $(QUICK_BIN)
 
 check-long: $(BUILD)/tests/oracle/compare ## some 5,000,000 edges against the exact oracle (EDGES=n), and a short fuzzing
