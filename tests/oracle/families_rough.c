@@ -188,12 +188,12 @@ void make_digits_convex(studio *st)
 
 /* ---- beams ------------------------------------------------------------------------------------------------------- */
 
-/* Long beams along x, one above the other, whose sides start in line and part by as little as 1e-11 of their length;
+/* Long beams along x, one above the other, whose sides start in line and part by as little as 1e-10 of their length;
  * their ends are slanted, so that their boxes reach farther than their sides. */
 static void put_beams(studio *st, bool tilted)
 {
-    int count = dice_int(&st->d, 4, 16), fine = dice_int(&st->d, 0, 1), slanted = dice_int(&st->d, 0, 1);
-    int digits = dice_int(&st->d, fine ? 9 : 1, fine ? 10 : 8);
+    int count = dice_int(&st->d, 4, 16), fine = dice_int(&st->d, 0, 1), slanted = fine || dice_int(&st->d, 0, 1);
+    int digits = fine ? 10 : dice_int(&st->d, 1, 9);
     double wide = dice_int(&st->d, 0, 1) ? 1 : 0.125, spread = pow(10, -digits);
     shape s = dice_int(&st->d, 0, 1) ? shape_box(1, 1, 1) : shape_random(&st->d, 4, 1);
     for (int i = 0; i < count; i++) {
