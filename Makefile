@@ -16,7 +16,7 @@ show      = $(if $(V),,@printf '  %-6s %s\n' $1 '$2')
 STD      := -std=c17 -D_POSIX_C_SOURCE=200809L
 # -ffp-contract=off: a fused multiply-add would make signs depend on the compiler (see src/base/vec.h)
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
-COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fPIC $(OPENMP) $(CFLAGS) -Iinclude -Isrc $(NEEDS) -MMD -MP
+COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fPIC $(OPENMP) $(CFLAGS) -Iinclude -Isrc $(TEST_DIRS) $(NEEDS) -MMD -MP
 LINK      = $(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^)
 # Asked for only where used: `make demo` has to start without pkg-config.
 NEEDS        =
@@ -29,13 +29,13 @@ LIB_SRC  := $(sort $(wildcard $(foreach room,base read model view hide ray draw,
 CLI_SRC  := $(sort $(wildcard src/cli/*.c))
 TOOL_SRC := $(sort $(wildcard tools/*.c))
 MODEL_SRC:= $(sort $(wildcard tools/models/*.c))
-TEST_SRC := $(sort $(wildcard tests/test_*.c))
+TEST_SRC := $(sort $(wildcard tests/test_*.c tests/*/test_*.c))
 ORACLE_P := tests/oracle/compare.c tests/oracle/mesh_compare.c tests/oracle/regolden.c
-ORACLE   := $(filter-out $(ORACLE_P),$(sort $(wildcard tests/oracle/*.c)))
+ORACLE   := $(filter-out $(ORACLE_P) $(TEST_SRC),$(sort $(wildcard tests/oracle/*.c)))
 ORACLE_X := $(sort $(wildcard tests/oracle/*.cpp))
 PAPER_P  := tests/paper/compare.c
-PAPER    := $(filter-out $(PAPER_P),$(sort $(wildcard tests/paper/*.c)))
-FUZZ_SRC := $(sort $(wildcard tests/fuzz/*.c))
+PAPER    := $(filter-out $(PAPER_P) $(TEST_SRC),$(sort $(wildcard tests/paper/*.c)))
+FUZZ_SRC := $(filter-out $(TEST_SRC),$(sort $(wildcard tests/fuzz/*.c)))
 C_SRC    := $(LIB_SRC) $(CLI_SRC) $(TOOL_SRC) $(MODEL_SRC) $(TEST_SRC) $(ORACLE) $(ORACLE_P) \
             $(FUZZ_SRC) $(PAPER) $(PAPER_P)
 VERSION  := $(shell sed -n 's/^.define ROBERTS_VERSION "\(.*\)"/\1/p' include/roberts.h)
@@ -56,12 +56,13 @@ endif
 object    = $(1:%.c=$(BUILD)/obj/%.o)
 TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
 PAGES    := $(BUILD)/roberts.1 $(BUILD)/completions/bash $(BUILD)/completions/zsh $(BUILD)/completions/fish
-TEST_BIN := $(TEST_SRC:%.c=$(BUILD)/%)
+# tests/unit/test_off.c becomes build/tests/test_off: names of tests are different in all folders.
+TEST_BIN := $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(TEST_SRC)))
 # What takes longer than a second or two is left out of `make test-quick`.
-SLOW     := fault_files faults install memory_ahead metamorphic off oracle render same_bytes hull_memory
+SLOW     := fault_files faults install memory_order metamorphic off oracle render same_bytes hull_memory
 QUICK_BIN = $(filter-out $(SLOW:%=$(BUILD)/tests/test_%),$(TEST_BIN))
-RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) LOCPATH='$(abspath $(BUILD)/locale)' \
-             tests/run.sh
+RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) \
+            LOCPATH='$(abspath $(BUILD)/locale)' tests/run.sh
 DEMO     := table temple tower staircase city lattice
 EDGES    ?= 5000000
 DRAWINGS ?= 1000
@@ -222,12 +223,14 @@ $(BUILD)/completions/%: src/cli/completions/% $(BUILD)/tools/print-options
 	$(call show,GEN,$@)
 	$(Q)$(BUILD)/tools/print-options $* <$< >$@
 
-$(TEST_BIN): $(BUILD)/%: $(BUILD)/obj/%.o $(BUILD)/libroberts.a
+$(BUILD)/obj/tests/%.o: TEST_DIRS = -iquote tests -iquote tests/support
+$(foreach test,$(TEST_SRC),$(eval $(BUILD)/tests/$(basename $(notdir $(test))): $(call object,$(test))))
+$(TEST_BIN): $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
 	$(call show,LD,$@)
 	$(Q)$(LINK) $(TEST_LIBS) $(CMOCKA_LIBS) $(LIBS)
 
-# Tests in which allocations fail: tests/memory.h
+# Tests in which allocations fail: tests/support/memory.h
 $(BUILD)/tests/test_memory_%: TEST_LIBS = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 
 # The fuzzers: libFuzzer has main() and calls a function of a fixed name, which the linker lets stand for ours.
@@ -269,7 +272,8 @@ $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 	$(call show,CXX,$<)
 	$(Q)$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math $(CXXFLAGS) -Iinclude -MMD -MP -c -o $@ $<
 
-$(BUILD)/obj/src/draw/%.o $(BUILD)/obj/tests/paper/%.o $(BUILD)/obj/tests/test_render.o $(BUILD)/obj/tests/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
+$(BUILD)/obj/src/draw/%.o $(BUILD)/obj/tests/paper/%.o: NEEDS = $(CAIRO_CFLAGS)
+$(BUILD)/obj/tests/cli/test_render.o $(BUILD)/obj/tests/cli/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
 $(BUILD)/obj/src/model/qhull.o: NEEDS = $(QHULL_CFLAGS)
 
 $(BUILD)/obj/%.o: %.c $(BUILD)/flags
@@ -304,7 +308,7 @@ lint-tidy:
 	@mkdir -p $(BUILD)
 	@echo clang-tidy on $(words $(C_SRC)) files
 	@printf '%s\n' $(C_SRC) | xargs -P $(CPUS) -I FILE \
-	    clang-tidy --quiet FILE -- $(STD) $(WARN) -Iinclude -Isrc \
+	    clang-tidy --quiet FILE -- $(STD) $(WARN) -Iinclude -Isrc -iquote tests -iquote tests/support \
 	    $(patsubst -I%,-isystem%,$(CAIRO_CFLAGS) $(QHULL_CFLAGS)) 2>$(BUILD)/tidy.err || \
 	    { cat $(BUILD)/tidy.err; exit 1; }
 

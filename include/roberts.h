@@ -662,8 +662,8 @@ typedef struct roberts_ink {
 } roberts_ink;
 
 /** Where save has an unfinished file: called with its name just before it is created, and with NULL once it is renamed
- * or removed, so that a program can remove it when it is interrupted. The name is valid between the two calls. What a killed
- * program leaves is removed when the same file is saved again. */
+ * or removed, so that a program can remove it when it is interrupted. The name is valid between the two calls. What a
+ * killed program leaves is removed when the same file is saved again. */
 typedef void roberts_temporary_fn(void *context, const char *path);
 
 /** How a drawing is written. Start from roberts_draw_options_default() and change what you need. */
@@ -699,7 +699,8 @@ typedef bool roberts_write_fn(void *context, const void *bytes, size_t size);
  * The same drawing and options give the same bytes, on every run and in every locale. SVG is true to 0.0005 mm
  * where nothing is joined (all lengths here times ten on pages longer than 4 m). On pages no line is drawn twice: of
  * segments that lie on one another the nearest visible one is drawn, or else the nearest hidden one; parts of one line
- * and class that are 0.001 mm apart or less are joined, as are ends; and what is no longer than that may be left out. Tables have all segments as they are.
+ * and class that are 0.001 mm apart or less are joined, as are ends; and what is no longer than that may be left out.
+ * Tables have all segments as they are.
  * Returns ROBERTS_OK, _NO_MEMORY, _IO (a write failed), _BAD_NUMBER (a segment is not finite) or _BAD_ARGUMENT (also: at
  * its scale the drawing leaves the page).
  */

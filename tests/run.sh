@@ -10,6 +10,10 @@
 # JOBS: how many programs run at a time (default: as many as there are processors)
 set -u
 
+# Tests run make themselves. They get the variables of this make, but not its job server, which is closed to them.
+MAKEFLAGS=$(printf '%s' "${MAKEFLAGS:-}" | sed 's/--jobserver-[a-z]*=[^ ]*//g; s/-j[0-9]*//g')
+export MAKEFLAGS
+
 # count WORD PROGRAM: how many of its tests a program reported so
 count() {
     grep -c "^\[ *$1 *\] " "$2.out"

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "fuzz.h"
-#include "../same_complaint.h"
-#include "../same_mesh.h"
+#include "same_complaint.h"
+#include "same_mesh.h"
 
 /* The input, given out in pieces of 1 to 97 bytes, whatever is asked for. */
 typedef struct pieces {

@@ -159,7 +159,8 @@ static bool is_known(const char *family)
     return !family;
 }
 
-/* The wanted family with the fewest edges so far, of which a scene is still to be looked at; `families` if there is none. */
+/* The wanted family with the fewest edges so far, of which a scene is still to be looked at; `families` if there is
+ * none. */
 static size_t next_family(const arguments *a, const judge_total *family, size_t families)
 {
     size_t best = families;

@@ -1,5 +1,5 @@
-/* exact.h - the oracle's numbers and vectors (C++). Each question is asked first with intervals of doubles, which know their
- * own error. Where a sign or an end remains uncertain, it is asked again with rational numbers. */
+/* exact.h - the oracle's numbers and vectors (C++). Each question is asked first with intervals of doubles, which know
+ * their own error. Where a sign or an end remains uncertain, it is asked again with rational numbers. */
 #ifndef ROBERTS_TESTS_EXACT_H
 #define ROBERTS_TESTS_EXACT_H
 

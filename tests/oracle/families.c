@@ -1,6 +1,6 @@
-/* families.c - the families. Contact is made with whole numbers, halves and powers of two, and the view is turned, not the
- * scene: so doubles hold every contact exactly. The families "turned", "tenth" and "tiny" then spoil it by rounding on
- * purpose. Every face is given either winding, because nobody may trust it. */
+/* families.c - the families. Contact is made with whole numbers, halves and powers of two, and the view is turned, not
+ * the scene: so doubles hold every contact exactly. The families "turned", "tenth" and "tiny" then spoil it by
+ * rounding on purpose. Every face is given either winding, because nobody may trust it. */
 #include "families.h"
 
 #include <math.h>
@@ -397,7 +397,8 @@ static void plates(studio *st)
     heap(st, ldexp(1, dice_int(&st->d, 0, 1) ? -10 : -20));
 }
 
-/* Where a near plane cuts plates of a millionth, what lies behind the cuts lies nearer to them than what counts as touching. */
+/* Where a near plane cuts plates of a millionth, what lies behind the cuts lies nearer to them than what counts as
+ * touching. */
 static void thicker_plates(studio *st)
 {
     heap(st, 0x1p-10);

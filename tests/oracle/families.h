@@ -1,5 +1,6 @@
-/* families.h - families of scenes on which the program is held against the oracle: what random position finds, and what it
- * never finds (contact, borders, corners, edges seen end-on). A family and a seed are one scene, on every machine. */
+/* families.h - families of scenes on which the program is held against the oracle: what random position finds, and
+ * what it never finds (contact, borders, corners, edges seen end-on). A family and a seed are one scene, on every
+ * machine. */
 #ifndef ROBERTS_TESTS_FAMILIES_H
 #define ROBERTS_TESTS_FAMILIES_H
 
@@ -11,12 +12,11 @@ typedef struct test_scene {
     roberts_vec3 look_at; /* where there is a near plane: a point on the line from the eye through view.near */
     bool oblique;         /* the program is asked for an oblique view from the front; view.y is -1 */
     double slack;         /* model units; 0: judged strictly, else oracle_options.slack */
-    bool
-        rough; /* faces or solids are not quite planar and convex: the scene itself is no better known than to `slack` */
-    double tolerance;       /* roberts_scene_options.tolerance; 0: the default */
+    bool rough;       /* faces or solids are not quite planar and convex, so that the scene is only known to `slack` */
+    double tolerance; /* roberts_scene_options.tolerance; 0: the default */
     uint32_t grid, threads; /* what the program is asked to use: it must not matter */
-    /* What the program is given instead of `mesh`: the same faces, no two of which share a vertex. Where it welds them they
-     * come to the vertices of `mesh`. Or each solid's points as an input, of which it has to take the hull. */
+    /* What the program is given instead of `mesh`: the same faces, no two of which share a vertex. Where it welds them
+     * they come to the vertices of `mesh`. Or each solid's points as an input, of which it has to take the hull. */
     bool has_soup, hull;
     roberts_mesh soup;
     /* Where rounding has spoiled contacts: the scene before that, whose drawing it must still be. */

@@ -1,5 +1,5 @@
-/* families_rough.c - families of models as people have them: cut into triangles, with corners a little off, given to a few
- * digits, filling space, seen along their faces; and beams that cross at grazing angles. */
+/* families_rough.c - families of models as people have them: cut into triangles, with corners a little off, given to a
+ * few digits, filling space, seen along their faces; and beams that cross at grazing angles. */
 #include <math.h>
 
 #include "makers.h"
@@ -20,8 +20,8 @@ static void put_crowd(studio *st, const shape *s, double scale)
     }
 }
 
-/* Looked at along a face, and then moved; or moved, and then looked at along one of the triangles that this has made. Nothing
- * is left open where nothing is moved and the view is exact. */
+/* Looked at along a face, and then moved; or moved, and then looked at along one of the triangles that this has made.
+ * Nothing is left open where nothing is moved and the view is exact. */
 static void roughen(studio *st)
 {
     double most = (double[]){0, 1e-12, 1e-9, 1e-6}[dice_int(&st->d, 0, 3)], off = small_angle(st);
@@ -188,12 +188,12 @@ void make_digits_convex(studio *st)
 
 /* ---- beams ------------------------------------------------------------------------------------------------------- */
 
-/* Long beams along x, one above the other, whose sides start in line and part by as little as 1e-11 of their length; their ends are
- * slanted, so that their boxes reach farther than their sides. */
+/* Long beams along x, one above the other, whose sides start in line and part by as little as 1e-10 of their length;
+ * their ends are slanted, so that their boxes reach farther than their sides. */
 static void put_beams(studio *st, bool tilted)
 {
-    int count = dice_int(&st->d, 4, 16), fine = dice_int(&st->d, 0, 1), slanted = dice_int(&st->d, 0, 1);
-    int digits = dice_int(&st->d, fine ? 9 : 1, fine ? 10 : 8);
+    int count = dice_int(&st->d, 4, 16), fine = dice_int(&st->d, 0, 1), slanted = fine || dice_int(&st->d, 0, 1);
+    int digits = fine ? 10 : dice_int(&st->d, 1, 9);
     double wide = dice_int(&st->d, 0, 1) ? 1 : 0.125, spread = pow(10, -digits);
     shape s = dice_int(&st->d, 0, 1) ? shape_box(1, 1, 1) : shape_random(&st->d, 4, 1);
     for (int i = 0; i < count; i++) {

@@ -1,5 +1,6 @@
-/* golden.c - the program must give the golden's segments to 1e-9, and each edge's golden segments must be what the oracle
- * leaves visible; both are looked at every time, so that a golden cannot be wrong for long, and none is written that is. */
+/* golden.c - the program must give the golden's segments to 1e-9, and each edge's golden segments must be what the
+ * oracle leaves visible; both are looked at every time, so that a golden cannot be wrong for long, and none is written
+ * that is. */
 #include "golden.h"
 
 #include <errno.h>

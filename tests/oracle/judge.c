@@ -1,7 +1,7 @@
 /* judge.c - comparison edge by edge. What the program hides must lie in `maybe`, what it shows must lie outside `sure`
  * (oracle.h); without slack the two are one and this is equality. A scene spoiled by rounding is held against its
- * original as well, strictly. The program's segments must also tile [0, 1] in turns of visible and hidden; and what it finds
- * visible must be what it finds where only that is wanted: then it looks at less. */
+ * original as well, strictly. The program's segments must also tile [0, 1] in turns of visible and hidden; and what it
+ * finds visible must be what it finds where only that is wanted: then it looks at less. */
 #include "judge.h"
 
 #include <errno.h>
@@ -83,8 +83,8 @@ static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, bool
     return status;
 }
 
-/* The segments of one edge, from *at on; leaves its hidden intervals and what the near plane leaves of it, and tells whether
- * the segments tile it. */
+/* The segments of one edge, from *at on; leaves its hidden intervals and what the near plane leaves of it, and tells
+ * whether the segments tile it. */
 typedef struct edge_segments {
     const roberts_segment *segment;
     size_t count, hidden_count;
@@ -129,8 +129,9 @@ static double wrong_length(const edge_segments *mine, const oracle_result *truth
            judge_outside(truth->interval + edge->sure, edge->sure_count, mine->hidden, mine->hidden_count);
 }
 
-/* What an edge may be wrong on. In a rough scene a part that is shorter than its ends may move by is as open as they are: it is there for
- * some positions of the corners within the slack, and not for others. (From an eye slack counts for more; 2 for each end, 2 for that.) */
+/* What an edge may be wrong on. In a rough scene a part that is shorter than its ends may move by is as open as they
+ * are: it is there for some positions of the corners within the slack, and not for others. (From an eye slack counts
+ * for more; 2 for each end, 2 for that.) */
 static double limit_of(const test_scene *scene, const roberts_mesh *mesh, const oracle_edge *edge)
 {
     roberts_vec3 p = mesh->vertex[edge->v0], q = mesh->vertex[edge->v1];
@@ -400,9 +401,9 @@ static bool judge_drawing(const char *name, const roberts_drawing *drawing, cons
     return failed == 0;
 }
 
-/* Does the program see at the middle of a hidden segment what a plain ray sees? Where the middle is rounded and lies in line with a
- * border, what is seen a little before or after it will do; and with slack, what is seen beside it by that, or up to ten times as far: from an
- * eye, what a corner moves by counts for more behind it. */
+/* Does the program see at the middle of a hidden segment what a plain ray sees? Where the middle is rounded and lies
+ * in line with a border, what is seen a little before or after it will do; and with slack, what is seen beside it by
+ * that, or up to ten times as far: from an eye, what a corner moves by counts for more behind it. */
 static bool is_seen(const test_scene *scene, const oracle_result *truth, const roberts_segment *s, double epsilon,
                     uint32_t *seen)
 {
@@ -437,8 +438,8 @@ static bool is_surely_hidden(const oracle_result *truth, const roberts_segment *
     return false;
 }
 
-/* Holds `by` of one hidden segment against the plain rays of rays.cpp. Where it is open whether a point is hidden, it is
- * open by what. */
+/* Holds `by` of one hidden segment against the plain rays of rays.cpp. Where it is open whether a point is hidden, it
+ * is open by what. */
 static bool judge_seen(const char *name, const test_scene *scene, const roberts_drawing *drawing, const char *folder,
                        judge_total *total, FILE *out)
 {
@@ -526,9 +527,9 @@ static bool is_open(const test_scene *scene, const roberts_drawing *drawing)
     return ok && at == drawing->count;
 }
 
-/* Holds the segments against those of the same scene written in another order: vertices, faces, and corners within these. But for their
- * names, and for whom of several solids that touch `by` names, they are the same; where contact is open, rounding may decide otherwise: that is
- * counted. */
+/* Holds the segments against those of the same scene written in another order: vertices, faces, and corners within
+ * these. But for their names, and for whom of several solids that touch `by` names, they are the same; where contact
+ * is open, rounding may decide otherwise: that is counted. */
 static bool judge_order(const char *name, const test_scene *scene, const roberts_drawing *drawing, const char *folder,
                         judge_total *total, FILE *out)
 {

@@ -6,8 +6,8 @@
 
 #include "families.h"
 
-/* An edge fails where program and oracle differ on more than this part of it; in rough scenes, where they differ on more than four times the slack
- * besides. */
+/* An edge fails where program and oracle differ on more than this part of it; in rough scenes, where they differ on
+ * more than four times the slack besides. */
 #define JUDGE_LIMIT 1e-9
 
 typedef struct judge_total {
@@ -24,8 +24,8 @@ typedef struct judge_total {
 } judge_total;
 
 /* Compares all edges of a scene and adds to `total`. `name` ("crowd-17") names files. For each of the first few edges
- * that fail, a report goes to `out`: both lists of intervals, the smallest part of the scene that still fails, written to
- * FOLDER/failures/, and the command that draws it. Returns whether everything agreed. */
+ * that fail, a report goes to `out`: both lists of intervals, the smallest part of the scene that still fails, written
+ * to FOLDER/failures/, and the command that draws it. Returns whether everything agreed. */
 bool judge_scene(const char *name, const test_scene *scene, const char *folder, judge_total *total, FILE *out);
 
 /* The camera of the library for the scene's viewer. */

@@ -7,14 +7,16 @@
  *     the side of the front face: in or on the border of the solid's projection.
  * A near plane h(X) = n.(X - near) = 0, n away from the eye E, leaves less of a solid to hide something:
  *   - h > 0: strictly behind it, where it closes the solid like a front face;
- *   - g(E) h - h(E) g >= 0 for each face that is not front, the plane through the eye and the line in which the face meets
- *     the near plane: in or on the border of that section's projection. (Both factors are >= 0, so what is left of the
- *     solid, where g >= 0 and h >= 0, lies within; where the face does not reach the near plane this says nothing new.)
+ *   - g(E) h - h(E) g >= 0 for each face that is not front, the plane through the eye and the line in which the face
+ *     meets the near plane: in or on the border of that section's projection. (Both factors are >= 0, so what is left
+ *     of the solid, where g >= 0 and h >= 0, lies within; where the face does not reach the near plane this says
+ *     nothing new.)
  * Along an edge X(t) each g is linear in t, so the hidden part is one interval; single points are dropped. The solid is
  * the convex hull of its vertices (CGAL, exact predicates): a face whose corners do not lie in one plane to the last
  * bit counts as the triangles that the hull makes of it, a planar one as coplanar triangles, which cut alike.
  *
- * Each question is asked by exactly() (exact.h): first with intervals of doubles, then, if need be, with rational numbers. */
+ * Each question is asked by exactly() (exact.h): first with intervals of doubles, then, if need be, with rational
+ * numbers. */
 #include "oracle.h"
 
 #include "exact.h"
@@ -337,8 +339,8 @@ struct oracle {
 
     /* -- clipping -- */
 
-    /* Leaves of t0..t1 where a function that goes evenly from gp at 0 to gq at 1 is not negative; false: not more than a
-     * point. */
+    /* Leaves of t0..t1 where a function that goes evenly from gp at 0 to gq at 1 is not negative; false: not more than
+     * a point. */
     template <class N> static bool keep(const N &gp, const N &gq, N &t0, N &t1)
     {
         int sp = sign_of(gp), sq = sign_of(gq);
@@ -471,7 +473,7 @@ struct oracle {
         return std::hypot(d.x, d.y, d.z);
     }
 
-    /* Greatest over least distance of a corner from the eye; 1 for a viewer at infinity, and where there is no slack. */
+    /* Greatest over least distance of a corner from the eye; 1 for a viewer at infinity, and without slack. */
     double stretch() const
     {
         double near = HUGE_VAL, far = 0;

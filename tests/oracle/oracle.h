@@ -16,11 +16,10 @@ extern "C" {
 #endif
 
 /* The viewer: w == 0: infinitely far in direction (x, y, z), which points from the scene toward the viewer; w == 1: an
- * eye at (x, y, z).
- * An eye with the whole scene in front of it needs no more. Else the near plane runs through `near`, square to the line from
- * the eye to that point, and what lies on the eye's side of it is not there: edges end on it, and solids that it passes
- * through are closed by it. A solid that only touches it from that side is not there either; nor is an edge that lies in it,
- * unless all of its solid lies beyond. */
+ * eye at (x, y, z). An eye with the whole scene in front of it needs no more. Else the near plane runs through `near`,
+ * square to the line from the eye to that point, and what lies on the eye's side of it is not there: edges end on it,
+ * and solids that it passes through are closed by it. A solid that only touches it from that side is not there either;
+ * nor is an edge that lies in it, unless all of its solid lies beyond. */
 typedef struct oracle_view {
     double x, y, z;
     int w;
@@ -60,15 +59,14 @@ typedef struct oracle_options {
 } oracle_options;
 
 /* Finds the hidden intervals of every edge of `mesh`. The solids are its components by shared vertices, numbered by
- * smallest vertex, each convex (its convex hull is what hides). Winding is not looked at. options: NULL for none. The eye
- * must not be within a solid.
- * False: *result holds nothing but an error. Release with oracle_free(). */
+ * smallest vertex, each convex (its convex hull is what hides). Winding is not looked at. options: NULL for none. The
+ * eye must not be within a solid. False: *result holds nothing but an error. Release with oracle_free(). */
 bool oracle_run(const roberts_mesh *mesh, const oracle_view *view, const oracle_options *options,
                 oracle_result *result);
 void oracle_free(oracle_result *result);
 
-/* The convex hull of points as triangles, by exact predicates; `face` has room for 2 * count of them. Points within it have
- * none. Returns the number of triangles, 0 where the points are flat or there is no memory. */
+/* The convex hull of points as triangles, by exact predicates; `face` has room for 2 * count of them. Points within it
+ * have none. Returns the number of triangles, 0 where the points are flat or there is no memory. */
 size_t oracle_hull(const roberts_vec3 *point, uint32_t count, uint32_t (*face)[3]);
 
 /* A point of an edge, from which the ray toward the viewer is cast. */
@@ -81,8 +79,9 @@ typedef struct oracle_point {
     roberts_vec3 aside; /* what the point is moved by */
 } oracle_point;
 
-/* The definition once more and as plainly as possible, to check the oracle itself (rays.cpp): casts the ray against every triangle
- * of every face as the mesh gives it. Returns whether a front face of another solid lies strictly nearer the viewer. */
+/* The definition once more and as plainly as possible, to check the oracle itself (rays.cpp): casts the ray against
+ * every triangle of every face as the mesh gives it. Returns whether a front face of another solid lies strictly
+ * nearer the viewer. */
 bool oracle_point_hidden(const oracle_point *point);
 
 /* Whether solid `by` is seen by the viewer in the direction of that point: it has a front face on the same sight line

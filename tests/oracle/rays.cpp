@@ -104,8 +104,8 @@ std::vector<hit> cast(const scene &s, const point &X, const point &dir)
     return hits;
 }
 
-/* What remains of the hits on the ray where a near plane cuts, and those on the sections with which it closes the solids:
- * where the ray passes through it within a solid, some corner of which lies beyond. */
+/* What remains of the hits on the ray where a near plane cuts, and those on the sections with which it closes the
+ * solids: where the ray passes through it within a solid, some corner of which lies beyond. */
 std::vector<hit> cut(const scene &s, const oracle_view &view, const ray &ray, const std::vector<hit> &hits)
 {
     std::vector<hit> left;

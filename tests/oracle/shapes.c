@@ -171,7 +171,7 @@ shape shape_random(dice *d, int count, int size)
     return s;
 }
 
-/* A prism or a pyramid, leaning, over a polygon of up to 16 corners whose sides are the first whole vectors by angle. */
+/* A prism or a pyramid, leaning, over a polygon of up to 16 corners. Its sides are the first whole vectors by angle. */
 shape shape_prism(dice *d)
 {
     static const int side[16][2] = {{1, 0},  {2, 1},   {1, 1},   {1, 2},   {0, 1},  {-1, 2}, {-1, 1}, {-2, 1},
@@ -203,8 +203,8 @@ static int common_divisor(int a, int b)
     return b == 0 ? abs(a) : common_divisor(b, a % b);
 }
 
-/* The whole vectors of no more than `most` either way that are no multiple of others, by angle from (1, 0) to before (0, 1). Gives
- * their number. */
+/* The whole vectors of no more than `most` either way that are no multiple of others, by angle from (1, 0) to before
+ * (0, 1). Gives their number. */
 static int first_vectors(int most, int (*v)[2])
 {
     int count = 0;
@@ -254,7 +254,8 @@ static void go_on(int64_t *x, int64_t *y, const int *v, int quarters)
     *y += turned[quarters][1];
 }
 
-/* Its sides are whole vectors by angle, of which some are left out together with their opposites, and some come in two parts. */
+/* Its sides are whole vectors by angle, of which some are left out together with their opposites, and some come in two
+ * parts. */
 shape shape_coin(dice *d)
 {
     shape s = {0};

@@ -28,8 +28,8 @@ typedef struct shape {
 /* Adds a point that is not there yet, as long as there is room. */
 void shape_point(shape *s, int64_t x, int64_t y, int64_t z);
 
-/* Leaves the convex hull of the shape's points, HULL_POINTS at the most, in the shape; false where they are flat or the hull is
- * too large. */
+/* Leaves the convex hull of the shape's points, HULL_POINTS at the most, in the shape; false where they are flat or
+ * the hull is too large. */
 bool shape_hull(shape *s);
 
 shape shape_box(int x, int y, int z);
@@ -47,8 +47,9 @@ shape shape_fan(dice *d);
 shape shape_plate(dice *d);
 /* A prism of height 1000 over a regular polygon of radius 1000, its corners rounded to whole numbers. */
 shape shape_regular_prism(int sides);
-/* Both fill space. The cells of the first are 2 wide and have their centres in the origin and at even coordinates whose sum is
- * a multiple of 4; those of the second in the origin and at coordinates that are all even and alike modulo 4. */
+/* Both fill space. The cells of the first are 2 wide and have their centres in the origin and at even coordinates
+ * whose sum is a multiple of 4; those of the second in the origin and at coordinates that are all even and alike
+ * modulo 4. */
 shape shape_rhombic_dodecahedron(void);
 shape shape_truncated_octahedron(void);
 /* Any of a box, a small prism and a small random hull. */

@@ -236,8 +236,8 @@ static double volume(const roberts_vec3 *vertex, const uint32_t *corner, roberts
     return w.x * (u.y * v.z - u.z * v.y) + w.y * (u.z * v.x - u.x * v.z) + w.z * (u.x * v.y - u.y * v.x);
 }
 
-/* Has each solid a face with the eye clearly in front of it? `least` is a part of the distance of the solid's middle; with 0, an eye
- * on the solid's surface is outside too. */
+/* Has each solid a face with the eye clearly in front of it? `least` is a part of the distance of the solid's middle;
+ * with 0, an eye on the solid's surface is outside too. */
 static bool is_outside(const studio *st, roberts_vec3 eye, double least)
 {
     const roberts_mesh *mesh = &st->scene->mesh;
@@ -303,8 +303,9 @@ static void set_eye(studio *st, roberts_vec3 eye, roberts_vec3 ahead, double far
 }
 
 /* Eye and near plane have coordinates that are multiples of `grain`, a power of two: coarse, it brings contact with
- * whole coordinates; fine, the eye may be very near a solid. The near plane is between a thousandth and a quarter of the scene's
- * size away, the look-at point at least half of it. False: the eye is within a solid, or all of the scene behind it. */
+ * whole coordinates; fine, the eye may be very near a solid. The near plane is between a thousandth and a quarter of
+ * the scene's size away, the look-at point at least half of it. False: the eye is within a solid, or all of the scene
+ * behind it. */
 static bool place_amid(studio *st)
 {
     const oracle_view *view = &st->scene->view;
@@ -343,8 +344,9 @@ static bool place_close(studio *st)
     return is_outside(st, eye, 1e-9);
 }
 
-/* In the plane of a face, at a corner of it or in line with one of its sides, with a near plane from a sixteenth of the scene's size on.
- * Eye and near plane are exact where coordinates are whole numbers or halves. False: the eye is within a solid, or all of the scene behind it. */
+/* In the plane of a face, at a corner of it or in line with one of its sides, with a near plane from a sixteenth of
+ * the scene's size on. Eye and near plane are exact where coordinates are whole numbers or halves. False: the eye is
+ * within a solid, or all of the scene behind it. */
 static bool place_in_plane(studio *st)
 {
     const roberts_mesh *mesh = &st->scene->mesh;
@@ -502,7 +504,7 @@ void give_as_soup(studio *st)
     free(list);
 }
 
-/* Appends vertices first .. end - 1 as a file of points; the program's coordinates are doubles, as %.17g writes them. */
+/* Appends vertices first .. end - 1 as a file of points. %.17g writes doubles so that they are read back exactly. */
 static bool read_points(const roberts_mesh *from, size_t first, size_t end, roberts_mesh *points)
 {
     char *text = NULL;

@@ -19,8 +19,8 @@ typedef struct studio {
     uint32_t solid_count, first_face[STUDIO_SOLIDS];
 } studio;
 
-/* A point with whole coordinates of lo .. hi, or with real ones of -1 .. 1: x is drawn first, then y, then z. As arguments of
- * one call, or in one initializer, they would be drawn in the order that the compiler likes. */
+/* A point with whole coordinates of lo .. hi, or with real ones of -1 .. 1: x is drawn first, then y, then z. As
+ * arguments of one call, or in one initializer, they would be drawn in the order that the compiler likes. */
 roberts_vec3 whole_point(studio *st, int lo, int hi);
 roberts_vec3 real_point(studio *st);
 
@@ -42,16 +42,17 @@ void look_random(studio *st);
 /* From z, and up to `aside` from there. */
 void look_down(studio *st, double aside, double z);
 void look_any(studio *st);
-/* The same direction from an eye well before the scene; from an eye amid the scene, with a near plane that cuts some of it;
- * from one just before a corner; from one in a face's plane, or at a corner, with a near plane; obliquely. Once all solids are there. */
+/* The same direction from an eye well before the scene; from an eye amid the scene, with a near plane that cuts some
+ * of it; from one just before a corner; from one in a face's plane, or at a corner, with a near plane; obliquely. Once
+ * all solids are there. */
 void look_from_eye(studio *st);
 void look_from_amid(studio *st);
 void look_from_close(studio *st);
 void look_from_face_plane(studio *st);
 void look_oblique(studio *st);
 
-/* Gives the program the faces as triangles without shared vertices, in any order, by way of its reader. No two solids may
- * have a corner in one place. */
+/* Gives the program the faces as triangles without shared vertices, in any order, by way of its reader. No two solids
+ * may have a corner in one place. */
 void give_as_soup(studio *st);
 
 /* Gives the program the points of each solid alone, to take the hulls of. */

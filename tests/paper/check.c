@@ -542,12 +542,11 @@ void check_pixels(const row_list *r, const picture *p, const roberts_draw_option
         double length = length_of(own->a, own->b),
                reach = scale * (0.5 * pen_of(options, own->line)->width_mm + point_mm);
         bool missed = false;
-        for (double t = 0.0;; t = fmin(t + step / scale, length)) {
-            roberts_vec2 at = point_at(own->a, own->b, t);
+        int steps = (int)ceil(length * scale / step);
+        for (int k = 0; k <= steps; k++) {
+            roberts_vec2 at = point_at(own->a, own->b, fmin(k * step / scale, length));
             missed = missed || !is_drawn_at(p, options, own->line, at, scale);
             mark(near, p, own->line, (roberts_vec2){at.x * scale, at.y * scale}, reach);
-            if (t >= length)
-                break;
         }
         if (missed && length > left_out_mm) {
             if (tell(f))

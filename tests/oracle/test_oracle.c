@@ -54,8 +54,9 @@ static void add_box(roberts_mesh *mesh, roberts_vec3 lo, roberts_vec3 hi)
 #define CORNER {.x = 1, .y = 1, .z = 1}
 #define ONE_CUBE {0, 0, 0}, {0, 0, 0}
 
-/* The unit cube, a second box where its two corners differ, and a tetrahedron; judged is the tetrahedron's edge from its
- * first to its second point. The third and fourth point lie so that it has a front face unless the case says otherwise. */
+/* The unit cube, a second box where its two corners differ, and a tetrahedron; judged is the tetrahedron's edge from
+ * its first to its second point. The third and fourth point lie so that it has a front face unless the case says
+ * otherwise. */
 static const struct {
     const char *name;
     oracle_view view;
@@ -344,8 +345,9 @@ static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size)
     return hash;
 }
 
-/* A family and a seed are one scene, whichever compiler decides in which order what a call is given is computed. (Families
- * whose coordinates are whole numbers, halves and powers of two: the others differ where sines and roots do.) */
+/* A family and a seed are one scene, whichever compiler decides in which order what a call is given is computed.
+ * (Families whose coordinates are whole numbers, halves and powers of two: the others differ where sines and roots
+ * do.) */
 static const struct {
     const char *family;
     uint64_t hash; /* of vertices, corners and view, little-endian */
@@ -439,9 +441,10 @@ static void test_near_contact(void **state)
     }
 }
 
-/* The tip of a tetrahedron lies in from the outline by less than epsilon, over its longest edge: the face there is edge-on,
- * and without it the outline turns inward at the tip. Boxes below the edge, from near the tip to its other end, are cut there,
- * give or take epsilon: also where the tip is so near the edge's end that it turns by no more than rounding. */
+/* The tip of a tetrahedron lies in from the outline by less than epsilon, over its longest edge: the face there is
+ * edge-on, and without it the outline turns inward at the tip. Boxes below the edge, from near the tip to its other
+ * end, are cut there, give or take epsilon: also where the tip is so near the edge's end that it turns by no more than
+ * rounding. */
 static void test_edge_on(void **state)
 {
     const double along[] = {0.1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10}, in[] = {3e-11, 2e-14, 1e-15, 1e-16, 0.0};
