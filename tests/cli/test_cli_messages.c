@@ -151,10 +151,10 @@ static void a_tolerance_below_the_limit_is_named(void **state)
     assert_non_null(corner);
     snprintf(moved, sizeof moved, "%.*s\n1.07 1.07 1.07%s", (int)(corner - text), text, corner + strlen("\n1 1 1"));
     put("moved.off", moved);
-    assert_int_equal(run("-f null moved.off"), 1);
+    assert_int_equal(run("--solids -f null moved.off"), 1);
     assert_said(" beside their plane (--tolerance 0.007 would do; see also --hull)\n");
-    assert_int_equal(run("-f null moved.off --tolerance 0.007"), 0);
-    assert_int_equal(run("-f null moved.off --tolerance 0.005"), 1);
+    assert_int_equal(run("--solids -f null moved.off --tolerance 0.007"), 0);
+    assert_int_equal(run("--solids -f null moved.off --tolerance 0.005"), 1);
 }
 
 /* A surface of revolution as triangles, with a waist of `depth` in the middle: 1.5 high and low, 1 wide. */
