@@ -397,7 +397,7 @@ static void stars(workshop *w)
                 triangle(w, c[k], c[(k + 1) % n], top);
         }
     }
-    w->scene->even_odd = false;
+    w->scene->even_odd = any(w, 0, 2) == 0;
 }
 
 /* Frames: a slit joins the hole to the border. */

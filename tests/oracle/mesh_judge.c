@@ -25,7 +25,8 @@ typedef struct judgement {
     piece *piece; /* [count] of the edge at hand; room for all segments */
     size_t count;
     oracle_interval *hidden; /* [hidden_count] joined */
-    size_t hidden_count;
+    oracle_interval *shown;  /* [shown_count] what any piece is of, joined */
+    size_t hidden_count, shown_count;
 } judgement;
 
 static roberts_vec3 at(roberts_vec3 a, roberts_vec3 b, double t)
@@ -91,27 +92,41 @@ static int by_start(const void *a, const void *b)
     return (p->t0 > q->t0) - (p->t0 < q->t0);
 }
 
-/* How much of 0..1 no piece is of. Joins the hidden ones; what one piece shows and another hides counts as shown. */
-static double uncovered(judgement *j)
+static size_t join(oracle_interval *list, size_t count, const piece *p)
 {
-    double end = 0, missing = 0;
+    if (count && p->t0 <= list[count - 1].t1)
+        list[count - 1].t1 = fmax(list[count - 1].t1, p->t1);
+    else
+        list[count++] = (oracle_interval){p->t0, p->t1};
+    return count;
+}
+
+/* Joins the pieces, and the hidden ones. Gives how much of what the edge bounds no piece is of. */
+static double uncovered(judgement *j, const mesh_edge *e)
+{
     qsort(j->piece, j->count, sizeof *j->piece, by_start);
+    j->hidden_count = j->shown_count = 0;
     for (size_t i = 0; i < j->count; i++) {
-        missing += fmax(0, j->piece[i].t0 - end);
-        end = fmax(end, j->piece[i].t1);
+        j->shown_count = join(j->shown, j->shown_count, &j->piece[i]);
+        if (j->piece[i].hidden)
+            j->hidden_count = join(j->hidden, j->hidden_count, &j->piece[i]);
     }
-    j->hidden_count = 0;
-    for (size_t i = 0; i < j->count; i++) {
-        const piece *p = &j->piece[i];
-        oracle_interval *last = j->hidden_count ? &j->hidden[j->hidden_count - 1] : NULL;
-        if (!p->hidden)
-            continue;
-        if (last && p->t0 <= last->t1)
-            last->t1 = fmax(last->t1, p->t1);
-        else
-            j->hidden[j->hidden_count++] = (oracle_interval){p->t0, p->t1};
-    }
-    return missing + fmax(0, 1 - end);
+    return judge_outside(j->truth->part + e->part, e->parts, j->shown, j->shown_count);
+}
+
+/* Length of a \ b in what the edge bounds. */
+static double outside(const judgement *j, const mesh_edge *e, const oracle_interval *a, size_t a_count,
+                      const oracle_interval *b, size_t b_count)
+{
+    double sum = 0;
+    for (size_t k = e->part; k < e->part + e->parts; k++)
+        for (size_t i = 0; i < a_count; i++) {
+            const oracle_interval *part = &j->truth->part[k];
+            const oracle_interval both = {fmax(a[i].t0, part->t0), fmin(a[i].t1, part->t1)};
+            if (both.t0 < both.t1)
+                sum += judge_outside(&both, 1, b, b_count);
+        }
+    return sum;
 }
 
 /* Where the two lists differ, the middles are asked how sure they are. Gives the length that is surely wrong. */
@@ -171,14 +186,14 @@ static void judge_edge(judgement *j, const mesh_edge *e, const char *name, mesh_
     const oracle_interval *truth = j->truth->interval + e->first;
     j->count = 0;
     take_own(j, e);
-    double missing = uncovered(j);
+    double missing = uncovered(j, e);
     if (missing > 0 && j->truth->edge_count <= MANY_EDGES) {
         j->count = 0;
         take_others(j, e);
-        missing = uncovered(j);
+        missing = uncovered(j, e);
     }
-    double wrong = judge_outside(j->hidden, j->hidden_count, truth, e->count) +
-                   judge_outside(truth, e->count, j->hidden, j->hidden_count);
+    double wrong = outside(j, e, j->hidden, j->hidden_count, truth, e->count) +
+                   outside(j, e, truth, e->count, j->hidden, j->hidden_count);
     if (j->scene->slack > 0 && wrong > MESH_JUDGE_LIMIT)
         wrong = surely_wrong(j, e, &total->unjudged);
     wrong += missing > MESH_JUDGE_LIMIT ? missing : 0;
@@ -226,6 +241,7 @@ bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, m
     const oracle_view *v = &scene->view;
     roberts_camera camera = {.projection = v->w ? ROBERTS_PERSPECTIVE : ROBERTS_ORTHOGRAPHIC};
     roberts_hide_options options = roberts_hide_options_default();
+    roberts_scene_options bodies = {.even_odd = scene->even_odd};
     roberts_scene *built = NULL;
     roberts_drawing drawing = {0};
     roberts_error error;
@@ -241,7 +257,7 @@ bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, m
         fprintf(out, "%s: the oracle refuses: %s\n", name, truth.error);
         return true;
     }
-    if (roberts_scene_build(&scene->mesh, NULL, &built, &error) != ROBERTS_OK ||
+    if (roberts_scene_build(&scene->mesh, &bodies, &built, &error) != ROBERTS_OK ||
         roberts_hide(built, &camera, &options, &drawing, &error) != ROBERTS_OK) {
         fprintf(out, "%s: the program refuses: %s\n", name, error.message);
         failed++;
@@ -252,11 +268,13 @@ bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, m
                        .drawing = &drawing,
                        .size = size_of(&scene->mesh),
                        .piece = malloc((drawing.count + 1) * sizeof *j.piece),
-                       .hidden = malloc((drawing.count + 1) * sizeof *j.hidden)};
-        for (size_t i = 0; j.piece && j.hidden && i < truth.edge_count; i++)
+                       .hidden = malloc((drawing.count + 1) * sizeof *j.hidden),
+                       .shown = malloc((drawing.count + 1) * sizeof *j.shown)};
+        for (size_t i = 0; j.piece && j.hidden && j.shown && i < truth.edge_count; i++)
             judge_edge(&j, &truth.edge[i], name, total, &failed, out);
         free(j.piece);
         free(j.hidden);
+        free(j.shown);
     }
     if (failed)
         tell_command(name, scene, folder, out);

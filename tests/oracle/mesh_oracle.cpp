@@ -253,6 +253,73 @@ struct mesh_oracle {
         return t * wb / ((N(1) - t) * wa + t * wb);
     }
 
+    /* ---- what a side bounds ---- */
+
+    /* The parameter of a corner along the line through a and b; false: it lies beside that line. */
+    bool along(uint32_t a, uint32_t b, uint32_t v, rational *t) const
+    {
+        const roberts_vec3 &A = mesh.vertex[a], &B = mesh.vertex[b], &P = mesh.vertex[v];
+        double dx = B.x - A.x, dy = B.y - A.y, dz = B.z - A.z, x = P.x - A.x, y = P.y - A.y, z = P.z - A.z;
+        double least = 1e-9 * (std::fabs(dx) + std::fabs(dy) + std::fabs(dz)) *
+                       (std::fabs(A.x) + std::fabs(A.y) + std::fabs(A.z) + std::fabs(P.x) + std::fabs(P.y) +
+                        std::fabs(P.z) + std::fabs(B.x) + std::fabs(B.y) + std::fabs(B.z));
+        if (std::fabs(dx * y - dy * x) > least || std::fabs(dx * z - dz * x) > least ||
+            std::fabs(dy * z - dz * y) > least)
+            return false;
+        vec<rational> d = sub<rational>(B, A), p = sub<rational>(P, A), c = cross(d, p);
+        if (c.x != 0 || c.y != 0 || c.z != 0)
+            return false;
+        *t = d.x != 0 ? rational(p.x / d.x) : d.y != 0 ? rational(p.y / d.y) : rational(p.z / d.z);
+        return true;
+    }
+
+    /* Where the border of face f bounds something along its side from a to b: ends of parts, two by two. */
+    std::vector<rational> bounded(const polygon &f, uint32_t a, uint32_t b) const
+    {
+        std::vector<std::tuple<rational, int>> change;
+        rational t, s;
+        bool line = true;
+        for (uint32_t v : f.corner)
+            line = line && along(a, b, v, &t);
+        if (line || f.corner.size() == 3)
+            return {rational(0), rational(1)};
+        for (const auto &side : f.side)
+            if (along(a, b, side[0], &s) && along(a, b, side[1], &t)) {
+                int way = s < t ? 1 : -1;
+                rational low = std::max(rational(0), std::min(s, t)), high = std::min(rational(1), std::max(s, t));
+                if (low < high) {
+                    change.emplace_back(low, way);
+                    change.emplace_back(high, -way);
+                }
+            }
+        std::sort(change.begin(), change.end());
+        std::vector<rational> out;
+        int net = 0;
+        for (size_t i = 0; i + 1 < change.size(); i++) {
+            net += std::get<1>(change[i]);
+            const rational &from = std::get<0>(change[i]), &to = std::get<0>(change[i + 1]);
+            if (from == to || (even_odd ? net % 2 == 0 : net == 0))
+                continue;
+            if (!out.empty() && out.back() == from)
+                out.back() = to;
+            else
+                out.insert(out.end(), {from, to});
+        }
+        return out;
+    }
+
+    /* The same of all faces that have the edge. */
+    std::vector<oracle_interval> parts(uint32_t a, uint32_t b, const std::vector<size_t> &own) const
+    {
+        std::vector<oracle_interval> all;
+        for (size_t f : own) {
+            std::vector<rational> ends = bounded(faces[f], a, b);
+            for (size_t i = 0; i < ends.size(); i += 2)
+                all.push_back({rounded(ends[i]), rounded(ends[i + 1])});
+        }
+        return join(all, 0);
+    }
+
     /* What face f hides of the edge from a to b; f is none of its own. */
     template <class N> std::vector<oracle_interval> hide_by(const polygon &f, uint32_t a, uint32_t b) const
     {
@@ -302,7 +369,7 @@ struct mesh_oracle {
 
     std::vector<oracle_interval> hide(uint32_t a, uint32_t b, const std::vector<size_t> &own)
     {
-        std::vector<oracle_interval> all, joined;
+        std::vector<oracle_interval> all;
         for (size_t f = 0; f < faces.size(); f++) {
             if (apart(faces[f], a, b) || std::find(own.begin(), own.end(), f) != own.end())
                 continue;
@@ -311,10 +378,17 @@ struct mesh_oracle {
                 exactly(false, &exact, [&](auto zero) { return hide_by<decltype(zero)>(faces[f], a, b); });
             all.insert(all.end(), some.begin(), some.end());
         }
+        return join(all, 4e-14);
+    }
+
+    /* Sorted, and one where they are no farther than `gap` from one another. */
+    static std::vector<oracle_interval> join(std::vector<oracle_interval> all, double gap)
+    {
+        std::vector<oracle_interval> joined;
         std::sort(all.begin(), all.end(),
                   [](const oracle_interval &p, const oracle_interval &q) { return p.t0 < q.t0; });
         for (const oracle_interval &i : all)
-            if (!joined.empty() && i.t0 <= joined.back().t1 + 4e-14)
+            if (!joined.empty() && i.t0 <= joined.back().t1 + gap)
                 joined.back().t1 = std::max(joined.back().t1, i.t1);
             else
                 joined.push_back(i);
@@ -352,13 +426,20 @@ bool mesh_truth_find(const roberts_mesh *mesh, const oracle_view *view, bool eve
     try {
         mesh_oracle o(*mesh, *view, even_odd);
         std::vector<mesh_edge> edges;
-        std::vector<oracle_interval> intervals;
+        std::vector<oracle_interval> intervals, parts;
         for (const auto &[key, own] : o.edges) {
+            std::vector<oracle_interval> part = o.parts(key[0], key[1], own);
+            if (part.empty())
+                continue;
             std::vector<oracle_interval> hidden = o.hide(key[0], key[1], own);
-            edges.push_back({key[0], key[1], (uint32_t)own.size(), intervals.size(), hidden.size()});
+            edges.push_back(
+                {key[0], key[1], (uint32_t)own.size(), intervals.size(), hidden.size(), parts.size(), part.size()});
             intervals.insert(intervals.end(), hidden.begin(), hidden.end());
+            parts.insert(parts.end(), part.begin(), part.end());
         }
         truth->edge_count = edges.size(), truth->interval_count = intervals.size();
+        truth->part_count = parts.size();
+        truth->part = copy_of(parts);
         truth->pairs = o.pairs, truth->exact = o.exact;
         truth->edge = copy_of(edges);
         truth->interval = copy_of(intervals);
@@ -375,6 +456,7 @@ void mesh_truth_free(mesh_truth *truth)
 {
     std::free(truth->edge);
     std::free(truth->interval);
+    std::free(truth->part);
     std::free(truth->position);
     std::memset(truth, 0, sizeof *truth);
 }

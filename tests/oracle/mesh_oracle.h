@@ -3,7 +3,8 @@
  *
  *   A point X of an edge is hidden where some face that is not edge-on holds a point strictly nearer to the viewer on X's sight
  *   line. A face is closed in projection: it has its border, and what the border winds round (a winding number other than 0, or an
- *   odd one). A side that runs both ways bounds nothing.
+ *   odd one). A side, or a part of one, that its face's border runs along as often one way as the other (with the odd
+ *   rule: an even number of times) bounds nothing: it is no edge. All sides of a face whose corners are in a line are edges.
  *
  * The doubles of the mesh are taken as the rational numbers that they are. Positions that are exactly equal are one vertex. A face
  * whose corners do not lie in one plane has the plane through the mean of its corners with Newell's normal; its own edges, and its
@@ -22,12 +23,13 @@ typedef struct mesh_edge {
     uint32_t v0, v1;     /* v0 < v1 */
     uint32_t faces;      /* how many distinct faces have it */
     size_t first, count; /* hidden intervals, into mesh_truth.interval; they ascend and do not touch */
+    size_t part, parts;  /* where it bounds something, into mesh_truth.part, likewise; at least one */
 } mesh_edge;
 
 typedef struct mesh_truth {
-    size_t edge_count, interval_count;
+    size_t edge_count, interval_count, part_count;
     mesh_edge *edge; /* [edge_count] by v0, v1 */
-    oracle_interval *interval;
+    oracle_interval *interval, *part;
     uint32_t *position;  /* [vertex_count of the mesh] the smallest vertex at the same place */
     size_t pairs, exact; /* pairs of edge and face; those that took rational numbers */
     char error[160];     /* empty if nothing went wrong */
