@@ -4,6 +4,7 @@
  * the next stretch is the one most to the left. From one cell to the next the winding number changes by how often the border
  * runs along the stretch between them. A slit (a stretch that runs both ways) changes nothing and bounds nothing. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
 #include "base/dd.h"
@@ -499,6 +500,49 @@ static bool fill_cells(face_pieces *f, const face_rules *rules, arrangement *a)
     return take_cells(f, a, rules->even_odd);
 }
 
+/* Does the stretch run the way that its side of the ring does? */
+static bool runs_along(const face_pieces *f, const piece_side *s, uint32_t from, uint32_t to)
+{
+    roberts_vec2 A = f->node[from].at, B = f->node[to].at, P = f->node[s->from].at, Q = f->node[s->to].at;
+    return (B.x - A.x) * (Q.x - P.x) + (B.y - A.y) * (Q.y - P.y) > 0.0;
+}
+
+static int compare_piece_sides(const void *pa, const void *pb)
+{
+    const piece_side *a = pa, *b = pb;
+    if (a->side != b->side)
+        return a->side < b->side ? -1 : 1;
+    if (a->piece != b->piece)
+        return a->piece < b->piece ? -1 : 1;
+    return (a->from > b->from) - (a->from < b->from);
+}
+
+/* Of a border that is not quite planar no crossing lies on both of its sides: its edges are the sides as a whole then, each with
+ * one of the pieces along it. */
+static bool take_whole_sides(face_pieces *f)
+{
+    size_t count = f->side_count, k = 0;
+    if (count > 1)
+        qsort(f->side, count, sizeof *f->side, compare_piece_sides);
+    for (size_t i = 0; i < f->ring_count; i++) { /* side_of[] ascends */
+        uint32_t from = f->ring[i], to = f->ring[i + 1 < f->ring_count ? i + 1 : 0];
+        while (k < count && f->side[k].side < f->side_of[i])
+            k++;
+        if (k == count || f->side[k].side != f->side_of[i] || from == to)
+            continue;
+        piece_side whole = {from, to, f->side[k].piece, f->side_of[i]};
+        if (!runs_along(f, &f->side[k], from, to)) {
+            whole.from = to;
+            whole.to = from;
+        }
+        if (!face_pieces_add_side(f, whole))
+            return false;
+    }
+    f->side_count -= count;
+    memmove(f->side, f->side + count, f->side_count * sizeof *f->side);
+    return true;
+}
+
 bool face_pieces_arrange(face_pieces *f, const face_rules *rules, bool *done)
 {
     double touching = rules->touching / rules->unit;
@@ -512,6 +556,8 @@ bool face_pieces_arrange(face_pieces *f, const face_rules *rules, bool *done)
     if (enough && (repeats || a.stop_count > 0)) {
         *done = true;
         enough = fill_cells(f, rules, &a);
+        if (enough && f->fit.deviation > rules->touching && f->side_count > 0)
+            enough = take_whole_sides(f);
     }
     free_arrangement(&a);
     return enough;

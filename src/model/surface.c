@@ -118,17 +118,14 @@ static bool add_piece(surface *s, const face_pieces *p, const face_piece *piece,
     return s->corner_count < ROBERTS_NONE;
 }
 
-/* Where on the side of the file from A to B the point P is, whose low part is `low`. */
-static double part_of(roberts_vec3 A, roberts_vec3 B, roberts_vec3 P, roberts_vec3 low)
+double surface_part_of(const surface *s, const uint32_t v[2], uint32_t at)
 {
-    roberts_vec3 AB = vec3_sub(B, A), AP = vec3_add(vec3_sub(P, A), low);
+    const roberts_vec3 none = {0.0, 0.0, 0.0};
+    roberts_vec3 A = s->point[v[0]], AB = vec3_sub(s->point[v[1]], A);
+    roberts_vec3 AP = vec3_add(vec3_sub(s->point[at], A), s->low ? s->low[at] : none);
     double x = fabs(AB.x), y = fabs(AB.y), z = fabs(AB.z);
-    return x >= y && x >= z ? AP.x / AB.x : y >= z ? AP.y / AB.y : AP.z / AB.z;
-}
-
-static roberts_vec3 low_of(const surface *s, uint32_t v)
-{
-    return s->low ? s->low[v] : (roberts_vec3){0, 0, 0};
+    double t = x >= y && x >= z ? AP.x / AB.x : y >= z ? AP.y / AB.y : AP.z / AB.z;
+    return at == v[0] ? 0.0 : at == v[1] ? 1.0 : greater(0.0, lesser(1.0, t));
 }
 
 /* Notes that the last side is a part of the file's from a to b. */
@@ -142,7 +139,7 @@ static bool note_part(surface *s, uint32_t a, uint32_t b)
     uint32_t from = a < b ? a : b, to = a < b ? b : a;
     double t[2];
     for (int i = 0; i < 2; i++)
-        t[i] = part_of(s->point[from], s->point[to], s->point[side->v[i]], low_of(s, side->v[i]));
+        t[i] = surface_part_of(s, (uint32_t[]){from, to}, side->v[i]);
     s->side_part[s->part_count++] =
         (scene_part){(uint32_t)(s->side_count - 1), {from, to}, lesser(t[0], t[1]), greater(t[0], t[1])};
     return true;

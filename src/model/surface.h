@@ -67,6 +67,9 @@ bool surface_take_faces(surface *s, const uint8_t *listed, const face_rules *rul
 /* Finds the edges: sides that lie on one another, within `touching`, are one. False: no memory. */
 bool surface_find_edges(surface *s, double touching);
 
+/* Where on the edge of the file between v[0] and v[1] a vertex is, 0 to 1. */
+double surface_part_of(const surface *s, const uint32_t v[2], uint32_t at);
+
 void surface_free(surface *s);
 
 #endif

@@ -123,6 +123,14 @@ static bool copy_part(surface *s, uint32_t side, uint32_t *part)
     return true;
 }
 
+/* Do both sides belong to one planar face? Its border crosses itself, and this stretch of it has the face on both sides: another
+ * face has stretches of its own there. */
+static bool same_face(const surface *s, const uint32_t side[2])
+{
+    uint32_t p = s->side[side[0]].piece, q = s->side[side[1]].piece;
+    return !((p | q) & SURFACE_CUT) && s->plane_of[p] == s->plane_of[q];
+}
+
 /* An edge of two sides that are pieces', else its sides are odd. */
 static bool take_group(finder *f, const uint64_t *half, size_t count)
 {
@@ -138,7 +146,7 @@ static bool take_group(finder *f, const uint64_t *half, size_t count)
                 side[real] = (uint32_t)half[i];
             real++;
         }
-    if (real != 2) {
+    if (real != 2 || same_face(s, side)) {
         if (!array_reserve(&f->odd, &f->odd_room, f->odd_count + count, sizeof *f->odd))
             return false;
         for (size_t i = 0; i < count; i++)
@@ -347,6 +355,22 @@ static bool add_incidence(surface *s, surface_edge *edge, uint32_t count, uint32
     return true;
 }
 
+/* The part that an edge is begins and ends at its vertices, so that parts that follow one another meet. */
+static void place_part(const finder *f, scene_part *part, const surface_edge *edge)
+{
+    const roberts_vec3 *point = f->s->point;
+    double t[2];
+    for (int i = 0; i < 2; i++) {
+        t[i] = surface_part_of(f->s, part->v, edge->v[i]);
+        if (vec3_length(vec3_sub(point[edge->v[i]], point[part->v[0]])) <= f->touching)
+            t[i] = 0.0;
+        if (vec3_length(vec3_sub(point[edge->v[i]], point[part->v[1]])) <= f->touching)
+            t[i] = 1.0;
+    }
+    part->t0 = lesser(t[0], t[1]);
+    part->t1 = greater(t[0], t[1]);
+}
+
 /* The edge of the divided sides first .. end - 1, and of an edge that is there already. */
 static bool take_odd_group(finder *f, size_t first, size_t end, const surface_edge *there)
 {
@@ -371,6 +395,8 @@ static bool take_odd_group(finder *f, size_t first, size_t end, const surface_ed
             best = (uint32_t)i;
     }
     edge.part = there ? there->part : f->half_side[best].part;
+    if (edge.part != ROBERTS_NONE)
+        place_part(f, &s->part[edge.part], &edge);
     edge.cut = edge.cut && (!there || there->cut);
     if (!array_reserve(&f->odd_edge, &f->odd_edge_room, f->odd_edge_count + 1, sizeof *f->odd_edge))
         return false;
