@@ -131,8 +131,7 @@ static void reads_binary(void **state)
         "glTF",
         "{",
         "3 1 0\n",
-        "\xef\xbb\xbf"
-        "OFF",
+        "\357\273\277OFF",
         "COLOR="};
     (void)state;
     for (size_t i = 0; i < sizeof begins / sizeof begins[0]; i++) {
