@@ -12,7 +12,7 @@ static const char help[] =
     "  --family NAME  only this family (default: all in turn)\n"
     "  --seed S       first seed (default: 1)\n"
     "  --count N      seeds per family (default: 1, or as many as --edges needs)\n"
-    "  --edges N      goes on until N edges have been compared\n"
+    "  --edges N      goes on until N edges have been compared, always with the family that has had the fewest\n"
     "  --folder DIR   failing scenes are written to DIR/failures/ (default: build)\n"
     "  --write        only writes the scenes, to DIR/scenes/FAMILY-SEED.off, and compares nothing\n"
     "  --per-family   a line of figures for each family\n"
@@ -154,6 +154,17 @@ static bool is_known(const char *family)
     return !family;
 }
 
+/* The wanted family with the fewest edges so far, of which a scene is still to be looked at; `families` if there is none. */
+static size_t next_family(const arguments *a, const judge_total *family, size_t families)
+{
+    size_t best = families;
+    for (size_t f = 0; f < families; f++)
+        if ((!a->family || strcmp(a->family, scene_family_name(f)) == 0) && family[f].scenes < a->count &&
+            (best == families || family[f].edges < family[best].edges))
+            best = f;
+    return best;
+}
+
 int main(int argc, char **argv)
 {
     arguments a;
@@ -174,28 +185,28 @@ int main(int argc, char **argv)
         fputs("compare: no memory\n", stderr);
         return 1;
     }
-    for (uint64_t i = 0; i < a.count && sum.edges < a.edges; i++)
-        for (size_t f = 0; f < families && sum.edges < a.edges; f++) {
-            const char *name = scene_family_name(f);
-            char label[100];
-            test_scene scene;
-            judge_total one = {0};
-            if (a.family && strcmp(a.family, name) != 0)
-                continue;
-            snprintf(label, sizeof label, "%s-%" PRIu64, name, a.seed + i);
-            if (!scene_make(name, a.seed + i, &scene)) {
-                fprintf(stderr, "%s: no memory\n", label);
-                free(family);
-                return 1;
-            }
-            if (a.write)
-                write_scene(label, &scene, a.folder);
-            else
-                judge_scene(label, &scene, a.folder, &one, stdout);
-            test_scene_free(&scene);
-            add(&family[f], &one);
-            add(&sum, &one);
+    for (size_t f; (f = next_family(&a, family, families)) < families;) {
+        const char *name = scene_family_name(f);
+        char label[100];
+        test_scene scene;
+        judge_total one = {.scenes = a.write};
+        uint64_t seed = a.seed + family[f].scenes;
+        snprintf(label, sizeof label, "%s-%" PRIu64, name, seed);
+        if (!scene_make(name, seed, &scene)) {
+            fprintf(stderr, "%s: no memory\n", label);
+            free(family);
+            return 1;
         }
+        if (a.write)
+            write_scene(label, &scene, a.folder);
+        else
+            judge_scene(label, &scene, a.folder, &one, stdout);
+        test_scene_free(&scene);
+        add(&family[f], &one);
+        add(&sum, &one);
+        if (sum.edges >= a.edges)
+            break;
+    }
     for (size_t f = 0; a.per_family && f < families; f++)
         if (family[f].scenes)
             print(scene_family_name(f), &family[f]);

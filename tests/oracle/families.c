@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "studio.h"
+#include "makers.h"
 
 /* ---- families in general position -------------------------------------------------------------------------------- */
 
@@ -120,7 +120,7 @@ static void needles(studio *st)
 /* ---- families in degenerate position, exact ---------------------------------------------------------------------- */
 
 /* Blocks between whole coordinates: touching, overlapping, lined up. */
-static void blocks(studio *st)
+void make_blocks(studio *st)
 {
     int count = dice_int(&st->d, 6, 40);
     for (int i = 0; i < count; i++) {
@@ -147,7 +147,7 @@ static void shaft(studio *st)
 }
 
 /* A wall in running bond, some bricks missing: faces, edges and corners touch. */
-static void bricks(studio *st)
+void make_bricks(studio *st)
 {
     int rows = dice_int(&st->d, 2, 5), columns = dice_int(&st->d, 2, 5), deep = dice_int(&st->d, 1, 2);
     for (int z = 0; z < rows; z++)
@@ -160,7 +160,7 @@ static void bricks(studio *st)
 }
 
 /* Cubes of a grid, some of them taken: many meet in an edge or a corner alone. */
-static void checker(studio *st)
+void make_checker(studio *st)
 {
     int n = dice_int(&st->d, 2, 4), dense = dice_int(&st->d, 1, 3);
     put_box(st, 0, 0, 0, 1, 1, 1);
@@ -218,6 +218,24 @@ static void plates_in_parts(studio *st)
     dice_int(&st->d, 0, 1) ? look_axis(st) : look_any(st);
 }
 
+/* Solids with a face of 500 corners, and small ones among them. */
+static void large_coins(studio *st)
+{
+    int count = dice_int(&st->d, 1, 2), small_ones = dice_int(&st->d, 5, 20);
+    for (int i = 0; i < count; i++) {
+        shape s = shape_large_coin(&st->d);
+        int x = dice_int(&st->d, -600, 600), y = dice_int(&st->d, -600, 600), z = 40 * dice_int(&st->d, 0, 40);
+        put(st, &s, x, y, z);
+    }
+    for (int i = 0; i < small_ones; i++) {
+        shape s = shape_any(&st->d);
+        double size = dice_int(&st->d, 10, 300);
+        int x = dice_int(&st->d, -1200, 1200), y = dice_int(&st->d, -600, 1800), z = dice_int(&st->d, 0, 1600);
+        put_scaled(st, &s, (roberts_vec3){x, y, z}, size, size, size);
+    }
+    dice_int(&st->d, 0, 1) ? look_axis(st) : look_any(st);
+}
+
 /* Pyramids of very many sides, one behind the tip of the other or through it, and small solids among them. */
 static void fans(studio *st)
 {
@@ -238,7 +256,7 @@ static void fans(studio *st)
 }
 
 /* All kinds crowded on a coarse lattice and seen along short whole vectors: everything lines up with everything. */
-static void crowd(studio *st)
+void make_crowd(studio *st)
 {
     int count = dice_int(&st->d, 4, 24), spread = dice_int(&st->d, 2, 8);
     for (int i = 0; i < count; i++) {
@@ -446,7 +464,7 @@ static void deep_aslant(studio *st)
 /* A crowd seen along one of its edges; in perspective from a point on the line of that edge. */
 static void end_on(studio *st)
 {
-    crowd(st);
+    make_crowd(st);
     const roberts_mesh *mesh = &st->scene->mesh;
     if (st->no_memory)
         return;
@@ -486,16 +504,17 @@ static void giants(studio *st)
 }
 
 /* One of the families whose coordinates are whole numbers or halves. */
-static void any_exact(studio *st)
+void make_any_exact(studio *st)
 {
-    static void (*const make[])(studio *) = {blocks, bricks, checker, polytopes, crowd, touching, nested, twice};
+    static void (*const make[])(studio *) = {make_blocks, make_bricks, make_checker, polytopes,
+                                             make_crowd,  touching,    nested,       twice};
     make[dice_int(&st->d, 0, sizeof make / sizeof *make - 1)](st);
 }
 
 /* Times 1e8, which keeps whole numbers and halves whole. */
 static void huge(studio *st)
 {
-    any_exact(st);
+    make_any_exact(st);
     map_vertices(st, 1e8, (roberts_vec3){0, 0, 0});
     st->unit = 1e8;
 }
@@ -503,7 +522,7 @@ static void huge(studio *st)
 /* Times 2^-27, about 1e-8, which rounds nothing. */
 static void small(studio *st)
 {
-    any_exact(st);
+    make_any_exact(st);
     st->unit = ldexp(1, -27);
     map_vertices(st, st->unit, (roberts_vec3){0, 0, 0});
 }
@@ -512,8 +531,15 @@ static void small(studio *st)
 static void far_away(studio *st)
 {
     double far = dice_int(&st->d, 0, 1) ? 1e8 : 1e6;
-    any_exact(st);
+    make_any_exact(st);
     map_vertices(st, 1, (roberts_vec3){far, -3 * far, dice_int(&st->d, -1000, 1000)});
+}
+
+/* Up to a million million times. */
+static void all_sizes(studio *st)
+{
+    mixed_sizes(st, 20);
+    near_touching(st);
 }
 
 /* ---- families of small clearances, some of them below what counts as touching ------------------------------------ */
@@ -553,7 +579,7 @@ static void crooked(studio *st)
 
 static void turned(studio *st)
 {
-    any_exact(st);
+    make_any_exact(st);
     double a = 3 * dice_real(&st->d), b = 3 * dice_real(&st->d);
     double m[3][3] = {
         {cos(a), -sin(a), 0}, {cos(b) * sin(a), cos(b) * cos(a), -sin(b)}, {sin(b) * sin(a), sin(b) * cos(a), cos(b)}};
@@ -562,13 +588,13 @@ static void turned(studio *st)
 
 static void tenth(studio *st)
 {
-    any_exact(st);
+    make_any_exact(st);
     spoil_scale(st, 0.1);
 }
 
 static void tiny(studio *st)
 {
-    any_exact(st);
+    make_any_exact(st);
     spoil_scale(st, 1e-8);
 }
 
@@ -577,7 +603,7 @@ static void tiny(studio *st)
 static const struct {
     const char *name;
     void (*make)(studio *);
-    enum { INFINITELY_FAR, FROM_EYE, FROM_AMID, FROM_CLOSE, OBLIQUELY, AS_SOUP, AS_POINTS } way;
+    enum { INFINITELY_FAR, FROM_EYE, FROM_AMID, FROM_CLOSE, FROM_FACE_PLANE, OBLIQUELY, AS_SOUP, AS_POINTS } way;
 } families[] = {
     {"lattice", lattice, INFINITELY_FAR},
     {"hulls", hulls, INFINITELY_FAR},
@@ -587,14 +613,14 @@ static const struct {
     {"shaft", shaft, INFINITELY_FAR},
     {"slanted-plates", slanted_plates, INFINITELY_FAR},
     {"needles", needles, INFINITELY_FAR},
-    {"blocks", blocks, INFINITELY_FAR},
-    {"bricks", bricks, INFINITELY_FAR},
-    {"checker", checker, INFINITELY_FAR},
+    {"blocks", make_blocks, INFINITELY_FAR},
+    {"bricks", make_bricks, INFINITELY_FAR},
+    {"checker", make_checker, INFINITELY_FAR},
     {"polytopes", polytopes, INFINITELY_FAR},
     {"coins", coins, INFINITELY_FAR},
     {"plates-in-parts", plates_in_parts, INFINITELY_FAR},
     {"fans", fans, INFINITELY_FAR},
-    {"crowd", crowd, INFINITELY_FAR},
+    {"crowd", make_crowd, INFINITELY_FAR},
     {"touching", touching, INFINITELY_FAR},
     {"nested", nested, INFINITELY_FAR},
     {"twice", twice, INFINITELY_FAR},
@@ -622,14 +648,14 @@ static const struct {
     {"shaft@eye", shaft, FROM_EYE},
     {"slanted-plates@eye", slanted_plates, FROM_EYE},
     {"needles@eye", needles, FROM_EYE},
-    {"blocks@eye", blocks, FROM_EYE},
-    {"bricks@eye", bricks, FROM_EYE},
-    {"checker@eye", checker, FROM_EYE},
+    {"blocks@eye", make_blocks, FROM_EYE},
+    {"bricks@eye", make_bricks, FROM_EYE},
+    {"checker@eye", make_checker, FROM_EYE},
     {"polytopes@eye", polytopes, FROM_EYE},
     {"coins@eye", coins, FROM_EYE},
     {"plates-in-parts@eye", plates_in_parts, FROM_EYE},
     {"fans@eye", fans, FROM_EYE},
-    {"crowd@eye", crowd, FROM_EYE},
+    {"crowd@eye", make_crowd, FROM_EYE},
     {"touching@eye", touching_from_eye, FROM_EYE},
     {"nested@eye", nested, FROM_EYE},
     {"twice@eye", twice, FROM_EYE},
@@ -650,15 +676,15 @@ static const struct {
     {"slanted-plates@near", slanted_plates, FROM_AMID},
     {"needles@near", needles, FROM_AMID},
     {"round@near", round_solids, FROM_AMID},
-    {"blocks@near", blocks, FROM_AMID},
+    {"blocks@near", make_blocks, FROM_AMID},
     {"shaft@near", shaft, FROM_AMID},
-    {"bricks@near", bricks, FROM_AMID},
-    {"checker@near", checker, FROM_AMID},
+    {"bricks@near", make_bricks, FROM_AMID},
+    {"checker@near", make_checker, FROM_AMID},
     {"polytopes@near", polytopes, FROM_AMID},
     {"coins@near", coins, FROM_AMID},
     {"plates-in-parts@near", plates_in_parts, FROM_AMID},
     {"fans@near", fans, FROM_AMID},
-    {"crowd@near", crowd, FROM_AMID},
+    {"crowd@near", make_crowd, FROM_AMID},
     {"touching@near", touching, FROM_AMID},
     {"twice@near", twice, FROM_AMID},
     {"plates@near", thicker_plates, FROM_AMID},
@@ -671,15 +697,52 @@ static const struct {
     {"crossing@close", crossing, FROM_CLOSE},
     {"polytopes@close", polytopes, FROM_CLOSE},
     {"lattice@oblique", lattice, OBLIQUELY},
-    {"blocks@oblique", blocks, OBLIQUELY},
-    {"crowd@oblique", crowd, OBLIQUELY},
+    {"blocks@oblique", make_blocks, OBLIQUELY},
+    {"crowd@oblique", make_crowd, OBLIQUELY},
     {"lattice@soup", lattice, AS_SOUP},
     {"crossing@soup", crossing, AS_SOUP},
     {"swarm@soup", swarm, AS_SOUP},
     {"round@soup", round_solids, AS_SOUP},
     {"hulls@points", hulls, AS_POINTS},
     {"polytopes@points", polytopes, AS_POINTS},
-    {"blocks@points", blocks, AS_POINTS},
+    {"blocks@points", make_blocks, AS_POINTS},
+    {"large-coins", large_coins, INFINITELY_FAR},
+    {"large-coins@eye", large_coins, FROM_EYE},
+    {"large-coins@near", large_coins, FROM_AMID},
+    {"all-sizes", all_sizes, INFINITELY_FAR},
+    {"all-sizes@eye", all_sizes, FROM_EYE},
+    {"rough-boxes", make_rough_boxes, INFINITELY_FAR},
+    {"rough-boxes@eye", make_rough_boxes, FROM_EYE},
+    {"rough-hexagons", make_rough_hexagons, INFINITELY_FAR},
+    {"rough-hexagons@eye", make_rough_hexagons, FROM_EYE},
+    {"rough-twelve-sided", make_rough_twelve_sided, INFINITELY_FAR},
+    {"rough-twelve-sided@eye", make_rough_twelve_sided, FROM_EYE},
+    {"rough-rhombic", make_rough_rhombic, INFINITELY_FAR},
+    {"rough-rhombic@eye", make_rough_rhombic, FROM_EYE},
+    {"rough-truncated", make_rough_truncated, INFINITELY_FAR},
+    {"rough-truncated@eye", make_rough_truncated, FROM_EYE},
+    {"digits", make_digits, INFINITELY_FAR},
+    {"digits@eye", make_digits, FROM_EYE},
+    {"digits-in-triangles", make_digits_in_triangles, INFINITELY_FAR},
+    {"digits-in-triangles@eye", make_digits_in_triangles, FROM_EYE},
+    {"digits-convex", make_digits_convex, INFINITELY_FAR},
+    {"digits-convex@eye", make_digits_convex, FROM_EYE},
+    {"honeycomb", make_honeycomb, INFINITELY_FAR},
+    {"honeycomb@eye", make_honeycomb, FROM_EYE},
+    {"honeycomb@near", make_honeycomb, FROM_AMID},
+    {"honeycomb@plane", make_honeycomb, FROM_FACE_PLANE},
+    {"honeycomb@oblique", make_honeycomb, OBLIQUELY},
+    {"honeycomb-turned", make_honeycomb_turned, INFINITELY_FAR},
+    {"honeycomb-turned@eye", make_honeycomb_turned, FROM_EYE},
+    {"beams", make_beams, INFINITELY_FAR},
+    {"beams@eye", make_beams, FROM_EYE},
+    {"tilted-beams", make_tilted_beams, INFINITELY_FAR},
+    {"tilted-beams@eye", make_tilted_beams, FROM_EYE},
+    {"crowd@plane", make_crowd, FROM_FACE_PLANE},
+    {"blocks@plane", make_blocks, FROM_FACE_PLANE},
+    {"polytopes@plane", polytopes, FROM_FACE_PLANE},
+    {"crossing-in-plane", make_crowd_in_plane, INFINITELY_FAR},
+    {"crossing-in-plane@eye", make_crowd_in_plane, FROM_EYE},
 };
 
 size_t scene_family_count(void)
@@ -710,6 +773,8 @@ bool scene_make(const char *family, uint64_t seed, test_scene *scene)
             look_from_amid(&st);
         if (families[i].way == FROM_CLOSE && !st.no_memory)
             look_from_close(&st);
+        if (families[i].way == FROM_FACE_PLANE && !st.no_memory)
+            look_from_face_plane(&st);
         if (families[i].way == OBLIQUELY)
             look_oblique(&st);
         if (families[i].way == AS_SOUP && !st.no_memory)

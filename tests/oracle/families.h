@@ -8,9 +8,12 @@
 typedef struct test_scene {
     roberts_mesh mesh;
     oracle_view view;
-    roberts_vec3 look_at;   /* where there is a near plane: a point on the line from the eye through view.near */
-    bool oblique;           /* the program is asked for an oblique view from the front; view.y is -1 */
-    double slack;           /* model units; 0: judged strictly, else oracle_options.slack */
+    roberts_vec3 look_at; /* where there is a near plane: a point on the line from the eye through view.near */
+    bool oblique;         /* the program is asked for an oblique view from the front; view.y is -1 */
+    double slack;         /* model units; 0: judged strictly, else oracle_options.slack */
+    bool
+        rough; /* faces or solids are not quite planar and convex: the scene itself is no better known than to `slack` */
+    double tolerance;       /* roberts_scene_options.tolerance; 0: the default */
     uint32_t grid, threads; /* what the program is asked to use: it must not matter */
     /* What the program is given instead of `mesh`: the same faces, no two of which share a vertex. Where it welds them they
      * come to the vertices of `mesh`. Or each solid's points as an input, of which it has to take the hull. */

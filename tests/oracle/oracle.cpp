@@ -454,7 +454,7 @@ struct oracle {
             double x = dot(d, {right.x, right.y, right.z}), y = dot(d, {up.x, up.y, up.z}), w = 1, m = margin;
             if (view.w) {
                 w = -dot(d, {toward.x, toward.y, toward.z});
-                if (!(w >= 1e-3 * length_of(d)) && view.cut)
+                if ((!(w >= 1e-3 * length_of(d)) || w == 0) && view.cut)
                     return {-HUGE_VAL, HUGE_VAL, -HUGE_VAL, HUGE_VAL}; /* it may be anywhere */
                 if (!(w >= 1e-3 * length_of(d)))
                     throw std::runtime_error("the scene is not in front of the eye");
@@ -471,11 +471,11 @@ struct oracle {
         return std::hypot(d.x, d.y, d.z);
     }
 
-    /* Greatest over least distance of a corner from the eye; 1 for a viewer at infinity. */
+    /* Greatest over least distance of a corner from the eye; 1 for a viewer at infinity, and where there is no slack. */
     double stretch() const
     {
         double near = HUGE_VAL, far = 0;
-        if (!view.w)
+        if (!view.w || slack == 0)
             return 1;
         for (const solid &s : solids)
             for (uint32_t v : s.vertex) {
@@ -543,6 +543,32 @@ bool oracle_run(const roberts_mesh *mesh, const oracle_view *view, const oracle_
         oracle_free(result);
         std::snprintf(result->error, sizeof result->error, "%s", e.what());
         return false;
+    }
+}
+
+size_t oracle_hull(const roberts_vec3 *point, uint32_t count, uint32_t (*face)[3])
+{
+    try {
+        std::map<std::array<double, 3>, uint32_t> number;
+        std::vector<kernel::Point_3> points;
+        hull_mesh hull;
+        size_t faces = 0;
+        for (uint32_t i = 0; i < count; i++) {
+            number.emplace(std::array<double, 3>{point[i].x, point[i].y, point[i].z}, i);
+            points.emplace_back(point[i].x, point[i].y, point[i].z);
+        }
+        CGAL::convex_hull_3(points.begin(), points.end(), hull);
+        for (auto f : hull.faces()) {
+            size_t corner = 0;
+            for (auto v : hull.vertices_around_face(hull.halfedge(f))) {
+                const kernel::Point_3 &p = hull.point(v);
+                face[faces][corner++] = number.at({p.x(), p.y(), p.z()});
+            }
+            faces++;
+        }
+        return hull.number_of_vertices() < 4 ? 0 : faces;
+    } catch (const std::exception &) {
+        return 0;
     }
 }
 

@@ -67,18 +67,28 @@ bool oracle_run(const roberts_mesh *mesh, const oracle_view *view, const oracle_
                 oracle_result *result);
 void oracle_free(oracle_result *result);
 
-/* The definition once more and as plainly as possible, to check the oracle itself (rays.cpp): casts the ray from the
- * point t of edge v0 v1 toward the viewer against every triangle of every face as the mesh gives it. Faces must be
- * exactly planar. vertex_solid is that of oracle_run().
- * Returns whether a front face of another solid lies strictly nearer the viewer. */
-bool oracle_point_hidden(const roberts_mesh *mesh, const uint32_t *vertex_solid, const oracle_view *view, uint32_t v0,
-                         uint32_t v1, double t);
+/* The convex hull of points as triangles, by exact predicates; `face` has room for 2 * count of them. Points within it have
+ * none. Returns the number of triangles, 0 where the points are flat or there is no memory. */
+size_t oracle_hull(const roberts_vec3 *point, uint32_t count, uint32_t (*face)[3]);
+
+/* A point of an edge, from which the ray toward the viewer is cast. */
+typedef struct oracle_point {
+    const roberts_mesh *mesh;     /* its faces are exactly planar */
+    const uint32_t *vertex_solid; /* that of oracle_run() */
+    const oracle_view *view;
+    uint32_t v0, v1;
+    double t;
+    roberts_vec3 aside; /* what the point is moved by */
+} oracle_point;
+
+/* The definition once more and as plainly as possible, to check the oracle itself (rays.cpp): casts the ray against every triangle
+ * of every face as the mesh gives it. Returns whether a front face of another solid lies strictly nearer the viewer. */
+bool oracle_point_hidden(const oracle_point *point);
 
 /* Whether solid `by` is seen by the viewer in the direction of that point: it has a front face on the same sight line
  * whose plane is not farther than `touch` (model units) from the nearest one's point.
  * seen  what is nearest; of several solids there the smallest number; ROBERTS_NONE where there is none */
-bool oracle_point_seen(const roberts_mesh *mesh, const uint32_t *vertex_solid, const oracle_view *view, uint32_t v0,
-                       uint32_t v1, double t, double touch, uint32_t by, uint32_t *seen);
+bool oracle_point_seen(const oracle_point *point, double touch, uint32_t by, uint32_t *seen);
 
 #ifdef __cplusplus
 }

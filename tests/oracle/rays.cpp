@@ -134,11 +134,13 @@ std::vector<hit> cut(const scene &s, const oracle_view &view, const ray &ray, co
     return left;
 }
 
-ray toward_viewer(const scene &s, const oracle_view &view, uint32_t v0, uint32_t v1, double t)
+ray toward_viewer(const scene &s, const oracle_point &from)
 {
-    point p = s.at(v0), q = s.at(v1), viewer{number(view.x), number(view.y), number(view.z)}, X;
+    const oracle_view &view = *from.view;
+    point p = s.at(from.v0), q = s.at(from.v1), viewer{number(view.x), number(view.y), number(view.z)};
+    point X{number(from.aside.x), number(from.aside.y), number(from.aside.z)};
     for (int i = 0; i < 3; i++)
-        X[i] = p[i] + number(t) * (q[i] - p[i]);
+        X[i] += p[i] + number(from.t) * (q[i] - p[i]);
     return {X, view.w ? minus(viewer, X) : viewer};
 }
 
@@ -150,23 +152,21 @@ std::vector<hit> seen_along(const scene &s, const oracle_view &view, const ray &
 
 } // namespace
 
-bool oracle_point_hidden(const roberts_mesh *mesh, const uint32_t *vertex_solid, const oracle_view *view, uint32_t v0,
-                         uint32_t v1, double t)
+bool oracle_point_hidden(const oracle_point *from)
 {
-    scene s{*mesh, vertex_solid};
-    ray ray = toward_viewer(s, *view, v0, v1, t);
-    for (const hit &h : seen_along(s, *view, ray))
-        if (h.r > 0 && h.solid != vertex_solid[v0])
+    scene s{*from->mesh, from->vertex_solid};
+    ray ray = toward_viewer(s, *from);
+    for (const hit &h : seen_along(s, *from->view, ray))
+        if (h.r > 0 && h.solid != from->vertex_solid[from->v0])
             return true;
     return false;
 }
 
-bool oracle_point_seen(const roberts_mesh *mesh, const uint32_t *vertex_solid, const oracle_view *view, uint32_t v0,
-                       uint32_t v1, double t, double touch, uint32_t by, uint32_t *seen)
+bool oracle_point_seen(const oracle_point *from, double touch, uint32_t by, uint32_t *seen)
 {
-    scene s{*mesh, vertex_solid};
-    ray ray = toward_viewer(s, *view, v0, v1, t);
-    std::vector<hit> hits = seen_along(s, *view, ray);
+    scene s{*from->mesh, from->vertex_solid};
+    ray ray = toward_viewer(s, *from);
+    std::vector<hit> hits = seen_along(s, *from->view, ray);
     number nearest(-1);
     *seen = ROBERTS_NONE;
     for (const hit &h : hits)

@@ -1,6 +1,7 @@
 /* shapes.c - see shapes.h. */
 #include "shapes.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -276,6 +277,25 @@ shape shape_coin(dice *d)
     return s;
 }
 
+shape shape_large_coin(dice *d)
+{
+    shape s = {0};
+    int v[SHAPE_POINTS][2], quarter = first_vectors(14, v), count = 0;
+    int lean_x = dice_int(d, -400, 400), lean_y = dice_int(d, -400, 400), high = dice_int(d, 1, 400);
+    int64_t ring[SHAPE_POINTS][2], x = 0, y = 0;
+    bool left_out[SHAPE_POINTS];
+    for (int i = 0; i < quarter; i++)
+        left_out[i] = dice_int(d, 0, 19) == 0;
+    for (int i = 0; i < 4 * quarter; i++)
+        if (!left_out[i % quarter]) {
+            ring[count][0] = x;
+            ring[count++][1] = y;
+            go_on(&x, &y, v[i % quarter], i / quarter);
+        }
+    add_coin(&s, ring, count, false, (int[]){lean_x, lean_y, high});
+    return s;
+}
+
 shape shape_fan(dice *d)
 {
     shape s = {0};
@@ -305,6 +325,46 @@ shape shape_plate(dice *d)
             go_on(&x, &y, (int[]){1, 0}, quarters);
         }
     add_coin(&s, ring, count, false, lean);
+    return s;
+}
+
+shape shape_regular_prism(int sides)
+{
+    shape s = {0};
+    for (int i = 0; i < sides; i++) {
+        double angle = 2 * 3.14159265358979323846 * i / sides;
+        int64_t x = (int64_t)floor(1000 * cos(angle) + 0.5), y = (int64_t)floor(1000 * sin(angle) + 0.5);
+        shape_point(&s, x, y, 0);
+        shape_point(&s, x, y, 1000);
+    }
+    shape_hull(&s);
+    return s;
+}
+
+shape shape_rhombic_dodecahedron(void)
+{
+    shape s = {0};
+    for (int i = 0; i < 8; i++)
+        shape_point(&s, i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    for (int k = 0; k < 3; k++)
+        for (int way = -2; way <= 2; way += 4)
+            shape_point(&s, k == 0 ? way : 0, k == 1 ? way : 0, k == 2 ? way : 0);
+    shape_hull(&s);
+    return s;
+}
+
+shape shape_truncated_octahedron(void)
+{
+    shape s = {0};
+    for (int zero = 0; zero < 3; zero++)
+        for (int i = 0; i < 8; i++) {
+            int64_t p[3], one = i & 1 ? 1 : -1, two = i & 2 ? 2 : -2;
+            p[zero] = 0;
+            p[(zero + 1) % 3] = i & 4 ? one : two;
+            p[(zero + 2) % 3] = i & 4 ? two : one;
+            shape_point(&s, p[0], p[1], p[2]);
+        }
+    shape_hull(&s);
     return s;
 }
 

@@ -15,7 +15,7 @@ int dice_int(dice *d, int lo, int hi);
 /* A double of -1 .. 1. */
 double dice_real(dice *d);
 
-enum { SHAPE_POINTS = 400, SHAPE_CORNERS = 1280, HULL_POINTS = 64 };
+enum { SHAPE_POINTS = 1120, SHAPE_CORNERS = 3400, HULL_POINTS = 64 };
 
 /* Coordinates are below 2^18 in size, so that every determinant of three differences fits 64 bits. */
 typedef struct shape {
@@ -39,11 +39,19 @@ shape shape_random(dice *d, int count, int size);
 shape shape_prism(dice *d);
 /* A prism or a pyramid, leaning, over a polygon of 68 to 144 corners, of which some may be straight. */
 shape shape_coin(dice *d);
+/* A prism, leaning, over a polygon of about 490 corners, 512 at the most. */
+shape shape_large_coin(dice *d);
 /* A pyramid over a polygon of 144 to 224 corners: all of its sides meet in the apex. */
 shape shape_fan(dice *d);
 /* A box whose upper and lower faces have a corner at each whole number of their sides, 68 corners and more. */
 shape shape_plate(dice *d);
-/* Any of these but the last three, small. */
+/* A prism of height 1000 over a regular polygon of radius 1000, its corners rounded to whole numbers. */
+shape shape_regular_prism(int sides);
+/* Both fill space. The cells of the first are 2 wide and have their centres in the origin and at even coordinates whose sum is
+ * a multiple of 4; those of the second in the origin and at coordinates that are all even and alike modulo 4. */
+shape shape_rhombic_dodecahedron(void);
+shape shape_truncated_octahedron(void);
+/* Any of a box, a small prism and a small random hull. */
 shape shape_any(dice *d);
 
 #endif

@@ -236,8 +236,9 @@ static double volume(const roberts_vec3 *vertex, const uint32_t *corner, roberts
     return w.x * (u.y * v.z - u.z * v.y) + w.y * (u.z * v.x - u.x * v.z) + w.z * (u.x * v.y - u.y * v.x);
 }
 
-/* Has each solid a face with the eye clearly in front of it? */
-static bool is_outside(const studio *st, roberts_vec3 eye)
+/* Has each solid a face with the eye clearly in front of it? `least` is a part of the distance of the solid's middle; with 0, an eye
+ * on the solid's surface is outside too. */
+static bool is_outside(const studio *st, roberts_vec3 eye, double least)
 {
     const roberts_mesh *mesh = &st->scene->mesh;
     for (uint32_t solid = 0; solid < st->solid_count; solid++) {
@@ -245,7 +246,7 @@ static bool is_outside(const studio *st, roberts_vec3 eye)
         bool outside = false;
         for (uint32_t f = st->first_face[solid]; f < face_end(st, solid) && !outside; f++) {
             const uint32_t *corner = mesh->corner + mesh->face_start[f];
-            outside = volume(mesh->vertex, corner, eye) / volume(mesh->vertex, corner, middle) < -1e-9;
+            outside = volume(mesh->vertex, corner, eye) / volume(mesh->vertex, corner, middle) <= -least;
         }
         if (!outside)
             return false;
@@ -320,7 +321,7 @@ static bool place_amid(studio *st)
     while (far * step < size / 2)
         far *= 2;
     set_eye(st, eye, ahead, far);
-    return is_outside(st, eye) && any_beyond(&st->scene->mesh, view->near, ahead);
+    return is_outside(st, eye, 1e-9) && any_beyond(&st->scene->mesh, view->near, ahead);
 }
 
 /* A millionth of the scene's size before a corner and in no line with it, with the near plane between: as near as the
@@ -339,7 +340,31 @@ static bool place_close(studio *st)
                                                 corner.z - 1.25 * ahead.z + 0.25 * step * aside.z};
     eye = on_grid(eye, grain);
     set_eye(st, eye, ahead, 0x1p17);
-    return is_outside(st, eye);
+    return is_outside(st, eye, 1e-9);
+}
+
+/* In the plane of a face, at a corner of it or in line with one of its sides, with a near plane from a sixteenth of the scene's size on.
+ * Eye and near plane are exact where coordinates are whole numbers or halves. False: the eye is within a solid, or all of the scene behind it. */
+static bool place_in_plane(studio *st)
+{
+    const roberts_mesh *mesh = &st->scene->mesh;
+    const oracle_view *view = &st->scene->view;
+    roberts_vec3 lo, hi;
+    double size = ldexp(1, (int)floor(log2(diameter(mesh, &lo, &hi)))), far = 1;
+    uint32_t f = (uint32_t)dice_int(&st->d, 0, (int)mesh->face_count - 1);
+    const uint32_t *corner = mesh->corner + mesh->face_start[f];
+    roberts_vec3 o = mesh->vertex[corner[0]], p = mesh->vertex[corner[1]], q = mesh->vertex[corner[2]];
+    double u = dice_int(&st->d, 0, 1) ? 0 : dice_int(&st->d, -8, 8) / 4.0;
+    double w = dice_int(&st->d, 0, 1) ? 0 : dice_int(&st->d, -8, 8) / 4.0;
+    roberts_vec3 eye = {o.x + u * (p.x - o.x) + w * (q.x - o.x), o.y + u * (p.y - o.y) + w * (q.y - o.y),
+                        o.z + u * (p.z - o.z) + w * (q.z - o.z)};
+    double step = size * ldexp(1, -dice_int(&st->d, 4, 10));
+    look_small(st, 2);
+    roberts_vec3 ahead = {-step * view->x, -step * view->y, -step * view->z};
+    while (far * step < size)
+        far *= 2;
+    set_eye(st, eye, ahead, far);
+    return is_outside(st, eye, 0) && any_beyond(mesh, view->near, ahead);
 }
 
 static void look_from(studio *st, bool place(studio *))
@@ -362,6 +387,11 @@ void look_from_close(studio *st)
     look_from(st, place_close);
 }
 
+void look_from_face_plane(studio *st)
+{
+    look_from(st, place_in_plane);
+}
+
 void look_oblique(studio *st)
 {
     const double x = dice_int(&st->d, -4, 4) / 4.0, z = dice_int(&st->d, 1, 4) / 4.0;
@@ -377,6 +407,19 @@ void map_vertices(studio *st, double scale, roberts_vec3 shift)
     for (size_t i = 0; i < mesh->vertex_count; i++)
         mesh->vertex[i] = (roberts_vec3){scale * mesh->vertex[i].x + shift.x, scale * mesh->vertex[i].y + shift.y,
                                          scale * mesh->vertex[i].z + shift.z};
+}
+
+static roberts_vec3 mapped(double m[3][3], roberts_vec3 p)
+{
+    return (roberts_vec3){m[0][0] * p.x + m[0][1] * p.y + m[0][2] * p.z, m[1][0] * p.x + m[1][1] * p.y + m[1][2] * p.z,
+                          m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z};
+}
+
+void map_vertices_by(studio *st, double m[3][3])
+{
+    roberts_mesh *mesh = &st->scene->mesh;
+    for (size_t i = 0; i < mesh->vertex_count; i++)
+        mesh->vertex[i] = mapped(m, mesh->vertex[i]);
 }
 
 /* ---- families whose contacts rounding has spoiled ---------------------------------------------------------------- */
@@ -520,8 +563,7 @@ void spoil(studio *st, double m[3][3])
     for (size_t i = 0; i <= scene->mesh.vertex_count && !st->no_memory; i++) {
         roberts_vec3 *v = scene->mesh.vertex + i, p;
         p = i < scene->mesh.vertex_count ? *v : (roberts_vec3){scene->view.x, scene->view.y, scene->view.z};
-        p = (roberts_vec3){m[0][0] * p.x + m[0][1] * p.y + m[0][2] * p.z, m[1][0] * p.x + m[1][1] * p.y + m[1][2] * p.z,
-                           m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z};
+        p = mapped(m, p);
         if (i < scene->mesh.vertex_count)
             *v = p;
         else

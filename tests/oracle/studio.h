@@ -43,10 +43,11 @@ void look_random(studio *st);
 void look_down(studio *st, double aside, double z);
 void look_any(studio *st);
 /* The same direction from an eye well before the scene; from an eye amid the scene, with a near plane that cuts some of it;
- * from one just before a corner; obliquely. Once all solids are there. */
+ * from one just before a corner; from one in a face's plane, or at a corner, with a near plane; obliquely. Once all solids are there. */
 void look_from_eye(studio *st);
 void look_from_amid(studio *st);
 void look_from_close(studio *st);
+void look_from_face_plane(studio *st);
 void look_oblique(studio *st);
 
 /* Gives the program the faces as triangles without shared vertices, in any order, by way of its reader. No two solids may
@@ -60,6 +61,8 @@ void give_as_points(studio *st);
 void near_touching(studio *st);
 
 void map_vertices(studio *st, double scale, roberts_vec3 shift);
+/* Sends every vertex through m. */
+void map_vertices_by(studio *st, double m[3][3]);
 /* Keeps the scene as the original and sends every vertex, and the viewer with them, through m, or scales them. */
 void spoil(studio *st, double m[3][3]);
 void spoil_scale(studio *st, double scale);
