@@ -464,6 +464,37 @@ static void outlines_that_are_not_convex(void **state)
     }
 }
 
+/* The upper face of a box has a dent of 1e-7 at 8, near to its corner 4, and the side below is not quite plane. A
+ * tetrahedron under the box is hidden all the same. */
+static void face_with_a_dent(void **state)
+{
+    static const roberts_vec3 corner[] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0},      {0, 0, 1},
+                                          {2, 0, 1}, {2, 2, 1}, {0, 2, 1}, {1e-6, 1e-7, 1}};
+    static const uint32_t face[][6] = {{4, 0, 3, 2, 1}, {5, 4, 8, 5, 6, 7}, {3, 0, 8, 4},   {4, 0, 1, 5, 8},
+                                       {4, 1, 2, 6, 5}, {4, 2, 3, 7, 6},    {4, 3, 0, 4, 7}};
+    roberts_camera camera = preset("top");
+    roberts_hide_options options = with_hidden();
+    model m = {0};
+    size_t hidden = 0;
+    (void)state;
+    for (size_t v = 0; v < sizeof corner / sizeof corner[0]; v++)
+        model_vertex(&m, corner[v]);
+    for (size_t f = 0; f < sizeof face / sizeof face[0]; f++)
+        model_face(&m, face[f] + 1, face[f][0]);
+    model_close_solid(&m);
+    add_tetrahedron(&m, (roberts_vec3[]){{1.5, 0.5, -2}, {1.8, 0.5, -2}, {1.5, 0.05, -2}, {1.6, 0.6, -1}});
+    roberts_drawing drawing = model_draw(&m, &camera, &options);
+    for (size_t k = 0; k < drawing.count; k++) {
+        const roberts_segment *s = &drawing.segment[k];
+        if (s->solid == 1 && s->state != ROBERTS_HIDDEN)
+            fail_msg("edge %u-%u is seen from %g to %g", s->v0, s->v1, s->t0, s->t1);
+        hidden += s->solid == 1;
+    }
+    assert_int_equal(hidden, 6);
+    roberts_drawing_free(&drawing);
+    model_free(&m);
+}
+
 /* A bar's edge of y = 0 from x = 0 to 10 under three plates: one hides x < 5, one x > 6, and one up to x = 3.6, where its
  * border crosses the edge so obliquely that at x = 6 its line is still within epsilon of the edge. But the border has ended at
  * x = 4, or where the bar rises the edge is nearer than the plate from there on; between the other two the edge is seen. */
@@ -1039,6 +1070,7 @@ int main(void)
         cmocka_unit_test(boxes_seen_obliquely),
         cmocka_unit_test(edge_under_a_corner_of_four),
         cmocka_unit_test(outlines_that_are_not_convex),
+        cmocka_unit_test(face_with_a_dent),
         cmocka_unit_test(border_that_runs_nearly_along),
         cmocka_unit_test(borders_at_flat_angles),
         cmocka_unit_test(pierced_planes_in_any_order),

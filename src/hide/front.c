@@ -18,6 +18,9 @@
 /* From this many cells (five or six mean boxes) across, a cover's depth is taken cell by cell and not once for all of it. */
 #define COVER_WIDE 50.0
 
+/* A solid is no larger than this times the width of a face that is not narrow. */
+#define WIDTHS_OF_SOLID 64.0
+
 /* The front faces of a solid. */
 typedef struct front_faces {
     hide_face *face; /* [count] */
@@ -27,27 +30,40 @@ typedef struct front_faces {
     uint32_t back, edge_on;
 } front_faces;
 
+/* Along three axes. */
+static double box_size(const hide_box *box)
+{
+    return (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0) + (double)(box->z1 - box->z0);
+}
+
 /* How far a distance from the face's plane can be trusted: `touch` within the reach that is returned, `limit` anywhere. The
  * plane of a face of width w is known to about its rounding (and the face's own departure from it) at the face, and to
- * that times r / w at a distance r. */
+ * that times r / w at a distance r.
+ *
+ * The departure of a face that is not narrow is left out of the reach. All that is asked of its plane beyond the face is
+ * whether what lies behind its solid lies behind the plane, and a sight line only gets deeper behind both. So the plane
+ * need only hold for the solid itself, and that it does, to about the departure. */
 static double set_trust(const hide_picture *picture, uint32_t solid, uint32_t face, double stretch, hide_face *f)
 {
     const view *v = &picture->view;
     f->departure = 0.0f;
     double departure = scene_deviation(picture->scene, face) * v->per_unit;
-    double width = scene_width(picture->scene, face) * v->per_unit;
+    double width = scene_width(picture->scene, face) * v->per_unit, rounded = 0.0;
     if (v->perspective) {
         double grown = 1.0 + (double)picture->box[solid].z1 * v->inverse_distance; /* D / w at the nearest corner */
         double shrunk = lesser(1.0, 1.0 + (double)picture->box[solid].z0 * v->inverse_distance);
         departure = (departure + v->plane_rounding) * stretch;
         f->departure = hide_float_above(departure);
         departure *= grown;
+        rounded = v->plane_rounding * stretch * grown;
         width *= shrunk * shrunk;
     }
     double error = 4.0 * v->rounding + departure, far_error = error * (1.0 + 2.0 * v->extent / width);
     f->touch = v->epsilon + departure;
     f->limit = hide_float_below(far_error > 0.5 * f->touch ? f->touch - far_error : f->touch);
-    return width * (0.5 * f->touch / error - 1.0);
+    if (departure > v->epsilon && box_size(&picture->box[solid]) <= WIDTHS_OF_SOLID * width)
+        departure = rounded;
+    return width * (0.5 * (v->epsilon + departure) / (4.0 * v->rounding + departure) - 1.0);
 }
 
 /* Classifies the solid's faces and collects its front faces, from the tile's place on.
@@ -208,7 +224,7 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
         cycle = corners = convex_hull(picture, solid, scratch->next, outline, width);
     bool whole = corners && found.count <= FACES_OF_ONE_FRONT;
     bool bundled = cycle && !whole && is_bundle(picture, &found, box);
-    double size = width + (double)(box->z1 - box->z0);
+    double size = box_size(box);
     double reach = found.reach - size;
     if (reach > 6.0 * picture->view.extent)
         reach = INFINITY; /* nothing is farther away, along three axes */
