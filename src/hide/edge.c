@@ -143,7 +143,7 @@ static bool leaves_at_corner(const hide_picture *picture, const hide_edge *e, co
 
 /* Leaves out the lines, given by bits from `first` on, whose own face the front is, and those that only touch it at a corner. */
 static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *first, uint64_t bits,
-                                      const hide_front *front)
+                                       const hide_front *front)
 {
     uint64_t left = bits;
     for (; bits; bits &= bits - 1) {
