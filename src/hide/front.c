@@ -36,14 +36,10 @@ static double box_size(const hide_box *box)
     return (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0) + (double)(box->z1 - box->z0);
 }
 
-/* How far a distance from the face's plane can be trusted: `touch` within the reach that is returned, `limit` anywhere. The
- * plane of a face of width w is known to about its rounding (and the face's own departure from it) at the face, and to
- * that times r / w at a distance r.
- *
- * The departure of a face that is not narrow is left out of the reach. All that is asked of its plane beyond the face is
+/* The departure of a face that is not narrow is left out of the reach. All that is asked of its plane beyond the face is
  * whether what lies behind its solid lies behind the plane, and a sight line only gets deeper behind both. So the plane
  * need only hold for the solid itself, and that it does, to about the departure. */
-static double set_trust(const hide_picture *picture, uint32_t solid, uint32_t face, double stretch, hide_face *f)
+double front_set_trust(const hide_picture *picture, uint32_t solid, uint32_t face, double stretch, hide_face *f)
 {
     const view *v = &picture->view;
     f->departure = 0.0f;
@@ -91,7 +87,7 @@ static front_faces find_faces(hide_picture *picture, picture_tile *tile, uint32_
         f->F = F;
         f->corner = scene->corner + scene->face_start[face];
         f->count = scene->face_start[face + 1] - scene->face_start[face];
-        found.reach = lesser(found.reach, set_trust(picture, solid, face, stretch, f));
+        found.reach = lesser(found.reach, front_set_trust(picture, solid, face, stretch, f));
         found.touch = greater(found.touch, f->touch);
         found.steepest = lesser(found.steepest, -F.c);
         tile->most_corners = f->count > tile->most_corners ? f->count : tile->most_corners;
@@ -130,12 +126,17 @@ static bool is_bundle(const hide_picture *picture, const front_faces *found, con
     return area > DEPTH_OF_BUNDLE * width * height;
 }
 
+bool front_more_singles(picture_tile *tile, size_t more)
+{
+    size_t need = tile->single_count + more;
+    return array_reserve(&tile->single, &tile->single_room, need, sizeof *tile->single) &&
+           array_reserve(&tile->single_box, &tile->single_box_room, need, sizeof *tile->single_box);
+}
+
 /* Each of the faces as a front of its own. */
 static bool add_single_fronts(const hide_picture *picture, picture_tile *tile, uint32_t solid, const front_faces *found)
 {
-    size_t need = tile->single_count + found->count;
-    if (!array_reserve(&tile->single, &tile->single_room, need, sizeof *tile->single) ||
-        !array_reserve(&tile->single_box, &tile->single_box_room, need, sizeof *tile->single_box))
+    if (!front_more_singles(tile, found->count))
         return false;
     for (uint32_t k = 0; k < found->count; k++) {
         span own = face_span(picture, &found->face[k]);
@@ -215,6 +216,8 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
     const hide_box *box = &picture->box[solid];
     uint32_t vertex = scene->solid[solid].vertex, *outline = picture->outline + tile->outline;
     view_points(&picture->view, scene->point + vertex, scene->solid[solid + 1].vertex - vertex, picture->P + vertex);
+    if (!scene_is_convex(scene, solid))
+        return surface_add_fronts(picture, tile, solid);
     front_faces found = find_faces(picture, tile, solid);
     uint32_t cycle = outline_cycle(picture, solid, scratch->next, outline), corners = cycle;
     double width = (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0);

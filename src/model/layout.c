@@ -74,6 +74,8 @@ void layout_clear(roberts_scene *scene)
     free(scene->face_width);
     free(scene->face_number);
     free(scene->edge);
+    free(scene->low);
+    scene_surface_free(scene->surface);
     free(scene->vertex_color);
     free(scene->face_color);
     mesh_groups_free(scene->group, scene->group_count);
