@@ -36,6 +36,9 @@ static double box_size(const hide_box *box)
     return (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0) + (double)(box->z1 - box->z0);
 }
 
+/* The departure of a face that is not narrow is left out of the reach. All that is asked of its plane beyond the face is
+ * whether what lies behind its solid lies behind the plane, and a sight line only gets deeper behind both. So the plane
+ * need only hold for the solid itself, and that it does, to about the departure. */
 double front_set_trust(const hide_picture *picture, uint32_t solid, uint32_t face, double stretch, hide_face *f)
 {
     const view *v = &picture->view;

@@ -17,11 +17,7 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
 
 /* How far a distance from the face's plane can be trusted: `touch` within the reach that is returned, `limit` anywhere. The
  * plane of a face of width w is known to about its rounding (and the face's own departure from it) at the face, and to
- * that times r / w at a distance r.
- *
- * The departure of a face that is not narrow is left out of the reach, which counts for convex solids alone. All that is
- * asked of its plane beyond the face is whether what lies behind its solid lies behind the plane, and a sight line only
- * gets deeper behind both. So the plane need only hold for the solid itself, and that it does, to about the departure. */
+ * that times r / w at a distance r. */
 double front_set_trust(const hide_picture *picture, uint32_t solid, uint32_t face, double stretch, hide_face *f);
 
 /* Room for `more` fronts of one face. False: no memory. */
