@@ -263,6 +263,7 @@ bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, m
     total->scenes++;
     if (!mesh_truth_find(&scene->mesh, v, scene->even_odd, &truth)) {
         fprintf(out, "%s: the oracle refuses: %s\n", name, truth.error);
+        total->refused++;
         return true;
     }
     if (roberts_scene_build(&scene->mesh, &bodies, &built, &error) != ROBERTS_OK ||

@@ -7,8 +7,8 @@
  *   rule: an even number of times) bounds nothing: it is no edge. All sides of a face whose corners are in a line are edges.
  *
  * The doubles of the mesh are taken as the rational numbers that they are. Positions that are exactly equal are one vertex. A face
- * whose corners do not lie in one plane has the plane through the mean of its corners with Newell's normal; its own edges, and its
- * own corners, lie on it all the same. Of the library only the mesh is used, as plain data. */
+ * has the plane through the mean of its corners with Newell's normal; its own edges, and its own corners, lie on it exactly. A mesh
+ * with a face that is not planar, by more than 1e-5 of its size, is refused: the library cuts such faces into triangles. Of the library only the mesh is used, as plain data. */
 #ifndef ROBERTS_TESTS_MESH_ORACLE_H
 #define ROBERTS_TESTS_MESH_ORACLE_H
 
