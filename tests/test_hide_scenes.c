@@ -531,6 +531,22 @@ static void edges_that_end_in_a_sliver(void **state)
     }
 }
 
+/* An edge runs out from under the tip of a plate, so sharp that it stays within epsilon of both sides' lines. */
+static void edge_beyond_a_sharp_tip(void **state)
+{
+    roberts_camera camera = preset("top");
+    roberts_hide_options options = with_hidden();
+    model m = {0};
+    (void)state;
+    options.epsilon = 1e-3;
+    add_tetrahedron(&m, (roberts_vec3[]){{0, 0, 0}, {8, 0.004, 0}, {8, -0.004, 0}, {8, 0, 1}});
+    add_tetrahedron(&m, (roberts_vec3[]){{-1, 0, -1}, {1, 0, -1}, {-1, 4, -2}, {0, 4, -3}});
+    roberts_drawing drawing = model_draw(&m, &camera, &options);
+    expect_edge("sharp tip", "top", &drawing, "4-5 v 1/2 h0");
+    roberts_drawing_free(&drawing);
+    model_free(&m);
+}
+
 /* A bar's edge of y = 0 from x = 0 to 10 under three plates: one hides x < 5, one x > 6, and one up to x = 3.6, where its
  * border crosses the edge so obliquely that at x = 6 its line is still within epsilon of the edge. But the border has ended at
  * x = 4, or where the bar rises the edge is nearer than the plate from there on; between the other two the edge is seen. */
@@ -1108,6 +1124,7 @@ int main(void)
         cmocka_unit_test(outlines_that_are_not_convex),
         cmocka_unit_test(face_with_a_dent),
         cmocka_unit_test(edges_that_end_in_a_sliver),
+        cmocka_unit_test(edge_beyond_a_sharp_tip),
         cmocka_unit_test(border_that_runs_nearly_along),
         cmocka_unit_test(borders_at_flat_angles),
         cmocka_unit_test(pierced_planes_in_any_order),
