@@ -495,9 +495,9 @@ static void face_with_a_dent(void **state)
     model_free(&m);
 }
 
-/* Three plates meet at (0, 0) without a gap: x < 0, and for x > 0 what lies above and below the line y = x / 100. An edge that
- * ends above that line, nearer to it than epsilon, is hidden all the same: first one that passes (0, 0) above, and then
- * one that crosses the line a little beyond. */
+/* Three plates meet at (0, 0) without a gap: x < 0, and for x > 0 what lies above and below the line y = x / 100. An
+ * edge that ends above that line, nearer to it than epsilon, is hidden all the same: first one that passes (0, 0) above,
+ * and then one that crosses the line a little beyond. */
 static void edges_that_end_in_a_sliver(void **state)
 {
     static const roberts_vec3 plate[][4] = {{{-8, -8, 0}, {0, -8, 0}, {0, 8, 0}, {-8, 8, 0}},

@@ -40,9 +40,9 @@ static double box_size(const hide_box *box)
  * plane of a face of width w is known to about its rounding (and the face's own departure from it) at the face, and to
  * that times r / w at a distance r.
  *
- * The departure of a face that is not narrow is left out of the reach. All that is asked of its plane beyond the face is
- * whether what lies behind its solid lies behind the plane, and a sight line only gets deeper behind both. So the plane
- * need only hold for the solid itself, and that it does, to about the departure. */
+ * The departure of a face that is not narrow is left out of the reach. All that is asked of its plane beyond the face
+ * is whether what lies behind its solid lies behind the plane, and a sight line only gets deeper behind both. So the
+ * plane need only hold for the solid itself, and that it does, to about the departure. */
 static double set_trust(const hide_picture *picture, uint32_t solid, uint32_t face, double stretch, hide_face *f)
 {
     const view *v = &picture->view;
@@ -197,11 +197,10 @@ static void count_faces(picture_tile *tile, const front_faces *found)
     tile->edge_on += found->edge_on;
 }
 
-/* The hull in place of an outline that is not convex; 0 where that has too short sides to be trusted. Face by face a
- * front that is seen along some of its faces would hide too little: these are slivers in the picture, and a sliver drops
- * what is shorter than epsilon over its angle. As one front it is right within what the solid departs from a convex one:
- * a point of the solid lies no farther than that before any face's plane, and behind the solid a sight line only gets
- * deeper behind all of them. */
+/* The hull in place of an outline that is not convex; 0 where it cannot be trusted. Face by face such a front would hide
+ * too little: what is seen nearly edge-on is a sliver of the picture. As one front it is right to within what the solid
+ * departs from a convex one: no point of the solid lies farther than that before the plane of a face, and a sight line
+ * behind the solid only gets deeper behind all planes. */
 static uint32_t convex_hull(const hide_picture *picture, uint32_t solid, uint32_t *order, uint32_t *outline,
                             double width)
 {
