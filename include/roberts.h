@@ -1,4 +1,4 @@
-/* roberts.h - polyhedra in, line drawings with the hidden lines removed in object space out.
+/* roberts.h - turns polyhedra into line drawings, with the hidden lines removed in object space.
  *
  * The way through the library:
  *
@@ -11,7 +11,7 @@
  * Source of the method: L. G. Roberts, "Machine perception of three-dimensional solids", MIT 1963, in the form of the
  * lecture "Elimination des lignes cachees" (convex polyhedra, inward normals, four tests, grid Objet[i][j]).
  *
- * Every function that can fail returns a roberts_status and, where `error` is not NULL, fills it. Nothing here prints,
+ * Every function that can fail returns a roberts_status, and fills `error` unless that is NULL. Nothing here prints,
  * exits or keeps global state; no result depends on the locale. A zeroed struct is a valid empty one, and every
  * *_free() takes an empty one and NULL. */
 #ifndef ROBERTS_H
@@ -39,7 +39,7 @@ typedef struct roberts_vec3 {
 /** No vertex, face, edge or solid. */
 #define ROBERTS_NONE UINT32_MAX
 
-/** What can be asked for: threads, and cells per side of the grid. */
+/** The most threads, and the most cells per side of the grid, that options may ask for. */
 #define ROBERTS_THREADS_MOST 1024
 #define ROBERTS_GRID_MOST 4096
 
@@ -47,7 +47,7 @@ typedef enum roberts_status {
     ROBERTS_OK,
     ROBERTS_NO_MEMORY,    /**< an allocation failed */
     ROBERTS_IO,           /**< reading or writing failed; the message holds the system's reason */
-    ROBERTS_BAD_SYNTAX,   /**< the bytes are no file that can be understood */
+    ROBERTS_BAD_SYNTAX,   /**< the input is in no known format, or breaks the rules of its format */
     ROBERTS_BAD_INDEX,    /**< a face names a vertex that is not there */
     ROBERTS_BAD_NUMBER,   /**< a coordinate is infinite, not a number, or too large to compute with */
     ROBERTS_NOT_CLOSED,   /**< an edge of a component is not shared by exactly two faces */
@@ -67,8 +67,8 @@ typedef struct roberts_error {
     char message[256]; /**< e.g. "face 7 names vertex 9, but the file has 8"; no file, no line, no newline */
 } roberts_error;
 
-/** Receives warnings, one call a line, already counted ("12 faces with fewer than 3 corners ignored").
- * file: as in roberts_error; line: 0 if none applies; message: without newline, valid during the call only. */
+/** Receives one warning. Warnings of one kind come as one, with their count ("12 faces with fewer than 3 corners
+ * ignored"). file: as in roberts_error; line: 0 if none applies; message: no newline, valid during the call only. */
 typedef void roberts_warning_fn(void *context, const char *file, size_t line, const char *message);
 
 /** Where warnings go. A NULL function drops them. */
@@ -90,19 +90,19 @@ typedef struct roberts_color {
 typedef struct roberts_source {
     char *name; /**< owned by the mesh */
     uint32_t first_vertex, first_face;
-    bool float32; /**< its coordinates are 32-bit floats, and so off by up to half a unit of their last place */
+    bool float32; /**< its coordinates are 32-bit floats, so each is off by up to half a unit in the last place */
 } roberts_source;
 
-/** Faces that the input has under one name (o or g of OBJ, solid of STL): from first_face up to that of the next group.
- * The same name may come again. */
+/** Faces that share a name in the input (o or g of OBJ, solid of STL): from first_face up to the first_face of the next
+ * group. Several groups may have the same name. */
 typedef struct roberts_group {
     char *name; /**< owned by the mesh; "": none */
     uint32_t first_face;
 } roberts_group;
 
 /** Polygons over shared vertices, in the order of the input. Faces of any corner count (also 1 and 2) and any winding.
- * Fill it with roberts_mesh_read*() or roberts_mesh_add_*(); release it with roberts_mesh_free(). Readers may look at
- * all arrays; only the functions below change them. */
+ * Fill it with roberts_mesh_read*() or roberts_mesh_add_*(); release it with roberts_mesh_free(). You may read all
+ * arrays; only the functions below may change them. */
 typedef struct roberts_mesh {
     size_t vertex_count, face_count, corner_count, source_count, group_count;
     roberts_vec3 *vertex;        /**< [vertex_count] */
@@ -115,41 +115,44 @@ typedef struct roberts_mesh {
     roberts_group *group;        /**< [group_count] first_face ascends; NULL where no input has groups */
     size_t vertex_room, face_room, corner_room, vertex_color_room, face_color_room, source_room,
         group_room;   /**< private */
-    uint32_t threads; /**< to be set by you before reading: how many may read a large file; 0 = what there is. What is
-                           read does not depend on it */
+    uint32_t threads; /**< set it before reading: most threads for a large file, 0 = one per processor; the result does
+                           not depend on it */
 } roberts_mesh;
 
-/** Gives up to `size` bytes into `buffer`; returns how many, 0 at the end of the input, -1 on failure (errno set). */
+/** Puts up to `size` bytes into `buffer`. Returns how many, 0 at the end of the input, -1 on failure (errno set). */
 typedef ptrdiff_t roberts_read_fn(void *context, void *buffer, size_t size);
 
 /**
- * Reads one file in OFF, STL, OBJ or PLY, text or binary, and appends its polygons to `mesh` (vertex numbers go on from those
- * before). The format is recognised by what the file holds, not by its name.
+ * Reads one file in OFF, STL, OBJ or PLY, text or binary, and appends its polygons to `mesh`. The content decides the
+ * format, not the name. Vertices are numbered from 0 in all formats, and on from those already in `mesh`. Corners of
+ * STL with equal positions become one vertex within each of its solids.
  * name      what messages call the input; copied
- * read      called until it returns 0 or the last declared element is in; bytes are taken in blocks
+ * read      called until it returns 0 or the last declared element has come; reads blocks, so it may take bytes behind
+ *           that element
+ * context   handed to `read`
  * warnings  NULL: none wanted
  * On failure `mesh` is as it was before the call.
- * Corners of STL with equal positions become one vertex within each of its solids. Vertices are numbered from 0 in all formats.
  * Returns ROBERTS_OK, _NO_MEMORY, _IO, _BAD_SYNTAX, _BAD_INDEX or _BAD_NUMBER (a coordinate beyond 1e150).
- * Sources: the OFF format of Geomview, with the dialects of qhull, Antiprism, OpenSCAD, ModelNet and trimesh; for the others see
- * src/read.
+ * Sources: the OFF format of Geomview, with the dialects of qhull, Antiprism, OpenSCAD, ModelNet and trimesh; for the
+ * others see src/read/README.md.
  */
 roberts_status roberts_mesh_read(roberts_mesh *mesh, const char *name, roberts_read_fn *read, void *context,
                                  const roberts_warnings *warnings, roberts_error *error);
 
-/** The same from a file; "-" is standard input. Colours of OBJ are taken from the .mtl beside it, if there is one. */
+/** The same from a file; "-" is standard input. Colours of an OBJ come from the .mtl files beside it, if they exist. */
 roberts_status roberts_mesh_read_file(roberts_mesh *mesh, const char *path, const roberts_warnings *warnings,
                                       roberts_error *error);
 
-/** The same from `size` bytes in memory. */
+/** The same from `size` bytes in memory, which are only read. */
 roberts_status roberts_mesh_read_memory(roberts_mesh *mesh, const char *name, const void *bytes, size_t size,
                                         const roberts_warnings *warnings, roberts_error *error);
 
-/** Appends a vertex; `*index` (may be NULL) is its number. Returns ROBERTS_OK, _NO_MEMORY or _BAD_NUMBER. */
+/** Appends a vertex; `index`, unless NULL, receives its number. Returns ROBERTS_OK, _NO_MEMORY or _BAD_NUMBER. */
 roberts_status roberts_mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position, uint32_t *index,
                                        roberts_error *error);
 
-/** Appends a face of `count` corners, in order around it, either way. Returns ROBERTS_OK, _NO_MEMORY or _BAD_INDEX. */
+/** Appends a face of `count` corners, in order around it, in either direction. Returns ROBERTS_OK, _NO_MEMORY or
+ * _BAD_INDEX. */
 roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners, size_t count, roberts_error *error);
 
 /** Releases everything and leaves an empty mesh. */
@@ -162,56 +165,57 @@ void roberts_mesh_free(roberts_mesh *mesh);
 typedef struct roberts_scene roberts_scene;
 
 typedef struct roberts_scene_options {
-    double
-        tolerance; /**< how far a corner may lie outside a face or beside its plane, as a part of the solid's size (the
-                           diagonal of its box) or of its largest coordinate, whichever is larger; 0 = 1e-5 */
-    bool hull;     /**< solids that would be refused, and inputs of points without faces, become their convex hulls */
+    /** How far a corner may lie outside a face or beside its plane, as a part of the solid's size (the diagonal of its
+     * box) or of its largest coordinate, whichever is larger; 0 = 1e-5. */
+    double tolerance;
+    bool hull; /**< solids that would be refused, and inputs of points without faces, become their convex hulls */
     roberts_warnings warnings;
-    uint32_t threads; /**< 0 = what there is; the result does not depend on it */
-    bool solids;      /**< what is no convex solid is refused (without `hull`, which replaces it) */
-    bool
-        even_odd; /**< a face that crosses itself is where its border winds round an odd number of times; default: where
-                         it winds round at all */
+    uint32_t threads; /**< 0 = one per processor; the result does not depend on it */
+    bool solids;      /**< refuse what is no convex solid (without `hull`, which replaces it) */
+    /** The fill rule of faces that cross themselves. true: where the border winds round an odd number of times; false:
+     * where it winds round at all. */
+    bool even_odd;
 } roberts_scene_options;
 
 /**
  * Finds the bodies of `mesh`: convex solids, closed bodies of any shape, open ones. A face may be of any shape; see
  * src/model/README.md for its rules. With options->solids or options->hull solids alone are wanted, and what follows holds:
  * Finds the solids of `mesh` and checks each: closed, planar, convex, not flat. Winding is not trusted. Components that
- * are open are welded with one another where positions are exactly equal; what then hangs together by edges is a solid, or
- * comes apart into several where four or more faces meet in an edge. Corners that repeat another of their face, and faces
- * that this leaves with fewer than three, are ignored with a warning.
- * With options->hull, what would be refused becomes its convex hull, by Qhull: a closed component that is no convex solid;
- * of what is open, all that hangs together by vertices once it is welded and no closed solid splits off it; and an input without
- * a face of three corners, all its points. A hull's vertices are vertices of the input, its faces its own (ROBERTS_NONE, and
- * without colours); points that lie outside a face by less than the tolerance, or 1e-5 of the size, may be left out.
- * Solids are still numbered by their smallest vertex, whether the hull has it or not. What lies in one plane has no hull: it is
- * left out with a warning, be it all of an input, and refused where there is nothing else. How many solids of an input have
- * been replaced, and why, is a warning as well; points without faces, for which a hull is all that could be wanted, are not
- * counted there.
+ * are open are welded with one another where positions are exactly equal. Faces that then hang together by edges are a
+ * solid, or several where four or more faces meet in an edge. Corners that repeat another corner of their face are
+ * ignored with a warning, and so are faces that this leaves with fewer than three corners.
+ *
+ * With options->hull, convex hulls (by Qhull) replace what would be refused: a closed component that is no convex
+ * solid; of open components, after welding and without the closed solids that split off, all that hangs together by
+ * vertices; and all points of an input that has no face of three corners. A hull's vertices are vertices of the input;
+ * its faces are new (ROBERTS_NONE, without colours). Points that lie outside a face by less than the tolerance, or 1e-5
+ * of the size, may be left out. Solids are still numbered by their smallest vertex, even if their hull leaves it out.
+ * What lies in one plane has no hull: it is left out with a warning, even if it is a whole input, and refused if there
+ * is nothing else. A warning counts the solids of each input that were replaced, and says why. It does not count points
+ * without faces, since only their hull can be meant.
  * mesh     only read, and not needed afterwards
  * options  NULL for the defaults
  * scene    owned by the caller, released by roberts_scene_free(); NULL on failure
- * Returns ROBERTS_OK, _NO_MEMORY, _NOT_CLOSED (also where there is no face with three corners), _NOT_PLANAR, _NOT_CONVEX,
- * _FLAT (with hulls: there is nothing else), _BAD_NUMBER or _BAD_ARGUMENT. The message names the solid, the vertex or face
- * and by how much, in numbers of the file that error->file names, from 0; of the whole mesh where it names none, as of a
- * solid made of several files.
+ * Returns ROBERTS_OK, _NO_MEMORY, _NOT_CLOSED (also if no face has three corners), _NOT_PLANAR, _NOT_CONVEX, _FLAT
+ * (with hulls: there is nothing else), _BAD_NUMBER or _BAD_ARGUMENT. The message names the solid, the vertex or the
+ * face, and by how much it fails. Its numbers count from 0 in the file that error->file names, or in the whole mesh
+ * where it names none (a solid made of several files).
  */
 roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,
                                    roberts_scene **scene, roberts_error *error);
 
-/** The same, and takes over what it can of the mesh's memory: 300 MB less for a million solids. `mesh` is empty
- * afterwards; on failure it is as it was. */
+/** The same, but reuses the memory of `mesh` where it can: a million solids take 300 MB less. Afterwards `mesh` is
+ * empty; on failure it is as it was. */
 roberts_status roberts_scene_take(roberts_mesh *mesh, const roberts_scene_options *options, roberts_scene **scene,
                                   roberts_error *error);
 void roberts_scene_free(roberts_scene *scene);
 
 /**
- * The tolerance that would accept a mesh that roberts_scene_build() has refused as not planar or not convex: 1, 2 or 5
- * times a power of ten, as small as does, for all solids together. 0 where there is none up to 0.01, or up to the limit
- * beyond which any shape would pass: 0.025 / sqrt(faces of a solid), and less for a solid that is farther from the
- * origin than it is large. Right below that limit it has another digit (0.007 for twelve faces). The mesh is built
- * several times to find it; a mesh of more than 200,000 faces is not tried and gives 0.
+ * The tolerance that would accept a mesh that roberts_scene_build() has refused as not planar or not convex: the
+ * smallest 1, 2 or 5 times a power of ten that suffices for all solids together. Returns 0 if none suffices up to
+ * 0.01, or up to the limit beyond which any shape would pass: 0.025 / sqrt(faces of a solid), and less for a solid that
+ * is farther from the origin than it is large. Just below that limit the tolerance may have another digit (0.007 for
+ * twelve faces). The search builds the mesh several times; for more than 200,000 faces it is not tried and returns 0.
  * options  as given to roberts_scene_build(); `hull` and `warnings` are not used
  */
 double roberts_scene_tolerance(const roberts_mesh *mesh, const roberts_scene_options *options);
@@ -228,18 +232,18 @@ typedef enum roberts_body_kind {
     ROBERTS_OPEN,   /**< all else: sheets, loose faces, wires, edges of one face or of three and more */
 } roberts_body_kind;
 
-/** ROBERTS_OPEN where there is none of that number. */
+/** The kind of a body; ROBERTS_OPEN if there is none of that number. */
 roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t body);
 
-/** Whether a body is taken for curved: it is not convex, has more than 500 faces, and of the edges at which they meet at an angle
- * at least half bend by less than 20 degrees. See roberts_hide_options.crease_auto. */
+/** Whether a body counts as curved: it is not convex, has more than 500 faces, and bends by less than 20 degrees at half
+ * or more of the edges at which its faces meet at an angle. See roberts_hide_options.crease_auto. */
 bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body);
 
-/** What the input calls the group that the solid's first face is in (o or g of OBJ, solid of STL); "": nothing. Valid as
+/** The name of the group that the solid's first face is in (o or g of OBJ, solid of STL); "" if it has none. Valid as
  * long as the scene. */
 const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid);
 
-/** Whether a solid is the convex hull of what the mesh has in its place; false where there is none of that number. */
+/** Whether a convex hull has replaced what the mesh holds as this solid; false if no solid has that number. */
 bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid);
 
 /* ---- camera ----------------------------------------------------------------------------------------------------- */
@@ -253,28 +257,29 @@ typedef struct roberts_camera {
     roberts_vec3 eye;     /**< perspective: where the eye is */
     roberts_vec3 look_at; /**< perspective: the point in the middle of the picture */
     bool has_look_at;     /**< false: look at the centre of the scene's box */
-    roberts_vec3 up;      /**< what points up in the drawing; 0,0,0 = +z, or +y where that is parallel to the view; an
-                               `up` given and parallel to the view falls back in the same way */
-    roberts_vec2 oblique; /**< orthographic: how far right and up in the drawing a point moves that lies one unit
-                               farther away; 0,0 = sight lines at right angles to the picture plane */
-    double
-        near_distance;  /**< perspective: what is nearer to the eye's plane is cut off, model units; 0 = a thousandth of
-                               the look-at point's distance, and at least 1e-5 of the scene's diameter. What is
-                               nearer than 1e-6 of the diameter is cut off in any case */
-    double fov_degrees; /**< perspective: angle between the sides of the picture, and between top and bottom, under 180
-                               (on a page that is not square, across its shorter side); 0 = the whole scene, or
-                               60 where the near plane cuts the scene */
-    double roll_degrees; /**< the drawing is turned by so much, counter-clockwise */
+    /** What points up in the drawing; 0,0,0 = +z. Where `up` is parallel to the view, +z takes its place, and +y where
+     * that is parallel too. */
+    roberts_vec3 up;
+    /** Orthographic: how far right and up a point moves in the drawing for each unit that it lies farther away; 0,0 =
+     * sight lines at right angles to the picture plane. */
+    roberts_vec2 oblique;
+    /** Perspective: what is nearer to the eye's plane is cut off, model units; 0 = a thousandth of the look-at point's
+     * distance, and at least 1e-5 of the scene's diameter. Nearer than 1e-6 of the diameter, all is cut off anyway. */
+    double near_distance;
+    /** Perspective: the angle from side to side and from bottom to top, under 180 (on a page that is not square, across
+     * its shorter side); 0 = the whole scene, or 60 where the near plane cuts the scene. */
+    double fov_degrees;
+    double roll_degrees; /**< turns the drawing counter-clockwise */
 } roberts_camera;
 
 /** Fills `camera` with the preset called `name` (iso, dimetric, trimetric, front, back, right, left, top, bottom;
  * and the oblique cavalier and cabinet: front views with depth at 45 degrees, in full and in half);
- * false where there is none of that name. */
+ * false if there is no such preset. */
 bool roberts_camera_preset(const char *name, roberts_camera *camera);
 
 /** Fills `camera` with the orthographic view from an azimuth (0 = front, 90 = right, 180 = back; any) and an elevation
- * over the horizon (90 = top, with the front below; -90 to 90), its drawing turned by `roll` counter-clockwise; all in
- * degrees, and the direction exact at multiples of 90. False where one of them is not finite or out of its range. */
+ * over the horizon (90 = top, with the front below; -90 to 90), its drawing turned by `roll` counter-clockwise. All are
+ * in degrees; at multiples of 90 the direction is exact. False if one of them is not finite or out of its range. */
 bool roberts_camera_angles(double azimuth, double elevation, double roll, roberts_camera *camera);
 
 /** Turns `camera` by `degrees` about the upright line through the centre of the scene's box, from the front to the
@@ -282,10 +287,11 @@ bool roberts_camera_angles(double azimuth, double elevation, double roll, robert
 void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_camera *camera);
 
 /**
- * The window that roberts_hide() gives the drawing of `scene` seen by `camera`, much sooner. `*framed`, where not NULL, as
- * in the drawing. A drawing whose window_min and window_max are set to the box of several windows, and `windowed` to true
- * (for all of them `framed`, where one of them is), is laid on the page by that box: so pictures from several sides come
- * out at one scale.
+ * Finds the window that roberts_hide() would give the drawing of `scene` seen by `camera`, but much faster. `framed`,
+ * unless NULL, is filled as in the drawing.
+ * It serves to draw pictures from several sides at one scale: set window_min and window_max of every drawing to the box
+ * of all their windows, `windowed` to true, and `framed` to true if one of them is framed. Each page is then laid out
+ * by that box.
  * Returns ROBERTS_OK, _NO_MEMORY or _BAD_VIEW.
  */
 roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *camera, roberts_vec2 *min,
@@ -313,9 +319,9 @@ typedef struct roberts_segment {
     uint32_t v0, v1; /**< the edge's vertices as in the input, v0 < v1 */
     uint32_t by;     /**< hidden: the solid seen at the middle of the part; else ROBERTS_NONE */
     double t0, t1;   /**< along the edge in space from v0 to v1, 0 <= t0 < t1 <= 1 */
-    roberts_vec2 p0,
-        p1;        /**< its ends in the picture, model units; of a clipped part both are where it is cut (0,0 where
-                              the whole edge is clipped) */
+    /** Its ends in the picture, model units. Both ends of a clipped part are where it is cut (0,0 if the whole edge is
+     * clipped). */
+    roberts_vec2 p0, p1;
     double z0, z1; /**< how near the viewer p0 and p1 are: greater is nearer; linear along the line in the picture */
     uint8_t state; /**< roberts_state */
     uint8_t line;  /**< roberts_line */
@@ -331,8 +337,8 @@ typedef struct roberts_tally {
     uint64_t test3_invisible; /**< inside all sides (up to where the edge pierces the face) */
     uint64_t test4;           /**< cut at the crossings */
     uint64_t covered;         /**< edges dropped behind covers, without a test */
-    uint64_t pierced;         /**< parts found that end where the edge pierces a face. As the others this depends on
-                           the grid: what is hidden already is not asked */
+    uint64_t pierced;         /**< hidden parts that end where the edge pierces a face; like the other counts, it
+                                   depends on the grid, since what is already hidden is not tested again */
     uint64_t refined;         /**< signs and crossings computed again in twice the precision */
 } roberts_tally;
 
@@ -354,18 +360,19 @@ typedef struct roberts_drawing {
     size_t count;
     roberts_segment *segment;            /**< [count] */
     roberts_vec2 window_min, window_max; /**< box of the scene's picture, hidden parts included; or the field of view */
-    bool framed;    /**< the window is the field of view: segments reach beyond it, and are cut off when they are drawn
-                      (see roberts_page_shape()) */
-    bool windowed;  /**< to be set by you: the page is laid out by the window, beyond which nothing reaches */
+    bool framed;    /**< the window is the field of view: segments reach beyond it, and drawing cuts them off there (see
+                         roberts_page_shape()) */
+    bool windowed;  /**< set it to lay out the page by the window, beyond which nothing may reach unless `framed` */
     double epsilon; /**< the touching distance that was used, model units */
     roberts_epsilon_reason epsilon_reason;
     double scene_diameter;        /**< diagonal of the box round the scene */
     uint32_t grid, grid_rows;     /**< columns and rows of cells, as chosen */
-    size_t solids, culled_solids; /**< all; known to be wholly hidden before they were cut (their faces and edges are
-                                       not among the following) */
+    size_t solids, culled_solids; /**< all; those found wholly hidden beforehand (the counts below leave out their
+                                       faces and edges) */
     size_t front_faces, back_faces, edge_on_faces;
     size_t edges, surviving_edges; /**< all; with a front face */
-    size_t drawn_edges; /**< of these, or of all where hidden segments are kept, those not flatter than the crease */
+    size_t drawn_edges; /**< of the surviving ones (of all, if hidden segments are kept) those that are not flatter than
+                             the crease angle */
     roberts_tally tally;
     roberts_time view_time, grid_time, hide_time;
 } roberts_drawing;
@@ -378,9 +385,9 @@ typedef struct roberts_hide_options {
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
-                                largest coordinate, and 2 ulp of a float where coordinates are 32-bit floats */
+                           largest coordinate, and 2 float ulp of the largest one that came as a 32-bit float */
     uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
-    uint32_t threads; /**< up to ROBERTS_THREADS_MOST; 0 = what there is */
+    uint32_t threads; /**< up to ROBERTS_THREADS_MOST; 0 = one per processor */
 } roberts_hide_options;
 
 roberts_hide_options roberts_hide_options_default(void);
@@ -401,9 +408,12 @@ void roberts_drawing_free(roberts_drawing *drawing);
 typedef bool roberts_segment_fn(void *context, const roberts_segment *segment);
 
 /**
- * The same, but gives the segments one by one, in their order, and keeps none: for scenes whose segments need not be in
- * memory together. each: called by one thread at a time, not always the same. summary: NULL, or what was counted, without
- * segments (count tells how many there were). Returns in addition ROBERTS_STOPPED where `each` has returned false.
+ * The same, but hands the segments to `each` one by one, in their order, and keeps none, so that a large drawing need
+ * not fit in memory.
+ * each     called by one thread at a time, not always the same
+ * context  handed to `each`
+ * summary  NULL, or filled like a drawing without segments; its `count` says how many there were
+ * Returns what roberts_hide() returns, or ROBERTS_STOPPED if `each` returned false.
  */
 roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camera *camera,
                                  const roberts_hide_options *options, roberts_segment_fn *each, void *context,
@@ -413,8 +423,8 @@ roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camer
 
 /* What these have in common. A ray is the points S + t v with t >= 0; v has any length but 0, and t counts in lengths
  * of v. Shapes are closed: what only touches is met, and so is what S lies on (t = 0); what lies behind S is not. A ray
- * parallel to a flat shape (its determinant is lost in rounding) does not meet it, not even within it. Otherwise there
- * is no tolerance: by rounding, a ray through the common side of two triangles may miss both. A zero or infinite
+ * parallel to a flat shape (its determinant is lost in rounding) does not meet it, even if it lies in it. Otherwise
+ * there is no tolerance: by rounding, a ray through the common side of two triangles may miss both. A zero or infinite
  * direction and a flat or empty shape are never met. Each returns whether the ray meets the shape, and fills its last
  * argument only then. Lengths between 1e-50 and 1e50 are safe from under- and overflow, which would show as a miss.
  *
@@ -475,8 +485,8 @@ bool roberts_ray_triangle_mt(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, ro
 bool roberts_ray_triangle_barycentric(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, roberts_vec3 c,
                                       roberts_hit *hit);
 
-/** Whether p, a point of the polygon's plane, lies in the polygon of `count` corners in space; the border belongs to
- * it, as far as rounding lets see. Neighbouring corners must differ. False for fewer than 3 corners and for corners on
+/** Whether p, a point of the polygon's plane, lies in the polygon of `count` corners in space. The border belongs to
+ * it, as far as rounding allows. Neighbouring corners must differ. False for fewer than 3 corners and for corners on
  * one line. */
 typedef bool roberts_inside_fn(const roberts_vec3 *corner, size_t count, roberts_vec3 p);
 
@@ -515,25 +525,25 @@ bool roberts_ray_polyhedron(roberts_ray ray, const roberts_plane *F, size_t coun
 
 /* ---- ray: a second opinion on a drawing -------------------------------------------------------------------------- */
 
-/** A point of an edge of which the drawing says one thing and a ray another. */
+/** A point of an edge about which the drawing and a ray disagree. */
 typedef struct roberts_contradiction {
     uint32_t solid, v0, v1; /**< the edge, as in roberts_segment */
     double t;               /**< where on it */
     roberts_state drawn;    /**< what the drawing says */
     roberts_state cast;     /**< what the ray says; clipped: the near plane cuts the point off */
     uint32_t by;            /**< cast hidden: a solid that hides the point; else ROBERTS_NONE */
-    uint32_t drawn_by;      /**< drawn hidden: the solid that the drawing names, which is wrong if `cast` is hidden too:
-                                 `by` hides it, or the point lies not behind it; ROBERTS_NONE where it names none */
+    uint32_t drawn_by;      /**< drawn hidden: the solid that the drawing names, or ROBERTS_NONE; where `cast` is hidden
+                                 too, this is the wrong solid */
 } roberts_contradiction;
 
 /** Receives contradictions, by edge and then along it. */
 typedef void roberts_contradiction_fn(void *context, const roberts_contradiction *contradiction);
 
 typedef struct roberts_verify_options {
-    uint32_t rays;         /**< per segment, near its ends and evenly between them; 0 = 3. Others are cast besides */
-    double crease_degrees; /**< as given to roberts_hide(), to tell edges hidden altogether from those not drawn */
-    bool all_edges;        /**< the same */
-    uint32_t threads;      /**< 0 = what there is; the result does not depend on it */
+    uint32_t rays;         /**< per segment, near its ends and evenly between; 0 = 3. More go where errors are likely */
+    double crease_degrees; /**< as given to roberts_hide(): tells wholly hidden edges from those that are not drawn */
+    bool all_edges;        /**< as given to roberts_hide() */
+    uint32_t threads;      /**< 0 = one per processor; the result does not depend on it */
     roberts_contradiction_fn *contradiction; /**< NULL: count only */
     void *context;
 } roberts_verify_options;
@@ -542,7 +552,7 @@ roberts_verify_options roberts_verify_options_default(void);
 
 /** What roberts_verify() found. */
 typedef struct roberts_verification {
-    size_t segments;             /**< stretches of edges looked at: visible, hidden, and left out as hidden */
+    size_t segments;             /**< parts of edges checked: visible, hidden, and left out as hidden */
     size_t points;               /**< rays cast */
     size_t undecided;            /**< of these: within about epsilon of where the answer changes */
     size_t contradictions;       /**< of these: the drawing is wrong there */
@@ -552,7 +562,7 @@ typedef struct roberts_verification {
 /**
  * Checks a drawing by casting rays from points of its edges toward the viewer, in model space, through a tree of boxes.
  * scene, camera   those that `drawing` was made from
- * drawing         with or without hidden segments; what is missing of an edge that has to be drawn counts as hidden
+ * drawing         with or without hidden segments; missing parts of an edge that has to be drawn count as hidden
  * options         NULL for the defaults
  * Besides options->rays to a segment, rays are cast close to the ends of visible segments, behind whatever face hides
  * a part of one, step by step along hidden segments, and at the middle of segments that name what hides them (`by`).
@@ -568,9 +578,9 @@ roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *
 typedef struct roberts_pick_hit {
     uint32_t solid;     /**< number of the solid */
     uint32_t face;      /**< number of the face in the input; ROBERTS_NONE: a hull's, or where the near plane cuts */
-    double depth;       /**< along the line of sight's axis, behind the plane through the scene's centre or the look-at
-                             point (< 0: in front of it), model units */
-    roberts_vec3 point; /**< where it is met, model space */
+    double depth;       /**< along the axis of sight, from the plane through the scene's centre or the look-at point:
+                             > 0 behind it, < 0 in front of it, model units */
+    roberts_vec3 point; /**< where the sight line meets it, model space */
 } roberts_pick_hit;
 
 /** What lies at a point of the picture, nearest first. */
@@ -580,9 +590,9 @@ typedef struct roberts_picked {
 } roberts_picked;
 
 /**
- * Says what is seen at (x, y) of the picture (as in roberts_segment's p0, p1) and what lies behind it: every front face
- * on the sight line, the border counted in; one a solid at one depth, of several the face of smallest number. Order: by
- * depth, equal depths (within epsilon) by solid.
+ * Finds what is seen at (x, y) of the picture (as in roberts_segment's p0, p1) and what lies behind it: every front
+ * face on the sight line, its border included. If a solid has several faces at one depth, the smallest number counts.
+ * The order is by depth; equal depths (within epsilon) go by solid.
  * picked  owned by the caller, released by roberts_picked_free(); empty where nothing is there, and on failure
  * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT (x or y not finite).
  */
@@ -590,7 +600,7 @@ roberts_status roberts_pick(const roberts_scene *scene, const roberts_camera *ca
                             roberts_picked *picked, roberts_error *error);
 void roberts_picked_free(roberts_picked *picked);
 
-/* ---- draw: pages and tables --------------------------------------------------------------------------------------- */
+/* ---- draw: pages and tables -------------------------------------------------------------------------------------- */
 
 typedef enum roberts_format {
     ROBERTS_SVG, /**< a page as text, millimetres, one layer per line class */
@@ -603,19 +613,19 @@ typedef enum roberts_format {
     ROBERTS_NULL, /**< compute, write nothing */
 } roberts_format;
 
-/** The format called `name` ("svg", "csv", ...), or the one that the ending of `path` stands for, in any case ("a.SVG").
- * False where there is none; `*format` is then as it was. */
+/** Finds the format called `name` ("svg", "csv", ...), or the one that the ending of `path` names, in upper or lower
+ * case ("a.SVG"). False if there is none; `*format` is then as it was. */
 bool roberts_format_by_name(const char *name, roberts_format *format);
 bool roberts_format_by_path(const char *path, roberts_format *format);
 
 /** What becomes of hidden segments. A drawing holds them only where roberts_hide() was told to keep them. */
 typedef enum roberts_hidden {
     ROBERTS_HIDDEN_NONE,   /**< left out, of tables too */
-    ROBERTS_HIDDEN_DASHED, /**< with the dashes of their pen */
-    ROBERTS_HIDDEN_SOLID,  /**< without */
+    ROBERTS_HIDDEN_DASHED, /**< drawn with the dashes of their pen */
+    ROBERTS_HIDDEN_SOLID,  /**< drawn without dashes */
 } roberts_hidden;
 
-/** How a class of lines is drawn: round caps and joins always. */
+/** How a class of lines is drawn. Caps and joins are always round. */
 typedef struct roberts_pen {
     double width_mm;        /**< > 0 */
     double dash_mm, gap_mm; /**< as seen on paper, round caps included; dash_mm 0 = unbroken */
@@ -625,24 +635,24 @@ typedef struct roberts_pen {
 
 /** What lies below all lines, over the whole page. */
 typedef struct roberts_background {
-    bool on; /**< false: nothing, as on paper; PNG, which has no paper below it, is white then */
+    bool on; /**< false: nothing is drawn; PNG is white then */
     unsigned char red, green, blue;
 } roberts_background;
 
 /** Paper. The drawing is fitted into what the margins leave, and centred. */
 typedef struct roberts_page {
     double width_mm, height_mm; /**< 1 to 40000 each */
-    double margin_mm;           /**< on all four sides, less than half of the shorter; what is fitted keeps half of its
-                                     widest pen from the edge anyhow (a tenth of the shorter side at the most) */
+    double margin_mm;           /**< on all four sides, less than half the shorter side; a fitted drawing keeps at least
+                                     half its widest pen from the edge (at most a tenth of the shorter side) */
 } roberts_page;
 
-/** Makes a field of view, the window of a drawing that is `framed`, wider or higher about its middle until it has the
- * shape of what the page's margins leave: so much of the picture is drawn there. */
+/** Makes a field of view (the window of a `framed` drawing) wider or higher about its middle, until it has the shape of
+ * what the page's margins leave. The page shows this part of the picture. */
 void roberts_page_shape(const roberts_page *page, roberts_vec2 *min, roberts_vec2 *max);
 
 /** How a drawing is laid on its page. A zeroed struct fits it into the margins. */
 typedef struct roberts_placement {
-    double scale;   /**< length on paper by length of the model, 0.05 for 1:20; 0 = as large as the margins allow */
+    double scale;   /**< length on paper per length of the model, 0.05 for 1:20; 0 = as large as the margins allow */
     double unit_mm; /**< a model unit in mm, for `scale`; 0 = 1 */
     int align_x, align_y; /**< -1 left or bottom, 0 centre, 1 right or top margin */
     bool standard;        /**< scale 0: the largest of 1, 2 or 5 times a power of ten that fits (ISO 5455) */
@@ -650,20 +660,20 @@ typedef struct roberts_placement {
 
 /** In which order the pen draws the lines of a class. */
 typedef enum roberts_order {
-    ROBERTS_ORDER_TRAVEL, /**< chained as far as they meet, and ordered for short ways of the lifted pen */
-    ROBERTS_ORDER_NONE,   /**< as in the drawing; chained where a line goes on from the end of the one before */
+    ROBERTS_ORDER_TRAVEL, /**< lines that meet are chained, and chains ordered so that the lifted pen travels little */
+    ROBERTS_ORDER_NONE,   /**< as in the drawing; chained where a line begins at the end of the one before */
 } roberts_order;
 
 /** What was drawn on a page. */
 typedef struct roberts_ink {
     size_t strokes;        /**< how often the pen goes down */
-    double down_mm, up_mm; /**< the ways of the pen on and over the paper, from the first stroke to the last */
-    double scale;          /**< mm on paper by model unit */
+    double down_mm, up_mm; /**< how far the pen travels on and above the paper, from the first stroke to the last */
+    double scale;          /**< mm on paper per model unit */
 } roberts_ink;
 
-/** Where save has an unfinished file: called with its name just before it is created, and with NULL once it is renamed
- * or removed, so that a program can remove it when it is interrupted. The name is valid between the two calls. What a
- * killed program leaves is removed when the same file is saved again. */
+/** Tells where an unfinished file is: called with its name just before it is created, and with NULL once it is renamed
+ * or removed, so that an interrupted program can remove it. The name is valid between the two calls. What a killed
+ * program leaves is removed when the same file is saved again. */
 typedef void roberts_temporary_fn(void *context, const char *path);
 
 /** How a drawing is written. Start from roberts_draw_options_default() and change what you need. */
@@ -674,8 +684,8 @@ typedef struct roberts_draw_options {
     roberts_pen outline;             /**< default: 0.5 mm */
     roberts_pen crease;              /**< default: 0.35 mm */
     roberts_pen back;                /**< hidden lines; default: 0.25 mm, dashes of 12 and gaps of 3 widths (ISO 128) */
-    roberts_pen frame;               /**< on the margins, 5 mm off the drawing; if that is `framed`, where it is cut
-                                          off; default: off, 0.7 mm */
+    roberts_pen frame;               /**< along the margins, 5 mm from the drawing; if that is `framed`, where it is
+                                          cut off; default: off, 0.7 mm */
     roberts_pen symbol;              /**< projection symbol of a sheet; default: 0.35 mm */
     roberts_background background;   /**< default: off */
     roberts_placement placement;     /**< default: fitted, in the middle */
@@ -696,13 +706,13 @@ typedef bool roberts_write_fn(void *context, const void *bytes, size_t size);
 /**
  * Writes `drawing` in blocks to `write`.
  * options  NULL for the defaults
- * The same drawing and options give the same bytes, on every run and in every locale. SVG is true to 0.0005 mm
- * where nothing is joined (all lengths here times ten on pages longer than 4 m). On pages no line is drawn twice: of
- * segments that lie on one another the nearest visible one is drawn, or else the nearest hidden one; parts of one line
- * and class that are 0.001 mm apart or less are joined, as are ends; and what is no longer than that may be left out.
- * Tables have all segments as they are.
- * Returns ROBERTS_OK, _NO_MEMORY, _IO (a write failed), _BAD_NUMBER (a segment is not finite) or _BAD_ARGUMENT (also: at
- * its scale the drawing leaves the page).
+ * The same drawing and options give the same bytes, on every run and in every locale. On pages no line is drawn twice:
+ * of segments that lie on one another the nearest visible one is drawn, or else the nearest hidden one. Parts of one
+ * line and class that are 0.001 mm apart or less are joined, and so are ends; what is no longer than that may be left
+ * out. Where nothing is joined, SVG is true to 0.0005 mm. (On pages longer than 4 m, these lengths are ten times as
+ * large.) Tables have all segments as they are.
+ * Returns ROBERTS_OK, _NO_MEMORY, _IO (a write failed), _BAD_NUMBER (a segment is not finite) or _BAD_ARGUMENT (also if
+ * at its scale the drawing leaves the page).
  */
 roberts_status roberts_drawing_write(const roberts_drawing *drawing, const roberts_draw_options *options,
                                      roberts_write_fn *write, void *context, roberts_error *error);
@@ -710,13 +720,13 @@ roberts_status roberts_drawing_write(const roberts_drawing *drawing, const rober
 /**
  * The same into a file; "-" is standard output. A regular file appears whole or not at all: it is written beside, under
  * a temporary name, then renamed; a file of that name keeps its mode, and a symbolic link is followed. What exists and
- * is no regular file (a device, a pipe) is written in place. The caller decides about SIGPIPE; where it is ignored, a
+ * is no regular file (a device, a pipe) is written in place. SIGPIPE is left to the caller; where it is ignored, a
  * closed pipe is an error like others.
  */
 roberts_status roberts_drawing_save(const roberts_drawing *drawing, const roberts_draw_options *options,
                                     const char *path, roberts_error *error);
 
-/* ---- draw: sheets, several views on one page ----------------------------------------------------------------------- */
+/* ---- draw: sheets, several views on one page --------------------------------------------------------------------- */
 
 /** Where the views stand, seen from the front view (ISO 5456-2). */
 typedef enum roberts_sheet_angle {
@@ -728,7 +738,7 @@ enum {
     ROBERTS_SHEET_FRONT,
     ROBERTS_SHEET_TOP,
     ROBERTS_SHEET_SIDE, /**< from the left or from the right, as the angle wants it */
-    ROBERTS_SHEET_ISO,  /**< in the cell that is left; from front, top and the side that is shown */
+    ROBERTS_SHEET_ISO,  /**< in the remaining cell; seen from the front, the top and the side that is shown */
     ROBERTS_SHEET_VIEWS
 };
 
@@ -739,15 +749,16 @@ typedef struct roberts_sheet {
     const roberts_drawing *view[ROBERTS_SHEET_VIEWS]; /**< NULL: left out */
 } roberts_sheet;
 
-/** The camera of a view, ROBERTS_SHEET_FRONT to ROBERTS_SHEET_ISO; false where there is none of that number. */
+/** Fills `camera` for a view, ROBERTS_SHEET_FRONT to ROBERTS_SHEET_ISO; false for any other number. */
 bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *camera);
 
 /**
- * Writes the views of a sheet on one page, at one scale, in line with one another, and the symbol of their angle into its
- * lower right corner: on small pages no larger than a quarter of the room for four views, and left out where that leaves it
- * about half its size. The placement holds for all of them together: fitted, they are as large as margins, gaps and symbol
- * allow. With a frame views keep 10 mm from it. Strokes of all views are in the same layers. Else as
- * roberts_drawing_write() and roberts_drawing_save(); tables cannot hold a sheet: ROBERTS_BAD_ARGUMENT.
+ * Writes the views of a sheet on one page, at one scale and in line with one another, with the symbol of their angle in
+ * the lower right corner. On small pages the symbol is no larger than a quarter of the room for four views, and is left
+ * out where that makes it about half its size. The placement holds for all views together: fitted, they are as large as
+ * margins, gaps and symbol allow. With a frame the views keep 10 mm from it. Strokes of all views are in the same
+ * layers. In all else like roberts_drawing_write() and roberts_drawing_save(); a table cannot hold a sheet:
+ * ROBERTS_BAD_ARGUMENT.
  */
 roberts_status roberts_sheet_write(const roberts_sheet *sheet, const roberts_draw_options *options,
                                    roberts_write_fn *write, void *context, roberts_error *error);

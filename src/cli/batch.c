@@ -52,7 +52,7 @@ static int by_output(const void *a, const void *b)
 
 static int no_memory(void)
 {
-    fputs("roberts: out of memory\n", stderr);
+    fputs("roberts: not enough memory\n", stderr);
     return EXIT_FAILED;
 }
 
@@ -145,7 +145,7 @@ static void make_one(const batch *b, batch_file *file, int thread)
     FILE *log = open_memstream(&file->text, &size);
     file->result = EXIT_FAILED;
     if (!log)
-        return; /* print() tells */
+        return; /* finish_one() reports it */
     own.input = &input;
     own.input_count = 1;
     own.output = file->output;
@@ -172,7 +172,7 @@ static void finish_one(batch *b, batch_file *file)
             progress_hide();
             if (!next->text)
                 message_begin(stderr, next->input);
-            fputs(next->text ? next->text : "out of memory\n", stderr);
+            fputs(next->text ? next->text : "not enough memory\n", stderr);
             progress_show();
         }
         free(next->text);

@@ -1,12 +1,13 @@
 /* check.c - whether options make sense together.
  *
- * The rule: what would draw something else than is meant, or lose a file, is misuse. What changes nothing is worth only
- * a warning, so that a script can give the same options to every run. The table of options says which options exclude
- * or need each other; here is what depends on values and files. */
+ * The rule: a command that would draw something else than is meant, or lose a file, is misuse. An option that changes
+ * nothing is only worth a warning, so that a script can give the same options to every run. The table of options says
+ * which options exclude or need each other; here is what depends on values and files. */
 #include "cli/check.h"
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -50,15 +51,18 @@ static int check_turntable(const cli_options *options)
 
 static bool ends_like_input(const char *name)
 {
-    size_t length = strlen(name);
-    return length >= 4 && name[length - 4] == '.' && strchr("oO", name[length - 3]) && strchr("fF", name[length - 2]) &&
-           strchr("fF", name[length - 1]);
+    static const char *const endings[] = {".off", ".stl", ".obj", ".ply"};
+    const char *dot = strrchr(name, '.');
+    for (size_t i = 0; dot && i < sizeof endings / sizeof endings[0]; i++)
+        if (strcasecmp(dot, endings[i]) == 0)
+            return true;
+    return false;
 }
 
-/* A file forgotten behind --batch, or the folder: then the first file is taken for the folder. */
+/* If the folder behind --batch is forgotten, the first file is taken for it. */
 static int check_batch(const cli_options *options)
 {
-    static const char how[] = "--batch DIR FILE.off...";
+    static const char how[] = "--batch DIR FILE...";
     struct stat found;
     if (!options->batch)
         return EXIT_DONE;
@@ -72,8 +76,8 @@ static int check_batch(const cli_options *options)
     return EXIT_DONE;
 }
 
-/* A name that ends in a slash is one of a folder, whether that is there or not. check_turntable() judges names of its
- * own. */
+/* A name that ends in a slash means a folder, whether it exists or not. check_turntable() judges the names of a
+ * turntable. */
 int check_folder(const cli_options *options)
 {
     struct stat found;
@@ -105,7 +109,7 @@ static bool is_same_file(const struct stat *a, const struct stat *b)
     return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
 }
 
-/* The drawing must not take the place of a model, and a name for the drawing is not one of a model. */
+/* The drawing must not replace a model, and a name meant for the drawing must not be read as a model. */
 static int check_files(const cli_options *options, bool output_given)
 {
     struct stat output, input;
@@ -156,7 +160,7 @@ static bool is_dashed(const roberts_pen *pen)
     return pen->dash_mm > 0.0 && !pen->off;
 }
 
-/* Of a drawing that comes on no page, options of the paper. */
+/* Warns of page options where there is no page. */
 static void warn_paper(const cli_options *options, const options_given *given)
 {
     char list[LIST_SIZE];
@@ -171,7 +175,7 @@ static void warn_paper(const cli_options *options, const options_given *given)
                 values_format_name(options->draw.format));
 }
 
-/* A pen was chosen for lines that are not drawn, because something is `missing` or (NULL) because they are off. */
+/* Warns of a pen for lines that are not drawn: something is `missing`, or (NULL) they are off. */
 static void warn_pen(const char *class, const roberts_pen *pen, const roberts_pen *usual, const char *missing)
 {
     char what[64];
@@ -214,7 +218,7 @@ static void warn_ending(const cli_options *options)
     message_warning(stderr, options->output, 0, text);
 }
 
-/* A name as --turntable takes it, without a turntable: a file may be called so, but that is hardly meant. */
+/* A name with a place for a number, but no turntable: a file may have such a name, but that is hardly meant. */
 static void warn_number(const cli_options *options)
 {
     char name[NAME_SIZE];

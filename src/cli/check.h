@@ -4,8 +4,8 @@
 
 #include "cli/options.h"
 
-/* Each returns EXIT_DONE, or EXIT_MISUSED and has said why. */
-int check_folder(const cli_options *options); /* an output that is a folder; before its name tells the format */
+/* Each returns EXIT_DONE, or EXIT_MISUSED after a message. */
+int check_folder(const cli_options *options); /* the output is no folder; asked before its name tells the format */
 int check_format(const cli_options *options); /* the format goes with the other options and the output */
 int check_options(const cli_options *options, const options_given *given); /* all else */
 

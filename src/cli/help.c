@@ -17,6 +17,7 @@ static const char usage[] =
 
 static const char closing[] =
     "\n"
+    "A model is a file in OFF, STL, OBJ or PLY; its content decides, not its name.\n"
     "Of an option given twice the last counts, unless it may be given several times (--style, --pick). The program\n"
     "warns of an option that has no effect.\n"
     "Exit status: 0 done, 1 the input or the work failed, 2 misuse.\n"

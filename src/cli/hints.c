@@ -18,7 +18,7 @@ static size_t least(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* "ISO" means iso: what is near is so in any case of letters. */
+/* Letters match in either case: "ISO" means iso. */
 static bool same(char a, char b)
 {
     return tolower((unsigned char)a) == tolower((unsigned char)b);
@@ -53,8 +53,8 @@ const char *hint_word(const char *word, const char *const *words)
     const char *best = NULL;
     size_t length = strlen(word), best_distance = FAR;
     for (size_t i = 0; words[i]; i++) {
-        /* The beginning of a word means that word, and "isometric" means iso; of other words a third of the letters may
-         * be wrong, of two letters none. */
+        /* The beginning of a word means that word, and "isometric" means iso. Otherwise a third of the letters may be
+         * wrong, but none of two. */
         size_t shorter = least(length, strlen(words[i]));
         bool begins = shorter >= 2 && strncmp(words[i], word, shorter) == 0;
         size_t d = begins ? 0 : distance(word, words[i]);
@@ -127,7 +127,7 @@ int hint_unknown(const char *what, const char *word, const char *const *words, c
 
 /* ---- files and models ---- */
 
-/* Where -o is forgotten, a drawing of an earlier run is taken for a model. */
+/* If -o was forgotten, a drawing of an earlier run is read as a model. */
 void hint_unread(const cli_options *options, const char *name, roberts_error *error)
 {
     const size_t used = strlen(error->message), room = sizeof error->message - used;
@@ -165,7 +165,7 @@ void hint_refused(const cli_options *options, const roberts_mesh *mesh, roberts_
 /* As many as a box has edges. */
 enum { FEW_LINES = 12 };
 
-/* Cuts what of [*t0, *t1] lies where a + t (b - a) is low or more; false where nothing is left. */
+/* Cuts [*t0, *t1] to where a + t (b - a) >= low; false where nothing is left. */
 static bool clip(double a, double b, double low, double *t0, double *t1)
 {
     if (a < low && b < low)
@@ -194,10 +194,10 @@ static const roberts_pen *pen_of(const cli_options *options, const roberts_segme
     return s->line == ROBERTS_CREASE ? &draw->crease : &draw->outline;
 }
 
-/* What is seen of the scene, on the page where there is one. */
+/* What a drawing shows, on the page where there is one. */
 typedef struct glance {
-    bool any_seen, any_inside; /* by the eye; in the field of view */
-    size_t drawn;
+    bool any_seen, any_inside; /* a segment in front of the eye; one in the field of view */
+    size_t drawn;              /* segments whose pen is on */
 } glance;
 
 /* Looks at segments until `enough` of them are known to be drawn. */
@@ -231,18 +231,19 @@ const char *hint_empty(const cli_options *options, const roberts_drawing *drawin
     if (g.drawn > 0)
         return NULL;
     if (g.any_inside)
-        return "--style has turned off all lines that would be seen";
+        return "--style has turned off all lines that could be seen";
     if (g.any_seen)
         return "no line of the scene lies in the field of view; --look-at turns the eye (default: to the middle of the "
                "scene), --fov makes the field wider";
     if (too_far)
-        return "the scene is smaller than what counts as touching from so far; bring --eye nearer, or set --epsilon";
+        return "from so far away the whole scene is smaller than the touching distance; bring --eye nearer, or set "
+               "--epsilon";
     return "no line of the scene is seen from there; --eye, --look-at and --near say what is in front of the eye";
 }
 
-/* A face that the input does not have is the cut of the near plane (or one of a hull). roberts_pick() takes as long as
- * the view, so it is called only where hardly anything is drawn. A cut by a --near that was given, and shows something,
- * is meant. */
+/* A face that the input does not have is the cut of the near plane (or belongs to a hull). roberts_pick() takes as long
+ * as the view, so it is called only if hardly anything is drawn. If --near was given and something is drawn, the cut is
+ * meant. */
 bool hint_near_plane(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing, char *why,
                      size_t size)
 {

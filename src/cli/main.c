@@ -28,13 +28,13 @@ static bool is_watched(const cli_options *options)
     return isatty(STDERR_FILENO) && !options->quiet && !to_terminal;
 }
 
-/* Where a stream is closed, a file that is opened would take its number, and messages would go into it. Here something
- * else takes the number, which fails to read or write as the closed stream does. */
+/* If a standard stream is closed, the next file opened would take its number, and messages would go into that file. So
+ * /dev/null takes the number, opened so that it fails to read or write as the closed stream does. */
 static void hold_streams(void)
 {
     for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++)
         if (fcntl(stream, F_GETFD) == -1 && errno == EBADF)
-            (void)open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_WRONLY); /* takes the least free number */
+            (void)open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_WRONLY); /* gets the least free number */
 }
 
 int main(int argc, char **argv)

@@ -8,7 +8,7 @@
 
 enum { MISUSE_SIZE = 8192 }; /* two names of files and what is wrong with them */
 
-/* Names of files may hold anything; a terminal must not obey it. */
+/* Names of files may hold control characters; a terminal must not obey them. */
 static void put_plain(FILE *log, const char *text)
 {
     for (; *text; text++)

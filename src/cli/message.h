@@ -18,14 +18,14 @@ enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_MISUSED = 2 };
 /* Says what is wrong with the command and where help is; returns EXIT_MISUSED. */
 int message_misuse(const char *format, ...) MESSAGE_PRINTF;
 
-/* Around what is written to a log. Where the log is standard error, the line of progress is taken away meanwhile. */
+/* Before and after writing to a log: if it is standard error, they take the line of progress away meanwhile. */
 void message_open(FILE *log);
 void message_close(FILE *log);
 
 /* Writes "roberts: " and what the message is about: a file or a picture, or NULL. */
 void message_begin(FILE *log, const char *label);
 
-/* Writes FILE:LINE: what and why. Returns the exit status that goes with it. */
+/* Writes FILE:LINE: what is wrong. Returns the exit status for it. */
 int message_error(FILE *log, const roberts_error *error);
 
 /* Writes FILE:LINE: warning: what. A roberts_warning_fn, whose context is the log. */

@@ -13,13 +13,14 @@
 
 const option_title option_titles[OPTION_GROUPS] = {
     [GROUP_OUTPUT] = {"Output", NULL, NULL},
-    [GROUP_PAGE] = {"Page", "lengths: mm, or with cm, in or pt behind them, as in 8.5x11in; of pens too",
-                    "Lengths on paper are in mm, or have their unit behind them: mm, cm, in or pt (1/72 inch; TeX's is "
-                    "1/72.27), as in 8.5x11in. This holds for pens, too: width=0.8pt."},
+    [GROUP_PAGE] = {"Page", "lengths in mm, or with a unit: cm, in or pt, as in 8.5x11in; pens too",
+                    "Lengths on paper are in mm, or have a unit: mm, cm, in or pt (1/72 inch; TeX's is 1/72.27), as in "
+                    "8.5x11in. This holds for pens too: width=0.8pt."},
     [GROUP_LINES] = {"Lines", NULL, NULL},
-    [GROUP_VIEW] = {"View", NULL,
-                    "A view is given by one of --view, --dir, --eye, and the pair --azimuth and --elevation. --up and "
-                    "--roll go with each of them."},
+    [GROUP_VIEW] =
+        {"View", NULL,
+         "A view is given by --view, by --dir, by --eye, or by --azimuth and --elevation. --up and --roll go "
+         "with each of them."},
     [GROUP_ENGINE] = {"Engine", "0: choose", "0 lets the program choose."},
     [GROUP_MESSAGES] = {"Messages", NULL, NULL},
 };
@@ -35,8 +36,8 @@ static const option rows[] = {
      TO(output),
      .brief = "where to",
      .help = "where to (default: -, standard output)",
-     .manual = "The file to write. Default: -, standard output. A file is there whole or not at all: it takes its name "
-               "once all of it is written."},
+     .manual = "The file to write. Default: -, standard output. A file appears whole or not at all: it gets its name "
+               "when all of it is written."},
     {.group = GROUP_OUTPUT,
      .name = "format",
      .letter = 'f',
@@ -56,8 +57,8 @@ static const option rows[] = {
      TO(turntable),
      RANGE(1, 100000),
      .brief = "N pictures from all round",
-     .help = "N pictures, the view turned about the upright line through the scene, at one scale; FILE has a place for "
-             "the number, from 0: turn-%03d.svg",
+     .help = "draw N pictures, the view turned about the upright line through the scene, at one scale; FILE has a "
+             "place for the number, from 0: turn-%03d.svg",
      .manual = "Draws N pictures. From one to the next the view turns by the same angle about the upright line through "
                "the scene's centre. All have one scale. The name of the output has a place for the number, which "
                "counts from 0: %d, or %03d for at least three digits, as in turn-%03d.svg. Without this option a % in "
@@ -280,13 +281,14 @@ static const option rows[] = {
      .brief = "a pen",
      .help = "a pen; CLASS: outline, crease, hidden, frame or symbol (default: 0.5, 0.35, 0.25 dashed, 0.7, 0.35 mm, "
              "black). width=MM; color=NAME, #rrggbb or #rgb; dash=DASH/GAP in mm as seen, or none; off, on",
-     .manual = "Sets a pen. CLASS is outline, crease, hidden, frame or symbol. width=MM is its width, color=COLOR its "
-               "colour (as of --background). dash=DASH/GAP are the lengths of dashes and gaps in mm, as seen on paper; "
-               "dash=DASH has gaps of a quarter of it; dash=none draws whole lines. off leaves the class out, on "
-               "brings it back. May be given several times.\n"
-               "The defaults are 0.5, 0.35, 0.25, 0.7 and 0.35 mm, black; hidden lines have dashes of 3 mm and gaps of "
-               "0.75 mm, which follow the width. They do not depend on the page: small or crowded pictures want "
-               "thinner pens."},
+     .manual =
+         "Sets a pen. CLASS is outline, crease, hidden, frame or symbol. width=MM is its width, color=COLOR its "
+         "colour (as for --background). dash=DASH/GAP are the lengths of dashes and gaps in mm, as seen on paper; "
+         "dash=DASH has gaps of a quarter of it; dash=none draws whole lines. off leaves the class out, on "
+         "brings it back. May be given several times.\n"
+         "The defaults are 0.5, 0.35, 0.25, 0.7 and 0.35 mm, black; hidden lines have dashes of 3 mm and gaps of "
+         "0.75 mm, which follow the width. They do not depend on the page: small or crowded pictures want "
+         "thinner pens."},
     {.group = GROUP_LINES,
      .name = "dash",
      .flags = OPTION_DRAWS | OPTION_PAPER,
@@ -308,9 +310,9 @@ static const option rows[] = {
      .words = values_orders,
      .set = values_set_order,
      .brief = "order of the strokes",
-     .help = "travel: short ways of the lifted pen; none: as in the model (default: travel)",
-     .manual = "travel (the default): strokes are ordered so that the lifted pen has short ways: the nearest next, "
-               "then 2-opt within fixed counts. none: as in the model."},
+     .help = "travel: the lifted pen travels little; none: as in the model (default: travel)",
+     .manual = "travel (the default): strokes are ordered so that the lifted pen travels little: the nearest stroke "
+               "next, then 2-opt up to a fixed number of steps. none: as in the model."},
 
     /* ---- view ---- */
     {.group = GROUP_VIEW,
@@ -437,10 +439,10 @@ static const option rows[] = {
      TO(hide.threads),
      RANGE(0, ROBERTS_THREADS_MOST),
      .brief = "how many",
-     .help = "how many threads work, up to 1024 (default: 0, what there is)",
+     .help = "how many threads work, up to 1024 (default: 0, one per processor)",
      .manual =
-         "How many threads work, up to 1024; with --batch, how many files are drawn at a time. Default: 0, as many "
-         "as there are processors. The drawing does not depend on it."},
+         "How many threads work, up to 1024; with --batch, how many files are drawn at a time. Default: 0, one per "
+         "processor. The drawing does not depend on it."},
     {.group = GROUP_ENGINE,
      .name = "grid",
      .value = "N",
@@ -473,8 +475,8 @@ static const option rows[] = {
      .help = "how far from planar and convex a solid may be, as a part of its size (default: 0, 1e-5)",
      .manual = "How far from planar and convex a solid may be, as a part of its size (the diagonal of its box). "
                "Default: 0, which is 1e-5.\nWhen a model is refused as not planar or not convex, the message names a "
-               "tolerance that would accept it, where there is one up to 0.01: 1, 2 or 5 times a power of ten, as "
-               "small as does. The limit is lower for a solid of more than six faces, 0.025 divided by the root of "
+               "tolerance that would accept it, where there is one up to 0.01: the smallest 1, 2 or 5 times a power of "
+               "ten that suffices. The limit is lower for a solid of more than six faces, 0.025 divided by the root of "
                "their number, and lower again for a solid that is farther from the origin than it is large: a greater "
                "tolerance would accept any shape. For models of more than 200,000 faces none is named."},
 

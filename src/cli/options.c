@@ -85,7 +85,7 @@ static int apply(parser *p, const option *o, const char *value)
     return status;
 }
 
-/* The option called `name`, of so many letters, or NULL. */
+/* The option called `name`, which has `length` letters, or NULL. */
 static const option *find_option(const option_table *table, const char *name, size_t length)
 {
     for (const option *o = table->row; o < table->row + table->count; o++)
@@ -102,7 +102,7 @@ static const option *find_letter(const option_table *table, char letter)
     return NULL;
 }
 
-/* The option that was meant: one of like letters, one that has another name elsewhere, or the value of one. */
+/* Says which option was meant: one spelled alike, one that has this name elsewhere, or one with this value. */
 static int unknown_option(const option_table *table, const char *name)
 {
     const char *words[OPTIONS_MOST + 1] = {NULL}, *meant = hint_option(name);
@@ -168,7 +168,7 @@ static int take_short(parser *p, int *i)
     return EXIT_DONE;
 }
 
-/* An operand that was meant as the value of the option before it, which takes one only behind "=". */
+/* Refuses an operand that was meant as the value of the option before it, which takes one only behind "=". */
 static int misplaced_value(const option_table *table, const char *before, const char *operand)
 {
     const option *o = strncmp(before, "--", 2) == 0 ? find_option(table, before + 2, strlen(before + 2)) : NULL;
@@ -253,7 +253,7 @@ static int check_needs(const options_given *given)
     return EXIT_DONE;
 }
 
-/* The format, where -f has not told it: by the ending of the output's name; SVG where that has none. */
+/* Without -f, the ending of the output's name decides the format; without an ending it is SVG. */
 static int choose_format(const options_given *given, cli_options *options)
 {
     const char *slash = strrchr(options->output, '/'), *name = slash ? slash + 1 : options->output;
@@ -265,7 +265,7 @@ static int choose_format(const options_given *given, cli_options *options)
     return EXIT_DONE;
 }
 
-/* What several options make of the camera, in whatever order they came. */
+/* Applies the options that together make the camera, in whatever order they came. */
 static void set_camera(const options_given *given, cli_options *options)
 {
     roberts_camera *camera = &options->camera;
@@ -286,7 +286,7 @@ static void lay_down(roberts_page *page)
     }
 }
 
-/* The name of a turntable's pictures is part of the command, as that needs it; its folder is left out. */
+/* The command needs the name of a turntable's pictures; the folder is left out. */
 static void describe_files(cli_options *options, size_t operands)
 {
     const char *slash = strrchr(options->output, '/');

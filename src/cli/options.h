@@ -13,7 +13,7 @@ enum { PICKS_MOST = 64 };
 
 typedef enum cli_stats { STATS_NONE, STATS_TEXT, STATS_JSON } cli_stats;
 
-/* What is drawn and how, as a command of a shell. What does not fit is cut off and marked by three dots. */
+/* What is drawn and how, as a shell command. What does not fit is cut off and replaced by three dots. */
 typedef struct description {
     char text[4096];
     size_t length;
@@ -62,19 +62,18 @@ typedef enum option_group {
 
 typedef enum option_flags {
     OPTION_DRAWS = 1,    /* changes what is drawn: part of the description in a drawing */
-    OPTION_PAPER = 2,    /* says how a drawing comes on paper: without effect on tables */
+    OPTION_PAPER = 2,    /* about the page: without effect on tables */
     OPTION_REPEATS = 4,  /* may be given several times; of others the last one counts */
-    OPTION_OPTIONAL = 8, /* the value may be left out; it stands behind "=" only */
+    OPTION_OPTIONAL = 8, /* the value may be left out; it can only follow "=" */
     OPTION_FILE = 16,    /* the value is a file: for completions */
     OPTION_FOLDER = 32,  /* the value is a folder */
     OPTION_COLON = 64,   /* completions put a colon behind the words */
-    OPTION_ALONE = 128,  /* the program does this and nothing else */
+    OPTION_ALONE = 128,  /* the program does nothing else */
 } option_flags;
 
 typedef struct option option;
 
-/* Puts the value into `options`. `value` is NULL where none was given. Returns EXIT_DONE, or EXIT_MISUSED and has said
- * why. */
+/* Puts the value (NULL: none was given) into `options`. Returns EXIT_DONE, or EXIT_MISUSED after a message. */
 typedef int option_set(const option *o, const char *value, cli_options *options);
 
 struct option {
@@ -121,8 +120,8 @@ typedef struct options_given {
 
 bool options_is_given(const options_given *given, const char *name);
 
-/* Fills `options` from the arguments and puts the operands at the front of argv. Returns EXIT_DONE, or EXIT_MISUSED and
- * has said why. */
+/* Fills `options` from the arguments and moves the operands to the front of argv. Returns EXIT_DONE, or EXIT_MISUSED
+ * after a message. */
 int options_parse(const option_table *table, int argc, char **argv, cli_options *options);
 
 /* Adds one word to a description. */

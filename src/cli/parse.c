@@ -1,4 +1,4 @@
-/* parse.c - numbers, lengths and words in text. The program never sets a locale, so strtod() knows the point alone. */
+/* parse.c - numbers, lengths and words in text. The program never sets a locale, so strtod() takes a decimal point. */
 #include "cli/parse.h"
 
 #include <inttypes.h>

@@ -28,8 +28,8 @@ bool parse_lengths(const char *text, char sign, double *a_mm, double *b_mm);
 
 /* ---- words ---- */
 
-/* Copies what stands before the first `end` (or all); returns what stands behind it, or NULL: there is no `end`.
- * `*fits` is false where that is longer than `word`. */
+/* Copies the text before the first `end` (or all of it) to `word`. Returns the text behind `end`; NULL: there is no
+ * `end`. `*fits` is false where `word` is too small. */
 const char *parse_word(const char *text, char end, char *word, size_t size, bool *fits);
 
 /* Index of `word` in a list that ends with NULL; that of the NULL where it is not there. */

@@ -158,8 +158,8 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     return status;
 }
 
-/* Whether segments need only be counted: nothing is written of them, no ray asks for them, and a page could be empty
- * only where there are none. The drawing then holds no segments. */
+/* Whether segments need only be counted: none is written, no ray asks for them, and a page would only be empty if there
+ * were none. The drawing then holds no segments. */
 static bool is_counted_only(const cli_options *options)
 {
     const roberts_draw_options *page = &options->draw;
@@ -236,7 +236,7 @@ static const char *name_output(const cli_options *options, char *name, size_t si
     return strcmp(options->output, "-") == 0 ? "standard output" : options->output;
 }
 
-/* This has to come before the scene is released. */
+/* Needs the scene, so it comes before that is released. */
 static void warn_near(const cli_options *options, const roberts_scene *scene, views *v)
 {
     char why[256], name[NAME_SIZE];

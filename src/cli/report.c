@@ -173,7 +173,7 @@ static void print_ink(FILE *log, const roberts_ink *ink, const roberts_placement
                 ink->down_mm, ink->up_mm, ink->scale);
     else if (ink->scale > 0.0)
         fprintf(log,
-                "%14zu  strokes\n%14.1f  mm with the pen down\n%14.1f  mm with the pen up\n%14.6g  mm on paper by "
+                "%14zu  strokes\n%14.1f  mm with the pen down\n%14.1f  mm with the pen up\n%14.6g  mm on paper per "
                 "model unit\n",
                 ink->strokes, ink->down_mm, ink->up_mm, ink->scale);
     if (!json && report_ratio(ink, placement, ratio))
@@ -192,7 +192,7 @@ bool report_ratio(const roberts_ink *ink, const roberts_placement *placement, ch
     return true;
 }
 
-/* What --verify found, in JSON alone: report_verify() has told people already. null where it was not asked for. */
+/* What --verify found, in JSON only: report_verify() has already told people. null without --verify. */
 static void print_verified(FILE *log, const cli_options *options, const roberts_verification *found)
 {
     if (options->stats == STATS_JSON && !options->verify)
@@ -355,7 +355,7 @@ roberts_status report_verify(const cli_options *options, const roberts_scene *sc
 
 /* ---- --pick ---- */
 
-/* Whoever misses the whole picture may have taken its coordinates for millimetres of the page. */
+/* Somebody who misses the whole picture may have measured millimetres on the page. */
 static void tell_nothing_picked(const cli_options *options, const roberts_scene *scene, roberts_vec2 p)
 {
     roberts_vec2 low, high;

@@ -7,7 +7,7 @@
 /* What the program counts and times itself; the rest is in the drawing. */
 typedef struct run_stats {
     size_t files, vertices, faces;
-    roberts_time read, solids, verify, draw, total; /* verify: and picking */
+    roberts_time read, solids, verify, draw, total; /* verify: picking too */
     roberts_ink ink;                                /* all zero where no page was written */
     uint64_t segments[ROBERTS_CLIPPED + 1];         /* in each state */
     roberts_verification found;                     /* by --verify, in all views: counts alone */
@@ -33,8 +33,8 @@ enum { REPORT_RATIO = 40 };
 /* The scale as people write it, "1:20" or "5:1"; false where the drawing is fitted, or there is no page. */
 bool report_ratio(const roberts_ink *ink, const roberts_placement *placement, char ratio[REPORT_RATIO]);
 
-/* Checks the drawing by rays. Reports the first contradictions, one a line, and how many points were looked at (that
- * not where --quiet and nothing is wrong). Adds the counts to those of `sum`. */
+/* Checks the drawing by rays. Reports the first contradictions, one a line, then how many points were checked (with
+ * --quiet only if something is wrong). Adds the counts to those of `sum`. */
 roberts_status report_verify(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing,
                              roberts_verification *sum, roberts_error *error);
 

@@ -55,7 +55,7 @@ void signals_temporary(void *context, const char *path)
     }
 }
 
-/* ---- progress: work on drawings need not know of it, and a short run says nothing ---- */
+/* ---- progress: a signal each second prints it, so the work need not; a short run prints nothing ---- */
 
 enum { LINE = 72 };
 
@@ -81,7 +81,7 @@ static size_t put_number(char *line, size_t used, int number)
     return put_text(line, used, digits + at);
 }
 
-/* Every line is filled up to the same length, so that it covers a longer one before it. */
+/* Every line is padded to the same length, so that it covers a longer one before it. */
 static void write_line(const char *text, size_t used)
 {
     char line[LINE + 2];

@@ -240,7 +240,7 @@ int values_set_frame(const option *o, const char *value, cli_options *options)
     return EXIT_DONE;
 }
 
-/* A range without its lower end, 0; `why` says what 0 would do. */
+/* From 0, which is not allowed, to o->most; `why` says what 0 would do. */
 static int set_number_above_zero(const option *o, const char *value, const char *why, double *number)
 {
     if (!parse_number(value, number))
@@ -286,7 +286,7 @@ static bool parse_hex(const char *value, unsigned char part[3])
     return true;
 }
 
-/* Where the value is no colour, the message is about `what`, which can also be `also`. */
+/* If the value is no colour, the message says that `what` can be a colour's name or `also`. */
 static int parse_color(const char *what, const char *also, const char *value, unsigned char part[3])
 {
     static const unsigned char parts[][3] = {{0, 0, 0},     {255, 255, 255}, {128, 128, 128}, {255, 0, 0},

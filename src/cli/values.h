@@ -5,18 +5,20 @@
 #include "cli/options.h"
 
 /* Words that values are chosen from, ending with NULL. */
-extern const char *const values_formats[],
-    *const values_fill_rules[], *const values_sheets[], *const values_hidden[],
-                                                            *const values_pages[],
-                                                                *const values_scales[],
-                                                                    *const values_units[],
-                                                                        *const values_places[],
-                                                                            *const values_backgrounds[],
-                                                                                *const values_pens[],
-                                                                                    *const values_dashes[],
-                                                                                        *const values_orders[],
-                                                                                            *const values_views[],
-                                                                                                *const values_stats[];
+extern const char *const values_formats[];
+extern const char *const values_fill_rules[];
+extern const char *const values_sheets[];
+extern const char *const values_hidden[];
+extern const char *const values_pages[];
+extern const char *const values_scales[];
+extern const char *const values_units[];
+extern const char *const values_places[];
+extern const char *const values_backgrounds[];
+extern const char *const values_pens[];
+extern const char *const values_dashes[];
+extern const char *const values_orders[];
+extern const char *const values_views[];
+extern const char *const values_stats[];
 
 /* The name that -f and endings of files give to a format. */
 const char *values_format_name(roberts_format format);
@@ -26,7 +28,7 @@ option_set values_set_flag;      /* bool */
 option_set values_set_text;      /* const char *, not empty */
 option_set values_set_number;    /* double, from o->least to o->most */
 option_set values_set_integer;   /* uint32_t, from o->least to o->most */
-option_set values_set_length;    /* double in mm, from o->least to o->most; a unit may stand behind it */
+option_set values_set_length;    /* double in mm, from o->least to o->most; may have a unit */
 option_set values_set_direction; /* roberts_vec3, not 0,0,0 */
 
 /* For one option each. */

@@ -38,7 +38,7 @@ bool page_lay(const roberts_page *page, const roberts_placement *placement, robe
 /* The placement's scale, mm by model unit, where `fitting` is what fits: 0 = as large as that. */
 double page_wanted_scale(const roberts_placement *placement, double fitting);
 
-/* mm on paper by model unit. */
+/* mm on paper per model unit. */
 double page_scale(const page_map *map);
 
 static inline roberts_vec2 page_place(const page_map *map, roberts_vec2 p)

@@ -225,6 +225,62 @@ size_t input_token(input *in)
     }
 }
 
+/* ---- words ------------------------------------------------------------------------------------------------------- */
+
+bool input_not_finite(input *in)
+{
+    size_t length = input_token(in);
+    const char *c = in->at;
+    if (length && (*c == '-' || *c == '+')) {
+        c++;
+        length--;
+    }
+    return length >= 3 && ((c[0] | 0x20) == 'n' ? (c[1] | 0x20) == 'a' && (c[2] | 0x20) == 'n'
+                                                : (c[0] | 0x20) == 'i' && (c[1] | 0x20) == 'n' && (c[2] | 0x20) == 'f');
+}
+
+bool input_at_word(input *in, const char *word)
+{
+    const size_t length = strlen(word);
+    if (input_token(in) != length)
+        return false;
+    for (size_t i = 0; i < length; i++) {
+        char c = in->at[i];
+        if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != word[i])
+            return false;
+    }
+    return true;
+}
+
+bool input_number_slowly(input *in, double *value)
+{
+    size_t length = input_token(in);
+    if (length > INPUT_TOKEN_MAX || number_parse(in->at, value) != in->at + length)
+        return false;
+    in->at += length;
+    return true;
+}
+
+bool input_integer(input *in, uint64_t *value)
+{
+    size_t length = input_token(in);
+    if (length > INPUT_TOKEN_MAX || number_integer(in->at, value) != in->at + length)
+        return false;
+    in->at += length;
+    return true;
+}
+
+bool input_pass_line(input *in)
+{
+    const uint64_t start = in->taken;
+    while (input_skip_in_line(in)) {
+        if (in->taken - start > INPUT_BLANK_MAX)
+            return false;
+        input_pass_token(in);
+    }
+    return true;
+}
+
 /* ---- errors ----------------------------------------------------------------------------------------------------- */
 
 static roberts_status fail_reading(const input *in, roberts_error *error)

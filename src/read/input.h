@@ -115,6 +115,15 @@ static inline void input_pass_token(input *in)
     in->at += length;
 }
 
+/* Whether the token here is `word`, which is in lower case; upper case in the input will do. */
+bool input_at_word(input *in, const char *word);
+
+/* Whether the token here is an infinite number or "nan". */
+bool input_not_finite(input *in);
+
+/* Goes to the end of the line. False: it is longer than INPUT_BLANK_MAX. */
+bool input_pass_line(input *in);
+
 /* Says that the input has something else than `wanted` at its place: fills `error`, and returns the status. The message
  * quotes what stands there and adds `hint`, or says that the input ends or that reading failed. line: 0 where lines
  * mean nothing. */
@@ -126,6 +135,19 @@ roberts_status input_expected(input *in, roberts_error *error, roberts_status st
 static inline bool input_separator(char c)
 {
     return (unsigned char)(c - 1) < ' ';
+}
+
+/* Read the number, or the unsigned integer, that is the whole token here. False: it is none, and nothing is taken. */
+bool input_number_slowly(input *in, double *value);
+bool input_integer(input *in, uint64_t *value);
+
+static inline bool input_number(input *in, double *value)
+{
+    const char *end = number_parse(in->at, value);
+    if (!end || !input_separator(*end))
+        return input_number_slowly(in, value);
+    in->at = end;
+    return true;
 }
 
 #endif

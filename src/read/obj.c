@@ -284,7 +284,7 @@ static roberts_status read_vertex(reader *r)
     while (count < NUMBERS_MOST && next_word(&r->in) && number(&r->in, &value[count]))
         count++;
     if (count < POSITION)
-        return read_expected(r, read_not_finite(r) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX, "%s of vertex %zu",
+        return read_expected(r, input_not_finite(&r->in) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX, "%s of vertex %zu",
                              part[count], vertices_read(r));
     roberts_vec3 p = {value[0], value[1], value[2]};
     if (!mesh_position(p))

@@ -64,26 +64,6 @@ void off_warn_fewer(off_reader *r, uint64_t found)
                  (unsigned long long)r->header.faces, (unsigned long long)found);
 }
 
-/* ---- numbers ----------------------------------------------------------------------------------------------------- */
-
-bool off_number_slowly(off_reader *r, double *value)
-{
-    size_t length = input_token(&r->in);
-    if (length > INPUT_TOKEN_MAX || number_parse(r->in.at, value) != r->in.at + length)
-        return false;
-    r->in.at += length;
-    return true;
-}
-
-bool off_integer(off_reader *r, uint64_t *value)
-{
-    size_t length = input_token(&r->in);
-    if (length > INPUT_TOKEN_MAX || number_integer(r->in.at, value) != r->in.at + length)
-        return false;
-    r->in.at += length;
-    return true;
-}
-
 /* ---- colours ----------------------------------------------------------------------------------------------------- */
 
 /* Three or four integers are 0..255. Other numbers are 0..1, unless one of them is greater than 1, as in "255.0 0.0

@@ -50,20 +50,6 @@ roberts_status off_expected(off_reader *r, roberts_status status, const char *fo
 /* Says that there are fewer faces than declared. */
 void off_warn_fewer(off_reader *r, uint64_t found);
 
-/* Read the number, or the unsigned integer, that is the whole token at the input's place. False: it is none, and
- * nothing is taken. */
-bool off_number_slowly(off_reader *r, double *value);
-bool off_integer(off_reader *r, uint64_t *value);
-
-static inline bool off_number(off_reader *r, double *value)
-{
-    const char *end = number_parse(r->in.at, value);
-    if (!end || !input_separator(*end))
-        return off_number_slowly(r, value);
-    r->in.at = end;
-    return true;
-}
-
 enum { COLOR_MOST = 4 };
 
 /* The numbers of a colour as the file has them. */

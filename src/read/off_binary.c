@@ -115,7 +115,7 @@ static roberts_status read_vertex(off_reader *r, const words *w, uint64_t v)
     if (!input_need(&r->in, (size_t)w->per_vertex * WORD))
         return ends_in(r, "vertex", v, r->header.vertices);
     for (int i = 0; i < w->coordinates; i++)
-        p[i] = float_of(read_word(r->in.at + WORD * (size_t)i, w->little));
+        p[i] = read_float(r->in.at + WORD * (size_t)i, w->little);
     for (int i = 0; i < 3; i++) {
         p[i] /= p[3];
         if (!mesh_coordinate(p[i]))
@@ -130,7 +130,7 @@ static roberts_status read_vertex(off_reader *r, const words *w, uint64_t v)
         off_color_numbers color = {.count = COLOR_MOST, .real = true};
         const char *at = r->in.at + WORD * (size_t)(w->coordinates + (r->header.normal ? 3 : 0));
         for (int i = 0; i < COLOR_MOST; i++)
-            color.value[i] = float_of(read_word(at + WORD * (size_t)i, w->little));
+            color.value[i] = read_float(at + WORD * (size_t)i, w->little);
         status = off_color_vertex(r, &color);
     }
     r->in.at += (size_t)w->per_vertex * WORD;

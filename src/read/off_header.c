@@ -129,7 +129,7 @@ static bool lonely_integer(off_reader *r)
 static roberts_status dimension(off_reader *r)
 {
     uint64_t dimension;
-    if (!input_skip(&r->in) || !off_integer(r, &dimension))
+    if (!input_skip(&r->in) || !input_integer(&r->in, &dimension))
         return off_expected(r, ROBERTS_BAD_SYNTAX, "the dimension");
     if (dimension != 3)
         return off_fail(r, ROBERTS_BAD_SYNTAX, "the dimension is %llu, but only 3 can be drawn",
@@ -140,22 +140,22 @@ static roberts_status dimension(off_reader *r)
 static roberts_status counts(off_reader *r)
 {
     uint64_t edges;
-    if (!input_skip(&r->in) || !off_integer(r, &r->header.vertices))
+    if (!input_skip(&r->in) || !input_integer(&r->in, &r->header.vertices))
         return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of vertices");
-    if (!input_skip(&r->in) || !off_integer(r, &r->header.faces))
+    if (!input_skip(&r->in) || !input_integer(&r->in, &r->header.faces))
         return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of faces");
     r->header.line = r->in.line;
     if (input_skip_in_line(&r->in)) {
         if (*r->in.at == '-')
             r->in.at++; /* some programs write -1 for what they do not know */
-        if (!off_integer(r, &edges))
+        if (!input_integer(&r->in, &edges))
             return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of edges");
     } else if (input_skip(&r->in) && lonely_integer(r)) {
-        off_integer(r, &edges); /* on a line of its own */
+        input_integer(&r->in, &edges); /* on a line of its own */
         r->header.line = r->in.line;
     }
     /* only 4OFF is in doubt: with OFF, what else stands on this line is the first vertex */
-    if (r->header.homogeneous && input_skip_in_line(&r->in) && off_integer(r, &edges))
+    if (r->header.homogeneous && input_skip_in_line(&r->in) && input_integer(&r->in, &edges))
         return off_fail(r, ROBERTS_BAD_SYNTAX,
                         "four counts: this is the 4OFF of four-dimensional polytopes with cells (as of Stella), not "
                         "4OFF with homogeneous coordinates, and cannot be drawn");
@@ -181,13 +181,9 @@ static bool titled_integer(off_reader *r)
 /* The rest of the line, which is a title, and the number of points. */
 static roberts_status count_points(off_reader *r)
 {
-    uint64_t start = r->in.taken;
-    while (input_skip_in_line(&r->in)) {
-        if (r->in.taken - start > INPUT_BLANK_MAX)
-            return off_fail(r, ROBERTS_BAD_SYNTAX, "the first line does not end");
-        input_pass_token(&r->in);
-    }
-    if (!input_skip(&r->in) || !lonely_integer(r) || !off_integer(r, &r->header.vertices))
+    if (!input_pass_line(&r->in))
+        return off_fail(r, ROBERTS_BAD_SYNTAX, "the first line does not end");
+    if (!input_skip(&r->in) || !lonely_integer(r) || !input_integer(&r->in, &r->header.vertices))
         return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of points, alone on its line,");
     r->header.line = r->in.line;
     return ROBERTS_OK;

@@ -158,7 +158,7 @@ static bool color_number(off_reader *r, double *value, bool *real)
     size_t length = input_token(&r->in);
     for (size_t i = 0; i < length; i++)
         *real |= r->in.at[i] == '.' || r->in.at[i] == 'e' || r->in.at[i] == 'E';
-    return off_number(r, value);
+    return input_number(&r->in, value);
 }
 
 /* Whether plain lines are worth trying. After PATIENCE lines that were none, PAUSE more go to the other parser untried.
@@ -183,22 +183,11 @@ static void tried(patience *p, size_t found)
 
 /* ---- vertices ---------------------------------------------------------------------------------------------------- */
 
-static bool not_finite(off_reader *r)
-{
-    size_t length = input_token(&r->in);
-    const char *c = r->in.at;
-    if (length && (*c == '-' || *c == '+')) {
-        c++;
-        length--;
-    }
-    return length >= 3 && ((c[0] | 0x20) == 'n' ? (c[1] | 0x20) == 'a' && (c[2] | 0x20) == 'n'
-                                                : (c[0] | 0x20) == 'i' && (c[1] | 0x20) == 'n' && (c[2] | 0x20) == 'f');
-}
-
 static roberts_status bad_vertex(off_reader *r, uint64_t v, const char *part)
 {
-    return off_expected(r, not_finite(r) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX, "%s of vertex %llu of 0..%llu",
-                        part, (unsigned long long)v, (unsigned long long)r->header.vertices - 1);
+    return off_expected(r, input_not_finite(&r->in) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX,
+                        "%s of vertex %llu of 0..%llu", part, (unsigned long long)v,
+                        (unsigned long long)r->header.vertices - 1);
 }
 
 /* Skips a normal. Nothing here needs it, so even "nan" will do. */
@@ -208,9 +197,9 @@ static roberts_status skip_normal(off_reader *r, uint64_t v)
     for (int i = 0; i < NORMAL; i++) {
         if (!input_skip(&r->in))
             return bad_vertex(r, v, "the normal");
-        if (off_number(r, &unused))
+        if (input_number(&r->in, &unused))
             continue;
-        if (!not_finite(r))
+        if (!input_not_finite(&r->in))
             return bad_vertex(r, v, "the normal");
         input_pass_token(&r->in);
     }
@@ -233,7 +222,7 @@ static roberts_status vertex_extras(off_reader *r, uint64_t v)
             return bad_vertex(r, v, "the colour or texture");
         if (color_number(r, &value[count], &real[count]))
             continue;
-        if (!not_finite(r))
+        if (!input_not_finite(&r->in))
             return bad_vertex(r, v, "the colour or texture");
         input_pass_token(&r->in);
         value[count] = NAN; /* no harm in a texture coordinate; an odd colour */
@@ -262,7 +251,7 @@ static roberts_status read_vertex(off_reader *r, uint64_t v)
     roberts_status status = ROBERTS_OK;
     double p[4] = {0, 0, 0, 1};
     for (int i = 0; i < size; i++) {
-        if (!input_skip(&r->in) || !off_number(r, &p[i]))
+        if (!input_skip(&r->in) || !input_number(&r->in, &p[i]))
             return bad_vertex(r, v, part[i]);
     }
     if (size == 4) {
@@ -360,7 +349,7 @@ static roberts_status bad_corner(off_reader *r, uint64_t f, uint64_t i, uint64_t
     bool negative = *r->in.at == '-';
     input *in = &r->in;
     in->at += negative;
-    if (!off_integer(r, &index)) {
+    if (!input_integer(&r->in, &index)) {
         in->at -= negative;
         return off_expected(r, ROBERTS_BAD_SYNTAX, "corner %llu of %llu in face %llu of 0..%llu",
                             (unsigned long long)i + 1, (unsigned long long)count, (unsigned long long)f,

@@ -129,7 +129,7 @@ static roberts_status read_element(ply_reader *p)
     *e = (element){.first_property = p->properties};
     if (!take_word(p, e->name))
         return bad_header(p, "the name of an element");
-    if (!input_skip_in_line(&p->r->in) || !read_integer(p->r, &e->count))
+    if (!input_skip_in_line(&p->r->in) || !input_integer(&p->r->in, &e->count))
         return bad_header(p, "the number of elements");
     e->kind = strcmp(e->name, "vertex") == 0 ? VERTEX
               : strcmp(e->name, "face") == 0 ? FACE
@@ -248,7 +248,7 @@ static roberts_status read_header(ply_reader *p)
         if (!input_skip(&p->r->in) || !take_word(p, word))
             return bad_header(p, "end_header");
         if (strcmp(word, "comment") == 0 || strcmp(word, "obj_info") == 0) {
-            if (!read_pass_line(p->r))
+            if (!input_pass_line(&p->r->in))
                 return bad_header(p, "the end of the line");
         } else if (strcmp(word, "format") == 0) {
             status = read_format(p);
@@ -311,7 +311,7 @@ static double binary_value(const char *at, value_type type, bool little)
 static roberts_status missing(ply_reader *p, const element *e, uint64_t row)
 {
     reader *r = p->r;
-    const roberts_status status = !r->binary && read_not_finite(r) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX;
+    const roberts_status status = !r->binary && input_not_finite(&r->in) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX;
     return read_expected(r, status, "%s %llu of 0..%llu", e->name, (unsigned long long)row,
                          (unsigned long long)e->count - 1);
 }
@@ -329,9 +329,9 @@ static bool take_value(ply_reader *p, value_type type, bool any, double *value)
     }
     if (!input_skip(&r->in))
         return false;
-    if (read_number(r, value))
+    if (input_number(&r->in, value))
         return true;
-    if (!any || !read_not_finite(r))
+    if (!any || !input_not_finite(&r->in))
         return false;
     input_pass_token(&r->in);
     *value = NAN;

@@ -52,60 +52,6 @@ void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t c
 
 /* ---- words ------------------------------------------------------------------------------------------------------- */
 
-bool read_not_finite(reader *r)
-{
-    size_t length = input_token(&r->in);
-    const char *c = r->in.at;
-    if (length && (*c == '-' || *c == '+')) {
-        c++;
-        length--;
-    }
-    return length >= 3 && ((c[0] | 0x20) == 'n' ? (c[1] | 0x20) == 'a' && (c[2] | 0x20) == 'n'
-                                                : (c[0] | 0x20) == 'i' && (c[1] | 0x20) == 'n' && (c[2] | 0x20) == 'f');
-}
-
-bool read_at_word(reader *r, const char *word)
-{
-    const size_t length = strlen(word);
-    if (input_token(&r->in) != length)
-        return false;
-    for (size_t i = 0; i < length; i++) {
-        char c = r->in.at[i];
-        if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != word[i])
-            return false;
-    }
-    return true;
-}
-
-bool read_number_slowly(reader *r, double *value)
-{
-    size_t length = input_token(&r->in);
-    if (length > INPUT_TOKEN_MAX || number_parse(r->in.at, value) != r->in.at + length)
-        return false;
-    r->in.at += length;
-    return true;
-}
-
-bool read_integer(reader *r, uint64_t *value)
-{
-    size_t length = input_token(&r->in);
-    if (length > INPUT_TOKEN_MAX || number_integer(r->in.at, value) != r->in.at + length)
-        return false;
-    r->in.at += length;
-    return true;
-}
-
-bool read_pass_line(reader *r)
-{
-    const uint64_t start = r->in.taken;
-    while (input_skip_in_line(&r->in)) {
-        if (r->in.taken - start > INPUT_BLANK_MAX)
-            return false;
-        input_pass_token(&r->in);
-    }
-    return true;
-}
-
 void read_rest(reader *r, char *text, size_t room)
 {
     size_t used = 0;
@@ -234,11 +180,11 @@ static roberts_status read_any(reader *r, const off_division *division)
     const bool known = length == 0 || length > INPUT_TOKEN_MAX || strchr("#{0123456789", *in->at) ||
                        input_separator(*in->at) || off_is_keyword(in->at, length) || is_obj_word(in->at, length) ||
                        read_foreign(in->at, length, &hint);
-    if (!known && (read_at_word(r, "solid") ? looks_binary(r, LOOK) : looks_like_stl(r)))
+    if (!known && (input_at_word(in, "solid") ? looks_binary(r, LOOK) : looks_like_stl(r)))
         return stl_read_binary(r);
     if (!input_skip(in))
         return off_read(r, division);
-    if (read_at_word(r, "solid"))
+    if (input_at_word(in, "solid"))
         return stl_read_text(r);
     length = input_token(in);
     return is_obj_word(in->at, length) ? obj_read(r) : off_read(r, division);

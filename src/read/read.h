@@ -44,9 +44,6 @@ roberts_status read_fail(reader *r, roberts_status status, const char *format, .
 /* The same because the input does not have here what `format` names; see input_expected(). A binary input ends here. */
 roberts_status read_expected(reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
 
-/* Whether the token here is an infinite number or "nan". */
-bool read_not_finite(reader *r);
-
 /* Warns of faces with fewer than 3 corners, if there are any. */
 void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t count);
 
@@ -55,25 +52,6 @@ void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t c
 const char *read_foreign(const char *word, size_t length, const char **hint);
 
 /* ---- text, word by word ------------------------------------------------------------------------------------------ */
-
-/* Whether the token here is `word`, which is in lower case; upper case in the input will do. */
-bool read_at_word(reader *r, const char *word);
-
-/* Read the number, or the unsigned integer, that is the whole token here. False: it is none, and nothing is taken. */
-bool read_number_slowly(reader *r, double *value);
-bool read_integer(reader *r, uint64_t *value);
-
-static inline bool read_number(reader *r, double *value)
-{
-    const char *end = number_parse(r->in.at, value);
-    if (!end || !input_separator(*end))
-        return read_number_slowly(r, value);
-    r->in.at = end;
-    return true;
-}
-
-/* Goes to the end of the line. False: it does not end. */
-bool read_pass_line(reader *r);
 
 /* Takes the rest of the line as one name: its words with one blank between them, cut off at `room` - 1 characters. */
 void read_rest(reader *r, char *text, size_t room);

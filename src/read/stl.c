@@ -130,7 +130,7 @@ static roberts_status missing(reader *r, const char *word)
 /* Takes one word of the facet. */
 static roberts_status take_word(reader *r, const char *word)
 {
-    if (!input_skip(&r->in) || !read_at_word(r, word))
+    if (!input_skip(&r->in) || !input_at_word(&r->in, word))
         return missing(r, word);
     input_pass_token(&r->in);
     return ROBERTS_OK;
@@ -140,7 +140,7 @@ static roberts_status take_word(reader *r, const char *word)
 static roberts_status skip_normal(reader *r)
 {
     enum { MOST = 4 }; /* "normal" and three numbers */
-    for (int i = 0; i < MOST && input_skip(&r->in) && !read_at_word(r, "outer"); i++)
+    for (int i = 0; i < MOST && input_skip(&r->in) && !input_at_word(&r->in, "outer"); i++)
         input_pass_token(&r->in);
     return take_word(r, "outer");
 }
@@ -150,8 +150,8 @@ static roberts_status read_corner(reader *r, position_table *t)
     static const char *const part[3] = {"x", "y", "z"};
     double p[3];
     for (int i = 0; i < 3; i++) {
-        if (!input_skip(&r->in) || !read_number(r, &p[i]))
-            return read_expected(r, read_not_finite(r) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX,
+        if (!input_skip(&r->in) || !input_number(&r->in, &p[i]))
+            return read_expected(r, input_not_finite(&r->in) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX,
                                  "%s of a corner of facet %zu", part[i], facets_read(r));
     }
     if (!mesh_position((roberts_vec3){p[0], p[1], p[2]}))
@@ -168,7 +168,7 @@ static roberts_status read_facet(reader *r, position_table *t)
     size_t corners = 0;
     if (status == ROBERTS_OK)
         status = take_word(r, "loop");
-    for (; status == ROBERTS_OK && input_skip(&r->in) && read_at_word(r, "vertex"); corners++) {
+    for (; status == ROBERTS_OK && input_skip(&r->in) && input_at_word(&r->in, "vertex"); corners++) {
         input_pass_token(&r->in);
         status = read_corner(r, t);
     }
@@ -195,12 +195,12 @@ static roberts_status read_solid(reader *r, position_table *t, bool *ended)
     start_group(t, r->mesh);
     *ended = false;
     while (status == ROBERTS_OK && input_skip(&r->in)) {
-        *ended = read_at_word(r, "endsolid");
-        if (!*ended && !read_at_word(r, "facet"))
+        *ended = input_at_word(&r->in, "endsolid");
+        if (!*ended && !input_at_word(&r->in, "facet"))
             return read_expected(r, ROBERTS_BAD_SYNTAX, "facet or endsolid");
         input_pass_token(&r->in);
         if (*ended)
-            return read_pass_line(r) ? ROBERTS_OK : read_fail(r, ROBERTS_BAD_SYNTAX, "the line does not end");
+            return input_pass_line(&r->in) ? ROBERTS_OK : read_fail(r, ROBERTS_BAD_SYNTAX, "the line does not end");
         status = read_facet(r, t);
     }
     return status;
@@ -213,7 +213,7 @@ roberts_status stl_read_text(reader *r)
     bool ended = true;
     r->in.plain = true;
     while (status == ROBERTS_OK && ended && input_skip(&r->in)) {
-        if (read_at_word(r, "solid")) {
+        if (input_at_word(&r->in, "solid")) {
             status = read_solid(r, &table, &ended);
         } else {
             warning_send(r->warnings, r->name, r->in.line, "text after the last solid ignored");
