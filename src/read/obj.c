@@ -289,9 +289,8 @@ static roberts_status read_vertex(reader *r)
     roberts_vec3 p = {value[0], value[1], value[2]};
     if (!mesh_position(p))
         return read_bad_position(r, vertices_read(r));
-    if (!mesh_vertex_room(r->mesh))
+    if (!mesh_add_vertex(r->mesh, p))
         return error_no_memory(r->error);
-    r->mesh->vertex[r->mesh->vertex_count++] = p;
     if (count < POSITION + COLOR)
         return ROBERTS_OK;
     const double *rgb = value + (count == POSITION + COLOR ? POSITION : POSITION + 1);
@@ -379,9 +378,8 @@ static roberts_status read_corner(obj_reader *o, bool face, uint32_t *vertex)
 static roberts_status end_face(obj_reader *o, size_t corners)
 {
     roberts_mesh *mesh = o->r->mesh;
-    if (!mesh_face_room(mesh))
+    if (!mesh_end_face(mesh))
         return error_no_memory(o->r->error);
-    mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
     o->r->thin_faces += corners < 3;
     if (o->color.count && !mesh_color_face(mesh, mesh->face_count - 1, o->color, &o->r->faces_filled))
         return error_no_memory(o->r->error);
@@ -390,16 +388,14 @@ static roberts_status end_face(obj_reader *o, size_t corners)
 
 static roberts_status read_face(obj_reader *o)
 {
-    roberts_mesh *mesh = o->r->mesh;
     size_t count = 0;
     for (; next_word(&o->r->in); count++) {
         uint32_t v;
         roberts_status status = read_corner(o, true, &v);
         if (status != ROBERTS_OK)
             return status;
-        if (!mesh_corner_room(mesh, 1))
+        if (!mesh_add_corner(o->r->mesh, v))
             return error_no_memory(o->r->error);
-        mesh->corner[mesh->corner_count++] = v;
     }
     if (count == 0)
         return read_expected(o->r, ROBERTS_BAD_SYNTAX, "a corner of %s", name_element(o, true).text);
@@ -414,10 +410,8 @@ static roberts_status read_line(obj_reader *o)
     for (size_t count = 0; status == ROBERTS_OK && next_word(&o->r->in); count++, last = v) {
         if ((status = read_corner(o, false, &v)) != ROBERTS_OK || count == 0)
             continue;
-        if (!mesh_corner_room(mesh, 2))
+        if (!mesh_add_corner(mesh, last) || !mesh_add_corner(mesh, v))
             return error_no_memory(o->r->error);
-        mesh->corner[mesh->corner_count++] = last;
-        mesh->corner[mesh->corner_count++] = v;
         status = end_face(o, 2);
     }
     return status;

@@ -440,36 +440,21 @@ static roberts_color row_color(const ply_reader *p, const element *e)
 
 static roberts_status add_vertex(ply_reader *p, uint64_t row)
 {
-    roberts_mesh *mesh = p->r->mesh;
-    roberts_vec3 position = {p->value[X], p->value[Y], p->value[Z]};
+    const roberts_vec3 position = {p->value[X], p->value[Y], p->value[Z]};
     if (!mesh_position(position))
         return read_bad_position(p->r, row);
-    if (!mesh_vertex_room(mesh))
-        return error_no_memory(p->r->error);
-    mesh->vertex[mesh->vertex_count++] = position;
-    return ROBERTS_OK;
+    return mesh_add_vertex(p->r->mesh, position) ? ROBERTS_OK : error_no_memory(p->r->error);
 }
 
 static roberts_status add_edge(ply_reader *p, const element *e, uint64_t row)
 {
-    roberts_mesh *mesh = p->r->mesh;
     for (int i = FIRST_CORNER; i <= SECOND_CORNER; i++) {
         if (!is_vertex(p, p->value[i]))
             return bad_corner(p, e, row, p->value[i]);
-        if (!mesh_corner_room(mesh, 1))
+        if (!mesh_add_corner(p->r->mesh, (uint32_t)(p->r->mark.vertices + (uint64_t)p->value[i])))
             return error_no_memory(p->r->error);
-        mesh->corner[mesh->corner_count++] = (uint32_t)(p->r->mark.vertices + (uint64_t)p->value[i]);
     }
     p->r->thin_faces++;
-    return ROBERTS_OK;
-}
-
-static roberts_status end_face(ply_reader *p)
-{
-    roberts_mesh *mesh = p->r->mesh;
-    if (!mesh_face_room(mesh))
-        return error_no_memory(p->r->error);
-    mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
     return ROBERTS_OK;
 }
 
@@ -496,8 +481,8 @@ static roberts_status read_elements(ply_reader *p, const element *e)
             status = add_vertex(p, row);
         if (status == ROBERTS_OK && e->kind == EDGE)
             status = add_edge(p, e, row);
-        if (status == ROBERTS_OK && (e->kind == FACE || e->kind == EDGE))
-            status = end_face(p);
+        if (status == ROBERTS_OK && (e->kind == FACE || e->kind == EDGE) && !mesh_end_face(p->r->mesh))
+            status = error_no_memory(p->r->error);
         if (status == ROBERTS_OK && colored)
             status = set_color(p, e);
     }
