@@ -1,15 +1,14 @@
 /* obj.c - Wavefront OBJ: a text of which each line begins with a word that says what it is.
  *
  *   v x y z [w] [r g b]     vertex, perhaps with a colour; w, the weight for rational curves, is not used
- *   f a b c ...             face; corners are v, v/vt, v/vt/vn or v//vn, and negative numbers count from the last vertex
+ *   f a b c ...             face; a corner is v, v/vt, v/vt/vn or v//vn; a negative number counts from the last vertex
  *   l a b c ...             line from vertex to vertex: an element of two corners for each part
- *   o name, g name          the faces that follow are called so; the last one counts
- *   usemtl name             ... have the colour Kd of this material
+ *   o name, g name          the name of the faces that follow; the last one counts
+ *   usemtl name             the faces that follow have the colour Kd of this material
  *   mtllib name             the file beside this one that has the materials; without it there are no colours
  *
- * Lines with other words are passed. A backslash before the end of a line joins the next line to it. '#' begins a
- * comment where a word could begin. Vertices are numbered from 0 here, as in the other formats, though OBJ counts from
- * 1.
+ * Lines with other words are skipped. A backslash before the end of a line joins the next line to it. '#' begins a
+ * comment where a word could begin. OBJ counts vertices from 1; here, as in the other formats, they count from 0.
  *
  * Source: "Object Files", appendix B1 of the manual of Wavefront's Advanced Visualizer, 1995. */
 #include "read/obj.h"
@@ -97,7 +96,7 @@ static bool add_material(obj_materials *m, const char *name)
     return true;
 }
 
-/* Reads "Kd r g b" for the last material; other forms ("Kd spectral", "Kd xyz") are passed. */
+/* Reads "Kd r g b" for the last material, and skips other forms ("Kd spectral", "Kd xyz"). */
 static void read_diffuse(obj_materials *m, input *in)
 {
     double value[COLOR];
@@ -209,7 +208,7 @@ void obj_materials_free(obj_materials *m)
     *m = (obj_materials){0};
 }
 
-/* The last part of a name, which may be a path of another machine: only the OBJ's own folder is looked into. */
+/* The last part of a name, which may be a path on another machine: files are only looked for beside the OBJ. */
 static const char *last_part(const char *name)
 {
     const char *last = name;
@@ -447,7 +446,7 @@ static void note_unknown(obj_reader *o, size_t length)
     }
 }
 
-/* Reads what the line has to say; what else stands on it is passed. */
+/* Reads the statement of a line, but not what else may stand on the line. */
 static roberts_status read_statement(obj_reader *o)
 {
     input *in = &o->r->in;
@@ -478,7 +477,7 @@ static roberts_status read_statement(obj_reader *o)
     return ROBERTS_OK;
 }
 
-/* All vertices have come: is every corner one of them? */
+/* Once all vertices have come: whether every corner is one of them. */
 static roberts_status check_corners(const obj_reader *o)
 {
     reader *r = o->r;

@@ -3,14 +3,14 @@
  *
  *   ply
  *   format ascii 1.0                        or binary_little_endian, binary_big_endian
- *   comment ...                             and obj_info: passed
+ *   comment ...                             skipped, as is obj_info
  *   element vertex 8                        element and how often it comes
  *   property float x                        a number, or
  *   property list uchar int vertex_indices  how many follow, and these
  *   end_header
  *
- * Used are of "vertex" x, y, z, of "face" the list vertex_indices (or vertex_index), of "edge" vertex1 and vertex2 (an
- * element of two corners), and of all three red, green, blue. All other elements and properties are passed.
+ * The mesh gets x, y, z of "vertex", the list vertex_indices (or vertex_index) of "face", vertex1 and vertex2 of "edge"
+ * (an element of two corners), and red, green, blue of all three. All other elements and properties are skipped.
  *
  * Source: G. Turk, "The PLY polygon file format", Stanford 1994. */
 #include "read/read.h"
@@ -222,7 +222,7 @@ static bool has_role(const ply_reader *p, const element *e, role wanted)
     return false;
 }
 
-/* Whether what is read can make a mesh of it. */
+/* Whether the properties suffice to make a mesh. */
 static roberts_status check_header(ply_reader *p)
 {
     for (size_t i = 0; i < p->elements; i++) {
@@ -474,7 +474,7 @@ static roberts_status read_elements(ply_reader *p, const element *e)
     const bool colored = e->kind != OTHER && has_role(p, e, RED);
     roberts_status status = ROBERTS_OK;
     if (e->kind == OTHER && e->properties == 0)
-        return ROBERTS_OK; /* else a count alone could keep us busy */
+        return ROBERTS_OK; /* otherwise a count alone could take for ever */
     for (uint64_t row = 0; row < e->count && status == ROBERTS_OK; row++) {
         status = read_row(p, e, row);
         if (status == ROBERTS_OK && e->kind == VERTEX)
