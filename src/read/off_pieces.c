@@ -138,8 +138,8 @@ static void read_piece(const pieces_job *job, size_t i, bool vertices, piece *p,
 
 /* ---- joining, by one thread at a time ---------------------------------------------------------------------------- */
 
-/* Drops what the reader would read otherwise, since it counts vertices first and then faces. Returns where the reader is
- * then. */
+/* Drops what the reader would read otherwise, since it counts vertices first and then faces. Returns where the reader
+ * is then. */
 static uint64_t accept(const pieces_job *job, piece *p)
 {
     if (p->begin != job->begin || p->vertices > job->vertices_left) {

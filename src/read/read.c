@@ -142,8 +142,8 @@ static bool looks_binary(reader *r, size_t count)
     return false;
 }
 
-/* Whether an input of unknown or wrong length can still be binary STL: it is no text, and its first triangle has corners
- * of a sensible size. */
+/* Whether an input of unknown or wrong length can still be binary STL: it is no text, and its first triangle has
+ * corners of a sensible size. */
 static bool looks_like_stl(reader *r)
 {
     if (!looks_binary(r, STL_FIRST) || !input_need(&r->in, STL_FIRST + STL_TRIANGLE) ||

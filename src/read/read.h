@@ -28,8 +28,8 @@ typedef struct reader {
 roberts_status read_mesh(roberts_mesh *mesh, const char *name, const input_source *source,
                          const struct off_division *division, const roberts_warnings *warnings, roberts_error *error);
 
-/* The readers. The input is at its first byte, or behind the byte-order mark; for OBJ, at its first word. On failure they
- * may leave anything in the mesh behind r->mark. */
+/* The readers. The input is at its first byte, or behind the byte-order mark; for OBJ, at its first word. On failure
+ * they may leave anything in the mesh behind r->mark. */
 roberts_status off_read(reader *r, const struct off_division *division);
 roberts_status stl_read_text(reader *r);
 roberts_status stl_read_binary(reader *r);
