@@ -158,9 +158,9 @@ roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners
 /** Releases everything and leaves an empty mesh. */
 void roberts_mesh_free(roberts_mesh *mesh);
 
-/* ---- scene: closed convex solids ------------------------------------------------------------------------------- */
+/* ---- scene: bodies, convex solids above all ---------------------------------------------------------------------- */
 
-/** Solids with inward face planes, edges and the faces they belong to. Opaque; read-only once built, so that any number
+/** Bodies with face planes, edges and the faces they belong to. Opaque; read-only once built, so that any number
  * of threads may use it. */
 typedef struct roberts_scene roberts_scene;
 
@@ -171,13 +171,21 @@ typedef struct roberts_scene_options {
     bool hull; /**< solids that would be refused, and inputs of points without faces, become their convex hulls */
     roberts_warnings warnings;
     uint32_t threads; /**< 0 = one per processor; the result does not depend on it */
+    bool solids;      /**< refuse what is no convex solid (unless `hull` replaces it) */
+    /** Which points belong to a face whose border crosses itself: those that it winds round an odd number of times;
+     * default: those that it winds round at all. */
+    bool even_odd;
 } roberts_scene_options;
 
 /**
- * Finds the solids of `mesh` and checks each: closed, planar, convex, not flat. Winding is not trusted. Components that
- * are open are welded with one another where positions are exactly equal. Faces that then hang together by edges are a
- * solid, or several where four or more faces meet in an edge. Corners that repeat another corner of their face are
- * ignored with a warning, and so are faces that this leaves with fewer than three corners.
+ * Finds the bodies of `mesh`: convex solids, closed bodies of any shape, open ones. A face may be of any shape; its
+ * rules are in src/model/README.md. Winding is not trusted.
+ *
+ * With options->solids or options->hull, only solids are wanted, and all that follows holds. Each solid is checked:
+ * closed, planar, convex, not flat. Components that are open are welded with one another where positions are exactly
+ * equal. Faces that then hang together by edges are a solid, or several where four or more faces meet in an edge.
+ * Corners that repeat another corner of their face are ignored with a warning, and so are faces that this leaves with
+ * fewer than three corners.
  *
  * With options->hull, convex hulls (by Qhull) replace what would be refused: a closed component that is no convex
  * solid; of open components, after welding and without the closed solids that split off, all that hangs together by
@@ -218,6 +226,20 @@ size_t roberts_scene_solid_count(const roberts_scene *scene);
 size_t roberts_scene_face_count(const roberts_scene *scene);
 size_t roberts_scene_edge_count(const roberts_scene *scene);
 size_t roberts_scene_vertex_count(const roberts_scene *scene); /**< vertices that solids use */
+
+/** What a body is. */
+typedef enum roberts_body_kind {
+    ROBERTS_CONVEX, /**< a closed convex solid */
+    ROBERTS_CLOSED, /**< each edge has two faces */
+    ROBERTS_OPEN,   /**< all else: sheets, loose faces, wires, edges of one face or of three and more */
+} roberts_body_kind;
+
+/** The kind of a body; ROBERTS_OPEN if no body has that number. */
+roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t body);
+
+/** Whether a body counts as curved: it is not convex, has more than 500 faces, and at least half of the edges at which
+ * they meet at an angle bend by less than 20 degrees. See roberts_hide_options.crease_auto. */
+bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body);
 
 /** The name of the group that the solid's first face is in (o or g of OBJ, solid of STL); "" if it has none. Valid as
  * long as the scene. */
@@ -286,9 +308,11 @@ typedef enum roberts_state {
 } roberts_state;
 
 typedef enum roberts_line {
-    ROBERTS_OUTLINE, /**< one face is front, the other back or edge-on */
-    ROBERTS_CREASE,  /**< both faces are front */
+    ROBERTS_OUTLINE, /**< its faces lie on one side of it in the picture: one is front, the other back or edge-on */
+    ROBERTS_CREASE,  /**< its faces lie on both sides */
     ROBERTS_BACK,    /**< no face is front: hidden by its own solid */
+    ROBERTS_BORDER,  /**< it has one face */
+    ROBERTS_WIRE,    /**< it has none */
 } roberts_line;
 
 /** A maximal part of an edge in one state. */
@@ -306,7 +330,8 @@ typedef struct roberts_segment {
 } roberts_segment;
 
 /** How many pairs of an edge and a front each test decided (lecture: tests 1 to 4, cheapest first). A front is all that
- * one solid shows under its outline, or one front face of a solid that shows very many. */
+ * one convex solid shows under its outline, or one front face of a solid that shows very many, or one face of another
+ * body. */
 typedef struct roberts_tally {
     uint64_t pairs;           /**< pairs of edge and front compared */
     uint64_t test1_visible;   /**< both ends in front of a face's plane */
@@ -358,6 +383,8 @@ typedef struct roberts_drawing {
 typedef struct roberts_hide_options {
     double crease_degrees; /**< an edge between two front faces, or two back ones, flatter than this is not drawn
                                 (default: 0.1) */
+    bool crease_auto;      /**< of a body that is not convex, and has many faces most of which meet at small angles (a
+                                scan, a curved part), edges flatter than 30 degrees are left out (default: true) */
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the

@@ -108,14 +108,17 @@ static const option rows[] = {
      .name = "crease",
      .flags = OPTION_DRAWS,
      .value = "DEGREES",
-     .set = values_set_number,
+     .set = values_set_crease,
      TO(hide.crease_degrees),
      RANGE(0, 180),
      .excludes = "all-edges",
      .brief = "leave out flatter edges",
-     .help = "leave out edges between two front faces, or two back ones, flatter than this (default: 0.1)",
+     .help = "leave out edges between two front faces, or two back ones, flatter than this (default: auto, which is "
+             "0.1, and 30 for curved bodies of many faces)",
      .manual = "Leaves out edges between two front faces that are flatter than this; of hidden lines, also those "
-               "between two back faces. Default: 0.1. A larger angle thins out the slivers of scanned models."},
+               "between two back faces. Default: auto, which is 0.1; for a body that is not convex and has more than "
+               "500 faces, half of which meet their neighbours at less than 20 degrees, it is 30. A larger angle thins "
+               "out the slivers of scanned models."},
     {.group = GROUP_OUTPUT,
      .name = "all-edges",
      .flags = OPTION_DRAWS,
@@ -125,6 +128,28 @@ static const option rows[] = {
      .help = "draw all edges, those that --crease leaves out too",
      .manual = "Draws all edges, also those that --crease leaves out."},
     {.group = GROUP_OUTPUT,
+     .name = "solids",
+     .flags = OPTION_DRAWS,
+     .set = values_set_flag,
+     TO(scene.solids),
+     .excludes = "hull",
+     .brief = "refuse what is no convex solid",
+     .help = "refuse what is no closed convex solid",
+     .manual = "Refuses a file with a body that is no closed, planar, convex solid, and says which and why. Otherwise "
+               "bodies of any kind are drawn."},
+    {.group = GROUP_OUTPUT,
+     .name = "fill-rule",
+     .flags = OPTION_DRAWS,
+     .value = "RULE",
+     .words = values_fill_rules,
+     .set = values_set_fill_rule,
+     .brief = "where faces that cross themselves are",
+     .help = "faces that cross themselves are where their border winds round at all: nonzero (the default); or an odd "
+             "number of times: evenodd",
+     .manual = "Where a face is whose border crosses itself, such as a pentagram: nonzero (the default), wherever the "
+               "border winds round at all; evenodd, where it winds round an odd number of times, which leaves the "
+               "middle of a pentagram open."},
+    {.group = GROUP_OUTPUT,
      .name = "hull",
      .flags = OPTION_DRAWS,
      .set = values_set_flag,
@@ -133,7 +158,7 @@ static const option rows[] = {
      .help = "draw the convex hulls of solids that are not closed, planar and convex, and of points without faces; a "
              "warning says how many, -v which; what is flat is left out",
      .manual =
-         "Draws the convex hull of each solid that is not closed, planar and convex, instead of refusing it. Sound "
+         "Draws the convex hull of each solid that is not closed, planar and convex, instead of the solid. Sound "
          "solids stay as they are. What is open is taken together as far as it shares vertices. A file of points "
          "without faces becomes the hull of all its points. A warning counts the solids that were replaced and says "
          "why; -v names them by their numbers.\n"

@@ -82,6 +82,39 @@ static void tell_hulls(const cli_options *options, const roberts_scene *scene)
     fputs(hulls > told ? " ...\n" : "\n", options->log);
 }
 
+/* How many bodies are not convex; nothing where all are. */
+static void tell_kinds(const cli_options *options, const roberts_scene *scene)
+{
+    char name[NAME_SIZE];
+    size_t of[ROBERTS_OPEN + 1] = {0};
+    for (uint32_t s = 0; s < roberts_scene_solid_count(scene); s++)
+        of[roberts_scene_body_kind(scene, s)]++;
+    if (of[ROBERTS_CLOSED] + of[ROBERTS_OPEN] == 0)
+        return;
+    message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
+    fprintf(options->log, "%zu convex, %zu closed but not convex, %zu open\n", of[ROBERTS_CONVEX], of[ROBERTS_CLOSED],
+            of[ROBERTS_OPEN]);
+}
+
+/* That curved bodies show fewer edges than others is said, unless it has been asked for or nothing is to be said. */
+static void tell_curved(const cli_options *options, const roberts_scene *scene)
+{
+    char name[NAME_SIZE];
+    size_t curved = 0;
+    if (options->quiet || !options->hide.crease_auto || options->hide.all_edges)
+        return;
+    for (uint32_t s = 0; s < roberts_scene_solid_count(scene); s++)
+        curved += roberts_scene_body_curved(scene, s);
+    if (curved == 0)
+        return;
+    message_open(options->log);
+    message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
+    fprintf(options->log,
+            "note: of %zu curved bod%s edges flatter than 30 degrees are left out; --crease 0.1 draws them\n", curved,
+            curved == 1 ? "y" : "ies");
+    message_close(options->log);
+}
+
 static void tell_scene(const cli_options *options, const roberts_scene *scene, const run_stats *run)
 {
     char name[NAME_SIZE];
@@ -90,6 +123,7 @@ static void tell_scene(const cli_options *options, const roberts_scene *scene, c
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
     fprintf(options->log, "%zu solid%s, %zu vertices, %zu faces; %.3f s\n", solids, solids == 1 ? "" : "s",
             run->vertices, run->faces, run->read.wall + run->solids.wall);
+    tell_kinds(options, scene);
     if (options->scene.hull)
         tell_hulls(options, scene);
     message_close(options->log);
@@ -120,6 +154,7 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     run->faces = roberts_scene_face_count(*scene);
     if (options->verbose)
         tell_scene(options, *scene, run);
+    tell_curved(options, *scene);
     return status;
 }
 

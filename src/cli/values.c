@@ -137,6 +137,22 @@ int values_set_hidden(const option *o, const char *value, cli_options *options)
     return status;
 }
 
+int values_set_crease(const option *o, const char *value, cli_options *options)
+{
+    options->hide.crease_auto = strcmp(value, "auto") == 0;
+    return options->hide.crease_auto ? EXIT_DONE : values_set_number(o, value, options);
+}
+
+const char *const values_fill_rules[] = {"nonzero", "evenodd", NULL};
+
+int values_set_fill_rule(const option *o, const char *value, cli_options *options)
+{
+    size_t i;
+    int status = choose(o, value, &i);
+    options->scene.even_odd = i == 1;
+    return status;
+}
+
 /* ---- page ---- */
 
 /* ISO 216, and what North America uses */

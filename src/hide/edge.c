@@ -97,6 +97,53 @@ static void shrink(hide_worker *w, size_t n, const hide_part *hidden)
         l->z0[n] = hide_float_below(P.z - w->margin);
 }
 
+/* Is it a front of the line's own faces? */
+static bool is_own(const hide_worker *w, const hide_line *line, const hide_front *front)
+{
+    const scene_surface *surface = w->picture->scene->surface;
+    bool own = line->own[0] == front->outline || line->own[1] == front->outline;
+    for (uint32_t k = line->many ? line->many->first : 0; line->many && k < line->many->end && !own; k++)
+        own = surface->plane_of[surface->many_face[k] & ~MANY_TURNED] == front->outline;
+    return own;
+}
+
+/* (Q - P) x (X - P), of the picture: > 0 where X is on the left of P -> Q. */
+static double left_of(roberts_vec3 P, roberts_vec3 Q, roberts_vec3 X)
+{
+    return (Q.x - P.x) * (X.y - P.y) - (Q.y - P.y) * (X.x - P.x);
+}
+
+/* Does the line begin or end at a corner of the face, and go on plainly outside of it from there? Of a surface most faces that a
+ * line meets are of this kind. */
+static bool leaves_at_corner(const hide_picture *picture, const hide_edge *e, const hide_face *F)
+{
+    uint32_t at = F->count;
+    for (uint32_t i = 0; i < F->count; i++)
+        if (F->corner[i] == e->a || F->corner[i] == e->b) {
+            if (at < F->count)
+                return false;
+            at = i;
+        }
+    if (at == F->count)
+        return false;
+    roberts_vec3 before = picture->P[F->corner[at > 0 ? at - 1 : F->count - 1]], V = picture->P[F->corner[at]];
+    roberts_vec3 after = picture->P[F->corner[at + 1 < F->count ? at + 1 : 0]], X = F->corner[at] == e->a ? e->B : e->A;
+    return left_of(V, after, X) < -picture->space.plain || left_of(V, X, before) < -picture->space.plain;
+}
+
+/* Leaves out the lines, given by bits from `first` on, whose own face the front is, and those that only touch it at a corner. */
+static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *first, uint64_t bits,
+                                       const hide_front *front)
+{
+    uint64_t left = bits;
+    for (; bits; bits &= bits - 1) {
+        const hide_line *line = first + bits_trailing_zeros(bits);
+        if (is_own(w, line, front) || leaves_at_corner(w->picture, &line->e, w->picture->face + front->face))
+            left &= ~(bits & -bits);
+    }
+    return left;
+}
+
 /* Of the lines from `first` on, within `box`, those given by bits against a front that may be nearer somewhere. */
 static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box *box, uint32_t index)
 {
@@ -113,8 +160,8 @@ static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box
             continue;
         if (!is_confined(w, own, &line->e, &part) && !confine(w, own, &line->e, &part))
             continue;
-        if (front->corners == 0 ? !hide_parts_hull(&line->hulls, front->solid, &part)
-                                : !hide_parts_add(&line->parts, front->solid, &part))
+        if (front->corners == 0 && !front->surface ? !hide_parts_hull(&line->hulls, front->solid, &part)
+                                                   : !hide_parts_add(&line->parts, front->solid, &part))
             return false;
         if (part.t0 == 0.0 && part.t1 == 1.0) {
             line->hidden = true;
@@ -158,8 +205,11 @@ BITS_INLINE bool meet_once(hide_worker *w, uint32_t solid, hide_line *line, cons
         return true;
     w->seen[front] = w->stamp;
     /* What the faces of one solid hide is joined to one part, also where a face reaches only what is hidden already. */
-    const hide_lanes *lanes = w->grid->next && w->picture->front[front].corners == 0 ? &w->whole : &w->lanes;
+    bool hull = w->grid->next && w->picture->front[front].corners == 0 && !w->picture->front[front].surface;
+    const hide_lanes *lanes = hull ? &w->whole : &w->lanes;
     uint64_t bits = line ? 1 : met_by(lanes, w->line_count, &w->picture->front_box[front]);
+    if (solid == ROBERTS_NONE && w->picture->front[front].surface)
+        bits = not_left_out(w, line ? line : w->line, bits, &w->picture->front[front]);
     return !bits || w->picture->front[front].solid == solid || meet(w, line ? line : w->line, bits, box, front);
 }
 
@@ -351,7 +401,7 @@ static BITS_RARE bool add_hulls(hide_line *line)
 bool hide_worker_run(hide_worker *w, uint32_t solid)
 {
     /* Nothing else could hide them; and a fan of a million triangles lists all of them in the cell of its tip. */
-    bool alone = w->picture->scene->solid_count == 1;
+    bool alone = w->picture->scene->solid_count == 1 && solid != ROBERTS_NONE;
     if (w->line_count > 0 && !alone && !run_lines(w, solid))
         return false;
     for (hide_line *line = w->line, *end = line + w->line_count; line < end; line++) {

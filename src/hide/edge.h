@@ -17,6 +17,10 @@ typedef struct hide_line {
     hide_parts hulls; /* ... by solids entered face by face: one interval for each of them */
     bool hidden;      /* wholly: nothing more need be asked */
     uint32_t edge;    /* of the scene */
+    /* Of a body that is not convex: the planes of its own faces (scene_surface.plane_of; ROBERTS_NONE: none), or of more than two
+     * all that are listed. */
+    uint32_t own[2];
+    const scene_many *many;
 } hide_line;
 
 /* Boxes of a group's lines, rounded outward, side by side; one that is wholly hidden begins at infinity, and so do those
@@ -108,7 +112,8 @@ BITS_INLINE hide_line *hide_worker_add(hide_worker *w, uint32_t edge, const scen
     return line;
 }
 
-/* Finds what the other solids hide of the lines taken up, edges of `solid`: their parts ascend and are disjoint. False:
+/* Finds what the other solids hide of the lines taken up, edges of `solid` (ROBERTS_NONE: of a body that is not convex; what
+ * hides them are all faces but their own): their parts ascend and are disjoint. False:
  * no memory. */
 bool hide_worker_run(hide_worker *w, uint32_t solid);
 

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "base/array.h"
-#include "hide/refine.h"
+#include "hide/outline.h"
 #include "hide/span.h"
 
 /* A front of more faces than this is entered face by face: an edge that passes it would be compared with all. */
@@ -18,6 +18,9 @@
 /* From this many cells (five or six mean boxes) across, a cover's depth is taken cell by cell and not once for all of it. */
 #define COVER_WIDE 50.0
 
+/* A solid is no larger than this times the width of a face that is not narrow. */
+#define WIDTHS_OF_SOLID 64.0
+
 /* The front faces of a solid. */
 typedef struct front_faces {
     hide_face *face; /* [count] */
@@ -27,27 +30,36 @@ typedef struct front_faces {
     uint32_t back, edge_on;
 } front_faces;
 
-/* How far a distance from the face's plane can be trusted: `touch` within the reach that is returned, `limit` anywhere. The
- * plane of a face of width w is known to about its rounding (and the face's own departure from it) at the face, and to
- * that times r / w at a distance r. */
-static double set_trust(const hide_picture *picture, uint32_t solid, uint32_t face, double stretch, hide_face *f)
+/* Along three axes. */
+static double box_size(const hide_box *box)
+{
+    return (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0) + (double)(box->z1 - box->z0);
+}
+
+/* The departure of a face that is not narrow is left out of the reach. All that is asked of its plane beyond the face is
+ * whether what lies behind its solid lies behind the plane, and a sight line only gets deeper behind both. So the plane
+ * need only hold for the solid itself, and that it does, to about the departure. */
+double front_set_trust(const hide_picture *picture, uint32_t solid, uint32_t face, double stretch, hide_face *f)
 {
     const view *v = &picture->view;
     f->departure = 0.0f;
     double departure = scene_deviation(picture->scene, face) * v->per_unit;
-    double width = scene_width(picture->scene, face) * v->per_unit;
+    double width = scene_width(picture->scene, face) * v->per_unit, rounded = 0.0;
     if (v->perspective) {
         double grown = 1.0 + (double)picture->box[solid].z1 * v->inverse_distance; /* D / w at the nearest corner */
         double shrunk = lesser(1.0, 1.0 + (double)picture->box[solid].z0 * v->inverse_distance);
         departure = (departure + v->plane_rounding) * stretch;
         f->departure = hide_float_above(departure);
         departure *= grown;
+        rounded = v->plane_rounding * stretch * grown;
         width *= shrunk * shrunk;
     }
     double error = 4.0 * v->rounding + departure, far_error = error * (1.0 + 2.0 * v->extent / width);
     f->touch = v->epsilon + departure;
     f->limit = hide_float_below(far_error > 0.5 * f->touch ? f->touch - far_error : f->touch);
-    return width * (0.5 * f->touch / error - 1.0);
+    if (departure > v->epsilon && box_size(&picture->box[solid]) <= WIDTHS_OF_SOLID * width)
+        departure = rounded;
+    return width * (0.5 * (v->epsilon + departure) / (4.0 * v->rounding + departure) - 1.0);
 }
 
 /* Classifies the solid's faces and collects its front faces, from the tile's place on.
@@ -75,91 +87,12 @@ static front_faces find_faces(hide_picture *picture, picture_tile *tile, uint32_
         f->F = F;
         f->corner = scene->corner + scene->face_start[face];
         f->count = scene->face_start[face + 1] - scene->face_start[face];
-        found.reach = lesser(found.reach, set_trust(picture, solid, face, stretch, f));
+        found.reach = lesser(found.reach, front_set_trust(picture, solid, face, stretch, f));
         found.touch = greater(found.touch, f->touch);
         found.steepest = lesser(found.steepest, -F.c);
         tile->most_corners = f->count > tile->most_corners ? f->count : tile->most_corners;
     }
     return found;
-}
-
-/* The outline: edges with one front face, which they run round counter-clockwise, joined to a cycle. Gives its number of
- * corners, or 0 where the edges are not one cycle: epsilon may have called faces of a very small or flat solid edge-on. */
-static uint32_t find_outline(const hide_picture *picture, uint32_t solid, uint32_t *next, uint32_t *outline)
-{
-    const scene_solid *own = &picture->scene->solid[solid];
-    const scene_edge *e = picture->scene->edge + own->stored, *end = e + (own[1].edge - own->edge);
-    const unsigned char *facing = picture->facing + own->face;
-    uint32_t edges = 0, start = ROBERTS_NONE, count = 0, size = own[1].vertex - own->vertex;
-    for (uint32_t v = 0; v < size; v++)
-        next[v] = ROBERTS_NONE;
-    for (; e < end; e++) {
-        bool left = facing[e->f[0]] == VIEW_FRONT;
-        if (left == (facing[e->f[1]] == VIEW_FRONT))
-            continue;
-        start = e->v[!left]; /* v[0] -> v[1] runs counter-clockwise round f[0] */
-        if (next[start] != ROBERTS_NONE)
-            return 0;
-        next[start] = e->v[left];
-        edges++;
-    }
-    if (edges < 3)
-        return 0;
-    uint32_t v = start;
-    do {
-        outline[count++] = v + own->vertex;
-        v = next[v];
-    } while (v != start && v != ROBERTS_NONE && count < edges);
-    return v == start && count == edges ? edges : 0;
-}
-
-/* The longer of a side's two components: its length, or less by a root of two at the most. */
-static double span_of(roberts_vec3 side)
-{
-    return greater(fabs(side.x), fabs(side.y));
-}
-
-/* Whether the outline turns left at corner b or goes straight on, in twice the precision. An inward turn counts as
- * straight on where the lines of both sides cut off no more than half of epsilon from a front of this size. A turn
- * straight back does not count, nor does one after a side without length. */
-static BITS_RARE bool turns_left(const hide_picture *picture, uint32_t a, uint32_t b, uint32_t c, double size)
-{
-    const roberts_vec3 *P = picture->P;
-    roberts_vec3 AB = vec3_sub(P[b], P[a]), BC = vec3_sub(P[c], P[b]);
-    double left = refine_side(&picture->space, a, b, c); /* no number where AB has no length */
-    if (AB.x * BC.x + AB.y * BC.y <= 0.0)
-        return left > 0.0;
-    return left >= -0.5 * picture->view.epsilon / size * span_of(BC);
-}
-
-/* Whether the outline is a convex polygon. Tests 2 to 4 need that: for them the inside is what lies on the inner side
- * of every side's line, so that one side in a wrong direction may cut off the whole front.
- *
- * The outline of a convex solid is convex. But a face that is edge-on within epsilon is left out, and a solid given to
- * few digits is convex within its tolerance only: its outline may turn inward, or run out along a sliver and back. A
- * polygon is convex where it turns left at each corner, or goes straight on, and goes round once. To go round is to
- * change once from a side that does not lead up to one that does. */
-static bool is_convex(const hide_picture *picture, const uint32_t *outline, uint32_t corners, double size)
-{
-    const double plain = 8.0 * picture->view.across_rounding * size; /* no product of two sides is off by more */
-    int rounds = 0;
-    uint32_t a = outline[corners - 2], b = outline[corners - 1];
-    roberts_vec3 AB = vec3_sub(picture->P[b], picture->P[a]);
-    for (uint32_t i = 0; i < corners; i++) {
-        uint32_t c = outline[i];
-        roberts_vec3 BC = vec3_sub(picture->P[c], picture->P[b]);
-        double left = AB.x * BC.y - AB.y * BC.x;
-        if (left <= plain && !turns_left(picture, a, b, c, size))
-            return false;
-        if (left >= 0.0 || AB.x * BC.x + AB.y * BC.y <= 0.0)
-            rounds += AB.y <= 0.0 && BC.y > 0.0;
-        else /* straight on, and by rounding a little to the right */
-            rounds -= AB.y > 0.0 && BC.y <= 0.0;
-        a = b;
-        b = c;
-        AB = BC;
-    }
-    return rounds == 1;
 }
 
 static span face_span(const hide_picture *picture, const hide_face *F)
@@ -193,12 +126,17 @@ static bool is_bundle(const hide_picture *picture, const front_faces *found, con
     return area > DEPTH_OF_BUNDLE * width * height;
 }
 
+bool front_more_singles(picture_tile *tile, size_t more)
+{
+    size_t need = tile->single_count + more;
+    return array_reserve(&tile->single, &tile->single_room, need, sizeof *tile->single) &&
+           array_reserve(&tile->single_box, &tile->single_box_room, need, sizeof *tile->single_box);
+}
+
 /* Each of the faces as a front of its own. */
 static bool add_single_fronts(const hide_picture *picture, picture_tile *tile, uint32_t solid, const front_faces *found)
 {
-    size_t need = tile->single_count + found->count;
-    if (!array_reserve(&tile->single, &tile->single_room, need, sizeof *tile->single) ||
-        !array_reserve(&tile->single_box, &tile->single_box_room, need, sizeof *tile->single_box))
+    if (!front_more_singles(tile, found->count))
         return false;
     for (uint32_t k = 0; k < found->count; k++) {
         span own = face_span(picture, &found->face[k]);
@@ -260,20 +198,36 @@ static void count_faces(picture_tile *tile, const front_faces *found)
     tile->edge_on += found->edge_on;
 }
 
+/* The hull in place of an outline that is not convex; 0 where that has too short sides to be trusted. Face by face a
+ * front that is seen along some of its faces would hide too little: these are slivers in the picture, and a sliver drops
+ * what is shorter than epsilon over its angle. As one front it is right within what the solid departs from a convex one:
+ * a point of the solid lies no farther than that before any face's plane, and behind the solid a sight line only gets
+ * deeper behind all of them. */
+static uint32_t convex_hull(const hide_picture *picture, uint32_t solid, uint32_t *order, uint32_t *outline,
+                            double width)
+{
+    uint32_t corners = outline_hull(picture, solid, order, outline);
+    return outline_is_convex(picture, outline, corners, width) ? corners : 0;
+}
+
 bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile, uint32_t solid)
 {
     const roberts_scene *scene = picture->scene;
     const hide_box *box = &picture->box[solid];
     uint32_t vertex = scene->solid[solid].vertex, *outline = picture->outline + tile->outline;
     view_points(&picture->view, scene->point + vertex, scene->solid[solid + 1].vertex - vertex, picture->P + vertex);
+    if (!scene_is_convex(scene, solid))
+        return surface_add_fronts(picture, tile, solid);
     front_faces found = find_faces(picture, tile, solid);
-    uint32_t cycle = find_outline(picture, solid, scratch->next, outline), corners = cycle;
+    uint32_t cycle = outline_cycle(picture, solid, scratch->next, outline), corners = cycle;
     double width = (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0);
-    if (corners && !is_convex(picture, outline, corners, width))
+    if (!outline_is_convex(picture, outline, corners, width))
         corners = 0;
+    if (corners == 0 && found.count > 0 && found.count <= FACES_OF_ONE_FRONT)
+        cycle = corners = convex_hull(picture, solid, scratch->next, outline, width);
     bool whole = corners && found.count <= FACES_OF_ONE_FRONT;
     bool bundled = cycle && !whole && is_bundle(picture, &found, box);
-    double size = width + (double)(box->z1 - box->z0);
+    double size = box_size(box);
     double reach = found.reach - size;
     if (reach > 6.0 * picture->view.extent)
         reach = INFINITY; /* nothing is farther away, along three axes */

@@ -21,11 +21,14 @@
 /* Touching distance above which "on" would mean a visible length: a hundredth of the scene. */
 #define EPSILON_MOST 0.01
 
+/* The crease angle of bodies that are taken for curved, degrees. */
+#define SMOOTH_CREASE 30.0
+
 static const double pi = 3.14159265358979323846;
 
 roberts_hide_options roberts_hide_options_default(void)
 {
-    return (roberts_hide_options){.crease_degrees = 0.1};
+    return (roberts_hide_options){.crease_degrees = 0.1, .crease_auto = true};
 }
 
 static bool do_chunk(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t index)
@@ -50,7 +53,7 @@ static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
         if (k + SOLIDS_AHEAD < count && !job->picture.culled[job->order.solid[k + SOLIDS_AHEAD]])
             hide_picture_fetch(&job->picture, job->order.solid[k + SOLIDS_AHEAD]);
         hide_worker_begin(w);
-        if (!job->picture.culled[s] && !segments_hide(job, w, s))
+        if (!job->picture.culled[s] && scene_is_convex(job->scene, s) && !segments_hide(job, w, s))
             return false;
         if (!picture_order_keep(&job->order, k, w))
             return false;
@@ -250,6 +253,13 @@ static roberts_status build(hide_job *job, const roberts_camera *camera, roberts
     return status;
 }
 
+/* Of two unit normals that meet at this angle. */
+static double square_chord(double degrees)
+{
+    double chord = 2.0 * sin(degrees * pi / 360.0);
+    return chord * chord;
+}
+
 static roberts_status hide(hide_job *job, const roberts_camera *camera, roberts_drawing *drawing, roberts_error *error)
 {
     roberts_hide_options defaults = roberts_hide_options_default();
@@ -260,8 +270,10 @@ static roberts_status hide(hide_job *job, const roberts_camera *camera, roberts_
         status = build(job, camera, drawing, error);
     if (status == ROBERTS_OK) {
         roberts_time clock = now();
-        job->crease_chord = 2.0 * sin(job->options->crease_degrees * pi / 360.0);
-        job->crease_chord *= job->crease_chord;
+        job->crease_chord = square_chord(job->options->crease_degrees);
+        job->smooth_chord = job->crease_chord;
+        if (job->options->crease_auto)
+            job->smooth_chord = greater(job->crease_chord, square_chord(SMOOTH_CREASE));
         describe(job, camera, drawing);
         status = do_chunks(job, drawing);
         drawing->hide_time = lap(&clock);

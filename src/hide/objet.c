@@ -176,7 +176,7 @@ static bool link_lists(objet *grid, const hide_picture *picture)
     size_t cells = scan_cells(&grid->frame);
     bool single = false;
     for (uint32_t k = 0; k < picture->front_count && !single; k++)
-        single = picture->front[k].listed && picture->front[k].corners == 0;
+        single = picture->front[k].listed && picture->front[k].corners == 0 && !picture->front[k].surface;
     if (!single)
         return true;
     grid->next = alloc_array(grid->start[cells], sizeof *grid->next);

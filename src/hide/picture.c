@@ -335,8 +335,10 @@ static bool alloc_picture(hide_picture *picture)
     picture->front = alloc_array(scene->solid_count, sizeof *picture->front);
     picture->front_box = alloc_array(scene->solid_count, sizeof *picture->front_box);
     picture->outline = alloc_array(scene->vertex_count, sizeof *picture->outline);
-    return picture->box && picture->culled && picture->P && picture->facing && picture->face && picture->front &&
-           picture->front_box && picture->outline;
+    if (scene->surface)
+        picture->turned = alloc_array(scene->face_start[scene->face_count], sizeof *picture->turned);
+    return (picture->turned || !scene->surface) && picture->box && picture->culled && picture->P && picture->facing &&
+           picture->face && picture->front && picture->front_box && picture->outline;
 }
 
 static void set_space(hide_picture *picture)
@@ -391,6 +393,7 @@ void hide_picture_free(hide_picture *picture)
     free(picture->front);
     free(picture->front_box);
     free(picture->outline);
+    free(picture->turned);
     runs_table_free(&picture->face_runs);
     runs_table_free(&picture->outline_runs);
     bundle_table_free(&picture->bundles);

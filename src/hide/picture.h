@@ -24,6 +24,7 @@ typedef struct hide_front {
     float depth;               /* what is nowhere nearer is behind it wherever it is inside the outline */
     uint32_t face_count;       /* of a bundle more than of others; see bundle.h */
     bool listed;               /* false: a copy of another front */
+    bool surface;              /* a face of a body that is not convex; `outline` is then its scene_surface.plane_of */
 } hide_front;
 
 typedef struct hide_picture {
@@ -40,6 +41,8 @@ typedef struct hide_picture {
     uint32_t front_count;
     double thickest;   /* what is farther than this above a front's box does not touch it; INFINITY: not known */
     uint32_t *outline; /* compact vertex numbers, likewise */
+    uint32_t *
+        turned; /* [corners of the scene] of faces seen from behind, the other way round; NULL: all bodies are convex */
     bundle_table bundles;
     runs_table face_runs, outline_runs; /* of faces and of outlines of very many corners */
     cover cover;

@@ -2,6 +2,7 @@
 #include "hide/segments.h"
 
 #include "base/array.h"
+#include "hide/surface_lines.h"
 
 /* Flatter than the crease angle; the normals of the model are compared, which perspective does not bend. `edge` is stored
  * with the solid. */
@@ -74,16 +75,11 @@ static bool add_clipped(hide_chunk *out, roberts_segment pattern, double t0, dou
     return true;
 }
 
-/* Visible segments between the hidden parts, and those too where they are wanted. The pattern's t0..t1 is what the near
- * plane has left of the edge. */
-static bool add_line(const hide_job *job, hide_chunk *out, const roberts_segment *pattern, const hide_line *line)
+bool segments_add_parts(const hide_job *job, hide_chunk *out, const roberts_segment *pattern, const hide_line *line)
 {
-    double from = 0.0, unit = job->picture.view.unit;
+    double from = 0.0;
     const hide_edge *e = &line->e;
     bool all = job->options->keep_hidden;
-    if (all && pattern->t0 > 0.0 &&
-        !add_clipped(out, *pattern, 0.0, pattern->t0, (roberts_vec2){e->A.x * unit, e->A.y * unit}))
-        return false;
     for (size_t i = 0; i < line->parts.count; i++) {
         const hide_part *part = &line->parts.item[i].part;
         if (part->t0 > from && !add_segment(job, out, pattern, e, from, part->t0))
@@ -92,7 +88,19 @@ static bool add_line(const hide_job *job, hide_chunk *out, const roberts_segment
             return false;
         from = part->t1;
     }
-    if (from < 1.0 && !add_segment(job, out, pattern, e, from, 1.0))
+    return from >= 1.0 || add_segment(job, out, pattern, e, from, 1.0);
+}
+
+/* The same of an edge of which the near plane has left t0..t1 of the pattern. */
+static bool add_line(const hide_job *job, hide_chunk *out, const roberts_segment *pattern, const hide_line *line)
+{
+    double unit = job->picture.view.unit;
+    const hide_edge *e = &line->e;
+    bool all = job->options->keep_hidden;
+    if (all && pattern->t0 > 0.0 &&
+        !add_clipped(out, *pattern, 0.0, pattern->t0, (roberts_vec2){e->A.x * unit, e->A.y * unit}))
+        return false;
+    if (!segments_add_parts(job, out, pattern, line))
         return false;
     return !all || pattern->t1 >= 1.0 ||
            add_clipped(out, *pattern, pattern->t1, 1.0, (roberts_vec2){e->B.x * unit, e->B.y * unit});
@@ -141,6 +149,11 @@ static inline bool is_covered(const cover *c, const roberts_vec3 *P, const scene
     return c->depth && cover_hides_edge(c, P[edge->v[0]], P[edge->v[1]]);
 }
 
+bool segments_covered(const hide_job *job, uint32_t solid, const scene_edge *edge)
+{
+    return is_covered(&job->picture.cover, job->picture.P + job->scene->solid[solid].vertex, edge);
+}
+
 /* Takes up the edges of a solid that are drawn and not covered. A surviving edge has a front face. An outline (one front
  * face) is always drawn; an edge whose two faces look the same way is not where it is flat, whether they are front or,
  * among hidden lines, back. */
@@ -177,7 +190,7 @@ static bool take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
 }
 
 /* The solid of each hidden part becomes the one that is seen there, in its middle. */
-static void name_hiders(const hide_job *job, hide_worker *w)
+void segments_name_hiders(const hide_job *job, hide_worker *w)
 {
     const view *v = &job->picture.view;
     for (hide_line *line = w->line, *end = line + w->line_count; line < end; line++)
@@ -198,7 +211,7 @@ bool segments_hide(const hide_job *job, hide_worker *w, uint32_t solid)
     if (!take_edges(job, w, solid) || !hide_worker_run(w, solid))
         return false;
     if (job->options->keep_hidden)
-        name_hiders(job, w);
+        segments_name_hiders(job, w);
     return true;
 }
 
@@ -253,6 +266,8 @@ static bool add_solid(const hide_job *job, const hide_worker *w, hide_chunk *out
 
 static bool find_in_solid(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t solid)
 {
+    if (!scene_is_convex(job->scene, solid))
+        return surface_find(job, w, out, solid);
     if (job->picture.culled[solid] && !(job->clip.clipped && job->options->keep_hidden))
         return true;
     if (job->order.solid ? !picture_order_recall(&job->order, solid, w) : !segments_hide(job, w, solid))

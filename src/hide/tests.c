@@ -33,40 +33,41 @@ bool hide_test1(const hide_face *F, const hide_edge *e)
 
 /* Q(X) = 0 is the sight plane through AB, Q(X) the distance from it (here times the length of AB). A corner whose distance is
  * uncertain counts as near. */
-static inline int corner_side(const hide_space *space, roberts_vec3 P, const hide_edge *e, bool *certain)
+static inline int corner_side(const hide_space *space, roberts_vec3 P, const hide_edge *e, hide_near *near)
 {
     double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y, px = P.x - e->A.x, py = P.y - e->A.y, Q = dx * py - dy * px;
     if (!(fabs(Q) > space->plain)) {
         double error = line_error(space, fabs(px) + fabs(py), e->length);
         if (fabs(Q) <= (space->epsilon + error) * e->length) {
-            *certain = *certain && error <= HIDE_TRUSTED * space->epsilon;
+            near->doubtful = near->doubtful || error > HIDE_TRUSTED * space->epsilon;
+            near->side = fabs(Q) <= error * e->length ? 0 : Q > 0.0 ? 1 : -1;
+            near->count++;
             return 0;
         }
     }
     return Q > 0.0 ? 1 : -1;
 }
 
-int hide_corner_side(const hide_space *space, roberts_vec3 P, const hide_edge *e, bool *certain)
+int hide_corner_side(const hide_space *space, roberts_vec3 P, const hide_edge *e, hide_near *near)
 {
-    return corner_side(space, P, e, certain);
+    return corner_side(space, P, e, near);
 }
 
-/* TEST 2. One near corner decides only where it is certainly on the sight plane. An edge seen end-on has no such plane. */
+/* TEST 2. An edge seen end-on has no sight plane. */
 bool hide_test2(const hide_space *space, const hide_face *F, const hide_edge *e)
 {
-    unsigned near = 0;
-    bool left = false, right = false, certain = true;
+    hide_near near = {0};
+    bool left = false, right = false;
     if (e->length <= space->epsilon)
         return false;
     for (uint32_t i = 0; i < F->count; i++) {
-        int side = corner_side(space, space->P[F->corner[i]], e, &certain);
-        near += side == 0;
+        int side = corner_side(space, space->P[F->corner[i]], e, &near);
         left = left || side > 0;
         right = right || side < 0;
         if (left && right)
             return false;
     }
-    return near == 0 || (near == 1 && certain);
+    return hide_near_misses(&near, left);
 }
 
 /* A side, taken in the direction from its smaller vertex number to the larger, so that the two faces of it agree to the
@@ -111,8 +112,15 @@ static hide_side look_closely(const hide_space *space, const hide_face *F, hide_
     /* A side no longer than epsilon bounds nothing that its neighbours do not bound to within epsilon. */
     if (s.length <= space->epsilon)
         return (hide_side){0, 0};
-    return (hide_side){(signed char)sign_closely(space, &s, e->a, s.a, s.error_a, refined),
-                       (signed char)sign_closely(space, &s, e->b, s.b, s.error_b, refined)};
+    hide_side H = {(signed char)sign_closely(space, &s, e->a, s.a, s.error_a, refined),
+                   (signed char)sign_closely(space, &s, e->b, s.b, s.error_b, refined)};
+    /* With one end outside, the other is on the side only where it is not certainly inside, be it by less than epsilon:
+     * see hide_near_misses(). */
+    if (H.a < 0 && H.b == 0 && s.direction * s.b > s.error_b)
+        H.b = 1;
+    if (H.b < 0 && H.a == 0 && s.direction * s.a > s.error_a)
+        H.a = 1;
+    return H;
 }
 
 /* TEST 3. The side from P to Q has A on its left where AP x AQ > 0. */

@@ -72,9 +72,23 @@ bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e,
 
 /* ---- the same corner by corner and side by side ---- */
 
-/* Test 2: 1 where P is left of the sight plane through AB, -1 where it is right of it, 0 where it counts as near; then
- * `*certain` is lost unless P certainly is on the plane. */
-int hide_corner_side(const hide_space *space, roberts_vec3 P, const hide_edge *e, bool *certain);
+/* Corners that are near the sight plane through AB. */
+typedef struct hide_near {
+    uint32_t count;
+    bool doubtful; /* one of them may be farther from it than epsilon */
+    int side; /* the last one is a little to the left (1) of it, to the right (-1), or cannot be told from it (0) */
+} hide_near;
+
+/* Test 2: 1 where P is left of the sight plane through AB, -1 where it is right of it, 0 where it counts as near. */
+int hide_corner_side(const hide_space *space, roberts_vec3 P, const hide_edge *e, hide_near *near);
+
+/* Does the sight plane miss a polygon all of whose other corners are on its left (or else right)? Of a corner on the other side
+ * it cuts a sliver off, up to epsilon wide, but much longer where the edge runs nearly along a side: where solids fill a
+ * place without a gap one would see through. */
+static inline bool hide_near_misses(const hide_near *near, bool left)
+{
+    return near->count == 0 || (near->count == 1 && !near->doubtful && near->side != (left ? -1 : 1));
+}
 
 /* Test 3: the signs of A and B against side i. */
 hide_side hide_side_signs(const hide_space *space, const hide_face *F, hide_chord side, const hide_edge *e,

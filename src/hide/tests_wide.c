@@ -173,8 +173,7 @@ typedef struct sight {
     const hide_face *F;
     const hide_edge *e;
     uint32_t left, right; /* corners on that side of the sight plane; ROBERTS_NONE: none was met */
-    uint32_t near;        /* corners that count as near it */
-    bool certain;         /* ... and are on it */
+    hide_near near;       /* corners that count as near it */
 } sight;
 
 /* Where the box of a run's corners lies: plainly left (1) or right (-1) of the sight plane, or else 0: so far from it that no
@@ -191,9 +190,9 @@ static int run_side(const hide_space *space, const runs_node *n, const hide_edge
     return Q + greater(a0, a1) + greater(b0, b1) < -near ? -1 : 0;
 }
 
-static int corner_side(const sight *s, uint32_t i, bool *certain)
+static int corner_side(const sight *s, uint32_t i, hide_near *near)
 {
-    return hide_corner_side(s->space, s->space->P[s->F->corner[i]], s->e, certain);
+    return hide_corner_side(s->space, s->space->P[s->F->corner[i]], s->e, near);
 }
 
 static void note(sight *s, uint32_t corner, int side)
@@ -202,8 +201,6 @@ static void note(sight *s, uint32_t corner, int side)
         s->left = corner;
     else if (side < 0)
         s->right = corner;
-    else
-        s->near++;
 }
 
 /* Test 2. */
@@ -218,18 +215,18 @@ static bool misses(sight *s)
         for (; rank >= 0 && !side && !passed; rank--) {
             const runs_node *n = &s->r->node[list_tree_node(over, rank, i)];
             side = run_side(s->space, n, s->e);
-            passed = s->near > 1 && n->straight;
+            passed = s->near.count > 1 && n->straight;
         }
         uint32_t end = list_tree_end(over, side || passed ? rank + 1 : 0, i);
         if (side)
             note(s, i, side);
         for (; !side && !passed && i < end; i++)
-            note(s, i, corner_side(s, i, &s->certain));
+            note(s, i, corner_side(s, i, &s->near));
         i = end;
     }
     if (s->left != ROBERTS_NONE && s->right != ROBERTS_NONE)
         return false;
-    return s->near == 0 || (s->near == 1 && s->certain);
+    return hide_near_misses(&s->near, s->left != ROBERTS_NONE);
 }
 
 /* Of the sides from corner `from` on, round to corner `to`, which lies on the other side of the sight plane, one across which
@@ -237,10 +234,10 @@ static bool misses(sight *s)
 static uint32_t side_between(const sight *s, uint32_t from, uint32_t to, int side)
 {
     uint32_t count = s->r->tree.items, low = 0, high = to > from ? to - from : count - from + to;
-    bool certain = true; /* not asked here */
+    hide_near near = {0}; /* not asked here */
     while (high - low > 1) {
         uint32_t middle = low + (high - low) / 2, i = middle < count - from ? from + middle : middle - (count - from);
-        if (corner_side(s, i, &certain) == side)
+        if (corner_side(s, i, &near) == side)
             low = middle;
         else
             high = middle;
@@ -344,7 +341,7 @@ static bool by_guesses(const sight *s, hide_sides *sides, hide_verdict *verdict,
 bool hide_by_runs(const hide_space *space, const runs *r, const hide_face *F, const hide_edge *e, hide_sides *sides,
                   roberts_tally *tally, hide_part *part)
 {
-    sight s = {space, r, F, e, ROBERTS_NONE, ROBERTS_NONE, 0, true};
+    sight s = {.space = space, .r = r, .F = F, .e = e, .left = ROBERTS_NONE, .right = ROBERTS_NONE};
     hide_verdict verdict;
     if (misses(&s)) {
         tally->test2_visible++;

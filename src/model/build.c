@@ -8,6 +8,7 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/threads.h"
+#include "model/bodies.h"
 #include "model/components.h"
 #include "model/hull.h"
 #include "model/layout.h"
@@ -18,6 +19,8 @@
 #include "read/mesh.h"
 
 #define CHUNK_SOLIDS 256
+/* Of a solid that is marked open: it is closed, but its surface has holes. */
+#define OPEN_HOLES 2
 #define CHUNKS_PER_THREAD 4 /* with less work than this a thread costs more than it does */
 
 /* What the threads that build solids share. */
@@ -47,7 +50,9 @@ static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh, bool len
         if (!scene->vertex_color)
             return false;
         for (uint32_t v = 0; v < scene->vertex_count; v++)
-            scene->vertex_color[v] = mesh->vertex_color[scene_vertex_number(scene, v)];
+            scene->vertex_color[v] = scene_vertex_number(scene, v) == ROBERTS_NONE
+                                         ? (roberts_color){0}
+                                         : mesh->vertex_color[scene_vertex_number(scene, v)];
     }
     if (mesh->face_color && (scene->face_number || !lend)) {
         scene->face_color = alloc_array(scene->face_count, sizeof *scene->face_color);
@@ -87,7 +92,7 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
     result = only_ask ? solid_is_closed(c->scene, &worker->tools, s, found)
                       : solid_build(c->scene, &worker->tools, s, c->mesh, c->tolerance, !c->open, found);
     if (result == BUILD_OPEN && c->open) {
-        c->open[s] = 1;
+        c->open[s] = worker->tools.holes ? OPEN_HOLES : 1;
         atomic_store_explicit(&c->any_open, true, memory_order_relaxed);
         return;
     }
@@ -194,9 +199,25 @@ static void warn_repeated(const polygons *faces, const roberts_mesh *mesh, const
                      faces->repeated == 1 ? "" : "s", faces->repeated == 1 ? "s" : "");
 }
 
+/* Are all solids that are open closed surfaces with holes? Welding and splitting makes no convex solids of those. */
+static bool only_holes(const uint8_t *open, uint32_t count)
+{
+    for (uint32_t s = 0; s < count; s++)
+        if (open[s] && open[s] != OPEN_HOLES)
+            return false;
+    return true;
+}
+
+/* Refused for its shape alone. */
+static bool is_shape(roberts_status status)
+{
+    return status == ROBERTS_NOT_CLOSED || status == ROBERTS_NOT_PLANAR || status == ROBERTS_NOT_CONVEX ||
+           status == ROBERTS_FLAT;
+}
+
 /* Components first; where some are open, solids once more from what welding and splitting makes of them. */
 static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool lend,
-                            const roberts_scene_options *options, roberts_error *error)
+                            const roberts_scene_options *options, bool *known, roberts_error *error)
 {
     polygons faces;
     patterns list = {0};
@@ -212,7 +233,12 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
     if (!(open = alloc_zeroed(scene->solid_count, sizeof *open)))
         goto done;
     status = build_solids(scene, mesh, options, &list, open, &any_open, error);
-    if (status == ROBERTS_OK && any_open) {
+    bool bodies = !options->solids && !options->hull;
+    *known = is_shape(status);
+    if (status == ROBERTS_OK && any_open && bodies && only_holes(open, scene->solid_count)) {
+        status = error_set(error, ROBERTS_NOT_CONVEX, 0, "a surface has holes"); /* as bodies_build() takes it */
+        *known = true;
+    } else if (status == ROBERTS_OK && any_open) {
         layout_turn_back(scene); /* regrouping starts from the mesh */
         status = regroup(scene, open, &faces, mesh, false, error);
         if (status == ROBERTS_OK)
@@ -278,6 +304,25 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
 
+/* Are there elements of two corners that are no edges of the solids? */
+static bool has_wires(const roberts_scene *scene, const roberts_mesh *mesh, roberts_status *status)
+{
+    bool found = false;
+    if (*status == ROBERTS_OK && scene->face_count < mesh->face_count && !bodies_wires(scene, mesh, &found))
+        *status = ROBERTS_NO_MEMORY;
+    return found;
+}
+
+/* The same where bodies need not be convex solids. */
+static roberts_status build_bodies(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
+                                   bool known, roberts_error *error)
+{
+    roberts_status status = bodies_build(scene, mesh, options, known, error);
+    if (status == ROBERTS_OK && !copy_colors(scene, mesh, false))
+        status = error_no_memory(error);
+    return status;
+}
+
 static bool copy_groups(roberts_scene *scene, const roberts_mesh *mesh)
 {
     scene->group = mesh_groups_copy(mesh);
@@ -291,6 +336,7 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
     roberts_scene_options chosen = options ? *options : (roberts_scene_options){0};
     roberts_error found = {0};
     roberts_status status;
+    bool known = false;
     *scene = NULL;
     if (chosen.tolerance == 0.0)
         chosen.tolerance = SCENE_TOLERANCE;
@@ -302,11 +348,19 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
     } else if (!(*scene = alloc_zeroed(1, sizeof **scene))) {
         status = error_no_memory(&found);
     } else {
-        status = build(*scene, mesh, lend, &chosen, &found);
+        status = build(*scene, mesh, lend, &chosen, &known, &found);
         if (chosen.hull && status != ROBERTS_NO_MEMORY && (status != ROBERTS_OK || hull_bare_input(mesh))) {
             layout_clear(*scene);
             found = (roberts_error){0};
             status = build_hulls(*scene, mesh, &chosen, &found);
+        } else if (!chosen.solids && !chosen.hull && (is_shape(status) || has_wires(*scene, mesh, &status))) {
+            roberts_error other = {0};
+            layout_clear(*scene);
+            status = build_bodies(*scene, mesh, &chosen, known, &other);
+            if (status != ROBERTS_NOT_CLOSED)
+                found = other;
+        } else if (status == ROBERTS_NO_MEMORY) {
+            error_no_memory(&found);
         }
     }
     if (status == ROBERTS_OK) {
@@ -393,10 +447,23 @@ size_t roberts_scene_vertex_count(const roberts_scene *scene)
     return scene->vertex_count;
 }
 
+roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t body)
+{
+    if (body >= scene->solid_count)
+        return ROBERTS_OPEN;
+    return scene->surface ? (roberts_body_kind)scene->surface->kind[body] : ROBERTS_CONVEX;
+}
+
+bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body)
+{
+    return scene->surface && body < scene->solid_count && scene->surface->smooth[body];
+}
+
 /* All faces of a hull are without numbers, and no others are. */
 bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid)
 {
-    return solid < scene->solid_count && scene_face_number(scene, scene->solid[solid].face) == ROBERTS_NONE;
+    return solid < scene->solid_count && scene->solid[solid].face < scene->solid[solid + 1].face &&
+           scene_face_number(scene, scene->solid[solid].face) == ROBERTS_NONE;
 }
 
 /* That of the last group that begins at or before the solid's first face. */

@@ -94,11 +94,19 @@ static double distance(spot a, spot b)
     return hypot(b.x - a.x, b.y - a.y);
 }
 
+/* The hull of a polygon's corners: hull[size] is hull[0] again. */
+typedef struct corner_hull {
+    const spot *hull;
+    uint32_t size;
+    const uint32_t *rank; /* [corners] place in the hull, or ROBERTS_NONE */
+} corner_hull;
+
 /* Walks the corners from hull[0] on: each is the hull's next vertex (or one after it, where those between are no farther
  * away than `allowed`), or lies beside the side that the walk is on, and there not behind where the walk already was. */
-static double walk(const spot *polygon, uint32_t count, const spot *hull, uint32_t size, const uint32_t *rank,
-                   double allowed, uint32_t *deepest)
+static double walk(const spot *polygon, uint32_t count, const corner_hull *h, double allowed, uint32_t *deepest)
 {
+    const spot *hull = h->hull;
+    const uint32_t *rank = h->rank, size = h->size;
     double dent = 0.0, reached = 0.0;
     uint32_t side = 0;
     for (uint32_t k = 1; k < count; k++) {
@@ -132,7 +140,7 @@ double polygon_dent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n, 
 {
     spot *polygon = alloc_array(count, sizeof *polygon), *sorted = alloc_array(count, sizeof *sorted);
     spot *hull = alloc_array((size_t)count + 1, sizeof *hull);
-    uint32_t *rank = alloc_array(count, sizeof *rank), size; /* place in the hull, or ROBERTS_NONE */
+    uint32_t *rank = alloc_array(count, sizeof *rank), size;
     double dent = -1.0;
     if (polygon && sorted && hull && rank) {
         roberts_vec3 u = vec3_cross(fabs(n.x) < 0.6 ? (roberts_vec3){1, 0, 0} : (roberts_vec3){0, 1, 0}, n), v;
@@ -147,7 +155,7 @@ double polygon_dent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n, 
         size = monotone_chain(sorted, count, hull);
         for (uint32_t i = 0; i < size; i++)
             rank[hull[i].at] = i;
-        dent = size < 3 ? 0.0 : walk(polygon, count, hull, size, rank, allowed, deepest);
+        dent = size < 3 ? 0.0 : walk(polygon, count, &(corner_hull){hull, size, rank}, allowed, deepest);
     }
     free(polygon);
     free(sorted);

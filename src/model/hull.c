@@ -233,6 +233,9 @@ typedef struct face_list {
 
 /* Scratch memory for one solid after the other. */
 typedef struct hull_maker {
+    const roberts_scene *scene;
+    const roberts_mesh *mesh; /* for messages */
+    double tolerance;
     hull_facets facets;
     solid_frame frame; /* of the solid that gets a hull */
     builder work;      /* of the solid as it is, then of the hull tried */
@@ -258,10 +261,17 @@ static void face_list_free(face_list *list)
     free(list->origin);
 }
 
+/* A face to be added. */
+typedef struct new_face {
+    const uint32_t *corner; /* [count] counted from vertex `first` of the scene */
+    size_t count;
+    uint32_t first, origin; /* origin: its number in the input, or ROBERTS_NONE */
+} new_face;
+
 /* Appends a face of solid s; its corners are compact vertex numbers from `first` on. False: no memory. */
-static bool add_face(face_list *list, const roberts_scene *scene, uint32_t s, const uint32_t *corner, size_t count,
-                     uint32_t first, uint32_t origin)
+static bool add_face(face_list *list, const roberts_scene *scene, uint32_t s, const new_face *face)
 {
+    const size_t count = face->count;
     if (count >= ROBERTS_NONE - list->corner_count || list->count + 1 >= ROBERTS_NONE ||
         !array_reserve(&list->start, &list->start_room, list->count + 2, sizeof *list->start) ||
         !array_reserve(&list->corner, &list->corner_room, list->corner_count + count, sizeof *list->corner) ||
@@ -270,28 +280,32 @@ static bool add_face(face_list *list, const roberts_scene *scene, uint32_t s, co
         return false;
     list->start[0] = 0;
     for (size_t i = 0; i < count; i++)
-        list->corner[list->corner_count++] = scene_vertex_number(scene, first + corner[i]);
+        list->corner[list->corner_count++] = scene_vertex_number(scene, face->first + face->corner[i]);
     list->solid[list->count] = s;
-    list->origin[list->count] = origin;
+    list->origin[list->count] = face->origin;
     list->start[++list->count] = (uint32_t)list->corner_count;
     return true;
 }
 
 static bool keep_faces(face_list *list, const roberts_scene *scene, uint32_t s)
 {
-    for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++)
-        if (!add_face(list, scene, s, scene->corner + scene->face_start[f],
-                      scene->face_start[f + 1] - scene->face_start[f], 0, scene_face_number(scene, f)))
+    for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++) {
+        const uint32_t start = scene->face_start[f], end = scene->face_start[f + 1];
+        const new_face face = {scene->corner + start, end - start, 0, scene_face_number(scene, f)};
+        if (!add_face(list, scene, s, &face))
             return false;
+    }
     return true;
 }
 
 static bool add_facets(face_list *list, const roberts_scene *scene, uint32_t s, const hull_facets *facets)
 {
-    for (uint32_t f = 0; f < facets->count; f++)
-        if (!add_face(list, scene, s, facets->corner + facets->start[f], facets->start[f + 1] - facets->start[f],
-                      scene->solid[s].vertex, ROBERTS_NONE))
+    for (uint32_t f = 0; f < facets->count; f++) {
+        const uint32_t start = facets->start[f], end = facets->start[f + 1];
+        const new_face face = {facets->corner + start, end - start, scene->solid[s].vertex, ROBERTS_NONE};
+        if (!add_face(list, scene, s, &face))
             return false;
+    }
     return true;
 }
 
@@ -307,9 +321,9 @@ static hull_result result_of(build_result built, roberts_status refusal)
 }
 
 /* Whether the facets make a solid: it is built by itself. */
-static hull_result try_facets(hull_maker *maker, const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh,
-                              double tolerance)
+static hull_result try_facets(hull_maker *maker, uint32_t s)
 {
+    const roberts_scene *scene = maker->scene;
     const hull_facets *facets = &maker->facets;
     polygons faces = {.face_count = facets->count, .start = facets->start, .corner = facets->corner};
     roberts_scene trial = {0};
@@ -318,7 +332,7 @@ static hull_result try_facets(hull_maker *maker, const roberts_scene *scene, uin
     if (array_reserve(&maker->zero, &maker->zero_room, facets->count, sizeof *maker->zero)) {
         memset(maker->zero, 0, facets->count * sizeof *maker->zero);
         if (layout_solids(&trial, &faces, maker->zero, 1, scene->point + scene->solid[s].vertex)) {
-            build_result built = solid_build(&trial, &maker->work, 0, mesh, tolerance, true, &refusal);
+            build_result built = solid_build(&trial, &maker->work, 0, maker->mesh, maker->tolerance, true, &refusal);
             result = result_of(built, refusal.status);
         }
     }
@@ -328,19 +342,17 @@ static hull_result try_facets(hull_maker *maker, const roberts_scene *scene, uin
 
 /* Takes the hull of solid s, in the maker's frame, to maker->facets. All points have to lie within it, by `allowed`: the solid's
  * checks look at those alone that have become vertices. */
-static hull_result try_width(hull_maker *maker, const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh,
-                             double tolerance, double width, double allowed)
+static hull_result try_width(hull_maker *maker, uint32_t s, double width, double allowed)
 {
     const solid_frame *frame = &maker->frame;
     hull_result result = hull_take(&maker->facets, frame->point, frame->vertex_count, width);
     if (result == HULL_OK && maker->facets.outside > allowed)
         return HULL_FAILED;
-    return result == HULL_OK ? try_facets(maker, scene, s, mesh, tolerance) : result;
+    return result == HULL_OK ? try_facets(maker, s) : result;
 }
 
 /* The same with the width that suits, after the frame has been scaled to a size of about 1. */
-static hull_result make_hull(hull_maker *maker, const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh,
-                             double tolerance)
+static hull_result make_hull(hull_maker *maker, uint32_t s)
 {
     solid_frame *frame = &maker->frame;
     hull_result wide = HULL_FLAT, narrow;
@@ -351,23 +363,24 @@ static hull_result make_hull(hull_maker *maker, const roberts_scene *scene, uint
     for (uint32_t v = 0; v < frame->vertex_count; v++)
         frame->point[v] = vec3_scale(scale, frame->point[v]);
     if (part > LEAST_WIDTH)
-        wide = try_width(maker, scene, s, mesh, tolerance, part * frame->size * scale, frame->allowed * scale);
+        wide = try_width(maker, s, part * frame->size * scale, frame->allowed * scale);
     if (wide == HULL_OK || wide == HULL_NO_MEMORY)
         return wide;
-    narrow = try_width(maker, scene, s, mesh, tolerance, 0.0, frame->allowed * scale);
+    narrow = try_width(maker, s, 0.0, frame->allowed * scale);
     return narrow == HULL_FAILED && part > LEAST_WIDTH ? wide : narrow;
 }
 
 /* Appends the faces of the hull of solid s, which has been refused; none where it is flat, which is then its *fate. */
-static roberts_status replace(face_list *list, hull_maker *maker, const roberts_scene *scene, uint32_t s,
-                              const roberts_mesh *mesh, double tolerance, uint8_t *fate, roberts_error *error)
+static roberts_status replace(face_list *list, hull_maker *maker, uint32_t s, uint8_t *fate, roberts_error *error)
 {
-    roberts_status status = frame_enter(&maker->frame, scene, s, tolerance);
+    const roberts_scene *scene = maker->scene;
+    const roberts_mesh *mesh = maker->mesh;
+    roberts_status status = frame_enter(&maker->frame, scene, s, maker->tolerance);
     if (status == ROBERTS_NO_MEMORY)
         return error_no_memory(error);
     if (status != ROBERTS_OK)
         return hull_refuse(scene, s, mesh, status, "has none: one of them is not of finite numbers up to 1e150", error);
-    switch (maker->frame.size > 0.0 ? make_hull(maker, scene, s, mesh, tolerance) : HULL_FLAT) {
+    switch (maker->frame.size > 0.0 ? make_hull(maker, s) : HULL_FLAT) {
     case HULL_OK:
         return add_facets(list, scene, s, &maker->facets) ? ROBERTS_OK : error_no_memory(error);
     case HULL_FLAT:
@@ -424,7 +437,7 @@ static roberts_status take_solid(const hull_job *job, hull_maker *maker, face_li
     if (refusal.status == ROBERTS_NO_MEMORY)
         return error_no_memory(error);
     job->fate[s] = bare ? FATE_KEPT : fate_of(refusal.status);
-    return replace(list, maker, scene, s, job->mesh, job->tolerance, &job->fate[s], error);
+    return replace(list, maker, s, &job->fate[s], error);
 }
 
 /* A run, as far as no solid before has been refused. */
@@ -489,18 +502,19 @@ static roberts_status join_runs(face_list *list, const hull_job *job, const hull
 
 /* Faces of all solids, in their order. The result does not depend on the threads. */
 static roberts_status collect(face_list *list, uint8_t *fate, roberts_scene *scene, const roberts_mesh *mesh,
-                              double tolerance, uint32_t asked, roberts_error *error)
+                              const roberts_scene_options *options, roberts_error *error)
 {
-    hull_job job = {.scene = scene, .mesh = mesh, .tolerance = tolerance, .fate = fate};
+    hull_job job = {.scene = scene, .mesh = mesh, .tolerance = options->tolerance, .fate = fate};
     job.runs = scene->solid_count < RUNS_MOST ? scene->solid_count : RUNS_MOST;
-    int threads = threads_for(asked, job.runs);
+    int threads = threads_for(options->threads, job.runs);
     hull_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
     roberts_status status = ROBERTS_NO_MEMORY;
     job.run = alloc_zeroed(job.runs, sizeof *job.run);
     atomic_init(&job.refused, ROBERTS_NONE);
     if (worker && job.run) {
         for (int i = 0; i < threads; i++)
-            worker[i].refused = ROBERTS_NONE;
+            worker[i] = (hull_worker){.maker = {.scene = scene, .mesh = mesh, .tolerance = job.tolerance},
+                                      .refused = ROBERTS_NONE};
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 #endif
@@ -536,8 +550,7 @@ roberts_status hull_solids(roberts_scene *scene, const roberts_mesh *mesh, const
 {
     face_list list = {0};
     uint8_t *fate = alloc_zeroed(scene->solid_count, sizeof *fate);
-    roberts_status status =
-        fate ? collect(&list, fate, scene, mesh, options->tolerance, options->threads, error) : error_no_memory(error);
+    roberts_status status = fate ? collect(&list, fate, scene, mesh, options, error) : error_no_memory(error);
     if (status == ROBERTS_OK)
         status = hull_tell(fate, scene, mesh, &options->warnings, error);
     if (status == ROBERTS_OK) {

@@ -74,6 +74,8 @@ void layout_clear(roberts_scene *scene)
     free(scene->face_width);
     free(scene->face_number);
     free(scene->edge);
+    free(scene->low);
+    scene_surface_free(scene->surface);
     free(scene->vertex_color);
     free(scene->face_color);
     mesh_groups_free(scene->group, scene->group_count);
@@ -134,24 +136,28 @@ static void place_faces(roberts_scene *scene, const polygons *faces, const uint3
     layout_copy_corners(scene, faces);
 }
 
-/* Numbers the vertices of corners from..to ascending, by marking them in a table of their range, which begins with
- * `least` and has `span` numbers. */
-static bool number_dense(roberts_scene *scene, uint32_t from, uint32_t to, uint32_t least, size_t span, uint32_t **mark,
-                         size_t *room)
+/* The corners of a solid, and the least and the greatest vertex number among them. */
+typedef struct corner_range {
+    uint32_t from, to, least, most;
+} corner_range;
+
+/* Numbers the vertices of these corners ascending, by marking them in a table of their range. */
+static bool number_dense(roberts_scene *scene, corner_range r, uint32_t **mark, size_t *room)
 {
+    const size_t span = (size_t)(r.most - r.least) + 1;
     if (!array_reserve(mark, room, span, sizeof **mark))
         return false;
     for (size_t v = 0; v < span; v++)
         (*mark)[v] = 0;
-    for (uint32_t i = from; i < to; i++)
-        (*mark)[scene->corner[i] - least] = 1;
+    for (uint32_t i = r.from; i < r.to; i++)
+        (*mark)[scene->corner[i] - r.least] = 1;
     for (size_t v = 0; v < span; v++)
         if ((*mark)[v]) {
             (*mark)[v] = scene->vertex_count;
-            scene->number[scene->vertex_count++] = least + (uint32_t)v;
+            scene->number[scene->vertex_count++] = r.least + (uint32_t)v;
         }
-    for (uint32_t i = from; i < to; i++)
-        scene->corner[i] = (*mark)[scene->corner[i] - least];
+    for (uint32_t i = r.from; i < r.to; i++)
+        scene->corner[i] = (*mark)[scene->corner[i] - r.least];
     return true;
 }
 
@@ -182,19 +188,19 @@ static bool number_vertices(roberts_scene *scene)
     bool done = true;
     scene->vertex_count = 0;
     for (uint32_t s = 0; s < scene->solid_count && done; s++) {
-        uint32_t from = scene->face_start[scene->solid[s].face], to = scene->face_start[scene->solid[s + 1].face];
-        uint32_t least = ROBERTS_NONE, most = 0;
-        for (uint32_t i = from; i < to; i++) {
-            least = scene->corner[i] < least ? scene->corner[i] : least;
-            most = scene->corner[i] > most ? scene->corner[i] : most;
+        corner_range r = {scene->face_start[scene->solid[s].face], scene->face_start[scene->solid[s + 1].face],
+                          ROBERTS_NONE, 0};
+        for (uint32_t i = r.from; i < r.to; i++) {
+            r.least = scene->corner[i] < r.least ? scene->corner[i] : r.least;
+            r.most = scene->corner[i] > r.most ? scene->corner[i] : r.most;
         }
         scene->solid[s].vertex = scene->vertex_count;
-        if (to == from)
+        if (r.to == r.from)
             continue;
-        if ((most - least) / DENSE < to - from)
-            done = number_dense(scene, from, to, least, (size_t)(most - least) + 1, &scratch, &room);
+        if ((r.most - r.least) / DENSE < r.to - r.from)
+            done = number_dense(scene, r, &scratch, &room);
         else
-            done = number_sparse(scene, from, to, &scratch, &room);
+            done = number_sparse(scene, r.from, r.to, &scratch, &room);
     }
     scene->solid[scene->solid_count].vertex = scene->vertex_count;
     free(scratch);

@@ -10,7 +10,10 @@
  * vertex that several solids use is there once for each; a hull by that of all its points); vertices and faces of a
  * solid ascend by input number; edges ascend by (number of v[0], number of v[1]) and v[0] < v[1]. A face that is
  * narrower than the tolerance, or has no area, is wound like its neighbours and may have a plane that leans on theirs;
- * it is the only kind of face whose corners may turn the other way about its plane. Every edge has two faces. */
+ * it is the only kind of face whose corners may turn the other way about its plane. Every edge has two faces.
+ *
+ * That is so of convex bodies. A scene with others has a scene_surface; a new vertex, where a border crosses itself, has
+ * no number (ROBERTS_NONE); and an edge has f[1] or both ROBERTS_NONE where it has one face or none. */
 #ifndef ROBERTS_MODEL_SCENE_H
 #define ROBERTS_MODEL_SCENE_H
 
@@ -28,6 +31,40 @@ typedef struct scene_edge {
     uint32_t v[2]; /* vertices, v[0] < v[1] */
     uint32_t f[2]; /* faces; v[0] -> v[1] runs counter-clockwise round f[0] */
 } scene_edge;
+
+/* What a body that is not convex has beside its arrays in the scene. Its scene faces are convex pieces of the faces of the
+ * input, which are their scene_face_number(); each turns counter-clockwise seen from outside of its plane (F < 0), and nothing
+ * more is promised of its winding. */
+enum {
+    EDGE_TURNED_0 = 1, /* face f[0] of the edge is on the right of v[0] -> v[1], not on the left, */
+    EDGE_TURNED_1 = 2, /* and so is f[1] */
+    EDGE_MANY = 4,     /* it has more than two faces: see scene_many */
+    EDGE_CUT = 8,      /* between pieces of one face that is not planar: no edge of the file */
+    EDGE_PART = 16,    /* a part of an edge of the file: see scene_part */
+};
+#define MANY_TURNED 0x80000000u /* of a face in scene_surface.many_face: it is on the right of v[0] -> v[1] */
+
+/* The faces of an edge of more than two: many_face[first] .. many_face[end - 1], compact numbers and perhaps MANY_TURNED. */
+typedef struct scene_many {
+    uint32_t edge, first, end;
+} scene_many;
+
+/* Which part of which edge of the file an edge is. */
+typedef struct scene_part {
+    uint32_t edge, v[2]; /* v as in the input, v[0] < v[1] */
+    double t0, t1;       /* along it */
+} scene_part;
+
+typedef struct scene_surface {
+    uint8_t *kind;      /* [solid_count] roberts_body_kind */
+    uint8_t *smooth;    /* [solid_count] 1: it has many faces, most of which meet at small angles */
+    uint8_t *edge_is;   /* [edge_count] EDGE_..., of bodies that are not convex */
+    uint32_t *plane_of; /* [face_count] faces of one number here are pieces of one planar face */
+    scene_many *many;   /* [many_count] by edge */
+    uint32_t *many_face;
+    scene_part *part; /* [part_count] by edge */
+    uint32_t many_count, part_count;
+} scene_surface;
 
 /* Arrays that belong to the mesh while solids are built. */
 enum { LENT_POINT = 1, LENT_FACE_START = 2, LENT_CORNER = 4 };
@@ -54,11 +91,25 @@ struct roberts_scene {
     roberts_color *vertex_color, *face_color; /* as in the input, compact numbering; NULL where there are none */
     roberts_vec3 box_min, box_max;            /* box round all vertices that faces use */
     roberts_vec3 centre;                      /* middle of that box */
+    scene_surface *surface;                   /* NULL: all bodies are convex */
     double float32_step;                      /* see mesh_float32_step() */
     roberts_group *group;                     /* [group_count] as in the input; NULL where there are none */
     size_t group_count;
     double unit; /* about the box's size, a power of two; of face_deviation and face_width, and of view space */
 };
+
+static inline bool scene_is_convex(const roberts_scene *scene, uint32_t s)
+{
+    return !scene->surface || scene->surface->kind[s] == ROBERTS_CONVEX;
+}
+
+/* Of an edge that is EDGE_MANY. */
+const scene_many *scene_many_at(const roberts_scene *scene, uint32_t edge);
+
+/* Of an edge that is EDGE_PART. */
+const scene_part *scene_part_at(const roberts_scene *scene, uint32_t edge);
+
+void scene_surface_free(scene_surface *surface);
 
 /* The vertex in the input; of welded vertices the smallest. */
 static inline uint32_t scene_vertex_number(const roberts_scene *scene, uint32_t v)

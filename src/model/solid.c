@@ -497,13 +497,23 @@ static bool is_stored(const roberts_scene *scene, uint32_t s)
     return scene->solid[s].stored < scene->shared;
 }
 
+/* Fewer vertices and faces than on a sphere: solids that share vertices would have more. */
+static bool has_holes(const roberts_scene *scene, uint32_t s)
+{
+    const scene_solid *first = scene->solid + s;
+    uint64_t vertices = first[1].vertex - first->vertex, faces = first[1].face - first->face;
+    return vertices + faces < scene_corners(scene, s) / 2 + (uint64_t)2;
+}
+
 build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t s, roberts_error *error)
 {
+    work->holes = false;
     if (is_stored(scene, s))
         return BUILD_OK;
     edge_pairing pairing = edges_pair(scene, s, &work->edges);
     if (pairing == EDGES_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
+    work->holes = pairing != EDGES_OPEN && has_holes(scene, s);
     return pairing == EDGES_OPEN || !edges_like_a_sphere(scene, s) ? BUILD_OPEN : BUILD_OK;
 }
 
@@ -567,6 +577,7 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
     edge_pairing pairing;
     roberts_status status = frame_enter(&work->frame, scene, s, tolerance);
     work->frame.mesh = mesh;
+    work->holes = false;
     if (status == ROBERTS_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
     if (status != ROBERTS_OK)
@@ -575,6 +586,7 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
     pairing = pair(scene, work, s);
     if (pairing == EDGES_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
+    work->holes = pairing != EDGES_OPEN && has_holes(scene, s);
     if (pairing == EDGES_OPEN || (!must_close && !sphere))
         return BUILD_OPEN;
     if (pairing == EDGES_MIXED && wind(scene, work, s, error) != ROBERTS_OK)

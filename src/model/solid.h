@@ -73,6 +73,7 @@ void frame_free(solid_frame *frame);
 typedef struct builder {
     solid_frame frame;
     edge_scratch edges;
+    bool holes; /* the solid built or asked last is closed, but its surface has holes: welding does not help */
 } builder;
 
 typedef enum build_result {

@@ -49,7 +49,7 @@ static double greatest_tolerance(const roberts_scene *scene)
 /* Whether the mesh passes; then `most` is the greatest tolerance that can be named. */
 static bool passes(const roberts_mesh *mesh, uint32_t threads, double tolerance, double *most)
 {
-    const roberts_scene_options options = {.tolerance = tolerance, .threads = threads};
+    const roberts_scene_options options = {.solids = true, .tolerance = tolerance, .threads = threads};
     roberts_scene *scene = NULL;
     const bool passed = roberts_scene_build(mesh, &options, &scene, NULL) == ROBERTS_OK;
     if (passed)

@@ -107,6 +107,15 @@ bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const
  * one another where positions are exactly equal, never with closed ones: solids that are whole in the file stay as they
  * are, though they may touch. */
 
+/* The faces of open components, taken for one solid and then split. Zeroed = empty. */
+typedef struct regrouping {
+    roberts_scene loose; /* one solid: these faces */
+    edge_scratch edges;  /* of it */
+    split_groups groups; /* of its faces */
+    uint32_t *of;        /* [faces] the component, or behind all components the group, of each */
+    bool keep_open;
+} regrouping;
+
 typedef struct solid_key {
     uint32_t vertex, face; /* the smallest of each */
     uint32_t id;
@@ -218,15 +227,17 @@ static solid_source source_of_group(uint32_t s, const uint32_t *of, const polygo
 
 /* Says that solid s, which is the group `group` and comes from `at`, is not closed: its first edge (by vertices) that has
  * not two faces. */
-static roberts_status refuse_open(uint32_t s, solid_source at, uint32_t group, const split_groups *groups,
-                                  const roberts_scene *loose, const edge_scratch *edges, roberts_error *error)
+static roberts_status refuse_open(const regrouping *g, uint32_t s, solid_source at, uint32_t group,
+                                  roberts_error *error)
 {
+    const roberts_scene *loose = &g->loose;
+    const edge_scratch *edges = &g->edges;
     uint32_t start = 0, others = 0, v0 = 0, v1 = 0, has = 0;
     for (uint32_t v = 0; v < loose->vertex_count; start = edges->end[v++])
         for (uint32_t i = start, to; i < edges->end[v]; i = to) {
             bool here = false;
             for (to = i; to < edges->end[v] && edges->half[to] >> 32 == edges->half[i] >> 32; to++)
-                here |= groups->of[edges->face_of[(uint32_t)edges->half[to]]] == group;
+                here |= g->groups.of[edges->face_of[(uint32_t)edges->half[to]]] == group;
             if (to - i == 2)
                 continue;
             others++;
@@ -274,25 +285,23 @@ static bool join_open(split_groups *groups, const roberts_scene *loose)
 }
 
 /* Splits the loose faces, numbers all solids, and lays them out in place of the components. */
-static roberts_status lay_out_again(roberts_scene *scene, const roberts_scene *loose, const edge_scratch *edges,
-                                    split_groups *groups, uint32_t *of, const polygons *faces, const roberts_mesh *mesh,
-                                    bool keep_open, roberts_error *error)
+static roberts_status lay_out_again(regrouping *g, roberts_scene *scene, const polygons *faces,
+                                    const roberts_mesh *mesh, roberts_error *error)
 {
     uint32_t components = scene->solid_count, solids;
-    uint32_t *id_of = alloc_array((size_t)components + groups->count, sizeof *id_of);
+    uint32_t *id_of = alloc_array((size_t)components + g->groups.count, sizeof *id_of);
     roberts_status status = ROBERTS_OK;
-    for (uint32_t f = 0; f < loose->face_count; f++)
-        of[loose->face_number[f]] = components + groups->of[f];
-    solids = id_of ? number_solids(of, components + groups->count, faces, id_of) : ROBERTS_NONE;
+    for (uint32_t f = 0; f < g->loose.face_count; f++)
+        g->of[g->loose.face_number[f]] = components + g->groups.of[f];
+    solids = id_of ? number_solids(g->of, components + g->groups.count, faces, id_of) : ROBERTS_NONE;
     if (solids == ROBERTS_NONE)
         status = error_no_memory(error);
-    for (uint32_t s = 0; status == ROBERTS_OK && s < solids && !keep_open; s++)
-        if (id_of[s] >= components && !groups->closed[id_of[s] - components])
-            status =
-                refuse_open(s, source_of_group(s, of, faces, mesh), id_of[s] - components, groups, loose, edges, error);
+    for (uint32_t s = 0; status == ROBERTS_OK && s < solids && !g->keep_open; s++)
+        if (id_of[s] >= components && !g->groups.closed[id_of[s] - components])
+            status = refuse_open(g, s, source_of_group(s, g->of, faces, mesh), id_of[s] - components, error);
     if (status == ROBERTS_OK) {
         layout_clear(scene);
-        if (!layout_solids(scene, faces, of, solids, mesh->vertex))
+        if (!layout_solids(scene, faces, g->of, solids, mesh->vertex))
             status = error_no_memory(error);
     }
     free(id_of);
@@ -303,27 +312,25 @@ roberts_status regroup(roberts_scene *scene, const uint8_t *open, polygons *face
                        bool keep_open, roberts_error *error)
 {
     roberts_status status = weld_open(scene, open, faces, mesh, error);
-    roberts_scene loose = {0};
-    edge_scratch edges = {0};
-    split_groups groups = {0};
-    uint32_t *of, *loose_of;
+    regrouping g = {.keep_open = keep_open};
+    uint32_t *loose_of;
     if (status != ROBERTS_OK)
         return status;
-    of = alloc_array(faces->face_count, sizeof *of);
+    g.of = alloc_array(faces->face_count, sizeof *g.of);
     loose_of = alloc_array(faces->face_count, sizeof *loose_of);
     status = ROBERTS_NO_MEMORY;
-    if (!of || !loose_of)
+    if (!g.of || !loose_of)
         goto done;
-    if (list_open(scene, open, faces, of, loose_of) > 0 &&
-        (!layout_solids(&loose, faces, loose_of, 1, mesh->vertex) || !edges_sort(&loose, 0, &edges) ||
-         !split_faces(&groups, &loose, &edges) || (keep_open && !join_open(&groups, &loose))))
+    if (list_open(scene, open, faces, g.of, loose_of) > 0 &&
+        (!layout_solids(&g.loose, faces, loose_of, 1, mesh->vertex) || !edges_sort(&g.loose, 0, &g.edges) ||
+         !split_faces(&g.groups, &g.loose, &g.edges) || (keep_open && !join_open(&g.groups, &g.loose))))
         goto done;
-    status = lay_out_again(scene, &loose, &edges, &groups, of, faces, mesh, keep_open, error);
+    status = lay_out_again(&g, scene, faces, mesh, error);
 done:
-    layout_clear(&loose);
-    edge_scratch_free(&edges);
-    split_groups_free(&groups);
-    free(of);
+    layout_clear(&g.loose);
+    edge_scratch_free(&g.edges);
+    split_groups_free(&g.groups);
+    free(g.of);
     free(loose_of);
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }

@@ -381,6 +381,9 @@ roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *
         f.options.rays = roberts_verify_options_default().rays;
     if (drawing->count >= UINT32_MAX)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "more than 2^32 segments");
+    if (scene->surface)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                         "drawings of bodies that are not convex cannot be verified yet");
     roberts_status status = view_clip_scene(&f.clip, scene, camera, error);
     if (status != ROBERTS_OK)
         return status;

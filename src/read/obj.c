@@ -389,7 +389,7 @@ static roberts_status read_face(obj_reader *o)
 {
     size_t count = 0;
     for (; next_word(&o->r->in); count++) {
-        uint32_t v;
+        uint32_t v = 0;
         roberts_status status = read_corner(o, true, &v);
         if (status != ROBERTS_OK)
             return status;
@@ -404,7 +404,7 @@ static roberts_status read_face(obj_reader *o)
 static roberts_status read_line(obj_reader *o)
 {
     roberts_mesh *mesh = o->r->mesh;
-    uint32_t last = 0, v;
+    uint32_t last = 0, v = 0;
     roberts_status status = ROBERTS_OK;
     for (size_t count = 0; status == ROBERTS_OK && next_word(&o->r->in); count++, last = v) {
         if ((status = read_corner(o, false, &v)) != ROBERTS_OK || count == 0)
@@ -483,8 +483,8 @@ static roberts_status check_corners(const obj_reader *o)
     reader *r = o->r;
     if (o->greatest < (int64_t)r->mesh->vertex_count)
         return ROBERTS_OK;
-    return error_set(r->error, ROBERTS_BAD_INDEX, o->greatest_line, "vertex %lld is named here, but there are %zu",
-                     (long long)(o->greatest - (int64_t)r->mark.vertices + 1), vertices_read(r));
+    return error_set(r->error, ROBERTS_BAD_INDEX, o->greatest_line, "vertex %llu is named here, but there are %zu",
+                     (unsigned long long)o->greatest - r->mark.vertices + 1, vertices_read(r));
 }
 
 roberts_status obj_read(reader *r)

@@ -30,7 +30,7 @@ roberts_status read_mesh(roberts_mesh *mesh, const char *name, const input_sourc
 
 /* The readers. The input is at its first byte, or behind the byte-order mark; for OBJ, at its first word. On failure
  * they may leave anything in the mesh behind r->mark. */
-roberts_status off_read(reader *r, const struct off_division *division);
+roberts_status off_read(reader *from, const struct off_division *division);
 roberts_status stl_read_text(reader *r);
 roberts_status stl_read_binary(reader *r);
 roberts_status obj_read(reader *r);

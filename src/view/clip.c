@@ -10,6 +10,7 @@
 #include "base/dd.h"
 #include "base/error.h"
 #include "model/face_plane.h"
+#include "view/cutter.h"
 
 /* The distance of the near plane if none is given: this part of the distance of the look-at point, and at least this
  * part of the scene's diameter. Nearer things would be drawn a thousand times as large as at the look-at point. */
@@ -22,34 +23,7 @@
  * largest coordinate, the eye's included. */
 #define TOUCHING_ULPS 16.0
 
-typedef struct cutter {
-    view_clip *clip;
-    const roberts_scene *from;
-    roberts_vec3 eye, dir; /* dir: from the look-at point to the eye, unit */
-    double near;
-    double touching;   /* what is nearer to the near plane than this lies in it, an eye to a face on it; model units */
-    scene_solid first; /* of the solid at hand in the clipped scene */
-    bool whole;        /* the solid at hand is not cut: none of its vertices is nearer than the near plane */
-    double *depth;     /* [vertex_count of from] distance from the eye's plane */
-    uint32_t *vertex;  /* [vertex_count of from] what it is in the clipped scene, or ROBERTS_NONE */
-    uint32_t *cut;     /* [edge_count of from] the vertex where the edge is cut, or ROBERTS_NONE */
-    /* [edge_count of from] cap: which cut edge follows this one, counter-clockwise. A permutation of the cut edges of a
-     * solid: the cap's border enters one face of each and leaves the other. */
-    uint32_t *next;
-    roberts_vec3 *ring; /* [corners] scratch: positions of a cut face */
-    size_t vertex_room, low_room, number_room, start_room, corner_room, plane_room, deviation_room, width_room,
-        face_room;
-    size_t edge_room, cap_room, ring_room;
-} cutter;
-
-/* What lies in the plane is cut off, with all on the eye's side of it. So no face is left as a line, and no cap lies
- * on a face. */
-static bool is_kept(const cutter *c, uint32_t v)
-{
-    return c->depth[v] > c->near || c->whole;
-}
-
-static bool add_vertex(cutter *c, roberts_vec3 point, roberts_vec3 low, uint32_t number)
+bool cutter_add_vertex(cutter *c, roberts_vec3 point, roberts_vec3 low, uint32_t number)
 {
     roberts_scene *to = &c->clip->scene;
     size_t need = (size_t)to->vertex_count + 1;
@@ -63,7 +37,7 @@ static bool add_vertex(cutter *c, roberts_vec3 point, roberts_vec3 low, uint32_t
     return true;
 }
 
-static bool add_corner(cutter *c, uint32_t vertex)
+bool cutter_add_corner(cutter *c, uint32_t vertex)
 {
     roberts_scene *to = &c->clip->scene;
     if (!array_reserve(&to->corner, &c->corner_room, to->corner_count + 1, sizeof *to->corner))
@@ -72,8 +46,7 @@ static bool add_corner(cutter *c, uint32_t vertex)
     return true;
 }
 
-/* Ends the face whose corners have been added. */
-static bool add_face(cutter *c, plane F, double deviation, double width, uint32_t number)
+bool cutter_add_face(cutter *c, plane F, double deviation, double width, uint32_t number)
 {
     roberts_scene *to = &c->clip->scene;
     size_t f = to->face_count, need = f + 1;
@@ -91,7 +64,7 @@ static bool add_face(cutter *c, plane F, double deviation, double width, uint32_
     return true;
 }
 
-static bool add_edge(cutter *c, uint32_t v0, uint32_t v1, uint32_t f0, uint32_t f1, bool cap)
+bool cutter_add_edge(cutter *c, uint32_t v0, uint32_t v1, uint32_t f0, uint32_t f1, bool cap)
 {
     roberts_scene *to = &c->clip->scene;
     size_t need = (size_t)to->edge_count + 1;
@@ -128,11 +101,10 @@ static double divide(double a, double b, double t, double *low)
     return p.hi;
 }
 
-/* Adds the vertex that divides the edge from A to B at t. */
-static bool add_cut(cutter *c, roberts_vec3 A, roberts_vec3 B, double t)
+bool cutter_add_cut(cutter *c, roberts_vec3 A, roberts_vec3 B, double t)
 {
     roberts_vec3 low, point = {divide(A.x, B.x, t, &low.x), divide(A.y, B.y, t, &low.y), divide(A.z, B.z, t, &low.z)};
-    return add_vertex(c, point, low, ROBERTS_NONE);
+    return cutter_add_vertex(c, point, low, ROBERTS_NONE);
 }
 
 /* Adds the vertices that stay, and one on each edge that the plane cuts. */
@@ -140,9 +112,9 @@ static bool cut_vertices(cutter *c, uint32_t solid)
 {
     const roberts_scene *from = c->from;
     for (uint32_t v = from->solid[solid].vertex; v < from->solid[solid + 1].vertex; v++) {
-        c->vertex[v] = is_kept(c, v) ? c->clip->scene.vertex_count : ROBERTS_NONE;
-        if (is_kept(c, v) &&
-            !add_vertex(c, from->point[v], (roberts_vec3){0.0, 0.0, 0.0}, scene_vertex_number(from, v)))
+        c->vertex[v] = cutter_keeps(c, v) ? c->clip->scene.vertex_count : ROBERTS_NONE;
+        if (cutter_keeps(c, v) &&
+            !cutter_add_vertex(c, from->point[v], (roberts_vec3){0.0, 0.0, 0.0}, scene_vertex_number(from, v)))
             return false;
     }
     for (uint32_t i = from->solid[solid].edge; i < from->solid[solid + 1].edge; i++) {
@@ -151,22 +123,21 @@ static bool cut_vertices(cutter *c, uint32_t solid)
         clip_edge *origin = &c->clip->origin[i];
         *origin = (clip_edge){ROBERTS_NONE, 0.0, 1.0};
         c->cut[i] = ROBERTS_NONE;
-        if (is_kept(c, a) == is_kept(c, b))
+        if (cutter_keeps(c, a) == cutter_keeps(c, b))
             continue;
         double t = (c->near - c->depth[a]) / (c->depth[b] - c->depth[a]);
         c->cut[i] = c->clip->scene.vertex_count;
-        if (is_kept(c, a))
+        if (cutter_keeps(c, a))
             origin->t1 = t;
         else
             origin->t0 = t;
-        if (!add_cut(c, from->point[a], from->point[b], t))
+        if (!cutter_add_cut(c, from->point[a], from->point[b], t))
             return false;
     }
     return true;
 }
 
-/* Width of the face of the clipped scene whose corners begin at `first`. */
-static bool measure_width(cutter *c, uint32_t first, double *width)
+bool cutter_measure_width(cutter *c, uint32_t first, double *width)
 {
     const roberts_scene *to = &c->clip->scene;
     size_t count = to->corner_count - first;
@@ -196,18 +167,18 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
     double width = scene_width(from, face);
     for (uint32_t k = first; k < end; k++) {
         uint32_t a = from->corner[k], b = from->corner[k + 1 < end ? k + 1 : first];
-        if (is_kept(c, a) && !add_corner(c, c->vertex[a]))
+        if (cutter_keeps(c, a) && !cutter_add_corner(c, c->vertex[a]))
             return false;
-        if (is_kept(c, a) == is_kept(c, b))
+        if (cutter_keeps(c, a) == cutter_keeps(c, b))
             continue;
         uint32_t edge = find_edge(c, solid, a, b);
-        if (is_kept(c, a))
+        if (cutter_keeps(c, a))
             leave = edge;
         else if (leave != ROBERTS_NONE)
             c->next[edge] = leave;
         else
             early = edge;
-        if (!add_corner(c, c->cut[edge]))
+        if (!cutter_add_corner(c, c->cut[edge]))
             return false;
     }
     *to_face = ROBERTS_NONE;
@@ -215,10 +186,11 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
         return true;
     if (early != ROBERTS_NONE)
         c->next[early] = leave;
-    if (leave != ROBERTS_NONE && !measure_width(c, begin, &width))
+    if (leave != ROBERTS_NONE && !cutter_measure_width(c, begin, &width))
         return false;
     *to_face = c->clip->scene.face_count;
-    return add_face(c, from->face_plane[face], scene_deviation(from, face), width, scene_face_number(from, face));
+    return cutter_add_face(c, from->face_plane[face], scene_deviation(from, face), width,
+                           scene_face_number(from, face));
 }
 
 /* Adds the cap, as plane as its corners lie in the near plane; `start` is one of the cut edges. If a side weaves
@@ -231,12 +203,12 @@ static bool add_cap(cutter *c, uint32_t start)
     plane F = {-c->dir.x, -c->dir.y, -c->dir.z, 0.0}; /* inward: away from the eye */
     double width;
     do {
-        if (!add_corner(c, c->cut[e]))
+        if (!cutter_add_corner(c, c->cut[e]))
             return false;
         e = c->next[e];
     } while (e != start);
     F.d = vec3_dot(c->dir, vec3_sub(c->eye, from->centre)) - c->near;
-    return measure_width(c, begin, &width) && add_face(c, F, c->touching, width, ROBERTS_NONE);
+    return cutter_measure_width(c, begin, &width) && cutter_add_face(c, F, c->touching, width, ROBERTS_NONE);
 }
 
 /* Adds the edges that stay, whole or in part, in their order, and those along the cap last. map: from faces to faces
@@ -249,11 +221,11 @@ static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t c
         const scene_edge edge = scene_edge_at(from, solid, i);
         uint32_t v[2];
         for (int k = 0; k < 2; k++)
-            v[k] = is_kept(c, edge.v[k]) ? c->vertex[edge.v[k]] : c->cut[i];
+            v[k] = cutter_keeps(c, edge.v[k]) ? c->vertex[edge.v[k]] : c->cut[i];
         if (v[0] == ROBERTS_NONE || v[1] == ROBERTS_NONE)
             continue;
         c->clip->origin[i].edge = c->clip->scene.edge_count;
-        if (!add_edge(c, v[0], v[1], map[edge.f[0]], map[edge.f[1]], false))
+        if (!cutter_add_edge(c, v[0], v[1], map[edge.f[0]], map[edge.f[1]], false))
             return false;
     }
     for (uint32_t i = first; i < end && cap != ROBERTS_NONE; i++) {
@@ -261,8 +233,8 @@ static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t c
             continue;
         /* from cut i to the next, the cap meets the face that edge i leads into: v[0] -> v[1] runs round f[0] */
         const scene_edge edge = scene_edge_at(from, solid, i);
-        uint32_t face = edge.f[is_kept(c, edge.v[1]) ? 0 : 1];
-        if (!add_edge(c, c->cut[i], c->cut[c->next[i]], cap, map[face], true))
+        uint32_t face = edge.f[cutter_keeps(c, edge.v[1]) ? 0 : 1];
+        if (!cutter_add_edge(c, c->cut[i], c->cut[c->next[i]], cap, map[face], true))
             return false;
     }
     return true;
@@ -282,6 +254,8 @@ static bool holds_eye(const cutter *c, uint32_t solid)
 /* Cuts one solid. `map` is scratch, [face_count of from]. */
 static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, roberts_error *error)
 {
+    if (!scene_is_convex(c->from, solid))
+        return cutter_cut_surface(c, solid, map) ? ROBERTS_OK : error_no_memory(error);
     const roberts_scene *from = c->from;
     roberts_scene *to = &c->clip->scene;
     uint32_t start = ROBERTS_NONE, cap = ROBERTS_NONE;
@@ -339,6 +313,10 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
         return error_no_memory(error);
     }
     to->face_start[0] = 0;
+    if (from->surface && !cutter_begin_surface(c)) {
+        free(map);
+        return error_no_memory(error);
+    }
     for (uint32_t s = 0; status == ROBERTS_OK && s < from->solid_count; s++)
         status = cut_solid(c, s, map, error);
     to->solid[to->solid_count] = (scene_solid){to->vertex_count, to->face_count, to->edge_count, to->edge_count};
@@ -409,6 +387,7 @@ roberts_status view_clip_scene(view_clip *clip, const roberts_scene *scene, cons
     free(c.cut);
     free(c.next);
     free(c.ring);
+    free(c.side);
     if (status != ROBERTS_OK)
         view_clip_free(clip);
     return status;
@@ -427,6 +406,7 @@ void view_clip_free(view_clip *clip)
     free(clip->scene.face_width);
     free(clip->scene.face_number);
     free(clip->scene.edge);
+    scene_surface_free(clip->scene.surface);
     free(clip->origin);
     free(clip->cap);
     *clip = (view_clip){0};

@@ -43,18 +43,18 @@ static void messages_name_the_file(void **state)
                       "3 0 1 4\n3 1 2 4\n3 2 0 4\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
     put("tri.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     put("empty.off", "OFF\n0 0 0\n");
-    assert_int_equal(run("good.off bent.off good.off"), 1);
+    assert_int_equal(run("--solids good.off bent.off good.off"), 1);
     assert_said("roberts: bent.off: face 0 of solid 0 is not planar: ");
-    assert_int_equal(run("good.off models/table.off empty.off dented.off --tolerance 0.001"), 1);
+    assert_int_equal(run("--solids good.off models/table.off empty.off dented.off --tolerance 0.001"), 1);
     assert_said("roberts: dented.off: solid 0 is not convex: vertex 2 lies 0.707107 outside face 0 (see --hull)\n");
-    assert_int_equal(run("good.off models/table.off --tolerance 1e-17"), 1);
+    assert_int_equal(run("--solids good.off models/table.off --tolerance 1e-17"), 1);
     assert_said("roberts: models/table.off: face 77 of solid 12 is not planar: ");
-    assert_int_equal(run("good.off open.off good.off"), 1);
+    assert_int_equal(run("--solids good.off open.off good.off"), 1);
     assert_said("roberts: open.off: solid 0 is not closed: edge 0-3 belongs to 1 face instead of 2");
     assert_int_equal(run("models/table.off empty.off"), 0);
     assert_int_equal(run("tri.off --hull"), 1); /* and no hint at what was tried */
     assert_null(strstr(last.err, "see --hull"));
-    assert_int_equal(run("open.off half.off"), 1); /* one solid of two files, by positions */
+    assert_int_equal(run("--solids open.off half.off"), 1); /* one solid of two files, by positions */
     assert_said("roberts: open.off and 1 more: solid 0 is not closed: edge ");
     assert_int_equal(run("empty.off empty.off"), 1);
     assert_said("roberts: empty.off and 1 more: no solid: there is no face with three or more corners\n");
@@ -62,7 +62,7 @@ static void messages_name_the_file(void **state)
     put("four.off", "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
     assert_int_equal(run("three.off"), 1);
     assert_said("roberts: three.off: no solid: there is no face with three or more corners\n");
-    assert_int_equal(run("tri.off"), 1);
+    assert_int_equal(run("--solids tri.off"), 1);
     assert_null(strstr(last.err, "see --hull"));
     assert_int_equal(run("four.off"), 1);
     assert_said("roberts: four.off: no solid: there is no face with three or more corners (see --hull)\n");
@@ -93,11 +93,11 @@ static void every_refusal_names_the_file(void **state)
                        "3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 5\n3 0 5 1\n3 1 2 4\n3 2 3 5\n3 3 4 1\n3 4 5 2\n3 5 1 3\n");
     put("flat.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n");
     put("point.off", "OFF\n4 4 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n");
-    assert_int_equal(run("models/table.off moebius.off"), 1);
+    assert_int_equal(run("--solids models/table.off moebius.off"), 1);
     assert_said("roberts: moebius.off: solid 0 is not convex: its surface has one side only (see --hull)\n");
-    assert_int_equal(run("models/table.off flat.off models/table.off"), 1);
+    assert_int_equal(run("--solids models/table.off flat.off models/table.off"), 1);
     assert_said("roberts: flat.off: solid 0 is flat: ");
-    assert_int_equal(run("models/table.off point.off"), 1);
+    assert_int_equal(run("--solids models/table.off point.off"), 1);
     assert_said("roberts: point.off: solid 0 is flat: all its vertices lie in one point\n");
     assert_int_equal(run("--eye 18,12,15.5 models/table.off"), 1);
     assert_said("roberts: models/table.off: the eye is inside solid 0; move it out of all solids\n");
@@ -124,7 +124,7 @@ static void a_tolerance_that_helps_is_named(void **state)
         double tolerance;
         put_cube("a.off", 0, tolerance_cases[i].lifted[0], 6);
         put_cube("b.off", 5, tolerance_cases[i].lifted[1], 6);
-        snprintf(line, sizeof line, "%s-f null a.off b.off", tolerance_cases[i].arguments);
+        snprintf(line, sizeof line, "--solids %s-f null a.off b.off", tolerance_cases[i].arguments);
         print_message("roberts %s\n", line);
         assert_int_equal(run(line), 1);
         assert_said(tolerance_cases[i].hint);
@@ -133,9 +133,10 @@ static void a_tolerance_that_helps_is_named(void **state)
         if (!named)
             continue;
         assert_int_equal(sscanf(named, "(--tolerance %lf", &tolerance), 1);
-        snprintf(line, sizeof line, "-f null a.off b.off --tolerance %g", tolerance);
+        snprintf(line, sizeof line, "--solids -f null a.off b.off --tolerance %g", tolerance);
         assert_int_equal(run(line), 0);
-        snprintf(line, sizeof line, "-f null a.off b.off --tolerance %g", tolerance / 2.5); /* and not half of it */
+        snprintf(line, sizeof line, "--solids -f null a.off b.off --tolerance %g",
+                 tolerance / 2.5); /* and not half of it */
         assert_int_equal(run(line), 1);
     }
 }
@@ -150,10 +151,10 @@ static void a_tolerance_below_the_limit_is_named(void **state)
     assert_non_null(corner);
     snprintf(moved, sizeof moved, "%.*s\n1.07 1.07 1.07%s", (int)(corner - text), text, corner + strlen("\n1 1 1"));
     put("moved.off", moved);
-    assert_int_equal(run("-f null moved.off"), 1);
+    assert_int_equal(run("--solids -f null moved.off"), 1);
     assert_said(" beside their plane (--tolerance 0.007 would do; see also --hull)\n");
-    assert_int_equal(run("-f null moved.off --tolerance 0.007"), 0);
-    assert_int_equal(run("-f null moved.off --tolerance 0.005"), 1);
+    assert_int_equal(run("--solids -f null moved.off --tolerance 0.007"), 0);
+    assert_int_equal(run("--solids -f null moved.off --tolerance 0.005"), 1);
 }
 
 /* A surface of revolution as triangles, with a waist of `depth` in the middle: 1.5 high and low, 1 wide. */
@@ -193,15 +194,15 @@ static void a_tolerance_that_passes_any_shape_is_not_named(void **state)
 {
     (void)state;
     put_round("waist.off", 40, 30, 0.6);
-    assert_int_equal(run("-f null waist.off"), 1);
+    assert_int_equal(run("--solids -f null waist.off"), 1);
     assert_said(" (see --hull)\n");
-    assert_int_equal(run("-f null waist.off --tolerance 0.01"), 0);
+    assert_int_equal(run("--solids -f null waist.off --tolerance 0.01"), 0);
     put_cube("far.off", 2000, 0.5, 6); /* the tolerance is a part of the coordinates here */
-    assert_int_equal(run("-f null far.off"), 1);
+    assert_int_equal(run("--solids -f null far.off"), 1);
     assert_said(" beside their plane (see --hull)\n");
-    assert_int_equal(run("-f null far.off --tolerance 0.01"), 0);
+    assert_int_equal(run("--solids -f null far.off --tolerance 0.01"), 0);
     put_round("ball.off", 40, 30, 0.0);
-    assert_int_equal(run("-f null ball.off --tolerance 1e-10"), 1);
+    assert_int_equal(run("--solids -f null ball.off --tolerance 1e-10"), 1);
     assert_said(" would do; see also --hull)\n");
 }
 

@@ -255,8 +255,8 @@ static int run(size_t i, char *said, size_t room)
         limit(RLIMIT_CPU, SECONDS);
         if (!SANITIZED)
             limit(RLIMIT_AS, (rlim_t)cases[i].megabytes * MEGABYTE);
-        execl(program, program, "-q", "-f", "null", "--verify=1", "--threads", "1", cases[i].file ? cases[i].file : "-",
-              (char *)NULL);
+        execl(program, program, "-q", "-f", "null", "--solids", "--verify=1", "--threads", "1",
+              cases[i].file ? cases[i].file : "-", (char *)NULL);
         _exit(127);
     }
     close(in[0]), close(out[1]);

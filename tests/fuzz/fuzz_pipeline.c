@@ -116,7 +116,8 @@ static void look(const uint8_t *set, const roberts_scene *scene)
         require_same(&drawing, &other);
         FUZZ_REQUIRE(roberts_drawing_write(&drawing, &draw, count_bytes, &written, NULL) == ROBERTS_OK);
         FUZZ_REQUIRE(written > 0);
-        FUZZ_REQUIRE(roberts_verify(scene, &camera, &drawing, NULL, &found, NULL) == ROBERTS_OK);
+        FUZZ_REQUIRE(roberts_verify(scene, &camera, &drawing, NULL, &found, NULL) ==
+                     (scene->surface ? ROBERTS_BAD_ARGUMENT : ROBERTS_OK));
     }
     if (status == ROBERTS_OK) {
         roberts_picked picked;
@@ -136,7 +137,8 @@ int fuzz_pipeline(const uint8_t *bytes, size_t size)
         return 0;
     /* 0 to 1e-1; 0 is the default */
     roberts_scene_options options = {.tolerance = bytes[TOLERANCE] % 4 ? pow(10, -1 - bytes[TOLERANCE] % 16) : 0,
-                                     .hull = bytes[KIND] & 64};
+                                     .hull = bytes[KIND] & 64,
+                                     .even_odd = bytes[KIND] & 32};
     if (roberts_mesh_read_memory(&mesh, "bytes", bytes + FUZZ_SETTINGS, size - FUZZ_SETTINGS, NULL, NULL) ==
             ROBERTS_OK &&
         roberts_scene_build(&mesh, &options, &scene, NULL) == ROBERTS_OK)

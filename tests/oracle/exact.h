@@ -59,20 +59,20 @@ template <class N> int sign_of(const N &x)
 }
 
 /* The double nearest to a value that lies in the interval, to 1e-14. */
-double rounded(const interval &x)
+inline double rounded(const interval &x)
 {
     if (x.sup() - x.inf() > 1e-14)
         throw uncertain("too wide");
     return CGAL::to_double(x);
 }
 
-double rounded(const rational &x)
+inline double rounded(const rational &x)
 {
     return CGAL::to_double(x);
 }
 
 /* Length of a vector to a thousandth, which is enough to turn a slack into a bound on g. */
-double length(const vec<interval> &v)
+inline double length(const vec<interval> &v)
 {
     double x = CGAL::to_double(v.x), y = CGAL::to_double(v.y), z = CGAL::to_double(v.z), l = std::hypot(x, y, z);
     for (const interval &c : {v.x, v.y, v.z})
@@ -81,7 +81,7 @@ double length(const vec<interval> &v)
     return l;
 }
 
-double length(const vec<rational> &v)
+inline double length(const vec<rational> &v)
 {
     return std::hypot(CGAL::to_double(v.x), CGAL::to_double(v.y), CGAL::to_double(v.z));
 }

@@ -465,6 +465,73 @@ static void outlines_that_are_not_convex(void **state)
     }
 }
 
+/* The upper face of a box has a dent of 1e-7 at 8, near to its corner 4, and the side below is not quite plane. A
+ * tetrahedron under the box is hidden all the same. */
+static void face_with_a_dent(void **state)
+{
+    static const roberts_vec3 corner[] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0},      {0, 0, 1},
+                                          {2, 0, 1}, {2, 2, 1}, {0, 2, 1}, {1e-6, 1e-7, 1}};
+    static const uint32_t face[][6] = {{4, 0, 3, 2, 1}, {5, 4, 8, 5, 6, 7}, {3, 0, 8, 4},   {4, 0, 1, 5, 8},
+                                       {4, 1, 2, 6, 5}, {4, 2, 3, 7, 6},    {4, 3, 0, 4, 7}};
+    roberts_camera camera = preset("top");
+    roberts_hide_options options = with_hidden();
+    model m = {0};
+    size_t hidden = 0;
+    (void)state;
+    for (size_t v = 0; v < sizeof corner / sizeof corner[0]; v++)
+        model_vertex(&m, corner[v]);
+    for (size_t f = 0; f < sizeof face / sizeof face[0]; f++)
+        model_face(&m, face[f] + 1, face[f][0]);
+    model_close_solid(&m);
+    add_tetrahedron(&m, (roberts_vec3[]){{1.5, 0.5, -2}, {1.8, 0.5, -2}, {1.5, 0.05, -2}, {1.6, 0.6, -1}});
+    roberts_drawing drawing = model_draw(&m, &camera, &options);
+    for (size_t k = 0; k < drawing.count; k++) {
+        const roberts_segment *s = &drawing.segment[k];
+        if (s->solid == 1 && s->state != ROBERTS_HIDDEN)
+            fail_msg("edge %u-%u is seen from %g to %g", s->v0, s->v1, s->t0, s->t1);
+        hidden += s->solid == 1;
+    }
+    assert_int_equal(hidden, 6);
+    roberts_drawing_free(&drawing);
+    model_free(&m);
+}
+
+/* Three plates meet at (0, 0) without a gap: x < 0, and for x > 0 what lies above and below the line y = x / 100. An edge that
+ * ends above that line, nearer to it than epsilon, is hidden all the same: first one that passes (0, 0) above, and then
+ * one that crosses the line a little beyond. */
+static void edges_that_end_in_a_sliver(void **state)
+{
+    static const roberts_vec3 plate[][4] = {{{-8, -8, 0}, {0, -8, 0}, {0, 8, 0}, {-8, 8, 0}},
+                                            {{0, 0, 0}, {8, 0.08, 0}, {8, 8, 0}, {0, 8, 0}},
+                                            {{0, 0, 0}, {0, -8, 0}, {8, -8, 0}, {8, 0.08, 0}}};
+    static const uint32_t face[6][4] = {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                        {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+    static const roberts_vec3 edge[][2] = {{{-2, 5e-4, -1}, {0.04, 5e-4, -1}},
+                                           {{-2, -0.024002, -1}, {0.4, 0.004798, -1}}};
+    roberts_camera camera = preset("top");
+    roberts_hide_options options = with_hidden();
+    (void)state;
+    options.epsilon = 1e-3;
+    for (size_t i = 0; i < sizeof edge / sizeof edge[0]; i++) {
+        model m = {0};
+        for (size_t k = 0; k < sizeof plate / sizeof plate[0]; k++) {
+            uint32_t first = (uint32_t)m.mesh.vertex_count;
+            for (int v = 0; v < 8; v++)
+                model_vertex(&m, vec3_add(plate[k][v % 4], (roberts_vec3){0, 0, v / 4}));
+            for (int f = 0; f < 6; f++)
+                model_face(&m,
+                           (uint32_t[]){first + face[f][0], first + face[f][1], first + face[f][2], first + face[f][3]},
+                           4);
+            model_close_solid(&m);
+        }
+        add_tetrahedron(&m, (roberts_vec3[]){edge[i][0], edge[i][1], {-1, 1, -2}, {-1, 2, -2}});
+        roberts_drawing drawing = model_draw(&m, &camera, &options);
+        expect_edge("three plates without a gap", "top", &drawing, "24-25 h0");
+        roberts_drawing_free(&drawing);
+        model_free(&m);
+    }
+}
+
 /* A bar's edge of y = 0 from x = 0 to 10 under three plates: one hides x < 5, one x > 6, and one up to x = 3.6, where its
  * border crosses the edge so obliquely that at x = 6 its line is still within epsilon of the edge. But the border has ended at
  * x = 4, or where the bar rises the edge is nearer than the plate from there on; between the other two the edge is seen. */
@@ -1088,6 +1155,8 @@ int main(void)
         cmocka_unit_test(boxes_seen_obliquely),
         cmocka_unit_test(edge_under_a_corner_of_four),
         cmocka_unit_test(outlines_that_are_not_convex),
+        cmocka_unit_test(face_with_a_dent),
+        cmocka_unit_test(edges_that_end_in_a_sliver),
         cmocka_unit_test(border_that_runs_nearly_along),
         cmocka_unit_test(borders_at_flat_angles),
         cmocka_unit_test(pierced_planes_in_any_order),

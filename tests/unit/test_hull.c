@@ -32,7 +32,7 @@ static counts counts_of(const roberts_scene *scene)
 static roberts_status build(const roberts_mesh *mesh, bool hull, double tolerance, roberts_scene **scene,
                             roberts_error *error)
 {
-    roberts_scene_options options = {.hull = hull, .tolerance = tolerance};
+    roberts_scene_options options = {.hull = hull, .solids = !hull, .tolerance = tolerance};
     return roberts_scene_build(mesh, &options, scene, error);
 }
 

@@ -175,7 +175,7 @@ static void a_mesh_refused_is_wound_as_it_was(void **state)
         for (int hull = 0; hull < 2; hull++) {
             model m, copy;
             roberts_scene *taken, *built;
-            const roberts_scene_options options = {.hull = hull};
+            const roberts_scene_options options = {.hull = hull, .solids = !hull};
             inward_cubes(&m, wrong);
             inward_cubes(&copy, wrong);
             roberts_status found = roberts_scene_take(&m.mesh, &options, &taken, NULL);

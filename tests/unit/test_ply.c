@@ -182,7 +182,7 @@ static bytes_built build_all_types(bool big, const char *line_end)
     for (int i = 0; i < 2; i++) {
         build_number(&b, 1, 4);
         build_number(&b, 0xffff, 2);
-        build_number(&b, (uint64_t)(3 + i), 2);
+        build_number(&b, i ? 4 : 3, 2);
         for (int k = 0; k < 3 + i; k++)
             build_number(&b, (uint64_t)k, 1);
         build_number(&b, 0, 4);

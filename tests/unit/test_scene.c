@@ -17,6 +17,9 @@
 #include "scenes.h"
 #include "skip.h"
 
+/* What is no convex solid is refused. */
+static const roberts_scene_options only_solids = {.solids = true};
+
 /* ---- meshes ---------------------------------------------------------------------------------------------------------- */
 
 static uint32_t add_vertex(roberts_mesh *mesh, double x, double y, double z)
@@ -220,7 +223,7 @@ static roberts_scene *accept(const char *name, const roberts_mesh *mesh, double 
 {
     roberts_scene *scene;
     roberts_error error = {0};
-    if (roberts_scene_build(mesh, NULL, &scene, &error) != ROBERTS_OK)
+    if (roberts_scene_build(mesh, &only_solids, &scene, &error) != ROBERTS_OK)
         fail_msg("%s: %s: %s", name, error.file, error.message);
     check_scene(scene, slack);
     return scene;
@@ -230,7 +233,7 @@ static void refuse(const char *name, const roberts_mesh *mesh, roberts_status st
 {
     roberts_scene *scene;
     roberts_error error = {0};
-    roberts_status got = roberts_scene_build(mesh, NULL, &scene, &error);
+    roberts_status got = roberts_scene_build(mesh, &only_solids, &scene, &error);
     if (got != status || error.status != status || strcmp(error.message, message) != 0)
         fail_msg("%s: status %d (%s), expected %d (%s)", name, got, error.message, status, message);
     assert_null(scene);
@@ -389,7 +392,7 @@ static void names_the_file_without_solids(void **state)
     roberts_error error = {0};
     (void)state;
     assert_int_equal(roberts_mesh_read_memory(&mesh, "points.off", text, strlen(text), NULL, &error), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, &error), ROBERTS_NOT_CLOSED);
+    assert_int_equal(roberts_scene_build(&mesh, &only_solids, &scene, &error), ROBERTS_NOT_CLOSED);
     assert_string_equal(error.file, "points.off");
     roberts_mesh_free(&mesh);
 }
@@ -406,7 +409,7 @@ static void the_input_that_holds_the_face_is_named(void **state)
     (void)state;
     read_text(&mesh, "OFF 8 6 0 " CUBE_VERTICES CUBE_FACES);
     assert_int_equal(roberts_mesh_read_memory(&mesh, "dent.off", second, strlen(second), NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, &error), ROBERTS_NOT_CONVEX);
+    assert_int_equal(roberts_scene_build(&mesh, &only_solids, &scene, &error), ROBERTS_NOT_CONVEX);
     assert_string_equal(error.file, "dent.off");
     assert_string_equal(error.message, "solid 0 is not convex: vertex 6 lies 0.514496 outside face 1");
     roberts_mesh_free(&mesh);
@@ -429,7 +432,7 @@ static void the_tolerance_decides(void **state)
     (void)state;
     read_text(&mesh, "OFF 8 6 0 0 0 0 1 0 0 0 1 0 1 1 0 0 0 1 1 0 1 0 1 1 1 1 1.001 " CUBE_FACES);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        roberts_scene_options options = {.tolerance = cases[i].tolerance};
+        roberts_scene_options options = {.solids = true, .tolerance = cases[i].tolerance};
         roberts_scene *scene;
         roberts_error error = {0};
         if (roberts_scene_build(&mesh, &options, &scene, &error) != cases[i].status)
@@ -575,7 +578,7 @@ static void sizes_and_places(void **state)
         }
         for (int f = 0; f < 6; f++)
             add_face(&mesh, cube_face[f], 4);
-        if (roberts_scene_build(&mesh, NULL, &scene, &error) != cases[i].status)
+        if (roberts_scene_build(&mesh, &only_solids, &scene, &error) != cases[i].status)
             fail_msg("%s: %s", cases[i].name, error.message);
         if (scene)
             check_scene(scene, 1e-15);
@@ -784,7 +787,7 @@ static void missing_faces_are_noticed(void **state)
             if (k != missing)
                 add_side(&mesh, k / 6 % 3, k / 18 % 3, k / 54, k % 6, SQUARES);
         shuffle(&mesh, &r);
-        assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, &error), ROBERTS_NOT_CLOSED);
+        assert_int_equal(roberts_scene_build(&mesh, &only_solids, &scene, &error), ROBERTS_NOT_CLOSED);
         assert_non_null(strstr(error.message, "is not closed: edge "));
         roberts_mesh_free(&mesh);
     }
@@ -889,7 +892,7 @@ static void large_solids_are_checked(void **state)
         roberts_error error = {0};
         add_ball(&mesh, 40, cases[i].height, cases[i].digits);
         mesh.vertex[0].z -= cases[i].dent;
-        roberts_status status = roberts_scene_build(&mesh, NULL, &scene, &error);
+        roberts_status status = roberts_scene_build(&mesh, &only_solids, &scene, &error);
         if (status != cases[i].status || strncmp(error.message, cases[i].says, strlen(cases[i].says)) != 0)
             fail_msg("%s: status %d, %s", cases[i].name, status, error.message);
         if (scene)
@@ -920,7 +923,7 @@ static void a_shallow_dish_is_not_convex(void **state)
                 if (noisy && p->z != 0)
                     p->z += rng_between(&r, -1e-9, 1e-9);
             }
-            roberts_status status = roberts_scene_build(&mesh, NULL, &scene, &error);
+            roberts_status status = roberts_scene_build(&mesh, &only_solids, &scene, &error);
             if (status != (depth[i] < 1e-5 ? ROBERTS_OK : ROBERTS_NOT_CONVEX))
                 fail_msg("depth %g%s: status %d, %s", depth[i], noisy ? ", noisy" : "", status, error.message);
             roberts_scene_free(scene);
@@ -994,7 +997,7 @@ static void models_of_others(void **state)
             continue;
         seen++;
         if (status == ROBERTS_OK)
-            status = roberts_scene_build(&mesh, NULL, &scene, &error);
+            status = roberts_scene_build(&mesh, &only_solids, &scene, &error);
         if (status != models[i].status || (models[i].says && !strstr(error.message, models[i].says)))
             fail_msg("%s: status %d, %s", models[i].file, status, error.message);
         if (status == ROBERTS_OK) {

@@ -58,7 +58,7 @@ static void expect_refusal(const char *what, const roberts_mesh *mesh, roberts_s
     static const uint32_t threads[] = {1, 2, 3, 7};
     for (size_t i = 0; i < sizeof threads / sizeof *threads; i++)
         for (int run = 0; run < 5; run++) {
-            roberts_scene_options options = {.threads = threads[i]};
+            roberts_scene_options options = {.solids = true, .threads = threads[i]};
             roberts_scene *scene;
             roberts_error error = {0};
             if (roberts_scene_build(mesh, &options, &scene, &error) != status || !strstr(error.message, message))
@@ -196,7 +196,8 @@ static void a_mesh_refused_stays_as_it_was(void **state)
     roberts_mesh mesh = two_cubes(false, false, true), copy = two_cubes(false, false, true);
     roberts_scene *scene;
     (void)state;
-    assert_int_equal(roberts_scene_take(&mesh, NULL, &scene, NULL), ROBERTS_NOT_CLOSED);
+    const roberts_scene_options only_solids = {.solids = true};
+    assert_int_equal(roberts_scene_take(&mesh, &only_solids, &scene, NULL), ROBERTS_NOT_CLOSED);
     assert_null(scene);
     assert_int_equal(mesh.vertex_count, copy.vertex_count);
     assert_int_equal(mesh.face_count, copy.face_count);
@@ -205,7 +206,7 @@ static void a_mesh_refused_stays_as_it_was(void **state)
     assert_memory_equal(mesh.corner, copy.corner, copy.corner_count * sizeof *copy.corner);
     roberts_mesh_free(&mesh);
     roberts_mesh_free(&copy);
-    assert_int_equal(roberts_scene_take(&mesh, NULL, &scene, NULL), ROBERTS_NOT_CLOSED); /* without a face */
+    assert_int_equal(roberts_scene_take(&mesh, &only_solids, &scene, NULL), ROBERTS_NOT_CLOSED); /* without a face */
     roberts_mesh_free(&mesh);
 }
 

@@ -98,7 +98,8 @@ static bytes_built build_header(const char *begins, uint32_t count)
 {
     bytes_built b = {.size = 0};
     char header[80] = {0};
-    memcpy(header, begins, strlen(begins));
+    for (size_t i = 0; begins[i]; i++)
+        header[i] = begins[i];
     build_bytes(&b, header, sizeof header);
     build_number(&b, count, 4);
     return b;
@@ -131,8 +132,7 @@ static void reads_binary(void **state)
         "glTF",
         "{",
         "3 1 0\n",
-        "\xef\xbb\xbf"
-        "OFF",
+        "\357\273\277OFF",
         "COLOR="};
     (void)state;
     for (size_t i = 0; i < sizeof begins / sizeof begins[0]; i++) {

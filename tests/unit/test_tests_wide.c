@@ -157,6 +157,13 @@ static bool same_part(const fixture *f, kind k, const hide_part *a, const hide_p
     return k == COLLINEAR || k == HAIRS ? off <= 0.25 * f->space.epsilon : memcmp(a, b, sizeof *a) == 0;
 }
 
+/* Counted the same; where several sides are a straight one, an end within epsilon of them may be inside of one and outside
+ * of another, and then it is another test that finds nothing. */
+static bool same_tally(kind k, bool found, const roberts_tally *a, const roberts_tally *b)
+{
+    return ((k == COLLINEAR || k == HAIRS) && !found) || memcmp(a, b, sizeof *a) == 0;
+}
+
 static void runs_find_what_all_sides_do(void **state)
 {
     rng r = {23};
@@ -174,7 +181,7 @@ static void runs_find_what_all_sides_do(void **state)
                 set_edge(&f, &r, k);
                 bool found = hide_by_runs(&f.space, f.r, &f.face, &f.edge, &sides, &tally, &part);
                 bool hidden = side_by_side(&f, &sides, &expected, &other);
-                if (found != hidden || memcmp(&tally, &expected, sizeof tally) != 0 ||
+                if (found != hidden || !same_tally(k, found, &tally, &expected) ||
                     (found && !same_part(&f, k, &part, &other)))
                     fail_msg("kind %d, %u corners, polygon %d, edge %d: %d %.17g %.17g instead of %d %.17g %.17g",
                              (int)k, f.face.count, i, e, found, part.t0, part.t1, hidden, other.t0, other.t1);

@@ -1,0 +1,256 @@
+/* face_pieces.c - see face_pieces.h. */
+#include "model/face_pieces.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/dd.h"
+#include "base/sort.h"
+
+/* A border whose signed areas cancel has a Newell normal that says nothing: less than this part of its size squared. */
+#define CANCELLED 1e-6
+
+double piece_turn(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c)
+{
+    double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x), turn = left - right;
+    if (fabs(turn) > 4.0 * 0x1p-52 * (fabs(left) + fabs(right)))
+        return turn;
+    dd exact = dd_sub(dd_mul(dd_two_diff(b.x, a.x), dd_two_diff(c.y, a.y)),
+                      dd_mul(dd_two_diff(b.y, a.y), dd_two_diff(c.x, a.x)));
+    return exact.hi;
+}
+
+bool face_pieces_add_side(face_pieces *f, piece_side side)
+{
+    if (!array_reserve(&f->side, &f->side_room, f->side_count + 1, sizeof *f->side))
+        return false;
+    f->side[f->side_count++] = side;
+    return true;
+}
+
+/* Up to so many corners are compared with one another. */
+enum { FEW_CORNERS = 32 };
+
+/* Corners that are met again become the same node: by sorting. */
+static bool join_corners(face_pieces *f)
+{
+    uint64_t *key = alloc_array(f->node_count, sizeof *key);
+    if (!key)
+        return false;
+    for (size_t i = 0; i < f->node_count; i++)
+        key[i] = (uint64_t)f->node[i].vertex << 32 | i;
+    qsort(key, f->node_count, sizeof *key, compare_u64);
+    uint32_t first = 0;
+    for (size_t i = 0; i < f->node_count; i++) {
+        first = i > 0 && key[i] >> 32 == key[i - 1] >> 32 ? first : (uint32_t)key[i];
+        f->ring[(uint32_t)key[i]] = first;
+    }
+    free(key);
+    return true;
+}
+
+/* The corners in order, without those that repeat the one before. A corner met again is the same node. */
+static bool take_ring(face_pieces *f, const roberts_vec3 *point, const uint32_t *corner, uint32_t count)
+{
+    f->ring_count = f->node_count = f->piece_count = f->side_count = 0;
+    if (!array_reserve(&f->ring, &f->ring_room, count, sizeof *f->ring) ||
+        !array_reserve(&f->side_of, &f->side_of_room, count, sizeof *f->side_of) ||
+        !array_reserve(&f->node, &f->node_room, count, sizeof *f->node) ||
+        !array_reserve(&f->relative, &f->relative_room, count, sizeof *f->relative))
+        return false;
+    for (uint32_t i = 0; i < count; i++) {
+        if (corner[i] == corner[i + 1 < count ? i + 1 : 0])
+            continue;
+        uint32_t n = 0;
+        while (n < f->node_count && count <= FEW_CORNERS && f->node[n].vertex != corner[i])
+            n++;
+        if (count > FEW_CORNERS)
+            n = (uint32_t)f->node_count;
+        if (n == f->node_count)
+            f->node[f->node_count++] = (piece_node){.vertex = corner[i], .point = point[corner[i]]};
+        f->side_of[f->ring_count] = i;
+        f->ring[f->ring_count++] = n;
+    }
+    return count <= FEW_CORNERS || join_corners(f);
+}
+
+/* The normal of the largest triangle at the first corner; zero where all corners are in a line. */
+static roberts_vec3 largest_normal(const roberts_vec3 *relative, size_t count)
+{
+    roberts_vec3 far = {0, 0, 0}, best = {0, 0, 0};
+    for (size_t i = 1; i < count; i++)
+        if (vec3_dot(relative[i], relative[i]) > vec3_dot(far, far))
+            far = relative[i];
+    for (size_t i = 1; i < count; i++) {
+        roberts_vec3 n = vec3_cross(far, relative[i]);
+        if (vec3_dot(n, n) > vec3_dot(best, best))
+            best = n;
+    }
+    return best;
+}
+
+/* The plane of a border whose areas cancel. */
+static fitted_plane fit_crossed(const roberts_vec3 *relative, size_t count)
+{
+    roberts_vec3 n = largest_normal(relative, count);
+    double length = vec3_length(n), sum = 0.0, least = 0.0, most = 0.0, far = 0.0;
+    if (!(length > 0.0))
+        return (fitted_plane){0};
+    n = (roberts_vec3){n.x / length, n.y / length, n.z / length};
+    for (size_t i = 0; i < count; i++) {
+        double height = vec3_dot(n, relative[i]);
+        sum += height;
+        least = lesser(least, height);
+        most = greater(most, height);
+        far = greater(far, vec3_length(relative[i]));
+    }
+    sum /= (double)count;
+    return (fitted_plane){.n = n,
+                          .mean = sum,
+                          .deviation = greater(most - sum, sum - least),
+                          .area = 0.5 * length,
+                          .width = 0.5 * length / (2.0 * far)};
+}
+
+/* Fits the plane, and places the nodes in the coordinate plane nearest to it. */
+static void fit(face_pieces *f, const face_rules *rules)
+{
+    roberts_vec3 origin = f->node[f->ring[0]].point, low = {0, 0, 0}, high = {0, 0, 0};
+    for (size_t i = 0; i < f->ring_count; i++) {
+        roberts_vec3 p = vec3_scale(1.0 / rules->unit, vec3_sub(f->node[f->ring[i]].point, origin));
+        f->relative[i] = p;
+        low = (roberts_vec3){lesser(low.x, p.x), lesser(low.y, p.y), lesser(low.z, p.z)};
+        high = (roberts_vec3){greater(high.x, p.x), greater(high.y, p.y), greater(high.z, p.z)};
+    }
+    f->chord = greater(high.x - low.x, greater(high.y - low.y, high.z - low.z));
+    f->fit = f->chord > 0.0 ? face_plane_fit(f->relative, (uint32_t)f->ring_count) : (fitted_plane){0};
+    if (f->ring_count > 3 && f->fit.area < CANCELLED * f->chord * f->chord)
+        f->fit = fit_crossed(f->relative, f->ring_count);
+    f->fit.mean *= rules->unit;
+    f->fit.deviation *= rules->unit;
+    f->fit.width *= rules->unit;
+    f->chord *= rules->unit;
+    roberts_vec3 n = f->fit.n;
+    double x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);
+    f->axis = x > y && x > z ? 0 : y > z ? 1 : 2;
+    f->turned = (f->axis == 0 ? n.x : f->axis == 1 ? n.y : n.z) < 0.0 ? -1.0 : 1.0;
+    for (size_t i = 0; i < f->node_count; i++) {
+        roberts_vec3 p = vec3_scale(1.0 / rules->unit, f->node[i].point);
+        f->node[i].at = f->axis == 0   ? (roberts_vec2){f->turned * p.y, p.z}
+                        : f->axis == 1 ? (roberts_vec2){f->turned * p.z, p.x}
+                                       : (roberts_vec2){f->turned * p.x, p.y};
+    }
+}
+
+/* Turns left or goes on at every corner, once round in all. */
+static bool is_convex(const face_pieces *f)
+{
+    size_t n = f->ring_count;
+    unsigned starts = 0;
+    roberts_vec2 a = f->node[f->ring[n - 2]].at, b = f->node[f->ring[n - 1]].at;
+    bool rising = b.y > a.y || (b.y == a.y && b.x > a.x);
+    for (size_t i = 0; i < n; i++) {
+        roberts_vec2 c = f->node[f->ring[i]].at;
+        bool up = c.y > b.y || (c.y == b.y && c.x > b.x);
+        double turn = piece_turn(a, b, c);
+        if (turn < 0.0 || (turn == 0.0 && (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y) <= 0.0))
+            return false;
+        starts += up && !rising;
+        rising = up;
+        a = b;
+        b = c;
+    }
+    return starts == 1;
+}
+
+/* The whole face is one piece. */
+static bool take_whole(face_pieces *f)
+{
+    if (!array_reserve(&f->piece, &f->piece_room, 1, sizeof *f->piece))
+        return false;
+    face_piece *only = &f->piece[f->piece_count++];
+    only->count = (uint32_t)f->ring_count;
+    for (uint32_t i = 0; i < only->count; i++) {
+        only->node[i] = f->ring[i];
+        only->label[i] = i;
+        if (!face_pieces_add_side(f,
+                                  (piece_side){f->ring[i], f->ring[i + 1 < only->count ? i + 1 : 0], 0, f->side_of[i]}))
+            return false;
+    }
+    return true;
+}
+
+/* A convex face of very many corners, as a fan of pieces. */
+static bool take_fan(face_pieces *f)
+{
+    uint32_t count = (uint32_t)f->ring_count, cut = count;
+    for (uint32_t k = 1; k + 1 < count;) {
+        uint32_t last = k + PIECE_CORNERS - 2 < count - 1 ? k + PIECE_CORNERS - 2 : count - 1, n = 0;
+        if (!array_reserve(&f->piece, &f->piece_room, f->piece_count + 1, sizeof *f->piece))
+            return false;
+        face_piece *p = &f->piece[f->piece_count++];
+        p->node[n] = f->ring[0];
+        p->label[n++] = k == 1 ? 0 : cut++;
+        for (uint32_t i = k; i <= last; i++) {
+            p->node[n] = f->ring[i];
+            p->label[n++] = i < last ? i : last == count - 1 ? last : cut;
+        }
+        p->count = n;
+        k = last;
+    }
+    return true;
+}
+
+/* Each side of the ring with its piece, and both sides of each cut where those matter. */
+static bool add_sides(face_pieces *f)
+{
+    uint32_t count = (uint32_t)f->ring_count;
+    for (uint32_t p = 0; p < f->piece_count; p++)
+        for (uint32_t i = 0; i < f->piece[p].count; i++) {
+            const face_piece *piece = &f->piece[p];
+            uint32_t to = piece->node[i + 1 < piece->count ? i + 1 : 0], label = piece->label[i];
+            if (label >= count && f->planar)
+                continue;
+            if (!face_pieces_add_side(
+                    f, (piece_side){piece->node[i], to, p, label < count ? f->side_of[label] : ROBERTS_NONE}))
+                return false;
+        }
+    return true;
+}
+
+bool face_pieces_cut(face_pieces *f, const face_rules *rules, const uint32_t *corner, uint32_t count)
+{
+    bool done = false;
+    if (!take_ring(f, rules->point, corner, count))
+        return false;
+    if (f->ring_count < 3)
+        return true;
+    fit(f, rules);
+    f->planar = f->ring_count == 3 || f->fit.deviation <= greater(rules->tolerance * f->chord, rules->touching);
+    if (!(f->fit.width > rules->touching))
+        return true;
+    bool whole = f->ring_count == 3 || (f->planar && is_convex(f));
+    if (whole && f->ring_count <= PIECE_CORNERS)
+        return take_whole(f);
+    if (whole)
+        return take_fan(f) && add_sides(f);
+    if (!face_pieces_arrange(f, rules, &done))
+        return false;
+    if (done) {
+        f->planar = true;
+        return true;
+    }
+    return face_pieces_triangulate(f, f->ring, (uint32_t)f->ring_count, f->planar) && add_sides(f);
+}
+
+void face_pieces_free(face_pieces *f)
+{
+    free(f->ring);
+    free(f->side_of);
+    free(f->node);
+    free(f->piece);
+    free(f->side);
+    free(f->link);
+    free(f->relative);
+    *f = (face_pieces){0};
+}

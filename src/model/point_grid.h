@@ -1,0 +1,30 @@
+/* point_grid.h - points in the cells of a box: which lie near a segment? */
+#ifndef ROBERTS_MODEL_POINT_GRID_H
+#define ROBERTS_MODEL_POINT_GRID_H
+
+#include "base/vec.h"
+
+typedef struct point_grid {
+    const roberts_vec3 *point;
+    roberts_vec3 low;
+    double size;       /* of a cell, along each axis */
+    uint32_t count[3]; /* of cells along each */
+    uint32_t *start;   /* [cells + 1] into item */
+    uint32_t *item;    /* point numbers */
+} point_grid;
+
+/* Of the points listed. `point` stays the caller's. False: no memory; point_grid_free() is due in any case. */
+bool point_grid_build(point_grid *grid, const roberts_vec3 *point, const uint32_t *listed, size_t count);
+
+/* Points that were found. */
+typedef struct point_list {
+    uint32_t *item; /* [count] */
+    size_t count, room;
+} point_list;
+
+/* Appends the points that may lie within `margin` of AB, and others near them, each once. False: no memory. */
+bool point_grid_near(const point_grid *grid, roberts_vec3 A, roberts_vec3 B, double margin, point_list *found);
+
+void point_grid_free(point_grid *grid);
+
+#endif

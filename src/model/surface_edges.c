@@ -1,0 +1,487 @@
+/* surface_edges.c - the edges of surfaces: sides that lie on one another.
+ *
+ * Sides with the same ends are one edge; nearly all have two pieces, and those are done. The others (borders, edges of more
+ * pieces, wires) are asked in space: a vertex that lies on one of them within the touching distance divides it, and vertices
+ * that near to one another are one. So T-junctions and loose faces show no false borders. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/box.h"
+#include "base/sets.h"
+#include "base/sort.h"
+#include "model/point_grid.h"
+#include "model/surface.h"
+
+/* A side, or a part of one, with its ends in order. */
+typedef struct part_side {
+    uint32_t v[2];  /* v[0] < v[1] */
+    uint32_t piece; /* SURFACE_CUT, as in a side */
+    bool turned;    /* the piece is on the right of v[0] -> v[1] */
+    uint32_t part;  /* of the surface's parts of edges, or ROBERTS_NONE */
+} part_side;
+
+/* A vertex on an odd side. */
+typedef struct side_stop {
+    double t;
+    uint32_t vertex;
+} side_stop;
+
+typedef struct finder {
+    surface *s;
+    double touching;
+    uint32_t *end;        /* [vertex_count] where the sides of each smaller vertex end in `half` */
+    uint64_t *half;       /* [side_count] larger vertex << 32 | side */
+    uint32_t *odd;        /* [odd_count] sides of edges that have not two pieces */
+    uint32_t *vertex;     /* [vertex_count] their ends */
+    uint32_t *parent;     /* [vertex_count of s] sets of vertices at one place, by their smallest; only of `vertex` */
+    part_side *half_side; /* [half_count] the odd sides, divided */
+    surface_edge *odd_edge;
+    side_stop *stop;
+    point_list found;
+    size_t odd_count, vertex_count, half_count, odd_edge_count, stop_count;
+    size_t odd_room, half_room, odd_edge_room, stop_room;
+} finder;
+
+static uint32_t lower(const surface_side *side)
+{
+    return side->v[0] < side->v[1] ? side->v[0] : side->v[1];
+}
+
+static uint32_t upper(const surface_side *side)
+{
+    return side->v[0] < side->v[1] ? side->v[1] : side->v[0];
+}
+
+enum { SHORT_BUCKET = 24 };
+
+static void sort_bucket(uint64_t *half, size_t count)
+{
+    if (count > SHORT_BUCKET) {
+        qsort(half, count, sizeof *half, compare_u64);
+        return;
+    }
+    for (size_t i = 1; i < count; i++) {
+        uint64_t moving = half[i];
+        size_t j = i;
+        for (; j > 0 && half[j - 1] > moving; j--)
+            half[j] = half[j - 1];
+        half[j] = moving;
+    }
+}
+
+static bool sort_sides(finder *f)
+{
+    const surface *s = f->s;
+    uint32_t sum = 0, start = 0;
+    f->end = alloc_zeroed(s->vertex_count, sizeof *f->end);
+    f->half = alloc_array(s->side_count, sizeof *f->half);
+    if (!f->end || !f->half)
+        return false;
+    for (size_t i = 0; i < s->side_count; i++)
+        f->end[lower(&s->side[i])]++;
+    for (uint32_t v = 0; v < s->vertex_count; v++) {
+        uint32_t here = f->end[v];
+        f->end[v] = sum;
+        sum += here;
+    }
+    for (size_t i = 0; i < s->side_count; i++)
+        f->half[f->end[lower(&s->side[i])]++] = (uint64_t)upper(&s->side[i]) << 32 | i;
+    for (uint32_t v = 0; v < s->vertex_count; start = f->end[v++])
+        sort_bucket(f->half + start, f->end[v] - start);
+    return true;
+}
+
+static bool is_wire(const surface_side *side)
+{
+    return (side->piece & ~SURFACE_CUT) == SURFACE_WIRE;
+}
+
+static uint32_t incidence(uint32_t piece, bool turned)
+{
+    return (piece & ~SURFACE_CUT) | (turned ? SURFACE_TURNED : 0);
+}
+
+/* The part of an edge of the file that a side is, as one of the surface's parts of edges. */
+static bool copy_part(surface *s, uint32_t side, uint32_t *part)
+{
+    size_t low = 0, high = s->part_count;
+    *part = ROBERTS_NONE;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (s->side_part[middle].edge < side)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    if (low == s->part_count || s->side_part[low].edge != side)
+        return true;
+    if (!array_reserve(&s->part, &s->edge_part_room, s->edge_part_count + 1, sizeof *s->part))
+        return false;
+    *part = (uint32_t)s->edge_part_count;
+    s->part[s->edge_part_count++] = s->side_part[low];
+    return true;
+}
+
+/* Do both sides belong to one planar face? Its border crosses itself, and this stretch of it has the face on both sides: another
+ * face has stretches of its own there. */
+static bool same_face(const surface *s, const uint32_t side[2])
+{
+    uint32_t p = s->side[side[0]].piece, q = s->side[side[1]].piece;
+    return !((p | q) & SURFACE_CUT) && s->plane_of[p] == s->plane_of[q];
+}
+
+/* An edge of two sides that are pieces', else its sides are odd. */
+static bool take_group(finder *f, const uint64_t *half, size_t count)
+{
+    surface *s = f->s;
+    uint32_t side[2] = {ROBERTS_NONE, ROBERTS_NONE};
+    size_t real = 0;
+    bool shadow = false;
+    for (size_t i = 0; i < count; i++)
+        if (s->side[(uint32_t)half[i]].piece == SURFACE_SHADOW) {
+            shadow = true;
+        } else if (!is_wire(&s->side[(uint32_t)half[i]])) {
+            if (real < 2)
+                side[real] = (uint32_t)half[i];
+            real++;
+        }
+    if (real != 2 || same_face(s, side)) {
+        if (!array_reserve(&f->odd, &f->odd_room, f->odd_count + count, sizeof *f->odd))
+            return false;
+        for (size_t i = 0; i < count; i++)
+            if (s->side[(uint32_t)half[i]].piece != SURFACE_SHADOW &&
+                !(is_wire(&s->side[(uint32_t)half[i]]) && (real > 0 || shadow)))
+                f->odd[f->odd_count++] = (uint32_t)half[i];
+        return true;
+    }
+    const surface_side *a = &s->side[side[0]], *b = &s->side[side[1]];
+    surface_edge edge = {.v = {lower(a), upper(a)}, .many = ROBERTS_NONE, .part = ROBERTS_NONE};
+    edge.piece[0] = incidence(a->piece, a->v[0] > a->v[1]);
+    edge.piece[1] = incidence(b->piece, b->v[0] > b->v[1]);
+    edge.cut = (a->piece & b->piece & SURFACE_CUT) != 0;
+    if (s->part_count > 0 && !copy_part(s, side[0], &edge.part))
+        return false;
+    if (!array_reserve(&s->edge, &s->edge_room, s->edge_count + 1, sizeof *s->edge))
+        return false;
+    s->edge[s->edge_count++] = edge;
+    return true;
+}
+
+static bool take_groups(finder *f)
+{
+    uint32_t start = 0;
+    for (uint32_t v = 0; v < f->s->vertex_count; start = f->end[v++])
+        for (uint32_t i = start, to; i < f->end[v]; i = to) {
+            for (to = i + 1; to < f->end[v] && f->half[to] >> 32 == f->half[i] >> 32; to++)
+                continue;
+            if (!take_group(f, f->half + i, to - i))
+                return false;
+        }
+    return true;
+}
+
+static int compare_numbers(const void *a, const void *b)
+{
+    uint32_t x, y;
+    memcpy(&x, a, sizeof x);
+    memcpy(&y, b, sizeof y);
+    return (x > y) - (x < y);
+}
+
+/* The ends of odd sides, each once. */
+static bool list_vertices(finder *f)
+{
+    f->vertex = alloc_array(2 * f->odd_count, sizeof *f->vertex);
+    f->parent = alloc_array(f->s->vertex_count, sizeof *f->parent);
+    if (!f->vertex || !f->parent)
+        return false;
+    for (size_t i = 0; i < f->odd_count; i++) {
+        f->vertex[2 * i] = f->s->side[f->odd[i]].v[0];
+        f->vertex[2 * i + 1] = f->s->side[f->odd[i]].v[1];
+    }
+    qsort(f->vertex, 2 * f->odd_count, sizeof *f->vertex, compare_numbers);
+    for (size_t i = 0; i < 2 * f->odd_count; i++)
+        if (i == 0 || f->vertex[i] != f->vertex[i - 1])
+            f->vertex[f->vertex_count++] = f->vertex[i];
+    for (size_t i = 0; i < f->vertex_count; i++)
+        f->parent[f->vertex[i]] = f->vertex[i];
+    return true;
+}
+
+static void join(uint32_t *parent, uint32_t a, uint32_t b)
+{
+    a = sets_root(parent, a);
+    b = sets_root(parent, b);
+    if (a < b)
+        parent[b] = a;
+    else
+        parent[a] = b;
+}
+
+/* The vertices on the segment from a to b, as stops; those at its ends are joined to them. */
+static bool find_stops(finder *f, const point_grid *grid, uint32_t a, uint32_t b)
+{
+    const roberts_vec3 *point = f->s->point;
+    roberts_vec3 A = point[a], AB = vec3_sub(point[b], A);
+    double squared = vec3_dot(AB, AB);
+    f->stop_count = f->found.count = 0;
+    if (!point_grid_near(grid, A, point[b], f->touching, &f->found))
+        return false;
+    for (size_t i = 0; i < f->found.count; i++) {
+        uint32_t v = f->found.item[i];
+        if (v == a || v == b)
+            continue;
+        roberts_vec3 AV = vec3_sub(point[v], A), BV = vec3_sub(point[v], point[b]);
+        double t = squared > 0.0 ? vec3_dot(AV, AB) / squared : 0.0;
+        if (vec3_length(AV) <= f->touching) {
+            join(f->parent, a, v);
+        } else if (vec3_length(BV) <= f->touching) {
+            join(f->parent, b, v);
+        } else if (t > 0.0 && t < 1.0 && vec3_length(vec3_sub(AV, vec3_scale(t, AB))) <= f->touching) {
+            if (!array_reserve(&f->stop, &f->stop_room, f->stop_count + 1, sizeof *f->stop))
+                return false;
+            f->stop[f->stop_count++] = (side_stop){t, v};
+        }
+    }
+    return true;
+}
+
+static int compare_stops(const void *pa, const void *pb)
+{
+    const side_stop *a = pa, *b = pb;
+    if (a->t != b->t)
+        return a->t < b->t ? -1 : 1;
+    return (a->vertex > b->vertex) - (a->vertex < b->vertex);
+}
+
+/* The edge of the file of which t0 .. t1 of side i, from its first end on, is a part; all of a part is that part. */
+static bool part_of_side(finder *f, uint32_t i, double t0, double t1, uint32_t *part)
+{
+    surface *s = f->s;
+    const surface_side *side = &s->side[i];
+    scene_part own = {0, {lower(side), upper(side)}, 0.0, 1.0};
+    bool turned = side->v[0] > side->v[1];
+    if (!copy_part(s, i, part))
+        return false;
+    if (t0 == 0.0 && t1 == 1.0)
+        return true;
+    if (*part != ROBERTS_NONE) {
+        own = s->part[*part];
+        roberts_vec3 A = s->point[side->v[0]], from = s->point[own.v[0]], to = s->point[own.v[1]];
+        turned = vec3_dot(vec3_sub(s->point[side->v[1]], A), vec3_sub(to, from)) < 0.0;
+    } else {
+        if (!array_reserve(&s->part, &s->edge_part_room, s->edge_part_count + 1, sizeof *s->part))
+            return false;
+        *part = (uint32_t)s->edge_part_count++;
+    }
+    double width = own.t1 - own.t0;
+    s->part[*part] = (scene_part){0,
+                                  {own.v[0], own.v[1]},
+                                  own.t0 + width * (turned ? 1.0 - t1 : t0),
+                                  turned && t0 == 0.0 ? own.t1 : own.t0 + width * (turned ? 1.0 - t0 : t1)};
+    return true;
+}
+
+/* An odd side from stop to stop. */
+static bool divide(finder *f, uint32_t i)
+{
+    const surface_side side = f->s->side[i];
+    uint32_t from = sets_root(f->parent, side.v[0]), last = sets_root(f->parent, side.v[1]);
+    double t0 = 0.0;
+    for (size_t k = 0; k <= f->stop_count; k++) {
+        uint32_t to = k < f->stop_count ? sets_root(f->parent, f->stop[k].vertex) : last, part = ROBERTS_NONE;
+        double t1 = k < f->stop_count ? f->stop[k].t : 1.0;
+        if (to == from || (to == last && k < f->stop_count))
+            continue;
+        if (!part_of_side(f, i, t0, t1, &part) ||
+            !array_reserve(&f->half_side, &f->half_room, f->half_count + 1, sizeof *f->half_side))
+            return false;
+        f->half_side[f->half_count++] =
+            (part_side){{from < to ? from : to, from < to ? to : from}, side.piece, (from > to), part};
+        from = to;
+        t0 = t1;
+    }
+    return true;
+}
+
+static bool divide_all(finder *f)
+{
+    point_grid grid;
+    surface *s = f->s;
+    bool enough = point_grid_build(&grid, s->point, f->vertex, f->vertex_count);
+    for (int pass = 0; enough && pass < 2; pass++) /* first all vertices at one place are found */
+        for (size_t i = 0; enough && i < f->odd_count; i++) {
+            const surface_side *side = &s->side[f->odd[i]];
+            enough = find_stops(f, &grid, side->v[0], side->v[1]);
+            if (!enough || pass == 0)
+                continue;
+            if (f->stop_count > 1)
+                qsort(f->stop, f->stop_count, sizeof *f->stop, compare_stops);
+            enough = divide(f, f->odd[i]);
+        }
+    point_grid_free(&grid);
+    return enough;
+}
+
+static int compare_halves(const void *pa, const void *pb)
+{
+    const part_side *a = pa, *b = pb;
+    if (a->v[0] != b->v[0])
+        return a->v[0] < b->v[0] ? -1 : 1;
+    if (a->v[1] != b->v[1])
+        return a->v[1] < b->v[1] ? -1 : 1;
+    if ((a->piece & ~SURFACE_CUT) != (b->piece & ~SURFACE_CUT))
+        return (a->piece & ~SURFACE_CUT) < (b->piece & ~SURFACE_CUT) ? -1 : 1;
+    return (int)a->turned - (int)b->turned;
+}
+
+/* Adds a piece to an edge. */
+static bool add_incidence(surface *s, surface_edge *edge, uint32_t count, uint32_t piece)
+{
+    if (count < 2) {
+        edge->piece[count] = piece;
+        return true;
+    }
+    if (!array_reserve(&s->many, &s->many_room, s->many_count + 3, sizeof *s->many))
+        return false;
+    if (count == 2) {
+        edge->many = (uint32_t)s->many_count;
+        s->many[s->many_count++] = edge->piece[0];
+        s->many[s->many_count++] = edge->piece[1];
+    }
+    s->many[s->many_count++] = piece;
+    edge->many_end = (uint32_t)s->many_count;
+    return true;
+}
+
+/* The part that an edge is begins and ends at its vertices, so that parts that follow one another meet. */
+static void place_part(const finder *f, scene_part *part, const surface_edge *edge)
+{
+    const roberts_vec3 *point = f->s->point;
+    double t[2];
+    for (int i = 0; i < 2; i++) {
+        t[i] = surface_part_of(f->s, part->v, edge->v[i]);
+        if (vec3_length(vec3_sub(point[edge->v[i]], point[part->v[0]])) <= f->touching)
+            t[i] = 0.0;
+        if (vec3_length(vec3_sub(point[edge->v[i]], point[part->v[1]])) <= f->touching)
+            t[i] = 1.0;
+    }
+    part->t0 = lesser(t[0], t[1]);
+    part->t1 = greater(t[0], t[1]);
+}
+
+/* The edge of the divided sides first .. end - 1, and of an edge that is there already. */
+static bool take_odd_group(finder *f, size_t first, size_t end, const surface_edge *there)
+{
+    surface *s = f->s;
+    surface_edge edge = {.v = {f->half_side[first].v[0], f->half_side[first].v[1]},
+                         .piece = {ROBERTS_NONE, ROBERTS_NONE},
+                         .many = ROBERTS_NONE,
+                         .part = ROBERTS_NONE,
+                         .cut = true,
+                         .odd = true};
+    uint32_t count = 0, best = ROBERTS_NONE;
+    for (int k = 0; there && k < 2; k++)
+        if (!add_incidence(s, &edge, count++, there->piece[k]))
+            return false;
+    for (size_t i = first; i < end; i++) {
+        const part_side *half = &f->half_side[i];
+        bool wire = (half->piece & ~SURFACE_CUT) == SURFACE_WIRE;
+        if (!wire && !add_incidence(s, &edge, count++, incidence(half->piece, half->turned)))
+            return false;
+        edge.cut = edge.cut && (half->piece & SURFACE_CUT);
+        if (best == ROBERTS_NONE || (f->half_side[best].part != ROBERTS_NONE && half->part == ROBERTS_NONE))
+            best = (uint32_t)i;
+    }
+    edge.part = there ? there->part : f->half_side[best].part;
+    if (edge.part != ROBERTS_NONE)
+        place_part(f, &s->part[edge.part], &edge);
+    edge.cut = edge.cut && (!there || there->cut);
+    if (!array_reserve(&f->odd_edge, &f->odd_edge_room, f->odd_edge_count + 1, sizeof *f->odd_edge))
+        return false;
+    f->odd_edge[f->odd_edge_count++] = edge;
+    return true;
+}
+
+static int compare_edges(const surface_edge *a, const surface_edge *b)
+{
+    if (a->v[0] != b->v[0])
+        return a->v[0] < b->v[0] ? -1 : 1;
+    return (a->v[1] > b->v[1]) - (a->v[1] < b->v[1]);
+}
+
+/* The edge of two pieces with these ends. */
+static surface_edge *find_edge(const surface *s, const uint32_t v[2])
+{
+    surface_edge key = {.v = {v[0], v[1]}};
+    size_t low = 0, high = s->edge_count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (compare_edges(&s->edge[middle], &key) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < s->edge_count && compare_edges(&s->edge[low], &key) == 0 ? &s->edge[low] : NULL;
+}
+
+/* The edges of the divided sides. One that lies on an edge of two pieces takes its place. */
+static bool take_odd_groups(finder *f)
+{
+    surface *s = f->s;
+    if (f->half_count > 1)
+        qsort(f->half_side, f->half_count, sizeof *f->half_side, compare_halves);
+    for (size_t i = 0, to; i < f->half_count; i = to) {
+        for (to = i + 1; to < f->half_count && f->half_side[to].v[0] == f->half_side[i].v[0] &&
+                         f->half_side[to].v[1] == f->half_side[i].v[1];
+             to++)
+            continue;
+        surface_edge *there = find_edge(s, f->half_side[i].v);
+        if (!take_odd_group(f, i, to, there))
+            return false;
+    }
+    return true;
+}
+
+/* Both lists as one, in order. */
+static bool merge_edges(finder *f)
+{
+    surface *s = f->s;
+    size_t all = s->edge_count + f->odd_edge_count, to = 0, i = 0, k = 0;
+    surface_edge *edge = alloc_array(all, sizeof *edge);
+    if (!edge)
+        return false;
+    while (i < s->edge_count || k < f->odd_edge_count) {
+        int order = i == s->edge_count ? 1 : k == f->odd_edge_count ? -1 : compare_edges(&s->edge[i], &f->odd_edge[k]);
+        if (order < 0) {
+            edge[to++] = s->edge[i++];
+        } else {
+            edge[to++] = f->odd_edge[k++];
+            i += order == 0;
+        }
+    }
+    free(s->edge);
+    s->edge = edge;
+    s->edge_count = to;
+    s->edge_room = all;
+    return true;
+}
+
+bool surface_find_edges(surface *s, double touching)
+{
+    finder f = {.s = s, .touching = touching};
+    bool enough = sort_sides(&f) && take_groups(&f);
+    free(f.half);
+    free(f.end);
+    if (enough && f.odd_count > 0)
+        enough = list_vertices(&f) && divide_all(&f) && take_odd_groups(&f) && merge_edges(&f);
+    free(f.odd);
+    free(f.vertex);
+    free(f.parent);
+    free(f.half_side);
+    free(f.odd_edge);
+    free(f.stop);
+    free(f.found.item);
+    return enough && s->edge_count < ROBERTS_NONE;
+}

@@ -1,0 +1,128 @@
+/* mesh_compare.c - holds the program's library against the mesh oracle on scenes of any bodies; see --help. */
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "mesh_families.h"
+
+static const char help[] =
+    "mesh_compare [--family NAME] [--seed S] [--edges N] [--folder DIR] [--list]\n"
+    "Compares program and exact oracle edge by edge on generated scenes of any bodies. Exit status 1 if any edge "
+    "disagrees.\n"
+    "  --family NAME  only this family (default: all in turn)\n"
+    "  --seed S       first seed (default: 1)\n"
+    "  --edges N      goes on until N edges have been compared (default: one scene of each family)\n"
+    "  --folder DIR   failing scenes are written to DIR/failures/ (default: build)\n"
+    "  --list         names the families\n"
+    "mesh_compare [--dir X,Y,Z | --eye X,Y,Z] [--slack S] --file FILE...\n"
+    "The same for files of any origin. What could change if things moved by S (model units) is not judged.\n";
+
+typedef struct arguments {
+    const char *family, *folder;
+    uint64_t seed, edges;
+    int first_file; /* 0: none */
+    mesh_scene scene;
+} arguments;
+
+static bool parse_view(const char *text, int w, oracle_view *view)
+{
+    char rest;
+    *view = (oracle_view){.w = w};
+    return sscanf(text, "%lf,%lf,%lf%c", &view->x, &view->y, &view->z, &rest) ==
+           3; /* NOLINT(cert-err34-c): a test's own */
+}
+
+static bool parse(int argc, char **argv, arguments *a)
+{
+    *a = (arguments){.folder = "build", .seed = 1, .scene.view = {.x = 1, .y = -1, .z = 1}};
+    for (int i = 1; i < argc; i += 2) {
+        const char *option = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
+        if (!strcmp(option, "--list")) {
+            for (size_t f = 0; f < mesh_family_count(); f++)
+                puts(mesh_family_name(f));
+            exit(0);
+        }
+        if (!strcmp(option, "--help")) {
+            fputs(help, stdout);
+            exit(0);
+        }
+        if (!value)
+            return false;
+        if (!strcmp(option, "--family"))
+            a->family = value;
+        else if (!strcmp(option, "--folder"))
+            a->folder = value;
+        else if (!strcmp(option, "--seed"))
+            a->seed = strtoull(value, NULL, 10);
+        else if (!strcmp(option, "--edges"))
+            a->edges = strtoull(value, NULL, 10);
+        else if (!strcmp(option, "--slack"))
+            a->scene.slack = strtod(value, NULL);
+        else if (!strcmp(option, "--dir") && parse_view(value, 0, &a->scene.view))
+            continue;
+        else if (!strcmp(option, "--eye") && parse_view(value, 1, &a->scene.view))
+            continue;
+        else if (!strcmp(option, "--file")) {
+            a->first_file = i + 1;
+            return true;
+        } else
+            return false;
+    }
+    return true;
+}
+
+static void sum_up(const mesh_total *t)
+{
+    printf("%zu edges of %zu scenes, %zu disagreements; %zu hidden, %zu cut; not judged: %.3g edge lengths; "
+           "greatest difference %.2g; %zu pairs of edge and face, %zu by rational numbers\n",
+           t->edges, t->scenes, t->disagreements, t->hidden, t->cut, t->unjudged, t->worst, t->pairs, t->exact);
+}
+
+static bool compare_files(const arguments *a, int argc, char **argv, mesh_total *total)
+{
+    bool read = true;
+    for (int i = a->first_file; i < argc; i++) {
+        const char *name = strrchr(argv[i], '/') ? strrchr(argv[i], '/') + 1 : argv[i];
+        mesh_scene scene = a->scene;
+        roberts_error error;
+        scene.mesh = (roberts_mesh){0};
+        if (roberts_mesh_read_file(&scene.mesh, argv[i], NULL, &error) == ROBERTS_OK)
+            mesh_judge(name, &scene, a->folder, total, stdout);
+        else {
+            printf("%s: %s\n", argv[i], error.message);
+            read = false;
+        }
+        mesh_scene_free(&scene);
+    }
+    return read;
+}
+
+static bool compare_families(const arguments *a, mesh_total *total)
+{
+    for (uint64_t seed = a->seed; seed == a->seed || total->edges < a->edges; seed++)
+        for (size_t f = 0; f < mesh_family_count(); f++) {
+            char name[64];
+            mesh_scene scene;
+            if (a->family && strcmp(a->family, mesh_family_name(f)) != 0)
+                continue;
+            if (!mesh_family_make(f, seed, &scene))
+                return false;
+            snprintf(name, sizeof name, "%s-%" PRIu64, mesh_family_name(f), seed);
+            mesh_judge(name, &scene, a->folder, total, stdout);
+            mesh_scene_free(&scene);
+        }
+    return true;
+}
+
+int main(int argc, char **argv)
+{
+    arguments a;
+    mesh_total total = {0};
+    if (!parse(argc, argv, &a)) {
+        fputs(help, stderr);
+        return 2;
+    }
+    bool done = a.first_file ? compare_files(&a, argc, argv, &total) : compare_families(&a, &total);
+    sum_up(&total);
+    return done && total.disagreements == 0 ? 0 : 1;
+}

@@ -1,0 +1,287 @@
+/* mesh_judge.c - see mesh_judge.h. A row of the program's table lies on an edge of the oracle where its ends do: an edge may come
+ * as pieces of other edges of the file that lie on the same line. */
+#include "mesh_judge.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "judge.h"
+
+enum { REPORTS = 3 /* of one scene */, MANY_EDGES = 3000 /* of which rows are looked up by their vertices alone */ };
+
+/* A piece of an edge, as the program has it. */
+typedef struct piece {
+    double t0, t1;
+    bool hidden;
+} piece;
+
+typedef struct judgement {
+    const mesh_scene *scene;
+    const mesh_truth *truth;
+    const roberts_drawing *drawing;
+    double size;  /* of the scene */
+    piece *piece; /* [count] of the edge at hand; room for all segments */
+    size_t count;
+    oracle_interval *hidden; /* [hidden_count] joined */
+    oracle_interval *shown;  /* [shown_count] what any piece is of, joined */
+    size_t hidden_count, shown_count;
+} judgement;
+
+static roberts_vec3 at(roberts_vec3 a, roberts_vec3 b, double t)
+{
+    return (roberts_vec3){a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
+}
+
+/* The parameter of X along ab, and how far it lies from the line. */
+static double along(roberts_vec3 a, roberts_vec3 b, roberts_vec3 X, double *off)
+{
+    double dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
+    double t = ((X.x - a.x) * dx + (X.y - a.y) * dy + (X.z - a.z) * dz) / (dx * dx + dy * dy + dz * dz);
+    roberts_vec3 foot = at(a, b, t);
+    *off = hypot(hypot(foot.x - X.x, foot.y - X.y), foot.z - X.z);
+    return t;
+}
+
+static void add_piece(judgement *j, double t0, double t1, bool hidden)
+{
+    if (t0 > t1) {
+        double was = t0;
+        t0 = t1;
+        t1 = was;
+    }
+    t0 = fmax(t0, 0);
+    t1 = fmin(t1, 1);
+    if (t1 > t0)
+        j->piece[j->count++] = (piece){t0, t1, hidden};
+}
+
+/* Takes the rows of this very edge. */
+static void take_own(judgement *j, const mesh_edge *e)
+{
+    const uint32_t *position = j->truth->position;
+    for (size_t i = 0; i < j->drawing->count; i++) {
+        const roberts_segment *s = &j->drawing->segment[i];
+        uint32_t p = position[s->v0], q = position[s->v1];
+        if (p == e->v0 && q == e->v1)
+            add_piece(j, s->t0, s->t1, s->state != ROBERTS_VISIBLE);
+        else if (p == e->v1 && q == e->v0)
+            add_piece(j, 1 - s->t1, 1 - s->t0, s->state != ROBERTS_VISIBLE);
+    }
+}
+
+/* Takes the rows of other edges that lie on this one's line. */
+static void take_others(judgement *j, const mesh_edge *e)
+{
+    const roberts_vec3 *vertex = j->scene->mesh.vertex;
+    roberts_vec3 a = vertex[e->v0], b = vertex[e->v1];
+    for (size_t i = 0; i < j->drawing->count; i++) {
+        const roberts_segment *s = &j->drawing->segment[i];
+        double off0, off1;
+        double t0 = along(a, b, at(vertex[s->v0], vertex[s->v1], s->t0), &off0);
+        double t1 = along(a, b, at(vertex[s->v0], vertex[s->v1], s->t1), &off1);
+        if (fmax(off0, off1) <= 1e-11 * j->size)
+            add_piece(j, t0, t1, s->state != ROBERTS_VISIBLE);
+    }
+}
+
+static int by_start(const void *a, const void *b)
+{
+    const piece *p = a, *q = b;
+    return (p->t0 > q->t0) - (p->t0 < q->t0);
+}
+
+static size_t join(oracle_interval *list, size_t count, const piece *p)
+{
+    if (count && p->t0 <= list[count - 1].t1)
+        list[count - 1].t1 = fmax(list[count - 1].t1, p->t1);
+    else
+        list[count++] = (oracle_interval){p->t0, p->t1};
+    return count;
+}
+
+/* Joins the pieces, and the hidden ones. Gives how much of what the edge bounds no piece is of. */
+static double uncovered(judgement *j, const mesh_edge *e)
+{
+    qsort(j->piece, j->count, sizeof *j->piece, by_start);
+    j->hidden_count = j->shown_count = 0;
+    for (size_t i = 0; i < j->count; i++) {
+        j->shown_count = join(j->shown, j->shown_count, &j->piece[i]);
+        if (j->piece[i].hidden)
+            j->hidden_count = join(j->hidden, j->hidden_count, &j->piece[i]);
+    }
+    return judge_outside(j->truth->part + e->part, e->parts, j->shown, j->shown_count);
+}
+
+/* Length of a \ b in what the edge bounds. */
+static double outside(const judgement *j, const mesh_edge *e, const oracle_interval *a, size_t a_count,
+                      const oracle_interval *b, size_t b_count)
+{
+    double sum = 0;
+    for (size_t k = e->part; k < e->part + e->parts; k++)
+        for (size_t i = 0; i < a_count; i++) {
+            const oracle_interval *part = &j->truth->part[k];
+            const oracle_interval both = {fmax(a[i].t0, part->t0), fmin(a[i].t1, part->t1)};
+            if (both.t0 < both.t1)
+                sum += judge_outside(&both, 1, b, b_count);
+        }
+    return sum;
+}
+
+/* Where the two lists differ, the middles are asked how sure they are. Gives the length that is surely wrong. */
+static double surely_wrong(const judgement *j, const mesh_edge *e, double *unjudged)
+{
+    const oracle_interval *truth = j->truth->interval + e->first;
+    size_t cuts = 0;
+    double wrong = 0, *cut = malloc((2 * (e->count + j->hidden_count) + 2) * sizeof *cut);
+    if (!cut)
+        return 1;
+    cut[cuts++] = 0;
+    cut[cuts++] = 1;
+    for (size_t i = 0; i < e->count; i++) {
+        cut[cuts++] = truth[i].t0;
+        cut[cuts++] = truth[i].t1;
+    }
+    for (size_t i = 0; i < j->hidden_count; i++) {
+        cut[cuts++] = j->hidden[i].t0;
+        cut[cuts++] = j->hidden[i].t1;
+    }
+    for (size_t i = 1; i < cuts; i++)
+        for (size_t k = i; k > 0 && cut[k - 1] > cut[k]; k--) {
+            double was = cut[k];
+            cut[k] = cut[k - 1];
+            cut[k - 1] = was;
+        }
+    for (size_t i = 0; i + 1 < cuts; i++) {
+        double t = 0.5 * (cut[i] + cut[i + 1]);
+        bool mine = false, theirs = false;
+        for (size_t k = 0; k < j->hidden_count; k++)
+            mine = mine || (j->hidden[k].t0 < t && t < j->hidden[k].t1);
+        for (size_t k = 0; k < e->count; k++)
+            theirs = theirs || (truth[k].t0 < t && t < truth[k].t1);
+        if (mine == theirs)
+            continue;
+        oracle_answer answer = mesh_truth_at(&j->scene->mesh, &j->scene->view, j->scene->even_odd, j->truth->position,
+                                             e->v0, e->v1, t, j->scene->slack);
+        if (answer == ORACLE_UNSURE || (answer == ORACLE_YES) == mine)
+            *unjudged += cut[i + 1] - cut[i];
+        else
+            wrong += cut[i + 1] - cut[i];
+    }
+    free(cut);
+    return wrong;
+}
+
+static void print_intervals(FILE *out, const char *who, const oracle_interval *list, size_t count)
+{
+    fprintf(out, "  %-14s", who);
+    for (size_t i = 0; i < count; i++)
+        fprintf(out, " [%.17g, %.17g]", list[i].t0, list[i].t1);
+    fprintf(out, "%s\n", count ? "" : " nothing");
+}
+
+static void judge_edge(judgement *j, const mesh_edge *e, const char *name, mesh_total *total, size_t *failed, FILE *out)
+{
+    const oracle_interval *truth = j->truth->interval + e->first;
+    j->count = 0;
+    take_own(j, e);
+    double missing = uncovered(j, e);
+    if (missing > 0 && j->truth->edge_count <= MANY_EDGES) {
+        j->count = 0;
+        take_others(j, e);
+        missing = uncovered(j, e);
+    }
+    double wrong = outside(j, e, j->hidden, j->hidden_count, truth, e->count) +
+                   outside(j, e, truth, e->count, j->hidden, j->hidden_count);
+    if (j->scene->slack > 0 && wrong > MESH_JUDGE_LIMIT)
+        wrong = surely_wrong(j, e, &total->unjudged);
+    wrong += missing > MESH_JUDGE_LIMIT ? missing : 0;
+    bool all = e->count == 1 && truth[0].t0 == 0 && truth[0].t1 == 1;
+    total->edges++;
+    total->hidden += all;
+    total->cut += e->count > 0 && !all;
+    if (wrong <= MESH_JUDGE_LIMIT) {
+        total->worst = fmax(total->worst, wrong);
+        return;
+    }
+    total->disagreements++;
+    if (++*failed > REPORTS)
+        return;
+    fprintf(out, "%s: edge %u-%u: program and oracle differ on %.3g of it, %.3g of it is in no row\n", name, e->v0,
+            e->v1, wrong, missing);
+    print_intervals(out, "program hides", j->hidden, j->hidden_count);
+    print_intervals(out, "oracle hides", truth, e->count);
+}
+
+static void tell_command(const char *name, const mesh_scene *scene, const char *folder, FILE *out)
+{
+    char path[512], command[300];
+    const oracle_view *v = &scene->view;
+    snprintf(path, sizeof path, "%s/failures", folder);
+    mkdir(folder, 0777);
+    mkdir(path, 0777);
+    snprintf(path, sizeof path, "%s/failures/%s.off", folder, name);
+    snprintf(command, sizeof command, "--all-edges --hidden solid -f csv --%s=%.17g,%.17g,%.17g%s",
+             v->w ? "eye" : "dir", v->x, v->y, v->z, scene->even_odd ? " --fill-rule evenodd" : "");
+    if (judge_write_off(path, &scene->mesh, command))
+        fprintf(out, "  build/roberts %s %s\n", command, path);
+}
+
+static double size_of(const roberts_mesh *mesh)
+{
+    double size = 0;
+    for (size_t i = 0; i < mesh->vertex_count; i++)
+        size = fmax(size, fmax(fabs(mesh->vertex[i].x), fmax(fabs(mesh->vertex[i].y), fabs(mesh->vertex[i].z))));
+    return size;
+}
+
+bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, mesh_total *total, FILE *out)
+{
+    const oracle_view *v = &scene->view;
+    roberts_camera camera = {.projection = v->w ? ROBERTS_PERSPECTIVE : ROBERTS_ORTHOGRAPHIC};
+    roberts_hide_options options = roberts_hide_options_default();
+    roberts_scene_options bodies = {.even_odd = scene->even_odd};
+    roberts_scene *built = NULL;
+    roberts_drawing drawing = {0};
+    roberts_error error;
+    mesh_truth truth;
+    size_t failed = 0;
+    if (v->w)
+        camera.eye = (roberts_vec3){v->x, v->y, v->z};
+    else
+        camera.dir = (roberts_vec3){v->x, v->y, v->z};
+    options.all_edges = options.keep_hidden = true;
+    total->scenes++;
+    if (!mesh_truth_find(&scene->mesh, v, scene->even_odd, &truth)) {
+        fprintf(out, "%s: the oracle refuses: %s\n", name, truth.error);
+        return true;
+    }
+    if (roberts_scene_build(&scene->mesh, &bodies, &built, &error) != ROBERTS_OK ||
+        roberts_hide(built, &camera, &options, &drawing, &error) != ROBERTS_OK) {
+        fprintf(out, "%s: the program refuses: %s\n", name, error.message);
+        failed++;
+        total->disagreements++;
+    } else {
+        judgement j = {.scene = scene,
+                       .truth = &truth,
+                       .drawing = &drawing,
+                       .size = size_of(&scene->mesh),
+                       .piece = malloc((drawing.count + 1) * sizeof *j.piece),
+                       .hidden = malloc((drawing.count + 1) * sizeof *j.hidden),
+                       .shown = malloc((drawing.count + 1) * sizeof *j.shown)};
+        for (size_t i = 0; j.piece && j.hidden && j.shown && i < truth.edge_count; i++)
+            judge_edge(&j, &truth.edge[i], name, total, &failed, out);
+        free(j.piece);
+        free(j.hidden);
+        free(j.shown);
+    }
+    if (failed)
+        tell_command(name, scene, folder, out);
+    total->pairs += truth.pairs;
+    total->exact += truth.exact;
+    roberts_drawing_free(&drawing);
+    roberts_scene_free(built);
+    mesh_truth_free(&truth);
+    return failed == 0;
+}

@@ -1,0 +1,32 @@
+/* mesh_judge.h - runs the program's library and the mesh oracle on one scene and compares every edge. */
+#ifndef ROBERTS_TESTS_MESH_JUDGE_H
+#define ROBERTS_TESTS_MESH_JUDGE_H
+
+#include <stdio.h>
+
+#include "mesh_oracle.h"
+
+/* A scene of any bodies. */
+typedef struct mesh_scene {
+    roberts_mesh mesh;
+    oracle_view view; /* without a near plane */
+    bool even_odd;
+    double slack; /* model units: what could change if things moved so far is not judged; 0: judged strictly */
+} mesh_scene;
+
+typedef struct mesh_total {
+    size_t scenes, edges, hidden, cut; /* compared; wholly hidden; hidden in part */
+    size_t disagreements;              /* edges, or whole scenes that the program refused */
+    double unjudged;                   /* length of t that was not judged, because of slack; whole edges count 1 */
+    double worst;                      /* greatest difference on an edge that did not fail */
+    size_t pairs, exact;               /* as in mesh_truth */
+} mesh_total;
+
+/* An edge fails where program and oracle differ on more than this part of it. */
+#define MESH_JUDGE_LIMIT 1e-9
+
+/* Compares all edges and adds to `total`. The first few that fail are told on `out`, with the command that draws the scene, which
+ * is written to FOLDER/failures/NAME.off. Returns whether everything agreed. */
+bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, mesh_total *total, FILE *out);
+
+#endif

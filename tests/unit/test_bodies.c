@@ -1,0 +1,230 @@
+/* test_bodies.c - bodies that are not convex: what kinds they are, which of their edges are lines of which class, what hides
+ * them. Whole pictures are held against exact numbers by the mesh oracle. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "roberts.h"
+
+typedef struct body_case {
+    const char *name, *text; /* OFF */
+    roberts_vec3 dir;
+    const char *kinds; /* x convex, c closed, o open: body by body */
+    double outline, border, crease,
+        wire; /* visible length of each class, in edges of length 1 along the axes of the picture */
+    bool even_odd, all_edges;
+} body_case;
+
+#define ROOT_2 1.41421356237309504880
+#define TOP                                                                                                            \
+    {                                                                                                                  \
+        0, 0, 1                                                                                                        \
+    }
+#define FRONT                                                                                                          \
+    {                                                                                                                  \
+        0, -1, 0                                                                                                       \
+    }
+
+#define SQUARE "4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"
+#define CROSSED "5 1 0\n0 3 0\n2 -3 0\n-3 1 0\n3 1 0\n-2 -3 0\n5 0 1 2 3 4\n"
+
+/* Length in the picture is what counts: an edge along the line of sight has none. */
+static const body_case cases[] = {
+    {"a sheet", "OFF\n" SQUARE, TOP, "o", 0, 4, 0, 0, false, false},
+    {"a sheet from below", "OFF\n" SQUARE, {0, 0, -1}, "o", 0, 4, 0, 0, false, false},
+    {"a sheet edge-on is a line, four times", "OFF\n" SQUARE, FRONT, "o", 0, 2, 0, 0, false, false},
+    {"two triangles are a sheet", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n", TOP, "o", 0, 4, 0, 0,
+     false, false},
+    {"... wound against one another", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 3 2\n", TOP, "o", 0, 4, 0,
+     0, false, false},
+    {"... with all edges", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n", TOP, "o", 0, 4, ROOT_2, 0,
+     false, true},
+    {"... with corners of their own", "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 0\n1 1 0\n3 0 1 2\n3 4 5 3\n", TOP,
+     "o", 0, 4, 0, 0, false, false},
+    {"the same face three times", "OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n4 2 1 0 3\n4 1 2 3 0\n", TOP, "o",
+     0, 4, 0, 0, false, false},
+    {"a vertex divides a side", "OFF\n6 3 0\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n1 1 0\n1 2 0\n4 0 1 2 3\n3 3 4 5\n3 4 2 5\n",
+     TOP, "o", 0, 4 + 2 * ROOT_2, 0, 0, false, false},
+    {"a side on half of another, within rounding",
+     "OFF\n7 2 0\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n1 1.0000000000000002 0\n2 1 0\n"
+     "2 2 0\n4 0 1 2 3\n3 4 5 6\n",
+     TOP, "o", 0, 2 + 1 + 1 + 1 + 1 + ROOT_2, 0, 0, false, false},
+    {"a fold is outline from where it is one",
+     "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0.5 1\n0 0.5 1\n4 0 1 4 5\n4 3 2 4 5\n", FRONT, "o", 1, 1 + 1 + 1, 0, 0,
+     false, false},
+    {"... and a crease from above", "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0.5 1\n0 0.5 1\n4 0 1 4 5\n4 3 2 4 5\n",
+     TOP, "o", 0, 4, 1, 0, false, false},
+    {"three sheets at an edge",
+     "OFF\n8 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 -1 0\n0 -1 0\n1 0 1\n0 0 1\n4 0 1 2 3\n4 0 1 4 5\n"
+     "4 0 1 6 7\n",
+     TOP, "o", 0, 6 + 1, 1, 0, false, false}, /* the third is edge-on: it hides nothing */
+    /* 2 sqrt 40 (1/3 + 8/19) + 2 sqrt 41 (2/5 + 7/19) + 6 * 7/9: its inner pentagon has the face on both sides */
+    {"a pentagram", "OFF\n" CROSSED, TOP, "o", 0, 24.049569135931204, 0, 0, false, false},
+    {"a slit bounds nothing",
+     "OFF\n8 1 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n1 2 0\n2 2 0\n2 1 0\n10 0 1 2 3 0 4 5 6 7 4\n", TOP, "o", 0,
+     12 + 4, 0, 0, false, false},
+    {"a square behind a hole",
+     "OFF\n12 2 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n1 2 0\n2 2 0\n2 1 0\n"
+     "0.5 1.25 -1\n2.5 1.25 -1\n2.5 1.75 -1\n0.5 1.75 -1\n"
+     "10 0 1 2 3 0 4 5 6 7 4\n4 8 9 10 11\n",
+     TOP, "oo", 0, 12 + 4 + 2, 0, 0, false, false},
+    {"a wire", "OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 1\n", TOP, "o", 0, 0, 0, 1, false, false},
+    {"a wire before a sheet and behind it",
+     "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 -0.5 1\n0.5 1.5 -1\n4 0 1 2 3\n2 4 5\n", TOP, "oo", 0, 4, 0, 1.5,
+     false, false},
+    {"a wire on an edge is none", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n2 1 0\n", TOP, "o", 0, 4, 0, 0,
+     false, false},
+    {"a face without area is wires", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n", TOP, "o", 0, 0, 0, 2, false, false},
+    {"a box open above: one sees into it",
+     "OFF\n8 5 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n4 0 1 2 3\n"
+     "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n",
+     TOP, "o", 8, 8, 0, 0, false, false},
+};
+
+/* Visible length of each class. */
+static void measure(const roberts_drawing *drawing, double length[ROBERTS_WIRE + 1])
+{
+    for (int i = 0; i <= ROBERTS_WIRE; i++)
+        length[i] = 0.0;
+    for (size_t i = 0; i < drawing->count; i++) {
+        const roberts_segment *s = &drawing->segment[i];
+        assert_in_range(s->line, 0, ROBERTS_WIRE);
+        assert_true(s->t0 < s->t1 && s->v0 < s->v1);
+        length[s->line] += hypot(s->p1.x - s->p0.x, s->p1.y - s->p0.y);
+    }
+}
+
+static roberts_scene *scene_of(const char *text, const roberts_scene_options *options)
+{
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    roberts_error error = {0};
+    assert_int_equal(roberts_mesh_read_memory(&mesh, "case", text, strlen(text), NULL, &error), ROBERTS_OK);
+    if (roberts_scene_build(&mesh, options, &scene, &error) != ROBERTS_OK)
+        fail_msg("%s", error.message);
+    roberts_mesh_free(&mesh);
+    return scene;
+}
+
+static roberts_drawing drawing_of(const roberts_scene *scene, roberts_vec3 dir, bool all_edges)
+{
+    roberts_camera camera = {.dir = dir};
+    roberts_hide_options options = roberts_hide_options_default();
+    roberts_drawing drawing;
+    options.all_edges = all_edges;
+    assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+    return drawing;
+}
+
+static void lines_have_their_classes(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const body_case *c = &cases[i];
+        const double wanted[] = {c->outline, c->crease, 0.0, c->border, c->wire};
+        roberts_scene *scene = scene_of(c->text, &(roberts_scene_options){.even_odd = c->even_odd});
+        roberts_drawing drawing = drawing_of(scene, c->dir, c->all_edges);
+        double length[ROBERTS_WIRE + 1];
+        print_message("%s\n", c->name);
+        assert_int_equal(roberts_scene_solid_count(scene), strlen(c->kinds));
+        for (uint32_t s = 0; s < strlen(c->kinds); s++)
+            assert_int_equal("xco"[roberts_scene_body_kind(scene, s)], c -> kinds[s]);
+        measure(&drawing, length);
+        for (int k = 0; k <= ROBERTS_WIRE; k++)
+            if (fabs(length[k] - wanted[k]) > 1e-9)
+                fail_msg("class %d: %.12g of lines instead of %.12g", k, length[k], wanted[k]);
+        roberts_drawing_free(&drawing);
+        roberts_scene_free(scene);
+    }
+}
+
+/* An L-block, its faces triangles; which are wound as they come, all the other way, or every other one. */
+static const char *block(int winding)
+{
+    static char text[2000];
+    static const int face[20][3] = {{0, 3, 1},  {1, 3, 2},  {0, 5, 4},  {0, 4, 3},   {6, 7, 9}, {7, 8, 9}, {6, 10, 11},
+                                    {6, 9, 10}, {0, 1, 7},  {0, 7, 6},  {1, 2, 8},   {1, 8, 7}, {2, 3, 9}, {2, 9, 8},
+                                    {3, 4, 10}, {3, 10, 9}, {4, 5, 11}, {4, 11, 10}, {5, 0, 6}, {5, 6, 11}};
+    size_t n = (size_t)sprintf(text, "OFF\n12 20 0\n");
+    for (int z = 0; z < 2; z++)
+        n += (size_t)sprintf(text + n, "0 0 %d\n2 0 %d\n2 1 %d\n1 1 %d\n1 2 %d\n0 2 %d\n", z, z, z, z, z, z);
+    for (int i = 0; i < 20; i++) {
+        bool turned = winding == 1 || (winding == 2 && i % 2);
+        n += (size_t)sprintf(text + n, "3 %d %d %d\n", face[i][0], face[i][turned ? 2 : 1], face[i][turned ? 1 : 2]);
+    }
+    return text;
+}
+
+static void winding_decides_nothing(void **state)
+{
+    roberts_drawing drawing[3];
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        roberts_scene *scene = scene_of(block(k), NULL);
+        assert_int_equal(roberts_scene_solid_count(scene), 1);
+        assert_int_equal(roberts_scene_body_kind(scene, 0), ROBERTS_CLOSED);
+        drawing[k] = drawing_of(scene, (roberts_vec3){1, -1, 1}, false);
+        roberts_scene_free(scene);
+    }
+    assert_int_equal(drawing[0].count, 12);
+    for (int k = 1; k < 3; k++) {
+        assert_int_equal(drawing[k].count, drawing[0].count);
+        for (size_t i = 0; i < drawing[0].count; i++) {
+            const roberts_segment *a = &drawing[0].segment[i], *b = &drawing[k].segment[i];
+            assert_true(a->v0 == b->v0 && a->v1 == b->v1 && a->t0 == b->t0 && a->t1 == b->t1 && a->line == b->line);
+        }
+    }
+    for (int k = 0; k < 3; k++)
+        roberts_drawing_free(&drawing[k]);
+}
+
+/* A pentagram has its middle by one rule and not by the other: a wire below is seen there. */
+static void the_fill_rule_decides(void **state)
+{
+    (void)state;
+    for (int odd = 0; odd < 2; odd++) {
+        roberts_scene *scene = scene_of("OFF\n7 2 0\n0 3 0\n2 -3 0\n-3 1 0\n3 1 0\n-2 -3 0\n0 0.1 -1\n0 0.3 -1\n"
+                                        "5 0 1 2 3 4\n2 5 6\n",
+                                        &(roberts_scene_options){.even_odd = odd});
+        roberts_drawing drawing = drawing_of(scene, (roberts_vec3){0, 0, 1}, false);
+        double length[ROBERTS_WIRE + 1];
+        measure(&drawing, length);
+        assert_true(fabs(length[ROBERTS_WIRE] - (odd ? 0.2 : 0.0)) < 1e-12);
+        roberts_drawing_free(&drawing);
+        roberts_scene_free(scene);
+    }
+}
+
+/* With `solids` all of them are refused. */
+static void solids_are_asked_for(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        roberts_mesh mesh = {0};
+        roberts_scene *scene = NULL;
+        assert_int_equal(roberts_mesh_read_memory(&mesh, "case", cases[i].text, strlen(cases[i].text), NULL, NULL),
+                         ROBERTS_OK);
+        assert_int_not_equal(roberts_scene_build(&mesh, &(roberts_scene_options){.solids = true}, &scene, NULL),
+                             ROBERTS_OK);
+        assert_null(scene);
+        roberts_mesh_free(&mesh);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(lines_have_their_classes),
+        cmocka_unit_test(winding_decides_nothing),
+        cmocka_unit_test(the_fill_rule_decides),
+        cmocka_unit_test(solids_are_asked_for),
+    };
+    return cmocka_run_group_tests_name("bodies", tests, NULL, NULL);
+}
