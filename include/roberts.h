@@ -171,19 +171,21 @@ typedef struct roberts_scene_options {
     bool hull; /**< solids that would be refused, and inputs of points without faces, become their convex hulls */
     roberts_warnings warnings;
     uint32_t threads; /**< 0 = one per processor; the result does not depend on it */
-    bool solids;      /**< refuse what is no convex solid (without `hull`, which replaces it) */
-    /** The fill rule of faces that cross themselves. true: where the border winds round an odd number of times; false:
-     * where it winds round at all. */
+    bool solids;      /**< refuse what is no convex solid (unless `hull` replaces it) */
+    /** Which points belong to a face whose border crosses itself: those that it winds round an odd number of times;
+     * default: those that it winds round at all. */
     bool even_odd;
 } roberts_scene_options;
 
 /**
- * Finds the bodies of `mesh`: convex solids, closed bodies of any shape, open ones. A face may be of any shape; see
- * src/model/README.md for its rules. With options->solids or options->hull solids alone are wanted, and what follows holds:
- * Finds the solids of `mesh` and checks each: closed, planar, convex, not flat. Winding is not trusted. Components that
- * are open are welded with one another where positions are exactly equal. Faces that then hang together by edges are a
- * solid, or several where four or more faces meet in an edge. Corners that repeat another corner of their face are
- * ignored with a warning, and so are faces that this leaves with fewer than three corners.
+ * Finds the bodies of `mesh`: convex solids, closed bodies of any shape, open ones. A face may be of any shape; its
+ * rules are in src/model/README.md. Winding is not trusted.
+ *
+ * With options->solids or options->hull, only solids are wanted, and all that follows holds. Each solid is checked:
+ * closed, planar, convex, not flat. Components that are open are welded with one another where positions are exactly
+ * equal. Faces that then hang together by edges are a solid, or several where four or more faces meet in an edge.
+ * Corners that repeat another corner of their face are ignored with a warning, and so are faces that this leaves with
+ * fewer than three corners.
  *
  * With options->hull, convex hulls (by Qhull) replace what would be refused: a closed component that is no convex
  * solid; of open components, after welding and without the closed solids that split off, all that hangs together by
@@ -232,11 +234,11 @@ typedef enum roberts_body_kind {
     ROBERTS_OPEN,   /**< all else: sheets, loose faces, wires, edges of one face or of three and more */
 } roberts_body_kind;
 
-/** The kind of a body; ROBERTS_OPEN if there is none of that number. */
+/** The kind of a body; ROBERTS_OPEN if no body has that number. */
 roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t body);
 
-/** Whether a body counts as curved: it is not convex, has more than 500 faces, and bends by less than 20 degrees at half
- * or more of the edges at which its faces meet at an angle. See roberts_hide_options.crease_auto. */
+/** Whether a body counts as curved: it is not convex, has more than 500 faces, and at least half of the edges at which
+ * they meet at an angle bend by less than 20 degrees. See roberts_hide_options.crease_auto. */
 bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body);
 
 /** The name of the group that the solid's first face is in (o or g of OBJ, solid of STL); "" if it has none. Valid as
@@ -328,7 +330,8 @@ typedef struct roberts_segment {
 } roberts_segment;
 
 /** How many pairs of an edge and a front each test decided (lecture: tests 1 to 4, cheapest first). A front is all that
- * one convex solid shows under its outline, or one front face of a solid that shows very many, or one face of another body. */
+ * one convex solid shows under its outline, or one front face of a solid that shows very many, or one face of another
+ * body. */
 typedef struct roberts_tally {
     uint64_t pairs;           /**< pairs of edge and front compared */
     uint64_t test1_visible;   /**< both ends in front of a face's plane */
