@@ -317,7 +317,7 @@ static bool order_runs(verifier *f)
     return done;
 }
 
-/* Estimates how many rays will ask for the faces of each solid: all but those from visible edges of the solid itself. */
+/* Estimates how many rays will ask for the faces of each solid: all but those from its own visible edges. */
 static void count_rays(const verifier *f, double *rays)
 {
     const roberts_drawing *drawing = f->drawing;
