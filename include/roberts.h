@@ -3,7 +3,7 @@
  * The way through the library:
  *
  *   roberts_mesh     polygons as a file or a program gives them       roberts_mesh_read_file(), roberts_mesh_read()
- *   roberts_scene    closed convex solids with inward face planes     roberts_scene_build()
+ *   roberts_scene    bodies: convex solids, and bodies of any shape    roberts_scene_build()
  *   roberts_camera   where the viewer stands                          roberts_camera_preset()
  *   roberts_drawing  visible and hidden segments of every edge        roberts_hide()
  *   a file           SVG, CSV, ...                                    roberts_drawing_save(), roberts_drawing_write()
@@ -178,12 +178,12 @@ typedef struct roberts_scene_options {
 } roberts_scene_options;
 
 /**
- * Finds the bodies of `mesh`: convex solids, closed bodies of any shape, open ones. A face may be of any shape; its
- * rules are in src/model/README.md. Winding is not trusted.
+ * Finds the bodies of `mesh`: convex solids, closed bodies of any shape, and open ones. A face may have any shape:
+ * src/model/README.md has the rules. Winding is not trusted. Components that are open are welded with one another where
+ * positions are exactly equal.
  *
- * With options->solids or options->hull, only solids are wanted, and all that follows holds. Each solid is checked:
- * closed, planar, convex, not flat. Components that are open are welded with one another where positions are exactly
- * equal. Faces that then hang together by edges are a solid, or several where four or more faces meet in an edge.
+ * A convex solid is closed, planar, convex and not flat, within the tolerance. With options->solids, what is no convex
+ * solid is refused. Faces that hang together by edges are a solid, or several where four or more faces meet in an edge.
  * Corners that repeat another corner of their face are ignored with a warning, and so are faces that this leaves with
  * fewer than three corners.
  *
@@ -198,10 +198,10 @@ typedef struct roberts_scene_options {
  * mesh     only read, and not needed afterwards
  * options  NULL for the defaults
  * scene    owned by the caller, released by roberts_scene_free(); NULL on failure
- * Returns ROBERTS_OK, _NO_MEMORY, _NOT_CLOSED (also if no face has three corners), _NOT_PLANAR, _NOT_CONVEX, _FLAT
- * (with hulls: there is nothing else), _BAD_NUMBER or _BAD_ARGUMENT. The message names the solid, the vertex or the
- * face, and by how much it fails. Its numbers count from 0 in the file that error->file names, or in the whole mesh
- * where it names none (a solid made of several files).
+ * Returns ROBERTS_OK, _NO_MEMORY, _NOT_CLOSED (there is nothing to draw), _BAD_NUMBER or _BAD_ARGUMENT; with
+ * options->solids also _NOT_CLOSED, _NOT_PLANAR, _NOT_CONVEX and _FLAT; with hulls _FLAT if there is nothing else. The
+ * message names the solid, the vertex or the face, and by how much it fails. Its numbers count from 0 in the file that
+ * error->file names, or in the whole mesh where it names none (a solid made of several files).
  */
 roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,
                                    roberts_scene **scene, roberts_error *error);
@@ -330,8 +330,8 @@ typedef struct roberts_segment {
 } roberts_segment;
 
 /** How many pairs of an edge and a front each test decided (lecture: tests 1 to 4, cheapest first). A front is all that
- * one convex solid shows under its outline, or one front face of a solid that shows very many, or one face of another
- * body. */
+ * one convex solid shows under its outline, or one front face of a solid that shows very many, or one face of a body of
+ * another kind. */
 typedef struct roberts_tally {
     uint64_t pairs;           /**< pairs of edge and front compared */
     uint64_t test1_visible;   /**< both ends in front of a face's plane */

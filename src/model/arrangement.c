@@ -1,8 +1,10 @@
-/* arrangement.c - a border that crosses or touches itself, as the cells between its stretches and how often it winds round each.
+/* arrangement.c - a border that crosses or touches itself, as the cells between its stretches and how often it winds
+ * round each.
  *
- * Sides are divided where they cross and at corners that lie on them. The stretches are then walked cell by cell: at each node
- * the next stretch is the one most to the left. From one cell to the next the winding number changes by how often the border
- * runs along the stretch between them. A slit (a stretch that runs both ways) changes nothing and bounds nothing. */
+ * Sides are divided where they cross and at corners that lie on them. The stretches are then walked cell by cell: at
+ * each node the next stretch is the one most to the left. From one cell to the next the winding number changes by
+ * how often the border runs along the stretch between them. A slit (a stretch that runs both ways) changes nothing
+ * and bounds nothing. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,8 +12,8 @@
 #include "base/dd.h"
 #include "model/face_pieces.h"
 
-/* A border that departs from its plane by more than this part of the touching distance is not quite planar: crossings of two
- * faces at one edge may lie farther apart than what touches. */
+/* A border that departs from its plane by more than this part of the touching distance is not quite planar:
+ * crossings of two faces at one edge may lie farther apart than what touches. */
 #define PLANAR_PART 0x1p-10
 
 /* A point on a stretch, at t along it. */
@@ -521,8 +523,9 @@ static int compare_piece_sides(const void *pa, const void *pb)
     return (a->from > b->from) - (a->from < b->from);
 }
 
-/* Of a border that is not quite planar no crossing lies on both of its sides: its edges are the sides as a whole then, each with
- * one of the pieces along it. given: the ring as it was, since what lies on one another in the plane may be apart in space. */
+/* Of a border that is not quite planar no crossing lies on both of its sides: its edges are the sides as a whole
+ * then, each with one of the pieces along it. given: the ring as it was, since what lies on one another in the plane
+ * may be apart in space. */
 static bool take_whole_sides(face_pieces *f, const uint32_t *given)
 {
     size_t count = f->side_count, k = 0;

@@ -1,8 +1,9 @@
 /* bodies.c - see bodies.h.
  *
- * Components that are convex solids stay what they are, also those that come out where open components are welded and taken
- * apart (regroup.c). The faces of all others are taken together, cut into convex pieces (surface.c) and joined at their edges
- * (surface_edges.c); what hangs together by edges is a body. Then everything is laid out anew, solid by solid. */
+ * Components that are convex solids stay what they are, also those that come out where open components are welded
+ * and taken apart (regroup.c). The faces of all others are taken together, cut into convex pieces (surface.c) and
+ * joined at their edges (surface_edges.c); what hangs together by edges is a body. Then everything is laid out anew,
+ * solid by solid. */
 #include "model/bodies.h"
 
 #include <float.h>
@@ -20,13 +21,14 @@
 #include "model/weld.h"
 #include "read/mesh.h"
 
-/* The touching distance, as in the view: a part of the scene's diameter, ulps of its largest coordinate, and the step of 32-bit
- * floats where coordinates are such. */
+/* The touching distance, as in the view: a part of the scene's diameter, ulps of its largest coordinate, and the
+ * step of 32-bit floats where coordinates are such. */
 #define TOUCHING_OF_DIAMETER 1e-11
 #define TOUCHING_ULPS 16.0
 
-/* More faces than this may be a curved surface, where at least half of the edges that are bent by more than FLAT_BEND are bent by
- * less than LITTLE_BEND: the squares of the distances of normals that meet at 0.1 and 20 degrees. */
+/* More faces than this may be a curved surface, where at least half of the edges that are bent by more than
+ * FLAT_BEND are bent by less than LITTLE_BEND: the squares of the distances of normals that meet at 0.1 and 20
+ * degrees. */
 #define SMOOTH_FACES 500
 #define FLAT_BEND 3.046e-6
 #define LITTLE_BEND 0.1206
@@ -50,7 +52,8 @@ typedef struct assembly {
     builder work;
 } assembly;
 
-/* ---- which components are convex solids --------------------------------------------------------------------------- */
+/* ---- which components are convex solids
+ * --------------------------------------------------------------------------- */
 
 static roberts_status find_kinds(assembly *a, uint8_t *open, uint8_t *convex, bool *any_open, roberts_error *error)
 {
@@ -82,8 +85,8 @@ static bool weld_open(assembly *a, const uint8_t *open)
     return enough;
 }
 
-/* Lays the components out, and lists the faces of those that are no convex solids. known: it is known that some is closed and
- * not convex. */
+/* Lays the components out, and lists the faces of those that are no convex solids. known: it is known that some is
+ * closed and not convex. */
 static roberts_status sort_components(assembly *a, bool known, roberts_error *error)
 {
     patterns list = {0};
@@ -121,7 +124,8 @@ done:
     return status;
 }
 
-/* ---- bodies ------------------------------------------------------------------------------------------------------- */
+/* ---- bodies
+ * ------------------------------------------------------------------------------------------------------- */
 
 static double largest(roberts_vec3 a)
 {
@@ -180,8 +184,8 @@ static void join_pieces(const surface *s, uint32_t *parent, uint32_t *owner)
     }
 }
 
-/* All that is laid out: pieces, ends of edges that may be no corners of their body's pieces, faces of convex solids; each with
- * the set that it belongs to in of[]. */
+/* All that is laid out: pieces, ends of edges that may be no corners of their body's pieces, faces of convex solids;
+ * each with the set that it belongs to in of[]. */
 static bool list_all(assembly *a)
 {
     const surface *s = &a->surface;
@@ -297,10 +301,11 @@ static bool number_bodies(assembly *a)
     return a->is_convex != NULL;
 }
 
-/* ---- the scene's arrays ------------------------------------------------------------------------------------------- */
+/* ---- the scene's arrays
+ * ------------------------------------------------------------------------------------------- */
 
-/* Lays everything out in place of the components; then what is no face goes. The scene's numbers are those of `all` and of the
- * surface's vertices still. */
+/* Lays everything out in place of the components; then what is no face goes. The scene's numbers are those of `all`
+ * and of the surface's vertices still. */
 static bool lay_out(assembly *a)
 {
     roberts_scene *scene = a->scene;
@@ -660,7 +665,8 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
 
-/* ---- wires beside convex solids ------------------------------------------------------------------------------------- */
+/* ---- wires beside convex solids
+ * ------------------------------------------------------------------------------------- */
 
 static uint64_t edge_name(uint32_t a, uint32_t b)
 {
@@ -707,7 +713,8 @@ bool bodies_wires(const roberts_scene *scene, const roberts_mesh *mesh, bool *fo
     return enough;
 }
 
-/* ---- the scene's lookups ------------------------------------------------------------------------------------------ */
+/* ---- the scene's lookups
+ * ------------------------------------------------------------------------------------------ */
 
 const scene_many *scene_many_at(const roberts_scene *scene, uint32_t edge)
 {

@@ -1,8 +1,8 @@
 /* face_pieces.h - a face of any shape as convex pieces.
  *
- * A face is all points of its plane that its border winds round (nonzero rule, or an odd number of times). It may be concave,
- * cross itself, or have a slit to a hole. Everything is decided in the coordinate plane nearest to the face's: dropping a
- * coordinate rounds nothing. */
+ * A face is all points of its plane that its border winds round (nonzero rule, or an odd number of times). It may be
+ * concave, cross itself, or have a slit to a hole. Everything is decided in the coordinate plane nearest to the
+ * face's: dropping a coordinate rounds nothing. */
 #ifndef ROBERTS_MODEL_FACE_PIECES_H
 #define ROBERTS_MODEL_FACE_PIECES_H
 
@@ -71,13 +71,14 @@ bool face_pieces_cut(face_pieces *f, const face_rules *rules, const uint32_t *co
 
 void face_pieces_free(face_pieces *f);
 
-/* ---- the parts of it ---------------------------------------------------------------------------------------------- */
+/* ---- the parts of it
+ * ---------------------------------------------------------------------------------------------- */
 
 /* > 0 where a, b, c turn left; the sign is that of exact numbers for all but contrived input. */
 double piece_turn(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c);
 
-/* Cuts the simple polygon (it may touch itself, or run along a slit both ways) of nodes that turns left on the whole. `merge`:
- * join triangles to convex polygons. False: no memory. (triangulate.c) */
+/* Cuts the simple polygon (it may touch itself, or run along a slit both ways) of nodes that turns left on the
+ * whole. `merge`: join triangles to convex polygons. False: no memory. (triangulate.c) */
 bool face_pieces_triangulate(face_pieces *f, const uint32_t *ring, uint32_t count, bool merge);
 
 /* Does the ring cross or touch itself? Then it is cut by its arrangement. *done: that was so. False: no memory.

@@ -1,7 +1,8 @@
-/* surface.h - faces of bodies that are not convex: in convex pieces, and the edges between them, before they are laid out.
+/* surface.h - faces of bodies that are not convex: in convex pieces, and the edges between them, before they are
+ * laid out.
  *
- * Nothing is refused and no winding is trusted. Vertices and faces are numbered as in the mesh, with the points where borders
- * cross themselves behind its vertices; pieces are numbered in the order of their faces. */
+ * Nothing is refused and no winding is trusted. Vertices and faces are numbered as in the mesh, with the points
+ * where borders cross themselves behind its vertices; pieces are numbered in the order of their faces. */
 #ifndef ROBERTS_MODEL_SURFACE_H
 #define ROBERTS_MODEL_SURFACE_H
 
@@ -16,8 +17,8 @@ typedef struct surface_fit {
     double mean, deviation, width;
 } surface_fit;
 
-/* A side of a piece, or of the face that it is a part of: the piece is on the left of v[0] -> v[1], seen from the end of its
- * normal. */
+/* A side of a piece, or of the face that it is a part of: the piece is on the left of v[0] -> v[1], seen from the
+ * end of its normal. */
 typedef struct surface_side {
     uint32_t v[2];
     uint32_t piece; /* SURFACE_CUT: the side is no side of the face */
@@ -60,8 +61,8 @@ typedef struct surface {
     size_t repeated; /* faces that were left out as copies of earlier ones */
 } surface;
 
-/* Takes the faces f with listed[f] of the mesh in pieces. Elements of two corners are taken as edges without a face. False: no
- * memory. */
+/* Takes the faces f with listed[f] of the mesh in pieces. Elements of two corners are taken as edges without a face.
+ * False: no memory. */
 bool surface_take_faces(surface *s, const uint8_t *listed, const face_rules *rules);
 
 /* Finds the edges: sides that lie on one another, within `touching`, are one. False: no memory. */

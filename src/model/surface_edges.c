@@ -1,8 +1,8 @@
 /* surface_edges.c - the edges of surfaces: sides that lie on one another.
  *
- * Sides with the same ends are one edge; nearly all have two pieces, and those are done. The others (borders, edges of more
- * pieces, wires) are asked in space: a vertex that lies on one of them within the touching distance divides it, and vertices
- * that near to one another are one. So T-junctions and loose faces show no false borders. */
+ * Sides with the same ends are one edge; nearly all have two pieces, and those are done. The others (borders, edges
+ * of more pieces, wires) are asked in space: a vertex that lies on one of them within the touching distance divides
+ * it, and vertices that near to one another are one. So T-junctions and loose faces show no false borders. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -123,8 +123,8 @@ static bool copy_part(surface *s, uint32_t side, uint32_t *part)
     return true;
 }
 
-/* Do both sides belong to one planar face? Its border crosses itself, and this stretch of it has the face on both sides: another
- * face has stretches of its own there. */
+/* Do both sides belong to one planar face? Its border crosses itself, and this stretch of it has the face on both
+ * sides: another face has stretches of its own there. */
 static bool same_face(const surface *s, const uint32_t side[2])
 {
     uint32_t p = s->side[side[0]].piece, q = s->side[side[1]].piece;

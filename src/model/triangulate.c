@@ -1,8 +1,8 @@
 /* triangulate.c - a simple polygon as triangles, and these joined to convex polygons.
  *
- * Ears are cut off one by one (G. H. Meisters, "Polygons have ears", American Mathematical Monthly 82(6), 1975); then cuts that
- * are not needed for convex pieces are taken back (S. Hertel, K. Mehlhorn, "Fast triangulation of simple polygons", FCT 1983).
- * A polygon may touch itself at corners and run along a slit both ways. */
+ * Ears are cut off one by one (G. H. Meisters, "Polygons have ears", American Mathematical Monthly 82(6), 1975);
+ * then cuts that are not needed for convex pieces are taken back (S. Hertel, K. Mehlhorn, "Fast triangulation of
+ * simple polygons", FCT 1983). A polygon may touch itself at corners and run along a slit both ways. */
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -29,7 +29,8 @@ typedef struct ear {
     roberts_vec2 A, B, C, low, high;
 } ear;
 
-/* Is corner p in the triangle? Only corners that do not turn left can be the first ones in it. `strict`: or on its border. */
+/* Is corner p in the triangle? Only corners that do not turn left can be the first ones in it. `strict`: or on its
+ * border. */
 static bool holds(const face_pieces *f, const ear *e, uint32_t p, bool strict)
 {
     roberts_vec2 P = place(f, p);
@@ -59,8 +60,8 @@ static uint32_t place_on(const curve *c, roberts_vec2 P)
     return bits_spread(cell_along(P.x, c->low.x, c->per_x)) << 1 | bits_spread(cell_along(P.y, c->low.y, c->per_y));
 }
 
-/* Links the corners along the curve (G. M. Morton, 1966): the corners of a box lie between its lower left and its upper right
- * corner on it. False: no memory. */
+/* Links the corners along the curve (G. M. Morton, 1966): the corners of a box lie between its lower left and its
+ * upper right corner on it. False: no memory. */
 static bool link_curve(face_pieces *f, uint32_t count, curve *c)
 {
     uint64_t *key = alloc_array(count, sizeof *key);
@@ -88,7 +89,8 @@ static bool link_curve(face_pieces *f, uint32_t count, curve *c)
     return true;
 }
 
-/* Does the triangle before and after b hold no other corner? `strict`: nor on its border. c: NULL where all are asked. */
+/* Does the triangle before and after b hold no other corner? `strict`: nor on its border. c: NULL where all are
+ * asked. */
 static bool is_ear(const face_pieces *f, uint32_t b, bool strict, const curve *c)
 {
     const ring_link *link = f->link;
@@ -146,8 +148,8 @@ static uint32_t first_ear(const face_pieces *f, uint32_t count)
     return vec3_dot(b, b) <= vec3_dot(a, a) ? 0 : 1;
 }
 
-/* Cuts off ears until three corners are left. Where rounding leaves none, first those with corners on their border go, then
- * any corner that turns left, then any. Gives the number of cuts, or ROBERTS_NONE: no memory. */
+/* Cuts off ears until three corners are left. Where rounding leaves none, first those with corners on their border
+ * go, then any corner that turns left, then any. Gives the number of cuts, or ROBERTS_NONE: no memory. */
 static uint32_t cut_ears(face_pieces *f, uint32_t count, const curve *c)
 {
     ring_link *link = f->link;

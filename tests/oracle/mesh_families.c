@@ -75,7 +75,8 @@ static void look(workshop *w)
     }
 }
 
-/* ---- bodies made of cells: blocks, stairs, cups, rings, shells within shells, what meets in an edge or a corner ---- */
+/* ---- bodies made of cells: blocks, stairs, cups, rings, shells within shells, what meets in an edge or a corner
+ * ---- */
 
 typedef struct block {
     bool full[CELLS][CELLS][CELLS];

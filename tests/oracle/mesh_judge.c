@@ -1,5 +1,5 @@
-/* mesh_judge.c - see mesh_judge.h. A row of the program's table lies on an edge of the oracle where its ends do: an edge may come
- * as pieces of other edges of the file that lie on the same line. */
+/* mesh_judge.c - see mesh_judge.h. A row of the program's table lies on an edge of the oracle where its ends do: an
+ * edge may come as pieces of other edges of the file that lie on the same line. */
 #include "mesh_judge.h"
 
 #include <math.h>
@@ -101,8 +101,8 @@ static size_t join(oracle_interval *list, size_t count, const piece *p)
     return count;
 }
 
-/* Joins the pieces, and what is between visible ones. Where one piece is visible and another hidden, of vertices of their
- * own at the same places, the line is seen. Gives how much of what the edge bounds no piece is of. */
+/* Joins the pieces, and what is between visible ones. Where one piece is visible and another hidden, of vertices of
+ * their own at the same places, the line is seen. Gives how much of what the edge bounds no piece is of. */
 static double uncovered(judgement *j, const mesh_edge *e)
 {
     double end = 0;

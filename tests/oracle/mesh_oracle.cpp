@@ -1,5 +1,6 @@
-/* mesh_oracle.cpp - see mesh_oracle.h. Everything is asked in the picture: points are projected exactly, an edge is cut where it
- * crosses the line of a side and where it pierces the plane, and each open part between two cuts is asked in its middle. */
+/* mesh_oracle.cpp - see mesh_oracle.h. Everything is asked in the picture: points are projected exactly, an edge is
+ * cut where it crosses the line of a side and where it pierces the plane, and each open part between two cuts is
+ * asked in its middle. */
 #include "mesh_oracle.h"
 
 #include "exact.h"
@@ -29,8 +30,8 @@ struct polygon {
     std::vector<uint32_t> corner;
     std::vector<std::array<uint32_t, 2>> side; /* without those that run both ways */
     double x0, x1, y0, y1;                     /* of its picture, with a margin */
-    /* Two corners that make a triangle with the first one, where parts of the face that run either way are as large: then
-     * Newell's normal is 0, or nothing but rounding. Else 0. */
+    /* Two corners that make a triangle with the first one, where parts of the face that run either way are as large:
+     * then Newell's normal is 0, or nothing but rounding. Else 0. */
     uint32_t second, third;
 };
 

@@ -1,5 +1,5 @@
-/* test_mesh_oracle.c - bodies of any kind: the mesh oracle against cases worked out by hand; then the library against the
- * oracle on scenes of each family (more: make check-long) and on published models. */
+/* test_mesh_oracle.c - bodies of any kind: the mesh oracle against cases worked out by hand; then the library
+ * against the oracle on scenes of each family (more: make check-long) and on published models. */
 #include <dirent.h>
 #include <setjmp.h>
 #include <stdarg.h>
