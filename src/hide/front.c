@@ -7,19 +7,10 @@
 #include "hide/outline.h"
 #include "hide/span.h"
 
-/* A front of more faces than this is entered face by face: an edge that passes it would be compared with all. */
-#define FACES_OF_ONE_FRONT 24
-/* A solid of more faces than make a bundle is one where their boxes lie so many times over one another on average. */
-#define DEPTH_OF_BUNDLE 8.0
-/* ... or one so small in the picture that about so many of its faces share a cell: with fewer, their tree takes longer. */
-#define FACES_OF_A_CELL 1000.0
 /* Cells each way in a picture of n faces, about, are this times the root of n: see CELLS_PER_BOX in cells.c. */
 #define CELLS_PER_ROOT 2.0
 /* From this many cells (five or six mean boxes) across, a cover's depth is taken cell by cell and not once for all of it. */
 #define COVER_WIDE 50.0
-
-/* A solid is no larger than this times the width of a face that is not narrow. */
-#define WIDTHS_OF_SOLID 64.0
 
 /* The front faces of a solid. */
 typedef struct front_faces {
@@ -54,12 +45,12 @@ double front_set_trust(const hide_picture *picture, uint32_t solid, uint32_t fac
         rounded = v->plane_rounding * stretch * grown;
         width *= shrunk * shrunk;
     }
-    double error = 4.0 * v->rounding + departure, far_error = error * (1.0 + 2.0 * v->extent / width);
+    double error = PLANE_ROUNDINGS * v->rounding + departure, far_error = error * (1.0 + 2.0 * v->extent / width);
     f->touch = v->epsilon + departure;
     f->limit = hide_float_below(far_error > 0.5 * f->touch ? f->touch - far_error : f->touch);
     if (departure > v->epsilon && box_size(&picture->box[solid]) <= WIDTHS_OF_SOLID * width)
         departure = rounded;
-    return width * (0.5 * (v->epsilon + departure) / (4.0 * v->rounding + departure) - 1.0);
+    return width * (0.5 * (v->epsilon + departure) / (PLANE_ROUNDINGS * v->rounding + departure) - 1.0);
 }
 
 /* Classifies the solid's faces and collects its front faces, from the tile's place on.
@@ -240,7 +231,7 @@ bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile
                         .face_count = found.count,
                         .depth = hide_float_below(depth - slack),
                         .reach = whole ? reach : -INFINITY, /* a bundle's faces are never asked all at once */
-                        .loose = hide_float_above(4.0 * (found.touch - picture->view.epsilon)),
+                        .loose = hide_float_above(LOOSE_DEPARTURES * (found.touch - picture->view.epsilon)),
                         .outline = tile->outline,
                         .corners = cycle};
     if (corners && picture->cover.depth)

@@ -18,9 +18,6 @@
 #define CHUNK_SEGMENTS 1024 /* room to begin with: nine visible edges of each block, and then some */
 #define CHUNKS_PER_THREAD 8 /* with less work than this a thread costs more than it does */
 
-/* Touching distance above which "on" would mean a visible length: a hundredth of the scene. */
-#define EPSILON_MOST 0.01
-
 /* The crease angle of bodies that are taken for curved, degrees. */
 #define SMOOTH_CREASE 30.0
 

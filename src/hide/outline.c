@@ -50,7 +50,7 @@ static BITS_RARE bool turns_left(const hide_picture *picture, uint32_t a, uint32
     double left = refine_side(&picture->space, a, b, c); /* no number where AB has no length */
     if (AB.x * BC.x + AB.y * BC.y <= 0.0)
         return left > 0.0;
-    return left >= -0.5 * picture->view.epsilon / size * span_of(BC);
+    return left >= -INWARD_TURN * picture->view.epsilon / size * span_of(BC);
 }
 
 /* Tests 2 to 4 need a convex polygon: for them the inside is what lies on the inner side of every side's line, so that
@@ -59,7 +59,8 @@ static BITS_RARE bool turns_left(const hide_picture *picture, uint32_t a, uint32
  * does. */
 bool outline_is_convex(const hide_picture *picture, const uint32_t *outline, uint32_t corners, double size)
 {
-    const double plain = 8.0 * picture->view.across_rounding * size; /* no product of two sides is off by more */
+    const double plain =
+        TURN_ROUNDINGS * picture->view.across_rounding * size; /* no product of two sides is off by more */
     int rounds = 0;
     if (corners < 3)
         return false;
@@ -125,7 +126,7 @@ static bool is_left_turn(const hide_picture *picture, uint32_t a, uint32_t b, ui
 {
     const roberts_vec3 *P = picture->P;
     roberts_vec3 AB = vec3_sub(P[b], P[a]), AC = vec3_sub(P[c], P[a]);
-    return AB.x * AC.y - AB.y * AC.x > 8.0 * picture->view.across_rounding * hypot(AC.x, AC.y);
+    return AB.x * AC.y - AB.y * AC.x > TURN_ROUNDINGS * picture->view.across_rounding * hypot(AC.x, AC.y);
 }
 
 /* The last corners of a chain at which it does not turn left toward c are none. The first `kept` stay. */

@@ -13,7 +13,7 @@
 #include "hide/bundle.h"
 #include "hide/cover.h"
 #include "hide/tests_wide.h"
-#include "hide/space.h"
+#include "hide/tolerance.h"
 
 typedef struct hide_front {
     double reach; /* distance from it up to which the planes of its faces can be trusted */

@@ -12,11 +12,7 @@
 #ifndef ROBERTS_HIDE_REACH_H
 #define ROBERTS_HIDE_REACH_H
 
-#include "hide/space.h"
-
-/* Reaches of so many epsilons along the edge are taken as they are: they are no more than cells and boxes are widened
- * by. */
-#define REACH_PLAIN 4.0
+#include "hide/tolerance.h"
 
 /* Where an edge crosses a border, out of the polygon F or into it: the side from corner `first` of F to corner `last`,
  * or the chord of the sides between them where these are straight. */

@@ -280,7 +280,7 @@ bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e
         return true;
     double width = inside->t1 - inside->t0, slope = fabs(f0 - f1);
     double t = inside->t0 + width * (f0 / (f0 - f1));
-    if (!hide_accurate(space, e, width * 4.0 * space->depth_rounding / slope) && space->scene) {
+    if (!hide_accurate(space, e, width * PLANE_ROUNDINGS * space->depth_rounding / slope) && space->scene) {
         t = fmin(fmax(refine_pierce(space, F, e), inside->t0), inside->t1);
         sides->refined++;
     }

@@ -19,7 +19,7 @@
 
 #include "hide/tests_fast.h"
 #include "hide/reach.h"
-#include "hide/space.h"
+#include "hide/tolerance.h"
 
 typedef enum hide_verdict { HIDE_UNDECIDED, HIDE_VISIBLE, HIDE_INVISIBLE } hide_verdict;
 

@@ -11,9 +11,6 @@
 #include "base/lanes.h"
 #include "hide/reach.h"
 
-/* Corners of the outlines that are taken up; those of more are left to tests.c. Even. */
-#define FAST_CORNERS 16
-
 /* An outline at hand, drawn together from the picture. An odd number of sides is made even: the last stands twice, and so
  * does the first corner. */
 typedef struct fast_outline {

@@ -25,9 +25,6 @@
 #include "hide/list_tree.h"
 #include "hide/tests.h"
 
-/* Polygons of more corners are taken in runs. Below, that gains nothing. */
-#define RUNS_CORNERS 64
-
 typedef struct runs_node {
     double x, y;           /* first corner, in the picture */
     double ux, uy;         /* along the chord, 1 long */
