@@ -284,7 +284,7 @@ static hide_verdict ask_sides(const sight *s, hide_sides *sides, double s0, doub
 }
 
 /* Test 4 of these. */
-static bool cut_by(const sight *s, hide_sides *sides, const cuts *c, hide_part *part)
+static bool cut_by(const sight *s, hide_sides *sides, const cuts *c, hide_interval *part)
 {
     hide_cutting cutting = {s->space, s->F, s->e, &sides->refined};
     hide_cut cut = hide_uncut;
@@ -296,7 +296,7 @@ static bool cut_by(const sight *s, hide_sides *sides, const cuts *c, hide_part *
 
 /* Tests 3 and 4 by guesses; false where all sides are to be asked. `*verdict` HIDE_UNDECIDED: test 4 has found `part`, or that
  * nothing is left, and then it is empty. */
-static bool by_guesses(const sight *s, hide_sides *sides, hide_verdict *verdict, hide_part *part)
+static bool by_guesses(const sight *s, hide_sides *sides, hide_verdict *verdict, hide_interval *part)
 {
     double s0, s1, accuracy = RUNS_GUESS_ACCURACY * s->space->epsilon / s->e->length;
     cuts c;
@@ -323,7 +323,7 @@ static bool by_guesses(const sight *s, hide_sides *sides, hide_verdict *verdict,
 }
 
 bool hide_by_runs(const hide_space *space, const runs *r, const hide_face *F, const hide_edge *e, hide_sides *sides,
-                  roberts_tally *tally, hide_part *part)
+                  roberts_tally *tally, hide_interval *part)
 {
     sight s = {.space = space, .r = r, .F = F, .e = e, .left = ROBERTS_NONE, .right = ROBERTS_NONE};
     hide_verdict verdict;

@@ -7,7 +7,7 @@
 #ifndef ROBERTS_HIDE_TOLERANCE_H
 #define ROBERTS_HIDE_TOLERANCE_H
 
-#include "hide/space.h"
+#include "hide/types.h"
 
 /* ---- signs and parameters ---- */
 

@@ -1,7 +1,8 @@
-/* space.h - what the tests work on: the scene in view space, its front faces and the edge under test. */
-#ifndef ROBERTS_HIDE_SPACE_H
-#define ROBERTS_HIDE_SPACE_H
+/* types.h - points in view space, boxes, a face, an edge, a hidden interval. */
+#ifndef ROBERTS_HIDE_TYPES_H
+#define ROBERTS_HIDE_TYPES_H
 
+#include "base/box.h"
 #include "view/view.h"
 
 typedef struct hide_space {
@@ -42,12 +43,12 @@ typedef struct hide_edge {
 
 /* The hidden part t0 .. t1 of an edge by one face or solid: parameters along its picture. From r0 to r1 the edge is
  * within epsilon of what hides it (see reach.h); r0 <= t0 and r1 >= t1. */
-typedef struct hide_part {
+typedef struct hide_interval {
     double t0, t1;
     double r0, r1;
-} hide_part;
+} hide_interval;
 
-static const hide_part hide_whole = {0.0, 1.0, 0.0, 1.0};
+static const hide_interval hide_whole = {0.0, 1.0, 0.0, 1.0};
 
 static inline roberts_vec3 hide_edge_at(const hide_edge *e, double t)
 {
@@ -74,6 +75,21 @@ static inline bool hide_side_holds(roberts_vec3 P, roberts_vec3 Q, double x, dou
 {
     double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (y - P.y) - dy * (x - P.x);
     return !((H < 0.0 || slack < 0.0) && H < -slack * sqrt(dx * dx + dy * dy));
+}
+
+/* A box of view points as they are; one of none is empty. */
+typedef struct hide_bounds {
+    roberts_vec3 low, high;
+} hide_bounds;
+
+static const hide_bounds hide_no_bounds = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+static inline hide_box hide_box_around(const hide_bounds *all)
+{
+    if (all->low.x > all->high.x)
+        return (hide_box){INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
+    return (hide_box){hide_float_below(all->low.x),  hide_float_above(all->high.x), hide_float_below(all->low.y),
+                      hide_float_above(all->high.y), hide_float_below(all->low.z),  hide_float_above(all->high.z)};
 }
 
 #endif
