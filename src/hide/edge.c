@@ -101,9 +101,9 @@ static void shrink(hide_worker *w, size_t n, const hide_interval *hidden)
 static bool is_own(const hide_worker *w, const hide_line *line, const hide_front *front)
 {
     const scene_surface *surface = w->fronts->scene->surface;
-    bool own = line->own[0] == front->outline || line->own[1] == front->outline;
+    bool own = line->own[0] == front->plane || line->own[1] == front->plane;
     for (uint32_t k = line->many ? line->many->first : 0; line->many && k < line->many->end && !own; k++)
-        own = surface->plane_of[surface->many_face[k] & ~MANY_TURNED] == front->outline;
+        own = surface->plane_of[surface->many_face[k] & ~MANY_TURNED] == front->plane;
     return own;
 }
 
@@ -161,8 +161,8 @@ static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box
             continue;
         if (!is_confined(w, own, &line->e, &part) && !confine(w, own, &line->e, &part))
             continue;
-        if (front->corners == 0 && !front->surface ? !hide_intervals_hull(&line->hulls, front->solid, &part)
-                                                   : !hide_intervals_add(&line->intervals, front->solid, &part))
+        if (front->kind == HIDE_SOLID_FACE ? !hide_intervals_hull(&line->hulls, front->solid, &part)
+                                           : !hide_intervals_add(&line->intervals, front->solid, &part))
             return false;
         if (part.t0 == 0.0 && part.t1 == 1.0) {
             line->hidden = true;
@@ -206,10 +206,10 @@ BITS_INLINE bool meet_once(hide_worker *w, uint32_t solid, hide_line *line, cons
         return true;
     w->seen[front] = w->stamp;
     /* What the faces of one solid hide is joined to one part, also where a face reaches only what is hidden already. */
-    bool hull = w->grid->next && w->fronts->front[front].corners == 0 && !w->fronts->front[front].surface;
+    bool hull = w->grid->next && w->fronts->front[front].kind == HIDE_SOLID_FACE;
     const hide_lanes *lanes = hull ? &w->whole : &w->lanes;
     uint64_t bits = line ? 1 : met_by(lanes, w->line_count, &w->fronts->front_box[front]);
-    if (solid == ROBERTS_NONE && w->fronts->front[front].surface)
+    if (solid == ROBERTS_NONE && w->fronts->front[front].kind == HIDE_SURFACE_FACE)
         bits = not_left_out(w, line ? line : w->line, bits, &w->fronts->front[front]);
     return !bits || w->fronts->front[front].solid == solid || meet(w, line ? line : w->line, bits, box, front);
 }

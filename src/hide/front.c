@@ -131,8 +131,8 @@ static bool add_single_fronts(const hide_fronts *fronts, front_tile *tile, uint3
     for (uint32_t k = 0; k < found->count; k++) {
         hide_bounds own = face_bounds(fronts, &found->face[k]);
         tile->single_box[tile->single_count] = hide_box_around(&own);
-        tile->single[tile->single_count++] =
-            (hide_front){.solid = solid, .face = tile->face + k, .face_count = 1, .listed = true};
+        tile->single[tile->single_count++] = (hide_front){
+            .solid = solid, .face = tile->face + k, .face_count = 1, .kind = HIDE_SOLID_FACE, .listed = true};
     }
     return true;
 }
@@ -228,10 +228,11 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
                         .face = tile->face,
                         .face_count = found.count,
                         .depth = hide_float_below(depth - slack),
-                        .reach = whole ? reach : -INFINITY, /* a bundle's faces are never asked all at once */
+                        .reach = reach,
                         .loose = hide_float_above(LOOSE_DEPARTURES * (found.touch - fronts->view.epsilon)),
                         .outline = tile->outline,
-                        .corners = cycle};
+                        .corners = cycle,
+                        .kind = whole ? HIDE_CONVEX_SOLID : HIDE_BUNDLE};
     if (corners && fronts->cover.depth)
         cover_front(fronts, &scratch->scan, &front, &found, whole && reach > size, depth, slack,
                     whole ? tile->front : ROBERTS_NONE);

@@ -20,7 +20,7 @@
 
 /* How edges are held against a front. */
 typedef enum hide_approach {
-    HIDE_ONE_FACE,     /* it is one face of a solid of many */
+    HIDE_FACE_BY_FACE, /* a single face, or the faces that a bundle's tree leaves */
     HIDE_WITHIN_REACH, /* all faces at once: the edges are within the reach of all planes */
     HIDE_ASK_REACH,    /* ... where that turns out to be so, else face by face */
 } hide_approach;
@@ -43,12 +43,12 @@ BITS_INLINE hide_meeting hide_meet(const hide_fronts *fronts, const hide_front *
     float x = (own->x1 > edges->x1 ? own->x1 : edges->x1) - (own->x0 < edges->x0 ? own->x0 : edges->x0);
     float y = (own->y1 > edges->y1 ? own->y1 : edges->y1) - (own->y0 < edges->y0 ? own->y0 : edges->y0);
     float z = (own->z1 > edges->z1 ? own->z1 : edges->z1) - (own->z0 < edges->z0 ? own->z0 : edges->z0);
-    hide_approach approach = 1.001 * (double)(x + y + z) <= front->reach ? HIDE_WITHIN_REACH : HIDE_ASK_REACH;
+    hide_approach together = 1.001 * (double)(x + y + z) <= front->reach ? HIDE_WITHIN_REACH : HIDE_ASK_REACH;
     return (hide_meeting){.front = front,
                           .face = fronts->face + front->face,
                           .outline = fronts->outline + front->outline,
                           .corners = front->corners,
-                          .approach = front->corners ? approach : HIDE_ONE_FACE,
+                          .approach = front->kind == HIDE_CONVEX_SOLID ? together : HIDE_FACE_BY_FACE,
                           .depth = (double)front->depth,
                           .span = 1.001 * (double)(x + y)};
 }
@@ -130,7 +130,8 @@ BITS_INLINE bool hide_by_front(const hide_fronts *fronts, const hide_meeting *m,
 {
     uint32_t near = 0;
     hide_verdict depth = HIDE_INVISIBLE;
-    if (m->approach != HIDE_WITHIN_REACH && (m->approach == HIDE_ONE_FACE || !hide_within_reach(fronts, m->front, e)))
+    if (m->approach != HIDE_WITHIN_REACH &&
+        (m->approach == HIDE_FACE_BY_FACE || !hide_within_reach(fronts, m->front, e)))
         return hide_by_faces(fronts, m->front, m->span, e, sides, tally, part);
     tally->pairs++;
     if (!(e->A.z < m->depth && e->B.z < m->depth)) /* else behind all of it */

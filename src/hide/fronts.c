@@ -251,7 +251,7 @@ static double thickest(const hide_fronts *fronts)
     double most = 0.0;
     for (uint32_t k = 0; k < fronts->front_count; k++) {
         const hide_front *front = &fronts->front[k];
-        double own = front->corners ? (double)fronts->front_box[k].z1 - (double)front->depth : INFINITY;
+        double own = hide_is_face(front) ? INFINITY : (double)fronts->front_box[k].z1 - (double)front->depth;
         most = greater(most, own);
     }
     return most;
@@ -323,7 +323,7 @@ typedef struct sieve {
 static bool same_front(const hide_fronts *fronts, uint32_t a, uint32_t b)
 {
     const hide_front *f = &fronts->front[a], *g = &fronts->front[b];
-    if (f->face_count != g->face_count || f->corners != g->corners || f->corners == 0 ||
+    if (f->face_count != g->face_count || f->corners != g->corners || f->kind != g->kind ||
         memcmp(&fronts->front_box[a], &fronts->front_box[b], sizeof(hide_box)) != 0)
         return false;
     for (uint32_t i = 0; i < f->corners; i++) {

@@ -15,16 +15,29 @@
 #include "hide/tests_wide.h"
 #include "hide/tolerance.h"
 
+/* What a front is. The first two have an outline of their own. */
+typedef enum hide_kind {
+    HIDE_CONVEX_SOLID, /* all front faces of a convex solid, asked together */
+    HIDE_BUNDLE,       /* all front faces of a convex solid, asked by a tree: bundle.h */
+    HIDE_SOLID_FACE,   /* one face of a convex solid that is entered face by face; the solid hides the hull of what its
+                          faces hide */
+    HIDE_SURFACE_FACE, /* one face of a body that is not convex; it hides from both sides */
+} hide_kind;
+
 typedef struct hide_front {
-    double reach; /* distance from it up to which the planes of its faces can be trusted */
+    double reach; /* of a convex solid: distance from it up to which the planes of its faces can be trusted */
     uint32_t solid;
-    uint32_t face;             /* of hide_fronts.face, the first */
-    uint32_t outline, corners; /* of hide_fronts.outline; corners == 0: the one face's own */
-    float loose;               /* by how much its faces may leave its outline: by what they depart from their planes */
-    float depth;               /* what is nowhere nearer is behind it wherever it is inside the outline */
-    uint32_t face_count;       /* of a bundle more than of others; see bundle.h */
-    bool listed;               /* false: a copy of another front */
-    bool surface;              /* a face of a body that is not convex; `outline` is then its scene_surface.plane_of */
+    uint32_t face; /* of hide_fronts.face, the first */
+    union {
+        uint32_t outline; /* of hide_fronts.outline, the first corner: convex solid and bundle */
+        uint32_t plane;   /* its scene_surface.plane_of: surface face */
+    };
+    uint32_t corners; /* of the outline; 0: a face has corners of its own */
+    float loose;      /* by how much its faces may leave its outline: by what they depart from their planes */
+    float depth;      /* what is nowhere nearer is behind it wherever it is inside the outline */
+    uint32_t face_count;
+    uint8_t kind; /* hide_kind */
+    bool listed;  /* false: a copy of another front */
 } hide_front;
 
 typedef struct hide_fronts {
@@ -73,10 +86,16 @@ BITS_INLINE void hide_fronts_fetch(const hide_fronts *fronts, uint32_t solid)
     FETCH_AHEAD(scene->edge + s->stored);
 }
 
+/* Is it a single face, with corners of its own? */
+static inline bool hide_is_face(const hide_front *front)
+{
+    return front->kind >= HIDE_SOLID_FACE;
+}
+
 /* The outline of a front as a polygon for tests 2 to 4; its plane is not set, or that of its only face. */
 static inline hide_face hide_outline(const hide_fronts *fronts, const hide_front *front)
 {
-    if (front->corners == 0)
+    if (hide_is_face(front))
         return fronts->face[front->face];
     return (hide_face){.corner = fronts->outline + front->outline, .count = front->corners};
 }

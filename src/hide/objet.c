@@ -176,7 +176,7 @@ static bool link_lists(objet *grid, const hide_fronts *fronts)
     size_t cells = scan_cells(&grid->frame);
     bool single = false;
     for (uint32_t k = 0; k < fronts->front_count && !single; k++)
-        single = fronts->front[k].listed && fronts->front[k].corners == 0 && !fronts->front[k].surface;
+        single = fronts->front[k].listed && fronts->front[k].kind == HIDE_SOLID_FACE;
     if (!single)
         return true;
     grid->next = alloc_array(grid->start[cells], sizeof *grid->next);

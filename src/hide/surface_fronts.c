@@ -43,9 +43,9 @@ bool surface_add_fronts(hide_fronts *fronts, front_tile *tile, uint32_t body)
         tile->single[tile->single_count++] = (hide_front){.solid = body,
                                                           .face = tile->face++,
                                                           .face_count = 1,
-                                                          .outline = scene->surface->plane_of[face],
+                                                          .plane = scene->surface->plane_of[face],
                                                           .listed = true,
-                                                          .surface = true};
+                                                          .kind = HIDE_SURFACE_FACE};
     }
     return true;
 }

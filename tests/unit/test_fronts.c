@@ -126,8 +126,9 @@ static void tiles_without_covers(void **state)
 
 static bool same_outline(const hide_fronts *a, const hide_fronts *b, const hide_front *f, const hide_front *g)
 {
-    return f->corners == g->corners && (f->corners == 0 || memcmp(a->outline + f->outline, b->outline + g->outline,
-                                                                  f->corners * sizeof *a->outline) == 0);
+    return f->kind == g->kind && f->corners == g->corners &&
+           (hide_is_face(f) ||
+            memcmp(a->outline + f->outline, b->outline + g->outline, f->corners * sizeof *a->outline) == 0);
 }
 
 static bool same_faces(const hide_fronts *a, const hide_fronts *b, const hide_front *f, const hide_front *g)
