@@ -54,8 +54,9 @@ typedef struct assembly {
 
 static roberts_status find_kinds(assembly *a, uint8_t *open, uint8_t *convex, bool *any_open, roberts_error *error)
 {
+    const solid_rules rules = {a->mesh, a->options->tolerance, false};
     for (uint32_t s = 0; s < a->scene->solid_count; s++) {
-        build_result result = solid_build(a->scene, &a->work, s, a->mesh, a->options->tolerance, false, error);
+        build_result result = solid_build(a->scene, &a->work, s, &rules, error);
         if (result == BUILD_REFUSED && (error->status == ROBERTS_NO_MEMORY || error->status == ROBERTS_BAD_NUMBER))
             return error->status;
         open[s] = result == BUILD_OPEN && !a->work.holes;
@@ -542,7 +543,8 @@ static bool is_smooth(const roberts_scene *scene, uint32_t b)
 static roberts_status store_convex(assembly *a, uint32_t b, roberts_error *error)
 {
     scene_solid *own = &a->scene->solid[b];
-    if (solid_build(a->scene, &a->work, b, a->mesh, a->options->tolerance, true, error) != BUILD_OK)
+    const solid_rules rules = {a->mesh, a->options->tolerance, true};
+    if (solid_build(a->scene, &a->work, b, &rules, error) != BUILD_OK)
         return error->status;
     memcpy(a->scene->edge + own->stored, a->work.frame.edge, a->work.frame.edge_count * sizeof *a->scene->edge);
     a->scene->surface->kind[b] = ROBERTS_CONVEX;

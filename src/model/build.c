@@ -19,16 +19,19 @@
 #include "read/mesh.h"
 
 #define CHUNK_SOLIDS 256
-/* Of a solid that is marked open: it is closed, but its surface has holes. */
-#define OPEN_HOLES 2
-#define CHUNKS_PER_THREAD 4 /* with less work than this a thread costs more than it does */
+#define CHUNKS_PER_THREAD 4 /* with less work than this a thread costs more than it gains */
+
+/* Marks of solids; 0: closed. */
+enum {
+    OPEN = 1,      /* some edge has not two faces */
+    OPEN_HOLES = 2 /* it is closed, but its surface has holes */
+};
 
 /* What the threads that build solids share. */
 typedef struct construction {
     roberts_scene *scene;
-    const roberts_mesh *mesh;
-    double tolerance;
-    uint8_t *open; /* [solid_count] which are not closed; NULL: that is an error */
+    solid_rules rules;
+    uint8_t *open; /* [solid_count] receives OPEN marks; NULL: an open solid is an error */
     atomic_bool any_open;
     _Atomic uint32_t refused; /* the first solid known to be refused; ROBERTS_NONE: none */
 } construction;
@@ -36,8 +39,9 @@ typedef struct construction {
 /* What each has for itself. */
 typedef struct construction_worker {
     builder tools;
-    roberts_error error, found; /* `found`: of the solid at hand, where it is refused */
-    uint32_t refused;           /* the first solid that it refused, for the reason in `error` */
+    roberts_error found; /* why the solid at hand is refused */
+    uint32_t refused;    /* the first solid that this thread refused; ROBERTS_NONE: none */
+    roberts_error error; /* why `refused` was */
     bool no_memory;
     char apart[THREADS_APART];
 } construction_worker;
@@ -90,15 +94,15 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
     if (only_ask && !c->open)
         return;
     result = only_ask ? solid_is_closed(c->scene, &worker->tools, s, found)
-                      : solid_build(c->scene, &worker->tools, s, c->mesh, c->tolerance, !c->open, found);
+                      : solid_build(c->scene, &worker->tools, s, &c->rules, found);
     if (result == BUILD_OPEN && c->open) {
-        c->open[s] = worker->tools.holes ? OPEN_HOLES : 1;
+        c->open[s] = worker->tools.holes ? OPEN_HOLES : OPEN;
         atomic_store_explicit(&c->any_open, true, memory_order_relaxed);
         return;
     }
     if (result == BUILD_OPEN) {
         error_set(found, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed",
-                  s - source_of_solid(c->scene, s, c->mesh).solid);
+                  s - source_of_solid(c->scene, s, c->rules.mesh).solid);
         result = BUILD_REFUSED;
     }
     if (result == BUILD_OK && !only_ask)
@@ -107,7 +111,7 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
         return;
     worker->no_memory |= found->status == ROBERTS_NO_MEMORY;
     if (s < worker->refused) {
-        error_set_file(found, source_of_solid(c->scene, s, c->mesh).file);
+        error_set_file(found, source_of_solid(c->scene, s, c->rules.mesh).file);
         worker->refused = s;
         worker->error = *found;
     }
@@ -146,35 +150,31 @@ static bool number_edges(roberts_scene *scene, patterns *list, edge_scratch *scr
     return done;
 }
 
-/* Builds the solids as laid out, whose patterns are in `list` (empty: are not known yet). `open`: NULL where all must be
- * closed; else it receives a mark for each solid that is not, and *any_open whether there is one. The result does not depend
- * on the threads. */
-static roberts_status build_solids(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
-                                   patterns *list, uint8_t *open, bool *any_open, roberts_error *error)
+/* Builds the solids as laid out, whose patterns are in `list` (empty: are not known yet). `c` has the scene, the rules and
+ * the array for OPEN marks; any_open tells afterwards whether there is one. The result does not depend on the threads. */
+static roberts_status build_solids(construction *c, uint32_t threads_wanted, patterns *list, roberts_error *error)
 {
-    construction c = {.scene = scene, .mesh = mesh, .tolerance = options->tolerance, .open = open};
-    uint32_t chunks = (scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
-    int threads = threads_for(options->threads, 1 + chunks / CHUNKS_PER_THREAD);
+    const uint32_t solids = c->scene->solid_count, chunks = (solids + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
+    int threads = threads_for(threads_wanted, 1 + chunks / CHUNKS_PER_THREAD);
     construction_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
     roberts_status status;
-    if (!worker || !number_edges(scene, list, &worker[0].tools.edges)) {
+    if (!worker || !number_edges(c->scene, list, &worker[0].tools.edges)) {
         free_workers(worker, threads);
         return error_no_memory(error);
     }
-    atomic_init(&c.any_open, false);
-    atomic_init(&c.refused, ROBERTS_NONE);
+    atomic_init(&c->any_open, false);
+    atomic_init(&c->refused, ROBERTS_NONE);
     for (int i = 0; i < threads; i++)
         worker[i].refused = ROBERTS_NONE;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 #endif
     for (uint32_t chunk = 0; chunk < chunks; chunk++) {
-        uint32_t first = chunk * CHUNK_SOLIDS, left = scene->solid_count - first;
+        uint32_t first = chunk * CHUNK_SOLIDS, left = solids - first;
         for (uint32_t s = first; s < first + (left < CHUNK_SOLIDS ? left : CHUNK_SOLIDS); s++)
-            build_solid(&c, &worker[thread_self()], s);
+            build_solid(c, &worker[thread_self()], s);
     }
-    *any_open = atomic_load(&c.any_open);
-    status = first_refusal(&c, worker, threads, error);
+    status = first_refusal(c, worker, threads, error);
     free_workers(worker, threads);
     return status;
 }
@@ -221,8 +221,8 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
 {
     polygons faces;
     patterns list = {0};
-    uint8_t *open = NULL;
-    bool any_open = false;
+    construction c = {.scene = scene, .rules = {mesh, options->tolerance, false}};
+    bool any_open;
     roberts_status status = polygons_of_mesh(&faces, mesh, error);
     if (status != ROBERTS_OK)
         return status;
@@ -230,26 +230,28 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
     if (!components_lay_out(scene, &faces, mesh, lend, &list))
         goto done;
     warn_repeated(&faces, mesh, &options->warnings);
-    if (!(open = alloc_zeroed(scene->solid_count, sizeof *open)))
+    if (!(c.open = alloc_zeroed(scene->solid_count, sizeof *c.open)))
         goto done;
-    status = build_solids(scene, mesh, options, &list, open, &any_open, error);
+    status = build_solids(&c, options->threads, &list, error);
+    any_open = status == ROBERTS_OK && atomic_load(&c.any_open);
     bool bodies = !options->solids && !options->hull;
     *known = is_shape(status);
-    if (status == ROBERTS_OK && any_open && bodies && only_holes(open, scene->solid_count)) {
+    if (any_open && bodies && only_holes(c.open, scene->solid_count)) {
         status = error_set(error, ROBERTS_NOT_CONVEX, 0, "a surface has holes"); /* as bodies_build() takes it */
         *known = true;
-    } else if (status == ROBERTS_OK && any_open) {
+    } else if (any_open) {
+        construction closed = {.scene = scene, .rules = {mesh, options->tolerance, true}};
         layout_turn_back(scene); /* regrouping starts from the mesh */
-        status = regroup(scene, open, &faces, mesh, false, error);
+        status = regroup(scene, c.open, &faces, mesh, false, error);
         if (status == ROBERTS_OK)
-            status = build_solids(scene, mesh, options, &list, NULL, &any_open, error);
+            status = build_solids(&closed, options->threads, &list, error);
     }
     if (status == ROBERTS_OK && scene->solid_count == 0)
         status = refuse_empty(mesh, error);
     if (status == ROBERTS_OK && !copy_colors(scene, mesh, lend))
         status = ROBERTS_NO_MEMORY;
 done:
-    free(open);
+    free(c.open);
     patterns_free(&list);
     polygons_free(&faces);
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
@@ -277,6 +279,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     polygons faces;
     patterns list = {0};
     builder work = {0};
+    construction closed = {.scene = scene, .rules = {mesh, options->tolerance, true}};
     uint8_t *open = NULL;
     bool any_open = false;
     roberts_status status = polygons_of_mesh(&faces, mesh, error);
@@ -295,7 +298,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     if (status == ROBERTS_OK)
         status = hull_solids(scene, mesh, options, error);
     if (status == ROBERTS_OK)
-        status = build_solids(scene, mesh, options, &list, NULL, &any_open, error);
+        status = build_solids(&closed, options->threads, &list, error);
     if (status == ROBERTS_OK && !copy_colors(scene, mesh, false))
         status = ROBERTS_NO_MEMORY;
     free(open);

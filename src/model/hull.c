@@ -326,13 +326,14 @@ static hull_result try_facets(hull_maker *maker, uint32_t s)
     const roberts_scene *scene = maker->scene;
     const hull_facets *facets = &maker->facets;
     polygons faces = {.face_count = facets->count, .start = facets->start, .corner = facets->corner};
+    const solid_rules rules = {maker->mesh, maker->tolerance, true};
     roberts_scene trial = {0};
     roberts_error refusal = {0};
     hull_result result = HULL_NO_MEMORY;
     if (array_reserve(&maker->zero, &maker->zero_room, facets->count, sizeof *maker->zero)) {
         memset(maker->zero, 0, facets->count * sizeof *maker->zero);
         if (layout_solids(&trial, &faces, maker->zero, 1, scene->point + scene->solid[s].vertex)) {
-            build_result built = solid_build(&trial, &maker->work, 0, maker->mesh, maker->tolerance, true, &refusal);
+            build_result built = solid_build(&trial, &maker->work, 0, &rules, &refusal);
             result = result_of(built, refusal.status);
         }
     }
@@ -430,8 +431,8 @@ static roberts_status take_solid(const hull_job *job, hull_maker *maker, face_li
     roberts_scene *scene = job->scene;
     roberts_error refusal = {0};
     bool bare = scene_face_number(scene, scene->solid[s].face) >= job->mesh->face_count;
-    build_result built =
-        bare ? BUILD_OPEN : solid_build(scene, &maker->work, s, job->mesh, job->tolerance, true, &refusal);
+    const solid_rules rules = {job->mesh, job->tolerance, true};
+    build_result built = bare ? BUILD_OPEN : solid_build(scene, &maker->work, s, &rules, &refusal);
     if (built == BUILD_OK)
         return keep_faces(list, scene, s) ? ROBERTS_OK : error_no_memory(error);
     if (refusal.status == ROBERTS_NO_MEMORY)

@@ -570,24 +570,24 @@ static roberts_status refuse_turned(const roberts_scene *scene, const solid_fram
     return ROBERTS_OK;
 }
 
-build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const roberts_mesh *mesh, double tolerance,
-                         bool must_close, roberts_error *error)
+build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const solid_rules *rules,
+                         roberts_error *error)
 {
     const bool sphere = edges_like_a_sphere(scene, s);
     edge_pairing pairing;
-    roberts_status status = frame_enter(&work->frame, scene, s, tolerance);
-    work->frame.mesh = mesh;
+    roberts_status status = frame_enter(&work->frame, scene, s, rules->tolerance);
+    work->frame.mesh = rules->mesh;
     work->holes = false;
     if (status == ROBERTS_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
     if (status != ROBERTS_OK)
-        return refuse_numbers(scene, work, s, must_close, error);
+        return refuse_numbers(scene, work, s, rules->must_close, error);
     frame_fit_faces(&work->frame, scene);
     pairing = pair(scene, work, s);
     if (pairing == EDGES_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
     work->holes = pairing != EDGES_OPEN && has_holes(scene, s);
-    if (pairing == EDGES_OPEN || (!must_close && !sphere))
+    if (pairing == EDGES_OPEN || (!rules->must_close && !sphere))
         return BUILD_OPEN;
     if (pairing == EDGES_MIXED && wind(scene, work, s, error) != ROBERTS_OK)
         return BUILD_REFUSED;
@@ -595,7 +595,7 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
         return BUILD_REFUSED;
     if (!sphere)
         return error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: its surface has holes",
-                         s - source_of_solid(scene, s, mesh).solid),
+                         s - source_of_solid(scene, s, rules->mesh).solid),
                BUILD_REFUSED;
     if (narrow_mend(scene, &work->frame) != ROBERTS_OK)
         return error_no_memory(error), BUILD_REFUSED;

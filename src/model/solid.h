@@ -86,10 +86,17 @@ typedef enum build_result {
  * memory. */
 build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t s, roberts_error *error);
 
-/* Makes solid s: planes, corners counter-clockwise from outside, its edges in work->frame.edge, and checks it. Where
- * `must_close`, a surface with holes is refused, not BUILD_OPEN. */
-build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const roberts_mesh *mesh, double tolerance,
-                         bool must_close, roberts_error *error);
+/* What a solid has to be. */
+typedef struct solid_rules {
+    const roberts_mesh *mesh; /* for messages */
+    double tolerance;         /* how far from planar and convex it may be, as a part of its size */
+    bool must_close;          /* refuse a closed surface with holes; otherwise it is BUILD_OPEN */
+} solid_rules;
+
+/* Makes solid s: fits planes, turns corners counter-clockwise from outside, leaves its edges in work->frame.edge, and
+ * checks it. */
+build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const solid_rules *rules,
+                         roberts_error *error);
 
 void builder_free(builder *work);
 
