@@ -157,8 +157,7 @@ static bool next_block(scene_solid *solid, uint32_t s, const polygons *faces, pa
         used = b->used;
     }
     if (count > 0) { /* else there may be no room for another */
-        solid[s + 1].face = solid[s].face + count;
-        solid[s + 1].vertex = solid[s].vertex + used;
+        solid[s + 1] = (scene_solid){.vertex = solid[s].vertex + used, .face = solid[s].face + count};
     }
     return count > 0;
 }
@@ -174,7 +173,7 @@ bool blocks_find(roberts_scene *scene, const polygons *faces, patterns *list, bo
         solid[0] = (scene_solid){0};
     for (; more && solid[s].face < count; s++) {
         more = next_block(solid, s, faces, list, b, &number);
-        enough = !more || patterns_join(list, solid, s, number);
+        enough = !more || patterns_join(list, s, number);
         more &= enough;
     }
     free(b);

@@ -48,8 +48,10 @@ uint32_t patterns_match(patterns *list, const scene_solid *solid, uint32_t s, co
     return ROBERTS_NONE;
 }
 
-bool patterns_join(patterns *list, scene_solid *solid, uint32_t s, uint32_t number)
+bool patterns_join(patterns *list, uint32_t s, uint32_t number)
 {
+    if (!array_reserve(&list->of, &list->of_room, (size_t)s + 1, sizeof *list->of))
+        return false;
     if (number == ROBERTS_NONE) {
         if (!array_reserve(&list->item, &list->room, (size_t)list->count + 1, sizeof *list->item))
             return false;
@@ -59,13 +61,13 @@ bool patterns_join(patterns *list, scene_solid *solid, uint32_t s, uint32_t numb
         make_first(list, list->recent_count - 1, number);
     }
     list->item[number].members++;
-    solid[s].stored = number;
+    list->of[s] = number;
     return true;
 }
 
 bool patterns_find(patterns *list, roberts_scene *scene)
 {
-    scene_solid *solid = scene->solid;
+    const scene_solid *solid = scene->solid;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
         uint32_t number = patterns_match(list, solid, s, scene->face_start, scene->corner, solid[s + 1].face);
         if (number != ROBERTS_NONE) {
@@ -74,7 +76,7 @@ bool patterns_find(patterns *list, roberts_scene *scene)
                 first[1].vertex - first->vertex != solid[s + 1].vertex - solid[s].vertex)
                 number = ROBERTS_NONE; /* it has more faces */
         }
-        if (!patterns_join(list, solid, s, number))
+        if (!patterns_join(list, s, number))
             return false;
     }
     return true;
@@ -133,7 +135,7 @@ bool patterns_number_edges(patterns *list, roberts_scene *scene, edge_scratch *s
             return false;
     at = scene->shared;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
-        uint32_t edges = scene_corners(scene, s) / 2, stored = list->item[scene->solid[s].stored].stored;
+        uint32_t edges = scene_corners(scene, s) / 2, stored = list->item[list->of[s]].stored;
         scene->solid[s].edge = sum;
         scene->solid[s].stored = stored != ROBERTS_NONE ? stored : at;
         at += stored != ROBERTS_NONE ? 0 : edges;
@@ -148,5 +150,6 @@ bool patterns_number_edges(patterns *list, roberts_scene *scene, edge_scratch *s
 void patterns_free(patterns *list)
 {
     free(list->item);
+    free(list->of);
     *list = (patterns){0};
 }

@@ -20,8 +20,9 @@ typedef struct pattern {
 
 /* Zeroed = empty. */
 typedef struct patterns {
-    pattern *item;
-    size_t room;
+    pattern *item; /* [count] */
+    uint32_t *of;  /* [solids joined] the pattern of each */
+    size_t room, of_room;
     uint32_t count, recent_count;
     uint32_t recent[PATTERNS_RECENT]; /* the last ones met, the last first */
 } patterns;
@@ -31,8 +32,8 @@ typedef struct patterns {
 uint32_t patterns_match(patterns *list, const scene_solid *solid, uint32_t s, const uint32_t *start,
                         const uint32_t *corner, uint32_t face_count);
 
-/* Gives solid s that pattern, as solid[s].stored; ROBERTS_NONE: one of its own. False: no memory. */
-bool patterns_join(patterns *list, scene_solid *solid, uint32_t s, uint32_t number);
+/* Gives solid s that pattern (ROBERTS_NONE: one of its own), after all solids before it. False: no memory. */
+bool patterns_join(patterns *list, uint32_t s, uint32_t number);
 
 /* Does so for all solids of a scene that is laid out. False: no memory. */
 bool patterns_find(patterns *list, roberts_scene *scene);

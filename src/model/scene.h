@@ -24,7 +24,7 @@
 
 typedef struct scene_solid {
     uint32_t vertex, face, edge; /* first of each; the next solid's first ends them */
-    uint32_t stored;             /* where scene->edge has its edges; while it is built, see patterns.h */
+    uint32_t stored;             /* where scene->edge has its edges */
 } scene_solid;
 
 typedef struct scene_edge {
