@@ -14,7 +14,7 @@
 #include "base/sets.h"
 #include "base/sort.h"
 #include "model/components.h"
-#include "model/layout.h"
+#include "model/scene_arrays.h"
 #include "model/solid.h"
 #include "model/surface.h"
 #include "model/weld.h"
@@ -87,14 +87,14 @@ static bool weld_open(assembly *a, const uint8_t *open)
  * not convex. */
 static roberts_status sort_components(assembly *a, bool known, roberts_error *error)
 {
-    patterns list = {0};
+    repeated_solids list = {0};
     uint8_t *open = NULL, *convex = NULL;
     bool any_open = false;
     roberts_status status = polygons_of_mesh(&a->faces, a->mesh, error);
     if (status != ROBERTS_OK)
         return status;
     bool laid = components_lay_out(a->scene, &a->faces, a->mesh, false, &list);
-    patterns_free(&list);
+    repeated_free(&list);
     status = ROBERTS_NO_MEMORY;
     if (!laid || !(open = alloc_zeroed(a->scene->solid_count, 1)) || !(convex = alloc_zeroed(a->scene->solid_count, 1)))
         goto done;
@@ -306,8 +306,8 @@ static bool lay_out(assembly *a)
 {
     roberts_scene *scene = a->scene;
     uint32_t to = 0, corner = 0, s = 0;
-    layout_clear(scene);
-    if (!layout_solids(scene, &a->all, a->of, a->body_count, a->surface.point))
+    scene_clear(scene);
+    if (!scene_lay_out(scene, &a->all, a->of, a->body_count, a->surface.point))
         return false;
     for (uint32_t f = 0; f < scene->face_count; f++) {
         while (scene->solid[s].face == f && s < scene->solid_count)

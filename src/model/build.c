@@ -11,8 +11,8 @@
 #include "model/bodies.h"
 #include "model/components.h"
 #include "model/hull.h"
-#include "model/layout.h"
-#include "model/patterns.h"
+#include "model/scene_arrays.h"
+#include "model/repeated_solids.h"
 #include "model/source.h"
 #include "model/weld.h"
 #include "model/solid.h"
@@ -143,16 +143,17 @@ static void free_workers(construction_worker *worker, int threads)
 }
 
 /* `list`: empty where the patterns are not known yet. It is released. False: no memory. */
-static bool number_edges(roberts_scene *scene, patterns *list, edge_scratch *scratch)
+static bool number_edges(roberts_scene *scene, repeated_solids *list, edge_scratch *scratch)
 {
-    bool done = (list->count > 0 || patterns_find(list, scene)) && patterns_number_edges(list, scene, scratch);
-    patterns_free(list);
+    bool done = (list->count > 0 || repeated_find(list, scene)) && repeated_number_edges(list, scene, scratch);
+    repeated_free(list);
     return done;
 }
 
 /* Builds the solids as laid out, whose patterns are in `list` (empty: are not known yet). `c` has the scene, the rules and
  * the array for OPEN marks; any_open tells afterwards whether there is one. The result does not depend on the threads. */
-static roberts_status build_solids(construction *c, uint32_t threads_wanted, patterns *list, roberts_error *error)
+static roberts_status build_solids(construction *c, uint32_t threads_wanted, repeated_solids *list,
+                                   roberts_error *error)
 {
     const uint32_t solids = c->scene->solid_count, chunks = (solids + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
     int threads = threads_for(threads_wanted, 1 + chunks / CHUNKS_PER_THREAD);
@@ -220,7 +221,7 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
                             const roberts_scene_options *options, bool *known, roberts_error *error)
 {
     polygons faces;
-    patterns list = {0};
+    repeated_solids list = {0};
     construction c = {.scene = scene, .rules = {mesh, options->tolerance, false}};
     bool any_open;
     roberts_status status = polygons_of_mesh(&faces, mesh, error);
@@ -241,7 +242,7 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
         *known = true;
     } else if (any_open) {
         construction closed = {.scene = scene, .rules = {mesh, options->tolerance, true}};
-        layout_turn_back(scene); /* regrouping starts from the mesh */
+        scene_turn_back(scene); /* regrouping starts from the mesh */
         status = regroup(scene, c.open, &faces, mesh, false, error);
         if (status == ROBERTS_OK)
             status = build_solids(&closed, options->threads, &list, error);
@@ -252,7 +253,7 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
         status = ROBERTS_NO_MEMORY;
 done:
     free(c.open);
-    patterns_free(&list);
+    repeated_free(&list);
     polygons_free(&faces);
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
@@ -277,7 +278,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
                                   roberts_error *error)
 {
     polygons faces;
-    patterns list = {0};
+    repeated_solids list = {0};
     builder work = {0};
     construction closed = {.scene = scene, .rules = {mesh, options->tolerance, true}};
     uint8_t *open = NULL;
@@ -288,7 +289,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     if (status == ROBERTS_OK && !(components_lay_out(scene, &faces, mesh, false, &list) &&
                                   (open = alloc_zeroed(scene->solid_count, sizeof *open))))
         status = ROBERTS_NO_MEMORY;
-    patterns_free(&list); /* hulls have others */
+    repeated_free(&list); /* hulls have others */
     if (status == ROBERTS_OK)
         status = find_open(scene, &work, mesh, open, &any_open, error);
     if (status == ROBERTS_OK && any_open)
@@ -353,12 +354,12 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
     } else {
         status = build(*scene, mesh, lend, &chosen, &known, &found);
         if (chosen.hull && status != ROBERTS_NO_MEMORY && (status != ROBERTS_OK || hull_bare_input(mesh))) {
-            layout_clear(*scene);
+            scene_clear(*scene);
             found = (roberts_error){0};
             status = build_hulls(*scene, mesh, &chosen, &found);
         } else if (!chosen.solids && !chosen.hull && (is_shape(status) || has_wires(*scene, mesh, &status))) {
             roberts_error other = {0};
-            layout_clear(*scene);
+            scene_clear(*scene);
             status = build_bodies(*scene, mesh, &chosen, known, &other);
             if (status != ROBERTS_NOT_CLOSED)
                 found = other;
@@ -426,7 +427,7 @@ roberts_status roberts_scene_take(roberts_mesh *mesh, const roberts_scene_option
 void roberts_scene_free(roberts_scene *scene)
 {
     if (scene)
-        layout_clear(scene);
+        scene_clear(scene);
     free(scene);
 }
 

@@ -15,7 +15,7 @@
 #include "base/box.h"
 #include "base/error.h"
 #include "base/sets.h"
-#include "model/layout.h"
+#include "model/scene_arrays.h"
 
 /* ---- faces with every corner once -------------------------------------------------------------------------------- */
 
@@ -143,11 +143,11 @@ static uint32_t find_block(block *b, const polygons *faces, uint32_t first, uint
 
 /* Takes up the next component as solid s, of the pattern `*number` or one of its own. False: the components do not follow one
  * another. */
-static bool next_block(scene_solid *solid, uint32_t s, const polygons *faces, patterns *list, block *b,
+static bool next_block(scene_solid *solid, uint32_t s, const polygons *faces, repeated_solids *list, block *b,
                        uint32_t *number)
 {
     uint32_t count, used;
-    *number = patterns_match(list, solid, s, faces->start, faces->corner, faces->face_count);
+    *number = repeated_match(list, solid, s, faces->start, faces->corner, faces->face_count);
     if (*number != ROBERTS_NONE) {
         const scene_solid *first = solid + list->item[*number].solid;
         count = first[1].face - first->face;
@@ -162,7 +162,7 @@ static bool next_block(scene_solid *solid, uint32_t s, const polygons *faces, pa
     return count > 0;
 }
 
-bool blocks_find(roberts_scene *scene, const polygons *faces, patterns *list, bool *found)
+bool components_in_a_row(roberts_scene *scene, const polygons *faces, repeated_solids *list, bool *found)
 {
     const uint32_t vertices = faces->vertex_count, count = faces->face_count;
     scene_solid *solid = alloc_array((size_t)vertices / 3 + 1, sizeof *solid); /* each has three vertices at least */
@@ -173,14 +173,14 @@ bool blocks_find(roberts_scene *scene, const polygons *faces, patterns *list, bo
         solid[0] = (scene_solid){0};
     for (; more && solid[s].face < count; s++) {
         more = next_block(solid, s, faces, list, b, &number);
-        enough = !more || patterns_join(list, s, number);
+        enough = !more || repeated_join(list, s, number);
         more &= enough;
     }
     free(b);
     *found = more && solid[s].vertex == vertices;
     if (!*found) {
         free(solid);
-        patterns_free(list);
+        repeated_free(list);
         return enough;
     }
     scene->solid = realloc(solid, ((size_t)s + 1) * sizeof *solid);
@@ -313,7 +313,7 @@ static bool number_components(roberts_scene *scene, set_node *node, const polygo
     }
     scene->solid_count = solid_count;
     scene->vertex_count = used;
-    layout_set_box(scene, lo, hi);
+    scene_set_box(scene, lo, hi);
     return in_order && used == vertex_count;
 }
 
@@ -387,7 +387,7 @@ static void copy_array(void *to, const void *from, size_t count, size_t size)
 
 /* Vertices and faces keep their numbers where they are in order: then the mesh's arrays are copied, unless they are lent. */
 static void place(roberts_scene *scene, set_node *node, const polygons *faces, const roberts_vec3 *point,
-                  layout_kept kept)
+                  kept_numbers kept)
 {
     if (kept.faces) {
         if (!(scene->lent & LENT_FACE_START))
@@ -396,7 +396,7 @@ static void place(roberts_scene *scene, set_node *node, const polygons *faces, c
             copy_array(scene->corner, faces->corner, scene->corner_count, sizeof *scene->corner);
     } else {
         place_faces(scene, node, faces);
-        layout_copy_corners(scene, faces);
+        scene_copy_corners(scene, faces);
     }
     if (kept.vertices) {
         if (!(scene->lent & LENT_POINT))
@@ -413,12 +413,12 @@ static void measure(roberts_scene *scene, const roberts_vec3 *point)
 {
     roberts_vec3 lo = {INFINITY, INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY, -INFINITY};
     box_add_all(&lo, &hi, point, scene->vertex_count);
-    layout_set_box(scene, lo, hi);
+    scene_set_box(scene, lo, hi);
 }
 
 /* The components by union-find: counts them, their vertices and their faces. `node` is left for place(). False: no memory. */
 static bool find_components(roberts_scene *scene, polygons *faces, const roberts_vec3 *point, set_node **node,
-                            layout_kept *kept)
+                            kept_numbers *kept)
 {
     bool repeat;
     *node = alloc_array(faces->vertex_count, sizeof **node);
@@ -433,7 +433,7 @@ static bool find_components(roberts_scene *scene, polygons *faces, const roberts
 }
 
 /* Takes over from the mesh what would be the same. */
-static void borrow(roberts_scene *scene, const polygons *faces, const roberts_mesh *mesh, layout_kept kept)
+static void borrow(roberts_scene *scene, const polygons *faces, const roberts_mesh *mesh, kept_numbers kept)
 {
     if (kept.vertices && mesh->vertex) {
         scene->point = mesh->vertex;
@@ -449,18 +449,19 @@ static void borrow(roberts_scene *scene, const polygons *faces, const roberts_me
     }
 }
 
-bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh, bool lend, patterns *list)
+bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh, bool lend,
+                        repeated_solids *list)
 {
     set_node *node = NULL;
-    layout_kept kept = {true, true};
-    bool blocks, done = blocks_find(scene, faces, list, &blocks);
+    kept_numbers kept = {true, true};
+    bool blocks, done = components_in_a_row(scene, faces, list, &blocks);
     if (done && blocks)
         measure(scene, mesh->vertex);
     else
         done = done && find_components(scene, faces, mesh->vertex, &node, &kept);
     if (done && lend)
         borrow(scene, faces, mesh, kept);
-    done = done && layout_alloc(scene, kept);
+    done = done && scene_alloc_arrays(scene, kept);
     if (done)
         place(scene, node, faces, mesh->vertex, kept);
     free(node);

@@ -4,7 +4,7 @@
 
 #include "roberts.h"
 
-#include "model/patterns.h"
+#include "model/repeated_solids.h"
 
 /* ---- faces with every corner once -------------------------------------------------------------------------------- */
 
@@ -36,7 +36,7 @@ static inline uint32_t polygon_size(const polygons *faces, uint32_t f)
 /* Where every vertex is used and the components' vertices and faces follow one another without a gap, each component one
  * like a sphere and no corner repeating another of its face: fills in scene->solid, the counts, and the solids' patterns, and
  * sets *found. Else nothing is changed. False: no memory. */
-bool blocks_find(roberts_scene *scene, const polygons *faces, patterns *list, bool *found);
+bool components_in_a_row(roberts_scene *scene, const polygons *faces, repeated_solids *list, bool *found);
 
 /* ---- components -------------------------------------------------------------------------------------------------- */
 
@@ -47,6 +47,7 @@ bool blocks_find(roberts_scene *scene, const polygons *faces, patterns *list, bo
  * `faces` is cleaned first if some corner repeats an earlier one of its face.
  * Where the mesh may `lend` its arrays and the scene's would be equal, the scene points to them: scene->lent tells which.
  * False: no memory. */
-bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh, bool lend, patterns *list);
+bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh, bool lend,
+                        repeated_solids *list);
 
 #endif

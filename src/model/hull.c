@@ -17,7 +17,7 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/threads.h"
-#include "model/layout.h"
+#include "model/scene_arrays.h"
 #include "model/source.h"
 #include "model/components.h"
 #include "model/qhull.h"
@@ -332,12 +332,12 @@ static hull_result try_facets(hull_maker *maker, uint32_t s)
     hull_result result = HULL_NO_MEMORY;
     if (array_reserve(&maker->zero, &maker->zero_room, facets->count, sizeof *maker->zero)) {
         memset(maker->zero, 0, facets->count * sizeof *maker->zero);
-        if (layout_solids(&trial, &faces, maker->zero, 1, scene->point + scene->solid[s].vertex)) {
+        if (scene_lay_out(&trial, &faces, maker->zero, 1, scene->point + scene->solid[s].vertex)) {
             build_result built = solid_build(&trial, &maker->work, 0, &rules, &refusal);
             result = result_of(built, refusal.status);
         }
     }
-    layout_clear(&trial);
+    scene_clear(&trial);
     return result;
 }
 
@@ -560,8 +560,8 @@ roberts_status hull_solids(roberts_scene *scene, const roberts_mesh *mesh, const
                           .vertex_count = (uint32_t)mesh->vertex_count,
                           .start = list.start,
                           .corner = list.corner};
-        layout_clear(scene);
-        if (!layout_solids(scene, &faces, list.solid, solids, mesh->vertex))
+        scene_clear(scene);
+        if (!scene_lay_out(scene, &faces, list.solid, solids, mesh->vertex))
             status = error_no_memory(error);
         for (uint32_t f = 0; status == ROBERTS_OK && f < scene->face_count; f++)
             scene->face_number[f] = list.origin[scene->face_number[f]];

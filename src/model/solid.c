@@ -9,7 +9,7 @@
 #include "model/convex.h"
 #include "model/edges.h"
 #include "model/face_plane.h"
-#include "model/layout.h"
+#include "model/scene_arrays.h"
 #include "model/source.h"
 #include "read/mesh.h"
 
@@ -145,7 +145,7 @@ void frame_free(solid_frame *frame)
 /* Counter-clockwise about the inward normal is clockwise seen from outside. */
 static void turn(solid_frame *frame, roberts_scene *scene, uint32_t f)
 {
-    layout_turn_face(scene, frame->face_first + f);
+    scene_turn_face(scene, frame->face_first + f);
     frame->turned++;
 }
 
@@ -372,7 +372,7 @@ static void flood(const solid_frame *frame, const face_edges *of, const uint8_t 
 static void turn_face(roberts_scene *scene, solid_frame *frame, uint32_t f)
 {
     plane *global = &scene->face_plane[frame->face_first + f], *F = &frame->face[f].F;
-    layout_turn_face(scene, frame->face_first + f);
+    scene_turn_face(scene, frame->face_first + f);
     *F = (plane){-F->a, -F->b, -F->c, -F->d};
     frame->face[f].depth = -frame->face[f].depth;
     *global = (plane){-global->a, -global->b, -global->c, -global->d};

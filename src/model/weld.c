@@ -14,7 +14,7 @@
 #include "base/sort.h"
 #include "base/vec.h"
 #include "model/edges.h"
-#include "model/layout.h"
+#include "model/scene_arrays.h"
 #include "model/source.h"
 #include "model/split.h"
 #include "read/mesh.h"
@@ -300,8 +300,8 @@ static roberts_status lay_out_again(regrouping *g, roberts_scene *scene, const p
         if (id_of[s] >= components && !g->groups.closed[id_of[s] - components])
             status = refuse_open(g, s, source_of_group(s, g->of, faces, mesh), id_of[s] - components, error);
     if (status == ROBERTS_OK) {
-        layout_clear(scene);
-        if (!layout_solids(scene, faces, g->of, solids, mesh->vertex))
+        scene_clear(scene);
+        if (!scene_lay_out(scene, faces, g->of, solids, mesh->vertex))
             status = error_no_memory(error);
     }
     free(id_of);
@@ -322,12 +322,12 @@ roberts_status regroup(roberts_scene *scene, const uint8_t *open, polygons *face
     if (!g.of || !loose_of)
         goto done;
     if (list_open(scene, open, faces, g.of, loose_of) > 0 &&
-        (!layout_solids(&g.loose, faces, loose_of, 1, mesh->vertex) || !edges_sort(&g.loose, 0, &g.edges) ||
+        (!scene_lay_out(&g.loose, faces, loose_of, 1, mesh->vertex) || !edges_sort(&g.loose, 0, &g.edges) ||
          !split_faces(&g.groups, &g.loose, &g.edges) || (keep_open && !join_open(&g.groups, &g.loose))))
         goto done;
     status = lay_out_again(&g, scene, faces, mesh, error);
 done:
-    layout_clear(&g.loose);
+    scene_clear(&g.loose);
     edge_scratch_free(&g.edges);
     split_groups_free(&g.groups);
     free(g.of);

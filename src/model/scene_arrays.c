@@ -1,5 +1,5 @@
-/* layout.c - the scene's arrays: memory, and the compact numbering solid by solid. */
-#include "model/layout.h"
+/* scene_arrays.c - the scene's arrays: memory, and the compact numbering solid by solid. */
+#include "model/scene_arrays.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@ enum { LEAST_EXPONENT = -1000 }; /* of the unit: 1 / 2^-1074 would overflow */
 
 enum { DENSE = 4 }; /* a range of vertex numbers at most so many times as long as the corners is marked in a table */
 
-bool layout_alloc(roberts_scene *scene, layout_kept kept)
+bool scene_alloc_arrays(roberts_scene *scene, kept_numbers kept)
 {
     size_t faces = scene->face_count;
     if (!scene->solid)
@@ -38,7 +38,7 @@ bool layout_alloc(roberts_scene *scene, layout_kept kept)
            scene->face_deviation && scene->face_width && (scene->face_number || kept.faces);
 }
 
-void layout_turn_face(roberts_scene *scene, uint32_t f)
+void scene_turn_face(roberts_scene *scene, uint32_t f)
 {
     uint32_t *corner = scene->corner + scene->face_start[f], n = scene->face_start[f + 1] - scene->face_start[f];
     for (uint32_t i = 1, j = n - 1; i < j; i++, j--) {
@@ -50,16 +50,16 @@ void layout_turn_face(roberts_scene *scene, uint32_t f)
         scene->turned[f] ^= 1;
 }
 
-void layout_turn_back(roberts_scene *scene)
+void scene_turn_back(roberts_scene *scene)
 {
     for (uint32_t f = 0; scene->turned && f < scene->face_count; f++)
         if (scene->turned[f])
-            layout_turn_face(scene, f);
+            scene_turn_face(scene, f);
 }
 
-void layout_clear(roberts_scene *scene)
+void scene_clear(roberts_scene *scene)
 {
-    layout_turn_back(scene);
+    scene_turn_back(scene);
     free(scene->turned);
     free(scene->solid);
     if (!(scene->lent & LENT_POINT))
@@ -82,7 +82,7 @@ void layout_clear(roberts_scene *scene)
     *scene = (roberts_scene){0};
 }
 
-void layout_set_box(roberts_scene *scene, roberts_vec3 lo, roberts_vec3 hi)
+void scene_set_box(roberts_scene *scene, roberts_vec3 lo, roberts_vec3 hi)
 {
     double size = fmax(hi.x - lo.x, fmax(hi.y - lo.y, hi.z - lo.z));
     int exponent = 0;
@@ -102,7 +102,7 @@ static int compare_numbers(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-void layout_copy_corners(roberts_scene *scene, const polygons *faces)
+void scene_copy_corners(roberts_scene *scene, const polygons *faces)
 {
     const uint32_t *start = faces->start, *number = scene->face_number;
     uint32_t *to = scene->corner, *face_start = scene->face_start, face_count = scene->face_count;
@@ -133,7 +133,7 @@ static void place_faces(roberts_scene *scene, const polygons *faces, const uint3
     for (uint32_t s = scene->solid_count; s > 0; s--)
         scene->solid[s].face = scene->solid[s - 1].face;
     scene->solid[0].face = 0;
-    layout_copy_corners(scene, faces);
+    scene_copy_corners(scene, faces);
 }
 
 /* The corners of a solid, and the least and the greatest vertex number among them. */
@@ -218,7 +218,7 @@ static void trim(roberts_scene *scene)
         scene->number = smaller;
 }
 
-bool layout_solids(roberts_scene *scene, const polygons *faces, const uint32_t *of, uint32_t solid_count,
+bool scene_lay_out(roberts_scene *scene, const polygons *faces, const uint32_t *of, uint32_t solid_count,
                    const roberts_vec3 *point)
 {
     roberts_vec3 lo = {INFINITY, INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY, -INFINITY};
@@ -231,7 +231,7 @@ bool layout_solids(roberts_scene *scene, const polygons *faces, const uint32_t *
         }
     scene->corner_count = corners;
     scene->vertex_count = (uint32_t)corners; /* no more than that */
-    if (!layout_alloc(scene, (layout_kept){false, false}))
+    if (!scene_alloc_arrays(scene, (kept_numbers){false, false}))
         return false;
     place_faces(scene, faces, of);
     if (!number_vertices(scene))
@@ -240,7 +240,7 @@ bool layout_solids(roberts_scene *scene, const polygons *faces, const uint32_t *
         scene->point[v] = point[scene->number[v]];
         box_add(&lo, &hi, scene->point[v]);
     }
-    layout_set_box(scene, lo, hi);
+    scene_set_box(scene, lo, hi);
     trim(scene);
     return true;
 }

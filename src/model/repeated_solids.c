@@ -1,8 +1,8 @@
-/* patterns.c - solids whose faces are the same but for where their numbers begin.
+/* repeated_solids.c - solids whose faces are the same but for where their numbers begin.
  *
  * The two faces of an edge pass it in opposite directions. In a surface that hangs together by its edges this leaves two ways
  * to wind it, each the other turned round: so edges are stored both ways, and a solid has the one or the other. */
-#include "model/patterns.h"
+#include "model/repeated_solids.h"
 
 #include <stdlib.h>
 
@@ -24,14 +24,14 @@ static inline bool same_run(const uint32_t *a, const uint32_t *b, uint32_t count
 }
 
 /* Moves what is at `at` among the recent ones to the front, where it becomes `number`. */
-static void make_first(patterns *list, uint32_t at, uint32_t number)
+static void make_first(repeated_solids *list, uint32_t at, uint32_t number)
 {
     for (; at > 0; at--)
         list->recent[at] = list->recent[at - 1];
     list->recent[0] = number;
 }
 
-uint32_t patterns_match(patterns *list, const scene_solid *solid, uint32_t s, const uint32_t *start,
+uint32_t repeated_match(repeated_solids *list, const scene_solid *solid, uint32_t s, const uint32_t *start,
                         const uint32_t *corner, uint32_t face_count)
 {
     const scene_solid *own = solid + s;
@@ -48,7 +48,7 @@ uint32_t patterns_match(patterns *list, const scene_solid *solid, uint32_t s, co
     return ROBERTS_NONE;
 }
 
-bool patterns_join(patterns *list, uint32_t s, uint32_t number)
+bool repeated_join(repeated_solids *list, uint32_t s, uint32_t number)
 {
     if (!array_reserve(&list->of, &list->of_room, (size_t)s + 1, sizeof *list->of))
         return false;
@@ -56,8 +56,8 @@ bool patterns_join(patterns *list, uint32_t s, uint32_t number)
         if (!array_reserve(&list->item, &list->room, (size_t)list->count + 1, sizeof *list->item))
             return false;
         number = list->count++;
-        list->item[number] = (pattern){.solid = s, .stored = ROBERTS_NONE};
-        list->recent_count += list->recent_count < PATTERNS_RECENT;
+        list->item[number] = (repeated_solid){.solid = s, .stored = ROBERTS_NONE};
+        list->recent_count += list->recent_count < REPEATED_RECENT;
         make_first(list, list->recent_count - 1, number);
     }
     list->item[number].members++;
@@ -65,18 +65,18 @@ bool patterns_join(patterns *list, uint32_t s, uint32_t number)
     return true;
 }
 
-bool patterns_find(patterns *list, roberts_scene *scene)
+bool repeated_find(repeated_solids *list, roberts_scene *scene)
 {
     const scene_solid *solid = scene->solid;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
-        uint32_t number = patterns_match(list, solid, s, scene->face_start, scene->corner, solid[s + 1].face);
+        uint32_t number = repeated_match(list, solid, s, scene->face_start, scene->corner, solid[s + 1].face);
         if (number != ROBERTS_NONE) {
             const scene_solid *first = solid + list->item[number].solid;
             if (first[1].face - first->face != solid[s + 1].face - solid[s].face ||
                 first[1].vertex - first->vertex != solid[s + 1].vertex - solid[s].vertex)
                 number = ROBERTS_NONE; /* it has more faces */
         }
-        if (!patterns_join(list, s, number))
+        if (!repeated_join(list, s, number))
             return false;
     }
     return true;
@@ -102,7 +102,7 @@ static answer hangs_together(const scene_edge *edge, uint32_t edges, uint32_t fa
 }
 
 /* Stores the edges of a pattern both ways, if it is closed and its faces agree in winding. */
-static bool store_both(pattern *p, roberts_scene *scene, edge_scratch *scratch)
+static bool store_both(repeated_solid *p, roberts_scene *scene, edge_scratch *scratch)
 {
     const scene_solid *first = scene->solid + p->solid;
     uint32_t edges = scene_corners(scene, p->solid) / 2, faces = first[1].face - first->face;
@@ -122,7 +122,7 @@ static bool store_both(pattern *p, roberts_scene *scene, edge_scratch *scratch)
     return true;
 }
 
-bool patterns_number_edges(patterns *list, roberts_scene *scene, edge_scratch *scratch)
+bool repeated_number_edges(repeated_solids *list, roberts_scene *scene, edge_scratch *scratch)
 {
     uint32_t sum = 0, at;
     void *smaller;
@@ -147,9 +147,9 @@ bool patterns_number_edges(patterns *list, roberts_scene *scene, edge_scratch *s
     return true;
 }
 
-void patterns_free(patterns *list)
+void repeated_free(repeated_solids *list)
 {
     free(list->item);
     free(list->of);
-    *list = (patterns){0};
+    *list = (repeated_solids){0};
 }
