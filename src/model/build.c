@@ -72,8 +72,8 @@ static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh, bool len
     return true;
 }
 
-/* Keeps the edges of a solid that is built. Those of its pattern are there already, once each way round: the first edge tells
- * which it is. */
+/* Keeps the edges of a solid that is built. Those of its pattern are there already, once each way round: the first edge
+ * tells which it is. */
 static void store_edges(roberts_scene *scene, uint32_t s, const solid_frame *frame)
 {
     scene_edge *stored = scene->edge + scene->solid[s].stored;
@@ -83,8 +83,8 @@ static void store_edges(roberts_scene *scene, uint32_t s, const solid_frame *fra
         scene->solid[s].stored += frame->edge_count;
 }
 
-/* Builds solid s. What has already been found by any thread spares work: once a solid is open, the others are only asked
- * whether they are closed, since their numbers will change; so are those behind one that is refused. */
+/* Builds solid s. What has already been found by any thread spares work: once a solid is open, the others are only
+ * asked whether they are closed, since their numbers will change; so are those behind one that is refused. */
 static void build_solid(construction *c, construction_worker *worker, uint32_t s)
 {
     const bool only_ask = atomic_load_explicit(&c->any_open, memory_order_relaxed) ||
@@ -150,8 +150,9 @@ static bool number_edges(roberts_scene *scene, repeated_solids *list, edge_scrat
     return done;
 }
 
-/* Builds the solids as laid out, whose patterns are in `list` (empty: are not known yet). `c` has the scene, the rules and
- * the array for OPEN marks; any_open tells afterwards whether there is one. The result does not depend on the threads. */
+/* Builds the solids as laid out, whose patterns are in `list` (empty: are not known yet). `c` has the scene, the rules
+ * and the array for OPEN marks; any_open tells afterwards whether there is one. The result does not depend on the
+ * threads. */
 static roberts_status build_solids(construction *c, uint32_t threads_wanted, repeated_solids *list,
                                    roberts_error *error)
 {
@@ -272,8 +273,8 @@ static roberts_status find_open(roberts_scene *scene, builder *work, const rober
     return ROBERTS_OK;
 }
 
-/* The same where hulls take the place of what is refused: components and what welding and splitting makes of the open ones,
- * bare inputs as further components, then hulls. Warnings have been given. */
+/* The same where hulls take the place of what is refused: components and what welding and splitting makes of the open
+ * ones, bare inputs as further components, then hulls. Warnings have been given. */
 static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                                   roberts_error *error)
 {

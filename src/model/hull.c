@@ -1,12 +1,13 @@
 /* hull.c - convex hulls in place of what is no convex solid.
  *
  * Each solid is tried as it stands; one that is refused gets the faces of its hull, and these are tried in the same way
- * before they are taken. So a hull that a drawing is made of has passed all checks, whatever rounding has done to it. First
- * Qhull is given a width, so that what the tolerance calls planar becomes one face and not a fan of slivers; where the
- * solid is too thin for that, none.
+ * before they are taken. So a hull that a drawing is made of has passed all checks, whatever rounding has done to it.
+ * First Qhull is given a width, so that what the tolerance calls planar becomes one face and not a fan of slivers;
+ * where the solid is too thin for that, none.
  *
- * A hull's vertices are vertices of the input. Those that lie inside are no part of the solid any more, which keeps its place
- * among the others all the same. What is flat has no hull and gets no faces: it is left out, unless there is nothing else. */
+ * A hull's vertices are vertices of the input. Those that lie inside are no part of the solid any more, which keeps its
+ * place among the others all the same. What is flat has no hull and gets no faces: it is left out, unless there is
+ * nothing else. */
 #include "model/hull.h"
 
 #include <stdatomic.h>
@@ -157,7 +158,8 @@ static void warn_flat(const roberts_scene *scene, uint32_t first, uint32_t count
                  one ? "it has no convex hull" : "they have no convex hulls");
 }
 
-/* "3 solids replaced by their convex hulls: 2 not closed, 1 not convex", without the counts where there is one reason only. */
+/* "3 solids replaced by their convex hulls: 2 not closed, 1 not convex", without the counts where there is one reason
+ * only. */
 static void warn_replaced(const uint32_t count[], const char *name, const roberts_warnings *warnings)
 {
     static const char *const why[] = {
@@ -193,7 +195,8 @@ static bool all_flat(const uint8_t *fate, uint32_t solids)
 }
 
 /* An input has the solids whose first vertex is in it. */
-/* Warns of each input by itself. Where all solids are flat nothing is left to draw: ROBERTS_FLAT. fate: [solids] hull_fate. */
+/* Warns of each input by itself. Where all solids are flat nothing is left to draw: ROBERTS_FLAT. fate: [solids]
+ * hull_fate. */
 static roberts_status hull_tell(const uint8_t *fate, const roberts_scene *scene, const roberts_mesh *mesh,
                                 const roberts_warnings *warnings, roberts_error *error)
 {
@@ -219,8 +222,8 @@ static roberts_status hull_tell(const uint8_t *fate, const roberts_scene *scene,
 /* Facets come out as planar as a few widths: a tenth of the tolerance keeps them within it. */
 static const double WIDTH_PART = 0.1;
 
-/* As parts of the size. More than the greatest might be seen, with whatever tolerance and wherever the solid stands; less than
- * the least is left to Qhull, whose own width for rounding is some 1e-15. */
+/* As parts of the size. More than the greatest might be seen, with whatever tolerance and wherever the solid stands;
+ * less than the least is left to Qhull, whose own width for rounding is some 1e-15. */
 static const double GREATEST_WIDTH = 1e-5, LEAST_WIDTH = 1e-14;
 
 /* Faces of all solids, in the mesh's vertex numbers. */
@@ -251,7 +254,7 @@ static void hull_maker_free(hull_maker *maker)
     free(maker->zero);
 }
 
-/* ---- faces --------------------------------------------------------------------------------------------------------- */
+/* ---- faces ------------------------------------------------------------------------------------------------------- */
 
 static void face_list_free(face_list *list)
 {
@@ -309,7 +312,7 @@ static bool add_facets(face_list *list, const roberts_scene *scene, uint32_t s, 
     return true;
 }
 
-/* ---- hulls --------------------------------------------------------------------------------------------------------- */
+/* ---- hulls ------------------------------------------------------------------------------------------------------- */
 
 static hull_result result_of(build_result built, roberts_status refusal)
 {
@@ -341,8 +344,8 @@ static hull_result try_facets(hull_maker *maker, uint32_t s)
     return result;
 }
 
-/* Takes the hull of solid s, in the maker's frame, to maker->facets. All points have to lie within it, by `allowed`: the solid's
- * checks look at those alone that have become vertices. */
+/* Takes the hull of solid s, in the maker's frame, to maker->facets. All points have to lie within it, by `allowed`:
+ * the solid's checks look at those alone that have become vertices. */
 static hull_result try_width(hull_maker *maker, uint32_t s, double width, double allowed)
 {
     const solid_frame *frame = &maker->frame;
@@ -396,7 +399,7 @@ static roberts_status replace(face_list *list, hull_maker *maker, uint32_t s, ui
     return error_no_memory(error);
 }
 
-/* ---- all solids ---------------------------------------------------------------------------------------------------- */
+/* ---- all solids -------------------------------------------------------------------------------------------------- */
 
 /* Solids are taken by runs, so many at the most; the faces of a run are put into a list of its own. */
 enum { RUNS_MOST = 256 };

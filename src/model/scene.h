@@ -12,8 +12,8 @@
  * narrower than the tolerance, or has no area, is wound like its neighbours and may have a plane that leans on theirs;
  * it is the only kind of face whose corners may turn the other way about its plane. Every edge has two faces.
  *
- * That is so of convex bodies. A scene with others has a scene_surface; a new vertex, where a border crosses itself, has
- * no number (ROBERTS_NONE); and an edge has f[1] or both ROBERTS_NONE where it has one face or none. */
+ * That is so of convex bodies. A scene with others has a scene_surface; a new vertex, where a border crosses itself,
+ * has no number (ROBERTS_NONE); and an edge has f[1] or both ROBERTS_NONE where it has one face or none. */
 #ifndef ROBERTS_MODEL_SCENE_H
 #define ROBERTS_MODEL_SCENE_H
 
@@ -32,9 +32,9 @@ typedef struct scene_edge {
     uint32_t f[2]; /* faces; v[0] -> v[1] runs counter-clockwise round f[0] */
 } scene_edge;
 
-/* What a body that is not convex has beside its arrays in the scene. Its scene faces are convex pieces of the faces of the
- * input, which are their scene_face_number(); each turns counter-clockwise seen from outside of its plane (F < 0), and nothing
- * more is promised of its winding. */
+/* What a body that is not convex has beside its arrays in the scene. Its scene faces are convex pieces of the faces of
+ * the input, which are their scene_face_number(); each turns counter-clockwise seen from outside of its plane (F < 0),
+ * and nothing more is promised of its winding. */
 enum {
     EDGE_TURNED_0 = 1, /* face f[0] of the edge is on the right of v[0] -> v[1], not on the left, */
     EDGE_TURNED_1 = 2, /* and so is f[1] */
@@ -44,7 +44,8 @@ enum {
 };
 #define MANY_TURNED 0x80000000u /* of a face in scene_surface.many_face: it is on the right of v[0] -> v[1] */
 
-/* The faces of an edge of more than two: many_face[first] .. many_face[end - 1], compact numbers and perhaps MANY_TURNED. */
+/* The faces of an edge of more than two: many_face[first] .. many_face[end - 1], compact numbers and perhaps
+ * MANY_TURNED. */
 typedef struct scene_many {
     uint32_t edge, first, end;
 } scene_many;

@@ -1,10 +1,11 @@
 /* split.c - faces that meet in edges, two or more at each: which of them make up one solid.
  *
- * Pieces that hang together by edges (not by mere vertices, so that two solids touching in a corner stay two) and have two
- * faces at each edge are solids. In any other piece solids touch: four faces meet in an edge, or six. Two ways lead apart,
- * tried in this order:
+ * Pieces that hang together by edges (not by mere vertices, so that two solids touching in a corner stay two) and have
+ * two faces at each edge are solids. In any other piece solids touch: four faces meet in an edge, or six. Two ways lead
+ * apart, tried in this order:
  *
- * 1. By the file. Faces of one solid mostly stand together, so faces are taken in order until each edge of those taken has
+ * 1. By the file. Faces of one solid mostly stand together, so faces are taken in order until each edge of those taken
+ * has
  *    two of them; these are a solid, or some that do not touch. It needs no geometry, and gives back what was written.
  * 2. By the angles between faces: see below.
  *
@@ -23,11 +24,12 @@
 
 /* Solids that touch, told apart by the angles between their faces.
  *
- * Idea: from a face and an assumed inner side one proceeds over each edge to the face that comes first when one turns through
- * the inside, as one walks along the walls of a room; a solid is convex, so that the turn is at most a half one. If this
- * closes, it is a solid. Faces with the same vertices are one wall with two sides, taken once for each solid. One begins with
- * the outermost face that is left, from which only one side can close, and goes on with the other sides of the walls just
- * taken, where the neighbours are. That is linear for faces with few neighbours; a budget bounds what hostile input can cost. */
+ * Idea: from a face and an assumed inner side one proceeds over each edge to the face that comes first when one turns
+ * through the inside, as one walks along the walls of a room; a solid is convex, so that the turn is at most a half
+ * one. If this closes, it is a solid. Faces with the same vertices are one wall with two sides, taken once for each
+ * solid. One begins with the outermost face that is left, from which only one side can close, and goes on with the
+ * other sides of the walls just taken, where the neighbours are. That is linear for faces with few neighbours; a budget
+ * bounds what hostile input can cost. */
 
 /* What both ways work on. */
 typedef struct splitter {
@@ -135,8 +137,8 @@ static uint32_t size_of(const splitter *s, uint32_t f)
     return s->loose->face_start[f + 1] - s->loose->face_start[f];
 }
 
-/* Sorts the piece's faces into walls. Two faces with the same hash by chance (one in 2^64) or by malice make a walk that
- * does not close, which is refused like any other. */
+/* Sorts the piece's faces into walls. Two faces with the same hash by chance (one in 2^64) or by malice make a walk
+ * that does not close, which is refused like any other. */
 static void find_walls(walker *w, uint32_t from, uint32_t to)
 {
     splitter *s = w->s;
@@ -341,7 +343,7 @@ static bool walls_split(splitter *s, const solid_frame *frame, uint32_t from, ui
 
 /* ---- pieces, and both ways --------------------------------------------------------------------------------------- */
 
-/* ---- pieces -------------------------------------------------------------------------------------------------------- */
+/* ---- pieces ------------------------------------------------------------------------------------------------------ */
 
 static void unite(uint32_t *parent, uint32_t a, uint32_t b)
 {
@@ -367,7 +369,7 @@ static void number_edges(splitter *s)
     s->edge_start[s->edge_count] = s->corner_count;
 }
 
-/* ---- by the file --------------------------------------------------------------------------------------------------- */
+/* ---- by the file ------------------------------------------------------------------------------------------------- */
 
 /* The faces order[from] .. order[to - 1] have two at each edge: a group for each part that hangs together. */
 static void group_run(splitter *s, uint32_t *parent, uint32_t from, uint32_t to)
@@ -383,7 +385,8 @@ static void group_run(splitter *s, uint32_t *parent, uint32_t from, uint32_t to)
     }
 }
 
-/* Splits the piece order[from] .. order[to - 1] into runs that close. False, and nothing is grouped, where some do not. */
+/* Splits the piece order[from] .. order[to - 1] into runs that close. False, and nothing is grouped, where some do
+ * not. */
 static bool split_by_file(splitter *s, uint32_t *parent, uint32_t from, uint32_t to)
 {
     uint32_t groups = s->groups->count, open = 0, crowded = 0, begin = from;
@@ -416,7 +419,7 @@ static bool split_by_file(splitter *s, uint32_t *parent, uint32_t from, uint32_t
     return false;
 }
 
-/* ---- all pieces ------------------------------------------------------------------------------------------------------ */
+/* ---- all pieces -------------------------------------------------------------------------------------------------- */
 
 /* Sorts the faces by piece, ascending in each; parent[f] becomes the piece's number, start[p] its end. */
 static uint32_t sort_pieces(splitter *s, uint32_t *end)

@@ -4,8 +4,9 @@
 
 #include "model/edges.h"
 
-/* Groups of faces. Group g is closed, each of its edges having two of its faces, where closed[g] is set; each of the other
- * groups is a whole piece that hangs together by edges and does not come apart without a rest. Some may be empty. */
+/* Groups of faces. Group g is closed, each of its edges having two of its faces, where closed[g] is set; each of the
+ * other groups is a whole piece that hangs together by edges and does not come apart without a rest. Some may be
+ * empty. */
 typedef struct split_groups {
     uint32_t count;
     uint32_t *of;    /* [face_count] */

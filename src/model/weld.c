@@ -1,7 +1,7 @@
 /* weld.c - vertices at the same position become one.
  *
- * Idea: the vertices are dealt into as many buckets as there are vertices, by a hash of their position, and each bucket is
- * sorted. Nearly all buckets hold one position, so that the time is linear; whatever the positions, it is at most
+ * Idea: the vertices are dealt into as many buckets as there are vertices, by a hash of their position, and each bucket
+ * is sorted. Nearly all buckets hold one position, so that the time is linear; whatever the positions, it is at most
  * n log n. */
 #include "model/weld.h"
 
@@ -103,9 +103,9 @@ bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const
 
 /* Components that are not closed as they stand: welded, split, and numbered together with the others.
  *
- * Files that give each face vertices of its own ("soup") have a component for each face. Open components are welded with
- * one another where positions are exactly equal, never with closed ones: solids that are whole in the file stay as they
- * are, though they may touch. */
+ * Files that give each face vertices of its own ("soup") have a component for each face. Open components are welded
+ * with one another where positions are exactly equal, never with closed ones: solids that are whole in the file stay as
+ * they are, though they may touch. */
 
 /* The faces of open components, taken for one solid and then split. Zeroed = empty. */
 typedef struct regrouping {
@@ -206,7 +206,8 @@ static uint32_t number_solids(uint32_t *of, uint32_t id_count, const polygons *f
     return count;
 }
 
-/* Where solid s comes from, by the solid of each face: all vertices and faces of the solids of earlier files are smaller. */
+/* Where solid s comes from, by the solid of each face: all vertices and faces of the solids of earlier files are
+ * smaller. */
 static solid_source source_of_group(uint32_t s, const uint32_t *of, const polygons *faces, const roberts_mesh *mesh)
 {
     uint32_t v[2] = {ROBERTS_NONE, 0}, f[2] = {ROBERTS_NONE, 0};
@@ -225,8 +226,8 @@ static solid_source source_of_group(uint32_t s, const uint32_t *of, const polygo
     return at;
 }
 
-/* Says that solid s, which is the group `group` and comes from `at`, is not closed: its first edge (by vertices) that has
- * not two faces. */
+/* Says that solid s, which is the group `group` and comes from `at`, is not closed: its first edge (by vertices) that
+ * has not two faces. */
 static roberts_status refuse_open(const regrouping *g, uint32_t s, solid_source at, uint32_t group,
                                   roberts_error *error)
 {
