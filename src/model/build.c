@@ -19,7 +19,7 @@
 #include "read/mesh.h"
 
 #define CHUNK_SOLIDS 256
-#define CHUNKS_PER_THREAD 4 /* with less work than this a thread costs more than it gains */
+#define CHUNKS_PER_THREAD 4 /* with less work than this another thread does not pay */
 
 /* Marks of solids; 0: closed. */
 enum {
@@ -46,7 +46,7 @@ typedef struct construction_worker {
     char apart[THREADS_APART];
 } construction_worker;
 
-/* Those that a mesh may lend, and that keep their order, are left to roberts_scene_take(). */
+/* Copies the colours, except those that roberts_scene_take() can take over as they are. */
 static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh, bool lend)
 {
     if (mesh->vertex_color && (scene->number || !lend)) {
@@ -72,8 +72,8 @@ static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh, bool len
     return true;
 }
 
-/* Keeps the edges of a solid that is built. Those of its pattern are there already, once each way round: the first edge
- * tells which it is. */
+/* Stores the edges of a solid that is built. Those of a shared pattern are stored already, once each way round: the
+ * faces of the first edge tell which way this solid uses. */
 static void store_edges(roberts_scene *scene, uint32_t s, const solid_frame *frame)
 {
     scene_edge *stored = scene->edge + scene->solid[s].stored;
@@ -83,8 +83,8 @@ static void store_edges(roberts_scene *scene, uint32_t s, const solid_frame *fra
         scene->solid[s].stored += frame->edge_count;
 }
 
-/* Builds solid s. What has already been found by any thread spares work: once a solid is open, the others are only
- * asked whether they are closed, since their numbers will change; so are those behind one that is refused. */
+/* Builds solid s, or does less if the rest is known to be useless. Once some solid is open, the others are only asked
+ * whether they are closed, since all will be numbered anew. The same holds for solids after one that is refused. */
 static void build_solid(construction *c, construction_worker *worker, uint32_t s)
 {
     const bool only_ask = atomic_load_explicit(&c->any_open, memory_order_relaxed) ||
@@ -118,7 +118,8 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
     thread_lower(&c->refused, s);
 }
 
-/* The refusal of the first solid that is refused, whichever thread met it; a lack of memory comes before all. */
+/* The refusal of the first solid that is refused, whichever thread found it. A lack of memory comes before all
+ * others. */
 static roberts_status first_refusal(const construction *c, const construction_worker *worker, int threads,
                                     roberts_error *error)
 {
@@ -142,7 +143,7 @@ static void free_workers(construction_worker *worker, int threads)
     free(worker);
 }
 
-/* `list`: empty where the patterns are not known yet. It is released. False: no memory. */
+/* Numbers the edges. `list` may be empty: the patterns are then found first. It is freed. False: no memory. */
 static bool number_edges(roberts_scene *scene, repeated_solids *list, edge_scratch *scratch)
 {
     bool done = (list->count > 0 || repeated_find(list, scene)) && repeated_number_edges(list, scene, scratch);
@@ -150,8 +151,8 @@ static bool number_edges(roberts_scene *scene, repeated_solids *list, edge_scrat
     return done;
 }
 
-/* Builds the solids as laid out, whose patterns are in `list` (empty: are not known yet). `c` has the scene, the rules
- * and the array for OPEN marks; any_open tells afterwards whether there is one. The result does not depend on the
+/* Builds the solids as laid out. `list` has their patterns, or is empty. `c` has the scene, the rules and the array for
+ * OPEN marks; c->any_open tells afterwards whether there is one. The result does not depend on the number of
  * threads. */
 static roberts_status build_solids(construction *c, uint32_t threads_wanted, repeated_solids *list,
                                    roberts_error *error)
@@ -201,7 +202,7 @@ static void warn_repeated(const polygons *faces, const roberts_mesh *mesh, const
                      faces->repeated == 1 ? "" : "s", faces->repeated == 1 ? "s" : "");
 }
 
-/* Are all solids that are open closed surfaces with holes? Welding and splitting makes no convex solids of those. */
+/* Are all open solids closed surfaces with holes? Welding and splitting cannot make convex solids of those. */
 static bool only_holes(const uint8_t *open, uint32_t count)
 {
     for (uint32_t s = 0; s < count; s++)
@@ -210,14 +211,14 @@ static bool only_holes(const uint8_t *open, uint32_t count)
     return true;
 }
 
-/* Refused for its shape alone. */
+/* Was the model refused for its shape alone? */
 static bool is_shape(roberts_status status)
 {
     return status == ROBERTS_NOT_CLOSED || status == ROBERTS_NOT_PLANAR || status == ROBERTS_NOT_CONVEX ||
            status == ROBERTS_FLAT;
 }
 
-/* Components first; where some are open, solids once more from what welding and splitting makes of them. */
+/* Builds the components as solids. If some are open, welds and splits them and builds all solids anew. */
 static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool lend,
                             const roberts_scene_options *options, bool *known, roberts_error *error)
 {
@@ -239,7 +240,7 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
     bool bodies = !options->solids && !options->hull;
     *known = is_shape(status);
     if (any_open && bodies && only_holes(c.open, scene->solid_count)) {
-        status = error_set(error, ROBERTS_NOT_CONVEX, 0, "a surface has holes"); /* as bodies_build() takes it */
+        status = error_set(error, ROBERTS_NOT_CONVEX, 0, "a surface has holes"); /* which bodies_build() handles */
         *known = true;
     } else if (any_open) {
         construction closed = {.scene = scene, .rules = {mesh, options->tolerance, true}};
@@ -259,7 +260,7 @@ done:
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
 
-/* Marks the components that are open, but for those that stand for a bare input. */
+/* Marks the components that are open, except those that stand for points without faces. */
 static roberts_status find_open(roberts_scene *scene, builder *work, const roberts_mesh *mesh, uint8_t *open,
                                 bool *any_open, roberts_error *error)
 {
@@ -273,8 +274,8 @@ static roberts_status find_open(roberts_scene *scene, builder *work, const rober
     return ROBERTS_OK;
 }
 
-/* The same where hulls take the place of what is refused: components and what welding and splitting makes of the open
- * ones, bare inputs as further components, then hulls. Warnings have been given. */
+/* Builds a scene in which hulls replace what would be refused. Components are welded and split as above, inputs of
+ * points become further components, and then hulls are taken. The warnings have been sent before. */
 static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                                   roberts_error *error)
 {
@@ -290,7 +291,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     if (status == ROBERTS_OK && !(components_lay_out(scene, &faces, mesh, false, &list) &&
                                   (open = alloc_zeroed(scene->solid_count, sizeof *open))))
         status = ROBERTS_NO_MEMORY;
-    repeated_free(&list); /* hulls have others */
+    repeated_free(&list); /* hulls have other patterns */
     if (status == ROBERTS_OK)
         status = find_open(scene, &work, mesh, open, &any_open, error);
     if (status == ROBERTS_OK && any_open)
@@ -309,7 +310,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
 
-/* Are there elements of two corners that are no edges of the solids? */
+/* Are there elements of two corners that are not edges of the solids? */
 static bool has_wires(const roberts_scene *scene, const roberts_mesh *mesh, roberts_status *status)
 {
     bool found = false;
@@ -318,7 +319,7 @@ static bool has_wires(const roberts_scene *scene, const roberts_mesh *mesh, robe
     return found;
 }
 
-/* The same where bodies need not be convex solids. */
+/* Builds a scene whose bodies need not be convex. */
 static roberts_status build_bodies(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                                    bool known, roberts_error *error)
 {
@@ -388,7 +389,7 @@ roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene
     return build_scene(mesh, false, options, scene, error);
 }
 
-/* What the scene has taken over is no longer the mesh's. */
+/* Takes from the mesh what belongs to the scene now. */
 static void part_from(roberts_scene *scene, roberts_mesh *mesh)
 {
     if (scene->lent & LENT_POINT)
@@ -464,14 +465,14 @@ bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body)
     return scene->surface && body < scene->solid_count && scene->surface->smooth[body];
 }
 
-/* All faces of a hull are without numbers, and no others are. */
+/* A hull is the only body whose faces have no numbers. */
 bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid)
 {
     return solid < scene->solid_count && scene->solid[solid].face < scene->solid[solid + 1].face &&
            scene_face_number(scene, scene->solid[solid].face) == ROBERTS_NONE;
 }
 
-/* That of the last group that begins at or before the solid's first face. */
+/* The name of the last group that begins at or before the solid's first face. */
 const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid)
 {
     size_t low = 0, high = scene->group_count;
