@@ -410,16 +410,20 @@ void roberts_drawing_free(roberts_drawing *drawing);
 /** Receives one segment, valid during the call only; false stops the work. */
 typedef bool roberts_segment_fn(void *context, const roberts_segment *segment);
 
+/** Where segments go, one by one. */
+typedef struct roberts_receiver {
+    roberts_segment_fn *receive; /**< called by one thread at a time, not always the same */
+    void *context;
+} roberts_receiver;
+
 /**
  * The same, but hands the segments to `each` one by one, in their order, and keeps none, so that a large drawing need
  * not fit in memory.
- * each     called by one thread at a time, not always the same
- * context  handed to `each`
  * summary  NULL, or filled like a drawing without segments; its `count` says how many there were
- * Returns what roberts_hide() returns, or ROBERTS_STOPPED if `each` returned false.
+ * Returns what roberts_hide() returns, or ROBERTS_STOPPED if `each->receive` returned false.
  */
 roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camera *camera,
-                                 const roberts_hide_options *options, roberts_segment_fn *each, void *context,
+                                 const roberts_hide_options *options, const roberts_receiver *each,
                                  roberts_drawing *summary, roberts_error *error);
 
 /* ---- ray: rays against shapes -------------------------------------------------------------------------------- */

@@ -171,8 +171,9 @@ static bool is_counted_only(const cli_options *options)
 static roberts_status hide_and_count(const cli_options *options, const roberts_scene *scene, roberts_drawing *drawing,
                                      run_stats *run, roberts_error *error)
 {
+    const roberts_receiver counter = {report_count, run};
     if (is_counted_only(options))
-        return roberts_hide_each(scene, &options->camera, &options->hide, report_count, run, drawing, error);
+        return roberts_hide_each(scene, &options->camera, &options->hide, &counter, drawing, error);
     roberts_status status = roberts_hide(scene, &options->camera, &options->hide, drawing, error);
     for (size_t i = 0; i < drawing->count && options->stats != STATS_NONE; i++)
         report_count(run, &drawing->segment[i]);
