@@ -383,8 +383,8 @@ typedef struct roberts_drawing {
 typedef struct roberts_hide_options {
     double crease_degrees; /**< an edge between two front faces, or two back ones, flatter than this is not drawn
                                 (default: 0.1) */
-    bool crease_auto;      /**< of a body that is not convex, and has many faces most of which meet at small angles (a
-                                scan, a curved part), edges flatter than 30 degrees are left out (default: true) */
+    bool crease_auto;      /**< of curved bodies (a scan, a round part; see roberts_scene_body_curved()) edges flatter
+                                than 30 degrees are not drawn (default: true) */
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
