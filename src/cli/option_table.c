@@ -145,12 +145,11 @@ static const option rows[] = {
      .words = values_fill_rules,
      .set = values_set_fill_rule,
      .brief = "inside of faces that cross themselves",
-     .help = "what a face holds that crosses itself: all that its border winds round, nonzero (the default), or winds "
-             "round an odd number of times, evenodd",
-     .manual =
-         "What a face holds whose border crosses itself, such as a pentagram. nonzero (the default): all that the "
-         "border winds round. evenodd: what it winds round an odd number of times, which leaves the middle of a "
-         "pentagram open."},
+     .help = "what belongs to a face that crosses itself: nonzero, all that its border winds round (the default); "
+             "evenodd, what it winds round an odd number of times",
+     .manual = "What belongs to a face that crosses itself, such as a pentagram. nonzero (the default): all that its "
+               "border winds round. evenodd: what it winds round an odd number of times, which leaves the middle of a "
+               "pentagram open."},
     {.group = GROUP_OUTPUT,
      .name = "hull",
      .flags = OPTION_DRAWS,

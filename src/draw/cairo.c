@@ -1,11 +1,11 @@
 /* cairo.c - the page as PDF, PostScript, EPS and PNG, by Cairo's surfaces.
  *
- * Cairo outlines every stroke once, to know what it touches, whatever the surface. A stroke for each segment is
- * several times as slow as one for many; but the outline of 100,000 segments takes 600 MB, and beyond 1,000 nothing
- * is gained.
+ * On every surface Cairo computes the outline of each stroke, to know what it touches. One stroke for each segment
+ * takes several times as long as one stroke for many segments. But the outline of 100,000 segments takes 600 MB, and
+ * strokes of more than 1,000 segments are no faster.
  *
- * Its fixed point holds 1/256 of a point, 0.0014 mm. The day on which a file was made is left out, so that the same
- * drawing gives the same bytes: a PDF surface can be told, from a PostScript stream the line is dropped. */
+ * Cairo's fixed point holds 1/256 of a point, 0.0014 mm. Files carry no date, so that the same drawing gives the same
+ * bytes: a PDF surface can be told so, and from a PostScript stream the date's line is dropped. */
 #include "draw/cairo.h"
 
 #include <cairo-pdf.h>
@@ -40,22 +40,22 @@ static void set_pen(cairo_t *cairo, const roberts_draw_options *options, roberts
     cairo_set_dash(cairo, dash, dashed ? 2 : 0, 0.0);
 }
 
-static void add_line(cairo_t *cairo, const strokes *s, const polyline *line)
+void surface_add_line(cairo_t *cairo, const strokes *s, const polyline *line, double units)
 {
     const page_point *p = s->lines.point + line->first;
-    cairo_move_to(cairo, p->x / s->units_per_mm, p->y / s->units_per_mm);
+    cairo_move_to(cairo, p->x / units, p->y / units);
     for (uint32_t i = 1; i < line->count; i++)
-        cairo_line_to(cairo, p[i].x / s->units_per_mm, p[i].y / s->units_per_mm);
+        cairo_line_to(cairo, p[i].x / units, p[i].y / units);
     if (line->closed)
         cairo_close_path(cairo);
 }
 
-/* Draws the polylines first .. end - 1, in as few strokes of Cairo's as hold SEGMENTS_PER_STROKE each. */
+/* Draws the polylines first .. end - 1. A stroke of Cairo's ends when it has SEGMENTS_PER_STROKE segments. */
 static void draw_strokes(cairo_t *cairo, const strokes *s, size_t first, size_t end)
 {
     size_t segments = 0;
     for (size_t i = first; i < end; i++) {
-        add_line(cairo, s, &s->lines.item[i]);
+        surface_add_line(cairo, s, &s->lines.item[i], s->units_per_mm);
         segments += s->lines.item[i].count;
         if (segments >= SEGMENTS_PER_STROKE || i + 1 == end) {
             cairo_stroke(cairo);
@@ -64,7 +64,7 @@ static void draw_strokes(cairo_t *cairo, const strokes *s, size_t first, size_t 
     }
 }
 
-/* A writer for Cairo's streams; the closure is an output, which keeps failures. */
+/* Writes a stream of Cairo's to an output, which remembers failures. */
 static cairo_status_t pass_on(void *out, const unsigned char *bytes, unsigned size)
 {
     output *to = out;
@@ -85,7 +85,7 @@ roberts_status surface_failure(cairo_status_t status, roberts_error *error)
     }
 }
 
-/* Finishes and releases both, and says how it went. */
+/* Finishes and releases both. Returns the first failure. */
 static roberts_status finish(cairo_t *cairo, cairo_surface_t *surface, roberts_error *error)
 {
     cairo_status_t status = cairo_status(cairo);
@@ -97,18 +97,18 @@ static roberts_status finish(cairo_t *cairo, cairo_surface_t *surface, roberts_e
     return surface_failure(status, error);
 }
 
-/* ---- files that are passed on with a change ---- */
+/* ---- streams that are changed on their way ---- */
 
 /* Passes on PostScript without the line "%%CreationDate: ..." of its head. */
-typedef struct undated {
+typedef struct date_filter {
     output *out;
-    size_t matched; /* bytes of `date_line` that the line has begun with so far; kept back meanwhile */
+    size_t matched; /* bytes of `date_line` that begin the current line; they are kept back */
     enum { LINE_START, LINE_REST, LINE_DROPPED } at;
-} undated;
+} date_filter;
 
 static const char date_line[] = "%%CreationDate:";
 
-static void undated_byte(undated *u, unsigned char c)
+static void date_filter_byte(date_filter *u, unsigned char c)
 {
     if (u->at == LINE_START && c == (unsigned char)date_line[u->matched]) {
         if (++u->matched == sizeof date_line - 1)
@@ -127,20 +127,20 @@ static void undated_byte(undated *u, unsigned char c)
     }
 }
 
-static cairo_status_t undated_stream(void *closure, const unsigned char *bytes, unsigned size)
+static cairo_status_t date_filter_stream(void *closure, const unsigned char *bytes, unsigned size)
 {
-    undated *u = closure;
+    date_filter *u = closure;
     for (unsigned i = 0; i < size; i++)
-        undated_byte(u, bytes[i]);
+        date_filter_byte(u, bytes[i]);
     return u->out->failed ? CAIRO_STATUS_WRITE_ERROR : CAIRO_STATUS_SUCCESS;
 }
 
 /* Passes on a PNG and adds its resolution, which Cairo cannot write, as a chunk behind the header. */
-typedef struct measured {
+typedef struct resolution_filter {
     output *out;
-    size_t passed; /* bytes of Cairo's so far, up to those of signature and header */
+    size_t passed; /* bytes of Cairo's signature and header so far */
     uint32_t pixels_per_metre;
-} measured;
+} resolution_filter;
 
 enum { PNG_HEADER = 8 + 25, PNG_CHUNK = 21 };
 
@@ -162,7 +162,7 @@ static void put_integer(unsigned char *to, uint32_t n)
         to[i] = (unsigned char)(n >> (24 - 8 * i));
 }
 
-static void write_resolution(const measured *m)
+static void write_resolution(const resolution_filter *m)
 {
     unsigned char chunk[PNG_CHUNK] = {0, 0, 0, 9, 'p', 'H', 'Y', 's'};
     put_integer(chunk + 8, m->pixels_per_metre);
@@ -172,9 +172,9 @@ static void write_resolution(const measured *m)
     output_bytes(m->out, chunk, PNG_CHUNK);
 }
 
-static cairo_status_t measured_stream(void *closure, const unsigned char *bytes, unsigned size)
+static cairo_status_t resolution_filter_stream(void *closure, const unsigned char *bytes, unsigned size)
 {
-    measured *m = closure;
+    resolution_filter *m = closure;
     size_t head = PNG_HEADER - m->passed < size ? PNG_HEADER - m->passed : size;
     output_bytes(m->out, bytes, head);
     if (head && (m->passed += head) == PNG_HEADER)
@@ -185,7 +185,7 @@ static cairo_status_t measured_stream(void *closure, const unsigned char *bytes,
 
 /* ---- the page ---- */
 
-static cairo_surface_t *document(const strokes *s, output *out, undated *filter)
+static cairo_surface_t *document(const strokes *s, output *out, date_filter *filter)
 {
     const double points = points_per_inch / mm_per_inch;
     double width = s->options->page.width_mm * points, height = s->options->page.height_mm * points;
@@ -195,12 +195,12 @@ static cairo_surface_t *document(const strokes *s, output *out, undated *filter)
         cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, NULL);
         return surface;
     }
-    surface = cairo_ps_surface_create_for_stream(undated_stream, filter, width, height);
+    surface = cairo_ps_surface_create_for_stream(date_filter_stream, filter, width, height);
     cairo_ps_surface_set_eps(surface, s->options->format == ROBERTS_EPS);
     return surface;
 }
 
-/* A rectangle: PostScript would make an image of a whole surface that is painted. */
+/* Fills a rectangle: if the whole surface were painted, PostScript would contain an image. */
 static void paint_page(cairo_t *cairo, const roberts_page *page, const roberts_background *color)
 {
     cairo_set_source_rgb(cairo, color->red / 255.0, color->green / 255.0, color->blue / 255.0);
@@ -219,8 +219,8 @@ static void draw_page(cairo_t *cairo, const strokes *s, double units_per_mm)
     }
 }
 
-/* The most memory that the process can have, in bytes: what the machine has, or the limit of the process. */
-static double memory_there_is(void)
+/* The most memory that the process can have, in bytes: that of the machine, or the limit of the process. */
+static double memory_limit(void)
 {
     double most = INFINITY;
     struct rlimit limit;
@@ -234,7 +234,7 @@ static double memory_there_is(void)
     return most;
 }
 
-/* A system that promises memory before it is there would not refuse an image that is too large: it would end the
+/* Refuses an image that is too large. A system that promises more memory than it has would not: it would kill this
  * process, or others. */
 static roberts_status check_image(double width, double height, const roberts_draw_options *options,
                                   roberts_error *error)
@@ -247,7 +247,7 @@ static roberts_status check_image(double width, double height, const roberts_dra
             "%g dpi make an image of %.0f x %.0f pixels; it has 1 to %d a side, on this page at most %.0f dpi",
             options->dpi, width, height, PIXELS_MAX,
             floor(PIXELS_MAX * mm_per_inch / fmax(page->width_mm, page->height_mm)));
-    double most = memory_there_is();
+    double most = memory_limit();
     if (bytes > most)
         return error_set(
             error, ROBERTS_NO_MEMORY, 0,
@@ -269,11 +269,11 @@ static roberts_status write_image(const strokes *s, output *out, roberts_error *
     const roberts_background white = {true, 255, 255, 255}, *color = &s->options->background;
     color = color->on ? color : &white;
     cairo_set_source_rgb(cairo, color->red / 255.0, color->green / 255.0, color->blue / 255.0);
-    cairo_paint(cairo); /* the last pixels too, of which the page may cover a part */
+    cairo_paint(cairo); /* includes the last row and column, which the page may cover in part */
     draw_page(cairo, s, pixels_per_mm);
     if (cairo_status(cairo) == CAIRO_STATUS_SUCCESS) {
-        measured filter = {.out = out, .pixels_per_metre = (uint32_t)(1000.0 * pixels_per_mm + 0.5)};
-        cairo_status_t written = cairo_surface_write_to_png_stream(surface, measured_stream, &filter);
+        resolution_filter filter = {.out = out, .pixels_per_metre = (uint32_t)(1000.0 * pixels_per_mm + 0.5)};
+        cairo_status_t written = cairo_surface_write_to_png_stream(surface, resolution_filter_stream, &filter);
         if (written == CAIRO_STATUS_NO_MEMORY) {
             finish(cairo, surface, NULL);
             return error_no_memory(error);
@@ -284,7 +284,7 @@ static roberts_status write_image(const strokes *s, output *out, roberts_error *
 
 roberts_status surface_write(const strokes *s, output *out, roberts_error *error)
 {
-    undated filter = {.out = out, .at = LINE_START};
+    date_filter filter = {.out = out, .at = LINE_START};
     if (s->options->format == ROBERTS_PNG)
         return write_image(s, out, error);
     cairo_surface_t *surface = document(s, out, &filter);

@@ -7,10 +7,14 @@
 #include "draw/output.h"
 #include "draw/strokes.h"
 
-/* The caller finishes `out`, which knows of failed writes. Returns ROBERTS_OK, _NO_MEMORY, _IO or _BAD_ARGUMENT. */
+/* Adds a polyline to the current path of `cairo`, whose unit is `units` units of the page. */
+void surface_add_line(cairo_t *cairo, const strokes *s, const polyline *line, double units);
+
+/* Writes the page. The caller finishes `out`, which knows of failed writes. Returns ROBERTS_OK, _NO_MEMORY, _IO or
+ * _BAD_ARGUMENT. */
 roberts_status surface_write(const strokes *s, output *out, roberts_error *error);
 
-/* A failure of Cairo's as ours. ROBERTS_OK where a write failed: the output knows why. */
+/* Turns a failure in Cairo into ours. After a failed write it returns ROBERTS_OK: `out` knows the reason. */
 roberts_status surface_failure(cairo_status_t status, roberts_error *error);
 
 #endif

@@ -1,12 +1,13 @@
 /* collinear.c - pieces are sorted to the lines that they lie on, by a hash of direction and distance from the origin.
  *
- * The cells of the hash are wider than what coincides, so that a piece looks into its own cell, and into a neighbour
- * only where it lies near the border. In drawings of millions of pieces many lines are in one cell; what is kept with
- * each tells apart nearly all that do not coincide, without a look at its longest piece.
+ * The cells of the hash are wider than the distance at which pieces coincide. So a piece looks into its own cell, and
+ * into a neighbour only if it lies near the border. In drawings of millions of pieces a cell holds many lines. The
+ * distance and direction kept with each line rule out nearly all that do not coincide, without a look at its longest
+ * piece.
  *
- * Directions are measured as x + y of a point on the diamond |x| + |y| = 1, upper half: 0 to 2, no slower than the
- * angle by more than a half. They are turned first, so that the wrap from 2 to 0, where a line's sign changes, is at
- * no direction that drawings are full of. */
+ * A direction is measured on the upper half of the diamond |x| + |y| = 1, from 0 to 2. It grows at least half as fast
+ * as the angle. Directions are turned first, so that the wrap from 2 to 0, where a line's sign changes, is at an angle
+ * that is rare in drawings. */
 #include "draw/collinear.h"
 
 #include <stdlib.h>
@@ -16,16 +17,16 @@
 #include "base/bits.h"
 #include "base/vec.h"
 
-/* Radians by which coincident pieces may differ: 0.001 mm on 30 mm, and models whose coordinates have five digits.
- * Shorter ones are held to it all the same, so that fine facets keep their bends. */
+/* Coincident pieces differ by this many radians at most: 0.001 mm on 30 mm, enough for models whose coordinates have
+ * five digits. It holds for shorter pieces too, so that fine facets keep their bends. */
 static const double same_direction = 3e-5;
 
-enum { DIRECTIONS = 25000 }; /* cells from 0 to 2, 2.7 times as wide as what coincides */
+enum { DIRECTIONS = 25000 }; /* cells from 0 to 2, each 2.7 times as wide as same_direction */
 
 static const double direction_cell = 2.0 / DIRECTIONS;
 
-/* In large drawings nearly every step waits for memory. So each step is taken for some pieces at a time, and asks for
- * the memory that the next step needs. 16 pieces at a time are as good as 64. */
+/* In large drawings nearly every step waits for memory. So pieces are taken in groups, and each step on a group asks
+ * for the memory that the next step needs. Groups of 16 are as fast as groups of 64. */
 enum { AT_A_TIME = 16 };
 
 enum { BITS_MOST = 31 }; /* of the hash */
@@ -43,8 +44,8 @@ typedef struct sorter {
     page_lines *lines;
     roberts_vec2 origin;  /* the middle of all pieces */
     double half;          /* half of the diagonal round them */
-    double reach;         /* distances of coincident lines differ by no more */
-    uint32_t *head, bits; /* of the hash: first line of a cell, NO_LINE */
+    double reach;         /* most that distances of coincident lines differ by */
+    uint32_t *head, bits; /* of the hash, 2^bits cells: the first line of each, or NO_LINE */
     uint32_t *line_of;    /* [pieces] */
 } sorter;
 
@@ -59,7 +60,8 @@ static bearing bearing_of(const sorter *s, const piece *p)
     return (bearing){1.0 - along, sign * cross / length};
 }
 
-/* Whether the ends of the shorter lie on the line of the longer, and they run the same way or opposite ways. */
+/* Whether both ends of the shorter piece lie on the line of the longer one, and both pieces have one direction, or
+ * opposite ones. */
 static bool coincide(const piece *p, const piece *q)
 {
     double lp = piece_length(p), lq = piece_length(q);
@@ -85,7 +87,7 @@ static uint32_t *cell_of(const sorter *s, uint32_t hash)
     return &s->head[hash >> (32 - s->bits)];
 }
 
-/* Makes the hash so large that `lines` would have a cell each if they were spread evenly. */
+/* Makes the hash large enough for `lines` lines to have a cell each if they are spread evenly. */
 static bool make_cells(sorter *s, size_t lines)
 {
     if (s->head && (s->bits == BITS_MOST || lines >> s->bits == 0))
@@ -98,36 +100,37 @@ static bool make_cells(sorter *s, size_t lines)
     if (!s->head)
         return false;
     memset(s->head, 0xff, size);
-    for (uint32_t l = 0; l < s->lines->count; l++) { /* so that the newest of a cell stays its first */
+    for (uint32_t l = 0; l < s->lines->count; l++) { /* in this order the newest line of a cell stays its first */
         uint32_t *cell = cell_of(s, s->lines->item[l].hash);
-        s->lines->item[l].start = *cell;
+        s->lines->item[l].next = *cell;
         *cell = l;
     }
     return true;
 }
 
-/* False where a piece with the bearing `at` (no sign) cannot coincide with the longest piece of line c. Where they
- * coincide, the shorter ends within PIECE_TOUCH of the line of the longer, and no farther than `half` from the
+/* False if a piece with the bearing `at` (distance without a sign) cannot coincide with the longest piece of line c.
+ * If they coincide, the shorter one ends within PIECE_TOUCH of the line of the longer, and within `half` of the
  * origin. So their distances differ by at most PIECE_TOUCH plus `half` times the angle between them, and the angle is
  * at most twice the difference of the directions. */
 static bool may_coincide(const sorter *s, const page_line *c, bearing at)
 {
     const double rounding = 1e-3 + 1e-6 * s->half; /* units: floats of up to `half`, and of up to 2, times twice that */
-    double angle = 2.0 * fabs(at.direction - (double)c->direction); /* far too much where directions wrap: no harm */
+    double angle =
+        2.0 * fabs(at.direction - (double)c->direction); /* far too large where directions wrap, which does no harm */
     return fabs((double)c->near - at.distance) <= PIECE_TOUCH + rounding + angle * s->half;
 }
 
-/* The first of the lines from `line` on, all in one cell, that piece p lies on; NO_LINE. */
+/* The first line that piece p lies on, among `line` and those after it in its cell; NO_LINE if there is none. */
 static uint32_t find_in_cell(const sorter *s, const piece *p, bearing at, uint32_t line)
 {
     while (line != NO_LINE &&
            (fabs(s->lines->item[line].distance - at.distance) > s->reach ||
             !may_coincide(s, &s->lines->item[line], at) || !coincide(p, &s->p->item[s->lines->item[line].longest])))
-        line = s->lines->item[line].start;
+        line = s->lines->item[line].next;
     return line;
 }
 
-/* The cell of a value and the neighbour to be looked into, or the cell twice where there is none. */
+/* The cell of a value, and the neighbour within `reach` of it; the cell twice if there is none. */
 static void cells_near(double value, double width, double reach, int64_t cell[2])
 {
     double cells = value / width;
@@ -138,14 +141,14 @@ static void cells_near(double value, double width, double reach, int64_t cell[2]
 
 static double distance_cell(const sorter *s)
 {
-    return 2.0 * s->reach; /* narrow: of a million lines few are to be in one */
+    return 2.0 * s->reach; /* narrow, so that a cell holds few of a million lines */
 }
 
-/* Where in the hash the line of a piece is looked for. */
+/* Where in the hash to look for the line of a piece. */
 typedef struct search {
     uint32_t hash[4]; /* of cells; the first is its own */
     int cells;
-    bearing at; /* the distance with no sign */
+    bearing at; /* the distance without a sign */
 } search;
 
 static search search_for(const sorter *s, const piece *p)
@@ -166,14 +169,14 @@ static search search_for(const sorter *s, const piece *p)
     return f;
 }
 
-/* The first line that a piece is likely to be compared with; NO_LINE. */
+/* The first line that a piece may have to be compared with; NO_LINE if there is none. */
 static uint32_t likely_line(const sorter *s, const search *f)
 {
     uint32_t line = NO_LINE;
     for (int k = 0; k < f->cells && line == NO_LINE; k++) {
         line = *cell_of(s, f->hash[k]);
         while (line != NO_LINE && !may_coincide(s, &s->lines->item[line], f->at))
-            line = s->lines->item[line].start;
+            line = s->lines->item[line].next;
     }
     return line;
 }
@@ -195,7 +198,7 @@ static void sort_to_line(sorter *s, uint32_t i, const search *f)
     if (line == NO_LINE) {
         uint32_t *cell = cell_of(s, f->hash[0]);
         line = s->lines->count++;
-        s->lines->item[line] = (page_line){.distance = f->at.distance, .hash = f->hash[0], .start = *cell};
+        s->lines->item[line] = (page_line){.distance = f->at.distance, .hash = f->hash[0], .next = *cell};
         *cell = line;
         set_longest(&s->lines->item[line], i, f->at);
     } else if (piece_length(p) > piece_length(&s->p->item[s->lines->item[line].longest])) {
@@ -205,7 +208,7 @@ static void sort_to_line(sorter *s, uint32_t i, const search *f)
     s->line_of[i] = line;
 }
 
-/* Sorts the pieces first .. first + count - 1. Memory has been asked for their cells. */
+/* Sorts the pieces first .. first + count - 1, whose cells have been asked for. */
 static void sort_some(sorter *s, const search *f, size_t first, size_t count)
 {
     for (size_t i = 0; i < count; i++)
@@ -239,7 +242,7 @@ static bool sort_to_lines(sorter *s)
     return true;
 }
 
-/* Sets the origin in the middle of the pieces, where errors of a line's direction change its distance least. */
+/* Sets the origin in the middle of the pieces, where an error in a line's direction changes its distance least. */
 static void prepare(sorter *s)
 {
     roberts_vec2 min = {INFINITY, INFINITY}, max = {-INFINITY, -INFINITY};
@@ -263,7 +266,7 @@ static void list_members(const sorter *s)
         total += c->count > 1 ? c->count : 0;
         lines->most = c->count > lines->most ? c->count : lines->most;
     }
-    for (uint32_t i = 0; i < s->p->count; i++) { /* `start` becomes the end of its line, for a moment */
+    for (uint32_t i = 0; i < s->p->count; i++) { /* meanwhile `start` moves on to the end of the line's pieces */
         page_line *c = &lines->item[s->line_of[i]];
         if (i + AT_A_TIME < s->p->count)
             FETCH_AHEAD(&lines->item[s->line_of[i + AT_A_TIME]]);

@@ -9,12 +9,15 @@
 
 /* One line with pieces on it. */
 typedef struct page_line {
-    double distance;       /* of its first piece from the middle of all, with no sign */
-    float near, direction; /* of its longest piece: distance with no sign, and direction */
+    double distance;       /* of its first piece from the middle of all pieces, without a sign */
+    float near, direction; /* of its longest piece: distance without a sign, and direction */
     uint32_t longest;      /* piece */
     uint32_t count;        /* pieces */
     uint32_t hash;         /* of the cell that its first piece lies in */
-    uint32_t start;        /* of its pieces in `member`; while they are sorted, the next line in its cell */
+    union {
+        uint32_t next;  /* while pieces are sorted: the next line in its cell */
+        uint32_t start; /* afterwards: of its pieces in `member` */
+    };
 } page_line;
 
 typedef struct page_lines {
@@ -24,8 +27,8 @@ typedef struct page_lines {
     uint32_t *member; /* the pieces of each line that has several; ascends */
 } page_lines;
 
-/* Sorts pieces to lines, in their order: a piece belongs to the first line found that it coincides with, and its
- * longest piece stands for a line. `c` is released by collinear_free() in any case. False: no memory. */
+/* Sorts pieces to lines, in the order of the pieces. A line is represented by its longest piece; a piece joins the
+ * first line found that it coincides with. `c` is released by collinear_free() in any case. False: no memory. */
 bool collinear_find(page_lines *c, const pieces *p);
 
 void collinear_free(page_lines *c);

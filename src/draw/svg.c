@@ -1,8 +1,8 @@
 /* svg.c - the page as SVG: size and user units in mm, one layer and one path per class of lines.
  *
- * Cairo holds each path, in whole units of the page, and is asked for it by cairo_copy_path(): it leaves out points
- * on a straight way. The text is written here, because the SVG of Cairo 1.16 knows no layers and numbers its groups
- * by a counter of the process. */
+ * Each path goes into Cairo, in whole units of the page, and comes back by cairo_copy_path(), without points on a
+ * straight way. The text is written here, because the SVG of Cairo 1.16 has no layers, and numbers its groups by a
+ * counter of the process. */
 #include "draw/svg.h"
 
 #include <math.h>
@@ -11,11 +11,11 @@
 
 #include "draw/cairo.h"
 
-enum { SEGMENTS_PER_PATH = 1000 /* Cairo holds no more at a time */ };
+enum { SEGMENTS_PER_PATH = 1000 /* a path is taken to Cairo and back in parts of about this size */ };
 
 /* ---- numbers and colours ---- */
 
-/* A number with at most three decimals: 0.35, 12, 1189.5. */
+/* Writes n / 1000 with at most three decimals: 0.35, 12, 1189.5. */
 static void write_thousandths(output *out, int32_t n)
 {
     if (n < 0)
@@ -46,8 +46,8 @@ static void write_color(output *out, unsigned char red, unsigned char green, uns
 
 /* ---- text ---- */
 
-/* The length of the character that `text` begins with; 0 where XML does not allow it. */
-static size_t character(const unsigned char *text)
+/* The length of the character at the start of `text`; 0 if XML does not allow it. */
+static size_t character_length(const unsigned char *text)
 {
     static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
     uint32_t code = text[0];
@@ -64,13 +64,12 @@ static size_t character(const unsigned char *text)
     return length == 0 || code < least[length] || control || none ? 0 : length;
 }
 
-/* Writes UTF-8 (RFC 3629: no surrogates, nothing beyond U+10FFFF, no longer than need be) with <, > and & as
- * entities. A byte that belongs to no character of XML 1.0 becomes a question mark: names of files may hold anything.
- */
+/* Writes UTF-8 with <, > and & as entities. A byte that belongs to no character of XML 1.0, in its shortest form (RFC
+ * 3629), becomes a question mark: a file's name may hold any bytes. */
 static void write_escaped(output *out, const char *text)
 {
     while (*text) {
-        size_t length = character((const unsigned char *)text);
+        size_t length = character_length((const unsigned char *)text);
         if (*text == '<' || *text == '>' || *text == '&')
             output_text(out, *text == '<' ? "&lt;" : *text == '>' ? "&gt;" : "&amp;");
         else if (length)
@@ -111,16 +110,6 @@ static void open_layer(output *out, const roberts_draw_options *options, roberts
 
 /* ---- paths ---- */
 
-static void add_line(cairo_t *cairo, const strokes *s, const polyline *line)
-{
-    const page_point *p = s->lines.point + line->first;
-    cairo_move_to(cairo, p->x, p->y);
-    for (uint32_t i = 1; i < line->count; i++)
-        cairo_line_to(cairo, p[i].x, p[i].y);
-    if (line->closed)
-        cairo_close_path(cairo);
-}
-
 static void write_point(output *out, const char *command, const cairo_path_data_t *at, int32_t thousandths)
 {
     output_text(out, command);
@@ -130,7 +119,7 @@ static void write_point(output *out, const char *command, const cairo_path_data_
     output_bytes(out, " ", 1);
 }
 
-/* Behind a closed line Cairo moves to its start once more; a move without a line is not written. */
+/* After a closed line Cairo moves to its start once more. A move that no line follows is not written. */
 static void write_path(output *out, const cairo_path_t *path, int32_t thousandths)
 {
     const cairo_path_data_t *start = NULL;
@@ -150,13 +139,13 @@ static void write_path(output *out, const cairo_path_t *path, int32_t thousandth
     }
 }
 
-/* Polylines from `*at` on, up to `end`, as one path of Cairo's. */
-static cairo_status_t write_some(cairo_t *cairo, const strokes *s, size_t *at, size_t end, output *out)
+/* Writes polylines from `*at` on, at most up to `end`, and moves `*at` behind them. */
+static cairo_status_t write_polylines(cairo_t *cairo, const strokes *s, size_t *at, size_t end, output *out)
 {
     const int32_t thousandths = (int32_t)(1000.0 / s->units_per_mm + 0.5); /* of a mm, in a unit */
     cairo_new_path(cairo);
     for (size_t segments = 0; *at < end && segments < SEGMENTS_PER_PATH; ++*at) {
-        add_line(cairo, s, &s->lines.item[*at]);
+        surface_add_line(cairo, s, &s->lines.item[*at], 1.0);
         segments += s->lines.item[*at].count;
     }
     cairo_path_t *path = cairo_copy_path(cairo);
@@ -174,7 +163,7 @@ static roberts_status write_layer(const strokes *s, int class, output *out, cair
         return ROBERTS_OK; /* no layer without lines */
     open_layer(out, s->options, line_order[class]);
     while (at < end && !out->failed) {
-        cairo_status_t status = write_some(cairo, s, &at, end, out);
+        cairo_status_t status = write_polylines(cairo, s, &at, end, out);
         if (status != CAIRO_STATUS_SUCCESS)
             return surface_failure(status, error);
         if (at < end)
@@ -186,17 +175,21 @@ static roberts_status write_layer(const strokes *s, int class, output *out, cair
 
 /* ---- the page ---- */
 
-static void write_text(output *out, const char *tag, const char *text)
+/* Writes nothing where `text` is NULL. */
+static void write_element(output *out, const char *tag, const char *text)
 {
-    const char *const parts[] = {"<", tag, ">", text, "</", tag, ">\n"};
-    for (int i = 0; text && i < 7; i++)
-        if (i == 3)
-            write_escaped(out, text);
-        else
-            output_text(out, parts[i]);
+    if (!text)
+        return;
+    output_text(out, "<");
+    output_text(out, tag);
+    output_text(out, ">");
+    write_escaped(out, text);
+    output_text(out, "</");
+    output_text(out, tag);
+    output_text(out, ">\n");
 }
 
-/* No layer and no path: it is no line to draw. */
+/* Outside of the layers, because a plotter must not draw it. */
 static void write_background(output *out, const roberts_page *page, const roberts_background *color)
 {
     output_text(out, "<rect id=\"background\" width=\"");
@@ -221,8 +214,8 @@ roberts_status svg_write(const strokes *s, output *out, roberts_error *error)
     output_text(out, " ");
     write_mm(out, page->height_mm);
     output_text(out, "\">\n");
-    write_text(out, "title", s->options->title);
-    write_text(out, "desc", s->options->description);
+    write_element(out, "title", s->options->title);
+    write_element(out, "desc", s->options->description);
     if (s->options->background.on)
         write_background(out, page, &s->options->background);
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1); /* nothing is drawn on it */

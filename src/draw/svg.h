@@ -5,7 +5,7 @@
 #include "draw/output.h"
 #include "draw/strokes.h"
 
-/* The caller finishes `out`, which knows of failed writes. Returns ROBERTS_OK, _NO_MEMORY or _IO. */
+/* Writes the page. The caller finishes `out`, which knows of failed writes. Returns ROBERTS_OK, _NO_MEMORY or _IO. */
 roberts_status svg_write(const strokes *s, output *out, roberts_error *error);
 
 #endif

@@ -6,7 +6,7 @@
 
 static const char *const column[] = {"solid", "v0", "v1", "t0", "t1", "state", "x0", "y0", "x1", "y1", "by"};
 
-enum { COLUMNS = sizeof column / sizeof column[0], STATE = 5, BY = 10 };
+enum { COLUMNS = sizeof column / sizeof column[0], T0 = 3, STATE = 5, BY = 10 };
 
 static const char *state_name(uint8_t state)
 {
@@ -20,16 +20,21 @@ static const char *state_name(uint8_t state)
     }
 }
 
+static bool is_listed(const roberts_segment *s, bool with_hidden)
+{
+    return s->state == ROBERTS_VISIBLE || with_hidden;
+}
+
 static void write_field(const roberts_segment *s, int i, output *out)
 {
     const uint32_t integer[] = {s->solid, s->v0, s->v1};
-    const double number[] = {s->t0, s->t1, 0.0, s->p0.x, s->p0.y, s->p1.x, s->p1.y};
-    if (i < 3)
+    const double number[] = {s->t0, s->t1, 0.0 /* no number: the state */, s->p0.x, s->p0.y, s->p1.x, s->p1.y};
+    if (i < T0)
         output_integer(out, integer[i]);
     else if (i == STATE)
         output_text(out, state_name(s->state));
     else if (i < BY)
-        output_number(out, number[i - 3]);
+        output_number(out, number[i - T0]);
     else
         output_integer(out, s->by);
 }
@@ -43,7 +48,7 @@ void table_write_csv(const roberts_drawing *drawing, bool with_hidden, output *o
     output_bytes(out, "\n", 1);
     for (size_t n = 0; n < drawing->count; n++) {
         const roberts_segment *s = &drawing->segment[n];
-        if (s->state != ROBERTS_VISIBLE && !with_hidden)
+        if (!is_listed(s, with_hidden))
             continue;
         for (int i = 0; i < COLUMNS; i++) {
             if (i)
@@ -74,7 +79,7 @@ void table_write_json(const roberts_drawing *drawing, bool with_hidden, output *
     output_text(out, "[");
     for (size_t n = 0; n < drawing->count; n++) {
         const roberts_segment *s = &drawing->segment[n];
-        if (s->state != ROBERTS_VISIBLE && !with_hidden)
+        if (!is_listed(s, with_hidden))
             continue;
         output_text(out, first ? "\n{" : ",\n{");
         first = false;

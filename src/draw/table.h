@@ -4,7 +4,8 @@
 
 #include "draw/output.h"
 
-/* One row per segment in the drawing's order; without `with_hidden`, visible ones only. The caller finishes `out`. */
+/* Writes one row per segment, in the drawing's order; without `with_hidden` only visible segments. The caller finishes
+ * `out`. */
 void table_write_csv(const roberts_drawing *drawing, bool with_hidden, output *out);
 void table_write_json(const roberts_drawing *drawing, bool with_hidden, output *out);
 

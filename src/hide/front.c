@@ -198,11 +198,10 @@ static void count_faces(picture_tile *tile, const front_faces *found)
     tile->edge_on += found->edge_on;
 }
 
-/* The hull in place of an outline that is not convex; 0 where that has too short sides to be trusted. Face by face a
- * front that is seen along some of its faces would hide too little: these are slivers in the picture, and a sliver drops
- * what is shorter than epsilon over its angle. As one front it is right within what the solid departs from a convex one:
- * a point of the solid lies no farther than that before any face's plane, and behind the solid a sight line only gets
- * deeper behind all of them. */
+/* The hull in place of an outline that is not convex; 0 where it cannot be trusted. Face by face such a front would hide
+ * too little: what is seen nearly edge-on is a sliver of the picture. As one front it is right to within what the solid
+ * departs from a convex one: no point of the solid lies farther than that before the plane of a face, and a sight line
+ * behind the solid only gets deeper behind all planes. */
 static uint32_t convex_hull(const hide_picture *picture, uint32_t solid, uint32_t *order, uint32_t *outline,
                             double width)
 {

@@ -45,3 +45,21 @@ double reach_along(const hide_space *space, const hide_edge *e, const reach_bord
     *t = sign * begin;
     return sign * greater(reach, begin + space->epsilon / e->length3);
 }
+
+void reach_corners(const hide_space *space, const hide_edge *e, const hide_face *F, hide_part *part)
+{
+    double first = INFINITY, last = -INFINITY, epsilon = space->epsilon / e->length;
+    for (uint32_t i = 0; i < F->count; i++) {
+        double s = along(space->P[F->corner[i]], e);
+        first = lesser(first, s);
+        last = greater(last, s);
+    }
+    if (part->t0 < first - epsilon) {
+        part->t0 = first;
+        part->r0 = first - epsilon;
+    }
+    if (part->t1 > last + epsilon) {
+        part->t1 = last;
+        part->r1 = last + epsilon;
+    }
+}

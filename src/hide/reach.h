@@ -31,6 +31,9 @@ typedef struct reach_border {
  * farthest takes its place. */
 double reach_along(const hide_space *space, const hide_edge *e, const reach_border *border, double touch, double *t);
 
+/* Ends the part at the last and the first corner of F, as the edge goes, where it goes on by more than epsilon. */
+void reach_corners(const hide_space *space, const hide_edge *e, const hide_face *F, hide_part *part);
+
 /* Is reach_along() needed? */
 static inline bool reach_is_plain(const hide_space *space, const hide_edge *e, double touch)
 {

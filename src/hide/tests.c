@@ -294,6 +294,27 @@ bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e
     return true;
 }
 
+/* Does an end of the edge count as on two sides? */
+static bool is_on_two(const hide_face *F, const hide_sides *sides)
+{
+    unsigned a = 0, b = 0;
+    for (uint32_t i = 0; i < F->count; i++) {
+        a += sides->H[i].a == 0;
+        b += sides->H[i].b == 0;
+    }
+    return a > 1 || b > 1;
+}
+
+/* Beyond a corner so sharp that the edge is within epsilon of both its sides nothing is inside. */
+static bool end_at_corners(const hide_space *space, const hide_face *F, const hide_edge *e, const hide_sides *sides,
+                           hide_part *part)
+{
+    if (e->length <= space->epsilon || !is_on_two(F, sides))
+        return true;
+    reach_corners(space, e, F, part);
+    return hide_is_left(space, e, part);
+}
+
 bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
                    roberts_tally *tally, hide_part *part)
 {
@@ -304,9 +325,9 @@ bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge 
     case HIDE_INVISIBLE:
         tally->test3_invisible++;
         *part = hide_whole;
-        return true;
+        return end_at_corners(space, F, e, sides, part);
     default:
         tally->test4++;
-        return hide_test4(space, F, e, sides, part);
+        return hide_test4(space, F, e, sides, part) && end_at_corners(space, F, e, sides, part);
     }
 }

@@ -82,9 +82,9 @@ typedef struct hide_near {
 /* Test 2: 1 where P is left of the sight plane through AB, -1 where it is right of it, 0 where it counts as near. */
 int hide_corner_side(const hide_space *space, roberts_vec3 P, const hide_edge *e, hide_near *near);
 
-/* Does the sight plane miss a polygon all of whose other corners are on its left (or else right)? Of a corner on the other side
- * it cuts a sliver off, up to epsilon wide, but much longer where the edge runs nearly along a side: where solids fill a
- * place without a gap one would see through. */
+/* Does the sight plane miss a polygon all of whose other corners are on its left (or else right)? Of a corner on the
+ * other side it cuts a sliver off, up to epsilon wide, but much longer where the edge runs nearly along a side: where
+ * solids fill a place without a gap one would see through. */
 static inline bool hide_near_misses(const hide_near *near, bool left)
 {
     return near->count == 0 || (near->count == 1 && !near->doubtful && near->side != (left ? -1 : 1));

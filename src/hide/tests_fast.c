@@ -51,7 +51,7 @@ fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const h
     bool a_inside = all_above(H->a, o->count, space->plain);
     const double *h = a_inside ? H->b : H->a;
     roberts_vec3 X = a_inside ? e->B : e->A;
-    uint32_t out = 0;
+    uint32_t out = 0, touched = 0;
     if (!a_inside && !all_above(H->b, o->count, space->plain))
         return outside_one(H, o->count, space->plain) ? FAST_OUTSIDE : FAST_UNCLEAR;
     for (size_t i = 0; i < o->count; i++) {
@@ -66,7 +66,10 @@ fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const h
         if (error > HIDE_TRUSTED * on && fabs(h[i]) <= on + error)
             return FAST_UNCLEAR;
         out |= (h[i] < -on ? 1u : 0u) << i;
+        touched += h[i] < 0.0 && h[i] >= -on && i < o->sides;
     }
+    if (touched > 1)
+        return FAST_UNCLEAR; /* beyond a sharp corner, perhaps: see hide_by_sides() */
     H->out_a = a_inside ? 0 : out;
     H->out_b = a_inside ? out : 0;
     return FAST_CUT;

@@ -518,14 +518,14 @@ static int compare_piece_sides(const void *pa, const void *pb)
 }
 
 /* Of a border that is not quite planar no crossing lies on both of its sides: its edges are the sides as a whole then, each with
- * one of the pieces along it. */
-static bool take_whole_sides(face_pieces *f)
+ * one of the pieces along it. given: the ring as it was, since what lies on one another in the plane may be apart in space. */
+static bool take_whole_sides(face_pieces *f, const uint32_t *given)
 {
     size_t count = f->side_count, k = 0;
     if (count > 1)
         qsort(f->side, count, sizeof *f->side, compare_piece_sides);
     for (size_t i = 0; i < f->ring_count; i++) { /* side_of[] ascends */
-        uint32_t from = f->ring[i], to = f->ring[i + 1 < f->ring_count ? i + 1 : 0];
+        uint32_t from = given[i], to = given[i + 1 < f->ring_count ? i + 1 : 0];
         while (k < count && f->side[k].side < f->side_of[i])
             k++;
         if (k == count || f->side[k].side != f->side_of[i] || from == to)
@@ -548,6 +548,10 @@ bool face_pieces_arrange(face_pieces *f, const face_rules *rules, bool *done)
     double touching = rules->touching / rules->unit;
     arrangement a = {0};
     *done = false;
+    uint32_t *given = alloc_array(f->ring_count, sizeof *given);
+    if (!given)
+        return false;
+    memcpy(given, f->ring, f->ring_count * sizeof *given);
     bool enough = join_ring(f, touching);
     uint32_t *seen = enough ? alloc_array(f->node_count, sizeof *seen) : NULL;
     bool repeats = seen && ring_repeats(f, seen);
@@ -557,8 +561,9 @@ bool face_pieces_arrange(face_pieces *f, const face_rules *rules, bool *done)
         *done = true;
         enough = fill_cells(f, rules, &a);
         if (enough && f->fit.deviation > rules->touching && f->side_count > 0)
-            enough = take_whole_sides(f);
+            enough = take_whole_sides(f, given);
     }
+    free(given);
     free_arrangement(&a);
     return enough;
 }

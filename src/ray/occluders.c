@@ -351,20 +351,12 @@ static sight_answer hides_strictly(const occluders *o, uint32_t face, const sigh
     return answer;
 }
 
-roberts_vec3 occluders_meet(const occluders *o, uint32_t face, roberts_vec3 X)
-{
-    plane F = o->s.scene->face_plane[face];
-    roberts_vec3 v = sight_from(&o->s, X);
-    double t = -sight_behind(&o->s, face, X) / vec3_dot((roberts_vec3){F.a, F.b, F.c}, v);
-    return vec3_add(X, vec3_scale(t, v));
-}
-
 /* Notes a hider for a question about the nearest one. From now on the point counts as lying on the hider, so that
  * boxes that do not reach so high are left out. */
 static void keep_nearest(casting *c, uint32_t i, uint32_t face)
 {
     sight_question *q = &c->question[i];
-    double height = picture_point(c->o, occluders_meet(c->o, face, q->X)).z;
+    double height = picture_point(c->o, sight_meet(&c->o->s, face, q->X, c->v[i])).z;
     if (q->hider == ROBERTS_NONE || height > q->height) {
         q->hider = face;
         q->height = height;

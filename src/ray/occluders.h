@@ -48,9 +48,6 @@ typedef struct sight_question {
  * found depends on the walks before. */
 void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, uint32_t count);
 
-/* The point where the sight line from X, which `face` hides, meets the plane of `face`. */
-roberts_vec3 occluders_meet(const occluders *o, uint32_t face, roberts_vec3 X);
-
 /* A search for the faces that hide a part of a segment. */
 typedef struct occluders_search {
     const occluders *o;

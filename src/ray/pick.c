@@ -32,15 +32,6 @@ static bool append(picker *p, roberts_pick_hit hit)
     return true;
 }
 
-/* Where the sight line meets the plane of a face that it passes through: F(Q) + t (v . n) = 0, v . n < 0. */
-static roberts_vec3 meet(const picker *p, uint32_t face)
-{
-    plane F = p->s.scene->face_plane[face];
-    roberts_vec3 n = {F.a, F.b, F.c};
-    double t = -sight_behind(&p->s, face, p->Q) / vec3_dot(p->toward, n);
-    return vec3_add(p->Q, vec3_scale(t, p->toward));
-}
-
 /* Picks the front faces of one solid on the sight line. Neighbours that share the point met count once. */
 static bool pick_solid(picker *p, uint32_t solid)
 {
@@ -49,7 +40,7 @@ static bool pick_solid(picker *p, uint32_t solid)
     for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {
         if (p->s.facing[face] != SIGHT_FRONT || sight_through(&p->s, face, p->Q, p->toward, 0.0) != SIGHT_SURELY)
             continue;
-        roberts_vec3 X = meet(p, face);
+        roberts_vec3 X = sight_meet(&p->s, face, p->Q, p->toward);
         double depth = depth_of(p, X);
         bool again = false;
         for (size_t i = first; i < p->picked->count; i++) {

@@ -151,7 +151,7 @@ typedef struct frame {
 } frame;
 
 /* The polygon's area vector, twice its area long, by Newell: every corner counts, and corners on one line do no harm.
- * `size` (may be NULL) is the sum of its terms' sizes, component by component. */
+ * `size` is the sum of its terms' sizes, component by component. */
 static roberts_vec3 area_vector(const roberts_vec3 *corner, size_t count, roberts_vec3 *size)
 {
     roberts_vec3 n = {0.0, 0.0, 0.0}, s = {0.0, 0.0, 0.0};
@@ -162,15 +162,18 @@ static roberts_vec3 area_vector(const roberts_vec3 *corner, size_t count, robert
         s.y += fabs(p.z * q.x) + fabs(p.x * q.z);
         s.z += fabs(p.x * q.y) + fabs(p.y * q.x);
     }
-    if (size)
-        *size = s;
+    *size = s;
     return n;
 }
 
-/* Whether the area is more than rounding; a polygon without area has no inside. */
-static bool has_area(roberts_vec3 n, roberts_vec3 size)
+/* Whether the polygon's area is more than rounding; without area it has no inside. `n` becomes its area vector. */
+static bool has_area(const roberts_vec3 *corner, size_t count, roberts_vec3 *n)
 {
-    return !ray_parallel(n.x, size.x) || !ray_parallel(n.y, size.y) || !ray_parallel(n.z, size.z);
+    roberts_vec3 size;
+    if (count < 3)
+        return false;
+    *n = area_vector(corner, count, &size);
+    return !ray_parallel(n->x, size.x) || !ray_parallel(n->y, size.y) || !ray_parallel(n->z, size.z);
 }
 
 /* The corner whose sides span the largest triangle (the first of equal ones). */
@@ -193,11 +196,8 @@ static size_t widest_corner(const roberts_vec3 *corner, size_t count)
 /* An orthonormal frame in the plane, turned so that the corners run counter-clockwise. */
 static bool orthonormal_frame(const roberts_vec3 *corner, size_t count, frame *f)
 {
-    roberts_vec3 size;
-    if (count < 3)
-        return false;
-    roberts_vec3 n = area_vector(corner, count, &size);
-    if (!has_area(n, size))
+    roberts_vec3 n;
+    if (!has_area(corner, count, &n))
         return false;
     size_t k = widest_corner(corner, count);
     roberts_vec3 u = vec3_sub(corner[k + 1 < count ? k + 1 : 0], corner[k]);
@@ -211,8 +211,8 @@ static bool orthonormal_frame(const roberts_vec3 *corner, size_t count, frame *f
 /* The note's (alpha, beta): alpha along the side to the next corner, beta along the side to the last one. */
 static bool oblique_frame(const roberts_vec3 *corner, size_t count, frame *f)
 {
-    roberts_vec3 size;
-    if (count < 3 || !has_area(area_vector(corner, count, &size), size))
+    roberts_vec3 n;
+    if (!has_area(corner, count, &n))
         return false;
     size_t k = widest_corner(corner, count);
     roberts_vec3 next = vec3_sub(corner[k + 1 < count ? k + 1 : 0], corner[k]);
@@ -290,12 +290,9 @@ bool roberts_inside_crossings(const roberts_vec3 *corner, size_t count, roberts_
 bool roberts_inside_angles(const roberts_vec3 *corner, size_t count, roberts_vec3 p)
 {
     const double pi = 3.14159265358979323846;
-    roberts_vec3 size;
+    roberts_vec3 n;
     double sum = 0.0;
-    if (count < 3)
-        return false;
-    roberts_vec3 n = area_vector(corner, count, &size);
-    if (!has_area(n, size))
+    if (!has_area(corner, count, &n))
         return false;
     roberts_vec3 a = vec3_sub(corner[count - 1], p);
     for (size_t i = 0; i < count; i++) {

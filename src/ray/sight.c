@@ -142,9 +142,8 @@ bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
         return false;
     }
     for (uint32_t i = 0; i < scene->vertex_count; i++)
-        s->P[i] = vec3_scale(1.0 / s->unit, vec3_sub(scene->point[i], scene->centre));
-    s->viewpoint =
-        s->perspective ? vec3_scale(1.0 / s->unit, vec3_sub(v->viewpoint, scene->centre)) : normalised(v->viewpoint);
+        s->P[i] = sight_point(s, scene->point[i]);
+    s->viewpoint = s->perspective ? sight_point(s, v->viewpoint) : normalised(v->viewpoint);
     set_margins(s, v);
     for (uint32_t face = 0; face < scene->face_count; face++) {
         s->facing[face] = (unsigned char)facing_of(s, face);
@@ -294,6 +293,13 @@ bool sight_well_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_v
         A = B;
     }
     return true;
+}
+
+roberts_vec3 sight_meet(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
+{
+    plane F = s->scene->face_plane[face];
+    double t = -sight_behind(s, face, X) / vec3_dot(v, (roberts_vec3){F.a, F.b, F.c});
+    return vec3_add(X, vec3_scale(t, v));
 }
 
 sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)

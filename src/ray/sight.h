@@ -86,6 +86,9 @@ sight_answer sight_through(const sight *s, uint32_t face, roberts_vec3 X, robert
 /* Whether the line passes within the sides, farther from all of them than the touching distance. */
 bool sight_well_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v);
 
+/* The point where the line through X along v meets the plane of the face: F(X) + t (v . n) = 0. */
+roberts_vec3 sight_meet(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v);
+
 /* Whether the face hides X: X lies behind its plane and the sight line passes through it. The answer is "possibly" if
  * X lies behind by less than the touching distance and the face's departure from its plane. A face that is not front
  * hides nothing. */

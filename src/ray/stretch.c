@@ -162,9 +162,10 @@ static void judge_nearest(stretch_checker *c, const stretch_probe *p, const sigh
         c->result->undecided += q->answer == SIGHT_POSSIBLY; /* whether it is hidden at all, other rays say */
         return;
     }
-    if (o->face_solid[q->hider] == p->drawn_by || may_be_seen(o, p->drawn_by, q, occluders_meet(o, q->hider, q->X)))
+    roberts_vec3 v = sight_from(&o->s, q->X), Y = sight_meet(&o->s, q->hider, q->X, v);
+    if (o->face_solid[q->hider] == p->drawn_by || may_be_seen(o, p->drawn_by, q, Y))
         return;
-    if (sight_well_through(&o->s, q->hider, q->X, sight_from(&o->s, q->X)))
+    if (sight_well_through(&o->s, q->hider, q->X, v))
         contradict(c->result, p, q->solid, ROBERTS_HIDDEN, o->face_solid[q->hider]);
     else
         c->result->undecided++;

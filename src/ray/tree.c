@@ -10,10 +10,10 @@
 #include "base/lanes.h"
 
 enum {
-    LEAF_ITEMS = 1, /* with two: 6 % more time on most scenes, 10 % less on needles seen askew */
+    LEAF_ITEMS = 1, /* two take 6 % more time on most scenes, and 10 % less on needles seen askew */
     BINS = 12,      /* one more than the planes tried across an axis; more of them gained nothing */
-    SAMPLE = 1000,  /* entries that judge a plane, or up to twice as many; more gained nothing */
-    BIN_DEPTH = 60, /* deeper nodes are halved by number, which ends after 32 more levels */
+    SAMPLE = 1000,  /* most entries that judge a plane; more gained nothing */
+    BIN_DEPTH = 60, /* deeper nodes are halved by number, which takes 32 more levels at most */
 };
 
 double tree_box_shadow(tree_box a, double floor)
@@ -44,12 +44,12 @@ tree_entry tree_entry_of(tree_box box, uint32_t owner, tree_item item)
 
 /* ---- building -------------------------------------------------------------------------------------------------- */
 
-/* What matters of a box. */
-typedef struct cover {
+/* A box that is open below: how deep it reaches does not matter. */
+typedef struct open_box {
     float lo_x, lo_y, hi_x, hi_y, hi_z;
-} cover;
+} open_box;
 
-static const cover no_cover = {INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY};
+static const open_box no_open_box = {INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY};
 
 static inline float less(float a, float b)
 {
@@ -61,28 +61,28 @@ static inline float more(float a, float b)
     return a > b ? a : b;
 }
 
-static inline cover cover_union(cover a, cover b)
+static inline open_box open_box_union(open_box a, open_box b)
 {
-    return (cover){less(a.lo_x, b.lo_x), less(a.lo_y, b.lo_y), more(a.hi_x, b.hi_x), more(a.hi_y, b.hi_y),
-                   more(a.hi_z, b.hi_z)};
+    return (open_box){less(a.lo_x, b.lo_x), less(a.lo_y, b.lo_y), more(a.hi_x, b.hi_x), more(a.hi_y, b.hi_y),
+                      more(a.hi_z, b.hi_z)};
 }
 
-static inline cover cover_of(const tree_entry *e)
+static inline open_box open_box_of(const tree_entry *e)
 {
-    return (cover){e->lo[0], e->lo[1], e->hi[0], e->hi[1], e->hi[2]};
+    return (open_box){e->lo[0], e->lo[1], e->hi[0], e->hi[1], e->hi[2]};
 }
 
-static float shadow(cover a, float floor)
+static float shadow(open_box a, float floor)
 {
     return a.hi_x < a.lo_x ? 0.0f : (a.hi_x - a.lo_x) * (a.hi_y - a.lo_y) * (a.hi_z - floor);
 }
 
-/* What lies below a node. */
-typedef struct crop {
-    cover all;
+/* What a node or a leaf holds. */
+typedef struct contents {
+    open_box box;
     float low[3], high[3]; /* middles of boxes, twice */
     uint32_t owner;        /* ROBERTS_NONE: several */
-} crop;
+} contents;
 
 typedef struct builder {
     tree *t;
@@ -90,8 +90,7 @@ typedef struct builder {
     float floor; /* the least z of all boxes */
 } builder;
 
-/* A plane across an axis: entries whose bin is below `bin` go before it; 0: there is no plane. Middles of boxes,
- * doubled, begin at `low`. */
+/* A plane across an axis, before bin `bin`; 0: there is no plane. Middles of boxes, doubled, begin at `low`. */
 typedef struct split {
     int axis, bin, bins;
     float low, bins_per_length, cost;
@@ -103,15 +102,15 @@ static inline float middle(const tree_entry *e, int axis)
     return e->lo[axis] + e->hi[axis];
 }
 
-static const crop no_crop = {{INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY},
-                             {INFINITY, INFINITY, INFINITY},
-                             {-INFINITY, -INFINITY, -INFINITY},
-                             0};
+static const contents no_contents = {{INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY},
+                                     {INFINITY, INFINITY, INFINITY},
+                                     {-INFINITY, -INFINITY, -INFINITY},
+                                     0};
 
-static inline void reap(crop *c, const tree_entry *e)
+static inline void contents_add(contents *c, const tree_entry *e)
 {
-    c->owner = !(c->all.lo_x <= c->all.hi_x) || c->owner == e->owner ? e->owner : ROBERTS_NONE;
-    c->all = cover_union(c->all, cover_of(e));
+    c->owner = !(c->box.lo_x <= c->box.hi_x) || c->owner == e->owner ? e->owner : ROBERTS_NONE;
+    c->box = open_box_union(c->box, open_box_of(e));
     for (int axis = 0; axis < 3; axis++) {
         c->low[axis] = less(middle(e, axis), c->low[axis]); /* in this order: NaN counts for nothing */
         c->high[axis] = more(middle(e, axis), c->high[axis]);
@@ -125,19 +124,19 @@ static inline int bin_of(const split *s, const tree_entry *e)
 }
 
 /* The cheapest plane across an axis. */
-static void find_plane(split *s, const cover *bin, const uint32_t *bin_count, float floor)
+static void find_plane(split *s, const open_box *bin, const uint32_t *bin_count, float floor)
 {
-    cover side = no_cover;
+    open_box side = no_open_box;
     uint32_t below = 0, above = 0;
     float cost[BINS];
     for (int k = 0; k < s->bins - 1; k++) { /* boxes in bins 0 .. k ... */
-        side = cover_union(side, bin[k]);
+        side = open_box_union(side, bin[k]);
         below += bin_count[k];
         cost[k + 1] = below ? (float)below * shadow(side, floor) : INFINITY;
     }
-    side = no_cover;
+    side = no_open_box;
     for (int k = s->bins - 1; k > 0; k--) { /* ... against those in bins k .. */
-        side = cover_union(side, bin[k]);
+        side = open_box_union(side, bin[k]);
         above += bin_count[k];
         float both = cost[k] + (float)above * shadow(side, floor);
         if (above > 0 && both < s->cost) {
@@ -147,28 +146,28 @@ static void find_plane(split *s, const cover *bin, const uint32_t *bin_count, fl
     }
 }
 
-/* The best plane across any axis. A sample judges if there are many entries. */
-static split find_split(const builder *b, uint32_t first, uint32_t count, const crop *below)
+/* The best plane across any axis. If there are many entries, a sample of them decides. */
+static split find_split(const builder *b, uint32_t first, uint32_t count, const contents *held)
 {
-    cover bin[3][BINS];
+    open_box bin[3][BINS];
     uint32_t bin_count[3][BINS] = {{0}}, step = count / SAMPLE + 1;
     split s[3], best = {.cost = INFINITY};
     int bins = count < BINS ? (int)count : BINS, axes = 0;
     for (int axis = 0; axis < 3; axis++) {
-        float length = below->high[axis] - below->low[axis], scale = (float)bins / length;
+        float length = held->high[axis] - held->low[axis], scale = (float)bins / length;
         if (!(length > 0.0f) || !isfinite(length) || !isfinite(scale))
             continue;
         for (int k = 0; k < bins; k++)
-            bin[axes][k] = no_cover;
-        s[axes++] = (split){axis, 0, bins, below->low[axis], scale, INFINITY};
+            bin[axes][k] = no_open_box;
+        s[axes++] = (split){axis, 0, bins, held->low[axis], scale, INFINITY};
     }
     for (uint32_t k = first; k < first + count; k += step) {
         const tree_entry *e = &b->entry[k];
-        cover c = cover_of(e);
+        open_box c = open_box_of(e);
         for (int i = 0; i < axes; i++) {
             int at = bin_of(&s[i], e);
             bin_count[i][at]++;
-            bin[i][at] = cover_union(bin[i][at], c);
+            bin[i][at] = open_box_union(bin[i][at], c);
         }
     }
     for (int i = 0; i < axes; i++) {
@@ -179,19 +178,19 @@ static split find_split(const builder *b, uint32_t first, uint32_t count, const 
     return best;
 }
 
-/* Moves the entries below the split to the front, the others behind them, and returns how many are below. Without a
- * split: half of them. `side`: the boxes of both. */
-static uint32_t divide(const builder *b, uint32_t first, uint32_t count, const split *s, crop *side)
+/* Moves the entries below the split to the front, the others behind them, and returns how many are below; without a
+ * split, half of them. `side`: what the two parts hold. */
+static uint32_t divide(const builder *b, uint32_t first, uint32_t count, const split *s, contents *side)
 {
     tree_entry *entry = b->entry + first;
     uint32_t below = 0, end = count;
-    side[0] = side[1] = no_crop;
+    side[0] = side[1] = no_contents;
     while (below < end) {
         if (s->bin > 0 ? bin_of(s, &entry[below]) < s->bin : below < count / 2) {
-            reap(&side[0], &entry[below++]);
+            contents_add(&side[0], &entry[below++]);
             continue;
         }
-        reap(&side[1], &entry[below]);
+        contents_add(&side[1], &entry[below]);
         tree_entry swap = entry[below];
         entry[below] = entry[--end];
         entry[end] = swap;
@@ -203,28 +202,28 @@ static uint32_t divide(const builder *b, uint32_t first, uint32_t count, const s
 typedef struct part {
     uint32_t first, count;
     int depth;
-    crop below;
+    contents held;
 } part;
 
-/* Leaves the nearer part in `p`, roughly, and the others in `rest`. */
+/* Divides `p`: the lower part stays in `p`, the other goes to `rest`. */
 static void divide_part(const builder *b, part *p, part *rest)
 {
     split s = {.bin = 0};
-    crop side[2];
+    contents side[2];
     if (p->depth < BIN_DEPTH)
-        s = find_split(b, p->first, p->count, &p->below);
+        s = find_split(b, p->first, p->count, &p->held);
     uint32_t below = divide(b, p->first, p->count, &s, side);
     *rest = (part){p->first + below, p->count - below, p->depth + 1, side[1]};
     *p = (part){p->first, below, p->depth + 1, side[0]};
 }
 
-/* Of the parts that are no leaves, the one that is met most often; `parts`: there is none. */
+/* The part, among those too large for a leaf, that rays meet most often; `parts` if there is none. */
 static int largest(const builder *b, const part *p, int parts)
 {
     int best = parts;
     float most = -INFINITY;
     for (int i = 0; i < parts; i++) {
-        float s = shadow(p[i].below.all, b->floor);
+        float s = shadow(p[i].held.box, b->floor);
         if (p[i].count > LEAF_ITEMS && (best == parts || s > most)) {
             best = i;
             most = s;
@@ -235,10 +234,10 @@ static int largest(const builder *b, const part *p, int parts)
 
 static void nearest_first(part *p, int parts)
 {
-    SORT_FEW(part, p, parts, a->below.all.hi_z < b->below.all.hi_z)
+    SORT_FEW(part, p, parts, a->held.box.hi_z < b->held.box.hi_z)
 }
 
-static void set_child(tree_node *node, int i, const cover *c, uint32_t owner, uint32_t first, uint32_t count)
+static void set_child(tree_node *node, int i, const open_box *c, uint32_t owner, uint32_t first, uint32_t count)
 {
     node->lo_x[i] = c->lo_x;
     node->hi_x[i] = c->hi_x;
@@ -261,12 +260,12 @@ static uint32_t build_node(const builder *b, const part *all)
     uint32_t index = b->t->node_count++;
     for (int i = 0; i < TREE_WIDTH; i++) {
         if (i >= parts) {
-            set_child(&b->t->node[index], i, &no_cover, 0, 0, 1);
+            set_child(&b->t->node[index], i, &no_open_box, 0, 0, 1);
             continue;
         }
         bool leaf = p[i].count <= LEAF_ITEMS;
         uint32_t first = leaf ? p[i].first : build_node(b, &p[i]);
-        set_child(&b->t->node[index], i, &p[i].below.all, p[i].below.owner, first, leaf ? p[i].count : 0);
+        set_child(&b->t->node[index], i, &p[i].held.box, p[i].held.owner, first, leaf ? p[i].count : 0);
     }
     return index;
 }
@@ -274,8 +273,8 @@ static uint32_t build_node(const builder *b, const part *all)
 bool tree_build(tree *t, tree_entry *entry, uint32_t count)
 {
     builder b = {t, entry, INFINITY};
-    part all = {0, count, 0, no_crop};
-    /* A node over four items or more has four parts, so over n > 1 items stand at most (2 n - 1) / 3 nodes. */
+    part all = {0, count, 0, no_contents};
+    /* A node over four items or more has four parts, so n > 1 items take at most (2 n - 1) / 3 nodes. */
     size_t nodes = 2 * (size_t)count / 3 + 1;
     *t = (tree){alloc_array(nodes, sizeof *t->node), alloc_array(count, sizeof *t->item), 0};
     if (!t->node || !t->item) {
@@ -284,7 +283,7 @@ bool tree_build(tree *t, tree_entry *entry, uint32_t count)
     }
     for (uint32_t i = 0; i < count; i++) {
         b.floor = less(entry[i].lo[2], b.floor);
-        reap(&all.below, &entry[i]);
+        contents_add(&all.held, &entry[i]);
     }
     if (count)
         build_node(&b, &all);
@@ -314,7 +313,7 @@ void tree_walk_start(tree_walk *w, const tree_points *points)
 {
     w->points = points;
     w->depth = 0;
-    w->begun = false;
+    w->root_done = false;
     w->first_count = w->kept_count;
     for (uint32_t i = 0; i < w->kept_count; i++)
         w->first[i] = w->kept[w->kept_count - 1 - i];
@@ -329,8 +328,8 @@ void tree_walk_start(tree_walk *w, const tree_points *points)
     }
 }
 
-/* Groups of four points that hold at least one of the set, each by its first point. Points that walk together mostly
- * follow one another. */
+/* The groups of four points that hold at least one point of a set, each by its first point. Mostly whole groups walk
+ * together. */
 typedef struct fours {
     uint32_t count;
     unsigned char first[TREE_POINTS / 4];
@@ -347,8 +346,8 @@ static void find_fours(fours *f, const tree_set *of)
         }
 }
 
-/* Those points of the groups, all in `of`, that the box is over and that do not skip the owner. */
-static inline tree_set set_under(const tree_points *p, const cover *c, uint32_t owner, const fours *f,
+/* The points of `of` that lie under the box and do not skip its owner; `f` holds the groups of `of`. */
+static inline tree_set set_under(const tree_points *p, const open_box *c, uint32_t owner, const fours *f,
                                  const tree_set *of)
 {
     const four lo_x = four_all(c->lo_x), hi_x = four_all(c->hi_x), lo_y = four_all(c->lo_y), hi_y = four_all(c->hi_y);
@@ -369,15 +368,15 @@ static inline tree_set set_under(const tree_points *p, const cover *c, uint32_t 
 
 tree_set tree_points_under(const tree_points *p, const tree_entry *e, const tree_set *of)
 {
-    cover c = cover_of(e);
+    open_box c = open_box_of(e);
     fours f;
     find_fours(&f, of);
     return set_under(p, &c, e->owner, &f, of);
 }
 
-static inline cover child_box(const tree_node *n, uint32_t i)
+static inline open_box child_box(const tree_node *n, uint32_t i)
 {
-    return (cover){n->lo_x[i], n->lo_y[i], n->hi_x[i], n->hi_y[i], n->hi_z[i]};
+    return (open_box){n->lo_x[i], n->lo_y[i], n->hi_x[i], n->hi_y[i], n->hi_z[i]};
 }
 
 /* Bit i: child i may be over one of the points. */
@@ -404,19 +403,19 @@ static void spread(tree_walk *w, uint32_t index, const tree_set *points)
     for (uint32_t i = TREE_WIDTH; i-- > 0;) {
         if (!(met >> i & 1))
             continue;
-        cover box = child_box(n, i);
-        tree_crowd *top = &w->stack[w->depth];
-        *top = (tree_crowd){TREE_WIDTH * index + i, set_under(w->points, &box, n->owner[i], &f, points)};
+        open_box box = child_box(n, i);
+        tree_visit *top = &w->stack[w->depth];
+        *top = (tree_visit){TREE_WIDTH * index + i, set_under(w->points, &box, n->owner[i], &f, points)};
         w->depth += !tree_set_is_empty(&top->points);
     }
 }
 
-static void find_leaf(tree_walk *w, const tree_crowd *crowd, tree_leaf *leaf)
+static void find_leaf(tree_walk *w, const tree_visit *visit, tree_leaf *leaf)
 {
-    const tree_node *n = &w->t->node[crowd->child / TREE_WIDTH];
-    uint32_t i = crowd->child % TREE_WIDTH;
-    w->leaf = crowd->child;
-    *leaf = (tree_leaf){w->t->item + n->first[i], n->count[i], crowd->points};
+    const tree_node *n = &w->t->node[visit->child / TREE_WIDTH];
+    uint32_t i = visit->child % TREE_WIDTH;
+    w->leaf = visit->child;
+    *leaf = (tree_leaf){w->t->item + n->first[i], n->count[i], visit->points};
 }
 
 /* The next of the kept leaves. */
@@ -429,10 +428,10 @@ static bool next_kept(tree_walk *w, tree_leaf *leaf)
     while (w->first_count) {
         uint32_t child = w->first[--w->first_count], i = child % TREE_WIDTH;
         const tree_node *n = &w->t->node[child / TREE_WIDTH];
-        cover box = child_box(n, i);
-        tree_crowd crowd = {child, set_under(w->points, &box, n->owner[i], &f, &w->points->live)};
-        if (!tree_set_is_empty(&crowd.points)) {
-            find_leaf(w, &crowd, leaf);
+        open_box box = child_box(n, i);
+        tree_visit visit = {child, set_under(w->points, &box, n->owner[i], &f, &w->points->live)};
+        if (!tree_set_is_empty(&visit.points)) {
+            find_leaf(w, &visit, leaf);
             return true;
         }
     }
@@ -443,27 +442,27 @@ bool tree_walk_next(tree_walk *w, tree_leaf *leaf)
 {
     if (next_kept(w, leaf))
         return true;
-    if (!w->begun && w->t->node_count)
+    if (!w->root_done && w->t->node_count)
         spread(w, 0, &w->points->live);
-    w->begun = true;
+    w->root_done = true;
     while (w->depth) {
-        tree_crowd crowd = w->stack[--w->depth];
-        const tree_node *n = &w->t->node[crowd.child / TREE_WIDTH];
-        uint32_t i = crowd.child % TREE_WIDTH;
+        tree_visit visit = w->stack[--w->depth];
+        const tree_node *n = &w->t->node[visit.child / TREE_WIDTH];
+        uint32_t i = visit.child % TREE_WIDTH;
         for (uint32_t k = 0; k < TREE_POINTS / 64; k++)
-            crowd.points.word[k] &= w->points->live.word[k];
-        if (tree_set_is_empty(&crowd.points))
+            visit.points.word[k] &= w->points->live.word[k];
+        if (tree_set_is_empty(&visit.points))
             continue;
         if (n->count[i]) {
-            find_leaf(w, &crowd, leaf);
+            find_leaf(w, &visit, leaf);
             return true;
         }
-        spread(w, n->first[i], &crowd.points);
+        spread(w, n->first[i], &visit.points);
     }
     return false;
 }
 
-/* A leaf that was of use changes places with the one before it, so that those of use most often come first. */
+/* A kept leaf moves up by one place whenever it is of use, so the most useful leaves come first. */
 void tree_walk_keep(tree_walk *w)
 {
     uint32_t i = 0;

@@ -4,12 +4,12 @@
  * box is met if it lies over (x, y) and reaches higher than z.
  *
  * Idea: a bounding volume hierarchy. Boxes are divided at the best of a few planes across each axis (I. Wald, "On
- * fast construction of SAH-based bounding volume hierarchies", 2007). The chance of being met is in proportion to the
- * volume of the shadow that a box throws away from the viewer, which takes the place of the surface area. A node has
- * up to four children, so that there are few nodes to fetch (H. Dammertz, J. Hanika, A. Keller, "Shallow bounding
- * volume hierarchies for fast SIMD ray tracing of incoherent rays", 2008). Many points go down the tree together, to
- * each child those that its box is over (I. Wald, C. Gribble, S. Boulos, A. Kensler, "SIMD ray stream tracing",
- * 2007): a node is fetched once for all of them, and a box is compared with four at a time.
+ * fast construction of SAH-based bounding volume hierarchies", 2007). The volume of the shadow that a box throws away
+ * from the viewer takes the place of the surface area: the chance that a ray meets the box is proportional to it. A
+ * node has up to four children, so that there are few nodes to fetch (H. Dammertz, J. Hanika, A. Keller, "Shallow
+ * bounding volume hierarchies for fast SIMD ray tracing of incoherent rays", 2008). Many points go down the tree
+ * together, and each child gets those under its box (I. Wald, C. Gribble, S. Boulos, A. Kensler, "SIMD ray stream
+ * tracing", 2007): a node is fetched once for all of them, and a box is compared with four points at a time.
  *
  * Invariants: a child's box holds the boxes of all items below it; node 0 is the root; children that reach farther
  * toward the viewer come first; the depth is at most TREE_DEPTH. The tree is a function of the boxes alone. */
@@ -23,7 +23,7 @@ enum {
     TREE_DEPTH = 96,
     TREE_WIDTH = 4,
     TREE_POINTS = 128, /* most points that walk together; a multiple of 64 */
-    TREE_KEPT = 4,     /* leaves that are asked first */
+    TREE_KEPT = 4,     /* most leaves that a walk visits first */
 };
 
 typedef struct tree_box {
@@ -32,7 +32,7 @@ typedef struct tree_box {
 
 static const tree_box tree_no_box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
 
-/* The box round both. */
+/* The box around both. */
 static inline tree_box tree_box_union(tree_box a, tree_box b)
 {
     return (tree_box){{lesser(a.lo.x, b.lo.x), lesser(a.lo.y, b.lo.y), lesser(a.lo.z, b.lo.z)},
@@ -42,7 +42,7 @@ static inline tree_box tree_box_union(tree_box a, tree_box b)
 /* Volume of a box's shadow down to z = `floor`; 0 for an empty one. */
 double tree_box_shadow(tree_box a, double floor);
 
-/* What a search finds: `count` things of the caller's, from `first` on. */
+/* What a search finds: the caller's things `first` to `first + count - 1`. */
 typedef struct tree_item {
     uint32_t first, count;
 } tree_item;
@@ -57,11 +57,11 @@ typedef struct tree_entry {
 
 tree_entry tree_entry_of(tree_box box, uint32_t owner, tree_item item);
 
-/* A node: two cache lines. How deep a box reaches does not matter. The box of a child that is not there lies over
- * nothing. */
+/* A node takes two cache lines. Its boxes are open below: how deep they reach does not matter. A missing child is a
+ * leaf whose box lies over nothing. */
 typedef struct tree_node {
     float lo_x[TREE_WIDTH], hi_x[TREE_WIDTH], lo_y[TREE_WIDTH], hi_y[TREE_WIDTH], hi_z[TREE_WIDTH];
-    uint32_t owner[TREE_WIDTH]; /* of all items below, or ROBERTS_NONE where they have several */
+    uint32_t owner[TREE_WIDTH]; /* of all items below, or ROBERTS_NONE if they have several */
     uint32_t first[TREE_WIDTH]; /* leaf: its first item; otherwise a node */
     uint32_t count[TREE_WIDTH]; /* leaf: its items; otherwise 0 */
 } tree_node;
@@ -107,7 +107,7 @@ typedef struct tree_points {
     uint32_t count;
     tree_set live; /* not dropped */
     float x[TREE_POINTS], y[TREE_POINTS], z[TREE_POINTS];
-    uint32_t skip[TREE_POINTS]; /* an owner whose items need not be found; any number that is no owner: none */
+    uint32_t skip[TREE_POINTS]; /* the owner whose items need not be found, or a number that is no owner */
 } tree_points;
 
 static inline void tree_points_add(tree_points *p, roberts_vec3 point, uint32_t skip)
@@ -134,24 +134,24 @@ static inline void tree_points_raise(tree_points *p, uint32_t i, double z)
 /* Those of the points in `of` that lie under the entry's box, and do not skip its owner. */
 tree_set tree_points_under(const tree_points *p, const tree_entry *e, const tree_set *of);
 
-/* A child, and the points that its box is over. */
-typedef struct tree_crowd {
-    uint32_t child; /* TREE_WIDTH times its parent's number, and which of its children */
+/* A child of a node, and the points that its box is over. */
+typedef struct tree_visit {
+    uint32_t child; /* TREE_WIDTH times the parent's number, plus the child's place in it */
     tree_set points;
-} tree_crowd;
+} tree_visit;
 
-/* A walk through the leaves over some points. Leaves that are all of the owner that a point skips are not found for
- * it. Leaves nearer to the viewer come first, roughly. */
+/* A walk through the leaves over some points. A point does not find leaves whose items all belong to the owner that it
+ * skips. Leaves nearer to the viewer come first, roughly. */
 typedef struct tree_walk {
     const tree *t;
     const tree_points *points;
-    float lo_x, hi_x, lo_y, hi_y, lo_z;   /* of them all */
-    uint32_t kept[TREE_KEPT], kept_count; /* leaves, as children */
-    uint32_t first[TREE_KEPT], first_count,
-        leaf;   /* of those kept when the walk began, the ones not yet asked; the leaf found last */
-    bool begun; /* with the leaves that are not kept */
+    float lo_x, hi_x, lo_y, hi_y, lo_z;     /* box of all points */
+    uint32_t kept[TREE_KEPT], kept_count;   /* leaves that were of use, numbered as in tree_visit */
+    uint32_t first[TREE_KEPT], first_count; /* of those kept when the walk began, the ones still to come */
+    uint32_t leaf;                          /* the leaf found last */
+    bool root_done;                         /* the root's children have been put on the stack */
     uint32_t depth;
-    tree_crowd stack[(TREE_WIDTH - 1) * TREE_DEPTH + 1];
+    tree_visit stack[(TREE_WIDTH - 1) * TREE_DEPTH + 1];
 } tree_walk;
 
 /* A leaf, and the points that it is over. */
@@ -167,11 +167,11 @@ void tree_walk_init(tree_walk *w, const tree *t);
 /* Starts a walk. Points may be dropped on the way, and must not change otherwise. */
 void tree_walk_start(tree_walk *w, const tree_points *points);
 
-/* The next leaf with a point under its box, the kept ones first; false at the end. A box that is only just missed may
- * count as met. */
+/* Finds the next leaf with a point under its box, the kept leaves first; false at the end. A near miss may count as
+ * met. */
 bool tree_walk_next(tree_walk *w, tree_leaf *leaf);
 
-/* Keeps the leaf just found, which was of use: the next walks find it first, and once more in its turn. */
+/* Keeps the leaf just found, which was of use. The next walks find it first, and once more in its turn. */
 void tree_walk_keep(tree_walk *w);
 
 /* A search for the leaves whose boxes may lie over some point of a segment. */
@@ -181,14 +181,13 @@ typedef struct tree_search {
     double low_z;              /* of its lower end */
     uint32_t skip;             /* as in tree_points */
     uint32_t depth;
-    uint32_t stack[(TREE_WIDTH - 1) * TREE_DEPTH + 1]; /* children, numbered as in tree_crowd */
+    uint32_t stack[(TREE_WIDTH - 1) * TREE_DEPTH + 1]; /* children, numbered as in tree_visit */
 } tree_search;
 
-/* Starts a search for what is over the segment from `a` to `b`; leaves that are all of the owner `skip` are left out.
- */
+/* Starts a search for what is over the segment from `a` to `b`, without leaves whose items all belong to `skip`. */
 void tree_search_start(tree_search *s, const tree *t, roberts_vec3 a, roberts_vec3 b, uint32_t skip);
 
-/* The next leaf (`points` is not set); false at the end. */
+/* Finds the next leaf; false at the end. Does not set leaf->points. */
 bool tree_search_next(tree_search *s, tree_leaf *leaf);
 
 #endif

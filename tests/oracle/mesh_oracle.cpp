@@ -26,6 +26,9 @@ struct polygon {
     std::vector<uint32_t> corner;
     std::vector<std::array<uint32_t, 2>> side; /* without those that run both ways */
     double x0, x1, y0, y1;                     /* of its picture, with a margin */
+    /* Two corners that make a triangle with the first one, where Newell's normal is 0 because parts of the face that run
+     * either way are as large; else 0. */
+    uint32_t second, third;
 };
 
 struct mesh_oracle {
@@ -89,10 +92,27 @@ struct mesh_oracle {
             for (auto &[key, net] : runs)
                 for (int k = 0; k < std::abs(net); k++)
                     face.side.push_back(net > 0 ? key : std::array<uint32_t, 2>{key[1], key[0]});
+            vec<rational> area = newell<rational>(face);
+            if (area.x == 0 && area.y == 0 && area.z == 0)
+                find_triangle(face);
             faces.push_back(face);
         }
         if (faces.empty())
             throw std::runtime_error("no face");
+    }
+
+    void find_triangle(polygon &f) const
+    {
+        const roberts_vec3 &o = mesh.vertex[f.corner[0]];
+        for (uint32_t p : f.corner)
+            for (uint32_t q : f.corner) {
+                vec<rational> n = cross(sub<rational>(mesh.vertex[p], o), sub<rational>(mesh.vertex[q], o));
+                if (n.x != 0 || n.y != 0 || n.z != 0) {
+                    f.second = p;
+                    f.third = q;
+                    return;
+                }
+            }
     }
 
     /* ---- the picture ---- */
@@ -190,6 +210,8 @@ struct mesh_oracle {
     template <class N> vec<N> newell(const polygon &f) const
     {
         const roberts_vec3 &o = mesh.vertex[f.corner[0]];
+        if (f.second != f.third)
+            return cross(sub<N>(mesh.vertex[f.second], o), sub<N>(mesh.vertex[f.third], o));
         vec<N> n{N(0), N(0), N(0)};
         for (size_t i = 1; i + 1 < f.corner.size(); i++) {
             vec<N> d = cross(sub<N>(mesh.vertex[f.corner[i]], o), sub<N>(mesh.vertex[f.corner[i + 1]], o));

@@ -210,7 +210,8 @@ static int by_from(const void *a, const void *b)
 /* The first part of 0 .. length, from `*at` on, that the intervals leave open; `*at` becomes its end. False: none. */
 static bool next_open(intervals *list, double length, double *at, interval *open)
 {
-    qsort(list->item, list->count, sizeof *list->item, by_from);
+    if (list->count)
+        qsort(list->item, list->count, sizeof *list->item, by_from);
     double reached = *at;
     for (size_t i = 0; i < list->count && list->item[i].from <= reached; i++)
         reached = fmax(reached, list->item[i].to);

@@ -496,9 +496,9 @@ static void face_with_a_dent(void **state)
     model_free(&m);
 }
 
-/* Three plates meet at (0, 0) without a gap: x < 0, and for x > 0 what lies above and below the line y = x / 100. An edge that
- * ends above that line, nearer to it than epsilon, is hidden all the same: first one that passes (0, 0) above, and then
- * one that crosses the line a little beyond. */
+/* Three plates meet at (0, 0) without a gap: x < 0, and for x > 0 what lies above and below the line y = x / 100. An
+ * edge that ends above that line, nearer to it than epsilon, is hidden all the same: first one that passes (0, 0) above,
+ * and then one that crosses the line a little beyond. */
 static void edges_that_end_in_a_sliver(void **state)
 {
     static const roberts_vec3 plate[][4] = {{{-8, -8, 0}, {0, -8, 0}, {0, 8, 0}, {-8, 8, 0}},
@@ -530,6 +530,22 @@ static void edges_that_end_in_a_sliver(void **state)
         roberts_drawing_free(&drawing);
         model_free(&m);
     }
+}
+
+/* An edge runs out from under the tip of a plate, so sharp that it stays within epsilon of both sides' lines. */
+static void edge_beyond_a_sharp_tip(void **state)
+{
+    roberts_camera camera = preset("top");
+    roberts_hide_options options = with_hidden();
+    model m = {0};
+    (void)state;
+    options.epsilon = 1e-3;
+    add_tetrahedron(&m, (roberts_vec3[]){{0, 0, 0}, {8, 0.004, 0}, {8, -0.004, 0}, {8, 0, 1}});
+    add_tetrahedron(&m, (roberts_vec3[]){{-1, 0, -1}, {1, 0, -1}, {-1, 4, -2}, {0, 4, -3}});
+    roberts_drawing drawing = model_draw(&m, &camera, &options);
+    expect_edge("sharp tip", "top", &drawing, "4-5 v 1/2 h0");
+    roberts_drawing_free(&drawing);
+    model_free(&m);
 }
 
 /* A bar's edge of y = 0 from x = 0 to 10 under three plates: one hides x < 5, one x > 6, and one up to x = 3.6, where its
@@ -1157,6 +1173,7 @@ int main(void)
         cmocka_unit_test(outlines_that_are_not_convex),
         cmocka_unit_test(face_with_a_dent),
         cmocka_unit_test(edges_that_end_in_a_sliver),
+        cmocka_unit_test(edge_beyond_a_sharp_tip),
         cmocka_unit_test(border_that_runs_nearly_along),
         cmocka_unit_test(borders_at_flat_angles),
         cmocka_unit_test(pierced_planes_in_any_order),

@@ -157,8 +157,8 @@ static bool same_part(const fixture *f, kind k, const hide_part *a, const hide_p
     return k == COLLINEAR || k == HAIRS ? off <= 0.25 * f->space.epsilon : memcmp(a, b, sizeof *a) == 0;
 }
 
-/* Counted the same; where several sides are a straight one, an end within epsilon of them may be inside of one and outside
- * of another, and then it is another test that finds nothing. */
+/* Counted the same; where several sides are a straight one, an end within epsilon of them may be inside of one and
+ * outside of another, and then it is another test that finds nothing. */
 static bool same_tally(kind k, bool found, const roberts_tally *a, const roberts_tally *b)
 {
     return ((k == COLLINEAR || k == HAIRS) && !found) || memcmp(a, b, sizeof *a) == 0;
