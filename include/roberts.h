@@ -237,8 +237,8 @@ typedef enum roberts_body_kind {
 /** The kind of a body; ROBERTS_OPEN if there is none of that number. */
 roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t body);
 
-/** Whether a body counts as curved: it is not convex, has more than 500 faces, and bends by less than 20 degrees at half
- * or more of the edges at which its faces meet at an angle. See roberts_hide_options.crease_auto. */
+/** Whether a body counts as curved: it is not convex, has more than 500 faces, and bends by less than 20 degrees at
+ * half or more of the edges at which its faces meet at an angle. See roberts_hide_options.crease_auto. */
 bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body);
 
 /** The name of the group that the solid's first face is in (o or g of OBJ, solid of STL); "" if it has none. Valid as
