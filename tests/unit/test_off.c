@@ -352,7 +352,8 @@ static const struct {
     {"UTF-16", "\xff\xfeO", ROBERTS_BAD_SYNTAX, 1,
      "this is text in UTF-16 (to be saved as UTF-8), but only OFF, STL, OBJ and PLY can be read"},
     {"gzip", "\x1f\x8b\x08", ROBERTS_BAD_SYNTAX, 1,
-     "this is compressed, as by gzip, but only OFF, STL, OBJ and PLY can be read"},
+     "this is compressed, as by gzip, but only OFF, STL, OBJ and PLY can be read; to convert it: gzip -dc "
+     "model.off.gz | roberts -"},
     {"points without their number", "3 rbox c\n0 0 0\n", ROBERTS_BAD_SYNTAX, 2,
      "the number of points, alone on its line, expected, found \"0\""},
     {"points of four dimensions", "4 rbox c D4\n16\n", ROBERTS_BAD_SYNTAX, 1,
