@@ -47,7 +47,8 @@ roberts_status read_bad_position(reader *r, uint64_t v)
 void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t count)
 {
     if (count)
-        warning_send(warnings, name, 0, "%zu face%s with fewer than 3 corners ignored", count, count == 1 ? "" : "s");
+        warning_send(warnings, name, 0, "%zu face%s with fewer than 3 corners: %s nothing", count,
+                     count == 1 ? "" : "s", count == 1 ? "it hides" : "they hide");
 }
 
 /* ---- words ------------------------------------------------------------------------------------------------------- */

@@ -62,6 +62,8 @@ static const read_bad bad[] = {
      ROBERTS_BAD_SYNTAX, 6, "vertex of facet 0 expected, found \"endloop\""},
     {"a word for a number", "solid a\n" FIRST "facet normal 0 0 1\nouter loop\nvertex 0 zero 0\n", 0,
      ROBERTS_BAD_SYNTAX, 11, "y of a corner of facet 1 expected, found \"zero\""},
+    {"a coordinate missing", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0\nvertex 0 1 0\n", 0,
+     ROBERTS_BAD_SYNTAX, 5, "z of a corner of facet 0 expected, but the line ends here"},
     {"a decimal comma", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0,5 1 0\n", 0, ROBERTS_BAD_SYNTAX, 4,
      "x of a corner of facet 0 expected, found \"0,5\""},
     {"not a number", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n", 0, ROBERTS_BAD_NUMBER, 4,
