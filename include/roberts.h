@@ -64,10 +64,10 @@ typedef struct roberts_error {
     roberts_status status;
     char file[256];    /**< name of the input or output concerned, shortened where longer; empty if none */
     size_t line;       /**< 1-based line of the input, 0 if none applies */
-    char message[256]; /**< e.g. "face 7 names vertex 9, but the file has 8"; no file, no line, no newline */
+    char message[256]; /**< e.g. "face 7 names vertex 9, but there are 8"; no file, no line, no newline */
 } roberts_error;
 
-/** Receives one warning. Warnings of one kind come as one, with their count ("12 faces with fewer than 3 corners
+/** Receives one warning. Warnings of one kind come as one, with their count ("2 colours that make no sense
  * ignored"). file: as in roberts_error; line: 0 if none applies; message: no newline, valid during the call only. */
 typedef void roberts_warning_fn(void *context, const char *file, size_t line, const char *message);
 

@@ -75,7 +75,7 @@ static void tell_hulls(const cli_options *options, const roberts_scene *scene)
     if (hulls == 0)
         return;
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
-    fprintf(options->log, "convex hulls replace %u solid%s", (unsigned)hulls, hulls == 1 ? "" : "s");
+    fprintf(options->log, "convex hulls in place of %s", hulls == 1 ? "this solid" : "these solids");
     for (uint32_t s = 0; s < solids && told < HULLS_TOLD; s++)
         if (roberts_scene_is_hull(scene, s))
             fprintf(options->log, "%s%u", told++ ? ", " : ": ", (unsigned)s);
