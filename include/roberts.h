@@ -549,6 +549,7 @@ typedef void roberts_contradiction_fn(void *context, const roberts_contradiction
 typedef struct roberts_verify_options {
     uint32_t rays;         /**< per segment, near its ends and evenly between; 0 = 3. More go where errors are likely */
     double crease_degrees; /**< as given to roberts_hide(): tells wholly hidden edges from those that are not drawn */
+    bool crease_auto;      /**< as given to roberts_hide() (default: true) */
     bool all_edges;        /**< as given to roberts_hide() */
     uint32_t threads;      /**< 0 = one per processor; the result does not depend on it */
     roberts_contradiction_fn *contradiction; /**< NULL: count only */
@@ -581,7 +582,7 @@ roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *
                               const roberts_verify_options *options, roberts_verification *result,
                               roberts_error *error);
 
-/** A front face that a sight line meets. */
+/** A face that a sight line meets: a front face of a convex solid, or any face of another body. */
 typedef struct roberts_pick_hit {
     uint32_t solid;     /**< number of the solid */
     uint32_t face;      /**< number of the face in the input; ROBERTS_NONE: a hull's, or where the near plane cuts */
@@ -598,7 +599,7 @@ typedef struct roberts_picked {
 
 /**
  * Finds what is seen at (x, y) of the picture (as in roberts_segment's p0, p1) and what lies behind it: every front
- * face on the sight line, its border included. If a solid has several faces at one depth, the smallest number counts.
+ * face on the sight line, and of a body that is not convex every face, its border included. If a solid has several faces at one depth, the smallest number counts.
  * The order is by depth; equal depths (within epsilon) go by solid.
  * picked  owned by the caller, released by roberts_picked_free(); empty where nothing is there, and on failure
  * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT (x or y not finite).

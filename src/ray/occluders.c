@@ -252,8 +252,8 @@ static bool is_copy(const occluders *o, uint32_t a, uint32_t b)
     return true;
 }
 
-/* Finds copies: solids at the very same place. Two of them go into the tree, so that each copy finds another one before
- * it. If a thousand copies were in the tree, the rays of all of them would ask all of them. A stable sort by key brings
+/* Finds copies: convex solids at the very same place. Two of them go into the tree, so that each copy finds another one
+ * before it. If a thousand copies were in the tree, the rays of all of them would ask all of them. A stable sort by key brings
  * copies together. */
 static bool find_twins(occluders *o)
 {
@@ -267,7 +267,8 @@ static bool find_twins(occluders *o)
     done = done && radix_order(key, count, order);
     uint32_t first = 0, alike = 0; /* order[first] and `alike` - 1 copies of it have been seen */
     for (uint32_t k = 0; done && k < count; k++) {
-        if (alike > 0 && key[order[k]] == key[order[first]] && is_copy(o, order[first], order[k])) {
+        if (alike > 0 && key[order[k]] == key[order[first]] && scene_is_convex(o->s.scene, order[k]) &&
+            scene_is_convex(o->s.scene, order[first]) && is_copy(o, order[first], order[k])) {
             if (++alike > 2)
                 o->twin[order[k]] = order[first];
         } else {
@@ -330,6 +331,33 @@ uint32_t occluders_place(const occluders *o, roberts_vec3 X)
            bits_spread(cell(p.y, o->window.lo.y, o->window.hi.y)) << 1;
 }
 
+/* ---- who takes part -------------------------------------------------------------------------------------------- */
+
+/* Whether the edge lies in this plane, by the number that pieces of one face share. */
+static bool lies_in(const roberts_scene *scene, uint32_t solid, uint32_t edge, uint32_t plane_of)
+{
+    const scene_surface *surface = scene->surface;
+    const scene_edge *e = scene_edge_stored(scene, solid, edge);
+    for (int k = 0; k < 2; k++)
+        if (e->f[k] != ROBERTS_NONE && surface->plane_of[scene->solid[solid].face + e->f[k]] == plane_of)
+            return true;
+    if (!(surface->edge_is[edge] & EDGE_MANY))
+        return false;
+    const scene_many *many = scene_many_at(scene, edge);
+    for (uint32_t k = many->first; k < many->end; k++)
+        if (surface->plane_of[surface->many_face[k] & ~MANY_TURNED] == plane_of)
+            return true;
+    return false;
+}
+
+bool occluders_take_part(const occluders *o, occluders_asker of, uint32_t face)
+{
+    if (o->face_solid[face] != (of.own ? o->twin[of.solid] : of.solid))
+        return true;
+    return of.own &&
+           (of.edge == ROBERTS_NONE || !lies_in(o->s.scene, of.solid, of.edge, o->s.scene->surface->plane_of[face]));
+}
+
 /* ---- casting --------------------------------------------------------------------------------------------------- */
 
 /* Questions on their way through the tree. */
@@ -345,7 +373,8 @@ static sight_answer hides_strictly(const occluders *o, uint32_t face, const sigh
 {
     const scene_solid *solid = &o->s.scene->solid[o->face_solid[face]];
     sight_answer answer = sight_hides_strictly(&o->s, face, q->X, v, slack, q->ends);
-    for (uint32_t f = solid[0].face; answer == SIGHT_SURELY && f < solid[1].face; f++)
+    bool convex = scene_is_convex(o->s.scene, o->face_solid[face]);
+    for (uint32_t f = solid[0].face; convex && answer == SIGHT_SURELY && f < solid[1].face; f++)
         if (!sight_well_behind(&o->s, f, q->X))
             answer = SIGHT_POSSIBLY;
     return answer;
@@ -369,13 +398,13 @@ static void ask(casting *c, uint32_t face, tree_set points)
 {
     const occluders *o = c->o;
     uint32_t solid = o->face_solid[face];
+    bool convex = scene_is_convex(o->s.scene, solid);
     while (!tree_set_is_empty(&points)) {
         uint32_t i = tree_set_take(&points);
         sight_question *q = &c->question[i];
-        bool own = solid == (q->own ? o->twin[q->solid] : q->solid);
-        if ((q->answer == SIGHT_SURELY && !q->nearest) || (own && !q->own))
+        if ((q->answer == SIGHT_SURELY && !q->nearest) || !occluders_take_part(o, q->of, face))
             continue;
-        double slack = own ? o->slack[q->solid] : 0.0;
+        double slack = convex && q->of.own && solid == o->twin[q->of.solid] ? o->slack[q->of.solid] : 0.0;
         sight_answer answer =
             q->ends ? hides_strictly(o, face, q, c->v[i], slack) : sight_hides(&o->s, face, q->X, c->v[i], slack);
         if (answer > q->answer)
@@ -414,7 +443,7 @@ void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, 
         q->answer = SIGHT_NO;
         q->hider = ROBERTS_NONE;
         c.v[i] = sight_from(&o->s, q->X);
-        tree_points_add(&c.points, picture_point(o, q->X), q->own ? o->s.scene->solid_count : q->solid);
+        tree_points_add(&c.points, picture_point(o, q->X), q->of.own ? o->s.scene->solid_count : q->of.solid);
     }
     tree_walk_start(w, &c.points);
     while (tree_walk_next(w, &leaf)) {
@@ -428,17 +457,16 @@ void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, 
 
 /* ---- searching ------------------------------------------------------------------------------------------------- */
 
-void occluders_search_start(occluders_search *s, const occluders *o, roberts_vec3 A, roberts_vec3 B, uint32_t solid,
-                            bool own)
+void occluders_search_start(occluders_search *s, const occluders *o, roberts_vec3 A, roberts_vec3 B, occluders_asker of)
 {
     s->o = o;
     s->A = A;
     s->B = B;
-    s->solid = solid;
-    s->own = own;
+    s->of = of;
     s->item = s->item_end = NULL;
     s->face = s->face_end = 0;
-    tree_search_start(&s->tree, &o->t, picture_point(o, A), picture_point(o, B), own ? o->s.scene->solid_count : solid);
+    tree_search_start(&s->tree, &o->t, picture_point(o, A), picture_point(o, B),
+                      of.own ? o->s.scene->solid_count : of.solid);
 }
 
 /* Goes to the next item of the leaf, or to the first of the next leaf. False at the end. */
@@ -462,7 +490,7 @@ bool occluders_search_next(occluders_search *s, uint32_t *face, sight_part *part
     do {
         while (s->face < s->face_end) {
             *face = s->face++;
-            if ((s->own || s->o->face_solid[*face] != s->solid) && sight_hidden_part(&s->o->s, *face, s->A, s->B, part))
+            if (occluders_take_part(s->o, s->of, *face) && sight_hidden_part(&s->o->s, *face, s->A, s->B, part))
                 return true;
         }
     } while (next_item(s));

@@ -1,4 +1,6 @@
-/* occluders.h - the front faces of a scene in a tree of boxes: which of them hide a point, or a part of a segment? */
+/* occluders.h - the front faces of a scene, in a tree of boxes: which of them hide a point, or a part of a segment?
+ *
+ * Of bodies that are not convex all faces are front but those edge-on (see sight.turned). */
 #ifndef ROBERTS_RAY_OCCLUDERS_H
 #define ROBERTS_RAY_OCCLUDERS_H
 
@@ -25,8 +27,18 @@ void occluders_free(occluders *o);
 /* A key for the place of X in the picture. Near points mostly have near keys. */
 uint32_t occluders_place(const occluders *o, roberts_vec3 X);
 
-/* A question about X, a point of an edge of `solid`: which faces hide it? Faces of `solid` itself take part only if
- * `own`.
+/* Who asks: an edge of `solid`. */
+typedef struct occluders_asker {
+    uint32_t solid;
+    bool own;      /* faces of `solid` itself take part, */
+    uint32_t edge; /* ... but those in the planes of the faces of this edge of sight.scene; ROBERTS_NONE: of none */
+} occluders_asker;
+
+/* Whether a face may hide points of the edge that asks. It may not if it is a face of the edge, or lies in the plane of
+ * one: the edge lies in it. */
+bool occluders_take_part(const occluders *o, occluders_asker of, uint32_t face);
+
+/* A question about X, a point of an edge: which faces hide it?
  *
  * `ends`: NULL, or the ends of the edge that X lies on. With them the answer comes from sight_hides_strictly(), and
  * is "surely" only if X lies well behind all front faces of a solid. Near the plane of one of them, rounding of corners
@@ -35,8 +47,8 @@ uint32_t occluders_place(const occluders *o, roberts_vec3 X);
  * `nearest`: look for the hider nearest to the viewer, not for any hider. */
 typedef struct sight_question {
     roberts_vec3 X;
-    uint32_t solid;
-    bool own, nearest;
+    occluders_asker of;
+    bool nearest;
     const roberts_vec3 *ends; /* [2] */
     sight_answer answer;
     uint32_t hider; /* if the answer is SIGHT_SURELY: a face that hides X */
@@ -52,16 +64,15 @@ void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, 
 typedef struct occluders_search {
     const occluders *o;
     roberts_vec3 A, B;
-    uint32_t solid;
-    bool own;
+    occluders_asker of;
     tree_search tree;
     const tree_item *item, *item_end; /* items of the leaf that are still to be asked */
     uint32_t face, face_end;          /* faces of the item that are still to be asked */
 } occluders_search;
 
-/* Starts a search for faces that hide parts of AB, which lies on an edge of `solid`; `own` as in sight_question. */
-void occluders_search_start(occluders_search *s, const occluders *o, roberts_vec3 A, roberts_vec3 B, uint32_t solid,
-                            bool own);
+/* Starts a search for faces that hide parts of AB, which lies on the edge that asks. */
+void occluders_search_start(occluders_search *s, const occluders *o, roberts_vec3 A, roberts_vec3 B,
+                            occluders_asker of);
 
 /* Finds the next face and the part of AB that it surely hides; false at the end. A face may come more than once. */
 bool occluders_search_next(occluders_search *s, uint32_t *face, sight_part *part);

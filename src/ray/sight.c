@@ -3,6 +3,7 @@
 
 #include <float.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
 #include "ray/determinant.h"
@@ -131,6 +132,40 @@ static double dent_of(const sight *s, uint32_t face)
     return 0.5 * around * turned;
 }
 
+static void turn_face(const sight *s, const roberts_scene *from, uint32_t face)
+{
+    uint32_t first = from->face_start[face], end = from->face_start[face + 1];
+    plane *F = &s->turned->face_plane[face];
+    double ahead =
+        s->perspective ? sight_behind(s, face, s->viewpoint) : vec3_dot((roberts_vec3){F->a, F->b, F->c}, s->viewpoint);
+    if (!(ahead > 0.0))
+        return;
+    *F = (plane){-F->a, -F->b, -F->c, -F->d};
+    for (uint32_t k = first; k < end; k++)
+        s->turned->corner[k] = from->corner[end - 1 - (k - first)];
+}
+
+/* Turns the faces of bodies that are not convex to the viewer. False: no memory. */
+static bool turn_faces(sight *s, const roberts_scene *scene)
+{
+    roberts_scene *to = s->turned = alloc_array(1, sizeof *to);
+    if (!to)
+        return false;
+    *to = *scene;
+    to->face_plane = alloc_array(scene->face_count, sizeof *to->face_plane);
+    to->corner = alloc_array(scene->corner_count, sizeof *to->corner);
+    if (!to->face_plane || !to->corner)
+        return false;
+    memcpy(to->face_plane, scene->face_plane, scene->face_count * sizeof *to->face_plane);
+    memcpy(to->corner, scene->corner, scene->corner_count * sizeof *to->corner);
+    s->scene = to;
+    for (uint32_t solid = 0; solid < scene->solid_count; solid++)
+        for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++)
+            if (!scene_is_convex(scene, solid))
+                turn_face(s, scene, face);
+    return true;
+}
+
 bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
 {
     *s = (sight){.scene = scene, .perspective = v->perspective, .unit = v->unit};
@@ -144,6 +179,10 @@ bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
     for (uint32_t i = 0; i < scene->vertex_count; i++)
         s->P[i] = sight_point(s, scene->point[i]);
     s->viewpoint = s->perspective ? sight_point(s, v->viewpoint) : normalised(v->viewpoint);
+    if (scene->surface && !turn_faces(s, scene)) {
+        sight_free(s);
+        return false;
+    }
     set_margins(s, v);
     for (uint32_t face = 0; face < scene->face_count; face++) {
         s->facing[face] = (unsigned char)facing_of(s, face);
@@ -169,6 +208,11 @@ void sight_free(sight *s)
 {
     if (!s)
         return;
+    if (s->turned) {
+        free(s->turned->face_plane);
+        free(s->turned->corner);
+        free(s->turned);
+    }
     free(s->P);
     free(s->facing);
     free(s->dent);

@@ -125,9 +125,9 @@ static bool judge_point(stretch_checker *c, const stretch_probe *p, const sight_
         c->result->undecided += q->answer == SIGHT_POSSIBLY;
     } else if (contradicts_strictly(c, p, q)) {
         if (p->drawn == ROBERTS_VISIBLE)
-            contradict(c->result, p, q->solid, ROBERTS_HIDDEN, c->o->face_solid[q->hider]);
+            contradict(c->result, p, q->of.solid, ROBERTS_HIDDEN, c->o->face_solid[q->hider]);
         else
-            contradict(c->result, p, q->solid, ROBERTS_VISIBLE, ROBERTS_NONE);
+            contradict(c->result, p, q->of.solid, ROBERTS_VISIBLE, ROBERTS_NONE);
         return false;
     } else {
         c->result->undecided++;
@@ -145,7 +145,8 @@ static bool may_be_seen(const occluders *o, uint32_t solid, const sight_question
     if (solid >= scene->solid_count)
         return false;
     roberts_vec3 v = sight_from(&o->s, q->X);
-    double touch = sight_touch(&o->s, q->hider), slack = solid == q->solid ? o->slack[solid] : 0.0;
+    double touch = sight_touch(&o->s, q->hider);
+    double slack = solid == q->of.solid && scene_is_convex(scene, solid) ? o->slack[solid] : 0.0;
     for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++)
         if (o->s.facing[face] != SIGHT_NOT_FRONT &&
             sight_behind(&o->s, face, Y) >= -SIGHT_MARGIN * (touch + sight_touch(&o->s, face)) &&
@@ -166,7 +167,7 @@ static void judge_nearest(stretch_checker *c, const stretch_probe *p, const sigh
     if (o->face_solid[q->hider] == p->drawn_by || may_be_seen(o, p->drawn_by, q, Y))
         return;
     if (sight_well_through(&o->s, q->hider, q->X, v))
-        contradict(c->result, p, q->solid, ROBERTS_HIDDEN, o->face_solid[q->hider]);
+        contradict(c->result, p, q->of.solid, ROBERTS_HIDDEN, o->face_solid[q->hider]);
     else
         c->result->undecided++;
 }
@@ -185,7 +186,8 @@ static double hidden_until(const occluders *o, const stretch_probe *p, const sig
         return p->t;
     if (all.t1 < 1.0 && solid[1].face - solid->face <= FEW_FACES)
         for (uint32_t face = solid->face; face < solid[1].face; face++)
-            if (face != q->hider && sight_hidden_part(&o->s, face, q->X, end, &part) && part.t0 <= all.t1 + touching)
+            if (face != q->hider && occluders_take_part(o, q->of, face) &&
+                sight_hidden_part(&o->s, face, q->X, end, &part) && part.t0 <= all.t1 + touching)
                 all.t1 = greater(all.t1, part.t1);
     return all.t1 >= 1.0 ? p->end : p->t + all.t1 * (p->end - p->t);
 }
@@ -221,7 +223,7 @@ static bool walk_on(const occluders *o, stretch_probe *p, const sight_question *
         return false;
     if (until > p->t + p->close) {
         p->stride = p->close;
-        if (p->same >= LEAP_AFTER)
+        if (p->same >= LEAP_AFTER && scene_is_convex(o->s.scene, solid))
             leap(p, until + p->close);
         else
             p->t = until + p->close;
@@ -261,15 +263,19 @@ void stretch_checker_finish(stretch_checker *c)
     free(c);
 }
 
+static occluders_asker asker_of(const stretch *s)
+{
+    bool between = s->faces == STRETCH_BETWEEN;
+    return (occluders_asker){s->solid, between || s->faces == STRETCH_BACK, between ? s->seen : ROBERTS_NONE};
+}
+
 static void ask(stretch_checker *c, const stretch *s, const stretch_probe *p)
 {
     while (c->count == TREE_POINTS)
         cast(c);
     c->probe[c->count] = *p;
-    c->question[c->count++] = (sight_question){.X = point_at(p->ends, p->t),
-                                               .solid = s->solid,
-                                               .own = s->faces == STRETCH_BACK,
-                                               .nearest = p->kind == PROBE_NEAREST};
+    c->question[c->count++] =
+        (sight_question){.X = point_at(p->ends, p->t), .of = asker_of(s), .nearest = p->kind == PROBE_NEAREST};
 }
 
 static void ask_point(stretch_checker *c, const stretch *s, stretch_probe *p, double t, double step)
@@ -314,7 +320,7 @@ static void ask_hidden_part(stretch_checker *c, const stretch *s, stretch_probe 
     uint32_t face;
     double width = s->t1 - s->t0, longest = 2.0 * p->close / width, middle = 0.0;
     roberts_vec3 A = point_at(p->ends, s->t0), B = point_at(p->ends, s->t1);
-    occluders_search_start(&search, c->o, A, B, s->solid, s->faces == STRETCH_BACK);
+    occluders_search_start(&search, c->o, A, B, asker_of(s));
     while (occluders_search_next(&search, &face, &part))
         if (part.t1 - part.t0 > longest) {
             longest = part.t1 - part.t0;

@@ -6,15 +6,17 @@
 
 /* Which of an edge's faces are front. */
 typedef enum stretch_edge {
-    STRETCH_FRONT, /* at least one */
-    STRETCH_BACK,  /* none: its own solid hides it */
-    STRETCH_UNSURE /* none surely, but one may be front or edge-on */
+    STRETCH_FRONT,  /* one face at least is front */
+    STRETCH_BACK,   /* no face is front: its own solid hides it */
+    STRETCH_UNSURE, /* a face is front or edge-on, and none is surely front */
+    STRETCH_BETWEEN /* of a body that is not convex: all its faces may hide it but those that it lies in */
 } stretch_edge;
 
 /* A stretch of an edge that the drawing shows in one state. */
 typedef struct stretch {
     roberts_vec3 A, B; /* ends of the whole edge; t runs from A to B */
     uint32_t solid, edge;
+    uint32_t seen; /* the edge's number in the scene that hides, where `faces` is STRETCH_BETWEEN */
     stretch_edge faces;
     double t0, t1;
     roberts_state drawn;
