@@ -171,9 +171,9 @@ typedef struct roberts_scene_options {
     bool hull; /**< solids that would be refused, and inputs of points without faces, become their convex hulls */
     roberts_warnings warnings;
     uint32_t threads; /**< 0 = one per processor; the result does not depend on it */
-    bool solids;      /**< refuse what is no convex solid (without `hull`, which replaces it) */
-    /** The fill rule of faces that cross themselves. true: where the border winds round an odd number of times; false:
-     * where it winds round at all. */
+    bool solids;      /**< refuse what is no convex solid (unless `hull` replaces it) */
+    /** Which points belong to a face whose border crosses itself: those that it winds round an odd number of times;
+     * default: those that it winds round at all. */
     bool even_odd;
 } roberts_scene_options;
 
@@ -234,11 +234,11 @@ typedef enum roberts_body_kind {
     ROBERTS_OPEN,   /**< all else: sheets, loose faces, wires, edges of one face or of three and more */
 } roberts_body_kind;
 
-/** The kind of a body; ROBERTS_OPEN if there is none of that number. */
+/** The kind of a body; ROBERTS_OPEN if no body has that number. */
 roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t body);
 
-/** Whether a body counts as curved: it is not convex, has more than 500 faces, and bends by less than 20 degrees at
- * half or more of the edges at which its faces meet at an angle. See roberts_hide_options.crease_auto. */
+/** Whether a body counts as curved: it is not convex, has more than 500 faces, and at least half of the edges at which
+ * they meet at an angle bend by less than 20 degrees. See roberts_hide_options.crease_auto. */
 bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body);
 
 /** The name of the group that the solid's first face is in (o or g of OBJ, solid of STL); "" if it has none. Valid as

@@ -15,7 +15,7 @@
 #include "base/sets.h"
 #include "base/sort.h"
 #include "model/components.h"
-#include "model/layout.h"
+#include "model/scene_arrays.h"
 #include "model/solid.h"
 #include "model/surface.h"
 #include "model/weld.h"
@@ -57,8 +57,9 @@ typedef struct assembly {
 
 static roberts_status find_kinds(assembly *a, uint8_t *open, uint8_t *convex, bool *any_open, roberts_error *error)
 {
+    const solid_rules rules = {a->mesh, a->options->tolerance, false};
     for (uint32_t s = 0; s < a->scene->solid_count; s++) {
-        build_result result = solid_build(a->scene, &a->work, s, a->mesh, a->options->tolerance, false, error);
+        build_result result = solid_build(a->scene, &a->work, s, &rules, error);
         if (result == BUILD_REFUSED && (error->status == ROBERTS_NO_MEMORY || error->status == ROBERTS_BAD_NUMBER))
             return error->status;
         open[s] = result == BUILD_OPEN && !a->work.holes;
@@ -89,14 +90,14 @@ static bool weld_open(assembly *a, const uint8_t *open)
  * closed and not convex. */
 static roberts_status sort_components(assembly *a, bool known, roberts_error *error)
 {
-    patterns list = {0};
+    repeated_solids list = {0};
     uint8_t *open = NULL, *convex = NULL;
     bool any_open = false;
     roberts_status status = polygons_of_mesh(&a->faces, a->mesh, error);
     if (status != ROBERTS_OK)
         return status;
     bool laid = components_lay_out(a->scene, &a->faces, a->mesh, false, &list);
-    patterns_free(&list);
+    repeated_free(&list);
     status = ROBERTS_NO_MEMORY;
     if (!laid || !(open = alloc_zeroed(a->scene->solid_count, 1)) || !(convex = alloc_zeroed(a->scene->solid_count, 1)))
         goto done;
@@ -310,8 +311,8 @@ static bool lay_out(assembly *a)
 {
     roberts_scene *scene = a->scene;
     uint32_t to = 0, corner = 0, s = 0;
-    layout_clear(scene);
-    if (!layout_solids(scene, &a->all, a->of, a->body_count, a->surface.point))
+    scene_clear(scene);
+    if (!scene_lay_out(scene, &a->all, a->of, a->body_count, a->surface.point))
         return false;
     for (uint32_t f = 0; f < scene->face_count; f++) {
         while (scene->solid[s].face == f && s < scene->solid_count)
@@ -547,7 +548,8 @@ static bool is_smooth(const roberts_scene *scene, uint32_t b)
 static roberts_status store_convex(assembly *a, uint32_t b, roberts_error *error)
 {
     scene_solid *own = &a->scene->solid[b];
-    if (solid_build(a->scene, &a->work, b, a->mesh, a->options->tolerance, true, error) != BUILD_OK)
+    const solid_rules rules = {a->mesh, a->options->tolerance, true};
+    if (solid_build(a->scene, &a->work, b, &rules, error) != BUILD_OK)
         return error->status;
     memcpy(a->scene->edge + own->stored, a->work.frame.edge, a->work.frame.edge_count * sizeof *a->scene->edge);
     a->scene->surface->kind[b] = ROBERTS_CONVEX;

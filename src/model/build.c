@@ -11,24 +11,27 @@
 #include "model/bodies.h"
 #include "model/components.h"
 #include "model/hull.h"
-#include "model/layout.h"
-#include "model/patterns.h"
+#include "model/scene_arrays.h"
+#include "model/repeated_solids.h"
 #include "model/source.h"
 #include "model/weld.h"
 #include "model/solid.h"
 #include "read/mesh.h"
 
 #define CHUNK_SOLIDS 256
-/* Of a solid that is marked open: it is closed, but its surface has holes. */
-#define OPEN_HOLES 2
-#define CHUNKS_PER_THREAD 4 /* with less work than this a thread costs more than it does */
+#define CHUNKS_PER_THREAD 4 /* with less work than this another thread does not pay */
+
+/* Marks of solids; 0: closed. */
+enum {
+    OPEN = 1,      /* some edge has not two faces */
+    OPEN_HOLES = 2 /* it is closed, but its surface has holes */
+};
 
 /* What the threads that build solids share. */
 typedef struct construction {
     roberts_scene *scene;
-    const roberts_mesh *mesh;
-    double tolerance;
-    uint8_t *open; /* [solid_count] which are not closed; NULL: that is an error */
+    solid_rules rules;
+    uint8_t *open; /* [solid_count] receives OPEN marks; NULL: an open solid is an error */
     atomic_bool any_open;
     _Atomic uint32_t refused; /* the first solid known to be refused; ROBERTS_NONE: none */
 } construction;
@@ -36,13 +39,14 @@ typedef struct construction {
 /* What each has for itself. */
 typedef struct construction_worker {
     builder tools;
-    roberts_error error, found; /* `found`: of the solid at hand, where it is refused */
-    uint32_t refused;           /* the first solid that it refused, for the reason in `error` */
+    roberts_error found; /* why the solid at hand is refused */
+    uint32_t refused;    /* the first solid that this thread refused; ROBERTS_NONE: none */
+    roberts_error error; /* why `refused` was */
     bool no_memory;
     char apart[THREADS_APART];
 } construction_worker;
 
-/* Those that a mesh may lend, and that keep their order, are left to roberts_scene_take(). */
+/* Copies the colours, except those that roberts_scene_take() can take over as they are. */
 static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh, bool lend)
 {
     if (mesh->vertex_color && (scene->number || !lend)) {
@@ -68,8 +72,8 @@ static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh, bool len
     return true;
 }
 
-/* Keeps the edges of a solid that is built. Those of its pattern are there already, once each way round: the first edge tells
- * which it is. */
+/* Stores the edges of a solid that is built. Those of a shared pattern are stored already, once each way round: the
+ * faces of the first edge tell which way this solid uses. */
 static void store_edges(roberts_scene *scene, uint32_t s, const solid_frame *frame)
 {
     scene_edge *stored = scene->edge + scene->solid[s].stored;
@@ -79,8 +83,8 @@ static void store_edges(roberts_scene *scene, uint32_t s, const solid_frame *fra
         scene->solid[s].stored += frame->edge_count;
 }
 
-/* Builds solid s. What has already been found by any thread spares work: once a solid is open, the others are only asked
- * whether they are closed, since their numbers will change; so are those behind one that is refused. */
+/* Builds solid s, or does less if the rest is known to be useless. Once some solid is open, the others are only asked
+ * whether they are closed, since all will be numbered anew. The same holds for solids after one that is refused. */
 static void build_solid(construction *c, construction_worker *worker, uint32_t s)
 {
     const bool only_ask = atomic_load_explicit(&c->any_open, memory_order_relaxed) ||
@@ -90,15 +94,15 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
     if (only_ask && !c->open)
         return;
     result = only_ask ? solid_is_closed(c->scene, &worker->tools, s, found)
-                      : solid_build(c->scene, &worker->tools, s, c->mesh, c->tolerance, !c->open, found);
+                      : solid_build(c->scene, &worker->tools, s, &c->rules, found);
     if (result == BUILD_OPEN && c->open) {
-        c->open[s] = worker->tools.holes ? OPEN_HOLES : 1;
+        c->open[s] = worker->tools.holes ? OPEN_HOLES : OPEN;
         atomic_store_explicit(&c->any_open, true, memory_order_relaxed);
         return;
     }
     if (result == BUILD_OPEN) {
         error_set(found, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed",
-                  s - source_of_solid(c->scene, s, c->mesh).solid);
+                  s - source_of_solid(c->scene, s, c->rules.mesh).solid);
         result = BUILD_REFUSED;
     }
     if (result == BUILD_OK && !only_ask)
@@ -107,14 +111,15 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
         return;
     worker->no_memory |= found->status == ROBERTS_NO_MEMORY;
     if (s < worker->refused) {
-        error_set_file(found, source_of_solid(c->scene, s, c->mesh).file);
+        error_set_file(found, source_of_solid(c->scene, s, c->rules.mesh).file);
         worker->refused = s;
         worker->error = *found;
     }
     thread_lower(&c->refused, s);
 }
 
-/* The refusal of the first solid that is refused, whichever thread met it; a lack of memory comes before all. */
+/* The refusal of the first solid that is refused, whichever thread found it. A lack of memory comes before all
+ * others. */
 static roberts_status first_refusal(const construction *c, const construction_worker *worker, int threads,
                                     roberts_error *error)
 {
@@ -138,43 +143,41 @@ static void free_workers(construction_worker *worker, int threads)
     free(worker);
 }
 
-/* `list`: empty where the patterns are not known yet. It is released. False: no memory. */
-static bool number_edges(roberts_scene *scene, patterns *list, edge_scratch *scratch)
+/* Numbers the edges. `list` may be empty: the patterns are then found first. It is freed. False: no memory. */
+static bool number_edges(roberts_scene *scene, repeated_solids *list, edge_scratch *scratch)
 {
-    bool done = (list->count > 0 || patterns_find(list, scene)) && patterns_number_edges(list, scene, scratch);
-    patterns_free(list);
+    bool done = (list->count > 0 || repeated_find(list, scene)) && repeated_number_edges(list, scene, scratch);
+    repeated_free(list);
     return done;
 }
 
-/* Builds the solids as laid out, whose patterns are in `list` (empty: are not known yet). `open`: NULL where all must be
- * closed; else it receives a mark for each solid that is not, and *any_open whether there is one. The result does not depend
- * on the threads. */
-static roberts_status build_solids(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
-                                   patterns *list, uint8_t *open, bool *any_open, roberts_error *error)
+/* Builds the solids as laid out. `list` has their patterns, or is empty. `c` has the scene, the rules and the array for
+ * OPEN marks; c->any_open tells afterwards whether there is one. The result does not depend on the number of
+ * threads. */
+static roberts_status build_solids(construction *c, uint32_t threads_wanted, repeated_solids *list,
+                                   roberts_error *error)
 {
-    construction c = {.scene = scene, .mesh = mesh, .tolerance = options->tolerance, .open = open};
-    uint32_t chunks = (scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
-    int threads = threads_for(options->threads, 1 + chunks / CHUNKS_PER_THREAD);
+    const uint32_t solids = c->scene->solid_count, chunks = (solids + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
+    int threads = threads_for(threads_wanted, 1 + chunks / CHUNKS_PER_THREAD);
     construction_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
     roberts_status status;
-    if (!worker || !number_edges(scene, list, &worker[0].tools.edges)) {
+    if (!worker || !number_edges(c->scene, list, &worker[0].tools.edges)) {
         free_workers(worker, threads);
         return error_no_memory(error);
     }
-    atomic_init(&c.any_open, false);
-    atomic_init(&c.refused, ROBERTS_NONE);
+    atomic_init(&c->any_open, false);
+    atomic_init(&c->refused, ROBERTS_NONE);
     for (int i = 0; i < threads; i++)
         worker[i].refused = ROBERTS_NONE;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 #endif
     for (uint32_t chunk = 0; chunk < chunks; chunk++) {
-        uint32_t first = chunk * CHUNK_SOLIDS, left = scene->solid_count - first;
+        uint32_t first = chunk * CHUNK_SOLIDS, left = solids - first;
         for (uint32_t s = first; s < first + (left < CHUNK_SOLIDS ? left : CHUNK_SOLIDS); s++)
-            build_solid(&c, &worker[thread_self()], s);
+            build_solid(c, &worker[thread_self()], s);
     }
-    *any_open = atomic_load(&c.any_open);
-    status = first_refusal(&c, worker, threads, error);
+    status = first_refusal(c, worker, threads, error);
     free_workers(worker, threads);
     return status;
 }
@@ -199,7 +202,7 @@ static void warn_repeated(const polygons *faces, const roberts_mesh *mesh, const
                      faces->repeated == 1 ? "" : "s", faces->repeated == 1 ? "s" : "");
 }
 
-/* Are all solids that are open closed surfaces with holes? Welding and splitting makes no convex solids of those. */
+/* Are all open solids closed surfaces with holes? Welding and splitting cannot make convex solids of those. */
 static bool only_holes(const uint8_t *open, uint32_t count)
 {
     for (uint32_t s = 0; s < count; s++)
@@ -208,21 +211,21 @@ static bool only_holes(const uint8_t *open, uint32_t count)
     return true;
 }
 
-/* Refused for its shape alone. */
+/* Was the model refused for its shape alone? */
 static bool is_shape(roberts_status status)
 {
     return status == ROBERTS_NOT_CLOSED || status == ROBERTS_NOT_PLANAR || status == ROBERTS_NOT_CONVEX ||
            status == ROBERTS_FLAT;
 }
 
-/* Components first; where some are open, solids once more from what welding and splitting makes of them. */
+/* Builds the components as solids. If some are open, welds and splits them and builds all solids anew. */
 static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool lend,
                             const roberts_scene_options *options, bool *known, roberts_error *error)
 {
     polygons faces;
-    patterns list = {0};
-    uint8_t *open = NULL;
-    bool any_open = false;
+    repeated_solids list = {0};
+    construction c = {.scene = scene, .rules = {mesh, options->tolerance, false}};
+    bool any_open;
     roberts_status status = polygons_of_mesh(&faces, mesh, error);
     if (status != ROBERTS_OK)
         return status;
@@ -230,32 +233,34 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
     if (!components_lay_out(scene, &faces, mesh, lend, &list))
         goto done;
     warn_repeated(&faces, mesh, &options->warnings);
-    if (!(open = alloc_zeroed(scene->solid_count, sizeof *open)))
+    if (!(c.open = alloc_zeroed(scene->solid_count, sizeof *c.open)))
         goto done;
-    status = build_solids(scene, mesh, options, &list, open, &any_open, error);
+    status = build_solids(&c, options->threads, &list, error);
+    any_open = status == ROBERTS_OK && atomic_load(&c.any_open);
     bool bodies = !options->solids && !options->hull;
     *known = is_shape(status);
-    if (status == ROBERTS_OK && any_open && bodies && only_holes(open, scene->solid_count)) {
-        status = error_set(error, ROBERTS_NOT_CONVEX, 0, "a surface has holes"); /* as bodies_build() takes it */
+    if (any_open && bodies && only_holes(c.open, scene->solid_count)) {
+        status = error_set(error, ROBERTS_NOT_CONVEX, 0, "a surface has holes"); /* which bodies_build() handles */
         *known = true;
-    } else if (status == ROBERTS_OK && any_open) {
-        layout_turn_back(scene); /* regrouping starts from the mesh */
-        status = regroup(scene, open, &faces, mesh, false, error);
+    } else if (any_open) {
+        construction closed = {.scene = scene, .rules = {mesh, options->tolerance, true}};
+        scene_turn_back(scene); /* regrouping starts from the mesh */
+        status = regroup(scene, c.open, &faces, mesh, false, error);
         if (status == ROBERTS_OK)
-            status = build_solids(scene, mesh, options, &list, NULL, &any_open, error);
+            status = build_solids(&closed, options->threads, &list, error);
     }
     if (status == ROBERTS_OK && scene->solid_count == 0)
         status = refuse_empty(mesh, error);
     if (status == ROBERTS_OK && !copy_colors(scene, mesh, lend))
         status = ROBERTS_NO_MEMORY;
 done:
-    free(open);
-    patterns_free(&list);
+    free(c.open);
+    repeated_free(&list);
     polygons_free(&faces);
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
 
-/* Marks the components that are open, but for those that stand for a bare input. */
+/* Marks the components that are open, except those that stand for points without faces. */
 static roberts_status find_open(roberts_scene *scene, builder *work, const roberts_mesh *mesh, uint8_t *open,
                                 bool *any_open, roberts_error *error)
 {
@@ -269,14 +274,15 @@ static roberts_status find_open(roberts_scene *scene, builder *work, const rober
     return ROBERTS_OK;
 }
 
-/* The same where hulls take the place of what is refused: components and what welding and splitting makes of the open ones,
- * bare inputs as further components, then hulls. Warnings have been given. */
+/* Builds a scene in which hulls replace what would be refused. Components are welded and split as above, inputs of
+ * points become further components, and then hulls are taken. The warnings have been sent before. */
 static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                                   roberts_error *error)
 {
     polygons faces;
-    patterns list = {0};
+    repeated_solids list = {0};
     builder work = {0};
+    construction closed = {.scene = scene, .rules = {mesh, options->tolerance, true}};
     uint8_t *open = NULL;
     bool any_open = false;
     roberts_status status = polygons_of_mesh(&faces, mesh, error);
@@ -285,7 +291,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     if (status == ROBERTS_OK && !(components_lay_out(scene, &faces, mesh, false, &list) &&
                                   (open = alloc_zeroed(scene->solid_count, sizeof *open))))
         status = ROBERTS_NO_MEMORY;
-    patterns_free(&list); /* hulls have others */
+    repeated_free(&list); /* hulls have other patterns */
     if (status == ROBERTS_OK)
         status = find_open(scene, &work, mesh, open, &any_open, error);
     if (status == ROBERTS_OK && any_open)
@@ -295,7 +301,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     if (status == ROBERTS_OK)
         status = hull_solids(scene, mesh, options, error);
     if (status == ROBERTS_OK)
-        status = build_solids(scene, mesh, options, &list, NULL, &any_open, error);
+        status = build_solids(&closed, options->threads, &list, error);
     if (status == ROBERTS_OK && !copy_colors(scene, mesh, false))
         status = ROBERTS_NO_MEMORY;
     free(open);
@@ -304,7 +310,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
 
-/* Are there elements of two corners that are no edges of the solids? */
+/* Are there elements of two corners that are not edges of the solids? */
 static bool has_wires(const roberts_scene *scene, const roberts_mesh *mesh, roberts_status *status)
 {
     bool found = false;
@@ -313,7 +319,7 @@ static bool has_wires(const roberts_scene *scene, const roberts_mesh *mesh, robe
     return found;
 }
 
-/* The same where bodies need not be convex solids. */
+/* Builds a scene whose bodies need not be convex. */
 static roberts_status build_bodies(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                                    bool known, roberts_error *error)
 {
@@ -350,12 +356,12 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
     } else {
         status = build(*scene, mesh, lend, &chosen, &known, &found);
         if (chosen.hull && status != ROBERTS_NO_MEMORY && (status != ROBERTS_OK || hull_bare_input(mesh))) {
-            layout_clear(*scene);
+            scene_clear(*scene);
             found = (roberts_error){0};
             status = build_hulls(*scene, mesh, &chosen, &found);
         } else if (!chosen.solids && !chosen.hull && (is_shape(status) || has_wires(*scene, mesh, &status))) {
             roberts_error other = {0};
-            layout_clear(*scene);
+            scene_clear(*scene);
             status = build_bodies(*scene, mesh, &chosen, known, &other);
             if (status != ROBERTS_NOT_CLOSED)
                 found = other;
@@ -383,7 +389,7 @@ roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene
     return build_scene(mesh, false, options, scene, error);
 }
 
-/* What the scene has taken over is no longer the mesh's. */
+/* Takes from the mesh what belongs to the scene now. */
 static void part_from(roberts_scene *scene, roberts_mesh *mesh)
 {
     if (scene->lent & LENT_POINT)
@@ -423,7 +429,7 @@ roberts_status roberts_scene_take(roberts_mesh *mesh, const roberts_scene_option
 void roberts_scene_free(roberts_scene *scene)
 {
     if (scene)
-        layout_clear(scene);
+        scene_clear(scene);
     free(scene);
 }
 
@@ -459,14 +465,14 @@ bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body)
     return scene->surface && body < scene->solid_count && scene->surface->smooth[body];
 }
 
-/* All faces of a hull are without numbers, and no others are. */
+/* A hull is the only body whose faces have no numbers. */
 bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid)
 {
     return solid < scene->solid_count && scene->solid[solid].face < scene->solid[solid + 1].face &&
            scene_face_number(scene, scene->solid[solid].face) == ROBERTS_NONE;
 }
 
-/* That of the last group that begins at or before the solid's first face. */
+/* The name of the last group that begins at or before the solid's first face. */
 const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid)
 {
     size_t low = 0, high = scene->group_count;

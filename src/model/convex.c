@@ -101,8 +101,9 @@ typedef struct corner_hull {
     const uint32_t *rank; /* [corners] place in the hull, or ROBERTS_NONE */
 } corner_hull;
 
-/* Walks the corners from hull[0] on: each is the hull's next vertex (or one after it, where those between are no farther
- * away than `allowed`), or lies beside the side that the walk is on, and there not behind where the walk already was. */
+/* Walks the corners from hull[0] on: each is the hull's next vertex (or one after it, where those between are no
+ * farther away than `allowed`), or lies beside the side that the walk is on, and there not behind where the walk
+ * already was. */
 static double walk(const spot *polygon, uint32_t count, const corner_hull *h, double allowed, uint32_t *deepest)
 {
     const spot *hull = h->hull;
@@ -314,10 +315,10 @@ static uint32_t vertex_tree_outermost(const vertex_tree *tree, plane F, double b
  * tolerance; where the face is small compared with the solid, its plane cannot be trusted far from it, and distances
  * count in proportion.
  *
- * Mostly it is enough that no edge bends inward: the angles by which edges do, summed over all of them, bound how far (as a
- * part of the size) anything can lie outside. Where that sum is not far below the tolerance, because coordinates are
- * rounded or the solid is not convex, each plane is compared with the vertices: with all of them in a small solid, with
- * a tree of boxes round them in a large one. */
+ * Mostly it is enough that no edge bends inward: the angles by which edges do, summed over all of them, bound how far
+ * (as a part of the size) anything can lie outside. Where that sum is not far below the tolerance, because coordinates
+ * are rounded or the solid is not convex, each plane is compared with the vertices: with all of them in a small solid,
+ * with a tree of boxes round them in a large one. */
 
 enum { ALL_PAIRS = 2048 }; /* pairs of vertex and face; up to so many, comparing them all is quicker than a tree */
 
@@ -426,8 +427,8 @@ static bool is_large(const solid_frame *frame)
     return (uint64_t)frame->vertex_count * frame->face_count > ALL_PAIRS;
 }
 
-/* How thick the solid is where that may be little: of a small one across each face that is near the barycentre, of a large
- * one across the widest and across the one of greatest area. */
+/* How thick the solid is where that may be little: of a small one across each face that is near the barycentre, of a
+ * large one across the widest and across the one of greatest area. */
 static double least_thickness(const solid_frame *frame)
 {
     double least = INFINITY;
@@ -549,8 +550,8 @@ static bool covers(const roberts_scene *scene, const solid_frame *frame, uint32_
     return true;
 }
 
-/* How many faces the barycentre sees in one direction: that of the middle of the widest face, well inside it. Only faces that
- * look that way are asked. */
+/* How many faces the barycentre sees in one direction: that of the middle of the widest face, well inside it. Only
+ * faces that look that way are asked. */
 static uint32_t count_covers(const roberts_scene *scene, const solid_frame *frame)
 {
     uint32_t n = frame_ring(frame, scene, frame->widest), count = 1;
@@ -567,9 +568,10 @@ static uint32_t count_covers(const roberts_scene *scene, const solid_frame *fram
     return count;
 }
 
-/* Whether the faces cannot but cover each direction once. To cover them k times, a sphere's surface has to go round some two
- * vertices twice or more (2 k - 2 times too often in all, by Riemann and Hurwitz). Seen from the barycentre a face takes less
- * than a half turn round its corner, so that these two vertices have five edges at least, and all others three. */
+/* Whether the faces cannot but cover each direction once. To cover them k times, a sphere's surface has to go round
+ * some two vertices twice or more (2 k - 2 times too often in all, by Riemann and Hurwitz). Seen from the barycentre a
+ * face takes less than a half turn round its corner, so that these two vertices have five edges at least, and all
+ * others three. */
 static bool too_few_to_wind(const solid_frame *frame)
 {
     return !frame->any_doubt && !frame->any_lean &&

@@ -12,7 +12,8 @@
 bool polygon_strictly_convex(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n);
 
 /* How far the polygon is from convex: the greatest depth of a corner inside the hull of all corners (and which corner),
- * INFINITY where the corners do not go round that hull once, up to steps back of length `allowed`. Negative: no memory. */
+ * INFINITY where the corners do not go round that hull once, up to steps back of length `allowed`. Negative: no
+ * memory. */
 double polygon_dent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n, double allowed, uint32_t *deepest);
 
 /* The same for a face without area, which has no normal: the greatest distance of a corner from the line through the
@@ -21,8 +22,9 @@ double polygon_spread(const roberts_vec3 *corner, uint32_t count);
 
 /* ---- is a solid convex? ------------------------------------------------------------------------------------------ */
 
-/* Checks a solid whose edges are paired. Returns ROBERTS_OK, _NOT_PLANAR, _NOT_CONVEX, _FLAT or _NO_MEMORY; `error` then
- * says which solid, face or vertex and how much, in the numbers of its file. Marks faces that have to lean on their neighbours. */
+/* Checks a solid whose edges are paired. Returns ROBERTS_OK, _NOT_PLANAR, _NOT_CONVEX, _FLAT or _NO_MEMORY; `error`
+ * then says which solid, face or vertex and how much, in the numbers of its file. Marks faces that have to lean on
+ * their neighbours. */
 roberts_status solid_check(const roberts_scene *scene, solid_frame *frame, roberts_error *error);
 
 #endif

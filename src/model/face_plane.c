@@ -5,8 +5,8 @@
  * round the polygon, its components twice the areas of the three projections. Taken relative to the first corner, so
  * that nothing is lost far from the origin, and a face parallel to a coordinate plane gets an exact normal.
  *
- * The plane passes through the mean of the corners. Three corners lie in theirs up to rounding, which in a narrow triangle
- * is worth knowing. */
+ * The plane passes through the mean of the corners. Three corners lie in theirs up to rounding, which in a narrow
+ * triangle is worth knowing. */
 #include "model/face_plane.h"
 
 #include "model/convex.h"
@@ -45,8 +45,8 @@ static double extent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 u)
     return most - least;
 }
 
-/* The same for many corners: the greatest extent along 16 directions of the plane, which is at least cos(pi / 32) > 0.995 of the
- * greatest chord, and never more than it. */
+/* The same for many corners: the greatest extent along 16 directions of the plane, which is at least cos(pi / 32) >
+ * 0.995 of the greatest chord, and never more than it. */
 static double chord_of_extents(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n)
 {
     roberts_vec3 axis = fabs(n.x) < 0.6 ? (roberts_vec3){1, 0, 0} : (roberts_vec3){0, 1, 0}, u, v;

@@ -1,12 +1,11 @@
-/* hull.c - convex hulls in place of what is no convex solid.
+/* hull.c - convex hulls in place of solids that are not convex.
  *
- * Each solid is tried as it stands; one that is refused gets the faces of its hull, and these are tried in the same way
- * before they are taken. So a hull that a drawing is made of has passed all checks, whatever rounding has done to it. First
- * Qhull is given a width, so that what the tolerance calls planar becomes one face and not a fan of slivers; where the
- * solid is too thin for that, none.
+ * Each solid is tried as it is. If it is refused, it gets the faces of its convex hull, which have to pass the same
+ * checks before they are taken. First Qhull is given a width, so that what the tolerance calls planar becomes one face
+ * instead of a fan of slivers. If the solid is too thin for that, Qhull is asked again without a width.
  *
- * A hull's vertices are vertices of the input. Those that lie inside are no part of the solid any more, which keeps its place
- * among the others all the same. What is flat has no hull and gets no faces: it is left out, unless there is nothing else. */
+ * A hull's vertices are vertices of the input. Vertices inside are no longer part of the solid; the solid still keeps
+ * its place among the others. A flat solid has no hull: it is left out, unless there is nothing else. */
 #include "model/hull.h"
 
 #include <stdatomic.h>
@@ -17,7 +16,7 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/threads.h"
-#include "model/layout.h"
+#include "model/scene_arrays.h"
 #include "model/source.h"
 #include "model/components.h"
 #include "model/qhull.h"
@@ -26,7 +25,7 @@
 
 /* ---- inputs ------------------------------------------------------------------------------------------------------ */
 
-/* The inputs of a mesh, and those that have points without faces: each gets one face for all its points. */
+/* Inputs of points without faces: each gets one face with all its points as corners. */
 
 size_t hull_input_count(const roberts_mesh *mesh)
 {
@@ -119,18 +118,18 @@ roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, robert
 
 /* ---- what is said ------------------------------------------------------------------------------------------------ */
 
-/* What is said of solids in whose place there is a hull, or nothing. */
+/* The messages about solids that have been replaced by hulls, or left out. */
 
 /* What has become of a solid. */
 typedef enum hull_fate {
-    FATE_KEPT,  /* it is sound, or stands for points without faces, whose hull is all that was wanted */
+    FATE_KEPT,  /* convex as it is; or points without faces, which are meant to become a hull */
     FATE_FLAT,  /* left out */
-    FATE_OPEN,  /* replaced by its hull, since it is not closed */
-    FATE_BENT,  /* ... since a face is not planar */
-    FATE_DENTED /* ... since it is not convex, or too flat to tell */
+    FATE_OPEN,  /* replaced by its hull: it is not closed */
+    FATE_BENT,  /* ... a face is not planar */
+    FATE_DENTED /* ... it is not convex, or too flat to tell */
 } hull_fate;
 
-/* Fails: solid s has no hull, and why. */
+/* Refuses solid s, whose hull could not be made. */
 static roberts_status hull_refuse(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh,
                                   roberts_status status, const char *why, roberts_error *error)
 {
@@ -157,7 +156,8 @@ static void warn_flat(const roberts_scene *scene, uint32_t first, uint32_t count
                  one ? "it has no convex hull" : "they have no convex hulls");
 }
 
-/* "3 solids replaced by their convex hulls: 2 not closed, 1 not convex", without the counts where there is one reason only. */
+/* "3 solids replaced by their convex hulls: 2 not closed, 1 not convex", without the counts where there is one reason
+ * only. */
 static void warn_replaced(const uint32_t count[], const char *name, const roberts_warnings *warnings)
 {
     static const char *const why[] = {
@@ -192,8 +192,8 @@ static bool all_flat(const uint8_t *fate, uint32_t solids)
     return s == solids;
 }
 
-/* An input has the solids whose first vertex is in it. */
-/* Warns of each input by itself. Where all solids are flat nothing is left to draw: ROBERTS_FLAT. fate: [solids] hull_fate. */
+/* Sends the warnings, input by input; a solid belongs to the input that its first vertex is in. fate: [solids]
+ * hull_fate. Returns ROBERTS_FLAT if all solids are flat. */
 static roberts_status hull_tell(const uint8_t *fate, const roberts_scene *scene, const roberts_mesh *mesh,
                                 const roberts_warnings *warnings, roberts_error *error)
 {
@@ -219,11 +219,11 @@ static roberts_status hull_tell(const uint8_t *fate, const roberts_scene *scene,
 /* Facets come out as planar as a few widths: a tenth of the tolerance keeps them within it. */
 static const double WIDTH_PART = 0.1;
 
-/* As parts of the size. More than the greatest might be seen, with whatever tolerance and wherever the solid stands; less than
- * the least is left to Qhull, whose own width for rounding is some 1e-15. */
+/* As parts of the size. More than the greatest might be seen, with whatever tolerance and wherever the solid stands;
+ * less than the least is left to Qhull, whose own width for rounding is some 1e-15. */
 static const double GREATEST_WIDTH = 1e-5, LEAST_WIDTH = 1e-14;
 
-/* Faces of all solids, in the mesh's vertex numbers. */
+/* Lists the faces of all solids, in their order. The result does not depend on the number of threads. */
 typedef struct face_list {
     uint32_t *start, *corner;
     uint32_t *solid;  /* [count] */
@@ -231,14 +231,14 @@ typedef struct face_list {
     size_t count, corner_count, start_room, corner_room, solid_room, origin_room;
 } face_list;
 
-/* Scratch memory for one solid after the other. */
+/* What one thread makes hulls with; the arrays serve solid after solid. */
 typedef struct hull_maker {
     const roberts_scene *scene;
     const roberts_mesh *mesh; /* for messages */
     double tolerance;
     hull_facets facets;
     solid_frame frame; /* of the solid that gets a hull */
-    builder work;      /* of the solid as it is, then of the hull tried */
+    builder work;      /* for the solid as it is, then for its hull */
     uint32_t *zero;    /* [facets] */
     size_t zero_room;
 } hull_maker;
@@ -251,7 +251,7 @@ static void hull_maker_free(hull_maker *maker)
     free(maker->zero);
 }
 
-/* ---- faces --------------------------------------------------------------------------------------------------------- */
+/* ---- faces ------------------------------------------------------------------------------------------------------- */
 
 static void face_list_free(face_list *list)
 {
@@ -261,14 +261,14 @@ static void face_list_free(face_list *list)
     free(list->origin);
 }
 
-/* A face to be added. */
+/* A face to add to a list. */
 typedef struct new_face {
     const uint32_t *corner; /* [count] counted from vertex `first` of the scene */
     size_t count;
     uint32_t first, origin; /* origin: its number in the input, or ROBERTS_NONE */
 } new_face;
 
-/* Appends a face of solid s; its corners are compact vertex numbers from `first` on. False: no memory. */
+/* Appends a face of solid s. False: no memory. */
 static bool add_face(face_list *list, const roberts_scene *scene, uint32_t s, const new_face *face)
 {
     const size_t count = face->count;
@@ -309,7 +309,7 @@ static bool add_facets(face_list *list, const roberts_scene *scene, uint32_t s, 
     return true;
 }
 
-/* ---- hulls --------------------------------------------------------------------------------------------------------- */
+/* ---- hulls ------------------------------------------------------------------------------------------------------- */
 
 static hull_result result_of(build_result built, roberts_status refusal)
 {
@@ -320,28 +320,29 @@ static hull_result result_of(build_result built, roberts_status refusal)
     return built == BUILD_REFUSED && refusal == ROBERTS_FLAT ? HULL_FLAT : HULL_FAILED;
 }
 
-/* Whether the facets make a solid: it is built by itself. */
+/* Do the facets make a solid that passes all checks? */
 static hull_result try_facets(hull_maker *maker, uint32_t s)
 {
     const roberts_scene *scene = maker->scene;
     const hull_facets *facets = &maker->facets;
     polygons faces = {.face_count = facets->count, .start = facets->start, .corner = facets->corner};
+    const solid_rules rules = {maker->mesh, maker->tolerance, true};
     roberts_scene trial = {0};
     roberts_error refusal = {0};
     hull_result result = HULL_NO_MEMORY;
     if (array_reserve(&maker->zero, &maker->zero_room, facets->count, sizeof *maker->zero)) {
         memset(maker->zero, 0, facets->count * sizeof *maker->zero);
-        if (layout_solids(&trial, &faces, maker->zero, 1, scene->point + scene->solid[s].vertex)) {
-            build_result built = solid_build(&trial, &maker->work, 0, maker->mesh, maker->tolerance, true, &refusal);
+        if (scene_lay_out(&trial, &faces, maker->zero, 1, scene->point + scene->solid[s].vertex)) {
+            build_result built = solid_build(&trial, &maker->work, 0, &rules, &refusal);
             result = result_of(built, refusal.status);
         }
     }
-    layout_clear(&trial);
+    scene_clear(&trial);
     return result;
 }
 
-/* Takes the hull of solid s, in the maker's frame, to maker->facets. All points have to lie within it, by `allowed`: the solid's
- * checks look at those alone that have become vertices. */
+/* Takes the hull of solid s, in the maker's frame, to maker->facets. All points have to lie within it, up to `allowed`:
+ * the checks of the solid see only the points that have become vertices. */
 static hull_result try_width(hull_maker *maker, uint32_t s, double width, double allowed)
 {
     const solid_frame *frame = &maker->frame;
@@ -351,7 +352,7 @@ static hull_result try_width(hull_maker *maker, uint32_t s, double width, double
     return result == HULL_OK ? try_facets(maker, s) : result;
 }
 
-/* The same with the width that suits, after the frame has been scaled to a size of about 1. */
+/* Scales the frame to a size of about 1, and takes the hull with the best width. */
 static hull_result make_hull(hull_maker *maker, uint32_t s)
 {
     solid_frame *frame = &maker->frame;
@@ -370,7 +371,7 @@ static hull_result make_hull(hull_maker *maker, uint32_t s)
     return narrow == HULL_FAILED && part > LEAST_WIDTH ? wide : narrow;
 }
 
-/* Appends the faces of the hull of solid s, which has been refused; none where it is flat, which is then its *fate. */
+/* Appends the faces of the hull of solid s. A flat solid gets none, and FATE_FLAT. */
 static roberts_status replace(face_list *list, hull_maker *maker, uint32_t s, uint8_t *fate, roberts_error *error)
 {
     const roberts_scene *scene = maker->scene;
@@ -395,9 +396,9 @@ static roberts_status replace(face_list *list, hull_maker *maker, uint32_t s, ui
     return error_no_memory(error);
 }
 
-/* ---- all solids ---------------------------------------------------------------------------------------------------- */
+/* ---- all solids -------------------------------------------------------------------------------------------------- */
 
-/* Solids are taken by runs, so many at the most; the faces of a run are put into a list of its own. */
+/* Solids are divided into at most this many runs; the faces of each run go into a list of its own. */
 enum { RUNS_MOST = 256 };
 
 typedef struct hull_job {
@@ -407,31 +408,33 @@ typedef struct hull_job {
     uint8_t *fate;  /* [solids] hull_fate */
     face_list *run; /* [runs] */
     uint32_t runs;
-    _Atomic uint32_t refused; /* solids from this one on need no work any more: it has no hull */
+    _Atomic uint32_t
+        refused; /* the first solid known to have no hull: those after it need no work; ROBERTS_NONE: none */
 } hull_job;
 
 /* One for each thread. */
 typedef struct hull_worker {
     hull_maker maker;
-    uint32_t refused; /* the first of its own that has no hull, or ROBERTS_NONE; and why */
+    uint32_t
+        refused; /* the first solid of this thread that has no hull, for the reason in `error`; ROBERTS_NONE: none */
     roberts_error error;
 } hull_worker;
 
-/* What becomes of a solid that is none, as it seems. */
+/* What becomes of a solid that was refused for this reason. */
 static hull_fate fate_of(roberts_status refusal)
 {
     return refusal == ROBERTS_OK ? FATE_OPEN : refusal == ROBERTS_NOT_PLANAR ? FATE_BENT : FATE_DENTED;
 }
 
-/* Appends the faces of solid s, its own or those of its hull; none where it is flat. */
+/* Appends the faces of solid s: its own, or those of its hull, or none if it is flat. */
 static roberts_status take_solid(const hull_job *job, hull_maker *maker, face_list *list, uint32_t s,
                                  roberts_error *error)
 {
     roberts_scene *scene = job->scene;
     roberts_error refusal = {0};
     bool bare = scene_face_number(scene, scene->solid[s].face) >= job->mesh->face_count;
-    build_result built =
-        bare ? BUILD_OPEN : solid_build(scene, &maker->work, s, job->mesh, job->tolerance, true, &refusal);
+    const solid_rules rules = {job->mesh, job->tolerance, true};
+    build_result built = bare ? BUILD_OPEN : solid_build(scene, &maker->work, s, &rules, &refusal);
     if (built == BUILD_OK)
         return keep_faces(list, scene, s) ? ROBERTS_OK : error_no_memory(error);
     if (refusal.status == ROBERTS_NO_MEMORY)
@@ -440,7 +443,7 @@ static roberts_status take_solid(const hull_job *job, hull_maker *maker, face_li
     return replace(list, maker, s, &job->fate[s], error);
 }
 
-/* A run, as far as no solid before has been refused. */
+/* Takes the solids of a run, up to the first solid known to have no hull. */
 static void take_run(hull_job *job, hull_worker *worker, uint32_t run)
 {
     const uint64_t solids = job->scene->solid_count;
@@ -482,7 +485,7 @@ static bool append(face_list *list, const face_list *more)
     return true;
 }
 
-/* The refusal of the first solid that has none, whichever thread met it; else all runs one after the other. */
+/* Fails with the refusal of the first solid that has no hull, whichever thread found it. Otherwise joins the runs. */
 static roberts_status join_runs(face_list *list, const hull_job *job, const hull_worker *worker, int threads,
                                 roberts_error *error)
 {
@@ -533,7 +536,7 @@ static roberts_status collect(face_list *list, uint8_t *fate, roberts_scene *sce
     return status;
 }
 
-/* Numbers the solids that have faces anew; how many there are. */
+/* Numbers the solids that have faces anew; returns how many there are. */
 static uint32_t number_solids(face_list *list)
 {
     uint32_t count = 0, before = ROBERTS_NONE;
@@ -559,8 +562,8 @@ roberts_status hull_solids(roberts_scene *scene, const roberts_mesh *mesh, const
                           .vertex_count = (uint32_t)mesh->vertex_count,
                           .start = list.start,
                           .corner = list.corner};
-        layout_clear(scene);
-        if (!layout_solids(scene, &faces, list.solid, solids, mesh->vertex))
+        scene_clear(scene);
+        if (!scene_lay_out(scene, &faces, list.solid, solids, mesh->vertex))
             status = error_no_memory(error);
         for (uint32_t f = 0; status == ROBERTS_OK && f < scene->face_count; f++)
             scene->face_number[f] = list.origin[scene->face_number[f]];

@@ -1,12 +1,12 @@
 /* qhull.c - the facets of a convex hull, by libqhull.
  *
- * Qhull adds point after point to a hull and merges facets that rounding leaves doubtful. Its facets are polygons then, with
- * the corners that Qhull has made vertices; all other points lie inside or no farther out than a few widths.
+ * Qhull adds point after point to a hull and merges facets that rounding leaves doubtful. Its facets are polygons then,
+ * with the corners that Qhull has made vertices; all other points lie inside or no farther out than a few widths.
  * Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", ACM Transactions on
  * Mathematical Software 22(4), 1996.
  *
- * What it has to say goes to a small buffer in memory, whose end is never looked at; its errors come back as a number. It
- * would call exit() on an error within an error and on one outside of qh_new_qhull(): nothing of it that can fail is
+ * What it has to say goes to a small buffer in memory, whose end is never looked at; its errors come back as a number.
+ * It would call exit() on an error within an error and on one outside of qh_new_qhull(): nothing of it that can fail is
  * called there. Every hull has a state of its own. */
 #include "model/qhull.h"
 

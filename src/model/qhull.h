@@ -21,8 +21,8 @@ typedef enum hull_result {
     HULL_FAILED, /* rounding was too much for Qhull */
 } hull_result;
 
-/* Takes the convex hull of `count` points, finite and of about 1 in size. `width`: what is so near to a facet counts as lying in
- * it, and what is coplanar to that makes one facet; 0 = what rounding asks for. */
+/* Takes the convex hull of `count` points, finite and of about 1 in size. `width`: what is so near to a facet counts as
+ * lying in it, and what is coplanar to that makes one facet; 0 = what rounding asks for. */
 hull_result hull_take(hull_facets *facets, const roberts_vec3 *point, uint32_t count, double width);
 
 void hull_facets_free(hull_facets *facets);

@@ -1,30 +1,30 @@
-/* scene.h - solids: the model in the form that all later stages read.
+/* scene.h - bodies: the model in the form that all later stages read.
  *
- * Everything is numbered compactly and solid by solid: solid s owns vertices solid[s].vertex .. solid[s+1].vertex - 1,
- * and in the same way its faces and edges (a sentinel solid closes the list). `number` leads back to the input; in most
- * files the numbers are the input's own, and then there is none. What a stored edge names is counted from its solid's
- * first vertex and face.
+ * Everything is numbered compactly and body by body: body s owns vertices solid[s].vertex .. solid[s+1].vertex - 1, and
+ * likewise its faces and edges (a sentinel closes the list). `number` leads back to the input; in most files the
+ * numbers are the input's own, and the array is NULL. A stored edge counts vertices and faces from its body's first.
  *
- * Invariants: every face has at least three different corners, counter-clockwise seen from outside; its plane F has F >
- * 0 inside. Solids are numbered by their smallest input vertex (of several that share it, by their smallest face; a
- * vertex that several solids use is there once for each; a hull by that of all its points); vertices and faces of a
- * solid ascend by input number; edges ascend by (number of v[0], number of v[1]) and v[0] < v[1]. A face that is
- * narrower than the tolerance, or has no area, is wound like its neighbours and may have a plane that leans on theirs;
- * it is the only kind of face whose corners may turn the other way about its plane. Every edge has two faces.
+ * Convex solids keep these invariants. Every face has at least three different corners, counter-clockwise seen from
+ * outside; its plane F has F > 0 inside. Every edge has two faces. Solids are numbered by their smallest input vertex
+ * (several that share it: by their smallest face; a hull: by the smallest of all its points). A vertex that several
+ * solids use is stored once for each. Vertices and faces of a solid ascend by input number. Edges ascend by (number of
+ * v[0], number of v[1]), and v[0] < v[1]. A face that is narrower than the tolerance, or has no area, is wound like its
+ * neighbours and may take its plane from theirs; it is the only kind of face whose corners may turn the other way about
+ * its plane.
  *
- * That is so of convex bodies. A scene with others has a scene_surface; a new vertex, where a border crosses itself, has
- * no number (ROBERTS_NONE); and an edge has f[1] or both ROBERTS_NONE where it has one face or none. */
+ * A scene with other bodies has a scene_surface. There a new vertex, where a border crosses itself, has no number
+ * (ROBERTS_NONE), and an edge of one face has f[1] == ROBERTS_NONE, an edge of none both. */
 #ifndef ROBERTS_MODEL_SCENE_H
 #define ROBERTS_MODEL_SCENE_H
 
 #include "base/vec.h"
 
-/* How far from planar and convex a solid may be where nothing is said: published polyhedra are given to six digits. */
+/* Default tolerance: how far from planar and convex a solid may be. Published polyhedra are given to six digits. */
 #define SCENE_TOLERANCE 1e-5
 
 typedef struct scene_solid {
     uint32_t vertex, face, edge; /* first of each; the next solid's first ends them */
-    uint32_t stored;             /* where scene->edge has its edges; while it is built, see patterns.h */
+    uint32_t stored;             /* where scene->edge has its edges */
 } scene_solid;
 
 typedef struct scene_edge {
@@ -36,13 +36,13 @@ typedef struct scene_edge {
  * the input, which are their scene_face_number(). The corners of each run counter-clockwise as seen from where its plane
  * has F < 0; nothing more is promised of its winding. */
 enum {
-    EDGE_TURNED_0 = 1, /* face f[0] of the edge is on the right of v[0] -> v[1], not on the left, */
-    EDGE_TURNED_1 = 2, /* and so is f[1] */
+    EDGE_TURNED_0 = 1, /* face f[0] of the edge is on the right of v[0] -> v[1], not on the left */
+    EDGE_TURNED_1 = 2, /* the same for f[1] */
     EDGE_MANY = 4,     /* it has more than two faces: see scene_many */
-    EDGE_CUT = 8,      /* between pieces of one face that is not planar: no edge of the file */
+    EDGE_CUT = 8,      /* a cut between pieces of one non-planar face: not an edge of the file */
     EDGE_PART = 16,    /* a part of an edge of the file: see scene_part */
 };
-#define MANY_TURNED 0x80000000u /* of a face in scene_surface.many_face: it is on the right of v[0] -> v[1] */
+#define MANY_TURNED 0x80000000u /* a flag in scene_surface.many_face: the face is on the right of v[0] -> v[1] */
 
 /* The faces of an edge of more than two: many_face[first] .. many_face[end - 1], compact numbers and perhaps
  * MANY_TURNED. */
@@ -50,7 +50,7 @@ typedef struct scene_many {
     uint32_t edge, first, end;
 } scene_many;
 
-/* Which part of which edge of the file an edge is. */
+/* An edge that is a part of an edge of the file. */
 typedef struct scene_part {
     uint32_t edge, v[2]; /* v as in the input, v[0] < v[1] */
     double t0, t1;       /* along it */
@@ -58,29 +58,29 @@ typedef struct scene_part {
 
 typedef struct scene_surface {
     uint8_t *kind;      /* [solid_count] roberts_body_kind */
-    uint8_t *smooth;    /* [solid_count] 1: it has many faces, most of which meet at small angles */
-    uint8_t *edge_is;   /* [edge_count] EDGE_..., of bodies that are not convex */
-    uint32_t *plane_of; /* [face_count] faces of one number here are pieces of one planar face */
+    uint8_t *smooth;    /* [solid_count] 1: a curved surface, many faces that mostly meet at small angles */
+    uint8_t *edge_is;   /* [edge_count] EDGE_..., for bodies that are not convex */
+    uint32_t *plane_of; /* [face_count] faces with the same number here are pieces of one planar face */
     scene_many *many;   /* [many_count] by edge */
     uint32_t *many_face;
     scene_part *part; /* [part_count] by edge */
     uint32_t many_count, part_count;
 } scene_surface;
 
-/* Arrays that belong to the mesh while solids are built. */
+/* Arrays that belong to the mesh while the scene is built. */
 enum { LENT_POINT = 1, LENT_FACE_START = 2, LENT_CORNER = 4 };
 
 struct roberts_scene {
     uint32_t solid_count, vertex_count, face_count, edge_count;
-    uint32_t
-        shared; /* so many edges are stored first that belong to several solids each: those of a pattern as its first solid
-                        is wound in the input, then the other way round */
+    /* How many entries of `edge` serve several solids each. They come first, pattern by pattern: once as the first
+     * solid of the pattern is wound in the input, once the other way round. */
+    uint32_t shared;
     unsigned lent;   /* LENT_...; none once the scene is built */
     uint8_t *turned; /* [face_count] 1: its corners run the other way round than in the mesh that has lent them */
     size_t corner_count;
     scene_solid *solid;    /* [solid_count + 1] */
     roberts_vec3 *point;   /* [vertex_count] as read, so that exact arithmetic can go back to it */
-    roberts_vec3 *low;     /* [vertex_count] what rounding took from `point`; NULL but where the near plane cuts */
+    roberts_vec3 *low;     /* [vertex_count] what rounding took from `point`; NULL: nothing */
     uint32_t *number;      /* [vertex_count] see scene_vertex_number(); NULL: the same */
     uint32_t *face_start;  /* [face_count + 1] into corner; a face has fewer than 2^32 corners in all */
     uint32_t *corner;      /* [corner_count] compact vertex numbers */
@@ -104,10 +104,10 @@ static inline bool scene_is_convex(const roberts_scene *scene, uint32_t s)
     return !scene->surface || scene->surface->kind[s] == ROBERTS_CONVEX;
 }
 
-/* Of an edge that is EDGE_MANY. */
+/* The entry of an edge that is EDGE_MANY. */
 const scene_many *scene_many_at(const roberts_scene *scene, uint32_t edge);
 
-/* Of an edge that is EDGE_PART. */
+/* The entry of an edge that is EDGE_PART. */
 const scene_part *scene_part_at(const roberts_scene *scene, uint32_t edge);
 
 void scene_surface_free(scene_surface *surface);
@@ -130,7 +130,7 @@ static inline const scene_edge *scene_edge_stored(const roberts_scene *scene, ui
     return scene->edge + scene->solid[s].stored + (e - scene->solid[s].edge);
 }
 
-/* The same with compact numbers. */
+/* Edge e of solid s with compact numbers. */
 static inline scene_edge scene_edge_at(const roberts_scene *scene, uint32_t s, uint32_t e)
 {
     const scene_solid *solid = scene->solid + s;
@@ -139,9 +139,9 @@ static inline scene_edge scene_edge_at(const roberts_scene *scene, uint32_t s, u
                         {edge->f[0] + solid->face, edge->f[1] + solid->face}};
 }
 
-/* Greatest distance of a corner of the face from the fitted plane, model units, and its width, which is area over
- * greatest chord: between half of the least width and all of it. Both are bounds: rounded to floats, the deviation
- * upward and the width downward (to 1e-45 of the scene's size). */
+/* The greatest distance of a corner from the fitted plane, and the width of the face: its area over its greatest chord,
+ * which is between half of its least width and all of it. Both in model units, and both bounds: the deviation is
+ * rounded up to a float and the width down (to 1e-45 of the scene's size). */
 static inline double scene_deviation(const roberts_scene *scene, uint32_t face)
 {
     return scene->unit * (double)scene->face_deviation[face];
@@ -152,7 +152,7 @@ static inline double scene_width(const roberts_scene *scene, uint32_t face)
     return scene->unit * (double)scene->face_width[face];
 }
 
-/* One and a half units in the last place of a float: what rounding to one can take away, and more. */
+/* More than rounding to a float can take away. */
 #define SCENE_UPWARD (1.0 + 0x1p-23)
 #define SCENE_DOWNWARD (1.0 - 0x1p-23)
 
@@ -162,7 +162,7 @@ static inline void scene_set_bounds(roberts_scene *scene, uint32_t face, double 
     scene->face_width[face] = (float)(width / scene->unit * SCENE_DOWNWARD);
 }
 
-/* How many corners the faces of solid s have: where it is closed, twice the number of its edges. */
+/* How many corners the faces of solid s have; in a closed solid twice the number of edges. */
 static inline uint32_t scene_corners(const roberts_scene *scene, uint32_t s)
 {
     return scene->face_start[scene->solid[s + 1].face] - scene->face_start[scene->solid[s].face];

@@ -9,14 +9,14 @@
 #include "model/convex.h"
 #include "model/edges.h"
 #include "model/face_plane.h"
-#include "model/layout.h"
+#include "model/scene_arrays.h"
 #include "model/source.h"
 #include "read/mesh.h"
 
 /* ---- a frame of its own ------------------------------------------------------------------------------------------ */
 
-/* Differences to a vertex of the solid are exact or nearly so, wherever the solid stands. Scaling by a power of two changes no
- * digit, so a solid times 2^k gets the same planes. */
+/* Differences to a vertex of the solid are exact or nearly so, wherever the solid stands. Scaling by a power of two
+ * changes no digit, so a solid times 2^k gets the same planes. */
 
 /* Beyond these sizes a solid is scaled, so that fourth powers of its lengths (squared areas), and of lengths a
  * thousand-millionth of it, are far from the ends of the range. */
@@ -145,7 +145,7 @@ void frame_free(solid_frame *frame)
 /* Counter-clockwise about the inward normal is clockwise seen from outside. */
 static void turn(solid_frame *frame, roberts_scene *scene, uint32_t f)
 {
-    layout_turn_face(scene, frame->face_first + f);
+    scene_turn_face(scene, frame->face_first + f);
     frame->turned++;
 }
 
@@ -321,10 +321,10 @@ void frame_fit_faces(solid_frame *frame, roberts_scene *scene)
 /* Faces too narrow to tell by themselves which side is the inner one, or where their plane lies.
  *
  * In coordinates given to six digits a face may be narrower than the rounding: its plane then points anywhere, and it
- * may cut the solid. Triangles without any area occur as well, where a corner of one face lies on a side of another. Such
- * faces are kept, since the surface is closed only with them. They take winding and plane from their neighbours: the
- * mean of two adjacent planes touches the solid along their common edge, and so hides nothing and is hidden by nothing
- * that the neighbours are not. */
+ * may cut the solid. Triangles without any area occur as well, where a corner of one face lies on a side of another.
+ * Such faces are kept, since the surface is closed only with them. They take winding and plane from their neighbours:
+ * the mean of two adjacent planes touches the solid along their common edge, and so hides nothing and is hidden by
+ * nothing that the neighbours are not. */
 
 enum { UNSEEN, KEEP, TURN };
 
@@ -372,7 +372,7 @@ static void flood(const solid_frame *frame, const face_edges *of, const uint8_t 
 static void turn_face(roberts_scene *scene, solid_frame *frame, uint32_t f)
 {
     plane *global = &scene->face_plane[frame->face_first + f], *F = &frame->face[f].F;
-    layout_turn_face(scene, frame->face_first + f);
+    scene_turn_face(scene, frame->face_first + f);
     *F = (plane){-F->a, -F->b, -F->c, -F->d};
     frame->face[f].depth = -frame->face[f].depth;
     *global = (plane){-global->a, -global->b, -global->c, -global->d};
@@ -488,8 +488,8 @@ static roberts_status narrow_mend(roberts_scene *scene, solid_frame *frame)
 /* From faces that are laid out to solids: planes, winding, edges, checks.
  *
  * The solid's barycentre, the mean of its vertices, lies inside a convex solid: it decides which side of each face is
- * the inner one, whatever the winding in the file. The two faces of each edge then pass it in opposite directions; where
- * they do not, faces too narrow to decide are wound like their neighbours. */
+ * the inner one, whatever the winding in the file. The two faces of each edge then pass it in opposite directions;
+ * where they do not, faces too narrow to decide are wound like their neighbours. */
 
 /* Whether the solid's edges are stored with its pattern's, which is closed. */
 static bool is_stored(const roberts_scene *scene, uint32_t s)
@@ -542,8 +542,8 @@ static roberts_status wind(roberts_scene *scene, builder *work, uint32_t s, robe
     return edges_pair(scene, s, &work->edges) == EDGES_PAIRED ? ROBERTS_OK : error_no_memory(error);
 }
 
-/* Of a vertex that is no finite number. An open solid is told of when it is welded, so that what is told does not depend on
- * whether it was built or only asked. */
+/* Of a vertex that is no finite number. An open solid is told of when it is welded, so that what is told does not
+ * depend on whether it was built or only asked. */
 static build_result refuse_numbers(roberts_scene *scene, builder *work, uint32_t s, bool must_close,
                                    roberts_error *error)
 {
@@ -555,8 +555,8 @@ static build_result refuse_numbers(roberts_scene *scene, builder *work, uint32_t
     return BUILD_REFUSED;
 }
 
-/* A face that its neighbours have turned, and that has not been mended, may be within a wide tolerance and still look away
- * from the inside: F > 0 there is promised. */
+/* A face that its neighbours have turned, and that has not been mended, may be within a wide tolerance and still look
+ * away from the inside: F > 0 there is promised. */
 static roberts_status refuse_turned(const roberts_scene *scene, const solid_frame *frame, roberts_error *error)
 {
     for (uint32_t f = 0; f < frame->face_count; f++)
@@ -570,24 +570,24 @@ static roberts_status refuse_turned(const roberts_scene *scene, const solid_fram
     return ROBERTS_OK;
 }
 
-build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const roberts_mesh *mesh, double tolerance,
-                         bool must_close, roberts_error *error)
+build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const solid_rules *rules,
+                         roberts_error *error)
 {
     const bool sphere = edges_like_a_sphere(scene, s);
     edge_pairing pairing;
-    roberts_status status = frame_enter(&work->frame, scene, s, tolerance);
-    work->frame.mesh = mesh;
+    roberts_status status = frame_enter(&work->frame, scene, s, rules->tolerance);
+    work->frame.mesh = rules->mesh;
     work->holes = false;
     if (status == ROBERTS_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
     if (status != ROBERTS_OK)
-        return refuse_numbers(scene, work, s, must_close, error);
+        return refuse_numbers(scene, work, s, rules->must_close, error);
     frame_fit_faces(&work->frame, scene);
     pairing = pair(scene, work, s);
     if (pairing == EDGES_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
     work->holes = pairing != EDGES_OPEN && has_holes(scene, s);
-    if (pairing == EDGES_OPEN || (!must_close && !sphere))
+    if (pairing == EDGES_OPEN || (!rules->must_close && !sphere))
         return BUILD_OPEN;
     if (pairing == EDGES_MIXED && wind(scene, work, s, error) != ROBERTS_OK)
         return BUILD_REFUSED;
@@ -595,7 +595,7 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
         return BUILD_REFUSED;
     if (!sphere)
         return error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: its surface has holes",
-                         s - source_of_solid(scene, s, mesh).solid),
+                         s - source_of_solid(scene, s, rules->mesh).solid),
                BUILD_REFUSED;
     if (narrow_mend(scene, &work->frame) != ROBERTS_OK)
         return error_no_memory(error), BUILD_REFUSED;

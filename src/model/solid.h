@@ -17,8 +17,8 @@ typedef struct local_face {
     bool lean;          /* its plane leaves a vertex outside by more than the tolerance, or it has none: to be mended */
 } local_face;
 
-/* One solid relative to its first vertex and, where it is very large or very small, scaled by a power of two. The arrays
- * serve solid after solid; zeroed = empty. */
+/* One solid relative to its first vertex and, where it is very large or very small, scaled by a power of two. The
+ * arrays serve solid after solid; zeroed = empty. */
 typedef struct solid_frame {
     uint32_t solid;           /* its number */
     const roberts_mesh *mesh; /* for messages */
@@ -46,8 +46,8 @@ typedef struct solid_frame {
  * Returns ROBERTS_OK, _NO_MEMORY or _BAD_NUMBER (a coordinate is not finite or beyond 1e150). */
 roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint32_t s, double tolerance);
 
-/* Copies the corners of face f (counted from the solid's first), relative to the first of them, to frame->ring; returns how
- * many. */
+/* Copies the corners of face f (counted from the solid's first), relative to the first of them, to frame->ring; returns
+ * how many. */
 uint32_t frame_ring(const solid_frame *frame, const roberts_scene *scene, uint32_t f);
 
 /* The first corner of face f. */
@@ -82,14 +82,21 @@ typedef enum build_result {
     BUILD_REFUSED, /* `error` says why */
 } build_result;
 
-/* Whether solid s is closed: each edge has two faces, and corners, sides and faces number as on a sphere. BUILD_REFUSED: no
- * memory. */
+/* Whether solid s is closed: each edge has two faces, and corners, sides and faces number as on a sphere.
+ * BUILD_REFUSED: no memory. */
 build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t s, roberts_error *error);
 
-/* Makes solid s: planes, corners counter-clockwise from outside, its edges in work->frame.edge, and checks it. Where
- * `must_close`, a surface with holes is refused, not BUILD_OPEN. */
-build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const roberts_mesh *mesh, double tolerance,
-                         bool must_close, roberts_error *error);
+/* What a solid has to be. */
+typedef struct solid_rules {
+    const roberts_mesh *mesh; /* for messages */
+    double tolerance;         /* how far from planar and convex it may be, as a part of its size */
+    bool must_close;          /* refuse a closed surface with holes; otherwise it is BUILD_OPEN */
+} solid_rules;
+
+/* Makes solid s: fits planes, turns corners counter-clockwise from outside, leaves its edges in work->frame.edge, and
+ * checks it. */
+build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const solid_rules *rules,
+                         roberts_error *error);
 
 void builder_free(builder *work);
 

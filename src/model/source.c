@@ -1,7 +1,7 @@
 /* source.c - where a solid comes from.
  *
- * Inputs follow one another in a mesh, and solids are numbered by their smallest vertex: those of a file are numbered in
- * a row. A solid whose faces or welded vertices belong to several files has no file; its numbers count over all. */
+ * Inputs follow one another in a mesh, and solids are numbered by their smallest vertex: those of a file are numbered
+ * in a row. A solid whose faces or welded vertices belong to several files has no file; its numbers count over all. */
 #include "model/source.h"
 
 /* The last source that begins at or before the vertex, and at or before the face; an empty source holds nothing. */

@@ -1,14 +1,15 @@
-/* split.c - faces that meet in edges, two or more at each: which of them make up one solid.
+/* split.c - which faces make up one solid, if more than two faces meet in an edge.
  *
- * Pieces that hang together by edges (not by mere vertices, so that two solids touching in a corner stay two) and have two
- * faces at each edge are solids. In any other piece solids touch: four faces meet in an edge, or six. Two ways lead apart,
- * tried in this order:
+ * A piece is a set of faces that are connected by edges. (Two solids that touch only in a corner are two pieces.) A
+ * piece with two faces at each edge is a solid. In any other piece solids touch: four or six faces meet in an edge. Two
+ * methods take it apart, in this order:
  *
- * 1. By the file. Faces of one solid mostly stand together, so faces are taken in order until each edge of those taken has
- *    two of them; these are a solid, or some that do not touch. It needs no geometry, and gives back what was written.
+ * 1. By the file. The faces of a solid mostly follow one another. So faces are taken in order until each edge of those
+ *    taken has two of them: these make up one solid, or several that do not touch. This needs no geometry and gives
+ *    back what was written.
  * 2. By the angles between faces: see below.
  *
- * Both are linear for faces with few neighbours. */
+ * Both take linear time if faces have few neighbours. */
 #include "model/split.h"
 
 #include <stdlib.h>
@@ -21,15 +22,16 @@
 
 /* ---- by angles: the walk along the walls ------------------------------------------------------------------------- */
 
-/* Solids that touch, told apart by the angles between their faces.
+/* Takes solids that touch apart by the angles between their faces.
  *
- * Idea: from a face and an assumed inner side one proceeds over each edge to the face that comes first when one turns through
- * the inside, as one walks along the walls of a room; a solid is convex, so that the turn is at most a half one. If this
- * closes, it is a solid. Faces with the same vertices are one wall with two sides, taken once for each solid. One begins with
- * the outermost face that is left, from which only one side can close, and goes on with the other sides of the walls just
- * taken, where the neighbours are. That is linear for faces with few neighbours; a budget bounds what hostile input can cost. */
+ * Idea: walk along the walls of a room. Start from a face and assume which side is the inner one. At each edge go on to
+ * the face that comes first when one turns through the inside. A solid is convex, so the turn is at most a half turn. A
+ * walk that closes is a solid. Faces with the same vertices are one wall with two sides; it is taken once for each
+ * solid. The first walk starts from the outermost face that is left, because only one of its sides can close. The next
+ * walks start from the other sides of the walls just taken, where the neighbours are. This takes linear time if faces
+ * have few neighbours; a budget limits what hostile input can cost. */
 
-/* What both ways work on. */
+/* What both methods work on. */
 typedef struct splitter {
     const roberts_scene *loose;
     const edge_scratch *edges;
@@ -56,14 +58,14 @@ static inline uint32_t splitter_group(splitter *s, bool closed)
     return s->groups->count++;
 }
 
-/* Radians. Neighbours are coplanar or folded onto one another within this: coarse, since it only guides the walk; what
- * it yields is checked like any other solid. */
+/* Radians. Within this angle neighbours count as coplanar, or as folded onto one another. It is coarse, since it only
+ * guides the walk; the result is checked like any other solid. */
 static const double ANGLE_SLACK = 0.01;
 
-/* Radians. Angles nearer to one another are a tie. */
+/* Radians. Angles that differ by less are a tie. */
 static const double ANGLE_TIE = 1e-6;
 
-enum { BUDGET = 40 }; /* angles per corner that walks may compute on the average; blocks of cubes take some 7 */
+enum { BUDGET = 40 }; /* how many angles per corner the walks may compute on average; blocks of cubes take about 7 */
 
 /* Faces with the same vertices. */
 typedef struct wall {
@@ -135,8 +137,8 @@ static uint32_t size_of(const splitter *s, uint32_t f)
     return s->loose->face_start[f + 1] - s->loose->face_start[f];
 }
 
-/* Sorts the piece's faces into walls. Two faces with the same hash by chance (one in 2^64) or by malice make a walk that
- * does not close, which is refused like any other. */
+/* Sorts the piece's faces into walls. Faces may have the same hash by chance (one in 2^64) or by malice. The walk then
+ * does not close, and is refused like any other. */
 static void find_walls(walker *w, uint32_t from, uint32_t to)
 {
     splitter *s = w->s;
@@ -177,7 +179,7 @@ static void measure_walls(walker *w)
     qsort(w->start, w->wall_count, sizeof *w->start, compare_starts);
 }
 
-/* From the edge at P along `along` (of length 1) into the face. */
+/* The direction from the edge at P into the face; the edge runs along `along`, of length 1. */
 static roberts_vec3 into_face(const wall *it, roberts_vec3 P, roberts_vec3 along)
 {
     roberts_vec3 d = vec3_sub(it->middle, P);
@@ -185,8 +187,8 @@ static roberts_vec3 into_face(const wall *it, roberts_vec3 P, roberts_vec3 along
     return vec3_scale(1.0 / vec3_length(d), d);
 }
 
-/* The wall that follows `it` over edge e when one turns from it through the inside. False where there is none within a
- * half turn. */
+/* The wall that comes first over edge e when one turns from `it` through the inside. False: there is none within a half
+ * turn. */
 static bool next_wall(walker *w, uint32_t it, int side, uint32_t e, step *next)
 {
     const splitter *s = w->s;
@@ -209,7 +211,7 @@ static bool next_wall(walker *w, uint32_t it, int side, uint32_t e, step *next)
         if (other == it || (!taken && to->used == to->size) || !(angle > ANGLE_SLACK || angle < -3.0))
             continue;
         angle = angle < 0.0 ? angle + 2.0 * 3.14159265358979323846 : angle;
-        /* of walls that lie on one another, the one that is in the walk already */
+        /* if walls lie on one another: the one that is in the walk already */
         if (found && (angle > best + ANGLE_TIE || (angle > best - ANGLE_TIE && !taken)))
             continue;
         if (!found && !(angle <= best))
@@ -222,7 +224,7 @@ static bool next_wall(walker *w, uint32_t it, int side, uint32_t e, step *next)
     return found;
 }
 
-/* Walks from one side of a wall. Returns how many walls the walk has, in w->queue; 0 where it does not close. */
+/* Walks from one side of a wall. Returns how many walls w->queue has then; 0: the walk does not close. */
 static uint32_t walk_from(walker *w, step begin)
 {
     const splitter *s = w->s;
@@ -250,7 +252,7 @@ static uint32_t walk_from(walker *w, step begin)
     return tail;
 }
 
-/* Whether each edge of the walk has two of its walls. */
+/* Does each edge of the walk have two of its walls? */
 static bool walk_closes(walker *w, uint32_t count)
 {
     splitter *s = w->s;
@@ -267,7 +269,7 @@ static bool walk_closes(walker *w, uint32_t count)
     return closes;
 }
 
-/* Takes one face of each wall of the walk for a new group, and notes the other sides of walls that have more. */
+/* Makes one face of each wall of the walk a new group. Notes the other sides of walls that have more faces. */
 static bool take_walk(walker *w, uint32_t count)
 {
     uint32_t group = splitter_group(w->s, true);
@@ -310,7 +312,7 @@ static bool walk_all(walker *w)
     return enough;
 }
 
-/* Splits the piece order[from] .. order[to - 1], in the frame of all points; what does not close stays without a
+/* Splits the piece order[from] .. order[to - 1], in the frame of all points. Faces whose walk does not close get no
  * group. False: no memory. */
 static bool walls_split(splitter *s, const solid_frame *frame, uint32_t from, uint32_t to)
 {
@@ -341,7 +343,7 @@ static bool walls_split(splitter *s, const solid_frame *frame, uint32_t from, ui
 
 /* ---- pieces, and both ways --------------------------------------------------------------------------------------- */
 
-/* ---- pieces -------------------------------------------------------------------------------------------------------- */
+/* ---- pieces ------------------------------------------------------------------------------------------------------ */
 
 static void unite(uint32_t *parent, uint32_t a, uint32_t b)
 {
@@ -367,9 +369,9 @@ static void number_edges(splitter *s)
     s->edge_start[s->edge_count] = s->corner_count;
 }
 
-/* ---- by the file --------------------------------------------------------------------------------------------------- */
+/* ---- by the file ------------------------------------------------------------------------------------------------- */
 
-/* The faces order[from] .. order[to - 1] have two at each edge: a group for each part that hangs together. */
+/* Makes a group of each connected part of order[from] .. order[to - 1], which have two faces at each edge. */
 static void group_run(splitter *s, uint32_t *parent, uint32_t from, uint32_t to)
 {
     for (uint32_t i = from; i < to; i++) {
@@ -383,7 +385,7 @@ static void group_run(splitter *s, uint32_t *parent, uint32_t from, uint32_t to)
     }
 }
 
-/* Splits the piece order[from] .. order[to - 1] into runs that close. False, and nothing is grouped, where some do not. */
+/* Splits the piece order[from] .. order[to - 1] into runs that close. False: some do not, and nothing is grouped. */
 static bool split_by_file(splitter *s, uint32_t *parent, uint32_t from, uint32_t to)
 {
     uint32_t groups = s->groups->count, open = 0, crowded = 0, begin = from;
@@ -416,7 +418,7 @@ static bool split_by_file(splitter *s, uint32_t *parent, uint32_t from, uint32_t
     return false;
 }
 
-/* ---- all pieces ------------------------------------------------------------------------------------------------------ */
+/* ---- all pieces -------------------------------------------------------------------------------------------------- */
 
 /* Sorts the faces by piece, ascending in each; parent[f] becomes the piece's number, start[p] its end. */
 static uint32_t sort_pieces(splitter *s, uint32_t *end)
@@ -438,11 +440,11 @@ static uint32_t sort_pieces(splitter *s, uint32_t *end)
     return pieces;
 }
 
-/* What the faces at the piece's edges allow. */
+/* How many faces the edges of a piece have. */
 typedef enum edge_counts {
     TWO_EACH, /* the piece is closed */
-    EVEN,     /* it may be solids that touch */
-    ODD,      /* it is not: each solid takes two of the faces at an edge */
+    EVEN,     /* an even number, so it may be solids that touch */
+    ODD,      /* an odd number somewhere: it cannot be solids, which take two faces each */
 } edge_counts;
 
 static edge_counts count_at_edges(const splitter *s, uint32_t from, uint32_t to)

@@ -1,11 +1,11 @@
-/* split.h - faces that meet in edges, two or more at each: which of them make up one solid. */
+/* split.h - which faces make up one solid, if more than two faces meet in an edge. */
 #ifndef ROBERTS_MODEL_SPLIT_H
 #define ROBERTS_MODEL_SPLIT_H
 
 #include "model/edges.h"
 
-/* Groups of faces. Group g is closed, each of its edges having two of its faces, where closed[g] is set; each of the other
- * groups is a whole piece that hangs together by edges and does not come apart without a rest. Some may be empty. */
+/* Groups of faces. closed[g]: each edge of group g has two of its faces. Any other group is a connected piece that
+ * could not be split completely. Some groups may be empty. */
 typedef struct split_groups {
     uint32_t count;
     uint32_t *of;    /* [face_count] */

@@ -1,7 +1,7 @@
 /* weld.c - vertices at the same position become one.
  *
- * Idea: the vertices are dealt into as many buckets as there are vertices, by a hash of their position, and each bucket is
- * sorted. Nearly all buckets hold one position, so that the time is linear; whatever the positions, it is at most
+ * Idea: the vertices are dealt into as many buckets as there are vertices, by a hash of their position, and each bucket
+ * is sorted. Nearly all buckets hold one position, so that the time is linear; whatever the positions, it is at most
  * n log n. */
 #include "model/weld.h"
 
@@ -14,7 +14,7 @@
 #include "base/sort.h"
 #include "base/vec.h"
 #include "model/edges.h"
-#include "model/layout.h"
+#include "model/scene_arrays.h"
 #include "model/source.h"
 #include "model/split.h"
 #include "read/mesh.h"
@@ -103,9 +103,9 @@ bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const
 
 /* Components that are not closed as they stand: welded, split, and numbered together with the others.
  *
- * Files that give each face vertices of its own ("soup") have a component for each face. Open components are welded with
- * one another where positions are exactly equal, never with closed ones: solids that are whole in the file stay as they
- * are, though they may touch. */
+ * Files that give each face vertices of its own ("soup") have a component for each face. Open components are welded
+ * with one another where positions are exactly equal, never with closed ones: solids that are whole in the file stay as
+ * they are, though they may touch. */
 
 /* The faces of open components, taken for one solid and then split. Zeroed = empty. */
 typedef struct regrouping {
@@ -206,7 +206,8 @@ static uint32_t number_solids(uint32_t *of, uint32_t id_count, const polygons *f
     return count;
 }
 
-/* Where solid s comes from, by the solid of each face: all vertices and faces of the solids of earlier files are smaller. */
+/* Where solid s comes from, by the solid of each face: all vertices and faces of the solids of earlier files are
+ * smaller. */
 static solid_source source_of_group(uint32_t s, const uint32_t *of, const polygons *faces, const roberts_mesh *mesh)
 {
     uint32_t v[2] = {ROBERTS_NONE, 0}, f[2] = {ROBERTS_NONE, 0};
@@ -225,8 +226,8 @@ static solid_source source_of_group(uint32_t s, const uint32_t *of, const polygo
     return at;
 }
 
-/* Says that solid s, which is the group `group` and comes from `at`, is not closed: its first edge (by vertices) that has
- * not two faces. */
+/* Says that solid s, which is the group `group` and comes from `at`, is not closed: its first edge (by vertices) that
+ * has not two faces. */
 static roberts_status refuse_open(const regrouping *g, uint32_t s, solid_source at, uint32_t group,
                                   roberts_error *error)
 {
@@ -300,8 +301,8 @@ static roberts_status lay_out_again(regrouping *g, roberts_scene *scene, const p
         if (id_of[s] >= components && !g->groups.closed[id_of[s] - components])
             status = refuse_open(g, s, source_of_group(s, g->of, faces, mesh), id_of[s] - components, error);
     if (status == ROBERTS_OK) {
-        layout_clear(scene);
-        if (!layout_solids(scene, faces, g->of, solids, mesh->vertex))
+        scene_clear(scene);
+        if (!scene_lay_out(scene, faces, g->of, solids, mesh->vertex))
             status = error_no_memory(error);
     }
     free(id_of);
@@ -322,12 +323,12 @@ roberts_status regroup(roberts_scene *scene, const uint8_t *open, polygons *face
     if (!g.of || !loose_of)
         goto done;
     if (list_open(scene, open, faces, g.of, loose_of) > 0 &&
-        (!layout_solids(&g.loose, faces, loose_of, 1, mesh->vertex) || !edges_sort(&g.loose, 0, &g.edges) ||
+        (!scene_lay_out(&g.loose, faces, loose_of, 1, mesh->vertex) || !edges_sort(&g.loose, 0, &g.edges) ||
          !split_faces(&g.groups, &g.loose, &g.edges) || (keep_open && !join_open(&g.groups, &g.loose))))
         goto done;
     status = lay_out_again(&g, scene, faces, mesh, error);
 done:
-    layout_clear(&g.loose);
+    scene_clear(&g.loose);
     edge_scratch_free(&g.edges);
     split_groups_free(&g.groups);
     free(g.of);

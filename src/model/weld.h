@@ -17,12 +17,12 @@ bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const
 
 /* Components that are not closed as they stand: welded, split, and numbered together with the others. */
 
-/* Welds the components of `scene` (as laid out) that are marked open with one another, splits them into solids, and lays
- * out all solids anew, closed components and split ones alike, numbered by their smallest vertex (of several that share
- * it, by their smallest face). `faces` is cleaned after the welding.
+/* Welds the components of `scene` (as laid out) that are marked open with one another, splits them into solids, and
+ * lays out all solids anew, closed components and split ones alike, numbered by their smallest vertex (of several that
+ * share it, by their smallest face). `faces` is cleaned after the welding.
  * keep_open: faces that are no part of a closed solid are laid out too, as one where they share vertices.
- * Returns ROBERTS_OK, _NO_MEMORY, _BAD_NUMBER or, where not `keep_open`, _NOT_CLOSED: `error` then names the first solid
- * that is not closed, one of its edges and how many faces that has. */
+ * Returns ROBERTS_OK, _NO_MEMORY, _BAD_NUMBER or, where not `keep_open`, _NOT_CLOSED: `error` then names the first
+ * solid that is not closed, one of its edges and how many faces that has. */
 roberts_status regroup(roberts_scene *scene, const uint8_t *open, polygons *faces, const roberts_mesh *mesh,
                        bool keep_open, roberts_error *error);
 

@@ -3,9 +3,10 @@
  * These rays are cast:
  *
  * - from each stretch, `rays` of them near its ends and evenly between;
- * - from a visible stretch, one amid the longest part that a face hides. A search along the stretch finds this part
- *   by Cyrus and Beck's clipping, so nothing hidden is missed between two rays. That is not quite so for faces of
- *   very many corners: if there are any, up to three more rays are cast close to each end that lies within the edge;
+ * - from a visible stretch, one in the middle of the longest part that a face hides. A search along the stretch finds
+ *   this part by Cyrus and Beck's clipping, so nothing hidden is missed between two rays. The search may miss parts
+ *   behind faces of very many corners: if there are any, up to three more rays are cast close to each end that lies
+ *   within the edge;
  * - from a hidden stretch, a walk. A ray finds a face that hides the point. The next ray starts just beyond what that
  *   face hides, and so on to the end of the stretch. Whatever is visible on the way is met;
  * - from the middle of a hidden stretch that names a solid, one that looks for the face nearest to the viewer.
@@ -24,15 +25,15 @@
 #define END_MARGIN 0x1p-10
 /* How far the neighbours of a ray are, as a part of the stretch. */
 #define NEIGHBOUR 0x1p-12
-/* How close to an end, or to a change on a walk, a ray is cast: at so many touching distances ... */
+/* How close to an end, or to a change on a walk, a ray is cast, in touching distances ... */
 #define CLOSE 64.0
-/* ... and at least at this part of the edge, ten times what a parameter t may be off. */
+/* ... and at least this part of the edge, ten times the error of a parameter t. */
 #define CLOSE_PART 1e-9
 /* How far the neighbours of close rays are, as a part of that distance. */
 #define CLOSE_NEIGHBOUR 0.25
 /* The other faces of a hider are asked too if it has no more than this. */
 #define FEW_FACES 12
-/* After so many points in a row behind one solid, a walk leaps. */
+/* After this many points in a row behind one solid, a walk leaps. */
 #define LEAP_AFTER 4
 /* Further rays close to the ends of visible stretches, as parts of the edge. */
 static const double end_parts[] = {1e-6, 1e-4};
@@ -50,13 +51,13 @@ typedef struct stretch_probe {
     roberts_state drawn;
     probe_kind kind;
     double t, step; /* where, and how far its neighbours are */
-    double close;   /* closest to a change that a ray is cast, in t */
+    double close;   /* rays are cast no closer to a change than this, in t */
     double end;     /* walk: where it ends */
-    double stride;  /* walk: how far it goes on where no face says */
+    double stride;  /* walk: length of the next step if no face tells how far to go */
     uint32_t solid; /* walk: the solid that hid the last point, */
-    uint32_t same;  /* ... and how many before it */
+    uint32_t same;  /* ... and how many points in a row before that */
     double leap;    /* walk: length of the next leap behind one solid, */
-    double back;    /* ... and where to go back to when this one has failed; INFINITY: this is no leap */
+    double back;    /* ... and where to return if this leap fails; INFINITY: this is no leap */
 } stretch_probe;
 
 struct stretch_checker {
@@ -153,13 +154,12 @@ static bool may_be_seen(const occluders *o, uint32_t solid, const sight_question
     return false;
 }
 
-/* Compares the solid that is named with the one found nearest. Near the border of the nearest face another one may be
- * seen. */
+/* Compares the named solid with the nearest one found. Near the border of the nearest face another one may be seen. */
 static void judge_nearest(stretch_checker *c, const stretch_probe *p, const sight_question *q)
 {
     const occluders *o = c->o;
     if (q->answer != SIGHT_SURELY) {
-        c->result->undecided += q->answer == SIGHT_POSSIBLY; /* whether it is hidden at all, other rays say */
+        c->result->undecided += q->answer == SIGHT_POSSIBLY; /* other rays tell whether it is hidden at all */
         return;
     }
     roberts_vec3 v = sight_from(&o->s, q->X), Y = sight_meet(&o->s, q->hider, q->X, v);
@@ -173,8 +173,8 @@ static void judge_nearest(stretch_checker *c, const stretch_probe *p, const sigh
 
 /* ---- walks ----------------------------------------------------------------------------------------------------- */
 
-/* How far the face that hides the point of the walk hides what follows; p->end: all that is left. Of a solid of few
- * faces the others are asked too, in the order of the file, which spares rays. */
+/* The t up to which the face that hides the point of the walk hides the edge; p->end: all that is left. If its solid
+ * has few faces, the others are asked too, in the order of the file, which spares rays. */
 static double hidden_until(const occluders *o, const stretch_probe *p, const sight_question *q)
 {
     const scene_solid *solid = &o->s.scene->solid[o->face_solid[q->hider]];
@@ -200,8 +200,8 @@ static void leap(stretch_probe *p, double next)
     p->leap *= 2.0;
 }
 
-/* Takes the walk to its next point; false at its end. Strides double as long as no face says how far to go, and the
- * last of them stops at the end itself. */
+/* Takes the walk to its next point; false at its end. Steps double in length while no face tells how far to go. The
+ * last one stops at the end itself. */
 static bool walk_on(const occluders *o, stretch_probe *p, const sight_question *q)
 {
     uint32_t solid = q->answer == SIGHT_SURELY ? o->face_solid[q->hider] : ROBERTS_NONE;
@@ -291,7 +291,7 @@ static double position(uint32_t k, uint32_t n)
     return (double)k / (n - 1);
 }
 
-/* Close to the ends that lie within the edge: if the drawing changes too early or too late, a ray falls in between. */
+/* Asks close to the ends that lie within the edge, to find a change that the drawing shows too early or too late. */
 static void ask_ends(stretch_checker *c, const stretch *s, stretch_probe *p)
 {
     double at = p->close;
@@ -306,7 +306,7 @@ static void ask_ends(stretch_checker *c, const stretch *s, stretch_probe *p)
     }
 }
 
-/* Amid the longest part of a visible stretch that a face hides, if any does. */
+/* Asks in the middle of the longest part of a visible stretch that a face hides, if any does. */
 static void ask_hidden_part(stretch_checker *c, const stretch *s, stretch_probe *p)
 {
     occluders_search search;
@@ -324,7 +324,8 @@ static void ask_hidden_part(stretch_checker *c, const stretch *s, stretch_probe 
         ask_point(c, s, p, s->t0 + middle * width, CLOSE_NEIGHBOUR * longest * width);
 }
 
-/* Evenly spaced. A walk starts close to one end and goes to the other, so it spares the first and the last. */
+/* Asks at evenly spaced points. A walk goes from close to one end to close to the other, so it replaces the first and
+ * the last. */
 static void ask_evenly(stretch_checker *c, const stretch *s, stretch_probe *p, bool walk)
 {
     double width = s->t1 - s->t0;

@@ -15,15 +15,15 @@
 #include "ray/stretch.h"
 #include "view/clip.h"
 
-/* Gaps between the rows of an edge that are no wider are rounding (t has a size of 1). */
+/* A gap between two rows of an edge that is no wider in t is rounding. */
 #define GAP 1e-15
-/* An angle this near to the crease angle may be taken for either side of it; degrees. */
+/* Degrees: an angle this near to the crease angle may be taken for either side of it. */
 #define CREASE_MARGIN 1e-6
-/* Most edges of a run, all of one solid. */
+/* Most edges in a run; all belong to one solid. */
 #define RUN_EDGES 32
-/* Runs in a chunk: enough to forget the cost of sharing them out. */
+/* Runs in a chunk: enough to make the cost of sharing them out negligible. */
 #define CHUNK_RUNS 32
-/* With fewer chunks than this for each, a thread costs more than it saves. */
+/* A thread with fewer chunks than this costs more than it saves. */
 #define CHUNKS_PER_THREAD 4
 
 /* Edges of one solid, up to the first edge of the next run. */
@@ -40,7 +40,7 @@ typedef struct verifier {
     occluders o;
     uint32_t *row_start;    /* [edge_count + 1] */
     uint32_t *row;          /* [segments] rows of the drawing, edge by edge, by t */
-    edge_run *run;          /* [run_count + 1] the last one ends them */
+    edge_run *run;          /* [run_count + 1] the last one marks the end */
     uint32_t *order;        /* [run_count] runs by where they are in the picture */
     stretch_result *result; /* [chunk_count] */
     uint32_t run_count, chunk_count;
@@ -108,7 +108,7 @@ static void check_row(stretch_checker *checker, const clip_edge *left, const rob
         stretch_check(checker, s);
 }
 
-/* Where the edge has to be drawn, a gap from t0 to t1 says that it is hidden. */
+/* Checks a gap from t0 to t1 in an edge that has to be drawn: it says that the edge is hidden there. */
 static void check_gap(stretch_checker *checker, double t0, double t1, stretch *s)
 {
     s->t0 = t0;
@@ -187,8 +187,9 @@ static roberts_status assign_rows(verifier *f, roberts_error *error)
         const roberts_segment *row = &f->drawing->segment[i];
         uint32_t edge = find_edge(scene, row);
         if (edge == scene->edge_count)
-            return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "segment %u is of no edge of the scene (solid %u, %u-%u)",
-                             (unsigned)i, (unsigned)row->solid, (unsigned)row->v0, (unsigned)row->v1);
+            return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                             "segment %u belongs to no edge of the scene (solid %u, %u-%u)", (unsigned)i,
+                             (unsigned)row->solid, (unsigned)row->v0, (unsigned)row->v1);
         if (!(0.0 <= row->t0 && row->t0 < row->t1 && row->t1 <= 1.0) || row->state > ROBERTS_CLIPPED)
             return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "segment %u runs from t = %g to %g in state %u",
                              (unsigned)i, row->t0, row->t1, (unsigned)row->state);
@@ -243,8 +244,8 @@ static int by_edge(const void *a, const void *b)
     return p->what.by < q->what.by ? -1 : p->what.by > q->what.by;
 }
 
-/* Passes on the contradictions of all chunks, by edge and then along it; of two rays from the same point once. False:
- * no memory. */
+/* Passes on the contradictions of all chunks, by edge and then along it; two rays from one point count once. False: no
+ * memory. */
 static bool pass_on(const verifier *f, size_t count, roberts_verification *result)
 {
     stretch_finding *all = alloc_array(count, sizeof *all);
@@ -290,7 +291,7 @@ static roberts_status report(const verifier *f, roberts_verification *result, ro
     return ROBERTS_OK;
 }
 
-/* ---- before it ------------------------------------------------------------------------------------------------- */
+/* ---- preparation ------------------------------------------------------------------------------------------------- */
 
 /* Cuts the solids' edges into runs. */
 static void find_runs(verifier *f)
@@ -316,8 +317,7 @@ static bool order_runs(verifier *f)
     return done;
 }
 
-/* Estimates how many rays will ask for the faces of each solid: all but those from edges that the solid itself shows.
- */
+/* Estimates how many rays will ask for the faces of each solid: all but those from its own visible edges. */
 static void count_rays(const verifier *f, double *rays)
 {
     const roberts_drawing *drawing = f->drawing;
@@ -380,7 +380,7 @@ roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *
     if (f.options.rays == 0)
         f.options.rays = roberts_verify_options_default().rays;
     if (drawing->count >= UINT32_MAX)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "more than 2^32 segments");
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "too many segments: 2^32 - 2 at most");
     if (scene->surface)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                          "drawings of bodies that are not convex cannot be verified yet");

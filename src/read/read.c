@@ -132,7 +132,7 @@ static bool has_size_of_stl(reader *r)
     return count > 0 && source->size == STL_FIRST + STL_TRIANGLE * count;
 }
 
-/* Whether one of the first `count` bytes stands in no text. */
+/* Whether one of the first `count` bytes occurs in no text. */
 static bool looks_binary(reader *r, size_t count)
 {
     (void)input_need(&r->in, count);
@@ -142,7 +142,7 @@ static bool looks_binary(reader *r, size_t count)
     return false;
 }
 
-/* Whether an input of unknown or wrong length can be binary STL even so: it is no text, and its first triangle has
+/* Whether an input of unknown or wrong length can still be binary STL: it is no text, and its first triangle has
  * corners of a sensible size. */
 static bool looks_like_stl(reader *r)
 {
@@ -164,8 +164,7 @@ static bool is_obj_word(const char *word, size_t length)
     return false;
 }
 
-/* Reads in the format that the first bytes tell. OFF, which may begin with a number, is what is left; it refuses what
- * is nothing of all that. */
+/* Reads the format that the first bytes show. OFF, which may begin with a number, comes last and refuses all else. */
 static roberts_status read_any(reader *r, const off_division *division)
 {
     input *in = &r->in;

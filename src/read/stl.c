@@ -95,24 +95,12 @@ static bool add_corner(roberts_mesh *mesh, position_table *t, roberts_vec3 p, ui
 {
     size_t i = find_slot(t, mesh, p, hash);
     if (!t->slot[i]) {
-        if (!mesh_vertex_room(mesh))
+        if (!mesh_add_vertex(mesh, p))
             return false;
-        mesh->vertex[mesh->vertex_count++] = p;
         t->slot[i] = (uint32_t)mesh->vertex_count;
         t->count++;
     }
-    if (!mesh_corner_room(mesh, 1))
-        return false;
-    mesh->corner[mesh->corner_count++] = t->slot[i] - 1;
-    return true;
-}
-
-static bool end_face(roberts_mesh *mesh)
-{
-    if (!mesh_face_room(mesh))
-        return false;
-    mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
-    return true;
+    return mesh_add_corner(mesh, t->slot[i] - 1);
 }
 
 /* ---- text -------------------------------------------------------------------------------------------------------- */
@@ -178,7 +166,7 @@ static roberts_status read_facet(reader *r, position_table *t)
         status = take_word(r, "endloop");
     if (status == ROBERTS_OK)
         status = take_word(r, "endfacet");
-    if (status == ROBERTS_OK && !end_face(r->mesh))
+    if (status == ROBERTS_OK && !mesh_end_face(r->mesh))
         status = error_no_memory(r->error);
     return status;
 }
@@ -261,7 +249,7 @@ static roberts_status read_triangles(reader *r, position_table *t, size_t count)
         if (t->slot[home(t, hash[i])])
             FETCH_AHEAD(&r->mesh->vertex[t->slot[home(t, hash[i])] - 1]);
     for (size_t i = 0; i < 3 * count; i++)
-        if (!add_corner(r->mesh, t, p[i], hash[i]) || (i % 3 == 2 && !end_face(r->mesh)))
+        if (!add_corner(r->mesh, t, p[i], hash[i]) || (i % 3 == 2 && !mesh_end_face(r->mesh)))
             return error_no_memory(r->error);
     r->in.at += count * TRIANGLE;
     return ROBERTS_OK;

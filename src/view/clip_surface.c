@@ -1,5 +1,5 @@
-/* clip_surface.c - bodies that are not convex, cut by the near plane: each piece of a face by itself. A closed body
- * is closed by caps, whose edges are not drawn; an open one stays open, and one looks into it. */
+/* clip_surface.c - bodies that are not convex, cut by the near plane: each piece of a face by itself. A closed body is
+ * closed by caps, whose edges are not drawn; an open one stays open, and one looks into it. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -207,8 +207,7 @@ static bool cut_edge(cutter *c, uint32_t body, uint32_t e, const uint32_t *map)
     return true;
 }
 
-/* ---- caps
- * ----------------------------------------------------------------------------------------------------------- */
+/* ---- caps -------------------------------------------------------------------------------------------------------- */
 
 static int compare_lines(const void *pa, const void *pb)
 {
@@ -232,9 +231,8 @@ static size_t first_from(const cut_line *both, size_t count, uint32_t vertex)
     return low;
 }
 
-/* The lines as one ring: each from its end on to one that begins or ends there, and between loops to the first
- * vertex and back: what runs twice bounds nothing by the odd-even rule. Both ways of each line are listed; used[]:
- * by line. */
+/* The lines as one ring: each from its end on to one that begins or ends there, and between loops to the first vertex
+ * and back: what runs twice bounds nothing by the odd-even rule. Both ways of each line are listed; used[]: by line. */
 static size_t make_ring(const cut_line *both, size_t count, uint8_t *used, uint32_t *ring)
 {
     size_t length = 0;

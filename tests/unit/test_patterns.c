@@ -2,7 +2,7 @@
  * another are found as the definition has it. */
 #include "base/box.h"
 #include "model/components.h"
-#include "model/layout.h"
+#include "model/scene_arrays.h"
 #include "model/scene.h"
 #include "scenes.h"
 
@@ -220,14 +220,14 @@ static void welding_starts_from_the_mesh(void **state)
 
 /* ---- blocks ------------------------------------------------------------------------------------------------------------ */
 
-static bool find(const roberts_mesh *mesh, roberts_scene *scene, patterns *list)
+static bool find(const roberts_mesh *mesh, roberts_scene *scene, repeated_solids *list)
 {
     polygons faces;
     bool found;
     *scene = (roberts_scene){0};
-    *list = (patterns){0};
+    *list = (repeated_solids){0};
     assert_int_equal(polygons_of_mesh(&faces, mesh, NULL), ROBERTS_OK);
-    assert_true(blocks_find(scene, &faces, list, &found));
+    assert_true(components_in_a_row(scene, &faces, list, &found));
     return found;
 }
 
@@ -302,7 +302,7 @@ static void blocks_are_components(void **state)
     for (int round = 0; round < 3000; round++) {
         model m;
         roberts_scene scene;
-        patterns list;
+        repeated_solids list;
         fill(&m, &r, (uint32_t)rng_int(&r, 1, 8), rng_int(&r, 1, SHAPES), (winding)(round % 4));
         disturb(&m.mesh, &r);
         if (find(&m.mesh, &scene, &list)) {
@@ -310,7 +310,7 @@ static void blocks_are_components(void **state)
             found++;
         }
         free(scene.solid);
-        patterns_free(&list);
+        repeated_free(&list);
         model_free(&m);
     }
     assert_in_range(found, 700, 2500);
@@ -358,13 +358,13 @@ static void some_are_no_blocks(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         roberts_mesh mesh;
         roberts_scene scene;
-        patterns list;
+        repeated_solids list;
         faces_of(&mesh, cases[i].vertices, cases[i].faces);
         bool found = find(&mesh, &scene, &list);
         if (found != (cases[i].solids > 0) || scene.solid_count != cases[i].solids)
             fail_msg("%s: %s, %u solids", cases[i].what, found ? "found" : "not found", scene.solid_count);
         free(scene.solid);
-        patterns_free(&list);
+        repeated_free(&list);
         roberts_mesh_free(&mesh);
     }
 }

@@ -1,5 +1,8 @@
-/* layout.c - the scene's arrays: memory, and the compact numbering solid by solid. */
-#include "model/layout.h"
+/* scene_arrays.c - how the scene's arrays are allocated, filled solid by solid, and freed.
+ *
+ * To fill them, faces are sorted by solid, and the vertices of each solid get compact numbers. If the numbers of a
+ * solid's vertices are close together, a table translates them; otherwise they are sorted and searched. */
+#include "model/scene_arrays.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -7,13 +10,74 @@
 
 #include "base/array.h"
 #include "base/box.h"
+#include "base/error.h"
 #include "read/mesh.h"
+
+/* ---- faces with every corner once -------------------------------------------------------------------------------- */
+
+/* Rule: a corner that repeats an earlier one of its face is left out, wherever in the face it is. A face of fewer than
+ * three corners does not count. */
+
+roberts_status polygons_of_mesh(polygons *faces, const roberts_mesh *mesh, roberts_error *error)
+{
+    *faces = (polygons){0};
+    if (mesh->vertex_count >= ROBERTS_NONE || mesh->face_count >= ROBERTS_NONE || mesh->corner_count >= ROBERTS_NONE)
+        return error_set(error, ROBERTS_NO_MEMORY, 0, "more than %u vertices, faces or corners",
+                         (unsigned)ROBERTS_NONE - 1);
+    faces->face_count = (uint32_t)mesh->face_count;
+    faces->vertex_count = (uint32_t)mesh->vertex_count;
+    faces->start = mesh->face_start;
+    faces->corner = mesh->corner;
+    return ROBERTS_OK;
+}
+
+bool polygons_clean(polygons *faces, const uint32_t *name)
+{
+    size_t corners = faces->face_count ? faces->start[faces->face_count] : 0;
+    uint32_t *start = alloc_array((size_t)faces->face_count + 1, sizeof *start);
+    uint32_t *corner = alloc_array(corners, sizeof *corner);
+    uint32_t *stamp = alloc_zeroed(faces->vertex_count, sizeof *stamp); /* 1 + the last face that has the vertex */
+    bool enough = start && corner && stamp;
+    uint32_t to = 0;
+    if (enough) {
+        for (uint32_t f = 0; f < faces->face_count; f++) {
+            start[f] = to;
+            for (uint32_t i = faces->start[f]; i < faces->start[f + 1]; i++) {
+                uint32_t v = name ? name[faces->corner[i]] : faces->corner[i];
+                if (stamp[v] != f + 1)
+                    corner[to++] = v;
+                stamp[v] = f + 1;
+            }
+        }
+        start[faces->face_count] = to;
+        polygons_free(&(polygons){.own_start = faces->own_start, .own_corner = faces->own_corner});
+        faces->start = faces->own_start = start;
+        faces->corner = faces->own_corner = corner;
+        faces->repeated += corners - to;
+    } else {
+        free(start);
+        free(corner);
+    }
+    free(stamp);
+    return enough;
+}
+
+void polygons_free(polygons *faces)
+{
+    free(faces->own_start);
+    free(faces->own_corner);
+    *faces = (polygons){0};
+}
+
+/* ---- the arrays -------------------------------------------------------------------------------------------------- */
 
 enum { LEAST_EXPONENT = -1000 }; /* of the unit: 1 / 2^-1074 would overflow */
 
-enum { DENSE = 4 }; /* a range of vertex numbers at most so many times as long as the corners is marked in a table */
+enum {
+    DENSE = 4
+}; /* a table is used if the range of vertex numbers is at most this many times the number of corners */
 
-bool layout_alloc(roberts_scene *scene, layout_kept kept)
+bool scene_alloc_arrays(roberts_scene *scene, kept_numbers kept)
 {
     size_t faces = scene->face_count;
     if (!scene->solid)
@@ -38,7 +102,7 @@ bool layout_alloc(roberts_scene *scene, layout_kept kept)
            scene->face_deviation && scene->face_width && (scene->face_number || kept.faces);
 }
 
-void layout_turn_face(roberts_scene *scene, uint32_t f)
+void scene_turn_face(roberts_scene *scene, uint32_t f)
 {
     uint32_t *corner = scene->corner + scene->face_start[f], n = scene->face_start[f + 1] - scene->face_start[f];
     for (uint32_t i = 1, j = n - 1; i < j; i++, j--) {
@@ -50,16 +114,16 @@ void layout_turn_face(roberts_scene *scene, uint32_t f)
         scene->turned[f] ^= 1;
 }
 
-void layout_turn_back(roberts_scene *scene)
+void scene_turn_back(roberts_scene *scene)
 {
     for (uint32_t f = 0; scene->turned && f < scene->face_count; f++)
         if (scene->turned[f])
-            layout_turn_face(scene, f);
+            scene_turn_face(scene, f);
 }
 
-void layout_clear(roberts_scene *scene)
+void scene_clear(roberts_scene *scene)
 {
-    layout_turn_back(scene);
+    scene_turn_back(scene);
     free(scene->turned);
     free(scene->solid);
     if (!(scene->lent & LENT_POINT))
@@ -82,7 +146,7 @@ void layout_clear(roberts_scene *scene)
     *scene = (roberts_scene){0};
 }
 
-void layout_set_box(roberts_scene *scene, roberts_vec3 lo, roberts_vec3 hi)
+void scene_set_box(roberts_scene *scene, roberts_vec3 lo, roberts_vec3 hi)
 {
     double size = fmax(hi.x - lo.x, fmax(hi.y - lo.y, hi.z - lo.z));
     int exponent = 0;
@@ -102,7 +166,7 @@ static int compare_numbers(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-void layout_copy_corners(roberts_scene *scene, const polygons *faces)
+void scene_copy_corners(roberts_scene *scene, const polygons *faces)
 {
     const uint32_t *start = faces->start, *number = scene->face_number;
     uint32_t *to = scene->corner, *face_start = scene->face_start, face_count = scene->face_count;
@@ -115,7 +179,7 @@ void layout_copy_corners(roberts_scene *scene, const polygons *faces)
     face_start[face_count] = (uint32_t)(to - scene->corner);
 }
 
-/* Sorts the faces by solid and copies their corners, still in the mesh's numbers. */
+/* Sorts the faces by solid and copies their corners, which keep the mesh's numbers. */
 static void place_faces(roberts_scene *scene, const polygons *faces, const uint32_t *of)
 {
     uint32_t sum = 0;
@@ -133,7 +197,7 @@ static void place_faces(roberts_scene *scene, const polygons *faces, const uint3
     for (uint32_t s = scene->solid_count; s > 0; s--)
         scene->solid[s].face = scene->solid[s - 1].face;
     scene->solid[0].face = 0;
-    layout_copy_corners(scene, faces);
+    scene_copy_corners(scene, faces);
 }
 
 /* The corners of a solid, and the least and the greatest vertex number among them. */
@@ -161,7 +225,7 @@ static bool number_dense(roberts_scene *scene, corner_range r, uint32_t **mark, 
     return true;
 }
 
-/* The same by sorting, where the solid's vertices are strewn over the file. */
+/* The same by sorting, where the solid's vertices are scattered over the file. */
 static bool number_sparse(roberts_scene *scene, uint32_t from, uint32_t to, uint32_t **sorted, size_t *room)
 {
     uint32_t first = scene->vertex_count, count = to - from;
@@ -207,7 +271,7 @@ static bool number_vertices(roberts_scene *scene)
     return done;
 }
 
-/* Gives back the room for vertices that turned out not to be needed, if that can be had. */
+/* Frees the unused ends of the arrays of vertices, if realloc() can. */
 static void trim(roberts_scene *scene)
 {
     void *smaller = realloc(scene->point, (scene->vertex_count + (size_t)1) * sizeof *scene->point);
@@ -218,7 +282,7 @@ static void trim(roberts_scene *scene)
         scene->number = smaller;
 }
 
-bool layout_solids(roberts_scene *scene, const polygons *faces, const uint32_t *of, uint32_t solid_count,
+bool scene_lay_out(roberts_scene *scene, const polygons *faces, const uint32_t *of, uint32_t solid_count,
                    const roberts_vec3 *point)
 {
     roberts_vec3 lo = {INFINITY, INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY, -INFINITY};
@@ -230,8 +294,8 @@ bool layout_solids(roberts_scene *scene, const polygons *faces, const uint32_t *
             corners += polygon_size(faces, f);
         }
     scene->corner_count = corners;
-    scene->vertex_count = (uint32_t)corners; /* no more than that */
-    if (!layout_alloc(scene, (layout_kept){false, false}))
+    scene->vertex_count = (uint32_t)corners; /* at most */
+    if (!scene_alloc_arrays(scene, (kept_numbers){false, false}))
         return false;
     place_faces(scene, faces, of);
     if (!number_vertices(scene))
@@ -240,7 +304,7 @@ bool layout_solids(roberts_scene *scene, const polygons *faces, const uint32_t *
         scene->point[v] = point[scene->number[v]];
         box_add(&lo, &hi, scene->point[v]);
     }
-    layout_set_box(scene, lo, hi);
+    scene_set_box(scene, lo, hi);
     trim(scene);
     return true;
 }
