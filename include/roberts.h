@@ -64,10 +64,10 @@ typedef struct roberts_error {
     roberts_status status;
     char file[256];    /**< name of the input or output concerned, shortened where longer; empty if none */
     size_t line;       /**< 1-based line of the input, 0 if none applies */
-    char message[256]; /**< e.g. "face 7 names vertex 9, but the file has 8"; no file, no line, no newline */
+    char message[256]; /**< e.g. "face 7 names vertex 9, but there are 8"; no file, no line, no newline */
 } roberts_error;
 
-/** Receives one warning. Warnings of one kind come as one, with their count ("12 faces with fewer than 3 corners
+/** Receives one warning. Warnings of one kind come as one, with their count ("2 colours that make no sense
  * ignored"). file: as in roberts_error; line: 0 if none applies; message: no newline, valid during the call only. */
 typedef void roberts_warning_fn(void *context, const char *file, size_t line, const char *message);
 
@@ -383,8 +383,8 @@ typedef struct roberts_drawing {
 typedef struct roberts_hide_options {
     double crease_degrees; /**< an edge between two front faces, or two back ones, flatter than this is not drawn
                                 (default: 0.1) */
-    bool crease_auto;      /**< of a body that is not convex, and has many faces most of which meet at small angles (a
-                                scan, a curved part), edges flatter than 30 degrees are left out (default: true) */
+    bool crease_auto;      /**< of curved bodies (a scan, a round part; see roberts_scene_body_curved()) edges flatter
+                                than 30 degrees are not drawn (default: true) */
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
@@ -410,16 +410,20 @@ void roberts_drawing_free(roberts_drawing *drawing);
 /** Receives one segment, valid during the call only; false stops the work. */
 typedef bool roberts_segment_fn(void *context, const roberts_segment *segment);
 
+/** Where segments go, one by one. */
+typedef struct roberts_receiver {
+    roberts_segment_fn *receive; /**< called by one thread at a time, not always the same */
+    void *context;
+} roberts_receiver;
+
 /**
  * The same, but hands the segments to `each` one by one, in their order, and keeps none, so that a large drawing need
  * not fit in memory.
- * each     called by one thread at a time, not always the same
- * context  handed to `each`
  * summary  NULL, or filled like a drawing without segments; its `count` says how many there were
- * Returns what roberts_hide() returns, or ROBERTS_STOPPED if `each` returned false.
+ * Returns what roberts_hide() returns, or ROBERTS_STOPPED if `each->receive` returned false.
  */
 roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camera *camera,
-                                 const roberts_hide_options *options, roberts_segment_fn *each, void *context,
+                                 const roberts_hide_options *options, const roberts_receiver *each,
                                  roberts_drawing *summary, roberts_error *error);
 
 /* ---- ray: rays against shapes -------------------------------------------------------------------------------- */

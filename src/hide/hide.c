@@ -296,16 +296,18 @@ roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *ca
 }
 
 roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camera *camera,
-                                 const roberts_hide_options *options, roberts_segment_fn *each, void *context,
+                                 const roberts_hide_options *options, const roberts_receiver *each,
                                  roberts_drawing *summary, roberts_error *error)
 {
-    hide_job job = {.source = scene, .options = options, .each = each, .context = context};
+    hide_job job = {.source = scene, .options = options};
     roberts_drawing counted;
-    if (!each) {
+    if (!each || !each->receive) {
         if (summary)
             *summary = (roberts_drawing){0};
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no function to receive the segments");
     }
+    job.each = each->receive;
+    job.context = each->context;
     return hide(&job, camera, summary ? summary : &counted, error);
 }
 

@@ -283,8 +283,8 @@ static roberts_status read_vertex(reader *r)
     while (count < NUMBERS_MOST && next_word(&r->in) && number(&r->in, &value[count]))
         count++;
     if (count < POSITION)
-        return read_expected(r, input_not_finite(&r->in) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX, "%s of vertex %zu",
-                             part[count], vertices_read(r));
+        return read_expected(r, input_not_finite(&r->in) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX,
+                             "%s of vertex %zu (counted from 0)", part[count], vertices_read(r));
     roberts_vec3 p = {value[0], value[1], value[2]};
     if (!mesh_position(p))
         return read_bad_position(r, vertices_read(r));
@@ -334,14 +334,14 @@ static const char *corner(const char *c, int64_t *v)
 
 /* What messages call the element at hand. */
 typedef struct element_name {
-    char text[40];
+    char text[64];
 } element_name;
 
 static element_name name_element(const obj_reader *o, bool face)
 {
     element_name name = {"a line"};
     if (face)
-        snprintf(name.text, sizeof name.text, "face %zu", o->r->mesh->face_count - o->r->mark.faces);
+        snprintf(name.text, sizeof name.text, "face %zu (counted from 0)", o->r->mesh->face_count - o->r->mark.faces);
     return name;
 }
 
@@ -374,12 +374,11 @@ static roberts_status read_corner(obj_reader *o, bool face, uint32_t *vertex)
     return ROBERTS_OK;
 }
 
-static roberts_status end_face(obj_reader *o, size_t corners)
+static roberts_status end_face(obj_reader *o)
 {
     roberts_mesh *mesh = o->r->mesh;
     if (!mesh_end_face(mesh))
         return error_no_memory(o->r->error);
-    o->r->thin_faces += corners < 3;
     if (o->color.count && !mesh_color_face(mesh, mesh->face_count - 1, o->color, &o->r->faces_filled))
         return error_no_memory(o->r->error);
     return ROBERTS_OK;
@@ -398,7 +397,8 @@ static roberts_status read_face(obj_reader *o)
     }
     if (count == 0)
         return read_expected(o->r, ROBERTS_BAD_SYNTAX, "a corner of %s", name_element(o, true).text);
-    return end_face(o, count);
+    o->r->thin_faces += count < 3;
+    return end_face(o);
 }
 
 static roberts_status read_line(obj_reader *o)
@@ -411,7 +411,7 @@ static roberts_status read_line(obj_reader *o)
             continue;
         if (!mesh_add_corner(mesh, last) || !mesh_add_corner(mesh, v))
             return error_no_memory(o->r->error);
-        status = end_face(o, 2);
+        status = end_face(o);
     }
     return status;
 }

@@ -117,7 +117,8 @@ static roberts_status read_format(ply_reader *p)
         in->at -= strlen(word);
         return bad_header(p, "format ascii, binary_little_endian or binary_big_endian");
     }
-    take_word(p, word); /* the version */
+    if (take_word(p, word) && strcmp(word, "1.0") != 0)
+        warning_send(p->r->warnings, p->r->name, in->line, "PLY of version %s is read as version 1.0", word);
     return ROBERTS_OK;
 }
 
@@ -454,7 +455,6 @@ static roberts_status add_edge(ply_reader *p, const element *e, uint64_t row)
         if (!mesh_add_corner(p->r->mesh, (uint32_t)(p->r->mark.vertices + (uint64_t)p->value[i])))
             return error_no_memory(p->r->error);
     }
-    p->r->thin_faces++;
     return ROBERTS_OK;
 }
 

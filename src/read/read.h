@@ -21,7 +21,7 @@ typedef struct reader {
     roberts_error *error;
     bool binary;                          /* errors name bytes, not lines */
     size_t vertices_filled, faces_filled; /* up to here colours are set */
-    size_t thin_faces;                    /* with fewer than 3 corners; OFF counts its own */
+    size_t thin_faces;                    /* fewer than 3 corners, but not meant as a line; OFF counts its own */
 } reader;
 
 /* Reads one input of any format; see roberts_mesh_read(). division: how OFF is divided among threads. */
@@ -44,7 +44,7 @@ roberts_status read_fail(reader *r, roberts_status status, const char *format, .
 /* The same because the input lacks what `format` names; see input_expected(). A binary input is at its end then. */
 roberts_status read_expected(reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
 
-/* Warns of faces with fewer than 3 corners, if there are any. */
+/* Warns of faces with fewer than 3 corners, if there are any: those of two are drawn as lines. */
 void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t count);
 
 /* The name of another format that begins with this word, and in *hint a command that converts it, or "". NULL: not

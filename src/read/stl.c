@@ -133,14 +133,25 @@ static roberts_status skip_normal(reader *r)
     return take_word(r, "outer");
 }
 
+/* No coordinate comes; the corner began on this line. A word on a later line belongs to something else. */
+static roberts_status no_coordinate(reader *r, const char *part, size_t line)
+{
+    const bool infinite = input_not_finite(&r->in);
+    if (r->in.line > line && input_token(&r->in) > 0 && !infinite)
+        return error_set(r->error, ROBERTS_BAD_SYNTAX, line,
+                         "%s of a corner of facet %zu expected, but the line ends here", part, facets_read(r));
+    return read_expected(r, infinite ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX, "%s of a corner of facet %zu", part,
+                         facets_read(r));
+}
+
 static roberts_status read_corner(reader *r, position_table *t)
 {
     static const char *const part[3] = {"x", "y", "z"};
+    const size_t line = r->in.line;
     double p[3];
     for (int i = 0; i < 3; i++) {
         if (!input_skip(&r->in) || !input_number(&r->in, &p[i]))
-            return read_expected(r, input_not_finite(&r->in) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX,
-                                 "%s of a corner of facet %zu", part[i], facets_read(r));
+            return no_coordinate(r, part[i], line);
     }
     if (!mesh_position((roberts_vec3){p[0], p[1], p[2]}))
         return read_bad_position(r, r->mesh->vertex_count - r->mark.vertices);
