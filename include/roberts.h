@@ -3,7 +3,7 @@
  * The way through the library:
  *
  *   roberts_mesh     polygons as a file or a program gives them       roberts_mesh_read_file(), roberts_mesh_read()
- *   roberts_scene    bodies: convex solids, and bodies of any shape    roberts_scene_build()
+ *   roberts_scene    bodies: convex solids, and bodies of any shape   roberts_scene_build()
  *   roberts_camera   where the viewer stands                          roberts_camera_preset()
  *   roberts_drawing  visible and hidden segments of every edge        roberts_hide()
  *   a file           SVG, CSV, ...                                    roberts_drawing_save(), roberts_drawing_write()
