@@ -89,9 +89,10 @@ static const option rows[] = {
      TO(batch),
      .excludes = "output turntable",
      .brief = "draw each file by itself",
-     .help = "draw each FILE.off by itself, into DIR/FILE.svg (or as -f says), several at a time; one that fails does "
+     .help = "draw each FILE by itself, into DIR (as .svg, or as -f says), several at a time; one that fails does "
              "not stop the others",
-     .manual = "Draws each FILE.off by itself, into DIR/FILE.svg, or with the ending of the format that -f names. "
+     .manual = "Draws each FILE by itself, into DIR: table.off as DIR/table.svg, or with the ending of the format that "
+               "-f names. "
                "Several files are drawn at a time. A file that fails does not stop the others, but then the exit "
                "status is 1. The folder is made where it is missing."},
     {.group = GROUP_OUTPUT,
