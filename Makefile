@@ -143,8 +143,9 @@ LIB = $(DESTDIR)$(LIBDIR)
 install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, man page, completions, libraries, header and roberts.pc
 	@for folder in '$(TO)/bin' '$(TO)/include' '$(TO)/share/man/man1' '$(LIB)/pkgconfig'; do \
 	    there=$$folder; while [ ! -e "$$there" ]; do there=$$(dirname "$$there"); done; \
-	    [ -d "$$there" ] && [ -w "$$there" ] || { \
-	        echo "make install: cannot write to $$there; as root: sudo make install; or for yourself alone:" >&2; \
+	    mkdir -p "$$folder" 2>/dev/null && [ -w "$$folder" ] || { \
+	        [ "$$(id -u)" = 0 ] && how='choose another PREFIX' || how='as root: sudo make install'; \
+	        echo "make install: cannot write to $$there; $$how; or for yourself alone:" >&2; \
 	        echo "    make install PREFIX=\"$$HOME/.local\"" >&2; exit 1; }; done
 	$(Q)install -d '$(TO)/bin' '$(TO)/include' '$(LIB)/pkgconfig'
 	$(Q)install -m 755 $(BUILD)/roberts '$(TO)/bin/'
