@@ -94,8 +94,8 @@ figures: $(BUILD)/roberts ## draws the figures of src/*/README.md anew, to model
 gallery: $(BUILD)/roberts ## draws the pictures of README's gallery anew, to models/gallery/
 	ROBERTS_BUILD=$(BUILD) tools/draw-gallery.sh
 
-drawings: $(DEMO:%=$(BUILD)/demo/%.svg) ## the drawings of `make demo`
-	@echo "drawn: $(sort $^)"
+drawings: $(PAGES) $(DEMO:%=$(BUILD)/demo/%.svg) ## manual page, completions and the drawings of `make demo`
+	@echo "drawn: $(sort $(filter %.svg,$^))"
 
 TESTED   := all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(BUILD)/locale/de_DE.UTF-8
 

@@ -1,4 +1,4 @@
-/* test_readme.c - what the README shows works as it stands there, and what it links to is there.
+/* test_readme.c - what the README shows works as it stands there, and what it links to or names is there.
  *
  * In a new folder with links to build, include and models, each line of a ```sh block of the README and of the recipes is run as printed, with `roberts` the one
  * in build, and the ```c block is compiled, as example.c, by the README's own command, where `cc` is the compiler that
@@ -261,6 +261,102 @@ static void test_links(void **state)
     assert_true(links > 4);
 }
 
+/* ---- files that pages name ---- */
+
+/* Whether a word is the name of one file: letters, an ending that files of this project have, no pattern. */
+static bool is_file_name(const char *word)
+{
+    static const char *const endings[] = {"c",  "h",   "cpp", "off", "stl", "obj",  "ply",
+                                          "md", "txt", "svg", "sh",  "py",  "dict", "supp"};
+    const char *dot = strrchr(word, '.');
+    if (!dot || dot == word || dot[-1] == '/' ||
+        strspn(word, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                     "0123456789_-./") != strlen(word))
+        return false;
+    for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++)
+        if (strcmp(dot + 1, endings[i]) == 0)
+            return true;
+    return false;
+}
+
+/* Whether the file is there: from the folder of the page, from src/, tests/, one folder of tests/, or the top. */
+static bool is_there(const char *page, const char *name)
+{
+    const char *slash = strrchr(page, '/');
+    char path[512];
+    const int length = slash ? (int)(slash + 1 - page) : 0;
+    static const char *const patterns[] = {"src/%s", "include/%s", "tests/%s", "tests/*/%s", "%s"};
+    snprintf(path, sizeof path, "%.*s%s", length, page, name);
+    bool found = access(path, F_OK) == 0;
+    for (size_t i = 0; i < sizeof patterns / sizeof patterns[0] && !found; i++) {
+        glob_t files;
+        const char *place = strstr(patterns[i], "%s");
+        snprintf(path, sizeof path, "%.*s%s", (int)(place - patterns[i]), patterns[i], name);
+        found = glob(path, 0, NULL, &files) == 0;
+        globfree(&files);
+    }
+    return found;
+}
+
+/* Names that stand for any file, and files that the reader's own commands write. */
+static bool is_example(const char *name)
+{
+    static const char *const examples[] = {"test_NAME.c", "models/INDEX.md"};
+    for (size_t i = 0; i < sizeof examples / sizeof examples[0]; i++)
+        if (strcmp(name, examples[i]) == 0)
+            return true;
+    return false;
+}
+
+/* Words in single backquotes, outside of blocks, that name a file name one that is there. Returns how many. */
+static int check_names(const char *page)
+{
+    static char text[65536];
+    char name[128];
+    int names = 0;
+    FILE *file = fopen(page, "r");
+    assert_non_null(file);
+    const size_t size = fread(text, 1, sizeof text - 1, file);
+    assert_true(size < sizeof text - 1);
+    text[size] = '\0';
+    fclose(file);
+    for (char *at = text; (at = strchr(at, '`')) != NULL;) {
+        const bool block = strncmp(at, "```", 3) == 0;
+        char *end = block ? strstr(at + 3, "```") : strchr(at + 1, '`');
+        if (!end)
+            fail_msg("%s: a backquote without its other: %.40s", page, at);
+        if (!block && end - at < (int)sizeof name) {
+            snprintf(name, sizeof name, "%.*s", (int)(end - at - 1), at + 1);
+            if (is_file_name(name) && !is_example(name)) {
+                if (!is_there(page, name))
+                    fail_msg("%s: there is no %s", page, name);
+                names++;
+            }
+        }
+        at = end + (block ? 3 : 1);
+    }
+    return names;
+}
+
+static void test_names(void **state)
+{
+    static const char *const patterns[] = {"README.md", "src/*.md", "src/*/README.md", "tests/README.md",
+                                           "models/*.md"};
+    int names = 0;
+    (void)state;
+    assert_true(is_file_name("read/off.c") && is_file_name("README.md") && is_file_name("models/table.off"));
+    assert_true(!is_file_name(".svg") && !is_file_name("*.off") && !is_file_name("a b.c") && !is_file_name("0.5"));
+    assert_true(is_there("src/README.md", "read/read.c") && !is_there("src/README.md", "read/none.c"));
+    for (size_t i = 0; i < sizeof patterns / sizeof patterns[0]; i++) {
+        glob_t texts;
+        assert_int_equal(glob(patterns[i], 0, NULL, &texts), 0);
+        for (size_t k = 0; k < texts.gl_pathc; k++)
+            names += check_names(texts.gl_pathv[k]);
+        globfree(&texts);
+    }
+    assert_true(names > 200);
+}
+
 /* ---- pages on the stages ---- */
 
 /* Whether some line of a source of the room holds both words. */
@@ -378,8 +474,8 @@ static void test_figures(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_links),    cmocka_unit_test(test_pages),   cmocka_unit_test(test_figures),
-        cmocka_unit_test(test_commands), cmocka_unit_test(test_example),
+        cmocka_unit_test(test_links),   cmocka_unit_test(test_names),    cmocka_unit_test(test_pages),
+        cmocka_unit_test(test_figures), cmocka_unit_test(test_commands), cmocka_unit_test(test_example),
     };
     return cmocka_run_group_tests_name("readme", tests, set_up, temporary_remove);
 }
