@@ -22,8 +22,7 @@ typedef struct piece_node {
 typedef struct face_piece {
     uint32_t count;
     uint32_t node[PIECE_CORNERS];
-    uint32_t label
-        [PIECE_CORNERS]; /* of each side: below the ring's length, that side of the ring; otherwise the ring's length plus the cut's number */
+    uint32_t label[PIECE_CORNERS]; /* below the ring's length: a side of the ring; from there on: a cut */
 } face_piece;
 
 /* A stretch of the face's border with the piece on its left; or a cut of a face that is not planar. */

@@ -29,7 +29,8 @@ typedef struct ear {
     roberts_vec2 A, B, C, low, high;
 } ear;
 
-/* Is corner p in the triangle, or with `strict` also on its border? It is enough to ask corners that do not turn left. */
+/* Is corner p in the triangle, or with `strict` also on its border? It is enough to ask corners that do not turn
+ * left. */
 static bool holds(const face_pieces *f, const ear *e, uint32_t p, bool strict)
 {
     roberts_vec2 P = place(f, p);
