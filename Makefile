@@ -59,7 +59,7 @@ PAGES    := $(BUILD)/roberts.1 $(BUILD)/completions/bash $(BUILD)/completions/zs
 # tests/unit/test_off.c becomes build/tests/test_off: names of tests are different in all folders.
 TEST_BIN := $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(TEST_SRC)))
 # What takes longer than a second or two is left out of `make test-quick`.
-SLOW     := fault_files faults install memory_order metamorphic off oracle render same_bytes hull_memory
+SLOW     := fault_files faults install memory_order mesh_oracle metamorphic off oracle render same_bytes hull_memory
 QUICK_BIN = $(filter-out $(SLOW:%=$(BUILD)/tests/test_%),$(TEST_BIN))
 RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) \
             LOCPATH='$(abspath $(BUILD)/locale)' tests/run.sh
@@ -106,8 +106,9 @@ test-quick: $(TESTED) $(QUICK_BIN) ## runs the tests that take a second or two a
 	@$(RUN_TESTS) $(QUICK_BIN)
 
 # 5,000,000 edges against the exact oracle (EDGES=n), 1,000 drawings against their tables (DRAWINGS=n)
-check-long: $(BUILD)/tests/oracle/compare $(BUILD)/tests/paper/compare ## compares millions of edges with the oracle; fuzzes
+check-long: $(BUILD)/tests/oracle/compare $(BUILD)/tests/oracle/mesh_compare $(BUILD)/tests/paper/compare ## compares millions of edges with the oracle; fuzzes
 	$(BUILD)/tests/oracle/compare --folder $(BUILD) --edges $(EDGES) --per-family
+	$(BUILD)/tests/oracle/mesh_compare --folder $(BUILD) --edges $(EDGES)
 	$(BUILD)/tests/paper/compare --folder $(BUILD) --count $(DRAWINGS)
 	@$(MAKE) --no-print-directory fuzz
 
@@ -143,8 +144,9 @@ LIB = $(DESTDIR)$(LIBDIR)
 install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, man page, completions, libraries, header and roberts.pc
 	@for folder in '$(TO)/bin' '$(TO)/include' '$(TO)/share/man/man1' '$(LIB)/pkgconfig'; do \
 	    there=$$folder; while [ ! -e "$$there" ]; do there=$$(dirname "$$there"); done; \
-	    [ -d "$$there" ] && [ -w "$$there" ] || { \
-	        echo "make install: cannot write to $$there; as root: sudo make install; or for yourself alone:" >&2; \
+	    mkdir -p "$$folder" 2>/dev/null && [ -w "$$folder" ] || { \
+	        [ "$$(id -u)" = 0 ] && how='choose another PREFIX' || how='as root: sudo make install'; \
+	        echo "make install: cannot write to $$there; $$how; or for yourself alone:" >&2; \
 	        echo "    make install PREFIX=\"$$HOME/.local\"" >&2; exit 1; }; done
 	$(Q)install -d '$(TO)/bin' '$(TO)/include' '$(LIB)/pkgconfig'
 	$(Q)install -m 755 $(BUILD)/roberts '$(TO)/bin/'
@@ -250,8 +252,9 @@ $(BUILD)/tests/test_fuzz: $(call object,$(FUZZ_SRC))
 # The exact oracle: C++ with CGAL, for tests alone.
 ORACLE_OBJ  := $(call object,$(ORACLE)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.o)
 ORACLE_LIBS := -lgmp -lmpfr -lstdc++
-$(BUILD)/tests/test_oracle $(BUILD)/tests/test_golden: $(ORACLE_OBJ)
-$(BUILD)/tests/test_oracle $(BUILD)/tests/test_golden: TEST_LIBS = $(ORACLE_LIBS)
+ORACLE_TEST := $(BUILD)/tests/test_oracle $(BUILD)/tests/test_mesh_oracle $(BUILD)/tests/test_golden
+$(ORACLE_TEST): $(ORACLE_OBJ)
+$(ORACLE_TEST): TEST_LIBS = $(ORACLE_LIBS)
 
 $(ORACLE_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(ORACLE_OBJ) $(BUILD)/libroberts.a
 	@mkdir -p $(@D)

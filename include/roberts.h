@@ -3,7 +3,7 @@
  * The way through the library:
  *
  *   roberts_mesh     polygons as a file or a program gives them       roberts_mesh_read_file(), roberts_mesh_read()
- *   roberts_scene    closed convex solids with inward face planes     roberts_scene_build()
+ *   roberts_scene    bodies: convex solids, and bodies of any shape    roberts_scene_build()
  *   roberts_camera   where the viewer stands                          roberts_camera_preset()
  *   roberts_drawing  visible and hidden segments of every edge        roberts_hide()
  *   a file           SVG, CSV, ...                                    roberts_drawing_save(), roberts_drawing_write()
@@ -64,10 +64,10 @@ typedef struct roberts_error {
     roberts_status status;
     char file[256];    /**< name of the input or output concerned, shortened where longer; empty if none */
     size_t line;       /**< 1-based line of the input, 0 if none applies */
-    char message[256]; /**< e.g. "face 7 names vertex 9, but the file has 8"; no file, no line, no newline */
+    char message[256]; /**< e.g. "face 7 names vertex 9, but there are 8"; no file, no line, no newline */
 } roberts_error;
 
-/** Receives one warning. Warnings of one kind come as one, with their count ("12 faces with fewer than 3 corners
+/** Receives one warning. Warnings of one kind come as one, with their count ("2 colours that make no sense
  * ignored"). file: as in roberts_error; line: 0 if none applies; message: no newline, valid during the call only. */
 typedef void roberts_warning_fn(void *context, const char *file, size_t line, const char *message);
 
@@ -171,19 +171,21 @@ typedef struct roberts_scene_options {
     bool hull; /**< solids that would be refused, and inputs of points without faces, become their convex hulls */
     roberts_warnings warnings;
     uint32_t threads; /**< 0 = one per processor; the result does not depend on it */
-    bool solids;      /**< refuse what is no convex solid (without `hull`, which replaces it) */
-    /** The fill rule of faces that cross themselves. true: where the border winds round an odd number of times; false:
-     * where it winds round at all. */
+    bool solids;      /**< refuse what is no convex solid (unless `hull` replaces it) */
+    /** Which points belong to a face whose border crosses itself: those that it winds round an odd number of times;
+     * default: those that it winds round at all. */
     bool even_odd;
 } roberts_scene_options;
 
 /**
- * Finds the bodies of `mesh`: convex solids, closed bodies of any shape, open ones. A face may be of any shape; see
- * src/model/README.md for its rules. With options->solids or options->hull solids alone are wanted, and what follows holds:
- * Finds the solids of `mesh` and checks each: closed, planar, convex, not flat. Winding is not trusted. Components that
- * are open are welded with one another where positions are exactly equal. Faces that then hang together by edges are a
- * solid, or several where four or more faces meet in an edge. Corners that repeat another corner of their face are
- * ignored with a warning, and so are faces that this leaves with fewer than three corners.
+ * Finds the bodies of `mesh`: convex solids, closed bodies of any shape, and open ones. A face may have any shape:
+ * src/model/README.md has the rules. Winding is not trusted. Components that are open are welded with one another where
+ * positions are exactly equal.
+ *
+ * A convex solid is closed, planar, convex and not flat, within the tolerance. With options->solids, what is no convex
+ * solid is refused. Faces that hang together by edges are a solid, or several where four or more faces meet in an edge.
+ * Corners that repeat another corner of their face are ignored with a warning, and so are faces that this leaves with
+ * fewer than three corners.
  *
  * With options->hull, convex hulls (by Qhull) replace what would be refused: a closed component that is no convex
  * solid; of open components, after welding and without the closed solids that split off, all that hangs together by
@@ -196,10 +198,10 @@ typedef struct roberts_scene_options {
  * mesh     only read, and not needed afterwards
  * options  NULL for the defaults
  * scene    owned by the caller, released by roberts_scene_free(); NULL on failure
- * Returns ROBERTS_OK, _NO_MEMORY, _NOT_CLOSED (also if no face has three corners), _NOT_PLANAR, _NOT_CONVEX, _FLAT
- * (with hulls: there is nothing else), _BAD_NUMBER or _BAD_ARGUMENT. The message names the solid, the vertex or the
- * face, and by how much it fails. Its numbers count from 0 in the file that error->file names, or in the whole mesh
- * where it names none (a solid made of several files).
+ * Returns ROBERTS_OK, _NO_MEMORY, _NOT_CLOSED (there is nothing to draw), _BAD_NUMBER or _BAD_ARGUMENT; with
+ * options->solids also _NOT_CLOSED, _NOT_PLANAR, _NOT_CONVEX and _FLAT; with hulls _FLAT if there is nothing else. The
+ * message names the solid, the vertex or the face, and by how much it fails. Its numbers count from 0 in the file that
+ * error->file names, or in the whole mesh where it names none (a solid made of several files).
  */
 roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,
                                    roberts_scene **scene, roberts_error *error);
@@ -232,11 +234,11 @@ typedef enum roberts_body_kind {
     ROBERTS_OPEN,   /**< all else: sheets, loose faces, wires, edges of one face or of three and more */
 } roberts_body_kind;
 
-/** The kind of a body; ROBERTS_OPEN if there is none of that number. */
+/** The kind of a body; ROBERTS_OPEN if no body has that number. */
 roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t body);
 
-/** Whether a body counts as curved: it is not convex, has more than 500 faces, and bends by less than 20 degrees at half
- * or more of the edges at which its faces meet at an angle. See roberts_hide_options.crease_auto. */
+/** Whether a body counts as curved: it is not convex, has more than 500 faces, and at least half of the edges at which
+ * they meet at an angle bend by less than 20 degrees. See roberts_hide_options.crease_auto. */
 bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body);
 
 /** The name of the group that the solid's first face is in (o or g of OBJ, solid of STL); "" if it has none. Valid as
@@ -328,7 +330,8 @@ typedef struct roberts_segment {
 } roberts_segment;
 
 /** How many pairs of an edge and a front each test decided (lecture: tests 1 to 4, cheapest first). A front is all that
- * one convex solid shows under its outline, or one front face of a solid that shows very many, or one face of another body. */
+ * one convex solid shows under its outline, or one front face of a solid that shows very many, or one face of a body of
+ * another kind. */
 typedef struct roberts_tally {
     uint64_t pairs;           /**< pairs of edge and front compared */
     uint64_t test1_visible;   /**< both ends in front of a face's plane */
@@ -380,8 +383,8 @@ typedef struct roberts_drawing {
 typedef struct roberts_hide_options {
     double crease_degrees; /**< an edge between two front faces, or two back ones, flatter than this is not drawn
                                 (default: 0.1) */
-    bool crease_auto;      /**< of a body that is not convex, and has many faces most of which meet at small angles (a
-                                scan, a curved part), edges flatter than 30 degrees are left out (default: true) */
+    bool crease_auto;      /**< of curved bodies (a scan, a round part; see roberts_scene_body_curved()) edges flatter
+                                than 30 degrees are not drawn (default: true) */
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
@@ -407,16 +410,20 @@ void roberts_drawing_free(roberts_drawing *drawing);
 /** Receives one segment, valid during the call only; false stops the work. */
 typedef bool roberts_segment_fn(void *context, const roberts_segment *segment);
 
+/** Where segments go, one by one. */
+typedef struct roberts_receiver {
+    roberts_segment_fn *receive; /**< called by one thread at a time, not always the same */
+    void *context;
+} roberts_receiver;
+
 /**
  * The same, but hands the segments to `each` one by one, in their order, and keeps none, so that a large drawing need
  * not fit in memory.
- * each     called by one thread at a time, not always the same
- * context  handed to `each`
  * summary  NULL, or filled like a drawing without segments; its `count` says how many there were
- * Returns what roberts_hide() returns, or ROBERTS_STOPPED if `each` returned false.
+ * Returns what roberts_hide() returns, or ROBERTS_STOPPED if `each->receive` returned false.
  */
 roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camera *camera,
-                                 const roberts_hide_options *options, roberts_segment_fn *each, void *context,
+                                 const roberts_hide_options *options, const roberts_receiver *each,
                                  roberts_drawing *summary, roberts_error *error);
 
 /* ---- ray: rays against shapes -------------------------------------------------------------------------------- */
@@ -542,6 +549,7 @@ typedef void roberts_contradiction_fn(void *context, const roberts_contradiction
 typedef struct roberts_verify_options {
     uint32_t rays;         /**< per segment, near its ends and evenly between; 0 = 3. More go where errors are likely */
     double crease_degrees; /**< as given to roberts_hide(): tells wholly hidden edges from those that are not drawn */
+    bool crease_auto;      /**< as given to roberts_hide() (default: true) */
     bool all_edges;        /**< as given to roberts_hide() */
     uint32_t threads;      /**< 0 = one per processor; the result does not depend on it */
     roberts_contradiction_fn *contradiction; /**< NULL: count only */
@@ -574,7 +582,7 @@ roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *
                               const roberts_verify_options *options, roberts_verification *result,
                               roberts_error *error);
 
-/** A front face that a sight line meets. */
+/** A face that a sight line meets: a front face of a convex solid, or any face of another body. */
 typedef struct roberts_pick_hit {
     uint32_t solid;     /**< number of the solid */
     uint32_t face;      /**< number of the face in the input; ROBERTS_NONE: a hull's, or where the near plane cuts */
@@ -591,7 +599,7 @@ typedef struct roberts_picked {
 
 /**
  * Finds what is seen at (x, y) of the picture (as in roberts_segment's p0, p1) and what lies behind it: every front
- * face on the sight line, its border included. If a solid has several faces at one depth, the smallest number counts.
+ * face on the sight line, and of a body that is not convex every face, its border included. If a solid has several faces at one depth, the smallest number counts.
  * The order is by depth; equal depths (within epsilon) go by solid.
  * picked  owned by the caller, released by roberts_picked_free(); empty where nothing is there, and on failure
  * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT (x or y not finite).

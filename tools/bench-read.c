@@ -1,9 +1,9 @@
 /* bench-read - reads OFF text with the library and the same numbers with strtod(): bench-read FILE.off [RUNS]
  *
- * Prints one line, tab-separated: bytes, numbers, CPU seconds of the library, CPU seconds of strtod(), the latter over
- * the former; the seconds are the medians of RUNS (default 1), in turn. The library does all that reading is: dialects,
- * checks, a mesh in memory. The other side is the least a program could do: the file in blocks, every word through
- * strtod(), nothing kept. One thread each. */
+ * Prints one line, tab-separated: bytes, numbers, CPU seconds of the library, CPU seconds of strtod(), and the latter
+ * divided by the former. The seconds are medians of RUNS runs (default 1), taken in turn. The library does everything:
+ * dialects, checks, a mesh in memory. The other side does the least that a program could do: it reads blocks, passes
+ * every word to strtod(), and keeps nothing. Both use one thread. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,7 @@
-# Tables from the rows of bench.sh: awk -v table=stages|draw|threads|verify|read|goals|instructions -f bench-table.awk FILE.tsv...
+# Tables from the rows of bench.sh:
+#
+#     awk -v table=stages|draw|threads|verify|read|goals|instructions -f bench-table.awk FILE.tsv...
+#
 # Columns go by the names in a file's first row.
 BEGIN {
     FS = "\t"
@@ -35,18 +38,21 @@ FNR == 1 {
     if (NR > 1)
         next
     if (table == "stages") {
-        title("Stages, seconds; one thread, nothing written. draw: SVG with --order none, in a run of its own, not in the total. growth: exponent over\n" \
-              "the number of edges. MB: memory at the most; beyond: the same less the size of the input, bytes per solid.\n" \
+        title("Stages, seconds; one thread, nothing written. draw: SVG with --order none, in a run of its own, not\n" \
+              "in the total. growth: exponent over the number of edges. MB: peak memory; beyond: the same less the\n" \
+              "size of the input, bytes per solid.\n" \
               "pairs/edge: how many fronts or faces an edge is tested against.")
     } else if (table == "draw") {
-        title("Drawn as SVG with --order none, and ordered for short travel (small drawings with more care). more: memory at the most beyond that of the same run with nothing written.")
-        printf "%-24s%12s%12s%10s%10s%16s%10s\n", "", "solids", "segments", "cpu s", "wall s", "s / M segments", "more MB"
+        title("Drawn as SVG with --order none, and ordered for short travel (small drawings with more care).\n" \
+              "more: peak memory beyond that of the same run with nothing written.")
+        printf "%-24s%12s%12s%10s%10s%16s%10s\n", "", "solids", "segments", "cpu s", "wall s", "s / M segments", \
+            "more MB"
     } else if (table == "threads") {
         title("Two threads against one, wall-clock seconds; means little where other work is going on")
         printf "%-24s%12s%8s%8s%9s%8s%8s%9s%8s%8s%9s\n", "", "solids", "read 1", "2", "times", "hide 1", "2", "times", \
             "total 1", "2", "times"
     } else if (table == "verify") {
-        title("Checked by rays (--verify, three points of each segment) against hidden (view, grid and hide), CPU seconds")
+        title("Checked by rays (--verify, three points of each segment) against hidden (view, grid and hide), CPU s")
         printf "%-24s%12s%12s%10s%10s%8s\n", "", "solids", "segments", "hidden", "checked", "times"
     } else if (table == "read") {
         title("Reading, and the same numbers by strtod(), CPU seconds")
@@ -133,7 +139,8 @@ function more_mb() {
 
 table == "draw" && (value("kind") == "draw" || value("kind") == "plot") && value("runs") > 0 {
     key = value("scene") SUBSEP value("bytes")
-    printf "%-24s%12s%12s%10.3f%10.3f%16.2f%10d\n", value("scene") (value("kind") == "plot" ? ", ordered" : ""), grouped(value("solids")), grouped(value("segments")), \
+    printf "%-24s%12s%12s%10.3f%10.3f%16.2f%10d\n", value("scene") (value("kind") == "plot" ? ", ordered" : ""), \
+        grouped(value("solids")), grouped(value("segments")), \
         value("draw_cpu"), value("draw_wall"), value("draw_cpu") * 1e6 / value("segments"), more_mb()
 }
 
@@ -149,13 +156,16 @@ function times(a, b) {
 
 table == "threads" && value("kind") == "threads" && value("runs") > 0 {
     key = value("scene") SUBSEP value("bytes")
-    printf "%-24s%12s%8.3f%8.3f%9s%8.3f%8.3f%9s%8.3f%8.3f%9s\n", value("scene"), grouped(value("solids")), read_1[key], \
+    printf "%-24s%12s%8.3f%8.3f%9s%8.3f%8.3f%9s%8.3f%8.3f%9s\n", value("scene"), grouped(value("solids")), \
+        read_1[key], \
         value("read_wall"), times(read_1[key], value("read_wall")), hide_1[key], value("hide_wall"), \
-        times(hide_1[key], value("hide_wall")), total_1[key], value("total_wall"), times(total_1[key], value("total_wall"))
+        times(hide_1[key], value("hide_wall")), total_1[key], value("total_wall"), \
+        times(total_1[key], value("total_wall"))
 }
 
 table == "read" {
-    printf "%-24s%14s%14s%10.3f%10.3f%8.2f%8.0f\n", value("scene"), grouped(value("bytes")), grouped(value("numbers")), \
+    printf "%-24s%14s%14s%10.3f%10.3f%8.2f%8.0f\n", value("scene"), grouped(value("bytes")), \
+        grouped(value("numbers")), \
         value("read_cpu"), value("strtod_cpu"), value("times"), value("bytes") / value("read_cpu") / 1e6
 }
 
@@ -196,15 +206,20 @@ table == "goals" && ("kind" in column) && value("runs") > 0 {
 }
 
 function print_goals(   i, key) {
-    printf "%-12s%11s%10s%10s%10s%14s%16s%16s\n", "", "", "", "by strtod", "growth", "beyond input", "2 threads,", "a million"
-    printf "%-12s%11s%10s%10s%10s%14s%16s%16s\n", "", "", "total", "against", "from 1e4", "bytes per", "wall: times", "segments, SVG"
-    printf "%-12s%11s%10s%10s%10s%14s%8s%8s%8s%8s\n", "", "solids", "/ read", "read", "solids", "solid", "hide", "read", "s", "more MB"
+    printf "%-12s%11s%10s%10s%10s%14s%16s%16s\n", "", "", "", "by strtod", "growth", "beyond input", "2 threads,", \
+        "a million"
+    printf "%-12s%11s%10s%10s%10s%14s%16s%16s\n", "", "", "total", "against", "from 1e4", "bytes per", "wall: times", \
+        "segments, SVG"
+    printf "%-12s%11s%10s%10s%10s%14s%8s%8s%8s%8s\n", "", "solids", "/ read", "read", "solids", "solid", "hide", \
+        "read", "s", "more MB"
     for (i = 1; i <= scenes; i++) {
         key = order[i]
-        printf "%-12s%11s%10.1f%10s%10s%14.0f%16s%16s\n", key, grouped(solids[key]), ratio[key], by_strtod[key], growth[key], \
+        printf "%-12s%11s%10.1f%10s%10s%14.0f%16s%16s\n", key, grouped(solids[key]), ratio[key], by_strtod[key], \
+            growth[key], \
             per_solid[key], two[key], svg[key]
     }
-    printf "%-12s%11s%10s%10s%10s%14s%8s%8s%8s%8s\n", "goal", "1,000,000", "<= 4.5", ">= 4", "<= 1.05", "<= 1000", ">= 1.8", \
+    printf "%-12s%11s%10s%10s%10s%14s%8s%8s%8s%8s\n", "goal", "1,000,000", "<= 4.5", ">= 4", "<= 1.05", "<= 1000", \
+        ">= 1.8", \
         ">= 1.5", "<= 1.5", "<= 300"
 }
 

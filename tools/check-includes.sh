@@ -3,8 +3,8 @@
 #
 # A room may include headers of its own and of the rooms below it:
 #     cli > draw, ray, hide > view > model > read > base
-# Rooms side by side never include one another: so hide and ray check each other. cli is a client of roberts.h alone.
-# Cairo is included in draw only, Qhull in model only. `make check` runs this.
+# Rooms on one level never include one another, so that hide and ray can check each other. cli is a client of roberts.h
+# alone. Cairo is included in draw only, Qhull in model only. `make check` runs this.
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 

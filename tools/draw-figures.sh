@@ -1,6 +1,7 @@
 #!/bin/sh
-# Draws the figures of src/*/README.md: tools/draw-figures.sh [FOLDER] (default: models/figures). `make figures` calls
-# it.
+# Draws the figures of src/*/README.md. `make figures` calls it.
+#
+# tools/draw-figures.sh [FOLDER]    (default: models/figures)
 set -eu
 cd "$(dirname "$0")/.."
 roberts=${ROBERTS_BUILD:-build}/roberts

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Draws the pictures of README.md's gallery by the commands in models/gallery/README.md: tools/draw-gallery.sh [FOLDER] (default:
-# models/gallery). `make gallery` calls it.
+# Draws the pictures of README.md's gallery by the commands in models/gallery/README.md. `make gallery` calls it.
+#
+# tools/draw-gallery.sh [FOLDER]    (default: models/gallery)
 set -eu
 cd "$(dirname "$0")/.."
 build=$(cd "${ROBERTS_BUILD:-build}" && pwd)

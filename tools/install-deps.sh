@@ -1,9 +1,9 @@
 #!/bin/sh
 # Installs the Debian packages that are missing, and nothing else: tools/install-deps.sh [build] [test] [lint] [fuzz]
 #
-# A package counts as there when what we need of it works (a command runs, a header is found) or when dpkg says so.
-# Where nothing is missing, on Debian or elsewhere, nothing is installed. Installs as root or with passwordless sudo;
-# otherwise lists what is missing and stops with exit status 1. Never prompts. Needs no more than a POSIX shell.
+# A package counts as installed when what we need of it works (a command runs, a header is found) or when dpkg says so.
+# If nothing is missing, on Debian or elsewhere, it installs nothing. It installs as root or with passwordless sudo;
+# otherwise it lists what is missing and stops with exit status 1. It never prompts, and needs only a POSIX shell.
 #   build  what the program and its library are built with
 #   test   what the tests are built with and call
 #   lint   the second compiler, the formatter and the static checks
@@ -109,7 +109,7 @@ apt() {
 }
 
 echo "installing:$missing"
-apt update || echo "$0: the package lists could not be brought up to date; trying with what is there" >&2
+apt update || echo "$0: the package lists could not be brought up to date; trying with the old ones" >&2
 apt install --no-install-recommends $missing || refuse "apt-get failed"
 find_missing "$@"
-[ -z "$missing" ] || refuse "apt-get did not bring all"
+[ -z "$missing" ] || refuse "apt-get did not install everything"

@@ -1,4 +1,5 @@
-/* make-powers.c - prints src/base/number_powers.c, the powers of ten to 128 bits, by schoolbook arithmetic on long integers.
+/* make-powers.c - prints src/base/number_powers.c, the powers of ten to 128 bits, by schoolbook arithmetic on long
+ * integers.
  *
  * 10^q = 5^q 2^q, and the power of two goes into the exponent. For q >= 0 the 128 highest bits of 5^q are taken; for
  * q < 0 those of 1 / 5^-q, one bit at a time by long division. Both cut off what follows.
@@ -71,7 +72,7 @@ static power_ten power(int q)
     for (int i = 0; i < (q < 0 ? -q : q); i++)
         big_times(&five, 5);
     int highest = big_highest(&five);
-    rest.word[highest / 32] = UINT32_C(1) << (highest % 32); /* below 5^-q, its double not: the first bit is 1 */
+    rest.word[highest / 32] = UINT32_C(1) << (highest % 32); /* below 5^-q; twice that is not: the first bit is 1 */
     for (int i = 0; i < 128; i++) {
         if (q >= 0) {
             push(&p, big_bit(&five, highest - i));

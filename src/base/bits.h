@@ -1,8 +1,8 @@
-/* bits.h - words of bits: counting zeros, the full product of two words, eight characters as one word, bits apart, a
- * hash; and asking for memory ahead.
+/* bits.h - words of bits: counting zeros, the full product of two words, eight characters as one word, spreading bits,
+ * a hash; and prefetching memory.
  *
- * Compilers that offer one instruction for it get it; the plain C beside it gives the same answers everywhere and is
- * tested against it. */
+ * Where the compiler offers one instruction for it, that is used. The plain C beside it gives the same answers
+ * everywhere, and a test compares the two. */
 #ifndef ROBERTS_BASE_BITS_H
 #define ROBERTS_BASE_BITS_H
 
@@ -14,7 +14,7 @@
 #include <xmmintrin.h>
 #endif
 
-/* For the few functions and tables whose inlining, or not, and place were measured to matter. */
+/* For the few functions and tables whose inlining or visibility was measured to matter. */
 #if defined(__GNUC__)
 #define BITS_INLINE static inline __attribute__((__always_inline__))
 #define BITS_RARE __attribute__((__noinline__))
@@ -94,8 +94,9 @@ static inline uint64_t bits_load(const char *text)
 #endif
 }
 
-/* Bits 0 to 15 of x apart, a zero above each: of two numbers, one moved by a place, the place on the Z-order curve (G.
- * M. Morton, "A computer oriented geodetic data base and a new technique in file sequencing", IBM 1966). */
+/* Spreads bits 0 to 15 of x, with a zero above each. Two numbers, spread and one of them shifted left by one, make up
+ * the place on the Z-order curve (G. M. Morton, "A computer oriented geodetic data base and a new technique in file
+ * sequencing", IBM 1966). */
 static inline uint32_t bits_spread(uint32_t x)
 {
     x = (x | x << 8) & 0x00ff00ffu;
@@ -115,13 +116,12 @@ static inline uint32_t bits_hash(const void *bytes, size_t size)
     return hash;
 }
 
-/* ---- memory asked for before it is needed: only the time changes ------------------------------------------------- */
+/* ---- prefetching: only the time changes -------------------------------------------------------------------------- */
 
-/* Bytes that come together, and of an array the most that are asked for: more might be put out again before their turn.
- */
+/* Bytes of a cache line, and the most to ask for of an array: more might be evicted again before they are used. */
 enum { FETCH_LINE = 64, FETCH_MOST = 512 };
 
-/* Macros: GCC takes a function that only asks ahead for one that does nothing, and leaves calls of it out. */
+/* Macros, since GCC takes a function that only prefetches for one without effect, and leaves its calls out. */
 #if defined(__SSE2__)
 #define FETCH_AHEAD(p) _mm_prefetch((const char *)(p), _MM_HINT_T0)
 #else

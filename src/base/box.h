@@ -7,7 +7,7 @@
 #include "base/lanes.h"
 #include "base/vec.h"
 
-/* Lets the box lo..hi hold p. */
+/* Extends the box lo..hi to hold p. */
 static inline void box_add(roberts_vec3 *lo, roberts_vec3 *hi, roberts_vec3 p)
 {
     *lo = (roberts_vec3){lesser(lo->x, p.x), lesser(lo->y, p.y), lesser(lo->z, p.z)};
@@ -33,7 +33,7 @@ static inline void box_add_all(roberts_vec3 *lo, roberts_vec3 *hi, const roberts
 }
 
 /* Cuts [*t0, *t1] to the parameters at which a + t (b - a) lies in [low, high]; false where nothing is left.
- * Where a and b are one they stay. */
+ * If a = b, they do not change. */
 static inline bool box_clip(double a, double b, double low, double high, double *t0, double *t1)
 {
     double d = b - a;

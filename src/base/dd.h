@@ -2,7 +2,7 @@
  *
  * Source: T. J. Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18 (1971);
  * D. E. Knuth, The Art of Computer Programming 2, 4.2.2 (the exact sum). Needs arithmetic that is not contracted or
- * reordered (-ffp-contract=off, no -ffast-math). No overflow is looked after: callers scale to about 1 first. */
+ * reordered (-ffp-contract=off, no -ffast-math). Overflow is not handled: callers scale to about 1 first. */
 #ifndef ROBERTS_BASE_DD_H
 #define ROBERTS_BASE_DD_H
 

@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The plain form of all of it: lanes two[i] = a[i] - b[i] and so on. */
+/* The plain form of all of it, lane by lane. */
 typedef struct two_plain {
     double v[2];
 } two_plain;
@@ -165,7 +165,7 @@ static inline four_plain four_plain_mul(four_plain a, four_plain b)
     return (four_plain){{a.v[0] * b.v[0], a.v[1] * b.v[1], a.v[2] * b.v[2], a.v[3] * b.v[3]}};
 }
 
-/* Byte i: a[i] cut to 0 .. 255 and rounded down; of no number 0. */
+/* Byte i: a[i] limited to 0 .. 255 and rounded down; 0 for NaN. */
 static inline uint32_t four_plain_bytes(four_plain a)
 {
     uint32_t bytes = 0;

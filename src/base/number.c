@@ -1,14 +1,15 @@
 /* number.c - decimal text to the nearest double.
  *
- * A number is w * 10^q with w < 2^64 for up to 19 digits. Its double needs 53 bits of w * 10^q and, to round, to know
- * on which side of the middle between two doubles the rest lies. The product of w with the upper half of 10^q's 128
+ * A number is w * 10^q with w < 2^64 for up to 19 digits. Its double takes 53 bits of w * 10^q. Rounding asks on which
+ * side of the middle between two doubles the rest lies. The product of w with the upper half of 10^q's 128
  * bits is low by less than one unit of its own upper half, which decides all but one number in some hundred; the
  * product with the lower half decides those, but for exact middles. Where even that leaves the middle possible, and
  * where the result is no normal double, strtod() reads the digits again.
  *
- * More than 19 digits: w is cut off, so the number lies between w and w + 1; where both give one double, that is it.
+ * Of more than 19 digits the first 19 make w, so the number lies between w and w + 1. If both give the same double,
+ * that is it.
  *
- * No locale comes in: strtod() gets the digits without a point.
+ * The locale does not matter: strtod() gets the digits without a point.
  *
  * Source: D. Lemire, "Number parsing at a gigabyte per second", Software: Practice and Experience 51(8), 2021, after
  * M. Eisel; here every decision follows from bounds that are stated, without their proof about continued fractions. */
@@ -48,8 +49,8 @@ static inline int floor_log2_power(int q)
     return (int)((uint32_t)(q * 217706 + (1 << 30)) >> 16) - (1 << 14);
 }
 
-/* What of high's bits lie beyond the 53 of a double, and, in the same place, the middle between two doubles. high has
- * 63 or 64 bits. */
+/* The bits of `high`, which has 63 or 64, beyond the 53 of a double; and, in the same place, the middle between two
+ * doubles. */
 static inline uint64_t middle_of(uint64_t high)
 {
     return UINT64_C(512) << (high >> 63);
@@ -95,7 +96,7 @@ static uint64_t nearest(uint64_t w, int q)
     return round_product(high, q, zeros);
 }
 
-/* As nearest(), for a number of more than 19 digits of which w has the first 19 and q belongs to these. */
+/* nearest() for a number of more than 19 digits: w has the first 19, and q belongs to these. */
 static uint64_t nearest_long(uint64_t w, int q)
 {
     uint64_t below = nearest(w, q), above = nearest(w + 1, q);
@@ -118,7 +119,7 @@ static double read_again(const char *text, const char *end, int q)
             q++;
         }
     }
-    if (more) { /* only that something follows matters */
+    if (more) { /* it only matters that something follows */
         plain[count++] = '1';
         q--;
     }

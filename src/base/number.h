@@ -30,8 +30,8 @@ const char *number_parse(const char *text, double *value);
 #define NUMBER_CARRY 0x7676767676767676u
 #define NUMBER_MARKS 0x8080808080808080u
 
-/* Of eight characters (first in the lowest byte, each XOR '0') marks by their highest bits those that are no digits,
- * without fail the first of them. */
+/* Marks by their highest bits which of eight characters (the first in the lowest byte, each XOR '0') are no digits.
+ * Only the first mark is certain. */
 static inline uint64_t number_not_digits(uint64_t chunk)
 {
     /* 0..9 + 0x76 stays below 0x80, 10..127 does not; a carry out of a byte only reaches characters after it */
@@ -164,7 +164,7 @@ BITS_INLINE const char *number_far_digits(const char *text, uint64_t *w)
 
 /* Reads [-] digits [. digits] with 1 to NUMBER_MOST_WHOLE digits before the point and at most 19 in all: nearly every
  * coordinate there is. Returns the first character after them, which may be an 'e'; NULL where number_parse() has to
- * see to it. */
+ * decide. */
 BITS_INLINE const char *number_usual(const char *text, number_guess *guess, double *value)
 {
     bool negative = *text == '-';
@@ -198,7 +198,7 @@ BITS_INLINE const char *number_usual(const char *text, number_guess *guess, doub
             bits = w ? number_nearest(w, c - point - 1) : 0;
             if (!bits) {
                 if (w >> DBL_MANT_DIG || !NUMBER_EXACT_QUOTIENT || c - point - 1 > NUMBER_MOST_FRACTION)
-                    return NULL; /* the last never, but analyzers do not see that */
+                    return NULL; /* the last one never happens, but analyzers do not see that */
                 bits = number_quotient(w, c - point - 1);
             }
         }

@@ -12,9 +12,9 @@
 #include <omp.h>
 #endif
 
-/* Bytes between what different threads write: two cache lines, since processors fetch them in pairs. Nearer, the
- * threads would take the line from one another at every step. (A member `apart` ends what stands in an array, one for
- * each thread.) */
+/* Bytes between what different threads write: two cache lines, since processors fetch them in pairs. If they were
+ * nearer, threads would take the line from one another at every step. (In an array with an element for each thread, a
+ * member `apart` ends the element.) */
 #define THREADS_APART 128
 
 /* Threads for a parallel loop: as many as asked for (0: as there are), but no more than have something to do. */
@@ -40,7 +40,7 @@ static inline int thread_self(void)
 #endif
 }
 
-/* Lowers what threads share to `value`, where it is greater. Orders nothing else between them. */
+/* Lowers the shared number to `value` if it is greater. Imposes no other order between threads. */
 static inline void thread_lower(_Atomic uint32_t *shared, uint32_t value)
 {
     uint32_t least = atomic_load_explicit(shared, memory_order_relaxed);
@@ -49,8 +49,8 @@ static inline void thread_lower(_Atomic uint32_t *shared, uint32_t value)
         ;
 }
 
-/* Lets others go first, where one waits for them the `turn`th time in a row, from 0; in the long run they are not at
- * work, but put aside by the system, and to ask for them again and again would keep them there. */
+/* Lets other threads go first; `turn` counts, from 0, how often this one has waited for them in a row. After many turns
+ * the system has probably suspended them, and asking again and again would keep them from running: then this sleeps. */
 static inline void thread_wait(unsigned turn)
 {
     if (turn < 32)

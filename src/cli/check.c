@@ -211,10 +211,15 @@ static void warn_ending(const cli_options *options)
     char text[80];
     roberts_format told;
     const roberts_format written = options->draw.format;
-    if (written == ROBERTS_NULL || !roberts_format_by_path(options->output, &told) || told == written)
+    const bool model = ends_like_input(options->output);
+    if (written == ROBERTS_NULL || !(model || (roberts_format_by_path(options->output, &told) && told != written)))
         return;
-    snprintf(text, sizeof text, "its ending says %s, but it is %s, as --format says", values_format_name(told),
-             values_format_name(written));
+    if (model)
+        snprintf(text, sizeof text, "its ending says that it is a model, but it is %s, as --format says",
+                 values_format_name(written));
+    else
+        snprintf(text, sizeof text, "its ending says %s, but it is %s, as --format says", values_format_name(told),
+                 values_format_name(written));
     message_warning(stderr, options->output, 0, text);
 }
 

@@ -10,7 +10,7 @@
 enum { INDENT = 23, WIDTH = 110, MANUAL_WIDTH = 100 };
 
 static const char usage[] =
-    "Usage: roberts [OPTION]... [FILE.off]...\n"
+    "Usage: roberts [OPTION]... [FILE]...\n"
     "Draws polyhedra of any kind without their hidden lines, by Roberts' method. Several files share "
     "one space; - or\n"
     "nothing is standard input.\n";

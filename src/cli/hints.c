@@ -136,7 +136,7 @@ void hint_unread(const cli_options *options, const char *name, roberts_error *er
     if (strcmp(name, "-") == 0 || stat(name, &found) != 0)
         return;
     if (S_ISDIR(found.st_mode))
-        snprintf(error->message, sizeof error->message, "is a folder; name the files in it, as *.off");
+        snprintf(error->message, sizeof error->message, "is a folder; name the files in it, as *.off or *.stl");
     else if (error->status == ROBERTS_BAD_SYNTAX && strcmp(options->output, "-") == 0 &&
              roberts_format_by_path(name, &format))
         snprintf(error->message + used, room, "; to draw into it, name it with -o");

@@ -89,9 +89,10 @@ static const option rows[] = {
      TO(batch),
      .excludes = "output turntable",
      .brief = "draw each file by itself",
-     .help = "draw each FILE.off by itself, into DIR/FILE.svg (or as -f says), several at a time; one that fails does "
+     .help = "draw each FILE by itself, into DIR (as .svg, or as -f says), several at a time; one that fails does "
              "not stop the others",
-     .manual = "Draws each FILE.off by itself, into DIR/FILE.svg, or with the ending of the format that -f names. "
+     .manual = "Draws each FILE by itself, into DIR: table.off as DIR/table.svg, or with the ending of the format that "
+               "-f names. "
                "Several files are drawn at a time. A file that fails does not stop the others, but then the exit "
                "status is 1. The folder is made where it is missing."},
     {.group = GROUP_OUTPUT,
@@ -143,12 +144,12 @@ static const option rows[] = {
      .value = "RULE",
      .words = values_fill_rules,
      .set = values_set_fill_rule,
-     .brief = "where faces that cross themselves are",
-     .help = "faces that cross themselves are where their border winds round at all: nonzero (the default); or an odd "
-             "number of times: evenodd",
-     .manual = "Where a face is whose border crosses itself, such as a pentagram: nonzero (the default), wherever the "
-               "border winds round at all; evenodd, where it winds round an odd number of times, which leaves the "
-               "middle of a pentagram open."},
+     .brief = "inside of faces that cross themselves",
+     .help = "what belongs to a face that crosses itself: nonzero, all that its border winds round (the default); "
+             "evenodd, what it winds round an odd number of times",
+     .manual = "What belongs to a face that crosses itself, such as a pentagram. nonzero (the default): all that its "
+               "border winds round. evenodd: what it winds round an odd number of times, which leaves the middle of a "
+               "pentagram open."},
     {.group = GROUP_OUTPUT,
      .name = "hull",
      .flags = OPTION_DRAWS,
@@ -158,7 +159,7 @@ static const option rows[] = {
      .help = "draw the convex hulls of solids that are not closed, planar and convex, and of points without faces; a "
              "warning says how many, -v which; what is flat is left out",
      .manual =
-         "Draws the convex hull of each solid that is not closed, planar and convex, instead of the solid. Sound "
+         "Draws the convex hull of each body that is not a closed, planar, convex solid, instead of the body. Sound "
          "solids stay as they are. What is open is taken together as far as it shares vertices. A file of points "
          "without faces becomes the hull of all its points. A warning counts the solids that were replaced and says "
          "why; -v names them by their numbers.\n"

@@ -159,6 +159,8 @@ static int take_short(parser *p, int *i)
                 return status;
             continue;
         }
+        if (letter[1] == '=')
+            return message_misuse("-%s: only long options have \"=\"; did you mean -%c %s?", word, *letter, letter + 2);
         if (letter[1])
             return apply(p, o, letter + 1);
         if (*i + 1 >= p->argc)

@@ -75,14 +75,14 @@ static void tell_hulls(const cli_options *options, const roberts_scene *scene)
     if (hulls == 0)
         return;
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
-    fprintf(options->log, "convex hulls replace %u solid%s", (unsigned)hulls, hulls == 1 ? "" : "s");
+    fprintf(options->log, "convex hulls in place of %s", hulls == 1 ? "this solid" : "these solids");
     for (uint32_t s = 0; s < solids && told < HULLS_TOLD; s++)
         if (roberts_scene_is_hull(scene, s))
             fprintf(options->log, "%s%u", told++ ? ", " : ": ", (unsigned)s);
     fputs(hulls > told ? " ...\n" : "\n", options->log);
 }
 
-/* How many bodies are not convex; nothing where all are. */
+/* Says how many bodies are of each kind; nothing if all are convex. */
 static void tell_kinds(const cli_options *options, const roberts_scene *scene)
 {
     char name[NAME_SIZE];
@@ -96,7 +96,7 @@ static void tell_kinds(const cli_options *options, const roberts_scene *scene)
             of[ROBERTS_OPEN]);
 }
 
-/* That curved bodies show fewer edges than others is said, unless it has been asked for or nothing is to be said. */
+/* Says that flat edges of curved bodies are left out, unless --crease, --all-edges or --quiet is given. */
 static void tell_curved(const cli_options *options, const roberts_scene *scene)
 {
     char name[NAME_SIZE];
@@ -110,7 +110,7 @@ static void tell_curved(const cli_options *options, const roberts_scene *scene)
     message_open(options->log);
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
     fprintf(options->log,
-            "note: of %zu curved bod%s edges flatter than 30 degrees are left out; --crease 0.1 draws them\n", curved,
+            "note: edges flatter than 30 degrees are left out of %zu curved bod%s; --crease 0.1 draws them\n", curved,
             curved == 1 ? "y" : "ies");
     message_close(options->log);
 }
@@ -171,8 +171,9 @@ static bool is_counted_only(const cli_options *options)
 static roberts_status hide_and_count(const cli_options *options, const roberts_scene *scene, roberts_drawing *drawing,
                                      run_stats *run, roberts_error *error)
 {
+    const roberts_receiver counter = {report_count, run};
     if (is_counted_only(options))
-        return roberts_hide_each(scene, &options->camera, &options->hide, report_count, run, drawing, error);
+        return roberts_hide_each(scene, &options->camera, &options->hide, &counter, drawing, error);
     roberts_status status = roberts_hide(scene, &options->camera, &options->hide, drawing, error);
     for (size_t i = 0; i < drawing->count && options->stats != STATS_NONE; i++)
         report_count(run, &drawing->segment[i]);

@@ -326,6 +326,7 @@ roberts_status report_verify(const cli_options *options, const roberts_scene *sc
     roberts_verify_options verify = roberts_verify_options_default();
     verify.rays = options->verify_rays;
     verify.crease_degrees = options->hide.crease_degrees;
+    verify.crease_auto = options->hide.crease_auto;
     verify.all_edges = options->hide.all_edges;
     verify.threads = options->hide.threads;
     verify.contradiction = tell_contradiction;

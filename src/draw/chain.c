@@ -1,9 +1,9 @@
 /* chain.c - pieces on the page become polylines.
  *
- * Places are a hash of reference points: an end belongs to the first point found within PIECE_TOUCH of it. Cells are
- * four times as wide, so that an end looks into a neighbour only near a border. Then every piece is walked once. Euler:
- * a connected figure with 2 k places at which an odd number of pieces ends takes k polylines, and one where there is
- * none; so the walk starts at odd places first, and what is left are closed lines. */
+ * Places are kept in a hash: an end belongs to the first place found within PIECE_TOUCH of it. Cells are four times as
+ * wide, so that an end looks into a neighbour only near a border. Then every piece is walked once. A connected figure
+ * takes k polylines if 2 k of its places are odd, that is, an odd number of pieces ends there; and one closed polyline
+ * if no place is odd (Euler). So walks start at odd places first, and what is left are closed lines. */
 #include "draw/chain.h"
 
 #include <math.h>
@@ -17,26 +17,26 @@
 
 enum {
     PLACE_CELL = 4,     /* units */
-    LOOK_AT_MOST = 8,   /* pieces, at a place, for the one that goes straight on */
-    ENDS_AT_A_TIME = 32 /* taken together, so that memory can be asked for ahead of them */
+    LOOK_AT_MOST = 8,   /* of the pieces at a place, to find the one that goes straight on */
+    ENDS_AT_A_TIME = 32 /* ends in a group, so that memory can be asked for ahead */
 };
 
 typedef struct place {
     page_point at;
     uint32_t next;        /* in the same cell of the hash */
-    uint32_t start, left; /* its pieces in `leaving`: first, and how many of them are still to be drawn */
+    uint32_t start, left; /* its links in `leaving`: the first, and how many are still to be drawn */
 } place;
 
 typedef struct link {
     uint32_t from, to; /* places */
-    bool drawn;
+    bool drawn;        /* or dropped as a double of another link */
 } link;
 
 typedef struct net {
-    uint32_t *head, bits; /* of the hash: first place of a cell, NO_PLACE */
+    uint32_t *head, bits; /* of the hash, 2^bits cells: the first place of each, or NO_PLACE */
     place *place;
     link *link;
-    uint32_t *leaving; /* links by place; a link stands at both */
+    uint32_t *leaving; /* links by place, each at both of its places */
     uint32_t place_count, link_count;
 } net;
 
@@ -69,18 +69,18 @@ bool polylines_append(polylines *out, page_point at)
     return true;
 }
 
-/* Whether q lies on the way from p to r, exactly. */
+/* Whether q lies exactly on the straight way from p to r. */
 static bool is_between(page_point p, page_point q, page_point r)
 {
     int64_t ax = q.x - (int64_t)p.x, ay = q.y - (int64_t)p.y, bx = r.x - (int64_t)q.x, by = r.y - (int64_t)q.y;
     return ax * by == ay * bx && ax * bx + ay * by > 0;
 }
 
-/* Appends a point. It replaces the last one where that lies on the straight way to it. */
+/* Appends a point. It replaces the last point if that lies on the straight way to it. */
 static bool add_point(polylines *out, page_point at)
 {
     if (out->item[out->count - 1].count < 2)
-        return polylines_append(out, at); /* at the very first, out->point is NULL */
+        return polylines_append(out, at); /* before the very first point, out->point is NULL */
     page_point *end = out->point + out->point_count;
     if (!is_between(end[-2], end[-1], at))
         return polylines_append(out, at);
@@ -88,7 +88,7 @@ static bool add_point(polylines *out, page_point at)
     return true;
 }
 
-/* Closes a line that has come back to where it began. Then its first point may lie on a straight way, and goes. */
+/* Closes a line that has come back to where it began. Drops its first point if that lies on a straight way. */
 static void finish_line(polylines *out)
 {
     polyline *line = &out->item[out->count - 1];
@@ -127,7 +127,7 @@ bool chain_in_order(const pieces *p, roberts_line line, polylines *out)
         page_point *end = out->point + out->point_count;
         if (open && last->count == 2 && !is_same(end[-1], a) && !is_same(end[-1], b) &&
             (is_same(end[-2], a) || is_same(end[-2], b))) {
-            page_point swap = end[-1]; /* the first piece may as well be drawn the other way */
+            page_point swap = end[-1]; /* draws the first piece the other way round */
             end[-1] = end[-2];
             end[-2] = swap;
         }
@@ -155,10 +155,10 @@ static uint32_t *cell_of(const net *n, int32_t x, int32_t y)
     return &n->head[(key * 0x9e3779b97f4a7c15u) >> (64 - n->bits)];
 }
 
-/* Where the place of a point is looked for. */
+/* Where to look for the place of a point. */
 typedef struct search {
     page_point at;
-    uint32_t *cell[4]; /* that may hold what is within PIECE_TOUCH; the first is its own */
+    uint32_t *cell[4]; /* may hold places within PIECE_TOUCH; the first is its own */
     int cells;
 } search;
 
@@ -173,7 +173,7 @@ static search search_for(const net *n, roberts_vec2 p)
     return f;
 }
 
-/* The first place from `i` on, all in one cell, within PIECE_TOUCH of a point; NO_PLACE. */
+/* The first place within PIECE_TOUCH of a point, among `i` and those after it in its cell; NO_PLACE: there is none. */
 static uint32_t find_in_cell(const net *n, page_point at, uint32_t i)
 {
     while (i != NO_PLACE && !page_touches(n->place[i].at, at))
@@ -217,8 +217,8 @@ static bool net_init(net *n, size_t count)
     return true;
 }
 
-/* Finds the places of some ends, two by two, and links them. A piece between one place and itself is too short to be
- * seen. */
+/* Finds the places of some ends and links them, two by two. A piece whose ends have one place is too short to be seen,
+ * and is left out. */
 static void link_some(net *n, const search *f, size_t ends)
 {
     for (size_t i = 0; i < ends; i++)
@@ -271,7 +271,7 @@ static uint32_t other_end(const link *l, uint32_t from)
     return l->from == from ? l->to : l->from;
 }
 
-/* Keeps one of several links between the same two places: their pieces were so near each other that they became one. */
+/* Keeps one of several links between the same two places: their pieces are so near each other that they are one. */
 static void drop_doubles(net *n)
 {
     for (uint32_t at = 0; at < n->place_count; at++) {
@@ -287,14 +287,14 @@ static void drop_doubles(net *n)
 
 /* ---- walks ---- */
 
-/* Takes a link off the list of a place. The last of the list takes its position. */
+/* Takes a link off the list of a place. The last link of the list takes its position. */
 static void leave_out(net *n, uint32_t at, uint32_t index)
 {
     place *p = &n->place[at];
     n->leaving[p->start + index] = n->leaving[p->start + --p->left];
 }
 
-/* Drops links that have been drawn from their other end, as far as the next choice looks. */
+/* Drops drawn links from the part of a place's list that the next choice looks at. */
 static void tidy(net *n, uint32_t at)
 {
     const place *p = &n->place[at];
@@ -305,8 +305,8 @@ static void tidy(net *n, uint32_t at)
             i++;
 }
 
-/* The link at place `at` that goes on straightest for one who comes from `from`, as an index of the place's list. The
- * first link for one who starts there. */
+/* The link at place `at` that best continues the direction from point `from`, as an index of the place's list. At the
+ * start of a walk, where `from` is the place itself, the first link. */
 static uint32_t straightest(const net *n, page_point from, uint32_t at)
 {
     const place *p = &n->place[at];
@@ -324,7 +324,7 @@ static uint32_t straightest(const net *n, page_point from, uint32_t at)
     return chosen;
 }
 
-/* Walks from a place until nothing leads on. */
+/* Walks from a place until no link is left there. */
 static bool walk(net *n, uint32_t at, polylines *out)
 {
     page_point from = n->place[at].at;
@@ -346,7 +346,7 @@ static bool walk(net *n, uint32_t at, polylines *out)
     return true;
 }
 
-/* Links at a place that are still to be drawn; drops those that have been. */
+/* Drops drawn links from a place's list and returns how many are left. */
 static uint32_t count_left(net *n, uint32_t at)
 {
     place *p = &n->place[at];

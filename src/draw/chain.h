@@ -8,18 +8,18 @@
 
 #include "roberts.h"
 
-/* Two places of the page nearer to each other than this, in its units of 0.001 mm, are one: pieces farther apart by no
- * more are joined, lines farther apart by no more coincide. It is what coordinates are rounded to anyway, and takes in
- * models given to six digits (2e-4 mm on A4); no pen is finer than 50 times this. */
+/* Two places of the page that are no farther apart than this count as one, in units of the page (0.001 mm). Pieces this
+ * near are joined, lines this near coincide. Coordinates are rounded to as much anyway. It covers models given to six
+ * digits (2e-4 mm on A4), and even the finest pen is 50 times as wide. */
 #define PIECE_TOUCH 1.0
 
-/* `line` of what is drawn no more. */
+/* `line` of a piece that is no longer drawn. */
 #define PIECE_GONE UINT8_MAX
 
 typedef struct piece {
     roberts_vec2 a, b; /* units of the page, y down, not rounded */
     double za, zb;     /* greater is nearer, linear between a and b */
-    uint32_t number;   /* rank in the drawing; ascends */
+    uint32_t number;   /* place in the drawing; ascends */
     uint8_t line;      /* roberts_line: the class it is drawn as */
 } piece;
 
@@ -42,7 +42,7 @@ static inline int32_t page_round(double units)
 }
 
 /* The square of their distance. It is exact, because a page is less than 2^22 units wide. Square roots of two such
- * numbers are in the same order as the numbers. */
+ * squares are in the same order as the squares. */
 static inline double page_square(page_point p, page_point q)
 {
     double x = (double)p.x - q.x, y = (double)p.y - q.y;
@@ -54,8 +54,8 @@ static inline double page_distance(page_point p, page_point q)
     return sqrt(page_square(p, q));
 }
 
-/* The cell of a coordinate, `size` units wide, and a neighbour that may hold what is within PIECE_TOUCH of it.
- * Returns how many of both have to be looked into: 1 or 2. */
+/* The cell of a coordinate, `size` units wide, and a neighbour that may hold places within PIECE_TOUCH of it. Returns
+ * 2 if the neighbour may hold any, otherwise 1. */
 static inline int page_cells(int32_t value, int32_t size, int32_t cell[2])
 {
     int32_t in = ((value % size) + size) % size;
@@ -70,7 +70,7 @@ static inline bool page_touches(page_point p, page_point q)
     return llabs((int64_t)p.x - q.x) <= (int64_t)PIECE_TOUCH && llabs((int64_t)p.y - q.y) <= (int64_t)PIECE_TOUCH;
 }
 
-/* What the pen draws without being lifted: at least two points, neighbours differ. A closed one goes on to its first
+/* A line drawn without lifting the pen: at least two points, neighbours differ. A closed one returns to its first
  * point. */
 typedef struct polyline {
     uint32_t first, count; /* points */
@@ -83,14 +83,14 @@ typedef struct polylines {
     size_t point_count, count, point_room, room;
 } polylines;
 
-/* Longer ones are cut: Cairo outlines each as a whole, which takes 6 kB of memory a point. */
+/* Longer polylines are cut: Cairo outlines each one as a whole, which takes 6 kB of memory for a point. */
 enum { CHAIN_POINTS_MAX = 5000 };
 
-/* Appends the pieces of one class as polylines: as few as their ends allow. Ends within PIECE_TOUCH of each other are
- * one place. Where more than two meet, the line goes on as straight as it can. False: no memory. */
+/* Appends the pieces of one class as polylines, as few as possible. Ends within PIECE_TOUCH of each other are one
+ * place. Where more than two pieces meet, the line goes on as straight as it can. False: no memory. */
 bool chain_pieces(const pieces *p, roberts_line line, polylines *out);
 
-/* The same in the order of the pieces. A polyline goes on with the next piece where that starts or ends at its end. */
+/* The same in the order of the pieces. A polyline goes on with the next piece if that starts or ends where it ends. */
 bool chain_in_order(const pieces *p, roberts_line line, polylines *out);
 
 /* Begins a polyline; appends a point to the last one. False: no memory. */

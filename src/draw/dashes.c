@@ -1,14 +1,16 @@
 /* dashes.c - dashes as strokes of their own.
  *
- * A run is what lies between two corners, or ends, of a polyline. Of length L as seen it has n gaps and n + 1 dashes,
+ * A run is the part of a polyline between two corners or ends. A run of length L, as seen, gets n gaps and n + 1
+ * dashes,
  *
- * n = max(1, round((L - d) / (d + g))),    each L / (n (d + g) + d) times as long as the pattern's d and g;
+ * n = max(1, round((L - d) / (d + g))),    each L / (n (d + g) + d) times as long as the pattern's d and g.
  *
- * the last dash of a run and the first of the next are one stroke, round the corner. Where a run is so short that it
- * would leave less than the pen's width of a gap, the gap keeps that and the dashes what is left; where they in turn
- * would be less than least_dash_widths, the run is drawn whole: it is shorter than any dash, so that it does not read
- * as a line of another class, while its absence would leave a corner open. A pattern that is finer than this by
- * itself stays as it is. */
+ * The last dash of a run and the first of the next are one stroke, round the corner.
+ *
+ * In a short run a gap would get narrower than the pen. It then keeps the pen's width, and the dashes share the rest.
+ * If that makes a dash shorter than least_dash_widths, the run is drawn whole. Such a run is shorter than any dash, so
+ * it does not look like a line of another class; left out, it would leave a corner open. A pattern that is finer than
+ * these limits stays as it is. */
 #include "draw/dashes.h"
 
 #include <math.h>
@@ -16,28 +18,29 @@
 
 #include "base/error.h"
 
-static const double least_dash_widths = 1.5; /* of the pen, seen: less is read as a dot */
-static const double dot_units = 2.0;         /* the least way of the pen that is down: ends differ once rounded */
+static const double least_dash_widths = 1.5; /* widths of the pen: a shorter dash looks like a dot */
+static const double dot_units = 2.0;         /* shortest way of the lowered pen: its ends differ once rounded */
 static const double curve_cosine = 0.939692620785908; /* turns of up to 20 degrees: a polygon of 18 sides or more */
-static const double straight_units = 2.0;             /* off the line of its neighbours: a point that rounding moved */
+static const double straight_units = 2.0; /* a point so near to the line of its neighbours was moved by rounding */
 
 /* ---- from corner to corner ---- */
 
 /* Where a walk along a polyline is. */
 typedef struct walker {
     const page_point *p;
-    uint32_t count, side; /* points; the side that the walk is on, from p[side] to the next, round and round */
-    uint32_t end;         /* side before which the run ends */
+    uint32_t count; /* points */
+    uint32_t side;  /* the walk is on this side, from p[side] to the next; it grows on, lap after lap */
+    uint32_t end;   /* the run ends before this side */
     bool closed;
-    double at, length; /* on that side, and its length */
-    size_t most;       /* polylines */
+    double at, length; /* position on that side, and its length */
+    size_t most;       /* polylines in all */
 } walker;
 
-/* Point i of a line that is closed, round and round. */
+/* Point i, counted on lap after lap of a closed line. */
 static page_point corner(const walker *w, uint32_t i)
 {
     while (i >= w->count)
-        i -= w->count; /* a few times */
+        i -= w->count; /* few laps */
     return w->p[i];
 }
 
@@ -46,9 +49,8 @@ static double side_length(const walker *w, uint32_t i)
     return page_distance(corner(w, i), corner(w, i + 1));
 }
 
-/* Whether the way turns at point i, which has neighbours. It does not where rounding alone has bent a straight line,
- * nor in a curve: sides with small turns, on which a pattern of their own would leave a gap of less than the pen's
- * width. */
+/* Whether there is a corner at point i, which has neighbours. There is none where rounding alone has bent a straight
+ * line, nor in a curve: turns are small, and sides are so short that gaps on them would be narrower than the pen. */
 static bool is_corner(const walker *w, const dash_pattern *pattern, uint32_t i)
 {
     page_point p = corner(w, i + w->count - 1), q = corner(w, i), r = corner(w, i + 1);
@@ -61,7 +63,7 @@ static bool is_corner(const walker *w, const dash_pattern *pattern, uint32_t i)
     return along < curve_cosine * before * behind || before >= enough || behind >= enough;
 }
 
-/* The run that begins with side `from`, which ends at side `end` at the latest. Returns its length. */
+/* Enters the run that begins with side `from` and ends before side `end` at the latest. Returns its length. */
 static double run_from(walker *w, const dash_pattern *pattern, uint32_t from, uint32_t end)
 {
     w->side = from;
@@ -88,8 +90,8 @@ static bool add(polylines *out, page_point at)
     return same || polylines_append(out, at);
 }
 
-/* Goes on by `way`, or to the end of the run. Where `out` is given, the way is added to its last polyline. False: no
- * memory. */
+/* Goes on by `way`, or to the end of the run. Adds the way to the last polyline of `out`, unless that is NULL. False:
+ * no memory. */
 static bool go(walker *w, double way, polylines *out)
 {
     while (way >= w->length - w->at) {
@@ -107,14 +109,14 @@ static bool go(walker *w, double way, polylines *out)
 
 /* ---- the pattern on a run ---- */
 
-/* Ways of the pen. */
+/* How a run is cut: lengths are ways of the pen. */
 typedef struct fit {
     size_t gaps; /* 0: drawn whole */
     double down, up;
 } fit;
 
-/* Fits the pattern to a run of this length, with one dash more than gaps. A `ring`, a closed line without corners,
- * has as many of both. */
+/* Fits the pattern to a run of this length, with one dash more than gaps. A `ring`, which is a closed line without
+ * corners, gets as many dashes as gaps. */
 static fit fit_pattern(const dash_pattern *p, double length, bool ring)
 {
     const double more = ring ? 0.0 : 1.0, seen = ring ? length : length + p->width, period = p->dash + p->gap;
@@ -135,7 +137,7 @@ static bool put_down(const walker *w, polylines *out)
     return polylines_start(out) && add(out, here(w));
 }
 
-/* Cuts a run behind its first dash into gaps and dashes. The last dash goes to the end of the run. */
+/* Cuts the rest of a run, after its first dash, into gaps and dashes. The last dash goes to the end of the run. */
 static bool cut_run(walker *w, const fit *f, polylines *out)
 {
     for (size_t k = 1; k <= f->gaps; k++)
@@ -160,7 +162,7 @@ static bool has_room(const walker *w, const fit *f, const polylines *out)
     return out->count < w->most && f->gaps < w->most - out->count;
 }
 
-/* Cuts the runs from side `from` to side `end`. The first run of a closed line has a gap. Its first dash is drawn
+/* Cuts the runs from side `from` to side `end`. In a closed line the first run has a gap, and its first dash is drawn
  * last, as the end of the dash that leads to it. */
 static roberts_status cut_runs(walker *w, const dash_pattern *pattern, uint32_t from, uint32_t end, polylines *out)
 {
@@ -196,7 +198,7 @@ static roberts_status cut_ring(walker *w, const dash_pattern *pattern, polylines
     return ROBERTS_OK;
 }
 
-/* Cuts a closed line from a corner on behind which there is a gap, so that the dash round that corner is one stroke. */
+/* Cuts a closed line. It starts at a corner whose run has a gap, so that the dash round that corner is one stroke. */
 static roberts_status cut_closed(walker *w, const dash_pattern *pattern, polylines *out)
 {
     uint32_t first = 0;
@@ -217,7 +219,7 @@ static roberts_status cut_line(const polylines *from, const polyline *line, cons
     size_t before = out->count;
     roberts_status status = w.closed ? cut_closed(&w, pattern, out) : cut_runs(&w, pattern, 0, w.count - 1, out);
     if (status == ROBERTS_OK && out->count == before && !copy_line(from, line, out))
-        return ROBERTS_NO_MEMORY; /* closed, and without a gap anywhere */
+        return ROBERTS_NO_MEMORY; /* closed, and no run has a gap */
     return status;
 }
 
@@ -233,10 +235,11 @@ roberts_status dashes_cut(polylines *p, size_t first, const dash_pattern *patter
         status = cut_line(p, &p->item[i], &least, first + DASHES_MAX, &cut);
     if (status != ROBERTS_OK) {
         polylines_free(&cut);
-        return status == ROBERTS_NO_MEMORY
-                   ? error_no_memory(error)
-                   : error_set(error, status, 0,
-                               "more than %d dashes: longer ones are needed, or a pattern of the line", DASHES_MAX);
+        return status == ROBERTS_NO_MEMORY ? error_no_memory(error)
+                                           : error_set(error, status, 0,
+                                                       "the drawing takes more than %d dashes; make them longer, or "
+                                                       "let the file's reader lay the pattern",
+                                                       DASHES_MAX);
     }
     polylines_free(p);
     *p = cut;

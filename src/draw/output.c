@@ -1,8 +1,8 @@
-/* output.c - bytes on their way out: one buffer before the caller's function, and doubles as decimal text.
+/* output.c - a buffered stream to the caller's function, and doubles as decimal text.
  *
- * printf takes 0.3 us a number, and the point is a comma in some locales. A double is m 2^e with m < 2^53, and 10^k
- * for k <= 27 is a word and a power of two. Their product is exact in two words, and the 17 digits are one shift of
- * it, rounded half to even as printf does. That serves 1e-11 <= |x| < 1e17; the rest goes through printf. */
+ * printf takes 0.3 us a number, and some locales have a comma for the point. A double is m 2^e with m < 2^53, and 10^k
+ * for k <= 27 is one word times a power of two. Their product is exact in two words. Shifted once, and rounded half to
+ * even as printf does, it is the 17 digits. This serves 1e-11 <= |x| < 1e17; other numbers go through printf. */
 #include "draw/output.h"
 
 #include <errno.h>
@@ -52,7 +52,7 @@ static uint64_t scaled(uint64_t m, int e, int k)
     return shift_right(n, 63 - log2_power - e); /* above 0: the upper half of the power alone has 64 bits */
 }
 
-/* The 17 digits of x > 0 as one integer, and the exponent of ten of the first. False: out of the exact range. */
+/* Finds the 17 digits of x > 0 as one integer, and the first one's power of ten. False: out of the exact range. */
 static bool exact_digits(double x, uint64_t *digits, int *exponent)
 {
     if (!(x >= 1e-11 && x < 1e17))
@@ -67,11 +67,11 @@ static bool exact_digits(double x, uint64_t *digits, int *exponent)
     if (*digits >= ten_to_17)
         *digits = scaled(m, e, DIGITS - 1 - ++p);
     *exponent = p;
-    return *digits >= ten_to_16; /* not so just below 10^-11 */
+    return *digits >= ten_to_16; /* fewer digits just below 10^-11 */
 }
 
-/* Lays digits out as %g does: exponents from -4 to 16 without e, no trailing zeros. */
-static size_t lay_out(char *out, uint64_t digits, int exponent)
+/* Writes digits as %g does: without `e` for exponents from -4 to 16, and without trailing zeros. */
+static size_t write_digits(char *out, uint64_t digits, int exponent)
 {
     char text[DIGITS];
     char *at = out;
@@ -128,14 +128,14 @@ size_t decimal_format(char out[DECIMAL_ROOM], double x)
     }
     if (exact_digits(fabs(x), &digits, &exponent)) {
         out[0] = '-';
-        return sign + lay_out(out + sign, digits, exponent);
+        return sign + write_digits(out + sign, digits, exponent);
     }
-    char text[DECIMAL_ROOM * 2]; /* a point of several bytes */
+    char text[DECIMAL_ROOM * 2]; /* the locale's point may have several bytes */
     snprintf(text, sizeof text, "%.17g", x);
     return decimal_unlocalise(out, text);
 }
 
-/* ---- bytes ---- */
+/* ---- the stream ---- */
 
 void output_start(output *out, roberts_write_fn *write, void *context)
 {
@@ -153,7 +153,7 @@ static void pass_on(output *out, const void *bytes, size_t size)
     errno = 0;
     if (!out->write(out->context, bytes, size)) {
         out->failed = true;
-        out->reason = errno ? errno : EIO; /* a function that sets none */
+        out->reason = errno ? errno : EIO; /* not every function sets errno */
     }
 }
 

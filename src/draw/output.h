@@ -1,4 +1,4 @@
-/* output.h - bytes on their way out: one buffer before the caller's function, and doubles as decimal text. */
+/* output.h - a buffered stream to the caller's function, and doubles as decimal text. */
 #ifndef ROBERTS_DRAW_OUTPUT_H
 #define ROBERTS_DRAW_OUTPUT_H
 
@@ -7,7 +7,7 @@
 
 #include "roberts.h"
 
-/* After a failure everything is dropped and the first reason kept: only output_finish() need be checked. */
+/* After a failure everything more is dropped, and the first reason is kept: only output_finish() need be checked. */
 typedef struct output {
     roberts_write_fn *write;
     void *context;
@@ -23,19 +23,19 @@ void output_text(output *out, const char *text);
 void output_number(output *out, double x); /* as decimal_format() */
 void output_integer(output *out, uint32_t n);
 
-/* Passes on what is left. Returns ROBERTS_OK, or ROBERTS_IO with the reason. */
+/* Writes the rest of the buffer. Returns ROBERTS_OK, or ROBERTS_IO with the reason. */
 roberts_status output_finish(output *out, roberts_error *error);
 
-/* error_set() for ROBERTS_IO: "what: the system's reason for errno". */
+/* Sets ROBERTS_IO with the message "what: reason", in the system's words for this errno. */
 roberts_status output_error(roberts_error *error, const char *what, int reason);
 
-enum { DECIMAL_ROOM = 32 }; /* the longest is -1.2345678901234567e-308 and its NUL */
+enum { DECIMAL_ROOM = 32 }; /* the longest text is -1.2345678901234567e-308 and its NUL */
 
-/* Writes what printf("%.17g", x) does in the C locale, but "0" for -0, and returns its length. Reading it back gives x
+/* Writes what printf("%.17g", x) writes in the C locale, but "0" for -0, and returns its length. It reads back as x
  * itself. x is finite. */
 size_t decimal_format(char out[DECIMAL_ROOM], double x);
 
-/* Copies what printf made of a number in some locale: whatever is no digit, sign or exponent becomes one point. */
+/* Copies what printf made of a number in some locale: a run of anything but digits, signs and `e` becomes one point. */
 size_t decimal_unlocalise(char *out, const char *text);
 
 #endif

@@ -1,10 +1,10 @@
 /* overlap.c - no line is drawn twice.
  *
  * Edges of solids that touch coincide, and so do edges behind one another. Pieces are first sorted to lines
- * (collinear.c). On each line the nearest pieces make the upper envelope of depth over position, by halving and
- * merging (Hershberger, "Finding the upper envelope of n line segments in O(n log n) time", Information Processing
- * Letters 33(4), 1989): n log n however many lie on one another. Two that coincide and pass one another in depth are
- * told apart in the middle of each stretch between ends. */
+ * (collinear.c). On each line the nearest pieces form the upper envelope of depth over position. Halving and merging
+ * finds it in O(n log n) time, however many pieces lie on one another (J. Hershberger, "Finding the upper envelope of n
+ * line segments in O(n log n) time", Information Processing Letters 33(4), 1989). If two coincident pieces pass one
+ * another in depth, the middle of each stretch between ends decides which is nearer. */
 #include "draw/overlap.h"
 
 #include <math.h>
@@ -17,13 +17,13 @@
 #include "base/vec.h"
 #include "draw/collinear.h"
 
-enum { AHEAD = 16 }; /* pieces before their turn that memory is asked for them */
+enum { AHEAD = 16 }; /* memory is asked for this many pieces ahead */
 
 /* A stretch of a line. */
 typedef struct span {
     double t0, t1;
-    uint32_t piece; /* that is seen there */
-    uint32_t first; /* the one of least number that was joined to it */
+    uint32_t piece; /* the one seen there */
+    uint32_t first; /* of the pieces joined into the stretch, the one of least number */
 } span;
 
 /* ---- the nearest on a line ---- */
@@ -46,8 +46,8 @@ static double depth(const line_view *v, const piece *p, double t)
     return p->za + (p->zb - p->za) * ((t - ta) / (tb - ta));
 }
 
-/* Whether piece p is drawn rather than q where it is nearer by so much. What is visible is always drawn: a hidden
- * edge may be nearer, as one that lies just below the surface of the solid whose edge is seen. */
+/* Whether piece p is drawn rather than q, if p is nearer by `nearer`. A visible piece always goes before a hidden one,
+ * which may be nearer: it may lie just below the surface of the solid whose edge is seen. */
 static bool is_drawn_first(const piece *p, const piece *q, double nearer, double tie)
 {
     if ((p->line == ROBERTS_BACK) != (q->line == ROBERTS_BACK))
@@ -57,7 +57,7 @@ static bool is_drawn_first(const piece *p, const piece *q, double nearer, double
     return p->line != q->line ? p->line < q->line : p->number < q->number;
 }
 
-/* Whether piece i is drawn rather than j at t. */
+/* Whether piece i is drawn rather than piece j at t. */
 static bool is_before(const line_view *v, uint32_t i, uint32_t j, double t)
 {
     const piece *p = &v->p->item[i], *q = &v->p->item[j];
@@ -93,7 +93,7 @@ static size_t merge(const line_view *v, const span *a, size_t na, const span *b,
     return count;
 }
 
-/* Envelope of item[0 .. count-1] into the same array, which has room for 2 count; `work` has as much. */
+/* Replaces item[0 .. count-1] by their envelope. `item` and `work` have room for 2 count. Returns its size. */
 static size_t envelope(const line_view *v, span *item, size_t count, span *work)
 {
     if (count < 2)
@@ -145,7 +145,7 @@ typedef struct result {
     size_t count, room;
 } result;
 
-/* Appends what a stretch is drawn as. It runs the way that its first piece does. */
+/* Appends the piece that a stretch is drawn as. It has the direction of the stretch's first piece. */
 static bool add_piece(result *out, const line_view *v, const span *s)
 {
     const piece *first = &v->p->item[s->first], *seen = &v->p->item[s->piece];
@@ -164,11 +164,11 @@ static bool add_piece(result *out, const line_view *v, const span *s)
     return true;
 }
 
-/* Draws a group: the stretches item[0 .. count-1], sorted, each of which touches one before it. */
-static bool do_group(const line_view *v, span *item, size_t count, span *pool, result *out)
+/* Draws a group: the stretches item[0 .. count-1], sorted; each one but the first touches an earlier one. */
+static bool draw_group(const line_view *v, span *item, size_t count, span *pool, result *out)
 {
     if (count == 1)
-        return true; /* stays as it is */
+        return true; /* the piece stays as it is */
     span *work = pool + 2 * count;
     memcpy(pool, item, count * sizeof *item);
     size_t kept = join(v, pool, envelope(v, pool, count, work));
@@ -180,7 +180,7 @@ static bool do_group(const line_view *v, span *item, size_t count, span *pool, r
     return true;
 }
 
-static bool do_line(const pieces *p, const page_line *c, const uint32_t *member, span *pool, double tie, result *out)
+static bool draw_line(const pieces *p, const page_line *c, const uint32_t *member, span *pool, double tie, result *out)
 {
     const piece *longest = &p->item[c->longest];
     double length = piece_length(longest);
@@ -199,24 +199,24 @@ static bool do_line(const pieces *p, const page_line *c, const uint32_t *member,
         double reach = item[first].t1;
         for (end = first + 1; end < c->count && item[end].t0 <= reach + PIECE_TOUCH; end++)
             reach = greater(reach, item[end].t1);
-        if (!do_group(&v, item + first, end - first, pool + c->count, out))
+        if (!draw_group(&v, item + first, end - first, pool + c->count, out))
             return false;
     }
     return true;
 }
 
-static bool do_lines(const pieces *p, const page_lines *lines, double tie, result *out)
+static bool draw_lines(const pieces *p, const page_lines *lines, double tie, result *out)
 {
     span *pool = alloc_array(lines->most, 5 * sizeof *pool); /* stretches, their envelope, work */
     bool done = pool != NULL;
     for (uint32_t l = 0; l < lines->count && done; l++)
         if (lines->item[l].count > 1)
-            done = do_line(p, &lines->item[l], lines->member + lines->item[l].start, pool, tie, out);
+            done = draw_line(p, &lines->item[l], lines->member + lines->item[l].start, pool, tie, out);
     free(pool);
     return done;
 }
 
-/* Drops what is gone and merges in what came for it, by number. */
+/* Drops the pieces that are gone and merges in those that replace them, by number. */
 static bool replace(pieces *p, const result *by)
 {
     size_t kept = 0, room = p->count, left = by->count;
@@ -244,7 +244,7 @@ static bool replace(pieces *p, const result *by)
 
 /* ---- twins: pieces from one place to another ---- */
 
-enum { TWIN_CELL = 16 /* units; so wide that few ends lie near a border */ };
+enum { TWIN_CELL = 16 /* units; wide, so that few ends lie near a border */ };
 
 #define NO_PIECE UINT32_MAX
 
@@ -270,7 +270,7 @@ static bool are_twins(rounded_ends p, rounded_ends q)
     return (page_touches(p.a, q.a) && page_touches(p.b, q.b)) || (page_touches(p.a, q.b) && page_touches(p.b, q.a));
 }
 
-/* Hashes of the cells near a point; the first is that of its own. Returns how many. */
+/* Finds the hashes of the cells near a point, its own cell first. Returns their number. */
 static int end_hashes(page_point at, uint64_t hash[4])
 {
     int32_t x[2], y[2];
@@ -288,8 +288,8 @@ static uint32_t *list_of(const twins *t, uint64_t a, uint64_t b)
     return &t->head[mixed * 0xbf58476d1ce4e5b9u >> (64 - t->bits)];
 }
 
-/* Puts piece i into its list. Where it has a twin, one of both goes. */
-static void add_piece_or_drop(twins *t, uint32_t i)
+/* Puts piece i into its list. If it has a twin, one of the two is dropped. */
+static void add_or_drop(twins *t, uint32_t i)
 {
     piece *own = &t->p->item[i];
     const rounded_ends ends = ends_of(own);
@@ -315,7 +315,6 @@ static void add_piece_or_drop(twins *t, uint32_t i)
 
 /* Keeps one of several pieces between the same two places. Edges of solids thinner than PIECE_TOUCH are such pieces.
  * They do not always lie on one line, but rounding would draw them as one. False: no memory. */
-
 static bool drop_twins(pieces *p, double tie)
 {
     size_t kept = 0;
@@ -329,7 +328,7 @@ static bool drop_twins(pieces *p, double tie)
     if (done)
         memset(t.head, 0xff, cells * sizeof *t.head);
     for (size_t i = 0; i < p->count && done; i++)
-        add_piece_or_drop(&t, (uint32_t)i);
+        add_or_drop(&t, (uint32_t)i);
     for (size_t i = 0; i < p->count && done; i++)
         if (p->item[i].line != PIECE_GONE)
             p->item[kept++] = p->item[i];
@@ -346,7 +345,7 @@ bool overlap_remove(pieces *p, double tie)
     result out = {0};
     if (p->count < 2)
         return true;
-    bool done = collinear_find(&lines, p) && do_lines(p, &lines, tie, &out);
+    bool done = collinear_find(&lines, p) && draw_lines(p, &lines, tie, &out);
     collinear_free(&lines);
     done = done && (out.count == 0 || replace(p, &out)) && drop_twins(p, tie);
     free(out.item);

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-/* mm. Cairo's fixed point holds the longest at 0.01 mm a unit (see strokes.c); no roll of paper is as long. */
+/* mm. Cairo's fixed point holds the longest at units of 0.01 mm (see strokes.c); no roll of paper is as long. */
 static const double shortest_side = 1.0, longest_side = 40000.0;
 
 static bool side_is_valid(double side)
@@ -18,11 +18,11 @@ static bool side_is_valid(double side)
 bool page_is_valid(const roberts_page *page, roberts_error *error)
 {
     if (!side_is_valid(page->width_mm) || !side_is_valid(page->height_mm)) {
-        error_set(error, ROBERTS_BAD_ARGUMENT, 0, "page: each side has 1 to 40000 mm");
+        error_set(error, ROBERTS_BAD_ARGUMENT, 0, "page: each side must have 1 to 40000 mm");
         return false;
     }
     if (!(page->margin_mm >= 0.0 && 2.0 * page->margin_mm < fmin(page->width_mm, page->height_mm))) {
-        error_set(error, ROBERTS_BAD_ARGUMENT, 0, "page: its margins leave no room");
+        error_set(error, ROBERTS_BAD_ARGUMENT, 0, "page: the margins leave no room");
         return false;
     }
     return true;
@@ -32,7 +32,7 @@ void roberts_page_shape(const roberts_page *page, roberts_vec2 *min, roberts_vec
 {
     double room_x = page->width_mm / 2.0 - page->margin_mm, room_y = page->height_mm / 2.0 - page->margin_mm;
     const roberts_vec2 half = {max->x / 2.0 - min->x / 2.0, max->y / 2.0 - min->y / 2.0};
-    const double x = half.y / room_y * room_x, y = half.x / room_x * room_y; /* what the other side asks for */
+    const double x = half.y / room_y * room_x, y = half.x / room_x * room_y; /* as the other side requires */
     if (x > half.x) {
         min->x -= x - half.x;
         max->x += x - half.x;
@@ -54,8 +54,8 @@ page_map page_fit(const roberts_page *page, roberts_vec2 min, roberts_vec2 max)
     };
     if (half_x <= 0.0 && half_y <= 0.0)
         return map;
-    /* The side that is longer in proportion to its room decides. Both are taken as parts of the longer, so that
-     * nothing overflows. */
+    /* The side that is longer in proportion to its room decides. Both are divided by the longer one, so that nothing
+     * overflows. */
     double larger = fmax(half_x, half_y);
     bool by_width = half_x / larger * room_y >= half_y / larger * room_x;
     map.half = by_width ? half_x : half_y;
@@ -68,8 +68,8 @@ double page_scale(const page_map *map)
     return map->half_mm / map->half;
 }
 
-/* The largest of 1, 2 and 5 times a power of ten that is no larger than `scale`. ISO 5455 has them from 50:1 to
- * 1:10000, and allows further powers of ten. */
+/* The largest scale up to `scale` that is 1, 2 or 5 times a power of ten. ISO 5455 has them from 50:1 to 1:10000, and
+ * allows further powers of ten. */
 static double standard_scale(double scale)
 {
     static const double steps[] = {1.0, 2.0, 5.0, 10.0};
@@ -89,7 +89,7 @@ double page_wanted_scale(const roberts_placement *placement, double fitting)
     return placement->scale * unit_mm;
 }
 
-/* A scale that is no larger than `scale`, in three digits: "1:42", "2.5:1". */
+/* Names a scale of three digits, the next below `scale` or the same: "1:42", "2.5:1". */
 static void scale_name(double scale, char *text, size_t size)
 {
     double ratio = scale < 1.0 ? 1.0 / scale : scale, digit = pow(10.0, floor(log10(ratio)) - 2.0);
@@ -98,10 +98,10 @@ static void scale_name(double scale, char *text, size_t size)
     snprintf(text, size, scale < 1.0 ? "1:%.13g" : "%.13g:1", ratio); /* up to 1:1000000000000 */
     for (char *c = text; *c; c++)
         if (*c == ',')
-            *c = '.'; /* some locales' point */
+            *c = '.'; /* the point of some locales is a comma */
 }
 
-/* A length in whole mm, rounded up. Very long ones have one digit, so that no locale's point is needed. */
+/* Names a length in whole mm, rounded up. A very long one has one digit, so that it needs no decimal point. */
 static void length_name(double mm, char *text, size_t size)
 {
     snprintf(text, size, mm < 1e9 ? "%.0f" : "%.0e", ceil(mm));
@@ -129,7 +129,7 @@ bool page_placement_is_valid(const roberts_placement *p, roberts_error *error)
     bool unit = p->unit_mm == 0.0 || (p->unit_mm >= least && p->unit_mm <= most);
     if (scale && unit && abs(p->align_x) <= 1 && abs(p->align_y) <= 1)
         return true;
-    error_set(error, ROBERTS_BAD_ARGUMENT, 0, "placement: scale and unit are 1e-12 to 1e12, alignments -1, 0 or 1");
+    error_set(error, ROBERTS_BAD_ARGUMENT, 0, "placement: scale and unit must be 1e-12 to 1e12, alignments -1, 0 or 1");
     return false;
 }
 

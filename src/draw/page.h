@@ -1,4 +1,4 @@
-/* page.h - where on the paper the drawing comes to lie; geometry alone. */
+/* page.h - where the drawing lies on the paper; geometry alone. */
 #ifndef ROBERTS_DRAW_PAGE_H
 #define ROBERTS_DRAW_PAGE_H
 
@@ -11,31 +11,32 @@ typedef struct page_map {
     roberts_vec2 centre;  /* of the drawing's box, model units */
     double half;          /* model units, > 0 */
     double half_mm;       /* what `half` is on paper */
-    roberts_vec2 page_mm; /* where the centre comes to lie */
+    roberts_vec2 page_mm; /* where the centre lies on paper */
 } page_map;
 
-/* Whether there is room between the margins; fills `error` where not. */
+/* Whether the page's size is valid and its margins leave room; fills `error` if not. */
 bool page_is_valid(const roberts_page *page, roberts_error *error);
 
-/* Whether scale, unit and alignment make sense; fills `error` where not. */
+/* Whether scale, unit and alignment are valid; fills `error` if not. */
 bool page_placement_is_valid(const roberts_placement *placement, roberts_error *error);
 
-/* Says that the drawing, `drawn_mm` large at the placement's scale, leaves the page, and which scale would fit:
- * `fitting` mm by model unit. */
+/* Fills `error`: the drawing, `drawn_mm` large at the placement's scale, leaves the page; it names the scale that would
+ * fit, `fitting` mm per model unit. */
 void page_refuse(const roberts_page *page, const roberts_placement *placement, double fitting, roberts_vec2 drawn_mm,
                  roberts_error *error);
 
 /* Fits the box from `min` to `max`, finite, into the page's margins, as large as possible and centred. A box without
- * width or height is fitted by its other side; a point (and an empty drawing, whose box is taken as a point) comes to
- * lie in the middle, at one mm per model unit. */
+ * width or height is fitted by its other side. A point lies in the middle, at one mm per model unit; the box of an
+ * empty drawing is a point. */
 page_map page_fit(const roberts_page *page, roberts_vec2 min, roberts_vec2 max);
 
-/* Lays the box on the page as `placement` says: fitted, or at its scale; aligned by the margins. False: at its scale
- * the drawing leaves the margins, or the placement is senseless; fills `error`, which says what would fit. */
+/* Lays the box on the page as `placement` says: fitted or at a scale, and aligned with the margins. False: the
+ * placement is invalid, or the drawing leaves the margins at its scale; fills `error`, which names a scale that fits.
+ */
 bool page_lay(const roberts_page *page, const roberts_placement *placement, roberts_vec2 min, roberts_vec2 max,
               page_map *map, roberts_error *error);
 
-/* The placement's scale, mm by model unit, where `fitting` is what fits: 0 = as large as that. */
+/* The placement's scale in mm per model unit, if `fitting` is the largest that fits. 0 stands for `fitting`. */
 double page_wanted_scale(const roberts_placement *placement, double fitting);
 
 /* mm on paper per model unit. */

@@ -1,14 +1,16 @@
 /* save.c - a drawing or a sheet in any format: to a function, or into a file that appears whole or not at all.
  *
  * The bytes go into a new file beside the old one, which is then renamed over it: at every moment the name leads to
- * the old file or to the whole new one. Links are followed first, so that the link stays one. What is no regular file
- * (a device, a pipe) cannot be replaced and is written in place; so are the names of open descriptors (/dev/stdout,
- * /dev/fd/3), because a shell's `>>` or what was written before would be lost otherwise.
+ * the old file or to the whole new one. Links are followed first, so that a link stays a link. A device or a pipe
+ * cannot be replaced and is written in place. So are the names of open descriptors (/dev/stdout, /dev/fd/3); otherwise
+ * a shell's `>>`, or what was written before, would be lost.
  *
- * The new file is locked while it is written. Its name depends on the target's alone: a later run removes what a
- * killed one has left, and takes another name where the lock says that somebody is still writing.
+ * The new file is locked while it is written. Its name depends only on the target's name. So a later run removes the
+ * file that a killed run has left; if the file is locked, another run is still writing it, and the later run takes
+ * another name.
  *
- * Nothing is forced to disk: this is against failures and interruptions of the program, not against loss of power. */
+ * Nothing is forced to disk: this guards against failures and interruptions of the program, not against loss of power.
+ */
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -32,7 +34,7 @@
 
 /* ---- formats, and any of them to a function ---- */
 
-/* What is written: one of the two, the other NULL. */
+/* What is written: one of the two; the other is NULL. */
 typedef struct subject {
     const roberts_drawing *drawing;
     const roberts_sheet *sheet;
@@ -48,7 +50,7 @@ static const struct {
     {"png", ROBERTS_PNG}, {"csv", ROBERTS_CSV}, {"json", ROBERTS_JSON}, {"null", ROBERTS_NULL},
 };
 
-/* Letters A to Z fold, whatever the locale. */
+/* Ignores the case of letters A to Z, whatever the locale. */
 static bool same_word(const char *a, const char *b)
 {
     for (;; a++, b++) {
@@ -101,12 +103,14 @@ static bool pen_is_valid(const roberts_pen *pen)
 static roberts_status check_options(const roberts_draw_options *options, roberts_error *error)
 {
     if (options->hidden < ROBERTS_HIDDEN_NONE || options->hidden > ROBERTS_HIDDEN_SOLID)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no such way to draw hidden lines");
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown way to draw hidden lines");
     if (!pen_is_valid(&options->outline) || !pen_is_valid(&options->crease) || !pen_is_valid(&options->back) ||
         !pen_is_valid(&options->frame) || !pen_is_valid(&options->symbol))
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a pen is 0.001 to 1000 mm wide, dashes and gaps up to that");
+        return error_set(
+            error, ROBERTS_BAD_ARGUMENT, 0,
+            "a pen must be more than 0 and at most 1000 mm wide; dashes and gaps must be 0 to 1000 mm long");
     if (options->order < ROBERTS_ORDER_TRAVEL || options->order > ROBERTS_ORDER_NONE)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no such order");
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown order of strokes");
     return page_is_valid(&options->page, error) ? ROBERTS_OK : ROBERTS_BAD_ARGUMENT;
 }
 
@@ -168,7 +172,7 @@ static roberts_status write_format(const subject *what, const roberts_draw_optio
     case ROBERTS_NULL:
         return ROBERTS_OK;
     }
-    return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no such format");
+    return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown format");
 }
 
 static roberts_status check_subject(const subject *what, roberts_error *error)
@@ -258,7 +262,7 @@ static int descriptor_named(const char *path)
     return -1;
 }
 
-/* Follows the links that `t->path` is, until it names a descriptor, something else, or nothing. Returns 0 or errno. */
+/* Follows links until t->path is no link; the name of a descriptor is not followed. Returns 0 or errno. */
 static int follow_links(target *t)
 {
     char link[PATH_MAX];
@@ -278,8 +282,8 @@ static int follow_links(target *t)
     return ELOOP;
 }
 
-/* A name that the same target gets again, so that a later run finds what a killed one has left; `attempt` makes
- * another one. Short whatever the target's name is. FNV-1a (G. Fowler, L. C. Noll, P. Vo). */
+/* The name of the new file, the same for a target in every run, so that a later run finds what a killed one has left.
+ * Each `attempt` has another name. It is a hash, and so always short: FNV-1a (G. Fowler, L. C. Noll, P. Vo). */
 static char *temporary_name(const target *t, unsigned attempt)
 {
     const char *slash = strrchr(t->path, '/');
@@ -291,7 +295,7 @@ static char *temporary_name(const target *t, unsigned attempt)
     return beside(t->path, name);
 }
 
-/* Whether an open file is the one of that name. */
+/* Whether an open file still has that name. */
 static bool is_named(int descriptor, const char *path)
 {
     struct stat own, named;
@@ -299,8 +303,8 @@ static bool is_named(int descriptor, const char *path)
            own.st_ino == named.st_ino;
 }
 
-/* Removes the unfinished file of a run that was killed. A file stays that is locked, because it is being written,
- * that is not ours, or that cannot be locked. */
+/* Removes the unfinished file of a run that was killed. A file stays if it is locked, because another run is writing
+ * it, if it is not ours, or if it cannot be locked. */
 static void remove_left(const char *path)
 {
     struct stat left;
@@ -313,8 +317,8 @@ static void remove_left(const char *path)
     close(descriptor);
 }
 
-/* Locks a file that has just been created, so that no other run removes it. False: one was faster. */
-static bool keep_ours(int descriptor, const char *path)
+/* Locks a file that has just been created, so that no other run removes it. False: another run was faster. */
+static bool lock_new(int descriptor, const char *path)
 {
     return (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) && is_named(descriptor, path);
 }
@@ -343,7 +347,7 @@ static int open_beside(target *t, const roberts_draw_options *options)
         announce(options, t->temporary);
         t->descriptor = open(t->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         reason = t->descriptor < 0 ? errno : EEXIST;
-        if (t->descriptor >= 0 && keep_ours(t->descriptor, t->temporary))
+        if (t->descriptor >= 0 && lock_new(t->descriptor, t->temporary))
             return 0;
         announce(options, NULL);
         if (t->descriptor >= 0)
@@ -423,7 +427,7 @@ static roberts_status close_target(target *t, const roberts_draw_options *option
         reason = take_mode(t);
     int lock = t->temporary ? fcntl(t->descriptor, F_DUPFD_CLOEXEC, 0) : -1; /* holds until the file has its name */
     if (close(t->descriptor) != 0 && !reason && errno != EINTR)
-        reason = errno; /* the last chance of a network's disk to be full */
+        reason = errno; /* a network's disk may report only now that it is full */
     if (t->temporary) {
         if (status == ROBERTS_OK && !reason && rename(t->temporary, t->path) != 0)
             reason = errno;

@@ -1,11 +1,11 @@
-/* sheet.c - where the views of a sheet come to lie on the paper.
+/* sheet.c - where the views of a sheet lie on the paper.
  *
  * Two columns and two rows: the front view stands in the first column, the top view above or below it, the side view
- * beside it, and the isometric view in the middle of the cell that is left. All views of one scene have its centre at
- * 0, 0, so that front and top view have one x, front and side view one y. Below all a strip is kept for the symbol,
- * where there is one.
+ * beside it, and the isometric view in the middle of the remaining cell. All views have the centre of the scene at 0,
+ * 0, so that front and top view have one x, front and side view one y. If there is a symbol, a strip below all views
+ * is kept for it.
  *
- * Lengths of the model are taken as parts of the largest of all, so that nothing overflows. */
+ * Lengths of the model are divided by the largest one, so that nothing overflows. */
 #include "draw/sheet.h"
 
 #include <math.h>
@@ -20,12 +20,12 @@ static const double symbol_from_frame = 5.0, symbol_from_views = 5.0;
 
 enum { FRONT = ROBERTS_SHEET_FRONT, TOP = ROBERTS_SHEET_TOP, SIDE = ROBERTS_SHEET_SIDE, ISO = ROBERTS_SHEET_ISO };
 
-/* Along one axis of the picture; low > high: empty. */
+/* A range along one axis of the picture; empty if low > high. */
 typedef struct range {
     double low, high;
 } range;
 
-/* The columns of a sheet, or its rows: that of the front view and that of the isometric view. */
+/* The two columns of a sheet, or its two rows: that of the front view and that of the isometric view. */
 typedef struct cells {
     double front, iso;       /* widths, parts of layout.half */
     double gap_mm;           /* between them */
@@ -36,8 +36,8 @@ typedef struct layout {
     double half;                                          /* the largest coordinate, model units */
     range x[ROBERTS_SHEET_VIEWS], y[ROBERTS_SHEET_VIEWS]; /* of each view, parts of `half` */
     cells columns, rows;
-    double half_mm; /* what `half` is on paper */
-    double symbol;  /* as in sheet_map */
+    double half_mm;     /* what `half` is on paper */
+    double symbol_size; /* as in sheet_map */
 } layout;
 
 static range join(range a, range b)
@@ -92,10 +92,10 @@ static void divide(const roberts_sheet *sheet, layout *l)
     l->rows = widths(l->y[FRONT], l->y[TOP], l->y[ISO], gap_mm);
 }
 
-/* The size of the symbol where margins and frame leave so much. It is no wider and no higher than one of four equal
- * cells for the views, with gaps between them. 0 where it would be smaller than lettering of 1.8 mm asks for, the
- * smallest of ISO 3098. */
-static double symbol_size(const layout *l, double width_mm, double height_mm)
+/* The size of the symbol if margins and frame leave this width and height. It is no wider and no higher than one of
+ * four equal cells for the views, with gaps between them. It goes with lettering of 1.8 mm at least, the smallest of
+ * ISO 3098; otherwise 0. */
+static double fit_symbol(const layout *l, double width_mm, double height_mm)
 {
     const double least = 1.8 / 3.5;
     double size = fmin((width_mm - l->columns.gap_mm) / (2.0 * SYMBOL_WIDTH),
@@ -103,16 +103,16 @@ static double symbol_size(const layout *l, double width_mm, double height_mm)
     return size < least ? 0.0 : fmin(size, 1.0);
 }
 
-/* Finds the room for the views and their gaps, as a page. Fills l->symbol. */
+/* Finds the room for the views and their gaps, as a page. Fills l->symbol_size. */
 static bool find_room(layout *l, const roberts_draw_options *options, roberts_page *room, roberts_error *error)
 {
     const roberts_page *page = &options->page;
     double edge = page->margin_mm + (options->frame.off ? 0.0 : views_from_frame);
     double below = options->frame.off ? page->margin_mm : page->margin_mm + symbol_from_frame;
     *room = (roberts_page){page->width_mm - 2.0 * edge, page->height_mm - edge, 0.0};
-    l->symbol = options->symbol.off ? 0.0 : symbol_size(l, room->width_mm, room->height_mm - below);
-    below += l->symbol * SYMBOL_HEIGHT + symbol_from_views;
-    room->height_mm -= l->symbol > 0.0 ? fmax(edge, below) : edge;
+    l->symbol_size = options->symbol.off ? 0.0 : fit_symbol(l, room->width_mm, room->height_mm - below);
+    below += l->symbol_size * SYMBOL_HEIGHT + symbol_from_views;
+    room->height_mm -= l->symbol_size > 0.0 ? fmax(edge, below) : edge;
     if (room->width_mm > l->columns.gap_mm && room->height_mm > l->rows.gap_mm)
         return true;
     error_set(error, ROBERTS_BAD_ARGUMENT, 0, "page: margins and gaps leave no room for the views of a sheet");
@@ -147,14 +147,14 @@ static void place_cells(cells *c, double half_mm, double start_mm, double room_m
     c->iso_mm = iso_first ? start_mm : start_mm + front + c->gap_mm;
 }
 
-/* Where 0, 0 of each view comes to lie. */
+/* Where 0, 0 of a view lies on paper. */
 static roberts_vec2 origin(const layout *l, int view, bool top_is_above)
 {
     const double k = l->half_mm, column = l->columns.iso_mm, row = l->rows.iso_mm;
     roberts_vec2 at = {l->columns.front_mm - l->x[FRONT].low * k, l->rows.front_mm + l->y[FRONT].high * k};
     if (view == SIDE)
         at.x = column - l->x[SIDE].low * k;
-    if (view == TOP) /* next to the front view, whose gap it keeps */
+    if (view == TOP) /* next to the front view, a gap away */
         at.y = top_is_above ? row + (l->rows.iso + l->y[TOP].low) * k : row + l->y[TOP].high * k;
     if (view == ISO) {
         at.x = column + (l->columns.iso / 2.0 - middle(l->x[ISO])) * k;
@@ -182,12 +182,12 @@ bool sheet_lay(const roberts_sheet *sheet, const roberts_draw_options *options, 
     for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)
         map->view[i] = (page_map){.half = l.half, .half_mm = l.half_mm, .page_mm = origin(&l, i, third)};
     edge = page->margin_mm + (options->frame.off ? 0.0 : symbol_from_frame);
-    map->symbol = l.symbol;
+    map->symbol_size = l.symbol_size;
     map->symbol_mm = (roberts_vec2){page->width_mm - edge, page->height_mm - edge};
     return true;
 }
 
-/* The isometric view is from the side that the side view shows. */
+/* The isometric view shows the same side as the side view. */
 bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *camera)
 {
     const bool first = angle == ROBERTS_FIRST_ANGLE;
@@ -202,10 +202,10 @@ bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *c
 
 /* ---- the symbol of the projection method (ISO 5456-2) ----
  *
- * A truncated cone, its narrow end to the left, and beside it the two circles that are seen from there. The view from
- * the left stands on the right in first angle projection, on the left in third angle projection. In full size the
- * narrow end is as wide as lettering of 3.5 mm is high. Centre lines are long, dot, long (ISO 128-2), so that those of
- * the circles cross in a long one. */
+ * A truncated cone has its narrow end on the left. Beside it stands the view of it from the left, two circles: on the
+ * right in first angle projection, on the left in third angle projection. In full size the narrow end is as wide as
+ * lettering of 3.5 mm is high. Centre lines are dashes and dots (ISO 128-2), arranged so that those of the circles
+ * cross in a dash. */
 
 /* mm */
 static const double narrow = 1.75, wide = 3.5; /* radii; `wide` is also half of the cone's length */
@@ -216,7 +216,7 @@ enum { CIRCLE_CORNERS = 48 /* within 0.008 mm of the circle */ };
 
 typedef struct symbol {
     polylines *out;
-    roberts_vec2 origin; /* what the following are counted from, mm on the page */
+    roberts_vec2 origin; /* of the coordinates that are added, mm on the page */
     double size;
     double units_per_mm;
     bool failed;
@@ -254,7 +254,7 @@ static void add_circle(symbol *s, double radius)
     }
 }
 
-/* Through the origin; upright or level. */
+/* A centre line through the origin, upright or level. */
 static void add_centre_line(symbol *s, bool upright)
 {
     const double ends[][2] = {

@@ -1,4 +1,4 @@
-/* strokes.c - from segments to what the pen does: chosen, placed on the page, cleaned of doubles, chained, ordered. */
+/* strokes.c - from segments to strokes: segments are chosen, placed on the page, freed of doubles, chained, ordered. */
 #include "draw/strokes.h"
 
 #include <math.h>
@@ -17,7 +17,7 @@
  * half of 2^23 units, so that wide pens on its border are safe too. */
 static const double finest_longest_mm = 4000.0, fine_units_per_mm = 1000.0, coarse_units_per_mm = 100.0;
 
-static const double from_frame_mm = 5.0; /* what is drawn, so that no outline lies on the frame */
+static const double from_frame_mm = 5.0; /* kept free within a frame, so that no outline lies on it */
 
 const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line line)
 {
@@ -49,7 +49,7 @@ bool strokes_dash(const roberts_draw_options *options, roberts_line line, double
     return is_broken(options, line) && !options->real_dashes;
 }
 
-/* A class is drawn unless its pen is off, or it is that of hidden lines and these are not wanted. */
+/* A class is drawn unless its pen is off, or it is the class of hidden lines and they are not wanted. */
 static bool is_class_drawn(const roberts_draw_options *options, roberts_line line)
 {
     return !strokes_pen(options, line)->off && !(line == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_NONE);
@@ -72,8 +72,8 @@ static void enlarge(roberts_vec2 *min, roberts_vec2 *max, roberts_vec2 p)
     *max = (roberts_vec2){greater(max->x, p.x), greater(max->y, p.y)};
 }
 
-/* Cuts the part of p..q that lies in the drawing's field of view, t[0] to t[1]; false where there is none. Liang,
- * Barsky, "A new concept and method for line clipping", ACM TOG 3(1), 1984. */
+/* Finds the part of p..q in the drawing's field of view, from t[0] to t[1]. False: there is none. After Y.-D. Liang, B.
+ * A. Barsky, "A new concept and method for line clipping", ACM Transactions on Graphics 3(1), 1984. */
 static bool frame_cut(const roberts_drawing *drawing, roberts_vec2 p, roberts_vec2 q, double t[2])
 {
     const roberts_vec2 low = drawing->window_min, high = drawing->window_max;
@@ -130,7 +130,7 @@ static bool is_point(const piece *p)
     return page_round(p->a.x) == page_round(p->b.x) && page_round(p->a.y) == page_round(p->b.y);
 }
 
-/* Appends the pieces that are drawn, numbered from `number` on. What has no length once rounded is left out. `p` has
+/* Appends the pieces that are drawn, numbered from `number` on. Leaves out those without length once rounded. `p` has
  * room for all segments. */
 static void collect(const strokes *s, const placed *view, size_t number, pieces *p)
 {
@@ -165,7 +165,8 @@ static bool add_frame(strokes *s)
 
 static bool add_symbol(strokes *s)
 {
-    return s->symbol == 0.0 || symbol_draw(s->sheet->angle, s->symbol_mm, s->symbol, s->units_per_mm, &s->lines);
+    return s->symbol_size == 0.0 ||
+           symbol_draw(s->sheet->angle, s->symbol_mm, s->symbol_size, s->units_per_mm, &s->lines);
 }
 
 /* Appends the polylines of one class; the pen comes from `*pen`. */
@@ -191,7 +192,7 @@ static roberts_status add_class(strokes *s, const pieces *p, roberts_line line, 
     return dashes_cut(&s->lines, first, &pattern, error);
 }
 
-/* Strokes of all views together. `s` holds all but its lines. */
+/* Makes the strokes of all views together. `s` is complete but for its lines. */
 static roberts_status draw(strokes *s, const placed *view, size_t views, roberts_error *error)
 {
     size_t total = 0, number = 0;
@@ -219,7 +220,7 @@ static roberts_status draw(strokes *s, const placed *view, size_t views, roberts
     return status;
 }
 
-/* With the frame on the margins. */
+/* No strokes yet; the frame lies on the margins. */
 static strokes nothing_drawn(const roberts_draw_options *options)
 {
     const roberts_page *page = &options->page;
@@ -230,8 +231,8 @@ static strokes nothing_drawn(const roberts_draw_options *options)
                                   {page->width_mm - page->margin_mm, page->height_mm - page->margin_mm}}};
 }
 
-/* The page that the drawing is laid on. It keeps 5 mm from a frame, on small pages a tenth of the shorter side that
- * the margins leave. It keeps nothing from the border of a field of view, which cuts it off. */
+/* The page with margins that keep the drawing away from a frame: by 5 mm, on small pages by a tenth of the shorter side
+ * within the margins. A drawing with a field of view ends at its frame. */
 static roberts_page page_within_frame(const roberts_drawing *drawing, const roberts_draw_options *options)
 {
     roberts_page page = options->page;
@@ -241,9 +242,9 @@ static roberts_page page_within_frame(const roberts_drawing *drawing, const robe
     return page;
 }
 
-/* A line on the border of the margins has half of its width beyond it. So that small margins cut no line off, a
- * fitted drawing keeps half of the widest pen from the page's edge, on small pages a tenth of their shorter side. A
- * drawing at a given scale may fill the page, and one within a frame is far from its edge. */
+/* The page with margins of at least half of the widest pen, on small pages a tenth of their shorter side, so that the
+ * page's edge cuts no line. A drawing at a given scale may fill the page, and one within a frame is far from its edge.
+ */
 static roberts_page page_within_edge(roberts_page page, const roberts_draw_options *options)
 {
     double widest = 0.0;
@@ -261,7 +262,7 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
     roberts_vec2 min, max;
     roberts_drawing shaped = *drawing;
     roberts_page page = page_within_frame(drawing, options);
-    if (!drawing->framed) /* what is cut off at the border has nothing to keep from it */
+    if (!drawing->framed) /* a field of view is cut off at the border anyway */
         page = page_within_edge(page, options);
     *s = nothing_drawn(options);
     if (drawing->framed)
@@ -292,7 +293,7 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
             view[views++] = (placed){sheet->view[i], map.view[i]};
     s->map = map.view[ROBERTS_SHEET_FRONT];
     s->sheet = sheet;
-    s->symbol = map.symbol;
+    s->symbol_size = map.symbol_size;
     s->symbol_mm = map.symbol_mm;
     return draw(s, view, views, error);
 }

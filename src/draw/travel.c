@@ -1,11 +1,13 @@
-/* travel.c - in which order polylines are drawn.
+/* travel.c - the order in which polylines are drawn.
  *
- * First the nearest end that is left, over and over. Ends lie in a grid, over which coarser ones count what is left, so
- * that a search in deserted parts takes no longer: where there is nothing in the nine cells around the pen, the nine of
- * the next coarser grid are asked, and the way leads down again to the cell nearest to the pen. What is found is near,
- * though not always the nearest. Then 2-opt (Croes, "A method for solving traveling-salesman problems", Operations
- * Research 6(6), 1958): where two ways of the lifted pen are shortened by drawing all between them backward, that is
- * done. All searches are bounded by counts, so that the result is the same on any machine. */
+ * First, the pen goes to the nearest end that is left, over and over. Ends lie in a grid. Coarser grids over it count
+ * the ends that are left, so that a search through empty parts takes no longer: if the nine cells around the pen are
+ * empty, the nine of the next coarser grid are asked, and so on; then the search goes down again, each time to the cell
+ * nearest to the pen. It finds a near end, though not always the nearest.
+ *
+ * Then 2-opt (G. A. Croes, "A method for solving traveling-salesman problems", Operations Research 6(6), 1958): if
+ * drawing all polylines between two ways of the lifted pen backward shortens these ways, they are drawn backward. All
+ * searches are bounded by counts, so that the result is the same on any machine. */
 #include "draw/travel.h"
 
 #include <math.h>
@@ -18,13 +20,13 @@
 enum {
     ENDS_PER_CELL = 2,
     LEVELS_MAX = 34,     /* a grid has fewer than 2^33 columns */
-    LOOK_IN_CELL = 64,   /* ends; more of them in one cell lie on a heap */
+    LOOK_IN_CELL = 64,   /* most ends of a cell that are looked at; where there are more, they lie in a heap */
     PASSES_MAX = 20,     /* of 2-opt */
-    BACKWARD_MAX = 1000, /* polylines drawn backward at once, where there are more than SMALL of them */
+    BACKWARD_MAX = 1000, /* most polylines turned at once, in a tour of more than SMALL */
     SMALL = 20000
 };
 
-/* 2-opt in all: ends compared, and polylines drawn backward. */
+/* Bounds of 2-opt as a whole: on the ends compared and on the polylines turned. */
 static const uint64_t compared_most = 12000000, turned_most = 50000000;
 
 #define NO_END UINT32_MAX
@@ -32,18 +34,19 @@ static const uint64_t compared_most = 12000000, turned_most = 50000000;
 /* Ends are numbered 2 i and 2 i + 1: where polyline i starts and where it ends. */
 typedef struct tour {
     uint32_t count; /* polylines */
-    page_point *at; /* [2 count] of ends */
+    page_point *at; /* [2 count] the ends */
     /* the grid */
     double cell, x0, y0;
     uint32_t nx[LEVELS_MAX], ny[LEVELS_MAX], levels;
-    uint32_t *left[LEVELS_MAX]; /* ends that are left in a cell; each level halves the one before */
-    uint32_t *start;            /* [cells + 1] of level 0, into `end` */
-    uint32_t *end, *slot;       /* ends by cell, those left first; where in it an end is */
-    page_point *spot;           /* [2 count] of ends by cell, once their order is settled */
+    uint32_t *left[LEVELS_MAX]; /* how many ends are left in each cell; each level has half the columns and rows */
+    uint32_t *start;            /* [cells of level 0 + 1] into `end` */
+    uint32_t *end;              /* [2 count] ends by cell, in each cell those left first */
+    uint32_t *slot;             /* [2 count] where in `end` an end is */
+    page_point *spot;           /* [2 count] for 2-opt: the points of `end` */
     /* the result */
-    uint32_t *entry;    /* [count] the end at which the k-th polyline begins; its other end is entry ^ 1 */
-    uint32_t *position; /* [count] of a polyline in `entry` */
-    uint64_t compared, turned;
+    uint32_t *entry;           /* [count] the end at which the k-th polyline begins; its other end is entry ^ 1 */
+    uint32_t *position;        /* [count] of a polyline in `entry` */
+    uint64_t compared, turned; /* by 2-opt so far */
 } tour;
 
 /* ---- the grid ---- */
@@ -65,9 +68,9 @@ static size_t cell_of(const tour *t, page_point p)
     return (size_t)row_of(t, p) * t->nx[0] + column_of(t, p);
 }
 
-/* Chooses square cells: so many that each has ENDS_PER_CELL ends if they are spread evenly, and no more in a narrow
- * box. */
-static void set_frame(tour *t)
+/* Chooses the size of the square cells: ENDS_PER_CELL ends to each if they are spread evenly. In a narrow box there
+ * are no more cells than that. */
+static void set_grid(tour *t)
 {
     double x1 = -INFINITY, y1 = -INFINITY;
     t->x0 = t->y0 = INFINITY;
@@ -109,7 +112,7 @@ static bool fill_grid(tour *t)
     }
     for (size_t c = 0; c < cells; c++)
         t->start[c + 1] += t->start[c];
-    for (uint32_t i = 0; i < 2 * t->count; i++) { /* `slot` counts for a moment what a cell has got */
+    for (uint32_t i = 0; i < 2 * t->count; i++) { /* meanwhile `start` moves on to the end of the cell */
         size_t c = cell_of(t, t->at[i]);
         t->slot[i] = t->start[c]++;
         t->end[t->slot[i]] = i;
@@ -141,7 +144,7 @@ typedef struct found {
     double distance;
 } found;
 
-/* Looks through the ends left in cell (x, y); of several at one distance the first is kept. */
+/* Looks through the ends left in cell (x, y). Of ends at one distance the one of least number is kept. */
 static void look_in(const tour *t, page_point p, uint32_t x, uint32_t y, found *best)
 {
     size_t cell = (size_t)y * t->nx[0] + x;
@@ -154,8 +157,8 @@ static void look_in(const tour *t, page_point p, uint32_t x, uint32_t y, found *
     }
 }
 
-/* Distance of p from a cell of level l. */
-static double distance_of_cell(const tour *t, page_point p, uint32_t l, uint32_t x, uint32_t y)
+/* The square of the distance of p from a cell of level l. */
+static double cell_distance_square(const tour *t, page_point p, uint32_t l, uint32_t x, uint32_t y)
 {
     double size = ldexp(t->cell, (int)l), dx = p.x - (t->x0 + size * x), dy = p.y - (t->y0 + size * y);
     dx = greater(0.0, greater(-dx, dx - size));
@@ -163,7 +166,8 @@ static double distance_of_cell(const tour *t, page_point p, uint32_t l, uint32_t
     return dx * dx + dy * dy;
 }
 
-/* The nearest cell of level l with something left, within x0..x1, y0..y1 (cut to the grid); false: none. */
+/* Finds the nearest cell of level l with an end left, in columns box[0] .. box[1] and rows box[2] .. box[3], cut to the
+ * grid. False: there is none. */
 static bool nearest_cell(const tour *t, page_point p, uint32_t l, const int64_t box[4], uint32_t *x, uint32_t *y)
 {
     double best = INFINITY;
@@ -171,7 +175,7 @@ static bool nearest_cell(const tour *t, page_point p, uint32_t l, const int64_t 
         for (int64_t i = box[0] < 0 ? 0 : box[0]; i <= box[1] && i < t->nx[l]; i++) {
             if (!t->left[l][(size_t)j * t->nx[l] + (size_t)i])
                 continue;
-            double d = distance_of_cell(t, p, l, (uint32_t)i, (uint32_t)j);
+            double d = cell_distance_square(t, p, l, (uint32_t)i, (uint32_t)j);
             if (d < best) {
                 best = d;
                 *x = (uint32_t)i;
@@ -181,7 +185,7 @@ static bool nearest_cell(const tour *t, page_point p, uint32_t l, const int64_t 
     return best < INFINITY;
 }
 
-/* An end near p among those left, of which there is at least one. */
+/* Finds an end near p among those left. There is at least one. */
 static uint32_t nearest(const tour *t, page_point p)
 {
     uint32_t x = column_of(t, p), y = row_of(t, p), cx = 0, cy = 0, l = 0;
@@ -243,10 +247,10 @@ static void turn(tour *t, uint32_t i, uint32_t j)
     }
 }
 
-/* Units; more than rounding, so that 2-opt comes to an end. */
+/* In units; more than rounding, so that 2-opt comes to an end. */
 static const double least_gain = 1e-3;
 
-/* Turns i+1..j if the pen's ways get shorter by it. */
+/* Draws polylines i + 1 .. j backward if that shortens the pen's ways. */
 static bool try_turn(tour *t, uint32_t i, uint32_t j)
 {
     if (i >= j || (t->count > SMALL && j - i > BACKWARD_MAX))
@@ -262,15 +266,15 @@ static bool try_turn(tour *t, uint32_t i, uint32_t j)
     return true;
 }
 
-/* How many of the ends in a cell are looked at. */
+/* How many ends of a cell are looked at. */
 static uint32_t look_count(const tour *t, size_t cell)
 {
     uint32_t count = t->start[cell + 1] - t->start[cell];
     return count < LOOK_IN_CELL ? count : LOOK_IN_CELL;
 }
 
-/* Tries the ends in a cell that could follow polyline k (from its exit) or come before k + 1 (from its entry). The
- * square of their distance from p has to be less than `way_square`, that of the pen's way behind k. */
+/* Tries the ends in a cell that could follow polyline k (from its exit) or precede k + 1 (from its entry). They have to
+ * be nearer to p than the pen's way after polyline k is long; `way_square` is its square. */
 static bool try_cell(tour *t, uint32_t k, bool from_exit, page_point p, double way_square, size_t cell)
 {
     uint32_t first = t->start[cell], end = first + look_count(t, cell);
@@ -280,7 +284,7 @@ static bool try_cell(tour *t, uint32_t k, bool from_exit, page_point p, double w
             continue;
         uint32_t e = t->end[i], q = t->position[e / 2];
         bool is_exit = t->entry[q] != e;
-        uint32_t other = from_exit ? q : q - 1; /* the ways behind k and behind `other` are exchanged */
+        uint32_t other = from_exit ? q : q - 1; /* the ways after k and after `other` change */
         if (is_exit == from_exit && (from_exit || q > 0) &&
             (other < k ? try_turn(t, other, k) : try_turn(t, k, other))) {
             t->compared -= end - 1 - i; /* not looked at */
@@ -290,15 +294,15 @@ static bool try_cell(tour *t, uint32_t k, bool from_exit, page_point p, double w
     return false;
 }
 
-/* A lower bound for the distance of a coordinate from all that lie in column or row `i` of the grid. */
+/* A lower bound of the distance between a coordinate and those in column or row `i` of the grid. */
 static double gap(double at, double start, double cell, uint32_t i)
 {
-    const double rounding = 1.0; /* unit; of where columns begin */
+    const double rounding = 1.0; /* units; of a column's border */
     double low = start + cell * i;
     return greater(0.0, greater(low - at, at - low - cell) - rounding);
 }
 
-/* Tries to shorten the way behind polyline k. Cells that are too far are counted as if they were looked into. */
+/* Tries to shorten the pen's way after polyline k. Cells that are too far count as if they were looked into. */
 static bool improve(tour *t, uint32_t k, bool from_exit)
 {
     page_point p = from_exit ? exit_at(t, k) : entry_at(t, k + 1);
@@ -319,7 +323,7 @@ static bool improve(tour *t, uint32_t k, bool from_exit)
     return false;
 }
 
-/* Draws 0..k backward where the way behind them gets shorter by it. */
+/* Draws polylines 0 .. k backward if that shortens the way after them. */
 static bool try_head(tour *t, uint32_t k)
 {
     double now = page_distance(exit_at(t, k), entry_at(t, k + 1)),
@@ -358,8 +362,8 @@ static void turn_points(page_point *p, uint32_t count)
     }
 }
 
-/* Puts the polylines in the tour's order. Points stay where they are, but those of a polyline that is turned round
- * change their order. */
+/* Puts the polylines in the tour's order. The points of a polyline stay in their place; if it is turned round, they are
+ * reversed. */
 static bool apply(const tour *t, polylines *p, size_t first)
 {
     polyline *sorted = alloc_array(t->count, sizeof *sorted);
@@ -400,7 +404,7 @@ static bool tour_init(tour *t, const polylines *p, size_t first)
         t->at[2 * i] = polyline_start(p, &p->item[first + i]);
         t->at[2 * i + 1] = polyline_end(p, &p->item[first + i]);
     }
-    set_frame(t);
+    set_grid(t);
     return fill_grid(t);
 }
 

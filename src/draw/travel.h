@@ -1,11 +1,11 @@
-/* travel.h - in which order, and which way round, polylines are drawn. */
+/* travel.h - the order and the direction in which polylines are drawn. */
 #ifndef ROBERTS_DRAW_TRAVEL_H
 #define ROBERTS_DRAW_TRAVEL_H
 
 #include "draw/chain.h"
 
-/* Orders item[first ..] of `p` for short ways of the lifted pen, which comes from `*pen`. Open polylines may be
- * turned round. `*pen` becomes the end of the last. False: no memory, and nothing has changed. */
+/* Orders item[first ..] of `p` so that the lifted pen, which starts at `*pen`, travels little. Open polylines may be
+ * turned round. `*pen` becomes the end of the last one. False: no memory, and nothing has changed. */
 bool travel_order(polylines *p, size_t first, page_point *pen);
 
 /* Where the pen goes down and where it is lifted. */

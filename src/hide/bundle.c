@@ -11,10 +11,6 @@
 
 /* So many are put in order one by one. */
 #define FEW 64
-/* The error of F(M) and of what is added to it for a point of the scene, in roundings: three products of coordinates, none
- * larger than the extent, and four sums. */
-#define BEHIND_ROUNDINGS 16.0
-
 bool bundle_table_init(bundle_table *table, size_t count)
 {
     *table = (bundle_table){.count = count / BUNDLE_FACES + 1};
@@ -149,7 +145,7 @@ static void set_frame(const some *s, bundle_node *n)
 }
 
 /* Takes in a face. Its plane may be off by `touch - limit` at the far end of the scene, or by half of `touch` where that says
- * nothing (see set_trust() in front.c). */
+ * nothing (see front_set_trust() in front.c). */
 static void take_in(const some *s, bundle_node *n, const hide_face *F)
 {
     double m = hide_margin(s->space), uncertain = greater(0.5 * F->touch, F->touch - (double)F->limit);
@@ -163,7 +159,7 @@ static void take_in(const some *s, bundle_node *n, const hide_face *F)
     }
     box_add(&n->least, &n->most, (roberts_vec3){F->F.a, F->F.b, F->F.c});
     n->behind =
-        greater(n->behind, plane_at(F->F, n->M) + F->touch + uncertain + BEHIND_ROUNDINGS * s->space->depth_rounding);
+        greater(n->behind, plane_at(F->F, n->M) + F->touch + uncertain + BUNDLE_ROUNDINGS * s->space->depth_rounding);
 }
 
 static bundle_node make_node(const some *s)

@@ -9,10 +9,7 @@
 #define ROBERTS_HIDE_BUNDLE_H
 
 #include "hide/list_tree.h"
-#include "hide/space.h"
-
-/* Solids of no more front faces make no bundle. */
-#define BUNDLE_FACES 64
+#include "hide/tolerance.h"
 
 typedef struct bundle_node {
     roberts_vec3 M;           /* a point amid the faces' corners */

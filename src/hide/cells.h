@@ -3,7 +3,7 @@
 #define ROBERTS_HIDE_CELLS_H
 
 #include "hide/scan.h"
-#include "hide/space.h"
+#include "hide/types.h"
 
 /* Cells for lists over the window low..high: some two mean boxes wide, but no more than lets the lists grow in
  * proportion to the number of boxes. n: given number per side, 0 = choose. *depth: mean number of boxes over a point of the

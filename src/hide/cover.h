@@ -8,7 +8,7 @@
 #define ROBERTS_HIDE_COVER_H
 
 #include "hide/scan.h"
-#include "hide/space.h"
+#include "hide/types.h"
 
 typedef struct cover {
     scan_frame frame;
@@ -29,6 +29,11 @@ void cover_add(cover *c, scan *s, const roberts_vec3 *P, const uint32_t *corner,
 
 /* Lies all of the box certainly behind covers? */
 bool cover_hides(const cover *c, const hide_box *box);
+
+struct hide_fronts;
+
+/* Is the solid, which has this box, certainly hidden by what is entered so far? Its vertices need not be mapped. */
+bool cover_hides_solid(const struct hide_fronts *fronts, const hide_box *box, uint32_t solid);
 
 /* Is what covers the cell of picture point (x, y) certainly nearer than z? */
 static inline bool cover_nearer(const cover *c, double x, double y, float z)

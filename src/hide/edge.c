@@ -29,21 +29,21 @@ bool hide_worker_more(hide_worker *w)
     return true;
 }
 
-bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *grid, bool all)
+bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *grid, bool all)
 {
-    *w = (hide_worker){.picture = picture, .grid = grid, .margin = hide_margin(&picture->space), .all = all};
+    *w = (hide_worker){.fronts = fronts, .grid = grid, .margin = hide_margin(&fronts->space), .all = all};
     w->least[0] = w->least[2] = -INFINITY;
     w->most[1] = w->most[3] = INFINITY;
-    w->seen = alloc_zeroed(picture->front_count, sizeof *w->seen);
+    w->seen = alloc_zeroed(fronts->front_count, sizeof *w->seen);
     /* More, so that it lies apart from what other threads write; and a line at least: where there is none, its array can be
      * pointed into. */
-    return w->seen && hide_sides_reserve(&w->sides, picture->most_corners + THREADS_APART) && hide_worker_more(w);
+    return w->seen && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) && hide_worker_more(w);
 }
 
 void hide_worker_free(hide_worker *w)
 {
     for (size_t i = 0; i < w->line_room; i++) {
-        free(w->line[i].parts.item);
+        free(w->line[i].intervals.item);
         free(w->line[i].hulls.item);
     }
     free(w->line);
@@ -55,16 +55,16 @@ void hide_worker_free(hide_worker *w)
 
 /* What is nearer than all corners of a front is not hidden and touches nothing that is, whatever its faces' planes are
  * rounded to. False: nothing is left. */
-static BITS_RARE bool confine(const hide_worker *w, const hide_box *box, const hide_edge *e, hide_part *part)
+static BITS_RARE bool confine(const hide_worker *w, const hide_box *box, const hide_edge *e, hide_interval *part)
 {
     double nearest = (double)box->z1 + w->margin;
     return box_clip(e->A.z, e->B.z, -INFINITY, nearest, &part->t0, &part->t1) &&
            box_clip(e->A.z, e->B.z, -INFINITY, nearest, &part->r0, &part->r1) &&
-           hide_is_left(&w->picture->space, e, part);
+           hide_is_left(&w->fronts->space, e, part);
 }
 
 /* Whether that may change anything. */
-static inline bool is_confined(const hide_worker *w, const hide_box *box, const hide_edge *e, const hide_part *part)
+static inline bool is_confined(const hide_worker *w, const hide_box *box, const hide_edge *e, const hide_interval *part)
 {
     double nearest = (double)box->z1 + w->margin, dz = e->B.z - e->A.z;
     return e->A.z + part->r0 * dz <= nearest && e->A.z + part->r1 * dz <= nearest;
@@ -73,7 +73,7 @@ static inline bool is_confined(const hide_worker *w, const hide_box *box, const 
 /* Of a line that is hidden at one end only the rest, which begins at P, need meet other fronts: where their boxes miss
  * the rest's by the margin, what they hide is hidden already and touches nothing beyond it: they reach no farther than
  * their boxes and the margin. What is known of the line's other end stays. */
-static void shrink(hide_worker *w, size_t n, const hide_part *hidden)
+static void shrink(hide_worker *w, size_t n, const hide_interval *hidden)
 {
     const hide_edge *e = &w->line[n].e;
     hide_lanes *l = &w->lanes;
@@ -100,10 +100,10 @@ static void shrink(hide_worker *w, size_t n, const hide_part *hidden)
 /* Is it a front of the line's own faces? */
 static bool is_own(const hide_worker *w, const hide_line *line, const hide_front *front)
 {
-    const scene_surface *surface = w->picture->scene->surface;
-    bool own = line->own[0] == front->outline || line->own[1] == front->outline;
+    const scene_surface *surface = w->fronts->scene->surface;
+    bool own = line->own[0] == front->plane || line->own[1] == front->plane;
     for (uint32_t k = line->many ? line->many->first : 0; line->many && k < line->many->end && !own; k++)
-        own = surface->plane_of[surface->many_face[k] & ~MANY_TURNED] == front->outline;
+        own = surface->plane_of[surface->many_face[k] & ~MANY_TURNED] == front->plane;
     return own;
 }
 
@@ -115,7 +115,7 @@ static double left_of(roberts_vec3 P, roberts_vec3 Q, roberts_vec3 X)
 
 /* Does the line begin or end at a corner of the face, and go on plainly outside of it from there? Of a surface most faces that a
  * line meets are of this kind. */
-static bool leaves_at_corner(const hide_picture *picture, const hide_edge *e, const hide_face *F)
+static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, const hide_face *F)
 {
     uint32_t at = F->count;
     for (uint32_t i = 0; i < F->count; i++)
@@ -126,9 +126,9 @@ static bool leaves_at_corner(const hide_picture *picture, const hide_edge *e, co
         }
     if (at == F->count)
         return false;
-    roberts_vec3 before = picture->P[F->corner[at > 0 ? at - 1 : F->count - 1]], V = picture->P[F->corner[at]];
-    roberts_vec3 after = picture->P[F->corner[at + 1 < F->count ? at + 1 : 0]], X = F->corner[at] == e->a ? e->B : e->A;
-    return left_of(V, after, X) < -picture->space.plain || left_of(V, X, before) < -picture->space.plain;
+    roberts_vec3 before = fronts->P[F->corner[at > 0 ? at - 1 : F->count - 1]], V = fronts->P[F->corner[at]];
+    roberts_vec3 after = fronts->P[F->corner[at + 1 < F->count ? at + 1 : 0]], X = F->corner[at] == e->a ? e->B : e->A;
+    return left_of(V, after, X) < -fronts->space.plain || left_of(V, X, before) < -fronts->space.plain;
 }
 
 /* Leaves out the lines, given by bits from `first` on, whose own face the front is, and those that only touch it at a corner. */
@@ -138,7 +138,7 @@ static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *fi
     uint64_t left = bits;
     for (; bits; bits &= bits - 1) {
         const hide_line *line = first + bits_trailing_zeros(bits);
-        if (is_own(w, line, front) || leaves_at_corner(w->picture, &line->e, w->picture->face + front->face))
+        if (is_own(w, line, front) || leaves_at_corner(w->fronts, &line->e, w->fronts->face + front->face))
             left &= ~(bits & -bits);
     }
     return left;
@@ -147,21 +147,22 @@ static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *fi
 /* Of the lines from `first` on, within `box`, those given by bits against a front that may be nearer somewhere. */
 static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box *box, uint32_t index)
 {
-    const hide_picture *picture = w->picture;
-    const hide_front *front = &picture->front[index];
-    const hide_box *own = &picture->front_box[index];
-    hide_meeting meeting = hide_meet(picture, front, own, box);
+    const hide_fronts *fronts = w->fronts;
+    const hide_front *front = &fronts->front[index];
+    const hide_box *own = &fronts->front_box[index];
+    hide_meeting meeting = hide_meet(fronts, front, own, box);
     bool ask = w->shrinks && ++w->met > MANY_FRONTS;
     for (; bits; bits &= bits - 1) {
         hide_line *line = first + bits_trailing_zeros(bits);
-        const hide_part *hidden = ask && line->parts.count ? &line->parts.item[line->parts.count - 1].part : NULL;
-        hide_part part;
-        if (!hide_by_front(picture, &meeting, &line->e, hidden, &w->sides, &w->tally, &part))
+        const hide_interval *hidden =
+            ask && line->intervals.count ? &line->intervals.item[line->intervals.count - 1].part : NULL;
+        hide_interval part;
+        if (!hide_by_front(fronts, &meeting, &line->e, hidden, &w->sides, &w->tally, &part))
             continue;
         if (!is_confined(w, own, &line->e, &part) && !confine(w, own, &line->e, &part))
             continue;
-        if (front->corners == 0 && !front->surface ? !hide_parts_hull(&line->hulls, front->solid, &part)
-                                                   : !hide_parts_add(&line->parts, front->solid, &part))
+        if (front->kind == HIDE_SOLID_FACE ? !hide_intervals_hull(&line->hulls, front->solid, &part)
+                                           : !hide_intervals_add(&line->intervals, front->solid, &part))
             return false;
         if (part.t0 == 0.0 && part.t1 == 1.0) {
             line->hidden = true;
@@ -205,27 +206,27 @@ BITS_INLINE bool meet_once(hide_worker *w, uint32_t solid, hide_line *line, cons
         return true;
     w->seen[front] = w->stamp;
     /* What the faces of one solid hide is joined to one part, also where a face reaches only what is hidden already. */
-    bool hull = w->grid->next && w->picture->front[front].corners == 0 && !w->picture->front[front].surface;
+    bool hull = w->grid->next && w->fronts->front[front].kind == HIDE_SOLID_FACE;
     const hide_lanes *lanes = hull ? &w->whole : &w->lanes;
-    uint64_t bits = line ? 1 : met_by(lanes, w->line_count, &w->picture->front_box[front]);
-    if (solid == ROBERTS_NONE && w->picture->front[front].surface)
-        bits = not_left_out(w, line ? line : w->line, bits, &w->picture->front[front]);
-    return !bits || w->picture->front[front].solid == solid || meet(w, line ? line : w->line, bits, box, front);
+    uint64_t bits = line ? 1 : met_by(lanes, w->line_count, &w->fronts->front_box[front]);
+    if (solid == ROBERTS_NONE && w->fronts->front[front].kind == HIDE_SURFACE_FACE)
+        bits = not_left_out(w, line ? line : w->line, bits, &w->fronts->front[front]);
+    return !bits || w->fronts->front[front].solid == solid || meet(w, line ? line : w->line, bits, box, front);
 }
 
 /* The same, where its box reaches theirs. */
 BITS_INLINE bool meet_entry(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t front)
 {
-    return apart(&w->picture->front_box[front], four_load(w->least), four_load(w->most)) ||
+    return apart(&w->fronts->front_box[front], four_load(w->least), four_load(w->most)) ||
            meet_once(w, solid, line, box, front);
 }
 
 /* The first entry from k on, before `end`, whose front has no point nearer than z. */
-static uint32_t first_behind(const objet *grid, const hide_picture *picture, uint32_t k, uint32_t end, float z)
+static uint32_t first_behind(const objet *grid, const hide_fronts *fronts, uint32_t k, uint32_t end, float z)
 {
     while (k < end) {
         uint32_t middle = k + (end - k) / 2;
-        if (picture->front_box[grid->entry[middle].front].z1 < z)
+        if (fronts->front_box[grid->entry[middle].front].z1 < z)
             end = middle;
         else
             k = middle + 1;
@@ -252,16 +253,16 @@ static bool meet_forward(hide_worker *w, uint32_t solid, hide_line *line, const 
                          uint32_t sides, float far)
 {
     const objet *grid = w->grid;
-    const hide_picture *picture = w->picture;
+    const hide_fronts *fronts = w->fronts;
     for (uint32_t next; k < end; k = next) {
-        if (grid->next && picture->front[grid->entry[k].front].solid == solid) {
+        if (grid->next && fronts->front[grid->entry[k].front].solid == solid) {
             next = grid->next[k];
             continue;
         }
         unsigned near = objet_near(grid, k, end, sides);
         for (next = k + 4; near; near &= near - 1) {
             uint32_t front = grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front;
-            if (picture->front_box[front].z1 < far)
+            if (fronts->front_box[front].z1 < far)
                 return true; /* and so are all that follow: none of them has a point nearer than the lines here */
             if (!meet_entry(w, solid, line, box, front))
                 return false;
@@ -284,7 +285,7 @@ static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hid
     uint32_t sides = objet_most(objet_cut(four_load(w->place), column, row)), k = start[0];
     bool alone = line && grid->next; /* it would pass all faces of its own solid, those of a fan again and again */
     if (!alone && start[1] - start[0] > SHORT_LIST) {
-        k = first_behind(grid, w->picture, k, start[1], box->z1);
+        k = first_behind(grid, w->fronts, k, start[1], box->z1);
         if (!meet_backward(w, solid, line, box, start[0], k, sides))
             return false;
     }
@@ -305,7 +306,7 @@ static void set_reach(hide_worker *w, const hide_box *box)
 static void next_stamp(hide_worker *w)
 {
     if (++w->stamp == 0) {
-        memset(w->seen, 0, w->picture->front_count * sizeof *w->seen);
+        memset(w->seen, 0, w->fronts->front_count * sizeof *w->seen);
         w->stamp = 1;
     }
 }
@@ -391,9 +392,9 @@ static bool run_lines(hide_worker *w, uint32_t solid)
 /* What solids entered face by face hide becomes part of the whole. */
 static BITS_RARE bool add_hulls(hide_line *line)
 {
-    hide_parts_hulls_done(&line->hulls);
+    hide_intervals_hulls_done(&line->hulls);
     for (size_t k = 0; k < line->hulls.count; k++)
-        if (!hide_parts_add(&line->parts, line->hulls.item[k].solid, &line->hulls.item[k].part))
+        if (!hide_intervals_add(&line->intervals, line->hulls.item[k].solid, &line->hulls.item[k].part))
             return false;
     return true;
 }
@@ -401,20 +402,20 @@ static BITS_RARE bool add_hulls(hide_line *line)
 bool hide_worker_run(hide_worker *w, uint32_t solid)
 {
     /* Nothing else could hide them; and a fan of a million triangles lists all of them in the cell of its tip. */
-    bool alone = w->picture->scene->solid_count == 1 && solid != ROBERTS_NONE;
+    bool alone = w->fronts->scene->solid_count == 1 && solid != ROBERTS_NONE;
     if (w->line_count > 0 && !alone && !run_lines(w, solid))
         return false;
     for (hide_line *line = w->line, *end = line + w->line_count; line < end; line++) {
         if (line->hulls.count > 0 && !add_hulls(line))
             return false;
-        hide_parts_unite(&line->parts, w->picture->space.epsilon, line->e.length3);
+        hide_intervals_unite(&line->intervals, w->fronts->space.epsilon, line->e.length3);
     }
     return true;
 }
 
-static bool box_holds(const hide_picture *picture, const hide_box *box, double x, double y)
+static bool box_holds(const hide_fronts *fronts, const hide_box *box, double x, double y)
 {
-    double m = picture->space.epsilon;
+    double m = fronts->space.epsilon;
     return x >= (double)box->x0 - m && x <= (double)box->x1 + m && y >= (double)box->y0 - m && y <= (double)box->y1 + m;
 }
 
@@ -426,11 +427,11 @@ typedef struct look {
     bool touching;  /* the nearest depth is known, and asked who touches it */
 } look;
 
-static void look_at_face(const hide_picture *picture, const hide_front *front, const hide_face *F, double z1, look *l)
+static void look_at_face(const hide_fronts *fronts, const hide_front *front, const hide_face *F, double z1, look *l)
 {
     if (l->touching && !(fabs(plane_at(F->F, (roberts_vec3){l->x, l->y, l->best})) <= 2.0 * F->touch))
         return;
-    if (!hide_picture_holds(picture, &picture->face_runs, F->corner, F->count, l->x, l->y, picture->space.epsilon))
+    if (!hide_polygon_holds(fronts, &fronts->face_runs, F->corner, F->count, l->x, l->y, fronts->space.epsilon))
         return;
     if (l->touching)
         l->solid = front->solid;
@@ -438,32 +439,32 @@ static void look_at_face(const hide_picture *picture, const hide_front *front, c
         l->best = greater(l->best, lesser(z1, (F->F.a * l->x + F->F.b * l->y + F->F.d) / -F->F.c));
 }
 
-static void look_at_front(const hide_picture *picture, const hide_front *front, double z1, look *l)
+static void look_at_front(const hide_fronts *fronts, const hide_front *front, double z1, look *l)
 {
-    const hide_face *face = picture->face + front->face;
-    const bundle *b = bundle_of(&picture->bundles, front->face, front->face_count);
+    const hide_face *face = fronts->face + front->face;
+    const bundle *b = bundle_of(&fronts->bundles, front->face, front->face_count);
     for (uint32_t i = 0; !b && i < front->face_count; i++)
-        look_at_face(picture, front, &face[i], z1, l);
+        look_at_face(fronts, front, &face[i], z1, l);
     for (uint32_t i = 0, end; b && bundle_next(b, l->x, l->y, &i, &end);)
         for (; i < end; i++)
-            look_at_face(picture, front, &face[b->order[i]], z1, l);
+            look_at_face(fronts, front, &face[b->order[i]], z1, l);
 }
 
 /* The fronts of one cell, those whose boxes, by their sides in it, can hold the point; four at a time. */
 static void look_at_cell(const hide_worker *w, size_t cell, uint32_t sides, look *l)
 {
     const objet *grid = w->grid;
-    const hide_picture *picture = w->picture;
+    const hide_fronts *fronts = w->fronts;
     for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end; k += 4) {
         unsigned near = objet_near(grid, k, end, sides);
         for (; near; near &= near - 1) {
             uint32_t index = grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front;
-            const hide_front *front = &picture->front[index];
-            const hide_box *box = &picture->front_box[index];
-            if ((double)box->z1 + (l->touching ? picture->thickest : 0.0) < l->best)
+            const hide_front *front = &fronts->front[index];
+            const hide_box *box = &fronts->front_box[index];
+            if ((double)box->z1 + (l->touching ? fronts->thickest : 0.0) < l->best)
                 return; /* and so are all that follow */
-            if (box_holds(picture, box, l->x, l->y) && !(l->touching && front->solid >= l->solid))
-                look_at_front(picture, front, (double)box->z1, l);
+            if (box_holds(fronts, box, l->x, l->y) && !(l->touching && front->solid >= l->solid))
+                look_at_front(fronts, front, (double)box->z1, l);
         }
     }
 }
@@ -472,7 +473,7 @@ uint32_t hide_seen_at(const hide_worker *w, double x, double y)
 {
     const objet *grid = w->grid;
     uint32_t column = scan_column(&grid->frame, x), row = scan_row(&grid->frame, y);
-    double m = w->picture->space.epsilon;
+    double m = w->fronts->space.epsilon;
     hide_box about = {.x0 = hide_float_below(x - m),
                       .x1 = hide_float_above(x + m),
                       .y0 = hide_float_below(y - m),

@@ -4,8 +4,8 @@
 
 #include "base/threads.h"
 #include "hide/objet.h"
-#include "hide/pair.h"
-#include "hide/parts.h"
+#include "hide/front_test.h"
+#include "hide/intervals.h"
 
 /* A solid of more edges than this is taken edge by edge. A multiple of 4. */
 #define HIDE_GROUP 64
@@ -13,10 +13,10 @@
 /* An edge at work. */
 typedef struct hide_line {
     hide_edge e;
-    hide_parts parts; /* hidden so far */
-    hide_parts hulls; /* ... by solids entered face by face: one interval for each of them */
-    bool hidden;      /* wholly: nothing more need be asked */
-    uint32_t edge;    /* of the scene */
+    hide_intervals intervals; /* hidden so far */
+    hide_intervals hulls;     /* ... by solids entered face by face: one interval for each of them */
+    bool hidden;              /* wholly: nothing more need be asked */
+    uint32_t edge;            /* of the scene */
     /* Of a body that is not convex: the planes of its own faces (scene_surface.plane_of; ROBERTS_NONE: none), or of more than two
      * all that are listed. */
     uint32_t own[2];
@@ -31,7 +31,7 @@ typedef struct hide_lanes {
 
 /* Scratch memory of one thread, serving solid after solid. */
 typedef struct hide_worker {
-    const hide_picture *picture;
+    const hide_fronts *fronts;
     const objet *grid;
     hide_sides sides;
     objet_walk walk;
@@ -56,7 +56,7 @@ typedef struct hide_worker {
 } hide_worker;
 
 /* False: no memory; hide_worker_free() is due in any case. */
-bool hide_worker_init(hide_worker *w, const hide_picture *picture, const objet *grid, bool all);
+bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *grid, bool all);
 void hide_worker_free(hide_worker *w);
 
 /* Room for one more line. */
@@ -92,8 +92,8 @@ BITS_INLINE hide_line *hide_worker_add(hide_worker *w, uint32_t edge, const scen
     hide_edge *e = &line->e;
     e->a = first + from->v[0];
     e->b = first + from->v[1];
-    e->A = w->picture->P[e->a];
-    e->B = w->picture->P[e->b];
+    e->A = w->fronts->P[e->a];
+    e->B = w->fronts->P[e->b];
     roberts_vec3 AB = vec3_sub(e->B, e->A);
     e->length = sqrt(AB.x * AB.x + AB.y * AB.y);
     e->length3 = vec3_length(AB);
@@ -106,7 +106,7 @@ BITS_INLINE hide_line *hide_worker_add(hide_worker *w, uint32_t edge, const scen
         w->lanes.z0[n] = box.z0;
         w->lanes.z1[n] = box.z1;
     }
-    line->parts.count = line->hulls.count = 0;
+    line->intervals.count = line->hulls.count = 0;
     line->hidden = false;
     line->edge = edge;
     return line;

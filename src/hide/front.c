@@ -5,21 +5,11 @@
 
 #include "base/array.h"
 #include "hide/outline.h"
-#include "hide/span.h"
 
-/* A front of more faces than this is entered face by face: an edge that passes it would be compared with all. */
-#define FACES_OF_ONE_FRONT 24
-/* A solid of more faces than make a bundle is one where their boxes lie so many times over one another on average. */
-#define DEPTH_OF_BUNDLE 8.0
-/* ... or one so small in the picture that about so many of its faces share a cell: with fewer, their tree takes longer. */
-#define FACES_OF_A_CELL 1000.0
 /* Cells each way in a picture of n faces, about, are this times the root of n: see CELLS_PER_BOX in cells.c. */
 #define CELLS_PER_ROOT 2.0
 /* From this many cells (five or six mean boxes) across, a cover's depth is taken cell by cell and not once for all of it. */
 #define COVER_WIDE 50.0
-
-/* A solid is no larger than this times the width of a face that is not narrow. */
-#define WIDTHS_OF_SOLID 64.0
 
 /* The front faces of a solid. */
 typedef struct front_faces {
@@ -39,27 +29,27 @@ static double box_size(const hide_box *box)
 /* The departure of a face that is not narrow is left out of the reach. All that is asked of its plane beyond the face is
  * whether what lies behind its solid lies behind the plane, and a sight line only gets deeper behind both. So the plane
  * need only hold for the solid itself, and that it does, to about the departure. */
-double front_set_trust(const hide_picture *picture, uint32_t solid, uint32_t face, double stretch, hide_face *f)
+double front_set_trust(const hide_fronts *fronts, uint32_t solid, uint32_t face, double stretch, hide_face *f)
 {
-    const view *v = &picture->view;
+    const view *v = &fronts->view;
     f->departure = 0.0f;
-    double departure = scene_deviation(picture->scene, face) * v->per_unit;
-    double width = scene_width(picture->scene, face) * v->per_unit, rounded = 0.0;
+    double departure = scene_deviation(fronts->scene, face) * v->per_unit;
+    double width = scene_width(fronts->scene, face) * v->per_unit, rounded = 0.0;
     if (v->perspective) {
-        double grown = 1.0 + (double)picture->box[solid].z1 * v->inverse_distance; /* D / w at the nearest corner */
-        double shrunk = lesser(1.0, 1.0 + (double)picture->box[solid].z0 * v->inverse_distance);
+        double grown = 1.0 + (double)fronts->box[solid].z1 * v->inverse_distance; /* D / w at the nearest corner */
+        double shrunk = lesser(1.0, 1.0 + (double)fronts->box[solid].z0 * v->inverse_distance);
         departure = (departure + v->plane_rounding) * stretch;
         f->departure = hide_float_above(departure);
         departure *= grown;
         rounded = v->plane_rounding * stretch * grown;
         width *= shrunk * shrunk;
     }
-    double error = 4.0 * v->rounding + departure, far_error = error * (1.0 + 2.0 * v->extent / width);
+    double error = PLANE_ROUNDINGS * v->rounding + departure, far_error = error * (1.0 + 2.0 * v->extent / width);
     f->touch = v->epsilon + departure;
     f->limit = hide_float_below(far_error > 0.5 * f->touch ? f->touch - far_error : f->touch);
-    if (departure > v->epsilon && box_size(&picture->box[solid]) <= WIDTHS_OF_SOLID * width)
+    if (departure > v->epsilon && box_size(&fronts->box[solid]) <= WIDTHS_OF_SOLID * width)
         departure = rounded;
-    return width * (0.5 * (v->epsilon + departure) / (4.0 * v->rounding + departure) - 1.0);
+    return width * (0.5 * (v->epsilon + departure) / (PLANE_ROUNDINGS * v->rounding + departure) - 1.0);
 }
 
 /* Classifies the solid's faces and collects its front faces, from the tile's place on.
@@ -68,16 +58,16 @@ double front_set_trust(const hide_picture *picture, uint32_t solid, uint32_t fac
  * few departures of that plane. Its picture is a sliver then: how the corners are rounded decides which side is seen,
  * and what is hidden along the sliver. Both answers are right. To call all such faces edge-on instead was tried on
  * 1,500 brick walls: edges that are seen were lost, and which ones depended on the order of the vertices. */
-static front_faces find_faces(hide_picture *picture, picture_tile *tile, uint32_t solid)
+static front_faces find_faces(hide_fronts *fronts, front_tile *tile, uint32_t solid)
 {
-    const roberts_scene *scene = picture->scene;
+    const roberts_scene *scene = fronts->scene;
     uint32_t end = scene->solid[solid + 1].face;
-    front_faces found = {.face = picture->face + tile->face, .reach = INFINITY, .steepest = 1.0};
+    front_faces found = {.face = fronts->face + tile->face, .reach = INFINITY, .steepest = 1.0};
     for (uint32_t face = scene->solid[solid].face; face < end; face++) {
         double stretch = 1.0;
         plane F;
-        int facing = view_face(&picture->view, scene, face, picture->P, &F, &stretch);
-        picture->facing[face] = (unsigned char)facing;
+        int facing = view_face(&fronts->view, scene, face, fronts->P, &F, &stretch);
+        fronts->facing[face] = (unsigned char)facing;
         if (facing != VIEW_FRONT) {
             found.back += facing == VIEW_BACK;
             found.edge_on += facing == VIEW_EDGE_ON;
@@ -87,7 +77,7 @@ static front_faces find_faces(hide_picture *picture, picture_tile *tile, uint32_
         f->F = F;
         f->corner = scene->corner + scene->face_start[face];
         f->count = scene->face_start[face + 1] - scene->face_start[face];
-        found.reach = lesser(found.reach, front_set_trust(picture, solid, face, stretch, f));
+        found.reach = lesser(found.reach, front_set_trust(fronts, solid, face, stretch, f));
         found.touch = greater(found.touch, f->touch);
         found.steepest = lesser(found.steepest, -F.c);
         tile->most_corners = f->count > tile->most_corners ? f->count : tile->most_corners;
@@ -95,38 +85,38 @@ static front_faces find_faces(hide_picture *picture, picture_tile *tile, uint32_
     return found;
 }
 
-static span face_span(const hide_picture *picture, const hide_face *F)
+static hide_bounds face_bounds(const hide_fronts *fronts, const hide_face *F)
 {
-    span own = empty_span;
+    hide_bounds own = hide_no_bounds;
     for (uint32_t i = 0; i < F->count; i++)
-        box_add(&own.low, &own.high, picture->P[F->corner[i]]);
+        box_add(&own.low, &own.high, fronts->P[F->corner[i]]);
     return own;
 }
 
 /* About how many cells of the lists a box meets along one axis, of a window that is `window` long. */
-static double cells_along(const hide_picture *picture, double length, double window)
+static double cells_along(const hide_fronts *fronts, double length, double window)
 {
-    return 1.0 + (window > 0.0 ? CELLS_PER_ROOT * sqrt(picture->scene->face_count) * length / window : 0.0);
+    return 1.0 + (window > 0.0 ? CELLS_PER_ROOT * sqrt(fronts->scene->face_count) * length / window : 0.0);
 }
 
 /* Do the faces lie across one another's boxes, or very many of them in one cell? (`box` is that of the solid.) */
-static bool is_bundle(const hide_picture *picture, const front_faces *found, const hide_box *box)
+static bool is_bundle(const hide_fronts *fronts, const front_faces *found, const hide_box *box)
 {
     double width = (double)(box->x1 - box->x0), height = (double)(box->y1 - box->y0), area = 0.0;
-    if (found->count <= BUNDLE_FACES || !picture->bundles.at)
+    if (found->count <= BUNDLE_FACES || !fronts->bundles.at)
         return false;
-    double cells = cells_along(picture, width, picture->high.x - picture->low.x) *
-                   cells_along(picture, height, picture->high.y - picture->low.y);
+    double cells = cells_along(fronts, width, fronts->high.x - fronts->low.x) *
+                   cells_along(fronts, height, fronts->high.y - fronts->low.y);
     if (found->count > FACES_OF_A_CELL * cells)
         return true;
     for (uint32_t k = 0; k < found->count; k++) {
-        span own = face_span(picture, &found->face[k]);
+        hide_bounds own = face_bounds(fronts, &found->face[k]);
         area += (own.high.x - own.low.x) * (own.high.y - own.low.y);
     }
     return area > DEPTH_OF_BUNDLE * width * height;
 }
 
-bool front_more_singles(picture_tile *tile, size_t more)
+bool front_more_singles(front_tile *tile, size_t more)
 {
     size_t need = tile->single_count + more;
     return array_reserve(&tile->single, &tile->single_room, need, sizeof *tile->single) &&
@@ -134,63 +124,63 @@ bool front_more_singles(picture_tile *tile, size_t more)
 }
 
 /* Each of the faces as a front of its own. */
-static bool add_single_fronts(const hide_picture *picture, picture_tile *tile, uint32_t solid, const front_faces *found)
+static bool add_single_fronts(const hide_fronts *fronts, front_tile *tile, uint32_t solid, const front_faces *found)
 {
     if (!front_more_singles(tile, found->count))
         return false;
     for (uint32_t k = 0; k < found->count; k++) {
-        span own = face_span(picture, &found->face[k]);
-        tile->single_box[tile->single_count] = span_box(&own);
-        tile->single[tile->single_count++] =
-            (hide_front){.solid = solid, .face = tile->face + k, .face_count = 1, .listed = true};
+        hide_bounds own = face_bounds(fronts, &found->face[k]);
+        tile->single_box[tile->single_count] = hide_box_around(&own);
+        tile->single[tile->single_count++] = (hide_front){
+            .solid = solid, .face = tile->face + k, .face_count = 1, .kind = HIDE_SOLID_FACE, .listed = true};
     }
     return true;
 }
 
 /* The runs of the faces and of the outline, of those that have many corners. False: no memory. */
-static bool enter_runs(hide_picture *picture, const front_faces *found, const uint32_t *outline, uint32_t corners)
+static bool enter_runs(hide_fronts *fronts, const front_faces *found, const uint32_t *outline, uint32_t corners)
 {
-    if (!picture->face_runs.at)
+    if (!fronts->face_runs.at)
         return true;
     for (uint32_t k = 0; k < found->count; k++)
-        if (!runs_enter(&picture->face_runs, &picture->space, found->face[k].corner, found->face[k].count))
+        if (!runs_enter(&fronts->face_runs, &fronts->space, found->face[k].corner, found->face[k].count))
             return false;
-    return runs_enter(&picture->outline_runs, &picture->space, outline, corners);
+    return runs_enter(&fronts->outline_runs, &fronts->space, outline, corners);
 }
 
-static double farthest(const hide_picture *picture, const uint32_t *corner, uint32_t corners)
+static double farthest(const hide_fronts *fronts, const uint32_t *corner, uint32_t corners)
 {
     double depth = INFINITY;
     for (uint32_t i = 0; i < corners; i++)
-        depth = lesser(depth, picture->P[corner[i]].z);
+        depth = lesser(depth, fronts->P[corner[i]].z);
     return depth;
 }
 
 /* Enters what a front covers. trusted: the planes of its faces say how far it is. by: its number, ROBERTS_NONE if it will
  * have none. */
-static void cover_front(hide_picture *picture, scan *s, const hide_front *front, const front_faces *found, bool trusted,
+static void cover_front(hide_fronts *fronts, scan *s, const hide_front *front, const front_faces *found, bool trusted,
                         double depth, double slack, uint32_t by)
 {
-    const hide_box *box = &picture->box[front->solid];
-    const scan_frame *f = &picture->cover.frame;
+    const hide_box *box = &fronts->box[front->solid];
+    const scan_frame *f = &fronts->cover.frame;
     bool wide = trusted &&
                 ((double)(box->x1 - box->x0) > COVER_WIDE * f->dx || (double)(box->y1 - box->y0) > COVER_WIDE * f->dy);
-    cover_add(&picture->cover, s, picture->P, picture->outline + front->outline, front->corners, depth, found->face,
+    cover_add(&fronts->cover, s, fronts->P, fronts->outline + front->outline, front->corners, depth, found->face,
               wide ? found->count : 0, slack, by, (double)front->loose);
 }
 
 /* Enters the faces of a solid that is not entered as a whole, and the runs of its polygons. corners: of its outline, 0 where that
  * is not asked. False: no memory. */
-static BITS_RARE bool enter_faces(hide_picture *picture, picture_tile *tile, uint32_t solid, const front_faces *found,
+static BITS_RARE bool enter_faces(hide_fronts *fronts, front_tile *tile, uint32_t solid, const front_faces *found,
                                   const uint32_t *outline, uint32_t corners, bool bundled)
 {
     if (bundled)
-        return bundle_enter(&picture->bundles, &picture->space, found->face, found->count, tile->face) &&
-               enter_runs(picture, found, outline, 0);
-    return (corners || add_single_fronts(picture, tile, solid, found)) && enter_runs(picture, found, outline, corners);
+        return bundle_enter(&fronts->bundles, &fronts->space, found->face, found->count, tile->face) &&
+               enter_runs(fronts, found, outline, 0);
+    return (corners || add_single_fronts(fronts, tile, solid, found)) && enter_runs(fronts, found, outline, corners);
 }
 
-static void count_faces(picture_tile *tile, const front_faces *found)
+static void count_faces(front_tile *tile, const front_faces *found)
 {
     tile->face += found->count;
     tile->faces += found->count;
@@ -202,60 +192,60 @@ static void count_faces(picture_tile *tile, const front_faces *found)
  * too little: what is seen nearly edge-on is a sliver of the picture. As one front it is right to within what the solid
  * departs from a convex one: no point of the solid lies farther than that before the plane of a face, and a sight line
  * behind the solid only gets deeper behind all planes. */
-static uint32_t convex_hull(const hide_picture *picture, uint32_t solid, uint32_t *order, uint32_t *outline,
-                            double width)
+static uint32_t convex_hull(const hide_fronts *fronts, uint32_t solid, uint32_t *order, uint32_t *outline, double width)
 {
-    uint32_t corners = outline_hull(picture, solid, order, outline);
-    return outline_is_convex(picture, outline, corners, width) ? corners : 0;
+    uint32_t corners = outline_hull(fronts, solid, order, outline);
+    return outline_is_convex(fronts, outline, corners, width) ? corners : 0;
 }
 
-bool front_add(hide_picture *picture, front_scratch *scratch, picture_tile *tile, uint32_t solid)
+bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, uint32_t solid)
 {
-    const roberts_scene *scene = picture->scene;
-    const hide_box *box = &picture->box[solid];
-    uint32_t vertex = scene->solid[solid].vertex, *outline = picture->outline + tile->outline;
-    view_points(&picture->view, scene->point + vertex, scene->solid[solid + 1].vertex - vertex, picture->P + vertex);
+    const roberts_scene *scene = fronts->scene;
+    const hide_box *box = &fronts->box[solid];
+    uint32_t vertex = scene->solid[solid].vertex, *outline = fronts->outline + tile->outline;
+    view_points(&fronts->view, scene->point + vertex, scene->solid[solid + 1].vertex - vertex, fronts->P + vertex);
     if (!scene_is_convex(scene, solid))
-        return surface_add_fronts(picture, tile, solid);
-    front_faces found = find_faces(picture, tile, solid);
-    uint32_t cycle = outline_cycle(picture, solid, scratch->next, outline), corners = cycle;
+        return surface_add_fronts(fronts, tile, solid);
+    front_faces found = find_faces(fronts, tile, solid);
+    uint32_t cycle = outline_cycle(fronts, solid, scratch->next, outline), corners = cycle;
     double width = (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0);
-    if (!outline_is_convex(picture, outline, corners, width))
+    if (!outline_is_convex(fronts, outline, corners, width))
         corners = 0;
     if (corners == 0 && found.count > 0 && found.count <= FACES_OF_ONE_FRONT)
-        cycle = corners = convex_hull(picture, solid, scratch->next, outline, width);
+        cycle = corners = convex_hull(fronts, solid, scratch->next, outline, width);
     bool whole = corners && found.count <= FACES_OF_ONE_FRONT;
-    bool bundled = cycle && !whole && is_bundle(picture, &found, box);
+    bool bundled = cycle && !whole && is_bundle(fronts, &found, box);
     double size = box_size(box);
     double reach = found.reach - size;
-    if (reach > 6.0 * picture->view.extent)
+    if (reach > 6.0 * fronts->view.extent)
         reach = INFINITY; /* nothing is farther away, along three axes */
     /* By how much nearer than the front's farthest corner a point must be to count as touching it. Nothing of a front is
      * farther than the farthest corner of its outline, since its depth is a concave function; a point that much behind it
      * that it is behind each face by more than `touch` is certainly hidden, wherever it is inside the outline. */
-    double slack = 2.0 * (found.touch + hide_margin(&picture->space)) / found.steepest;
-    double depth = corners ? farthest(picture, outline, corners) : -INFINITY;
+    double slack = 2.0 * (found.touch + hide_margin(&fronts->space)) / found.steepest;
+    double depth = corners ? farthest(fronts, outline, corners) : -INFINITY;
     hide_front front = {.solid = solid,
                         .face = tile->face,
                         .face_count = found.count,
                         .depth = hide_float_below(depth - slack),
-                        .reach = whole ? reach : -INFINITY, /* a bundle's faces are never asked all at once */
-                        .loose = hide_float_above(4.0 * (found.touch - picture->view.epsilon)),
+                        .reach = reach,
+                        .loose = hide_float_above(LOOSE_DEPARTURES * (found.touch - fronts->view.epsilon)),
                         .outline = tile->outline,
-                        .corners = cycle};
-    if (corners && picture->cover.depth)
-        cover_front(picture, &scratch->scan, &front, &found, whole && reach > size, depth, slack,
+                        .corners = cycle,
+                        .kind = whole ? HIDE_CONVEX_SOLID : HIDE_BUNDLE};
+    if (corners && fronts->cover.depth)
+        cover_front(fronts, &scratch->scan, &front, &found, whole && reach > size, depth, slack,
                     whole ? tile->front : ROBERTS_NONE);
-    if ((!whole || picture->face_runs.at) &&
-        !enter_faces(picture, tile, solid, &found, outline, whole ? corners : 0, bundled))
+    if ((!whole || fronts->face_runs.at) &&
+        !enter_faces(fronts, tile, solid, &found, outline, whole ? corners : 0, bundled))
         return false;
     count_faces(tile, &found);
     if (!whole && !bundled)
         return true;
     tile->outline += cycle;
     tile->most_corners = cycle > tile->most_corners ? cycle : tile->most_corners;
-    picture->front_box[tile->front] = *box;
-    picture->front[tile->front] = front;
+    fronts->front_box[tile->front] = *box;
+    fronts->front[tile->front] = front;
     tile->front++;
     return true;
 }

@@ -1,7 +1,7 @@
 /* hide.c - the whole scene: clipped, mapped, listed in the grid, and then the segments of all its solids.
  *
  * Solids are taken in chunks that threads work on at the same time; each chunk keeps its segments until those of the
- * chunks before are laid down (see chunks.h). Nothing else is shared, so that the result does not depend on the threads. */
+ * chunks before are laid down (see schedule.h). Nothing else is shared, so that the result does not depend on the threads. */
 #include <math.h>
 #include <stdlib.h>
 #include <time.h>
@@ -17,9 +17,6 @@
 #define CHUNK_SOLIDS 64
 #define CHUNK_SEGMENTS 1024 /* room to begin with: nine visible edges of each block, and then some */
 #define CHUNKS_PER_THREAD 8 /* with less work than this a thread costs more than it does */
-
-/* Touching distance above which "on" would mean a visible length: a hundredth of the scene. */
-#define EPSILON_MOST 0.01
 
 /* The crease angle of bodies that are taken for curved, degrees. */
 #define SMOOTH_CREASE 30.0
@@ -48,12 +45,12 @@ static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
         uint32_t s = job->order.solid[k];
         if (k + 2 * SOLIDS_AHEAD < count) {
             FETCH_AHEAD(&job->scene->solid[job->order.solid[k + 2 * SOLIDS_AHEAD]]);
-            FETCH_AHEAD(&job->picture.culled[job->order.solid[k + 2 * SOLIDS_AHEAD]]);
+            FETCH_AHEAD(&job->fronts.culled[job->order.solid[k + 2 * SOLIDS_AHEAD]]);
         }
-        if (k + SOLIDS_AHEAD < count && !job->picture.culled[job->order.solid[k + SOLIDS_AHEAD]])
-            hide_picture_fetch(&job->picture, job->order.solid[k + SOLIDS_AHEAD]);
+        if (k + SOLIDS_AHEAD < count && !job->fronts.culled[job->order.solid[k + SOLIDS_AHEAD]])
+            hide_fronts_fetch(&job->fronts, job->order.solid[k + SOLIDS_AHEAD]);
         hide_worker_begin(w);
-        if (!job->picture.culled[s] && scene_is_convex(job->scene, s) && !segments_hide(job, w, s))
+        if (!job->fronts.culled[s] && scene_is_convex(job->scene, s) && !segments_hide(job, w, s))
             return false;
         if (!picture_order_keep(&job->order, k, w))
             return false;
@@ -141,7 +138,7 @@ static roberts_status do_chunks(hide_job *job, roberts_drawing *drawing)
     if (!worker || !chunks_init(&all, count, threads, drawing, job->each, job->context))
         goto done;
     for (int i = 0; i < threads; i++)
-        if (!hide_worker_init(&worker[i], &job->picture, &job->grid, job->options->keep_hidden))
+        if (!hide_worker_init(&worker[i], &job->fronts, &job->grid, job->options->keep_hidden))
             goto done;
     if (!look_ahead_at_all(job, worker, threads))
         goto done;
@@ -193,7 +190,7 @@ static roberts_status check_options(const roberts_hide_options *options, roberts
 static void set_frame(const hide_job *job, const roberts_camera *camera, roberts_drawing *drawing)
 {
     double half;
-    if (!view_frame(&job->picture.view, camera, job->clip.clipped, &half))
+    if (!view_frame(&job->fronts.view, camera, job->clip.clipped, &half))
         return;
     drawing->framed = true;
     drawing->window_min = (roberts_vec2){-half, -half};
@@ -203,21 +200,21 @@ static void set_frame(const hide_job *job, const roberts_camera *camera, roberts
 /* The window is the box of all vertices: every solid has outlines, and they are always drawn. */
 static void describe(const hide_job *job, const roberts_camera *camera, roberts_drawing *drawing)
 {
-    const hide_picture *picture = &job->picture;
-    double unit = picture->view.unit;
-    drawing->epsilon = picture->view.epsilon * unit;
-    drawing->epsilon_reason = picture->view.epsilon_reason;
-    drawing->scene_diameter = picture->view.diameter * unit;
+    const hide_fronts *fronts = &job->fronts;
+    double unit = fronts->view.unit;
+    drawing->epsilon = fronts->view.epsilon * unit;
+    drawing->epsilon_reason = fronts->view.epsilon_reason;
+    drawing->scene_diameter = fronts->view.diameter * unit;
     drawing->grid = job->grid.frame.nx;
     drawing->grid_rows = job->grid.frame.ny;
     drawing->solids = job->source->solid_count;
-    drawing->culled_solids = picture->culled_count;
+    drawing->culled_solids = fronts->culled_count;
     drawing->edges = job->source->edge_count;
-    drawing->front_faces = picture->face_count;
-    drawing->back_faces = picture->back;
-    drawing->edge_on_faces = picture->edge_on;
-    drawing->window_min = (roberts_vec2){picture->low.x * unit, picture->low.y * unit};
-    drawing->window_max = (roberts_vec2){picture->high.x * unit, picture->high.y * unit};
+    drawing->front_faces = fronts->face_count;
+    drawing->back_faces = fronts->back;
+    drawing->edge_on_faces = fronts->edge_on;
+    drawing->window_min = (roberts_vec2){fronts->low.x * unit, fronts->low.y * unit};
+    drawing->window_max = (roberts_vec2){fronts->high.x * unit, fronts->high.y * unit};
     set_frame(job, camera, drawing);
 }
 
@@ -231,24 +228,24 @@ static roberts_status build(hide_job *job, const roberts_camera *camera, roberts
     if (status != ROBERTS_OK)
         return status;
     job->scene = job->clip.clipped ? &job->clip.scene : job->source;
-    status = hide_picture_build(&job->picture, job->scene, camera, options->epsilon, !options->keep_hidden,
-                                options->threads, error);
+    status = hide_fronts_build(&job->fronts, job->scene, camera, options->epsilon, !options->keep_hidden,
+                               options->threads, error);
     if (status != ROBERTS_OK)
         return status;
-    const view *v = &job->picture.view;
+    const view *v = &job->fronts.view;
     if (v->epsilon > EPSILON_MOST * v->diameter && options->epsilon > 0.0)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                          "the touching distance, %.6g, is more than a hundredth of the scene (%.6g)", options->epsilon,
                          v->diameter * v->unit);
     drawing->view_time = lap(&clock);
-    const hide_picture *picture = &job->picture;
+    const hide_fronts *fronts = &job->fronts;
     double depth;
-    scan_frame frame = cells_for_lists(picture->front_box, picture->front_count, picture->low, picture->high,
-                                       options->grid, hide_margin(&picture->space), &depth);
-    if (!picture_order_init(&job->order, picture, depth))
+    scan_frame frame = cells_for_lists(fronts->front_box, fronts->front_count, fronts->low, fronts->high, options->grid,
+                                       hide_margin(&fronts->space), &depth);
+    if (!picture_order_init(&job->order, fronts, depth))
         return ROBERTS_NO_MEMORY;
-    hide_picture_drop_boxes(&job->picture);
-    status = objet_build(&job->grid, picture, frame, options->threads);
+    hide_fronts_drop_boxes(&job->fronts);
+    status = objet_build(&job->grid, fronts, frame, options->threads);
     drawing->grid_time = lap(&clock);
     return status;
 }
@@ -280,7 +277,7 @@ static roberts_status hide(hide_job *job, const roberts_camera *camera, roberts_
     }
     picture_order_free(&job->order);
     objet_free(&job->grid);
-    hide_picture_free(&job->picture);
+    hide_fronts_free(&job->fronts);
     view_clip_free(&job->clip);
     if (status == ROBERTS_NO_MEMORY)
         error_no_memory(error);
@@ -299,16 +296,18 @@ roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *ca
 }
 
 roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camera *camera,
-                                 const roberts_hide_options *options, roberts_segment_fn *each, void *context,
+                                 const roberts_hide_options *options, const roberts_receiver *each,
                                  roberts_drawing *summary, roberts_error *error)
 {
-    hide_job job = {.source = scene, .options = options, .each = each, .context = context};
+    hide_job job = {.source = scene, .options = options};
     roberts_drawing counted;
-    if (!each) {
+    if (!each || !each->receive) {
         if (summary)
             *summary = (roberts_drawing){0};
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no function to receive the segments");
     }
+    job.each = each->receive;
+    job.context = each->context;
     return hide(&job, camera, summary ? summary : &counted, error);
 }
 

@@ -21,7 +21,7 @@ typedef struct lister {
 /* The filling of the grid. */
 typedef struct filling {
     objet *grid;
-    const hide_picture *picture;
+    const hide_fronts *fronts;
     lister *lister; /* [threads] */
     int threads;
 } filling;
@@ -44,18 +44,18 @@ static inline uint32_t count_one(uint32_t *cell, bool alone)
 static void list_front(const filling *job, uint32_t index, scan *s, bool fill)
 {
     objet *grid = job->grid;
-    const hide_picture *picture = job->picture;
+    const hide_fronts *fronts = job->fronts;
     scan_frame wider = grid->frame;
     const scan_frame *f = &wider;
-    const hide_box *box = &picture->front_box[index];
-    wider.margin += picture->front[index].loose;
+    const hide_box *box = &fronts->front_box[index];
+    wider.margin += fronts->front[index].loose;
     double m = f->margin;
     uint32_t first = scan_column(f, (double)box->x0 - m), last = scan_column(f, (double)box->x1 + m);
     uint32_t low = scan_row(f, (double)box->y0 - m), high = scan_row(f, (double)box->y1 + m);
     bool small = last - first < 2 && high - low < 2, alone = job->threads == 1;
     if (!small) {
-        hide_face outline = hide_outline(picture, &picture->front[index]);
-        scan_polygon(s, f, picture->P, outline.corner, outline.count);
+        hide_face outline = hide_outline(fronts, &fronts->front[index]);
+        scan_polygon(s, f, fronts->P, outline.corner, outline.count);
         first = s->first;
         last = s->last;
     }
@@ -75,12 +75,12 @@ static void list_front(const filling *job, uint32_t index, scan *s, bool fill)
 /* Counts all fronts, or lists them: in any order, which the sorting mends. */
 static void list_all(const filling *job, bool fill)
 {
-    const hide_picture *picture = job->picture;
+    const hide_fronts *fronts = job->fronts;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(static) num_threads(job->threads)
 #endif
-    for (uint32_t k = 0; k < picture->front_count; k++)
-        if (picture->front[k].listed)
+    for (uint32_t k = 0; k < fronts->front_count; k++)
+        if (fronts->front[k].listed)
             list_front(job, k, &job->lister[thread_self()].s, fill);
 }
 
@@ -141,7 +141,7 @@ static bool sort_some(const filling *job, size_t first, size_t end)
             return false;
         }
         for (uint32_t k = 0; k < count; k++) {
-            sorted e = {job->picture->front_box[own[k].front].z1, own[k]};
+            sorted e = {job->fronts->front_box[own[k].front].z1, own[k]};
             uint32_t i = k;
             for (; count <= SHORT_LIST && i > 0 && nearer_first(&e, &list[i - 1]) < 0; i--)
                 list[i] = list[i - 1];
@@ -171,19 +171,19 @@ static bool sort_lists(const filling *job)
 }
 
 /* Fills `next`, from each list's end. */
-static bool link_lists(objet *grid, const hide_picture *picture)
+static bool link_lists(objet *grid, const hide_fronts *fronts)
 {
     size_t cells = scan_cells(&grid->frame);
     bool single = false;
-    for (uint32_t k = 0; k < picture->front_count && !single; k++)
-        single = picture->front[k].listed && picture->front[k].corners == 0 && !picture->front[k].surface;
+    for (uint32_t k = 0; k < fronts->front_count && !single; k++)
+        single = fronts->front[k].listed && fronts->front[k].kind == HIDE_SOLID_FACE;
     if (!single)
         return true;
     grid->next = alloc_array(grid->start[cells], sizeof *grid->next);
     for (size_t c = 0; grid->next && c < cells; c++)
         for (uint32_t end = grid->start[c + 1], k = end; k-- > grid->start[c];) {
             bool same = k + 1 < end &&
-                        picture->front[grid->entry[k].front].solid == picture->front[grid->entry[k + 1].front].solid;
+                        fronts->front[grid->entry[k].front].solid == fronts->front[grid->entry[k + 1].front].solid;
             grid->next[k] = same ? grid->next[k + 1] : k + 1;
         }
     return grid->next != NULL;
@@ -205,9 +205,9 @@ static void free_listers(filling *job)
     free(job->lister);
 }
 
-roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame frame, uint32_t threads)
+roberts_status objet_build(objet *grid, const hide_fronts *fronts, scan_frame frame, uint32_t threads)
 {
-    filling job = {grid, picture, NULL, threads_for(threads, 1 + picture->front_count / WORTH_A_THREAD)};
+    filling job = {grid, fronts, NULL, threads_for(threads, 1 + fronts->front_count / WORTH_A_THREAD)};
     *grid = (objet){.frame = frame};
     for (int i = 0; i < 4; i++) {
         grid->from[i] = (float)(i < 2 ? frame.x0 : frame.y0);
@@ -222,7 +222,7 @@ roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame 
     if (done) {
         list_all(&job, true);
         restore_starts(grid);
-        done = sort_lists(&job) && link_lists(grid, picture);
+        done = sort_lists(&job) && link_lists(grid, fronts);
     }
     free_listers(&job);
     if (!done)

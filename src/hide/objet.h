@@ -1,7 +1,7 @@
 /* objet.h - the grid Objet[i][j]: which fronts touch which cell of the picture.
  *
  * Source: the lecture's last section. A front is what one solid shows: all its front faces, listed once under their
- * common outline; a solid of many faces is listed face by face (see picture.h). A cell lists its fronts nearest corner
+ * common outline; a solid of many faces is listed face by face (see fronts.h). A cell lists its fronts nearest corner
  * first, so that one that begins behind an edge ends the search. What covers a cell is kept apart (see cover.h). */
 #ifndef ROBERTS_HIDE_OBJET_H
 #define ROBERTS_HIDE_OBJET_H
@@ -9,12 +9,12 @@
 #include <string.h>
 
 #include "base/lanes.h"
-#include "hide/picture.h"
+#include "hide/fronts.h"
 #include "hide/scan.h"
 
 /* A front in a cell's list. */
 typedef struct objet_entry {
-    uint32_t front; /* of the picture */
+    uint32_t front; /* of hide_fronts.front */
     uint32_t
         sides; /* of its box, counted in 256ths of the cell and cut to it, a byte for each: x0, 255 - x1, y0, 255 - y1 */
 } objet_entry;
@@ -46,7 +46,7 @@ typedef struct objet_walk {
 
 /* Fills the cells of `frame`, by so many threads at the most (0: what there is), on which the result does not depend.
  * Returns ROBERTS_OK or _NO_MEMORY. */
-roberts_status objet_build(objet *grid, const hide_picture *picture, scan_frame frame, uint32_t threads);
+roberts_status objet_build(objet *grid, const hide_fronts *fronts, scan_frame frame, uint32_t threads);
 void objet_free(objet *grid);
 
 /* A box in 256ths of cells from cell (0, 0) on, as lanes x0, x1, y0, y1. */

@@ -6,11 +6,11 @@
 #include "hide/refine.h"
 
 /* Epsilon may have called faces of a very small or flat solid edge-on: then the edges may not be one cycle. */
-uint32_t outline_cycle(const hide_picture *picture, uint32_t solid, uint32_t *next, uint32_t *outline)
+uint32_t outline_cycle(const hide_fronts *fronts, uint32_t solid, uint32_t *next, uint32_t *outline)
 {
-    const scene_solid *own = &picture->scene->solid[solid];
-    const scene_edge *e = picture->scene->edge + own->stored, *end = e + (own[1].edge - own->edge);
-    const unsigned char *facing = picture->facing + own->face;
+    const scene_solid *own = &fronts->scene->solid[solid];
+    const scene_edge *e = fronts->scene->edge + own->stored, *end = e + (own[1].edge - own->edge);
+    const unsigned char *facing = fronts->facing + own->face;
     uint32_t edges = 0, start = ROBERTS_NONE, count = 0, size = own[1].vertex - own->vertex;
     for (uint32_t v = 0; v < size; v++)
         next[v] = ROBERTS_NONE;
@@ -43,33 +43,34 @@ static double span_of(roberts_vec3 side)
 /* Whether the outline turns left at corner b or goes straight on, in twice the precision. An inward turn counts as
  * straight on where the lines of both sides cut off no more than half of epsilon from a front of this size. A turn
  * straight back does not count, nor does one after a side without length. */
-static BITS_RARE bool turns_left(const hide_picture *picture, uint32_t a, uint32_t b, uint32_t c, double size)
+static BITS_RARE bool turns_left(const hide_fronts *fronts, uint32_t a, uint32_t b, uint32_t c, double size)
 {
-    const roberts_vec3 *P = picture->P;
+    const roberts_vec3 *P = fronts->P;
     roberts_vec3 AB = vec3_sub(P[b], P[a]), BC = vec3_sub(P[c], P[b]);
-    double left = refine_side(&picture->space, a, b, c); /* no number where AB has no length */
+    double left = refine_side(&fronts->space, a, b, c); /* no number where AB has no length */
     if (AB.x * BC.x + AB.y * BC.y <= 0.0)
         return left > 0.0;
-    return left >= -0.5 * picture->view.epsilon / size * span_of(BC);
+    return left >= -INWARD_TURN * fronts->view.epsilon / size * span_of(BC);
 }
 
 /* Tests 2 to 4 need a convex polygon: for them the inside is what lies on the inner side of every side's line, so that
  * one side in a wrong direction may cut off the whole front. A polygon is convex where it turns left at each corner, or
  * goes straight on, and goes round once. To go round is to change once from a side that does not lead up to one that
  * does. */
-bool outline_is_convex(const hide_picture *picture, const uint32_t *outline, uint32_t corners, double size)
+bool outline_is_convex(const hide_fronts *fronts, const uint32_t *outline, uint32_t corners, double size)
 {
-    const double plain = 8.0 * picture->view.across_rounding * size; /* no product of two sides is off by more */
+    const double plain =
+        TURN_ROUNDINGS * fronts->view.across_rounding * size; /* no product of two sides is off by more */
     int rounds = 0;
     if (corners < 3)
         return false;
     uint32_t a = outline[corners - 2], b = outline[corners - 1];
-    roberts_vec3 AB = vec3_sub(picture->P[b], picture->P[a]);
+    roberts_vec3 AB = vec3_sub(fronts->P[b], fronts->P[a]);
     for (uint32_t i = 0; i < corners; i++) {
         uint32_t c = outline[i];
-        roberts_vec3 BC = vec3_sub(picture->P[c], picture->P[b]);
+        roberts_vec3 BC = vec3_sub(fronts->P[c], fronts->P[b]);
         double left = AB.x * BC.y - AB.y * BC.x;
-        if (left <= plain && !turns_left(picture, a, b, c, size))
+        if (left <= plain && !turns_left(fronts, a, b, c, size))
             return false;
         if (left >= 0.0 || AB.x * BC.x + AB.y * BC.y <= 0.0)
             rounds += AB.y <= 0.0 && BC.y > 0.0;
@@ -83,9 +84,9 @@ bool outline_is_convex(const hide_picture *picture, const uint32_t *outline, uin
 }
 
 /* By x, then by y; of several at one place the nearest first. */
-static bool comes_before(const hide_picture *picture, uint32_t a, uint32_t b)
+static bool comes_before(const hide_fronts *fronts, uint32_t a, uint32_t b)
 {
-    roberts_vec3 A = picture->P[a], B = picture->P[b];
+    roberts_vec3 A = fronts->P[a], B = fronts->P[b];
     if (A.x != B.x)
         return A.x < B.x;
     if (A.y != B.y)
@@ -94,12 +95,12 @@ static bool comes_before(const hide_picture *picture, uint32_t a, uint32_t b)
 }
 
 /* Puts item[0 .. count - 1] in order, all but item[root] below which it is a heap already: the last comes first. */
-static void sift(const hide_picture *picture, uint32_t *item, uint32_t root, uint32_t count)
+static void sift(const hide_fronts *fronts, uint32_t *item, uint32_t root, uint32_t count)
 {
     for (uint32_t child; (child = 2 * root + 1) < count; root = child) {
-        if (child + 1 < count && comes_before(picture, item[child], item[child + 1]))
+        if (child + 1 < count && comes_before(fronts, item[child], item[child + 1]))
             child++;
-        if (!comes_before(picture, item[root], item[child]))
+        if (!comes_before(fronts, item[root], item[child]))
             return;
         uint32_t moved = item[root];
         item[root] = item[child];
@@ -107,59 +108,59 @@ static void sift(const hide_picture *picture, uint32_t *item, uint32_t root, uin
     }
 }
 
-static void sort(const hide_picture *picture, uint32_t *item, uint32_t count)
+static void sort(const hide_fronts *fronts, uint32_t *item, uint32_t count)
 {
     for (uint32_t i = count / 2; i-- > 0;)
-        sift(picture, item, i, count);
+        sift(fronts, item, i, count);
     for (uint32_t end = count; end-- > 1;) {
         uint32_t last = item[0];
         item[0] = item[end];
         item[end] = last;
-        sift(picture, item, 0, end);
+        sift(fronts, item, 0, end);
     }
 }
 
 /* Does the way from a over b to c certainly turn left? So near to the straight way that rounding could turn it right, b
  * counts as no corner. */
-static bool is_left_turn(const hide_picture *picture, uint32_t a, uint32_t b, uint32_t c)
+static bool is_left_turn(const hide_fronts *fronts, uint32_t a, uint32_t b, uint32_t c)
 {
-    const roberts_vec3 *P = picture->P;
+    const roberts_vec3 *P = fronts->P;
     roberts_vec3 AB = vec3_sub(P[b], P[a]), AC = vec3_sub(P[c], P[a]);
-    return AB.x * AC.y - AB.y * AC.x > 8.0 * picture->view.across_rounding * hypot(AC.x, AC.y);
+    return AB.x * AC.y - AB.y * AC.x > TURN_ROUNDINGS * fronts->view.across_rounding * hypot(AC.x, AC.y);
 }
 
 /* The last corners of a chain at which it does not turn left toward c are none. The first `kept` stay. */
-static uint32_t drop_corners(const hide_picture *picture, const uint32_t *chain, uint32_t count, uint32_t kept,
+static uint32_t drop_corners(const hide_fronts *fronts, const uint32_t *chain, uint32_t count, uint32_t kept,
                              uint32_t c)
 {
-    while (count > kept && !is_left_turn(picture, chain[count - 2], chain[count - 1], c))
+    while (count > kept && !is_left_turn(fronts, chain[count - 2], chain[count - 1], c))
         count--;
     return count;
 }
 
 /* A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information Processing Letters 9(5),
  * 1979: from the first point to the last and back, the corners below and above the line between these. */
-uint32_t outline_hull(const hide_picture *picture, uint32_t solid, uint32_t *order, uint32_t *outline)
+uint32_t outline_hull(const hide_fronts *fronts, uint32_t solid, uint32_t *order, uint32_t *outline)
 {
-    const scene_solid *own = &picture->scene->solid[solid];
+    const scene_solid *own = &fronts->scene->solid[solid];
     uint32_t size = own[1].vertex - own->vertex, count = 1;
     for (uint32_t v = 0; v < size; v++)
         order[v] = own->vertex + v;
-    sort(picture, order, size);
+    sort(fronts, order, size);
     uint32_t first = outline[0] = order[0], last = order[size - 1];
     for (uint32_t i = 1; i < size; i++) {
-        count = drop_corners(picture, outline, count, 1, order[i]);
+        count = drop_corners(fronts, outline, count, 1, order[i]);
         outline[count++] = order[i];
     }
     uint32_t below = count;
     for (uint32_t i = size - 1; i-- > 1;) {
-        if (!is_left_turn(picture, first, last, order[i]))
+        if (!is_left_turn(fronts, first, last, order[i]))
             continue;
-        count = drop_corners(picture, outline, count, below, order[i]);
+        count = drop_corners(fronts, outline, count, below, order[i]);
         if (count == size)
             return 0; /* by rounding: what is above the line is no corner below it */
         outline[count++] = order[i];
     }
-    count = drop_corners(picture, outline, count, below, first);
+    count = drop_corners(fronts, outline, count, below, first);
     return count >= 3 ? count : 0;
 }

@@ -46,7 +46,7 @@ double reach_along(const hide_space *space, const hide_edge *e, const reach_bord
     return sign * greater(reach, begin + space->epsilon / e->length3);
 }
 
-void reach_corners(const hide_space *space, const hide_edge *e, const hide_face *F, hide_part *part)
+void reach_corners(const hide_space *space, const hide_edge *e, const hide_face *F, hide_interval *part)
 {
     double first = INFINITY, last = -INFINITY, epsilon = space->epsilon / e->length;
     for (uint32_t i = 0; i < F->count; i++) {

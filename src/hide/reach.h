@@ -12,11 +12,7 @@
 #ifndef ROBERTS_HIDE_REACH_H
 #define ROBERTS_HIDE_REACH_H
 
-#include "hide/space.h"
-
-/* Reaches of so many epsilons along the edge are taken as they are: they are no more than cells and boxes are widened
- * by. */
-#define REACH_PLAIN 4.0
+#include "hide/tolerance.h"
 
 /* Where an edge crosses a border, out of the polygon F or into it: the side from corner `first` of F to corner `last`,
  * or the chord of the sides between them where these are straight. */
@@ -32,7 +28,7 @@ typedef struct reach_border {
 double reach_along(const hide_space *space, const hide_edge *e, const reach_border *border, double touch, double *t);
 
 /* Ends the part at the last and the first corner of F, as the edge goes, where it goes on by more than epsilon. */
-void reach_corners(const hide_space *space, const hide_edge *e, const hide_face *F, hide_part *part);
+void reach_corners(const hide_space *space, const hide_edge *e, const hide_face *F, hide_interval *part);
 
 /* Is reach_along() needed? */
 static inline bool reach_is_plain(const hide_space *space, const hide_edge *e, double touch)

@@ -7,7 +7,7 @@
 #ifndef ROBERTS_HIDE_REFINE_H
 #define ROBERTS_HIDE_REFINE_H
 
-#include "hide/space.h"
+#include "hide/types.h"
 
 /* Distance, view units, of vertex x from the sight plane through vertices p and q; > 0 left of p -> q in the picture. */
 double refine_side(const hide_space *space, uint32_t p, uint32_t q, uint32_t x);

@@ -58,7 +58,7 @@ static void set_places(tiles *t)
 {
     uint32_t first = 0, face = 0, outline = 0;
     for (uint32_t k = 0; k < t->count; k++) {
-        picture_tile *to = &t->tile[k];
+        front_tile *to = &t->tile[k];
         uint32_t solids = to->end, faces = to->face, vertices = to->outline;
         to->first = to->end = to->front = first;
         to->face = face;
@@ -70,30 +70,30 @@ static void set_places(tiles *t)
 }
 
 /* The tile of each solid. */
-static void find_tiles(const layout *l, const hide_picture *picture, uint32_t *own, int threads)
+static void find_tiles(const layout *l, const hide_fronts *fronts, uint32_t *own, int threads)
 {
-    uint32_t count = picture->scene->solid_count;
+    uint32_t count = fronts->scene->solid_count;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(static) num_threads(threads)
 #else
     (void)threads;
 #endif
     for (uint32_t s = 0; s < count; s++)
-        own[s] = tile_of(l, &picture->cover.frame, &picture->box[s]);
+        own[s] = tile_of(l, &fronts->cover.frame, &fronts->box[s]);
 }
 
-static bool by_place(tiles *t, const hide_picture *picture, int threads)
+static bool by_place(tiles *t, const hide_fronts *fronts, int threads)
 {
-    const roberts_scene *scene = picture->scene;
-    layout l = lay_out(t, &picture->cover.frame);
+    const roberts_scene *scene = fronts->scene;
+    layout l = lay_out(t, &fronts->cover.frame);
     uint32_t *own = alloc_array(scene->solid_count, sizeof *own);
     t->tile = alloc_zeroed(t->count, sizeof *t->tile);
     t->solid = alloc_array(scene->solid_count, sizeof *t->solid);
     bool done = own && t->tile && t->solid;
     if (done)
-        find_tiles(&l, picture, own, threads);
+        find_tiles(&l, fronts, own, threads);
     for (uint32_t s = 0; done && s < scene->solid_count; s++) {
-        picture_tile *to = &t->tile[own[s]];
+        front_tile *to = &t->tile[own[s]];
         to->end++;
         to->face += scene->solid[s + 1].face - scene->solid[s].face;
         to->outline += scene->solid[s + 1].vertex - scene->solid[s].vertex;
@@ -106,27 +106,27 @@ static bool by_place(tiles *t, const hide_picture *picture, int threads)
     return done;
 }
 
-static bool by_number(tiles *t, const hide_picture *picture)
+static bool by_number(tiles *t, const hide_fronts *fronts)
 {
-    const roberts_scene *scene = picture->scene;
+    const roberts_scene *scene = fronts->scene;
     t->count = scene->solid_count / TILE_SOLIDS + 1;
     t->round[1] = t->round[2] = t->round[3] = t->round[4] = t->round[5] = t->count;
     t->tile = alloc_zeroed(t->count, sizeof *t->tile);
     for (uint32_t k = 0; t->tile && k < t->count; k++) {
         uint32_t first = k * TILE_SOLIDS, left = scene->solid_count - first;
-        t->tile[k] = (picture_tile){.first = first,
-                                    .end = first + (left < TILE_SOLIDS ? left : TILE_SOLIDS),
-                                    .front = first,
-                                    .face = scene->solid[first].face,
-                                    .outline = scene->solid[first].vertex};
+        t->tile[k] = (front_tile){.first = first,
+                                  .end = first + (left < TILE_SOLIDS ? left : TILE_SOLIDS),
+                                  .front = first,
+                                  .face = scene->solid[first].face,
+                                  .outline = scene->solid[first].vertex};
     }
     return t->tile != NULL;
 }
 
-bool tiles_make(tiles *t, const hide_picture *picture, int threads)
+bool tiles_make(tiles *t, const hide_fronts *fronts, int threads)
 {
     *t = (tiles){0};
-    return picture->cover.depth ? by_place(t, picture, threads) : by_number(t, picture);
+    return fronts->cover.depth ? by_place(t, fronts, threads) : by_number(t, fronts);
 }
 
 void tiles_free(tiles *t)
@@ -140,7 +140,7 @@ void tiles_free(tiles *t)
     *t = (tiles){0};
 }
 
-bool tiles_order(tiles *t, const picture_tile *of, const hide_picture *picture)
+bool tiles_order(tiles *t, const front_tile *of, const hide_fronts *fronts)
 {
     uint32_t count = of->end - of->first, *solid = t->solid + of->first;
     uint32_t *key = alloc_array(count, 3 * sizeof *key), *order, *sorted;
@@ -149,7 +149,7 @@ bool tiles_order(tiles *t, const picture_tile *of, const hide_picture *picture)
     order = key + count;
     sorted = order + count;
     for (uint32_t k = 0; k < count; k++)
-        key[k] = radix_key_descending(picture->box[solid[k]].z1);
+        key[k] = radix_key_descending(fronts->box[solid[k]].z1);
     bool done = radix_order(key, count, order);
     for (uint32_t k = 0; done && k < count; k++)
         sorted[k] = solid[order[k]];
@@ -182,13 +182,13 @@ static double apart(uint32_t a, uint32_t b)
 
 /* Fills `key` so that the solids' order follows the Z-order curve through the picture. Gives how far one is from the last, on
  * average. */
-static double find_keys(const hide_picture *picture, uint32_t *key)
+static double find_keys(const hide_fronts *fronts, uint32_t *key)
 {
-    uint32_t count = picture->scene->solid_count, last_i = 0, last_j = 0;
+    uint32_t count = fronts->scene->solid_count, last_i = 0, last_j = 0;
     double way = 0.0;
-    scan_frame frame = scan_frame_over(picture->low, picture->high, SIDE, SIDE, hide_margin(&picture->space));
+    scan_frame frame = scan_frame_over(fronts->low, fronts->high, SIDE, SIDE, hide_margin(&fronts->space));
     for (uint32_t s = 0; s < count; s++) {
-        const hide_box *box = &picture->box[s];
+        const hide_box *box = &fronts->box[s];
         uint32_t i = scan_column(&frame, 0.5 * ((double)box->x0 + (double)box->x1));
         uint32_t j = scan_row(&frame, 0.5 * ((double)box->y0 + (double)box->y1));
         way += apart(i, last_i) + apart(j, last_j);
@@ -199,15 +199,15 @@ static double find_keys(const hide_picture *picture, uint32_t *key)
     return way / count;
 }
 
-bool picture_order_init(picture_order *o, const hide_picture *picture, double depth)
+bool picture_order_init(picture_order *o, const hide_fronts *fronts, double depth)
 {
-    *o = (picture_order){.count = picture->scene->solid_count};
+    *o = (picture_order){.count = fronts->scene->solid_count};
     if (o->count < MANY_SOLIDS)
         return true;
     uint32_t *key = alloc_array(o->count, sizeof *key);
     if (!key)
         return false;
-    bool far = find_keys(picture, key) > FAR_APART, done = true;
+    bool far = find_keys(fronts, key) > FAR_APART, done = true;
     if (far || depth > DEEP) {
         o->solid = alloc_array(o->count, sizeof *o->solid);
         o->place = alloc_array(o->count, sizeof *o->place);
@@ -236,23 +236,23 @@ void picture_order_free(picture_order *o)
 
 static bool wholly_hidden(const hide_line *line)
 {
-    return line->hidden ||
-           (line->parts.count == 1 && line->parts.item[0].part.t0 == 0.0 && line->parts.item[0].part.t1 == 1.0);
+    return line->hidden || (line->intervals.count == 1 && line->intervals.item[0].part.t0 == 0.0 &&
+                            line->intervals.item[0].part.t1 == 1.0);
 }
 
 static bool keep_line(kept_chunk *c, const hide_line *line, bool all)
 {
-    size_t parts = line->parts.count, first = c->part_count, end = first + parts;
+    size_t parts = line->intervals.count, first = c->part_count, end = first + parts;
     if (!array_reserve(&c->line, &c->line_room, c->line_count + 1, sizeof *c->line) ||
         !array_reserve(&c->t, &c->t_room, 2 * end, sizeof *c->t) ||
         (all && !array_reserve(&c->by, &c->by_room, end, sizeof *c->by)) || parts > UINT32_MAX || end > UINT32_MAX)
         return false;
     c->line[c->line_count++] = (kept_line){line->edge, (uint32_t)parts};
     for (size_t i = 0; i < parts; i++) {
-        c->t[2 * (first + i)] = line->parts.item[i].part.t0;
-        c->t[2 * (first + i) + 1] = line->parts.item[i].part.t1;
+        c->t[2 * (first + i)] = line->intervals.item[i].part.t0;
+        c->t[2 * (first + i) + 1] = line->intervals.item[i].part.t1;
         if (all)
-            c->by[first + i] = line->parts.item[i].solid;
+            c->by[first + i] = line->intervals.item[i].solid;
     }
     c->part_count = end;
     return true;
@@ -308,7 +308,7 @@ void picture_order_fetch(const picture_order *o, uint32_t solid)
 
 bool picture_order_recall(const picture_order *o, uint32_t solid, hide_worker *w)
 {
-    const roberts_scene *scene = w->picture->scene;
+    const roberts_scene *scene = w->fronts->scene;
     const kept_chunk *c = &o->chunk[o->place[solid] / KEPT_SOLIDS];
     uint32_t k = o->place[solid] % KEPT_SOLIDS, end = c->first_line[k + 1], part = c->first_part[k];
     hide_worker_begin(w);
@@ -317,12 +317,13 @@ bool picture_order_recall(const picture_order *o, uint32_t solid, hide_worker *w
         hide_line *line = hide_worker_add(w, edge, scene_edge_stored(scene, solid, edge), scene->solid[solid].vertex);
         if (!line)
             return false;
-        hide_parts *parts = &line->parts;
-        if (!array_reserve(&parts->item, &parts->room, c->line[i].parts, sizeof *parts->item))
+        hide_intervals *intervals = &line->intervals;
+        if (!array_reserve(&intervals->item, &intervals->room, c->line[i].parts, sizeof *intervals->item))
             return false;
-        for (parts->count = 0; parts->count < c->line[i].parts; part++) {
+        for (intervals->count = 0; intervals->count < c->line[i].parts; part++) {
             const double *t = c->t + 2 * (size_t)part;
-            parts->item[parts->count++] = (hide_solid_part){{t[0], t[1], 0.0, 0.0}, c->by ? c->by[part] : ROBERTS_NONE};
+            intervals->item[intervals->count++] =
+                (hide_solid_interval){{t[0], t[1], 0.0, 0.0}, c->by ? c->by[part] : ROBERTS_NONE};
         }
     }
     return true;

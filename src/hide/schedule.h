@@ -25,7 +25,7 @@
 
 #include "base/threads.h"
 #include "hide/edge.h"
-#include "hide/picture.h"
+#include "hide/fronts.h"
 #include "roberts.h"
 
 /* ---- tiles ---- */
@@ -34,32 +34,32 @@
 enum { TILE_ROUNDS = 5 };
 
 /* A solid has at most one front for all of it, no more front faces than faces, and no more corners in its outline than vertices.
- * So a tile's places in the picture's arrays begin where those of the tiles before it must end. Room that is not used is never
+ * So a tile's places in the arrays of hide_fronts begin where those of the tiles before it must end. Room that is not used is never
  * touched. */
-typedef struct picture_tile {
+typedef struct front_tile {
     uint32_t first, end;           /* of tiles.solid */
-    uint32_t front, face, outline; /* of the picture's arrays: the next to be written */
+    uint32_t front, face, outline; /* of the arrays of hide_fronts: the next to be written */
     hide_front *single;            /* fronts of one face each, of solids that are entered face by face */
     hide_box *single_box;
     size_t single_count, single_room, single_box_room;
     size_t faces, back, edge_on, culled;
     uint32_t most_corners;
     char apart[THREADS_APART];
-} picture_tile;
+} front_tile;
 
 typedef struct tiles {
-    picture_tile *tile;
+    front_tile *tile;
     uint32_t count, round[TILE_ROUNDS + 1]; /* first tile of each round, and the last one's end */
     uint32_t *solid;                        /* tile by tile; NULL: as they are numbered */
 } tiles;
 
-/* Makes the tiles of a picture that has its boxes and the frame of its covers. threads: upper bound. False: no memory;
+/* Makes the tiles of fronts that have their boxes and the frame of their covers. threads: upper bound. False: no memory;
  * tiles_free() is due in any case. */
-bool tiles_make(tiles *t, const hide_picture *picture, int threads);
+bool tiles_make(tiles *t, const hide_fronts *fronts, int threads);
 void tiles_free(tiles *t);
 
 /* Orders a tile's solids, nearest first, ties by number. False: no memory. */
-bool tiles_order(tiles *t, const picture_tile *of, const hide_picture *picture);
+bool tiles_order(tiles *t, const front_tile *of, const hide_fronts *fronts);
 
 /* ---- the order of the picture ---- */
 
@@ -86,7 +86,7 @@ typedef struct picture_order {
 } picture_order;
 
 /* Finds the order; depth: mean number of fronts' boxes over a point of the picture. False: no memory; picture_order_free() is due in any case. */
-bool picture_order_init(picture_order *o, const hide_picture *picture, double depth);
+bool picture_order_init(picture_order *o, const hide_fronts *fronts, double depth);
 void picture_order_free(picture_order *o);
 
 /* Keeps the worker's lines, of the solid order[place], as hide_worker_run() has left them; within a chunk solids come one

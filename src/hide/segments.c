@@ -23,7 +23,7 @@ static inline double to_space(const view *v, const hide_edge *e, double s)
 static bool add_segment(const hide_job *job, hide_chunk *out, const roberts_segment *pattern, const hide_edge *e,
                         double s0, double s1)
 {
-    const view *v = &job->picture.view;
+    const view *v = &job->fronts.view;
     double unit = v->unit, width = pattern->t1 - pattern->t0; /* of what the near plane leaves of the edge, mostly 1 */
     double t0 = pattern->t0 + width * to_space(v, e, s0);
     double t1 = s1 == 1.0 ? pattern->t1 : pattern->t0 + width * to_space(v, e, s1);
@@ -44,7 +44,7 @@ static bool add_segment(const hide_job *job, hide_chunk *out, const roberts_segm
 }
 
 static bool add_hidden(const hide_job *job, hide_chunk *out, roberts_segment pattern, const hide_edge *e,
-                       const hide_solid_part *hidden)
+                       const hide_solid_interval *hidden)
 {
     pattern.state = ROBERTS_HIDDEN;
     pattern.by = hidden->solid;
@@ -54,7 +54,7 @@ static bool add_hidden(const hide_job *job, hide_chunk *out, roberts_segment pat
 /* How the faces of a solid look, from its first on. */
 static const unsigned char *facing_of(const hide_job *job, uint32_t solid)
 {
-    return job->picture.facing + job->scene->solid[solid].face;
+    return job->fronts.facing + job->scene->solid[solid].face;
 }
 
 /* How many of the two faces of a stored edge are front. */
@@ -80,11 +80,11 @@ bool segments_add_parts(const hide_job *job, hide_chunk *out, const roberts_segm
     double from = 0.0;
     const hide_edge *e = &line->e;
     bool all = job->options->keep_hidden;
-    for (size_t i = 0; i < line->parts.count; i++) {
-        const hide_part *part = &line->parts.item[i].part;
+    for (size_t i = 0; i < line->intervals.count; i++) {
+        const hide_interval *part = &line->intervals.item[i].part;
         if (part->t0 > from && !add_segment(job, out, pattern, e, from, part->t0))
             return false;
-        if (all && !add_hidden(job, out, *pattern, e, &line->parts.item[i]))
+        if (all && !add_hidden(job, out, *pattern, e, &line->intervals.item[i]))
             return false;
         from = part->t1;
     }
@@ -94,7 +94,7 @@ bool segments_add_parts(const hide_job *job, hide_chunk *out, const roberts_segm
 /* The same of an edge of which the near plane has left t0..t1 of the pattern. */
 static bool add_line(const hide_job *job, hide_chunk *out, const roberts_segment *pattern, const hide_line *line)
 {
-    double unit = job->picture.view.unit;
+    double unit = job->fronts.view.unit;
     const hide_edge *e = &line->e;
     bool all = job->options->keep_hidden;
     if (all && pattern->t0 > 0.0 &&
@@ -111,16 +111,16 @@ static bool add_line(const hide_job *job, hide_chunk *out, const roberts_segment
 static bool add_visible(const hide_job *job, hide_chunk *out, uint32_t solid, const unsigned char *facing,
                         const hide_line *line)
 {
-    const view *v = &job->picture.view;
+    const view *v = &job->fronts.view;
     const hide_edge *e = &line->e;
     const scene_edge *edge = scene_edge_stored(job->scene, solid, line->edge);
     roberts_line kind = front_count(facing, edge) == 2 ? ROBERTS_CREASE : ROBERTS_OUTLINE;
     double from = 0.0, unit = v->unit;
-    size_t parts = line->parts.count;
+    size_t parts = line->intervals.count;
     if (!array_reserve(&out->segment, &out->room, out->count + parts + 1, sizeof *out->segment))
         return false;
     for (size_t i = 0; i <= parts; i++) {
-        const hide_part *part = i < parts ? &line->parts.item[i].part : NULL;
+        const hide_interval *part = i < parts ? &line->intervals.item[i].part : NULL;
         double to = part ? part->t0 : 1.0, t0 = to_space(v, e, from), t1 = to == 1.0 ? 1.0 : to_space(v, e, to);
         if (to > from && t0 < t1) {
             roberts_vec3 R0 = hide_edge_at(e, from), R1 = hide_edge_at(e, to);
@@ -151,7 +151,7 @@ static inline bool is_covered(const cover *c, const roberts_vec3 *P, const scene
 
 bool segments_covered(const hide_job *job, uint32_t solid, const scene_edge *edge)
 {
-    return is_covered(&job->picture.cover, job->picture.P + job->scene->solid[solid].vertex, edge);
+    return is_covered(&job->fronts.cover, job->fronts.P + job->scene->solid[solid].vertex, edge);
 }
 
 /* Takes up the edges of a solid that are drawn and not covered. A surviving edge has a front face. An outline (one front
@@ -162,7 +162,7 @@ static bool take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
     const roberts_scene *scene = job->scene;
     const unsigned char *facing = facing_of(job, solid);
     const scene_edge *edge = scene->edge + scene->solid[solid].stored;
-    const roberts_vec3 *P = job->picture.P + scene->solid[solid].vertex;
+    const roberts_vec3 *P = job->fronts.P + scene->solid[solid].vertex;
     const bool *cap = job->clip.clipped ? job->clip.cap : NULL;
     bool keep_hidden = job->options->keep_hidden, all = job->options->all_edges;
     hide_worker_begin(w);
@@ -173,7 +173,7 @@ static bool take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
             (fronts != 1 && !all && is_flat(job, scene, solid, edge)))
             continue;
         w->drawn++;
-        if (is_covered(&job->picture.cover, P, edge)) {
+        if (is_covered(&job->fronts.cover, P, edge)) {
             w->tally.covered++;
             continue;
         }
@@ -182,7 +182,7 @@ static bool take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
             return false;
         if (fronts == 0) {
             line->hidden = true;
-            if (!hide_parts_add(&line->parts, solid, &(hide_part){0.0, 1.0, 0.0, 1.0}))
+            if (!hide_intervals_add(&line->intervals, solid, &(hide_interval){0.0, 1.0, 0.0, 1.0}))
                 return false;
         }
     }
@@ -192,11 +192,11 @@ static bool take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
 /* The solid of each hidden part becomes the one that is seen there, in its middle. */
 void segments_name_hiders(const hide_job *job, hide_worker *w)
 {
-    const view *v = &job->picture.view;
+    const view *v = &job->fronts.view;
     for (hide_line *line = w->line, *end = line + w->line_count; line < end; line++)
-        for (size_t i = 0; i < line->parts.count; i++) {
+        for (size_t i = 0; i < line->intervals.count; i++) {
             const hide_edge *e = &line->e;
-            hide_solid_part *hidden = &line->parts.item[i];
+            hide_solid_interval *hidden = &line->intervals.item[i];
             double t0 = view_to_space(v, e->A.z, e->B.z, hidden->part.t0);
             double t1 = view_to_space(v, e->A.z, e->B.z, hidden->part.t1);
             roberts_vec3 middle = hide_edge_at(e, view_from_space(v, e->A.z, e->B.z, 0.5 * (t0 + t1)));
@@ -268,7 +268,7 @@ static bool find_in_solid(const hide_job *job, hide_worker *w, hide_chunk *out, 
 {
     if (!scene_is_convex(job->scene, solid))
         return surface_find(job, w, out, solid);
-    if (job->picture.culled[solid] && !(job->clip.clipped && job->options->keep_hidden))
+    if (job->fronts.culled[solid] && !(job->clip.clipped && job->options->keep_hidden))
         return true;
     if (job->order.solid ? !picture_order_recall(&job->order, solid, w) : !segments_hide(job, w, solid))
         return false;

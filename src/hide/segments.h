@@ -13,7 +13,7 @@ typedef struct hide_job {
     roberts_segment_fn *each; /* takes the segments; NULL: the drawing keeps them */
     void *context;
     const roberts_hide_options *options;
-    hide_picture picture;
+    hide_fronts fronts;
     objet grid;
     picture_order order; /* what was found before its turn, if anything */
     double crease_chord; /* distance of two unit normals that meet at the crease angle, squared */

@@ -16,7 +16,7 @@ typedef struct edge_faces {
 
 static void add_face(const hide_job *job, uint32_t face, bool turned, edge_faces *to)
 {
-    int facing = job->picture.facing[face];
+    int facing = job->fronts.facing[face];
     if (facing == VIEW_EDGE_ON)
         to->edge_on++;
     else if ((facing == VIEW_FRONT) != turned)
@@ -131,7 +131,8 @@ static bool add_clipped(const hide_job *job, hide_chunk *out, roberts_segment pa
     return true;
 }
 
-/* Would the edge, of which nothing is left, be drawn? Only of one that is flat or a cut it is known that it would not. */
+/* Would the edge, of which nothing is left, be drawn? Only of one that is flat or a cut it is known that it would
+ * not. */
 static bool add_lost(const hide_job *job, hide_chunk *out, uint32_t body, uint32_t e)
 {
     const roberts_scene *scene = job->source;
@@ -187,7 +188,7 @@ bool surface_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t
 {
     const roberts_scene *scene = job->scene;
     line_batch batch = {.body = body};
-    if (job->picture.culled[body] && !(job->clip.clipped && job->options->keep_hidden))
+    if (job->fronts.culled[body] && !(job->clip.clipped && job->options->keep_hidden))
         return true;
     hide_worker_begin(w);
     for (uint32_t e = job->source->solid[body].edge; e < job->source->solid[body + 1].edge; e++) {

@@ -221,21 +221,21 @@ static double reach_of(const hide_cutting *c, hide_crossing *at, bool out)
     return reach_along(c->space, c->e, &border, at->touch, &at->t);
 }
 
-bool hide_cut_end(const hide_cutting *c, hide_cut *cut, hide_part *part)
+bool hide_cut_end(const hide_cutting *c, hide_cut *cut, hide_interval *part)
 {
     settle(c, &cut->in);
     settle(c, &cut->out);
     if (!((cut->out.t - cut->in.t) * c->e->length3 > c->space->epsilon))
         return false;
     double r0 = reach_of(c, &cut->in, false), r1 = reach_of(c, &cut->out, true);
-    *part = (hide_part){cut->in.t, cut->out.t, r0, r1};
+    *part = (hide_interval){cut->in.t, cut->out.t, r0, r1};
     return hide_is_left(c->space, c->e, part);
 }
 
 /* TEST 4. t_i is the crossing of AB with side plane H_i. Of those by which AB comes in, the last lies on the side itself
  * (0 <= s_i <= 1), and so does the first by which it goes out, unless AB misses the face: then they come in the wrong
  * order. So the s_i need not be computed, and of the crossings at most those two closely. */
-bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part)
+bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_interval *part)
 {
     hide_cutting c = {space, F, e, &sides->refined};
     hide_cut cut = hide_uncut;
@@ -263,8 +263,8 @@ static double reach_behind(const hide_space *space, const hide_face *F, const hi
     return end < -touch && f > end ? t + (r - t) * lesser((f + touch) / (f - end), 1.0) : r;
 }
 
-bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, const hide_part *inside,
-                 hide_sides *sides, hide_part *part)
+bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, const hide_interval *inside,
+                 hide_sides *sides, hide_interval *part)
 {
     roberts_vec3 X0 = hide_edge_at(e, inside->t0), X1 = hide_edge_at(e, inside->t1);
     double f0 = plane_at(F->F, X0), f1 = plane_at(F->F, X1);
@@ -280,7 +280,7 @@ bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e
         return true;
     double width = inside->t1 - inside->t0, slope = fabs(f0 - f1);
     double t = inside->t0 + width * (f0 / (f0 - f1));
-    if (!hide_accurate(space, e, width * 4.0 * space->depth_rounding / slope) && space->scene) {
+    if (!hide_accurate(space, e, width * PLANE_ROUNDINGS * space->depth_rounding / slope) && space->scene) {
         t = fmin(fmax(refine_pierce(space, F, e), inside->t0), inside->t1);
         sides->refined++;
     }
@@ -307,7 +307,7 @@ static bool is_on_two(const hide_face *F, const hide_sides *sides)
 
 /* Beyond a corner so sharp that the edge is within epsilon of both its sides nothing is inside. */
 static bool end_at_corners(const hide_space *space, const hide_face *F, const hide_edge *e, const hide_sides *sides,
-                           hide_part *part)
+                           hide_interval *part)
 {
     if (e->length <= space->epsilon || !is_on_two(F, sides))
         return true;
@@ -316,7 +316,7 @@ static bool end_at_corners(const hide_space *space, const hide_face *F, const hi
 }
 
 bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
-                   roberts_tally *tally, hide_part *part)
+                   roberts_tally *tally, hide_interval *part)
 {
     switch (hide_test3(space, F, e, sides)) {
     case HIDE_VISIBLE:

@@ -19,7 +19,7 @@
 
 #include "hide/tests_fast.h"
 #include "hide/reach.h"
-#include "hide/space.h"
+#include "hide/tolerance.h"
 
 typedef enum hide_verdict { HIDE_UNDECIDED, HIDE_VISIBLE, HIDE_INVISIBLE } hide_verdict;
 
@@ -68,7 +68,8 @@ bool hide_test2(const hide_space *space, const hide_face *F, const hide_edge *e)
 hide_verdict hide_test3(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides);
 
 /* The part of e inside all sides; false where it is empty or a point. */
-bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_part *part);
+bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
+                hide_interval *part);
 
 /* ---- the same corner by corner and side by side ---- */
 
@@ -112,7 +113,7 @@ typedef struct hide_cutting {
 
 /* ... and takes it into account; false where nothing is left between the crossings. Begin with hide_uncut. */
 bool hide_cut_by(const hide_cutting *c, hide_chord side, hide_side H, hide_cut *cut);
-bool hide_cut_end(const hide_cutting *c, hide_cut *cut, hide_part *part);
+bool hide_cut_end(const hide_cutting *c, hide_cut *cut, hide_interval *part);
 
 static const hide_cut hide_uncut = {.out = {.t = 1.0}};
 
@@ -121,17 +122,17 @@ static const hide_cut hide_uncut = {.out = {.t = 1.0}};
 /* Cuts `part` where e pierces F's plane, and its reach where e is more than `touch` before it; false where nothing of
  * `inside` lies behind. `inside` is what all sides leave of e: what one plane cuts off has no say in what another
  * does. */
-bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, const hide_part *inside,
-                 hide_sides *sides, hide_part *part);
+bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, const hide_interval *inside,
+                 hide_sides *sides, hide_interval *part);
 
 /* Is so much left that it counts? */
-static inline bool hide_is_left(const hide_space *space, const hide_edge *e, const hide_part *part)
+static inline bool hide_is_left(const hide_space *space, const hide_edge *e, const hide_interval *part)
 {
     return (part->t1 - part->t0) * e->length3 > space->epsilon;
 }
 
 /* Tests 3 and 4, counted in `tally`: the part of e inside all sides; false where there is none. */
 bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
-                   roberts_tally *tally, hide_part *part);
+                   roberts_tally *tally, hide_interval *part);
 
 #endif

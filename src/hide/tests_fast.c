@@ -85,7 +85,7 @@ double fast_reach_along(const fast_outline *o, const hide_space *space, const hi
 }
 
 fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
-                              hide_part *part)
+                              hide_interval *part)
 {
     int inward = -1, outward = -1; /* the sides of the last crossing inward and the first one outward */
     *part = hide_whole;

@@ -4,15 +4,12 @@
  * without looking at lengths and errors. The sides' functions H_i(A), H_i(B) are computed two at a time, in the form
  * that test 4 needs for t_i, so that the part found is the same to the last bit. Where a sign is not plain (but for those of
  * an edge that ends well inside), or a crossing not accurate, the verdict is left to tests.c. */
-#ifndef ROBERTS_HIDE_QUICK_H
-#define ROBERTS_HIDE_QUICK_H
+#ifndef ROBERTS_HIDE_TESTS_FAST_H
+#define ROBERTS_HIDE_TESTS_FAST_H
 
 #include "base/bits.h"
 #include "base/lanes.h"
 #include "hide/reach.h"
-
-/* Corners of the outlines that are taken up; those of more are left to tests.c. Even. */
-#define FAST_CORNERS 16
 
 /* An outline at hand, drawn together from the picture. An odd number of sides is made even: the last stands twice, and so
  * does the first corner. */
@@ -86,7 +83,7 @@ BITS_INLINE fast_verdict fast_corners(const fast_outline *o, double plain, const
 
 /* Test 4 where some crossing is not accurate by the bound for all of them: as hide_test4() has it. */
 fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
-                              hide_part *part);
+                              hide_interval *part);
 
 /* reach_along() of side i: it is crossed at *t, `touch` is below 0 where the edge comes in. */
 double fast_reach_along(const fast_outline *o, const hide_space *space, const hide_edge *e, int i, double touch,
@@ -106,7 +103,7 @@ BITS_INLINE double fast_reach(const fast_outline *o, const hide_space *space, co
 /* Test 4. The error of a t_i is that of the two distances, 2 rounding (side + reach) each, over their difference, and side
  * and reach are no more than `span`. */
 BITS_INLINE fast_verdict fast_cut(const fast_outline *o, const hide_space *space, const hide_edge *e, double span,
-                                  const fast_sides *H, hide_part *part)
+                                  const fast_sides *H, hide_interval *part)
 {
     int in = -1, out = -1;
     double t0 = 0.0, t1 = 1.0, apart = INFINITY;
@@ -129,14 +126,14 @@ BITS_INLINE fast_verdict fast_cut(const fast_outline *o, const hide_space *space
     if (t0 >= t1 || !((t1 - t0) * e->length3 > space->epsilon))
         return FAST_EMPTY;
     double r0 = fast_reach(o, space, e, H, in, &t0), r1 = fast_reach(o, space, e, H, out, &t1);
-    *part = (hide_part){t0, t1, r0, r1};
+    *part = (hide_interval){t0, t1, r0, r1};
     return (t1 - t0) * e->length3 > space->epsilon ? FAST_CUT : FAST_EMPTY;
 }
 
 /* Is what lies inside plainly within what is hidden, with all that it touches? That is so where the point at which the hidden
  * part begins is outside of a side that A is outside of, and the one at which it ends of a side that B is outside of (or the
  * edge itself begins or ends there), and neither is near to any side. */
-BITS_INLINE bool fast_within(const fast_outline *o, double plain, const fast_sides *H, const hide_part *hidden)
+BITS_INLINE bool fast_within(const fast_outline *o, double plain, const fast_sides *H, const hide_interval *hidden)
 {
     two t0 = two_all(hidden->t0), t1 = two_all(hidden->t1), nearest = two_all(INFINITY);
     unsigned before = 0, after = 0;
@@ -160,7 +157,7 @@ fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const h
 /* span: no two points of outline and edge are farther apart, along x and y together; hidden: a part of the edge that is, what
  * lies within it need not be found; NULL: find all. Fills `part` where the verdict is FAST_INSIDE or FAST_CUT. */
 BITS_INLINE fast_verdict fast_test(const fast_outline *o, const hide_space *space, const hide_edge *e, double span,
-                                   const hide_part *hidden, hide_part *part)
+                                   const hide_interval *hidden, hide_interval *part)
 {
     fast_sides H;
     if (!fast_signs(o, space->plain, e, &H)) {

@@ -6,27 +6,11 @@
 
 #include "base/array.h"
 
-/* How far inside of the sides counts as well inside, in epsilons: sides that rise no steeper than the run's chord runs are at
- * 2.1 then. What is on a side, as the tests see it, is no farther from it than 1.125 (epsilon, and the HIDE_TRUSTED part of it
- * that the error of a distance may reach); half of one is for the guesses; the rest is to spare. */
-#define CLEAR 3.0
-/* And for the rounding of corners, of the frame and of the point asked, in roundings: each coordinate of a corner and of the
- * point is off by one, in the frame by a root of two; turning to the frame adds less than one each. */
-#define CLEAR_ROUNDINGS 16.0
-/* A side of two corners that are off by that, in the direction of the chord and across it, has a slope off by no more than
- * this times rounding over its run, if that is large beside rounding. */
-#define SLOPE_ROUNDINGS 12.0
-#define SIDE_ROUNDINGS 32.0
-/* By how much of epsilon the corners of a run may lie beside its chord that is to stand for it. */
-#define STRAIGHT 0.1
-
 /* Sides that may cut something off before all are asked: mostly there are two, and those beside them; of a straight border that
  * is no run, two times seven on each rank. */
 #define CUTS 320
 /* Guesses, before all sides are asked. The second is what the first has left, and is right but for rounding. */
 #define GUESSES 3
-/* By how much of epsilon, in the picture, the sides asked may leave more than was guessed. */
-#define GUESS_ACCURACY 0.5
 
 /* ---- runs ---- */
 
@@ -71,7 +55,7 @@ static runs_node frame_run(const hide_space *space, const uint32_t *corner, uint
         n.y0 = lesser(n.y0, y);
         n.y1 = greater(n.y1, y);
     }
-    double beside = STRAIGHT * space->epsilon;
+    double beside = RUNS_STRAIGHT * space->epsilon;
     n.straight =
         length > space->epsilon && n.y0 >= -beside && n.y1 <= beside && n.x0 >= -beside && n.x1 <= length + beside;
     return n;
@@ -82,9 +66,9 @@ static runs_node frame_run(const hide_space *space, const uint32_t *corner, uint
 static bool lift_over(const hide_space *space, runs_node *n, roberts_vec3 P, roberts_vec3 Q)
 {
     double dx = Q.x - P.x, dy = Q.y - P.y, run = n->ux * dx + n->uy * dy, rise = n->ux * dy - n->uy * dx;
-    if (!(run > SIDE_ROUNDINGS * space->rounding) || !(run > space->epsilon))
+    if (!(run > RUNS_SIDE_ROUNDINGS * space->rounding) || !(run > space->epsilon))
         return false;
-    double slope = rise / run, error = SLOPE_ROUNDINGS * space->rounding / run, low = slope - error;
+    double slope = rise / run, error = RUNS_SLOPE_ROUNDINGS * space->rounding / run, low = slope - error;
     double high = slope + error, px = P.x - n->x, py = P.y - n->y;
     double x = n->ux * px + n->uy * py, y = n->ux * py - n->uy * px;
     if (low < -1.0 || high > 1.0)
@@ -103,7 +87,7 @@ static runs_node make_run(const hide_space *space, const uint32_t *corner, uint3
     for (uint32_t i = first; i < end && n.over < INFINITY; i++)
         if (!lift_over(space, &n, corner_at(space, corner, count, i), corner_at(space, corner, count, i + 1)))
             n.over = INFINITY;
-    n.over += CLEAR * space->epsilon + CLEAR_ROUNDINGS * space->rounding;
+    n.over += RUNS_CLEAR * space->epsilon + RUNS_CLEAR_ROUNDINGS * space->rounding;
     return n;
 }
 
@@ -300,7 +284,7 @@ static hide_verdict ask_sides(const sight *s, hide_sides *sides, double s0, doub
 }
 
 /* Test 4 of these. */
-static bool cut_by(const sight *s, hide_sides *sides, const cuts *c, hide_part *part)
+static bool cut_by(const sight *s, hide_sides *sides, const cuts *c, hide_interval *part)
 {
     hide_cutting cutting = {s->space, s->F, s->e, &sides->refined};
     hide_cut cut = hide_uncut;
@@ -312,9 +296,9 @@ static bool cut_by(const sight *s, hide_sides *sides, const cuts *c, hide_part *
 
 /* Tests 3 and 4 by guesses; false where all sides are to be asked. `*verdict` HIDE_UNDECIDED: test 4 has found `part`, or that
  * nothing is left, and then it is empty. */
-static bool by_guesses(const sight *s, hide_sides *sides, hide_verdict *verdict, hide_part *part)
+static bool by_guesses(const sight *s, hide_sides *sides, hide_verdict *verdict, hide_interval *part)
 {
-    double s0, s1, accuracy = GUESS_ACCURACY * s->space->epsilon / s->e->length;
+    double s0, s1, accuracy = RUNS_GUESS_ACCURACY * s->space->epsilon / s->e->length;
     cuts c;
     *verdict = HIDE_VISIBLE;
     if (!begin(s, sides, &s0, &s1))
@@ -339,7 +323,7 @@ static bool by_guesses(const sight *s, hide_sides *sides, hide_verdict *verdict,
 }
 
 bool hide_by_runs(const hide_space *space, const runs *r, const hide_face *F, const hide_edge *e, hide_sides *sides,
-                  roberts_tally *tally, hide_part *part)
+                  roberts_tally *tally, hide_interval *part)
 {
     sight s = {.space = space, .r = r, .F = F, .e = e, .left = ROBERTS_NONE, .right = ROBERTS_NONE};
     hide_verdict verdict;

@@ -12,6 +12,10 @@
 #include "base/dd.h"
 #include "model/face_pieces.h"
 
+/* A border that departs from its plane by more than this part of the touching distance is not quite planar:
+ * crossings of two faces at one edge may lie farther apart than what touches. */
+#define PLANAR_PART 0x1p-10
+
 /* A point on a stretch, at t along it. */
 typedef struct side_stop {
     uint32_t side, node;
@@ -563,7 +567,7 @@ bool face_pieces_arrange(face_pieces *f, const face_rules *rules, bool *done)
     if (enough && (repeats || a.stop_count > 0)) {
         *done = true;
         enough = fill_cells(f, rules, &a);
-        if (enough && f->fit.deviation > rules->touching && f->side_count > 0)
+        if (enough && f->fit.deviation > PLANAR_PART * rules->touching && f->side_count > 0)
             enough = take_whole_sides(f, given);
     }
     free(given);

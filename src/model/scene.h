@@ -32,9 +32,9 @@ typedef struct scene_edge {
     uint32_t f[2]; /* faces; v[0] -> v[1] runs counter-clockwise round f[0] */
 } scene_edge;
 
-/* What a body that is not convex has besides its arrays in the scene. Its scene faces are convex pieces of the faces of
- * the input; scene_face_number() tells of which. Each turns counter-clockwise seen from outside of its plane (F < 0).
- * Nothing else is promised about its winding. */
+/* What a body that is not convex has beside its arrays in the scene. Its scene faces are convex pieces of the faces of
+ * the input, which are their scene_face_number(). The corners of each run counter-clockwise as seen from where its plane
+ * has F < 0; nothing more is promised of its winding. */
 enum {
     EDGE_TURNED_0 = 1, /* face f[0] of the edge is on the right of v[0] -> v[1], not on the left */
     EDGE_TURNED_1 = 2, /* the same for f[1] */
@@ -44,7 +44,8 @@ enum {
 };
 #define MANY_TURNED 0x80000000u /* a flag in scene_surface.many_face: the face is on the right of v[0] -> v[1] */
 
-/* The faces of an edge of more than two: many_face[first] .. many_face[end - 1], compact numbers with MANY_TURNED. */
+/* The faces of an edge of more than two: many_face[first] .. many_face[end - 1], compact numbers and perhaps
+ * MANY_TURNED. */
 typedef struct scene_many {
     uint32_t edge, first, end;
 } scene_many;

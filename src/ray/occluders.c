@@ -23,7 +23,7 @@
 
 /* ---- the picture ----------------------------------------------------------------------------------------------- */
 
-/* Two directions across the line of sight, and it. Which way up does not matter: nothing is shown. */
+/* Sets the line of sight and two directions across it. Which way is up does not matter: the picture is not shown. */
 static void set_picture(occluders *o, const view *v)
 {
     roberts_vec3 d = o->s.perspective ? v->dir : o->s.viewpoint;
@@ -34,8 +34,8 @@ static void set_picture(occluders *o, const view *v)
     o->toward = d;
 }
 
-/* A point in the picture. z is the height, or one over the distance from the eye's plane: both grow toward the
- * viewer, and with both planes stay planes. */
+/* A point in the picture. z is the height or, in perspective, one over the distance from the eye's plane. Both grow
+ * toward the viewer, and both keep planes plane. */
 static roberts_vec3 picture_point(const occluders *o, roberts_vec3 X)
 {
     if (!o->s.perspective)
@@ -68,8 +68,8 @@ static tree_box face_box(const occluders *o, uint32_t face)
     return box;
 }
 
-/* Divides a face by `count` + 1 evenly spaced lines across the longer side of `whole`, its box, and leaves the boxes
- * of the parts. The face is convex, so a part reaches no farther than the sides between its two lines. */
+/* Divides a face by `count` + 1 evenly spaced lines across the longer side of its box `whole`. slice[0 .. count-1]
+ * become the boxes of the parts. The face is convex, so a part reaches no farther than the sides between its lines. */
 static void slice_face(const occluders *o, uint32_t face, tree_box whole, tree_box *slice, uint32_t count)
 {
     const roberts_scene *scene = o->s.scene;
@@ -94,15 +94,15 @@ static void slice_face(const occluders *o, uint32_t face, tree_box whole, tree_b
     }
 }
 
-/* Leaves the boxes of a face in `slice` and returns their number. A long face that lies aslant fills little of its
+/* Fills `slice` with the boxes of a face and returns their number. A long face that lies aslant fills little of its
  * box, and many such faces make a tree useless. Slices help (M. Ernst, G. Greiner, "Early split clipping for bounding
- * volume hierarchies", 2007) if the rays they save, in proportion to the shadow they save, outweigh the boxes they
- * add. */
+ * volume hierarchies", 2007) if the rays that they save cost more than the boxes that they add. They save rays in
+ * proportion to the shadow that they save. */
 static uint32_t boxes_of_face(const occluders *o, uint32_t face, const box_list *list, tree_box *slice)
 {
     tree_box finer[SLICES], whole = face_box(o, face);
     uint32_t count = 1;
-    double rays = list->rays_per_shadow * tree_box_shadow(whole, list->floor); /* that ask for one of the boxes */
+    double rays = list->rays_per_shadow * tree_box_shadow(whole, list->floor); /* estimate of those that meet a box */
     slice[0] = whole;
     while (2 * count <= SLICES && rays > SLICE_COST * count) {
         double fewer = 0.0;
@@ -119,7 +119,7 @@ static uint32_t boxes_of_face(const occluders *o, uint32_t face, const box_list 
     return count;
 }
 
-/* The box with a margin that has this length in the model. */
+/* The box with a margin around it; `margin` is a length in the model. */
 static tree_box grown(const occluders *o, tree_box box, double margin)
 {
     roberts_vec3 m = {margin, margin, margin};
@@ -146,7 +146,7 @@ static bool add_entry(const occluders *o, tree_box box, uint32_t solid, tree_ite
     return true;
 }
 
-/* The front faces of a solid, each in its own boxes. */
+/* Adds the front faces of a solid, each in its own boxes. */
 static bool add_faces(const occluders *o, uint32_t solid, box_list *list)
 {
     const roberts_scene *scene = o->s.scene;
@@ -160,7 +160,7 @@ static bool add_faces(const occluders *o, uint32_t solid, box_list *list)
     return true;
 }
 
-/* The box of all front faces of a solid, how much of it their pictures fill, and the range of the faces. */
+/* The box of all front faces of a solid. `fill`: the part of it that their pictures fill; `fronts`: their range. */
 static tree_box solid_box(const occluders *o, uint32_t solid, double *fill, tree_item *fronts)
 {
     const roberts_scene *scene = o->s.scene;
@@ -184,8 +184,8 @@ static tree_box solid_box(const occluders *o, uint32_t solid, double *fill, tree
     return box;
 }
 
-/* Adds a small solid as one box, which makes the tree smaller: a ray meets one of its front faces, mostly. A solid
- * that is long, thin and aslant is better off with slices of its faces. */
+/* Adds a small solid as one box, which makes the tree smaller; a ray that meets the box mostly meets a front face. For
+ * a solid that is long, thin and aslant, slices of its faces are better. */
 static bool add_solid(const occluders *o, uint32_t solid, box_list *list)
 {
     const roberts_scene *scene = o->s.scene;
@@ -195,11 +195,11 @@ static bool add_solid(const occluders *o, uint32_t solid, box_list *list)
         return add_faces(o, solid, list);
     tree_box box = solid_box(o, solid, &fill, &fronts);
     if (fronts.count == 0)
-        return true; /* mostly because the near plane leaves nothing of it */
+        return true; /* mostly a solid that the near plane cuts off */
     return fill >= FILL_TOGETHER ? add_entry(o, box, solid, fronts, list) : add_faces(o, solid, list);
 }
 
-/* The tree over the faces that may hide, each in boxes that hold whatever counts as touching it. */
+/* Builds the tree over the faces that may hide. Their boxes hold whatever counts as touching them. */
 static bool build_tree(occluders *o, const double *rays)
 {
     const roberts_scene *scene = o->s.scene;
@@ -211,7 +211,7 @@ static bool build_tree(occluders *o, const double *rays)
     list.floor = o->window.lo.z;
     double shadow = tree_box_shadow(o->window, list.floor);
     for (uint32_t solid = 0; built && solid < scene->solid_count; solid++) {
-        list.rays_per_shadow = 2.0 * rays[solid] / shadow; /* they start at half the height */
+        list.rays_per_shadow = 2.0 * rays[solid] / shadow; /* on average rays start at half the height */
         if (o->twin[solid] == solid)
             built = add_solid(o, solid, &list);
     }
@@ -222,14 +222,14 @@ static bool build_tree(occluders *o, const double *rays)
 
 /* ---- copies ---------------------------------------------------------------------------------------------------- */
 
-/* A hash of the solid's points. All that matters is that copies have the same one. */
+/* A hash of the solid's points. Copies have the same hash. */
 static uint32_t solid_key(const occluders *o, uint32_t solid)
 {
     const scene_solid *s = &o->s.scene->solid[solid];
     return bits_hash(o->s.P + s->vertex, (s[1].vertex - s->vertex) * sizeof *o->s.P);
 }
 
-/* Whether two solids have the same points and the same faces, in the same order, to the last bit. */
+/* Whether two solids have the same points and faces in the same order, to the last bit. */
 static bool is_copy(const occluders *o, uint32_t a, uint32_t b)
 {
     const roberts_scene *scene = o->s.scene;
@@ -252,8 +252,8 @@ static bool is_copy(const occluders *o, uint32_t a, uint32_t b)
     return true;
 }
 
-/* Finds copies: solids at the very same place. The tree takes two of each, so that every copy finds another one
- * before it; with a thousand in the tree, the rays of a thousand would ask a thousand. Sorting the keys stably brings
+/* Finds copies: convex solids at the very same place. Two of them go into the tree, so that each copy finds another one
+ * before it. If a thousand copies were in the tree, the rays of all of them would ask all of them. A stable sort by key brings
  * copies together. */
 static bool find_twins(occluders *o)
 {
@@ -265,9 +265,10 @@ static bool find_twins(occluders *o)
         o->twin[i] = i;
     }
     done = done && radix_order(key, count, order);
-    uint32_t first = 0, alike = 0; /* solids kept since order[first], which is kept */
+    uint32_t first = 0, alike = 0; /* order[first] and `alike` - 1 copies of it have been seen */
     for (uint32_t k = 0; done && k < count; k++) {
-        if (alike > 0 && key[order[k]] == key[order[first]] && is_copy(o, order[first], order[k])) {
+        if (alike > 0 && key[order[k]] == key[order[first]] && scene_is_convex(o->s.scene, order[k]) &&
+            scene_is_convex(o->s.scene, order[first]) && is_copy(o, order[first], order[k])) {
             if (++alike > 2)
                 o->twin[order[k]] = order[first];
         } else {
@@ -316,7 +317,7 @@ void occluders_free(occluders *o)
 
 /* ---- places ---------------------------------------------------------------------------------------------------- */
 
-/* x from low to high as 0 .. 65535; 0 for NaN too. */
+/* Maps x between low and high to 0 .. 65535; NaN to 0. */
 static uint32_t cell(double x, double low, double high)
 {
     double part = (x - low) / (high - low);
@@ -330,6 +331,33 @@ uint32_t occluders_place(const occluders *o, roberts_vec3 X)
            bits_spread(cell(p.y, o->window.lo.y, o->window.hi.y)) << 1;
 }
 
+/* ---- who takes part -------------------------------------------------------------------------------------------- */
+
+/* Whether the edge lies in this plane, by the number that pieces of one face share. */
+static bool lies_in(const roberts_scene *scene, uint32_t solid, uint32_t edge, uint32_t plane_of)
+{
+    const scene_surface *surface = scene->surface;
+    const scene_edge *e = scene_edge_stored(scene, solid, edge);
+    for (int k = 0; k < 2; k++)
+        if (e->f[k] != ROBERTS_NONE && surface->plane_of[scene->solid[solid].face + e->f[k]] == plane_of)
+            return true;
+    if (!(surface->edge_is[edge] & EDGE_MANY))
+        return false;
+    const scene_many *many = scene_many_at(scene, edge);
+    for (uint32_t k = many->first; k < many->end; k++)
+        if (surface->plane_of[surface->many_face[k] & ~MANY_TURNED] == plane_of)
+            return true;
+    return false;
+}
+
+bool occluders_take_part(const occluders *o, occluders_asker of, uint32_t face)
+{
+    if (o->face_solid[face] != (of.own ? o->twin[of.solid] : of.solid))
+        return true;
+    return of.own &&
+           (of.edge == ROBERTS_NONE || !lies_in(o->s.scene, of.solid, of.edge, o->s.scene->surface->plane_of[face]));
+}
+
 /* ---- casting --------------------------------------------------------------------------------------------------- */
 
 /* Questions on their way through the tree. */
@@ -337,7 +365,7 @@ typedef struct casting {
     const occluders *o;
     sight_question *question;
     roberts_vec3 v[TREE_POINTS]; /* toward the viewer */
-    tree_points points;          /* live: not yet answered by surely */
+    tree_points points;          /* live: those without the answer "surely" */
 } casting;
 
 static sight_answer hides_strictly(const occluders *o, uint32_t face, const sight_question *q, roberts_vec3 v,
@@ -345,14 +373,15 @@ static sight_answer hides_strictly(const occluders *o, uint32_t face, const sigh
 {
     const scene_solid *solid = &o->s.scene->solid[o->face_solid[face]];
     sight_answer answer = sight_hides_strictly(&o->s, face, q->X, v, slack, q->ends);
-    for (uint32_t f = solid[0].face; answer == SIGHT_SURELY && f < solid[1].face; f++)
+    bool convex = scene_is_convex(o->s.scene, o->face_solid[face]);
+    for (uint32_t f = solid[0].face; convex && answer == SIGHT_SURELY && f < solid[1].face; f++)
         if (!sight_well_behind(&o->s, f, q->X))
             answer = SIGHT_POSSIBLY;
     return answer;
 }
 
-/* Notes a hider for a question about the nearest one. From now on the point counts as lying on the hider, so that
- * boxes that do not reach so high are left out. */
+/* Notes a hider for a question about the nearest one. From now on the point counts as lying on the hider, so that lower
+ * boxes are left out. */
 static void keep_nearest(casting *c, uint32_t i, uint32_t face)
 {
     sight_question *q = &c->question[i];
@@ -364,18 +393,18 @@ static void keep_nearest(casting *c, uint32_t i, uint32_t face)
     }
 }
 
-/* Asks the face for those of the points whose answer it may change. */
+/* Asks whether the face hides those of the points whose answer may still change. */
 static void ask(casting *c, uint32_t face, tree_set points)
 {
     const occluders *o = c->o;
     uint32_t solid = o->face_solid[face];
+    bool convex = scene_is_convex(o->s.scene, solid);
     while (!tree_set_is_empty(&points)) {
         uint32_t i = tree_set_take(&points);
         sight_question *q = &c->question[i];
-        bool own = solid == (q->own ? o->twin[q->solid] : q->solid);
-        if ((q->answer == SIGHT_SURELY && !q->nearest) || (own && !q->own))
+        if ((q->answer == SIGHT_SURELY && !q->nearest) || !occluders_take_part(o, q->of, face))
             continue;
-        double slack = own ? o->slack[q->solid] : 0.0;
+        double slack = convex && q->of.own && solid == o->twin[q->of.solid] ? o->slack[q->of.solid] : 0.0;
         sight_answer answer =
             q->ends ? hides_strictly(o, face, q, c->v[i], slack) : sight_hides(&o->s, face, q->X, c->v[i], slack);
         if (answer > q->answer)
@@ -389,7 +418,7 @@ static void ask(casting *c, uint32_t face, tree_set points)
     }
 }
 
-/* Asks the front faces of an item. If there are several, each is asked for the points under its own box. */
+/* Asks about the front faces of an item. If there are several, each is asked about the points under its own box. */
 static void ask_item(casting *c, tree_item item, const tree_set *points)
 {
     const occluders *o = c->o;
@@ -414,7 +443,7 @@ void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, 
         q->answer = SIGHT_NO;
         q->hider = ROBERTS_NONE;
         c.v[i] = sight_from(&o->s, q->X);
-        tree_points_add(&c.points, picture_point(o, q->X), q->own ? o->s.scene->solid_count : q->solid);
+        tree_points_add(&c.points, picture_point(o, q->X), q->of.own ? o->s.scene->solid_count : q->of.solid);
     }
     tree_walk_start(w, &c.points);
     while (tree_walk_next(w, &leaf)) {
@@ -428,20 +457,19 @@ void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, 
 
 /* ---- searching ------------------------------------------------------------------------------------------------- */
 
-void occluders_search_start(occluders_search *s, const occluders *o, roberts_vec3 A, roberts_vec3 B, uint32_t solid,
-                            bool own)
+void occluders_search_start(occluders_search *s, const occluders *o, roberts_vec3 A, roberts_vec3 B, occluders_asker of)
 {
     s->o = o;
     s->A = A;
     s->B = B;
-    s->solid = solid;
-    s->own = own;
+    s->of = of;
     s->item = s->item_end = NULL;
     s->face = s->face_end = 0;
-    tree_search_start(&s->tree, &o->t, picture_point(o, A), picture_point(o, B), own ? o->s.scene->solid_count : solid);
+    tree_search_start(&s->tree, &o->t, picture_point(o, A), picture_point(o, B),
+                      of.own ? o->s.scene->solid_count : of.solid);
 }
 
-/* The next item of the leaf, or of the next leaf. */
+/* Goes to the next item of the leaf, or to the first of the next leaf. False at the end. */
 static bool next_item(occluders_search *s)
 {
     tree_leaf leaf;
@@ -462,7 +490,7 @@ bool occluders_search_next(occluders_search *s, uint32_t *face, sight_part *part
     do {
         while (s->face < s->face_end) {
             *face = s->face++;
-            if ((s->own || s->o->face_solid[*face] != s->solid) && sight_hidden_part(&s->o->s, *face, s->A, s->B, part))
+            if (occluders_take_part(s->o, s->of, *face) && sight_hidden_part(&s->o->s, *face, s->A, s->B, part))
                 return true;
         }
     } while (next_item(s));

@@ -1,4 +1,6 @@
-/* occluders.h - the front faces of a scene, in a tree of boxes: which of them hide a point, or a part of a segment? */
+/* occluders.h - the front faces of a scene, in a tree of boxes: which of them hide a point, or a part of a segment?
+ *
+ * Of bodies that are not convex all faces are front but those edge-on (see sight.turned). */
 #ifndef ROBERTS_RAY_OCCLUDERS_H
 #define ROBERTS_RAY_OCCLUDERS_H
 
@@ -8,62 +10,71 @@
 typedef struct occluders {
     sight s;
     roberts_vec3 right, up, toward; /* the picture that the tree's boxes live in */
-    tree_box window;                /* the scene's in it */
-    tree t;                         /* its items are ranges of faces, of which those front or nearly front count */
+    tree_box window;                /* the box of the scene in that picture */
+    tree t;                         /* its items are ranges of faces; those that are surely not front do not count */
     uint32_t *face_solid;           /* [face_count] */
-    uint32_t *twin; /* [solid_count] the solid itself, or a copy of it that is in the tree if the solid is not */
-    /* [solid_count] how far a back edge may stick out of the picture of the front faces of its solid: where coordinates
-     * are rounded, faces depart from their planes */
+    uint32_t *twin; /* [solid_count] the solid itself or, if it is not in the tree, a copy of it that is */
+    /* [solid_count] how far a back edge may stick out of the picture of its solid's front faces: if coordinates are
+     * rounded, faces depart from their planes */
     double *slack;
 } occluders;
 
-/* Prepares `o` for `scene` seen by `v`. rays: [solid_count] about how many rays will ask for the faces of each solid.
+/* Prepares `o` for `scene` seen by `v`. rays: [solid_count] estimates how many rays will ask for each solid's faces.
  * False: no memory, and `o` is empty. */
 bool occluders_build(occluders *o, const roberts_scene *scene, const view *v, const double *rays);
 void occluders_free(occluders *o);
 
-/* A key for the place of X in the picture: near points have near keys, mostly. */
+/* A key for the place of X in the picture. Near points mostly have near keys. */
 uint32_t occluders_place(const occluders *o, roberts_vec3 X);
 
-/* A question about X, a point of an edge of `solid`: which faces hide it? Faces of `solid` itself take part only if
- * `own`.
+/* Who asks: an edge of `solid`. */
+typedef struct occluders_asker {
+    uint32_t solid;
+    bool own;      /* faces of `solid` itself take part, */
+    uint32_t edge; /* ... but those in the planes of the faces of this edge of sight.scene; ROBERTS_NONE: of none */
+} occluders_asker;
+
+/* Whether a face may hide points of the edge that asks. It may not if it is a face of the edge, or lies in the plane of
+ * one: the edge lies in it. */
+bool occluders_take_part(const occluders *o, occluders_asker of, uint32_t face);
+
+/* A question about X, a point of an edge: which faces hide it?
  *
  * `ends`: NULL, or the ends of the edge that X lies on. With them the answer comes from sight_hides_strictly(), and
- * is "surely" only if X lies well behind all front faces of a solid: near the plane of one of them it might be in
- * front of the solid, were corners and planes exact.
+ * is "surely" only if X lies well behind all front faces of a solid. Near the plane of one of them, rounding of corners
+ * and planes may decide whether X lies in front of the solid.
  *
- * `nearest`: look for the hider nearest to the viewer, not for any one. */
+ * `nearest`: look for the hider nearest to the viewer, not for any hider. */
 typedef struct sight_question {
     roberts_vec3 X;
-    uint32_t solid;
-    bool own, nearest;
+    occluders_asker of;
+    bool nearest;
     const roberts_vec3 *ends; /* [2] */
     sight_answer answer;
-    uint32_t hider; /* where the answer is SIGHT_SURELY: a face that hides X */
+    uint32_t hider; /* if the answer is SIGHT_SURELY: a face that hides X */
     double height;  /* `nearest`: the picture's z of the hider over X */
 } sight_question;
 
-/* Answers `count` questions, TREE_POINTS at most. Points that are near each other should be asked together, and lots
- * that are near each other one after the other: they meet the same faces. w: from tree_walk_init(). Which hider is
- * found depends on the walks before. */
+/* Answers `count` questions, TREE_POINTS at most. It is fastest if near points are asked together, and near groups one
+ * after another, because they meet the same faces. w: from tree_walk_init(). Earlier walks influence which of several
+ * hiders is found. */
 void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, uint32_t count);
 
 /* A search for the faces that hide a part of a segment. */
 typedef struct occluders_search {
     const occluders *o;
     roberts_vec3 A, B;
-    uint32_t solid;
-    bool own;
+    occluders_asker of;
     tree_search tree;
     const tree_item *item, *item_end; /* items of the leaf that are still to be asked */
     uint32_t face, face_end;          /* faces of the item that are still to be asked */
 } occluders_search;
 
-/* Starts a search for what hides parts of AB, which lies on an edge of `solid`; `own` as in sight_question. */
-void occluders_search_start(occluders_search *s, const occluders *o, roberts_vec3 A, roberts_vec3 B, uint32_t solid,
-                            bool own);
+/* Starts a search for faces that hide parts of AB, which lies on the edge that asks. */
+void occluders_search_start(occluders_search *s, const occluders *o, roberts_vec3 A, roberts_vec3 B,
+                            occluders_asker of);
 
-/* The next face and the part of AB that it surely hides; false at the end. A face may come more than once. */
+/* Finds the next face and the part of AB that it surely hides; false at the end. A face may come more than once. */
 bool occluders_search_next(occluders_search *s, uint32_t *face, sight_part *part);
 
 #endif

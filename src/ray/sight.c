@@ -3,6 +3,7 @@
 
 #include <float.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
 #include "ray/determinant.h"
@@ -56,8 +57,8 @@ static int facing_of(const sight *s, uint32_t face)
         return SIGHT_NOT_FRONT;
     v = vec3_scale(1.0 / length, v);
     double tilt = fabs(vec3_dot(n, v));
-    /* A picture is at least as wide as its area over its greatest chord. If that is too little to be sure, the
-     * picture may be a sliver aslant to `across`, or nearly edge-on. */
+    /* A picture is at least as wide as its area over its greatest chord. If this is about epsilon, the picture may be
+     * a sliver aslant to `across`, or nearly edge-on. */
     bool sliver = tilt * scene_width(scene, face) / s->unit <= s->loose + s->rounding;
     roberts_vec3 across = vec3_sub(n, vec3_scale(vec3_dot(n, v), v));
     if (vec3_length(across) <= 0.5)
@@ -79,14 +80,14 @@ static uint32_t corner_count(const sight *s, uint32_t face)
     return s->scene->face_start[face + 1] - s->scene->face_start[face];
 }
 
-/* Corner i of the face; one more than the last is the first again. */
+/* Corner i of the face; the corner after the last is the first. */
 static roberts_vec3 corner_of(const sight *s, uint32_t face, uint32_t i)
 {
     uint32_t k = i < corner_count(s, face) ? i : 0;
     return s->P[s->scene->corner[s->scene->face_start[face] + k]];
 }
 
-/* The corner that the sample is; one more than the last sample is the first again. */
+/* The number of the corner that a sample is. The sample after the last is the first corner again. */
 static uint32_t sample_of(const sight *s, uint32_t face, uint32_t sample)
 {
     return (uint32_t)((uint64_t)corner_count(s, face) * sample / SAMPLES);
@@ -110,8 +111,8 @@ static bool sides_spare_samples(const sight *s, uint32_t face)
     return true;
 }
 
-/* A bound: a corner lies outside of a side by no more than half the way round the face times what the sides turn the
- * wrong way in all. */
+/* Bounds how far a corner lies outside of a side: half the way round the face, times the sum of all turns to the wrong
+ * side. */
 static double dent_of(const sight *s, uint32_t face)
 {
     uint32_t count = corner_count(s, face);
@@ -131,6 +132,40 @@ static double dent_of(const sight *s, uint32_t face)
     return 0.5 * around * turned;
 }
 
+static void turn_face(const sight *s, const roberts_scene *from, uint32_t face)
+{
+    uint32_t first = from->face_start[face], end = from->face_start[face + 1];
+    plane *F = &s->turned->face_plane[face];
+    double ahead =
+        s->perspective ? sight_behind(s, face, s->viewpoint) : vec3_dot((roberts_vec3){F->a, F->b, F->c}, s->viewpoint);
+    if (!(ahead > 0.0))
+        return;
+    *F = (plane){-F->a, -F->b, -F->c, -F->d};
+    for (uint32_t k = first; k < end; k++)
+        s->turned->corner[k] = from->corner[end - 1 - (k - first)];
+}
+
+/* Turns the faces of bodies that are not convex to the viewer. False: no memory. */
+static bool turn_faces(sight *s, const roberts_scene *scene)
+{
+    roberts_scene *to = s->turned = alloc_array(1, sizeof *to);
+    if (!to)
+        return false;
+    *to = *scene;
+    to->face_plane = alloc_array(scene->face_count, sizeof *to->face_plane);
+    to->corner = alloc_array(scene->corner_count, sizeof *to->corner);
+    if (!to->face_plane || !to->corner)
+        return false;
+    memcpy(to->face_plane, scene->face_plane, scene->face_count * sizeof *to->face_plane);
+    memcpy(to->corner, scene->corner, scene->corner_count * sizeof *to->corner);
+    s->scene = to;
+    for (uint32_t solid = 0; solid < scene->solid_count; solid++)
+        for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++)
+            if (!scene_is_convex(scene, solid))
+                turn_face(s, scene, face);
+    return true;
+}
+
 bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
 {
     *s = (sight){.scene = scene, .perspective = v->perspective, .unit = v->unit};
@@ -144,6 +179,10 @@ bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
     for (uint32_t i = 0; i < scene->vertex_count; i++)
         s->P[i] = sight_point(s, scene->point[i]);
     s->viewpoint = s->perspective ? sight_point(s, v->viewpoint) : normalised(v->viewpoint);
+    if (scene->surface && !turn_faces(s, scene)) {
+        sight_free(s);
+        return false;
+    }
     set_margins(s, v);
     for (uint32_t face = 0; face < scene->face_count; face++) {
         s->facing[face] = (unsigned char)facing_of(s, face);
@@ -169,6 +208,11 @@ void sight_free(sight *s)
 {
     if (!s)
         return;
+    if (s->turned) {
+        free(s->turned->face_plane);
+        free(s->turned->corner);
+        free(s->turned);
+    }
     free(s->P);
     free(s->facing);
     free(s->dent);
@@ -237,11 +281,11 @@ static uint32_t bisect(const sight *s, uint32_t face, roberts_vec3 across, uint3
     return low;
 }
 
-/* The answer by samples; SIGHT_POSSIBLY: ask all sides.
+/* The answer by samples; SIGHT_POSSIBLY: all sides have to be asked.
  *
- * Bisection only chooses what to ask. First, whether the line passes well within a triangle of three samples, which
- * is a part of their polygon. Then, whether it passes outside of one side. Near a diagonal of the triangles the whole
- * polygon is asked: it has none. */
+ * Bisection only chooses what to check. First, whether the line passes well within a triangle of three samples, which
+ * is a part of their polygon. Then, whether it passes outside of one side. If neither decides, the line may pass near a
+ * diagonal, and the polygon of all samples is checked. */
 static sight_answer pass_samples(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)
 {
     roberts_vec3 first = corner_of(s, face, 0), across = vec3_cross(v, vec3_sub(first, X));
@@ -420,7 +464,7 @@ static bool clip_to_sides(const sight *s, uint32_t face, uint32_t first, uint32_
     return true;
 }
 
-/* What is left of `part` in the cap beyond sample k: between that sample, the next one, and the corners between them.
+/* What is left of `part` in the cap beyond sample k: the polygon of that sample, the next one, and all corners between.
  */
 static bool clip_to_cap(const sight *s, uint32_t face, uint32_t k, const roberts_vec3 AB[2], sight_part *part)
 {

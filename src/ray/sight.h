@@ -23,17 +23,20 @@ enum {
 };
 
 typedef struct sight {
-    const roberts_scene *scene;
+    const roberts_scene *scene; /* as given, or `turned` */
+    /* NULL where all bodies are convex. Otherwise the scene with all faces of the other bodies turned to the viewer, plane
+     * and corners, since they hide from both sides: each of them is front or edge-on. */
+    roberts_scene *turned;
     roberts_vec3 *P;       /* [vertex_count] */
     unsigned char *facing; /* [face_count] */
-    /* [face_count] no corner of the face lies outside of one of its sides by more than this. Faces given to few digits,
-     * or cut by the near plane, are only nearly convex. */
+    /* [face_count] no corner of the face lies farther outside of a side of it than this. Faces given to few digits, or
+     * cut by the near plane, are only nearly convex. */
     float *dent;
     bool *sampled; /* [face_count] see sight_through(); NULL: no face is */
     bool perspective;
     roberts_vec3 viewpoint; /* the direction toward the viewer, of length 1, or the eye */
     double unit;            /* model units, a power of two */
-    /* The touching distance is measured after the view's map. As a length here it is at least `tight` and at most
+    /* The touching distance is measured after the view's map. In model space it is at least `tight` and at most
      * `loose`, both with a factor SIGHT_MARGIN to spare. Rounding of coordinates and distances is below `rounding`. */
     double tight, loose, rounding;
 } sight;
@@ -71,9 +74,9 @@ static inline double sight_behind(const sight *s, uint32_t face, roberts_vec3 X)
     return F.a * X.x + F.b * X.y + F.c * X.z + F.d / s->unit;
 }
 
-/* How sure an answer is. Exact contact has its rule: a point on a side is inside, a point in the plane is not behind
- * it. Nearer than the touching distance, but not in contact, either answer may be right: an edge that runs along a
- * side is drawn as if it touched, one that crosses the side is cut at the crossing itself. */
+/* How sure an answer is. Exact contact has a rule: a point on a side is inside, a point in the plane is not behind it.
+ * Within the touching distance, but not in contact, either answer may be right: an edge that runs along a side is drawn
+ * as if it touched it; an edge that crosses the side is cut at the crossing itself. */
 typedef enum sight_answer { SIGHT_NO, SIGHT_POSSIBLY, SIGHT_SURELY } sight_answer;
 
 /* Whether the line through X along v, toward the viewer, passes within the sides of the face. It possibly does if it

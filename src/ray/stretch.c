@@ -3,9 +3,10 @@
  * These rays are cast:
  *
  * - from each stretch, `rays` of them near its ends and evenly between;
- * - from a visible stretch, one amid the longest part that a face hides. A search along the stretch finds this part
- *   by Cyrus and Beck's clipping, so nothing hidden is missed between two rays. That is not quite so for faces of
- *   very many corners: if there are any, up to three more rays are cast close to each end that lies within the edge;
+ * - from a visible stretch, one in the middle of the longest part that a face hides. A search along the stretch finds
+ *   this part by Cyrus and Beck's clipping, so nothing hidden is missed between two rays. The search may miss parts
+ *   behind faces of very many corners: if there are any, up to three more rays are cast close to each end that lies
+ *   within the edge;
  * - from a hidden stretch, a walk. A ray finds a face that hides the point. The next ray starts just beyond what that
  *   face hides, and so on to the end of the stretch. Whatever is visible on the way is met;
  * - from the middle of a hidden stretch that names a solid, one that looks for the face nearest to the viewer.
@@ -24,15 +25,15 @@
 #define END_MARGIN 0x1p-10
 /* How far the neighbours of a ray are, as a part of the stretch. */
 #define NEIGHBOUR 0x1p-12
-/* How close to an end, or to a change on a walk, a ray is cast: at so many touching distances ... */
+/* How close to an end, or to a change on a walk, a ray is cast, in touching distances ... */
 #define CLOSE 64.0
-/* ... and at least at this part of the edge, ten times what a parameter t may be off. */
+/* ... and at least this part of the edge, ten times the error of a parameter t. */
 #define CLOSE_PART 1e-9
 /* How far the neighbours of close rays are, as a part of that distance. */
 #define CLOSE_NEIGHBOUR 0.25
 /* The other faces of a hider are asked too if it has no more than this. */
 #define FEW_FACES 12
-/* After so many points in a row behind one solid, a walk leaps. */
+/* After this many points in a row behind one solid, a walk leaps. */
 #define LEAP_AFTER 4
 /* Further rays close to the ends of visible stretches, as parts of the edge. */
 static const double end_parts[] = {1e-6, 1e-4};
@@ -50,13 +51,13 @@ typedef struct stretch_probe {
     roberts_state drawn;
     probe_kind kind;
     double t, step; /* where, and how far its neighbours are */
-    double close;   /* closest to a change that a ray is cast, in t */
+    double close;   /* rays are cast no closer to a change than this, in t */
     double end;     /* walk: where it ends */
-    double stride;  /* walk: how far it goes on where no face says */
+    double stride;  /* walk: length of the next step if no face tells how far to go */
     uint32_t solid; /* walk: the solid that hid the last point, */
-    uint32_t same;  /* ... and how many before it */
+    uint32_t same;  /* ... and how many points in a row before that */
     double leap;    /* walk: length of the next leap behind one solid, */
-    double back;    /* ... and where to go back to when this one has failed; INFINITY: this is no leap */
+    double back;    /* ... and where to return if this leap fails; INFINITY: this is no leap */
 } stretch_probe;
 
 struct stretch_checker {
@@ -124,9 +125,9 @@ static bool judge_point(stretch_checker *c, const stretch_probe *p, const sight_
         c->result->undecided += q->answer == SIGHT_POSSIBLY;
     } else if (contradicts_strictly(c, p, q)) {
         if (p->drawn == ROBERTS_VISIBLE)
-            contradict(c->result, p, q->solid, ROBERTS_HIDDEN, c->o->face_solid[q->hider]);
+            contradict(c->result, p, q->of.solid, ROBERTS_HIDDEN, c->o->face_solid[q->hider]);
         else
-            contradict(c->result, p, q->solid, ROBERTS_VISIBLE, ROBERTS_NONE);
+            contradict(c->result, p, q->of.solid, ROBERTS_VISIBLE, ROBERTS_NONE);
         return false;
     } else {
         c->result->undecided++;
@@ -144,7 +145,8 @@ static bool may_be_seen(const occluders *o, uint32_t solid, const sight_question
     if (solid >= scene->solid_count)
         return false;
     roberts_vec3 v = sight_from(&o->s, q->X);
-    double touch = sight_touch(&o->s, q->hider), slack = solid == q->solid ? o->slack[solid] : 0.0;
+    double touch = sight_touch(&o->s, q->hider);
+    double slack = solid == q->of.solid && scene_is_convex(scene, solid) ? o->slack[solid] : 0.0;
     for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++)
         if (o->s.facing[face] != SIGHT_NOT_FRONT &&
             sight_behind(&o->s, face, Y) >= -SIGHT_MARGIN * (touch + sight_touch(&o->s, face)) &&
@@ -153,28 +155,27 @@ static bool may_be_seen(const occluders *o, uint32_t solid, const sight_question
     return false;
 }
 
-/* Compares the solid that is named with the one found nearest. Near the border of the nearest face another one may be
- * seen. */
+/* Compares the named solid with the nearest one found. Near the border of the nearest face another one may be seen. */
 static void judge_nearest(stretch_checker *c, const stretch_probe *p, const sight_question *q)
 {
     const occluders *o = c->o;
     if (q->answer != SIGHT_SURELY) {
-        c->result->undecided += q->answer == SIGHT_POSSIBLY; /* whether it is hidden at all, other rays say */
+        c->result->undecided += q->answer == SIGHT_POSSIBLY; /* other rays tell whether it is hidden at all */
         return;
     }
     roberts_vec3 v = sight_from(&o->s, q->X), Y = sight_meet(&o->s, q->hider, q->X, v);
     if (o->face_solid[q->hider] == p->drawn_by || may_be_seen(o, p->drawn_by, q, Y))
         return;
     if (sight_well_through(&o->s, q->hider, q->X, v))
-        contradict(c->result, p, q->solid, ROBERTS_HIDDEN, o->face_solid[q->hider]);
+        contradict(c->result, p, q->of.solid, ROBERTS_HIDDEN, o->face_solid[q->hider]);
     else
         c->result->undecided++;
 }
 
 /* ---- walks ----------------------------------------------------------------------------------------------------- */
 
-/* How far the face that hides the point of the walk hides what follows; p->end: all that is left. Of a solid of few
- * faces the others are asked too, in the order of the file, which spares rays. */
+/* The t up to which the face that hides the point of the walk hides the edge; p->end: all that is left. If its solid
+ * has few faces, the others are asked too, in the order of the file, which spares rays. */
 static double hidden_until(const occluders *o, const stretch_probe *p, const sight_question *q)
 {
     const scene_solid *solid = &o->s.scene->solid[o->face_solid[q->hider]];
@@ -185,7 +186,8 @@ static double hidden_until(const occluders *o, const stretch_probe *p, const sig
         return p->t;
     if (all.t1 < 1.0 && solid[1].face - solid->face <= FEW_FACES)
         for (uint32_t face = solid->face; face < solid[1].face; face++)
-            if (face != q->hider && sight_hidden_part(&o->s, face, q->X, end, &part) && part.t0 <= all.t1 + touching)
+            if (face != q->hider && occluders_take_part(o, q->of, face) &&
+                sight_hidden_part(&o->s, face, q->X, end, &part) && part.t0 <= all.t1 + touching)
                 all.t1 = greater(all.t1, part.t1);
     return all.t1 >= 1.0 ? p->end : p->t + all.t1 * (p->end - p->t);
 }
@@ -200,8 +202,8 @@ static void leap(stretch_probe *p, double next)
     p->leap *= 2.0;
 }
 
-/* Takes the walk to its next point; false at its end. Strides double as long as no face says how far to go, and the
- * last of them stops at the end itself. */
+/* Takes the walk to its next point; false at its end. Steps double in length while no face tells how far to go. The
+ * last one stops at the end itself. */
 static bool walk_on(const occluders *o, stretch_probe *p, const sight_question *q)
 {
     uint32_t solid = q->answer == SIGHT_SURELY ? o->face_solid[q->hider] : ROBERTS_NONE;
@@ -221,7 +223,7 @@ static bool walk_on(const occluders *o, stretch_probe *p, const sight_question *
         return false;
     if (until > p->t + p->close) {
         p->stride = p->close;
-        if (p->same >= LEAP_AFTER)
+        if (p->same >= LEAP_AFTER && scene_is_convex(o->s.scene, solid))
             leap(p, until + p->close);
         else
             p->t = until + p->close;
@@ -261,15 +263,19 @@ void stretch_checker_finish(stretch_checker *c)
     free(c);
 }
 
+static occluders_asker asker_of(const stretch *s)
+{
+    bool between = s->faces == STRETCH_BETWEEN;
+    return (occluders_asker){s->solid, between || s->faces == STRETCH_BACK, between ? s->seen : ROBERTS_NONE};
+}
+
 static void ask(stretch_checker *c, const stretch *s, const stretch_probe *p)
 {
     while (c->count == TREE_POINTS)
         cast(c);
     c->probe[c->count] = *p;
-    c->question[c->count++] = (sight_question){.X = point_at(p->ends, p->t),
-                                               .solid = s->solid,
-                                               .own = s->faces == STRETCH_BACK,
-                                               .nearest = p->kind == PROBE_NEAREST};
+    c->question[c->count++] =
+        (sight_question){.X = point_at(p->ends, p->t), .of = asker_of(s), .nearest = p->kind == PROBE_NEAREST};
 }
 
 static void ask_point(stretch_checker *c, const stretch *s, stretch_probe *p, double t, double step)
@@ -291,7 +297,7 @@ static double position(uint32_t k, uint32_t n)
     return (double)k / (n - 1);
 }
 
-/* Close to the ends that lie within the edge: if the drawing changes too early or too late, a ray falls in between. */
+/* Asks close to the ends that lie within the edge, to find a change that the drawing shows too early or too late. */
 static void ask_ends(stretch_checker *c, const stretch *s, stretch_probe *p)
 {
     double at = p->close;
@@ -306,7 +312,7 @@ static void ask_ends(stretch_checker *c, const stretch *s, stretch_probe *p)
     }
 }
 
-/* Amid the longest part of a visible stretch that a face hides, if any does. */
+/* Asks in the middle of the longest part of a visible stretch that a face hides, if any does. */
 static void ask_hidden_part(stretch_checker *c, const stretch *s, stretch_probe *p)
 {
     occluders_search search;
@@ -314,7 +320,7 @@ static void ask_hidden_part(stretch_checker *c, const stretch *s, stretch_probe 
     uint32_t face;
     double width = s->t1 - s->t0, longest = 2.0 * p->close / width, middle = 0.0;
     roberts_vec3 A = point_at(p->ends, s->t0), B = point_at(p->ends, s->t1);
-    occluders_search_start(&search, c->o, A, B, s->solid, s->faces == STRETCH_BACK);
+    occluders_search_start(&search, c->o, A, B, asker_of(s));
     while (occluders_search_next(&search, &face, &part))
         if (part.t1 - part.t0 > longest) {
             longest = part.t1 - part.t0;
@@ -324,7 +330,8 @@ static void ask_hidden_part(stretch_checker *c, const stretch *s, stretch_probe 
         ask_point(c, s, p, s->t0 + middle * width, CLOSE_NEIGHBOUR * longest * width);
 }
 
-/* Evenly spaced. A walk starts close to one end and goes to the other, so it spares the first and the last. */
+/* Asks at evenly spaced points. A walk goes from close to one end to close to the other, so it replaces the first and
+ * the last. */
 static void ask_evenly(stretch_checker *c, const stretch *s, stretch_probe *p, bool walk)
 {
     double width = s->t1 - s->t0;

@@ -4,26 +4,28 @@
 
 #include "ray/occluders.h"
 
-/* What an edge's faces make of it. */
+/* Which of an edge's faces are front. */
 typedef enum stretch_edge {
-    STRETCH_FRONT, /* one face at least is front */
-    STRETCH_BACK,  /* no face is front: its own solid hides it */
-    STRETCH_UNSURE /* a face is front or edge-on, and none is surely front */
+    STRETCH_FRONT,  /* one face at least is front */
+    STRETCH_BACK,   /* no face is front: its own solid hides it */
+    STRETCH_UNSURE, /* a face is front or edge-on, and none is surely front */
+    STRETCH_BETWEEN /* of a body that is not convex: all its faces may hide it but those that it lies in */
 } stretch_edge;
 
 /* A stretch of an edge that the drawing shows in one state. */
 typedef struct stretch {
     roberts_vec3 A, B; /* ends of the whole edge; t runs from A to B */
     uint32_t solid, edge;
+    uint32_t seen; /* the edge's number in the scene that hides, where `faces` is STRETCH_BETWEEN */
     stretch_edge faces;
     double t0, t1;
     roberts_state drawn;
-    bool named;        /* the drawing says which solid hides it: */
-    uint32_t drawn_by; /* that solid */
+    bool named;        /* the drawing names a solid that hides it */
+    uint32_t drawn_by; /* if named: that solid */
 } stretch;
 
 typedef struct stretch_finding {
-    roberts_contradiction what; /* all but v0, v1 */
+    roberts_contradiction what; /* without v0, v1 */
     uint32_t edge;
 } stretch_finding;
 
@@ -38,13 +40,13 @@ typedef struct stretch_result {
 /* A checker casts the rays of many stretches together. */
 typedef struct stretch_checker stretch_checker;
 
-/* A checker for rays against `o`, `rays` evenly spaced ones to a stretch. NULL: no memory. */
+/* A checker that casts rays against `o`, `rays` of them evenly spaced on each stretch. NULL: no memory. */
 stretch_checker *stretch_checker_new(const occluders *o, uint32_t rays, stretch_result *result);
 
 /* Puts the points of a stretch in the queue, and casts their rays when it is full. */
 void stretch_check(stretch_checker *c, const stretch *s);
 
-/* Notes a contradiction at t, where the near plane leaves nothing of the edge. */
+/* Notes a contradiction at t: the near plane cuts off the edge there. */
 void stretch_is_clipped(stretch_checker *c, const stretch *s, double t);
 
 /* Casts all rays that wait, and frees the checker. */

@@ -1,8 +1,9 @@
 /* verify.c - a drawing checked by rays.
  *
  * The rule is applied directly: a point is hidden where a front face of another solid lies on its sight line, nearer to
- * the viewer. For an edge without a front face, which its own solid hides, the own solid counts as well. stretch.c says
- * which points of an edge are asked and what contradicts the drawing.
+ * the viewer. For an edge without a front face, which its own solid hides, the own solid counts as well. Faces of bodies that
+ * are not convex hide from both sides, and they hide edges of their own body, but not those that lie in their plane.
+ * stretch.c says which points of an edge are asked and what contradicts the drawing.
  *
  * Edges are taken in runs, and runs by where they are in the picture, so that rays cast one after another meet the same
  * faces. Threads take chunks of runs. Each chunk keeps what it finds; the findings are sorted by edge in the end. */
@@ -15,21 +16,29 @@
 #include "ray/stretch.h"
 #include "view/clip.h"
 
-/* Gaps between the rows of an edge that are no wider are rounding (t has a size of 1). */
+/* A gap between two rows of an edge that is no wider in t is rounding. */
 #define GAP 1e-15
-/* An angle this near to the crease angle may be taken for either side of it; degrees. */
+/* Degrees: an angle this near to the crease angle may be taken for either side of it. */
 #define CREASE_MARGIN 1e-6
-/* Most edges of a run, all of one solid. */
+/* Edges of smooth bodies flatter than this are left out; degrees. See roberts_hide_options.crease_auto. */
+#define SMOOTH_DEGREES 30.0
+/* Most edges in a run; all belong to one solid. */
 #define RUN_EDGES 32
-/* Runs in a chunk: enough to forget the cost of sharing them out. */
+/* Runs in a chunk: enough to make the cost of sharing them out negligible. */
 #define CHUNK_RUNS 32
-/* With fewer chunks than this for each, a thread costs more than it saves. */
+/* A thread with fewer chunks than this costs more than it saves. */
 #define CHUNKS_PER_THREAD 4
 
 /* Edges of one solid, up to the first edge of the next run. */
 typedef struct edge_run {
     uint32_t solid, edge;
 } edge_run;
+
+/* What the drawing calls an edge of a body that is not convex: an edge of the file, or a part of one. */
+typedef struct edge_name {
+    uint32_t solid, v[2], edge;
+    double t0, t1;
+} edge_name;
 
 typedef struct verifier {
     const roberts_scene *scene; /* as given: the drawing's numbers and t go by it */
@@ -38,9 +47,11 @@ typedef struct verifier {
     const roberts_drawing *drawing;
     roberts_verify_options options;
     occluders o;
+    edge_name *name; /* [name_count] of all edges of bodies that are not convex, in order */
+    size_t name_count;
     uint32_t *row_start;    /* [edge_count + 1] */
     uint32_t *row;          /* [segments] rows of the drawing, edge by edge, by t */
-    edge_run *run;          /* [run_count + 1] the last one ends them */
+    edge_run *run;          /* [run_count + 1] the last one marks the end */
     uint32_t *order;        /* [run_count] runs by where they are in the picture */
     stretch_result *result; /* [chunk_count] */
     uint32_t run_count, chunk_count;
@@ -48,7 +59,7 @@ typedef struct verifier {
 
 roberts_verify_options roberts_verify_options_default(void)
 {
-    return (roberts_verify_options){.rays = 3, .crease_degrees = 0.1};
+    return (roberts_verify_options){.rays = 3, .crease_degrees = 0.1, .crease_auto = true};
 }
 
 /* ---- edges ----------------------------------------------------------------------------------------------------- */
@@ -65,20 +76,91 @@ static stretch_edge classify_edge(const verifier *f, const scene_edge *e)
     return unsure ? STRETCH_UNSURE : STRETCH_BACK;
 }
 
+/* The angle between two planes, or between one and the other turned over; degrees. */
+static double angle_between(plane F, plane G, bool turned)
+{
+    const double degrees = 180.0 / 3.14159265358979323846;
+    roberts_vec3 m = {F.a, F.b, F.c}, n = {G.a, G.b, G.c};
+    return atan2(vec3_length(vec3_cross(m, n)), turned ? -vec3_dot(m, n) : vec3_dot(m, n)) * degrees;
+}
+
 /* Whether the drawing has to show the edge where nothing hides it: an outline, or bent by more than the crease angle.
  */
 static bool is_surely_drawn(const verifier *f, const scene_edge *e)
 {
-    const double degrees = 180.0 / 3.14159265358979323846;
     if (classify_edge(f, e) != STRETCH_FRONT)
         return false;
     if (f->options.all_edges || e->f[1] == ROBERTS_NONE || f->o.s.facing[e->f[0]] == SIGHT_NOT_FRONT ||
         f->o.s.facing[e->f[1]] == SIGHT_NOT_FRONT)
         return true;
-    plane F = f->seen->face_plane[e->f[0]], G = f->seen->face_plane[e->f[1]];
-    roberts_vec3 m = {F.a, F.b, F.c}, n = {G.a, G.b, G.c};
-    double angle = atan2(vec3_length(vec3_cross(m, n)), vec3_dot(m, n)) * degrees;
-    return angle > f->options.crease_degrees + CREASE_MARGIN;
+    const plane *of = f->seen->face_plane;
+    return angle_between(of[e->f[0]], of[e->f[1]], false) > f->options.crease_degrees + CREASE_MARGIN;
+}
+
+/* How the faces of an edge lie about it in the picture. */
+typedef struct edge_sides {
+    uint32_t left, right, edge_on, unsure;
+    double bent; /* greatest angle between the first face and another one, from flat; degrees */
+} edge_sides;
+
+/* `on_right`: the face is on the right of v[0] -> v[1], seen from outside of its plane. `first`: the first face of the
+ * edge. */
+static void add_side(const verifier *f, uint32_t face, bool on_right, uint32_t first, edge_sides *to)
+{
+    plane F = f->seen->face_plane[face], G = f->o.s.scene->face_plane[face];
+    bool back = F.a * G.a + F.b * G.b + F.c * G.c < 0.0; /* it was turned to the viewer */
+    to->unsure += f->o.s.facing[face] == SIGHT_UNSURE;
+    if (f->o.s.facing[face] == SIGHT_NOT_FRONT)
+        to->edge_on++;
+    else if (back != on_right)
+        to->right++;
+    else
+        to->left++;
+    double bent = angle_between(f->seen->face_plane[first], F, false);
+    to->bent = fmax(to->bent, fmin(bent, 180.0 - bent));
+}
+
+static edge_sides sides_of(const verifier *f, uint32_t solid, uint32_t index)
+{
+    const scene_surface *surface = f->seen->surface;
+    const scene_edge *e = scene_edge_stored(f->seen, solid, index);
+    uint8_t is = surface->edge_is[index];
+    uint32_t of = f->seen->solid[solid].face;
+    edge_sides found = {0};
+    if (is & EDGE_MANY) {
+        const scene_many *many = scene_many_at(f->seen, index);
+        const uint32_t *face = surface->many_face;
+        for (uint32_t k = many->first; k < many->end; k++)
+            add_side(f, face[k] & ~MANY_TURNED, face[k] & MANY_TURNED, face[many->first] & ~MANY_TURNED, &found);
+        return found;
+    }
+    for (int k = 0; k < 2; k++)
+        if (e->f[k] != ROBERTS_NONE)
+            add_side(f, of + e->f[k], is & (k ? EDGE_TURNED_1 : EDGE_TURNED_0), of + e->f[0], &found);
+    if (e->f[1] != ROBERTS_NONE) {
+        bool alike = !(is & EDGE_TURNED_0) == !(is & EDGE_TURNED_1);
+        found.bent = angle_between(f->seen->face_plane[of + e->f[0]], f->seen->face_plane[of + e->f[1]], alike);
+    }
+    return found;
+}
+
+/* The same as is_surely_drawn() for an edge of a body that is not convex. */
+static bool is_surely_line(const verifier *f, uint32_t solid, uint32_t index)
+{
+    const scene_surface *surface = f->seen->surface;
+    const scene_edge *e = scene_edge_stored(f->seen, solid, index);
+    double crease = f->options.crease_degrees;
+    bool cut = surface->edge_is[index] & EDGE_CUT;
+    if (e->f[1] == ROBERTS_NONE)
+        return !cut; /* a border or a wire */
+    if (surface->smooth[solid] && f->options.crease_auto)
+        crease = fmax(crease, SMOOTH_DEGREES);
+    edge_sides sides = sides_of(f, solid, index);
+    if (sides.unsure)
+        return false;
+    if ((sides.left == 0) != (sides.right == 0))
+        return !cut || sides.edge_on == 0;
+    return !cut && (f->options.all_edges || sides.bent > crease + CREASE_MARGIN);
 }
 
 /* What the near plane leaves of an edge. */
@@ -92,31 +174,57 @@ static roberts_vec3 vertex_point(const verifier *f, uint32_t vertex)
     return sight_point(&f->o.s, f->scene->point[vertex]);
 }
 
-/* Checks one row: its ends against what the near plane leaves of the edge, and the stretch between them by rays. */
-static void check_row(stretch_checker *checker, const clip_edge *left, const roberts_segment *row, stretch *s)
+/* The part of an edge of the file that an edge of a body is. */
+static edge_name part_of(const verifier *f, uint32_t solid, uint32_t index)
+{
+    const scene_edge *e = scene_edge_stored(f->scene, solid, index);
+    uint32_t first = f->scene->solid[solid].vertex;
+    edge_name name = {.solid = solid, .edge = index, .t1 = 1.0};
+    if (scene_is_convex(f->scene, solid) || !(f->scene->surface->edge_is[index] & EDGE_PART)) {
+        name.v[0] = scene_vertex_number(f->scene, first + e->v[0]);
+        name.v[1] = scene_vertex_number(f->scene, first + e->v[1]);
+        return name;
+    }
+    const scene_part *part = scene_part_at(f->scene, index);
+    return (edge_name){solid, {part->v[0], part->v[1]}, index, part->t0, part->t1};
+}
+
+/* The row with t along the part. */
+static roberts_segment row_on(const edge_name *part, const roberts_segment *row)
+{
+    roberts_segment on = *row;
+    on.t0 = fmax(0.0, (row->t0 - part->t0) / (part->t1 - part->t0));
+    on.t1 = fmin(1.0, (row->t1 - part->t0) / (part->t1 - part->t0));
+    return on;
+}
+
+/* Checks one row: its ends against what the near plane leaves of the edge, and the stretch between them by rays. gap: what
+ * is mere rounding. */
+static void check_row(stretch_checker *checker, const clip_edge *left, const roberts_segment *row, double gap,
+                      stretch *s)
 {
     s->t0 = fmax(row->t0, left->t0);
     s->t1 = fmin(row->t1, left->t1);
     s->drawn = (roberts_state)row->state;
     s->named = s->drawn == ROBERTS_HIDDEN;
     s->drawn_by = s->named ? row->by : ROBERTS_NONE;
-    if (row->t0 < left->t0 - GAP)
+    if (row->t0 < left->t0 - gap)
         stretch_is_clipped(checker, s, row->t0);
-    if (row->t1 > left->t1 + GAP)
+    if (row->t1 > left->t1 + gap)
         stretch_is_clipped(checker, s, row->t1);
     if (s->t0 < s->t1)
         stretch_check(checker, s);
 }
 
-/* Where the edge has to be drawn, a gap from t0 to t1 says that it is hidden. */
-static void check_gap(stretch_checker *checker, double t0, double t1, stretch *s)
+/* Checks a gap from t0 to t1 in an edge that has to be drawn: it says that the edge is hidden there. */
+static void check_gap(stretch_checker *checker, double t0, double t1, double gap, stretch *s)
 {
     s->t0 = t0;
     s->t1 = t1;
     s->drawn = ROBERTS_HIDDEN;
     s->named = false;
     s->drawn_by = ROBERTS_NONE;
-    if (t1 - t0 > GAP)
+    if (t1 - t0 > gap)
         stretch_check(checker, s);
 }
 
@@ -128,27 +236,58 @@ static void check_edge(const verifier *f, stretch_checker *checker, uint32_t sol
     if (left.edge == ROBERTS_NONE)
         return;
     const scene_edge edge = scene_edge_at(f->seen, solid, left.edge), whole = scene_edge_at(f->scene, solid, index);
-    bool gaps = is_surely_drawn(f, &edge);
-    double end = left.t0;
+    const edge_name part = part_of(f, solid, index);
+    bool convex = scene_is_convex(f->scene, solid);
+    bool gaps = convex ? is_surely_drawn(f, &edge) : is_surely_line(f, solid, left.edge);
+    double end = left.t0, gap = GAP / (part.t1 - part.t0);
     stretch s = {.A = vertex_point(f, whole.v[0]),
                  .B = vertex_point(f, whole.v[1]),
                  .solid = solid,
                  .edge = index,
-                 .faces = classify_edge(f, &edge)};
+                 .seen = left.edge,
+                 .faces = convex ? classify_edge(f, &edge) : STRETCH_BETWEEN};
     for (uint32_t k = f->row_start[index]; k < f->row_start[index + 1]; k++) {
-        const roberts_segment *row = &f->drawing->segment[f->row[k]];
-        if (row->state == ROBERTS_CLIPPED)
+        const roberts_segment row = row_on(&part, &f->drawing->segment[f->row[k]]);
+        if (row.state == ROBERTS_CLIPPED)
             continue;
         if (gaps)
-            check_gap(checker, end, fmin(row->t0, left.t1), &s);
-        check_row(checker, &left, row, &s);
-        end = fmax(end, row->t1);
+            check_gap(checker, end, fmin(row.t0, left.t1), gap, &s);
+        check_row(checker, &left, &row, gap, &s);
+        end = fmax(end, row.t1);
     }
     if (gaps)
-        check_gap(checker, end, left.t1, &s);
+        check_gap(checker, end, left.t1, gap, &s);
 }
 
 /* ---- rows to edges --------------------------------------------------------------------------------------------- */
+
+static int by_name(const void *a, const void *b)
+{
+    const edge_name *p = a, *q = b;
+    if (p->solid != q->solid)
+        return p->solid < q->solid ? -1 : 1;
+    for (int k = 0; k < 2; k++)
+        if (p->v[k] != q->v[k])
+            return p->v[k] < q->v[k] ? -1 : 1;
+    return (p->t0 > q->t0) - (p->t0 < q->t0);
+}
+
+/* Names all edges of bodies that are not convex, in order. False: no memory. */
+static bool name_edges(verifier *f)
+{
+    const roberts_scene *scene = f->scene;
+    size_t count = 0;
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        if (!scene_is_convex(scene, s))
+            count += scene->solid[s + 1].edge - scene->solid[s].edge;
+    if (!(f->name = alloc_array(count, sizeof *f->name)))
+        return false;
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        for (uint32_t e = scene->solid[s].edge; !scene_is_convex(scene, s) && e < scene->solid[s + 1].edge; e++)
+            f->name[f->name_count++] = part_of(f, s, e);
+    qsort(f->name, count, sizeof *f->name, by_name);
+    return true;
+}
 
 /* The edge of `solid` between input vertices v0 and v1; edge_count where there is none. */
 static uint32_t find_edge(const roberts_scene *scene, const roberts_segment *row)
@@ -177,6 +316,57 @@ static void sort_rows(verifier *f, uint32_t first, uint32_t end)
     SORT_FEW(uint32_t, f->row + first, end - first, segment[*a].t0 > segment[*b].t0)
 }
 
+/* The names that a row may have a part in: those of its edge of the file, from the first with that name or a later one. */
+typedef struct name_range {
+    const edge_name *next, *end;
+} name_range;
+
+static name_range names_of(const verifier *f, const roberts_segment *row)
+{
+    const edge_name wanted = {.solid = row->solid, .v = {row->v0, row->v1}, .t0 = -1.0};
+    size_t low = 0, high = f->name_count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (by_name(&f->name[middle], &wanted) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return (name_range){f->name + low, f->name + f->name_count};
+}
+
+/* The next edge of which the row shows a part; edge_count where there is none. */
+static uint32_t next_edge(const verifier *f, name_range *range, const roberts_segment *row)
+{
+    for (; range->next < range->end; range->next++) {
+        const edge_name *name = range->next;
+        if (name->solid != row->solid || name->v[0] != row->v0 || name->v[1] != row->v1)
+            break;
+        if (fmin(name->t1, row->t1) - fmax(name->t0, row->t0) > fmin(GAP, 0.5 * (row->t1 - row->t0)))
+            return range->next++->edge;
+    }
+    return f->scene->edge_count;
+}
+
+/* Counts a row, number `index`, to the edges that it shows parts of, or puts it down where row_start points behind.
+ * Returns the number of the edges. */
+static uint32_t assign_row(verifier *f, uint32_t index, bool put)
+{
+    const roberts_segment *row = &f->drawing->segment[index];
+    uint32_t none = f->scene->edge_count, count = 0;
+    bool convex = row->solid >= f->scene->solid_count || scene_is_convex(f->scene, row->solid);
+    name_range range = convex ? (name_range){0} : names_of(f, row);
+    uint32_t edge = convex ? find_edge(f->scene, row) : next_edge(f, &range, row);
+    for (; edge != none; edge = convex ? none : next_edge(f, &range, row)) {
+        if (put)
+            f->row[--f->row_start[edge]] = index;
+        else
+            f->row_start[edge]++;
+        count++;
+    }
+    return count;
+}
+
 /* Sorts rows by edge, by counting. row_start first counts the rows of each edge, then points behind them, then to the
  * first. */
 static roberts_status assign_rows(verifier *f, roberts_error *error)
@@ -185,19 +375,20 @@ static roberts_status assign_rows(verifier *f, roberts_error *error)
     uint32_t total = 0;
     for (uint32_t i = 0; i < f->drawing->count; i++) {
         const roberts_segment *row = &f->drawing->segment[i];
-        uint32_t edge = find_edge(scene, row);
-        if (edge == scene->edge_count)
-            return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "segment %u is of no edge of the scene (solid %u, %u-%u)",
-                             (unsigned)i, (unsigned)row->solid, (unsigned)row->v0, (unsigned)row->v1);
+        if (assign_row(f, i, false) == 0)
+            return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                             "segment %u belongs to no edge of the scene (solid %u, %u-%u)", (unsigned)i,
+                             (unsigned)row->solid, (unsigned)row->v0, (unsigned)row->v1);
         if (!(0.0 <= row->t0 && row->t0 < row->t1 && row->t1 <= 1.0) || row->state > ROBERTS_CLIPPED)
             return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "segment %u runs from t = %g to %g in state %u",
                              (unsigned)i, row->t0, row->t1, (unsigned)row->state);
-        f->row_start[edge]++;
     }
     for (uint32_t e = 0; e <= scene->edge_count; e++)
         total = f->row_start[e] += total;
+    if (!(f->row = alloc_array(total, sizeof *f->row)))
+        return error_no_memory(error);
     for (uint32_t i = (uint32_t)f->drawing->count; i-- > 0;)
-        f->row[--f->row_start[find_edge(scene, &f->drawing->segment[i])]] = i;
+        assign_row(f, i, true);
     for (uint32_t e = 0; e < scene->edge_count; e++)
         sort_rows(f, f->row_start[e], f->row_start[e + 1]);
     return ROBERTS_OK;
@@ -243,8 +434,8 @@ static int by_edge(const void *a, const void *b)
     return p->what.by < q->what.by ? -1 : p->what.by > q->what.by;
 }
 
-/* Passes on the contradictions of all chunks, by edge and then along it; of two rays from the same point once. False:
- * no memory. */
+/* Passes on the contradictions of all chunks, by edge and then along it; two rays from one point count once. False: no
+ * memory. */
 static bool pass_on(const verifier *f, size_t count, roberts_verification *result)
 {
     stretch_finding *all = alloc_array(count, sizeof *all);
@@ -259,9 +450,10 @@ static bool pass_on(const verifier *f, size_t count, roberts_verification *resul
         roberts_contradiction *what = &all[k].what;
         if (k > 0 && by_edge(&all[k - 1], &all[k]) == 0)
             continue;
-        const scene_edge edge = scene_edge_at(f->scene, what->solid, all[k].edge);
-        what->v0 = scene_vertex_number(f->scene, edge.v[0]);
-        what->v1 = scene_vertex_number(f->scene, edge.v[1]);
+        const edge_name name = part_of(f, what->solid, all[k].edge);
+        what->v0 = name.v[0];
+        what->v1 = name.v[1];
+        what->t = name.t0 + (name.t1 - name.t0) * what->t;
         result->contradictions++;
         if (f->options.contradiction)
             f->options.contradiction(f->options.context, what);
@@ -290,7 +482,7 @@ static roberts_status report(const verifier *f, roberts_verification *result, ro
     return ROBERTS_OK;
 }
 
-/* ---- before it ------------------------------------------------------------------------------------------------- */
+/* ---- preparation ------------------------------------------------------------------------------------------------- */
 
 /* Cuts the solids' edges into runs. */
 static void find_runs(verifier *f)
@@ -316,16 +508,17 @@ static bool order_runs(verifier *f)
     return done;
 }
 
-/* Estimates how many rays will ask for the faces of each solid: all but those from edges that the solid itself shows.
- */
+/* Estimates how many rays will ask for the faces of each solid: all but those from edges that a convex solid itself
+ * shows. */
 static void count_rays(const verifier *f, double *rays)
 {
     const roberts_drawing *drawing = f->drawing;
     double all = (double)drawing->count + f->scene->edge_count;
     for (uint32_t s = 0; s < f->scene->solid_count; s++)
-        rays[s] = all - (f->scene->solid[s + 1].edge - f->scene->solid[s].edge);
+        rays[s] = scene_is_convex(f->scene, s) ? all - (f->scene->solid[s + 1].edge - f->scene->solid[s].edge) : all;
     for (size_t i = 0; i < drawing->count; i++)
-        rays[drawing->segment[i].solid] -= drawing->segment[i].line != ROBERTS_BACK;
+        rays[drawing->segment[i].solid] -=
+            drawing->segment[i].line != ROBERTS_BACK && scene_is_convex(f->scene, drawing->segment[i].solid);
     for (uint32_t s = 0; s < f->scene->solid_count; s++)
         rays[s] *= f->options.rays;
 }
@@ -348,8 +541,7 @@ static bool prepare(verifier *f)
     f->run = alloc_array(most + 1, sizeof *f->run);
     f->order = alloc_array(most, sizeof *f->order);
     f->row_start = alloc_zeroed(edges + 1, sizeof *f->row_start);
-    f->row = alloc_array(f->drawing->count, sizeof *f->row);
-    if (!f->run || !f->order || !f->row_start || !f->row)
+    if (!f->run || !f->order || !f->row_start || !name_edges(f))
         return false;
     find_runs(f);
     f->chunk_count = f->run_count / CHUNK_RUNS + (f->run_count % CHUNK_RUNS != 0);
@@ -364,6 +556,7 @@ static void release(verifier *f)
     free(f->result);
     free(f->run);
     free(f->order);
+    free(f->name);
     free(f->row_start);
     free(f->row);
     occluders_free(&f->o);
@@ -380,10 +573,7 @@ roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *
     if (f.options.rays == 0)
         f.options.rays = roberts_verify_options_default().rays;
     if (drawing->count >= UINT32_MAX)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "more than 2^32 segments");
-    if (scene->surface)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
-                         "drawings of bodies that are not convex cannot be verified yet");
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "too many segments: 2^32 - 2 at most");
     roberts_status status = view_clip_scene(&f.clip, scene, camera, error);
     if (status != ROBERTS_OK)
         return status;

@@ -27,7 +27,7 @@
 typedef struct input_source {
     roberts_read_fn *read;
     void *context;
-    /* Both NULL where the input cannot be read at any place (a pipe). read_at: gives `size` bytes from `offset` on,
+    /* Both NULL if the input can only be read in order (a pipe). read_at: gives `size` bytes from `offset` on,
      * like roberts_read_fn; several threads may call it. go: moves the place of `read` there. */
     ptrdiff_t (*read_at)(void *context, uint64_t offset, void *buffer, size_t size);
     bool (*go)(void *context, uint64_t offset);

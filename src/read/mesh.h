@@ -59,6 +59,31 @@ static inline bool mesh_corner_room(roberts_mesh *mesh, size_t more)
     return more <= mesh->corner_room - mesh->corner_count || mesh_more_corners(mesh, more);
 }
 
+/* Append a vertex, or a corner of the face at hand; end that face. False as above. */
+static inline bool mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position)
+{
+    if (!mesh_vertex_room(mesh))
+        return false;
+    mesh->vertex[mesh->vertex_count++] = position;
+    return true;
+}
+
+static inline bool mesh_add_corner(roberts_mesh *mesh, uint32_t vertex)
+{
+    if (!mesh_corner_room(mesh, 1))
+        return false;
+    mesh->corner[mesh->corner_count++] = vertex;
+    return true;
+}
+
+static inline bool mesh_end_face(roberts_mesh *mesh)
+{
+    if (!mesh_face_room(mesh))
+        return false;
+    mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
+    return true;
+}
+
 /* Sets the colour of vertex or face `index`, the last one there is. Those before it that have none get count 0. */
 bool mesh_color_vertex(roberts_mesh *mesh, size_t index, roberts_color color, size_t *filled);
 bool mesh_color_face(roberts_mesh *mesh, size_t index, roberts_color color, size_t *filled);

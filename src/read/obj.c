@@ -1,15 +1,14 @@
 /* obj.c - Wavefront OBJ: a text of which each line begins with a word that says what it is.
  *
  *   v x y z [w] [r g b]     vertex, perhaps with a colour; w, the weight for rational curves, is not used
- *   f a b c ...             face; corners are v, v/vt, v/vt/vn or v//vn, and negative numbers count from the last vertex
+ *   f a b c ...             face; a corner is v, v/vt, v/vt/vn or v//vn; a negative number counts from the last vertex
  *   l a b c ...             line from vertex to vertex: an element of two corners for each part
- *   o name, g name          the faces that follow are called so; the last one counts
- *   usemtl name             ... have the colour Kd of this material
+ *   o name, g name          the name of the faces that follow; the last one counts
+ *   usemtl name             the faces that follow have the colour Kd of this material
  *   mtllib name             the file beside this one that has the materials; without it there are no colours
  *
- * Lines with other words are passed. A backslash before the end of a line joins the next line to it. '#' begins a
- * comment where a word could begin. Vertices are numbered from 0 here, as in the other formats, though OBJ counts from
- * 1.
+ * Lines with other words are skipped. A backslash before the end of a line joins the next line to it. '#' begins a
+ * comment where a word could begin. OBJ counts vertices from 1; here, as in the other formats, they count from 0.
  *
  * Source: "Object Files", appendix B1 of the manual of Wavefront's Advanced Visualizer, 1995. */
 #include "read/obj.h"
@@ -97,7 +96,7 @@ static bool add_material(obj_materials *m, const char *name)
     return true;
 }
 
-/* Reads "Kd r g b" for the last material; other forms ("Kd spectral", "Kd xyz") are passed. */
+/* Reads "Kd r g b" for the last material, and skips other forms ("Kd spectral", "Kd xyz"). */
 static void read_diffuse(obj_materials *m, input *in)
 {
     double value[COLOR];
@@ -209,7 +208,7 @@ void obj_materials_free(obj_materials *m)
     *m = (obj_materials){0};
 }
 
-/* The last part of a name, which may be a path of another machine: only the OBJ's own folder is looked into. */
+/* The last part of a name, which may be a path on another machine: files are only looked for beside the OBJ. */
 static const char *last_part(const char *name)
 {
     const char *last = name;
@@ -284,14 +283,13 @@ static roberts_status read_vertex(reader *r)
     while (count < NUMBERS_MOST && next_word(&r->in) && number(&r->in, &value[count]))
         count++;
     if (count < POSITION)
-        return read_expected(r, input_not_finite(&r->in) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX, "%s of vertex %zu",
-                             part[count], vertices_read(r));
+        return read_expected(r, input_not_finite(&r->in) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX,
+                             "%s of vertex %zu (counted from 0)", part[count], vertices_read(r));
     roberts_vec3 p = {value[0], value[1], value[2]};
     if (!mesh_position(p))
         return read_bad_position(r, vertices_read(r));
-    if (!mesh_vertex_room(r->mesh))
+    if (!mesh_add_vertex(r->mesh, p))
         return error_no_memory(r->error);
-    r->mesh->vertex[r->mesh->vertex_count++] = p;
     if (count < POSITION + COLOR)
         return ROBERTS_OK;
     const double *rgb = value + (count == POSITION + COLOR ? POSITION : POSITION + 1);
@@ -336,14 +334,14 @@ static const char *corner(const char *c, int64_t *v)
 
 /* What messages call the element at hand. */
 typedef struct element_name {
-    char text[40];
+    char text[64];
 } element_name;
 
 static element_name name_element(const obj_reader *o, bool face)
 {
     element_name name = {"a line"};
     if (face)
-        snprintf(name.text, sizeof name.text, "face %zu", o->r->mesh->face_count - o->r->mark.faces);
+        snprintf(name.text, sizeof name.text, "face %zu (counted from 0)", o->r->mesh->face_count - o->r->mark.faces);
     return name;
 }
 
@@ -376,13 +374,11 @@ static roberts_status read_corner(obj_reader *o, bool face, uint32_t *vertex)
     return ROBERTS_OK;
 }
 
-static roberts_status end_face(obj_reader *o, size_t corners)
+static roberts_status end_face(obj_reader *o)
 {
     roberts_mesh *mesh = o->r->mesh;
-    if (!mesh_face_room(mesh))
+    if (!mesh_end_face(mesh))
         return error_no_memory(o->r->error);
-    mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
-    o->r->thin_faces += corners < 3;
     if (o->color.count && !mesh_color_face(mesh, mesh->face_count - 1, o->color, &o->r->faces_filled))
         return error_no_memory(o->r->error);
     return ROBERTS_OK;
@@ -390,20 +386,19 @@ static roberts_status end_face(obj_reader *o, size_t corners)
 
 static roberts_status read_face(obj_reader *o)
 {
-    roberts_mesh *mesh = o->r->mesh;
     size_t count = 0;
     for (; next_word(&o->r->in); count++) {
         uint32_t v = 0;
         roberts_status status = read_corner(o, true, &v);
         if (status != ROBERTS_OK)
             return status;
-        if (!mesh_corner_room(mesh, 1))
+        if (!mesh_add_corner(o->r->mesh, v))
             return error_no_memory(o->r->error);
-        mesh->corner[mesh->corner_count++] = v;
     }
     if (count == 0)
         return read_expected(o->r, ROBERTS_BAD_SYNTAX, "a corner of %s", name_element(o, true).text);
-    return end_face(o, count);
+    o->r->thin_faces += count < 3;
+    return end_face(o);
 }
 
 static roberts_status read_line(obj_reader *o)
@@ -414,11 +409,9 @@ static roberts_status read_line(obj_reader *o)
     for (size_t count = 0; status == ROBERTS_OK && next_word(&o->r->in); count++, last = v) {
         if ((status = read_corner(o, false, &v)) != ROBERTS_OK || count == 0)
             continue;
-        if (!mesh_corner_room(mesh, 2))
+        if (!mesh_add_corner(mesh, last) || !mesh_add_corner(mesh, v))
             return error_no_memory(o->r->error);
-        mesh->corner[mesh->corner_count++] = last;
-        mesh->corner[mesh->corner_count++] = v;
-        status = end_face(o, 2);
+        status = end_face(o);
     }
     return status;
 }
@@ -453,7 +446,7 @@ static void note_unknown(obj_reader *o, size_t length)
     }
 }
 
-/* Reads what the line has to say; what else stands on it is passed. */
+/* Reads the statement of a line, but not what else may stand on the line. */
 static roberts_status read_statement(obj_reader *o)
 {
     input *in = &o->r->in;
@@ -484,7 +477,7 @@ static roberts_status read_statement(obj_reader *o)
     return ROBERTS_OK;
 }
 
-/* All vertices have come: is every corner one of them? */
+/* Once all vertices have come: whether every corner is one of them. */
 static roberts_status check_corners(const obj_reader *o)
 {
     reader *r = o->r;

@@ -15,8 +15,8 @@ typedef struct obj_materials {
     size_t count, room;
 } obj_materials;
 
-/* Adds the materials of one .mtl. What cannot be understood there is passed: colours are no reason to refuse a model.
- * False: no memory. */
+/* Adds the materials of one .mtl. Skips what it does not understand: colours are no reason to refuse a model. False: no
+ * memory. */
 bool obj_materials_read(obj_materials *m, const input_source *source);
 void obj_materials_sort(obj_materials *m);
 

@@ -1,5 +1,5 @@
-/* off.c - reading OFF: header, then text or words, then what there is to warn of. A mesh stays as it was where anything
- * fails. */
+/* off.c - the reader of OFF: header, then text or binary words, then warnings. If anything fails, the mesh stays as it
+ * was. */
 #include "read/off.h"
 
 #include <math.h>

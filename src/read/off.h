@@ -5,7 +5,7 @@
  * off_text.c     vertices and faces as text
  * off_pieces.c   large texts by several threads
  * off_binary.c   vertices and faces as 32-bit words
- * off_explain.c  what is said about a file that is not as it should be */
+ * off_explain.c  messages about a faulty file */
 #ifndef ROBERTS_READ_OFF_H
 #define ROBERTS_READ_OFF_H
 
@@ -124,7 +124,7 @@ static inline uint32_t off_index_limit(const off_reader *r)
 /* What each of the threads, numbered from 0, does. */
 typedef void off_work_fn(void *job, uint32_t thread);
 
-/* Has `work` done by so many threads, or fewer, and waits for them. */
+/* Runs `work` on at most `threads` threads, and waits for them. */
 typedef void off_run_fn(off_work_fn *work, void *job, uint32_t threads);
 
 /* How the work is divided. Tests have values of their own. */
@@ -136,7 +136,7 @@ typedef struct off_division {
     off_run_fn *run;
 } off_division;
 
-/* The division by so many threads (0: what there is); by one inside a parallel region. */
+/* Divides among `threads` threads (0: one per processor); inside a parallel region there is only one. */
 off_division off_divide(uint32_t threads);
 
 /* Reads on from the end of a vertex or face as far as pieces go, into the mesh; counts lines. `in` is then at the end

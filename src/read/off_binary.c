@@ -122,9 +122,8 @@ static roberts_status read_vertex(off_reader *r, const words *w, uint64_t v)
             return off_fail(r, ROBERTS_BAD_NUMBER, "vertex %llu has a coordinate that is infinite or no number",
                             (unsigned long long)v);
     }
-    if (!mesh_vertex_room(r->mesh))
+    if (!mesh_add_vertex(r->mesh, (roberts_vec3){p[0], p[1], p[2]}))
         return error_no_memory(r->error);
-    r->mesh->vertex[r->mesh->vertex_count++] = (roberts_vec3){p[0], p[1], p[2]};
     roberts_status status = ROBERTS_OK;
     if (r->header.color) {
         off_color_numbers color = {.count = COLOR_MOST, .real = true};
@@ -197,9 +196,8 @@ static roberts_status read_corners(off_reader *r, const words *w, uint64_t f, ui
         mesh->corner_count += part;
         r->in.at += part * WORD;
     }
-    if (!mesh_face_room(mesh))
+    if (!mesh_end_face(mesh))
         return error_no_memory(r->error);
-    mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
     r->thin_faces += count < 3;
     return ROBERTS_OK;
 }

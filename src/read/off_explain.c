@@ -1,13 +1,13 @@
-/* off_explain.c - what is said about a file that is not as it should be: a second look at the text, line by line.
+/* off_explain.c - messages about a faulty file, by a second look at the text, line by line.
  *
  * OFF is read word by word. A missing number is noticed where the words no longer make sense, which may be far behind.
  * But most files have one vertex or one face on each line, so a line with too few or too many words can be seen, as can
  * a header that declares another number of vertices. Nothing is claimed about a file that may be laid out freely.
  *
- * Lines of numbers from the first to the last are points, in a format without name and mark. A number, a line of any
- * text and then lines with a word and three numbers are XYZ, the atoms of a molecule; it has no mark either.
+ * If all lines are numbers, the file holds points, in a format that has no name. A number, a line of any text and then
+ * lines of a word and three numbers are XYZ, the atoms of a molecule.
  *
- * All this costs nothing while all goes well. An input that cannot be read twice (a pipe) goes without. */
+ * A sound file pays nothing for all this. An input that cannot be read twice (a pipe) gets no second look. */
 #include "read/off.h"
 
 #include <stdio.h>

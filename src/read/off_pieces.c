@@ -21,7 +21,7 @@
 
 enum {
     SLOTS_PER_THREAD = 6,
-    TRIES_IN_VAIN = 3, /* so many tries may give less than half of what the ring holds; then pieces are given up */
+    TRIES_IN_VAIN = 3, /* after as many tries that give less than half of what the ring holds, pieces are given up */
     SPREAD =
         4 /* bytes of the mesh from a byte of text, at most: 24 from "0 0 0\n", 4 from the "0\n" of a face, or " 0" */
 };
@@ -138,8 +138,8 @@ static void read_piece(const pieces_job *job, size_t i, bool vertices, piece *p,
 
 /* ---- joining, by one thread at a time ---------------------------------------------------------------------------- */
 
-/* Drops what the reader would take otherwise: it counts vertices first and then faces. Returns where the reader then
- * is. */
+/* Drops what the reader would read otherwise, since it counts vertices first and then faces. Returns where the reader
+ * is then. */
 static uint64_t accept(const pieces_job *job, piece *p)
 {
     if (p->begin != job->begin || p->vertices > job->vertices_left) {

@@ -247,7 +247,6 @@ static roberts_status read_vertex(off_reader *r, uint64_t v)
 {
     static const char *const part[4] = {"x", "y", "z", "w"};
     const int size = r->header.homogeneous ? 4 : 3;
-    roberts_mesh *mesh = r->mesh;
     roberts_status status = ROBERTS_OK;
     double p[4] = {0, 0, 0, 1};
     for (int i = 0; i < size; i++) {
@@ -260,9 +259,8 @@ static roberts_status read_vertex(off_reader *r, uint64_t v)
     }
     if (!mesh_position((roberts_vec3){p[0], p[1], p[2]}))
         return too_large(r, v, p[3]);
-    if (!mesh_vertex_room(mesh))
+    if (!mesh_add_vertex(r->mesh, (roberts_vec3){p[0], p[1], p[2]}))
         return error_no_memory(r->error);
-    mesh->vertex[mesh->vertex_count++] = (roberts_vec3){p[0], p[1], p[2]};
     if (r->header.normal)
         status = skip_normal(r, v);
     if (status == ROBERTS_OK && (r->header.color || r->header.texture))
@@ -383,9 +381,8 @@ static roberts_status read_corners(off_reader *r, uint64_t f, uint64_t count)
         }
         mesh->corner_count += part;
     }
-    if (!mesh_face_room(mesh))
+    if (!mesh_end_face(mesh))
         return error_no_memory(r->error);
-    mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
     r->thin_faces += count < 3;
     return ROBERTS_OK;
 }

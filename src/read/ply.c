@@ -3,14 +3,14 @@
  *
  *   ply
  *   format ascii 1.0                        or binary_little_endian, binary_big_endian
- *   comment ...                             and obj_info: passed
+ *   comment ...                             skipped, as is obj_info
  *   element vertex 8                        element and how often it comes
  *   property float x                        a number, or
  *   property list uchar int vertex_indices  how many follow, and these
  *   end_header
  *
- * Used are of "vertex" x, y, z, of "face" the list vertex_indices (or vertex_index), of "edge" vertex1 and vertex2 (an
- * element of two corners), and of all three red, green, blue. All other elements and properties are passed.
+ * The mesh gets x, y, z of "vertex", the list vertex_indices (or vertex_index) of "face", vertex1 and vertex2 of "edge"
+ * (an element of two corners), and red, green, blue of all three. All other elements and properties are skipped.
  *
  * Source: G. Turk, "The PLY polygon file format", Stanford 1994. */
 #include "read/read.h"
@@ -117,7 +117,8 @@ static roberts_status read_format(ply_reader *p)
         in->at -= strlen(word);
         return bad_header(p, "format ascii, binary_little_endian or binary_big_endian");
     }
-    take_word(p, word); /* the version */
+    if (take_word(p, word) && strcmp(word, "1.0") != 0)
+        warning_send(p->r->warnings, p->r->name, in->line, "PLY of version %s is read as version 1.0", word);
     return ROBERTS_OK;
 }
 
@@ -222,7 +223,7 @@ static bool has_role(const ply_reader *p, const element *e, role wanted)
     return false;
 }
 
-/* Whether what is read can make a mesh of it. */
+/* Whether the properties suffice to make a mesh. */
 static roberts_status check_header(ply_reader *p)
 {
     for (size_t i = 0; i < p->elements; i++) {
@@ -440,36 +441,20 @@ static roberts_color row_color(const ply_reader *p, const element *e)
 
 static roberts_status add_vertex(ply_reader *p, uint64_t row)
 {
-    roberts_mesh *mesh = p->r->mesh;
-    roberts_vec3 position = {p->value[X], p->value[Y], p->value[Z]};
+    const roberts_vec3 position = {p->value[X], p->value[Y], p->value[Z]};
     if (!mesh_position(position))
         return read_bad_position(p->r, row);
-    if (!mesh_vertex_room(mesh))
-        return error_no_memory(p->r->error);
-    mesh->vertex[mesh->vertex_count++] = position;
-    return ROBERTS_OK;
+    return mesh_add_vertex(p->r->mesh, position) ? ROBERTS_OK : error_no_memory(p->r->error);
 }
 
 static roberts_status add_edge(ply_reader *p, const element *e, uint64_t row)
 {
-    roberts_mesh *mesh = p->r->mesh;
     for (int i = FIRST_CORNER; i <= SECOND_CORNER; i++) {
         if (!is_vertex(p, p->value[i]))
             return bad_corner(p, e, row, p->value[i]);
-        if (!mesh_corner_room(mesh, 1))
+        if (!mesh_add_corner(p->r->mesh, (uint32_t)(p->r->mark.vertices + (uint64_t)p->value[i])))
             return error_no_memory(p->r->error);
-        mesh->corner[mesh->corner_count++] = (uint32_t)(p->r->mark.vertices + (uint64_t)p->value[i]);
     }
-    p->r->thin_faces++;
-    return ROBERTS_OK;
-}
-
-static roberts_status end_face(ply_reader *p)
-{
-    roberts_mesh *mesh = p->r->mesh;
-    if (!mesh_face_room(mesh))
-        return error_no_memory(p->r->error);
-    mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
     return ROBERTS_OK;
 }
 
@@ -489,15 +474,15 @@ static roberts_status read_elements(ply_reader *p, const element *e)
     const bool colored = e->kind != OTHER && has_role(p, e, RED);
     roberts_status status = ROBERTS_OK;
     if (e->kind == OTHER && e->properties == 0)
-        return ROBERTS_OK; /* else a count alone could keep us busy */
+        return ROBERTS_OK; /* otherwise a count alone could take for ever */
     for (uint64_t row = 0; row < e->count && status == ROBERTS_OK; row++) {
         status = read_row(p, e, row);
         if (status == ROBERTS_OK && e->kind == VERTEX)
             status = add_vertex(p, row);
         if (status == ROBERTS_OK && e->kind == EDGE)
             status = add_edge(p, e, row);
-        if (status == ROBERTS_OK && (e->kind == FACE || e->kind == EDGE))
-            status = end_face(p);
+        if (status == ROBERTS_OK && (e->kind == FACE || e->kind == EDGE) && !mesh_end_face(p->r->mesh))
+            status = error_no_memory(p->r->error);
         if (status == ROBERTS_OK && colored)
             status = set_color(p, e);
     }

@@ -47,7 +47,8 @@ roberts_status read_bad_position(reader *r, uint64_t v)
 void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t count)
 {
     if (count)
-        warning_send(warnings, name, 0, "%zu face%s with fewer than 3 corners ignored", count, count == 1 ? "" : "s");
+        warning_send(warnings, name, 0, "%zu face%s with fewer than 3 corners: %s nothing", count,
+                     count == 1 ? "" : "s", count == 1 ? "it hides" : "they hide");
 }
 
 /* ---- words ------------------------------------------------------------------------------------------------------- */
@@ -102,7 +103,7 @@ static const struct foreign {
     {"LIST", "a Geomview LIST", "", true},
     {"MESH", "a Geomview MESH", "", true},
     {"<", "XML (as AMF, X3D and COLLADA are)", "", false},
-    {"\x1f", "compressed, as by gzip", "", false},
+    {"\x1f", "compressed, as by gzip", "gzip -dc model.off.gz | roberts -", false},
     {"\xff\xfe", "text in UTF-16 (to be saved as UTF-8)", "", false},
     {"\xfe\xff", "text in UTF-16 (to be saved as UTF-8)", "", false},
 };
@@ -132,27 +133,18 @@ static bool has_size_of_stl(reader *r)
     return count > 0 && source->size == STL_FIRST + STL_TRIANGLE * count;
 }
 
-/* Whether one of the first `count` bytes stands in no text. */
-static bool looks_binary(reader *r, size_t count)
+/* Whether one of these bytes stands in no text. */
+static bool looks_binary(const char *bytes, size_t count)
 {
-    (void)input_need(&r->in, count);
-    for (const char *c = r->in.at; c < r->in.end && c < r->in.at + count; c++)
+    for (const char *c = bytes; c < bytes + count; c++)
         if ((unsigned char)*c < ' ' && !(*c >= '\t' && *c <= '\r'))
             return true;
     return false;
 }
 
-/* Whether an input of unknown or wrong length can be binary STL even so: it is no text, and its first triangle has
- * corners of a sensible size. */
-static bool looks_like_stl(reader *r)
+static size_t at_hand(const input *in)
 {
-    if (!looks_binary(r, STL_FIRST) || !input_need(&r->in, STL_FIRST + STL_TRIANGLE) ||
-        read_word(r->in.at + STL_HEADER, true) == 0)
-        return false;
-    for (int i = 3; i < 12; i++) /* behind the normal */
-        if (!(fabsf(read_float(r->in.at + STL_FIRST + 4 * (ptrdiff_t)i, true)) < 1e15f))
-            return false;
-    return true;
+    return (size_t)(in->end - in->at);
 }
 
 static bool is_obj_word(const char *word, size_t length)
@@ -164,6 +156,54 @@ static bool is_obj_word(const char *word, size_t length)
     return false;
 }
 
+/* Whether OFF or OBJ as text may begin with the word here. */
+static bool begins_text(input *in)
+{
+    const size_t length = input_need(in, 1) ? input_token(in) : 0;
+    return length > 0 && length <= INPUT_TOKEN_MAX &&
+           (memchr("#{0123456789", *in->at, 12) || input_separator(*in->at) || off_is_keyword(in->at, length) ||
+            is_obj_word(in->at, length));
+}
+
+/* Brings the header and the count of binary STL. False: they do not come, or a line of text ends before. A small model
+ * may end there, and its sender may wait for an answer: no more is asked for. */
+static bool need_stl_header(input *in)
+{
+    const bool text = begins_text(in);
+    for (size_t i = 0; i < STL_FIRST; i++) {
+        if (!input_need(in, i + 1) || (text && (in->at[i] == '\n' || in->at[i] == '\r') && !looks_binary(in->at, i)))
+            return false;
+    }
+    return true;
+}
+
+/* Whether the bytes begin a binary format that is not read. (Binary OFF begins with a line of text.) */
+static bool begins_foreign_binary(const char *bytes)
+{
+    static const char *const begins[] = {"PK\x03\x04", "\x1f\x8b", "\xff\xfe", "\xfe\xff", "$MeshFormat"};
+    for (size_t i = 0; i < sizeof begins / sizeof begins[0]; i++)
+        if (memcmp(bytes, begins[i], strlen(begins[i])) == 0)
+            return true;
+    return false;
+}
+
+/* Whether an input of unknown or wrong length can be binary STL even so, whatever its header says: the count has a byte
+ * that no text has, and as much as there is of the first triangle has corners of a sensible size. */
+static bool looks_like_stl(reader *r)
+{
+    input *in = &r->in;
+    if (!need_stl_header(in) || !looks_binary(in->at + STL_HEADER, STL_FIRST - STL_HEADER) ||
+        read_word(in->at + STL_HEADER, true) == 0 || begins_foreign_binary(in->at))
+        return false;
+    (void)input_need(in, STL_FIRST + STL_TRIANGLE);
+    for (size_t i = 3; i < 12 && STL_FIRST + 4 * (i + 1) <= at_hand(in); i++) { /* behind the normal */
+        const float size = fabsf(read_float(in->at + STL_FIRST + 4 * i, true));
+        if (!(size < 1e15f) || (size > 0.0f && size < 1e-30f))
+            return false;
+    }
+    return true;
+}
+
 /* Reads in the format that the first bytes tell. OFF, which may begin with a number, is what is left; it refuses what
  * is nothing of all that. */
 static roberts_status read_any(reader *r, const off_division *division)
@@ -173,20 +213,21 @@ static roberts_status read_any(reader *r, const off_division *division)
         return stl_read_binary(r);
     if (input_need(in, 3) && memcmp(in->at, "\xef\xbb\xbf", 3) == 0)
         in->at += 3; /* a byte-order mark */
-    size_t length = input_need(in, 1) ? input_token(in) : 0;
-    if (length == 3 && memcmp(in->at, "ply", 3) == 0)
-        return ply_read(r);
-    const char *hint;
-    const bool known = length == 0 || length > INPUT_TOKEN_MAX || strchr("#{0123456789", *in->at) ||
-                       input_separator(*in->at) || off_is_keyword(in->at, length) || is_obj_word(in->at, length) ||
-                       read_foreign(in->at, length, &hint);
-    if (!known && (input_at_word(in, "solid") ? looks_binary(r, LOOK) : looks_like_stl(r)))
+    if (looks_like_stl(r))
         return stl_read_binary(r);
+    const size_t first = input_need(in, 1) ? input_token(in) : 0;
+    if (first == 3 && memcmp(in->at, "ply", 3) == 0)
+        return ply_read(r);
+    if (input_at_word(in, "solid")) {
+        (void)input_need(in, LOOK);
+        if (looks_binary(in->at, at_hand(in) < LOOK ? at_hand(in) : LOOK))
+            return stl_read_binary(r);
+    }
     if (!input_skip(in))
         return off_read(r, division);
     if (input_at_word(in, "solid"))
         return stl_read_text(r);
-    length = input_token(in);
+    const size_t length = input_token(in);
     return is_obj_word(in->at, length) ? obj_read(r) : off_read(r, division);
 }
 

@@ -21,15 +21,15 @@ typedef struct reader {
     roberts_error *error;
     bool binary;                          /* errors name bytes, not lines */
     size_t vertices_filled, faces_filled; /* up to here colours are set */
-    size_t thin_faces;                    /* with fewer than 3 corners; OFF counts its own */
+    size_t thin_faces;                    /* fewer than 3 corners, but not meant as a line; OFF counts its own */
 } reader;
 
 /* Reads one input of any format; see roberts_mesh_read(). division: how OFF is divided among threads. */
 roberts_status read_mesh(roberts_mesh *mesh, const char *name, const input_source *source,
                          const struct off_division *division, const roberts_warnings *warnings, roberts_error *error);
 
-/* The readers. The input is at its first byte, a byte-order mark excepted; of OBJ at its first word. On failure they
- * may leave anything in the mesh behind r->mark. */
+/* The readers. The input is at its first byte, or behind the byte-order mark; for OBJ, at its first word. On failure
+ * they may leave anything in the mesh behind r->mark. */
 roberts_status off_read(reader *from, const struct off_division *division);
 roberts_status stl_read_text(reader *r);
 roberts_status stl_read_binary(reader *r);
@@ -41,10 +41,10 @@ roberts_status ply_read(reader *r);
 /* Fills the error, with the current line or, in a binary file, the current byte. Returns `status`. */
 roberts_status read_fail(reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
 
-/* The same because the input does not have here what `format` names; see input_expected(). A binary input ends here. */
+/* The same because the input lacks what `format` names; see input_expected(). A binary input is at its end then. */
 roberts_status read_expected(reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
 
-/* Warns of faces with fewer than 3 corners, if there are any. */
+/* Warns of faces with fewer than 3 corners, if there are any: those of two are drawn as lines. */
 void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t count);
 
 /* The name of another format that begins with this word, and in *hint a command that converts it, or "". NULL: not

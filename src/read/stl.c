@@ -95,24 +95,12 @@ static bool add_corner(roberts_mesh *mesh, position_table *t, roberts_vec3 p, ui
 {
     size_t i = find_slot(t, mesh, p, hash);
     if (!t->slot[i]) {
-        if (!mesh_vertex_room(mesh))
+        if (!mesh_add_vertex(mesh, p))
             return false;
-        mesh->vertex[mesh->vertex_count++] = p;
         t->slot[i] = (uint32_t)mesh->vertex_count;
         t->count++;
     }
-    if (!mesh_corner_room(mesh, 1))
-        return false;
-    mesh->corner[mesh->corner_count++] = t->slot[i] - 1;
-    return true;
-}
-
-static bool end_face(roberts_mesh *mesh)
-{
-    if (!mesh_face_room(mesh))
-        return false;
-    mesh->face_start[++mesh->face_count] = (uint32_t)mesh->corner_count;
-    return true;
+    return mesh_add_corner(mesh, t->slot[i] - 1);
 }
 
 /* ---- text -------------------------------------------------------------------------------------------------------- */
@@ -145,14 +133,25 @@ static roberts_status skip_normal(reader *r)
     return take_word(r, "outer");
 }
 
+/* No coordinate comes; the corner began on this line. A word on a later line belongs to something else. */
+static roberts_status no_coordinate(reader *r, const char *part, size_t line)
+{
+    const bool infinite = input_not_finite(&r->in);
+    if (r->in.line > line && input_token(&r->in) > 0 && !infinite)
+        return error_set(r->error, ROBERTS_BAD_SYNTAX, line,
+                         "%s of a corner of facet %zu expected, but the line ends here", part, facets_read(r));
+    return read_expected(r, infinite ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX, "%s of a corner of facet %zu", part,
+                         facets_read(r));
+}
+
 static roberts_status read_corner(reader *r, position_table *t)
 {
     static const char *const part[3] = {"x", "y", "z"};
+    const size_t line = r->in.line;
     double p[3];
     for (int i = 0; i < 3; i++) {
         if (!input_skip(&r->in) || !input_number(&r->in, &p[i]))
-            return read_expected(r, input_not_finite(&r->in) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX,
-                                 "%s of a corner of facet %zu", part[i], facets_read(r));
+            return no_coordinate(r, part[i], line);
     }
     if (!mesh_position((roberts_vec3){p[0], p[1], p[2]}))
         return read_bad_position(r, r->mesh->vertex_count - r->mark.vertices);
@@ -178,7 +177,7 @@ static roberts_status read_facet(reader *r, position_table *t)
         status = take_word(r, "endloop");
     if (status == ROBERTS_OK)
         status = take_word(r, "endfacet");
-    if (status == ROBERTS_OK && !end_face(r->mesh))
+    if (status == ROBERTS_OK && !mesh_end_face(r->mesh))
         status = error_no_memory(r->error);
     return status;
 }
@@ -261,7 +260,7 @@ static roberts_status read_triangles(reader *r, position_table *t, size_t count)
         if (t->slot[home(t, hash[i])])
             FETCH_AHEAD(&r->mesh->vertex[t->slot[home(t, hash[i])] - 1]);
     for (size_t i = 0; i < 3 * count; i++)
-        if (!add_corner(r->mesh, t, p[i], hash[i]) || (i % 3 == 2 && !end_face(r->mesh)))
+        if (!add_corner(r->mesh, t, p[i], hash[i]) || (i % 3 == 2 && !mesh_end_face(r->mesh)))
             return error_no_memory(r->error);
     r->in.at += count * TRIANGLE;
     return ROBERTS_OK;

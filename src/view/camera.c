@@ -9,10 +9,13 @@ bool roberts_camera_preset(const char *name, roberts_camera *camera)
     static const struct {
         const char *name;
         roberts_vec3 dir, up;
-        double depth; /* right and up for a unit of depth */
+        double depth; /* how far a unit of depth moves a point right and up */
     } presets[] = {
         {"iso", {1, -1, 1}, {0, 0, 1}, 0},
-        {"dimetric", {1, -2.6457513110645907, 1}, {0, 0, 1}, 0}, /* 1, -sqrt 7, 1: one axis at half of the others */
+        {"dimetric",
+         {1, -2.6457513110645907, 1},
+         {0, 0, 1},
+         0}, /* 1, -sqrt 7, 1: one axis is half as long as the others */
         {"trimetric", {3, -6, 4}, {0, 0, 1}, 0},
         {"front", {0, -1, 0}, {0, 0, 1}, 0},
         {"back", {0, 1, 0}, {0, 0, 1}, 0},
@@ -34,7 +37,7 @@ bool roberts_camera_preset(const char *name, roberts_camera *camera)
 }
 
 /* The viewer is at (sin a cos e, -cos a cos e, sin e), with azimuth a and elevation e. `up` is the derivative by e,
- * which has a direction at the zenith too. */
+ * which is not 0 at the zenith either. */
 bool roberts_camera_angles(double azimuth, double elevation, double roll, roberts_camera *camera)
 {
     if (!isfinite(azimuth) || !isfinite(roll) || !(fabs(elevation) <= 90.0))
@@ -60,7 +63,7 @@ static bool is_upright(roberts_vec3 v)
     return v.x == 0.0 && v.y == 0.0;
 }
 
-/* From straight above or below the default for up is +y. Unlike +z it changes with a turn, so it is set before. */
+/* Seen from straight above or below, up is +y by default. Unlike +z it changes with a turn, so it is set before. */
 void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_camera *camera)
 {
     const roberts_vec3 centre = scene->centre;

@@ -12,19 +12,19 @@
 #define EPSILON_OF_DIAMETER 1e-11
 /* The least touching distance, in units of the last place of the largest coordinate: for scenes far from the origin. */
 #define EPSILON_ULPS 16.0
-/* The eye must have more than this part of the scene's diameter between itself and the scene, measured along the line
- * of sight: nearer, the picture grows without bound. Half of what the near plane always cuts off (see clip.c), so
- * that rounding does not matter. */
+/* The eye must be farther from the scene than this part of its diameter, along the line of sight: as the distance goes
+ * to 0, the picture grows without bound. Half of what the near plane always cuts off (see clip.c), so that rounding
+ * does not matter. */
 #define NEAREST_OF_DIAMETER 5e-7
 /* How many roundings one view coordinate gathers, in halves of an ulp of the largest coordinate: a subtraction, three
  * products and two sums with unit vectors that are themselves rounded, and the division. */
 #define ROUNDINGS 8.0
-/* The bounds of x and y replace those of all coordinates if they are no more than this part of them. Otherwise little
- * is gained, and with the larger bound the most oblique crossings are computed more exactly than is promised. */
+/* The bounds of x and y replace those of all coordinates if they are at most this part of them. Otherwise they gain
+ * little, and with the larger bound the most oblique crossings are computed more exactly than promised. */
 #define MUCH_SHARPER 0.25
-/* A face of more corners is not measured across each side, which takes time in proportion to the square. */
+/* A face of more corners is not measured across each side: the time would grow with the square of their number. */
 #define MEASURED_CORNERS 64
-/* A steeper oblique view shows nothing that anyone could read. */
+/* Steeper oblique views are unreadable. */
 #define OBLIQUE_MOST 1000.0
 /* If the sine of the angle between `up` and the line of sight is no more than this, they count as parallel. */
 #define PARALLEL 1e-9
@@ -42,7 +42,7 @@ static bool finite3(roberts_vec3 a)
     return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
 }
 
-/* a / |a|, also where the squares would overflow or vanish; zero stays zero. */
+/* a / |a|, even if the squares would overflow or vanish; zero stays zero. */
 static roberts_vec3 unit_vector(roberts_vec3 a)
 {
     double m = largest(a);
@@ -80,7 +80,7 @@ static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up, double roll_de
         if (vec3_length(vec3_cross(choices[i], v->dir)) > PARALLEL) {
             v->right = unit_across(choices[i], v->dir);
             v->up = vec3_cross(v->dir, v->right);
-            if (roll_degrees != 0.0) /* else -0 might become 0 */
+            if (roll_degrees != 0.0) /* turning by 0 might change -0 to 0 */
                 roll_frame(v, roll_degrees);
             return;
         }
@@ -151,7 +151,7 @@ plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, doubl
     if (at_right_angles(v))
         return G; /* turning keeps the normal's length */
     G.c += v->oblique.x * G.a + v->oblique.y * G.b;
-    if (v->perspective) { /* c' = c + d / D, the eye's distance from the plane as a part of D: from the eye itself */
+    if (v->perspective) { /* c' = c + d / D is the eye's distance from the plane, as a part of D */
         G.d += vec3_dot(n, vec3_sub(v->origin, scene->centre)) * v->per_unit;
         G.c = (F.d + vec3_dot(n, vec3_sub(v->viewpoint, scene->centre))) * v->per_unit * v->inverse_distance;
     }
@@ -161,7 +161,7 @@ plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, doubl
     return (plane){G.a / length, G.b / length, G.c / length, G.d / length};
 }
 
-/* Extent of the face's picture across the direction (x, y), any length but 0. */
+/* Extent of the face's picture across the direction (x, y), which has any length but 0. */
 static double extent_across(const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, double x, double y)
 {
     double low = INFINITY, high = -INFINITY, length = hypot(x, y);
@@ -174,8 +174,8 @@ static double extent_across(const roberts_scene *scene, uint32_t face, const rob
     return high - low;
 }
 
-/* The width of the face's picture: its least extent, which a polygon has across one of its sides. A face of very many
- * corners is measured only across (b, -a), where the tilt of its plane makes it narrow. */
+/* The width of the face's picture, which is its least extent. A polygon has that across one of its sides. A face of
+ * very many corners is measured only across (b, -a), the direction in which the tilt of its plane makes it narrow. */
 static double picture_width(const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P)
 {
     uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
@@ -188,8 +188,8 @@ static double picture_width(const roberts_scene *scene, uint32_t face, plane F, 
     return width;
 }
 
-/* The picture of a face is at least about |c| times as wide as the face. If it is wider than this, which leaves a
- * factor of 4, it need not be measured. Model units. */
+/* The picture of a face is at least about |c| times as wide as the face. If |c| times the face's width is more than
+ * this, 4 epsilons, the picture need not be measured. Model units. */
 static inline double wide_enough(const view *v)
 {
     return 4.0 * v->epsilon * v->unit;
@@ -197,7 +197,7 @@ static inline double wide_enough(const view *v)
 
 int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P)
 {
-    double shrunk = 1.0; /* in perspective a face also shrinks with its distance, but not more than this */
+    double shrunk = 1.0; /* in perspective a face also shrinks with its distance, to this part at least */
     if (v->perspective) {
         double z = P[scene->corner[scene->face_start[face]]].z;
         shrunk = lesser(1.0, 1.0 + z * v->inverse_distance);
@@ -209,8 +209,8 @@ int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane 
     return F.c < 0.0 ? VIEW_FRONT : F.c > 0.0 ? VIEW_BACK : VIEW_EDGE_ON;
 }
 
-/* In a view at right angles, the depth of the normal decides alone if the face is wide enough, and a back face needs
- * no plane. a and b are computed side by side. The plane is what view_plane() gives, to the last bit. */
+/* In a view at right angles the depth of the normal is enough to decide if the face is wide, and a back face needs no
+ * plane. a and b are computed side by side. The plane is that of view_plane(), to the last bit. */
 int view_face(const view *v, const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, plane *F,
               double *stretch)
 {
@@ -290,15 +290,15 @@ static double leak(roberts_vec3 a, roberts_vec3 V)
     return fabs(vec3_dot(a, V)) + 2.0 * DBL_EPSILON * reach_along(a, size_of(V));
 }
 
-/* Bounds of x and y and of their errors, for a parallel view at right angles. A scene may be much deeper than its
- * picture is wide, and what a coordinate is not made of adds nothing to its error.
+/* Sets bounds of x and y and of their errors, for a parallel view at right angles. A scene may be much deeper than its
+ * picture is wide, and the depth adds nothing to the errors of x and y.
  *
  * The exact picture is a projection along the viewpoint V as given. For the axis a (right or up) it is x' = (a - (a.V
  * / V.V) V) . q with q = P - origin; a shift, a stretch or a turn of the picture changes no parameter and no sign.
- * Computed is x = a . q: by one subtraction, one product and at most two sums, each off by half an epsilon of what it
- * gives, so by no more than 4.01 halves of epsilon times the sum of |a_i q_i|; eight are taken, and the rest is for
- * the rounding of products of coordinates (see hide_plain()). And by |x - x'| = |a.V| |V.q| / V.V: the depth leaks
- * into x as far as the axis is not at a right angle to V. */
+ * The computed x is a . q. It has two errors. One subtraction, one product and at most two sums are each off by half an
+ * epsilon of their result, together by no more than 4.01 halves of epsilon times the sum of |a_i q_i|. Eight halves are
+ * counted; the rest is for the rounding of products of coordinates (see hide_plain()). And |x - x'| = |a.V| |V.q| /
+ * V.V: the depth leaks into x as far as the axis is not at a right angle to V. */
 static void set_across(view *v, const roberts_scene *scene)
 {
     roberts_vec3 low = vec3_sub(v->origin, scene->box_min), high = vec3_sub(scene->box_max, v->origin);
@@ -315,21 +315,21 @@ static void set_across(view *v, const roberts_scene *scene)
     v->across_rounding = rounding;
 }
 
-/* Bound of the error of x and y of one vertex seen from an eye V; leaks: bound of |a.(V - O)| for both axes a of the
+/* A bound of the error of x and y of a vertex seen from an eye V; leaks: a bound of |a.(V - O)| for both axes a of the
  * picture.
  *
  * The exact picture is x' / w' with x' = a.(P - V) and w' = -dir.(P - V) / D, for axes and D as they are stored: a
- * map that takes planes through V to lines. Computed are, with q = P - O, x = a.q and w = 1 - dir.q / D. In halves u
- * of epsilon, and with R(a) for the sum of |a_i q_i|:
+ * map that takes planes through V to lines. The computed values are x = a.q and w = 1 - dir.q / D, with q = P - O. Let
+ * u be half an epsilon, and R(a) the sum of |a_i q_i|:
  *
  *     x is off by 4.01 u R(a), as in set_across(), and by a.(V - O), which is zero but for rounding;
  *     w is off by 5.01 u R(dir) / D + u w, and by dir.(V - O) / D - 1: the roundings of dir and D, less than 16 u;
  *     1 / w and its product with x are off by u each, of |x / w| <= R(a) / w.
  *
  * So x / w is off by no more than (7.01 u R(a) + |a.(V - O)| + |x / w| u (5.01 R(dir) / D + 16)) / w. Sixteen u are
- * taken of each, and what is left of those of R(a) is for the rounding of products of coordinates (see hide_plain()).
- * Where perspective_point() takes x, y and w from the eye, q is P - V: the same holds without a.(V - O) and without
- * the 16 u. What rounding took from a vertex that the near plane made is a part of q. */
+ * counted for each; the rest of those of R(a) is for the rounding of products of coordinates (see hide_plain()). Where
+ * perspective_point() takes x, y and w from the eye, q is P - V: the same holds without a.(V - O) and without the 16 u.
+ * For a vertex made by the near plane, the part that rounding took from it belongs to q. */
 static double eye_rounding(const view *v, const roberts_scene *scene, uint32_t vertex, double leaks)
 {
     roberts_vec3 P = scene->point[vertex], q = vec3_scale(v->per_unit, vec3_sub(P, v->origin)), X = view_point(v, P);
@@ -347,7 +347,7 @@ static double eye_rounding(const view *v, const roberts_scene *scene, uint32_t v
         roberts_vec3 low = size_of(vec3_scale(v->per_unit, scene->low[vertex]));
         bound += fmax(reach_along(v->right, low), reach_along(v->up, low)) + widest * reach_along(v->dir, low);
     }
-    return 1.001 * bound / w; /* the bounds are rounded themselves; 1 + z / D would not tell 1 / w where w is large */
+    return 1.001 * bound / w; /* the bounds are rounded themselves; 1 + z / D is not exact enough where w is large */
 }
 
 /* set_across() for an eye. No x and no y is larger than `across`. */
@@ -364,7 +364,7 @@ static void set_across_from_eye(view *v, const roberts_scene *scene, double acro
     v->across_rounding = rounding;
 }
 
-/* The touching distance: as given, or the greatest that one of the reasons asks for. largest_coordinate: view units. */
+/* Sets the touching distance: as given, or the greatest of those that have a reason. largest_coordinate: view units. */
 static void choose_epsilon(view *v, const roberts_scene *scene, double given, double largest_coordinate)
 {
     const struct choice {
@@ -386,8 +386,8 @@ static void choose_epsilon(view *v, const roberts_scene *scene, double given, do
 static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
 {
     double raw = fmax(largest(scene->box_min), largest(scene->box_max)) / v->unit;
-    /* turning about the box's centre takes no point farther away than this; an oblique view adds its part of the
-     * depth */
+    /* Turning about the box's centre takes no point farther away than the diameter. An oblique view adds its part of
+     * the depth. */
     v->extent = v->diameter * (1.0 + fmax(fabs(v->oblique.x), fabs(v->oblique.y)));
     double across = 0.0;
     for (uint32_t i = 0; v->perspective && i < scene->vertex_count; i++) {
@@ -410,8 +410,8 @@ static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
     choose_epsilon(v, scene, epsilon, fmax(raw, v->extent));
 }
 
-/* Sets the direction toward the viewer, about 1 long. It is kept as given, so that exact arithmetic can go back to
- * it; in an oblique view it is what the map makes of it. */
+/* Sets the direction toward the viewer, about 1 long. It keeps the given digits, so that exact arithmetic can use them.
+ * In an oblique view it is computed from the map. */
 static void set_sight_line(view *v, const roberts_camera *camera)
 {
     int exponent;

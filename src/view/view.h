@@ -6,12 +6,12 @@
  *     (x, y, e)  ->  (x, y, e) / (1 - e / D)
  *
  * keeps lines, planes and convexity and sends the eye to z = +infinity; for D = infinity (1 / D = 0) it is the
- * orthographic view (which may be oblique: x and y then move with -e, before anything else). A plane
+ * orthographic view. (In an oblique view x and y move with -e first.) A plane
  * a x + b y + c e + d = 0 becomes a x + b y + (c + d / D) z + d = 0, so that a face is front (c' < 0) exactly where
- * the eye is outside its plane. Lengths at the origin's depth stay what they are.
+ * the eye is outside its plane. Lengths at the origin's depth do not change.
  *
- * View space is counted in the scene's `unit`, a power of two near its size: no product of a few coordinates can
- * overflow or vanish whatever the model's unit, and a scene times 2^k gives the same bits. */
+ * Lengths in view space are counted in the scene's `unit`, a power of two near its size. So no product of a few
+ * coordinates overflows or vanishes, whatever the model's unit, and a scene times 2^k gives the same bits. */
 #ifndef ROBERTS_VIEW_VIEW_H
 #define ROBERTS_VIEW_VIEW_H
 
@@ -26,24 +26,25 @@ typedef struct view {
     double inverse_distance;     /* 1 / D in 1 / unit; 0 for the orthographic view */
     double unit;                 /* model units in one unit of view space: the scene's */
     double per_unit;             /* 1 / unit */
-    roberts_vec2 oblique;        /* orthographic: what a unit of depth away moves right and up; 0, 0 mostly */
-    roberts_vec3
-        viewpoint; /* the direction toward the viewer, as given but for a power of two; or the eye in model units */
-    double viewpoint_depth; /* orthographic: of the viewpoint along dir */
+    roberts_vec2 oblique;        /* orthographic: how far a unit of depth moves a point right and up; mostly 0, 0 */
     bool perspective;
-    double diameter; /* diagonal of the scene's box, view units */
-    double extent;   /* no view coordinate is larger than this, view units; at least the diameter */
-    double across;   /* no x and no y is larger than this, view units; at most the extent */
-    double epsilon;  /* touching distance, view units */
+    /* The viewer as a point of projective space. Perspective: the eye, in model units. Orthographic: a point at
+     * infinity, that is, the direction toward the viewer; as given, but for a power of two. */
+    roberts_vec3 viewpoint;
+    double viewpoint_depth; /* orthographic: the component of the viewpoint along dir */
+    double diameter;        /* diagonal of the scene's box, view units */
+    double extent;          /* no view coordinate is larger than this, view units; at least the diameter */
+    double across;          /* no x and no y is larger than this, view units; at most the extent */
+    double epsilon;         /* touching distance, view units */
     roberts_epsilon_reason epsilon_reason;
-    double rounding;        /* bound of the rounding error of one view coordinate, view units */
+    double rounding;        /* bound of the rounding error of a view coordinate, view units */
     double across_rounding; /* ... of an x or y; at most `rounding` */
     double plane_rounding;  /* perspective: ... of the eye's distance from a face's plane; otherwise 0 */
 } view;
 
 /* Prepares the map of `scene` seen by `camera`. epsilon: touching distance in model units, 0 = choose (1e-11 of the
  * diameter, at least 16 ulp of the largest coordinate before and after the map, the eye's included).
- * Returns ROBERTS_OK, _BAD_VIEW (no direction, or scene not wholly in front of the eye) or _BAD_ARGUMENT. */
+ * Returns ROBERTS_OK, _BAD_VIEW (no direction, or the scene is not wholly in front of the eye) or _BAD_ARGUMENT. */
 roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
                             roberts_error *error);
 
@@ -53,15 +54,15 @@ roberts_vec3 view_point(const view *v, roberts_vec3 P);
 /* The same of `count` points. */
 void view_points(const view *v, const roberts_vec3 *P, size_t count, roberts_vec3 *out);
 
-/* A face's plane in view space (view units, unit normal) from its plane in the model. `*stretch`, unless NULL: how
- * much distances from the plane grow per unit of 1 + z / D (1 for the orthographic view). */
+/* A face's plane in view space (view units, unit normal). `*stretch`, unless NULL, becomes the factor by which
+ * distances from the plane grow per unit of 1 + z / D; in the orthographic view it is 1. */
 plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, double *stretch);
 
 /* Front, back, or edge-on: the picture of the face is no wider than epsilon. P: view points of all vertices of the
  * scene; F: the plane of the face in view space. */
 int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P);
 
-/* Both at once: how the face is turned and, if it is front, its plane. */
+/* Both at once: the facing of the face and, if it is front, its plane and stretch. */
 int view_face(const view *v, const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, plane *F,
               double *stretch);
 
@@ -71,8 +72,8 @@ int view_face(const view *v, const roberts_scene *scene, uint32_t face, const ro
 double view_to_space(const view *v, double zA, double zB, double s);
 double view_from_space(const view *v, double zA, double zB, double t);
 
-/* Whether the picture is a square about the look-at point, `*half` model units each way: because of a field of view
- * or, `clipped`, because the near plane cuts the scene. */
+/* Whether the picture is a square about the look-at point. It is if there is a field of view, or if the near plane cuts
+ * the scene (`clipped`). `*half` becomes half of its side, in model units. */
 bool view_frame(const view *v, const roberts_camera *camera, bool clipped, double *half);
 
 #endif

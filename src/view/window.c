@@ -2,7 +2,8 @@
 #include "view/clip.h"
 #include "view/view.h"
 
-#define FOV_OF_CLIPPED 60.0 /* degrees: the field of view for a scene that goes on behind the eye */
+/* Degrees: the field of view for a scene that the near plane cuts. */
+#define FOV_OF_CLIPPED 60.0
 
 bool view_frame(const view *v, const roberts_camera *camera, bool clipped, double *half)
 {

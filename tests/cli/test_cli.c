@@ -35,6 +35,8 @@ static const struct {
     {"--frobnicate", "--frobnicate is unknown\n"},
     {"-x", "-x is unknown"},
     {"-qx", "-x is unknown"},
+    {"-o=in/a.svg", "-o=in/a.svg: only long options have \"=\"; did you mean -o in/a.svg?"},
+    {"-qf=svg", "-qf=svg: only long options have \"=\"; did you mean -f svg?"},
     {"--hidden dotted", "--hidden: \"dotted\" is unknown; it can be none, dashed, solid"},
     {"--hidden dahsed", "did you mean dashed?"},
     {"--view isometric", "--view: \"isometric\" is unknown; did you mean iso?"},
@@ -195,7 +197,7 @@ static void failing_input(void **state)
     assert_string_equal(last.err, "roberts: missing.off: No such file or directory\n");
     assert_int_equal(run("models/table.off missing.off -o in/a.svg"), 1);
     assert_int_equal(run("in -o in/a.svg"), 1);
-    assert_said("roberts: in: is a folder; name the files in it, as *.off\n");
+    assert_said("roberts: in: is a folder; name the files in it, as *.off or *.stl\n");
     assert_int_equal(run("/dev/null -o in/a.svg"), 1);
     assert_said("roberts: /dev/null:1: ");
     put("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n");

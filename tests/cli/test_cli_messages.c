@@ -336,7 +336,7 @@ static void what_is_no_model(void **state)
     assert_int_equal(run("models/table.off a.svg -o b.svg"), 1);
     assert_said("but only OFF, STL, OBJ and PLY can be read\n");
     assert_int_equal(run("in -f null"), 1);
-    assert_said("roberts: in: is a folder; name the files in it, as *.off\n");
+    assert_said("roberts: in: is a folder; name the files in it, as *.off or *.stl\n");
 }
 
 /* It is the streams that are meant by -, also where a file is called so. */
@@ -416,6 +416,9 @@ static void endings_that_mislead_are_warned_of(void **state)
     (void)state;
     assert_int_equal(run("-f pdf -o in/a.svg models/platonic/cube.off"), 0);
     assert_string_equal(last.err, "roberts: in/a.svg: warning: its ending says svg, but it is pdf, as --format says\n");
+    assert_int_equal(run("-f svg -o in/a.STL models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "roberts: in/a.STL: warning: its ending says that it is a model, but it is svg, as "
+                                  "--format says\n");
     assert_int_equal(run("-f pdf -q -o in/a.svg models/platonic/cube.off"), 0);
     assert_string_equal(last.err, "");
     assert_int_equal(run("-f pdf -o in/a.PDF models/platonic/cube.off"), 0);

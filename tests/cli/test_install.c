@@ -160,12 +160,16 @@ static void other_folders(void **state)
              "make --no-print-directory uninstall BUILD=%s PREFIX='%s/a b' && test -z \"$(find '%s/a b' -type f)\"",
              build, root, root, root, root, build, root, root);
     run(command);
-    snprintf(command, sizeof command,
-             "! make --no-print-directory install BUILD=%s PREFIX=/dev/null/usr 2>%s.said && "
-             "grep -q 'cannot write to /dev/null; as root: sudo make install' %s.said && "
-             "grep -q '  make install PREFIX=.*/.local' %s.said",
-             build, root, root, root);
-    run(command);
+    static const char *const refused[] = {"/dev/null", "/proc"}; /* also to root */
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        snprintf(command, sizeof command,
+                 "how='as root: sudo make install'; test \"$(id -u)\" != 0 || how='choose another PREFIX'; "
+                 "! make --no-print-directory install BUILD=%s PREFIX=%s/usr 2>%s.said && "
+                 "grep -q \"cannot write to %s; $how; or for yourself alone:\" %s.said && "
+                 "grep -q '  make install PREFIX=.*/.local' %s.said",
+                 build, refused[i], root, refused[i], root, root);
+        run(command);
+    }
 }
 
 static void uninstalls(void **state)

@@ -24,13 +24,14 @@ int main(int argc, char **argv)
     roberts_error error = {0};
     roberts_camera camera;
     sum s = {0};
+    const roberts_receiver adder = {add, &s};
     roberts_camera_preset("top", &camera);
     roberts_status status = roberts_mesh_read_file(&mesh, argc > 1 ? argv[1] : "-", NULL, &error);
     if (status == ROBERTS_OK)
         status = roberts_scene_build(&mesh, NULL, &scene, &error);
     roberts_mesh_free(&mesh);
     if (status == ROBERTS_OK)
-        status = roberts_hide_each(scene, &camera, NULL, add, &s, NULL, &error);
+        status = roberts_hide_each(scene, &camera, NULL, &adder, NULL, &error);
     roberts_scene_free(scene);
     if (status == ROBERTS_OK)
         printf("%lu segments, %.10g long\n", s.count, s.length);

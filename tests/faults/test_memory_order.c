@@ -65,17 +65,17 @@ static void fill(uint32_t *cell, bool scattered)
 
 static bool is_worth(const roberts_scene *scene)
 {
-    hide_picture picture;
+    hide_fronts fronts;
     picture_order order;
     double depth;
-    assert_int_equal(hide_picture_build(&picture, scene, &camera, 0.0, true, 1, NULL), ROBERTS_OK);
-    cells_for_lists(picture.front_box, picture.front_count, picture.low, picture.high, 0, 0.0, &depth);
-    assert_true(picture_order_init(&order, &picture, depth));
+    assert_int_equal(hide_fronts_build(&fronts, scene, &camera, 0.0, true, 1, NULL), ROBERTS_OK);
+    cells_for_lists(fronts.front_box, fronts.front_count, fronts.low, fronts.high, 0, 0.0, &depth);
+    assert_true(picture_order_init(&order, &fronts, depth));
     bool worth = order.solid != NULL;
     for (uint32_t i = 0; worth && i < COUNT; i++)
         assert_true(order.solid[i] < COUNT && order.place[order.solid[i]] == i);
     picture_order_free(&order);
-    hide_picture_free(&picture);
+    hide_fronts_free(&fronts);
     return worth;
 }
 

@@ -53,9 +53,10 @@ static void look(workshop *w)
         const int *a = axis[any(w, 0, 5)];
         *v = (oracle_view){.x = a[0], .y = a[1], .z = a[2]};
     } else if (kind <= 2) {
-        do
-            *v = (oracle_view){.x = any(w, -3, 3), .y = any(w, -3, 3), .z = any(w, -3, 3)};
-        while (v->x == 0 && v->y == 0 && v->z == 0);
+        do {
+            int x = any(w, -3, 3), y = any(w, -3, 3);
+            *v = (oracle_view){.x = x, .y = y, .z = any(w, -3, 3)};
+        } while (v->x == 0 && v->y == 0 && v->z == 0);
     } else if (kind == 3) {
         double x = dice_real(&w->d), y = dice_real(&w->d);
         *v = (oracle_view){.x = x, .y = y, .z = 0.1 + fabs(dice_real(&w->d))};
@@ -74,7 +75,8 @@ static void look(workshop *w)
     }
 }
 
-/* ---- bodies made of cells: blocks, stairs, cups, rings, shells within shells, what meets in an edge or a corner ---- */
+/* ---- bodies made of cells: blocks, stairs, cups, rings, shells within shells, what meets in an edge or a corner
+ * ---- */
 
 typedef struct block {
     bool full[CELLS][CELLS][CELLS];
@@ -194,7 +196,8 @@ static void block_soup(workshop *w)
 {
     block b;
     fill_with_boxes(w, &b);
-    add_block(w, &b, SOUP | (any(w, 0, 1) ? TRIANGLES : 0) | (any(w, 0, 1) ? STRIPS : 0), origin);
+    int how = any(w, 0, 1) ? SOUP | TRIANGLES : SOUP;
+    add_block(w, &b, any(w, 0, 1) ? how | STRIPS : how, origin);
 }
 
 /* Cells anyhow: they meet in edges and corners alone. */
@@ -211,8 +214,10 @@ static void shells(workshop *w)
     fill_box(&b, (int[]){0, 0, 0}, (int[]){5, 5, 5}, true);
     fill_box(&b, (int[]){1, 1, 1}, (int[]){4, 4, 4}, false);
     fill_box(&b, (int[]){2, 2, 2}, (int[]){3, 3, 3}, any(w, 0, 1));
-    if (any(w, 0, 1))
-        fill_box(&b, (int[]){1, 1, any(w, 3, 4)}, (int[]){any(w, 2, 4), any(w, 2, 4), 5}, false);
+    if (any(w, 0, 1)) {
+        int low = any(w, 3, 4), x = any(w, 2, 4), y = any(w, 2, 4);
+        fill_box(&b, (int[]){1, 1, low}, (int[]){x, y, 5}, false);
+    }
     add_block(w, &b, any(w, 0, 1), origin);
 }
 
@@ -221,7 +226,9 @@ static void touching(workshop *w)
 {
     for (int i = any(w, 2, 4); i > 0; i--) {
         block b;
-        int at[3] = {any(w, 0, 6), any(w, 0, 6), any(w, 0, 6)};
+        int at[3];
+        for (int k = 0; k < 3; k++)
+            at[k] = any(w, 0, 6);
         fill_with_boxes(w, &b);
         add_block(w, &b, any(w, 0, 1), at);
     }
@@ -276,7 +283,8 @@ static void ring(workshop *w, int around, int across, bool half_turn)
 
 static void tori(workshop *w)
 {
-    ring(w, any(w, 5, 16), any(w, 3, 8), false);
+    int around = any(w, 5, 16);
+    ring(w, around, any(w, 3, 8), false);
 }
 
 static void moebius(workshop *w)
@@ -392,7 +400,8 @@ static void stars(workshop *w)
         }
         face(w, c, n);
         if (any(w, 0, 1)) {
-            uint32_t top = vertex(w, any(w, -3, 3), 2, any(w, 3, 12));
+            int x = any(w, -3, 3);
+            uint32_t top = vertex(w, x, 2, any(w, 3, 12));
             for (int k = 0; k < n; k++)
                 triangle(w, c[k], c[(k + 1) % n], top);
         }

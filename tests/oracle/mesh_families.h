@@ -1,5 +1,5 @@
-/* mesh_families.h - families of scenes of any bodies for the mesh oracle. Coordinates are small whole numbers, so that contacts and
- * planes are exact. A family and a seed are one scene, on every machine. */
+/* mesh_families.h - families of scenes of any bodies for the mesh oracle. Coordinates are small whole numbers, so
+ * that contacts and planes are exact. A family and a seed are one scene, on every machine. */
 #ifndef ROBERTS_TESTS_MESH_FAMILIES_H
 #define ROBERTS_TESTS_MESH_FAMILIES_H
 

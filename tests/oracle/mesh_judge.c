@@ -1,5 +1,5 @@
-/* mesh_judge.c - see mesh_judge.h. A row of the program's table lies on an edge of the oracle where its ends do: an edge may come
- * as pieces of other edges of the file that lie on the same line. */
+/* mesh_judge.c - see mesh_judge.h. A row of the program's table lies on an edge of the oracle where its ends do: an
+ * edge may come as pieces of other edges of the file that lie on the same line. */
 #include "mesh_judge.h"
 
 #include <math.h>
@@ -25,8 +25,8 @@ typedef struct judgement {
     piece *piece; /* [count] of the edge at hand; room for all segments */
     size_t count;
     oracle_interval *hidden; /* [hidden_count] joined */
-    oracle_interval *shown;  /* [shown_count] what any piece is of, joined */
-    size_t hidden_count, shown_count;
+    oracle_interval *any;    /* [any_count] what any piece is of, joined */
+    size_t hidden_count, any_count;
 } judgement;
 
 static roberts_vec3 at(roberts_vec3 a, roberts_vec3 b, double t)
@@ -101,17 +101,25 @@ static size_t join(oracle_interval *list, size_t count, const piece *p)
     return count;
 }
 
-/* Joins the pieces, and the hidden ones. Gives how much of what the edge bounds no piece is of. */
+/* Joins the pieces, and what is between visible ones. Where one piece is visible and another hidden, of vertices of
+ * their own at the same places, the line is seen. Gives how much of what the edge bounds no piece is of. */
 static double uncovered(judgement *j, const mesh_edge *e)
 {
+    double end = 0;
     qsort(j->piece, j->count, sizeof *j->piece, by_start);
-    j->hidden_count = j->shown_count = 0;
+    j->hidden_count = j->any_count = 0;
     for (size_t i = 0; i < j->count; i++) {
-        j->shown_count = join(j->shown, j->shown_count, &j->piece[i]);
-        if (j->piece[i].hidden)
-            j->hidden_count = join(j->hidden, j->hidden_count, &j->piece[i]);
+        const piece *p = &j->piece[i];
+        j->any_count = join(j->any, j->any_count, p);
+        if (p->hidden)
+            continue;
+        if (p->t0 > end)
+            j->hidden[j->hidden_count++] = (oracle_interval){end, p->t0};
+        end = fmax(end, p->t1);
     }
-    return judge_outside(j->truth->part + e->part, e->parts, j->shown, j->shown_count);
+    if (end < 1)
+        j->hidden[j->hidden_count++] = (oracle_interval){end, 1};
+    return judge_outside(j->truth->part + e->part, e->parts, j->any, j->any_count);
 }
 
 /* Length of a \ b in what the edge bounds. */
@@ -255,6 +263,7 @@ bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, m
     total->scenes++;
     if (!mesh_truth_find(&scene->mesh, v, scene->even_odd, &truth)) {
         fprintf(out, "%s: the oracle refuses: %s\n", name, truth.error);
+        total->refused++;
         return true;
     }
     if (roberts_scene_build(&scene->mesh, &bodies, &built, &error) != ROBERTS_OK ||
@@ -269,12 +278,12 @@ bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, m
                        .size = size_of(&scene->mesh),
                        .piece = malloc((drawing.count + 1) * sizeof *j.piece),
                        .hidden = malloc((drawing.count + 1) * sizeof *j.hidden),
-                       .shown = malloc((drawing.count + 1) * sizeof *j.shown)};
-        for (size_t i = 0; j.piece && j.hidden && j.shown && i < truth.edge_count; i++)
+                       .any = malloc((drawing.count + 1) * sizeof *j.any)};
+        for (size_t i = 0; j.piece && j.hidden && j.any && i < truth.edge_count; i++)
             judge_edge(&j, &truth.edge[i], name, total, &failed, out);
         free(j.piece);
         free(j.hidden);
-        free(j.shown);
+        free(j.any);
     }
     if (failed)
         tell_command(name, scene, folder, out);

@@ -17,6 +17,7 @@ typedef struct mesh_scene {
 typedef struct mesh_total {
     size_t scenes, edges, hidden, cut; /* compared; wholly hidden; hidden in part */
     size_t disagreements;              /* edges, or whole scenes that the program refused */
+    size_t refused;                    /* scenes that the oracle refused */
     double unjudged;                   /* length of t that was not judged, because of slack; whole edges count 1 */
     double worst;                      /* greatest difference on an edge that did not fail */
     size_t pairs, exact;               /* as in mesh_truth */
@@ -25,8 +26,8 @@ typedef struct mesh_total {
 /* An edge fails where program and oracle differ on more than this part of it. */
 #define MESH_JUDGE_LIMIT 1e-9
 
-/* Compares all edges and adds to `total`. The first few that fail are told on `out`, with the command that draws the scene, which
- * is written to FOLDER/failures/NAME.off. Returns whether everything agreed. */
+/* Compares all edges and adds to `total`. The first few that fail are told on `out`, with the command that draws the
+ * scene, which is written to FOLDER/failures/NAME.off. Returns whether everything agreed. */
 bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, mesh_total *total, FILE *out);
 
 #endif

@@ -1,5 +1,6 @@
-/* mesh_oracle.cpp - see mesh_oracle.h. Everything is asked in the picture: points are projected exactly, an edge is cut where it
- * crosses the line of a side and where it pierces the plane, and each open part between two cuts is asked in its middle. */
+/* mesh_oracle.cpp - see mesh_oracle.h. Everything is asked in the picture: points are projected exactly, an edge is
+ * cut where it crosses the line of a side and where it pierces the plane, and each open part between two cuts is
+ * asked in its middle. */
 #include "mesh_oracle.h"
 
 #include "exact.h"
@@ -17,6 +18,9 @@
 namespace
 {
 
+/* How far a corner may be from its face's plane, as a part of the face's size. */
+const double PLANAR = 1e-5;
+
 template <class N> struct point2 {
     N x, y, w; /* w: depth of the point from the eye along the axis; 1 for a viewer at infinity */
 };
@@ -26,8 +30,8 @@ struct polygon {
     std::vector<uint32_t> corner;
     std::vector<std::array<uint32_t, 2>> side; /* without those that run both ways */
     double x0, x1, y0, y1;                     /* of its picture, with a margin */
-    /* Two corners that make a triangle with the first one, where Newell's normal is 0 because parts of the face that run
-     * either way are as large; else 0. */
+    /* Two corners that make a triangle with the first one, where parts of the face that run either way are as large:
+     * then Newell's normal is 0, or nothing but rounding. Else 0. */
     uint32_t second, third;
 };
 
@@ -92,27 +96,43 @@ struct mesh_oracle {
             for (auto &[key, net] : runs)
                 for (int k = 0; k < std::abs(net); k++)
                     face.side.push_back(net > 0 ? key : std::array<uint32_t, 2>{key[1], key[0]});
-            vec<rational> area = newell<rational>(face);
-            if (area.x == 0 && area.y == 0 && area.z == 0)
-                find_triangle(face);
+            take_plane(face);
             faces.push_back(face);
         }
         if (faces.empty())
             throw std::runtime_error("no face");
     }
 
-    void find_triangle(polygon &f) const
+    /* Chooses what the face's plane goes through. */
+    void take_plane(polygon &f) const
     {
         const roberts_vec3 &o = mesh.vertex[f.corner[0]];
+        double largest = 0, sum = size_of(newell<rational>(f));
+        uint32_t second = 0, third = 0;
         for (uint32_t p : f.corner)
             for (uint32_t q : f.corner) {
-                vec<rational> n = cross(sub<rational>(mesh.vertex[p], o), sub<rational>(mesh.vertex[q], o));
-                if (n.x != 0 || n.y != 0 || n.z != 0) {
-                    f.second = p;
-                    f.third = q;
-                    return;
+                double size = size_of(cross(sub<rational>(mesh.vertex[p], o), sub<rational>(mesh.vertex[q], o)));
+                if (size > largest) {
+                    largest = size;
+                    second = p;
+                    third = q;
                 }
             }
+        if (sum < 1e-6 * largest) {
+            f.second = second;
+            f.third = third;
+        }
+        vec<rational> n = newell<rational>(f);
+        for (uint32_t p : f.corner) {
+            vec<rational> d = sub<rational>(mesh.vertex[p], o);
+            if (std::fabs(CGAL::to_double(dot(n, d))) > PLANAR * size_of(n) * std::sqrt(largest))
+                throw std::runtime_error("a face is not planar");
+        }
+    }
+
+    static double size_of(const vec<rational> &d)
+    {
+        return std::sqrt(CGAL::to_double(dot(d, d)));
     }
 
     /* ---- the picture ---- */
@@ -440,6 +460,13 @@ double distance_to(const plain &p, const plain &q, double x, double y)
     return std::hypot(p.x + s * dx - x, p.y + s * dy - y);
 }
 
+/* (p - o) x (q - o) */
+plain turn_of(const plain &o, const plain &p, const plain &q)
+{
+    plain a{p.x - o.x, p.y - o.y, p.z - o.z}, b{q.x - o.x, q.y - o.y, q.z - o.z};
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
 } // namespace
 
 bool mesh_truth_find(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, mesh_truth *truth)
@@ -535,7 +562,21 @@ oracle_answer mesh_truth_at(const roberts_mesh *mesh, const oracle_view *view, b
         bool in = even_odd ? winding % 2 != 0 : winding != 0;
         if (border > slack && !in)
             continue;
-        double size = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+        double size = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z), largest = 0;
+        plain widest{0, 0, 0};
+        for (const plain &p : q)
+            for (const plain &s : q) {
+                plain c = turn_of(q[0], p, s);
+                double area = std::sqrt(c.x * c.x + c.y * c.y + c.z * c.z);
+                if (area > largest) {
+                    largest = area;
+                    widest = c;
+                }
+            }
+        if (size < 1e-6 * largest) {
+            size = largest;
+            n = widest;
+        }
         double gap = size > 0 ? (n.x * m.x + n.y * m.y + n.z * m.z) / size : 0; /* distance of the plane from X */
         double lean = size > 0 ? std::fabs(n.z) / size : 0;
         if (n.z < 0)

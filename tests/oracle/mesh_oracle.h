@@ -1,14 +1,16 @@
-/* mesh_oracle.h - which parts of the edges of any mesh are hidden, decided with exact numbers: faces of any shape, bodies of any
- * kind. It is the definition itself, as plainly as possible, and knows no bodies:
+/* mesh_oracle.h - which parts of the edges of any mesh are hidden, decided with exact numbers: faces of any shape,
+ * bodies of any kind. It is the definition itself, as plainly as possible, and knows no bodies:
  *
- *   A point X of an edge is hidden where some face that is not edge-on holds a point strictly nearer to the viewer on X's sight
- *   line. A face is closed in projection: it has its border, and what the border winds round (a winding number other than 0, or an
- *   odd one). A side, or a part of one, that its face's border runs along as often one way as the other (with the odd
- *   rule: an even number of times) bounds nothing: it is no edge. All sides of a face whose corners are in a line are edges.
+ *   A point X of an edge is hidden where some face that is not edge-on holds a point strictly nearer to the viewer
+ *   on X's sight line. A face is closed in projection: it has its border, and what the border winds round (a winding
+ *   number other than 0, or an odd one). A side, or a part of one, that its face's border runs along as often one
+ *   way as the other (with the odd rule: an even number of times) bounds nothing: it is no edge. All sides of a face
+ *   whose corners are in a line are edges.
  *
- * The doubles of the mesh are taken as the rational numbers that they are. Positions that are exactly equal are one vertex. A face
- * whose corners do not lie in one plane has the plane through the mean of its corners with Newell's normal; its own edges, and its
- * own corners, lie on it all the same. Of the library only the mesh is used, as plain data. */
+ * The doubles of the mesh are taken as the rational numbers that they are. Positions that are exactly equal are one
+ * vertex. A face has the plane through the mean of its corners with Newell's normal; its own edges, and its own
+ * corners, lie on it exactly. A mesh with a face that is not planar, by more than 1e-5 of its size, is refused: the
+ * library cuts such faces into triangles. Of the library only the mesh is used, as plain data. */
 #ifndef ROBERTS_TESTS_MESH_ORACLE_H
 #define ROBERTS_TESTS_MESH_ORACLE_H
 
@@ -35,13 +37,14 @@ typedef struct mesh_truth {
     char error[160];     /* empty if nothing went wrong */
 } mesh_truth;
 
-/* Finds the hidden intervals of all edges. The viewer is at infinity or an eye that has the scene wholly in front of it; there is
- * no near plane. even_odd: the fill rule. False: *truth holds an error alone. Release with mesh_truth_free(). */
+/* Finds the hidden intervals of all edges. The viewer is at infinity or an eye that has the scene wholly in front of
+ * it; there is no near plane. even_odd: the fill rule. False: *truth holds an error alone. Release with
+ * mesh_truth_free(). */
 bool mesh_truth_find(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, mesh_truth *truth);
 void mesh_truth_free(mesh_truth *truth);
 
-/* How clear the answer is at the point t of the edge v0 v1, in doubles: ORACLE_YES where some face hides it and would do so if
- * everything moved by `slack` (model units), ORACLE_NO where none would; else ORACLE_UNSURE. */
+/* How clear the answer is at the point t of the edge v0 v1, in doubles: ORACLE_YES where some face hides it and
+ * would do so if everything moved by `slack` (model units), ORACLE_NO where none would; else ORACLE_UNSURE. */
 oracle_answer mesh_truth_at(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, const uint32_t *position,
                             uint32_t v0, uint32_t v1, double t, double slack);
 

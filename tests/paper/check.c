@@ -1,7 +1,7 @@
-/* check.c - holds what a page shows against the segments that it was drawn from.
+/* check.c - compares what a page shows with the segments that it was drawn from.
  *
- * What lies within a distance of a line is convex, so a straight row meets it in one interval. The intervals of all
- * lines nearby have to cover the row, and those of all rows nearby have to cover a line: nothing is sampled. */
+ * The points within a distance of a line form a convex set, so a straight row meets it in one interval. The intervals
+ * of all lines nearby have to cover the row, and those of all rows nearby have to cover a line. Nothing is sampled. */
 #include "check.h"
 
 #include <math.h>
@@ -144,7 +144,7 @@ typedef struct interval {
     double from, to;
 } interval;
 
-/* What the straight line through `a` along `u` has within `reach` of point c; empty where from > to. */
+/* The part of the straight line through `a` along `u` within `reach` of point c; empty if from > to. */
 static interval in_disc(roberts_vec2 a, roberts_vec2 u, roberts_vec2 c, double reach)
 {
     double x = c.x - a.x, y = c.y - a.y, along = x * u.x + y * u.y, beside = x * u.y - y * u.x;
@@ -152,7 +152,7 @@ static interval in_disc(roberts_vec2 a, roberts_vec2 u, roberts_vec2 c, double r
     return half < 0.0 ? (interval){INFINITY, -INFINITY} : (interval){along - sqrt(half), along + sqrt(half)};
 }
 
-/* Narrows t, so that start + t slope is low at least and high at most. */
+/* Narrows t so that start + t slope lies between low and high. */
 static void narrow(interval *t, double start, double slope, double low, double high)
 {
     if (slope == 0.0) {
@@ -165,7 +165,7 @@ static void narrow(interval *t, double start, double slope, double low, double h
     t->to = fmin(t->to, fmax(p, q));
 }
 
-/* What line ab has within `reach` of line pq; empty where from > to. */
+/* The part of line ab within `reach` of line pq; empty if from > to. */
 static interval within(roberts_vec2 a, roberts_vec2 b, roberts_vec2 p, roberts_vec2 q, double reach)
 {
     double length = length_of(a, b), other = length_of(p, q);
@@ -240,7 +240,7 @@ static roberts_vec2 point_at(roberts_vec2 a, roberts_vec2 b, double t)
     return (roberts_vec2){a.x + k * (b.x - a.x), a.y + k * (b.y - a.y)};
 }
 
-/* How steeply the depth of a row changes, by mm. */
+/* How much the depth of a row changes per mm. */
 static double steepness(const row *r)
 {
     double length = length_of(r->a, r->b);
@@ -271,8 +271,8 @@ static bool has_line(const paper *p, roberts_vec2 at, int line)
     return false;
 }
 
-/* Whether a row of another class that is drawn in its stead lies on a row there: a visible one that is not farther,
- * or any visible one where the row is hidden. */
+/* Whether at this point a row of another class is drawn instead of `own`: a visible row that is not farther away or, if
+ * `own` is hidden, any visible row. */
 static bool is_replaced(const row_list *r, const paper *p, const row *own, roberts_vec2 at)
 {
     for (size_t i = 0; i < r->count; i++) {
@@ -288,9 +288,8 @@ static bool is_replaced(const row_list *r, const paper *p, const row *own, rober
     return false;
 }
 
-/* How far a point of a row of that class may lie from what is drawn of it. A gap of a real dash is stretched by less
- * than a half, and by less than two thirds on a closed line without corners (0.5 in dashes.c's formula: a gap for
- * each dash). */
+/* How far a point of a row of that class may lie from its drawn line. Gaps of real dashes are stretched by less than a
+ * half or, on a closed line without corners, by less than two thirds. */
 static double reach_of(const roberts_draw_options *options, int line)
 {
     bool gaps = line == ROBERTS_BACK && options->real_dashes && options->hidden == ROBERTS_HIDDEN_DASHED;
@@ -362,8 +361,8 @@ static bool is_same_place(roberts_vec2 p, roberts_vec2 q)
     return fabs(p.x - q.x) < rounding && fabs(p.y - q.y) < rounding;
 }
 
-/* Whether the shorter of two lines lies beside the longer by less than half of what coordinates are rounded to, on a
- * length that no rounding explains. */
+/* Whether the shorter of two lines lies nearer to the longer than half a unit of rounding, on a length that rounding
+ * does not explain. */
 static bool is_beside(const paper_line *p, const paper_line *q)
 {
     const double beside = 0.0005, along = 0.02;
@@ -393,9 +392,9 @@ static bool runs_along(const row *r, const paper_line *p)
     return t.from <= t.to && fabs(x * v - y * u) <= aslant * hypot(x, y) * hypot(u, v);
 }
 
-/* Whether two rows count as on one line: the ends of the shorter are within 0.001 mm of the longer, and they differ
- * by 1e-5 radians at most; or both lead from one place to another. A little less is asked for here, so that rounding
- * does not decide. */
+/* Whether two rows count as lying on one line: the ends of the shorter are within 0.001 mm of the longer, and their
+ * directions differ by 1e-5 radians at most; or both have the same two ends. The bounds here are a little smaller, so
+ * that rounding does not decide. */
 static bool is_one_line(const row *p, const row *q)
 {
     const double touch = 0.0009, same_direction = 0.9e-5;
@@ -424,9 +423,8 @@ static bool belongs_to(const row *r, const paper_line *p)
     return runs_along(r, p) || is_in_line(r, p);
 }
 
-/* Whether all rows along two lines count as on one line. Those of a bundle need not: edges that meet at a very small
- * angle, and edges of which some are within 0.001 mm of one another and some are not. There no grouping is the right
- * one. */
+/* Whether all rows along two lines count as lying on one line. They may not: edges may meet at a very small angle, or
+ * only some of them may be within 0.001 mm of one another. Then there is no single right grouping. */
 static bool are_one_line(const row_list *r, const paper_line *p, const paper_line *q)
 {
     for (size_t i = 0; i < r->count; i++) {
@@ -471,7 +469,7 @@ void check_lines(const row_list *r, const paper *p, const roberts_draw_options *
         check_row(r, p, options, &side[i], f);
     for (size_t i = 0; i < p->count; i++)
         check_line(r, p, i, f);
-    if (options->format == ROBERTS_SVG) /* in a PDF coordinates are rounded to more */
+    if (options->format == ROBERTS_SVG) /* a PDF's coordinates are rounded more coarsely */
         check_twice(r, p, f);
 }
 
@@ -507,8 +505,8 @@ static const roberts_pen *pen_of(const roberts_draw_options *options, int line)
     return line == ROBERTS_OUTLINE ? &options->outline : line == ROBERTS_CREASE ? &options->crease : &options->back;
 }
 
-/* Whether the pixel at a point of a row is as it has to be. Which of two visible classes is drawn is a matter of
- * depth, which check_lines() asks about; what is visible covers what is hidden. */
+/* Whether the pixel at a point of a row has the right colour. Depth decides which of two visible classes is drawn;
+ * check_lines() checks that. Visible lines cover hidden ones. */
 static bool is_drawn_at(const picture *p, const roberts_draw_options *options, int line, roberts_vec2 at, double scale)
 {
     int x = (int)(at.x * scale), y = (int)(at.y * scale);
@@ -519,7 +517,7 @@ static bool is_drawn_at(const picture *p, const roberts_draw_options *options, i
     return options->hidden == ROBERTS_HIDDEN_DASHED || (visible + hidden >= 200 && visible + hidden < 600);
 }
 
-/* Marks the pixels within the pen's width, and a little more, of a point with the class's bit. */
+/* Sets the class's bit of all pixels within `reach` of a point. */
 static void mark(unsigned char *near, const picture *p, int line, roberts_vec2 at, double reach)
 {
     int x0 = (int)floor(at.x - reach), x1 = (int)ceil(at.x + reach), y0 = (int)floor(at.y - reach),
@@ -531,7 +529,7 @@ static void mark(unsigned char *near, const picture *p, int line, roberts_vec2 a
 
 void check_pixels(const row_list *r, const picture *p, const roberts_draw_options *options, findings *f)
 {
-    const double scale = options->dpi / 25.4, step = 0.5; /* pixels by mm; pixels */
+    const double scale = options->dpi / 25.4, step = 0.5; /* pixels per mm; pixels */
     size_t pixels = (size_t)p->width * (size_t)p->height;
     unsigned char *near = alloc_zeroed(pixels, 1);
     if (!near) {

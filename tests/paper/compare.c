@@ -1,4 +1,4 @@
-/* compare.c - holds as many pages as wanted against the tables that they were drawn from; see --help. */
+/* compare.c - compares any number of pages with the tables that they were drawn from; see --help. */
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>

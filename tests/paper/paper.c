@@ -1,6 +1,6 @@
 /* paper.c - reads lines back from SVG and PDF, and pixels from PNG.
  *
- * Of both formats it knows as much as Cairo and src/draw/svg.c write: paths of straight lines. */
+ * It reads only what Cairo and src/draw/svg.c write: paths of straight lines. */
 #include "paper.h"
 
 #include <cairo.h>
@@ -50,7 +50,7 @@ void paper_free(paper *p)
 
 /* ---- paths ------------------------------------------------------------------------------------------------------- */
 
-/* Where a path is. */
+/* A path and the position in it. */
 typedef struct path {
     paper *p;
     roberts_vec2 start, at;

@@ -23,10 +23,10 @@ typedef struct paper {
     uint32_t strokes;
 } paper;
 
-/* The colour by which the pens of paper_options() tell classes apart: 0xRRGGBB. */
+/* The colour that paper_options() gives a class, 0xRRGGBB. */
 uint32_t paper_color(int line);
 
-/* Default options with a colour of its own for each class. */
+/* Default options with a different colour for each class. */
 roberts_draw_options paper_options(void);
 
 /* Read the lines of a file. False: no memory, or the file has a form that is not understood. A PDF has to be drawn with

@@ -1,5 +1,5 @@
-/* Pages against tables: what SVG, PDF and PNG show is read back and held against the segments. A sample; more of it by
- * tests/paper/compare. */
+/* Pages against tables: what SVG, PDF and PNG show is read back and compared with the segments. This is a sample;
+ * tests/paper/compare draws more. */
 #include <dirent.h>
 #include <setjmp.h>
 #include <stdarg.h>

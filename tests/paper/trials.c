@@ -1,7 +1,7 @@
-/* trials.c - drawings on which pages are held against tables.
+/* trials.c - drawings whose pages are compared with their tables.
  *
- * The families here are models as people have them: solids that touch, turned, given to some digits, or off by a little
- * noise. Then edges lie on one another on the page that in space do not quite. */
+ * The families here resemble real models: solids that touch, are turned, rounded to some digits, or off by a little
+ * noise. So edges may lie on one another on the page, and not quite in space. */
 #include "trials.h"
 
 #include <math.h>
@@ -16,7 +16,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Turns all that there is. */
+/* Turns the whole scene. */
 static void turn_all(studio *st)
 {
     roberts_mesh *mesh = &st->scene->mesh;
@@ -28,7 +28,7 @@ static void turn_all(studio *st)
     }
 }
 
-/* Rounds all coordinates to so many digits. */
+/* Rounds all coordinates to this number of digits. */
 static void round_all(studio *st, int digits)
 {
     roberts_mesh *mesh = &st->scene->mesh;
@@ -299,7 +299,7 @@ static roberts_draw_options options_of(const trial_style *style)
     options.order = style->order;
     options.real_dashes = style->real_dashes;
     options.frame.off = !style->frame;
-    options.dpi = 254.0; /* ten pixels by mm */
+    options.dpi = 254.0; /* ten pixels per mm */
     if (style->kind == TRIAL_SHEET)
         options.page = (roberts_page){.width_mm = 297.0, .height_mm = 210.0, .margin_mm = 10.0};
     else if (style->format == ROBERTS_PNG)
@@ -341,7 +341,7 @@ static bool write_all(const drawings *d, const roberts_draw_options *options, by
                          : roberts_drawing_write(&d->drawing[0], options, take, to, NULL)) == ROBERTS_OK;
 }
 
-/* A camera that sees a part of the scene, from where the other one looks. */
+/* A camera that sees a part of the scene, from the side of the given one. */
 static roberts_camera look_closer(const roberts_mesh *mesh, const roberts_camera *camera)
 {
     roberts_vec3 low = mesh->vertex[0], high = low, to = camera->dir;

@@ -1,4 +1,4 @@
-/* trials.h - drawings on which pages are held against tables: scenes, and the ways in which they are drawn. */
+/* trials.h - drawings whose pages are compared with their tables: scenes, and styles in which they are drawn. */
 #ifndef ROBERTS_TESTS_TRIALS_H
 #define ROBERTS_TESTS_TRIALS_H
 
@@ -19,7 +19,7 @@ typedef struct trial_style {
 size_t trial_style_count(void);
 const trial_style *trial_style_at(size_t i);
 
-/* A scene from somewhere, and its viewer. */
+/* A scene and its viewer. */
 typedef struct trial_scene {
     char name[400];
     roberts_mesh mesh;
@@ -28,7 +28,7 @@ typedef struct trial_scene {
     bool hull;
 } trial_scene;
 
-/* The families of this folder, and after them those that are held against the oracle. */
+/* The families of this folder, followed by those that are compared with the oracle. */
 size_t trial_family_count(void);
 size_t trial_own_families(void); /* how many are of this folder */
 const char *trial_family_name(size_t i);
@@ -39,8 +39,8 @@ void trial_free(trial_scene *scene);
 
 typedef enum trial_result { TRIAL_RIGHT, TRIAL_WRONG, TRIAL_REFUSED } trial_result;
 
-/* Draws the scene in a style and checks what comes out. Faults are described on f->out. Refused: the scene, its view
- * or its sheet is. */
+/* Draws the scene in a style and checks the result. Faults are described on f->out. TRIAL_REFUSED: the scene, its view
+ * or its sheet was refused. */
 trial_result trial_run(const trial_scene *scene, const trial_style *style, findings *f);
 
 #endif

@@ -1,5 +1,5 @@
-/* test_bodies.c - bodies that are not convex: what kinds they are, which of their edges are lines of which class, what hides
- * them. Whole pictures are held against exact numbers by the mesh oracle. */
+/* test_bodies.c - bodies that are not convex: what kinds they are, which of their edges are lines of which class,
+ * what hides them. Whole pictures are held against exact numbers by the mesh oracle. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

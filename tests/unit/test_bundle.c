@@ -1,5 +1,5 @@
 /* Bundles: solids of very many faces that lie across one another's boxes, asked by a tree against all faces one by one. */
-#include "hide/pair.h"
+#include "hide/front_test.h"
 #include "scenes.h"
 
 enum { EDGES_OF_EACH = 3000, SCENES = 24, RINGS = 50, SIDES = 2 * RINGS };
@@ -52,10 +52,10 @@ static void make_speck(model *m)
 }
 
 /* Anywhere, or a vertex, or a point on the line through two of them, or hardly beside one. */
-static roberts_vec3 place(const hide_picture *picture, rng *r)
+static roberts_vec3 place(const hide_fronts *fronts, rng *r)
 {
-    int last = (int)picture->scene->solid[2].vertex - 1; /* of the first two solids */
-    roberts_vec3 P = picture->P[rng_int(r, 0, last)], Q = picture->P[rng_int(r, 0, last)];
+    int last = (int)fronts->scene->solid[2].vertex - 1; /* of the first two solids */
+    roberts_vec3 P = fronts->P[rng_int(r, 0, last)], Q = fronts->P[rng_int(r, 0, last)];
     double t = rng_between(r, -0.5, 1.5);
     switch (rng_int(r, 0, 3)) {
     case 0:
@@ -87,23 +87,23 @@ static void a_tree_finds_what_all_faces_do(void **state)
         size_t before = bundles;
         model m = {0};
         rng r = {seed + 100};
-        hide_picture picture;
+        hide_fronts fronts;
         seed < SCENES ? make_scene(&m, seed) : make_speck(&m);
         roberts_scene *scene = model_build(&m);
-        assert_int_equal(hide_picture_build(&picture, scene, &cameras[seed % 3], 0.0, false, 1, NULL), ROBERTS_OK);
-        hide_picture plain = picture;
+        assert_int_equal(hide_fronts_build(&fronts, scene, &cameras[seed % 3], 0.0, false, 1, NULL), ROBERTS_OK);
+        hide_fronts plain = fronts;
         plain.bundles = (bundle_table){0};
-        picture.space.scene = plain.space.scene = NULL; /* these edges are none of the scene's */
-        for (uint32_t k = 0; k < picture.front_count; k++) {
-            const hide_front *front = &picture.front[k];
-            if (!bundle_of(&picture.bundles, front->face, front->face_count))
+        fronts.space.scene = plain.space.scene = NULL; /* these edges are none of the scene's */
+        for (uint32_t k = 0; k < fronts.front_count; k++) {
+            const hide_front *front = &fronts.front[k];
+            if (!bundle_of(&fronts.bundles, front->face, front->face_count))
                 continue;
             bundles++;
             for (int i = 0; i < (seed < SCENES ? EDGES_OF_EACH : EDGES_OF_EACH / 10); i++) {
-                hide_edge e = edge_of(place(&picture, &r), place(&picture, &r));
-                hide_part part = {0}, expected = {0};
+                hide_edge e = edge_of(place(&fronts, &r), place(&fronts, &r));
+                hide_interval part = {0}, expected = {0};
                 roberts_tally tally = {0}, other = {0};
-                bool found = hide_by_faces(&picture, front, 20.0, &e, &sides, &tally, &part);
+                bool found = hide_by_faces(&fronts, front, 20.0, &e, &sides, &tally, &part);
                 if (found != hide_by_faces(&plain, front, 20.0, &e, &sides, &other, &expected) ||
                     (found && (part.t0 != expected.t0 || part.t1 != expected.t1)))
                     fail_msg("scene %d, front %u, edge %d: %d %.17g %.17g instead of %.17g %.17g", (int)seed, k, i,
@@ -115,7 +115,7 @@ static void a_tree_finds_what_all_faces_do(void **state)
             }
         }
         assert_true(seed < SCENES || bundles == before + 2);
-        hide_picture_free(&picture);
+        hide_fronts_free(&fronts);
         roberts_scene_free(scene);
         model_free(&m);
     }

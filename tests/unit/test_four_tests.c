@@ -193,7 +193,7 @@ static void test4_by_table(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         fixture f;
-        hide_part part;
+        hide_interval part;
         set_up(&f, square, 4, cases[i].A, cases[i].B);
         assert_int_equal(hide_test3(&f.space, &f.face, &f.edge, &f.sides), HIDE_UNDECIDED);
         if (hide_test4(&f.space, &f.face, &f.edge, &f.sides, &part) != cases[i].hidden)
@@ -206,7 +206,7 @@ static void test4_by_table(void **state)
 
 /* Tests 1 to 4 in their order; false where F hides nothing of e. */
 static bool one_by_one(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
-                       roberts_tally *tally, hide_part *part)
+                       roberts_tally *tally, hide_interval *part)
 {
     tally->pairs++;
     if (hide_test1(F, e)) {
@@ -219,7 +219,7 @@ static bool one_by_one(const hide_space *space, const hide_face *F, const hide_e
     }
     if (!hide_by_sides(space, F, e, sides, tally, part))
         return false;
-    hide_part inside = *part;
+    hide_interval inside = *part;
     return hide_pierce(space, F, e, &inside, sides, part) && hide_is_left(space, e, part);
 }
 
@@ -252,7 +252,7 @@ static void all_by_table(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         fixture f;
-        hide_part part;
+        hide_interval part;
         roberts_tally tally = {0};
         set_up(&f, cases[i].corners, 4, cases[i].A, cases[i].B);
         if (one_by_one(&f.space, &f.face, &f.edge, &f.sides, &tally, &part) != cases[i].hidden)

@@ -376,32 +376,32 @@ static void walks_meet_every_cell(void **state)
 /* ---- lists -------------------------------------------------------------------------------------------------------- */
 
 /* Nearest corner first, ties by number. */
-static bool in_order(const hide_picture *picture, uint32_t a, uint32_t b)
+static bool in_order(const hide_fronts *fronts, uint32_t a, uint32_t b)
 {
-    float za = picture->front_box[a].z1, zb = picture->front_box[b].z1;
+    float za = fronts->front_box[a].z1, zb = fronts->front_box[b].z1;
     return za > zb || (za == zb && a < b);
 }
 
-static void expect_lists(const objet *grid, const hide_picture *picture)
+static void expect_lists(const objet *grid, const hide_fronts *fronts)
 {
     const scan_frame *f = &grid->frame;
     double m = f->margin;
-    assert_true(picture->front_count <= MODEL_SOLIDS * 4);
+    assert_true(fronts->front_count <= MODEL_SOLIDS * 4);
     for (uint32_t cell = 0; cell < scan_cells(f); cell++) {
         bool listed[MODEL_SOLIDS * 4] = {false};
         for (uint32_t k = grid->start[cell]; k < grid->start[cell + 1]; k++) {
             uint32_t front = grid->entry[k].front;
-            assert_true(!listed[front] && picture->front[front].listed); /* once, and only what counts */
-            assert_true(k == grid->start[cell] || in_order(picture, grid->entry[k - 1].front, front));
+            assert_true(!listed[front] && fronts->front[front].listed); /* once, and only what counts */
+            assert_true(k == grid->start[cell] || in_order(fronts, grid->entry[k - 1].front, front));
             listed[front] = true;
         }
-        for (uint32_t k = 0; k < picture->front_count; k++) {
-            hide_face outline = hide_outline(picture, &picture->front[k]);
+        for (uint32_t k = 0; k < fronts->front_count; k++) {
+            hide_face outline = hide_outline(fronts, &fronts->front[k]);
             roberts_vec3 P[64];
             assert_true(outline.count <= 64);
             for (uint32_t i = 0; i < outline.count; i++)
-                P[i] = picture->P[outline.corner[i]];
-            if (picture->front[k].listed && !listed[k] &&
+                P[i] = fronts->P[outline.corner[i]];
+            if (fronts->front[k].listed && !listed[k] &&
                 cell_touches(f, cell / f->ny, cell % f->ny, 0.5 * m, P, outline.count))
                 fail_msg("front %u is missing in cell %u", k, cell);
         }
@@ -411,7 +411,7 @@ static void expect_lists(const objet *grid, const hide_picture *picture)
 /* What a grid of this frame counts sides from. */
 static objet grid_of(scan_frame frame)
 {
-    hide_picture none = {0};
+    hide_fronts none = {0};
     objet grid;
     assert_int_equal(objet_build(&grid, &none, frame, 1), ROBERTS_OK);
     return grid;
@@ -467,11 +467,11 @@ static void sides_tell_boxes_apart(void **state)
     assert_true(met > 1000 && apart[0] > 1000 && apart[1] > 1000);
 }
 
-static uint32_t listed_count(const hide_picture *picture)
+static uint32_t listed_count(const hide_fronts *fronts)
 {
     uint32_t count = 0;
-    for (uint32_t k = 0; k < picture->front_count; k++)
-        count += picture->front[k].listed;
+    for (uint32_t k = 0; k < fronts->front_count; k++)
+        count += fronts->front[k].listed;
     return count;
 }
 
@@ -491,18 +491,18 @@ static void lists_are_complete_and_in_order(void **state)
         roberts_scene *built = model_build(&m);
         for (size_t i = 0; i < sizeof sides / sizeof sides[0]; i++) {
             roberts_camera camera = {.dir = {i % 2 ? 1 : 0, -1, scene}};
-            hide_picture picture;
+            hide_fronts fronts;
             double depth;
             objet grid;
-            assert_int_equal(hide_picture_build(&picture, built, &camera, 0, false, 1, NULL), ROBERTS_OK);
-            assert_int_equal(picture.culled_count, 0);
-            scan_frame frame = cells_for_lists(picture.front_box, picture.front_count, picture.low, picture.high,
-                                               sides[i], hide_margin(&picture.space), &depth);
-            assert_int_equal(objet_build(&grid, &picture, frame, 1), ROBERTS_OK);
-            expect_lists(&grid, &picture);
-            assert_true(listed_count(&picture) > 10);
+            assert_int_equal(hide_fronts_build(&fronts, built, &camera, 0, false, 1, NULL), ROBERTS_OK);
+            assert_int_equal(fronts.culled_count, 0);
+            scan_frame frame = cells_for_lists(fronts.front_box, fronts.front_count, fronts.low, fronts.high, sides[i],
+                                               hide_margin(&fronts.space), &depth);
+            assert_int_equal(objet_build(&grid, &fronts, frame, 1), ROBERTS_OK);
+            expect_lists(&grid, &fronts);
+            assert_true(listed_count(&fronts) > 10);
             objet_free(&grid);
-            hide_picture_free(&picture);
+            hide_fronts_free(&fronts);
         }
         roberts_scene_free(built);
         model_free(&m);
@@ -513,7 +513,7 @@ static void lists_are_complete_and_in_order(void **state)
 static void lists_by_threads(void **state)
 {
     roberts_camera camera = {.dir = {1, 2, 3}};
-    hide_picture picture;
+    hide_fronts fronts;
     objet alone, together;
     double depth;
     model m = {0};
@@ -521,22 +521,22 @@ static void lists_by_threads(void **state)
     for (int i = 0; i < 700; i++)
         model_round(&m, MODEL_CORNERS, false, mat3_scale(1, 1, 1), (roberts_vec3){i % 20, i / 20, i % 7});
     roberts_scene *scene = model_build(&m);
-    assert_int_equal(hide_picture_build(&picture, scene, &camera, 0, false, 1, NULL), ROBERTS_OK);
-    assert_true(picture.front_count > 40000);
-    scan_frame frame = cells_for_lists(picture.front_box, picture.front_count, picture.low, picture.high, 150,
-                                       hide_margin(&picture.space), &depth);
+    assert_int_equal(hide_fronts_build(&fronts, scene, &camera, 0, false, 1, NULL), ROBERTS_OK);
+    assert_true(fronts.front_count > 40000);
+    scan_frame frame = cells_for_lists(fronts.front_box, fronts.front_count, fronts.low, fronts.high, 150,
+                                       hide_margin(&fronts.space), &depth);
     size_t cells = scan_cells(&frame);
     assert_true(cells > 8192);
-    assert_int_equal(objet_build(&alone, &picture, frame, 1), ROBERTS_OK);
+    assert_int_equal(objet_build(&alone, &fronts, frame, 1), ROBERTS_OK);
     for (uint32_t threads = 2; threads < 5; threads++) {
-        assert_int_equal(objet_build(&together, &picture, frame, threads), ROBERTS_OK);
+        assert_int_equal(objet_build(&together, &fronts, frame, threads), ROBERTS_OK);
         assert_memory_equal(together.start, alone.start, (cells + 1) * sizeof *alone.start);
         assert_memory_equal(together.entry, alone.entry, alone.start[cells] * sizeof *alone.entry);
         assert_memory_equal(together.next, alone.next, alone.start[cells] * sizeof *alone.next);
         objet_free(&together);
     }
     objet_free(&alone);
-    hide_picture_free(&picture);
+    hide_fronts_free(&fronts);
     roberts_scene_free(scene);
     model_free(&m);
 }
@@ -553,14 +553,14 @@ static void copies_count_once(void **state)
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         model m = {0};
         roberts_camera camera = {.dir = {1, -2, 3}};
-        hide_picture picture;
+        hide_fronts fronts;
         for (int k = 0; k < 4; k++)
             model_box(&m, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1 + k * table[i].change});
         roberts_scene *built = model_build(&m);
-        assert_int_equal(hide_picture_build(&picture, built, &camera, 0, false, 1, NULL), ROBERTS_OK);
-        if (listed_count(&picture) != table[i].fronts || !picture.front[0].listed)
-            fail_msg("%s: %u fronts", table[i].name, listed_count(&picture));
-        hide_picture_free(&picture);
+        assert_int_equal(hide_fronts_build(&fronts, built, &camera, 0, false, 1, NULL), ROBERTS_OK);
+        if (listed_count(&fronts) != table[i].fronts || !fronts.front[0].listed)
+            fail_msg("%s: %u fronts", table[i].name, listed_count(&fronts));
+        hide_fronts_free(&fronts);
         roberts_scene_free(built);
         model_free(&m);
     }

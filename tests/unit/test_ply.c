@@ -19,6 +19,10 @@
 
 static const read_good good[] = {
     {"a triangle", TEXT VERTICES("3") FACES("1") "end_header\n" THREE "3 0 1 2\n", 0, THREE_TEXT " | 0-1-2", NULL},
+    {"another version", "ply\nformat ascii 2.0\n" VERTICES("3") FACES("1") "end_header\n" THREE "3 0 1 2\n", 0,
+     THREE_TEXT " | 0-1-2", "2: PLY of version 2.0 is read as version 1.0;"},
+    {"no version", "ply\nformat ascii\n" VERTICES("3") FACES("1") "end_header\n" THREE "3 0 1 2\n", 0,
+     THREE_TEXT " | 0-1-2", NULL},
     {"comments and blanks",
      "ply \r\nformat ascii 1.0 \r\ncomment one # {\r\nobj_info two\r\nelement vertex  1\r\n"
      "property  double x\r\nproperty float64 y\r\nproperty int z  \r\nend_header\r\n1 2 3\r\n",
@@ -47,7 +51,7 @@ static const read_good good[] = {
      TEXT VERTICES(
          "3") "element edge 2\nproperty int vertex1\nproperty int vertex2\nproperty uchar red\nproperty uchar "
               "green\nproperty uchar blue\nend_header\n" THREE "0 1 255 0 51\n2 1 0 0 0\n",
-     0, THREE_TEXT " | 0-1(1,0,0.2) 2-1(0,0,0)", "0: 2 faces with fewer than 3 corners ignored;"},
+     0, THREE_TEXT " | 0-1(1,0,0.2) 2-1(0,0,0)", NULL},
     {"bytes as colours",
      TEXT "element vertex 2\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty "
           "uchar green\nproperty uchar blue\nproperty uchar alpha\nend_header\n0 0 0 255 0 51 9\n1 1 1 0 0 0 0\n",
@@ -62,7 +66,7 @@ static const read_good good[] = {
      0, "0,0,0", NULL},
     {"points", TEXT VERTICES("2") "end_header\n0 0 0\n1 1 1\n", 0, "0,0,0 1,1,1", NULL},
     {"faces of no corners", TEXT VERTICES("3") FACES("3") "end_header\n" THREE "0\n3 0 1 2\n2 0 1\n", 0,
-     THREE_TEXT " |  0-1-2 0-1", "0: 2 faces with fewer than 3 corners ignored;"},
+     THREE_TEXT " |  0-1-2 0-1", "0: 2 faces with fewer than 3 corners: they hide nothing;"},
     {"data after the last element", TEXT VERTICES("1") "end_header\n0 0 0\n7\n", 0, "0,0,0",
      "9: data after the last element ignored;"},
 };

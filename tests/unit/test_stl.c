@@ -62,6 +62,8 @@ static const read_bad bad[] = {
      ROBERTS_BAD_SYNTAX, 6, "vertex of facet 0 expected, found \"endloop\""},
     {"a word for a number", "solid a\n" FIRST "facet normal 0 0 1\nouter loop\nvertex 0 zero 0\n", 0,
      ROBERTS_BAD_SYNTAX, 11, "y of a corner of facet 1 expected, found \"zero\""},
+    {"a coordinate missing", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0\nvertex 0 1 0\n", 0,
+     ROBERTS_BAD_SYNTAX, 5, "z of a corner of facet 0 expected, but the line ends here"},
     {"a decimal comma", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0,5 1 0\n", 0, ROBERTS_BAD_SYNTAX, 4,
      "x of a corner of facet 0 expected, found \"0,5\""},
     {"not a number", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n", 0, ROBERTS_BAD_NUMBER, 4,
@@ -142,25 +144,94 @@ static void reads_binary(void **state)
     }
 }
 
-/* A size that is not known, or not right: recognised by bytes that no text has. */
+/* A size that is not known, or not right: recognised by bytes that no text has, whatever the header says. */
 static void reads_binary_of_unknown_size(void **state)
 {
-    bytes_built b = build_tetrahedron("solid made by a program");
-    read_pieces pieces = {b.bytes, b.size, 0};
+    static const char *const begins[] = {"",
+                                         "\001",
+                                         "solid made by a program",
+                                         "made by another program",
+                                         "3D model exported",
+                                         "v 2 exported",
+                                         "f 1 2 3",
+                                         "OFF 8 6 12",
+                                         "# a comment",
+                                         "{",
+                                         "ply\n",
+                                         "glTF",
+                                         "// exported",
+                                         "line\nbreaks\n",
+                                         "\x1f",
+                                         "PK"};
+    (void)state;
+    for (size_t i = 0; i < sizeof begins / sizeof begins[0]; i++) {
+        bytes_built b = build_tetrahedron(begins[i]);
+        read_pieces pieces = {b.bytes, b.size, 0};
+        roberts_mesh mesh = {0};
+        roberts_error error;
+        if (roberts_mesh_read(&mesh, "t", read_rows_piece, &pieces, NULL, &error) != ROBERTS_OK)
+            fail_msg("\"%s\" from a pipe: %s", begins[i], error.message);
+        mesh_text found = mesh_as_text(&mesh);
+        assert_string_equal(found.text, tetrahedron_text);
+        roberts_mesh_free(&mesh);
+        read_bad bare = {begins[i], b.bytes,
+                         90,        ROBERTS_BAD_SYNTAX,
+                         0,         "triangle 0 of 0..3 expected, but the input ends before (byte 84)"};
+        read_bad cut = {begins[i],   b.bytes,
+                        b.size - 14, ROBERTS_BAD_SYNTAX,
+                        0,           "triangle 3 of 0..3 expected, but the input ends before (byte 234)"};
+        read_bad_rows(&bare, 1);
+        read_bad_rows(&cut, 1);
+        build_bytes(&b, "", 1);
+        read_good row = {begins[i], b.bytes, b.size, tetrahedron_text, "0: data after the last triangle ignored;"};
+        read_good_rows(&row, 1);
+    }
+}
+
+/* What is no STL although bytes of it are like those of STL: another binary format says at its beginning which. */
+static void knows_other_binary(void **state)
+{
+    static const struct row {
+        const char *begins, *message;
+    } rows[] = {{"\x1f\x8b\x08", "compressed, as by gzip"},
+                {"PK\x03\x04", "a ZIP archive"},
+                {"\xff\xfe", "text in UTF-16"},
+                {"$MeshFormat\n", "Gmsh"},
+                {"OFF BINARY\n\1\1\1\1", "vertex"},
+                {"# first\ncoff binary\n\1\1\1\1", "vertex"}};
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        bytes_built b = build_tetrahedron(rows[i].begins);
+        build_bytes(&b, "", 1); /* the size of STL would decide */
+        roberts_mesh mesh = {0};
+        roberts_error error;
+        assert_int_not_equal(roberts_mesh_read_memory(&mesh, "t", b.bytes, b.size, NULL, &error), ROBERTS_OK);
+        if (!strstr(error.message, rows[i].message) || strstr(error.message, "triangle"))
+            fail_msg("\"%s\": %s", rows[i].begins, error.message);
+    }
+}
+
+/* A pipe that stays open after a small model: every byte is there that the model needs, and no more is asked for. */
+static ptrdiff_t read_once(void *context, void *buffer, size_t size)
+{
+    read_pieces *pieces = context;
+    if (pieces->at > 0)
+        fail_msg("more is asked for");
+    assert_true(size >= pieces->size);
+    memcpy(buffer, pieces->bytes, pieces->size);
+    pieces->at = pieces->size;
+    return (ptrdiff_t)pieces->size;
+}
+
+static void asks_no_more_of_a_text(void **state)
+{
+    static const char text[] = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    read_pieces pieces = {text, sizeof text - 1, 0};
     roberts_mesh mesh = {0};
     (void)state;
-    assert_int_equal(roberts_mesh_read(&mesh, "t", read_rows_piece, &pieces, NULL, NULL), ROBERTS_OK);
-    mesh_text found = mesh_as_text(&mesh);
-    assert_string_equal(found.text, tetrahedron_text);
+    assert_int_equal(roberts_mesh_read(&mesh, "t", read_once, &pieces, NULL, NULL), ROBERTS_OK);
+    assert_int_equal(mesh.face_count, 1);
     roberts_mesh_free(&mesh);
-    b = build_tetrahedron("made by another program");
-    build_bytes(&b, "more", 4);
-    read_good row = {"too long", b.bytes, b.size, tetrahedron_text, "0: data after the last triangle ignored;"};
-    read_good_rows(&row, 1);
-    read_bad short_row = {"too short", b.bytes,
-                          b.size - 14, ROBERTS_BAD_SYNTAX,
-                          0,           "triangle 3 of 0..3 expected, but the input ends before (byte 234)"};
-    read_bad_rows(&short_row, 1);
 }
 
 static void refuses_binary(void **state)
@@ -252,6 +323,8 @@ int main(void)
         cmocka_unit_test(refuses_text),
         cmocka_unit_test(reads_binary),
         cmocka_unit_test(reads_binary_of_unknown_size),
+        cmocka_unit_test(knows_other_binary),
+        cmocka_unit_test(asks_no_more_of_a_text),
         cmocka_unit_test(refuses_binary),
         cmocka_unit_test(welds_many),
         cmocka_unit_test(reads_published_files),

@@ -220,7 +220,7 @@ static void set_up(fixture *f, rng *r)
 }
 
 /* What the tests one by one find. */
-static bool one_by_one(const fixture *f, hide_sides *sides, hide_part *part)
+static bool one_by_one(const fixture *f, hide_sides *sides, hide_interval *part)
 {
     roberts_tally tally = {0};
     return !hide_test2(&f->space, &f->face, &f->edge) &&
@@ -236,7 +236,7 @@ static void agrees_with_the_tests(void **state)
     assert_true(hide_sides_reserve(&sides, CORNERS));
     for (int i = 0; i < 200000; i++) {
         fixture f;
-        hide_part part = {0}, expected = {0};
+        hide_interval part = {0}, expected = {0};
         fast_outline outline;
         set_up(&f, &r);
         fast_take(&outline, f.P, f.corner, f.face.count);
@@ -265,7 +265,7 @@ static void within_the_hidden_is_none(void **state)
     assert_true(hide_sides_reserve(&sides, CORNERS));
     for (int i = 0; i < 200000; i++) {
         fixture f;
-        hide_part part = {0}, expected = {0}, hidden = {0};
+        hide_interval part = {0}, expected = {0}, hidden = {0};
         fast_outline outline;
         hidden.t0 = hidden.r0 = rng_int(&r, 0, 4) / 8.0;
         hidden.t1 = hidden.r1 = rng_int(&r, 5, 8) / 8.0;
@@ -323,7 +323,7 @@ static void contact_is_unclear(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         fixture f = {.P = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, .corner = {0, 1, 2, 3}};
-        hide_part part;
+        hide_interval part;
         fast_outline outline;
         f.edge = (hide_edge){.A = cases[i].A, .B = cases[i].B, .a = 4, .b = 5, .length = 1.0, .length3 = 1.0};
         f.space = (hide_space){

@@ -141,7 +141,7 @@ static void set_edge(fixture *f, rng *r, kind k)
 }
 
 /* What the tests side by side find. */
-static bool side_by_side(const fixture *f, hide_sides *sides, roberts_tally *tally, hide_part *part)
+static bool side_by_side(const fixture *f, hide_sides *sides, roberts_tally *tally, hide_interval *part)
 {
     if (hide_test2(&f->space, &f->face, &f->edge)) {
         tally->test2_visible++;
@@ -151,7 +151,7 @@ static bool side_by_side(const fixture *f, hide_sides *sides, roberts_tally *tal
 }
 
 /* The same to the last bit; where several sides are a straight one, to less than a quarter of epsilon. */
-static bool same_part(const fixture *f, kind k, const hide_part *a, const hide_part *b)
+static bool same_part(const fixture *f, kind k, const hide_interval *a, const hide_interval *b)
 {
     double off = fmax(fabs(a->t0 - b->t0), fabs(a->t1 - b->t1)) * f->edge.length;
     return k == COLLINEAR || k == HAIRS ? off <= 0.25 * f->space.epsilon : memcmp(a, b, sizeof *a) == 0;
@@ -177,7 +177,7 @@ static void runs_find_what_all_sides_do(void **state)
             set_polygon(&f, &r, k);
             for (int e = 0; e < EDGES_OF_EACH; e++) {
                 roberts_tally tally = {0}, expected = {0};
-                hide_part part = {0}, other = {0};
+                hide_interval part = {0}, other = {0};
                 set_edge(&f, &r, k);
                 bool found = hide_by_runs(&f.space, f.r, &f.face, &f.edge, &sides, &tally, &part);
                 bool hidden = side_by_side(&f, &sides, &expected, &other);

@@ -150,12 +150,13 @@ static void segments_one_by_one(void **state)
     for (options.threads = 1; options.threads <= 3; options.threads++) {
         assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
         receiver r = {.drawing = &drawing, .same = true}, stopped = {.drawing = &drawing, .same = true, .stop_at = 5};
-        assert_int_equal(roberts_hide_each(scene, &camera, &options, receive, &r, &summary, NULL), ROBERTS_OK);
+        const roberts_receiver to_r = {receive, &r}, to_stopped = {receive, &stopped};
+        assert_int_equal(roberts_hide_each(scene, &camera, &options, &to_r, &summary, NULL), ROBERTS_OK);
         assert_true(r.same);
         assert_int_equal(r.count, drawing.count);
         assert_int_equal(summary.count, drawing.count);
         assert_null(summary.segment);
-        assert_int_equal(roberts_hide_each(scene, &camera, &options, receive, &stopped, NULL, NULL), ROBERTS_STOPPED);
+        assert_int_equal(roberts_hide_each(scene, &camera, &options, &to_stopped, NULL, NULL), ROBERTS_STOPPED);
         assert_int_equal(stopped.count, 5);
         roberts_drawing_free(&drawing);
     }

@@ -1,7 +1,8 @@
 /* body.h - a model while it is made: vertices and faces of one solid or of several.
  *
- * Invariants: faces run counter-clockwise seen from outside; corners are vertex numbers below vertex_count; solids share
- * no vertex. A zeroed body is an empty one. Running out of memory ends the program: a generator has nothing to save. */
+ * Invariants: faces run counter-clockwise seen from outside; corners are vertex numbers below vertex_count; solids
+ * share no vertex. A zeroed body is an empty one. Running out of memory ends the program: a generator has nothing to
+ * save. */
 #ifndef MODELS_BODY_H
 #define MODELS_BODY_H
 
@@ -55,7 +56,8 @@ void body_box(body *b, roberts_vec3 lo, roberts_vec3 hi);
 /* What stands below four points, counter-clockwise from above, down to the height `bottom`. */
 void body_plate(body *b, double bottom, const roberts_vec3 top[4]);
 
-/* A box between two corners, turned about the vertical through its middle by the angle of the vector (c, s), c^2 + s^2 = 1. */
+/* A box between two corners, turned about the vertical through its middle by the angle of the vector (c, s), where c^2
+ * + s^2 = 1. */
 void body_turned_box(body *b, roberts_vec3 lo, roberts_vec3 hi, double c, double s);
 
 /* The pyramid over the rectangle lo.x..hi.x, lo.y..hi.y at height lo.z, its apex over the middle at hi.z. */

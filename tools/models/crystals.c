@@ -22,7 +22,7 @@ typedef struct crystal {
     size_t corner_count;
 } crystal;
 
-/* ---- forms -------------------------------------------------------------------------------------------------------- */
+/* ---- forms ------------------------------------------------------------------------------------------------------- */
 
 static void add_plane(crystal *c, roberts_vec3 n, double d)
 {
@@ -63,9 +63,9 @@ static void add_tetragonal_form(crystal *c, double ratio, double h, double k, do
 }
 
 /* Orthorhombic, mmm; axes a : 1 : c. */
-static void add_rhombic_form(crystal *c, double a, double ratio, double h, double k, double l, double d)
+static void add_rhombic_form(crystal *c, roberts_vec3 axes, roberts_vec3 hkl, double d)
 {
-    add_signs(c, vec3(h / a, k, l / ratio), d);
+    add_signs(c, vec3(hkl.x / axes.x, hkl.y, hkl.z / axes.z), d);
 }
 
 /* Trigonal, -3m; h k -(h + k) l, axes at 120 degrees with the first along x. Normals stand on the reciprocal axes. */
@@ -84,7 +84,7 @@ static void add_trigonal_form(crystal *c, double ratio, double h, double k, doub
     }
 }
 
-/* ---- from faces to the solid -------------------------------------------------------------------------------------- */
+/* ---- from faces to the solid ------------------------------------------------------------------------------------- */
 
 static bool is_inside(const crystal *c, roberts_vec3 p)
 {
@@ -154,7 +154,7 @@ static void add_crystal(body *b, crystal *c, roberts_vec3 at)
         add_face(b, c, c->face[i], base);
 }
 
-/* ---- the plate ---------------------------------------------------------------------------------------------------- */
+/* ---- the plate --------------------------------------------------------------------------------------------------- */
 
 static void add_cubic_crystals(body *b, double z)
 {
@@ -200,23 +200,23 @@ static void add_calcite(body *b, roberts_vec3 at)
 
 static void add_topaz(body *b, roberts_vec3 at)
 {
-    const double a = 0.5285, ratio = 0.477;
+    const roberts_vec3 axes = {0.5285, 1, 0.477};
     crystal c = {0};
-    add_rhombic_form(&c, a, ratio, 1, 1, 0, 1.125);
-    add_rhombic_form(&c, a, ratio, 0, 2, 1, 2);
-    add_rhombic_form(&c, a, ratio, 1, 1, 1, 1.875);
-    add_rhombic_form(&c, a, ratio, 0, 0, 1, 2.25);
+    add_rhombic_form(&c, axes, vec3(1, 1, 0), 1.125);
+    add_rhombic_form(&c, axes, vec3(0, 2, 1), 2);
+    add_rhombic_form(&c, axes, vec3(1, 1, 1), 1.875);
+    add_rhombic_form(&c, axes, vec3(0, 0, 1), 2.25);
     add_crystal(b, &c, at);
 }
 
 static void add_sulphur(body *b, roberts_vec3 at)
 {
-    const double a = 0.8131, ratio = 1.9034;
+    const roberts_vec3 axes = {0.8131, 1, 1.9034};
     crystal c = {0};
-    add_rhombic_form(&c, a, ratio, 1, 1, 1, 1.375);
-    add_rhombic_form(&c, a, ratio, 1, 1, 3, 1.75);
-    add_rhombic_form(&c, a, ratio, 0, 1, 1, 1.5);
-    add_rhombic_form(&c, a, ratio, 0, 0, 1, 2);
+    add_rhombic_form(&c, axes, vec3(1, 1, 1), 1.375);
+    add_rhombic_form(&c, axes, vec3(1, 1, 3), 1.75);
+    add_rhombic_form(&c, axes, vec3(0, 1, 1), 1.5);
+    add_rhombic_form(&c, axes, vec3(0, 0, 1), 2);
     add_crystal(b, &c, at);
 }
 

@@ -21,14 +21,14 @@ static void add_parallelepiped(body *to, roberts_vec3 p, roberts_vec3 a, roberts
     body_free(&box);
 }
 
-/* ---- a chair ------------------------------------------------------------------------------------------------------ */
+/* ---- a chair ----------------------------------------------------------------------------------------------------- */
 
 /* Above the seat everything leans back by 1 in 8. */
-static void add_leaning(body *b, double x0, double x1, double y0, double y1, double z0, double z1)
+static void add_leaning(body *b, roberts_vec3 lo, roberts_vec3 hi)
 {
     const double seat = 45, lean = 1.0 / 8;
-    add_parallelepiped(b, vec3(x0, y0 + lean * (z0 - seat), z0), vec3(x1 - x0, 0, 0), vec3(0, y1 - y0, 0),
-                       vec3(0, lean * (z1 - z0), z1 - z0));
+    add_parallelepiped(b, vec3(lo.x, lo.y + lean * (lo.z - seat), lo.z), vec3(hi.x - lo.x, 0, 0),
+                       vec3(0, hi.y - lo.y, 0), vec3(0, lean * (hi.z - lo.z), hi.z - lo.z));
 }
 
 void chair(body *b)
@@ -37,7 +37,7 @@ void chair(body *b)
         double x = 40 * i;
         body_box(b, vec3(x, 0, 0), vec3(x + 4, 4, 42));
         body_box(b, vec3(x, 38, 0), vec3(x + 4, 42, 45));
-        add_leaning(b, x, x + 4, 38, 42, 45, 93);
+        add_leaning(b, vec3(x, 38, 45), vec3(x + 4, 42, 93));
         body_box(b, vec3(x + 1, 4, 35), vec3(x + 3, 38, 42)); /* under the seat, and near the floor */
         body_box(b, vec3(x + 1, 4, 14), vec3(x + 3, 38, 17));
     }
@@ -46,10 +46,10 @@ void chair(body *b)
     body_box(b, vec3(4, 39, 35), vec3(40, 41, 42));
     body_box(b, vec3(3, 20, 14), vec3(41, 22, 17));
     for (int i = 0; i < 3; i++)
-        add_leaning(b, 4, 40, 39, 41, 59 + 12 * i, 66 + 12 * i);
+        add_leaning(b, vec3(4, 39, 59 + 12 * i), vec3(40, 41, 66 + 12 * i));
 }
 
-/* ---- a staircase -------------------------------------------------------------------------------------------------- */
+/* ---- a staircase ------------------------------------------------------------------------------------------------- */
 
 enum { STEPS_A_TURN = 16, STEPS = 26 };
 
@@ -108,7 +108,7 @@ void spiral_staircase(body *b)
     }
 }
 
-/* ---- arrangements ------------------------------------------------------------------------------------------------- */
+/* ---- arrangements ------------------------------------------------------------------------------------------------ */
 
 /* A copy of `part`, of size `ratio`, in each corner of it; `level` times over. */
 static void add_flake(body *b, const body *part, double ratio, int level, motion at)
@@ -155,7 +155,7 @@ void cubic_space(body *b)
     }
 }
 
-/* ---- plates of solids --------------------------------------------------------------------------------------------- */
+/* ---- plates of solids -------------------------------------------------------------------------------------------- */
 
 static double circumradius(int solid)
 {

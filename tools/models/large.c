@@ -27,7 +27,7 @@ static uint64_t integer_root(uint64_t n)
     return (uint64_t)sqrt((double)n);
 }
 
-/* ---- lattice ------------------------------------------------------------------------------------------------------ */
+/* ---- lattice ----------------------------------------------------------------------------------------------------- */
 
 static uint64_t cube_of(uint64_t n)
 {
@@ -49,7 +49,7 @@ static void lattice_solid(body *b, const plan *p, uint64_t index)
         body_add(b, &p->octahedron, rng_turn(&r, 0.4375, middle));
 }
 
-/* ---- city --------------------------------------------------------------------------------------------------------- */
+/* ---- city -------------------------------------------------------------------------------------------------------- */
 
 /* n x n blocks of 12 x 12 with streets of 4 between them, four solids in each. */
 static uint64_t city_count(uint64_t n)
@@ -116,7 +116,7 @@ static void city_solid(body *b, const plan *p, uint64_t index)
         podium_part(b, &r, at, height, index % 4);
 }
 
-/* ---- wall --------------------------------------------------------------------------------------------------------- */
+/* ---- wall -------------------------------------------------------------------------------------------------------- */
 
 /* Bricks of 4 x 2 x 1 in running bond: courses of `width` whole bricks in turn with courses that have a half brick at
  * either end. Length to height is about as 4 to 3. */
@@ -139,7 +139,7 @@ static void wall_solid(body *b, const plan *p, uint64_t index)
     body_box(b, vec3(x0, 0, z), vec3(x1, 2, z + 1));
 }
 
-/* ---- heaps -------------------------------------------------------------------------------------------------------- */
+/* ---- heaps ------------------------------------------------------------------------------------------------------- */
 
 /* A plate at a random place, turned about the vertical, each above all before it; some nine lie over one another
  * everywhere. The heap is half as high as wide. */
@@ -196,8 +196,8 @@ static void copies_solid(body *b, const plan *p, uint64_t index)
     body_add(b, &p->cube, turn(7, 1, 2, 3, 1, vec3(0, 0, 0)));
 }
 
-/* A hundred coins of N corners one over the other, each at a random place within a radius: everywhere some dozens of rims
- * cross. */
+/* A hundred coins of N corners one over the other, each at a random place within a radius, so that some dozens of rims
+ * cross everywhere. */
 static uint64_t hundred(uint64_t n)
 {
     (void)n;
@@ -216,7 +216,7 @@ static void coins_solid(body *b, const plan *p, uint64_t index)
     body_free(&coin);
 }
 
-/* One disc of N corners, and under it n small boxes on a square grid, those at its rim partly and some wholly beside it. */
+/* One disc of N corners, and under it n small boxes on a square grid. Those at its rim stick out, some altogether. */
 static void disc_solid(body *b, const plan *p, uint64_t index)
 {
     uint64_t width = integer_root(p->n - 1) + 1, column = (index - 1) % width, row = (index - 1) / width;
@@ -263,7 +263,8 @@ static void parts_solid(body *b, const plan *p, uint64_t index)
         body_box(b, vec3(x, -0.5, -2), vec3(x + 0.5, 0.5, -1));
 }
 
-/* Two pyramids over a regular N-gon, the second lower and shifted: no two of their edges are parallel in the picture. */
+/* Two pyramids over a regular N-gon, the second lower and shifted. No two of their edges are parallel in the picture.
+ * */
 static uint64_t two(uint64_t n)
 {
     (void)n;
@@ -281,8 +282,8 @@ static void fans_solid(body *b, const plan *p, uint64_t index)
     body_free(&fan);
 }
 
-/* Two balls of about n faces, one through the other, and a box as much farther away as it is larger: all that is to be seen of
- * the balls is in one spot of the picture. */
+/* Two balls of about n faces, one through the other, and a box that is as much larger as it is farther away, so that
+ * the balls take up one spot of the picture. */
 static uint64_t three(uint64_t n)
 {
     (void)n;
@@ -306,7 +307,7 @@ static void speck_solid(body *b, const plan *p, uint64_t index)
     body_free(&ball);
 }
 
-/* ---- single solids ------------------------------------------------------------------------------------------------ */
+/* ---- single solids ----------------------------------------------------------------------------------------------- */
 
 static uint64_t single(uint64_t n)
 {
@@ -335,7 +336,7 @@ static void sphere_solid(body *b, const plan *p, uint64_t index)
     globe_make(b, (uint32_t)rings, (uint32_t)(2 * rings));
 }
 
-/* ---- the table, and writing --------------------------------------------------------------------------------------- */
+/* ---- the table, and writing -------------------------------------------------------------------------------------- */
 
 typedef uint64_t count_fn(uint64_t n);
 typedef void solid_fn(body *b, const plan *p, uint64_t index); /* adds solid `index` */

@@ -6,9 +6,9 @@
 
 #include "body.h"
 
-/* Adds a regular or half-regular solid, scaled, standing on the first of its faces with so many corners: the middle of
- * that face at `at`, its corner that comes first in the direction of the unit vector. The face's corners get the height of
- * `at` itself, so that it lies in that plane. */
+/* Adds a regular or half-regular solid, scaled, standing on the first of its faces with so many corners. The middle of
+ * that face is at `at`, and its first corner lies in the direction of the unit vector from there. The face's corners
+ * get the height of `at` itself, so that it lies in that plane. */
 void stand_uniform(body *b, int solid, size_t corners, double scale, roberts_vec3 at, roberts_vec2 direction);
 
 /* A column or cone over a regular polygon, standing at `at`. */

@@ -1,4 +1,4 @@
-/* pair.h - what the front of one solid hides of one edge of another: one interval.
+/* front_test.h - what the front of one solid hides of one edge of another: one interval.
  *
  * The volume behind a convex solid is { X : X inside the outline, F(X) > 0 for every front face F }. So for the front as
  * a whole the four tests read:
@@ -8,19 +8,19 @@
  *   3. and 4. as for one face, with the outline's sides in place of a face's; the part found is cut where AB pierces the
  *      plane of any of the faces, if A and B are not both behind all of them.
  *
- * Planes are asked far from their faces here. An edge out of the reach of what they can be trusted (see set_trust() in
+ * Planes are asked far from their faces here. An edge out of the reach of what they can be trusted (see front_set_trust() in
  * front.c: beyond a thousand widths of a face, or at once for models given to few digits) meets the faces one by one,
  * tests 1 to 4 each, and the hull of what they hide is the front's part. So does it a front of one face; of
  * a bundle it meets the faces that its tree leaves. */
-#ifndef ROBERTS_HIDE_PAIR_H
-#define ROBERTS_HIDE_PAIR_H
+#ifndef ROBERTS_HIDE_FRONT_TEST_H
+#define ROBERTS_HIDE_FRONT_TEST_H
 
-#include "hide/picture.h"
+#include "hide/fronts.h"
 #include "hide/tests.h"
 
 /* How edges are held against a front. */
 typedef enum hide_approach {
-    HIDE_ONE_FACE,     /* it is one face of a solid of many */
+    HIDE_FACE_BY_FACE, /* a single face, or the faces that a bundle's tree leaves */
     HIDE_WITHIN_REACH, /* all faces at once: the edges are within the reach of all planes */
     HIDE_ASK_REACH,    /* ... where that turns out to be so, else face by face */
 } hide_approach;
@@ -37,28 +37,28 @@ typedef struct hide_meeting {
 } hide_meeting;
 
 /* The boxes are rounded outward, and their common width and height up by far more than they are rounded to floats. */
-BITS_INLINE hide_meeting hide_meet(const hide_picture *picture, const hide_front *front, const hide_box *own,
+BITS_INLINE hide_meeting hide_meet(const hide_fronts *fronts, const hide_front *front, const hide_box *own,
                                    const hide_box *edges)
 {
     float x = (own->x1 > edges->x1 ? own->x1 : edges->x1) - (own->x0 < edges->x0 ? own->x0 : edges->x0);
     float y = (own->y1 > edges->y1 ? own->y1 : edges->y1) - (own->y0 < edges->y0 ? own->y0 : edges->y0);
     float z = (own->z1 > edges->z1 ? own->z1 : edges->z1) - (own->z0 < edges->z0 ? own->z0 : edges->z0);
-    hide_approach approach = 1.001 * (double)(x + y + z) <= front->reach ? HIDE_WITHIN_REACH : HIDE_ASK_REACH;
+    hide_approach together = 1.001 * (double)(x + y + z) <= front->reach ? HIDE_WITHIN_REACH : HIDE_ASK_REACH;
     return (hide_meeting){.front = front,
-                          .face = picture->face + front->face,
-                          .outline = picture->outline + front->outline,
+                          .face = fronts->face + front->face,
+                          .outline = fronts->outline + front->outline,
                           .corners = front->corners,
-                          .approach = front->corners ? approach : HIDE_ONE_FACE,
+                          .approach = front->kind == HIDE_CONVEX_SOLID ? together : HIDE_FACE_BY_FACE,
                           .depth = (double)front->depth,
                           .span = 1.001 * (double)(x + y)};
 }
 
 /* Where not all faces can be asked at once. */
-bool hide_by_faces(const hide_picture *picture, const hide_front *front, double span, const hide_edge *e,
-                   hide_sides *sides, roberts_tally *tally, hide_part *part);
+bool hide_by_faces(const hide_fronts *fronts, const hide_front *front, double span, const hide_edge *e,
+                   hide_sides *sides, roberts_tally *tally, hide_interval *part);
 
 /* Are A and B within the reach of what the planes can be trusted, along three axes? */
-bool hide_within_reach(const hide_picture *picture, const hide_front *front, const hide_edge *e);
+bool hide_within_reach(const hide_fronts *fronts, const hide_front *front, const hide_edge *e);
 
 /* Test 1 for all faces: HIDE_VISIBLE where one has A and B in front of it or on it, HIDE_INVISIBLE (as far as depth
  * goes) where both are behind all of them. `*near`: bit i for face i that AB is not clear of, by twice the distance that
@@ -84,24 +84,24 @@ BITS_INLINE hide_verdict hide_test1_of_all(const hide_face *face, uint32_t count
 
 /* Cuts the part where e pierces the planes of the faces given by bits, and counts that; false where nothing of it is left
  * behind them. */
-bool hide_pierce_all(const hide_picture *picture, const hide_face *face, uint32_t bits, const hide_edge *e,
-                     hide_sides *sides, roberts_tally *tally, hide_part *part);
+bool hide_pierce_all(const hide_fronts *fronts, const hide_face *face, uint32_t bits, const hide_edge *e,
+                     hide_sides *sides, roberts_tally *tally, hide_interval *part);
 
 /* Tests 2 to 4 by themselves, of an outline or of a face that has no runs. */
-bool hide_by_outline_closely(const hide_picture *picture, const uint32_t *corner, uint32_t count, const hide_edge *e,
-                             hide_sides *sides, roberts_tally *tally, hide_part *part);
+bool hide_by_outline_closely(const hide_fronts *fronts, const uint32_t *corner, uint32_t count, const hide_edge *e,
+                             hide_sides *sides, roberts_tally *tally, hide_interval *part);
 
 /* Tests 2 to 4, counted: the part of e inside an outline; false where there is none. Where all signs are plain the tests
  * are asked together: what is outside one side is then counted for test 3 also where test 2 would have said so. */
-BITS_INLINE bool hide_by_outline(const hide_picture *picture, const uint32_t *corner, uint32_t count, double span,
-                                 const hide_edge *e, const hide_part *hidden, hide_sides *sides, roberts_tally *tally,
-                                 hide_part *part)
+BITS_INLINE bool hide_by_outline(const hide_fronts *fronts, const uint32_t *corner, uint32_t count, double span,
+                                 const hide_edge *e, const hide_interval *hidden, hide_sides *sides,
+                                 roberts_tally *tally, hide_interval *part)
 {
     if (count > FAST_CORNERS)
-        return hide_by_outline_closely(picture, corner, count, e, sides, tally, part);
+        return hide_by_outline_closely(fronts, corner, count, e, sides, tally, part);
     if (sides->outline.corner != corner)
-        fast_take(&sides->outline, picture->P, corner, count);
-    switch (fast_test(&sides->outline, &picture->space, e, span, hidden, part)) {
+        fast_take(&sides->outline, fronts->P, corner, count);
+    switch (fast_test(&sides->outline, &fronts->space, e, span, hidden, part)) {
     case FAST_MISSED:
         tally->test2_visible++;
         return false;
@@ -118,19 +118,21 @@ BITS_INLINE bool hide_by_outline(const hide_picture *picture, const uint32_t *co
         tally->test4++;
         return false;
     default:
-        return hide_by_outline_closely(picture, corner, count, e, sides, tally, part);
+        return hide_by_outline_closely(fronts, corner, count, e, sides, tally, part);
     }
 }
 
 /* False where the front hides nothing of e, or nothing but what `hidden` (NULL: none), a part of it that is hidden, has already,
- * and the front is before all of e, so that none of its planes is near. sides: room for the picture's most_corners. */
-BITS_INLINE bool hide_by_front(const hide_picture *picture, const hide_meeting *m, const hide_edge *e,
-                               const hide_part *hidden, hide_sides *sides, roberts_tally *tally, hide_part *part)
+ * and the front is before all of e, so that none of its planes is near. sides: room for fronts->most_corners. */
+BITS_INLINE bool hide_by_front(const hide_fronts *fronts, const hide_meeting *m, const hide_edge *e,
+                               const hide_interval *hidden, hide_sides *sides, roberts_tally *tally,
+                               hide_interval *part)
 {
     uint32_t near = 0;
     hide_verdict depth = HIDE_INVISIBLE;
-    if (m->approach != HIDE_WITHIN_REACH && (m->approach == HIDE_ONE_FACE || !hide_within_reach(picture, m->front, e)))
-        return hide_by_faces(picture, m->front, m->span, e, sides, tally, part);
+    if (m->approach != HIDE_WITHIN_REACH &&
+        (m->approach == HIDE_FACE_BY_FACE || !hide_within_reach(fronts, m->front, e)))
+        return hide_by_faces(fronts, m->front, m->span, e, sides, tally, part);
     tally->pairs++;
     if (!(e->A.z < m->depth && e->B.z < m->depth)) /* else behind all of it */
         depth = hide_test1_of_all(m->face, m->front->face_count, e, &near);
@@ -138,9 +140,9 @@ BITS_INLINE bool hide_by_front(const hide_picture *picture, const hide_meeting *
         tally->test1_visible++;
         return false;
     }
-    return hide_by_outline(picture, m->outline, m->corners, m->span, e, depth == HIDE_INVISIBLE ? hidden : NULL, sides,
+    return hide_by_outline(fronts, m->outline, m->corners, m->span, e, depth == HIDE_INVISIBLE ? hidden : NULL, sides,
                            tally, part) &&
-           (depth == HIDE_INVISIBLE || hide_pierce_all(picture, m->face, near, e, sides, tally, part));
+           (depth == HIDE_INVISIBLE || hide_pierce_all(fronts, m->face, near, e, sides, tally, part));
 }
 
 #endif

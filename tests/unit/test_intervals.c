@@ -1,7 +1,7 @@
 /* Hidden parts of an edge: joined as they come, and the union of all, with every tie. */
 #include <stdio.h>
 
-#include "hide/parts.h"
+#include "hide/intervals.h"
 #include "scenes.h"
 
 enum { PARTS = 8 };
@@ -11,9 +11,9 @@ typedef struct row {
     double t0, t1, e0, e1;
 } row;
 
-static hide_part part_of(row r)
+static hide_interval part_of(row r)
 {
-    return (hide_part){r.t0, r.t1, r.t0 - r.e0, r.t1 + r.e1};
+    return (hide_interval){r.t0, r.t1, r.t0 - r.e0, r.t1 + r.e1};
 }
 
 /* ---- as they come ------------------------------------------------------------------------------------------------- */
@@ -36,29 +36,30 @@ static void joined_as_they_come(void **state)
     };
     (void)state;
     for (size_t i = 0; i < 2 * (sizeof table / sizeof table[0]); i++) {
-        hide_parts parts = {0};
+        hide_intervals intervals = {0};
         size_t k = i / 2;
-        hide_part one = part_of(i % 2 ? table[k].second : table[k].first);
-        hide_part two = part_of(i % 2 ? table[k].first : table[k].second);
-        assert_true(hide_parts_add(&parts, 5, &one));
-        assert_true(hide_parts_add(&parts, 7, &two));
-        hide_part part = parts.item[0].part;
-        if (parts.count != table[k].count ||
-            (parts.count == 1 && (part.t0 != table[k].t0 || part.t1 != table[k].t1 || part.r0 != table[k].reach0 ||
-                                  part.r1 != table[k].reach1)))
-            fail_msg("%s: %zu parts, %g..%g, %g, %g", table[k].name, parts.count, part.t0, part.t1, part.r0, part.r1);
-        free(parts.item);
+        hide_interval one = part_of(i % 2 ? table[k].second : table[k].first);
+        hide_interval other = part_of(i % 2 ? table[k].first : table[k].second);
+        assert_true(hide_intervals_add(&intervals, 5, &one));
+        assert_true(hide_intervals_add(&intervals, 7, &other));
+        hide_interval part = intervals.item[0].part;
+        if (intervals.count != table[k].count ||
+            (intervals.count == 1 && (part.t0 != table[k].t0 || part.t1 != table[k].t1 || part.r0 != table[k].reach0 ||
+                                      part.r1 != table[k].reach1)))
+            fail_msg("%s: %zu parts, %g..%g, %g, %g", table[k].name, intervals.count, part.t0, part.t1, part.r0,
+                     part.r1);
+        free(intervals.item);
     }
 }
 
 /* ---- their union -------------------------------------------------------------------------------------------------- */
 
-static void fill(hide_parts *parts, const hide_part *part, const uint32_t *order, uint32_t count)
+static void fill(hide_intervals *intervals, const hide_interval *part, const uint32_t *order, uint32_t count)
 {
-    parts->count = 0;
+    intervals->count = 0;
     for (uint32_t i = 0; i < count; i++) {
-        hide_part one = part[order[i]];
-        assert_true(hide_parts_add(parts, order[i], &one));
+        hide_interval one = part[order[i]];
+        assert_true(hide_intervals_add(intervals, order[i], &one));
     }
 }
 
@@ -70,12 +71,12 @@ static uint32_t count_of(const row *part)
     return count;
 }
 
-static bool equal(const hide_parts *parts, const row *expected)
+static bool equal(const hide_intervals *intervals, const row *expected)
 {
-    if (parts->count != count_of(expected))
+    if (intervals->count != count_of(expected))
         return false;
-    for (size_t i = 0; i < parts->count; i++)
-        if (parts->item[i].part.t0 != expected[i].t0 || parts->item[i].part.t1 != expected[i].t1)
+    for (size_t i = 0; i < intervals->count; i++)
+        if (intervals->item[i].part.t0 != expected[i].t0 || intervals->item[i].part.t1 != expected[i].t1)
             return false;
     return true;
 }
@@ -86,7 +87,7 @@ static void union_by_table(void **state)
     static const struct {
         const char *name;
         double epsilon, length;
-        row parts[PARTS], expected[PARTS];
+        row intervals[PARTS], expected[PARTS];
     } table[] = {
         {"none", 0, 1, {{0, 0, 0, 0}}, {{0, 0, 0, 0}}},
         {"one", 0, 1, {{0.25, 0.5, 0, 0}}, {{0.25, 0.5, 0, 0}}},
@@ -147,25 +148,25 @@ static void union_by_table(void **state)
          {{0.25, 0.5, 0, 0.125}, {0.3125, 0.5625, 0, 0}, {0.625, 0.75, 0, 0}},
          {{0.25, 0.75, 0, 0}}},
     };
-    hide_parts parts = {0};
+    hide_intervals intervals = {0};
     rng r = {31};
     (void)state;
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)
         for (int k = 0; k < 10; k++) {
-            uint32_t order[PARTS], count = count_of(table[i].parts);
-            hide_part part[PARTS];
+            uint32_t order[PARTS], count = count_of(table[i].intervals);
+            hide_interval part[PARTS];
             for (uint32_t p = 0; p < count; p++)
-                part[p] = part_of(table[i].parts[p]);
+                part[p] = part_of(table[i].intervals[p]);
             rng_permutation(&r, order, count);
-            fill(&parts, part, order, count);
-            hide_parts_unite(&parts, table[i].epsilon, table[i].length);
-            if (!equal(&parts, table[i].expected)) {
-                for (size_t p = 0; p < parts.count; p++)
-                    printf("  got %g..%g\n", parts.item[p].part.t0, parts.item[p].part.t1);
+            fill(&intervals, part, order, count);
+            hide_intervals_unite(&intervals, table[i].epsilon, table[i].length);
+            if (!equal(&intervals, table[i].expected)) {
+                for (size_t p = 0; p < intervals.count; p++)
+                    printf("  got %g..%g\n", intervals.item[p].part.t0, intervals.item[p].part.t1);
                 fail_msg("%s", table[i].name);
             }
         }
-    free(parts.item);
+    free(intervals.item);
 }
 
 /* Many parts on a scale of 1/1024, every third time beginning at few places, every fifth so close together that
@@ -174,13 +175,13 @@ static void union_by_table(void **state)
 static void union_of_many(void **state)
 {
     enum { MANY = 1200, CELLS = 1024 };
-    hide_parts parts = {0}, again = {0};
+    hide_intervals intervals = {0}, again = {0};
     size_t most = 0;
     rng r = {32};
     (void)state;
     for (int k = 0; k < 500; k++) {
         uint32_t count = (uint32_t)rng_int(&r, 1, k % 2 ? 40 : MANY), order[MANY];
-        hide_part part[MANY];
+        hide_interval part[MANY];
         bool covered[CELLS] = {false};
         double low = k % 5 ? 0.0 : 0.5, unit = k % 5 ? 1.0 / CELLS : 0x1p-40;
         for (uint32_t i = 0; i < count; i++) {
@@ -192,17 +193,17 @@ static void union_of_many(void **state)
                 covered[c] = true;
         }
         rng_permutation(&r, order, count);
-        fill(&parts, part, order, count);
-        most = parts.count > most ? parts.count : most;
-        hide_parts_unite(&parts, 0, 1);
+        fill(&intervals, part, order, count);
+        most = intervals.count > most ? intervals.count : most;
+        hide_intervals_unite(&intervals, 0, 1);
         rng_permutation(&r, order, count);
         fill(&again, part, order, count);
-        hide_parts_unite(&again, 0, 1);
-        assert_int_equal(parts.count, again.count);
-        for (size_t i = 0; i < parts.count; i++) {
-            hide_part p = parts.item[i].part, q = again.item[i].part;
+        hide_intervals_unite(&again, 0, 1);
+        assert_int_equal(intervals.count, again.count);
+        for (size_t i = 0; i < intervals.count; i++) {
+            hide_interval p = intervals.item[i].part, q = again.item[i].part;
             assert_true(p.t0 == q.t0 && p.t1 == q.t1 && p.t0 < p.t1);
-            assert_true(i == 0 || p.t0 > parts.item[i - 1].part.t1);
+            assert_true(i == 0 || p.t0 > intervals.item[i - 1].part.t1);
             for (int c = (int)((p.t0 - low) / unit); c < (int)((p.t1 - low) / unit); c++) {
                 assert_true(covered[c]);
                 covered[c] = false;
@@ -212,11 +213,11 @@ static void union_of_many(void **state)
             assert_false(covered[c]);
     }
     assert_true(most > 900); /* those that came after many others were not joined at once */
-    free(parts.item);
+    free(intervals.item);
     free(again.item);
 }
 
-static bool reach_each_other(hide_part a, hide_part b)
+static bool reach_each_other(hide_interval a, hide_interval b)
 {
     return a.r0 <= b.r1 && b.r0 <= a.r1;
 }
@@ -226,12 +227,12 @@ static bool reach_each_other(hide_part a, hide_part b)
 static void reach_joins_in_any_order(void **state)
 {
     enum { MANY = 24 };
-    hide_parts parts = {0};
+    hide_intervals intervals = {0};
     rng r = {33};
     (void)state;
     for (int k = 0; k < 2000; k++) {
         uint32_t count = (uint32_t)rng_int(&r, 2, MANY), order[MANY], group[MANY];
-        hide_part part[MANY];
+        hide_interval part[MANY];
         for (uint32_t i = 0; i < count; i++) {
             int from = rng_int(&r, 0, 4000), to = from + rng_int(&r, 1, 90);
             double e0 = rng_int(&r, 0, 40) / 4096.0, e1 = rng_int(&r, 0, 40) / 4096.0;
@@ -244,8 +245,8 @@ static void reach_joins_in_any_order(void **state)
                     if (reach_each_other(part[i], part[j]) && group[j] < group[i])
                         group[i] = group[j];
         rng_permutation(&r, order, count);
-        fill(&parts, part, order, count);
-        hide_parts_unite(&parts, 0, 1);
+        fill(&intervals, part, order, count);
+        hide_intervals_unite(&intervals, 0, 1);
         size_t groups = 0;
         for (uint32_t g = 0; g < count; g++) {
             double t0 = 2, t1 = -1;
@@ -256,27 +257,27 @@ static void reach_joins_in_any_order(void **state)
                     t1 = fmax(t1, part[i].t1);
                 }
             groups += group[g] == g;
-            for (size_t i = 0; i < parts.count; i++)
-                found = found || (parts.item[i].part.t0 == t0 && parts.item[i].part.t1 == t1);
+            for (size_t i = 0; i < intervals.count; i++)
+                found = found || (intervals.item[i].part.t0 == t0 && intervals.item[i].part.t1 == t1);
             assert_true(found);
         }
-        assert_int_equal(parts.count, groups);
+        assert_int_equal(intervals.count, groups);
     }
-    free(parts.item);
+    free(intervals.item);
 }
 
 /* The union names one of its members. */
 static void union_names_a_member(void **state)
 {
-    hide_parts parts = {0};
-    const hide_part part[3] = {{0.5, 0.75, 0.5, 0.75}, {0, 0.125, 0, 0.125}, {0.625, 1, 0.625, 1}};
+    hide_intervals intervals = {0};
+    const hide_interval part[3] = {{0.5, 0.75, 0.5, 0.75}, {0, 0.125, 0, 0.125}, {0.625, 1, 0.625, 1}};
     (void)state;
-    fill(&parts, part, (uint32_t[]){2, 0, 1}, 3);
-    hide_parts_unite(&parts, 0, 1);
-    assert_int_equal(parts.count, 2);
-    assert_int_equal(parts.item[0].solid, 1);
-    assert_true(parts.item[1].solid == 0 || parts.item[1].solid == 2);
-    free(parts.item);
+    fill(&intervals, part, (uint32_t[]){2, 0, 1}, 3);
+    hide_intervals_unite(&intervals, 0, 1);
+    assert_int_equal(intervals.count, 2);
+    assert_int_equal(intervals.item[0].solid, 1);
+    assert_true(intervals.item[1].solid == 0 || intervals.item[1].solid == 2);
+    free(intervals.item);
 }
 
 /* Three faces of each solid, with gaps between them, solid by solid or in turn: one hull of each solid, without a gap. */
@@ -286,15 +287,15 @@ static void one_hull_of_each_solid(void **state)
     static const uint32_t counts[] = {1, 2, 40, MOST}, place[FACES] = {1, 0, 2};
     (void)state;
     for (size_t i = 0; i < 2 * (sizeof counts / sizeof counts[0]); i++) {
-        hide_parts hulls = {0};
+        hide_intervals hulls = {0};
         uint32_t count = counts[i / 2];
         bool in_turn = i % 2, met[MOST] = {false};
         for (uint32_t k = 0; k < FACES * count; k++) {
             uint32_t solid = in_turn ? k % count : k / FACES, face = in_turn ? k / count : k % FACES;
             double t0 = solid / 256.0 + place[face] / 1024.0;
-            assert_true(hide_parts_hull(&hulls, solid, &(hide_part){t0, t0 + 1 / 2048.0, t0, t0 + 1 / 2048.0}));
+            assert_true(hide_intervals_hull(&hulls, solid, &(hide_interval){t0, t0 + 1 / 2048.0, t0, t0 + 1 / 2048.0}));
         }
-        hide_parts_hulls_done(&hulls);
+        hide_intervals_hulls_done(&hulls);
         assert_int_equal(hulls.count, count);
         for (size_t k = 0; k < hulls.count; k++) {
             uint32_t solid = hulls.item[k].solid;
@@ -314,5 +315,5 @@ int main(void)
         cmocka_unit_test(union_of_many),        cmocka_unit_test(reach_joins_in_any_order),
         cmocka_unit_test(union_names_a_member), cmocka_unit_test(one_hull_of_each_solid),
     };
-    return cmocka_run_group_tests_name("parts", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("intervals", tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* test_picture.c - the scene in view space by threads: which solids they take at the same time, and the same picture by any
+/* test_fronts.c - the scene in view space by threads: which solids they take at the same time, and the same picture by any
  * number of them. */
 #include <stdio.h>
 
@@ -16,29 +16,29 @@ static const struct tile_case {
                   {127, 129, 0.01}, {390, 512, 0.3}, {600, 600, 1e-6}};
 
 /* A window from (0, 0) to (1, 1), boxes in it and some of them across all of it or beyond: clipped away, they are empty. */
-static void fill(hide_picture *picture, rng *r, double size)
+static void fill(hide_fronts *fronts, rng *r, double size)
 {
     for (uint32_t i = 0; i < BOXES; i++) {
         double x = rng_between(r, 0, 1), y = rng_between(r, 0, 1);
         double w = i % 50 ? rng_between(r, 0, size) : rng_between(r, 0, 1);
         double h = i % 70 ? rng_between(r, 0, size) : rng_between(r, 0, 1);
         float z = (float)rng_int(r, 0, 99);
-        picture->box[i] = (hide_box){
+        fronts->box[i] = (hide_box){
             (float)fmax(0, x - w), (float)fmin(1, x + w), (float)fmax(0, y - h), (float)fmin(1, y + h), z - 1, z};
         if (i % 100 == 99)
-            picture->box[i] = (hide_box){INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
+            fronts->box[i] = (hide_box){INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
     }
 }
 
 /* Tells of each cell which tile of the round asks or enters something there: one at the most. */
-static void expect_apart(const tiles *t, const hide_picture *picture, int round)
+static void expect_apart(const tiles *t, const hide_fronts *fronts, int round)
 {
     static uint32_t owner[CELLS_MOST][CELLS_MOST];
-    const scan_frame *f = &picture->cover.frame;
+    const scan_frame *f = &fronts->cover.frame;
     memset(owner, 0, sizeof owner);
     for (uint32_t k = t->round[round]; k < t->round[round + 1]; k++)
         for (uint32_t i = t->tile[k].first; i < t->tile[k].end; i++) {
-            const hide_box *box = &picture->box[t->solid[i]];
+            const hide_box *box = &fronts->box[t->solid[i]];
             double m = f->margin, dx = 1.5 * f->dx + m, dy = 1.5 * f->dy + m; /* more than any solid asks */
             uint32_t last = scan_column(f, (double)box->x1 + dx), high = scan_row(f, (double)box->y1 + dy);
             for (uint32_t c = scan_column(f, (double)box->x0 - dx); c <= last; c++)
@@ -61,28 +61,28 @@ static void tiles_of_a_round_are_apart(void **state)
         static hide_box box[BOXES];
         float any = 0;
         roberts_scene scene = {.solid_count = BOXES, .solid = solid};
-        hide_picture picture = {.scene = &scene, .box = box, .cover.depth = &any};
+        hide_fronts fronts = {.scene = &scene, .box = box, .cover.depth = &any};
         bool found[BOXES] = {false};
         tiles t;
-        picture.cover.frame =
+        fronts.cover.frame =
             scan_frame_over((roberts_vec2){0, 0}, (roberts_vec2){1, 1}, tile_cases[i].nx, tile_cases[i].ny, 1e-9);
-        fill(&picture, &r, tile_cases[i].size);
+        fill(&fronts, &r, tile_cases[i].size);
         for (int k = 0; k < BOXES; k++) {
             solid[k + 1] = solid[k];
             solid[k + 1].vertex += (uint32_t)rng_int(&r, 0, 9);
             solid[k + 1].face += (uint32_t)rng_int(&r, 4, 9);
         }
-        assert_true(tiles_make(&t, &picture, 1 + (int)i % 3));
+        assert_true(tiles_make(&t, &fronts, 1 + (int)i % 3));
         assert_int_equal(t.round[0], 0);
         assert_int_equal(t.round[TILE_ROUNDS], t.count);
         for (int k = 0; k < TILE_ROUNDS; k++)
             if (k > 0) /* the first has one tile */
-                expect_apart(&t, &picture, k);
+                expect_apart(&t, &fronts, k);
         uint32_t solids = 0, faces = 0, corners = 0;
         for (uint32_t k = 0; k < t.count; k++) {
             assert_true(t.tile[k].first == solids && t.tile[k].front == solids && t.tile[k].face == faces &&
                         t.tile[k].outline == corners);
-            assert_true(tiles_order(&t, &t.tile[k], &picture));
+            assert_true(tiles_order(&t, &t.tile[k], &fronts));
             for (; solids < t.tile[k].end; solids++) {
                 uint32_t s = t.solid[solids], last = solids > t.tile[k].first ? t.solid[solids - 1] : s;
                 assert_true(!found[s] && (box[last].z1 > box[s].z1 || (box[last].z1 == box[s].z1 && last <= s)));
@@ -106,10 +106,10 @@ static void tiles_without_covers(void **state)
         solid[k + 1] = (scene_solid){.vertex = solid[k].vertex + 8, .face = solid[k].face + 6};
     for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
         roberts_scene scene = {.solid_count = counts[i], .solid = solid};
-        hide_picture picture = {.scene = &scene};
+        hide_fronts fronts = {.scene = &scene};
         tiles t;
         uint32_t solids = 0;
-        assert_true(tiles_make(&t, &picture, 1 + (int)i % 3));
+        assert_true(tiles_make(&t, &fronts, 1 + (int)i % 3));
         assert_null(t.solid);
         assert_true(t.round[0] == 0 && t.round[1] == t.count && t.round[TILE_ROUNDS] == t.count);
         for (uint32_t k = 0; k < t.count; k++) {
@@ -124,13 +124,14 @@ static void tiles_without_covers(void **state)
 
 /* ---- threads ------------------------------------------------------------------------------------------------------ */
 
-static bool same_outline(const hide_picture *a, const hide_picture *b, const hide_front *f, const hide_front *g)
+static bool same_outline(const hide_fronts *a, const hide_fronts *b, const hide_front *f, const hide_front *g)
 {
-    return f->corners == g->corners && (f->corners == 0 || memcmp(a->outline + f->outline, b->outline + g->outline,
-                                                                  f->corners * sizeof *a->outline) == 0);
+    return f->kind == g->kind && f->corners == g->corners &&
+           (hide_is_face(f) ||
+            memcmp(a->outline + f->outline, b->outline + g->outline, f->corners * sizeof *a->outline) == 0);
 }
 
-static bool same_faces(const hide_picture *a, const hide_picture *b, const hide_front *f, const hide_front *g)
+static bool same_faces(const hide_fronts *a, const hide_fronts *b, const hide_front *f, const hide_front *g)
 {
     for (uint32_t i = 0; i < f->face_count; i++) {
         const hide_face *p = &a->face[f->face + i], *q = &b->face[g->face + i];
@@ -141,7 +142,7 @@ static bool same_faces(const hide_picture *a, const hide_picture *b, const hide_
     return true;
 }
 
-static void expect_same(const char *name, uint32_t threads, const hide_picture *a, const hide_picture *b)
+static void expect_same(const char *name, uint32_t threads, const hide_fronts *a, const hide_fronts *b)
 {
     uint32_t solids = a->scene->solid_count;
     if (a->front_count != b->front_count || a->culled_count != b->culled_count || a->face_count != b->face_count ||
@@ -165,19 +166,19 @@ static void expect_same(const char *name, uint32_t threads, const hide_picture *
 }
 
 /* The window is the box of all vertices. */
-static void expect_window(const char *name, const hide_picture *picture)
+static void expect_window(const char *name, const hide_fronts *fronts)
 {
     double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
-    for (uint32_t v = 0; v < picture->scene->vertex_count; v++) {
-        roberts_vec3 p = view_point(&picture->view, picture->scene->point[v]);
+    for (uint32_t v = 0; v < fronts->scene->vertex_count; v++) {
+        roberts_vec3 p = view_point(&fronts->view, fronts->scene->point[v]);
         x0 = fmin(x0, p.x);
         x1 = fmax(x1, p.x);
         y0 = fmin(y0, p.y);
         y1 = fmax(y1, p.y);
     }
-    if (picture->low.x != x0 || picture->high.x != x1 || picture->low.y != y0 || picture->high.y != y1)
-        fail_msg("%s: window from %g, %g to %g, %g", name, picture->low.x, picture->low.y, picture->high.x,
-                 picture->high.y);
+    if (fronts->low.x != x0 || fronts->high.x != x1 || fronts->low.y != y0 || fronts->high.y != y1)
+        fail_msg("%s: window from %g, %g to %g, %g", name, fronts->low.x, fronts->low.y, fronts->high.x,
+                 fronts->high.y);
 }
 
 static const roberts_camera aslant = {.dir = {1, -2, 3}}, along = {.dir = {0.01, 0.02, 1}},
@@ -256,19 +257,19 @@ static void same_by_any_threads(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof scene_cases / sizeof scene_cases[0]; i++) {
         const struct scene_case *c = &scene_cases[i];
-        hide_picture one, many;
+        hide_fronts one, many;
         roberts_scene *scene = make(c->kind);
-        assert_int_equal(hide_picture_build(&one, scene, c->camera, 0, c->cull, 1, NULL), ROBERTS_OK);
+        assert_int_equal(hide_fronts_build(&one, scene, c->camera, 0, c->cull, 1, NULL), ROBERTS_OK);
         expect_window(c->name, &one);
         if (c->covers != (one.cover.depth != NULL) || (c->covers && one.culled_count < scene->solid_count / 10))
             fail_msg("%s: covers are %skept, %zu of %u culled", c->name, one.cover.depth ? "" : "not ",
                      one.culled_count, scene->solid_count);
         for (size_t k = 0; k < sizeof threads / sizeof threads[0]; k++) {
-            assert_int_equal(hide_picture_build(&many, scene, c->camera, 0, c->cull, threads[k], NULL), ROBERTS_OK);
+            assert_int_equal(hide_fronts_build(&many, scene, c->camera, 0, c->cull, threads[k], NULL), ROBERTS_OK);
             expect_same(c->name, threads[k], &one, &many);
-            hide_picture_free(&many);
+            hide_fronts_free(&many);
         }
-        hide_picture_free(&one);
+        hide_fronts_free(&one);
         roberts_scene_free(scene);
     }
 }
@@ -277,5 +278,5 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(tiles_of_a_round_are_apart),
                                        cmocka_unit_test(tiles_without_covers), cmocka_unit_test(same_by_any_threads)};
-    return cmocka_run_group_tests_name("picture", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("fronts", tests, NULL, NULL);
 }

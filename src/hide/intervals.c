@@ -1,5 +1,5 @@
-/* parts.c - see parts.h. */
-#include "hide/parts.h"
+/* intervals.c - see intervals.h. */
+#include "hide/intervals.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -14,34 +14,34 @@
 #define SHORT_RUN 16
 #define MANY 256
 
-static bool append(hide_parts *parts, uint32_t solid, const hide_part *part)
+static bool append(hide_intervals *intervals, uint32_t solid, const hide_interval *part)
 {
-    if (!array_reserve(&parts->item, &parts->room, parts->count + 1, sizeof *parts->item))
+    if (!array_reserve(&intervals->item, &intervals->room, intervals->count + 1, sizeof *intervals->item))
         return false;
-    parts->item[parts->count++] = (hide_solid_part){*part, solid};
+    intervals->item[intervals->count++] = (hide_solid_interval){*part, solid};
     return true;
 }
 
-bool hide_parts_add_closely(hide_parts *parts, uint32_t solid, hide_part *part)
+bool hide_intervals_add_closely(hide_intervals *intervals, uint32_t solid, hide_interval *part)
 {
-    for (size_t i = parts->count; parts->count <= FEW && i-- > 0;) {
-        if (!hide_parts_touch(&parts->item[i].part, part))
+    for (size_t i = intervals->count; intervals->count <= FEW && i-- > 0;) {
+        if (!hide_intervals_touch(&intervals->item[i].part, part))
             continue;
-        *part = hide_parts_joined(&parts->item[i].part, part);
-        solid = parts->item[i].solid < solid ? parts->item[i].solid : solid;
-        parts->item[i] = parts->item[--parts->count];
-        i = parts->count; /* the greater part may touch what the smaller did not */
+        *part = hide_intervals_joined(&intervals->item[i].part, part);
+        solid = intervals->item[i].solid < solid ? intervals->item[i].solid : solid;
+        intervals->item[i] = intervals->item[--intervals->count];
+        i = intervals->count; /* the greater part may touch what the smaller did not */
     }
-    return append(parts, solid, part);
+    return append(intervals, solid, part);
 }
 
 /* From the end: the faces of a solid mostly come one after another. */
-bool hide_parts_hull(hide_parts *hulls, uint32_t solid, hide_part *part)
+bool hide_intervals_hull(hide_intervals *hulls, uint32_t solid, hide_interval *part)
 {
     size_t first = hulls->count > FEW ? hulls->count - FEW : 0;
     for (size_t i = hulls->count; i-- > first;)
         if (hulls->item[i].solid == solid) {
-            hulls->item[i].part = *part = hide_parts_joined(&hulls->item[i].part, part);
+            hulls->item[i].part = *part = hide_intervals_joined(&hulls->item[i].part, part);
             return true;
         }
     return append(hulls, solid, part);
@@ -51,7 +51,7 @@ bool hide_parts_hull(hide_parts *hulls, uint32_t solid, hide_part *part)
  * leaves no trace. */
 static int compare(const void *pa, const void *pb)
 {
-    const hide_solid_part *a = pa, *b = pb;
+    const hide_solid_interval *a = pa, *b = pb;
     if (a->part.r0 != b->part.r0)
         return a->part.r0 < b->part.r0 ? -1 : 1;
     if (a->part.t0 != b->part.t0)
@@ -61,41 +61,41 @@ static int compare(const void *pa, const void *pb)
 
 static int compare_solids(const void *pa, const void *pb)
 {
-    const hide_solid_part *a = pa, *b = pb;
+    const hide_solid_interval *a = pa, *b = pb;
     return a->solid != b->solid ? (a->solid > b->solid ? 1 : -1) : compare(pa, pb);
 }
 
-void hide_parts_hulls_done(hide_parts *hulls)
+void hide_intervals_hulls_done(hide_intervals *hulls)
 {
     size_t kept = 0;
-    hide_solid_part *item = hulls->item;
+    hide_solid_interval *item = hulls->item;
     if (hulls->count <= FEW)
         return;
     qsort(item, hulls->count, sizeof *item, compare_solids);
     for (size_t i = 0; i < hulls->count; i++)
         if (kept && item[kept - 1].solid == item[i].solid)
-            item[kept - 1].part = hide_parts_joined(&item[kept - 1].part, &item[i].part);
+            item[kept - 1].part = hide_intervals_joined(&item[kept - 1].part, &item[i].part);
         else
             item[kept++] = item[i];
     hulls->count = kept;
 }
 
 /* A run in which few are far from their places, one by one. */
-static void put_in_place(hide_solid_part *item, size_t count)
+static void put_in_place(hide_solid_interval *item, size_t count)
 {
-    SORT_FEW(hide_solid_part, item, count, compare(a, b) > 0)
+    SORT_FEW(hide_solid_interval, item, count, compare(a, b) > 0)
 }
 
-static float begins(const hide_solid_part *p)
+static float begins(const hide_solid_interval *p)
 {
     return (float)p->part.r0;
 }
 
 /* By a float's worth of where they begin, without comparing; false: no memory. */
-static bool sort_roughly(hide_solid_part *item, uint32_t count)
+static bool sort_roughly(hide_solid_interval *item, uint32_t count)
 {
     uint32_t *key = alloc_array(count, sizeof *key), *order = alloc_array(count, sizeof *order);
-    hide_solid_part *sorted = alloc_array(count, sizeof *sorted);
+    hide_solid_interval *sorted = alloc_array(count, sizeof *sorted);
     bool done = key && order && sorted;
     for (uint32_t i = 0; done && i < count; i++)
         key[i] = ~radix_key_descending(begins(&item[i]));
@@ -112,10 +112,10 @@ static bool sort_roughly(hide_solid_part *item, uint32_t count)
 
 /* Few parts, as there mostly are, are put in their places one by one. Of many, those that begin in the same float are
  * left to be sorted; without memory, all. */
-static void sort(hide_parts *parts)
+static void sort(hide_intervals *intervals)
 {
-    size_t count = parts->count;
-    hide_solid_part *item = parts->item;
+    size_t count = intervals->count;
+    hide_solid_interval *item = intervals->item;
     if (count <= SHORT_RUN) {
         put_in_place(item, count);
         return;
@@ -134,20 +134,20 @@ static void sort(hide_parts *parts)
     }
 }
 
-void hide_parts_join(hide_parts *parts, double epsilon, double length)
+void hide_intervals_join(hide_intervals *intervals, double epsilon, double length)
 {
     size_t kept = 0;
-    sort(parts);
-    for (size_t i = 0; i < parts->count; i++) {
-        hide_part next = parts->item[i].part;
-        hide_part *last = kept ? &parts->item[kept - 1].part : NULL;
-        if (last && (hide_parts_touch(last, &next) || (next.t0 - last->t1) * length <= epsilon)) {
-            *last = hide_parts_joined(last, &next);
-            if (parts->item[i].solid < parts->item[kept - 1].solid)
-                parts->item[kept - 1].solid = parts->item[i].solid;
+    sort(intervals);
+    for (size_t i = 0; i < intervals->count; i++) {
+        hide_interval next = intervals->item[i].part;
+        hide_interval *last = kept ? &intervals->item[kept - 1].part : NULL;
+        if (last && (hide_intervals_touch(last, &next) || (next.t0 - last->t1) * length <= epsilon)) {
+            *last = hide_intervals_joined(last, &next);
+            if (intervals->item[i].solid < intervals->item[kept - 1].solid)
+                intervals->item[kept - 1].solid = intervals->item[i].solid;
         } else {
-            parts->item[kept++] = parts->item[i];
+            intervals->item[kept++] = intervals->item[i];
         }
     }
-    parts->count = kept;
+    intervals->count = kept;
 }

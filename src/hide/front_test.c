@@ -1,76 +1,76 @@
-/* pair.c - see pair.h. */
-#include "hide/pair.h"
+/* front_test.c - see front_test.h. */
+#include "hide/front_test.h"
 
 #include "hide/tests_wide.h"
-#include "hide/parts.h"
+#include "hide/intervals.h"
 
-bool hide_within_reach(const hide_picture *picture, const hide_front *front, const hide_edge *e)
+bool hide_within_reach(const hide_fronts *fronts, const hide_front *front, const hide_edge *e)
 {
-    roberts_vec3 C = picture->P[picture->outline[front->outline]];
+    roberts_vec3 C = fronts->P[fronts->outline[front->outline]];
     double a = fabs(e->A.x - C.x) + fabs(e->A.y - C.y) + fabs(e->A.z - C.z);
     double b = fabs(e->B.x - C.x) + fabs(e->B.y - C.y) + fabs(e->B.z - C.z);
     return a <= front->reach && b <= front->reach;
 }
 
-bool hide_pierce_all(const hide_picture *picture, const hide_face *face, uint32_t bits, const hide_edge *e,
-                     hide_sides *sides, roberts_tally *tally, hide_part *part)
+bool hide_pierce_all(const hide_fronts *fronts, const hide_face *face, uint32_t bits, const hide_edge *e,
+                     hide_sides *sides, roberts_tally *tally, hide_interval *part)
 {
-    hide_part inside = *part;
+    hide_interval inside = *part;
     for (; bits; bits &= bits - 1)
-        if (!hide_pierce(&picture->space, face + bits_trailing_zeros(bits), e, &inside, sides, part))
+        if (!hide_pierce(&fronts->space, face + bits_trailing_zeros(bits), e, &inside, sides, part))
             return false;
-    if (!hide_is_left(&picture->space, e, part))
+    if (!hide_is_left(&fronts->space, e, part))
         return false;
     tally->pierced += part->t0 != inside.t0 || part->t1 != inside.t1;
     return true;
 }
 
-BITS_RARE bool hide_by_outline_closely(const hide_picture *picture, const uint32_t *corner, uint32_t count,
-                                       const hide_edge *e, hide_sides *sides, roberts_tally *tally, hide_part *part)
+BITS_RARE bool hide_by_outline_closely(const hide_fronts *fronts, const uint32_t *corner, uint32_t count,
+                                       const hide_edge *e, hide_sides *sides, roberts_tally *tally, hide_interval *part)
 {
     hide_face F = {.corner = corner, .count = count};
-    const runs *r = runs_of(&picture->outline_runs, corner, count);
+    const runs *r = runs_of(&fronts->outline_runs, corner, count);
     if (r)
-        return hide_by_runs(&picture->space, r, &F, e, sides, tally, part);
-    if (hide_test2(&picture->space, &F, e)) {
+        return hide_by_runs(&fronts->space, r, &F, e, sides, tally, part);
+    if (hide_test2(&fronts->space, &F, e)) {
         tally->test2_visible++;
         return false;
     }
-    return hide_by_sides(&picture->space, &F, e, sides, tally, part);
+    return hide_by_sides(&fronts->space, &F, e, sides, tally, part);
 }
 
 /* Tests 1 to 4 of one face; false where it hides nothing of e. */
-BITS_INLINE bool by_face(const hide_picture *picture, const hide_face *F, double span, const hide_edge *e,
-                         hide_sides *sides, roberts_tally *tally, hide_part *part)
+BITS_INLINE bool by_face(const hide_fronts *fronts, const hide_face *F, double span, const hide_edge *e,
+                         hide_sides *sides, roberts_tally *tally, hide_interval *part)
 {
     tally->pairs++;
     if (hide_test1(F, e)) {
         tally->test1_visible++;
         return false;
     }
-    const runs *r = runs_of(&picture->face_runs, F->corner, F->count);
-    bool inside = r ? hide_by_runs(&picture->space, r, F, e, sides, tally, part)
-                    : hide_by_outline(picture, F->corner, F->count, span, e, NULL, sides, tally, part);
-    return inside && hide_pierce_all(picture, F, 1, e, sides, tally, part);
+    const runs *r = runs_of(&fronts->face_runs, F->corner, F->count);
+    bool inside = r ? hide_by_runs(&fronts->space, r, F, e, sides, tally, part)
+                    : hide_by_outline(fronts, F->corner, F->count, span, e, NULL, sides, tally, part);
+    return inside && hide_pierce_all(fronts, F, 1, e, sides, tally, part);
 }
 
 /* Lets the hull of what is known to be hidden hold a part, with which it begins if nothing has been `*found`. */
-static void join(hide_part *hull, bool *found, const hide_part *part)
+static void join(hide_interval *hull, bool *found, const hide_interval *part)
 {
-    *hull = *found ? hide_parts_joined(hull, part) : *part;
+    *hull = *found ? hide_intervals_joined(hull, part) : *part;
     *found = true;
 }
 
 /* An edge against a bundle. */
 typedef struct climb {
-    const hide_picture *picture;
+    const hide_fronts *fronts;
     const bundle *b;
     const hide_face *face; /* the bundle's first */
     const hide_edge *e;
     double span;
     hide_sides *sides;
     roberts_tally *tally;
-    hide_part *hull; /* of what is known to be hidden; meaningless until something is */
+    hide_interval *hull; /* of what is known to be hidden; meaningless until something is */
     bool found;
     bool forward; /* asked is what hides more beyond the hull's end; else before its beginning */
 } climb;
@@ -92,8 +92,8 @@ static bool may_hide_more(const climb *c, const bundle_node *n, double *reach)
 static void ask_faces(climb *c, uint32_t item)
 {
     for (uint32_t end = list_tree_end(&c->b->tree, 0, item); item < end; item++) {
-        hide_part part;
-        if (by_face(c->picture, &c->face[c->b->order[item]], c->span, c->e, c->sides, c->tally, &part))
+        hide_interval part;
+        if (by_face(c->fronts, &c->face[c->b->order[item]], c->span, c->e, c->sides, c->tally, &part))
             join(c->hull, &c->found, &part);
     }
 }
@@ -137,23 +137,23 @@ static BITS_RARE bool by_bundle(climb *c)
     return c->found;
 }
 
-bool hide_by_faces(const hide_picture *picture, const hide_front *front, double span, const hide_edge *e,
-                   hide_sides *sides, roberts_tally *tally, hide_part *hull)
+bool hide_by_faces(const hide_fronts *fronts, const hide_front *front, double span, const hide_edge *e,
+                   hide_sides *sides, roberts_tally *tally, hide_interval *hull)
 {
     bool found = false;
-    const bundle *b = bundle_of(&picture->bundles, front->face, front->face_count);
+    const bundle *b = bundle_of(&fronts->bundles, front->face, front->face_count);
     if (b)
-        return by_bundle(&(climb){.picture = picture,
+        return by_bundle(&(climb){.fronts = fronts,
                                   .b = b,
-                                  .face = picture->face + front->face,
+                                  .face = fronts->face + front->face,
                                   .e = e,
                                   .span = span,
                                   .sides = sides,
                                   .tally = tally,
                                   .hull = hull});
     for (uint32_t k = front->face; k < front->face + front->face_count; k++) {
-        hide_part part;
-        if (by_face(picture, &picture->face[k], span, e, sides, tally, &part))
+        hide_interval part;
+        if (by_face(fronts, &fronts->face[k], span, e, sides, tally, &part))
             join(hull, &found, &part);
     }
     return found;

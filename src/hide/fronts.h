@@ -1,4 +1,4 @@
-/* picture.h - the scene in view space: boxes of all solids, fronts of those that are not wholly hidden.
+/* fronts.h - the scene in view space: boxes of all solids, fronts of those that are not wholly hidden.
  *
  * A front is what one solid shows: its front faces under their common outline (the cycle of its edges with one front
  * face). The outline does in one go for all faces what tests 2 to 4 ask about sides. A solid whose front has many
@@ -6,28 +6,41 @@
  *
  * Solids are taken nearest first, and a solid whose box lies behind the covers of those before it is culled: it is
  * neither mapped nor cut, and as it hides nothing that the covers do not hide, it is no front either. */
-#ifndef ROBERTS_HIDE_PICTURE_H
-#define ROBERTS_HIDE_PICTURE_H
+#ifndef ROBERTS_HIDE_FRONTS_H
+#define ROBERTS_HIDE_FRONTS_H
 
 #include "base/bits.h"
 #include "hide/bundle.h"
 #include "hide/cover.h"
 #include "hide/tests_wide.h"
-#include "hide/space.h"
+#include "hide/tolerance.h"
+
+/* What a front is. The first two have an outline of their own. */
+typedef enum hide_kind {
+    HIDE_CONVEX_SOLID, /* all front faces of a convex solid, asked together */
+    HIDE_BUNDLE,       /* all front faces of a convex solid, asked by a tree: bundle.h */
+    HIDE_SOLID_FACE,   /* one face of a convex solid that is entered face by face; the solid hides the hull of what its
+                          faces hide */
+    HIDE_SURFACE_FACE, /* one face of a body that is not convex; it hides from both sides */
+} hide_kind;
 
 typedef struct hide_front {
-    double reach; /* distance from it up to which the planes of its faces can be trusted */
+    double reach; /* of a convex solid: distance from it up to which the planes of its faces can be trusted */
     uint32_t solid;
-    uint32_t face;             /* of hide_picture.face, the first */
-    uint32_t outline, corners; /* of hide_picture.outline; corners == 0: the one face's own */
-    float loose;               /* by how much its faces may leave its outline: by what they depart from their planes */
-    float depth;               /* what is nowhere nearer is behind it wherever it is inside the outline */
-    uint32_t face_count;       /* of a bundle more than of others; see bundle.h */
-    bool listed;               /* false: a copy of another front */
-    bool surface;              /* a face of a body that is not convex; `outline` is then its scene_surface.plane_of */
+    uint32_t face; /* of hide_fronts.face, the first */
+    union {
+        uint32_t outline; /* of hide_fronts.outline, the first corner: convex solid and bundle */
+        uint32_t plane;   /* its scene_surface.plane_of: surface face */
+    };
+    uint32_t corners; /* of the outline; 0: a face has corners of its own */
+    float loose;      /* by how much its faces may leave its outline: by what they depart from their planes */
+    float depth;      /* what is nowhere nearer is behind it wherever it is inside the outline */
+    uint32_t face_count;
+    uint8_t kind; /* hide_kind */
+    bool listed;  /* false: a copy of another front */
 } hide_front;
 
-typedef struct hide_picture {
+typedef struct hide_fronts {
     const roberts_scene *scene;
     view view;
     hide_space space;
@@ -50,46 +63,52 @@ typedef struct hide_picture {
     size_t face_count, back, edge_on; /* of solids not culled */
     size_t culled_count;              /* solids that are hidden; the near plane's are not among them */
     roberts_vec2 low, high;           /* box of the picture, view units */
-} hide_picture;
+} hide_fronts;
 
 /* cull: leave out solids that are wholly hidden. threads: 0 = as many as there are; what comes out is the same.
- * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT; after a failure the picture is empty. */
-roberts_status hide_picture_build(hide_picture *picture, const roberts_scene *scene, const roberts_camera *camera,
-                                  double epsilon, bool cull, uint32_t threads, roberts_error *error);
-void hide_picture_free(hide_picture *picture);
+ * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT; after a failure `fronts` is empty. */
+roberts_status hide_fronts_build(hide_fronts *fronts, const roberts_scene *scene, const roberts_camera *camera,
+                                 double epsilon, bool cull, uint32_t threads, roberts_error *error);
+void hide_fronts_free(hide_fronts *fronts);
 
 /* Releases the boxes of solids: edges ask those of fronts only. */
-void hide_picture_drop_boxes(hide_picture *picture);
+void hide_fronts_drop_boxes(hide_fronts *fronts);
 
-/* Asks for what will soon be asked or written of a solid: it lies anywhere. (Inlined: see fetch.h.) */
-BITS_INLINE void hide_picture_fetch(const hide_picture *picture, uint32_t solid)
+/* Asks for what will soon be asked or written of a solid: it lies anywhere. (Inlined: see base/bits.h.) */
+BITS_INLINE void hide_fronts_fetch(const hide_fronts *fronts, uint32_t solid)
 {
-    const roberts_scene *scene = picture->scene;
+    const roberts_scene *scene = fronts->scene;
     const scene_solid *s = &scene->solid[solid];
     size_t vertices = s[1].vertex - s->vertex, faces = s[1].face - s->face;
-    FETCH_ARRAY(picture->P + s->vertex, vertices * sizeof *picture->P);
+    FETCH_ARRAY(fronts->P + s->vertex, vertices * sizeof *fronts->P);
     FETCH_ARRAY(scene->face_plane + s->face, faces * sizeof *scene->face_plane);
-    FETCH_AHEAD(picture->facing + s->face);
+    FETCH_AHEAD(fronts->facing + s->face);
     FETCH_AHEAD(scene->edge + s->stored);
 }
 
-/* The outline of a front as a polygon for tests 2 to 4; its plane is not set, or that of its only face. */
-static inline hide_face hide_outline(const hide_picture *picture, const hide_front *front)
+/* Is it a single face, with corners of its own? */
+static inline bool hide_is_face(const hide_front *front)
 {
-    if (front->corners == 0)
-        return picture->face[front->face];
-    return (hide_face){.corner = picture->outline + front->outline, .count = front->corners};
+    return front->kind >= HIDE_SOLID_FACE;
+}
+
+/* The outline of a front as a polygon for tests 2 to 4; its plane is not set, or that of its only face. */
+static inline hide_face hide_outline(const hide_fronts *fronts, const hide_front *front)
+{
+    if (hide_is_face(front))
+        return fronts->face[front->face];
+    return (hide_face){.corner = fronts->outline + front->outline, .count = front->corners};
 }
 
 /* Is (x, y) inside a convex polygon of the picture, a face or an outline as `table` says, or no farther outside than `slack`? */
-static inline bool hide_picture_holds(const hide_picture *picture, const runs_table *table, const uint32_t *corner,
+static inline bool hide_polygon_holds(const hide_fronts *fronts, const runs_table *table, const uint32_t *corner,
                                       uint32_t count, double x, double y, double slack)
 {
     const runs *r = runs_of(table, corner, count);
     if (r)
-        return runs_hold_point(&picture->space, r, corner, x, y, slack);
+        return runs_hold_point(&fronts->space, r, corner, x, y, slack);
     for (uint32_t i = 0; i < count; i++)
-        if (!hide_side_holds(picture->P[corner[i]], picture->P[corner[i + 1 < count ? i + 1 : 0]], x, y, slack))
+        if (!hide_side_holds(fronts->P[corner[i]], fronts->P[corner[i + 1 < count ? i + 1 : 0]], x, y, slack))
             return false;
     return true;
 }

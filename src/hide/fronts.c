@@ -1,0 +1,513 @@
+/* fronts.c - see fronts.h. */
+#include "hide/fronts.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/error.h"
+#include "base/bits.h"
+#include "base/sort.h"
+#include "base/threads.h"
+#include "hide/cells.h"
+#include "hide/front.h"
+
+/* With fewer solids than this a thread costs more than it does. */
+#define SOLIDS_PER_THREAD 2048
+/* Solids whose boxes a thread finds in one go. */
+#define BOXES_AT_ONCE 1024
+
+/* Solids between asking for a box and needing it. */
+#define BOX_AHEAD 8
+
+/* Bits for each front: of so many fronts that have no copy one in ten falls on another's bit. */
+#define BITS_PER_FRONT 8
+
+/* Scratch memory of the building. */
+typedef struct build {
+    hide_fronts *fronts;
+    tiles tiles;
+    front_scratch *scratch; /* [threads] */
+    int threads;
+    bool looked_up; /* who is seen at a point will be asked */
+} build;
+
+enum { POINTS_AT_ONCE = 64 };
+
+/* The box of a solid's view points. */
+static hide_bounds measure_solid(const hide_fronts *fronts, uint32_t solid)
+{
+    const roberts_scene *scene = fronts->scene;
+    const roberts_vec3 *point = scene->point + scene->solid[solid].vertex;
+    uint32_t left = scene->solid[solid + 1].vertex - scene->solid[solid].vertex;
+    roberts_vec3 P[POINTS_AT_ONCE];
+    hide_bounds own = hide_no_bounds;
+    for (uint32_t count; left > 0; left -= count, point += count) {
+        count = left < POINTS_AT_ONCE ? left : POINTS_AT_ONCE;
+        view_points(&fronts->view, point, count, P);
+        box_add_all(&own.low, &own.high, P, count);
+    }
+    return own;
+}
+
+/* In the picture, by what may be empty. */
+static void widen_by(hide_bounds *all, const hide_bounds *own)
+{
+    all->low = (roberts_vec3){lesser(all->low.x, own->low.x), lesser(all->low.y, own->low.y), 0.0};
+    all->high = (roberts_vec3){greater(all->high.x, own->high.x), greater(all->high.y, own->high.y), 0.0};
+}
+
+/* Boxes of the solids first..end-1; gives what is round them all. One of which the near plane has left nothing is empty. */
+static hide_bounds box_some(hide_fronts *fronts, uint32_t first, uint32_t end)
+{
+    hide_bounds all = hide_no_bounds;
+    for (uint32_t s = first; s < end; s++) {
+        hide_bounds own = measure_solid(fronts, s);
+        fronts->box[s] = hide_box_around(&own);
+        widen_by(&all, &own);
+    }
+    return all;
+}
+
+/* Boxes of all solids, and the window. False: no memory. */
+static bool box_solids(hide_fronts *fronts, int threads)
+{
+    uint32_t solids = fronts->scene->solid_count, count = solids / BOXES_AT_ONCE + 1;
+    hide_bounds *part = alloc_array(count, sizeof *part), all = hide_no_bounds;
+    if (!part)
+        return false;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(threads)
+#else
+    (void)threads;
+#endif
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t first = i * BOXES_AT_ONCE, left = solids - first;
+        part[i] = box_some(fronts, first, first + (left < BOXES_AT_ONCE ? left : BOXES_AT_ONCE));
+    }
+    for (uint32_t i = 0; i < count; i++)
+        widen_by(&all, &part[i]);
+    fronts->low = (roberts_vec2){all.low.x, all.low.y};
+    fronts->high = (roberts_vec2){all.high.x, all.high.y};
+    free(part);
+    return true;
+}
+
+/* Has the near plane left nothing of it? */
+static bool is_empty(const hide_fronts *fronts, uint32_t s)
+{
+    return fronts->scene->solid[s].vertex == fronts->scene->solid[s + 1].vertex;
+}
+
+/* Is nothing to be seen of the first of the solids? Asks for what will soon be asked of one that follows it. */
+static bool cull_first(hide_fronts *fronts, front_tile *tile, const uint32_t *order, uint32_t left)
+{
+    uint32_t s = order[0];
+    if (left > BOX_AHEAD) {
+        FETCH_AHEAD(&fronts->box[order[BOX_AHEAD]]);
+        FETCH_AHEAD(&fronts->scene->solid[order[BOX_AHEAD]]);
+    }
+    bool empty = is_empty(fronts, s);
+    fronts->culled[s] = empty || cover_hides_solid(fronts, &fronts->box[s], s);
+    tile->culled += fronts->culled[s] && !empty;
+    return fronts->culled[s];
+}
+
+/* The solid's turn to be mapped will come: asks for what that wants (or, of very many points, for the beginning of it). */
+static uint32_t let_wait(hide_fronts *fronts, uint32_t s)
+{
+    const roberts_scene *scene = fronts->scene;
+    const scene_solid *solid = &scene->solid[s];
+    FETCH_ARRAY(scene->point + solid->vertex, (size_t)(solid[1].vertex - solid->vertex) * sizeof *scene->point);
+    FETCH_AHEAD(scene->face_start + solid->face);
+    FETCH_AHEAD(scene->face_deviation + solid->face);
+    FETCH_AHEAD(scene->face_width + solid->face);
+    hide_fronts_fetch(fronts, s);
+    return s;
+}
+
+/* As they are numbered: no covers are kept. */
+static bool do_tile_in_order(hide_fronts *fronts, front_scratch *scratch, front_tile *tile)
+{
+    for (uint32_t s = tile->first; s < tile->end; s++) {
+        fronts->culled[s] = is_empty(fronts, s);
+        if (!fronts->culled[s] && !front_add(fronts, scratch, tile, s))
+            return false;
+    }
+    return true;
+}
+
+/* Nearest solids first, each culled where those before it cover it. Its turn to be mapped comes when the next one is found
+ * that is not culled, and while that one's memory is on its way: it lies anywhere. */
+static bool do_tile(build *b, front_scratch *scratch, front_tile *tile)
+{
+    hide_fronts *fronts = b->fronts;
+    uint32_t waiting = ROBERTS_NONE;
+    if (!b->tiles.solid)
+        return do_tile_in_order(fronts, scratch, tile);
+    if (!tiles_order(&b->tiles, tile, fronts))
+        return false;
+    for (uint32_t k = tile->first; k < tile->end; k++) {
+        if (cull_first(fronts, tile, b->tiles.solid + k, tile->end - k))
+            continue;
+        uint32_t s = let_wait(fronts, b->tiles.solid[k]);
+        if (waiting != ROBERTS_NONE && !front_add(fronts, scratch, tile, waiting))
+            return false;
+        waiting = s;
+    }
+    return waiting == ROBERTS_NONE || front_add(fronts, scratch, tile, waiting);
+}
+
+/* A solid that was mapped and counted is hidden by those that came later. */
+static void cull_late(hide_fronts *fronts, front_tile *tile, uint32_t s)
+{
+    const scene_solid *solid = &fronts->scene->solid[s];
+    fronts->culled[s] = true;
+    tile->culled++;
+    for (uint32_t face = solid->face; face < solid[1].face; face++) {
+        tile->faces -= fronts->facing[face] == VIEW_FRONT;
+        tile->back -= fronts->facing[face] == VIEW_BACK;
+        tile->edge_on -= fronts->facing[face] == VIEW_EDGE_ON;
+    }
+}
+
+/* Once more, when every cover is known. */
+static void cull_again(hide_fronts *fronts, front_tile *tile)
+{
+    for (uint32_t k = tile->first; k < tile->front; k++) {
+        const hide_front *front = &fronts->front[k];
+        if (cover_hides_solid(fronts, &fronts->front_box[k], front->solid))
+            cull_late(fronts, tile, front->solid);
+    }
+    for (size_t k = 0; k < tile->single_count; k++) {
+        uint32_t s = tile->single[k].solid;
+        if ((k == 0 || s != tile->single[k - 1].solid) && cover_hides_solid(fronts, &fronts->box[s], s))
+            cull_late(fronts, tile, s);
+    }
+}
+
+/* All solids, round by round. */
+static bool do_tiles(build *b)
+{
+    tiles *t = &b->tiles;
+    bool lost = false;
+    for (int r = 0; r < TILE_ROUNDS && !lost; r++) {
+        uint32_t first = t->round[r], end = t->round[r + 1];
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 1) num_threads(b->threads) reduction(|| : lost) if (end - first > 1)
+#endif
+        for (uint32_t i = first; i < end; i++)
+            lost = lost || !do_tile(b, &b->scratch[thread_self()], &t->tile[i]);
+    }
+    if (lost || !b->fronts->cover.depth)
+        return !lost;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 1) num_threads(b->threads)
+#endif
+    for (uint32_t i = 0; i < t->count; i++)
+        cull_again(b->fronts, &t->tile[i]);
+    return true;
+}
+
+/* Brings the fronts that are left together, tile after tile. */
+static void close_up(hide_fronts *fronts, const tiles *t)
+{
+    uint32_t to = 0;
+    for (uint32_t i = 0; i < t->count; i++)
+        for (uint32_t k = t->tile[i].first; k < t->tile[i].front; k++) {
+            if (fronts->culled[fronts->front[k].solid])
+                continue;
+            if (k != to) {
+                fronts->front[to] = fronts->front[k];
+                fronts->front_box[to] = fronts->front_box[k];
+            }
+            to++;
+        }
+    fronts->front_count = to;
+}
+
+/* ... and those of single faces behind them. False: no memory. */
+static bool add_singles(hide_fronts *fronts, const tiles *t)
+{
+    size_t count = fronts->front_count, room = fronts->scene->solid_count, box_room = room;
+    for (uint32_t i = 0; i < t->count; i++)
+        count += t->tile[i].single_count;
+    if (count > UINT32_MAX || !array_reserve(&fronts->front, &room, count, sizeof *fronts->front) ||
+        !array_reserve(&fronts->front_box, &box_room, count, sizeof *fronts->front_box))
+        return false;
+    for (uint32_t i = 0; i < t->count; i++)
+        for (size_t k = 0; k < t->tile[i].single_count; k++) {
+            if (fronts->culled[t->tile[i].single[k].solid])
+                continue;
+            fronts->front[fronts->front_count] = t->tile[i].single[k];
+            fronts->front_box[fronts->front_count++] = t->tile[i].single_box[k];
+        }
+    return true;
+}
+
+/* A front's `depth` is below its farthest corner by as much as one must be above a face so as not to touch it. */
+static double thickest(const hide_fronts *fronts)
+{
+    double most = 0.0;
+    for (uint32_t k = 0; k < fronts->front_count; k++) {
+        const hide_front *front = &fronts->front[k];
+        double own = hide_is_face(front) ? INFINITY : (double)fronts->front_box[k].z1 - (double)front->depth;
+        most = greater(most, own);
+    }
+    return most;
+}
+
+static void add_counts(hide_fronts *fronts, const tiles *t)
+{
+    for (uint32_t i = 0; i < t->count; i++) {
+        const front_tile *from = &t->tile[i];
+        fronts->face_count += from->faces;
+        fronts->back += from->back;
+        fronts->edge_on += from->edge_on;
+        fronts->culled_count += from->culled;
+        if (from->most_corners > fronts->most_corners)
+            fronts->most_corners = from->most_corners;
+    }
+}
+
+static uint32_t most_vertices(const roberts_scene *scene)
+{
+    uint32_t most = 0;
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        if (scene->solid[s + 1].vertex - scene->solid[s].vertex > most)
+            most = scene->solid[s + 1].vertex - scene->solid[s].vertex;
+    return most;
+}
+
+/* Arrays so much longer that they lie apart; and the tables of bundles and runs, where a solid could have them. */
+static bool alloc_scratch(build *b)
+{
+    hide_fronts *fronts = b->fronts;
+    const roberts_scene *scene = fronts->scene;
+    uint32_t most = most_vertices(scene);
+    bool asked = scene->solid_count > 1 || b->looked_up; /* a face about an edge, or a point */
+    if (most > BUNDLE_FACES / 2 && asked && !bundle_table_init(&fronts->bundles, scene->face_count))
+        return false; /* a solid has fewer than twice as many faces as vertices */
+    if (most > RUNS_CORNERS && asked &&
+        (!runs_table_init(&fronts->face_runs, scene->corner, scene->face_start[scene->face_count]) ||
+         !runs_table_init(&fronts->outline_runs, fronts->outline, scene->vertex_count)))
+        return false;
+    b->scratch = alloc_zeroed((size_t)b->threads, sizeof *b->scratch);
+    for (int i = 0; b->scratch && i < b->threads; i++) {
+        b->scratch[i].next = alloc_array((size_t)most + THREADS_APART, sizeof *b->scratch[i].next);
+        if (!b->scratch[i].next || !scan_init(&b->scratch[i].scan, fronts->cover.frame.nx))
+            return false;
+    }
+    return b->scratch != NULL;
+}
+
+static void free_scratch(build *b)
+{
+    for (int i = 0; b->scratch && i < b->threads; i++) {
+        free(b->scratch[i].next);
+        scan_free(&b->scratch[i].scan);
+    }
+    free(b->scratch);
+}
+
+/* ---- copies: fronts of solids at the very same place ---- */
+
+/* Which bits have been met, and which more than once. */
+typedef struct sieve {
+    uint64_t *met, *again;
+    unsigned shift; /* from a key to its bit: the upper bits of a product are the mixed ones */
+} sieve;
+
+/* Do the two fronts, of different solids, show the very same faces? Then each hides what the other hides, and neither
+ * anything of the other. */
+static bool same_front(const hide_fronts *fronts, uint32_t a, uint32_t b)
+{
+    const hide_front *f = &fronts->front[a], *g = &fronts->front[b];
+    if (f->face_count != g->face_count || f->corners != g->corners || f->kind != g->kind ||
+        memcmp(&fronts->front_box[a], &fronts->front_box[b], sizeof(hide_box)) != 0)
+        return false;
+    for (uint32_t i = 0; i < f->corners; i++) {
+        roberts_vec3 p = fronts->P[fronts->outline[f->outline + i]], q = fronts->P[fronts->outline[g->outline + i]];
+        if (p.x != q.x || p.y != q.y || p.z != q.z)
+            return false;
+    }
+    for (uint32_t i = 0; i < f->face_count; i++) {
+        plane F = fronts->face[f->face + i].F, G = fronts->face[g->face + i].F;
+        if (F.a != G.a || F.b != G.b || F.c != G.c || F.d != G.d ||
+            fronts->face[f->face + i].touch != fronts->face[g->face + i].touch)
+            return false;
+    }
+    return true;
+}
+
+/* Fronts that can differ in nothing else differ here. */
+static uint32_t place_key(const hide_fronts *fronts, uint32_t front)
+{
+    return bits_hash(&fronts->front_box[front], sizeof fronts->front_box[front]);
+}
+
+static bool sieve_init(sieve *s, uint32_t fronts)
+{
+    unsigned bits = 6;
+    while (bits < 32 && (uint64_t)1 << bits < (uint64_t)fronts * BITS_PER_FRONT)
+        bits++;
+    size_t words = (size_t)1 << (bits - 6);
+    s->met = alloc_zeroed(words, 2 * sizeof *s->met);
+    s->again = s->met ? s->met + words : NULL;
+    s->shift = 32 - bits;
+    return s->met != NULL;
+}
+
+static void sieve_enter(sieve *s, uint32_t key)
+{
+    uint32_t at = key >> s->shift;
+    uint64_t bit = (uint64_t)1 << (at & 63);
+    s->again[at >> 6] |= s->met[at >> 6] & bit;
+    s->met[at >> 6] |= bit;
+}
+
+static bool sieve_again(const sieve *s, uint32_t key)
+{
+    uint32_t at = key >> s->shift;
+    return s->again[at >> 6] >> (at & 63) & 1;
+}
+
+/* The fronts that share their bit with another, ascending, and their keys. */
+static uint32_t sift(const hide_fronts *fronts, const sieve *s, uint32_t *front, uint32_t *key)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < fronts->front_count; i++)
+        if (sieve_again(s, key[i])) {
+            front[count] = i;
+            key[count++] = key[i];
+        }
+    return count;
+}
+
+/* Sets `listed` of the fronts, which are of whole solids. Of copies of a solid one front is enough: a thousand of them would
+ * cost a million comparisons. It is the one of smallest number, since a stable order of the keys brings copies together.
+ * False: no memory. */
+static bool leave_out_copies(hide_fronts *fronts)
+{
+    uint32_t count = fronts->front_count, last = ROBERTS_NONE;
+    uint32_t *key = alloc_array(count, sizeof *key), *front = alloc_array(count, sizeof *front), *order = NULL;
+    sieve s = {0};
+    bool done = key && front && sieve_init(&s, count);
+    for (uint32_t i = 0; done && i < count; i++) {
+        fronts->front[i].listed = true;
+        key[i] = place_key(fronts, i);
+        sieve_enter(&s, key[i]);
+    }
+    if (done) {
+        count = sift(fronts, &s, front, key);
+        order = alloc_array(count, sizeof *order);
+        done = order && radix_order(key, count, order);
+    }
+    for (uint32_t k = 0; done && k < count; k++) {
+        uint32_t i = order[k];
+        if (last != ROBERTS_NONE && key[last] == key[i] && same_front(fronts, front[last], front[i]))
+            fronts->front[front[i]].listed = false;
+        else
+            last = i;
+    }
+    free(s.met);
+    free(key);
+    free(front);
+    free(order);
+    return done;
+}
+
+/* ---- all of it ---- */
+
+static bool add_solids(build *b)
+{
+    hide_fronts *fronts = b->fronts;
+    bool done = alloc_scratch(b) && tiles_make(&b->tiles, fronts, b->threads) && do_tiles(b);
+    if (done) {
+        close_up(fronts, &b->tiles);
+        add_counts(fronts, &b->tiles);
+        done = leave_out_copies(fronts) && add_singles(fronts, &b->tiles);
+        fronts->thickest = b->looked_up ? thickest(fronts) : INFINITY;
+    }
+    tiles_free(&b->tiles);
+    free_scratch(b);
+    return done;
+}
+
+/* Of most arrays only a part is ever written, and memory that is not touched is none. */
+static bool alloc_fronts(hide_fronts *fronts)
+{
+    const roberts_scene *scene = fronts->scene;
+    fronts->box = alloc_array(scene->solid_count, sizeof *fronts->box);
+    fronts->culled = alloc_zeroed(scene->solid_count, sizeof *fronts->culled);
+    fronts->P = alloc_array(scene->vertex_count, sizeof *fronts->P);
+    fronts->facing = alloc_zeroed(scene->face_count, sizeof *fronts->facing);
+    fronts->face = alloc_array(scene->face_count, sizeof *fronts->face);
+    fronts->front = alloc_array(scene->solid_count, sizeof *fronts->front);
+    fronts->front_box = alloc_array(scene->solid_count, sizeof *fronts->front_box);
+    fronts->outline = alloc_array(scene->vertex_count, sizeof *fronts->outline);
+    if (scene->surface)
+        fronts->turned = alloc_array(scene->face_start[scene->face_count], sizeof *fronts->turned);
+    return (fronts->turned || !scene->surface) && fronts->box && fronts->culled && fronts->P && fronts->facing &&
+           fronts->face && fronts->front && fronts->front_box && fronts->outline;
+}
+
+static void set_space(hide_fronts *fronts)
+{
+    const view *v = &fronts->view;
+    fronts->space = (hide_space){.P = fronts->P,
+                                 .epsilon = v->epsilon,
+                                 .rounding = v->across_rounding,
+                                 .depth_rounding = v->rounding,
+                                 .plain = hide_plain(v->across, v->epsilon, v->across_rounding),
+                                 .scene = fronts->scene,
+                                 .view = v};
+}
+
+roberts_status hide_fronts_build(hide_fronts *fronts, const roberts_scene *scene, const roberts_camera *camera,
+                                 double epsilon, bool cull, uint32_t threads, roberts_error *error)
+{
+    build b = {.fronts = fronts,
+               .threads = threads_for(threads, 1 + scene->solid_count / SOLIDS_PER_THREAD),
+               .looked_up = !cull};
+    *fronts = (hide_fronts){.scene = scene};
+    roberts_status status = view_prepare(&fronts->view, scene, camera, epsilon, error);
+    if (status != ROBERTS_OK)
+        return status;
+    scan_frame frame = {0};
+    bool done = alloc_fronts(fronts) && box_solids(fronts, b.threads);
+    if (done) {
+        set_space(fronts);
+        if (cull)
+            frame = cells_for_covers(fronts->box, scene->solid_count, fronts->low, fronts->high,
+                                     hide_margin(&fronts->space), b.threads);
+    }
+    if (done && cover_init(&fronts->cover, frame, b.threads) && add_solids(&b))
+        return ROBERTS_OK;
+    hide_fronts_free(fronts);
+    return error_no_memory(error);
+}
+
+void hide_fronts_drop_boxes(hide_fronts *fronts)
+{
+    free(fronts->box);
+    fronts->box = NULL;
+}
+
+void hide_fronts_free(hide_fronts *fronts)
+{
+    free(fronts->box);
+    free(fronts->culled);
+    free(fronts->P);
+    free(fronts->facing);
+    free(fronts->face);
+    free(fronts->front);
+    free(fronts->front_box);
+    free(fronts->outline);
+    free(fronts->turned);
+    runs_table_free(&fronts->face_runs);
+    runs_table_free(&fronts->outline_runs);
+    bundle_table_free(&fronts->bundles);
+    cover_free(&fronts->cover);
+    *fronts = (hide_fronts){0};
+}

@@ -1,0 +1,82 @@
+/* intervals.h - hidden parts of one edge and their union.
+ *
+ * What one convex solid hides of an edge is one interval, because the volume behind it is convex (see front_test.h). Parts of
+ * different solids, and of the faces of a solid of many faces, are joined where they overlap or touch. */
+#ifndef ROBERTS_HIDE_INTERVALS_H
+#define ROBERTS_HIDE_INTERVALS_H
+
+#include "hide/types.h"
+
+typedef struct hide_solid_interval {
+    hide_interval part;
+    uint32_t solid;
+} hide_solid_interval;
+
+typedef struct hide_intervals {
+    hide_solid_interval *item; /* [count] */
+    size_t count, room;
+} hide_intervals;
+
+/* Is every point between them within reach of one of them? */
+static inline bool hide_intervals_touch(const hide_interval *a, const hide_interval *b)
+{
+    return a->r0 <= b->r1 && b->r0 <= a->r1;
+}
+
+/* Their union, which reaches as far as either of them, also where the shorter one reaches farther. */
+static inline hide_interval hide_intervals_joined(const hide_interval *a, const hide_interval *b)
+{
+    return (hide_interval){lesser(a->t0, b->t0), greater(a->t1, b->t1), lesser(a->r0, b->r0), greater(a->r1, b->r1)};
+}
+
+bool hide_intervals_add_closely(hide_intervals *intervals, uint32_t solid, hide_interval *part);
+
+/* Adds what a front of `solid` hides, joined with the parts that it overlaps or touches (as long as these are few);
+ * `*part` becomes what it has grown to. False: no memory. Mostly there is one part, or none. */
+static inline bool hide_intervals_add(hide_intervals *intervals, uint32_t solid, hide_interval *part)
+{
+    hide_solid_interval *only = intervals->item;
+    if (intervals->count == 1 && hide_intervals_touch(&only->part, part)) {
+        only->part = *part = hide_intervals_joined(&only->part, part);
+        only->solid = solid < only->solid ? solid : only->solid;
+        return true;
+    }
+    if (intervals->count > 0 || intervals->room == 0)
+        return hide_intervals_add_closely(intervals, solid, part);
+    intervals->item[intervals->count++] = (hide_solid_interval){*part, solid};
+    return true;
+}
+
+/* Adds what one face of `solid` hides to the hull of what its other faces do, which `*part` becomes: faces given to few
+ * digits, or cut by the near plane, leave gaps between them, and the solid none. Of very many solids one may have several
+ * hulls until hide_intervals_hulls_done(). False: no memory. */
+bool hide_intervals_hull(hide_intervals *hulls, uint32_t solid, hide_interval *part);
+
+/* Leaves one hull of each solid. */
+void hide_intervals_hulls_done(hide_intervals *hulls);
+
+/* Parts nearer than `epsilon` to an end of the edge reach it. */
+static inline void hide_intervals_reach_ends(hide_intervals *intervals, double epsilon, double length)
+{
+    hide_interval *first = &intervals->item[0].part, *last = &intervals->item[intervals->count - 1].part;
+    if (first->t0 * length <= epsilon)
+        first->t0 = 0.0;
+    if ((1.0 - last->t1) * length <= epsilon)
+        last->t1 = 1.0;
+}
+
+/* Puts several parts in order and joins those that touch. */
+void hide_intervals_join(hide_intervals *intervals, double epsilon, double length);
+
+/* Unites the parts in place: afterwards they ascend and are disjoint, with more than `epsilon` between them and between
+ * them and the ends of the edge, `length` long (in space, the unit of epsilon). `solid` of a union is the smallest
+ * of its members'. */
+static inline void hide_intervals_unite(hide_intervals *intervals, double epsilon, double length)
+{
+    if (intervals->count > 1)
+        hide_intervals_join(intervals, epsilon, length);
+    if (intervals->count)
+        hide_intervals_reach_ends(intervals, epsilon, length);
+}
+
+#endif
