@@ -1,10 +1,10 @@
-/* arrangement.c - a border that crosses or touches itself, as the cells between its stretches and how often it winds
+/* arrangement.c - cuts a face whose border crosses or touches itself into cells, and counts how often the border winds
  * round each.
  *
- * Sides are divided where they cross and at corners that lie on them. The stretches are then walked cell by cell: at
- * each node the next stretch is the one most to the left. From one cell to the next the winding number changes by
- * how often the border runs along the stretch between them. A slit (a stretch that runs both ways) changes nothing
- * and bounds nothing. */
+ * Sides are divided where they cross, and at corners that lie on them. The stretches are then walked cell by cell: at
+ * each node the walk takes the leftmost stretch. From a cell to its neighbour the winding number changes by the number
+ * of times that the border runs along the stretch between them. A slit (a stretch that the border runs along both ways)
+ * bounds nothing. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -25,7 +25,7 @@ typedef struct side_stop {
 /* A stretch between two nodes, in the direction of the smaller one to the larger. */
 typedef struct stretch {
     uint32_t v[2];
-    int32_t net;   /* how often the border runs this way, less how often the other way */
+    int32_t net;   /* how often the border runs this way, minus how often it runs back */
     uint32_t side; /* the first side of the face that it is part of */
 } stretch;
 
@@ -130,7 +130,7 @@ static int compare_sweep(const void *pa, const void *pb)
     return (a->stretch > b->stretch) - (a->stretch < b->stretch);
 }
 
-/* All pairs of stretches whose boxes meet along x. */
+/* Crosses all pairs of stretches whose boxes meet along x. */
 static bool find_stops(face_pieces *f, arrangement *a, double touching)
 {
     size_t count = a->count;
@@ -223,7 +223,7 @@ static int compare_stretches(const void *pa, const void *pb)
     return (a->side > b->side) - (a->side < b->side);
 }
 
-/* Stretches that lie on one another become one. */
+/* Joins stretches that lie on one another. */
 static void unite_stretches(arrangement *a)
 {
     size_t to = 0;
@@ -256,7 +256,7 @@ static bool take_sides(const face_pieces *f, arrangement *a)
     return a->item != NULL;
 }
 
-/* ... divided at their stops. same[]: as join_nodes() has it. */
+/* Divides the stretches at their stops. same[]: from join_nodes(). */
 static bool divide(arrangement *a, const uint32_t *same)
 {
     size_t k = 0, to = 0;
@@ -284,7 +284,7 @@ static bool divide(arrangement *a, const uint32_t *same)
     return true;
 }
 
-/* Leaves out stretches that lead nowhere: those that the border runs both ways, and that end in the open. */
+/* Leaves out stretches that lead nowhere: the border runs along them both ways, and they end without a neighbour. */
 static void drop_dead_ends(const face_pieces *f, arrangement *a, uint32_t *degree)
 {
     for (bool again = true; again;) {
@@ -301,7 +301,7 @@ static void drop_dead_ends(const face_pieces *f, arrangement *a, uint32_t *degre
                 a->item[to++] = a->item[i];
                 continue;
             }
-            --*p; /* the next one in line is met in this very pass, if it comes later */
+            --*p; /* if the next one comes later, this pass meets it */
             --*q;
         }
         again = to < a->count;
@@ -319,7 +319,7 @@ static uint32_t half_to(const arrangement *a, uint32_t h)
     return a->item[h / 2].v[1 - h % 2];
 }
 
-/* Does half-edge g come before h, counter-clockwise round their node from the right on? */
+/* Does half-edge g come before h, counter-clockwise round their node, starting from the right? */
 static bool turns_before(const face_pieces *f, const arrangement *a, uint32_t g, uint32_t h)
 {
     roberts_vec2 O = f->node[half_from(a, g)].at, P = f->node[half_to(a, g)].at, Q = f->node[half_to(a, h)].at;
@@ -330,7 +330,7 @@ static bool turns_before(const face_pieces *f, const arrangement *a, uint32_t g,
     return turn != 0.0 ? turn > 0.0 : g < h;
 }
 
-/* Sorts the half-edges round each node, and finds which follows which round a cell. */
+/* Sorts the half-edges round each node, and finds which one follows which round a cell. */
 static void link_halves(const face_pieces *f, arrangement *a)
 {
     size_t halves = 2 * a->count, nodes = f->node_count;
@@ -378,7 +378,7 @@ static void walk_cells(const face_pieces *f, arrangement *a)
     }
 }
 
-/* From the outer cell inward: from each cell to those across its stretches. */
+/* Counts from the outer cell inward: from each cell to those across its stretches. */
 static void wind(arrangement *a)
 {
     size_t outer = 0, waiting = 0;
@@ -406,7 +406,7 @@ static void wind(arrangement *a)
     }
 }
 
-/* The pieces of one cell, and the sides of the face along it. */
+/* Takes the pieces of one cell, and the sides of the face along it. */
 static bool take_cell(face_pieces *f, arrangement *a, uint32_t first)
 {
     uint32_t count = 0, h = first;
@@ -479,7 +479,7 @@ static void free_arrangement(arrangement *a)
     free(a->start);
 }
 
-/* Corners that lie on one another become one node of the ring. */
+/* Makes corners that lie on one another one node of the ring. */
 static bool join_ring(face_pieces *f, double touching)
 {
     uint32_t *same = alloc_array(f->node_count, sizeof *same);
@@ -506,7 +506,7 @@ static bool fill_cells(face_pieces *f, const face_rules *rules, arrangement *a)
     return take_cells(f, a, rules->even_odd);
 }
 
-/* Does the stretch run the way that its side of the ring does? */
+/* Does the stretch run in the direction of its side of the ring? */
 static bool runs_along(const face_pieces *f, const piece_side *s, uint32_t from, uint32_t to)
 {
     roberts_vec2 A = f->node[from].at, B = f->node[to].at, P = f->node[s->from].at, Q = f->node[s->to].at;
@@ -523,9 +523,9 @@ static int compare_piece_sides(const void *pa, const void *pb)
     return (a->from > b->from) - (a->from < b->from);
 }
 
-/* Of a border that is not quite planar no crossing lies on both of its sides: its edges are the sides as a whole
- * then, each with one of the pieces along it. given: the ring as it was, since what lies on one another in the plane
- * may be apart in space. */
+/* If a border is not quite planar, a crossing lies on neither of its sides in space. The edges are then the whole
+ * sides, each with one of the pieces along it. given: the ring as it was, since nodes that coincide in the plane may be
+ * apart in space. */
 static bool take_whole_sides(face_pieces *f, const uint32_t *given)
 {
     size_t count = f->side_count, k = 0;

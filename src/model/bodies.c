@@ -1,9 +1,9 @@
-/* bodies.c - see bodies.h.
+/* bodies.c - builds a scene whose bodies are not all convex.
  *
- * Components that are convex solids stay what they are, also those that come out where open components are welded
- * and taken apart (regroup.c). The faces of all others are taken together, cut into convex pieces (surface.c) and
- * joined at their edges (surface_edges.c); what hangs together by edges is a body. Then everything is laid out anew,
- * solid by solid. */
+ * Components that are convex solids stay what they are, also those that come out when open components are welded and
+ * split (weld.c). The faces of all others are handled together: they are cut into convex pieces (surface.c) and joined
+ * at their edges (surface_edges.c). Pieces connected by edges are a body. Then everything is laid out anew, body by
+ * body. */
 #include "model/bodies.h"
 
 #include <float.h>
@@ -21,14 +21,14 @@
 #include "model/weld.h"
 #include "read/mesh.h"
 
-/* The touching distance, as in the view: a part of the scene's diameter, ulps of its largest coordinate, and the
- * step of 32-bit floats where coordinates are such. */
+/* The touching distance, as in the view: a part of the scene's diameter, or ulps of its largest coordinate; where
+ * coordinates are 32-bit floats, at least the step between two of them. */
 #define TOUCHING_OF_DIAMETER 1e-11
 #define TOUCHING_ULPS 16.0
 
-/* More faces than this may be a curved surface, where at least half of the edges that are bent by more than
- * FLAT_BEND are bent by less than LITTLE_BEND: the squares of the distances of normals that meet at 0.1 and 20
- * degrees. */
+/* A body of more than SMOOTH_FACES faces is a curved surface if at least half of its bent edges are bent little. Bends
+ * are squared distances of unit normals: more than FLAT_BEND (0.1 degrees) is bent, less than LITTLE_BEND (20 degrees)
+ * little. */
 #define SMOOTH_FACES 500
 #define FLAT_BEND 3.046e-6
 #define LITTLE_BEND 0.1206
@@ -38,22 +38,20 @@ typedef struct assembly {
     const roberts_mesh *mesh;
     const roberts_scene_options *options;
     polygons faces;  /* of the mesh, welded and cleaned as the convex solids have them */
-    uint8_t *listed; /* [faces] 1: of a body that is not convex */
-    uint32_t *
-        name; /* [vertices of the mesh] the first vertex at a place, of components that are open; NULL: all as they are */
+    uint8_t *listed; /* [faces] 1: belongs to a body that is not convex */
+    uint32_t *name;  /* [vertices of the mesh] welded name of each, see weld_open(); NULL: nothing is welded */
     surface surface;
     polygons all;       /* pieces, then ends of edges and wires, then faces of convex solids */
     uint32_t *of;       /* [all.face_count] the body of each */
     uint32_t *number;   /* [all.face_count] the input's face; ROBERTS_NONE: no face */
-    uint32_t extra;     /* the first of `all` that is no piece, */
-    uint32_t convex;    /* and that is a face of a convex solid */
+    uint32_t extra;     /* the first of `all` that is no piece */
+    uint32_t convex;    /* the first of `all` that is a face of a convex solid */
     uint8_t *is_convex; /* [bodies] */
     uint32_t body_count;
     builder work;
 } assembly;
 
-/* ---- which components are convex solids
- * --------------------------------------------------------------------------- */
+/* ---- which components are convex solids -------------------------------------------------------------------------- */
 
 static roberts_status find_kinds(assembly *a, uint8_t *open, uint8_t *convex, bool *any_open, roberts_error *error)
 {
@@ -69,7 +67,7 @@ static roberts_status find_kinds(assembly *a, uint8_t *open, uint8_t *convex, bo
     return ROBERTS_OK;
 }
 
-/* The names that regroup() gives vertices of open components. */
+/* Names the vertices of open components as regroup() does: the first one at each position. */
 static bool weld_open(assembly *a, const uint8_t *open)
 {
     const roberts_scene *scene = a->scene;
@@ -86,8 +84,8 @@ static bool weld_open(assembly *a, const uint8_t *open)
     return enough;
 }
 
-/* Lays the components out, and lists the faces of those that are no convex solids. known: it is known that some is
- * closed and not convex. */
+/* Lays out the components, and lists the faces of those that are not convex solids. known: it is certain that some
+ * component is not. */
 static roberts_status sort_components(assembly *a, bool known, roberts_error *error)
 {
     repeated_solids list = {0};
@@ -125,8 +123,7 @@ done:
     return status;
 }
 
-/* ---- bodies
- * ------------------------------------------------------------------------------------------------------- */
+/* ---- bodies ------------------------------------------------------------------------------------------------------ */
 
 static double largest(roberts_vec3 a)
 {
@@ -155,7 +152,8 @@ static void join(uint32_t *parent, uint32_t a, uint32_t b)
         parent[a] = b;
 }
 
-/* The pieces that hang together by edges; wires by their ends. parent: [pieces + edges]; owner: [vertices] scratch. */
+/* Joins pieces that are connected by edges; wires are connected by their ends. parent: [pieces + edges]; owner:
+ * [vertices] scratch. */
 static void join_pieces(const surface *s, uint32_t *parent, uint32_t *owner)
 {
     for (size_t i = 0; i < s->piece_count + s->edge_count; i++)
@@ -185,8 +183,8 @@ static void join_pieces(const surface *s, uint32_t *parent, uint32_t *owner)
     }
 }
 
-/* All that is laid out: pieces, ends of edges that may be no corners of their body's pieces, faces of convex solids;
- * each with the set that it belongs to in of[]. */
+/* Lists all that is laid out, each item with its set in of[]: the pieces, the ends of edges that may not be corners of
+ * a piece, and the faces of convex solids. */
 static bool list_all(assembly *a)
 {
     const surface *s = &a->surface;
@@ -267,7 +265,7 @@ static int compare_keys(const void *pa, const void *pb)
     return (a->set > b->set) - (a->set < b->set);
 }
 
-/* Numbers the bodies by their smallest vertex; of[] has those numbers then. */
+/* Numbers the bodies by their smallest vertex, and puts these numbers into of[]. */
 static bool number_bodies(assembly *a)
 {
     const polygons *all = &a->all;
@@ -302,11 +300,10 @@ static bool number_bodies(assembly *a)
     return a->is_convex != NULL;
 }
 
-/* ---- the scene's arrays
- * ------------------------------------------------------------------------------------------- */
+/* ---- the scene's arrays ------------------------------------------------------------------------------------------ */
 
-/* Lays everything out in place of the components; then what is no face goes. The scene's numbers are those of `all`
- * and of the surface's vertices still. */
+/* Lays out everything in place of the components, then removes the items that are not faces. Numbers in the scene still
+ * refer to `all` and to the vertices of the surface. */
 static bool lay_out(assembly *a)
 {
     roberts_scene *scene = a->scene;
@@ -333,7 +330,7 @@ static bool lay_out(assembly *a)
     return true;
 }
 
-/* The planes of the faces of one body that is not convex. */
+/* Fits the planes of the faces of one body that is not convex. */
 static bool fit_planes(assembly *a, uint32_t body)
 {
     roberts_scene *scene = a->scene;
@@ -389,7 +386,8 @@ static int compare_edge_keys(const void *pa, const void *pb)
     return (a->edge > b->edge) - (a->edge < b->edge);
 }
 
-/* Lists the edges of bodies that are not convex, body by body and in the order of their names. first: [bodies + 1]. */
+/* Lists the edges of bodies that are not convex, body by body, sorted by their names in the file. first: [bodies +
+ * 1]. */
 static edge_key *list_edges(const assembly *a, uint32_t *first)
 {
     const surface *s = &a->surface;
@@ -426,13 +424,13 @@ static edge_key *list_edges(const assembly *a, uint32_t *first)
     return key;
 }
 
-/* What maps the numbers of one body's pieces and vertices to compact ones. */
+/* Maps the numbers of one body's pieces and vertices to those of the scene. */
 typedef struct body_map {
     uint32_t *face;   /* [pieces] */
     uint32_t *vertex; /* [vertices of the surface] of the body at hand */
 } body_map;
 
-/* Lists the faces of an edge of more than two. */
+/* Stores the faces of an edge of more than two. */
 static bool store_many(assembly *a, const surface_edge *e, uint32_t edge, bool back, const body_map *map,
                        size_t room[4])
 {
@@ -449,7 +447,7 @@ static bool store_many(assembly *a, const surface_edge *e, uint32_t edge, bool b
     return true;
 }
 
-/* Has the edge pieces of two faces, no less and no more? */
+/* Do the edge's pieces belong to exactly two faces? */
 static bool is_two_faced(const surface *s, const surface_edge *e)
 {
     if (e->piece[1] == ROBERTS_NONE)
@@ -464,7 +462,7 @@ static bool is_two_faced(const surface *s, const surface_edge *e)
     return e->many == ROBERTS_NONE || other != first;
 }
 
-/* Does the edge run against the edge of the file that it is a part of? */
+/* Does the edge run opposite to the edge of the file that it is a part of? */
 static bool runs_back(const surface *s, const surface_edge *e)
 {
     if (e->part == ROBERTS_NONE)
@@ -474,7 +472,7 @@ static bool runs_back(const surface *s, const surface_edge *e)
                     vec3_sub(s->point[part->v[1]], s->point[part->v[0]])) < 0.0;
 }
 
-/* The edges of body b, from scene edge `edge` on. */
+/* Stores the edges of body b. */
 static bool store_edges(assembly *a, uint32_t b, const edge_key *key, uint32_t count, body_map *map, size_t room[4])
 {
     roberts_scene *scene = a->scene;
@@ -489,7 +487,7 @@ static bool store_edges(assembly *a, uint32_t b, const edge_key *key, uint32_t c
         uint32_t edge = own->edge + i, v0 = map->vertex[e->v[0]], v1 = map->vertex[e->v[1]];
         uint8_t is = e->cut ? EDGE_CUT : 0;
         scene_edge *stored = &scene->edge[own->stored + i];
-        bool back = runs_back(s, e); /* a part runs as the edge of the file does */
+        bool back = runs_back(s, e); /* a part runs in the same direction as the edge of the file */
         *stored = (scene_edge){{back ? v1 : v0, back ? v0 : v1}, {ROBERTS_NONE, ROBERTS_NONE}};
         for (int k = 0; k < 2 && e->piece[k] != ROBERTS_NONE; k++) {
             stored->f[k] = map->face[piece_of(e->piece[k])] - own->face;
@@ -515,7 +513,7 @@ static bool store_edges(assembly *a, uint32_t b, const edge_key *key, uint32_t c
     return true;
 }
 
-/* The angle of two faces at an edge of two, as the square of the distance of their normals. */
+/* The angle between the two faces of an edge, as the square of the distance of their normals. */
 static double bend_of(const roberts_scene *scene, const scene_solid *own, uint32_t edge)
 {
     const scene_edge *e = &scene->edge[own->stored + (edge - own->edge)];
@@ -526,7 +524,7 @@ static double bend_of(const roberts_scene *scene, const scene_solid *own, uint32
     return a * a + b * b + c * c;
 }
 
-/* Has the body many faces, and are most of its edges that are bent at all bent by little? */
+/* Is the body a curved surface? See SMOOTH_FACES. */
 static bool is_smooth(const roberts_scene *scene, uint32_t b)
 {
     const scene_solid *own = &scene->solid[b];
@@ -544,7 +542,7 @@ static bool is_smooth(const roberts_scene *scene, uint32_t b)
     return bent > 0 && little >= bent - little;
 }
 
-/* A convex solid again, as it was found. */
+/* Builds a convex solid again, in its new place. */
 static roberts_status store_convex(assembly *a, uint32_t b, roberts_error *error)
 {
     scene_solid *own = &a->scene->solid[b];
@@ -556,7 +554,7 @@ static roberts_status store_convex(assembly *a, uint32_t b, roberts_error *error
     return ROBERTS_OK;
 }
 
-/* Numbers the edges of all bodies. first: those of the surface's. */
+/* Numbers the edges of all bodies, and allocates their arrays. first: from list_edges(). */
 static bool number_edges(assembly *a, const uint32_t *first)
 {
     roberts_scene *scene = a->scene;
@@ -575,7 +573,7 @@ static bool number_edges(assembly *a, const uint32_t *first)
     return scene->edge && scene->surface->kind && scene->surface->smooth && scene->surface->edge_is;
 }
 
-/* Numbers become those of the input. */
+/* Replaces the numbers of `all` and of the surface by those of the input. */
 static bool rename_all(assembly *a)
 {
     roberts_scene *scene = a->scene;
@@ -667,8 +665,7 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
 
-/* ---- wires beside convex solids
- * ------------------------------------------------------------------------------------- */
+/* ---- wires beside convex solids ---------------------------------------------------------------------------------- */
 
 static uint64_t edge_name(uint32_t a, uint32_t b)
 {
@@ -715,8 +712,7 @@ bool bodies_wires(const roberts_scene *scene, const roberts_mesh *mesh, bool *fo
     return enough;
 }
 
-/* ---- the scene's lookups
- * ------------------------------------------------------------------------------------------ */
+/* ---- the scene's lookups ----------------------------------------------------------------------------------------- */
 
 const scene_many *scene_many_at(const roberts_scene *scene, uint32_t edge)
 {

@@ -13,12 +13,12 @@
 
 /* ---- is a face convex? ------------------------------------------------------------------------------------------- */
 
-/* Whether a face is a convex simple polygon.
+/* Is a face a convex simple polygon?
  *
- * Nearly all faces are strictly convex and are told by signs alone. The rest (corners in a line, coordinates rounded to
+ * Nearly all faces are strictly convex, which signs alone decide. The rest (corners in a line, coordinates rounded to
  * few digits, pentagrams, concave faces) is measured against the convex hull of the corners, found by the monotone
- * chain. Source: A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information
- * Processing Letters 9(5), 1979. */
+ * chain. Source: A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information Processing
+ * Letters 9(5), 1979. */
 
 /* The polygon along the coordinate axis nearest to its normal: which axis, and whether it is seen from its end. */
 static roberts_vec2 drop(roberts_vec3 p, int axis)
@@ -101,8 +101,8 @@ typedef struct corner_hull {
     const uint32_t *rank; /* [corners] place in the hull, or ROBERTS_NONE */
 } corner_hull;
 
-/* Walks the corners from hull[0] on: each is the hull's next vertex (or one after it, where those between are no
- * farther away than `allowed`), or lies beside the side that the walk is on, and there not behind where the walk
+/* Walks the corners from hull[0] on. Each corner has to be the hull's next vertex (or one after it, if those between
+ * are no farther away than `allowed`), or to lie beside the side that the walk is on, and not behind where the walk
  * already was. */
 static double walk(const spot *polygon, uint32_t count, const corner_hull *h, double allowed, uint32_t *deepest)
 {
@@ -183,10 +183,10 @@ double polygon_spread(const roberts_vec3 *corner, uint32_t count)
 
 /* ---- the vertex farthest out of a plane -------------------------------------------------------------------------- */
 
-/* Boxes round boxes round points, for the question which point lies farthest out of a plane.
+/* A tree of boxes that finds the point farthest outside a plane.
  *
- * Idea: the points are sorted along the Z-order curve and cut into leaves of eight; a complete binary tree of boxes
- * stands over the leaves. A box whose nearest possible F is no better than the best so far is passed over.
+ * Idea: the points are sorted along the Z-order curve and cut into leaves of eight; a complete binary tree of boxes is
+ * built over the leaves. A box whose least possible F is no better than the best so far is skipped.
  * Source: G. M. Morton, "A computer oriented geodetic data base and a new technique in file sequencing", IBM 1966. */
 
 typedef struct vertex_box {
@@ -308,17 +308,17 @@ static uint32_t vertex_tree_outermost(const vertex_tree *tree, plane F, double b
 
 /* ---- is a solid convex? ------------------------------------------------------------------------------------------ */
 
-/* Whether a closed component is a convex solid, within the tolerance.
+/* Is a closed component a convex solid, within the tolerance?
  *
- * A closed surface bounds a convex solid where every face is a convex polygon, every vertex lies behind every face's
+ * A closed surface bounds a convex solid if every face is a convex polygon, every vertex lies behind every face's
  * plane, and the faces, seen from the barycentre, cover all directions once. A vertex may lie outside a plane by the
- * tolerance; where the face is small compared with the solid, its plane cannot be trusted far from it, and distances
- * count in proportion.
+ * tolerance. The plane of a face that is small compared with the solid cannot be trusted far away; there the limit
+ * grows in proportion.
  *
- * Mostly it is enough that no edge bends inward: the angles by which edges do, summed over all of them, bound how far
- * (as a part of the size) anything can lie outside. Where that sum is not far below the tolerance, because coordinates
- * are rounded or the solid is not convex, each plane is compared with the vertices: with all of them in a small solid,
- * with a tree of boxes round them in a large one. */
+ * Mostly it is enough that no edge bends inward. The sum of the angles by which edges bend inward bounds how far
+ * anything can lie outside, as a part of the size. If this sum is not far below the tolerance, because coordinates are
+ * rounded or the solid is not convex, each plane is compared with the vertices: with all of them in a small solid, with
+ * a tree of boxes in a large one. */
 
 enum { ALL_PAIRS = 2048 }; /* pairs of vertex and face; up to so many, comparing them all is quicker than a tree */
 
@@ -342,7 +342,7 @@ static uint32_t input_vertex(const roberts_scene *scene, const solid_frame *fram
            source_of_solid(scene, frame->solid, frame->mesh).vertex;
 }
 
-/* The face by itself: corners in one plane, a convex simple polygon. */
+/* Checks one face: its corners lie in one plane and make a convex simple polygon. */
 static roberts_status check_face(const roberts_scene *scene, const solid_frame *frame, uint32_t f, roberts_error *error)
 {
     const local_face *face = &frame->face[f];
@@ -427,8 +427,8 @@ static bool is_large(const solid_frame *frame)
     return (uint64_t)frame->vertex_count * frame->face_count > ALL_PAIRS;
 }
 
-/* How thick the solid is where that may be little: of a small one across each face that is near the barycentre, of a
- * large one across the widest and across the one of greatest area. */
+/* The least thickness of the solid, where it may be little: in a small solid across each face near the barycentre, in a
+ * large one across the widest face and the face of greatest area. */
 static double least_thickness(const solid_frame *frame)
 {
     double least = INFINITY;
@@ -521,7 +521,7 @@ static roberts_status check_by_tree(const roberts_scene *scene, solid_frame *fra
     return status;
 }
 
-/* The faces by themselves, then together. Four points cannot lie but convexly. */
+/* Checks each face, then all together. Four points are always convex. */
 static roberts_status check_faces(const roberts_scene *scene, solid_frame *frame, roberts_error *error)
 {
     for (uint32_t f = 0; frame->any_doubt && f < frame->face_count; f++) {
@@ -535,8 +535,8 @@ static roberts_status check_faces(const roberts_scene *scene, solid_frame *frame
     return is_large(frame) ? check_by_tree(scene, frame, error) : check_pairs(scene, frame, error);
 }
 
-/* Whether the ray from the barycentre passes through the face: it lies on or inside every plane through the barycentre
- * and a side. A side's two faces see exactly opposite signs. */
+/* Does the ray from the barycentre pass through the face? It does if it lies on or inside every plane through the
+ * barycentre and a side. The two faces of a side see exactly opposite signs. */
 static bool covers(const roberts_scene *scene, const solid_frame *frame, uint32_t f, roberts_vec3 ray)
 {
     uint32_t start = scene->face_start[frame->face_first + f], end = scene->face_start[frame->face_first + f + 1];
@@ -550,8 +550,8 @@ static bool covers(const roberts_scene *scene, const solid_frame *frame, uint32_
     return true;
 }
 
-/* How many faces the barycentre sees in one direction: that of the middle of the widest face, well inside it. Only
- * faces that look that way are asked. */
+/* How many faces the barycentre sees in one direction: toward the middle of the widest face, well inside it. Only faces
+ * that look that way are tested. */
 static uint32_t count_covers(const roberts_scene *scene, const solid_frame *frame)
 {
     uint32_t n = frame_ring(frame, scene, frame->widest), count = 1;
@@ -568,10 +568,10 @@ static uint32_t count_covers(const roberts_scene *scene, const solid_frame *fram
     return count;
 }
 
-/* Whether the faces cannot but cover each direction once. To cover them k times, a sphere's surface has to go round
- * some two vertices twice or more (2 k - 2 times too often in all, by Riemann and Hurwitz). Seen from the barycentre a
- * face takes less than a half turn round its corner, so that these two vertices have five edges at least, and all
- * others three. */
+/* Is it certain, without a ray, that the faces cover each direction once? To cover them k times, a sphere's surface has
+ * to go round some two vertices twice or more (2 k - 2 times too often in all, by Riemann and Hurwitz). Seen from the
+ * barycentre, a face takes less than a half turn round its corner. So these two vertices would have at least five
+ * edges, and all others three. */
 static bool too_few_to_wind(const solid_frame *frame)
 {
     return !frame->any_doubt && !frame->any_lean &&

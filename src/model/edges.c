@@ -1,9 +1,9 @@
 /* edges.c - the edges of one solid and the two faces of each, sorted.
  *
- * Idea: every side of a face is a half-edge. In a small solid a table tells which face passes from one vertex to
- * another: the edges are then read off in order. All other half-edges, and those of small solids that are open or wound
- * any way, are sorted: counted into buckets by their smaller vertex, each bucket sorted by the larger one. For solids
- * with up to a dozen edges the table takes a third of the instructions. */
+ * Idea: every side of a face is a half-edge. For a small solid a table tells which face passes from one vertex to
+ * another, and the edges are read off in order. All other half-edges, and those of small solids that are open or wound
+ * at random, are sorted: counted into buckets by their smaller vertex, and each bucket sorted by the larger one. For
+ * solids with up to a dozen edges the table takes a third of the instructions. */
 #include "model/edges.h"
 
 #include <stdlib.h>
@@ -56,7 +56,7 @@ static bool pair_by_table(const roberts_scene *scene, uint32_t s, edge_scratch *
             edge++;
         }
     }
-    return edge == end; /* as many upward as edges, each with its opposite: none is left */
+    return edge == end; /* as many half-edges upward as edges, each with its opposite: none is left */
 }
 
 static void sort_bucket(uint64_t *half, uint32_t count)

@@ -24,8 +24,8 @@ typedef enum edge_pairing {
     EDGES_NO_MEMORY,
 } edge_pairing;
 
-/* Euler's formula: V - E + F = 2 for a surface like a sphere, if it is closed. Others are two solids that share a
- * vertex, or have holes. */
+/* Euler's formula: a closed surface like a sphere has V - E + F = 2. Others are two solids that share a vertex, or have
+ * holes. */
 static inline bool edges_like_a_sphere(const roberts_scene *scene, uint32_t s)
 {
     const scene_solid *first = scene->solid + s;
@@ -33,8 +33,8 @@ static inline bool edges_like_a_sphere(const roberts_scene *scene, uint32_t s)
     return vertices + faces == scene_corners(scene, s) / 2 + (uint64_t)2;
 }
 
-/* Writes the edges of solid s to scratch->edge as they are stored in a scene, sorted, half as many as the solid's faces
- * have corners. Where the solid is open, they are left undefined. */
+/* Writes the edges of solid s to scratch->edge, sorted and as a scene stores them. There are half as many as the faces
+ * have corners. If the solid is open, scratch->edge is undefined. */
 edge_pairing edges_pair(const roberts_scene *scene, uint32_t s, edge_scratch *scratch);
 
 /* Sorts the half-edges of solid s into scratch->half by (smaller vertex, larger vertex, corner). Vertices and corners

@@ -7,7 +7,7 @@
 #include "base/dd.h"
 #include "base/sort.h"
 
-/* A border whose signed areas cancel has a Newell normal that says nothing: less than this part of its size squared. */
+/* If the signed areas of a border cancel to less than this part of its size squared, its Newell normal says nothing. */
 #define CANCELLED 1e-6
 
 double piece_turn(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c)
@@ -31,7 +31,7 @@ bool face_pieces_add_side(face_pieces *f, piece_side side)
 /* Up to so many corners are compared with one another. */
 enum { FEW_CORNERS = 32 };
 
-/* Corners that are met again become the same node: by sorting. */
+/* Gives corners that occur again the same node, by sorting. */
 static bool join_corners(face_pieces *f)
 {
     uint64_t *key = alloc_array(f->node_count, sizeof *key);
@@ -49,7 +49,7 @@ static bool join_corners(face_pieces *f)
     return true;
 }
 
-/* The corners in order, without those that repeat the one before. A corner met again is the same node. */
+/* Lists the corners in order, without those that repeat the one before. A corner that occurs again is the same node. */
 static bool take_ring(face_pieces *f, const roberts_vec3 *point, const uint32_t *corner, uint32_t count)
 {
     f->ring_count = f->node_count = f->piece_count = f->side_count = 0;
@@ -74,7 +74,7 @@ static bool take_ring(face_pieces *f, const roberts_vec3 *point, const uint32_t 
     return count <= FEW_CORNERS || join_corners(f);
 }
 
-/* The normal of the largest triangle at the first corner; zero where all corners are in a line. */
+/* The normal of the largest triangle at the first corner; zero if all corners are in a line. */
 static roberts_vec3 largest_normal(const roberts_vec3 *relative, size_t count)
 {
     roberts_vec3 far = {0, 0, 0}, best = {0, 0, 0};
@@ -142,7 +142,7 @@ static void fit(face_pieces *f, const face_rules *rules)
     }
 }
 
-/* Turns left or goes on at every corner, once round in all. */
+/* Does the ring turn left or go straight at every corner, and make one round in all? */
 static bool is_convex(const face_pieces *f)
 {
     size_t n = f->ring_count;
@@ -180,7 +180,7 @@ static bool take_whole(face_pieces *f)
     return true;
 }
 
-/* A convex face of very many corners, as a fan of pieces. */
+/* Cuts a convex face of very many corners into a fan of pieces. */
 static bool take_fan(face_pieces *f)
 {
     uint32_t count = (uint32_t)f->ring_count, cut = count;
@@ -201,7 +201,7 @@ static bool take_fan(face_pieces *f)
     return true;
 }
 
-/* Each side of the ring with its piece, and both sides of each cut where those matter. */
+/* Lists each side of the ring with its piece, and both sides of each cut if cuts matter. */
 static bool add_sides(face_pieces *f)
 {
     uint32_t count = (uint32_t)f->ring_count;

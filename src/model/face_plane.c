@@ -2,16 +2,16 @@
  *
  * Source: I. E. Sutherland, R. F. Sproull, R. A. Schumacker, "A characterization of ten hidden-surface algorithms",
  * Computing Surveys 6(1), 1974, where the method is credited to M. Newell: the normal is the sum of the cross products
- * round the polygon, its components twice the areas of the three projections. Taken relative to the first corner, so
- * that nothing is lost far from the origin, and a face parallel to a coordinate plane gets an exact normal.
+ * round the polygon; its components are twice the areas of the three projections. It is taken relative to the first
+ * corner. So nothing is lost far from the origin, and a face parallel to a coordinate plane gets an exact normal.
  *
- * The plane passes through the mean of the corners. Three corners lie in theirs up to rounding, which in a narrow
- * triangle is worth knowing. */
+ * The plane passes through the mean of the corners. Three corners lie in their plane up to rounding; in a narrow
+ * triangle even that deviation matters. */
 #include "model/face_plane.h"
 
 #include "model/convex.h"
 
-enum { PAIRS_UP_TO = 8 }; /* corners; up to so many, all pairs are measured for the greatest chord */
+enum { PAIRS_UP_TO = 8 }; /* corners; up to this number, the greatest chord is found by measuring all pairs */
 
 static roberts_vec3 newell(const roberts_vec3 *corner, uint32_t count)
 {
@@ -45,8 +45,8 @@ static double extent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 u)
     return most - least;
 }
 
-/* The same for many corners: the greatest extent along 16 directions of the plane, which is at least cos(pi / 32) >
- * 0.995 of the greatest chord, and never more than it. */
+/* The same for many corners: the greatest extent along 16 directions of the plane. It never exceeds the greatest chord,
+ * and is at least cos(pi / 32) > 0.995 of it. */
 static double chord_of_extents(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n)
 {
     roberts_vec3 axis = fabs(n.x) < 0.6 ? (roberts_vec3){1, 0, 0} : (roberts_vec3){0, 1, 0}, u, v;

@@ -1,4 +1,5 @@
-/* point_grid.c - see point_grid.h. A segment is followed slab by slab along the axis that it runs along most. */
+/* point_grid.c - a grid of cells that finds the points near a segment: it follows the segment slab by slab, along the
+ * axis in which the segment is longest. */
 #include "model/point_grid.h"
 
 #include <stdlib.h>
@@ -22,7 +23,7 @@ static size_t cell_of(const point_grid *grid, uint32_t i, uint32_t j, uint32_t k
     return ((size_t)i * grid->count[1] + j) * grid->count[2] + k;
 }
 
-/* About as many cells as points. */
+/* Chooses the size of cells so that there are about as many as points. */
 static void choose_cells(point_grid *grid, roberts_vec3 size, size_t count)
 {
     double extent[3] = {size.x, size.y, size.z}, most = greater(size.x, greater(size.y, size.z)), cells = 0.0;

@@ -1,4 +1,4 @@
-/* point_grid.h - points in the cells of a box: which lie near a segment? */
+/* point_grid.h - a grid of cells that finds the points near a segment. */
 #ifndef ROBERTS_MODEL_POINT_GRID_H
 #define ROBERTS_MODEL_POINT_GRID_H
 
@@ -13,7 +13,8 @@ typedef struct point_grid {
     uint32_t *item;    /* point numbers */
 } point_grid;
 
-/* Of the points listed. `point` stays the caller's. False: no memory; point_grid_free() is due in any case. */
+/* Builds the grid of the listed points. `point` belongs to the caller. False: no memory; point_grid_free() is still
+ * needed. */
 bool point_grid_build(point_grid *grid, const roberts_vec3 *point, const uint32_t *listed, size_t count);
 
 /* Points that were found. */
@@ -22,7 +23,7 @@ typedef struct point_list {
     size_t count, room;
 } point_list;
 
-/* Appends the points that may lie within `margin` of AB, and others near them, each once. False: no memory. */
+/* Appends all points within `margin` of AB, and perhaps others near it, each once. False: no memory. */
 bool point_grid_near(const point_grid *grid, roberts_vec3 A, roberts_vec3 B, double margin, point_list *found);
 
 void point_grid_free(point_grid *grid);

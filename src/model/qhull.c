@@ -1,13 +1,13 @@
 /* qhull.c - the facets of a convex hull, by libqhull.
  *
- * Qhull adds point after point to a hull and merges facets that rounding leaves doubtful. Its facets are polygons then,
- * with the corners that Qhull has made vertices; all other points lie inside or no farther out than a few widths.
+ * Qhull adds point after point to a hull, and merges facets that rounding leaves doubtful. So its facets are polygons.
+ * Points that are no corners lie inside, or outside by a few widths at most.
  * Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", ACM Transactions on
  * Mathematical Software 22(4), 1996.
  *
- * What it has to say goes to a small buffer in memory, whose end is never looked at; its errors come back as a number.
- * It would call exit() on an error within an error and on one outside of qh_new_qhull(): nothing of it that can fail is
- * called there. Every hull has a state of its own. */
+ * Its messages go to a small buffer in memory that nobody reads; its errors come back as a number. Qhull calls exit()
+ * on an error within an error, and on an error outside of qh_new_qhull(); so nothing that can fail is called outside.
+ * Every hull has its own state. */
 #include "model/qhull.h"
 
 #include <limits.h>
@@ -22,7 +22,8 @@
 
 _Static_assert(sizeof(roberts_vec3) == 3 * sizeof(coordT), "points are given to Qhull as they are");
 
-/* Qhull's option for the width, as a whole number and a power of ten: no locale has a point in that. */
+/* Qhull's option for the width, as a whole number and a power of ten: that has no decimal point, which depends on the
+ * locale. */
 static void write_command(char *command, size_t size, double width)
 {
     if (width > 0.0) {

@@ -1,4 +1,4 @@
-/* qhull.h - the facets of a convex hull, by libqhull. The only place that includes it. */
+/* qhull.h - the facets of a convex hull, by libqhull. Only qhull.c includes libqhull. */
 #ifndef ROBERTS_MODEL_QHULL_H
 #define ROBERTS_MODEL_QHULL_H
 
@@ -21,8 +21,8 @@ typedef enum hull_result {
     HULL_FAILED, /* rounding was too much for Qhull */
 } hull_result;
 
-/* Takes the convex hull of `count` points, finite and of about 1 in size. `width`: what is so near to a facet counts as
- * lying in it, and what is coplanar to that makes one facet; 0 = what rounding asks for. */
+/* Takes the convex hull of `count` points, which are finite and about 1 in size. `width`: points nearer to a facet than
+ * this lie in it, and facets that are coplanar within it become one; 0: only as rounding requires. */
 hull_result hull_take(hull_facets *facets, const roberts_vec3 *point, uint32_t count, double width);
 
 void hull_facets_free(hull_facets *facets);

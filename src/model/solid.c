@@ -15,15 +15,15 @@
 
 /* ---- a frame of its own ------------------------------------------------------------------------------------------ */
 
-/* Differences to a vertex of the solid are exact or nearly so, wherever the solid stands. Scaling by a power of two
- * changes no digit, so a solid times 2^k gets the same planes. */
+/* Differences to a vertex of the solid are exact or nearly so, wherever the solid is. Scaling by a power of two changes
+ * no digit, so a solid times 2^k gets the same planes. */
 
-/* Beyond these sizes a solid is scaled, so that fourth powers of its lengths (squared areas), and of lengths a
- * thousand-millionth of it, are far from the ends of the range. */
+/* A solid beyond these sizes is scaled. Then fourth powers of its lengths (squared areas), and of lengths a
+ * thousand-millionth of it, stay far from the ends of the range of doubles. */
 static const double LARGE = 0x1p200, SMALL = 0x1p-200;
 
-/* Thinner than this part of its size, a solid is flat: far above what rounding leaves of a plate that has no thickness
- * (some 1e-16), far below any plate that somebody would draw. */
+/* A solid thinner than this part of its size is flat. This is far more than rounding leaves of a plate without
+ * thickness (about 1e-16), and far less than any plate that somebody would draw. */
 static const double FLAT_PART = 1e-9;
 
 static bool make_room(solid_frame *frame)
@@ -33,7 +33,7 @@ static bool make_room(solid_frame *frame)
            array_reserve(&frame->ring, &frame->ring_room, frame->vertex_count, sizeof *frame->ring);
 }
 
-/* A power of two that brings a size beyond the limits to about 1; 1 for all others. */
+/* The power of two that brings a size beyond the limits to about 1; otherwise 1. */
 static double scale_for(double size)
 {
     int exponent;
@@ -98,7 +98,7 @@ roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint3
     frame->size = vec3_length(vec3_scale(scale, diagonal));
     frame->allowed = tolerance * (largest * scale > frame->size ? largest * scale : frame->size);
     frame->flat = FLAT_PART * frame->size;
-    /* a number that is not finite makes the sum so */
+    /* if a number is not finite, neither is the sum */
     return largest <= MESH_COORDINATE_MAX && isfinite(sum.x + sum.y + sum.z) ? ROBERTS_OK : ROBERTS_BAD_NUMBER;
 }
 
@@ -149,7 +149,7 @@ static void turn(solid_frame *frame, roberts_scene *scene, uint32_t f)
     frame->turned++;
 }
 
-/* What the checks ask of all faces together. */
+/* Notes what the checks need to know about all faces together. */
 static void note(solid_frame *frame, const local_face *face)
 {
     frame->any_lean |= face->lean;
@@ -278,7 +278,8 @@ static void fit_two(solid_frame *frame, roberts_scene *scene, uint32_t f, uint32
         store_empty(frame, scene, g);
 }
 
-/* Neighbours in the list that are of one kind go together; others wait for the next of theirs. */
+/* Fits faces two at a time. Neighbours in the list with the same number of corners go together; others wait for the
+ * next of their kind. */
 static void fit_all(solid_frame *frame, roberts_scene *scene)
 {
     uint32_t waiting[2] = {ROBERTS_NONE, ROBERTS_NONE};
@@ -318,13 +319,13 @@ void frame_fit_faces(solid_frame *frame, roberts_scene *scene)
 
 /* ---- faces that are too narrow ----------------------------------------------------------------------------------- */
 
-/* Faces too narrow to tell by themselves which side is the inner one, or where their plane lies.
+/* Some faces are too narrow to tell by themselves where their plane lies and which side is the inner one.
  *
- * In coordinates given to six digits a face may be narrower than the rounding: its plane then points anywhere, and it
- * may cut the solid. Triangles without any area occur as well, where a corner of one face lies on a side of another.
- * Such faces are kept, since the surface is closed only with them. They take winding and plane from their neighbours:
- * the mean of two adjacent planes touches the solid along their common edge, and so hides nothing and is hidden by
- * nothing that the neighbours are not. */
+ * If coordinates are given to six digits, a face may be narrower than the rounding. Its plane then points anywhere, and
+ * may cut the solid. There are also triangles without area, where a corner of one face lies on a side of another. Such
+ * faces are kept, since the surface is closed only with them. They take winding and plane from their neighbours. The
+ * mean of two adjacent planes touches the solid along their common edge: it hides nothing that its
+ * neighbours do not hide. */
 
 enum { UNSEEN, KEEP, TURN };
 
@@ -349,7 +350,7 @@ static bool collect_edges(face_edges *of, const solid_frame *frame)
     return true;
 }
 
-/* Decides all faces that are connected with `seed` by edges. */
+/* Decides for all faces connected with `seed` by edges whether to keep or to turn them. */
 static void flood(const solid_frame *frame, const face_edges *of, const uint8_t *alike, uint32_t seed,
                   uint8_t *decision, uint32_t *queue)
 {
@@ -378,7 +379,7 @@ static void turn_face(roberts_scene *scene, solid_frame *frame, uint32_t f)
     *global = (plane){-global->a, -global->b, -global->c, -global->d};
 }
 
-/* Whether the decisions leave the two faces of each edge passing it in opposite directions. */
+/* Do the two faces of each edge pass it in opposite directions once the decisions are carried out? */
 static bool agree(const solid_frame *frame, const uint8_t *alike, const uint8_t *decision)
 {
     for (uint32_t e = 0; e < frame->edge_count; e++) {
@@ -390,9 +391,9 @@ static bool agree(const solid_frame *frame, const uint8_t *alike, const uint8_t 
     return true;
 }
 
-/* Winds the faces of a solid alike, beginning from the widest, where the edges (paired, but mixed) say that the
- * barycentre has not. A face that is turned has its corners reversed and its plane too. Edges have to be paired anew
- * afterwards. Returns ROBERTS_OK, _NO_MEMORY or _NOT_CONVEX (the surface has one side only). */
+/* Winds the faces of a solid alike, starting from the widest, where the barycentre has not managed it (EDGES_MIXED).
+ * Turning a face reverses its corners and its plane. Edges have to be paired again afterwards. Returns ROBERTS_OK,
+ * _NO_MEMORY or _NOT_CONVEX (the surface has one side only). */
 static roberts_status narrow_wind(roberts_scene *scene, solid_frame *frame, const edge_scratch *edges)
 {
     face_edges of = {0};
@@ -417,7 +418,8 @@ done:
     return status;
 }
 
-/* Adds to `sum` the neighbour's normal, weighed by the length of the edge, if the neighbour stands by itself. */
+/* Adds the neighbour's normal to `sum`, weighted by the length of the edge, unless the neighbour itself needs a
+ * plane. */
 static void add_neighbour(const solid_frame *frame, const scene_edge *edge, uint32_t neighbour, roberts_vec3 *sum)
 {
     const local_face *face = &frame->face[neighbour];
@@ -426,7 +428,7 @@ static void add_neighbour(const solid_frame *frame, const scene_edge *edge, uint
         *sum = vec3_add(*sum, vec3_scale(vec3_length(vec3_sub(b, a)), (roberts_vec3){face->F.a, face->F.b, face->F.c}));
 }
 
-/* For a face without area and without neighbours to lean on: from the line that it is toward the barycentre. */
+/* An inward normal for a face without area or usable neighbours: from its line toward the barycentre. */
 static roberts_vec3 toward_barycentre(const solid_frame *frame, roberts_vec3 origin, uint32_t count)
 {
     roberts_vec3 inward = vec3_sub(frame->barycentre, origin), chord = {0, 0, 0};
@@ -462,8 +464,8 @@ static void mend_face(roberts_scene *scene, solid_frame *frame, uint32_t f, robe
     frame_store(frame, scene, f, mean);
 }
 
-/* Gives each face that is marked so a plane that leans on its neighbours' instead of its own, if that one is no farther
- * than the tolerance from its corners. Returns ROBERTS_OK or _NO_MEMORY. */
+/* Gives each face marked `lean` the mean plane of its neighbours, if its corners are within the tolerance of that
+ * plane. Returns ROBERTS_OK or _NO_MEMORY. */
 static roberts_status narrow_mend(roberts_scene *scene, solid_frame *frame)
 {
     roberts_vec3 *sum;
@@ -485,19 +487,17 @@ static roberts_status narrow_mend(roberts_scene *scene, solid_frame *frame)
 
 /* ---- one solid --------------------------------------------------------------------------------------------------- */
 
-/* From faces that are laid out to solids: planes, winding, edges, checks.
- *
- * The solid's barycentre, the mean of its vertices, lies inside a convex solid: it decides which side of each face is
- * the inner one, whatever the winding in the file. The two faces of each edge then pass it in opposite directions;
- * where they do not, faces too narrow to decide are wound like their neighbours. */
+/* The barycentre, the mean of the vertices, lies inside a convex solid. So it decides which side of each face is the
+ * inner one, whatever the winding in the file. The two faces of each edge then pass it in opposite directions. Where
+ * they do not, faces too narrow to decide are wound like their neighbours. */
 
-/* Whether the solid's edges are stored with its pattern's, which is closed. */
+/* Are the solid's edges stored with a pattern? Such a solid is closed. */
 static bool is_stored(const roberts_scene *scene, uint32_t s)
 {
     return scene->solid[s].stored < scene->shared;
 }
 
-/* Fewer vertices and faces than on a sphere: solids that share vertices would have more. */
+/* Has the surface holes? Then V + F < E + 2; in solids that share vertices it would be greater. */
 static bool has_holes(const roberts_scene *scene, uint32_t s)
 {
     const scene_solid *first = scene->solid + s;
@@ -517,8 +517,7 @@ build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t
     return pairing == EDGES_OPEN || !edges_like_a_sphere(scene, s) ? BUILD_OPEN : BUILD_OK;
 }
 
-/* The edges of solid s, whose faces have been wound: its pattern's, where all or none of them were turned, else found
- * anew. */
+/* Finds the edges of solid s, whose faces have been wound: its pattern's if all or none of the faces were turned. */
 static edge_pairing pair(const roberts_scene *scene, builder *work, uint32_t s)
 {
     solid_frame *frame = &work->frame;
@@ -542,8 +541,8 @@ static roberts_status wind(roberts_scene *scene, builder *work, uint32_t s, robe
     return edges_pair(scene, s, &work->edges) == EDGES_PAIRED ? ROBERTS_OK : error_no_memory(error);
 }
 
-/* Of a vertex that is no finite number. An open solid is told of when it is welded, so that what is told does not
- * depend on whether it was built or only asked. */
+/* Refuses a solid with a vertex that is not a finite number. An open solid is refused later, when it is welded; so the
+ * message is the same whether the solid was built or only asked. */
 static build_result refuse_numbers(roberts_scene *scene, builder *work, uint32_t s, bool must_close,
                                    roberts_error *error)
 {
@@ -555,8 +554,8 @@ static build_result refuse_numbers(roberts_scene *scene, builder *work, uint32_t
     return BUILD_REFUSED;
 }
 
-/* A face that its neighbours have turned, and that has not been mended, may be within a wide tolerance and still look
- * away from the inside: F > 0 there is promised. */
+/* Refuses a solid with F < 0 inside for some face. A face that was turned by its neighbours may be within a wide
+ * tolerance and still look away from the inside. */
 static roberts_status refuse_turned(const roberts_scene *scene, const solid_frame *frame, roberts_error *error)
 {
     for (uint32_t f = 0; f < frame->face_count; f++)

@@ -1,4 +1,4 @@
-/* solid.h - one solid: its frame, and its faces from those laid out to planes, winding, edges and checks. */
+/* solid.h - one solid: its frame, and how planes, winding, edges and checks make it. */
 #ifndef ROBERTS_MODEL_SOLID_H
 #define ROBERTS_MODEL_SOLID_H
 
@@ -14,11 +14,11 @@ typedef struct local_face {
     double deviation;   /* greatest distance of a corner from the plane */
     double area, width; /* width: area over greatest chord */
     bool strict;        /* strictly convex as a polygon, told without a tolerance */
-    bool lean;          /* its plane leaves a vertex outside by more than the tolerance, or it has none: to be mended */
+    bool lean; /* it takes its plane from its neighbours: its own leaves a vertex too far outside, or it has none */
 } local_face;
 
-/* One solid relative to its first vertex and, where it is very large or very small, scaled by a power of two. The
- * arrays serve solid after solid; zeroed = empty. */
+/* One solid relative to its first vertex; if it is very large or very small, also scaled by a power of two. The arrays
+ * serve solid after solid; zeroed = empty. */
 typedef struct solid_frame {
     uint32_t solid;           /* its number */
     const roberts_mesh *mesh; /* for messages */
@@ -28,11 +28,11 @@ typedef struct solid_frame {
     const scene_edge *edge; /* [edge_count] as they are stored in a scene, once they are paired */
     uint32_t edge_count;
     roberts_vec3 *ring;      /* room for the corners of any one face */
-    uint32_t turned;         /* so many faces ran clockwise in the input, seen from outside */
-    uint32_t widest;         /* the face of greatest width */
+    uint32_t turned;         /* how many faces run clockwise in the input, seen from outside */
+    uint32_t widest;         /* the face with the greatest width */
     bool any_lean;           /* some face is lean */
     bool any_doubt;          /* some face is not strictly convex, or not planar within the tolerance */
-    bool any_shallow;        /* some face is nearer to the barycentre than a solid may be thick */
+    bool any_shallow;        /* some face is nearer to the barycentre than the least thickness of a solid */
     roberts_vec3 barycentre; /* mean of the vertices: inside, if the solid is convex */
     double unit;             /* model units per unit of this frame */
     double scene_units;      /* the scene's units (of deviation and width) per unit of this frame */
@@ -42,12 +42,12 @@ typedef struct solid_frame {
     size_t point_room, face_room, ring_room;
 } solid_frame;
 
-/* Takes up solid s: makes room, moves and scales its vertices, measures it. Its faces are not filled in.
+/* Enters solid s: makes room, moves and scales its vertices, measures it. Leaves frame->face unset.
  * Returns ROBERTS_OK, _NO_MEMORY or _BAD_NUMBER (a coordinate is not finite or beyond 1e150). */
 roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint32_t s, double tolerance);
 
-/* Copies the corners of face f (counted from the solid's first), relative to the first of them, to frame->ring; returns
- * how many. */
+/* Copies the corners of face f (counted from the solid's first), relative to the first corner, to frame->ring. Returns
+ * their number. */
 uint32_t frame_ring(const solid_frame *frame, const roberts_scene *scene, uint32_t f);
 
 /* The first corner of face f. */
@@ -56,7 +56,7 @@ static inline roberts_vec3 frame_origin(const solid_frame *frame, const roberts_
     return frame->point[scene->corner[scene->face_start[frame->face_first + f]] - frame->vertex_first];
 }
 
-/* Fits the plane of each face and turns it and its corners so that the barycentre is inside. */
+/* Fits the plane of each face, and turns plane and corners so that the barycentre is inside. */
 void frame_fit_faces(solid_frame *frame, roberts_scene *scene);
 
 /* Writes face f's plane, deviation and width to the scene, in model units and relative to the scene's centre; `mean`:
@@ -67,23 +67,22 @@ void frame_free(solid_frame *frame);
 
 /* ---- one solid --------------------------------------------------------------------------------------------------- */
 
-/* From faces that are laid out to solids: planes, winding, edges, checks. */
+/* From the faces of a component to a solid: planes, winding, edges, checks. */
 
 /* Scratch memory that serves solid after solid; zeroed = empty. */
 typedef struct builder {
     solid_frame frame;
     edge_scratch edges;
-    bool holes; /* the solid built or asked last is closed, but its surface has holes: welding does not help */
+    bool holes; /* the last solid is closed, but its surface has holes: welding does not help */
 } builder;
 
 typedef enum build_result {
     BUILD_OK,
-    BUILD_OPEN,    /* the edges do not have two faces each, or the surface is not one closed one without holes */
+    BUILD_OPEN,    /* some edge has not two faces, or the surface has holes or consists of several */
     BUILD_REFUSED, /* `error` says why */
 } build_result;
 
-/* Whether solid s is closed: each edge has two faces, and corners, sides and faces number as on a sphere.
- * BUILD_REFUSED: no memory. */
+/* Is solid s closed? Each edge has two faces, and V - E + F = 2. BUILD_REFUSED: no memory. */
 build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t s, roberts_error *error);
 
 /* What a solid has to be. */

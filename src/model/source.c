@@ -1,7 +1,8 @@
-/* source.c - where a solid comes from.
+/* source.c - which input file a solid comes from.
  *
- * Inputs follow one another in a mesh, and solids are numbered by their smallest vertex: those of a file are numbered
- * in a row. A solid whose faces or welded vertices belong to several files has no file; its numbers count over all. */
+ * In a mesh the inputs follow one another, and solids are numbered by their smallest vertex. So the solids of a file
+ * have consecutive numbers. A solid whose faces or welded vertices belong to several files has no file; its numbers
+ * count over all files. */
 #include "model/source.h"
 
 /* The last source that begins at or before the vertex, and at or before the face; an empty source holds nothing. */
@@ -33,7 +34,7 @@ solid_source source_find(const roberts_mesh *mesh, uint32_t v_least, uint32_t v_
     return (solid_source){mesh->source[i].name, 0, mesh->source[i].first_face, mesh->source[i].first_vertex};
 }
 
-/* The same with the number of the file's first solid. First vertices ascend with the solids. */
+/* Adds the number of the file's first solid. First vertices ascend with the solids. */
 static solid_source count_solids(const roberts_scene *scene, uint32_t s, solid_source at)
 {
     for (uint32_t end = s; at.solid < end;) {

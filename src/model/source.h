@@ -1,4 +1,5 @@
-/* source.h - where a solid comes from: messages name its file, and count solids, faces and vertices within it. */
+/* source.h - which input file a solid comes from. Messages name the file, and count solids, faces and vertices within
+ * it. */
 #ifndef ROBERTS_MODEL_SOURCE_H
 #define ROBERTS_MODEL_SOURCE_H
 

@@ -1,4 +1,5 @@
-/* surface.c - see surface.h. */
+/* surface.c - collects the pieces of all faces of bodies that are not convex, with their sides. A face with the corners
+ * of an earlier one is left out. */
 #include "model/surface.h"
 
 #include <stdlib.h>
@@ -6,7 +7,7 @@
 
 #include "base/array.h"
 
-/* A face's corners, whatever the first is and whichever way they run. */
+/* A hash of a face's corners, the same for any start and either direction. */
 static uint64_t hash_of(const uint32_t *corner, uint32_t count)
 {
     uint64_t sum = count;
@@ -17,7 +18,7 @@ static uint64_t hash_of(const uint32_t *corner, uint32_t count)
     return (sum ^ sum >> 29) * 0x9e3779b97f4a7c15u;
 }
 
-/* Are the two the same corners round, from some start, in one direction or the other? */
+/* Are these the same corners, from some start and in either direction? */
 static bool same_round(const uint32_t *a, const uint32_t *b, uint32_t count)
 {
     for (uint32_t first = 0; first < count; first++) {
@@ -53,7 +54,7 @@ static uint32_t take_corners(const surface *s, uint32_t f, uint32_t *to)
     return n;
 }
 
-/* Enters a face. *repeats: one of the same corners is there. False: no memory. */
+/* Enters a face. *repeats: a face with the same corners is there already. False: no memory. */
 static bool enter(face_set *set, const surface *s, uint32_t f, const uint32_t *corner, uint32_t count, bool *repeats)
 {
     size_t at = (size_t)(hash_of(corner, count) >> 20) & (set->size - 1);
@@ -74,7 +75,7 @@ static bool enter(face_set *set, const surface *s, uint32_t f, const uint32_t *c
     return true;
 }
 
-/* A vertex beyond the mesh's. */
+/* Adds a vertex after those of the mesh. ROBERTS_NONE: no memory. */
 static uint32_t add_vertex(surface *s, const piece_node *node)
 {
     uint32_t before = s->vertex_count;
@@ -128,7 +129,7 @@ double surface_part_of(const surface *s, const uint32_t v[2], uint32_t at)
     return at == v[0] ? 0.0 : at == v[1] ? 1.0 : greater(0.0, lesser(1.0, t));
 }
 
-/* Notes that the last side is a part of the file's from a to b. */
+/* Notes that the last side is a part of the file's side from a to b. */
 static bool note_part(surface *s, uint32_t a, uint32_t b)
 {
     const surface_side *side = &s->side[s->side_count - 1];
@@ -145,7 +146,7 @@ static bool note_part(surface *s, uint32_t a, uint32_t b)
     return true;
 }
 
-/* The pieces of a face, its crossings as vertices, and its sides. */
+/* Takes the pieces of a face, its crossings as vertices, and its sides. */
 static bool take_pieces(surface *s, face_pieces *p, uint32_t face, const uint32_t *corner, uint32_t count)
 {
     uint32_t first = s->piece_count;
@@ -172,7 +173,7 @@ static bool take_pieces(surface *s, face_pieces *p, uint32_t face, const uint32_
     return true;
 }
 
-/* Sides of what hides nothing: an element of two corners, or a face without area. */
+/* Takes the sides of what hides nothing: an element of two corners, or a face without area. */
 static bool take_wires(surface *s, const uint32_t *corner, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -193,7 +194,7 @@ static bool take_face(surface *s, face_pieces *p, const face_rules *rules, uint3
     return p->piece_count > 0 ? take_pieces(s, p, face, corner, count) : take_wires(s, corner, count);
 }
 
-/* The sides of faces that are not listed: wires along them are none. */
+/* Takes the sides of faces that are not listed, so that wires along them are left out. */
 static bool take_shadows(surface *s, const uint8_t *listed)
 {
     const roberts_mesh *mesh = s->mesh;

@@ -1,8 +1,9 @@
-/* surface_edges.c - the edges of surfaces: sides that lie on one another.
+/* surface_edges.c - the edges of bodies that are not convex.
  *
- * Sides with the same ends are one edge; nearly all have two pieces, and those are done. The others (borders, edges
- * of more pieces, wires) are asked in space: a vertex that lies on one of them within the touching distance divides
- * it, and vertices that near to one another are one. So T-junctions and loose faces show no false borders. */
+ * Sides with the same ends are one edge. Nearly all edges have two pieces, and are done. The places in space of the
+ * other sides (borders, edges of more pieces, wires) are examined: a vertex on such a side, within the touching
+ * distance, divides it, and vertices that near to one another become one. So T-junctions and loose faces cause no false
+ * borders. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,7 +22,7 @@ typedef struct part_side {
     uint32_t part;  /* of the surface's parts of edges, or ROBERTS_NONE */
 } part_side;
 
-/* A vertex on an odd side. */
+/* A vertex that divides an odd side. */
 typedef struct side_stop {
     double t;
     uint32_t vertex;
@@ -61,13 +62,7 @@ static void sort_bucket(uint64_t *half, size_t count)
         qsort(half, count, sizeof *half, compare_u64);
         return;
     }
-    for (size_t i = 1; i < count; i++) {
-        uint64_t moving = half[i];
-        size_t j = i;
-        for (; j > 0 && half[j - 1] > moving; j--)
-            half[j] = half[j - 1];
-        half[j] = moving;
-    }
+    SORT_FEW(uint64_t, half, count, *a > *b)
 }
 
 static bool sort_sides(finder *f)
@@ -102,7 +97,7 @@ static uint32_t incidence(uint32_t piece, bool turned)
     return (piece & ~SURFACE_CUT) | (turned ? SURFACE_TURNED : 0);
 }
 
-/* The part of an edge of the file that a side is, as one of the surface's parts of edges. */
+/* If a side is a part of an edge of the file, copies this part to surface.part; else *part is ROBERTS_NONE. */
 static bool copy_part(surface *s, uint32_t side, uint32_t *part)
 {
     size_t low = 0, high = s->part_count;
@@ -123,15 +118,15 @@ static bool copy_part(surface *s, uint32_t side, uint32_t *part)
     return true;
 }
 
-/* Do both sides belong to one planar face? Its border crosses itself, and this stretch of it has the face on both
- * sides: another face has stretches of its own there. */
+/* Do both sides belong to one planar face? Its border then crosses itself, and the face is on both sides of this
+ * stretch. Another face may divide the same place in another way. */
 static bool same_face(const surface *s, const uint32_t side[2])
 {
     uint32_t p = s->side[side[0]].piece, q = s->side[side[1]].piece;
     return !((p | q) & SURFACE_CUT) && s->plane_of[p] == s->plane_of[q];
 }
 
-/* An edge of two sides that are pieces', else its sides are odd. */
+/* Makes an edge of sides with the same ends if two pieces have it; otherwise lists the sides as odd. */
 static bool take_group(finder *f, const uint64_t *half, size_t count)
 {
     surface *s = f->s;
@@ -189,7 +184,7 @@ static int compare_numbers(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The ends of odd sides, each once. */
+/* Lists the ends of odd sides, each once. */
 static bool list_vertices(finder *f)
 {
     f->vertex = alloc_array(2 * f->odd_count, sizeof *f->vertex);
@@ -219,7 +214,7 @@ static void join(uint32_t *parent, uint32_t a, uint32_t b)
         parent[a] = b;
 }
 
-/* The vertices on the segment from a to b, as stops; those at its ends are joined to them. */
+/* Finds the vertices on the segment from a to b, as stops; joins vertices at its ends to a and b. */
 static bool find_stops(finder *f, const point_grid *grid, uint32_t a, uint32_t b)
 {
     const roberts_vec3 *point = f->s->point;
@@ -255,7 +250,7 @@ static int compare_stops(const void *pa, const void *pb)
     return (a->vertex > b->vertex) - (a->vertex < b->vertex);
 }
 
-/* The edge of the file of which t0 .. t1 of side i, from its first end on, is a part; all of a part is that part. */
+/* Finds the part of an edge of the file that t0 .. t1 of side i is; t counts from the side's first end. */
 static bool part_of_side(finder *f, uint32_t i, double t0, double t1, uint32_t *part)
 {
     surface *s = f->s;
@@ -283,7 +278,7 @@ static bool part_of_side(finder *f, uint32_t i, double t0, double t1, uint32_t *
     return true;
 }
 
-/* An odd side from stop to stop. */
+/* Divides an odd side at its stops. */
 static bool divide(finder *f, uint32_t i)
 {
     const surface_side side = f->s->side[i];
@@ -371,7 +366,7 @@ static void place_part(const finder *f, scene_part *part, const surface_edge *ed
     part->t1 = greater(t[0], t[1]);
 }
 
-/* The edge of the divided sides first .. end - 1, and of an edge that is there already. */
+/* Makes an edge of the divided sides first .. end - 1, and of an edge that exists already. */
 static bool take_odd_group(finder *f, size_t first, size_t end, const surface_edge *there)
 {
     surface *s = f->s;
@@ -411,7 +406,7 @@ static int compare_edges(const surface_edge *a, const surface_edge *b)
     return (a->v[1] > b->v[1]) - (a->v[1] < b->v[1]);
 }
 
-/* The edge of two pieces with these ends. */
+/* The edge of two pieces with these ends; NULL: there is none. */
 static surface_edge *find_edge(const surface *s, const uint32_t v[2])
 {
     surface_edge key = {.v = {v[0], v[1]}};
@@ -426,7 +421,7 @@ static surface_edge *find_edge(const surface *s, const uint32_t v[2])
     return low < s->edge_count && compare_edges(&s->edge[low], &key) == 0 ? &s->edge[low] : NULL;
 }
 
-/* The edges of the divided sides. One that lies on an edge of two pieces takes its place. */
+/* Makes edges of the divided sides. Such an edge replaces an edge of two pieces with the same ends. */
 static bool take_odd_groups(finder *f)
 {
     surface *s = f->s;
@@ -444,7 +439,7 @@ static bool take_odd_groups(finder *f)
     return true;
 }
 
-/* Both lists as one, in order. */
+/* Merges both lists of edges, in order. */
 static bool merge_edges(finder *f)
 {
     surface *s = f->s;

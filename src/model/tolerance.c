@@ -1,26 +1,26 @@
 /* tolerance.c - the tolerance that would accept a model that has been refused.
  *
- * It is found by trying: a tolerance that is named has had the whole model pass. By how much the first solid failed
- * would not tell, since others may fail by more, and some failures have nothing to do with the tolerance. */
+ * It is found by trial: the whole model passes with any tolerance that is suggested. The amount by which the first
+ * solid failed would not be enough, since others may fail by more, or for reasons that no tolerance mends. */
 #include <math.h>
 
 #include "base/box.h"
 #include "model/scene.h"
 
 /* 1, 2 or 5 times a power of ten, up to a hundredth of the size: coordinates rounded to two digits may be off by that
- * much. What is farther from convex is of another shape: a drawing of it would look wrong. Its hull is at least a
+ * much. A model farther from convex has another shape, and a drawing of it would look wrong; its hull at least is a
  * solid. */
 static const double steps[] = {1e-10, 2e-10, 5e-10, 1e-9, 2e-9, 5e-9, 1e-8, 2e-8, 5e-8, 1e-7, 2e-7, 5e-7, 1e-6,
                                2e-6,  5e-6,  1e-5,  2e-5, 5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2};
 
 enum { STEPS = sizeof steps / sizeof steps[0] };
 
-/* With more faces than this nothing is tried: a refusal must not take seconds. */
+/* A model with more faces is not tried: a refusal must not take seconds. */
 enum { FACES_TRIED = 200000 };
 
-/* Of n faces each is about 1 / sqrt(n) of the size wide, and a vertex may lie outside its plane by sqrt(n) tolerances
- * (see convex.c). That must be no more than this part of the size, which it is for a cube at a hundredth. A larger
- * tolerance would accept a surface of many small faces, or a solid far from the origin, whatever its shape. */
+/* In a solid of n faces, each is about 1 / sqrt(n) of the size wide, and a vertex may lie outside its plane by sqrt(n)
+ * tolerances (see convex.c). That must not exceed this part of the size; a cube reaches it at a hundredth. A larger
+ * tolerance would accept any surface of many small faces, or any solid far from the origin. */
 static const double OUTSIDE_MOST = 0.025;
 
 /* The size of solid s as a part of its largest coordinate, at most 1: the tolerance counts by that coordinate where the

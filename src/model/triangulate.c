@@ -1,8 +1,8 @@
-/* triangulate.c - a simple polygon as triangles, and these joined to convex polygons.
+/* triangulate.c - cuts a simple polygon into triangles, and joins these to convex polygons.
  *
- * Ears are cut off one by one (G. H. Meisters, "Polygons have ears", American Mathematical Monthly 82(6), 1975);
- * then cuts that are not needed for convex pieces are taken back (S. Hertel, K. Mehlhorn, "Fast triangulation of
- * simple polygons", FCT 1983). A polygon may touch itself at corners and run along a slit both ways. */
+ * Ears are cut off one by one (G. H. Meisters, "Polygons have ears", American Mathematical Monthly 82(6), 1975). Then
+ * cuts that convex pieces do not need are taken back (S. Hertel, K. Mehlhorn, "Fast triangulation of simple polygons",
+ * FCT 1983). A polygon may touch itself at corners and run along a slit both ways. */
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -10,7 +10,7 @@
 #include "base/sort.h"
 #include "model/face_pieces.h"
 
-/* With more corners than this those near a triangle are found along a curve. */
+/* With more corners than this, those near a triangle are found along a space-filling curve. */
 enum { MANY_CORNERS = 80 };
 
 static roberts_vec2 place(const face_pieces *f, uint32_t link)
@@ -29,8 +29,8 @@ typedef struct ear {
     roberts_vec2 A, B, C, low, high;
 } ear;
 
-/* Is corner p in the triangle? Only corners that do not turn left can be the first ones in it. `strict`: or on its
- * border. */
+/* Is corner p in the triangle, or with `strict` also on its border? It is enough to ask corners that do not turn
+ * left. */
 static bool holds(const face_pieces *f, const ear *e, uint32_t p, bool strict)
 {
     roberts_vec2 P = place(f, p);
@@ -60,8 +60,8 @@ static uint32_t place_on(const curve *c, roberts_vec2 P)
     return bits_spread(cell_along(P.x, c->low.x, c->per_x)) << 1 | bits_spread(cell_along(P.y, c->low.y, c->per_y));
 }
 
-/* Links the corners along the curve (G. M. Morton, 1966): the corners of a box lie between its lower left and its
- * upper right corner on it. False: no memory. */
+/* Links the corners along the curve (G. M. Morton, 1966). On it, all corners in a box lie between the box's lower left
+ * and upper right corner. False: no memory. */
 static bool link_curve(face_pieces *f, uint32_t count, curve *c)
 {
     uint64_t *key = alloc_array(count, sizeof *key);
@@ -138,7 +138,7 @@ static bool add_triangle(face_pieces *f, uint32_t b, uint32_t across)
     return true;
 }
 
-/* Of a quadrilateral, the corner to begin with: so that the shorter diagonal is cut, where both are inside. */
+/* The corner of a quadrilateral to begin with: then the shorter diagonal is cut, if both are inside. */
 static uint32_t first_ear(const face_pieces *f, uint32_t count)
 {
     if (count != 4 || turn_at(f, 0) <= 0.0 || turn_at(f, 1) <= 0.0 || turn_at(f, 2) <= 0.0 || turn_at(f, 3) <= 0.0)
@@ -148,8 +148,8 @@ static uint32_t first_ear(const face_pieces *f, uint32_t count)
     return vec3_dot(b, b) <= vec3_dot(a, a) ? 0 : 1;
 }
 
-/* Cuts off ears until three corners are left. Where rounding leaves none, first those with corners on their border
- * go, then any corner that turns left, then any. Gives the number of cuts, or ROBERTS_NONE: no memory. */
+/* Cuts off ears until three corners are left. If rounding leaves no ear, it cuts ears with corners on their border,
+ * then any corner that turns left, then any. Returns the number of cuts; ROBERTS_NONE: no memory. */
 static uint32_t cut_ears(face_pieces *f, uint32_t count, const curve *c)
 {
     ring_link *link = f->link;
@@ -181,7 +181,7 @@ static uint32_t cut_ears(face_pieces *f, uint32_t count, const curve *c)
         if (c && link[b].last_z != ROBERTS_NONE)
             link[link[b].last_z].next_z = link[b].next_z;
         left--;
-        b = link[after].next; /* not the same corner again: fans are thin */
+        b = link[after].next; /* not the same corner again, which would give a fan of thin triangles */
         tried = lax = 0;
     }
     if (turn_at(f, b) > 0.0 && !add_triangle(f, b, link[link[b].next].label))
@@ -189,7 +189,7 @@ static uint32_t cut_ears(face_pieces *f, uint32_t count, const curve *c)
     return cuts;
 }
 
-/* The side of a piece with this label; its count where there is none. */
+/* The side of a piece that has this label; the number of its sides if there is none. */
 static uint32_t find_label(const face_piece *p, uint32_t label)
 {
     uint32_t i = 0;
@@ -203,7 +203,7 @@ static roberts_vec2 corner_at(const face_pieces *f, const face_piece *p, uint32_
     return f->node[p->node[i % p->count]].at;
 }
 
-/* Joins q to p across a cut, the side i of p and j of q, where what comes out is convex. */
+/* Joins q to p across a cut, side i of p and side j of q, if the result is convex. */
 static bool join(const face_pieces *f, face_piece *p, const face_piece *q, uint32_t i, uint32_t j)
 {
     face_piece all = {.count = p->count + q->count - 2};
@@ -224,7 +224,7 @@ static bool join(const face_pieces *f, face_piece *p, const face_piece *q, uint3
     return true;
 }
 
-/* Takes back cuts. of[]: the two pieces at each cut, which may have become parts of others. */
+/* Takes back cuts that are not needed. of[]: the two pieces at each cut, which may have been joined to others since. */
 static void join_pieces(face_pieces *f, size_t first, uint32_t count, uint32_t cuts, uint32_t *of, uint32_t *parent)
 {
     for (uint32_t c = 0; c < 2 * cuts; c++)

@@ -1,8 +1,7 @@
-/* weld.c - vertices at the same position become one.
+/* weld.c - vertices at the same position become one; components that are not closed are welded and split.
  *
- * Idea: the vertices are dealt into as many buckets as there are vertices, by a hash of their position, and each bucket
- * is sorted. Nearly all buckets hold one position, so that the time is linear; whatever the positions, it is at most
- * n log n. */
+ * Idea: a hash of its position puts each vertex into one of as many buckets as there are vertices, and each bucket is
+ * sorted. Nearly all buckets hold one position, so the time is linear; in the worst case it is n log n. */
 #include "model/weld.h"
 
 #include <stdlib.h>
@@ -59,7 +58,7 @@ static void sort_bucket(spot *first, uint32_t count)
     SORT_FEW(spot, first, count, compare_spots(a, b) > 0)
 }
 
-/* Deals the vertices; end[b] becomes the end of bucket b. */
+/* Puts the vertices into buckets; end[b] becomes the end of bucket b. */
 static void deal(spot *sorted, uint32_t *end, const uint32_t *listed, uint32_t count, const roberts_vec3 *point)
 {
     uint32_t sum = 0;
@@ -101,13 +100,13 @@ bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const
 
 /* ---- components that are not closed ------------------------------------------------------------------------------ */
 
-/* Components that are not closed as they stand: welded, split, and numbered together with the others.
+/* Components that are not closed are welded, split, and numbered together with the others.
  *
- * Files that give each face vertices of its own ("soup") have a component for each face. Open components are welded
- * with one another where positions are exactly equal, never with closed ones: solids that are whole in the file stay as
- * they are, though they may touch. */
+ * Some files give each face its own vertices ("soup"), so that each face is a component. Open components are welded
+ * with one another where positions are exactly equal, but never with closed ones: a solid that is complete in the file
+ * stays as it is, even if it touches others. */
 
-/* The faces of open components, taken for one solid and then split. Zeroed = empty. */
+/* The faces of open components, joined to one solid and then split. Zeroed = empty. */
 typedef struct regrouping {
     roberts_scene loose; /* one solid: these faces */
     edge_scratch edges;  /* of it */
@@ -129,7 +128,7 @@ static int compare_keys(const void *a, const void *b)
     return (p->face > q->face) - (p->face < q->face);
 }
 
-/* Gives each vertex of an open component the name of the first one at its position, all others their own. */
+/* Gives each vertex of an open component the name of the first one at its position; all others keep their own. */
 static roberts_status weld_open(const roberts_scene *scene, const uint8_t *open, polygons *faces,
                                 const roberts_mesh *mesh, roberts_error *error)
 {
@@ -154,7 +153,8 @@ static roberts_status weld_open(const roberts_scene *scene, const uint8_t *open,
     return status;
 }
 
-/* Sets of[f], and returns the number of faces that need splitting: those get 0 in `loose_of`, the others none. */
+/* Sets of[f], and returns the number of faces that need splitting: loose_of[f] is 0 for those, ROBERTS_NONE for
+ * others. */
 static uint32_t list_open(const roberts_scene *scene, const uint8_t *open, const polygons *faces, uint32_t *of,
                           uint32_t *loose_of)
 {
@@ -174,8 +174,8 @@ static uint32_t list_open(const roberts_scene *scene, const uint8_t *open, const
     return count;
 }
 
-/* Replaces the ids in of[] (below id_count, some not in use) by solid numbers, and gives the id of each solid. Returns
- * how many solids there are, or ROBERTS_NONE: no memory. */
+/* Replaces the ids in of[] (below id_count, some unused) by solid numbers, and sets the id of each solid. Returns the
+ * number of solids; ROBERTS_NONE: no memory. */
 static uint32_t number_solids(uint32_t *of, uint32_t id_count, const polygons *faces, uint32_t *id_of)
 {
     solid_key *key = alloc_array(id_count, sizeof *key);
@@ -226,8 +226,8 @@ static solid_source source_of_group(uint32_t s, const uint32_t *of, const polygo
     return at;
 }
 
-/* Says that solid s, which is the group `group` and comes from `at`, is not closed: its first edge (by vertices) that
- * has not two faces. */
+/* Refuses solid s, which is the group `group` and comes from `at`, as not closed. The message names its first edge (by
+ * vertices) that has not two faces. */
 static roberts_status refuse_open(const regrouping *g, uint32_t s, solid_source at, uint32_t group,
                                   roberts_error *error)
 {
@@ -261,7 +261,7 @@ static roberts_status refuse_open(const regrouping *g, uint32_t s, solid_source 
                      has == 1 ? "" : "s");
 }
 
-/* Makes one of the groups that are open and share a vertex. False: no memory. */
+/* Joins open groups that share a vertex. False: no memory. */
 static bool join_open(split_groups *groups, const roberts_scene *loose)
 {
     uint32_t *parent = alloc_array(groups->count, sizeof *parent);
@@ -285,7 +285,7 @@ static bool join_open(split_groups *groups, const roberts_scene *loose)
     return enough;
 }
 
-/* Splits the loose faces, numbers all solids, and lays them out in place of the components. */
+/* Numbers all solids, and lays them out in place of the components. */
 static roberts_status lay_out_again(regrouping *g, roberts_scene *scene, const polygons *faces,
                                     const roberts_mesh *mesh, roberts_error *error)
 {
