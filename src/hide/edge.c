@@ -157,7 +157,7 @@ static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box
         const hide_interval *hidden =
             ask && line->intervals.count ? &line->intervals.item[line->intervals.count - 1].part : NULL;
         hide_interval part;
-        if (!hide_by_front(fronts, &meeting, &line->e, hidden, &w->sides, &w->tally, &part))
+        if (!hide_by_front(fronts, &meeting, &line->e, hidden, &w->sides, &part))
             continue;
         if (!is_confined(w, own, &line->e, &part) && !confine(w, own, &line->e, &part))
             continue;
@@ -431,7 +431,8 @@ static void look_at_face(const hide_fronts *fronts, const hide_front *front, con
 {
     if (l->touching && !(fabs(plane_at(F->F, (roberts_vec3){l->x, l->y, l->best})) <= 2.0 * F->touch))
         return;
-    if (!hide_polygon_holds(fronts, &fronts->face_runs, F->corner, F->count, l->x, l->y, fronts->space.epsilon))
+    if (!hide_polygon_holds(fronts, &fronts->face_runs, F->corner, F->count, (roberts_vec2){l->x, l->y},
+                            fronts->space.epsilon))
         return;
     if (l->touching)
         l->solid = front->solid;

@@ -51,7 +51,6 @@ typedef struct hide_worker {
     uint16_t *seen;
     uint16_t stamp;          /* of the group at work */
     size_t surviving, drawn; /* edges, as counted in a roberts_drawing */
-    roberts_tally tally;
     char apart[THREADS_APART];
 } hide_worker;
 

@@ -25,15 +25,20 @@ typedef enum hide_approach {
     HIDE_ASK_REACH,    /* ... where that turns out to be so, else face by face */
 } hide_approach;
 
+/* An outline, or a face, against an edge. */
+typedef struct hide_polygon {
+    const uint32_t *corner; /* [count] */
+    uint32_t count;
+    double span; /* no two points of both are farther apart, along x and y together */
+} hide_polygon;
+
 /* A front and edges that lie within a box. */
 typedef struct hide_meeting {
     const hide_front *front;
     const hide_face *face;
-    const uint32_t *outline; /* [corners] */
-    uint32_t corners;
+    hide_polygon outline;
     hide_approach approach;
     double depth; /* of the front */
-    double span;  /* no two points of front and edges are farther apart, along x and y together */
 } hide_meeting;
 
 /* The boxes are rounded outward, and their common width and height up by far more than they are rounded to floats. */
@@ -46,16 +51,16 @@ BITS_INLINE hide_meeting hide_meet(const hide_fronts *fronts, const hide_front *
     hide_approach together = 1.001 * (double)(x + y + z) <= front->reach ? HIDE_WITHIN_REACH : HIDE_ASK_REACH;
     return (hide_meeting){.front = front,
                           .face = fronts->face + front->face,
-                          .outline = fronts->outline + front->outline,
-                          .corners = front->corners,
+                          .outline = {.corner = fronts->outline + front->outline,
+                                      .count = front->corners,
+                                      .span = 1.001 * (double)(x + y)},
                           .approach = front->kind == HIDE_CONVEX_SOLID ? together : HIDE_FACE_BY_FACE,
-                          .depth = (double)front->depth,
-                          .span = 1.001 * (double)(x + y)};
+                          .depth = (double)front->depth};
 }
 
 /* Where not all faces can be asked at once. */
 bool hide_by_faces(const hide_fronts *fronts, const hide_front *front, double span, const hide_edge *e,
-                   hide_sides *sides, roberts_tally *tally, hide_interval *part);
+                   hide_sides *sides, hide_interval *part);
 
 /* Are A and B within the reach of what the planes can be trusted, along three axes? */
 bool hide_within_reach(const hide_fronts *fronts, const hide_front *front, const hide_edge *e);
@@ -85,64 +90,61 @@ BITS_INLINE hide_verdict hide_test1_of_all(const hide_face *face, uint32_t count
 /* Cuts the part where e pierces the planes of the faces given by bits, and counts that; false where nothing of it is left
  * behind them. */
 bool hide_pierce_all(const hide_fronts *fronts, const hide_face *face, uint32_t bits, const hide_edge *e,
-                     hide_sides *sides, roberts_tally *tally, hide_interval *part);
+                     hide_sides *sides, hide_interval *part);
 
 /* Tests 2 to 4 by themselves, of an outline or of a face that has no runs. */
 bool hide_by_outline_closely(const hide_fronts *fronts, const uint32_t *corner, uint32_t count, const hide_edge *e,
-                             hide_sides *sides, roberts_tally *tally, hide_interval *part);
+                             hide_sides *sides, hide_interval *part);
 
-/* Tests 2 to 4, counted: the part of e inside an outline; false where there is none. Where all signs are plain the tests
+/* Tests 2 to 4, counted: the part of e inside a polygon; false where there is none. Where all signs are plain the tests
  * are asked together: what is outside one side is then counted for test 3 also where test 2 would have said so. */
-BITS_INLINE bool hide_by_outline(const hide_fronts *fronts, const uint32_t *corner, uint32_t count, double span,
-                                 const hide_edge *e, const hide_interval *hidden, hide_sides *sides,
-                                 roberts_tally *tally, hide_interval *part)
+BITS_INLINE bool hide_by_outline(const hide_fronts *fronts, const hide_polygon *p, const hide_edge *e,
+                                 const hide_interval *hidden, hide_sides *sides, hide_interval *part)
 {
-    if (count > FAST_CORNERS)
-        return hide_by_outline_closely(fronts, corner, count, e, sides, tally, part);
-    if (sides->outline.corner != corner)
-        fast_take(&sides->outline, fronts->P, corner, count);
-    switch (fast_test(&sides->outline, &fronts->space, e, span, hidden, part)) {
+    if (p->count > FAST_CORNERS)
+        return hide_by_outline_closely(fronts, p->corner, p->count, e, sides, part);
+    if (sides->outline.corner != p->corner)
+        fast_take(&sides->outline, fronts->P, p->corner, p->count);
+    switch (fast_test(&sides->outline, &fronts->space, e, p->span, hidden, part)) {
     case FAST_MISSED:
-        tally->test2_visible++;
+        sides->tally.test2_visible++;
         return false;
     case FAST_OUTSIDE:
-        tally->test3_visible++;
+        sides->tally.test3_visible++;
         return false;
     case FAST_INSIDE:
-        tally->test3_invisible++;
+        sides->tally.test3_invisible++;
         return true;
     case FAST_CUT:
-        tally->test4++;
+        sides->tally.test4++;
         return true;
     case FAST_EMPTY:
-        tally->test4++;
+        sides->tally.test4++;
         return false;
     default:
-        return hide_by_outline_closely(fronts, corner, count, e, sides, tally, part);
+        return hide_by_outline_closely(fronts, p->corner, p->count, e, sides, part);
     }
 }
 
 /* False where the front hides nothing of e, or nothing but what `hidden` (NULL: none), a part of it that is hidden, has already,
  * and the front is before all of e, so that none of its planes is near. sides: room for fronts->most_corners. */
 BITS_INLINE bool hide_by_front(const hide_fronts *fronts, const hide_meeting *m, const hide_edge *e,
-                               const hide_interval *hidden, hide_sides *sides, roberts_tally *tally,
-                               hide_interval *part)
+                               const hide_interval *hidden, hide_sides *sides, hide_interval *part)
 {
     uint32_t near = 0;
     hide_verdict depth = HIDE_INVISIBLE;
     if (m->approach != HIDE_WITHIN_REACH &&
         (m->approach == HIDE_FACE_BY_FACE || !hide_within_reach(fronts, m->front, e)))
-        return hide_by_faces(fronts, m->front, m->span, e, sides, tally, part);
-    tally->pairs++;
+        return hide_by_faces(fronts, m->front, m->outline.span, e, sides, part);
+    sides->tally.pairs++;
     if (!(e->A.z < m->depth && e->B.z < m->depth)) /* else behind all of it */
         depth = hide_test1_of_all(m->face, m->front->face_count, e, &near);
     if (depth == HIDE_VISIBLE) {
-        tally->test1_visible++;
+        sides->tally.test1_visible++;
         return false;
     }
-    return hide_by_outline(fronts, m->outline, m->corners, m->span, e, depth == HIDE_INVISIBLE ? hidden : NULL, sides,
-                           tally, part) &&
-           (depth == HIDE_INVISIBLE || hide_pierce_all(fronts, m->face, near, e, sides, tally, part));
+    return hide_by_outline(fronts, &m->outline, e, depth == HIDE_INVISIBLE ? hidden : NULL, sides, part) &&
+           (depth == HIDE_INVISIBLE || hide_pierce_all(fronts, m->face, near, e, sides, part));
 }
 
 #endif

@@ -100,15 +100,15 @@ static inline hide_face hide_outline(const hide_fronts *fronts, const hide_front
     return (hide_face){.corner = fronts->outline + front->outline, .count = front->corners};
 }
 
-/* Is (x, y) inside a convex polygon of the picture, a face or an outline as `table` says, or no farther outside than `slack`? */
+/* Is X inside a convex polygon of the picture, a face or an outline as `table` says, or no farther outside than `slack`? */
 static inline bool hide_polygon_holds(const hide_fronts *fronts, const runs_table *table, const uint32_t *corner,
-                                      uint32_t count, double x, double y, double slack)
+                                      uint32_t count, roberts_vec2 X, double slack)
 {
     const runs *r = runs_of(table, corner, count);
     if (r)
-        return runs_hold_point(&fronts->space, r, corner, x, y, slack);
+        return runs_hold_point(&fronts->space, r, corner, X.x, X.y, slack);
     for (uint32_t i = 0; i < count; i++)
-        if (!hide_side_holds(fronts->P[corner[i]], fronts->P[corner[i + 1 < count ? i + 1 : 0]], x, y, slack))
+        if (!hide_side_holds(fronts->P[corner[i]], fronts->P[corner[i + 1 < count ? i + 1 : 0]], X.x, X.y, slack))
             return false;
     return true;
 }

@@ -77,7 +77,7 @@ static bool look_ahead_at_all(hide_job *job, hide_worker *worker, int threads)
 static void add_sums(roberts_drawing *drawing, const hide_worker *w)
 {
     roberts_tally *to = &drawing->tally;
-    const roberts_tally *from = &w->tally;
+    const roberts_tally *from = &w->sides.tally;
     drawing->surviving_edges += w->surviving;
     drawing->drawn_edges += w->drawn;
     to->pairs += from->pairs;

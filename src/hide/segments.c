@@ -174,7 +174,7 @@ static bool take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
             continue;
         w->drawn++;
         if (is_covered(&job->fronts.cover, P, edge)) {
-            w->tally.covered++;
+            w->sides.tally.covered++;
             continue;
         }
         hide_line *line = hide_worker_add(w, i, edge, scene->solid[solid].vertex);

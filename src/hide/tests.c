@@ -170,7 +170,9 @@ hide_crossing hide_cross_side(const hide_space *space, const hide_face *F, hide_
     if (hide_accurate(space, e, error) || !space->scene)
         return c;
     roberts_vec3 P = space->P[s.p], Q = space->P[s.q];
-    error = lesser(hide_crossing_error(space, e, c.t, P.x, P.y, Q.x - P.x, Q.y - P.y, apart), error);
+    error = lesser(
+        hide_crossing_error(space, e, c.t, (roberts_vec2){P.x, P.y}, (roberts_vec2){Q.x - P.x, Q.y - P.y}, apart),
+        error);
     c.error = hide_accurate(space, e, error) ? 0.0 : error;
     return c;
 }
@@ -316,18 +318,18 @@ static bool end_at_corners(const hide_space *space, const hide_face *F, const hi
 }
 
 bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
-                   roberts_tally *tally, hide_interval *part)
+                   hide_interval *part)
 {
     switch (hide_test3(space, F, e, sides)) {
     case HIDE_VISIBLE:
-        tally->test3_visible++;
+        sides->tally.test3_visible++;
         return false;
     case HIDE_INVISIBLE:
-        tally->test3_invisible++;
+        sides->tally.test3_invisible++;
         *part = hide_whole;
         return end_at_corners(space, F, e, sides, part);
     default:
-        tally->test4++;
+        sides->tally.test4++;
         return hide_test4(space, F, e, sides, part) && end_at_corners(space, F, e, sides, part);
     }
 }

@@ -28,9 +28,11 @@ typedef struct hide_side {
     signed char a, b;
 } hide_side;
 
+/* Scratch memory of the tests, and what they count. */
 typedef struct hide_sides {
     hide_side *H; /* [room] */
     size_t room;
+    roberts_tally tally;
     uint64_t refined; /* signs and crossings computed in twice the precision */
     /* The outline that was asked last. (A table of 64 is right a third of the time, and saves nothing.) */
     fast_outline outline;
@@ -131,8 +133,8 @@ static inline bool hide_is_left(const hide_space *space, const hide_edge *e, con
     return (part->t1 - part->t0) * e->length3 > space->epsilon;
 }
 
-/* Tests 3 and 4, counted in `tally`: the part of e inside all sides; false where there is none. */
+/* Tests 3 and 4, counted in `sides`: the part of e inside all sides; false where there is none. */
 bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
-                   roberts_tally *tally, hide_interval *part);
+                   hide_interval *part);
 
 #endif

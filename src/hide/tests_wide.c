@@ -323,18 +323,18 @@ static bool by_guesses(const sight *s, hide_sides *sides, hide_verdict *verdict,
 }
 
 bool hide_by_runs(const hide_space *space, const runs *r, const hide_face *F, const hide_edge *e, hide_sides *sides,
-                  roberts_tally *tally, hide_interval *part)
+                  hide_interval *part)
 {
     sight s = {.space = space, .r = r, .F = F, .e = e, .left = ROBERTS_NONE, .right = ROBERTS_NONE};
     hide_verdict verdict;
     if (misses(&s)) {
-        tally->test2_visible++;
+        sides->tally.test2_visible++;
         return false;
     }
     if (!by_guesses(&s, sides, &verdict, part))
-        return hide_by_sides(space, F, e, sides, tally, part);
-    tally->test3_visible += verdict == HIDE_VISIBLE;
-    tally->test3_invisible += verdict == HIDE_INVISIBLE;
-    tally->test4 += verdict == HIDE_UNDECIDED;
+        return hide_by_sides(space, F, e, sides, part);
+    sides->tally.test3_visible += verdict == HIDE_VISIBLE;
+    sides->tally.test3_invisible += verdict == HIDE_INVISIBLE;
+    sides->tally.test4 += verdict == HIDE_UNDECIDED;
     return verdict != HIDE_VISIBLE && part->t0 < part->t1;
 }

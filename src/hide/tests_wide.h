@@ -80,6 +80,6 @@ bool runs_hold_point(const hide_space *space, const runs *r, const uint32_t *cor
 /* What hide_test2() and hide_by_sides() say of F, whose runs these are, counted: the part of e inside all sides; false where
  * there is none. To the last bit, unless a run of several sides is straight. */
 bool hide_by_runs(const hide_space *space, const runs *r, const hide_face *F, const hide_edge *e, hide_sides *sides,
-                  roberts_tally *tally, hide_interval *part);
+                  hide_interval *part);
 
 #endif

@@ -55,8 +55,8 @@ static inline double hide_margin(const hide_space *space)
     return 4.0 * (space->epsilon + space->depth_rounding);
 }
 
-/* No unit: bound of the error of the parameter t at which AB crosses the line through P along (dx, dy), a side from
- * corner to corner. `apart`: |a - b| for the signed distances a, b of A and B from that line, times the side's length.
+/* No unit: bound of the error of the parameter t at which AB crosses the line through P along `side`, which goes
+ * from corner to corner. `apart`: |a - b| for the signed distances a, b of A and B from that line, times the side's length.
  *
  * This bound is sharper than the errors of a and b where the crossing lies near a short side, or far from the ends of
  * AB. With a and b off by da and db, t is off by ((1 - t) da + t db) / (a - b). That is the error that the distance of
@@ -64,13 +64,13 @@ static inline double hide_margin(const hide_space *space)
  * more than 2 rounding (|PQ| + |PX|), where both norms are sums of coordinates; the products' own rounding adds less than
  * 2 rounding |PQ|. X is taken where it was found. It may be off by t's error times |AB|, which at most doubles the bound
  * as long as 4 rounding |AB| <= apart. */
-static inline double hide_crossing_error(const hide_space *space, const hide_edge *e, double t, double px, double py,
-                                         double dx, double dy, double apart)
+static inline double hide_crossing_error(const hide_space *space, const hide_edge *e, double t, roberts_vec2 P,
+                                         roberts_vec2 side, double apart)
 {
     roberts_vec3 X = hide_edge_at(e, t);
-    double side = fabs(dx) + fabs(dy), reach = fabs(X.x - px) + fabs(X.y - py);
+    double length = fabs(side.x) + fabs(side.y), reach = fabs(X.x - P.x) + fabs(X.y - P.y);
     double run = fabs(e->B.x - e->A.x) + fabs(e->B.y - e->A.y);
-    return 4.0 * space->rounding * run <= apart ? 4.0 * space->rounding * (2.0 * side + reach) / apart : INFINITY;
+    return 4.0 * space->rounding * run <= apart ? 4.0 * space->rounding * (2.0 * length + reach) / apart : INFINITY;
 }
 
 /* ---- the planes of faces ---- */
