@@ -53,19 +53,22 @@ static uint32_t tile_of(const layout *l, const scan_frame *f, const hide_box *bo
     return l->first[r] + i / 2 * l->up[r] + j / 2;
 }
 
-/* Counts of solids, faces and vertices become places. */
-static void set_places(tiles *t)
+/* What the solids of a tile have in all. */
+typedef struct tile_sizes {
+    uint32_t solids, faces, vertices;
+} tile_sizes;
+
+/* Each tile's places follow those of the tiles before it. */
+static void set_places(tiles *t, const tile_sizes *size)
 {
     uint32_t first = 0, face = 0, outline = 0;
     for (uint32_t k = 0; k < t->count; k++) {
-        front_tile *to = &t->tile[k];
-        uint32_t solids = to->end, faces = to->face, vertices = to->outline;
-        to->first = to->end = to->front = first;
-        to->face = face;
-        to->outline = outline;
-        first += solids;
-        face += faces;
-        outline += vertices;
+        t->tile[k].first = t->tile[k].end = t->tile[k].front = first;
+        t->tile[k].face = face;
+        t->tile[k].outline = outline;
+        first += size[k].solids;
+        face += size[k].faces;
+        outline += size[k].vertices;
     }
 }
 
@@ -87,22 +90,24 @@ static bool by_place(tiles *t, const hide_fronts *fronts, int threads)
     const roberts_scene *scene = fronts->scene;
     layout l = lay_out(t, &fronts->cover.frame);
     uint32_t *own = alloc_array(scene->solid_count, sizeof *own);
+    tile_sizes *size = alloc_zeroed(t->count, sizeof *size);
     t->tile = alloc_zeroed(t->count, sizeof *t->tile);
     t->solid = alloc_array(scene->solid_count, sizeof *t->solid);
-    bool done = own && t->tile && t->solid;
+    bool done = own && size && t->tile && t->solid;
     if (done)
         find_tiles(&l, fronts, own, threads);
     for (uint32_t s = 0; done && s < scene->solid_count; s++) {
-        front_tile *to = &t->tile[own[s]];
-        to->end++;
-        to->face += scene->solid[s + 1].face - scene->solid[s].face;
-        to->outline += scene->solid[s + 1].vertex - scene->solid[s].vertex;
+        tile_sizes *of = &size[own[s]];
+        of->solids++;
+        of->faces += scene->solid[s + 1].face - scene->solid[s].face;
+        of->vertices += scene->solid[s + 1].vertex - scene->solid[s].vertex;
     }
     if (done)
-        set_places(t);
+        set_places(t, size);
     for (uint32_t s = 0; done && s < scene->solid_count; s++)
         t->solid[t->tile[own[s]].end++] = s;
     free(own);
+    free(size);
     return done;
 }
 
