@@ -465,13 +465,14 @@ static void set_space(hide_fronts *fronts)
 }
 
 roberts_status hide_fronts_build(hide_fronts *fronts, const roberts_scene *scene, const roberts_camera *camera,
-                                 double epsilon, bool cull, uint32_t threads, roberts_error *error)
+                                 const roberts_hide_options *options, roberts_error *error)
 {
+    bool cull = !options->keep_hidden;
     build b = {.fronts = fronts,
-               .threads = threads_for(threads, 1 + scene->solid_count / SOLIDS_PER_THREAD),
+               .threads = threads_for(options->threads, 1 + scene->solid_count / SOLIDS_PER_THREAD),
                .looked_up = !cull};
     *fronts = (hide_fronts){.scene = scene};
-    roberts_status status = view_prepare(&fronts->view, scene, camera, epsilon, error);
+    roberts_status status = view_prepare(&fronts->view, scene, camera, options->epsilon, error);
     if (status != ROBERTS_OK)
         return status;
     scan_frame frame = {0};

@@ -65,10 +65,11 @@ typedef struct hide_fronts {
     roberts_vec2 low, high;           /* box of the picture, view units */
 } hide_fronts;
 
-/* cull: leave out solids that are wholly hidden. threads: 0 = as many as there are; what comes out is the same.
+/* Of the options, the touching distance and the number of threads count, and whether hidden lines are kept: if not, solids
+ * that are wholly hidden are left out.
  * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT; after a failure `fronts` is empty. */
 roberts_status hide_fronts_build(hide_fronts *fronts, const roberts_scene *scene, const roberts_camera *camera,
-                                 double epsilon, bool cull, uint32_t threads, roberts_error *error);
+                                 const roberts_hide_options *options, roberts_error *error);
 void hide_fronts_free(hide_fronts *fronts);
 
 /* Releases the boxes of solids: edges ask those of fronts only. */

@@ -90,7 +90,9 @@ static void a_tree_finds_what_all_faces_do(void **state)
         hide_fronts fronts;
         seed < SCENES ? make_scene(&m, seed) : make_speck(&m);
         roberts_scene *scene = model_build(&m);
-        assert_int_equal(hide_fronts_build(&fronts, scene, &cameras[seed % 3], 0.0, false, 1, NULL), ROBERTS_OK);
+        assert_int_equal(hide_fronts_build(&fronts, scene, &cameras[seed % 3],
+                                           &(roberts_hide_options){.keep_hidden = true, .threads = 1}, NULL),
+                         ROBERTS_OK);
         hide_fronts plain = fronts;
         plain.bundles = (bundle_table){0};
         fronts.space.scene = plain.space.scene = NULL; /* these edges are none of the scene's */
