@@ -1,7 +1,7 @@
 /* edge.c - see edge.h.
  *
- * The edges of a small solid go through the cells together: each front in them is met once, by all edges. The edges of a
- * solid that spans many cells go one by one, each through the cells that its own picture crosses. */
+ * The edges of a small solid go through the cells together: each front in them is met once, by all edges. The edges
+ * of a solid that spans many cells go one by one, each through the cells that its own picture crosses. */
 #include "hide/edge.h"
 
 #include <math.h>
@@ -35,8 +35,8 @@ bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *gr
     w->least[0] = w->least[2] = -INFINITY;
     w->most[1] = w->most[3] = INFINITY;
     w->seen = alloc_zeroed(fronts->front_count, sizeof *w->seen);
-    /* More, so that it lies apart from what other threads write; and a line at least: where there is none, its array can be
-     * pointed into. */
+    /* More, so that it lies apart from what other threads write; and a line at least: where there is none, its array
+     * can be pointed into. */
     return w->seen && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) && hide_worker_more(w);
 }
 
@@ -113,8 +113,8 @@ static double left_of(roberts_vec3 P, roberts_vec3 Q, roberts_vec3 X)
     return (Q.x - P.x) * (X.y - P.y) - (Q.y - P.y) * (X.x - P.x);
 }
 
-/* Does the line begin or end at a corner of the face, and go on plainly outside of it from there? Of a surface most faces that a
- * line meets are of this kind. */
+/* Does the line begin or end at a corner of the face, and go on plainly outside of it from there? Of a surface most
+ * faces that a line meets are of this kind. */
 static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, const hide_face *F)
 {
     uint32_t at = F->count;
@@ -131,7 +131,8 @@ static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, cons
     return left_of(V, after, X) < -fronts->space.plain || left_of(V, X, before) < -fronts->space.plain;
 }
 
-/* Leaves out the lines, given by bits from `first` on, whose own face the front is, and those that only touch it at a corner. */
+/* Leaves out the lines, given by bits from `first` on, whose own face the front is, and those that only touch it at a
+ * corner. */
 static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *first, uint64_t bits,
                                        const hide_front *front)
 {
@@ -277,8 +278,8 @@ static bool meet_forward(hide_worker *w, const party *p, uint32_t k, uint32_t en
     return true;
 }
 
-/* The lines against the fronts of one cell, as long as one line is not wholly hidden. Fronts that begin before all of the
- * lines come first, the farthest of them first: what stands next in a row or a pile hides more than what stands far
+/* The lines against the fronts of one cell, as long as one line is not wholly hidden. Fronts that begin before all of
+ * the lines come first, the farthest of them first: what stands next in a row or a pile hides more than what stands far
  * before both. The others follow. Fronts are looked at four at a time. (To prefetch the boxes of the next ones gains
  * nothing, not even in scenes that no cache holds.) */
 static bool meet_cell(hide_worker *w, const party *p, uint32_t column, uint32_t row, float far)

@@ -75,7 +75,8 @@ typedef struct climb {
     bool forward; /* asked is what hides more beyond the hull's end; else before its beginning */
 } climb;
 
-/* Can a node's faces hide more than is known? `*reach`: the more of it, the farther on in the direction that is asked about. */
+/* Can a node's faces hide more than is known? `*reach`: the more of it, the farther on in the direction that is asked
+ * about. */
 static bool may_hide_more(const climb *c, const bundle_node *n, double *reach)
 {
     double t0, t1;
@@ -98,8 +99,8 @@ static void ask_faces(climb *c, uint32_t item)
     }
 }
 
-/* The nodes of a rank from the one that begins with `item` on, no more than eight of them: those that reach farthest are asked
- * first, so that they leave little to the others. */
+/* The nodes of a rank from the one that begins with `item` on, no more than eight of them: those that reach farthest
+ * are asked first, so that they leave little to the others. */
 static void ask_nodes(climb *c, int rank, uint32_t item, uint32_t end)
 {
     uint32_t from[1 << LIST_TREE_BITS], count = 0;

@@ -1,17 +1,17 @@
 /* front_test.h - what the front of one solid hides of one edge of another: one interval.
  *
- * The volume behind a convex solid is { X : X inside the outline, F(X) > 0 for every front face F }. So for the front as
- * a whole the four tests read:
+ * The volume behind a convex solid is { X : X inside the outline, F(X) > 0 for every front face F }. So for the front
+ * as a whole the four tests read:
  *
  *   1. Some face has A and B in front of it or on it: visible.
  *   2. The outline lies on one side of the sight plane through AB: visible.
- *   3. and 4. as for one face, with the outline's sides in place of a face's; the part found is cut where AB pierces the
- *      plane of any of the faces, if A and B are not both behind all of them.
+ *   3. and 4. as for one face, with the outline's sides in place of a face's; the part found is cut where AB pierces
+ *      the plane of any of the faces, if A and B are not both behind all of them.
  *
- * Planes are asked far from their faces here. An edge out of the reach of what they can be trusted (see front_set_trust() in
- * front.c: beyond a thousand widths of a face, or at once for models given to few digits) meets the faces one by one,
- * tests 1 to 4 each, and the hull of what they hide is the front's part. So does it a front of one face; of
- * a bundle it meets the faces that its tree leaves. */
+ * Planes are asked far from their faces here. An edge out of the reach of what they can be trusted (see
+ * front_set_trust() in front.c: beyond a thousand widths of a face, or at once for models given to few digits) meets
+ * the faces one by one, tests 1 to 4 each, and the hull of what they hide is the front's part. A one-face front is
+ * handled likewise; for a bundle, only the faces that its tree leaves. */
 #ifndef ROBERTS_HIDE_FRONT_TEST_H
 #define ROBERTS_HIDE_FRONT_TEST_H
 
@@ -66,8 +66,8 @@ bool hide_by_faces(const hide_fronts *fronts, const hide_front *front, double sp
 bool hide_within_reach(const hide_fronts *fronts, const hide_front *front, const hide_edge *e);
 
 /* Test 1 for all faces: HIDE_VISIBLE where one has A and B in front of it or on it, HIDE_INVISIBLE (as far as depth
- * goes) where both are behind all of them. `*near`: bit i for face i that AB is not clear of, by twice the distance that
- * counts as touching: only these can be pierced. */
+ * goes) where both are behind all of them. `*near`: bit i for face i that AB is not clear of, by twice the distance
+ * that counts as touching: only these can be pierced. */
 BITS_INLINE hide_verdict hide_test1_of_all(const hide_face *face, uint32_t count, const hide_edge *e, uint32_t *near)
 {
     two x = two_of(e->A.x, e->B.x), y = two_of(e->A.y, e->B.y), z = two_of(e->A.z, e->B.z);
@@ -87,8 +87,8 @@ BITS_INLINE hide_verdict hide_test1_of_all(const hide_face *face, uint32_t count
     return any ? HIDE_UNDECIDED : HIDE_INVISIBLE;
 }
 
-/* Cuts the part where e pierces the planes of the faces given by bits, and counts that; false where nothing of it is left
- * behind them. */
+/* Cuts the part where e pierces the planes of the faces given by bits, and counts that; false where nothing of it is
+ * left behind them. */
 bool hide_pierce_all(const hide_fronts *fronts, const hide_face *face, uint32_t bits, const hide_edge *e,
                      hide_sides *sides, hide_interval *part);
 
@@ -126,8 +126,9 @@ BITS_INLINE bool hide_by_outline(const hide_fronts *fronts, const hide_polygon *
     }
 }
 
-/* False where the front hides nothing of e, or nothing but what `hidden` (NULL: none), a part of it that is hidden, has already,
- * and the front is before all of e, so that none of its planes is near. sides: room for fronts->most_corners. */
+/* False where the front hides nothing of e, or nothing but what `hidden` (NULL: none), a part of it that is hidden, has
+ * already, and the front is before all of e, so that none of its planes is near. sides: room for
+ * fronts->most_corners. */
 BITS_INLINE bool hide_by_front(const hide_fronts *fronts, const hide_meeting *m, const hide_edge *e,
                                const hide_interval *hidden, hide_sides *sides, hide_interval *part)
 {

@@ -65,9 +65,9 @@ typedef struct hide_fronts {
     roberts_vec2 low, high;           /* box of the picture, view units */
 } hide_fronts;
 
-/* Of the options, the touching distance and the number of threads count, and whether hidden lines are kept: if not, solids
- * that are wholly hidden are left out.
- * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT; after a failure `fronts` is empty. */
+/* Of the options, the touching distance and the number of threads count, and whether hidden lines are kept: if not,
+ * solids that are wholly hidden are left out. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT; after a
+ * failure `fronts` is empty. */
 roberts_status hide_fronts_build(hide_fronts *fronts, const roberts_scene *scene, const roberts_camera *camera,
                                  const roberts_hide_options *options, roberts_error *error);
 void hide_fronts_free(hide_fronts *fronts);
@@ -101,7 +101,8 @@ static inline hide_face hide_outline(const hide_fronts *fronts, const hide_front
     return (hide_face){.corner = fronts->outline + front->outline, .count = front->corners};
 }
 
-/* Is X inside a convex polygon of the picture, a face or an outline as `table` says, or no farther outside than `slack`? */
+/* Is X inside a convex polygon of the picture, a face or an outline as `table` says, or no farther outside than
+ * `slack`? */
 static inline bool hide_polygon_holds(const hide_fronts *fronts, const runs_table *table, const uint32_t *corner,
                                       uint32_t count, roberts_vec2 X, double slack)
 {

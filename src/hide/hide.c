@@ -3,8 +3,8 @@
  *   1. Fronts. The near plane clips the scene. Each solid is mapped to view space, and its front faces become fronts
  *      (fronts.c, front.c). Solids that covers hide are left out (cover.c).
  *   2. Objet[i][j]. The cells of the picture list the fronts that touch them (cells.c, objet.c).
- *   3. Edges. The drawn edges of each solid are taken (segments.c) through the cells that they cross (edge.c). Tests 1 to 4
- *      say what each front there hides of them (front_test.c, tests.c), and the hidden intervals are united
+ *   3. Edges. The drawn edges of each solid are taken (segments.c) through the cells that they cross (edge.c). Tests
+ *      1 to 4 say what each front there hides of them (front_test.c, tests.c), and the hidden intervals are united
  *      (intervals.c). What is left of an edge becomes segments.
  *
  * Threads take solids in chunks. Each chunk keeps its segments until those of the chunks before it are laid down
@@ -56,8 +56,8 @@ static roberts_time lap(roberts_time *last)
 
 /* ---- 1. fronts ---- */
 
-/* What is culled does not depend on the grid. Where borders coincide in the picture, another solid's border may differ in
- * the last bit. Where hidden segments are wanted, with the solid that the viewer sees there, nothing is culled. */
+/* What is culled does not depend on the grid. Where borders coincide in the picture, another solid's border may differ
+ * in the last bit. Where hidden segments are wanted, with the solid that the viewer sees there, nothing is culled. */
 static roberts_status make_fronts(hide_job *job, const roberts_camera *camera, roberts_error *error)
 {
     const roberts_hide_options *options = job->options;

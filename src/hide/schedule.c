@@ -173,8 +173,8 @@ bool tiles_order(tiles *t, const front_tile *of, const hide_fronts *fronts)
 /* ... and if one solid lies on average farther than this from the last, the file has them as they come. Rows, heaps and
  * lattices that were built one beside the other have less than 30, random ones more than 600. */
 #define FAR_APART 100.0
-/* ... or if as many boxes as this lie over a point of the picture: what lies behind one another lies anywhere in the file. In
- * flat scenes the order costs a fifth of hiding, in deep ones it saves a fourth to a half. */
+/* ... or if as many boxes as this lie over a point of the picture: what lies behind one another lies anywhere in the
+ * file. In flat scenes the order costs a fifth of hiding, in deep ones it saves a fourth to a half. */
 #define DEEP 2.5
 
 /* Solids between asking for what is kept of one and needing it; twice as many before, where it is. */
@@ -185,8 +185,8 @@ static double apart(uint32_t a, uint32_t b)
     return a < b ? b - a : a - b;
 }
 
-/* Fills `key` so that the solids' order follows the Z-order curve through the picture. Gives how far one is from the last, on
- * average. */
+/* Fills `key` so that the solids' order follows the Z-order curve through the picture. Gives how far one is from the
+ * last, on average. */
 static double find_keys(const hide_fronts *fronts, uint32_t *key)
 {
     uint32_t count = fronts->scene->solid_count, last_i = 0, last_j = 0;
@@ -382,8 +382,8 @@ static void give_away(chunks *c, const hide_chunk *chunk)
     atomic_store(&c->turn, chunk->number + 1);
 }
 
-/* The drawing moves only while nobody writes to it. The next has its turn before the copying, most of which is the system
- * bringing new memory. */
+/* The drawing moves only while nobody writes to it. The next has its turn before the copying, most of which is the
+ * system bringing new memory. */
 static void lay_down(chunks *c, const hide_chunk *chunk)
 {
     size_t first = c->drawing->count, total = first + chunk->count;

@@ -131,7 +131,8 @@ static bool add_clipped(const hide_job *job, hide_chunk *out, roberts_segment pa
     return true;
 }
 
-/* Would the edge, of which nothing is left, be drawn? Only of one that is flat or a cut it is known that it would not. */
+/* Would the edge, of which nothing is left, be drawn? Only of one that is flat or a cut it is known that it would
+ * not. */
 static bool add_lost(const hide_job *job, hide_chunk *out, uint32_t body, uint32_t e)
 {
     const roberts_scene *scene = job->source;

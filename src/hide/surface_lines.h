@@ -1,4 +1,5 @@
-/* surface_lines.h - bodies that are not convex: which of their edges are lines, of what class, and what is left of them.
+/* surface_lines.h - bodies that are not convex: which of their edges are lines, of what class, and what is left of
+ * them.
  *
  * An edge is hidden by all faces but its own, those of its own body among them. */
 #ifndef ROBERTS_HIDE_SURFACE_LINES_H

@@ -31,8 +31,8 @@ bool hide_test1(const hide_face *F, const hide_edge *e)
     return plane_at(F->F, e->A) <= (double)F->limit && plane_at(F->F, e->B) <= (double)F->limit;
 }
 
-/* Q(X) = 0 is the sight plane through AB, Q(X) the distance from it (here times the length of AB). A corner whose distance is
- * uncertain counts as near. */
+/* Q(X) = 0 is the sight plane through AB, Q(X) the distance from it (here times the length of AB). A corner whose
+ * distance is uncertain counts as near. */
 static inline int corner_side(const hide_space *space, roberts_vec3 P, const hide_edge *e, hide_near *near)
 {
     double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y, px = P.x - e->A.x, py = P.y - e->A.y, Q = dx * py - dy * px;
@@ -234,9 +234,9 @@ bool hide_cut_end(const hide_cutting *c, hide_cut *cut, hide_interval *part)
     return hide_is_left(c->space, c->e, part);
 }
 
-/* TEST 4. t_i is the crossing of AB with side plane H_i. Of those by which AB comes in, the last lies on the side itself
- * (0 <= s_i <= 1), and so does the first by which it goes out, unless AB misses the face: then they come in the wrong
- * order. So the s_i need not be computed, and of the crossings at most those two closely. */
+/* TEST 4. t_i is the crossing of AB with side plane H_i. Of those by which AB comes in, the last lies on the side
+ * itself (0 <= s_i <= 1), and so does the first by which it goes out, unless AB misses the face: then they come in the
+ * wrong order. So the s_i need not be computed, and of the crossings at most those two closely. */
 bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_interval *part)
 {
     hide_cutting c = {space, F, e, &sides->refined};
@@ -249,7 +249,8 @@ bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e,
     return hide_cut_end(&c, &cut, part);
 }
 
-/* What counts as on the plane at X: a solid that the near plane cuts may have its nearest corner a thousand times as near. */
+/* What counts as on the plane at X: a solid that the near plane cuts may have its nearest corner a thousand times as
+ * near. */
 static double touch_at(const hide_space *space, const hide_face *F, roberts_vec3 X)
 {
     if (F->departure <= 0.0f)

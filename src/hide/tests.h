@@ -1,13 +1,13 @@
 /* tests.h - the lecture's tests 1 to 4: what one front face F of a solid hides of one edge AB of another.
  *
- * Specification ("Elimination des lignes cachees", with its corrections): the hidden part is the interval of those t for
- * which R(t) = A + t AB is inside or on every side plane of F and F(R(t)) > 0. The tests are the cheap way to it, and
- * each stops the procedure where it decides.
+ * Specification ("Elimination des lignes cachees", with its corrections): the hidden part is the interval of those t
+ * for which R(t) = A + t AB is inside or on every side plane of F and F(R(t)) > 0. The tests are the cheap way to it,
+ * and each stops the procedure where it decides.
  *
  *   1. F(A) <= 0 and F(B) <= 0: visible.
  *   2. All corners of F on one side of the sight plane Q through AB, at most one on it: visible.
- *   3. A and B inside or on every side plane: invisible (up to where AB pierces F). Outside one side plane, or one end
- *      outside and the other on it: visible.
+ *   3. A and B inside or on every side plane: invisible (up to where AB pierces F). Outside one side plane, or one
+ *      end outside and the other on it: visible.
  *   4. What remains crosses the sides: the part between the last crossing inward and the first one outward.
  *
  * Ties. F is closed in projection (an edge behind F and along its border is hidden; one that only touches a corner has
