@@ -48,8 +48,8 @@ typedef struct middles {
     uint32_t *key, *place, *moved; /* [as order] */
 } middles;
 
-/* order[first .. first+count-1] by their keys, which are key[0 .. count-1]; few are put in their places one by one. False: no
- * memory. */
+/* order[first .. first+count-1] by their keys, which are key[0 .. count-1]; few are put in their places one by one.
+ * False: no memory. */
 static bool sort(const middles *m, uint32_t first, uint32_t count)
 {
     uint32_t *order = m->order + first;
@@ -72,9 +72,9 @@ static bool sort(const middles *m, uint32_t first, uint32_t count)
     return true;
 }
 
-/* The items of a node whose parts are nodes of `rank`: so that these are of faces near one another, they are put in order along
- * the longer side of the box of their middles, and then in each part likewise. (By places on a Z-order curve, which jumps, an
- * edge before a fan was asked two to five times as many faces.) */
+/* The items of a node whose parts are nodes of `rank`: so that these are of faces near one another, they are put in
+ * order along the longer side of the box of their middles, and then in each part likewise. (By places on a Z-order
+ * curve, which jumps, an edge before a fan was asked two to five times as many faces.) */
 static bool divide(const middles *m, const list_tree *over, int rank, uint32_t first, uint32_t end)
 {
     roberts_vec3 low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
@@ -121,8 +121,8 @@ typedef struct some {
     uint32_t first, end;
 } some;
 
-/* M, the mean of the middles, and the direction along which they lie most spread, corners counted: the first axis of their
- * moments. */
+/* M, the mean of the middles, and the direction along which they lie most spread, corners counted: the first axis of
+ * their moments. */
 static void set_frame(const some *s, bundle_node *n)
 {
     double xx = 0.0, xy = 0.0, yy = 0.0;
@@ -144,8 +144,8 @@ static void set_frame(const some *s, bundle_node *n)
     n->uy = length > 0.0 ? y / length : 0.0;
 }
 
-/* Takes in a face. Its plane may be off by `touch - limit` at the far end of the scene, or by half of `touch` where that says
- * nothing (see front_set_trust() in front.c). */
+/* Takes in a face. Its plane may be off by `touch - limit` at the far end of the scene, or by half of `touch` where
+ * that says nothing (see front_set_trust() in front.c). */
 static void take_in(const some *s, bundle_node *n, const hide_face *F)
 {
     double m = hide_margin(s->space), uncertain = greater(0.5 * F->touch, F->touch - (double)F->limit);

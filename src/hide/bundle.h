@@ -1,10 +1,11 @@
-/* bundle.h - the front faces of a solid that lie across one another's boxes many times over, as those of a fan do, or of a round
- * column: a tree over them.
+/* bundle.h - the front faces of a solid that lie across one another's boxes many times over, as those of a fan do, or
+ * of a round column: a tree over them.
  *
- * In the cells such faces would be listed everywhere, and an edge would meet most of them, though what they hide of it is one
- * interval: only the faces at its ends matter. So the solid is one front, and its faces are asked by a tree whose nodes know
- * two things of theirs: a box in the picture, turned as they lie; and how far behind a plane of theirs a point can be at the
- * most. A face that meets the edge where it is found hidden already, or only where it lies in front, is not asked. */
+ * In the cells such faces would be listed everywhere, and an edge would meet most of them, though what they hide of
+ * it is one interval: only the faces at its ends matter. So the solid is one front, and its faces are asked by a tree
+ * whose nodes know two things of theirs: a box in the picture, turned as they lie; and how far behind a plane of
+ * theirs a point can be at the most. A face that meets the edge where it is found hidden already, or only where it
+ * lies in front, is not asked. */
 #ifndef ROBERTS_HIDE_BUNDLE_H
 #define ROBERTS_HIDE_BUNDLE_H
 
@@ -35,8 +36,8 @@ typedef struct bundle_table {
 bool bundle_table_init(bundle_table *table, size_t count);
 void bundle_table_free(bundle_table *table);
 
-/* Enters a bundle; `face`: all of its faces, of which the first has this number. Threads may enter different ones at the same
- * time. False: no memory. */
+/* Enters a bundle; `face`: all of its faces, of which the first has this number. Threads may enter different ones at
+ * the same time. False: no memory. */
 bool bundle_enter(bundle_table *table, const hide_space *space, const hide_face *face, uint32_t count, uint32_t first);
 
 static inline const bundle *bundle_of(const bundle_table *table, uint32_t first, uint32_t count)

@@ -1,5 +1,5 @@
-/* cells.c - see cells.h. The numbers below were found by counting instructions on lattices and cities; each is a shallow
- * optimum, off which a factor of two costs a tenth and a factor of ten a factor of three. */
+/* cells.c - see cells.h. The numbers below were found by counting instructions on lattices and cities; each is a
+ * shallow optimum, off which a factor of two costs a tenth and a factor of ten a factor of three. */
 #include "hide/cells.h"
 
 #include <float.h>
@@ -49,7 +49,8 @@ static sizes measure_some(const hide_box *box, uint32_t count, double per_width,
     return s;
 }
 
-/* In pieces, which do not depend on the threads. Without width or height of the window all are as wide or high as it. */
+/* In pieces, which do not depend on the threads. Without width or height of the window all are as wide or high as
+ * it. */
 static sizes measure(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, int threads)
 {
     sizes all = {.width = high.x - low.x, .height = high.y - low.y}, some[PIECES];

@@ -6,8 +6,8 @@
 #include "hide/types.h"
 
 /* Cells for lists over the window low..high: some two mean boxes wide, but no more than lets the lists grow in
- * proportion to the number of boxes. n: given number per side, 0 = choose. *depth: mean number of boxes over a point of the
- * window. */
+ * proportion to the number of boxes. n: given number per side, 0 = choose. *depth: mean number of boxes over a point of
+ * the window. */
 scan_frame cells_for_lists(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, uint32_t n,
                            double margin, double *depth);
 

@@ -105,7 +105,8 @@ static inline bool four_nearer(const float *cell, four z)
     return four_signs(four_below(z, four_load(cell))) == 15;
 }
 
-/* Are all of cell[0 .. count-1] nearer than z? Four at a time, and none beside them: another thread may be writing there. */
+/* Are all of cell[0 .. count-1] nearer than z? Four at a time, and none beside them: another thread may be writing
+ * there. */
 static inline bool all_nearer(const float *cell, uint32_t count, float z)
 {
     if (count < 4)
@@ -137,8 +138,9 @@ uint32_t cover_at(const cover *c, double x, double y, float z)
     return c->depth[cell] > z ? c->by[cell] : ROBERTS_NONE;
 }
 
-/* Column by column, as scan.c walks a polygon's side: in each the rows that AB has there, and its nearest depth. Both are
- * linear in the column's number; the line is taken a margin further on all sides, which also makes up for rounding. */
+/* Column by column, as scan.c walks a polygon's side: in each the rows that AB has there, and its nearest depth. Both
+ * are linear in the column's number; the line is taken a margin further on all sides, which also makes up for
+ * rounding. */
 bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
 {
     const scan_frame *f = &c->frame;
@@ -172,8 +174,8 @@ bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
     return true;
 }
 
-/* Does the front hide the solid, all of whose vertices lie inside its outline or on it? By `loose` it may fail to fill that:
- * then they must lie so far inside. */
+/* Does the front hide the solid, all of whose vertices lie inside its outline or on it? By `loose` it may fail to fill
+ * that: then they must lie so far inside. */
 static bool hides_solid(const hide_fronts *fronts, const hide_front *front, uint32_t solid)
 {
     const roberts_scene *scene = fronts->scene;
@@ -185,15 +187,15 @@ static bool hides_solid(const hide_fronts *fronts, const hide_front *front, uint
         return false; /* runs are not asked about points inside */
     for (uint32_t v = scene->solid[solid].vertex; v < scene->solid[solid + 1].vertex; v++) {
         roberts_vec3 X = view_point(&fronts->view, scene->point[v]);
-        if (!hide_polygon_holds(fronts, &fronts->outline_runs, corner, front->corners, X.x, X.y, slack))
+        if (!hide_polygon_holds(fronts, &fronts->outline_runs, corner, front->corners, (roberts_vec2){X.x, X.y}, slack))
             return false;
     }
     return true;
 }
 
 /* A solid whose border lies on the border of what hides it is in cells that are not wholly covered. So, where the cells
- * further in are, the fronts that cover its middle and its corners are asked themselves. Most solids that are not hidden
- * are not in their middle, or not at those corners. */
+ * further in are, the fronts that cover its middle and its corners are asked themselves. Most solids that are not
+ * hidden are not in their middle, or not at those corners. */
 bool cover_hides_solid(const struct hide_fronts *fronts, const hide_box *box, uint32_t solid)
 {
     const cover *c = &fronts->cover;

@@ -21,9 +21,9 @@ bool cover_init(cover *c, scan_frame frame, int threads);
 void cover_free(cover *c);
 
 /* Enters a convex outline of corners P[corner[..]], counter-clockwise, whose front is nowhere over it farther away than
- * `depth`; where faces are given the front is the nearer side of them all, and its depth in each cell is taken. s: scratch
- * for as many columns. slack: how much nearer than the cover a thing must be to count as touching it, in depth. by: kept with
- * the cells. loose: by how much the front may fail to fill its outline. */
+ * `depth`; where faces are given the front is the nearer side of them all, and its depth in each cell is taken. s:
+ * scratch for as many columns. slack: how much nearer than the cover a thing must be to count as touching it, in depth.
+ * by: kept with the cells. loose: by how much the front may fail to fill its outline. */
 void cover_add(cover *c, scan *s, const roberts_vec3 *P, const uint32_t *corner, uint32_t count, double depth,
                const hide_face *face, uint32_t face_count, double slack, uint32_t by, double loose);
 

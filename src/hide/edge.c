@@ -1,7 +1,7 @@
 /* edge.c - see edge.h.
  *
- * The edges of a small solid go through the cells together: each front in them is met once, by all edges. The edges of a
- * solid that spans many cells go one by one, each through the cells that its own picture crosses. */
+ * The edges of a small solid go through the cells together: each front in them is met once, by all edges. The edges
+ * of a solid that spans many cells go one by one, each through the cells that its own picture crosses. */
 #include "hide/edge.h"
 
 #include <math.h>
@@ -35,8 +35,8 @@ bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *gr
     w->least[0] = w->least[2] = -INFINITY;
     w->most[1] = w->most[3] = INFINITY;
     w->seen = alloc_zeroed(fronts->front_count, sizeof *w->seen);
-    /* More, so that it lies apart from what other threads write; and a line at least: where there is none, its array can be
-     * pointed into. */
+    /* More, so that it lies apart from what other threads write; and a line at least: where there is none, its array
+     * can be pointed into. */
     return w->seen && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) && hide_worker_more(w);
 }
 
@@ -113,8 +113,8 @@ static double left_of(roberts_vec3 P, roberts_vec3 Q, roberts_vec3 X)
     return (Q.x - P.x) * (X.y - P.y) - (Q.y - P.y) * (X.x - P.x);
 }
 
-/* Does the line begin or end at a corner of the face, and go on plainly outside of it from there? Of a surface most faces that a
- * line meets are of this kind. */
+/* Does the line begin or end at a corner of the face, and go on plainly outside of it from there? Of a surface most
+ * faces that a line meets are of this kind. */
 static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, const hide_face *F)
 {
     uint32_t at = F->count;
@@ -131,7 +131,8 @@ static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, cons
     return left_of(V, after, X) < -fronts->space.plain || left_of(V, X, before) < -fronts->space.plain;
 }
 
-/* Leaves out the lines, given by bits from `first` on, whose own face the front is, and those that only touch it at a corner. */
+/* Leaves out the lines, given by bits from `first` on, whose own face the front is, and those that only touch it at a
+ * corner. */
 static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *first, uint64_t bits,
                                        const hide_front *front)
 {
@@ -157,7 +158,7 @@ static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box
         const hide_interval *hidden =
             ask && line->intervals.count ? &line->intervals.item[line->intervals.count - 1].part : NULL;
         hide_interval part;
-        if (!hide_by_front(fronts, &meeting, &line->e, hidden, &w->sides, &w->tally, &part))
+        if (!hide_by_front(fronts, &meeting, &line->e, hidden, &w->sides, &part))
             continue;
         if (!is_confined(w, own, &line->e, &part) && !confine(w, own, &line->e, &part))
             continue;
@@ -198,9 +199,16 @@ static inline bool apart(const hide_box *box, four least, four most)
     return four_signs(four_either(four_below(four_load(side), least), four_below(most, four_load(side)))) != 0;
 }
 
-/* A line, or the group's where it is NULL, within `box` (but for depth), against one front that may be nearer somewhere, if not
- * yet. False: no memory. */
-BITS_INLINE bool meet_once(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t front)
+/* Lines that go through cells together: one alone, or all of a group. */
+typedef struct party {
+    uint32_t solid;      /* whose edges they are; ROBERTS_NONE: of a body that is not convex */
+    hide_line *first;    /* the line, or the group's first */
+    bool alone;          /* else each line of the group has its box in hide_worker.lanes */
+    const hide_box *box; /* of all of them; where a line is alone, it is not asked about depth */
+} party;
+
+/* The lines against one front that may be nearer somewhere, if they have not met it yet. False: no memory. */
+BITS_INLINE bool meet_once(hide_worker *w, const party *p, uint32_t front)
 {
     if (w->seen[front] == w->stamp)
         return true;
@@ -208,17 +216,16 @@ BITS_INLINE bool meet_once(hide_worker *w, uint32_t solid, hide_line *line, cons
     /* What the faces of one solid hide is joined to one part, also where a face reaches only what is hidden already. */
     bool hull = w->grid->next && w->fronts->front[front].kind == HIDE_SOLID_FACE;
     const hide_lanes *lanes = hull ? &w->whole : &w->lanes;
-    uint64_t bits = line ? 1 : met_by(lanes, w->line_count, &w->fronts->front_box[front]);
-    if (solid == ROBERTS_NONE && w->fronts->front[front].kind == HIDE_SURFACE_FACE)
-        bits = not_left_out(w, line ? line : w->line, bits, &w->fronts->front[front]);
-    return !bits || w->fronts->front[front].solid == solid || meet(w, line ? line : w->line, bits, box, front);
+    uint64_t bits = p->alone ? 1 : met_by(lanes, w->line_count, &w->fronts->front_box[front]);
+    if (p->solid == ROBERTS_NONE && w->fronts->front[front].kind == HIDE_SURFACE_FACE)
+        bits = not_left_out(w, p->first, bits, &w->fronts->front[front]);
+    return !bits || w->fronts->front[front].solid == p->solid || meet(w, p->first, bits, p->box, front);
 }
 
 /* The same, where its box reaches theirs. */
-BITS_INLINE bool meet_entry(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t front)
+BITS_INLINE bool meet_entry(hide_worker *w, const party *p, uint32_t front)
 {
-    return apart(&w->fronts->front_box[front], four_load(w->least), four_load(w->most)) ||
-           meet_once(w, solid, line, box, front);
+    return apart(&w->fronts->front_box[front], four_load(w->least), four_load(w->most)) || meet_once(w, p, front);
 }
 
 /* The first entry from k on, before `end`, whose front has no point nearer than z. */
@@ -235,13 +242,12 @@ static uint32_t first_behind(const objet *grid, const hide_fronts *fronts, uint3
 }
 
 /* Entries from `first` on before `end`, the last four first. */
-static bool meet_backward(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t first,
-                          uint32_t end, uint32_t sides)
+static bool meet_backward(hide_worker *w, const party *p, uint32_t first, uint32_t end, uint32_t sides)
 {
     while (end > first && w->live) {
         uint32_t k = end - first < 4 ? first : end - 4;
         for (unsigned near = objet_near(w->grid, k, end, sides); near && w->live; near &= near - 1)
-            if (!meet_entry(w, solid, line, box, w->grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front))
+            if (!meet_entry(w, p, w->grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front))
                 return false;
         end = k;
     }
@@ -249,13 +255,12 @@ static bool meet_backward(hide_worker *w, uint32_t solid, hide_line *line, const
 }
 
 /* Entries from k on, the nearest fronts first; `far`: the farthest depth of the lines there. */
-static bool meet_forward(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t k, uint32_t end,
-                         uint32_t sides, float far)
+static bool meet_forward(hide_worker *w, const party *p, uint32_t k, uint32_t end, uint32_t sides, float far)
 {
     const objet *grid = w->grid;
     const hide_fronts *fronts = w->fronts;
     for (uint32_t next; k < end; k = next) {
-        if (grid->next && fronts->front[grid->entry[k].front].solid == solid) {
+        if (grid->next && fronts->front[grid->entry[k].front].solid == p->solid) {
             next = grid->next[k];
             continue;
         }
@@ -264,7 +269,7 @@ static bool meet_forward(hide_worker *w, uint32_t solid, hide_line *line, const 
             uint32_t front = grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front;
             if (fronts->front_box[front].z1 < far)
                 return true; /* and so are all that follow: none of them has a point nearer than the lines here */
-            if (!meet_entry(w, solid, line, box, front))
+            if (!meet_entry(w, p, front))
                 return false;
             if (!w->live)
                 return true;
@@ -273,23 +278,22 @@ static bool meet_forward(hide_worker *w, uint32_t solid, hide_line *line, const 
     return true;
 }
 
-/* The same against one cell's fronts, as long as one line is not wholly hidden. First those that begin before all of the
- * lines, and of these the farthest: what stands next in a row or a pile hides more than what stands far before both. Then the
- * others. Fronts are looked at four at a time. (To ask for the boxes of the next ones ahead of time gains nothing, also in
- * scenes that no cache holds.) */
-static bool meet_cell(hide_worker *w, uint32_t solid, hide_line *line, const hide_box *box, uint32_t column,
-                      uint32_t row, float far)
+/* The lines against the fronts of one cell, as long as one line is not wholly hidden. Fronts that begin before all of
+ * the lines come first, the farthest of them first: what stands next in a row or a pile hides more than what stands far
+ * before both. The others follow. Fronts are looked at four at a time. (To prefetch the boxes of the next ones gains
+ * nothing, not even in scenes that no cache holds.) */
+static bool meet_cell(hide_worker *w, const party *p, uint32_t column, uint32_t row, float far)
 {
     const objet *grid = w->grid;
     const uint32_t *start = grid->start + (size_t)column * grid->frame.ny + row;
     uint32_t sides = objet_most(objet_cut(four_load(w->place), column, row)), k = start[0];
-    bool alone = line && grid->next; /* it would pass all faces of its own solid, those of a fan again and again */
+    bool alone = p->alone && grid->next; /* it would pass all faces of its own solid, those of a fan again and again */
     if (!alone && start[1] - start[0] > SHORT_LIST) {
-        k = first_behind(grid, w->fronts, k, start[1], box->z1);
-        if (!meet_backward(w, solid, line, box, start[0], k, sides))
+        k = first_behind(grid, w->fronts, k, start[1], p->box->z1);
+        if (!meet_backward(w, p, start[0], k, sides))
             return false;
     }
-    return !w->live || meet_forward(w, solid, line, box, k, start[1], sides, far);
+    return !w->live || meet_forward(w, p, k, start[1], sides, far);
 }
 
 /* What a front's box must reach, so as to meet this one. */
@@ -323,11 +327,12 @@ static bool run_alone(hide_worker *w, uint32_t solid, hide_line *line)
     if (!objet_cells(w->grid, e->A, e->B, &w->walk))
         return false;
     hide_box box = hide_edge_box(e, w->margin);
+    party p = {.solid = solid, .first = line, .alone = true, .box = &box};
     set_reach(w, &box);
     for (size_t i = 0; w->live && i < w->walk.count; i++) {
         objet_stretch s = w->walk.item[i];
         float far = hide_float_below(lesser(hide_edge_at(e, s.t0).z, hide_edge_at(e, s.t1).z) - w->margin);
-        if (!meet_cell(w, solid, line, &box, s.column, s.row, far))
+        if (!meet_cell(w, &p, s.column, s.row, far))
             return false;
     }
     return true;
@@ -346,10 +351,11 @@ static bool run_together(hide_worker *w, uint32_t solid, uint32_t left, uint32_t
     if (w->grid->next)
         w->whole = w->lanes;
     next_stamp(w);
+    party p = {.solid = solid, .first = w->line, .box = &w->box};
     set_reach(w, &w->box);
     for (uint32_t i = left; w->live && i <= right; i++)
         for (uint32_t j = low; j <= high; j++)
-            if (!meet_cell(w, solid, NULL, &w->box, i, j, w->box.z0))
+            if (!meet_cell(w, &p, i, j, w->box.z0))
                 return false;
     return true;
 }
@@ -431,7 +437,8 @@ static void look_at_face(const hide_fronts *fronts, const hide_front *front, con
 {
     if (l->touching && !(fabs(plane_at(F->F, (roberts_vec3){l->x, l->y, l->best})) <= 2.0 * F->touch))
         return;
-    if (!hide_polygon_holds(fronts, &fronts->face_runs, F->corner, F->count, l->x, l->y, fronts->space.epsilon))
+    if (!hide_polygon_holds(fronts, &fronts->face_runs, F->corner, F->count, (roberts_vec2){l->x, l->y},
+                            fronts->space.epsilon))
         return;
     if (l->touching)
         l->solid = front->solid;

@@ -17,14 +17,14 @@ typedef struct hide_line {
     hide_intervals hulls;     /* ... by solids entered face by face: one interval for each of them */
     bool hidden;              /* wholly: nothing more need be asked */
     uint32_t edge;            /* of the scene */
-    /* Of a body that is not convex: the planes of its own faces (scene_surface.plane_of; ROBERTS_NONE: none), or of more than two
-     * all that are listed. */
+    /* Of a body that is not convex: the planes of its own faces (scene_surface.plane_of; ROBERTS_NONE: none), or of
+     * more than two all that are listed. */
     uint32_t own[2];
     const scene_many *many;
 } hide_line;
 
-/* Boxes of a group's lines, rounded outward, side by side; one that is wholly hidden begins at infinity, and so do those
- * that fill up the last four. */
+/* Boxes of a group's lines, rounded outward, side by side; one that is wholly hidden begins at infinity, and so do
+ * those that fill up the last four. */
 typedef struct hide_lanes {
     float x0[HIDE_GROUP], x1[HIDE_GROUP], y0[HIDE_GROUP], y1[HIDE_GROUP], z0[HIDE_GROUP], z1[HIDE_GROUP];
 } hide_lanes;
@@ -47,11 +47,11 @@ typedef struct hide_worker {
     bool shrinks;            /* the boxes of the lines at work shrink with what is hidden of them */
     uint32_t met;            /* fronts that met the group at work, where lines shrink */
     size_t live;             /* lines of the group at work that are not wholly hidden */
-    /* [front_count] the last group of edges that met the front, by its stamp. Short, so that more of it stays in the cache. */
+    /* [front_count] the last group of edges that met the front, by its stamp. Short, so that more of it stays in the
+     * cache. */
     uint16_t *seen;
     uint16_t stamp;          /* of the group at work */
     size_t surviving, drawn; /* edges, as counted in a roberts_drawing */
-    roberts_tally tally;
     char apart[THREADS_APART];
 } hide_worker;
 
@@ -81,8 +81,8 @@ BITS_INLINE hide_box hide_edge_box(const hide_edge *e, double margin)
     return box;
 }
 
-/* Takes up one more edge of the scene, which is stored with its solid as `from`; `first`: the solid's first vertex. NULL: no
- * memory. */
+/* Takes up one more edge of the scene, which is stored with its solid as `from`; `first`: the solid's first vertex.
+ * NULL: no memory. */
 BITS_INLINE hide_line *hide_worker_add(hide_worker *w, uint32_t edge, const scene_edge *from, uint32_t first)
 {
     size_t n = w->line_count;
@@ -112,9 +112,8 @@ BITS_INLINE hide_line *hide_worker_add(hide_worker *w, uint32_t edge, const scen
     return line;
 }
 
-/* Finds what the other solids hide of the lines taken up, edges of `solid` (ROBERTS_NONE: of a body that is not convex; what
- * hides them are all faces but their own): their parts ascend and are disjoint. False:
- * no memory. */
+/* Finds what the other solids hide of the lines taken up, edges of `solid` (ROBERTS_NONE: of a body that is not convex;
+ * what hides them are all faces but their own): their parts ascend and are disjoint. False: no memory. */
 bool hide_worker_run(hide_worker *w, uint32_t solid);
 
 /* The solid seen at picture point (x, y), the one of smallest number where several touch there; ROBERTS_NONE where no

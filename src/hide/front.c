@@ -8,7 +8,8 @@
 
 /* Cells each way in a picture of n faces, about, are this times the root of n: see CELLS_PER_BOX in cells.c. */
 #define CELLS_PER_ROOT 2.0
-/* From this many cells (five or six mean boxes) across, a cover's depth is taken cell by cell and not once for all of it. */
+/* From this many cells (five or six mean boxes) across, a cover's depth is taken cell by cell and not once for all of
+ * it. */
 #define COVER_WIDE 50.0
 
 /* The front faces of a solid. */
@@ -26,9 +27,9 @@ static double box_size(const hide_box *box)
     return (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0) + (double)(box->z1 - box->z0);
 }
 
-/* The departure of a face that is not narrow is left out of the reach. All that is asked of its plane beyond the face is
- * whether what lies behind its solid lies behind the plane, and a sight line only gets deeper behind both. So the plane
- * need only hold for the solid itself, and that it does, to about the departure. */
+/* The departure of a face that is not narrow is left out of the reach. All that is asked of its plane beyond the face
+ * is whether what lies behind its solid lies behind the plane, and a sight line only gets deeper behind both. So the
+ * plane need only hold for the solid itself, and that it does, to about the departure. */
 double front_set_trust(const hide_fronts *fronts, uint32_t solid, uint32_t face, double stretch, hide_face *f)
 {
     const view *v = &fronts->view;
@@ -156,8 +157,8 @@ static double farthest(const hide_fronts *fronts, const uint32_t *corner, uint32
     return depth;
 }
 
-/* Enters what a front covers. trusted: the planes of its faces say how far it is. by: its number, ROBERTS_NONE if it will
- * have none. */
+/* Enters what a front covers. trusted: the planes of its faces say how far it is. by: its number, ROBERTS_NONE if it
+ * will have none. */
 static void cover_front(hide_fronts *fronts, scan *s, const hide_front *front, const front_faces *found, bool trusted,
                         double depth, double slack, uint32_t by)
 {
@@ -169,8 +170,8 @@ static void cover_front(hide_fronts *fronts, scan *s, const hide_front *front, c
               wide ? found->count : 0, slack, by, (double)front->loose);
 }
 
-/* Enters the faces of a solid that is not entered as a whole, and the runs of its polygons. corners: of its outline, 0 where that
- * is not asked. False: no memory. */
+/* Enters the faces of a solid that is not entered as a whole, and the runs of its polygons. corners: of its outline, 0
+ * where that is not asked. False: no memory. */
 static BITS_RARE bool enter_faces(hide_fronts *fronts, front_tile *tile, uint32_t solid, const front_faces *found,
                                   const uint32_t *outline, uint32_t corners, bool bundled)
 {
@@ -188,10 +189,10 @@ static void count_faces(front_tile *tile, const front_faces *found)
     tile->edge_on += found->edge_on;
 }
 
-/* The hull in place of an outline that is not convex; 0 where it cannot be trusted. Face by face such a front would hide
- * too little: what is seen nearly edge-on is a sliver of the picture. As one front it is right to within what the solid
- * departs from a convex one: no point of the solid lies farther than that before the plane of a face, and a sight line
- * behind the solid only gets deeper behind all planes. */
+/* The hull in place of an outline that is not convex; 0 where it cannot be trusted. Face by face such a front would
+ * hide too little: what is seen nearly edge-on is a sliver of the picture. As one front it is right to within what the
+ * solid departs from a convex one: no point of the solid lies farther than that before the plane of a face, and a sight
+ * line behind the solid only gets deeper behind all planes. */
 static uint32_t convex_hull(const hide_fronts *fronts, uint32_t solid, uint32_t *order, uint32_t *outline, double width)
 {
     uint32_t corners = outline_hull(fronts, solid, order, outline);
@@ -219,9 +220,10 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
     double reach = found.reach - size;
     if (reach > 6.0 * fronts->view.extent)
         reach = INFINITY; /* nothing is farther away, along three axes */
-    /* By how much nearer than the front's farthest corner a point must be to count as touching it. Nothing of a front is
-     * farther than the farthest corner of its outline, since its depth is a concave function; a point that much behind it
-     * that it is behind each face by more than `touch` is certainly hidden, wherever it is inside the outline. */
+    /* By how much nearer than the front's farthest corner a point must be to count as touching it. Nothing of a front
+     * is farther than the farthest corner of its outline, since its depth is a concave function; a point that much
+     * behind it that it is behind each face by more than `touch` is certainly hidden, wherever it is inside the
+     * outline. */
     double slack = 2.0 * (found.touch + hide_margin(&fronts->space)) / found.steepest;
     double depth = corners ? farthest(fronts, outline, corners) : -INFINITY;
     hide_front front = {.solid = solid,

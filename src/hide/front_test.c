@@ -13,7 +13,7 @@ bool hide_within_reach(const hide_fronts *fronts, const hide_front *front, const
 }
 
 bool hide_pierce_all(const hide_fronts *fronts, const hide_face *face, uint32_t bits, const hide_edge *e,
-                     hide_sides *sides, roberts_tally *tally, hide_interval *part)
+                     hide_sides *sides, hide_interval *part)
 {
     hide_interval inside = *part;
     for (; bits; bits &= bits - 1)
@@ -21,37 +21,38 @@ bool hide_pierce_all(const hide_fronts *fronts, const hide_face *face, uint32_t 
             return false;
     if (!hide_is_left(&fronts->space, e, part))
         return false;
-    tally->pierced += part->t0 != inside.t0 || part->t1 != inside.t1;
+    sides->tally.pierced += part->t0 != inside.t0 || part->t1 != inside.t1;
     return true;
 }
 
 BITS_RARE bool hide_by_outline_closely(const hide_fronts *fronts, const uint32_t *corner, uint32_t count,
-                                       const hide_edge *e, hide_sides *sides, roberts_tally *tally, hide_interval *part)
+                                       const hide_edge *e, hide_sides *sides, hide_interval *part)
 {
     hide_face F = {.corner = corner, .count = count};
     const runs *r = runs_of(&fronts->outline_runs, corner, count);
     if (r)
-        return hide_by_runs(&fronts->space, r, &F, e, sides, tally, part);
+        return hide_by_runs(&fronts->space, r, &F, e, sides, part);
     if (hide_test2(&fronts->space, &F, e)) {
-        tally->test2_visible++;
+        sides->tally.test2_visible++;
         return false;
     }
-    return hide_by_sides(&fronts->space, &F, e, sides, tally, part);
+    return hide_by_sides(&fronts->space, &F, e, sides, part);
 }
 
 /* Tests 1 to 4 of one face; false where it hides nothing of e. */
 BITS_INLINE bool by_face(const hide_fronts *fronts, const hide_face *F, double span, const hide_edge *e,
-                         hide_sides *sides, roberts_tally *tally, hide_interval *part)
+                         hide_sides *sides, hide_interval *part)
 {
-    tally->pairs++;
+    sides->tally.pairs++;
     if (hide_test1(F, e)) {
-        tally->test1_visible++;
+        sides->tally.test1_visible++;
         return false;
     }
     const runs *r = runs_of(&fronts->face_runs, F->corner, F->count);
-    bool inside = r ? hide_by_runs(&fronts->space, r, F, e, sides, tally, part)
-                    : hide_by_outline(fronts, F->corner, F->count, span, e, NULL, sides, tally, part);
-    return inside && hide_pierce_all(fronts, F, 1, e, sides, tally, part);
+    hide_polygon outline = {F->corner, F->count, span};
+    bool inside = r ? hide_by_runs(&fronts->space, r, F, e, sides, part)
+                    : hide_by_outline(fronts, &outline, e, NULL, sides, part);
+    return inside && hide_pierce_all(fronts, F, 1, e, sides, part);
 }
 
 /* Lets the hull of what is known to be hidden hold a part, with which it begins if nothing has been `*found`. */
@@ -69,13 +70,13 @@ typedef struct climb {
     const hide_edge *e;
     double span;
     hide_sides *sides;
-    roberts_tally *tally;
     hide_interval *hull; /* of what is known to be hidden; meaningless until something is */
     bool found;
     bool forward; /* asked is what hides more beyond the hull's end; else before its beginning */
 } climb;
 
-/* Can a node's faces hide more than is known? `*reach`: the more of it, the farther on in the direction that is asked about. */
+/* Can a node's faces hide more than is known? `*reach`: the more of it, the farther on in the direction that is asked
+ * about. */
 static bool may_hide_more(const climb *c, const bundle_node *n, double *reach)
 {
     double t0, t1;
@@ -93,13 +94,13 @@ static void ask_faces(climb *c, uint32_t item)
 {
     for (uint32_t end = list_tree_end(&c->b->tree, 0, item); item < end; item++) {
         hide_interval part;
-        if (by_face(c->fronts, &c->face[c->b->order[item]], c->span, c->e, c->sides, c->tally, &part))
+        if (by_face(c->fronts, &c->face[c->b->order[item]], c->span, c->e, c->sides, &part))
             join(c->hull, &c->found, &part);
     }
 }
 
-/* The nodes of a rank from the one that begins with `item` on, no more than eight of them: those that reach farthest are asked
- * first, so that they leave little to the others. */
+/* The nodes of a rank from the one that begins with `item` on, no more than eight of them: those that reach farthest
+ * are asked first, so that they leave little to the others. */
 static void ask_nodes(climb *c, int rank, uint32_t item, uint32_t end)
 {
     uint32_t from[1 << LIST_TREE_BITS], count = 0;
@@ -138,7 +139,7 @@ static BITS_RARE bool by_bundle(climb *c)
 }
 
 bool hide_by_faces(const hide_fronts *fronts, const hide_front *front, double span, const hide_edge *e,
-                   hide_sides *sides, roberts_tally *tally, hide_interval *hull)
+                   hide_sides *sides, hide_interval *hull)
 {
     bool found = false;
     const bundle *b = bundle_of(&fronts->bundles, front->face, front->face_count);
@@ -149,11 +150,10 @@ bool hide_by_faces(const hide_fronts *fronts, const hide_front *front, double sp
                                   .e = e,
                                   .span = span,
                                   .sides = sides,
-                                  .tally = tally,
                                   .hull = hull});
     for (uint32_t k = front->face; k < front->face + front->face_count; k++) {
         hide_interval part;
-        if (by_face(fronts, &fronts->face[k], span, e, sides, tally, &part))
+        if (by_face(fronts, &fronts->face[k], span, e, sides, &part))
             join(hull, &found, &part);
     }
     return found;

@@ -1,17 +1,17 @@
 /* front_test.h - what the front of one solid hides of one edge of another: one interval.
  *
- * The volume behind a convex solid is { X : X inside the outline, F(X) > 0 for every front face F }. So for the front as
- * a whole the four tests read:
+ * The volume behind a convex solid is { X : X inside the outline, F(X) > 0 for every front face F }. So for the front
+ * as a whole the four tests read:
  *
  *   1. Some face has A and B in front of it or on it: visible.
  *   2. The outline lies on one side of the sight plane through AB: visible.
- *   3. and 4. as for one face, with the outline's sides in place of a face's; the part found is cut where AB pierces the
- *      plane of any of the faces, if A and B are not both behind all of them.
+ *   3. and 4. as for one face, with the outline's sides in place of a face's; the part found is cut where AB pierces
+ *      the plane of any of the faces, if A and B are not both behind all of them.
  *
- * Planes are asked far from their faces here. An edge out of the reach of what they can be trusted (see front_set_trust() in
- * front.c: beyond a thousand widths of a face, or at once for models given to few digits) meets the faces one by one,
- * tests 1 to 4 each, and the hull of what they hide is the front's part. So does it a front of one face; of
- * a bundle it meets the faces that its tree leaves. */
+ * Planes are asked far from their faces here. An edge out of the reach of what they can be trusted (see
+ * front_set_trust() in front.c: beyond a thousand widths of a face, or at once for models given to few digits) meets
+ * the faces one by one, tests 1 to 4 each, and the hull of what they hide is the front's part. A one-face front is
+ * handled likewise; for a bundle, only the faces that its tree leaves. */
 #ifndef ROBERTS_HIDE_FRONT_TEST_H
 #define ROBERTS_HIDE_FRONT_TEST_H
 
@@ -25,15 +25,20 @@ typedef enum hide_approach {
     HIDE_ASK_REACH,    /* ... where that turns out to be so, else face by face */
 } hide_approach;
 
+/* An outline, or a face, against an edge. */
+typedef struct hide_polygon {
+    const uint32_t *corner; /* [count] */
+    uint32_t count;
+    double span; /* no two points of both are farther apart, along x and y together */
+} hide_polygon;
+
 /* A front and edges that lie within a box. */
 typedef struct hide_meeting {
     const hide_front *front;
     const hide_face *face;
-    const uint32_t *outline; /* [corners] */
-    uint32_t corners;
+    hide_polygon outline;
     hide_approach approach;
     double depth; /* of the front */
-    double span;  /* no two points of front and edges are farther apart, along x and y together */
 } hide_meeting;
 
 /* The boxes are rounded outward, and their common width and height up by far more than they are rounded to floats. */
@@ -46,23 +51,23 @@ BITS_INLINE hide_meeting hide_meet(const hide_fronts *fronts, const hide_front *
     hide_approach together = 1.001 * (double)(x + y + z) <= front->reach ? HIDE_WITHIN_REACH : HIDE_ASK_REACH;
     return (hide_meeting){.front = front,
                           .face = fronts->face + front->face,
-                          .outline = fronts->outline + front->outline,
-                          .corners = front->corners,
+                          .outline = {.corner = fronts->outline + front->outline,
+                                      .count = front->corners,
+                                      .span = 1.001 * (double)(x + y)},
                           .approach = front->kind == HIDE_CONVEX_SOLID ? together : HIDE_FACE_BY_FACE,
-                          .depth = (double)front->depth,
-                          .span = 1.001 * (double)(x + y)};
+                          .depth = (double)front->depth};
 }
 
 /* Where not all faces can be asked at once. */
 bool hide_by_faces(const hide_fronts *fronts, const hide_front *front, double span, const hide_edge *e,
-                   hide_sides *sides, roberts_tally *tally, hide_interval *part);
+                   hide_sides *sides, hide_interval *part);
 
 /* Are A and B within the reach of what the planes can be trusted, along three axes? */
 bool hide_within_reach(const hide_fronts *fronts, const hide_front *front, const hide_edge *e);
 
 /* Test 1 for all faces: HIDE_VISIBLE where one has A and B in front of it or on it, HIDE_INVISIBLE (as far as depth
- * goes) where both are behind all of them. `*near`: bit i for face i that AB is not clear of, by twice the distance that
- * counts as touching: only these can be pierced. */
+ * goes) where both are behind all of them. `*near`: bit i for face i that AB is not clear of, by twice the distance
+ * that counts as touching: only these can be pierced. */
 BITS_INLINE hide_verdict hide_test1_of_all(const hide_face *face, uint32_t count, const hide_edge *e, uint32_t *near)
 {
     two x = two_of(e->A.x, e->B.x), y = two_of(e->A.y, e->B.y), z = two_of(e->A.z, e->B.z);
@@ -82,67 +87,65 @@ BITS_INLINE hide_verdict hide_test1_of_all(const hide_face *face, uint32_t count
     return any ? HIDE_UNDECIDED : HIDE_INVISIBLE;
 }
 
-/* Cuts the part where e pierces the planes of the faces given by bits, and counts that; false where nothing of it is left
- * behind them. */
+/* Cuts the part where e pierces the planes of the faces given by bits, and counts that; false where nothing of it is
+ * left behind them. */
 bool hide_pierce_all(const hide_fronts *fronts, const hide_face *face, uint32_t bits, const hide_edge *e,
-                     hide_sides *sides, roberts_tally *tally, hide_interval *part);
+                     hide_sides *sides, hide_interval *part);
 
 /* Tests 2 to 4 by themselves, of an outline or of a face that has no runs. */
 bool hide_by_outline_closely(const hide_fronts *fronts, const uint32_t *corner, uint32_t count, const hide_edge *e,
-                             hide_sides *sides, roberts_tally *tally, hide_interval *part);
+                             hide_sides *sides, hide_interval *part);
 
-/* Tests 2 to 4, counted: the part of e inside an outline; false where there is none. Where all signs are plain the tests
+/* Tests 2 to 4, counted: the part of e inside a polygon; false where there is none. Where all signs are plain the tests
  * are asked together: what is outside one side is then counted for test 3 also where test 2 would have said so. */
-BITS_INLINE bool hide_by_outline(const hide_fronts *fronts, const uint32_t *corner, uint32_t count, double span,
-                                 const hide_edge *e, const hide_interval *hidden, hide_sides *sides,
-                                 roberts_tally *tally, hide_interval *part)
+BITS_INLINE bool hide_by_outline(const hide_fronts *fronts, const hide_polygon *p, const hide_edge *e,
+                                 const hide_interval *hidden, hide_sides *sides, hide_interval *part)
 {
-    if (count > FAST_CORNERS)
-        return hide_by_outline_closely(fronts, corner, count, e, sides, tally, part);
-    if (sides->outline.corner != corner)
-        fast_take(&sides->outline, fronts->P, corner, count);
-    switch (fast_test(&sides->outline, &fronts->space, e, span, hidden, part)) {
+    if (p->count > FAST_CORNERS)
+        return hide_by_outline_closely(fronts, p->corner, p->count, e, sides, part);
+    if (sides->outline.corner != p->corner)
+        fast_take(&sides->outline, fronts->P, p->corner, p->count);
+    switch (fast_test(&sides->outline, &fronts->space, e, p->span, hidden, part)) {
     case FAST_MISSED:
-        tally->test2_visible++;
+        sides->tally.test2_visible++;
         return false;
     case FAST_OUTSIDE:
-        tally->test3_visible++;
+        sides->tally.test3_visible++;
         return false;
     case FAST_INSIDE:
-        tally->test3_invisible++;
+        sides->tally.test3_invisible++;
         return true;
     case FAST_CUT:
-        tally->test4++;
+        sides->tally.test4++;
         return true;
     case FAST_EMPTY:
-        tally->test4++;
+        sides->tally.test4++;
         return false;
     default:
-        return hide_by_outline_closely(fronts, corner, count, e, sides, tally, part);
+        return hide_by_outline_closely(fronts, p->corner, p->count, e, sides, part);
     }
 }
 
-/* False where the front hides nothing of e, or nothing but what `hidden` (NULL: none), a part of it that is hidden, has already,
- * and the front is before all of e, so that none of its planes is near. sides: room for fronts->most_corners. */
+/* False where the front hides nothing of e, or nothing but what `hidden` (NULL: none), a part of it that is hidden, has
+ * already, and the front is before all of e, so that none of its planes is near. sides: room for
+ * fronts->most_corners. */
 BITS_INLINE bool hide_by_front(const hide_fronts *fronts, const hide_meeting *m, const hide_edge *e,
-                               const hide_interval *hidden, hide_sides *sides, roberts_tally *tally,
-                               hide_interval *part)
+                               const hide_interval *hidden, hide_sides *sides, hide_interval *part)
 {
     uint32_t near = 0;
     hide_verdict depth = HIDE_INVISIBLE;
     if (m->approach != HIDE_WITHIN_REACH &&
         (m->approach == HIDE_FACE_BY_FACE || !hide_within_reach(fronts, m->front, e)))
-        return hide_by_faces(fronts, m->front, m->span, e, sides, tally, part);
-    tally->pairs++;
+        return hide_by_faces(fronts, m->front, m->outline.span, e, sides, part);
+    sides->tally.pairs++;
     if (!(e->A.z < m->depth && e->B.z < m->depth)) /* else behind all of it */
         depth = hide_test1_of_all(m->face, m->front->face_count, e, &near);
     if (depth == HIDE_VISIBLE) {
-        tally->test1_visible++;
+        sides->tally.test1_visible++;
         return false;
     }
-    return hide_by_outline(fronts, m->outline, m->corners, m->span, e, depth == HIDE_INVISIBLE ? hidden : NULL, sides,
-                           tally, part) &&
-           (depth == HIDE_INVISIBLE || hide_pierce_all(fronts, m->face, near, e, sides, tally, part));
+    return hide_by_outline(fronts, &m->outline, e, depth == HIDE_INVISIBLE ? hidden : NULL, sides, part) &&
+           (depth == HIDE_INVISIBLE || hide_pierce_all(fronts, m->face, near, e, sides, part));
 }
 
 #endif

@@ -57,7 +57,8 @@ static void widen_by(hide_bounds *all, const hide_bounds *own)
     all->high = (roberts_vec3){greater(all->high.x, own->high.x), greater(all->high.y, own->high.y), 0.0};
 }
 
-/* Boxes of the solids first..end-1; gives what is round them all. One of which the near plane has left nothing is empty. */
+/* Boxes of the solids first..end-1; gives what is round them all. One of which the near plane has left nothing is
+ * empty. */
 static hide_bounds box_some(hide_fronts *fronts, uint32_t first, uint32_t end)
 {
     hide_bounds all = hide_no_bounds;
@@ -113,7 +114,8 @@ static bool cull_first(hide_fronts *fronts, front_tile *tile, const uint32_t *or
     return fronts->culled[s];
 }
 
-/* The solid's turn to be mapped will come: asks for what that wants (or, of very many points, for the beginning of it). */
+/* The solid's turn to be mapped will come: asks for what that wants (or, of very many points, for the beginning of
+ * it). */
 static uint32_t let_wait(hide_fronts *fronts, uint32_t s)
 {
     const roberts_scene *scene = fronts->scene;
@@ -137,8 +139,8 @@ static bool do_tile_in_order(hide_fronts *fronts, front_scratch *scratch, front_
     return true;
 }
 
-/* Nearest solids first, each culled where those before it cover it. Its turn to be mapped comes when the next one is found
- * that is not culled, and while that one's memory is on its way: it lies anywhere. */
+/* Nearest solids first, each culled where those before it cover it. Its turn to be mapped comes when the next one is
+ * found that is not culled, and while that one's memory is on its way: it lies anywhere. */
 static bool do_tile(build *b, front_scratch *scratch, front_tile *tile)
 {
     hide_fronts *fronts = b->fronts;
@@ -384,9 +386,9 @@ static uint32_t sift(const hide_fronts *fronts, const sieve *s, uint32_t *front,
     return count;
 }
 
-/* Sets `listed` of the fronts, which are of whole solids. Of copies of a solid one front is enough: a thousand of them would
- * cost a million comparisons. It is the one of smallest number, since a stable order of the keys brings copies together.
- * False: no memory. */
+/* Sets `listed` of the fronts, which are of whole solids. Of copies of a solid one front is enough: a thousand of them
+ * would cost a million comparisons. It is the one of smallest number, since a stable order of the keys brings copies
+ * together. False: no memory. */
 static bool leave_out_copies(hide_fronts *fronts)
 {
     uint32_t count = fronts->front_count, last = ROBERTS_NONE;
@@ -465,13 +467,14 @@ static void set_space(hide_fronts *fronts)
 }
 
 roberts_status hide_fronts_build(hide_fronts *fronts, const roberts_scene *scene, const roberts_camera *camera,
-                                 double epsilon, bool cull, uint32_t threads, roberts_error *error)
+                                 const roberts_hide_options *options, roberts_error *error)
 {
+    bool cull = !options->keep_hidden;
     build b = {.fronts = fronts,
-               .threads = threads_for(threads, 1 + scene->solid_count / SOLIDS_PER_THREAD),
+               .threads = threads_for(options->threads, 1 + scene->solid_count / SOLIDS_PER_THREAD),
                .looked_up = !cull};
     *fronts = (hide_fronts){.scene = scene};
-    roberts_status status = view_prepare(&fronts->view, scene, camera, epsilon, error);
+    roberts_status status = view_prepare(&fronts->view, scene, camera, options->epsilon, error);
     if (status != ROBERTS_OK)
         return status;
     scan_frame frame = {0};

@@ -65,10 +65,11 @@ typedef struct hide_fronts {
     roberts_vec2 low, high;           /* box of the picture, view units */
 } hide_fronts;
 
-/* cull: leave out solids that are wholly hidden. threads: 0 = as many as there are; what comes out is the same.
- * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT; after a failure `fronts` is empty. */
+/* Of the options, the touching distance and the number of threads count, and whether hidden lines are kept: if not,
+ * solids that are wholly hidden are left out. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT; after a
+ * failure `fronts` is empty. */
 roberts_status hide_fronts_build(hide_fronts *fronts, const roberts_scene *scene, const roberts_camera *camera,
-                                 double epsilon, bool cull, uint32_t threads, roberts_error *error);
+                                 const roberts_hide_options *options, roberts_error *error);
 void hide_fronts_free(hide_fronts *fronts);
 
 /* Releases the boxes of solids: edges ask those of fronts only. */
@@ -100,15 +101,16 @@ static inline hide_face hide_outline(const hide_fronts *fronts, const hide_front
     return (hide_face){.corner = fronts->outline + front->outline, .count = front->corners};
 }
 
-/* Is (x, y) inside a convex polygon of the picture, a face or an outline as `table` says, or no farther outside than `slack`? */
+/* Is X inside a convex polygon of the picture, a face or an outline as `table` says, or no farther outside than
+ * `slack`? */
 static inline bool hide_polygon_holds(const hide_fronts *fronts, const runs_table *table, const uint32_t *corner,
-                                      uint32_t count, double x, double y, double slack)
+                                      uint32_t count, roberts_vec2 X, double slack)
 {
     const runs *r = runs_of(table, corner, count);
     if (r)
-        return runs_hold_point(&fronts->space, r, corner, x, y, slack);
+        return runs_hold_point(&fronts->space, r, corner, X.x, X.y, slack);
     for (uint32_t i = 0; i < count; i++)
-        if (!hide_side_holds(fronts->P[corner[i]], fronts->P[corner[i + 1 < count ? i + 1 : 0]], x, y, slack))
+        if (!hide_side_holds(fronts->P[corner[i]], fronts->P[corner[i + 1 < count ? i + 1 : 0]], X.x, X.y, slack))
             return false;
     return true;
 }

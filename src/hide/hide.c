@@ -1,7 +1,14 @@
-/* hide.c - the whole scene: clipped, mapped, listed in the grid, and then the segments of all its solids.
+/* hide.c - hidden-line removal from beginning to end, as in the lecture:
  *
- * Solids are taken in chunks that threads work on at the same time; each chunk keeps its segments until those of the
- * chunks before are laid down (see schedule.h). Nothing else is shared, so that the result does not depend on the threads. */
+ *   1. Fronts. The near plane clips the scene. Each solid is mapped to view space, and its front faces become fronts
+ *      (fronts.c, front.c). Solids that covers hide are left out (cover.c).
+ *   2. Objet[i][j]. The cells of the picture list the fronts that touch them (cells.c, objet.c).
+ *   3. Edges. The drawn edges of each solid are taken (segments.c) through the cells that they cross (edge.c). Tests
+ *      1 to 4 say what each front there hides of them (front_test.c, tests.c), and the hidden intervals are united
+ *      (intervals.c). What is left of an edge becomes segments.
+ *
+ * Threads take solids in chunks. Each chunk keeps its segments until those of the chunks before it are laid down
+ * (schedule.c). The threads share nothing else, so the result does not depend on them. */
 #include <math.h>
 #include <stdlib.h>
 #include <time.h>
@@ -26,6 +33,78 @@ static const double pi = 3.14159265358979323846;
 roberts_hide_options roberts_hide_options_default(void)
 {
     return (roberts_hide_options){.crease_degrees = 0.1, .crease_auto = true};
+}
+
+/* ---- time ---- */
+
+static roberts_time now(void)
+{
+    struct timespec wall = {0}, cpu = {0};
+    clock_gettime(CLOCK_MONOTONIC, &wall);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
+    return (roberts_time){(double)cpu.tv_sec + 1e-9 * (double)cpu.tv_nsec,
+                          (double)wall.tv_sec + 1e-9 * (double)wall.tv_nsec};
+}
+
+/* Time since *last, which becomes the present. */
+static roberts_time lap(roberts_time *last)
+{
+    roberts_time present = now(), passed = {present.cpu - last->cpu, present.wall - last->wall};
+    *last = present;
+    return passed;
+}
+
+/* ---- 1. fronts ---- */
+
+/* What is culled does not depend on the grid. Where borders coincide in the picture, another solid's border may differ
+ * in the last bit. Where hidden segments are wanted, with the solid that the viewer sees there, nothing is culled. */
+static roberts_status make_fronts(hide_job *job, const roberts_camera *camera, roberts_error *error)
+{
+    const roberts_hide_options *options = job->options;
+    roberts_status status = view_clip_scene(&job->clip, job->source, camera, error);
+    if (status != ROBERTS_OK)
+        return status;
+    job->scene = job->clip.clipped ? &job->clip.scene : job->source;
+    status = hide_fronts_build(&job->fronts, job->scene, camera, options, error);
+    if (status != ROBERTS_OK)
+        return status;
+    const view *v = &job->fronts.view;
+    if (v->epsilon > EPSILON_MOST * v->diameter && options->epsilon > 0.0)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                         "the touching distance, %.6g, is more than a hundredth of the scene (%.6g)", options->epsilon,
+                         v->diameter * v->unit);
+    return ROBERTS_OK;
+}
+
+/* ---- 2. Objet[i][j] ---- */
+
+static roberts_status list_fronts(hide_job *job)
+{
+    const hide_fronts *fronts = &job->fronts;
+    double depth;
+    scan_frame frame = cells_for_lists(fronts->front_box, fronts->front_count, fronts->low, fronts->high,
+                                       job->options->grid, hide_margin(&fronts->space), &depth);
+    if (!picture_order_init(&job->order, fronts, depth))
+        return ROBERTS_NO_MEMORY;
+    hide_fronts_drop_boxes(&job->fronts);
+    return objet_build(&job->grid, fronts, frame, job->options->threads);
+}
+
+/* ---- 3. edges, tests and segments ---- */
+
+/* The squared distance of two unit normals that meet at this angle. */
+static double square_chord(double degrees)
+{
+    double chord = 2.0 * sin(degrees * pi / 360.0);
+    return chord * chord;
+}
+
+static void set_crease(hide_job *job)
+{
+    job->crease_chord = square_chord(job->options->crease_degrees);
+    job->smooth_chord = job->crease_chord;
+    if (job->options->crease_auto)
+        job->smooth_chord = greater(job->crease_chord, square_chord(SMOOTH_CREASE));
 }
 
 static bool do_chunk(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t index)
@@ -58,7 +137,7 @@ static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
     return true;
 }
 
-/* All of them, where the order of the file is not as good. */
+/* All solids, where the order of the file is not as good. */
 static bool look_ahead_at_all(hide_job *job, hide_worker *worker, int threads)
 {
     bool lost = false;
@@ -77,7 +156,7 @@ static bool look_ahead_at_all(hide_job *job, hide_worker *worker, int threads)
 static void add_sums(roberts_drawing *drawing, const hide_worker *w)
 {
     roberts_tally *to = &drawing->tally;
-    const roberts_tally *from = &w->tally;
+    const roberts_tally *from = &w->sides.tally;
     drawing->surviving_edges += w->surviving;
     drawing->drawn_edges += w->drawn;
     to->pairs += from->pairs;
@@ -116,7 +195,7 @@ static void do_all_chunks(const hide_job *job, hide_worker *worker, int threads,
     }
 }
 
-/* The same by one thread, where the drawing keeps what is in order anyway. */
+/* One thread finds all chunks, in order, and the drawing keeps the segments as they come. */
 static roberts_status fill_drawing(const hide_job *job, hide_worker *w, uint32_t count, roberts_drawing *drawing)
 {
     hide_chunk all = {0};
@@ -158,22 +237,7 @@ done:
     return status;
 }
 
-static roberts_time now(void)
-{
-    struct timespec wall = {0}, cpu = {0};
-    clock_gettime(CLOCK_MONOTONIC, &wall);
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
-    return (roberts_time){(double)cpu.tv_sec + 1e-9 * (double)cpu.tv_nsec,
-                          (double)wall.tv_sec + 1e-9 * (double)wall.tv_nsec};
-}
-
-/* Time since *last, which becomes the present. */
-static roberts_time lap(roberts_time *last)
-{
-    roberts_time present = now(), passed = {present.cpu - last->cpu, present.wall - last->wall};
-    *last = present;
-    return passed;
-}
+/* ---- all of it ---- */
 
 static roberts_status check_options(const roberts_hide_options *options, roberts_error *error)
 {
@@ -218,59 +282,23 @@ static void describe(const hide_job *job, const roberts_camera *camera, roberts_
     set_frame(job, camera, drawing);
 }
 
-/* What is culled does not depend on the grid: where borders coincide in the picture, another solid's border may differ in
- * the last bit. Hidden segments are wanted with whom the viewer sees there: then nothing is culled. */
-static roberts_status build(hide_job *job, const roberts_camera *camera, roberts_drawing *drawing, roberts_error *error)
-{
-    const roberts_hide_options *options = job->options;
-    roberts_time clock = now();
-    roberts_status status = view_clip_scene(&job->clip, job->source, camera, error);
-    if (status != ROBERTS_OK)
-        return status;
-    job->scene = job->clip.clipped ? &job->clip.scene : job->source;
-    status = hide_fronts_build(&job->fronts, job->scene, camera, options->epsilon, !options->keep_hidden,
-                               options->threads, error);
-    if (status != ROBERTS_OK)
-        return status;
-    const view *v = &job->fronts.view;
-    if (v->epsilon > EPSILON_MOST * v->diameter && options->epsilon > 0.0)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
-                         "the touching distance, %.6g, is more than a hundredth of the scene (%.6g)", options->epsilon,
-                         v->diameter * v->unit);
-    drawing->view_time = lap(&clock);
-    const hide_fronts *fronts = &job->fronts;
-    double depth;
-    scan_frame frame = cells_for_lists(fronts->front_box, fronts->front_count, fronts->low, fronts->high, options->grid,
-                                       hide_margin(&fronts->space), &depth);
-    if (!picture_order_init(&job->order, fronts, depth))
-        return ROBERTS_NO_MEMORY;
-    hide_fronts_drop_boxes(&job->fronts);
-    status = objet_build(&job->grid, fronts, frame, options->threads);
-    drawing->grid_time = lap(&clock);
-    return status;
-}
-
-/* Of two unit normals that meet at this angle. */
-static double square_chord(double degrees)
-{
-    double chord = 2.0 * sin(degrees * pi / 360.0);
-    return chord * chord;
-}
-
 static roberts_status hide(hide_job *job, const roberts_camera *camera, roberts_drawing *drawing, roberts_error *error)
 {
     roberts_hide_options defaults = roberts_hide_options_default();
     job->options = job->options ? job->options : &defaults;
     *drawing = (roberts_drawing){0};
     roberts_status status = check_options(job->options, error);
-    if (status == ROBERTS_OK)
-        status = build(job, camera, drawing, error);
+    roberts_time clock = now();
     if (status == ROBERTS_OK) {
-        roberts_time clock = now();
-        job->crease_chord = square_chord(job->options->crease_degrees);
-        job->smooth_chord = job->crease_chord;
-        if (job->options->crease_auto)
-            job->smooth_chord = greater(job->crease_chord, square_chord(SMOOTH_CREASE));
+        status = make_fronts(job, camera, error);
+        drawing->view_time = lap(&clock);
+    }
+    if (status == ROBERTS_OK) {
+        status = list_fronts(job);
+        drawing->grid_time = lap(&clock);
+    }
+    if (status == ROBERTS_OK) {
+        set_crease(job);
         describe(job, camera, drawing);
         status = do_chunks(job, drawing);
         drawing->hide_time = lap(&clock);

@@ -7,8 +7,8 @@
 #include "base/array.h"
 #include "base/sort.h"
 
-/* With more parts than this a new one is not held against each, or with more hulls only against so many of the last: they
- * are joined when all are there. */
+/* With more parts than this a new one is not held against each, or with more hulls only against so many of the last:
+ * they are joined when all are there. */
 #define FEW 32
 /* So many are put in order one by one; and from so many on comparing takes longer than counting digits. */
 #define SHORT_RUN 16

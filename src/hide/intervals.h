@@ -1,7 +1,7 @@
 /* intervals.h - hidden parts of one edge and their union.
  *
- * What one convex solid hides of an edge is one interval, because the volume behind it is convex (see front_test.h). Parts of
- * different solids, and of the faces of a solid of many faces, are joined where they overlap or touch. */
+ * What one convex solid hides of an edge is one interval, because the volume behind it is convex (see front_test.h).
+ * Parts of different solids, and of the faces of a solid of many faces, are joined where they overlap or touch. */
 #ifndef ROBERTS_HIDE_INTERVALS_H
 #define ROBERTS_HIDE_INTERVALS_H
 
@@ -48,8 +48,8 @@ static inline bool hide_intervals_add(hide_intervals *intervals, uint32_t solid,
 }
 
 /* Adds what one face of `solid` hides to the hull of what its other faces do, which `*part` becomes: faces given to few
- * digits, or cut by the near plane, leave gaps between them, and the solid none. Of very many solids one may have several
- * hulls until hide_intervals_hulls_done(). False: no memory. */
+ * digits, or cut by the near plane, leave gaps between them, and the solid none. Of very many solids one may have
+ * several hulls until hide_intervals_hulls_done(). False: no memory. */
 bool hide_intervals_hull(hide_intervals *hulls, uint32_t solid, hide_interval *part);
 
 /* Leaves one hull of each solid. */

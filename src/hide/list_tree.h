@@ -1,6 +1,6 @@
-/* list_tree.h - the shape of a tree over a list: a node for each eight items, one for each eight of these nodes, and so on,
- * until no more than eight nodes are left. The nodes of one level are a rank, the lowest first. What a node holds is the
- * caller's. */
+/* list_tree.h - the shape of a tree over a list: a node for each eight items, one for each eight of these nodes, and so
+ * on, until no more than eight nodes are left. The nodes of one level are a rank, the lowest first. What a node holds
+ * is the caller's. */
 #ifndef ROBERTS_HIDE_LIST_TREE_H
 #define ROBERTS_HIDE_LIST_TREE_H
 

@@ -39,8 +39,8 @@ static inline uint32_t count_one(uint32_t *cell, bool alone)
     return before;
 }
 
-/* Calls for every cell that the front touches: counts it there, or with `fill` lists it. A box of at most two columns and
- * two rows is taken for the polygon. */
+/* Calls for every cell that the front touches: counts it there, or with `fill` lists it. A box of at most two columns
+ * and two rows is taken for the polygon. */
 static void list_front(const filling *job, uint32_t index, scan *s, bool fill)
 {
     objet *grid = job->grid;
@@ -124,8 +124,8 @@ static int nearer_first(const void *pa, const void *pb)
     return (a->entry.front > b->entry.front) - (a->entry.front < b->entry.front);
 }
 
-/* Sorts the lists of the cells first..end-1, nearest corner first, ties by number. Short lists are put in order one by one.
- * False: no memory. */
+/* Sorts the lists of the cells first..end-1, nearest corner first, ties by number. Short lists are put in order one by
+ * one. False: no memory. */
 static bool sort_some(const filling *job, size_t first, size_t end)
 {
     const objet *grid = job->grid;

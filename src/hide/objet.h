@@ -29,7 +29,8 @@ typedef struct objet {
     uint32_t *start; /* [nx * ny + 1] cell c lists entry[start[c]] .. entry[start[c + 1] - 1] */
     objet_entry *entry; /* [start[nx * ny] + OBJET_SPARE] */
     /* [as entry] where a cell's list goes on with another solid, or ends: so a solid need not pass its own faces one by
-     * one, all of which a fan of very many triangles has in the cell of its tip. NULL where no solid is listed face by face. */
+     * one, all of which a fan of very many triangles has in the cell of its tip. NULL where no solid is listed face by
+     * face. */
     uint32_t *next;
 } objet;
 
@@ -57,7 +58,8 @@ static inline four objet_place(const objet *grid, const hide_box *box)
     return four_mul(four_sub(four_load(side), four_load(grid->from)), four_load(grid->per));
 }
 
-/* ... cut to cell (i, j), a byte for each. Whatever is rounded here, of two sides the lesser stays no greater than the other. */
+/* ... cut to cell (i, j), a byte for each. Whatever is rounded here, of two sides the lesser stays no greater than the
+ * other. */
 static inline uint32_t objet_cut(four place, uint32_t i, uint32_t j)
 {
     const float column = 256.0f * (float)(int32_t)i, row = 256.0f * (float)(int32_t)j;

@@ -15,8 +15,8 @@ uint32_t outline_cycle(const hide_fronts *fronts, uint32_t solid, uint32_t *next
 /* Is the outline a convex polygon? size: how large it is, along x and y together. */
 bool outline_is_convex(const hide_fronts *fronts, const uint32_t *outline, uint32_t corners, double size);
 
-/* The convex hull of the solid's vertices in the picture, counter-clockwise. Returns its number of corners, or 0 where it
- * has no area. order, outline: room for all vertices of the solid. */
+/* The convex hull of the solid's vertices in the picture, counter-clockwise. Returns its number of corners, or 0 where
+ * it has no area. order, outline: room for all vertices of the solid. */
 uint32_t outline_hull(const hide_fronts *fronts, uint32_t solid, uint32_t *order, uint32_t *outline);
 
 #endif

@@ -111,9 +111,10 @@ static inline void scan_end(const scan *s, const scan_frame *f, double *bound, d
 }
 
 /* A side's ordinates at the borders of columns. The sides below the polygon are a convex function of x, those above a
- * concave one: over a column they are highest, or lowest, at its borders. Those above are taken upside down. At a border
- * the line is taken a margin further both ways, which also makes up for its rounding; so where the border is that near to
- * a corner, both sides there have a say. A vertical side bounds nothing that its neighbours do not bound. */
+ * concave one: over a column they are highest, or lowest, at its borders. Those above are taken upside down. At a
+ * border the line is taken a margin further both ways, which also makes up for its rounding; so where the border is
+ * that near to a corner, both sides there have a say. A vertical side bounds nothing that its neighbours do not
+ * bound. */
 static void scan_borders(scan *s, const scan_frame *f, roberts_vec3 P, roberts_vec3 Q)
 {
     bool below = Q.x > P.x;
@@ -132,8 +133,8 @@ static void scan_borders(scan *s, const scan_frame *f, roberts_vec3 P, roberts_v
         bound[i] = greater(bound[i], from + (f->x0 + i * f->dx - left) * slope + lift);
 }
 
-/* One side of a polygon whose corners are in these columns and not near a border. Gives how many borders it crosses upward
- * of the polygon's lower half. */
+/* One side of a polygon whose corners are in these columns and not near a border. Gives how many borders it crosses
+ * upward of the polygon's lower half. */
 static inline uint32_t scan_side_borders(const scan *s, const scan_frame *f, const roberts_vec3 *P,
                                          const roberts_vec3 *Q, uint32_t column, uint32_t next)
 {
@@ -147,9 +148,10 @@ static inline uint32_t scan_side_borders(const scan *s, const scan_frame *f, con
     return below ? last - first : 0;
 }
 
-/* What scan_inner() does, to the last bit, where no corner is so near to a border that two sides have a say there: then a
- * border is met where the columns of two neighbours differ, by one side below and one above. False: a corner is that
- * near, or (of a polygon that is not quite convex) more sides meet a border; the columns are to be found the other way. */
+/* What scan_inner() does, to the last bit, where no corner is so near to a border that two sides have a say there: then
+ * a border is met where the columns of two neighbours differ, by one side below and one above. False: a corner is that
+ * near, or (of a polygon that is not quite convex) more sides meet a border; the columns are to be found the other
+ * way. */
 static bool scan_apart(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
 {
     double near = 4.0 * f->margin * f->per_dx, inside = 1.0 - near;

@@ -53,19 +53,22 @@ static uint32_t tile_of(const layout *l, const scan_frame *f, const hide_box *bo
     return l->first[r] + i / 2 * l->up[r] + j / 2;
 }
 
-/* Counts of solids, faces and vertices become places. */
-static void set_places(tiles *t)
+/* What the solids of a tile have in all. */
+typedef struct tile_sizes {
+    uint32_t solids, faces, vertices;
+} tile_sizes;
+
+/* Each tile's places follow those of the tiles before it. */
+static void set_places(tiles *t, const tile_sizes *size)
 {
     uint32_t first = 0, face = 0, outline = 0;
     for (uint32_t k = 0; k < t->count; k++) {
-        front_tile *to = &t->tile[k];
-        uint32_t solids = to->end, faces = to->face, vertices = to->outline;
-        to->first = to->end = to->front = first;
-        to->face = face;
-        to->outline = outline;
-        first += solids;
-        face += faces;
-        outline += vertices;
+        t->tile[k].first = t->tile[k].end = t->tile[k].front = first;
+        t->tile[k].face = face;
+        t->tile[k].outline = outline;
+        first += size[k].solids;
+        face += size[k].faces;
+        outline += size[k].vertices;
     }
 }
 
@@ -87,22 +90,24 @@ static bool by_place(tiles *t, const hide_fronts *fronts, int threads)
     const roberts_scene *scene = fronts->scene;
     layout l = lay_out(t, &fronts->cover.frame);
     uint32_t *own = alloc_array(scene->solid_count, sizeof *own);
+    tile_sizes *size = alloc_zeroed(t->count, sizeof *size);
     t->tile = alloc_zeroed(t->count, sizeof *t->tile);
     t->solid = alloc_array(scene->solid_count, sizeof *t->solid);
-    bool done = own && t->tile && t->solid;
+    bool done = own && size && t->tile && t->solid;
     if (done)
         find_tiles(&l, fronts, own, threads);
     for (uint32_t s = 0; done && s < scene->solid_count; s++) {
-        front_tile *to = &t->tile[own[s]];
-        to->end++;
-        to->face += scene->solid[s + 1].face - scene->solid[s].face;
-        to->outline += scene->solid[s + 1].vertex - scene->solid[s].vertex;
+        tile_sizes *of = &size[own[s]];
+        of->solids++;
+        of->faces += scene->solid[s + 1].face - scene->solid[s].face;
+        of->vertices += scene->solid[s + 1].vertex - scene->solid[s].vertex;
     }
     if (done)
-        set_places(t);
+        set_places(t, size);
     for (uint32_t s = 0; done && s < scene->solid_count; s++)
         t->solid[t->tile[own[s]].end++] = s;
     free(own);
+    free(size);
     return done;
 }
 
@@ -168,8 +173,8 @@ bool tiles_order(tiles *t, const front_tile *of, const hide_fronts *fronts)
 /* ... and if one solid lies on average farther than this from the last, the file has them as they come. Rows, heaps and
  * lattices that were built one beside the other have less than 30, random ones more than 600. */
 #define FAR_APART 100.0
-/* ... or if as many boxes as this lie over a point of the picture: what lies behind one another lies anywhere in the file. In
- * flat scenes the order costs a fifth of hiding, in deep ones it saves a fourth to a half. */
+/* ... or if as many boxes as this lie over a point of the picture: what lies behind one another lies anywhere in the
+ * file. In flat scenes the order costs a fifth of hiding, in deep ones it saves a fourth to a half. */
 #define DEEP 2.5
 
 /* Solids between asking for what is kept of one and needing it; twice as many before, where it is. */
@@ -180,8 +185,8 @@ static double apart(uint32_t a, uint32_t b)
     return a < b ? b - a : a - b;
 }
 
-/* Fills `key` so that the solids' order follows the Z-order curve through the picture. Gives how far one is from the last, on
- * average. */
+/* Fills `key` so that the solids' order follows the Z-order curve through the picture. Gives how far one is from the
+ * last, on average. */
 static double find_keys(const hide_fronts *fronts, uint32_t *key)
 {
     uint32_t count = fronts->scene->solid_count, last_i = 0, last_j = 0;
@@ -377,8 +382,8 @@ static void give_away(chunks *c, const hide_chunk *chunk)
     atomic_store(&c->turn, chunk->number + 1);
 }
 
-/* The drawing moves only while nobody writes to it. The next has its turn before the copying, most of which is the system
- * bringing new memory. */
+/* The drawing moves only while nobody writes to it. The next has its turn before the copying, most of which is the
+ * system bringing new memory. */
 static void lay_down(chunks *c, const hide_chunk *chunk)
 {
     size_t first = c->drawing->count, total = first + chunk->count;

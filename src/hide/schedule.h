@@ -1,22 +1,23 @@
-/* schedule.h - which solids a thread takes, in what order, and how what the threads find comes out in the order of the file.
- * Nothing here changes what is found.
+/* schedule.h - which solids a thread takes, in what order, and how what the threads find comes out in the order of
+ * the file. Nothing here changes what is found.
  *
- * 1. Tiles: fronts are built tile by tile. Where covers are kept, a tile holds the solids whose middle is in a square of
- *    TILE_CELLS cells, so that the covers that it touches stay in a cache. Tiles are taken in rounds. No two tiles of a round
- *    lie beside one another, and no solid reaches farther out of its tile than nearly half of one. So solids of different
- *    tiles of a round never ask or enter the same cover, and what is culled does not depend on the threads. The few solids
- *    that reach farther are a tile by themselves, and the first round. Without covers, a tile holds solids that follow one
- *    another in the file, and there is one round.
+ * 1. Tiles: fronts are built tile by tile. Where covers are kept, a tile holds the solids whose middle is in a square
+ *    of TILE_CELLS cells, so that the covers that it touches stay in a cache. Tiles are taken in rounds. No two tiles
+ *    of a round lie beside one another, and no solid reaches farther out of its tile than nearly half of one. So
+ *    solids of different tiles of a round never ask or enter the same cover, and what is culled does not depend on
+ *    the threads. The few solids that reach farther are a tile by themselves, and the first round. Without covers, a
+ *    tile holds solids that follow one another in the file, and there is one round.
  *
- * 2. The order of the picture: lines come out in the order of the file. Where solids that follow one another in the file lie
- *    anywhere in the picture, and are more than a cache holds, each edge would fetch the fronts around it from memory. There
- *    solids are hidden in the order in which they lie in the picture first. Of their lines only the parameters of what is
- *    hidden are kept, until it is the solid's turn; where hidden segments are wanted, so is the solid seen there.
+ * 2. The order of the picture: lines come out in the order of the file. Where solids that follow one another in the
+ *    file lie anywhere in the picture, and are more than a cache holds, each edge would fetch the fronts around it
+ *    from memory. There solids are hidden in the order in which they lie in the picture first. Of their lines only
+ *    the parameters of what is hidden are kept, until it is the solid's turn; where hidden segments are wanted, so is
+ *    the solid seen there.
  *
- * 3. Chunks: segments are found in chunks of solids. Any thread takes the next few chunks, one run, since neighbours ask for
- *    the same fronts. No thread waits for another. A chunk whose turn has not come stays with its thread, which looks after
- *    every chunk whether its turn has come, and then gives the segments away or lays them down itself: they are still in its
- *    cache. Only a thread with a full queue has to wait. */
+ * 3. Chunks: segments are found in chunks of solids. Any thread takes the next few chunks, one run, since neighbours
+ *    ask for the same fronts. No thread waits for another. A chunk whose turn has not come stays with its thread,
+ *    which looks after every chunk whether its turn has come, and then gives the segments away or lays them down
+ *    itself: they are still in its cache. Only a thread with a full queue has to wait. */
 #ifndef ROBERTS_HIDE_SCHEDULE_H
 #define ROBERTS_HIDE_SCHEDULE_H
 
@@ -30,12 +31,13 @@
 
 /* ---- tiles ---- */
 
-/* The first round has one tile, for solids that reach far. Four rounds follow, by odd and even columns and rows of tiles. */
+/* The first round has one tile, for solids that reach far. Four rounds follow, by odd and even columns and rows of
+ * tiles. */
 enum { TILE_ROUNDS = 5 };
 
-/* A solid has at most one front for all of it, no more front faces than faces, and no more corners in its outline than vertices.
- * So a tile's places in the arrays of hide_fronts begin where those of the tiles before it must end. Room that is not used is never
- * touched. */
+/* A solid has at most one front for all of it, no more front faces than faces, and no more corners in its outline than
+ * vertices. So a tile's places in the arrays of hide_fronts begin where those of the tiles before it must end. Room
+ * that is not used is never touched. */
 typedef struct front_tile {
     uint32_t first, end;           /* of tiles.solid */
     uint32_t front, face, outline; /* of the arrays of hide_fronts: the next to be written */
@@ -53,8 +55,8 @@ typedef struct tiles {
     uint32_t *solid;                        /* tile by tile; NULL: as they are numbered */
 } tiles;
 
-/* Makes the tiles of fronts that have their boxes and the frame of their covers. threads: upper bound. False: no memory;
- * tiles_free() is due in any case. */
+/* Makes the tiles of fronts that have their boxes and the frame of their covers. threads: upper bound. False: no
+ * memory; tiles_free() is due in any case. */
 bool tiles_make(tiles *t, const hide_fronts *fronts, int threads);
 void tiles_free(tiles *t);
 
@@ -85,18 +87,20 @@ typedef struct picture_order {
     kept_chunk *chunk;      /* [chunks] one for every KEPT_SOLIDS solids of them */
 } picture_order;
 
-/* Finds the order; depth: mean number of fronts' boxes over a point of the picture. False: no memory; picture_order_free() is due in any case. */
+/* Finds the order; depth: mean number of fronts' boxes over a point of the picture. False: no memory;
+ * picture_order_free() is due in any case. */
 bool picture_order_init(picture_order *o, const hide_fronts *fronts, double depth);
 void picture_order_free(picture_order *o);
 
-/* Keeps the worker's lines, of the solid order[place], as hide_worker_run() has left them; within a chunk solids come one
- * after the other. Of a solid that is culled the lines are none. False: no memory. */
+/* Keeps the worker's lines, of the solid order[place], as hide_worker_run() has left them; within a chunk solids come
+ * one after the other. Of a solid that is culled the lines are none. False: no memory. */
 bool picture_order_keep(picture_order *o, uint32_t place, const hide_worker *w);
 
 /* Asks for what will be wanted at the recalling of the solids soon after this one: their lines lie anywhere. */
 void picture_order_fetch(const picture_order *o, uint32_t solid);
 
-/* Gives the worker the solid's lines back; those that are wholly hidden only where it keeps hidden parts. False: no memory. */
+/* Gives the worker the solid's lines back; those that are wholly hidden only where it keeps hidden parts. False: no
+ * memory. */
 bool picture_order_recall(const picture_order *o, uint32_t solid, hide_worker *w);
 
 /* ---- chunks ---- */
@@ -108,8 +112,8 @@ typedef struct hide_chunk {
     uint32_t number;
 } hide_chunk;
 
-/* A run has at most so many chunks; and so many of a thread may wait for their turn: its run, while those before it are at
- * work, and more, so that a thread that is slow or put aside by the system does not stop the others. */
+/* A run has at most so many chunks; and so many of a thread may wait for their turn: its run, while those before it are
+ * at work, and more, so that a thread that is slow or put aside by the system does not stop the others. */
 enum { CHUNKS_RUN = 16, CHUNKS_WAITING = 3 * CHUNKS_RUN };
 
 /* The chunks of one thread: those waiting in the order of their numbers, a ring, and those that are free. */

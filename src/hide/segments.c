@@ -4,8 +4,8 @@
 #include "base/array.h"
 #include "hide/surface_lines.h"
 
-/* Flatter than the crease angle; the normals of the model are compared, which perspective does not bend. `edge` is stored
- * with the solid. */
+/* Flatter than the crease angle; the normals of the model are compared, which perspective does not bend. `edge` is
+ * stored with the solid. */
 static bool is_flat(const hide_job *job, const roberts_scene *scene, uint32_t solid, const scene_edge *edge)
 {
     const plane *of = scene->face_plane + scene->solid[solid].face;
@@ -106,8 +106,9 @@ static bool add_line(const hide_job *job, hide_chunk *out, const roberts_segment
            add_clipped(out, *pattern, pattern->t1, 1.0, (roberts_vec2){e->B.x * unit, e->B.y * unit});
 }
 
-/* The same of an edge that the near plane leaves whole, where its visible segments are all that is wanted. It has a front
- * face. (To share what writes a segment with add_segment() took two to four in a thousand of all instructions.) */
+/* The same of an edge that the near plane leaves whole, where its visible segments are all that is wanted. It has a
+ * front face. (To share what writes a segment with add_segment() took two to four in a thousand of all
+ * instructions.) */
 static bool add_visible(const hide_job *job, hide_chunk *out, uint32_t solid, const unsigned char *facing,
                         const hide_line *line)
 {
@@ -142,8 +143,8 @@ static bool add_visible(const hide_job *job, hide_chunk *out, uint32_t solid, co
     return true;
 }
 
-/* What lies behind the covers is hidden at once; covers are kept only where hidden lines are not wanted. P: view points of
- * the solid. */
+/* What lies behind the covers is hidden at once; covers are kept only where hidden lines are not wanted. P: view points
+ * of the solid. */
 static inline bool is_covered(const cover *c, const roberts_vec3 *P, const scene_edge *edge)
 {
     return c->depth && cover_hides_edge(c, P[edge->v[0]], P[edge->v[1]]);
@@ -154,9 +155,9 @@ bool segments_covered(const hide_job *job, uint32_t solid, const scene_edge *edg
     return is_covered(&job->fronts.cover, job->fronts.P + job->scene->solid[solid].vertex, edge);
 }
 
-/* Takes up the edges of a solid that are drawn and not covered. A surviving edge has a front face. An outline (one front
- * face) is always drawn; an edge whose two faces look the same way is not where it is flat, whether they are front or,
- * among hidden lines, back. */
+/* Takes up the edges of a solid that are drawn and not covered. A surviving edge has a front face. An outline (one
+ * front face) is always drawn; an edge whose two faces look the same way is not where it is flat, whether they are
+ * front or, among hidden lines, back. */
 static bool take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
 {
     const roberts_scene *scene = job->scene;
@@ -174,7 +175,7 @@ static bool take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
             continue;
         w->drawn++;
         if (is_covered(&job->fronts.cover, P, edge)) {
-            w->tally.covered++;
+            w->sides.tally.covered++;
             continue;
         }
         hide_line *line = hide_worker_add(w, i, edge, scene->solid[solid].vertex);

@@ -20,15 +20,16 @@ typedef struct hide_job {
     double smooth_chord; /* the same for bodies that are taken for curved */
 } hide_job;
 
-/* Takes up the edges of a solid that are drawn and not covered, and finds what is hidden of them, with the solids seen there
- * where hidden segments are kept. False: no memory. */
+/* Takes up the edges of a solid that are drawn and not covered, and finds what is hidden of them, with the solids seen
+ * there where hidden segments are kept. False: no memory. */
 bool segments_hide(const hide_job *job, hide_worker *w, uint32_t solid);
 
-/* Adds the segments of the solids first .. end - 1; what was found before their turn is not asked again. False: no memory. */
+/* Adds the segments of the solids first .. end - 1; what was found before their turn is not asked again. False: no
+ * memory. */
 bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t first, uint32_t end);
 
-/* Visible segments of a line between its hidden parts, and those too where they are wanted. The pattern's t0..t1 is what the
- * line has of the edge that it names. False: no memory. */
+/* Visible segments of a line between its hidden parts, and those too where they are wanted. The pattern's t0..t1 is
+ * what the line has of the edge that it names. False: no memory. */
 bool segments_add_parts(const hide_job *job, hide_chunk *out, const roberts_segment *pattern, const hide_line *line);
 
 /* The solid of each hidden part becomes the one that is seen there, in its middle. */

@@ -207,7 +207,7 @@ bool surface_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t
         w->surviving++;
         w->drawn++;
         if (segments_covered(job, body, edge)) {
-            w->tally.covered++;
+            w->sides.tally.covered++;
             continue;
         }
         batch.source[w->line_count] = e;

@@ -31,8 +31,8 @@ bool hide_test1(const hide_face *F, const hide_edge *e)
     return plane_at(F->F, e->A) <= (double)F->limit && plane_at(F->F, e->B) <= (double)F->limit;
 }
 
-/* Q(X) = 0 is the sight plane through AB, Q(X) the distance from it (here times the length of AB). A corner whose distance is
- * uncertain counts as near. */
+/* Q(X) = 0 is the sight plane through AB, Q(X) the distance from it (here times the length of AB). A corner whose
+ * distance is uncertain counts as near. */
 static inline int corner_side(const hide_space *space, roberts_vec3 P, const hide_edge *e, hide_near *near)
 {
     double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y, px = P.x - e->A.x, py = P.y - e->A.y, Q = dx * py - dy * px;
@@ -170,7 +170,9 @@ hide_crossing hide_cross_side(const hide_space *space, const hide_face *F, hide_
     if (hide_accurate(space, e, error) || !space->scene)
         return c;
     roberts_vec3 P = space->P[s.p], Q = space->P[s.q];
-    error = lesser(hide_crossing_error(space, e, c.t, P.x, P.y, Q.x - P.x, Q.y - P.y, apart), error);
+    error = lesser(
+        hide_crossing_error(space, e, c.t, (roberts_vec2){P.x, P.y}, (roberts_vec2){Q.x - P.x, Q.y - P.y}, apart),
+        error);
     c.error = hide_accurate(space, e, error) ? 0.0 : error;
     return c;
 }
@@ -232,9 +234,9 @@ bool hide_cut_end(const hide_cutting *c, hide_cut *cut, hide_interval *part)
     return hide_is_left(c->space, c->e, part);
 }
 
-/* TEST 4. t_i is the crossing of AB with side plane H_i. Of those by which AB comes in, the last lies on the side itself
- * (0 <= s_i <= 1), and so does the first by which it goes out, unless AB misses the face: then they come in the wrong
- * order. So the s_i need not be computed, and of the crossings at most those two closely. */
+/* TEST 4. t_i is the crossing of AB with side plane H_i. Of those by which AB comes in, the last lies on the side
+ * itself (0 <= s_i <= 1), and so does the first by which it goes out, unless AB misses the face: then they come in the
+ * wrong order. So the s_i need not be computed, and of the crossings at most those two closely. */
 bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_interval *part)
 {
     hide_cutting c = {space, F, e, &sides->refined};
@@ -247,7 +249,8 @@ bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e,
     return hide_cut_end(&c, &cut, part);
 }
 
-/* What counts as on the plane at X: a solid that the near plane cuts may have its nearest corner a thousand times as near. */
+/* What counts as on the plane at X: a solid that the near plane cuts may have its nearest corner a thousand times as
+ * near. */
 static double touch_at(const hide_space *space, const hide_face *F, roberts_vec3 X)
 {
     if (F->departure <= 0.0f)
@@ -316,18 +319,18 @@ static bool end_at_corners(const hide_space *space, const hide_face *F, const hi
 }
 
 bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
-                   roberts_tally *tally, hide_interval *part)
+                   hide_interval *part)
 {
     switch (hide_test3(space, F, e, sides)) {
     case HIDE_VISIBLE:
-        tally->test3_visible++;
+        sides->tally.test3_visible++;
         return false;
     case HIDE_INVISIBLE:
-        tally->test3_invisible++;
+        sides->tally.test3_invisible++;
         *part = hide_whole;
         return end_at_corners(space, F, e, sides, part);
     default:
-        tally->test4++;
+        sides->tally.test4++;
         return hide_test4(space, F, e, sides, part) && end_at_corners(space, F, e, sides, part);
     }
 }

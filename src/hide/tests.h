@@ -1,13 +1,13 @@
 /* tests.h - the lecture's tests 1 to 4: what one front face F of a solid hides of one edge AB of another.
  *
- * Specification ("Elimination des lignes cachees", with its corrections): the hidden part is the interval of those t for
- * which R(t) = A + t AB is inside or on every side plane of F and F(R(t)) > 0. The tests are the cheap way to it, and
- * each stops the procedure where it decides.
+ * Specification ("Elimination des lignes cachees", with its corrections): the hidden part is the interval of those t
+ * for which R(t) = A + t AB is inside or on every side plane of F and F(R(t)) > 0. The tests are the cheap way to it,
+ * and each stops the procedure where it decides.
  *
  *   1. F(A) <= 0 and F(B) <= 0: visible.
  *   2. All corners of F on one side of the sight plane Q through AB, at most one on it: visible.
- *   3. A and B inside or on every side plane: invisible (up to where AB pierces F). Outside one side plane, or one end
- *      outside and the other on it: visible.
+ *   3. A and B inside or on every side plane: invisible (up to where AB pierces F). Outside one side plane, or one
+ *      end outside and the other on it: visible.
  *   4. What remains crosses the sides: the part between the last crossing inward and the first one outward.
  *
  * Ties. F is closed in projection (an edge behind F and along its border is hidden; one that only touches a corner has
@@ -28,9 +28,11 @@ typedef struct hide_side {
     signed char a, b;
 } hide_side;
 
+/* Scratch memory of the tests, and what they count. */
 typedef struct hide_sides {
     hide_side *H; /* [room] */
     size_t room;
+    roberts_tally tally;
     uint64_t refined; /* signs and crossings computed in twice the precision */
     /* The outline that was asked last. (A table of 64 is right a third of the time, and saves nothing.) */
     fast_outline outline;
@@ -131,8 +133,8 @@ static inline bool hide_is_left(const hide_space *space, const hide_edge *e, con
     return (part->t1 - part->t0) * e->length3 > space->epsilon;
 }
 
-/* Tests 3 and 4, counted in `tally`: the part of e inside all sides; false where there is none. */
+/* Tests 3 and 4, counted in `sides`: the part of e inside all sides; false where there is none. */
 bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
-                   roberts_tally *tally, hide_interval *part);
+                   hide_interval *part);
 
 #endif

@@ -97,7 +97,8 @@ fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, co
         double error_b = 2.0 * space->rounding * (length + fabs(e->B.x - ox) + fabs(e->B.y - oy));
         double t = a / (a - b), error = (error_a + error_b) / apart;
         if (!hide_accurate(space, e, error)) {
-            error = lesser(hide_crossing_error(space, e, t, ox, oy, dx, dy, apart), error);
+            error =
+                lesser(hide_crossing_error(space, e, t, (roberts_vec2){ox, oy}, (roberts_vec2){dx, dy}, apart), error);
             if (a < 0.0 ? t + error <= part->t0 : t - error >= part->t1)
                 continue;
             if (!hide_accurate(space, e, error))

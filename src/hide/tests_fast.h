@@ -1,9 +1,9 @@
 /* tests_fast.h - tests 2 to 4 at a stroke, for an edge and an outline between which all signs are plain.
  *
- * A sign is plain where its cross product is larger than hide_space.plain: then it is the one that tests.c would find,
- * without looking at lengths and errors. The sides' functions H_i(A), H_i(B) are computed two at a time, in the form
- * that test 4 needs for t_i, so that the part found is the same to the last bit. Where a sign is not plain (but for those of
- * an edge that ends well inside), or a crossing not accurate, the verdict is left to tests.c. */
+ * A sign is plain where its cross product is larger than hide_space.plain: then it is the one that tests.c would
+ * find, without looking at lengths and errors. The sides' functions H_i(A), H_i(B) are computed two at a time, in the
+ * form that test 4 needs for t_i, so that the part found is the same to the last bit. Where a sign is not plain (but
+ * for those of an edge that ends well inside), or a crossing not accurate, the verdict is left to tests.c. */
 #ifndef ROBERTS_HIDE_TESTS_FAST_H
 #define ROBERTS_HIDE_TESTS_FAST_H
 
@@ -11,8 +11,8 @@
 #include "base/lanes.h"
 #include "hide/reach.h"
 
-/* An outline at hand, drawn together from the picture. An odd number of sides is made even: the last stands twice, and so
- * does the first corner. */
+/* An outline at hand, drawn together from the picture. An odd number of sides is made even: the last stands twice, and
+ * so does the first corner. */
 typedef struct fast_outline {
     const uint32_t *corner;                               /* whose; NULL: nobody's */
     uint32_t sides;                                       /* as many as there are */
@@ -100,8 +100,8 @@ BITS_INLINE double fast_reach(const fast_outline *o, const hide_space *space, co
     return reach_is_plain(space, e, fabs(touch)) ? *t + touch : fast_reach_along(o, space, e, i, touch, t);
 }
 
-/* Test 4. The error of a t_i is that of the two distances, 2 rounding (side + reach) each, over their difference, and side
- * and reach are no more than `span`. */
+/* Test 4. The error of a t_i is that of the two distances, 2 rounding (side + reach) each, over their difference, and
+ * side and reach are no more than `span`. */
 BITS_INLINE fast_verdict fast_cut(const fast_outline *o, const hide_space *space, const hide_edge *e, double span,
                                   const fast_sides *H, hide_interval *part)
 {
@@ -130,9 +130,9 @@ BITS_INLINE fast_verdict fast_cut(const fast_outline *o, const hide_space *space
     return (t1 - t0) * e->length3 > space->epsilon ? FAST_CUT : FAST_EMPTY;
 }
 
-/* Is what lies inside plainly within what is hidden, with all that it touches? That is so where the point at which the hidden
- * part begins is outside of a side that A is outside of, and the one at which it ends of a side that B is outside of (or the
- * edge itself begins or ends there), and neither is near to any side. */
+/* Is what lies inside plainly within what is hidden, with all that it touches? That is so where the point at which the
+ * hidden part begins is outside of a side that A is outside of, and the one at which it ends of a side that B is
+ * outside of (or the edge itself begins or ends there), and neither is near to any side. */
 BITS_INLINE bool fast_within(const fast_outline *o, double plain, const fast_sides *H, const hide_interval *hidden)
 {
     two t0 = two_all(hidden->t0), t1 = two_all(hidden->t1), nearest = two_all(INFINITY);
@@ -149,13 +149,14 @@ BITS_INLINE bool fast_within(const fast_outline *o, double plain, const fast_sid
            two_least(nearest) > plain;
 }
 
-/* Where not all signs are plain. FAST_OUTSIDE: of one side plainly, whatever the others say. FAST_CUT: one end is plainly
- * inside, the other near to some side, and H has the signs that tests.c would find. FAST_UNCLEAR: that takes twice the
- * precision, or no end is plainly inside. */
+/* Where not all signs are plain. FAST_OUTSIDE: of one side plainly, whatever the others say. FAST_CUT: one end is
+ * plainly inside, the other near to some side, and H has the signs that tests.c would find. FAST_UNCLEAR: that takes
+ * twice the precision, or no end is plainly inside. */
 fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const hide_edge *e, fast_sides *H);
 
-/* span: no two points of outline and edge are farther apart, along x and y together; hidden: a part of the edge that is, what
- * lies within it need not be found; NULL: find all. Fills `part` where the verdict is FAST_INSIDE or FAST_CUT. */
+/* span: no two points of outline and edge are farther apart, along x and y together; hidden: a part of the edge that
+ * is, what lies within it need not be found; NULL: find all. Fills `part` where the verdict is FAST_INSIDE or
+ * FAST_CUT. */
 BITS_INLINE fast_verdict fast_test(const fast_outline *o, const hide_space *space, const hide_edge *e, double span,
                                    const hide_interval *hidden, hide_interval *part)
 {

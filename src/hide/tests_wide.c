@@ -6,8 +6,8 @@
 
 #include "base/array.h"
 
-/* Sides that may cut something off before all are asked: mostly there are two, and those beside them; of a straight border that
- * is no run, two times seven on each rank. */
+/* Sides that may cut something off before all are asked: mostly there are two, and those beside them; of a straight
+ * border that is no run, two times seven on each rank. */
 #define CUTS 320
 /* Guesses, before all sides are asked. The second is what the first has left, and is right but for rounding. */
 #define GUESSES 3
@@ -61,8 +61,8 @@ static runs_node frame_run(const hide_space *space, const uint32_t *corner, uint
     return n;
 }
 
-/* Lifts the three lines over the side PQ; false where that is no graph of a line, or too steep or uncertain a one. A side no
- * longer than epsilon, which bounds nothing in the tests, is one of these. */
+/* Lifts the three lines over the side PQ; false where that is no graph of a line, or too steep or uncertain a one. A
+ * side no longer than epsilon, which bounds nothing in the tests, is one of these. */
 static bool lift_over(const hide_space *space, runs_node *n, roberts_vec3 P, roberts_vec3 Q)
 {
     double dx = Q.x - P.x, dy = Q.y - P.y, run = n->ux * dx + n->uy * dy, rise = n->ux * dy - n->uy * dx;
@@ -160,8 +160,9 @@ typedef struct sight {
     hide_near near;       /* corners that count as near it */
 } sight;
 
-/* Where the box of a run's corners lies: plainly left (1) or right (-1) of the sight plane, or else 0: so far from it that no
- * corner of it counts as near (see hide_corner_side(); four times its roundings are far more than box and corners are off by). */
+/* Where the box of a run's corners lies: plainly left (1) or right (-1) of the sight plane, or else 0: so far from it
+ * that no corner of it counts as near (see hide_corner_side(); four times its roundings are far more than box and
+ * corners are off by). */
 static int run_side(const hide_space *space, const runs_node *n, const hide_edge *e)
 {
     double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y, px = n->x - e->A.x, py = n->y - e->A.y, Q = dx * py - dy * px;
@@ -213,8 +214,8 @@ static bool misses(sight *s)
     return hide_near_misses(&s->near, s->left != ROBERTS_NONE);
 }
 
-/* Of the sides from corner `from` on, round to corner `to`, which lies on the other side of the sight plane, one across which
- * that changes. */
+/* Of the sides from corner `from` on, round to corner `to`, which lies on the other side of the sight plane, one across
+ * which that changes. */
 static uint32_t side_between(const sight *s, uint32_t from, uint32_t to, int side)
 {
     uint32_t count = s->r->tree.items, low = 0, high = to > from ? to - from : count - from + to;
@@ -259,8 +260,8 @@ typedef struct cuts {
     hide_side H[CUTS];
 } cuts;
 
-/* Test 3 of the sides that the guess leaves in question. HIDE_INVISIBLE: none of these cuts anything off. Where there are more
- * than there is room for, c->count says so. */
+/* Test 3 of the sides that the guess leaves in question. HIDE_INVISIBLE: none of these cuts anything off. Where there
+ * are more than there is room for, c->count says so. */
 static hide_verdict ask_sides(const sight *s, hide_sides *sides, double s0, double s1, cuts *c)
 {
     roberts_vec3 from = hide_edge_at(s->e, s0), to = hide_edge_at(s->e, s1);
@@ -294,8 +295,8 @@ static bool cut_by(const sight *s, hide_sides *sides, const cuts *c, hide_interv
     return hide_cut_end(&cutting, &cut, part);
 }
 
-/* Tests 3 and 4 by guesses; false where all sides are to be asked. `*verdict` HIDE_UNDECIDED: test 4 has found `part`, or that
- * nothing is left, and then it is empty. */
+/* Tests 3 and 4 by guesses; false where all sides are to be asked. `*verdict` HIDE_UNDECIDED: test 4 has found `part`,
+ * or that nothing is left, and then it is empty. */
 static bool by_guesses(const sight *s, hide_sides *sides, hide_verdict *verdict, hide_interval *part)
 {
     double s0, s1, accuracy = RUNS_GUESS_ACCURACY * s->space->epsilon / s->e->length;
@@ -323,18 +324,18 @@ static bool by_guesses(const sight *s, hide_sides *sides, hide_verdict *verdict,
 }
 
 bool hide_by_runs(const hide_space *space, const runs *r, const hide_face *F, const hide_edge *e, hide_sides *sides,
-                  roberts_tally *tally, hide_interval *part)
+                  hide_interval *part)
 {
     sight s = {.space = space, .r = r, .F = F, .e = e, .left = ROBERTS_NONE, .right = ROBERTS_NONE};
     hide_verdict verdict;
     if (misses(&s)) {
-        tally->test2_visible++;
+        sides->tally.test2_visible++;
         return false;
     }
     if (!by_guesses(&s, sides, &verdict, part))
-        return hide_by_sides(space, F, e, sides, tally, part);
-    tally->test3_visible += verdict == HIDE_VISIBLE;
-    tally->test3_invisible += verdict == HIDE_INVISIBLE;
-    tally->test4 += verdict == HIDE_UNDECIDED;
+        return hide_by_sides(space, F, e, sides, part);
+    sides->tally.test3_visible += verdict == HIDE_VISIBLE;
+    sides->tally.test3_invisible += verdict == HIDE_INVISIBLE;
+    sides->tally.test4 += verdict == HIDE_UNDECIDED;
     return verdict != HIDE_VISIBLE && part->t0 < part->t1;
 }

@@ -1,9 +1,9 @@
 /* tolerance.h - every tolerance and bound of hidden-line removal: name, value, unit, reason.
  *
  * Three lengths come from the view, in view units, since they depend on the scene (see map.c): `epsilon`, nearer than
- * which things touch; `rounding`, a bound of the error of one view coordinate; `across_rounding`, the same of an x or y.
- * A hide_space holds them as `epsilon`, `depth_rounding` and `rounding`. The numbers below are multiples of these, or
- * have no unit. Numbers that change time and memory alone stand in the files that use them. */
+ * which things touch; `rounding`, a bound of the error of one view coordinate; `across_rounding`, the same of an x or
+ * y. A hide_space holds them as `epsilon`, `depth_rounding` and `rounding`. The numbers below are multiples of these,
+ * or have no unit. Numbers that change time and memory alone stand in the files that use them. */
 #ifndef ROBERTS_HIDE_TOLERANCE_H
 #define ROBERTS_HIDE_TOLERANCE_H
 
@@ -11,8 +11,8 @@
 
 /* ---- signs and parameters ---- */
 
-/* No unit: wanted accuracy of a parameter t along an edge. Drawings are checked to 1e-9. A crossing whose rounding could
- * exceed this is computed again in twice the precision. */
+/* No unit: wanted accuracy of a parameter t along an edge. Drawings are checked to 1e-9. A crossing whose rounding
+ * could exceed this is computed again in twice the precision. */
 #define HIDE_T_ACCURACY 1e-10
 
 /* Part of epsilon: the error that a distance may have for its sign to be trusted. */
@@ -55,22 +55,23 @@ static inline double hide_margin(const hide_space *space)
     return 4.0 * (space->epsilon + space->depth_rounding);
 }
 
-/* No unit: bound of the error of the parameter t at which AB crosses the line through P along (dx, dy), a side from
- * corner to corner. `apart`: |a - b| for the signed distances a, b of A and B from that line, times the side's length.
+/* No unit: bound of the error of the parameter t at which AB crosses the line through P along `side`, which goes from
+ * corner to corner. `apart`: |a - b| for the signed distances a, b of A and B from that line, times the side's
+ * length.
  *
  * This bound is sharper than the errors of a and b where the crossing lies near a short side, or far from the ends of
- * AB. With a and b off by da and db, t is off by ((1 - t) da + t db) / (a - b). That is the error that the distance of
- * the crossing X itself would have. Moved by `rounding` in each coordinate, P, Q and X change the cross product by no
- * more than 2 rounding (|PQ| + |PX|), where both norms are sums of coordinates; the products' own rounding adds less than
- * 2 rounding |PQ|. X is taken where it was found. It may be off by t's error times |AB|, which at most doubles the bound
- * as long as 4 rounding |AB| <= apart. */
-static inline double hide_crossing_error(const hide_space *space, const hide_edge *e, double t, double px, double py,
-                                         double dx, double dy, double apart)
+ * AB. With a and b off by da and db, t is off by ((1 - t) da + t db) / (a - b). That is the error that the distance
+ * of the crossing X itself would have. Moved by `rounding` in each coordinate, P, Q and X change the cross product by
+ * no more than 2 rounding (|PQ| + |PX|), where both norms are sums of coordinates; the products' own rounding adds
+ * less than 2 rounding |PQ|. X is taken where it was found. It may be off by t's error times |AB|, which at most
+ * doubles the bound as long as 4 rounding |AB| <= apart. */
+static inline double hide_crossing_error(const hide_space *space, const hide_edge *e, double t, roberts_vec2 P,
+                                         roberts_vec2 side, double apart)
 {
     roberts_vec3 X = hide_edge_at(e, t);
-    double side = fabs(dx) + fabs(dy), reach = fabs(X.x - px) + fabs(X.y - py);
+    double length = fabs(side.x) + fabs(side.y), reach = fabs(X.x - P.x) + fabs(X.y - P.y);
     double run = fabs(e->B.x - e->A.x) + fabs(e->B.y - e->A.y);
-    return 4.0 * space->rounding * run <= apart ? 4.0 * space->rounding * (2.0 * side + reach) / apart : INFINITY;
+    return 4.0 * space->rounding * run <= apart ? 4.0 * space->rounding * (2.0 * length + reach) / apart : INFINITY;
 }
 
 /* ---- the planes of faces ---- */
@@ -91,17 +92,17 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
 
 /* ---- runs of sides of a large polygon ---- */
 
-/* Epsilons: how far inside of the sides a point must be to count as well inside of a run. Sides that rise no steeper than
- * the run's chord is long are at 2.1 then. What the tests call "on a side" is no farther from it than 1.125: epsilon, and
- * the HIDE_TRUSTED part of it. Half of an epsilon is for the guesses. The rest is to spare. */
+/* Epsilons: how far inside of the sides a point must be to count as well inside of a run. Sides that rise no steeper
+ * than the run's chord is long are at 2.1 then. What the tests call "on a side" is no farther from it than 1.125:
+ * epsilon, and the HIDE_TRUSTED part of it. Half of an epsilon is for the guesses. The rest is to spare. */
 #define RUNS_CLEAR 3.0
 
 /* Roundings of a picture coordinate, added to that. Each coordinate of a corner and of the point is off by one, in the
  * frame by a root of two; turning to the frame adds less than one each. */
 #define RUNS_CLEAR_ROUNDINGS 16.0
 
-/* Roundings of a picture coordinate, divided by the side's run along the chord: the error of the side's slope, if its two
- * corners are off by that in both directions. The run must be more than RUNS_SIDE_ROUNDINGS roundings. */
+/* Roundings of a picture coordinate, divided by the side's run along the chord: the error of the side's slope, if its
+ * two corners are off by that in both directions. The run must be more than RUNS_SIDE_ROUNDINGS roundings. */
 #define RUNS_SLOPE_ROUNDINGS 12.0
 #define RUNS_SIDE_ROUNDINGS 32.0
 
@@ -113,8 +114,8 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
 
 /* ---- sizes above which another method finds the same ---- */
 
-/* Front faces of a solid: with more, the solid is entered face by face. An edge that passes it would be compared with all
- * of them. No more than 32: hide_test1_of_all() gives each face a bit. */
+/* Front faces of a solid: with more, the solid is entered face by face. An edge that passes it would be compared with
+ * all of them. No more than 32: hide_test1_of_all() gives each face a bit. */
 #define FACES_OF_ONE_FRONT 24
 
 /* Front faces of a solid: with more, it may be a bundle. Below, a tree over them gains nothing. */

@@ -69,8 +69,8 @@ static inline float hide_float_above(double x)
     return (float)(x + fabs(x) * 0x1p-23);
 }
 
-/* Is (x, y) inside of the side from P to Q, left of which the inside is, or no farther outside than `slack`? Where that is
- * negative: so far inside. */
+/* Is (x, y) inside of the side from P to Q, left of which the inside is, or no farther outside than `slack`? Where that
+ * is negative: so far inside. */
 static inline bool hide_side_holds(roberts_vec3 P, roberts_vec3 Q, double x, double y, double slack)
 {
     double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (y - P.y) - dy * (x - P.x);

@@ -68,7 +68,8 @@ static bool is_worth(const roberts_scene *scene)
     hide_fronts fronts;
     picture_order order;
     double depth;
-    assert_int_equal(hide_fronts_build(&fronts, scene, &camera, 0.0, true, 1, NULL), ROBERTS_OK);
+    assert_int_equal(hide_fronts_build(&fronts, scene, &camera, &(roberts_hide_options){.threads = 1}, NULL),
+                     ROBERTS_OK);
     cells_for_lists(fronts.front_box, fronts.front_count, fronts.low, fronts.high, 0, 0.0, &depth);
     assert_true(picture_order_init(&order, &fronts, depth));
     bool worth = order.solid != NULL;

@@ -90,7 +90,9 @@ static void a_tree_finds_what_all_faces_do(void **state)
         hide_fronts fronts;
         seed < SCENES ? make_scene(&m, seed) : make_speck(&m);
         roberts_scene *scene = model_build(&m);
-        assert_int_equal(hide_fronts_build(&fronts, scene, &cameras[seed % 3], 0.0, false, 1, NULL), ROBERTS_OK);
+        assert_int_equal(hide_fronts_build(&fronts, scene, &cameras[seed % 3],
+                                           &(roberts_hide_options){.keep_hidden = true, .threads = 1}, NULL),
+                         ROBERTS_OK);
         hide_fronts plain = fronts;
         plain.bundles = (bundle_table){0};
         fronts.space.scene = plain.space.scene = NULL; /* these edges are none of the scene's */
@@ -102,16 +104,17 @@ static void a_tree_finds_what_all_faces_do(void **state)
             for (int i = 0; i < (seed < SCENES ? EDGES_OF_EACH : EDGES_OF_EACH / 10); i++) {
                 hide_edge e = edge_of(place(&fronts, &r), place(&fronts, &r));
                 hide_interval part = {0}, expected = {0};
-                roberts_tally tally = {0}, other = {0};
-                bool found = hide_by_faces(&fronts, front, 20.0, &e, &sides, &tally, &part);
-                if (found != hide_by_faces(&plain, front, 20.0, &e, &sides, &other, &expected) ||
+                sides.tally = (roberts_tally){0};
+                bool found = hide_by_faces(&fronts, front, 20.0, &e, &sides, &part);
+                asked += sides.tally.pairs;
+                sides.tally = (roberts_tally){0};
+                if (found != hide_by_faces(&plain, front, 20.0, &e, &sides, &expected) ||
                     (found && (part.t0 != expected.t0 || part.t1 != expected.t1)))
                     fail_msg("scene %d, front %u, edge %d: %d %.17g %.17g instead of %.17g %.17g", (int)seed, k, i,
                              found, part.t0, part.t1, expected.t0, expected.t1);
                 hidden += found;
                 cut += found && (part.t0 > 0.0 || part.t1 < 1.0);
-                asked += tally.pairs;
-                all += other.pairs;
+                all += sides.tally.pairs;
             }
         }
         assert_true(seed < SCENES || bundles == before + 2);

@@ -206,18 +206,18 @@ static void test4_by_table(void **state)
 
 /* Tests 1 to 4 in their order; false where F hides nothing of e. */
 static bool one_by_one(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
-                       roberts_tally *tally, hide_interval *part)
+                       hide_interval *part)
 {
-    tally->pairs++;
+    sides->tally.pairs++;
     if (hide_test1(F, e)) {
-        tally->test1_visible++;
+        sides->tally.test1_visible++;
         return false;
     }
     if (hide_test2(space, F, e)) {
-        tally->test2_visible++;
+        sides->tally.test2_visible++;
         return false;
     }
-    if (!hide_by_sides(space, F, e, sides, tally, part))
+    if (!hide_by_sides(space, F, e, sides, part))
         return false;
     hide_interval inside = *part;
     return hide_pierce(space, F, e, &inside, sides, part) && hide_is_left(space, e, part);
@@ -253,15 +253,17 @@ static void all_by_table(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         fixture f;
         hide_interval part;
-        roberts_tally tally = {0};
+        f.sides.tally = (roberts_tally){0};
+        const roberts_tally *tally = &f.sides.tally;
         set_up(&f, cases[i].corners, 4, cases[i].A, cases[i].B);
-        if (one_by_one(&f.space, &f.face, &f.edge, &f.sides, &tally, &part) != cases[i].hidden)
+        if (one_by_one(&f.space, &f.face, &f.edge, &f.sides, &part) != cases[i].hidden)
             fail_msg("%s", cases[i].name);
         if (cases[i].hidden && (fabs(part.t0 - cases[i].t0) > 1e-15 || fabs(part.t1 - cases[i].t1) > 1e-15))
             fail_msg("%s: [%.17g, %.17g]", cases[i].name, part.t0, part.t1);
-        assert_int_equal(tally.pairs, 1);
-        assert_int_equal(
-            tally.test1_visible + tally.test2_visible + tally.test3_visible + tally.test3_invisible + tally.test4, 1);
+        assert_int_equal(tally->pairs, 1);
+        assert_int_equal(tally->test1_visible + tally->test2_visible + tally->test3_visible + tally->test3_invisible +
+                             tally->test4,
+                         1);
         free(f.sides.H);
     }
 }

@@ -259,13 +259,18 @@ static void same_by_any_threads(void **state)
         const struct scene_case *c = &scene_cases[i];
         hide_fronts one, many;
         roberts_scene *scene = make(c->kind);
-        assert_int_equal(hide_fronts_build(&one, scene, c->camera, 0, c->cull, 1, NULL), ROBERTS_OK);
+        assert_int_equal(hide_fronts_build(&one, scene, c->camera,
+                                           &(roberts_hide_options){.keep_hidden = !c->cull, .threads = 1}, NULL),
+                         ROBERTS_OK);
         expect_window(c->name, &one);
         if (c->covers != (one.cover.depth != NULL) || (c->covers && one.culled_count < scene->solid_count / 10))
             fail_msg("%s: covers are %skept, %zu of %u culled", c->name, one.cover.depth ? "" : "not ",
                      one.culled_count, scene->solid_count);
         for (size_t k = 0; k < sizeof threads / sizeof threads[0]; k++) {
-            assert_int_equal(hide_fronts_build(&many, scene, c->camera, 0, c->cull, threads[k], NULL), ROBERTS_OK);
+            assert_int_equal(hide_fronts_build(&many, scene, c->camera,
+                                               &(roberts_hide_options){.keep_hidden = !c->cull, .threads = threads[k]},
+                                               NULL),
+                             ROBERTS_OK);
             expect_same(c->name, threads[k], &one, &many);
             hide_fronts_free(&many);
         }

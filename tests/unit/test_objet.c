@@ -494,7 +494,9 @@ static void lists_are_complete_and_in_order(void **state)
             hide_fronts fronts;
             double depth;
             objet grid;
-            assert_int_equal(hide_fronts_build(&fronts, built, &camera, 0, false, 1, NULL), ROBERTS_OK);
+            assert_int_equal(hide_fronts_build(&fronts, built, &camera,
+                                               &(roberts_hide_options){.keep_hidden = true, .threads = 1}, NULL),
+                             ROBERTS_OK);
             assert_int_equal(fronts.culled_count, 0);
             scan_frame frame = cells_for_lists(fronts.front_box, fronts.front_count, fronts.low, fronts.high, sides[i],
                                                hide_margin(&fronts.space), &depth);
@@ -521,7 +523,9 @@ static void lists_by_threads(void **state)
     for (int i = 0; i < 700; i++)
         model_round(&m, MODEL_CORNERS, false, mat3_scale(1, 1, 1), (roberts_vec3){i % 20, i / 20, i % 7});
     roberts_scene *scene = model_build(&m);
-    assert_int_equal(hide_fronts_build(&fronts, scene, &camera, 0, false, 1, NULL), ROBERTS_OK);
+    assert_int_equal(
+        hide_fronts_build(&fronts, scene, &camera, &(roberts_hide_options){.keep_hidden = true, .threads = 1}, NULL),
+        ROBERTS_OK);
     assert_true(fronts.front_count > 40000);
     scan_frame frame = cells_for_lists(fronts.front_box, fronts.front_count, fronts.low, fronts.high, 150,
                                        hide_margin(&fronts.space), &depth);
@@ -557,7 +561,9 @@ static void copies_count_once(void **state)
         for (int k = 0; k < 4; k++)
             model_box(&m, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1 + k * table[i].change});
         roberts_scene *built = model_build(&m);
-        assert_int_equal(hide_fronts_build(&fronts, built, &camera, 0, false, 1, NULL), ROBERTS_OK);
+        assert_int_equal(hide_fronts_build(&fronts, built, &camera,
+                                           &(roberts_hide_options){.keep_hidden = true, .threads = 1}, NULL),
+                         ROBERTS_OK);
         if (listed_count(&fronts) != table[i].fronts || !fronts.front[0].listed)
             fail_msg("%s: %u fronts", table[i].name, listed_count(&fronts));
         hide_fronts_free(&fronts);

@@ -141,13 +141,13 @@ static void set_edge(fixture *f, rng *r, kind k)
 }
 
 /* What the tests side by side find. */
-static bool side_by_side(const fixture *f, hide_sides *sides, roberts_tally *tally, hide_interval *part)
+static bool side_by_side(const fixture *f, hide_sides *sides, hide_interval *part)
 {
     if (hide_test2(&f->space, &f->face, &f->edge)) {
-        tally->test2_visible++;
+        sides->tally.test2_visible++;
         return false;
     }
-    return hide_by_sides(&f->space, &f->face, &f->edge, sides, tally, part);
+    return hide_by_sides(&f->space, &f->face, &f->edge, sides, part);
 }
 
 /* The same to the last bit; where several sides are a straight one, to less than a quarter of epsilon. */
@@ -176,12 +176,14 @@ static void runs_find_what_all_sides_do(void **state)
         for (int i = 0; i < 100; i++) {
             set_polygon(&f, &r, k);
             for (int e = 0; e < EDGES_OF_EACH; e++) {
-                roberts_tally tally = {0}, expected = {0};
                 hide_interval part = {0}, other = {0};
                 set_edge(&f, &r, k);
-                bool found = hide_by_runs(&f.space, f.r, &f.face, &f.edge, &sides, &tally, &part);
-                bool hidden = side_by_side(&f, &sides, &expected, &other);
-                if (found != hidden || !same_tally(k, found, &tally, &expected) ||
+                sides.tally = (roberts_tally){0};
+                bool found = hide_by_runs(&f.space, f.r, &f.face, &f.edge, &sides, &part);
+                roberts_tally tally = sides.tally;
+                sides.tally = (roberts_tally){0};
+                bool hidden = side_by_side(&f, &sides, &other);
+                if (found != hidden || !same_tally(k, found, &tally, &sides.tally) ||
                     (found && !same_part(&f, k, &part, &other)))
                     fail_msg("kind %d, %u corners, polygon %d, edge %d: %d %.17g %.17g instead of %d %.17g %.17g",
                              (int)k, f.face.count, i, e, found, part.t0, part.t1, hidden, other.t0, other.t1);
