@@ -33,8 +33,8 @@ typedef struct scene_edge {
 } scene_edge;
 
 /* What a body that is not convex has beside its arrays in the scene. Its scene faces are convex pieces of the faces of
- * the input, which are their scene_face_number(). The corners of each run counter-clockwise as seen from where its plane
- * has F < 0; nothing more is promised of its winding. */
+ * the input, which are their scene_face_number(). The corners of each run counter-clockwise as seen from where its
+ * plane has F < 0; nothing more is promised of its winding. */
 enum {
     EDGE_TURNED_0 = 1, /* face f[0] of the edge is on the right of v[0] -> v[1], not on the left */
     EDGE_TURNED_1 = 2, /* the same for f[1] */
