@@ -1,5 +1,5 @@
-/* test_verify_bodies.c - --verify and --pick on bodies that are not convex: faces that hide from both sides, edges in parts,
- * curved bodies. See also test_verify_spoiled.c. */
+/* test_verify_bodies.c - --verify and --pick on bodies that are not convex: faces that hide from both sides, edges in
+ * parts, curved bodies. See also test_verify_spoiled.c. */
 #include "roberts.h"
 #include "scenes.h"
 
@@ -109,7 +109,7 @@ static void test_own_faces_hide(void **state)
     }
 }
 
-/* A wall on the middle of the floor's border: the border, 0-1, comes in two parts, and rows name it by t along the whole.
+/* A wall on a part of the floor's border: the border, 0-1, comes in two parts, and rows name it by t along the whole.
  * Nothing hides anything here, so what is left out is wrong. */
 static void test_parts(void **state)
 {

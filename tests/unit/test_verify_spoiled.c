@@ -313,8 +313,8 @@ static bool is_found(const roberts_scene *scene, const roberts_camera *camera, c
     return row ? edge.line : found.contradictions > 0;
 }
 
-/* Where the near plane cuts bodies that pass through one another, their cuts lie in one plane and each of them is seen: either
- * name is right. */
+/* Where the near plane cuts bodies that pass through one another, their cuts lie in one plane and each of them is seen:
+ * either name is right. */
 static bool cuts_meet(const roberts_scene *scene, const roberts_camera *camera)
 {
     return camera->near_distance > 0.0 && roberts_scene_body_kind(scene, 0) != ROBERTS_CONVEX;
