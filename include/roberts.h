@@ -599,8 +599,8 @@ typedef struct roberts_picked {
 
 /**
  * Finds what is seen at (x, y) of the picture (as in roberts_segment's p0, p1) and what lies behind it: every front
- * face on the sight line, and of a body that is not convex every face, its border included. If a solid has several faces at one depth, the smallest number counts.
- * The order is by depth; equal depths (within epsilon) go by solid.
+ * face on the sight line, and of a body that is not convex every face, borders included. If a solid has several faces
+ * at one depth, the smallest number counts. The order is by depth; equal depths (within epsilon) go by solid.
  * picked  owned by the caller, released by roberts_picked_free(); empty where nothing is there, and on failure
  * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT (x or y not finite).
  */

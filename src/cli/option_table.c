@@ -517,7 +517,8 @@ static const option rows[] = {
              "times",
      .manual =
          "Says which solid and face is seen at this point of the picture (x and y as in tables), where that is in "
-         "the model, and what lies behind it. May be given several times. The depth is counted away from the "
+         "the model, and what lies behind it: of a convex solid its front faces, of any other body all faces that are "
+         "not seen edge-on. May be given several times. The depth is counted away from the "
          "viewer, from the plane through the middle of the scene's box or, in perspective, through the look-at "
          "point: in front of that plane it is negative."},
     {.group = GROUP_MESSAGES,

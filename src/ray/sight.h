@@ -24,8 +24,8 @@ enum {
 
 typedef struct sight {
     const roberts_scene *scene; /* as given, or `turned` */
-    /* NULL where all bodies are convex. Otherwise the scene with all faces of the other bodies turned to the viewer, plane
-     * and corners, since they hide from both sides: each of them is front or edge-on. */
+    /* NULL where all bodies are convex. Otherwise the scene with all faces of the other bodies turned to the viewer,
+     * plane and corners, since they hide from both sides: each of them is front or edge-on. */
     roberts_scene *turned;
     roberts_vec3 *P;       /* [vertex_count] */
     unsigned char *facing; /* [face_count] */

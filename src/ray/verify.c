@@ -1,8 +1,9 @@
 /* verify.c - a drawing checked by rays.
  *
  * The rule is applied directly: a point is hidden where a front face of another solid lies on its sight line, nearer to
- * the viewer. For an edge without a front face, which its own solid hides, the own solid counts as well. Faces of bodies that
- * are not convex hide from both sides, and they hide edges of their own body, but not those that lie in their plane.
+ * the viewer. For an edge without a front face, which its own solid hides, the own solid counts as well. Faces of
+ * bodies that are not convex hide from both sides, and they hide edges of their own body, but not those that lie in
+ * their plane.
  * stretch.c says which points of an edge are asked and what contradicts the drawing.
  *
  * Edges are taken in runs, and runs by where they are in the picture, so that rays cast one after another meet the same
@@ -198,8 +199,8 @@ static roberts_segment row_on(const edge_name *part, const roberts_segment *row)
     return on;
 }
 
-/* Checks one row: its ends against what the near plane leaves of the edge, and the stretch between them by rays. gap: what
- * is mere rounding. */
+/* Checks one row: its ends against what the near plane leaves of the edge, and the stretch between them by rays. gap:
+ * what is mere rounding. */
 static void check_row(stretch_checker *checker, const clip_edge *left, const roberts_segment *row, double gap,
                       stretch *s)
 {
@@ -316,7 +317,7 @@ static void sort_rows(verifier *f, uint32_t first, uint32_t end)
     SORT_FEW(uint32_t, f->row + first, end - first, segment[*a].t0 > segment[*b].t0)
 }
 
-/* The names that a row may have a part in: those of its edge of the file, from the first with that name or a later one. */
+/* The names from which next_edge() goes on. */
 typedef struct name_range {
     const edge_name *next, *end;
 } name_range;

@@ -9,9 +9,135 @@ enum { ROUNDS = 8, TRIES = 12 }; /* scenes of a family; faults of a kind in one 
 
 /* ---- scenes ----------------------------------------------------------------------------------------------------- */
 
-typedef enum family { CROWD, LATTICE, BALLS, COINS, WALL, DIGITS, FAMILIES } family;
+/* From BLOCKS on: bodies that are not convex. */
+typedef enum family { CROWD, LATTICE, BALLS, COINS, WALL, DIGITS, BLOCKS, TORI, TERRAIN, STARS, FAMILIES } family;
 
-static const char *const family_names[FAMILIES] = {"crowd", "lattice", "balls", "coins", "wall", "digits"};
+static const char *const family_names[FAMILIES] = {"crowd",  "lattice", "balls", "coins",   "wall",
+                                                   "digits", "blocks",  "tori",  "terrain", "stars"};
+
+static roberts_vec3 random_place(rng *r)
+{
+    return (roberts_vec3){rng_between(r, -1, 3), rng_between(r, -1, 3), rng_between(r, -1, 3)};
+}
+
+/* An L of depth 1, its vertices turned by `map`. */
+static void add_l_block(model *m, mat3 map, roberts_vec3 offset)
+{
+    static const double outline[6][2] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+    uint32_t first = (uint32_t)m->mesh.vertex_count, low[6], high[6];
+    for (uint32_t i = 0; i < 12; i++) {
+        roberts_vec3 p = {outline[i % 6][0], outline[i % 6][1], i / 6};
+        model_vertex(m, vec3_add(offset, mat3_map(map, p)));
+    }
+    for (uint32_t i = 0; i < 6; i++) {
+        low[i] = first + 5 - i;
+        high[i] = first + 6 + i;
+        uint32_t next = (i + 1) % 6;
+        model_face(m, (uint32_t[]){first + i, first + next, first + 6 + next, first + 6 + i}, 4);
+    }
+    model_face(m, low, 6);
+    model_face(m, high, 6);
+    model_close_solid(m);
+}
+
+/* A torus of 2 x 9 x 6 triangles. */
+static void add_torus(model *m, mat3 map, roberts_vec3 offset)
+{
+    enum { ROUND = 9, ACROSS = 6 };
+    uint32_t first = (uint32_t)m->mesh.vertex_count;
+    for (int i = 0; i < ROUND; i++)
+        for (int k = 0; k < ACROSS; k++) {
+            double a = 6.283185307179586 * i / ROUND, b = 6.283185307179586 * k / ACROSS, far = 1.2 + 0.5 * cos(b);
+            roberts_vec3 p = {far * cos(a), far * sin(a), 0.5 * sin(b)};
+            model_vertex(m, vec3_add(offset, mat3_map(map, p)));
+        }
+    for (uint32_t i = 0; i < ROUND; i++)
+        for (uint32_t k = 0; k < ACROSS; k++) {
+            uint32_t j = (i + 1) % ROUND, l = (k + 1) % ACROSS;
+            uint32_t a = first + i * ACROSS + k, b = first + j * ACROSS + k;
+            uint32_t c = first + j * ACROSS + l, d = first + i * ACROSS + l;
+            model_face(m, (uint32_t[]){a, b, c}, 3);
+            model_face(m, (uint32_t[]){a, c, d}, 3);
+        }
+    model_close_solid(m);
+}
+
+/* An open sheet of squares, each bent along a diagonal. */
+static void add_terrain(model *m, rng *r)
+{
+    enum { SIDE = 8 };
+    uint32_t first = (uint32_t)m->mesh.vertex_count;
+    for (int i = 0; i < SIDE * SIDE; i++)
+        model_vertex(m, (roberts_vec3){0.7 * (i % SIDE) - 1.5, 0.7 * (i / SIDE) - 1.5, rng_between(r, 0, 2)});
+    for (uint32_t i = 0; i + 1 < SIDE; i++)
+        for (uint32_t k = 0; k + 1 < SIDE; k++) {
+            uint32_t a = first + i * SIDE + k;
+            model_face(m, (uint32_t[]){a, a + 1, a + SIDE + 1}, 3);
+            model_face(m, (uint32_t[]){a, a + SIDE + 1, a + SIDE}, 3);
+        }
+    model_close_solid(m);
+}
+
+/* The small stellated dodecahedron: about each corner of an icosahedron its five neighbours, every other one. */
+static void add_star(model *m, mat3 map, roberts_vec3 offset)
+{
+    const double golden = 1.6180339887498949;
+    uint32_t first = (uint32_t)m->mesh.vertex_count;
+    roberts_vec3 p[12];
+    for (int i = 0; i < 12; i++) {
+        double a = i & 1 ? -1.0 : 1.0, b = i & 2 ? -golden : golden;
+        p[i] = i / 4 == 0 ? (roberts_vec3){0, a, b} : i / 4 == 1 ? (roberts_vec3){a, b, 0} : (roberts_vec3){b, 0, a};
+        model_vertex(m, vec3_add(offset, mat3_map(map, p[i])));
+    }
+    for (int i = 0; i < 12; i++) {
+        uint32_t corner[5];
+        int at = -1, before = -1;
+        for (int k = 0; k < 5; k++) { /* two corners are `golden` edges apart where they are next but one */
+            int next = 0;
+            for (; next < 12; next++) {
+                double from_axis = vec3_length(vec3_sub(p[next], p[i]));
+                double step = at < 0 ? 2.0 * golden : vec3_length(vec3_sub(p[next], p[at]));
+                if (fabs(from_axis - 2.0) < 0.1 && fabs(step - 2.0 * golden) < 0.1 && next != before)
+                    break;
+            }
+            before = at;
+            at = next;
+            corner[k] = first + (uint32_t)next;
+        }
+        model_face(m, corner, 5);
+    }
+    model_close_solid(m);
+}
+
+static void add_bodies(model *m, family which, rng *r)
+{
+    mat3 map;
+    switch (which) {
+    case BLOCKS:
+        for (int i = 0; i < 8; i++) { /* every other one stands on another one */
+            map = i % 2 ? mat3_turn(r) : mat3_scale(1, 1, 1);
+            roberts_vec3 at = random_place(r);
+            add_l_block(m, map, i % 2 ? at : (roberts_vec3){floor(at.x), floor(at.y), i / 2});
+        }
+        break;
+    case TORI:
+        for (int i = 0; i < 3; i++) {
+            map = mat3_turn(r);
+            add_torus(m, map, random_place(r));
+        }
+        break;
+    case TERRAIN:
+        add_terrain(m, r);
+        model_box(m, (roberts_vec3){0, 0, -1}, (roberts_vec3){1, 1, 3});
+        break;
+    default:
+        for (int i = 0; i < 3; i++) {
+            map = mat3_turn(r);
+            add_star(m, map, random_place(r));
+        }
+        break;
+    }
+}
 
 static roberts_scene *build_family(family which, uint64_t seed)
 {
@@ -36,9 +162,12 @@ static roberts_scene *build_family(family which, uint64_t seed)
         model_wall(&m, 5, 5);
         model_box(&m, (roberts_vec3){3.5, -2, 1.5}, (roberts_vec3){4.25, 4, 2.75});
         break;
-    default:
+    case DIGITS:
         model_lattice(&m, 3, 0.7, seed);
         model_to_digits(&m, 6);
+        break;
+    default:
+        add_bodies(&m, which, &r);
         break;
     }
     roberts_scene *scene = model_build(&m);
@@ -95,6 +224,8 @@ static bool move_end(roberts_drawing *drawing, size_t i, double by)
     roberts_segment *row = &drawing->segment[i], *next = i + 1 < drawing->count ? row + 1 : NULL;
     bool joined = next && same_edge(row, next) && next->t0 == row->t1 && next->state != ROBERTS_CLIPPED;
     double end = next && same_edge(row, next) ? next->t1 : 1.0;
+    if (joined && next->state == row->state)
+        return false; /* an edge of the file that comes in parts */
     if (row->t1 >= 1.0 || row->state == ROBERTS_CLIPPED || row->t1 + by <= row->t0 || row->t1 + by >= end)
         return false;
     if (!joined && row->state == ROBERTS_HIDDEN && by < 0.0)
@@ -107,6 +238,12 @@ static bool move_end(roberts_drawing *drawing, size_t i, double by)
     return true;
 }
 
+/* Whether nothing changes from one row to the next: an edge of the file comes in parts. */
+static bool continues(const roberts_segment *row, const roberts_segment *next)
+{
+    return row->state == next->state && row->t1 == next->t0;
+}
+
 /* Joins row i with those before and after it, as what these are. Parts so short that a pen shows nothing of them may be
  * swallowed rightly. */
 static bool swallow(roberts_drawing *drawing, size_t i, roberts_state what)
@@ -114,7 +251,7 @@ static bool swallow(roberts_drawing *drawing, size_t i, roberts_state what)
     roberts_segment *row = &drawing->segment[i];
     if (i == 0 || i + 1 >= drawing->count || row->state != what || row->t1 - row->t0 < 1e-6 ||
         !same_edge(row, row - 1) || !same_edge(row, row + 1) || row[-1].state != row[1].state ||
-        row[-1].state == ROBERTS_CLIPPED)
+        row[-1].state == ROBERTS_CLIPPED || continues(row - 1, row) || continues(row, row + 1))
         return false;
     row[-1].t1 = row[1].t1;
     drop_rows(drawing, i, 2);
@@ -176,6 +313,13 @@ static bool is_found(const roberts_scene *scene, const roberts_camera *camera, c
     return row ? edge.line : found.contradictions > 0;
 }
 
+/* Where the near plane cuts bodies that pass through one another, their cuts lie in one plane and each of them is seen:
+ * either name is right. */
+static bool cuts_meet(const roberts_scene *scene, const roberts_camera *camera)
+{
+    return camera->near_distance > 0.0 && roberts_scene_body_kind(scene, 0) != ROBERTS_CONVEX;
+}
+
 /* Faults of each kind in rows at random, one at a time. */
 static void spoil_rows(const roberts_scene *scene, const roberts_camera *camera, const roberts_drawing *sound, rng *r,
                        rate rates[FAULTS])
@@ -188,6 +332,8 @@ static void spoil_rows(const roberts_scene *scene, const roberts_camera *camera,
             size_t i = (size_t)rng_int(r, 0, (int)sound->count - 1);
             memcpy(rows, sound->segment, sound->count * sizeof *rows);
             drawing.segment = rows;
+            if (what == NAME && cuts_meet(scene, camera))
+                continue;
             if (!spoil(scene, &drawing, i, what, r))
                 continue;
             spoiled++;
