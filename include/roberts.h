@@ -682,7 +682,9 @@ typedef struct roberts_draw_options {
     roberts_hidden hidden;           /**< default: ROBERTS_HIDDEN_NONE */
     roberts_page page;               /**< default: A4, upright, margins of 10 mm */
     roberts_pen outline;             /**< default: 0.5 mm */
+    roberts_pen border;              /**< edges of one face; default: 0.5 mm */
     roberts_pen crease;              /**< default: 0.35 mm */
+    roberts_pen wire;                /**< edges of no face; default: 0.35 mm */
     roberts_pen back;                /**< hidden lines; default: 0.25 mm, dashes of 12 and gaps of 3 widths (ISO 128) */
     roberts_pen frame;               /**< along the margins, 5 mm from the drawing; if that is `framed`, where it is
                                           cut off; default: off, 0.7 mm */

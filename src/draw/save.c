@@ -83,7 +83,9 @@ roberts_draw_options roberts_draw_options_default(void)
         .hidden = ROBERTS_HIDDEN_NONE,
         .page = {.width_mm = 210.0, .height_mm = 297.0, .margin_mm = 10.0},
         .outline = {.width_mm = 0.5},
+        .border = {.width_mm = 0.5},
         .crease = {.width_mm = 0.35},
+        .wire = {.width_mm = 0.35},
         .back = {.width_mm = 0.25, .dash_mm = 12 * 0.25, .gap_mm = 3 * 0.25},
         .frame = {.width_mm = 0.7, .off = true},
         .symbol = {.width_mm = 0.35},
@@ -98,12 +100,21 @@ static bool pen_is_valid(const roberts_pen *pen)
            pen->gap_mm >= 0.0 && pen->gap_mm <= widest;
 }
 
+static bool pens_are_valid(const roberts_draw_options *options)
+{
+    const roberts_pen *const pen[] = {&options->outline, &options->border, &options->crease, &options->wire,
+                                      &options->back,    &options->frame,  &options->symbol};
+    for (size_t i = 0; i < sizeof pen / sizeof pen[0]; i++)
+        if (!pen_is_valid(pen[i]))
+            return false;
+    return true;
+}
+
 static roberts_status check_options(const roberts_draw_options *options, roberts_error *error)
 {
     if (options->hidden < ROBERTS_HIDDEN_NONE || options->hidden > ROBERTS_HIDDEN_SOLID)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no such way to draw hidden lines");
-    if (!pen_is_valid(&options->outline) || !pen_is_valid(&options->crease) || !pen_is_valid(&options->back) ||
-        !pen_is_valid(&options->frame) || !pen_is_valid(&options->symbol))
+    if (!pens_are_valid(options))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a pen is 0.001 to 1000 mm wide, dashes and gaps up to that");
     if (options->order < ROBERTS_ORDER_TRAVEL || options->order > ROBERTS_ORDER_NONE)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no such order");

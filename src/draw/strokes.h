@@ -7,13 +7,13 @@
 
 /* The border of the picture or of what the margins leave, and the symbol of a sheet: classes of their own beside
  * those of roberts_line. */
-#define LINE_FRAME ((roberts_line)(ROBERTS_BACK + 1))
-#define LINE_SYMBOL ((roberts_line)(ROBERTS_BACK + 2))
+#define LINE_FRAME ((roberts_line)(ROBERTS_WIRE + 1))
+#define LINE_SYMBOL ((roberts_line)(ROBERTS_WIRE + 2))
 
 /* Hidden lines lie undermost, outlines on top, frame and symbol over all. */
-enum { LINE_CLASSES = 5 };
-static const roberts_line line_order[LINE_CLASSES] = {ROBERTS_BACK, ROBERTS_CREASE, ROBERTS_OUTLINE, LINE_FRAME,
-                                                      LINE_SYMBOL};
+enum { LINE_CLASSES = 7 };
+static const roberts_line line_order[LINE_CLASSES] = {ROBERTS_BACK,    ROBERTS_WIRE, ROBERTS_CREASE, ROBERTS_BORDER,
+                                                      ROBERTS_OUTLINE, LINE_FRAME,   LINE_SYMBOL};
 
 /* Points are rounded to the page's unit, 0.001 mm (0.01 mm where the page is longer than 4 m): far finer than a pen,
  * short to write, and the same for neighbours that share an end. */

@@ -401,6 +401,39 @@ static void pages_and_pens(void **state)
     }
 }
 
+static const struct {
+    const char *arguments, *wanted;
+} open_cases[] = {
+    {"", "<g id=\"border\" inkscape:groupmode=\"layer\" inkscape:label=\"border\">"},
+    {"", "<g id=\"wire\" inkscape:groupmode=\"layer\" inkscape:label=\"wire\">"},
+    {"", "!id=\"outline\""},
+    {"--style border:color=red", "stroke=\"#ff0000\" stroke-width=\"0.5\""},
+    {"--style wire:color=blue", "stroke=\"#0000ff\" stroke-width=\"0.35\""},
+    {"--style border:off", "!id=\"border\""},
+    {"--style border:off", "id=\"wire\""},
+    {"--style wire:off", "!id=\"wire\""},
+    {"--style wire:width=2 --view top --page 100x100 --margin 0", "M 1 50 L 99 50"},
+    {"--style wire:width=2,off --view top --page 100x100 --margin 0", "M 0.25 99.75 L 99.75 99.75 L 99.75 0.25 Z"},
+};
+
+/* A triangle, and a wire through its middle. */
+static void borders_and_wires(void **state)
+{
+    char line[300];
+    (void)state;
+    put("open.off", "OFF\n5 2 0\n0 0 0\n4 0 0\n4 4 0\n0 2 1\n4 2 1\n3 0 1 2\n2 3 4\n");
+    for (size_t i = 0; i < sizeof open_cases / sizeof open_cases[0]; i++) {
+        const char *wanted = open_cases[i].wanted;
+        snprintf(line, sizeof line, "%s open.off", open_cases[i].arguments);
+        print_message("%s: %s\n", line, wanted);
+        assert_int_equal(run(line), 0);
+        if (*wanted == '!')
+            assert_null(strstr(last.out, wanted + 1));
+        else if (!strstr(last.out, wanted))
+            fail_msg("%s", last.out);
+    }
+}
+
 static void too_large_for_the_page(void **state)
 {
     (void)state;
@@ -869,6 +902,7 @@ int main(void)
         IN_FOLDER(options_reach_the_library),
         IN_FOLDER(angles_are_views),
         IN_FOLDER(pages_and_pens),
+        IN_FOLDER(borders_and_wires),
         IN_FOLDER(too_large_for_the_page),
         IN_FOLDER(description_depends_on_the_drawing_alone),
         IN_FOLDER(turntable_keeps_scale_and_centre),
