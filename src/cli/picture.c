@@ -252,7 +252,8 @@ static void free_views(views *v)
         roberts_drawing_free(&v->drawing[i]);
 }
 
-static roberts_status save(const cli_options *options, const views *v, run_stats *run, roberts_error *error)
+static roberts_status save(const cli_options *options, const roberts_scene *scene, const views *v, run_stats *run,
+                           roberts_error *error)
 {
     roberts_time start = report_now();
     progress_stage("writing");
@@ -262,6 +263,7 @@ static roberts_status save(const cli_options *options, const views *v, run_stats
     page.title = write_title(options, title, sizeof title);
     page.description = options->description.text;
     page.ink = &run->ink;
+    page.scene = scene;
     for (size_t i = 0; i < v->count; i++)
         sheet.view[i] = &v->drawing[i];
     roberts_drawing drawing = v->drawing[0];
@@ -304,7 +306,14 @@ static void tell(const cli_options *options, const run_stats *run, const views *
     message_close(options->log);
 }
 
-/* Makes one picture. Before the last one is written the scene is released. Returns the exit status. */
+/* Whether what is written asks the scene for the faces of edges. */
+static bool is_table(const cli_options *options)
+{
+    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
+}
+
+/* Makes one picture. Before the last one is written the scene is released, unless a table needs it. Returns the exit
+ * status. */
 static int draw(const cli_options *options, roberts_scene **scene, bool last, const picture_window *window,
                 run_stats run, roberts_time begin)
 {
@@ -313,7 +322,7 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     roberts_status status = hide_all(options, *scene, &v, &run, &error);
     if (status == ROBERTS_OK)
         warn_near(options, *scene, &v);
-    if (last) {
+    if (last && !is_table(options)) {
         roberts_scene_free(*scene);
         *scene = NULL;
     }
@@ -324,7 +333,7 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
         v.drawing[0].window_max = window->max;
     }
     if (status == ROBERTS_OK)
-        status = save(options, &v, &run, &error);
+        status = save(options, *scene, &v, &run, &error);
     run.total = report_since(begin);
     int result = status != ROBERTS_OK ? fail(options, &error) : EXIT_DONE;
     if (status == ROBERTS_OK && run.found.contradictions > 0)

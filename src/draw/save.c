@@ -157,9 +157,9 @@ static roberts_status write_table(const subject *what, const roberts_draw_option
     if (what->sheet)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a table cannot hold a sheet of several views");
     if (options->format == ROBERTS_CSV)
-        table_write_csv(what->drawing, with_hidden, out);
+        table_write_csv(what->drawing, options->scene, with_hidden, out);
     else
-        table_write_json(what->drawing, with_hidden, out);
+        table_write_json(what->drawing, options->scene, with_hidden, out);
     return ROBERTS_OK;
 }
 
