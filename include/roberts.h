@@ -327,7 +327,13 @@ typedef struct roberts_segment {
     double z0, z1; /**< how near the viewer p0 and p1 are: greater is nearer; linear along the line in the picture */
     uint8_t state; /**< roberts_state */
     uint8_t line;  /**< roberts_line */
+    uint32_t edge; /**< number of the edge in the scene; see roberts_segment_faces() */
 } roberts_segment;
+
+/** Finds the faces of a segment's edge: face[0] < face[1], as numbered in the input, with those of fewer than three
+ * corners counted. ROBERTS_NONE where there is none (a wire, a border, a face of a hull); of more than two, the two
+ * smallest. `scene` is the one that the drawing was made from. */
+void roberts_segment_faces(const roberts_scene *scene, const roberts_segment *segment, uint32_t face[2]);
 
 /** How many pairs of an edge and a front each test decided (lecture: tests 1 to 4, cheapest first). A front is all that
  * one convex solid shows under its outline, or one front face of a solid that shows very many, or one face of a body of
@@ -690,7 +696,9 @@ typedef struct roberts_draw_options {
     roberts_hidden hidden;           /**< default: ROBERTS_HIDDEN_NONE */
     roberts_page page;               /**< default: A4, upright, margins of 10 mm */
     roberts_pen outline;             /**< default: 0.5 mm */
+    roberts_pen border;              /**< edges of one face; default: 0.5 mm */
     roberts_pen crease;              /**< default: 0.35 mm */
+    roberts_pen wire;                /**< edges of no face; default: 0.35 mm */
     roberts_pen back;                /**< hidden lines; default: 0.25 mm, dashes of 12 and gaps of 3 widths (ISO 128) */
     roberts_pen frame;               /**< along the margins, 5 mm from the drawing; if that is `framed`, where it is
                                           cut off; default: off, 0.7 mm */
@@ -698,6 +706,8 @@ typedef struct roberts_draw_options {
     roberts_background background;   /**< default: off */
     roberts_placement placement;     /**< default: fitted, in the middle */
     roberts_order order;             /**< default: ROBERTS_ORDER_TRAVEL */
+    const roberts_scene *scene;      /**< tables: the drawing's scene, which knows the faces of edges; NULL: f0 and f1
+                                          stay empty */
     bool real_dashes;                /**< dashes as strokes, fitted to the line; default: as a pattern of it */
     double dpi;                      /**< PNG: dots per inch; default: 150 */
     const char *title, *description; /**< SVG: UTF-8; NULL: none */

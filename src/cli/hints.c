@@ -191,7 +191,16 @@ static const roberts_pen *pen_of(const cli_options *options, const roberts_segme
     const roberts_draw_options *draw = &options->draw;
     if (s->state == ROBERTS_HIDDEN)
         return &draw->back;
-    return s->line == ROBERTS_CREASE ? &draw->crease : &draw->outline;
+    switch (s->line) {
+    case ROBERTS_BORDER:
+        return &draw->border;
+    case ROBERTS_CREASE:
+        return &draw->crease;
+    case ROBERTS_WIRE:
+        return &draw->wire;
+    default:
+        return &draw->outline;
+    }
 }
 
 /* What a drawing shows, on the page where there is one. */

@@ -164,8 +164,8 @@ static bool is_counted_only(const cli_options *options)
 {
     const roberts_draw_options *page = &options->draw;
     return page->format == ROBERTS_NULL && !options->verify && !options->is_sheet &&
-           options->camera.projection == ROBERTS_ORTHOGRAPHIC && !page->outline.off && !page->crease.off &&
-           !page->back.off;
+           options->camera.projection == ROBERTS_ORTHOGRAPHIC && !page->outline.off && !page->border.off &&
+           !page->crease.off && !page->wire.off && !page->back.off;
 }
 
 static roberts_status hide_and_count(const cli_options *options, const roberts_scene *scene, roberts_drawing *drawing,
@@ -253,7 +253,8 @@ static void free_views(views *v)
         roberts_drawing_free(&v->drawing[i]);
 }
 
-static roberts_status save(const cli_options *options, const views *v, run_stats *run, roberts_error *error)
+static roberts_status save(const cli_options *options, const roberts_scene *scene, const views *v, run_stats *run,
+                           roberts_error *error)
 {
     roberts_time start = report_now();
     progress_stage("writing");
@@ -263,6 +264,7 @@ static roberts_status save(const cli_options *options, const views *v, run_stats
     page.title = write_title(options, title, sizeof title);
     page.description = options->description.text;
     page.ink = &run->ink;
+    page.scene = scene;
     for (size_t i = 0; i < v->count; i++)
         sheet.view[i] = &v->drawing[i];
     roberts_drawing drawing = v->drawing[0];
@@ -305,7 +307,14 @@ static void tell(const cli_options *options, const run_stats *run, const views *
     message_close(options->log);
 }
 
-/* Makes one picture. Before the last one is written the scene is released. Returns the exit status. */
+/* Whether what is written asks the scene for the faces of edges. */
+static bool is_table(const cli_options *options)
+{
+    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
+}
+
+/* Makes one picture. Before the last one is written the scene is released, unless a table needs it. Returns the exit
+ * status. */
 static int draw(const cli_options *options, roberts_scene **scene, bool last, const picture_window *window,
                 run_stats run, roberts_time begin)
 {
@@ -314,7 +323,7 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     roberts_status status = hide_all(options, *scene, &v, &run, &error);
     if (status == ROBERTS_OK)
         warn_near(options, *scene, &v);
-    if (last) {
+    if (last && !is_table(options)) {
         roberts_scene_free(*scene);
         *scene = NULL;
     }
@@ -325,7 +334,7 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
         v.drawing[0].window_max = window->max;
     }
     if (status == ROBERTS_OK)
-        status = save(options, &v, &run, &error);
+        status = save(options, *scene, &v, &run, &error);
     run.total = report_since(begin);
     int result = status != ROBERTS_OK ? fail(options, &error) : EXIT_DONE;
     if (status == ROBERTS_OK && run.found.contradictions > 0)

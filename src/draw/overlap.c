@@ -46,6 +46,10 @@ static double depth(const line_view *v, const piece *p, double t)
     return p->za + (p->zb - p->za) * ((t - ta) / (tb - ta));
 }
 
+/* Of classes that coincide, the one of smallest rank is drawn. */
+static const uint8_t rank[] = {
+    [ROBERTS_OUTLINE] = 0, [ROBERTS_BORDER] = 1, [ROBERTS_CREASE] = 2, [ROBERTS_WIRE] = 3, [ROBERTS_BACK] = 4};
+
 /* Whether piece p is drawn rather than q, if p is nearer by `nearer`. A visible piece always goes before a hidden one,
  * which may be nearer: it may lie just below the surface of the solid whose edge is seen. */
 static bool is_drawn_first(const piece *p, const piece *q, double nearer, double tie)
@@ -54,7 +58,7 @@ static bool is_drawn_first(const piece *p, const piece *q, double nearer, double
         return q->line == ROBERTS_BACK;
     if (fabs(nearer) > tie)
         return nearer > 0.0;
-    return p->line != q->line ? p->line < q->line : p->number < q->number;
+    return p->line != q->line ? rank[p->line] < rank[q->line] : p->number < q->number;
 }
 
 /* Whether piece i is drawn rather than piece j at t. */

@@ -85,7 +85,9 @@ roberts_draw_options roberts_draw_options_default(void)
         .hidden = ROBERTS_HIDDEN_NONE,
         .page = {.width_mm = 210.0, .height_mm = 297.0, .margin_mm = 10.0},
         .outline = {.width_mm = 0.5},
+        .border = {.width_mm = 0.5},
         .crease = {.width_mm = 0.35},
+        .wire = {.width_mm = 0.35},
         .back = {.width_mm = 0.25, .dash_mm = 12 * 0.25, .gap_mm = 3 * 0.25},
         .frame = {.width_mm = 0.7, .off = true},
         .symbol = {.width_mm = 0.35},
@@ -100,12 +102,21 @@ static bool pen_is_valid(const roberts_pen *pen)
            pen->gap_mm >= 0.0 && pen->gap_mm <= widest;
 }
 
+static bool pens_are_valid(const roberts_draw_options *options)
+{
+    const roberts_pen *const pen[] = {&options->outline, &options->border, &options->crease, &options->wire,
+                                      &options->back,    &options->frame,  &options->symbol};
+    for (size_t i = 0; i < sizeof pen / sizeof pen[0]; i++)
+        if (!pen_is_valid(pen[i]))
+            return false;
+    return true;
+}
+
 static roberts_status check_options(const roberts_draw_options *options, roberts_error *error)
 {
     if (options->hidden < ROBERTS_HIDDEN_NONE || options->hidden > ROBERTS_HIDDEN_SOLID)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown way to draw hidden lines");
-    if (!pen_is_valid(&options->outline) || !pen_is_valid(&options->crease) || !pen_is_valid(&options->back) ||
-        !pen_is_valid(&options->frame) || !pen_is_valid(&options->symbol))
+    if (!pens_are_valid(options))
         return error_set(
             error, ROBERTS_BAD_ARGUMENT, 0,
             "a pen must be more than 0 and at most 1000 mm wide; dashes and gaps must be 0 to 1000 mm long");
@@ -150,9 +161,9 @@ static roberts_status write_table(const subject *what, const roberts_draw_option
     if (what->sheet)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a table cannot hold a sheet of several views");
     if (options->format == ROBERTS_CSV)
-        table_write_csv(what->drawing, with_hidden, out);
+        table_write_csv(what->drawing, options->scene, with_hidden, out);
     else
-        table_write_json(what->drawing, with_hidden, out);
+        table_write_json(what->drawing, options->scene, with_hidden, out);
     return ROBERTS_OK;
 }
 

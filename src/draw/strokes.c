@@ -26,6 +26,10 @@ const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line
         return &options->outline;
     case ROBERTS_CREASE:
         return &options->crease;
+    case ROBERTS_BORDER:
+        return &options->border;
+    case ROBERTS_WIRE:
+        return &options->wire;
     case LINE_FRAME:
         return &options->frame;
     case LINE_SYMBOL:
@@ -62,7 +66,7 @@ static bool is_drawn(const roberts_draw_options *options, const roberts_segment 
     if (segment->state == ROBERTS_HIDDEN)
         *line = ROBERTS_BACK;
     else
-        *line = segment->line == ROBERTS_CREASE ? ROBERTS_CREASE : ROBERTS_OUTLINE;
+        *line = segment->line == ROBERTS_BACK ? ROBERTS_OUTLINE : (roberts_line)segment->line;
     return is_class_drawn(options, *line);
 }
 
@@ -242,15 +246,38 @@ static roberts_page page_within_frame(const roberts_drawing *drawing, const robe
     return page;
 }
 
-/* The page with margins of at least half of the widest pen, on small pages a tenth of their shorter side, so that the
- * page's edge cuts no line. A drawing at a given scale may fill the page, and one within a frame is far from its edge.
- */
-static roberts_page page_within_edge(roberts_page page, const roberts_draw_options *options)
+static bool has_line(const roberts_drawing *drawing, roberts_line line)
+{
+    for (size_t i = 0; drawing && i < drawing->count; i++)
+        if (drawing->segment[i].line == line)
+            return true;
+    return false;
+}
+
+/* The width of the widest pen that the views may need. Scenes of solids alone have neither borders nor wires. */
+static double widest_pen(const roberts_drawing *const *view, int views, const roberts_draw_options *options)
 {
     double widest = 0.0;
-    for (int i = ROBERTS_OUTLINE; i <= ROBERTS_BACK; i++)
-        if (is_class_drawn(options, (roberts_line)i))
-            widest = fmax(widest, strokes_pen(options, (roberts_line)i)->width_mm);
+    for (int i = ROBERTS_OUTLINE; i <= ROBERTS_WIRE; i++) {
+        const roberts_line line = (roberts_line)i;
+        const double width = strokes_pen(options, line)->width_mm;
+        bool needed = is_class_drawn(options, line) && width > widest;
+        if (needed && i > ROBERTS_BACK) {
+            needed = false;
+            for (int k = 0; k < views && !needed; k++)
+                needed = has_line(view[k], line);
+        }
+        if (needed)
+            widest = width;
+    }
+    return widest;
+}
+
+/* A line on the border of the margins has half of its width beyond it. So that small margins cut no line off, a
+ * fitted drawing keeps half of the `widest` pen from the page's edge, on small pages a tenth of their shorter side. A
+ * drawing at a given scale may fill the page, and one within a frame is far from its edge. */
+static roberts_page page_within_edge(roberts_page page, double widest, const roberts_draw_options *options)
+{
     if (options->frame.off && options->placement.scale == 0.0)
         page.margin_mm = fmax(page.margin_mm, fmin(widest / 2.0, fmin(page.width_mm, page.height_mm) / 10.0));
     return page;
@@ -263,7 +290,7 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
     roberts_drawing shaped = *drawing;
     roberts_page page = page_within_frame(drawing, options);
     if (!drawing->framed) /* a field of view is cut off at the border anyway */
-        page = page_within_edge(page, options);
+        page = page_within_edge(page, widest_pen(&drawing, 1, options), options);
     *s = nothing_drawn(options);
     if (drawing->framed)
         roberts_page_shape(&page, &shaped.window_min, &shaped.window_max);
@@ -285,7 +312,7 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
     size_t views = 0;
     roberts_draw_options within = *options;
     *s = nothing_drawn(options);
-    within.page = page_within_edge(options->page, options);
+    within.page = page_within_edge(options->page, widest_pen(sheet->view, ROBERTS_SHEET_VIEWS, options), options);
     if (!sheet_lay(sheet, &within, &map, error))
         return ROBERTS_BAD_ARGUMENT;
     for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)

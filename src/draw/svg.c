@@ -82,11 +82,10 @@ static void write_escaped(output *out, const char *text)
 
 static void open_layer(output *out, const roberts_draw_options *options, roberts_line line)
 {
-    static const char *const name[] = {[ROBERTS_OUTLINE] = "outline",
-                                       [ROBERTS_CREASE] = "crease",
-                                       [ROBERTS_BACK] = "hidden",
-                                       [LINE_FRAME] = "frame",
-                                       [LINE_SYMBOL] = "symbol"};
+    static const char *const name[] = {
+        [ROBERTS_OUTLINE] = "outline", [ROBERTS_CREASE] = "crease", [ROBERTS_BACK] = "hidden",
+        [ROBERTS_BORDER] = "border",   [ROBERTS_WIRE] = "wire",     [LINE_FRAME] = "frame",
+        [LINE_SYMBOL] = "symbol"};
     const roberts_pen *pen = strokes_pen(options, line);
     double dash[2];
     output_text(out, "<g id=\"");

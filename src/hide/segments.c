@@ -136,7 +136,8 @@ static bool add_visible(const hide_job *job, hide_chunk *out, uint32_t solid, co
                                                            .z0 = R0.z * unit,
                                                            .z1 = R1.z * unit,
                                                            .state = ROBERTS_VISIBLE,
-                                                           .line = (uint8_t)kind};
+                                                           .line = (uint8_t)kind,
+                                                           .edge = line->edge};
         }
         from = part ? part->t1 : 1.0;
     }
@@ -236,7 +237,8 @@ static bool add_edge(const hide_job *job, hide_chunk *out, uint32_t solid, uint3
                                .state = ROBERTS_VISIBLE,
                                .line = fronts == 1   ? ROBERTS_OUTLINE
                                        : fronts == 2 ? ROBERTS_CREASE
-                                                     : ROBERTS_BACK};
+                                                     : ROBERTS_BACK,
+                               .edge = edge};
     if (left.edge == ROBERTS_NONE || left.t0 >= left.t1) { /* equal: it ends on the near plane, to rounding */
         bool drawn = job->options->all_edges || !is_flat(job, job->source, solid, source);
         return !job->options->keep_hidden || !drawn || add_clipped(out, pattern, 0.0, 1.0, (roberts_vec2){0.0, 0.0});

@@ -107,7 +107,8 @@ static roberts_segment pattern_of(const hide_job *job, uint32_t body, uint32_t e
                                .by = ROBERTS_NONE,
                                .t0 = t0,
                                .t1 = t1,
-                               .state = ROBERTS_VISIBLE};
+                               .state = ROBERTS_VISIBLE,
+                               .edge = e};
     if (scene->surface->edge_is[e] & EDGE_PART) {
         const scene_part *part = scene_part_at(scene, e);
         double width = part->t1 - part->t0;
@@ -120,13 +121,14 @@ static roberts_segment pattern_of(const hide_job *job, uint32_t body, uint32_t e
 }
 
 /* A part that the near plane has taken. */
-static bool add_clipped(const hide_job *job, hide_chunk *out, roberts_segment pattern)
+static bool add_clipped(const hide_job *job, hide_chunk *out, roberts_segment pattern, int class)
 {
     if (!job->options->keep_hidden || pattern.t0 >= pattern.t1)
         return true;
     if (!array_reserve(&out->segment, &out->room, out->count + 1, sizeof *out->segment))
         return false;
     pattern.state = ROBERTS_CLIPPED;
+    pattern.line = (uint8_t) class;
     out->segment[out->count++] = pattern;
     return true;
 }
@@ -143,7 +145,10 @@ static bool add_lost(const hide_job *job, hide_chunk *out, uint32_t body, uint32
     bool flat = edge->f[1] != ROBERTS_NONE && !(is & EDGE_MANY) && !job->options->all_edges &&
                 chord(of[edge->f[0]], of[edge->f[1]], way) <
                     (scene->surface->smooth[body] ? job->smooth_chord : job->crease_chord);
-    return flat || is & EDGE_CUT || add_clipped(job, out, pattern_of(job, body, e, 0.0, 1.0));
+    int class = edge->f[0] == ROBERTS_NONE   ? ROBERTS_WIRE
+                : edge->f[1] == ROBERTS_NONE ? ROBERTS_BORDER
+                                             : ROBERTS_CREASE;
+    return flat || is & EDGE_CUT || add_clipped(job, out, pattern_of(job, body, e, 0.0, 1.0), class);
 }
 
 /* The lines of a batch become segments. */
@@ -158,9 +163,9 @@ static bool add_lines(const hide_job *job, hide_worker *w, hide_chunk *out, cons
         clip_edge left = left_of(job, e);
         roberts_segment pattern = pattern_of(job, batch->body, e, left.t0, left.t1);
         pattern.line = batch->class[i];
-        if ((left.t0 > 0.0 && !add_clipped(job, out, pattern_of(job, batch->body, e, 0.0, left.t0))) ||
+        if ((left.t0 > 0.0 && !add_clipped(job, out, pattern_of(job, batch->body, e, 0.0, left.t0), pattern.line)) ||
             !segments_add_parts(job, out, &pattern, &w->line[i]) ||
-            (left.t1 < 1.0 && !add_clipped(job, out, pattern_of(job, batch->body, e, left.t1, 1.0))))
+            (left.t1 < 1.0 && !add_clipped(job, out, pattern_of(job, batch->body, e, left.t1, 1.0), pattern.line)))
             return false;
     }
     hide_worker_begin(w);

@@ -157,3 +157,33 @@ void edge_scratch_free(edge_scratch *scratch)
     free(scratch->alike);
     *scratch = (edge_scratch){0};
 }
+
+/* Puts a face into the two smallest, unless it is one of them. */
+static void add_smallest(uint32_t face[2], uint32_t number)
+{
+    if (number < face[0]) {
+        face[1] = face[0];
+        face[0] = number;
+    } else if (number > face[0] && number < face[1]) {
+        face[1] = number;
+    }
+}
+
+void roberts_segment_faces(const roberts_scene *scene, const roberts_segment *segment, uint32_t face[2])
+{
+    face[0] = face[1] = ROBERTS_NONE;
+    if (segment->solid >= scene->solid_count || segment->edge < scene->solid[segment->solid].edge ||
+        segment->edge >= scene->solid[segment->solid + 1].edge)
+        return;
+    const uint32_t first = scene->solid[segment->solid].face;
+    const scene_edge *edge = scene_edge_stored(scene, segment->solid, segment->edge);
+    if (!scene_is_convex(scene, segment->solid) && scene->surface->edge_is[segment->edge] & EDGE_MANY) {
+        const scene_many *many = scene_many_at(scene, segment->edge);
+        for (uint32_t k = many->first; k < many->end; k++)
+            add_smallest(face, scene_face_number(scene, scene->surface->many_face[k] & ~MANY_TURNED));
+        return;
+    }
+    for (int k = 0; k < 2; k++)
+        if (edge->f[k] != ROBERTS_NONE)
+            add_smallest(face, scene_face_number(scene, first + edge->f[k]));
+}

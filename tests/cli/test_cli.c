@@ -231,7 +231,7 @@ static void output_goes_where_it_should(void **state)
     assert_string_equal(strstr(last.out, "<g "), strstr(text, "<g "));
     assert_int_equal(run("models/platonic/cube.off -o in/a.csv"), 0);
     read_text("in/a.csv", text);
-    assert_int_equal(strncmp(text, "solid,v0,v1,t0,t1,state,x0,y0,x1,y1,by\n0,", 41), 0);
+    assert_int_equal(strncmp(text, "body,v0,v1,t0,t1,state,x0,y0,x1,y1,by,class,f0,f1\n0,", 52), 0);
     assert_int_equal(run("models/platonic/cube.off -f csv -o in/a.svg"), 0); /* -f goes before the ending */
     read_text("in/a.svg", last.out);
     assert_string_equal(last.out, text);
@@ -401,6 +401,67 @@ static void pages_and_pens(void **state)
         else if (!strstr(last.out, wanted))
             fail_msg("%s", last.out);
     }
+}
+
+static const struct {
+    const char *arguments, *wanted;
+} open_cases[] = {
+    {"", "<g id=\"border\" inkscape:groupmode=\"layer\" inkscape:label=\"border\">"},
+    {"", "<g id=\"wire\" inkscape:groupmode=\"layer\" inkscape:label=\"wire\">"},
+    {"", "!id=\"outline\""},
+    {"--style border:color=red", "stroke=\"#ff0000\" stroke-width=\"0.5\""},
+    {"--style wire:color=blue", "stroke=\"#0000ff\" stroke-width=\"0.35\""},
+    {"--style border:off", "!id=\"border\""},
+    {"--style border:off", "id=\"wire\""},
+    {"--style wire:off", "!id=\"wire\""},
+    {"--style wire:width=2 --view top --page 100x100 --margin 0", "M 1 50 L 99 50"},
+    {"--style wire:width=2,off --view top --page 100x100 --margin 0", "M 0.25 99.75 L 99.75 99.75 L 99.75 0.25 Z"},
+};
+
+/* A triangle, and a wire through its middle. */
+static void borders_and_wires(void **state)
+{
+    char line[300];
+    (void)state;
+    put("open.off", "OFF\n5 2 0\n0 0 0\n4 0 0\n4 4 0\n0 2 1\n4 2 1\n3 0 1 2\n2 3 4\n");
+    for (size_t i = 0; i < sizeof open_cases / sizeof open_cases[0]; i++) {
+        const char *wanted = open_cases[i].wanted;
+        snprintf(line, sizeof line, "%s open.off", open_cases[i].arguments);
+        print_message("%s: %s\n", line, wanted);
+        assert_int_equal(run(line), 0);
+        if (*wanted == '!')
+            assert_null(strstr(last.out, wanted + 1));
+        else if (!strstr(last.out, wanted))
+            fail_msg("%s", last.out);
+    }
+}
+
+/* A wire, which is face 0, and three faces about one edge. */
+static void tables_name_class_and_faces(void **state)
+{
+    static const char *const wanted[] = {
+        ",visible,-2,-1.5,2,-1.5,,crease,1,2\n", /* faces 1, 2 and 3 */
+        ",visible,2,-1.5,2,2.5,,border,1,\n",
+        ",visible,-2,-4.5,2,-4.5,,border,3,\n",
+        ",visible,-2,5.5,2,5.5,,wire,,\n",
+    };
+    (void)state;
+    put("book.off", "OFF\n9 4 0\n0 0 0\n4 0 0\n4 4 0\n0 -4 -1\n4 -4 -1\n0 -3 0\n4 -3 0\n0 7 0\n4 7 0\n"
+                    "2 7 8\n3 0 1 2\n4 0 1 4 3\n4 0 1 6 5\n");
+    assert_int_equal(run("--view top book.off -f csv"), 0);
+    print_message("%s", last.out);
+    for (size_t i = 0; i < sizeof wanted / sizeof wanted[0]; i++)
+        assert_int_equal(strstr(last.out, wanted[i]) != NULL, 1);
+    assert_int_equal(run("--view top book.off -f json"), 0);
+    assert_non_null(strstr(last.out, "\"by\":null,\"class\":\"border\",\"f0\":3,\"f1\":null}"));
+    put("near.off", "OFF\n6 2 0\n-1 0 0\n1 0 0\n1 20 0\n-1 20 0\n0 0 1\n0 20 1\n4 0 1 2 3\n2 4 5\n");
+    assert_int_equal(run("--eye 0,-5,4 --near 8 --look-at 0,10,0 -f csv --hidden dashed near.off"), 0);
+    assert_non_null(strstr(last.out, ",clipped,"));
+    assert_null(strstr(last.out, ",outline,")); /* what the near plane takes keeps its class */
+    assert_null(strstr(last.out, ",crease,"));
+    assert_int_equal(run("--view top models/platonic/cube.off -f csv --hidden dashed"), 0);
+    assert_null(strstr(last.out, ",,\n")); /* each edge has two faces */
+    assert_null(strstr(last.out, ",border,"));
 }
 
 static void too_large_for_the_page(void **state)
@@ -834,7 +895,7 @@ static void checks_by_rays(void **state)
         sscanf(last.err, "roberts: verify: %u points of %u segments checked; contradictions: 0,", &points, &segments),
         2);
     assert_true(segments > 10 && points > segments);
-    assert_int_equal(strncmp(last.out, "solid,v0,v1,", 12), 0);
+    assert_int_equal(strncmp(last.out, "body,v0,v1,", 11), 0);
     assert_int_equal(run("--verify=11 -f null models/table.off"), 0);
     assert_int_equal(sscanf(last.err, "roberts: verify: %u points", &more), 1);
     assert_true(more >= points + 8 * segments);
@@ -871,6 +932,8 @@ int main(void)
         IN_FOLDER(options_reach_the_library),
         IN_FOLDER(angles_are_views),
         IN_FOLDER(pages_and_pens),
+        IN_FOLDER(borders_and_wires),
+        IN_FOLDER(tables_name_class_and_faces),
         IN_FOLDER(too_large_for_the_page),
         IN_FOLDER(description_depends_on_the_drawing_alone),
         IN_FOLDER(turntable_keeps_scale_and_centre),

@@ -138,12 +138,24 @@ static void commas_become_points(void **state)
 
 /* ---- rows ---- */
 
-#define HEAD "solid,v0,v1,t0,t1,state,x0,y0,x1,y1,by\n"
+#define HEAD "body,v0,v1,t0,t1,state,x0,y0,x1,y1,by,class,f0,f1\n"
 
 static roberts_segment three[] = {
-    {0, 0, 1, ROBERTS_NONE, 0.0, 0.5, {0.0, -1.5}, {1e-7, 2e20}, 0.0, 0.0, ROBERTS_VISIBLE, ROBERTS_OUTLINE},
-    {0, 0, 1, 7, 0.5, 1.0, {1e-7, 2e20}, {0.1, 3.0}, 0.0, 0.0, ROBERTS_HIDDEN, ROBERTS_OUTLINE},
-    {4294967294u, 9, 10, ROBERTS_NONE, 0.25, 1.0, {-0.0, 1.0}, {1.0, 1.0}, 0.0, 0.0, ROBERTS_CLIPPED, ROBERTS_CREASE},
+    {0, 0, 1, ROBERTS_NONE, 0.0, 0.5, {0.0, -1.5}, {1e-7, 2e20}, 0.0, 0.0, ROBERTS_VISIBLE, ROBERTS_OUTLINE, 0},
+    {0, 0, 1, 7, 0.5, 1.0, {1e-7, 2e20}, {0.1, 3.0}, 0.0, 0.0, ROBERTS_HIDDEN, ROBERTS_OUTLINE, 0},
+    {4294967294u,
+     9,
+     10,
+     ROBERTS_NONE,
+     0.25,
+     1.0,
+     {-0.0, 1.0},
+     {1.0, 1.0},
+     0.0,
+     0.0,
+     ROBERTS_CLIPPED,
+     ROBERTS_CREASE,
+     0},
 };
 
 static const struct {
@@ -155,19 +167,19 @@ static const struct {
 } row_cases[] = {
     {"empty", ROBERTS_CSV, ROBERTS_HIDDEN_DASHED, 0, 0, HEAD},
     {"visible rows alone", ROBERTS_CSV, ROBERTS_HIDDEN_NONE, 0, 3,
-     HEAD "0,0,1,0,0.5,visible,0,-1.5,9.9999999999999995e-08,2e+20,\n"},
+     HEAD "0,0,1,0,0.5,visible,0,-1.5,9.9999999999999995e-08,2e+20,,outline,,\n"},
     {"all rows", ROBERTS_CSV, ROBERTS_HIDDEN_DASHED, 0, 3,
-     HEAD "0,0,1,0,0.5,visible,0,-1.5,9.9999999999999995e-08,2e+20,\n"
-          "0,0,1,0.5,1,hidden,9.9999999999999995e-08,2e+20,0.10000000000000001,3,7\n"
-          "4294967294,9,10,0.25,1,clipped,0,1,1,1,\n"},
+     HEAD "0,0,1,0,0.5,visible,0,-1.5,9.9999999999999995e-08,2e+20,,outline,,\n"
+          "0,0,1,0.5,1,hidden,9.9999999999999995e-08,2e+20,0.10000000000000001,3,7,outline,,\n"
+          "4294967294,9,10,0.25,1,clipped,0,1,1,1,,crease,,\n"},
     {"solid lines are in the table too", ROBERTS_CSV, ROBERTS_HIDDEN_SOLID, 1, 1,
-     HEAD "0,0,1,0.5,1,hidden,9.9999999999999995e-08,2e+20,0.10000000000000001,3,7\n"},
+     HEAD "0,0,1,0.5,1,hidden,9.9999999999999995e-08,2e+20,0.10000000000000001,3,7,outline,,\n"},
     {"empty JSON", ROBERTS_JSON, ROBERTS_HIDDEN_NONE, 0, 0, "[]\n"},
     {"JSON", ROBERTS_JSON, ROBERTS_HIDDEN_DASHED, 1, 2,
-     "[\n{\"solid\":0,\"v0\":0,\"v1\":1,\"t0\":0.5,\"t1\":1,\"state\":\"hidden\",\"x0\":9.9999999999999995e-08,"
-     "\"y0\":2e+20,\"x1\":0.10000000000000001,\"y1\":3,\"by\":7},\n"
-     "{\"solid\":4294967294,\"v0\":9,\"v1\":10,\"t0\":0.25,\"t1\":1,\"state\":\"clipped\",\"x0\":0,\"y0\":1,"
-     "\"x1\":1,\"y1\":1,\"by\":null}\n]\n"},
+     "[\n{\"body\":0,\"v0\":0,\"v1\":1,\"t0\":0.5,\"t1\":1,\"state\":\"hidden\",\"x0\":9.9999999999999995e-08,"
+     "\"y0\":2e+20,\"x1\":0.10000000000000001,\"y1\":3,\"by\":7,\"class\":\"outline\",\"f0\":null,\"f1\":null},\n"
+     "{\"body\":4294967294,\"v0\":9,\"v1\":10,\"t0\":0.25,\"t1\":1,\"state\":\"clipped\",\"x0\":0,\"y0\":1,"
+     "\"x1\":1,\"y1\":1,\"by\":null,\"class\":\"crease\",\"f0\":null,\"f1\":null}\n]\n"},
     {"JSON, visible rows alone", ROBERTS_JSON, ROBERTS_HIDDEN_NONE, 1, 2, "[]\n"},
     {"null", ROBERTS_NULL, ROBERTS_HIDDEN_NONE, 0, 3, ""},
 };

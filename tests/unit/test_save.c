@@ -22,8 +22,8 @@
 #include "skip.h"
 
 #define TABLE                                                                                                          \
-    "solid,v0,v1,t0,t1,state,x0,y0,x1,y1,by\n"                                                                         \
-    "0,0,1,0,1,visible,1,2,3,4,\n"
+    "body,v0,v1,t0,t1,state,x0,y0,x1,y1,by,class,f0,f1\n"                                                              \
+    "0,0,1,0,1,visible,1,2,3,4,,outline,,\n"
 
 static roberts_draw_options table_options(void)
 {

@@ -35,7 +35,7 @@ static strokes strokes_of(roberts_segment *segment, size_t count, const roberts_
 
 static void print_strokes(const strokes *s, char *text, size_t size)
 {
-    static const char *const name[] = {"hidden", "crease", "outline", "frame"};
+    static const char *const name[] = {"hidden", "wire", "crease", "border", "outline", "frame"};
     size_t used = 0;
     text[0] = '\0';
     for (int i = 0; i < LINE_CLASSES; i++)
@@ -54,7 +54,7 @@ static void print_strokes(const strokes *s, char *text, size_t size)
 /* ---- doubles ---- */
 
 typedef struct given {
-    char class; /* o, c, h; 0: no more */
+    char class; /* o, b, c, w, h; 0: no more */
     double x0, y0, x1, y1, z0, z1;
 } given;
 
@@ -68,6 +68,22 @@ static const struct {
     {"the same backward", {{'o', 1, 1, 9, 1, 0, 0}, {'o', 9, 1, 1, 1, 0, 0}}, "outline 1,1 9,1"},
     {"the nearer wins: crease", {{'o', 1, 1, 9, 1, 0, 0}, {'c', 1, 1, 9, 1, 1, 1}}, "crease 1,1 9,1"},
     {"the nearer wins: outline", {{'o', 1, 1, 9, 1, 1, 1}, {'c', 1, 1, 9, 1, 0, 0}}, "outline 1,1 9,1"},
+    {"the nearer wins: wire", {{'o', 1, 1, 9, 1, 0, 0}, {'w', 1, 1, 9, 1, 1, 1}}, "wire 1,1 9,1"},
+    {"at one depth: outline, border",
+     {{'b', 1, 1, 9, 1, 0, 0}, {'o', 1, 1, 5, 1, 0, 0}},
+     "border 5,1 9,1; outline 1,1 5,1"},
+    {"at one depth: border, crease",
+     {{'c', 1, 1, 9, 1, 0, 0}, {'b', 1, 1, 5, 1, 0, 0}},
+     "crease 5,1 9,1; border 1,1 5,1"},
+    {"at one depth: crease, wire", {{'w', 1, 1, 9, 1, 0, 0}, {'c', 1, 1, 5, 1, 0, 0}}, "wire 5,1 9,1; crease 1,1 5,1"},
+    {"at one depth: wire, hidden", {{'h', 1, 1, 9, 1, 0, 0}, {'w', 1, 1, 5, 1, 0, 0}}, "hidden 5,1 9,1; wire 1,1 5,1"},
+    {"the order of the classes",
+     {{'o', 1, 5, 9, 5, 0, 0},
+      {'b', 1, 4, 9, 4, 0, 0},
+      {'c', 1, 3, 9, 3, 0, 0},
+      {'w', 1, 2, 9, 2, 0, 0},
+      {'h', 1, 1, 9, 1, 0, 0}},
+     "hidden 1,1 9,1; wire 1,2 9,2; crease 1,3 9,3; border 1,4 9,4; outline 1,5 9,5"},
     {"visible wins over a nearer hidden one: crease",
      {{'h', 1, 1, 9, 1, 1, 1}, {'c', 1, 1, 9, 1, 0, 0}},
      "crease 1,1 9,1"},
@@ -135,7 +151,11 @@ static const struct {
 
 static roberts_segment segment_of(const given *g)
 {
-    roberts_segment s = line_at(g->class == 'c' ? ROBERTS_CREASE : ROBERTS_OUTLINE, g->x0, g->y0, g->x1, g->y1);
+    roberts_line line = g->class == 'b'   ? ROBERTS_BORDER
+                        : g->class == 'c' ? ROBERTS_CREASE
+                        : g->class == 'w' ? ROBERTS_WIRE
+                                          : ROBERTS_OUTLINE;
+    roberts_segment s = line_at(line, g->x0, g->y0, g->x1, g->y1);
     s.z0 = g->z0;
     s.z1 = g->z1;
     if (g->class == 'h')
@@ -473,12 +493,12 @@ static void what_touches_is_outline(void **state)
         char text[2000];
         print_strokes(&s, text, sizeof text);
         print_message("%s\n", text);
-        for (int class = 1; class <= 2; class ++) {
-            size_t sides = 0;
+        size_t sides[LINE_CLASSES] = {0};
+        for (int class = 0; class < LINE_CLASSES; class ++)
             for (size_t i = s.start[class]; i < s.start[class + 1]; i++)
-                sides += s.lines.item[i].count - !s.lines.item[i].closed;
-            assert_int_equal(sides, wanted[view][class - 1]);
-        }
+                sides[line_order[class]] += s.lines.item[i].count - !s.lines.item[i].closed;
+        assert_int_equal(sides[ROBERTS_CREASE], wanted[view][0]);
+        assert_int_equal(sides[ROBERTS_OUTLINE], wanted[view][1]);
         if (view)
             assert_int_equal(s.start[1] - s.start[0], 0); /* nothing hidden beside what is seen */
         strokes_free(&s);
