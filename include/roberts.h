@@ -158,7 +158,7 @@ roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners
 /** Releases everything and leaves an empty mesh. */
 void roberts_mesh_free(roberts_mesh *mesh);
 
-/* ---- scene: bodies, convex solids above all ---------------------------------------------------------------------- */
+/* ---- scene: bodies, convex solids above all -------------------------------------------------------------------- */
 
 /** Bodies with face planes, edges and the faces they belong to. Opaque; read-only once built, so that any number
  * of threads may use it. */
@@ -248,7 +248,7 @@ const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid);
 /** Whether a convex hull has replaced what the mesh holds as this solid; false if no solid has that number. */
 bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid);
 
-/* ---- camera ----------------------------------------------------------------------------------------------------- */
+/* ---- camera ---------------------------------------------------------------------------------------------------- */
 
 typedef enum roberts_projection { ROBERTS_ORTHOGRAPHIC, ROBERTS_PERSPECTIVE } roberts_projection;
 
@@ -299,7 +299,7 @@ void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_cam
 roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *camera, roberts_vec2 *min,
                               roberts_vec2 *max, bool *framed, roberts_error *error);
 
-/* ---- hide: hidden lines removed ---------------------------------------------------------------------------------- */
+/* ---- hide: hidden lines removed -------------------------------------------------------------------------------- */
 
 typedef enum roberts_state {
     ROBERTS_VISIBLE,
@@ -536,7 +536,7 @@ bool roberts_ray_box(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, roberts_sp
  * half-space at a time; Cyrus and Beck, "Generalized two- and three-dimensional clipping", 1978. */
 bool roberts_ray_polyhedron(roberts_ray ray, const roberts_plane *F, size_t count, roberts_span *span);
 
-/* ---- ray: a second opinion on a drawing -------------------------------------------------------------------------- */
+/* ---- ray: a second opinion on a drawing ------------------------------------------------------------------------ */
 
 /** A point of an edge about which the drawing and a ray disagree. */
 typedef struct roberts_contradiction {
@@ -582,8 +582,8 @@ typedef struct roberts_verification {
  * a part of one, step by step along hidden segments, and at the middle of segments that name what hides them (`by`).
  * The rule is that of roberts_hide(), with drawing->epsilon; points where the answer depends on a few epsilon are
  * counted as undecided. Segments in state ROBERTS_CLIPPED are not looked at. A contradiction is not a failure.
- * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW, or _BAD_ARGUMENT (a segment of no edge of the scene, t out of order).
- */
+ * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW, or _BAD_ARGUMENT (a segment of no edge of the scene, t out
+ * of order). */
 roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *camera, const roberts_drawing *drawing,
                               const roberts_verify_options *options, roberts_verification *result,
                               roberts_error *error);
@@ -614,7 +614,7 @@ roberts_status roberts_pick(const roberts_scene *scene, const roberts_camera *ca
                             roberts_picked *picked, roberts_error *error);
 void roberts_picked_free(roberts_picked *picked);
 
-/* ---- draw: pages and tables -------------------------------------------------------------------------------------- */
+/* ---- draw: pages and tables ------------------------------------------------------------------------------------ */
 
 typedef enum roberts_format {
     ROBERTS_SVG, /**< a page as text, millimetres, one layer per line class */
@@ -744,7 +744,7 @@ roberts_status roberts_drawing_write(const roberts_drawing *drawing, const rober
 roberts_status roberts_drawing_save(const roberts_drawing *drawing, const roberts_draw_options *options,
                                     const char *path, roberts_error *error);
 
-/* ---- draw: sheets, several views on one page --------------------------------------------------------------------- */
+/* ---- draw: sheets, several views on one page ------------------------------------------------------------------- */
 
 /** Where the views stand, seen from the front view (ISO 5456-2). */
 typedef enum roberts_sheet_angle {

@@ -79,7 +79,7 @@ static const struct {
 
 enum { DEFAULT_SEED = 1 };
 
-/* ---- the folder -------------------------------------------------------------------------------------------------- */
+/* ---- the folder ------------------------------------------------------------------------------------------------ */
 
 /* The folder being written, and what has gone wrong in it. */
 typedef struct target {
@@ -206,7 +206,7 @@ static int write_all(const char *folder)
     return to.failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 
-/* ---- the command ------------------------------------------------------------------------------------------------- */
+/* ---- the command ----------------------------------------------------------------------------------------------- */
 
 static int usage(FILE *out)
 {

@@ -116,7 +116,7 @@ static inline uint32_t bits_hash(const void *bytes, size_t size)
     return hash;
 }
 
-/* ---- prefetching: only the time changes -------------------------------------------------------------------------- */
+/* ---- prefetching: only the time changes ------------------------------------------------------------------------ */
 
 /* Bytes of a cache line, and the most to ask for of an array: more might be evicted again before they are used. */
 enum { FETCH_LINE = 64, FETCH_MOST = 512 };

@@ -93,7 +93,7 @@ static inline int number_short_integer(const char *text, uint32_t *value)
     return count;
 }
 
-/* ---- the usual number -------------------------------------------------------------------------------------------- */
+/* ---- the usual number ------------------------------------------------------------------------------------------ */
 
 /* Digits that make w * 10^-fraction: every integer of 19 digits is below 2^64, and at least one stands before the
  * point. */
@@ -212,7 +212,7 @@ BITS_INLINE const char *number_usual(const char *text, number_guess *guess, doub
  * What does not fit becomes UINT64_MAX. */
 const char *number_integer(const char *text, uint64_t *value);
 
-/* ---- powers of ten ----------------------------------------------------------------------------------------------- */
+/* ---- powers of ten --------------------------------------------------------------------------------------------- */
 
 /* To 128 bits, cut off: 10^q = (high * 2^64 + low + d) * 2^(floor(log2(10^q)) - 127) with 0 <= d < 1, and d = 0 for
  * 0 <= q <= 55. The highest bit of `high` is set. */

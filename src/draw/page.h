@@ -31,8 +31,8 @@ void page_refuse(const roberts_page *page, const roberts_placement *placement, d
 page_map page_fit(const roberts_page *page, roberts_vec2 min, roberts_vec2 max);
 
 /* Lays the box on the page as `placement` says: fitted or at a scale, and aligned with the margins. False: the
- * placement is invalid, or the drawing leaves the margins at its scale; fills `error`, which names a scale that fits.
- */
+ * placement is invalid, or the drawing leaves the margins at its scale; fills `error`, which names a scale
+ * that fits. */
 bool page_lay(const roberts_page *page, const roberts_placement *placement, roberts_vec2 min, roberts_vec2 max,
               page_map *map, roberts_error *error);
 

@@ -9,8 +9,8 @@
  * file that a killed run has left; if the file is locked, another run is still writing it, and the later run takes
  * another name.
  *
- * Nothing is forced to disk: this guards against failures and interruptions of the program, not against loss of power.
- */
+ * Nothing is forced to disk: this guards against failures and interruptions of the program, not against loss
+ * of power. */
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>

@@ -15,8 +15,8 @@
 /* A front in a cell's list. */
 typedef struct objet_entry {
     uint32_t front; /* of hide_fronts.front */
-    uint32_t
-        sides; /* of its box, counted in 256ths of the cell and cut to it, a byte for each: x0, 255 - x1, y0, 255 - y1 */
+    uint32_t sides; /* of its box, counted in 256ths of the cell and cut to it, a byte for each: x0, 255 - x1, y0, 255 -
+                       y1 */
 } objet_entry;
 
 /* Entries that can be read beyond a list, the last one's too. */

@@ -51,7 +51,7 @@ typedef struct assembly {
     builder work;
 } assembly;
 
-/* ---- which components are convex solids -------------------------------------------------------------------------- */
+/* ---- which components are convex solids ------------------------------------------------------------------------ */
 
 static roberts_status find_kinds(assembly *a, uint8_t *open, uint8_t *convex, bool *any_open, roberts_error *error)
 {
@@ -123,7 +123,7 @@ done:
     return status;
 }
 
-/* ---- bodies ------------------------------------------------------------------------------------------------------ */
+/* ---- bodies ---------------------------------------------------------------------------------------------------- */
 
 static double largest(roberts_vec3 a)
 {
@@ -300,7 +300,7 @@ static bool number_bodies(assembly *a)
     return a->is_convex != NULL;
 }
 
-/* ---- the scene's arrays ------------------------------------------------------------------------------------------ */
+/* ---- the scene's arrays ---------------------------------------------------------------------------------------- */
 
 /* Lays out everything in place of the components, then removes the items that are not faces. Numbers in the scene still
  * refer to `all` and to the vertices of the surface. */
@@ -665,7 +665,7 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
 
-/* ---- wires beside convex solids ---------------------------------------------------------------------------------- */
+/* ---- wires beside convex solids -------------------------------------------------------------------------------- */
 
 static uint64_t edge_name(uint32_t a, uint32_t b)
 {
@@ -712,7 +712,7 @@ bool bodies_wires(const roberts_scene *scene, const roberts_mesh *mesh, bool *fo
     return enough;
 }
 
-/* ---- the scene's lookups ----------------------------------------------------------------------------------------- */
+/* ---- the scene's lookups --------------------------------------------------------------------------------------- */
 
 const scene_many *scene_many_at(const roberts_scene *scene, uint32_t edge)
 {

@@ -11,7 +11,7 @@
 #include "model/face_plane.h"
 #include "model/source.h"
 
-/* ---- is a face convex? ------------------------------------------------------------------------------------------- */
+/* ---- is a face convex? ----------------------------------------------------------------------------------------- */
 
 /* Is a face a convex simple polygon?
  *
@@ -181,7 +181,7 @@ double polygon_spread(const roberts_vec3 *corner, uint32_t count)
     return greatest;
 }
 
-/* ---- the vertex farthest out of a plane -------------------------------------------------------------------------- */
+/* ---- the vertex farthest out of a plane ------------------------------------------------------------------------ */
 
 /* A tree of boxes that finds the point farthest outside a plane.
  *
@@ -306,7 +306,7 @@ static uint32_t vertex_tree_outermost(const vertex_tree *tree, plane F, double b
     return found;
 }
 
-/* ---- is a solid convex? ------------------------------------------------------------------------------------------ */
+/* ---- is a solid convex? ---------------------------------------------------------------------------------------- */
 
 /* Is a closed component a convex solid, within the tolerance?
  *

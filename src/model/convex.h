@@ -5,7 +5,7 @@
 #include "base/vec.h"
 #include "model/solid.h"
 
-/* ---- is a face convex? ------------------------------------------------------------------------------------------- */
+/* ---- is a face convex? ----------------------------------------------------------------------------------------- */
 
 /* Whether the polygon, which turns counter-clockwise seen from the end of its normal n, turns left at every corner and
  * once in all: strictly convex, decided without a tolerance. False does not yet mean that it is refused. */
@@ -20,7 +20,7 @@ double polygon_dent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n, 
  * first corner and the one farthest from it. */
 double polygon_spread(const roberts_vec3 *corner, uint32_t count);
 
-/* ---- is a solid convex? ------------------------------------------------------------------------------------------ */
+/* ---- is a solid convex? ---------------------------------------------------------------------------------------- */
 
 /* Checks a solid whose edges are paired. Returns ROBERTS_OK, _NOT_PLANAR, _NOT_CONVEX, _FLAT or _NO_MEMORY; `error`
  * then says which solid, face or vertex and how much, in the numbers of its file. Marks faces that have to lean on

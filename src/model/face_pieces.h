@@ -70,7 +70,7 @@ bool face_pieces_cut(face_pieces *f, const face_rules *rules, const uint32_t *co
 
 void face_pieces_free(face_pieces *f);
 
-/* ---- the parts of it --------------------------------------------------------------------------------------------- */
+/* ---- the parts of it ------------------------------------------------------------------------------------------- */
 
 /* > 0 if a, b, c turn left; the sign is exact for all but contrived input. */
 double piece_turn(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c);

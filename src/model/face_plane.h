@@ -18,7 +18,7 @@ typedef struct fitted_plane {
  * must survive being taken to the fourth power. */
 fitted_plane face_plane_fit(const roberts_vec3 *corner, uint32_t count);
 
-/* ---- two faces of three or four corners, which nearly all have, at a time ---------------------------------------- */
+/* ---- two faces of three or four corners, which nearly all have, at a time -------------------------------------- */
 
 typedef struct two_vec3 {
     two x, y, z;

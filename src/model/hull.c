@@ -23,7 +23,7 @@
 #include "model/scene.h"
 #include "model/solid.h"
 
-/* ---- inputs ------------------------------------------------------------------------------------------------------ */
+/* ---- inputs ---------------------------------------------------------------------------------------------------- */
 
 /* Inputs of points without faces: each gets one face with all its points as corners. */
 
@@ -116,7 +116,7 @@ roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, robert
     return ROBERTS_OK;
 }
 
-/* ---- what is said ------------------------------------------------------------------------------------------------ */
+/* ---- what is said ---------------------------------------------------------------------------------------------- */
 
 /* The messages about solids that have been replaced by hulls, or left out. */
 
@@ -214,7 +214,7 @@ static roberts_status hull_tell(const uint8_t *fate, const roberts_scene *scene,
     return ROBERTS_OK;
 }
 
-/* ---- hulls ------------------------------------------------------------------------------------------------------- */
+/* ---- hulls ----------------------------------------------------------------------------------------------------- */
 
 /* Facets come out as planar as a few widths: a tenth of the tolerance keeps them within it. */
 static const double WIDTH_PART = 0.1;
@@ -251,7 +251,7 @@ static void hull_maker_free(hull_maker *maker)
     free(maker->zero);
 }
 
-/* ---- faces ------------------------------------------------------------------------------------------------------- */
+/* ---- faces ----------------------------------------------------------------------------------------------------- */
 
 static void face_list_free(face_list *list)
 {
@@ -309,7 +309,7 @@ static bool add_facets(face_list *list, const roberts_scene *scene, uint32_t s, 
     return true;
 }
 
-/* ---- hulls ------------------------------------------------------------------------------------------------------- */
+/* ---- hulls ----------------------------------------------------------------------------------------------------- */
 
 static hull_result result_of(build_result built, roberts_status refusal)
 {
@@ -396,7 +396,7 @@ static roberts_status replace(face_list *list, hull_maker *maker, uint32_t s, ui
     return error_no_memory(error);
 }
 
-/* ---- all solids -------------------------------------------------------------------------------------------------- */
+/* ---- all solids ------------------------------------------------------------------------------------------------ */
 
 /* Solids are divided into at most this many runs; the faces of each run go into a list of its own. */
 enum { RUNS_MOST = 256 };

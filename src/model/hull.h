@@ -5,7 +5,7 @@
 #include "model/components.h"
 #include "model/scene.h"
 
-/* ---- inputs ------------------------------------------------------------------------------------------------------ */
+/* ---- inputs ---------------------------------------------------------------------------------------------------- */
 
 /* The inputs (files) of a mesh. A bare input has points, but no face of three or more corners. */
 
@@ -31,7 +31,7 @@ size_t hull_bare_points(const roberts_mesh *mesh, size_t i);
  * only inputs of fewer points). */
 roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, roberts_error *error);
 
-/* ---- hulls ------------------------------------------------------------------------------------------------------- */
+/* ---- hulls ----------------------------------------------------------------------------------------------------- */
 
 /* Lays out the scene anew: a solid that solid_build() refuses gets the faces of its hull, which have no number
  * (ROBERTS_NONE). Components may be open. Solids keep their order; flat ones are left out. For each input a warning

@@ -158,7 +158,7 @@ void repeated_free(repeated_solids *list)
     *list = (repeated_solids){0};
 }
 
-/* ---- components that follow one another in the file -------------------------------------------------------------- */
+/* ---- components that follow one another in the file ------------------------------------------------------------ */
 
 /* Components that follow one another in the file.
  *

@@ -38,7 +38,7 @@ bool repeated_number_edges(repeated_solids *list, roberts_scene *scene, edge_scr
 
 void repeated_free(repeated_solids *list);
 
-/* ---- components that follow one another in the file -------------------------------------------------------------- */
+/* ---- components that follow one another in the file ------------------------------------------------------------ */
 
 /* Finds components where they follow one another in the file: they use every vertex, their vertices and faces come
  * without a gap, each is like a sphere, and no corner repeats another of its face. Then it fills in scene->solid, the

@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "read/mesh.h"
 
-/* ---- faces with every corner once -------------------------------------------------------------------------------- */
+/* ---- faces with every corner once ------------------------------------------------------------------------------ */
 
 /* Rule: a corner that repeats an earlier one of its face is left out, wherever in the face it is. A face of fewer than
  * three corners does not count. */
@@ -69,7 +69,7 @@ void polygons_free(polygons *faces)
     *faces = (polygons){0};
 }
 
-/* ---- the arrays -------------------------------------------------------------------------------------------------- */
+/* ---- the arrays ------------------------------------------------------------------------------------------------ */
 
 enum { LEAST_EXPONENT = -1000 }; /* of the unit: 1 / 2^-1074 would overflow */
 

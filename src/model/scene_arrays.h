@@ -4,7 +4,7 @@
 
 #include "model/scene.h"
 
-/* ---- faces with every corner once -------------------------------------------------------------------------------- */
+/* ---- faces with every corner once ------------------------------------------------------------------------------ */
 
 /* Faces numbered as in the mesh. The arrays belong to the mesh until the faces are cleaned. */
 typedef struct polygons {
@@ -29,7 +29,7 @@ static inline uint32_t polygon_size(const polygons *faces, uint32_t f)
     return faces->start[f + 1] - faces->start[f];
 }
 
-/* ---- the arrays -------------------------------------------------------------------------------------------------- */
+/* ---- the arrays ------------------------------------------------------------------------------------------------ */
 
 /* Which of a scene's vertices and faces have the same numbers as in the mesh. */
 typedef struct kept_numbers {

@@ -13,7 +13,7 @@
 #include "model/source.h"
 #include "read/mesh.h"
 
-/* ---- a frame of its own ------------------------------------------------------------------------------------------ */
+/* ---- a frame of its own ---------------------------------------------------------------------------------------- */
 
 /* Differences to a vertex of the solid are exact or nearly so, wherever the solid is. Scaling by a power of two changes
  * no digit, so a solid times 2^k gets the same planes. */
@@ -136,7 +136,7 @@ void frame_free(solid_frame *frame)
     *frame = (solid_frame){0};
 }
 
-/* ---- planes of faces --------------------------------------------------------------------------------------------- */
+/* ---- planes of faces ------------------------------------------------------------------------------------------- */
 
 /* The planes of a solid's faces, and which way round their corners run.
  *
@@ -317,7 +317,7 @@ void frame_fit_faces(solid_frame *frame, roberts_scene *scene)
         }
 }
 
-/* ---- faces that are too narrow ----------------------------------------------------------------------------------- */
+/* ---- faces that are too narrow --------------------------------------------------------------------------------- */
 
 /* Some faces are too narrow to tell by themselves where their plane lies and which side is the inner one.
  *
@@ -485,7 +485,7 @@ static roberts_status narrow_mend(roberts_scene *scene, solid_frame *frame)
     return ROBERTS_OK;
 }
 
-/* ---- one solid --------------------------------------------------------------------------------------------------- */
+/* ---- one solid ------------------------------------------------------------------------------------------------- */
 
 /* The barycentre, the mean of the vertices, lies inside a convex solid. So it decides which side of each face is the
  * inner one, whatever the winding in the file. The two faces of each edge then pass it in opposite directions. Where

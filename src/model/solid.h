@@ -5,7 +5,7 @@
 #include "model/edges.h"
 #include "model/scene.h"
 
-/* ---- a frame of its own ------------------------------------------------------------------------------------------ */
+/* ---- a frame of its own ---------------------------------------------------------------------------------------- */
 
 /* A face in its solid's frame. */
 typedef struct local_face {
@@ -65,7 +65,7 @@ void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, dou
 
 void frame_free(solid_frame *frame);
 
-/* ---- one solid --------------------------------------------------------------------------------------------------- */
+/* ---- one solid ------------------------------------------------------------------------------------------------- */
 
 /* From the faces of a component to a solid: planes, winding, edges, checks. */
 

@@ -20,7 +20,7 @@
 #include "model/face_plane.h"
 #include "model/solid.h"
 
-/* ---- by angles: the walk along the walls ------------------------------------------------------------------------- */
+/* ---- by angles: the walk along the walls ----------------------------------------------------------------------- */
 
 /* Takes solids that touch apart by the angles between their faces.
  *
@@ -341,9 +341,9 @@ static bool walls_split(splitter *s, const solid_frame *frame, uint32_t from, ui
     return enough;
 }
 
-/* ---- pieces, and both ways --------------------------------------------------------------------------------------- */
+/* ---- pieces, and both ways ------------------------------------------------------------------------------------- */
 
-/* ---- pieces ------------------------------------------------------------------------------------------------------ */
+/* ---- pieces ---------------------------------------------------------------------------------------------------- */
 
 static void unite(uint32_t *parent, uint32_t a, uint32_t b)
 {
@@ -369,7 +369,7 @@ static void number_edges(splitter *s)
     s->edge_start[s->edge_count] = s->corner_count;
 }
 
-/* ---- by the file ------------------------------------------------------------------------------------------------- */
+/* ---- by the file ----------------------------------------------------------------------------------------------- */
 
 /* Makes a group of each connected part of order[from] .. order[to - 1], which have two faces at each edge. */
 static void group_run(splitter *s, uint32_t *parent, uint32_t from, uint32_t to)
@@ -418,7 +418,7 @@ static bool split_by_file(splitter *s, uint32_t *parent, uint32_t from, uint32_t
     return false;
 }
 
-/* ---- all pieces -------------------------------------------------------------------------------------------------- */
+/* ---- all pieces ------------------------------------------------------------------------------------------------ */
 
 /* Sorts the faces by piece, ascending in each; parent[f] becomes the piece's number, start[p] its end. */
 static uint32_t sort_pieces(splitter *s, uint32_t *end)

@@ -18,7 +18,7 @@
 #include "model/split.h"
 #include "read/mesh.h"
 
-/* ---- equal positions --------------------------------------------------------------------------------------------- */
+/* ---- equal positions ------------------------------------------------------------------------------------------- */
 
 enum { SHORT_BUCKET = 16 };
 
@@ -98,7 +98,7 @@ bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const
     return enough;
 }
 
-/* ---- components that are not closed ------------------------------------------------------------------------------ */
+/* ---- components that are not closed ---------------------------------------------------------------------------- */
 
 /* Components that are not closed are welded, split, and numbered together with the others.
  *

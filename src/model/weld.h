@@ -7,13 +7,13 @@
 #include "model/components.h"
 #include "model/scene.h"
 
-/* ---- equal positions --------------------------------------------------------------------------------------------- */
+/* ---- equal positions ------------------------------------------------------------------------------------------- */
 
 /* Sets name[v], for each of the `count` listed vertices (ascending), to the smallest listed vertex at exactly the same
  * position (-0 is 0). Other names stay as they are. False: no memory. */
 bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const roberts_vec3 *point);
 
-/* ---- components that are not closed ------------------------------------------------------------------------------ */
+/* ---- components that are not closed ---------------------------------------------------------------------------- */
 
 /* Components that are not closed are welded, split, and numbered together with the others. */
 

@@ -253,8 +253,8 @@ static bool is_copy(const occluders *o, uint32_t a, uint32_t b)
 }
 
 /* Finds copies: convex solids at the very same place. Two of them go into the tree, so that each copy finds another one
- * before it. If a thousand copies were in the tree, the rays of all of them would ask all of them. A stable sort by key brings
- * copies together. */
+ * before it. If a thousand copies were in the tree, the rays of all of them would ask all of them. A stable sort by key
+ * brings copies together. */
 static bool find_twins(occluders *o)
 {
     uint32_t count = o->s.scene->solid_count;

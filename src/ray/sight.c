@@ -464,8 +464,8 @@ static bool clip_to_sides(const sight *s, uint32_t face, uint32_t first, uint32_
     return true;
 }
 
-/* What is left of `part` in the cap beyond sample k: the polygon of that sample, the next one, and all corners between.
- */
+/* What is left of `part` in the cap beyond sample k: the polygon of that sample, the next one, and all
+ * corners between. */
 static bool clip_to_cap(const sight *s, uint32_t face, uint32_t k, const roberts_vec3 AB[2], sight_part *part)
 {
     uint32_t first = sample_of(s, face, k), end = sample_of(s, face, k + 1);

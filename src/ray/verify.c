@@ -85,8 +85,8 @@ static double angle_between(plane F, plane G, bool turned)
     return atan2(vec3_length(vec3_cross(m, n)), turned ? -vec3_dot(m, n) : vec3_dot(m, n)) * degrees;
 }
 
-/* Whether the drawing has to show the edge where nothing hides it: an outline, or bent by more than the crease angle.
- */
+/* Whether the drawing has to show the edge where nothing hides it: an outline, or bent by more than the
+ * crease angle. */
 static bool is_surely_drawn(const verifier *f, const scene_edge *e)
 {
     if (classify_edge(f, e) != STRETCH_FRONT)
@@ -483,7 +483,7 @@ static roberts_status report(const verifier *f, roberts_verification *result, ro
     return ROBERTS_OK;
 }
 
-/* ---- preparation ------------------------------------------------------------------------------------------------- */
+/* ---- preparation ----------------------------------------------------------------------------------------------- */
 
 /* Cuts the solids' edges into runs. */
 static void find_runs(verifier *f)

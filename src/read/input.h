@@ -22,7 +22,7 @@
  * an endless one must end. */
 #define INPUT_BLANK_MAX ((size_t)1 << 26)
 
-/* ---- where bytes come from --------------------------------------------------------------------------------------- */
+/* ---- where bytes come from ------------------------------------------------------------------------------------- */
 
 typedef struct input_source {
     roberts_read_fn *read;
@@ -50,7 +50,7 @@ typedef struct input_memory {
 input_source input_from_file(input_file *f);
 input_source input_from_memory(input_memory *m);
 
-/* ---- blocks and tokens ------------------------------------------------------------------------------------------- */
+/* ---- blocks and tokens ----------------------------------------------------------------------------------------- */
 
 typedef struct input {
     const char *at, *end; /* what is not yet taken; *end is '\0' */
@@ -77,8 +77,8 @@ static inline uint64_t input_offset(const input *in)
     return in->taken - (uint64_t)(in->end - in->at);
 }
 
-/* Goes to `offset`, the end of a token, in an input that can be read at any place. A failure counts as one of reading.
- */
+/* Goes to `offset`, the end of a token, in an input that can be read at any place. A failure counts as one
+ * of reading. */
 void input_go(input *in, uint64_t offset);
 
 /* Brings `count` bytes to `at`; count <= INPUT_BLOCK. False: the input ends before. */

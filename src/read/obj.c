@@ -38,7 +38,7 @@ typedef struct obj_reader {
     char unknown_word[32]; /* with its word */
 } obj_reader;
 
-/* ---- lines ------------------------------------------------------------------------------------------------------- */
+/* ---- lines ----------------------------------------------------------------------------------------------------- */
 
 /* Goes to the next word of the line; a comment is none. A line that ends in a backslash goes on. */
 static bool next_word(input *in)
@@ -81,7 +81,7 @@ static bool number(input *in, double *value)
     return true;
 }
 
-/* ---- materials --------------------------------------------------------------------------------------------------- */
+/* ---- materials ------------------------------------------------------------------------------------------------- */
 
 static bool add_material(obj_materials *m, const char *name)
 {
@@ -267,7 +267,7 @@ static void use_material(obj_reader *o)
     o->color = obj_materials_color(&o->materials, name);
 }
 
-/* ---- vertices ---------------------------------------------------------------------------------------------------- */
+/* ---- vertices -------------------------------------------------------------------------------------------------- */
 
 static size_t vertices_read(const reader *r)
 {
@@ -304,7 +304,7 @@ static roberts_status read_vertex(reader *r)
                : error_no_memory(r->error);
 }
 
-/* ---- faces and lines --------------------------------------------------------------------------------------------- */
+/* ---- faces and lines ------------------------------------------------------------------------------------------- */
 
 /* Reads a number with or without a sign, of at most 18 digits; returns the character behind it, NULL where there is
  * none. */
@@ -416,7 +416,7 @@ static roberts_status read_line(obj_reader *o)
     return status;
 }
 
-/* ---- the whole file ---------------------------------------------------------------------------------------------- */
+/* ---- the whole file -------------------------------------------------------------------------------------------- */
 
 static roberts_status read_group(obj_reader *o)
 {

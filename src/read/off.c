@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* ---- errors ------------------------------------------------------------------------------------------------------ */
+/* ---- errors ---------------------------------------------------------------------------------------------------- */
 
 roberts_status off_fail(off_reader *r, roberts_status status, const char *format, ...)
 {
@@ -64,7 +64,7 @@ void off_warn_fewer(off_reader *r, uint64_t found)
                  (unsigned long long)r->header.faces, (unsigned long long)found);
 }
 
-/* ---- colours ----------------------------------------------------------------------------------------------------- */
+/* ---- colours --------------------------------------------------------------------------------------------------- */
 
 /* Three or four integers are 0..255. Other numbers are 0..1, unless one of them is greater than 1, as in "255.0 0.0
  * 0.0": then they are 0..255 too (Geomview's rule). One integer is an index into a colour map. */
@@ -114,7 +114,7 @@ roberts_status off_color_face(off_reader *r, const off_color_numbers *numbers)
     return ROBERTS_OK;
 }
 
-/* ---- the whole file ---------------------------------------------------------------------------------------------- */
+/* ---- the whole file -------------------------------------------------------------------------------------------- */
 
 /* Warns of what was left out. */
 static void warn(off_reader *r)

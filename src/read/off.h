@@ -38,7 +38,7 @@ typedef struct off_reader {
     size_t odd_colors, first_odd_color;   /* colours that make no sense, and the line of the first */
 } off_reader;
 
-/* ---- off.c ------------------------------------------------------------------------------------------------------- */
+/* ---- off.c ----------------------------------------------------------------------------------------------------- */
 
 /* Fills the error with the current line; returns `status`. */
 roberts_status off_fail(off_reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
@@ -63,7 +63,7 @@ typedef struct off_color_numbers {
 roberts_status off_color_vertex(off_reader *r, const off_color_numbers *numbers);
 roberts_status off_color_face(off_reader *r, const off_color_numbers *numbers);
 
-/* ---- the other parts --------------------------------------------------------------------------------------------- */
+/* ---- the other parts ------------------------------------------------------------------------------------------- */
 
 roberts_status off_read_header(off_reader *r);
 roberts_status off_read_text(off_reader *r);
@@ -84,7 +84,7 @@ void off_explain_warning(off_reader *r);
  * not look like one. */
 void off_explain_rest(off_reader *r);
 
-/* ---- plain lines (off_text.c) ------------------------------------------------------------------------------------ */
+/* ---- plain lines (off_text.c) ---------------------------------------------------------------------------------- */
 
 /* A plain line is a vertex or a face and nothing else, as nearly all lines of large files are: three numbers, or a
  * count of at most PLAIN_CORNERS and as many vertex numbers. Blanks (spaces and tabs) stand between them, perhaps
@@ -119,7 +119,7 @@ static inline uint32_t off_index_limit(const off_reader *r)
     return r->header.vertices < UINT32_MAX ? (uint32_t)r->header.vertices : UINT32_MAX;
 }
 
-/* ---- pieces (off_pieces.c) --------------------------------------------------------------------------------------- */
+/* ---- pieces (off_pieces.c) ------------------------------------------------------------------------------------- */
 
 /* What each of the threads, numbered from 0, does. */
 typedef void off_work_fn(void *job, uint32_t thread);

@@ -54,7 +54,7 @@ static roberts_status ends_in(off_reader *r, const char *what, uint64_t number, 
                     (unsigned long long)count - 1);
 }
 
-/* ---- the order of bytes ------------------------------------------------------------------------------------------ */
+/* ---- the order of bytes ---------------------------------------------------------------------------------------- */
 
 /* Whether a float has a size that coordinates have. 0 says nothing: it is 0 in either order. */
 static bool likely(uint32_t word)
@@ -107,7 +107,7 @@ static roberts_status read_counts(off_reader *r, words *w)
     return ROBERTS_OK;
 }
 
-/* ---- vertices ---------------------------------------------------------------------------------------------------- */
+/* ---- vertices -------------------------------------------------------------------------------------------------- */
 
 static roberts_status read_vertex(off_reader *r, const words *w, uint64_t v)
 {
@@ -136,7 +136,7 @@ static roberts_status read_vertex(off_reader *r, const words *w, uint64_t v)
     return status;
 }
 
-/* ---- faces ------------------------------------------------------------------------------------------------------- */
+/* ---- faces ----------------------------------------------------------------------------------------------------- */
 
 /* Whether a program would write this as a colour's float. */
 static bool color_float(uint32_t word)

@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* ---- the text once more, line by line ---------------------------------------------------------------------------- */
+/* ---- the text once more, line by line -------------------------------------------------------------------------- */
 
 typedef struct text {
     const input_source *source;
@@ -102,7 +102,7 @@ static bool text_next_line(text *t, text_line *line)
     return line->words > 0;
 }
 
-/* ---- the line that is not like the others ------------------------------------------------------------------------ */
+/* ---- the line that is not like the others ---------------------------------------------------------------------- */
 
 enum { ODD_HINT = 120 };
 
@@ -163,7 +163,7 @@ static bool say_count(odd_line *odd, const text_line *line, const char *what, co
     return true;
 }
 
-/* ---- vertices ---------------------------------------------------------------------------------------------------- */
+/* ---- vertices -------------------------------------------------------------------------------------------------- */
 
 /* `line`, of vertex v, has not as many words as `first`. `after`: the next line, without words where there is none. */
 static bool odd_vertex(const off_header *h, uint64_t v, const text_line *first, const text_line *line,
@@ -198,7 +198,7 @@ static bool odd_keyword(const off_header *h, const text_line *first, odd_line *o
     return true;
 }
 
-/* ---- faces ------------------------------------------------------------------------------------------------------- */
+/* ---- faces ----------------------------------------------------------------------------------------------------- */
 
 static bool odd_face(const text_line *line, bool sure, odd_line *odd)
 {
@@ -286,7 +286,7 @@ static bool odd_find(const off_header *h, text *t, size_t last, odd_line *odd)
     return as_lines && first.number <= last && odd_keyword(h, &first, odd);
 }
 
-/* ---- what is said ------------------------------------------------------------------------------------------------ */
+/* ---- what is said ---------------------------------------------------------------------------------------------- */
 
 enum { SAID = 240 };
 

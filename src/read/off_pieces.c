@@ -68,7 +68,7 @@ static inline size_t most_bytes(const off_division *d)
     return d->piece + d->overhang;
 }
 
-/* ---- reading a piece --------------------------------------------------------------------------------------------- */
+/* ---- reading a piece ------------------------------------------------------------------------------------------- */
 
 /* Reads `size` bytes of text; fewer at the end of the input, or where reading fails. (The reader then fails there
  * again.) */
@@ -136,7 +136,7 @@ static void read_piece(const pieces_job *job, size_t i, bool vertices, piece *p,
         p->next = 0;
 }
 
-/* ---- joining, by one thread at a time ---------------------------------------------------------------------------- */
+/* ---- joining, by one thread at a time -------------------------------------------------------------------------- */
 
 /* Drops what the reader would read otherwise, since it counts vertices first and then faces. Returns where the reader
  * is then. */
@@ -198,7 +198,7 @@ static void join_ready(pieces_job *job)
     job->joining = false;
 }
 
-/* ---- threads ----------------------------------------------------------------------------------------------------- */
+/* ---- threads --------------------------------------------------------------------------------------------------- */
 
 /* Reads piece after piece until there is none or the rest is dropped. */
 static void work(void *context, uint32_t thread)
@@ -247,7 +247,7 @@ off_division off_divide(uint32_t threads)
     return (off_division){threads < ROBERTS_THREADS_MOST ? threads : ROBERTS_THREADS_MOST, PIECE, OVERHANG, LEAST, run};
 }
 
-/* ---- the job ----------------------------------------------------------------------------------------------------- */
+/* ---- the job --------------------------------------------------------------------------------------------------- */
 
 static void job_free(pieces_job *job, uint32_t threads)
 {

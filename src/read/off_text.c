@@ -14,7 +14,7 @@
 
 #include "base/number.h"
 
-/* ---- plain lines ------------------------------------------------------------------------------------------------- */
+/* ---- plain lines ----------------------------------------------------------------------------------------------- */
 
 static inline bool is_blank(char c)
 {
@@ -142,7 +142,7 @@ const char *plain_read_faces(const char *at, plain_faces *faces)
     return at;
 }
 
-/* ---- all other lines --------------------------------------------------------------------------------------------- */
+/* ---- all other lines ------------------------------------------------------------------------------------------- */
 
 enum {
     TEXTURE = 2,
@@ -161,8 +161,8 @@ static bool color_number(off_reader *r, double *value, bool *real)
     return input_number(&r->in, value);
 }
 
-/* Whether plain lines are worth trying. After PATIENCE lines that were none, PAUSE more go to the other parser untried.
- */
+/* Whether plain lines are worth trying. After PATIENCE lines that were none, PAUSE more go to the other
+ * parser untried. */
 typedef struct patience {
     uint32_t wait, fruitless;
 } patience;
@@ -181,7 +181,7 @@ static void tried(patience *p, size_t found)
     p->wait = p->fruitless == PATIENCE ? PAUSE : 0;
 }
 
-/* ---- vertices ---------------------------------------------------------------------------------------------------- */
+/* ---- vertices -------------------------------------------------------------------------------------------------- */
 
 static roberts_status bad_vertex(off_reader *r, uint64_t v, const char *part)
 {
@@ -303,7 +303,7 @@ static roberts_status read_vertices(off_reader *r)
     return ROBERTS_OK;
 }
 
-/* ---- faces ------------------------------------------------------------------------------------------------------- */
+/* ---- faces ----------------------------------------------------------------------------------------------------- */
 
 static bool long_index(off_reader *r, uint64_t limit, uint64_t *value)
 {

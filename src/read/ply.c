@@ -64,7 +64,7 @@ static const struct type_name {
 } types[TYPES] = {{"char", "int8", 1}, {"uchar", "uint8", 1}, {"short", "int16", 2},   {"ushort", "uint16", 2},
                   {"int", "int32", 4}, {"uint", "uint32", 4}, {"float", "float32", 4}, {"double", "float64", 8}};
 
-/* ---- the header -------------------------------------------------------------------------------------------------- */
+/* ---- the header ------------------------------------------------------------------------------------------------ */
 
 /* Takes the next word of the line. False: there is none, or it is too long. */
 static bool take_word(ply_reader *p, char word[NAME_ROOM])
@@ -276,7 +276,7 @@ static roberts_status read_header(ply_reader *p)
     return status;
 }
 
-/* ---- values ------------------------------------------------------------------------------------------------------ */
+/* ---- values ---------------------------------------------------------------------------------------------------- */
 
 static double binary_value(const char *at, value_type type, bool little)
 {
@@ -419,7 +419,7 @@ static roberts_status read_row(ply_reader *p, const element *e, uint64_t row)
     return status;
 }
 
-/* ---- elements ---------------------------------------------------------------------------------------------------- */
+/* ---- elements -------------------------------------------------------------------------------------------------- */
 
 /* The colour of the row that was read. Floats are 0 to 1, 16 bits 0 to 65535, other integers 0 to 255. */
 static roberts_color row_color(const ply_reader *p, const element *e)

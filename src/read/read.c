@@ -11,7 +11,7 @@
 
 #include "read/off.h"
 
-/* ---- errors ------------------------------------------------------------------------------------------------------ */
+/* ---- errors ---------------------------------------------------------------------------------------------------- */
 
 roberts_status read_fail(reader *r, roberts_status status, const char *format, ...)
 {
@@ -51,7 +51,7 @@ void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t c
                      count == 1 ? "" : "s", count == 1 ? "it hides" : "they hide");
 }
 
-/* ---- words ------------------------------------------------------------------------------------------------------- */
+/* ---- words ----------------------------------------------------------------------------------------------------- */
 
 void read_rest(reader *r, char *text, size_t room)
 {
@@ -69,7 +69,7 @@ void read_rest(reader *r, char *text, size_t room)
     text[used] = '\0';
 }
 
-/* ---- which format ------------------------------------------------------------------------------------------------ */
+/* ---- which format ---------------------------------------------------------------------------------------------- */
 
 #define GLTF_COMMAND "assimp export model.glb model.stl"
 #define SCAD_COMMAND "openscad -o model.stl model.scad"
@@ -231,7 +231,7 @@ static roberts_status read_any(reader *r, const off_division *division)
     return is_obj_word(in->at, length) ? obj_read(r) : off_read(r, division);
 }
 
-/* ---- where from -------------------------------------------------------------------------------------------------- */
+/* ---- where from ------------------------------------------------------------------------------------------------ */
 
 roberts_status read_mesh(roberts_mesh *mesh, const char *name, const input_source *source, const off_division *division,
                          const roberts_warnings *warnings, roberts_error *error)

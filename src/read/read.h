@@ -36,7 +36,7 @@ roberts_status stl_read_binary(reader *r);
 roberts_status obj_read(reader *r);
 roberts_status ply_read(reader *r);
 
-/* ---- errors ------------------------------------------------------------------------------------------------------ */
+/* ---- errors ---------------------------------------------------------------------------------------------------- */
 
 /* Fills the error, with the current line or, in a binary file, the current byte. Returns `status`. */
 roberts_status read_fail(reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
@@ -51,12 +51,12 @@ void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t c
  * known. */
 const char *read_foreign(const char *word, size_t length, const char **hint);
 
-/* ---- text, word by word ------------------------------------------------------------------------------------------ */
+/* ---- text, word by word ---------------------------------------------------------------------------------------- */
 
 /* Takes the rest of the line as one name: its words with one blank between them, cut off at `room` - 1 characters. */
 void read_rest(reader *r, char *text, size_t room);
 
-/* ---- binary ------------------------------------------------------------------------------------------------------ */
+/* ---- binary ---------------------------------------------------------------------------------------------------- */
 
 static inline uint32_t read_word(const char *bytes, bool little)
 {

@@ -17,7 +17,7 @@
 
 enum { HEADER = 80, COUNT = 4, TRIANGLE = 50, FLOAT = 4, POINT = 3 * FLOAT, LEAST_CORNERS = 3, AT_ONCE = 32 };
 
-/* ---- equal positions --------------------------------------------------------------------------------------------- */
+/* ---- equal positions ------------------------------------------------------------------------------------------- */
 
 /* Vertices of one group by position: a hash table with open addressing (D. E. Knuth, The Art of Computer Programming 3,
  * 6.4, algorithm L), at most half full. */
@@ -103,7 +103,7 @@ static bool add_corner(roberts_mesh *mesh, position_table *t, roberts_vec3 p, ui
     return mesh_add_corner(mesh, t->slot[i] - 1);
 }
 
-/* ---- text -------------------------------------------------------------------------------------------------------- */
+/* ---- text ------------------------------------------------------------------------------------------------------ */
 
 static size_t facets_read(const reader *r)
 {
@@ -227,7 +227,7 @@ roberts_status stl_read_text(reader *r)
     return status;
 }
 
-/* ---- binary ------------------------------------------------------------------------------------------------------ */
+/* ---- binary ---------------------------------------------------------------------------------------------------- */
 
 static roberts_status ends_early(reader *r, uint64_t triangle, uint64_t count)
 {

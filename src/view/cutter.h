@@ -45,7 +45,7 @@ bool cutter_add_cut(cutter *c, roberts_vec3 A, roberts_vec3 B, double t);
 /* Width of the face of the clipped scene whose corners begin at `first`. */
 bool cutter_measure_width(cutter *c, uint32_t first, double *width);
 
-/* ---- bodies that are not convex (clip_surface.c) ----------------------------------------------------------------- */
+/* ---- bodies that are not convex (clip_surface.c) --------------------------------------------------------------- */
 
 /* Gives the clipped scene its scene_surface. */
 bool cutter_begin_surface(cutter *c);

@@ -283,8 +283,8 @@ static roberts_vec3 size_of(roberts_vec3 a)
 }
 
 /* A bound of |a . V|, which is zero but for rounding. Three products and two sums add no more than 3.01 units of
- * rounding (half an epsilon each) times the sum of |a_i V_i|, and V may come from a subtraction, which adds one more.
- */
+ * rounding (half an epsilon each) times the sum of |a_i V_i|, and V may come from a subtraction, which adds
+ * one more. */
 static double leak(roberts_vec3 a, roberts_vec3 V)
 {
     return fabs(vec3_dot(a, V)) + 2.0 * DBL_EPSILON * reach_along(a, size_of(V));

@@ -515,8 +515,8 @@ static void svg_box(const char *path, double low[2], double high[2])
     }
 }
 
-/* A box of 6 by 2 by 3, off the origin, seen from the front and the right: as wide as its sides, at one scale, about the
- * page's middle; in perspective the eye goes round and sees the opposite sides alike. */
+/* A box of 6 by 2 by 3, off the origin, seen from the front and the right: as wide as its sides, at one scale, about
+ * the page's middle; in perspective the eye goes round and sees the opposite sides alike. */
 static void turntable_keeps_scale_and_centre(void **state)
 {
     double low[4][2], high[4][2];

@@ -1,4 +1,5 @@
-/* What the program says to people: which file and what in it, options that change nothing, drawings that come out empty. */
+/* What the program says to people: which file and what in it, options that change nothing, drawings that come out
+ * empty. */
 /* for a terminal of our own: posix_openpt() */
 #define _XOPEN_SOURCE 700 /* NOLINT(bugprone-reserved-identifier): that is its name */
 #include <setjmp.h>
@@ -141,7 +142,8 @@ static void a_tolerance_that_helps_is_named(void **state)
     }
 }
 
-/* Right below the limit a tolerance has another digit than 1, 2 or 5. The limit is 0.025 / sqrt(12) for a dodecahedron. */
+/* Right below the limit a tolerance has another digit than 1, 2 or 5. The limit is 0.025 / sqrt(12) for
+ * a dodecahedron. */
 static void a_tolerance_below_the_limit_is_named(void **state)
 {
     static char text[TEXT], moved[TEXT];
@@ -188,8 +190,8 @@ static void put_round(const char *path, int around, int rings, double depth)
     free(text);
 }
 
-/* With small faces any shape passes by some tolerance, which is not named: this one has a waist, of half its width. A ball of as
- * many faces, all but round, passes by a small one. */
+/* With small faces any shape passes by some tolerance, which is not named: this one has a waist, of half its width. A
+ * ball of as many faces, all but round, passes by a small one. */
 static void a_tolerance_that_passes_any_shape_is_not_named(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* test_gallery.c - the pictures of the README's gallery are what the program draws by the commands that stand there:
- * none missing, none left over; each is shown, and small. By the Cairo that they were drawn with, they are the same bytes; by
- * another, which may write numbers in another way, the same lines. */
+ * none missing, none left over; each is shown, and small. By the Cairo that they were drawn with, they are the same
+ * bytes; by another, which may write numbers in another way, the same lines. */
 #include <cairo.h>
 #include <dirent.h>
 #include <math.h>
@@ -72,8 +72,8 @@ static bool take_number(const char **at, double *number)
     return begins;
 }
 
-/* Whether the data of two paths, each up to its quote, are the same commands with the same numbers, to the last digit that
- * is printed. Both move on. */
+/* Whether the data of two paths, each up to its quote, are the same commands with the same numbers, to the last digit
+ * that is printed. Both move on. */
 static bool same_path(const char **a, const char **b)
 {
     const double last_digit = 0.001 + 1e-9; /* mm */

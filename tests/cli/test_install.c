@@ -122,7 +122,8 @@ static void brings_manual_and_completions(void **state)
     run(command);
 }
 
-/* Root's installation renews the loader's cache; that of others, into DESTDIR, or where the loader never looks does not. */
+/* Root's installation renews the loader's cache; that of others, into DESTDIR, or where the loader never looks does
+ * not. */
 static void tells_the_loader(void **state)
 {
     static const struct {

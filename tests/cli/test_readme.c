@@ -1,10 +1,11 @@
 /* test_readme.c - what the README shows works as it stands there, and what it links to or names is there.
  *
- * In a new folder with links to build, include and models, each line of a ```sh block of the README and of the recipes is run as printed, with `roberts` the one
- * in build, and the ```c block is compiled, as example.c, by the README's own command, where `cc` is the compiler that
- * built the library (CC). What the pages on the stages say of constants and files holds too. A block with a name behind
- * its language (```python seen.py) is first written to a file of that name. Lines that need a program that is not
- * installed are left out with a message, and so is `make` itself, which is what runs this. */
+ * In a new folder with links to build, include and models, each line of a ```sh block of the README and of the recipes
+ * is run as printed, with `roberts` the one in build, and the ```c block is compiled, as example.c, by the README's own
+ * command, where `cc` is the compiler that built the library (CC). What the pages on the stages say of constants and
+ * files holds too. A block with a name behind its language (```python seen.py) is first written to a file of that name.
+ * Lines that need a program that is not installed are left out with a message, and so is `make` itself, which is what
+ * runs this. */
 #include <ctype.h>
 #include <glob.h>
 #include <setjmp.h>
@@ -76,8 +77,8 @@ static void run_command(const char *command, const char *output)
     }
 }
 
-/* The file that a command line writes: what follows "-o " or "> ", of a numbered row the first one; else the last word, where
- * that has an ending and no such file is there yet; else what is printed. */
+/* The file that a command line writes: what follows "-o " or "> ", of a numbered row the first one; else the last word,
+ * where that has an ending and no such file is there yet; else what is printed. */
 static void output_of(const char *line, char output[64])
 {
     char command[1024];
@@ -390,8 +391,8 @@ static const char *quoted(const char *at, char word[64])
     return close + 1;
 }
 
-/* Rows of tables that begin with a file are of files that are there; those of a name and a value, both in backquotes, are
- * constants of the room with that value. Returns how many. */
+/* Rows of tables that begin with a file are of files that are there; those of a name and a value, both in backquotes,
+ * are constants of the room with that value. Returns how many. */
 static int check_page(const char *path)
 {
     char line[2048], room[64], first[64], second[64], file[192];

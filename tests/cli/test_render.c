@@ -1,5 +1,6 @@
-/* The SVG as other programs see it: the pictures that librsvg, Inkscape and Chromium make of it beside each other and beside
- * our own, drawn by Cairo without the way through the file. Each of these is skipped where it is not installed. */
+/* The SVG as other programs see it: the pictures that librsvg, Inkscape and Chromium make of it beside each other and
+ * beside our own, drawn by Cairo without the way through the file. Each of these is skipped where it is
+ * not installed. */
 #include <errno.h>
 #include <math.h>
 #include <setjmp.h>
@@ -34,12 +35,14 @@ typedef struct likeness {
  * librsvg, which draws with Cairo as we do, under 0.001; Chromium 0.012 to 0.023. */
 #define INK_PART 0.03
 
-/* By how much a pixel may differ between renderers that both use Cairo; a stroke missing or moved by half a pixel has more. */
+/* By how much a pixel may differ between renderers that both use Cairo; a stroke missing or moved by half a pixel has
+ * more. */
 #define PIXEL_MOST 0.375
 
 /* Where strokes cross or meet at a sharp angle, Chromium fills single pixels that Cairo leaves white, or the other way
  * round. So its ink is compared in blocks, at 192 dpi (7.56 pixels a mm). The finest stroke, 0.25 mm, has 15 pixels of
- * ink in a block that it passes through; 0.35 mm instead of 0.25 make 6, 0.5 instead of 0.35 make 9. Measured: up to 2.2. */
+ * ink in a block that it passes through; 0.35 mm instead of 0.25 make 6, 0.5 instead of 0.35 make 9. Measured: up
+ * to 2.2. */
 enum { BLOCK = 8 };
 #define BLOCK_MOST 3.8
 
@@ -132,8 +135,9 @@ static roberts_draw_options options_of(size_t i)
     return options;
 }
 
-/* 8 x 11 inches at 192 dpi: two pixels for each of a browser's, of which there is a whole number. Browsers stretch an SVG
- * to whole ones, A4 (793.7 of them) by up to a third of one, which would be compared with our drawing as a shift. */
+/* 8 x 11 inches at 192 dpi: two pixels for each of a browser's, of which there is a whole number. Browsers stretch an
+ * SVG to whole ones, A4 (793.7 of them) by up to a third of one, which would be compared with our drawing as
+ * a shift. */
 static roberts_draw_options options_for_browser(size_t i)
 {
     roberts_draw_options options = options_of(i);

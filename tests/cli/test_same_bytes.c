@@ -75,7 +75,8 @@ static void threads_and_grids(void **state)
         assert_true(size > 1000);
         for (size_t t = 0; t < sizeof threads / sizeof threads[0]; t++)
             for (size_t g = 0; g < sizeof grids / sizeof grids[0]; g++) {
-                /* one cell: every edge against every face, which takes long; the table shows it, and writing does not know the grid */
+                /* one cell: every edge against every face, which takes long; the table shows it, and writing does not
+                 * know the grid */
                 if (strcmp(formats[f], "csv") != 0 && (grids[g] == 1 || (grids[g] < 40 && threads[t] != 7)))
                     continue;
                 snprintf(options, sizeof options, "--threads %d --grid %d", threads[t], grids[g]);

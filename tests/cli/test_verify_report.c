@@ -1,4 +1,5 @@
-/* What --verify says of a wrong drawing. The program never makes one, so its function is called with a spoiled drawing. */
+/* What --verify says of a wrong drawing. The program never makes one, so its function is called with a
+ * spoiled drawing. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* test_cairo_memory.c - drawings with each of Cairo's own allocations failing in turn: a failure or a drawing, no crash.
- * What leaks inside Cairo is not looked at: it keeps some blocks for the next time. PNG is left out: Cairo 1.16
+/* test_cairo_memory.c - drawings with each of Cairo's own allocations failing in turn: a failure or a drawing, no
+ * crash. What leaks inside Cairo is not looked at: it keeps some blocks for the next time. PNG is left out: Cairo 1.16
  * itself crashes in cairo_stroke() where an allocation fails that it makes to fill an image. */
 #include <errno.h>
 #include <setjmp.h>

@@ -1,6 +1,7 @@
 /* test_faults.c - input that nobody should give to the program, and what that costs: each run has a limit on its
- * processor time and, where no sanitizer needs more, on its memory, which does not grow with what a file promises. Other
- * faults are tested beside what they strike: test_cli.c, test_save.c, test_memory_*.c; tests/README.md lists all. */
+ * processor time and, where no sanitizer needs more, on its memory, which does not grow with what a file promises.
+ * Other faults are tested beside what they strike: test_cli.c, test_save.c, test_memory_*.c; tests/README.md
+ * lists all. */
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
-/* test_memory_all.c - from a file in memory to its drawing with each allocation failing in turn: solids, the near plane,
- * grid and covers, hiding, writing. Each failure is ROBERTS_NO_MEMORY and leaves nothing; where none fails any more, all
- * has gone well. Threads are one, so that the allocations come in one order. */
+/* test_memory_all.c - from a file in memory to its drawing with each allocation failing in turn: solids, the near
+ * plane, grid and covers, hiding, writing. Each failure is ROBERTS_NO_MEMORY and leaves nothing; where none fails any
+ * more, all has gone well. Threads are one, so that the allocations come in one order. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -131,8 +131,9 @@ static const char half_open[] = "OFF 8 6 0\n"
                                 "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 4 5 6 255 0 0\n3 4 5 7\n";
 static const char points[] = "OFF 7 0 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n.3 .3 .3\n";
 
-/* All that is no convex solid, and a tetrahedron: an L-block with concave faces, a pentagram, three faces at an edge that a
- * vertex divides, a quadrilateral that is not planar, a wire, a face with a hole at the end of a slit, a face of 20 corners. */
+/* All that is no convex solid, and a tetrahedron: an L-block with concave faces, a pentagram, three faces at an edge
+ * that a vertex divides, a quadrilateral that is not planar, a wire, a face with a hole at the end of a slit, a face of
+ * 20 corners. */
 static const char mixture[] =
     "OFF 62 22 0\n"
     "0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n0 0 1\n2 0 1\n2 1 1\n1 1 1\n1 2 1\n0 2 1\n0 1 2\n"
@@ -147,8 +148,8 @@ static const char mixture[] =
     "10 30 31 32 33 30 34 35 36 37 34\n3 38 40 39\n3 38 39 41\n3 38 41 40\n3 39 40 41\n"
     "20 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59 60 61\n";
 
-/* A prism of 81 sides, two of which meet in a dent of half the tolerance: too many corners to compare all with all planes, and
- * enough for runs. */
+/* A prism of 81 sides, two of which meet in a dent of half the tolerance: too many corners to compare all with all
+ * planes, and enough for runs. */
 static const char *dented_prism(void)
 {
     enum { SIDES = 81 };

@@ -1,5 +1,5 @@
-/* test_memory_off.c - reading with each allocation failing in turn: a status, no crash, no leak, the mesh as it was, and
- * a second try that succeeds. */
+/* test_memory_off.c - reading with each allocation failing in turn: a status, no crash, no leak, the mesh as it was,
+ * and a second try that succeeds. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -86,8 +86,8 @@ static void other_formats_survive(void **state)
 {
     static const struct row {
         const char *path;
-        size_t
-            least; /* failures: block, source, name, three arrays; of STL the table, of OBJ groups, colours and materials */
+        size_t least; /* failures: block, source, name, three arrays; of STL the table, of OBJ groups, colours and
+                         materials */
     } rows[] = {{"tests/fuzz/seeds/house.stl", 10},
                 {"tests/fuzz/seeds/house-binary.stl", 7},
                 {"tests/fuzz/seeds/house.obj", 14},

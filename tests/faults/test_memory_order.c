@@ -1,6 +1,6 @@
-/* test_memory_order.c - scenes so large that solids which lie scattered in the picture, or behind one another, are hidden in
- * another order than that of the file: the same drawing as of the same solids in order, or as with hidden lines kept, by any
- * number of threads; and memory that fails. */
+/* test_memory_order.c - scenes so large that solids which lie scattered in the picture, or behind one another, are
+ * hidden in another order than that of the file: the same drawing as of the same solids in order, or as with hidden
+ * lines kept, by any number of threads; and memory that fails. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -25,8 +25,8 @@ static double anyhow(uint64_t n)
     return (double)(n >> 11) * 0x1p-53;
 }
 
-/* A meadow of tetrahedra that reach over one another, two deep; more where they are `wide`. cell[i]: where the i-th stands, row
- * by row. */
+/* A meadow of tetrahedra that reach over one another, two deep; more where they are `wide`. cell[i]: where the i-th
+ * stands, row by row. */
 static roberts_scene *make_scene(const uint32_t *cell, double wide)
 {
     static const uint32_t face[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};

@@ -1,5 +1,5 @@
-/* fuzz_read.c - the readers with any bytes: at once from memory, and through a callback that gives pieces of changing size.
- * Both must say the same, and what they give must keep what roberts.h promises. */
+/* fuzz_read.c - the readers with any bytes: at once from memory, and through a callback that gives pieces of changing
+ * size. Both must say the same, and what they give must keep what roberts.h promises. */
 #include <math.h>
 #include <string.h>
 
@@ -70,8 +70,8 @@ int fuzz_read(const uint8_t *bytes, size_t size)
     require_modest(&whole, size);
     if (!only_size_tells(bytes, size)) {
         roberts_status second = roberts_mesh_read(&pieced, "bytes", read_piece, &p, &warnings[1], &error[1]);
-        /* What follows the last face is looked at only as far as it has come: a callback may wait for more. And what cannot
-         * be read twice is not looked at for a number that is missing. */
+        /* What follows the last face is looked at only as far as it has come: a callback may wait for more. And what
+         * cannot be read twice is not looked at for a number that is missing. */
         FUZZ_REQUIRE(status == second && warned[0] - warned[1] <= 2);
         FUZZ_REQUIRE(same_mesh(&whole, &pieced) && whole.source_count == pieced.source_count);
         FUZZ_REQUIRE(status == ROBERTS_OK || (error[1].status == status && same_complaint(&error[1], &error[0])));

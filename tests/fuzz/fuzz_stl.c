@@ -1,5 +1,5 @@
-/* fuzz_stl.c - STL with any bytes behind what every file of it begins with: "solid" where the first byte is odd; else 80 bytes
- * and a number of triangles, that of the bytes or, so that some are missing, one more. */
+/* fuzz_stl.c - STL with any bytes behind what every file of it begins with: "solid" where the first byte is odd; else
+ * 80 bytes and a number of triangles, that of the bytes or, so that some are missing, one more. */
 #include "fuzz.h"
 
 enum { HEADER = 80, COUNT = 4, TRIANGLE = 50 };

@@ -9,7 +9,7 @@
 
 #include "makers.h"
 
-/* ---- families in general position -------------------------------------------------------------------------------- */
+/* ---- families in general position ------------------------------------------------------------------------------ */
 
 /* n^3 solids, each turned at random. */
 static void lattice(studio *st)
@@ -117,7 +117,7 @@ static void needles(studio *st)
     look_down(st, 0.3, dice_int(&st->d, 0, 1) ? 1 : -1);
 }
 
-/* ---- families in degenerate position, exact ---------------------------------------------------------------------- */
+/* ---- families in degenerate position, exact -------------------------------------------------------------------- */
 
 /* Blocks between whole coordinates: touching, overlapping, lined up. */
 void make_blocks(studio *st)
@@ -543,7 +543,7 @@ static void all_sizes(studio *st)
     near_touching(st);
 }
 
-/* ---- families of small clearances, some of them below what counts as touching ------------------------------------ */
+/* ---- families of small clearances, some of them below what counts as touching ---------------------------------- */
 
 /* Exact contacts, and then each solid moved by some millionths. */
 static void nudged(studio *st)
@@ -576,7 +576,7 @@ static void crooked(studio *st)
     near_touching(st);
 }
 
-/* ---- families whose contacts rounding has spoiled ---------------------------------------------------------------- */
+/* ---- families whose contacts rounding has spoiled -------------------------------------------------------------- */
 
 static void turned(studio *st)
 {
@@ -599,7 +599,7 @@ static void tiny(studio *st)
     spoil_scale(st, 1e-8);
 }
 
-/* ---- the list ---------------------------------------------------------------------------------------------------- */
+/* ---- the list -------------------------------------------------------------------------------------------------- */
 
 static const struct {
     const char *name;

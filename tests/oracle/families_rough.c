@@ -5,7 +5,7 @@
 #include "makers.h"
 #include "roughen.h"
 
-/* ---- solids in triangles, a little off, seen along faces --------------------------------------------------------- */
+/* ---- solids in triangles, a little off, seen along faces ------------------------------------------------------- */
 
 /* Two to eight of the solids close together, and small ones among them, which they may hide. */
 static void put_crowd(studio *st, const shape *s, double scale)
@@ -85,7 +85,7 @@ void make_crowd_in_plane(studio *st)
         near_touching(st);
 }
 
-/* ---- solids that fill space -------------------------------------------------------------------------------------- */
+/* ---- solids that fill space ------------------------------------------------------------------------------------ */
 
 /* Is there a cell at p, for boxes of two and for the shapes of shapes.h? */
 static bool is_centre(int kind, int x, int y, int z)
@@ -132,7 +132,7 @@ void make_honeycomb_turned(studio *st)
     spoil(st, m);
 }
 
-/* ---- models given to four to seven digits ------------------------------------------------------------------------ */
+/* ---- models given to four to seven digits ---------------------------------------------------------------------- */
 
 /* Turned or not; of any size. */
 static int put_digits(studio *st)
@@ -186,7 +186,7 @@ void make_digits_convex(studio *st)
     look_at_digits(st);
 }
 
-/* ---- beams ------------------------------------------------------------------------------------------------------- */
+/* ---- beams ----------------------------------------------------------------------------------------------------- */
 
 /* Long beams along x, one above the other, whose sides start in line and part by as little as 1e-10 of their length;
  * their ends are slanted, so that their boxes reach farther than their sides. */

@@ -27,7 +27,7 @@ typedef struct golden_file {
     golden_line *line;
 } golden_file;
 
-/* ---- the program's side ------------------------------------------------------------------------------------------ */
+/* ---- the program's side ---------------------------------------------------------------------------------------- */
 
 static bool draw_model(const char *model, const char *view, roberts_mesh *mesh, roberts_camera *camera,
                        roberts_drawing *drawing, FILE *out)
@@ -62,7 +62,7 @@ static bool from_drawing(const roberts_drawing *drawing, golden_file *g)
     return g->line != NULL;
 }
 
-/* ---- the oracle's side ------------------------------------------------------------------------------------------- */
+/* ---- the oracle's side ----------------------------------------------------------------------------------------- */
 
 /* The parts of the edge that the golden does not show. */
 static size_t gaps(const golden_line *line, size_t count, oracle_interval *gap)
@@ -138,7 +138,7 @@ static bool oracle_agrees(const golden_file *g, const roberts_mesh *mesh, const 
     return wrong == 0;
 }
 
-/* ---- files ------------------------------------------------------------------------------------------------------- */
+/* ---- files ----------------------------------------------------------------------------------------------------- */
 
 /* Reads `solid v0 v1 t0 t1 class`. */
 static bool read_line(const char *text, golden_line *l)

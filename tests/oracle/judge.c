@@ -58,7 +58,7 @@ double judge_outside(const oracle_interval *a, size_t a_count, const oracle_inte
     return sum;
 }
 
-/* ---- the two sides ----------------------------------------------------------------------------------------------- */
+/* ---- the two sides --------------------------------------------------------------------------------------------- */
 
 /* Draws `mesh`, which may be a part of the scene, as the scene is to be drawn; all of it as the program is given it. */
 static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, bool keep_hidden, roberts_drawing *drawing,
@@ -138,7 +138,7 @@ static double limit_of(const test_scene *scene, const roberts_mesh *mesh, const 
     return JUDGE_LIMIT + (scene->rough ? 4 * scene->slack / hypot(hypot(p.x - q.x, p.y - q.y), p.z - q.z) : 0);
 }
 
-/* ---- reports ----------------------------------------------------------------------------------------------------- */
+/* ---- reports --------------------------------------------------------------------------------------------------- */
 
 bool judge_write_off(const char *path, const roberts_mesh *mesh, const char *comment)
 {
@@ -339,7 +339,7 @@ static void report(const char *name, size_t nth, const char *folder, const test_
     free(before);
 }
 
-/* ---- scenes ------------------------------------------------------------------------------------------------------ */
+/* ---- scenes ---------------------------------------------------------------------------------------------------- */
 
 static void count_edge(const oracle_result *truth, const oracle_edge *e, judge_total *total)
 {

@@ -40,7 +40,7 @@ namespace
 using kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using hull_mesh = CGAL::Surface_mesh<kernel::Point_3>;
 
-/* ---- what a solid hides ------------------------------------------------------------------------------------------ */
+/* ---- what a solid hides ---------------------------------------------------------------------------------------- */
 
 /* One half-space of the hidden region: behind the front triangle abc, or inside the silhouette edge ab; behind the near
  * plane, or inside its section with the plane of the triangle abc. */

@@ -29,7 +29,7 @@ static range vertices_of(const studio *st, uint32_t solid)
     return v;
 }
 
-/* ---- changes ----------------------------------------------------------------------------------------------------- */
+/* ---- changes --------------------------------------------------------------------------------------------------- */
 
 void shake(studio *st, double most)
 {
@@ -129,7 +129,7 @@ void round_to_digits(studio *st, int digits)
     }
 }
 
-/* ---- how far the answer is determined ---------------------------------------------------------------------------- */
+/* ---- how far the answer is determined -------------------------------------------------------------------------- */
 
 typedef struct plane {
     double x, y, z, d; /* length of (x, y, z): 1 */
@@ -223,7 +223,7 @@ void leave_open(studio *st)
         move / 2; /* the oracle moves walls by twice the slack, the edge being open as well: here it is not */
 }
 
-/* ---- views ------------------------------------------------------------------------------------------------------- */
+/* ---- views ----------------------------------------------------------------------------------------------------- */
 
 double small_angle(studio *st)
 {

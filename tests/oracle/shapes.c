@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- random numbers: splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014) -- */
+/* ---- random numbers: splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014)  */
 
 uint64_t dice_next(dice *d)
 {
@@ -27,7 +27,7 @@ double dice_real(dice *d)
     return (double)(int64_t)dice_next(d) / 9223372036854775808.0;
 }
 
-/* ---- shapes: convex polyhedra with whole coordinates ------------------------------------------------------------- */
+/* ---- shapes: convex polyhedra with whole coordinates ----------------------------------------------------------- */
 
 static int64_t det3(const int64_t *o, const int64_t *a, const int64_t *b, const int64_t *c)
 {

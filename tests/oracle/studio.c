@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- points ------------------------------------------------------------------------------------------------------ */
+/* ---- points ---------------------------------------------------------------------------------------------------- */
 
 roberts_vec3 whole_point(studio *st, int lo, int hi)
 {
@@ -26,7 +26,7 @@ roberts_vec3 real_point(studio *st)
     return p;
 }
 
-/* ---- scenes ------------------------------------------------------------------------------------------------------ */
+/* ---- scenes ---------------------------------------------------------------------------------------------------- */
 
 /* Adds the shape, each of its points sent to at + m p; rows of m are the images' coordinates. */
 void put_mapped(studio *st, const shape *s, roberts_vec3 at, double m[3][3])
@@ -99,7 +99,7 @@ void put_turned(studio *st, const shape *s, roberts_vec3 at, double size)
     put_mapped(st, s, at, m);
 }
 
-/* ---- views ------------------------------------------------------------------------------------------------------- */
+/* ---- views ----------------------------------------------------------------------------------------------------- */
 
 void look(studio *st, double x, double y, double z)
 {
@@ -164,7 +164,7 @@ void look_any(studio *st)
     }
 }
 
-/* ---- what is not judged ------------------------------------------------------------------------------------------ */
+/* ---- what is not judged ---------------------------------------------------------------------------------------- */
 
 /* What lies nearer than 1e-11 of the scene's diameter counts as touching, by the specification. Where a family makes
  * clearances of any size, those up to twice as large are not judged. Call it last. */
@@ -188,7 +188,7 @@ void near_touching(studio *st)
         st->scene->slack = TOUCHING * diameter(&st->scene->mesh, &lo, &hi);
 }
 
-/* ---- eyes -------------------------------------------------------------------------------------------------------- */
+/* ---- eyes ------------------------------------------------------------------------------------------------------ */
 
 /* Moves the viewer from infinity to an eye with whole coordinates (times the scene's unit), well before the scene. */
 void look_from_eye(studio *st)
@@ -203,7 +203,7 @@ void look_from_eye(studio *st)
     view->w = 1;
 }
 
-/* ---- eyes amid the scene, and near planes ------------------------------------------------------------------------ */
+/* ---- eyes amid the scene, and near planes ---------------------------------------------------------------------- */
 
 static roberts_vec3 mean_of(const roberts_mesh *mesh, uint32_t first_corner, uint32_t end)
 {
@@ -401,7 +401,7 @@ void look_oblique(studio *st)
     st->scene->oblique = true;
 }
 
-/* ---- changes of a whole scene ------------------------------------------------------------------------------------ */
+/* ---- changes of a whole scene ---------------------------------------------------------------------------------- */
 
 void map_vertices(studio *st, double scale, roberts_vec3 shift)
 {
@@ -424,7 +424,7 @@ void map_vertices_by(studio *st, double m[3][3])
         mesh->vertex[i] = mapped(m, mesh->vertex[i]);
 }
 
-/* ---- families whose contacts rounding has spoiled ---------------------------------------------------------------- */
+/* ---- families whose contacts rounding has spoiled -------------------------------------------------------------- */
 
 typedef struct triangle {
     uint32_t corner[3];

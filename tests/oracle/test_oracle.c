@@ -18,7 +18,7 @@ static const char *build_folder(void)
     return folder ? folder : "build";
 }
 
-/* ---- by hand ----------------------------------------------------------------------------------------------------- */
+/* ---- by hand --------------------------------------------------------------------------------------------------- */
 
 static void add_solid(roberts_mesh *mesh, const roberts_vec3 *point, size_t points, const uint32_t *corner,
                       size_t faces, size_t corners)
@@ -254,7 +254,7 @@ static void test_refusals(void **state)
     roberts_mesh_free(&mesh);
 }
 
-/* ---- the oracle against itself ----------------------------------------------------------------------------------- */
+/* ---- the oracle against itself --------------------------------------------------------------------------------- */
 
 /* Rational numbers throughout are slow: scenes of more corners than this are left to others of the same solids. */
 enum { FILTER_CORNERS = 600, RAYS = 12, RAYS_CORNERS = 8000 };
@@ -335,7 +335,7 @@ static void test_rays(void **state)
     assert_true(hidden > points / 10 && hidden < points - points / 10); /* or it would show nothing */
 }
 
-/* ---- scenes ------------------------------------------------------------------------------------------------------ */
+/* ---- scenes ---------------------------------------------------------------------------------------------------- */
 
 /* FNV-1a, of G. Fowler, L. C. Noll and K.-P. Vo. */
 static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size)
@@ -380,7 +380,7 @@ static void test_scenes_are_the_same(void **state)
     }
 }
 
-/* ---- the program against the oracle ------------------------------------------------------------------------------ */
+/* ---- the program against the oracle ---------------------------------------------------------------------------- */
 
 enum { EDGES_OF_EACH = 500 };
 

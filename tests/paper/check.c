@@ -29,7 +29,7 @@ static bool tell(const findings *f)
     return f->out && findings_total(f) < TOLD_MOST;
 }
 
-/* ---- rows -------------------------------------------------------------------------------------------------------- */
+/* ---- rows ------------------------------------------------------------------------------------------------------ */
 
 static int class_of(const roberts_segment *s)
 {
@@ -132,7 +132,7 @@ void rows_free(row_list *r)
     *r = (row_list){0};
 }
 
-/* ---- straight lines ---------------------------------------------------------------------------------------------- */
+/* ---- straight lines -------------------------------------------------------------------------------------------- */
 
 static double length_of(roberts_vec2 a, roberts_vec2 b)
 {
@@ -184,7 +184,7 @@ static interval within(roberts_vec2 a, roberts_vec2 b, roberts_vec2 p, roberts_v
     return (interval){fmax(all.from, 0.0), fmin(all.to, length)};
 }
 
-/* ---- covering ---------------------------------------------------------------------------------------------------- */
+/* ---- covering -------------------------------------------------------------------------------------------------- */
 
 typedef struct intervals {
     interval *item;
@@ -353,7 +353,7 @@ static void check_line(const row_list *r, const paper *p, size_t i, findings *f)
     free(list.item);
 }
 
-/* ---- nothing twice ----------------------------------------------------------------------------------------------- */
+/* ---- nothing twice --------------------------------------------------------------------------------------------- */
 
 static bool is_same_place(roberts_vec2 p, roberts_vec2 q)
 {
@@ -484,7 +484,7 @@ bool check_same(const paper *p, const paper *q)
     return fabs(length) <= rounding * (double)p->count;
 }
 
-/* ---- pixels ------------------------------------------------------------------------------------------------------ */
+/* ---- pixels ---------------------------------------------------------------------------------------------------- */
 
 /* The channel of a class, 0 to 255. */
 static int part(uint32_t pixel, int line)

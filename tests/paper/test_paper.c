@@ -11,7 +11,7 @@
 
 #include "paper/trials.h"
 
-/* ---- faults that there were -------------------------------------------------------------------------------------- */
+/* ---- faults that there were ------------------------------------------------------------------------------------ */
 
 static const struct {
     const char *name, *off;
@@ -64,7 +64,7 @@ static void old_faults_are_mended(void **state)
         }
 }
 
-/* ---- scenes ------------------------------------------------------------------------------------------------------ */
+/* ---- scenes ---------------------------------------------------------------------------------------------------- */
 
 /* Each family of this folder in each style, and a fifth of the others. */
 static void generated_scenes_are_drawn_right(void **state)
@@ -138,7 +138,7 @@ static void models_are_drawn_right(void **state)
     assert_true(drawn > 50);
 }
 
-/* ---- the check itself -------------------------------------------------------------------------------------------- */
+/* ---- the check itself ------------------------------------------------------------------------------------------ */
 
 enum { LINES = 3 };
 

@@ -1,7 +1,7 @@
-/* process_memory.h - makes one allocation of the whole process fail, those of other libraries included. The functions here
- * take the place of the C library's; that those are called __libc_malloc() is a matter of glibc, and a sanitizer brings its
- * own: without the one or with the other REPLACED is 0. Include it in one file only. (memory.h does the same with the
- * allocations of our own code, everywhere.) */
+/* process_memory.h - makes one allocation of the whole process fail, those of other libraries included. The functions
+ * here take the place of the C library's; that those are called __libc_malloc() is a matter of glibc, and a sanitizer
+ * brings its own: without the one or with the other REPLACED is 0. Include it in one file only. (memory.h does the same
+ * with the allocations of our own code, everywhere.) */
 #ifndef ROBERTS_TESTS_PROCESS_MEMORY_H
 #define ROBERTS_TESTS_PROCESS_MEMORY_H
 

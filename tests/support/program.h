@@ -1,5 +1,5 @@
-/* program.h - runs the program from outside, each test in a folder of its own: exit status, messages, files. Include it in
- * one file only, after the headers of cmocka.
+/* program.h - runs the program from outside, each test in a folder of its own: exit status, messages, files. Include it
+ * in one file only, after the headers of cmocka.
  *
  *     IN_FOLDER(test) among the tests, program_find() before them; run("--view top models/table.off"), then `last`. */
 #ifndef ROBERTS_TESTS_PROGRAM_H

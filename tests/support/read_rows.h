@@ -9,8 +9,8 @@
 #include "same_complaint.h"
 #include "same_mesh.h"
 
-/* A mesh as text: "0,0,0 1,0,0 0,1,0 | 0-1-2 | name@0". Colours stand behind what they colour, in thirds of one word: "(1,0,0)".
- * A last part "float32" says that coordinates are that. */
+/* A mesh as text: "0,0,0 1,0,0 0,1,0 | 0-1-2 | name@0". Colours stand behind what they colour, in thirds of one word:
+ * "(1,0,0)". A last part "float32" says that coordinates are that. */
 typedef struct mesh_text {
     char text[4096];
     size_t length;

@@ -19,7 +19,8 @@ static inline bool same_complaint(const roberts_error *once, const roberts_error
            (twice->message[length] == '\0' || strncmp(twice->message + length, "; look: line ", 13) == 0);
 }
 
-/* Whether nothing but its size tells that this is binary STL: from a function, whose size is not known, it is something else. */
+/* Whether nothing but its size tells that this is binary STL: from a function, whose size is not known, it is something
+ * else. */
 static inline bool only_size_tells(const void *bytes, size_t size)
 {
     const unsigned char *b = bytes;

@@ -1,4 +1,5 @@
-/* sanitized.h - whether the address sanitizer, which takes time and memory and replaces malloc(), is in this program. */
+/* sanitized.h - whether the address sanitizer, which takes time and memory and replaces malloc(), is in
+ * this program. */
 #ifndef ROBERTS_TESTS_SANITIZED_H
 #define ROBERTS_TESTS_SANITIZED_H
 

@@ -18,7 +18,7 @@
 
 #include "base/vec.h"
 
-/* ---- random numbers: splitmix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014) ---- */
+/* ---- random numbers: splitmix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014) --- */
 
 typedef struct rng {
     uint64_t state;
@@ -53,7 +53,7 @@ static inline void rng_permutation(rng *r, uint32_t *order, uint32_t count)
     }
 }
 
-/* ---- linear maps -------------------------------------------------------------------------------------------------- */
+/* ---- linear maps ----------------------------------------------------------------------------------------------- */
 
 /* Columns: the images of the axes. */
 typedef struct mat3 {
@@ -99,7 +99,7 @@ static inline mat3 mat3_turn(rng *r)
                   {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
 }
 
-/* ---- shapes ------------------------------------------------------------------------------------------------------- */
+/* ---- shapes ---------------------------------------------------------------------------------------------------- */
 
 enum { SHAPE_CUBE, SHAPE_TETRAHEDRON, SHAPE_OCTAHEDRON, SHAPE_WEDGE, SHAPE_PYRAMID, SHAPE_HEXAGON, SHAPE_CUT, SHAPES };
 
@@ -146,7 +146,7 @@ static const shape shapes[SHAPES] = {
       2, 6, 7, 3, 2, 7, 3, 3, 0, 4, 6, 3, 0, 6, 2, 3, 1, 3, 7, 3, 1, 7, 5, 0}},
 };
 
-/* ---- models ------------------------------------------------------------------------------------------------------- */
+/* ---- models ---------------------------------------------------------------------------------------------------- */
 
 enum { MODEL_SOLIDS = 1024, MODEL_CORNERS = 128 /* of a face */ };
 
@@ -359,7 +359,7 @@ static inline void model_wall(model *m, int columns, int rows)
         }
 }
 
-/* ---- drawing them ------------------------------------------------------------------------------------------------- */
+/* ---- drawing them ---------------------------------------------------------------------------------------------- */
 
 static inline roberts_scene *model_build(const model *m)
 {

@@ -1,6 +1,6 @@
-/* temporary.h - a folder of its own for a test's files: in TMPDIR or, where that names no place, in /tmp. Setup and teardown of
- * a test or of a group are temporary_make() and temporary_remove(). It goes with all that is in it, and also where the program
- * ends without teardown, by exit() or by a signal. Include it in one file only. */
+/* temporary.h - a folder of its own for a test's files: in TMPDIR or, where that names no place, in /tmp. Setup and
+ * teardown of a test or of a group are temporary_make() and temporary_remove(). It goes with all that is in it, and
+ * also where the program ends without teardown, by exit() or by a signal. Include it in one file only. */
 #ifndef ROBERTS_TESTS_TEMPORARY_H
 #define ROBERTS_TESTS_TEMPORARY_H
 
@@ -18,8 +18,8 @@ enum { TEMPORARY_ROOM = 256 /* bytes of its name */ };
 static char temporary[TEMPORARY_ROOM]; /* from the root; empty while there is none */
 static pid_t temporary_owner;          /* the process whose it is: those that are forked from it leave it alone */
 
-/* By another process: a signal handler, too, may start one, but not look through folders. That process takes over the mask:
- * what ends the test, and all that it has started, does not end the removing. */
+/* By another process: a signal handler, too, may start one, but not look through folders. That process takes over the
+ * mask: what ends the test, and all that it has started, does not end the removing. */
 static bool temporary_delete(void)
 {
     sigset_t all, before;

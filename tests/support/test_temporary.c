@@ -1,5 +1,5 @@
-/* test_temporary.c - the folders of temporary.h go however a test program ends: the program starts itself, with such an end for
- * its argument, and looks where its folder was. */
+/* test_temporary.c - the folders of temporary.h go however a test program ends: the program starts itself, with such an
+ * end for its argument, and looks where its folder was. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

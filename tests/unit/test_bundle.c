@@ -1,11 +1,12 @@
-/* Bundles: solids of very many faces that lie across one another's boxes, asked by a tree against all faces one by one. */
+/* Bundles: solids of very many faces that lie across one another's boxes, asked by a tree against all faces one
+ * by one. */
 #include "hide/front_test.h"
 #include "scenes.h"
 
 enum { EDGES_OF_EACH = 3000, SCENES = 24, RINGS = 50, SIDES = 2 * RINGS };
 
-/* Double pyramids, and columns lying down; every other scene to five digits. Two of a kind, one through the other or beside
- * it: so the picture has a box for edges to lie in. */
+/* Double pyramids, and columns lying down; every other scene to five digits. Two of a kind, one through the other or
+ * beside it: so the picture has a box for edges to lie in. */
 static void make_scene(model *m, uint64_t seed)
 {
     rng r = {seed};

@@ -157,7 +157,8 @@ static void lines_get_their_dashes(void **state)
     }
 }
 
-/* Closed lines without corners, from a curve too small for one gap to a large one: dashes and gaps are alike all round. */
+/* Closed lines without corners, from a curve too small for one gap to a large one: dashes and gaps are alike
+ * all round. */
 static void curves_come_round(void **state)
 {
     enum { SIDES = 90 };
@@ -195,8 +196,8 @@ static uint64_t random_bits(uint64_t *seed)
     return *seed ^= *seed << 17;
 }
 
-/* Of all polylines: dashes lie on their line, in its sequence; both ends and each corner are drawn; no way of the lifted pen is
- * below twice its width, and each side that is three widths long has one. */
+/* Of all polylines: dashes lie on their line, in its sequence; both ends and each corner are drawn; no way of the
+ * lifted pen is below twice its width, and each side that is three widths long has one. */
 static void any_line_is_dashed(void **state)
 {
     enum { TRIALS = 3000, MOST = 12 };

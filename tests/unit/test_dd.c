@@ -10,7 +10,7 @@
 #define SUM_BOUND (3.1 * U2)
 #define PRODUCT_BOUND (6 * U2)
 
-/* ---- two's complement of 128 bits --------------------------------------------------------------------------------- */
+/* ---- two's complement of 128 bits ------------------------------------------------------------------------------ */
 
 typedef struct wide {
     uint64_t high, low;
@@ -103,7 +103,7 @@ static bool is_normal(dd a)
     return a.hi + a.lo == a.hi; /* lo is no more than half of hi's last place */
 }
 
-/* ---- sums and products -------------------------------------------------------------------------------------------- */
+/* ---- sums and products ----------------------------------------------------------------------------------------- */
 
 static void two_sums_are_exact(void **state)
 {
@@ -158,7 +158,7 @@ static void sums_of_long_numbers(void **state)
     }
 }
 
-/* ---- determinants ------------------------------------------------------------------------------------------------- */
+/* ---- determinants ---------------------------------------------------------------------------------------------- */
 
 static roberts_vec3 random_vector(rng *r, int bits, int64_t v[3])
 {
@@ -215,10 +215,10 @@ static void determinants_are_exact(void **state)
     }
 }
 
-/* ---- zeros -------------------------------------------------------------------------------------------------------- */
+/* ---- zeros ----------------------------------------------------------------------------------------------------- */
 
-/* t = a / (a - b) is m 2^-e with 53 bits of m: |m (a - b) - a 2^e| <= (a - b) says that it is off by one unit of its last
- * place at the most. */
+/* t = a / (a - b) is m 2^-e with 53 bits of m: |m (a - b) - a 2^e| <= (a - b) says that it is off by one unit of its
+ * last place at the most. */
 static void zeros_to_the_last_place(void **state)
 {
     rng r = {55};

@@ -1,5 +1,5 @@
-/* test_formats.c - one model in all formats gives one drawing, from files and from pipes; and what 32-bit floats do to the
- * touching distance. The model is tests/fuzz/seeds/house.*: a box and the roof on it. */
+/* test_formats.c - one model in all formats gives one drawing, from files and from pipes; and what 32-bit floats do to
+ * the touching distance. The model is tests/fuzz/seeds/house.*: a box and the roof on it. */
 #include <fcntl.h>
 #include <math.h>
 #include <setjmp.h>

@@ -1,11 +1,11 @@
-/* test_fronts.c - the scene in view space by threads: which solids they take at the same time, and the same picture by any
- * number of them. */
+/* test_fronts.c - the scene in view space by threads: which solids they take at the same time, and the same picture by
+ * any number of them. */
 #include <stdio.h>
 
 #include "hide/front.h"
 #include "scenes.h"
 
-/* ---- tiles -------------------------------------------------------------------------------------------------------- */
+/* ---- tiles ----------------------------------------------------------------------------------------------------- */
 
 enum { BOXES = 3000, CELLS_MOST = 600 };
 
@@ -15,7 +15,8 @@ static const struct tile_case {
 } tile_cases[] = {{600, 600, 0.02}, {600, 90, 0.05}, {1, 600, 0.1},
                   {127, 129, 0.01}, {390, 512, 0.3}, {600, 600, 1e-6}};
 
-/* A window from (0, 0) to (1, 1), boxes in it and some of them across all of it or beyond: clipped away, they are empty. */
+/* A window from (0, 0) to (1, 1), boxes in it and some of them across all of it or beyond: clipped away, they are
+ * empty. */
 static void fill(hide_fronts *fronts, rng *r, double size)
 {
     for (uint32_t i = 0; i < BOXES; i++) {
@@ -51,7 +52,8 @@ static void expect_apart(const tiles *t, const hide_fronts *fronts, int round)
         }
 }
 
-/* Each solid is in one tile; tiles of a round never meet in a cell; and each tile has room for what its solids may need. */
+/* Each solid is in one tile; tiles of a round never meet in a cell; and each tile has room for what its solids may
+ * need. */
 static void tiles_of_a_round_are_apart(void **state)
 {
     rng r = {91};
@@ -122,7 +124,7 @@ static void tiles_without_covers(void **state)
     }
 }
 
-/* ---- threads ------------------------------------------------------------------------------------------------------ */
+/* ---- threads --------------------------------------------------------------------------------------------------- */
 
 static bool same_outline(const hide_fronts *a, const hide_fronts *b, const hide_front *f, const hide_front *g)
 {

@@ -1,10 +1,10 @@
 /* Small scenes whose drawings are worked out by hand: each edge that matters with its parts, and the number of visible
  * rows in all, so that nothing else is drawn.
  *
- * Boxes are numbered as they stand in the table, box k having the vertices 8 k + x + 2 y + 4 z, where x, y and z are 0 on
- * the low and 1 on the high side. From "top" (x right, y up) only the upper faces are front, the four sides are edge-on;
- * from "front" (x right, z up) only those of least y; from "iso" those of greatest x, least y and greatest z, a point P
- * being hidden by a box that P + s (1, -1, 1) meets for some s > 0. */
+ * Boxes are numbered as they stand in the table, box k having the vertices 8 k + x + 2 y + 4 z, where x, y and z are 0
+ * on the low and 1 on the high side. From "top" (x right, y up) only the upper faces are front, the four sides are
+ * edge-on; from "front" (x right, z up) only those of least y; from "iso" those of greatest x, least y and greatest z,
+ * a point P being hidden by a box that P + s (1, -1, 1) meets for some s > 0. */
 #include <float.h>
 #include <stdio.h>
 
@@ -180,7 +180,7 @@ static const struct scene_case {
      {"0-4 h1", "1-5 h0", "2-6 h0", "3-7 h0", "11-15 h1", "4-5 h1 1/2 v"}},
 };
 
-/* ---- rows against text -------------------------------------------------------------------------------------------- */
+/* ---- rows against text ----------------------------------------------------------------------------------------- */
 
 static double read_fraction(const char **text)
 {
@@ -291,7 +291,8 @@ static void boxes_by_table(void **state)
     }
 }
 
-/* Where depth moves right and up by as much as it is, the line of sight is that of "iso": other pictures, same parts. */
+/* Where depth moves right and up by as much as it is, the line of sight is that of "iso": other pictures,
+ * same parts. */
 static void boxes_seen_obliquely(void **state)
 {
     roberts_camera camera = {.dir = {0, -1, 0}, .oblique = {1, 1}};
@@ -305,7 +306,7 @@ static void boxes_seen_obliquely(void **state)
     assert_true(tried > 5);
 }
 
-/* ---- solids that are no boxes ------------------------------------------------------------------------------------- */
+/* ---- solids that are no boxes ---------------------------------------------------------------------------------- */
 
 static void add_tetrahedron(model *m, const roberts_vec3 point[4])
 {
@@ -497,8 +498,8 @@ static void face_with_a_dent(void **state)
 }
 
 /* Three plates meet at (0, 0) without a gap: x < 0, and for x > 0 what lies above and below the line y = x / 100. An
- * edge that ends above that line, nearer to it than epsilon, is hidden all the same: first one that passes (0, 0) above,
- * and then one that crosses the line a little beyond. */
+ * edge that ends above that line, nearer to it than epsilon, is hidden all the same: first one that passes (0, 0)
+ * above, and then one that crosses the line a little beyond. */
 static void edges_that_end_in_a_sliver(void **state)
 {
     static const roberts_vec3 plate[][4] = {{{-8, -8, 0}, {0, -8, 0}, {0, 8, 0}, {-8, 8, 0}},
@@ -548,9 +549,10 @@ static void edge_beyond_a_sharp_tip(void **state)
     model_free(&m);
 }
 
-/* A bar's edge of y = 0 from x = 0 to 10 under three plates: one hides x < 5, one x > 6, and one up to x = 3.6, where its
- * border crosses the edge so obliquely that at x = 6 its line is still within epsilon of the edge. But the border has ended at
- * x = 4, or where the bar rises the edge is nearer than the plate from there on; between the other two the edge is seen. */
+/* A bar's edge of y = 0 from x = 0 to 10 under three plates: one hides x < 5, one x > 6, and one up to x = 3.6, where
+ * its border crosses the edge so obliquely that at x = 6 its line is still within epsilon of the edge. But the border
+ * has ended at x = 4, or where the bar rises the edge is nearer than the plate from there on; between the other two the
+ * edge is seen. */
 static void border_that_runs_nearly_along(void **state)
 {
     roberts_camera camera = {.dir = {0, 0, 1}};
@@ -754,8 +756,8 @@ static void eyes_refused(void **state)
     model_free(&m);
 }
 
-/* Eyes so near a cube, or in contact with it, that the near plane has to stand farther away than it is asked to: nothing is
- * refused, the drawing is that of the least distance there is, and rays find nothing wrong with it. */
+/* Eyes so near a cube, or in contact with it, that the near plane has to stand farther away than it is asked to:
+ * nothing is refused, the drawing is that of the least distance there is, and rays find nothing wrong with it. */
 static void eyes_very_near(void **state)
 {
     static const struct {
@@ -802,8 +804,8 @@ static void eyes_very_near(void **state)
     model_free(&m);
 }
 
-/* An eye in the middle of a slanted face, which looks away from the solid at another: it is outside, in whatever order the face
- * has its corners, and inside where it is moved through the face by more than rounding. */
+/* An eye in the middle of a slanted face, which looks away from the solid at another: it is outside, in whatever order
+ * the face has its corners, and inside where it is moved through the face by more than rounding. */
 static void eyes_on_a_face(void **state)
 {
     static const uint32_t order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
@@ -840,9 +842,9 @@ static void eyes_on_a_face(void **state)
     }
 }
 
-/* A slab that tilts, given to four digits, passes under the eye, which looks along it: where the near plane cuts it, its nearest
- * corner is a thousand times as near as a small box that lies 0.03 below its upper face. What that face departs from its plane,
- * less than 1e-4, must not count at the box as it does at that corner. */
+/* A slab that tilts, given to four digits, passes under the eye, which looks along it: where the near plane cuts it,
+ * its nearest corner is a thousand times as near as a small box that lies 0.03 below its upper face. What that face
+ * departs from its plane, less than 1e-4, must not count at the box as it does at that corner. */
 static void box_buried_in_a_slab_under_the_eye(void **state)
 {
     static const roberts_vec3 point[2][8] = {{{1.6298, -10.4187, -3.4775},
@@ -889,7 +891,7 @@ static void box_buried_in_a_slab_under_the_eye(void **state)
     model_free(&m);
 }
 
-/* ---- flat edges --------------------------------------------------------------------------------------------------- */
+/* ---- flat edges ------------------------------------------------------------------------------------------------ */
 
 /* A box 4 x 2 x 4 with a ridge along z on top (greatest y): the two upper faces meet at `degrees`. */
 static void add_ridged_box(model *m, double degrees)
@@ -995,7 +997,7 @@ static void outlines_stay(void **state)
     model_free(&m);
 }
 
-/* ---- what is counted, and what is refused ------------------------------------------------------------------------- */
+/* ---- what is counted, and what is refused ---------------------------------------------------------------------- */
 
 static void counts_and_lines(void **state)
 {
@@ -1029,9 +1031,9 @@ static void counts_and_lines(void **state)
     }
 }
 
-/* Edges that go together are told from others by a number of sixteen bits, which comes again after 65,535 of them. Here it
- * is a plate's again when the bar that reaches from under it has its turn: the upper edges of round solids in between go one
- * by one. Of each bar two edges are hidden by halves, and one wholly. */
+/* Edges that go together are told from others by a number of sixteen bits, which comes again after 65,535 of them. Here
+ * it is a plate's again when the bar that reaches from under it has its turn: the upper edges of round solids in
+ * between go one by one. Of each bar two edges are hidden by halves, and one wholly. */
 static void more_groups_than_stamps(void **state)
 {
     enum { BARS = 20, BETWEEN = 65535 - BARS, CORNERS = 125, ROUNDS = BETWEEN / CORNERS };
@@ -1064,8 +1066,8 @@ static void more_groups_than_stamps(void **state)
     model_free(&m);
 }
 
-/* Culled are the nine boxes behind the nearest one, one of them after it was mapped, and none of the three behind the eye,
- * which nothing hides. Only the nearest one's faces are counted. */
+/* Culled are the nine boxes behind the nearest one, one of them after it was mapped, and none of the three behind the
+ * eye, which nothing hides. Only the nearest one's faces are counted. */
 static void culled_solids_are_those_hidden(void **state)
 {
     roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = {0, 0, 100}, .has_look_at = true};

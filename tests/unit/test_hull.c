@@ -43,7 +43,7 @@ static void read_off(roberts_mesh *mesh, const char *name, const char *off)
         fail_msg("%s: line %zu: %s", name, error.line, error.message);
 }
 
-/* ---- whole numbers --------------------------------------------------------------------------------------------------- */
+/* ---- whole numbers --------------------------------------------------------------------------------------------- */
 
 static whole corner_at(const roberts_scene *scene, uint32_t f, uint32_t i)
 {
@@ -59,8 +59,8 @@ static whole outward(const roberts_scene *scene, uint32_t f)
     return whole_cross(whole_sub(corner_at(scene, f, 1), a), whole_sub(corner_at(scene, f, 2), a));
 }
 
-/* Each face is strictly convex, all of it in one plane, with all points behind that or in it; and no two neighbours are in
- * one plane: there is one such polyhedron alone. */
+/* Each face is strictly convex, all of it in one plane, with all points behind that or in it; and no two neighbours are
+ * in one plane: there is one such polyhedron alone. */
 static void assert_exact_hull(const roberts_scene *scene, const roberts_mesh *mesh)
 {
     for (uint32_t f = 0; f < scene->face_count; f++) {
@@ -134,10 +134,10 @@ static void whole_points(void **state)
     assert_true(hulls > 1500 && flat > 0);
 }
 
-/* ---- points in doubles ------------------------------------------------------------------------------------------------ */
+/* ---- points in doubles ----------------------------------------------------------------------------------------- */
 
-/* Turned grids, places that many points have, and spheres, all moved by up to `noise` and in sizes far apart: hulls are found,
- * and all points lie within them by the tolerance. */
+/* Turned grids, places that many points have, and spheres, all moved by up to `noise` and in sizes far apart: hulls are
+ * found, and all points lie within them by the tolerance. */
 static void noisy_points(void **state)
 {
     static const double noises[] = {0, 1e-17, 1e-15, 1e-13, 1e-11, 1e-9, 1e-7, 1e-5, 1e-3};
@@ -205,7 +205,7 @@ static void six_digits(void **state)
     }
 }
 
-/* ---- what becomes of what ---------------------------------------------------------------------------------------------- */
+/* ---- what becomes of what -------------------------------------------------------------------------------------- */
 
 #define CUBE_POINTS "0 0 0 1 0 0 0 1 0 1 1 0 0 0 1 1 0 1 0 1 1 1 1 1\n"
 #define CUBE_FACES "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n"
@@ -469,7 +469,7 @@ static void thin_plates(void **state)
     }
 }
 
-/* ---- threads -------------------------------------------------------------------------------------------------------------- */
+/* ---- threads --------------------------------------------------------------------------------------------------- */
 
 enum { FANS = 700, FAN_POINTS = 12 };
 
@@ -535,7 +535,7 @@ static void threads_change_nothing(void **state)
     }
 }
 
-/* ---- drawings ---------------------------------------------------------------------------------------------------------- */
+/* ---- drawings -------------------------------------------------------------------------------------------------- */
 
 static void draw(const char *path, bool bare, bool hull, roberts_drawing *drawing)
 {
@@ -592,7 +592,7 @@ static void same_drawings(void **state)
         assert_same_drawing(one[i], true);
 }
 
-/* ---- the program ------------------------------------------------------------------------------------------------------- */
+/* ---- the program ----------------------------------------------------------------------------------------------- */
 
 static void program_draws_hulls(void **state)
 {

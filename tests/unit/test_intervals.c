@@ -16,7 +16,7 @@ static hide_interval part_of(row r)
     return (hide_interval){r.t0, r.t1, r.t0 - r.e0, r.t1 + r.e1};
 }
 
-/* ---- as they come ------------------------------------------------------------------------------------------------- */
+/* ---- as they come ---------------------------------------------------------------------------------------------- */
 
 /* Two parts, added either way round: one of them stays two, or they join; their reach is kept. */
 static void joined_as_they_come(void **state)
@@ -52,7 +52,7 @@ static void joined_as_they_come(void **state)
     }
 }
 
-/* ---- their union -------------------------------------------------------------------------------------------------- */
+/* ---- their union ----------------------------------------------------------------------------------------------- */
 
 static void fill(hide_intervals *intervals, const hide_interval *part, const uint32_t *order, uint32_t count)
 {
@@ -222,8 +222,8 @@ static bool reach_each_other(hide_interval a, hide_interval b)
     return a.r0 <= b.r1 && b.r0 <= a.r1;
 }
 
-/* Whatever reaches each other, if only by way of others, is one part. All numbers are on a scale of 1/4096, so that sums
- * are exact and many tie. */
+/* Whatever reaches each other, if only by way of others, is one part. All numbers are on a scale of 1/4096, so that
+ * sums are exact and many tie. */
 static void reach_joins_in_any_order(void **state)
 {
     enum { MANY = 24 };
@@ -280,7 +280,8 @@ static void union_names_a_member(void **state)
     free(intervals.item);
 }
 
-/* Three faces of each solid, with gaps between them, solid by solid or in turn: one hull of each solid, without a gap. */
+/* Three faces of each solid, with gaps between them, solid by solid or in turn: one hull of each solid, without
+ * a gap. */
 static void one_hull_of_each_solid(void **state)
 {
     enum { MOST = 200, FACES = 3 };

@@ -130,7 +130,8 @@ static bool is_crooked(const struct scene_case *c)
     return c->kind == CROOKED_WALL;
 }
 
-/* Solids may touch, if only within what their faces depart from planes: which of them is named depends on their order. */
+/* Solids may touch, if only within what their faces depart from planes: which of them is named depends on
+ * their order. */
 static bool may_tie(const struct scene_case *c)
 {
     return has_ties(c) || is_crooked(c) || c->digits;
@@ -146,7 +147,7 @@ static roberts_hide_options with_hidden(void)
     return options;
 }
 
-/* ---- comparing drawings ------------------------------------------------------------------------------------------- */
+/* ---- comparing drawings ---------------------------------------------------------------------------------------- */
 
 /* What may differ. Zeros: nothing, to the last bit. */
 typedef struct allowance {
@@ -266,7 +267,7 @@ static void for_each(check_fn *check)
     }
 }
 
-/* ---- scaled, moved, turned ---------------------------------------------------------------------------------------- */
+/* ---- scaled, moved, turned ------------------------------------------------------------------------------------- */
 
 static roberts_camera scaled_camera(roberts_camera camera, double k)
 {
@@ -408,7 +409,7 @@ static void directions_of_any_length(void **state)
     for_each(check_lengths);
 }
 
-/* ---- written otherwise -------------------------------------------------------------------------------------------- */
+/* ---- written otherwise ----------------------------------------------------------------------------------------- */
 
 /* Where several solids touch, `by` is the one of smallest number, so that it may change. */
 static void check_reordered(const struct scene_case *scene, const model *m, const struct camera_case *camera,
@@ -524,7 +525,7 @@ static void vertices_renumbered(void **state)
     for_each(check_renumbered);
 }
 
-/* ---- drawn otherwise ---------------------------------------------------------------------------------------------- */
+/* ---- drawn otherwise ------------------------------------------------------------------------------------------- */
 
 static void check_grids(const struct scene_case *scene, const model *m, const struct camera_case *camera,
                         const roberts_drawing *drawing)
@@ -570,7 +571,7 @@ static void any_threads_any_run(void **state)
     model_free(&m);
 }
 
-/* ---- options ------------------------------------------------------------------------------------------------------ */
+/* ---- options --------------------------------------------------------------------------------------------------- */
 
 /* Keeps the rows that `keep` wants. */
 static void filter(roberts_drawing *d, bool (*keep)(const roberts_segment *))
@@ -643,8 +644,8 @@ static void check_scene_alone(roberts_scene *scene, const roberts_camera *camera
     roberts_scene_free(scene);
 }
 
-/* Three solids of some thirty front faces, which are entered face by face, and boxes among them; all to two digits, so that faces
- * leave gaps between them where edges pierce them. */
+/* Three solids of some thirty front faces, which are entered face by face, and boxes among them; all to two digits, so
+ * that faces leave gaps between them where edges pierce them. */
 static roberts_scene *make_gaps(uint64_t seed, roberts_camera *camera)
 {
     model m = {0};
@@ -666,7 +667,8 @@ static roberts_scene *make_gaps(uint64_t seed, roberts_camera *camera)
     return build_coarse(&m);
 }
 
-/* What all its faces hide together is hidden by such a solid, also where some of them reach only what others hide already. */
+/* What all its faces hide together is hidden by such a solid, also where some of them reach only what others hide
+ * already. */
 static void visible_rows_behind_gaps(void **state)
 {
     (void)state;
@@ -677,8 +679,8 @@ static void visible_rows_behind_gaps(void **state)
     }
 }
 
-/* Solids, and smaller or equal ones straight behind them, which show in the picture only where two digits make them: corners
- * coincide with corners there, and faces do not fill their outlines. */
+/* Solids, and smaller or equal ones straight behind them, which show in the picture only where two digits make them:
+ * corners coincide with corners there, and faces do not fill their outlines. */
 static roberts_scene *make_echoes(uint64_t seed)
 {
     model m = {0};
@@ -807,7 +809,7 @@ static void one_solid_hides_one_interval(void **state)
     assert_true(parts > 1000);
 }
 
-/* ---- perspective -------------------------------------------------------------------------------------------------- */
+/* ---- perspective ----------------------------------------------------------------------------------------------- */
 
 /* Largest difference of a parameter, the rows being otherwise the same. */
 static double difference(const roberts_drawing *a, const roberts_drawing *b)
@@ -849,7 +851,7 @@ static void far_eye_comes_to_orthographic(void **state)
     }
 }
 
-/* ---- a second opinion: rays ---------------------------------------------------------------------------------------- */
+/* ---- a second opinion: rays ------------------------------------------------------------------------------------ */
 
 /* A solid's planes, from the model alone. */
 typedef struct solid_planes {
@@ -995,8 +997,8 @@ static bool agrees(const witness *w, const roberts_segment *s, roberts_vec3 P, b
 }
 
 /* Points inside each row and close to its ends have its state: with the tiling, each row begins and ends where it
- * should, to a hundredth of its length. No place is a simple fraction: there a sight line of a crowd may touch a corner,
- * which hides a point but no part of an edge. */
+ * should, to a hundredth of its length. No place is a simple fraction: there a sight line of a crowd may touch a
+ * corner, which hides a point but no part of an edge. */
 static void check_states(const struct scene_case *scene, const model *m, const struct camera_case *camera,
                          const roberts_drawing *drawing)
 {

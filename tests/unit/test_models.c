@@ -16,8 +16,8 @@
 #include "model/scene.h"
 #include "whole_file.h"
 
-/* How far lengths, distances and planes may be off, as a part of the solid's circumradius or nearest like it: coordinates
- * are rounded to 1e-16, and some are sums of a few terms. */
+/* How far lengths, distances and planes may be off, as a part of the solid's circumradius or nearest like it:
+ * coordinates are rounded to 1e-16, and some are sums of a few terms. */
 static const double ROUNDING = 1e-12;
 
 enum { PATH_ROOM = 1024, CORNER_MAX = 12 };
@@ -30,7 +30,7 @@ static const char *build_folder(void)
     return folder ? folder : "build";
 }
 
-/* ---- running the generator --------------------------------------------------------------------------------------- */
+/* ---- running the generator ------------------------------------------------------------------------------------- */
 
 /* A path for what the tests write; run.sh keeps "out" and "err" for itself. */
 static void scratch_path(char *path, const char *name)
@@ -146,7 +146,7 @@ static void misuse_and_failure(void **state)
         assert_int_equal(run("wall 5000", "/dev/full"), 1);
 }
 
-/* ---- reading ------------------------------------------------------------------------------------------------------ */
+/* ---- reading --------------------------------------------------------------------------------------------------- */
 
 static void no_warning(void *context, const char *file, size_t line, const char *message)
 {
@@ -218,7 +218,7 @@ static void numbers_have_17_digits(void **state)
     }
 }
 
-/* ---- solids ------------------------------------------------------------------------------------------------------- */
+/* ---- solids ---------------------------------------------------------------------------------------------------- */
 
 typedef enum kind { UNIFORM, DUAL } kind;
 
@@ -440,7 +440,7 @@ static void solids_are_what_they_are_called(void **state)
     }
 }
 
-/* ---- the scenes for tests 1 to 4 ---------------------------------------------------------------------------------- */
+/* ---- the scenes for tests 1 to 4 ------------------------------------------------------------------------------- */
 
 /* What the comment of a scene claims of edge AB against face 0, and what the definitions give. Coordinates are small
  * integers and crossings lie at halves and quarters, so that all of it is exact. */
@@ -535,8 +535,8 @@ static uint64_t decided_by(const roberts_tally *t, int test)
     return decided[test];
 }
 
-/* Hidden part of edge 8-9 in the library's drawing from the top; as the test `said`, if that was counted, so that --stats
- * shows it, else -1. */
+/* Hidden part of edge 8-9 in the library's drawing from the top; as the test `said`, if that was counted, so that
+ * --stats shows it, else -1. */
 static outcome drawn(const roberts_mesh *m, const char *name, int said)
 {
     roberts_scene *scene = build_scene(m, name);
@@ -603,7 +603,7 @@ static void cases_have_the_outcome_they_claim(void **state)
         assert_true(outcomes_seen[test] >= 3);
 }
 
-/* ---- scenes ------------------------------------------------------------------------------------------------------- */
+/* ---- scenes ---------------------------------------------------------------------------------------------------- */
 
 static void check_builds(const char *path, const char *name)
 {

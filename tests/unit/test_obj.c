@@ -1,4 +1,5 @@
-/* test_obj.c - Wavefront OBJ: corners in all their forms, groups, colours from .mtl files, what is passed and what is refused. */
+/* test_obj.c - Wavefront OBJ: corners in all their forms, groups, colours from .mtl files, what is passed and what is
+ * refused. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -95,7 +96,7 @@ static void refuses(void **state)
     read_bad_rows(bad, sizeof bad / sizeof bad[0]);
 }
 
-/* ---- materials --------------------------------------------------------------------------------------------------- */
+/* ---- materials ------------------------------------------------------------------------------------------------- */
 
 static const struct library {
     const char *text, *name;
@@ -172,7 +173,7 @@ static void reads_files_beside(void **state)
     }
 }
 
-/* ---- files ------------------------------------------------------------------------------------------------------- */
+/* ---- files ----------------------------------------------------------------------------------------------------- */
 
 static void reads_published_files(void **state)
 {

@@ -18,7 +18,7 @@ typedef struct polygon {
 static const roberts_vec2 window_low = {-1, 2}, window_high = {7, 6};
 #define MARGIN 1e-9
 
-/* ---- two convex sets ---------------------------------------------------------------------------------------------- */
+/* ---- two convex sets ------------------------------------------------------------------------------------------- */
 
 static void extent_along(const roberts_vec3 *p, uint32_t count, double nx, double ny, double *low, double *high)
 {
@@ -85,7 +85,7 @@ static bool holds(const roberts_vec3 *p, uint32_t n, double x, double y, double 
     return true;
 }
 
-/* ---- polygons ----------------------------------------------------------------------------------------------------- */
+/* ---- polygons -------------------------------------------------------------------------------------------------- */
 
 static double in_window_x(double x)
 {
@@ -178,7 +178,7 @@ static scan_frame frame_of(size_t i)
     return scan_frame_over(window_low, window_high, frames[i].nx, frames[i].ny, MARGIN);
 }
 
-/* ---- the scan ----------------------------------------------------------------------------------------------------- */
+/* ---- the scan -------------------------------------------------------------------------------------------------- */
 
 /* Every cell is listed that the closed polygon touches, also where it only reaches into the margin; and none that it
  * misses by some margins. A cell called wholly inside has its corners inside; one well inside is called so. */
@@ -275,7 +275,7 @@ static void windows_without_size(void **state)
         }
 }
 
-/* ---- edges through the cells -------------------------------------------------------------------------------------- */
+/* ---- edges through the cells ----------------------------------------------------------------------------------- */
 
 enum { ANYHOW, LEVEL, UPRIGHT, DIAGONAL, POINT, SHORT, ALONG_WINDOW, LINES };
 
@@ -327,8 +327,8 @@ static const objet_stretch *stretch_in(const objet_walk *walk, uint32_t column, 
     return found;
 }
 
-/* Each cell that the closed edge touches is in its walk, and the parameters at which it is there in the stretch; no cell
- * that it misses by some margins, no stretch that leaves its cell. */
+/* Each cell that the closed edge touches is in its walk, and the parameters at which it is there in the stretch; no
+ * cell that it misses by some margins, no stretch that leaves its cell. */
 static void expect_walk(const objet *grid, roberts_vec3 A, roberts_vec3 B, const objet_walk *walk, int kind)
 {
     const scan_frame *f = &grid->frame;
@@ -373,7 +373,7 @@ static void walks_meet_every_cell(void **state)
     free(walk.item);
 }
 
-/* ---- lists -------------------------------------------------------------------------------------------------------- */
+/* ---- lists ----------------------------------------------------------------------------------------------------- */
 
 /* Nearest corner first, ties by number. */
 static bool in_order(const hide_fronts *fronts, uint32_t a, uint32_t b)
@@ -572,7 +572,7 @@ static void copies_count_once(void **state)
     }
 }
 
-/* ---- covers ------------------------------------------------------------------------------------------------------- */
+/* ---- covers ---------------------------------------------------------------------------------------------------- */
 
 /* A face over the polygon: depth z = u x + v y + w. c < 0 and n of length 1. */
 typedef struct slope {
@@ -755,7 +755,7 @@ static void no_covers(void **state)
     cover_free(&c);
 }
 
-/* ---- how many cells ----------------------------------------------------------------------------------------------- */
+/* ---- how many cells -------------------------------------------------------------------------------------------- */
 
 enum { BOXES = 20000 };
 
@@ -780,8 +780,8 @@ static double entries(const scan_frame *f, const hide_box *box)
     return sum;
 }
 
-/* Lists and cells stay in proportion to the boxes, whatever their sizes; and where boxes are small there are many cells,
- * so that lists are short. */
+/* Lists and cells stay in proportion to the boxes, whatever their sizes; and where boxes are small there are many
+ * cells, so that lists are short. */
 static void cells_by_table(void **state)
 {
     static const struct {

@@ -594,7 +594,7 @@ static void refuses_nul_bytes(void **state)
     roberts_mesh_free(&mesh);
 }
 
-/* ---- endless and huge -------------------------------------------------------------------------------------------- */
+/* ---- endless and huge ------------------------------------------------------------------------------------------ */
 
 /* A beginning, and then something for ever. */
 typedef struct endless {
@@ -781,7 +781,7 @@ static void reads_dev_zero(void **state)
     assert_int_equal(error.line, 1);
 }
 
-/* ---- files, failures, several inputs ------------------------------------------------------------------------------- */
+/* ---- files, failures, several inputs --------------------------------------------------------------------------- */
 
 static void reports_what_cannot_be_read(void **state)
 {

@@ -238,7 +238,8 @@ static void reads_colors(void **state)
     }
 }
 
-/* Triangles without the number of colour floats: "3 a b c 3 d e f" could be one with three floats, but for their size. */
+/* Triangles without the number of colour floats: "3 a b c 3 d e f" could be one with three floats, but for
+ * their size. */
 static void reads_faces_without_color_count(void **state)
 {
     (void)state;

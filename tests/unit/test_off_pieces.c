@@ -1,6 +1,6 @@
 /* test_off_pieces.c - reading by several threads gives what reading by one gives, mesh, warnings and errors with their
- * lines, wherever pieces begin and end: pieces here have some bytes only, so that each border comes to lie everywhere. And
- * plain lines are read as the parser of all forms reads them, which is asked by giving it a byte or two at a time.
+ * lines, wherever pieces begin and end: pieces here have some bytes only, so that each border comes to lie everywhere.
+ * And plain lines are read as the parser of all forms reads them, which is asked by giving it a byte or two at a time.
  *
  * Threads are those of POSIX, which the thread sanitizer knows (make test-threads). */
 #include <dirent.h>
@@ -21,7 +21,7 @@
 #include "temporary.h"
 #include "whole_file.h"
 
-/* ---- threads ------------------------------------------------------------------------------------------------------- */
+/* ---- threads --------------------------------------------------------------------------------------------------- */
 
 typedef struct start {
     off_work_fn *work;
@@ -58,7 +58,7 @@ static void run_in_turn(off_work_fn *work, void *job, uint32_t threads)
         work(job, i);
 }
 
-/* ---- an input, and what is read from it ----------------------------------------------------------------------------- */
+/* ---- an input, and what is read from it ------------------------------------------------------------------------ */
 
 typedef struct test_input {
     const char *text;
@@ -159,7 +159,7 @@ static const off_division tiny[] = {
 
 enum { TINY = sizeof tiny / sizeof *tiny };
 
-/* ---- texts ----------------------------------------------------------------------------------------------------------- */
+/* ---- texts ----------------------------------------------------------------------------------------------------- */
 
 static uint32_t chance(uint64_t *seed, uint32_t below)
 {
@@ -206,7 +206,7 @@ static char *allocate(size_t size)
     return text;
 }
 
-/* ---- tests ----------------------------------------------------------------------------------------------------------- */
+/* ---- tests ----------------------------------------------------------------------------------------------------- */
 
 /* Each size of pieces, so that their borders fall on each byte; and the pieces are what reads it. */
 static void borders_anywhere(void **state)
@@ -354,7 +354,7 @@ static void a_large_face(void **state)
     free(text);
 }
 
-/* ---- files ------------------------------------------------------------------------------------------------------------- */
+/* ---- files ----------------------------------------------------------------------------------------------------- */
 
 static int check_folder(const char *folder)
 {

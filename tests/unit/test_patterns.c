@@ -1,5 +1,5 @@
-/* test_patterns.c - solids that repeat one another in a file get what each of them gets alone; components that follow one
- * another are found as the definition has it. */
+/* test_patterns.c - solids that repeat one another in a file get what each of them gets alone; components that follow
+ * one another are found as the definition has it. */
 #include "base/box.h"
 #include "model/components.h"
 #include "model/scene_arrays.h"
@@ -8,7 +8,7 @@
 
 #include "same_scene.h"
 
-/* ---- each solid as if it were alone ----------------------------------------------------------------------------------- */
+/* ---- each solid as if it were alone ---------------------------------------------------------------------------- */
 
 typedef enum winding { OUTWARD, INWARD, EITHER, MIXED } winding;
 
@@ -93,8 +93,8 @@ static void solids_are_as_if_alone(void **state)
     }
 }
 
-/* Of a hundred cubes, the edges of one are stored, once each way round; of cubes of which some are wound inward, those of two:
- * their corners are not in the same order. Cubes whose own faces disagree have each their own. */
+/* Of a hundred cubes, the edges of one are stored, once each way round; of cubes of which some are wound inward, those
+ * of two: their corners are not in the same order. Cubes whose own faces disagree have each their own. */
 static void edges_are_stored_once(void **state)
 {
     static const struct {
@@ -147,7 +147,7 @@ static void disagreeing_solids_share_nothing(void **state)
     model_free(&m);
 }
 
-/* ---- a mesh that is taken over and refused ---------------------------------------------------------------------------- */
+/* ---- a mesh that is taken over and refused --------------------------------------------------------------------- */
 
 /* Cubes wound inward, the last one of them wrong. */
 typedef enum fault { SOUND, FLAT, OPEN, DENTED } fault;
@@ -218,7 +218,7 @@ static void welding_starts_from_the_mesh(void **state)
     }
 }
 
-/* ---- blocks ------------------------------------------------------------------------------------------------------------ */
+/* ---- blocks ---------------------------------------------------------------------------------------------------- */
 
 static bool find(const roberts_mesh *mesh, roberts_scene *scene, repeated_solids *list)
 {
@@ -231,7 +231,8 @@ static bool find(const roberts_mesh *mesh, roberts_scene *scene, repeated_solids
     return found;
 }
 
-/* The component of each vertex, named by its smallest vertex, by the definition: two vertices of a face belong together. */
+/* The component of each vertex, named by its smallest vertex, by the definition: two vertices of a face belong
+ * together. */
 static void name_components(const roberts_mesh *mesh, uint32_t *name)
 {
     bool changed = true;
@@ -369,7 +370,7 @@ static void some_are_no_blocks(void **state)
     }
 }
 
-/* ---- boxes --------------------------------------------------------------------------------------------------------------- */
+/* ---- boxes ----------------------------------------------------------------------------------------------------- */
 
 static void a_box_by_lanes_is_the_same(void **state)
 {

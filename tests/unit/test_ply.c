@@ -127,7 +127,7 @@ static void refuses_text(void **state)
     read_bad_rows(bad, sizeof bad / sizeof bad[0]);
 }
 
-/* ---- binary ------------------------------------------------------------------------------------------------------ */
+/* ---- binary ---------------------------------------------------------------------------------------------------- */
 
 static void build_text(bytes_built *b, const char *text)
 {
@@ -144,7 +144,8 @@ static bytes_built start(bool big, const char *line_end)
     return b;
 }
 
-/* Every type, in both orders; what is not used stands between what is. The first byte of the data looks like a line end. */
+/* Every type, in both orders; what is not used stands between what is. The first byte of the data looks like a line
+ * end. */
 static bytes_built build_all_types(bool big, const char *line_end)
 {
     static const char *const lines[] = {"element vertex 4",
@@ -285,7 +286,7 @@ static void refuses_binary(void **state)
     read_bad_rows(&row, 1);
 }
 
-/* ---- files ------------------------------------------------------------------------------------------------------- */
+/* ---- files ----------------------------------------------------------------------------------------------------- */
 
 static void reads_published_files(void **state)
 {

@@ -89,7 +89,7 @@ static void check_span(const char *name, bool met, roberts_span span, bool expec
                  (int)wanted.facing, (unsigned)wanted.face);
 }
 
-/* ---- segment ---------------------------------------------------------------------------------------------------- */
+/* ---- segment --------------------------------------------------------------------------------------------------- */
 
 /* Segment from (0, 0) to (4, 0): n looks up, so rays from above meet its front. */
 static const struct {
@@ -164,7 +164,7 @@ static void test_segment_properties(void **state)
     assert_true(hits > 20000);
 }
 
-/* ---- plane ------------------------------------------------------------------------------------------------------ */
+/* ---- plane ----------------------------------------------------------------------------------------------------- */
 
 static const struct {
     const char *name;
@@ -218,7 +218,7 @@ static void test_plane_properties(void **state)
     }
 }
 
-/* ---- triangle --------------------------------------------------------------------------------------------------- */
+/* ---- triangle -------------------------------------------------------------------------------------------------- */
 
 typedef bool triangle_fn(roberts_ray, roberts_vec3, roberts_vec3, roberts_vec3, roberts_hit *);
 static const struct {
@@ -364,7 +364,7 @@ static void test_triangle_halves(void **state)
     assert_true(hits > 20000);
 }
 
-/* ---- polygon ---------------------------------------------------------------------------------------------------- */
+/* ---- polygon --------------------------------------------------------------------------------------------------- */
 
 static const struct {
     const char *name;
@@ -510,7 +510,7 @@ static void test_polygon_table(void **state)
     check_hit("behind", roberts_ray_polygon(down, hexagon, 6, NULL, &hit), hit, false, 0, FRONT);
 }
 
-/* ---- circle and sphere ------------------------------------------------------------------------------------------ */
+/* ---- circle and sphere ----------------------------------------------------------------------------------------- */
 
 /* Centre (1, 2, 3), radius 5. */
 static const struct {
@@ -614,7 +614,7 @@ static void test_sphere_far(void **state)
     check_close("out", span.t_out - 1e8, 0.8, 4e-8);
 }
 
-/* ---- box -------------------------------------------------------------------------------------------------------- */
+/* ---- box ------------------------------------------------------------------------------------------------------- */
 
 /* Box from (0, 0, 0) to (4, 2, 8). */
 static const struct {
@@ -673,7 +673,7 @@ static void test_box_table(void **state)
     }
 }
 
-/* ---- polyhedron ------------------------------------------------------------------------------------------------- */
+/* ---- polyhedron ------------------------------------------------------------------------------------------------ */
 
 /* The box above as half-spaces, in the order of its faces. */
 static const roberts_plane box_planes[] = {{1, 0, 0, 0},  {-1, 0, 0, 4}, {0, 1, 0, 0},

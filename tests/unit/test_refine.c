@@ -1,5 +1,6 @@
-/* Signs and crossings in twice the precision, against exact integers. All coordinates are integers below 2^18, or along one
- * axis alone up to 2^20, so that determinants fit into 63 bits; which of them vanish or all but vanish is up to each test. */
+/* Signs and crossings in twice the precision, against exact integers. All coordinates are integers below 2^18, or along
+ * one axis alone up to 2^20, so that determinants fit into 63 bits; which of them vanish or all but vanish is up to
+ * each test. */
 #include "hide/refine.h"
 #include "scenes.h"
 #include "whole.h"
@@ -133,7 +134,8 @@ static void sides_against_integers(void **state)
     assert_true(zeros > 100 && small > 100);
 }
 
-/* On vertices 4 and 5 the sight plane through 0 and 1 takes the values a and b: it is crossed at a / (a - b) in space. */
+/* On vertices 4 and 5 the sight plane through 0 and 1 takes the values a and b: it is crossed at a / (a - b)
+ * in space. */
 static void crossings_against_fractions(void **state)
 {
     rng r = {62};
@@ -185,8 +187,9 @@ static void piercings_against_fractions(void **state)
     assert_true(tried > 1000);
 }
 
-/* An edge that passes a plane at an angle of 1e-6 or less: from view coordinates the crossing is known to 1e-10, here to
- * the last place. The plate's corners have integer coordinates up to 1000, its plane is 0.001 x - 0.002 y + z = 0. */
+/* An edge that passes a plane at an angle of 1e-6 or less: from view coordinates the crossing is known to 1e-10, here
+ * to the last place. The plate's corners have integer coordinates up to 1000, its plane is 0.001 x - 0.002 y + z
+ * = 0. */
 static void grazing_pierce(void **state)
 {
     static const roberts_vec3 eye = {300, -200, 90000};
@@ -235,8 +238,8 @@ static whole deep_corner(rng *r, int axis)
 }
 
 /* In a deep view x and y are bounded, with their errors, by what they are made of, and by how far depth leaks into them
- * where the sight line is not quite along the axis; from an eye as well, far away or near. Distances in the picture are off
- * by no more than the tests allow for: 2 bounds (1 + reach / length). */
+ * where the sight line is not quite along the axis; from an eye as well, far away or near. Distances in the picture are
+ * off by no more than the tests allow for: 2 bounds (1 + reach / length). */
 static void deep_views(void **state)
 {
     rng r = {64};
@@ -253,7 +256,8 @@ static void deep_views(void **state)
         while (llabs(volume(p)) < 100000000 || llabs(volume(p + 4)) < 100000000);
         int x = aslant * rng_int(&r, -3, 3), y = aslant * rng_int(&r, -3, 3), z = aslant ? 1 << 20 : 3;
         roberts_camera camera = {.dir = real(along(axis, x, y, z)), .up = real(random_whole(&r, 9))};
-        if (from_eye) { /* before them, or so near that most is taken from the eye itself; it looks anywhere along them */
+        if (from_eye) { /* before them, or so near that most is taken from the eye itself; it looks anywhere
+                         * along them */
             camera.projection = ROBERTS_PERSPECTIVE;
             camera.eye =
                 real(along(axis, rng_int(&r, -9, 9), rng_int(&r, -9, 9), (i % 8 > 3 ? 3 << 19 : 20 << 19) + i));

@@ -1,7 +1,7 @@
 /* test_scene.c - solids from polygons: which faces belong together, planes, edges, what is refused and how it is said.
  *
- * Meshes are given as OFF text or made by small helpers. Whatever is accepted goes through check_scene(), which knows the
- * invariants of scene.h and computes nothing the way src/ does. */
+ * Meshes are given as OFF text or made by small helpers. Whatever is accepted goes through check_scene(), which knows
+ * the invariants of scene.h and computes nothing the way src/ does. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -20,7 +20,7 @@
 /* What is no convex solid is refused. */
 static const roberts_scene_options only_solids = {.solids = true};
 
-/* ---- meshes ---------------------------------------------------------------------------------------------------------- */
+/* ---- meshes ---------------------------------------------------------------------------------------------------- */
 
 static uint32_t add_vertex(roberts_mesh *mesh, double x, double y, double z)
 {
@@ -120,7 +120,7 @@ static void shuffle(roberts_mesh *mesh, rng *r)
     *mesh = mixed;
 }
 
-/* ---- invariants ------------------------------------------------------------------------------------------------------ */
+/* ---- invariants ------------------------------------------------------------------------------------------------ */
 
 static roberts_vec3 at(const roberts_scene *scene, uint32_t v)
 {
@@ -144,7 +144,8 @@ static bool passes(const roberts_scene *scene, uint32_t f, uint32_t a, uint32_t 
     return false;
 }
 
-/* Face f of solid s: its plane, and its corners turning clockwise about the inward normal. `largest`, `slack`: lengths. */
+/* Face f of solid s: its plane, and its corners turning clockwise about the inward normal. `largest`,
+ * `slack`: lengths. */
 static void check_face(const roberts_scene *scene, uint32_t s, uint32_t f, double largest, double slack)
 {
     const scene_solid *first = scene->solid + s;
@@ -239,7 +240,7 @@ static void refuse(const char *name, const roberts_mesh *mesh, roberts_status st
     assert_null(scene);
 }
 
-/* ---- accepted and refused -------------------------------------------------------------------------------------------- */
+/* ---- accepted and refused -------------------------------------------------------------------------------------- */
 
 #define CUBE_VERTICES "0 0 0 1 0 0 0 1 0 1 1 0 0 0 1 1 0 1 0 1 1 1 1 1 "
 #define CUBE_FACES "4 0 2 3 1 4 4 5 7 6 4 0 1 5 4 4 2 6 7 3 4 0 4 6 2 4 1 3 7 5 "
@@ -397,7 +398,7 @@ static void names_the_file_without_solids(void **state)
     roberts_mesh_free(&mesh);
 }
 
-/* ---- several inputs, options, colours ---------------------------------------------------------------------------------- */
+/* ---- several inputs, options, colours -------------------------------------------------------------------------- */
 
 static void the_input_that_holds_the_face_is_named(void **state)
 {
@@ -481,7 +482,7 @@ static void colours_follow_their_vertices_and_faces(void **state)
     roberts_mesh_free(&mesh);
 }
 
-/* ---- numbers ------------------------------------------------------------------------------------------------------------- */
+/* ---- numbers --------------------------------------------------------------------------------------------------- */
 
 /* Faces parallel to the coordinate planes get exact planes, wherever they are and whatever their size. */
 static void planes_are_exact(void **state)
@@ -662,7 +663,7 @@ static void six_digits_are_enough(void **state)
     }
 }
 
-/* ---- soup ---------------------------------------------------------------------------------------------------------------- */
+/* ---- soup ------------------------------------------------------------------------------------------------------ */
 
 /* Builds, and expects `solids` cubes, each with 8 vertices, and 6 or 12 faces. */
 static void expect_cubes(const char *name, const roberts_mesh *mesh, uint32_t solids, int kind)
@@ -708,7 +709,8 @@ static void touching_cubes_of_loose_faces_come_apart(void **state)
             }
 }
 
-/* n x n x n cubes: `kind` as above, or all over one grid of shared vertices. Without the cube in the middle if `hollow`. */
+/* n x n x n cubes: `kind` as above, or all over one grid of shared vertices. Without the cube in the middle if
+ * `hollow`. */
 static void add_block(roberts_mesh *mesh, int n, int kind, bool shared, bool hollow)
 {
     for (int i = 0; shared && i < (n + 1) * (n + 1) * (n + 1); i++)
@@ -793,7 +795,7 @@ static void missing_faces_are_noticed(void **state)
     }
 }
 
-/* ---- large solids, long faces -------------------------------------------------------------------------------------------- */
+/* ---- large solids, long faces ---------------------------------------------------------------------------------- */
 
 /* A double pyramid over a regular n-gon: two vertices with n edges each, numbered first, so that every list is long. */
 static void add_double_pyramid(roberts_mesh *mesh, uint32_t n)
@@ -841,8 +843,8 @@ static void a_face_may_have_many_corners(void **state)
     free(corner);
 }
 
-/* A ball of `rows` rows of quadrilaterals with triangles at the poles, squeezed to `height`; every coordinate rounded to
- * a multiple of 1 / digits, if that is not 0. */
+/* A ball of `rows` rows of quadrilaterals with triangles at the poles, squeezed to `height`; every coordinate rounded
+ * to a multiple of 1 / digits, if that is not 0. */
 static void add_ball(roberts_mesh *mesh, uint32_t rows, double height, double digits)
 {
     uint32_t columns = 2 * rows, first = (uint32_t)mesh->vertex_count;
@@ -902,8 +904,8 @@ static void large_solids_are_checked(void **state)
     }
 }
 
-/* A shallow dish: each edge bends inward by far less than any noise, the whole of it by much more than the tolerance. Under
- * it the half of a ball, so that nothing else is wrong. The bottom of the dish lies `depth` below the rim. */
+/* A shallow dish: each edge bends inward by far less than any noise, the whole of it by much more than the tolerance.
+ * Under it the half of a ball, so that nothing else is wrong. The bottom of the dish lies `depth` below the rim. */
 static void a_shallow_dish_is_not_convex(void **state)
 {
     static const double depth[] = {1e-7, 0.01, 0.1};
@@ -931,7 +933,7 @@ static void a_shallow_dish_is_not_convex(void **state)
         }
 }
 
-/* ---- models of others ------------------------------------------------------------------------------------------------------ */
+/* ---- models of others ------------------------------------------------------------------------------------------ */
 
 static const struct {
     const char *file;

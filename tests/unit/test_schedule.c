@@ -1,5 +1,5 @@
-/* src/hide/schedule.h by threads of the system, so that the thread sanitizer sees them: whatever the threads, segments come in
- * order, each once, and the work ends early where it is told to. */
+/* src/hide/schedule.h by threads of the system, so that the thread sanitizer sees them: whatever the threads, segments
+ * come in order, each once, and the work ends early where it is told to. */
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>

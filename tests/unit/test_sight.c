@@ -9,7 +9,8 @@ static roberts_vec3 between(roberts_vec3 a, roberts_vec3 b, double t)
     return vec3_add(a, vec3_scale(t, vec3_sub(b, a)));
 }
 
-/* A point below the face: often near a side, or near where its line goes on, or near a diagonal from the first corner. */
+/* A point below the face: often near a side, or near where its line goes on, or near a diagonal from the
+ * first corner. */
 static roberts_vec3 random_point(rng *r, const sight *s, uint32_t face)
 {
     const uint32_t *corner = s->scene->corner + s->scene->face_start[face];
@@ -43,8 +44,8 @@ static void expect_same(const sight *s, uint32_t face, rng *r, int found[3])
     }
 }
 
-/* Dented: one corner lies behind the chord of its neighbours, by less than the tolerance. Straight: a square whose borders
- * come in many parts, so that diagonals from its first corner lie on one another. */
+/* Dented: one corner lies behind the chord of its neighbours, by less than the tolerance. Straight: a square whose
+ * borders come in many parts, so that diagonals from its first corner lie on one another. */
 enum { ROUND, DENTED, STRAIGHT, OUTLINES };
 
 /* Corner i of the square, of CORNERS / 4 to a border, each at whole numbers. */

@@ -254,8 +254,8 @@ static uint32_t random_below(uint64_t *seed, uint32_t n)
     return (uint32_t)((*seed >> 33) % n);
 }
 
-/* A random run of steps, drawn either way, at a random height; `wanted` keeps the nearest visible one, or else the nearest
- * hidden one. */
+/* A random run of steps, drawn either way, at a random height; `wanted` keeps the nearest visible one, or else the
+ * nearest hidden one. */
 static roberts_segment random_run(uint64_t *seed, steps wanted)
 {
     for (;;) {
@@ -820,8 +820,8 @@ static void drawings_keep_from_the_frame(void **state)
     }
 }
 
-/* A field of view of 100 x 100 about (50, 50), and what it becomes on pages of other shapes: the longer side is filled, the frame
- * is where lines are cut off. (Here y is counted down from 100 at the top.) */
+/* A field of view of 100 x 100 about (50, 50), and what it becomes on pages of other shapes: the longer side is filled,
+ * the frame is where lines are cut off. (Here y is counted down from 100 at the top.) */
 static void fields_of_view_fill_the_page(void **state)
 {
     static const struct {

@@ -70,7 +70,8 @@ static const struct {
     {"far away", {210, 297, 10}, 1, {1e6, -1e7}, 0.00051},
 };
 
-/* Where p belongs on the page: the definition, in more digits. Half of the widest pen is kept where margins are less. */
+/* Where p belongs on the page: the definition, in more digits. Half of the widest pen is kept where margins
+ * are less. */
 static void exact_place(const roberts_page *page, const roberts_drawing *d, roberts_vec2 p, long double at[2])
 {
     long double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};

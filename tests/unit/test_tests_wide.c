@@ -201,10 +201,10 @@ static void runs_find_what_all_sides_do(void **state)
     free(sides.H);
 }
 
-/* ---- scenes ------------------------------------------------------------------------------------------------------- */
+/* ---- scenes ---------------------------------------------------------------------------------------------------- */
 
-/* Prisms and double pyramids of 65 to 128 corners lying over one another and through one another, and boxes among them; half
- * of the scenes as files of five digits have them, where polygons are not quite convex. */
+/* Prisms and double pyramids of 65 to 128 corners lying over one another and through one another, and boxes among them;
+ * half of the scenes as files of five digits have them, where polygons are not quite convex. */
 static void make_coins(model *m, uint64_t seed)
 {
     rng r = {seed};

@@ -35,7 +35,8 @@ static bool keep(void *context, const void *data, size_t size)
     return true;
 }
 
-/* Reads, builds, hides and writes, two of them the hull of all points; with `scene` only the last two. Empty on failure. */
+/* Reads, builds, hides and writes, two of them the hull of all points; with `scene` only the last two. Empty on
+ * failure. */
 static bytes draw(unsigned which, const roberts_scene *scene)
 {
     static const char *const view[] = {"iso", "front", "cabinet"};
@@ -118,7 +119,7 @@ static void all_with_one_scene(void **state)
     roberts_mesh_free(&mesh);
 }
 
-/* ---- segments one by one ------------------------------------------------------------------------------------------ */
+/* ---- segments one by one --------------------------------------------------------------------------------------- */
 
 typedef struct receiver {
     const roberts_drawing *drawing;

@@ -36,7 +36,7 @@ static roberts_vec3 draw_vec3(rng *r, double size)
     return (roberts_vec3){x, y, z};
 }
 
-/* ---- scenes ----------------------------------------------------------------------------------------------------- */
+/* ---- scenes ---------------------------------------------------------------------------------------------------- */
 
 /* A parallelepiped with corner o and sides u, v, w. */
 static void add_block(roberts_mesh *mesh, roberts_vec3 o, roberts_vec3 u, roberts_vec3 v, roberts_vec3 w)
@@ -123,7 +123,7 @@ static roberts_drawing hide(const roberts_scene *scene, const roberts_camera *ca
     return drawing;
 }
 
-/* ---- right drawings --------------------------------------------------------------------------------------------- */
+/* ---- right drawings -------------------------------------------------------------------------------------------- */
 
 static void tell(void *context, const roberts_contradiction *c)
 {
@@ -248,7 +248,7 @@ static void test_scales(void **state)
     roberts_scene_free(scene);
 }
 
-/* ---- spoiled drawings ------------------------------------------------------------------------------------------- */
+/* ---- spoiled drawings ------------------------------------------------------------------------------------------ */
 
 typedef struct spoiled {
     const roberts_segment *row;
@@ -283,8 +283,8 @@ static size_t find_spoiled(const roberts_scene *scene, const roberts_camera *cam
     return s.here;
 }
 
-/* Each row of a drawing, turned from visible to hidden or back, left out, shortened or lengthened by a hundredth, alone:
- * always found, on that edge and on no other. */
+/* Each row of a drawing, turned from visible to hidden or back, left out, shortened or lengthened by a hundredth,
+ * alone: always found, on that edge and on no other. */
 static void test_spoiled_rows(void **state)
 {
     rng r = {2};
@@ -340,7 +340,8 @@ static void keep_finding(void *context, const roberts_contradiction *c)
     f->item[f->count++] = *c;
 }
 
-/* A drawing wrong in many places: the same contradictions in the same order, by edge and t, from any number of threads. */
+/* A drawing wrong in many places: the same contradictions in the same order, by edge and t, from any number
+ * of threads. */
 static void test_threads(void **state)
 {
     static findings found[4];
@@ -378,8 +379,8 @@ static void test_threads(void **state)
     roberts_scene_free(scene);
 }
 
-/* Five copies of a box at one place, of which the tree takes two, between a box below and a smaller one inside: right, and
- * no row of any of them can be turned unnoticed. */
+/* Five copies of a box at one place, of which the tree takes two, between a box below and a smaller one inside: right,
+ * and no row of any of them can be turned unnoticed. */
 static void test_copies(void **state)
 {
     static const uint32_t first = 1, copies = 5;
@@ -446,9 +447,9 @@ static bool turn_longest(roberts_drawing *drawing, uint32_t solid)
     return longest != NULL;
 }
 
-/* Edges that cross what they are in contact with, within rounding of a point that is asked: a block turned by 9e-12, seen along
- * the border of another; a cube so far from the eye that its corners are within rounding of its faces; one of which the near
- * plane leaves 1.4e-13. */
+/* Edges that cross what they are in contact with, within rounding of a point that is asked: a block turned by 9e-12,
+ * seen along the border of another; a cube so far from the eye that its corners are within rounding of its faces; one
+ * of which the near plane leaves 1.4e-13. */
 static void test_crossed_in_contact(void **state)
 {
     const double a = 2.8565979351453e-11, b = 9.0766838716902e-12, s = 1e-4;
@@ -502,8 +503,8 @@ static void test_crossed_in_contact(void **state)
     }
 }
 
-/* A block's side whose picture is a sliver, 3.8e-9 wide and not narrow across its plane, is edge-on where epsilon is more:
- * then an edge of it is at the back. */
+/* A block's side whose picture is a sliver, 3.8e-9 wide and not narrow across its plane, is edge-on where epsilon is
+ * more: then an edge of it is at the back. */
 static void test_sliver(void **state)
 {
     static const roberts_vec3 o = {131.23693562270955, 265.66161015973069, 145.47584033955607};
@@ -563,9 +564,9 @@ static void test_wide_epsilon(void **state)
     assert_true(points > 20000 && undecided < points / 4);
 }
 
-/* The rule itself, by hand: what two boxes do to the top edge of a third. The drawing shows all of it as visible; `wrong`
- * says whether that is contradicted. The edge runs from (0, 0, 0) to (8, 0, 0) and is seen from above; the occluder is
- * the box from `lo` to `hi`. */
+/* The rule itself, by hand: what two boxes do to the top edge of a third. The drawing shows all of it as visible;
+ * `wrong` says whether that is contradicted. The edge runs from (0, 0, 0) to (8, 0, 0) and is seen from above; the
+ * occluder is the box from `lo` to `hi`. */
 static const struct {
     const char *name;
     roberts_vec3 lo, hi;
@@ -672,10 +673,10 @@ static void test_bad_drawings(void **state)
     roberts_scene_free(scene);
 }
 
-/* ---- pick ------------------------------------------------------------------------------------------------------- */
+/* ---- pick ------------------------------------------------------------------------------------------------------ */
 
-/* Solid 0: 4 x 4 x 1 at the bottom; solid 1: 2 x 2 x 1 on it; solid 2 beside them, as high as both. Seen from the top the
- * picture's origin is (4, 2), the middle of the scene, which is at height 1. */
+/* Solid 0: 4 x 4 x 1 at the bottom; solid 1: 2 x 2 x 1 on it; solid 2 beside them, as high as both. Seen from the top
+ * the picture's origin is (4, 2), the middle of the scene, which is at height 1. */
 static const struct {
     const char *name;
     double x, y;
@@ -782,7 +783,8 @@ static void test_pick_cut(void **state)
     roberts_scene_free(scene);
 }
 
-/* Solids that touch or coincide at the same depth come by number; faces of one solid that share the point count once. */
+/* Solids that touch or coincide at the same depth come by number; faces of one solid that share the point
+ * count once. */
 static void test_pick_ties(void **state)
 {
     roberts_mesh mesh = {0};
@@ -846,11 +848,11 @@ static void test_pick_agrees(void **state)
     assert_true(seen > 800 && behind > 500);
 }
 
-/* ---- the tree of boxes ------------------------------------------------------------------------------------------ */
+/* ---- the tree of boxes ----------------------------------------------------------------------------------------- */
 
-/* What a walk of some points together finds: each box that the kernel's slab test meets above a point, once; those of the
- * owner that the point skips may be missing. Point `gone` is dropped at the first leaf: nothing is found for it after. Every
- * third leaf is kept for the next walk, which finds it first, and a second time. */
+/* What a walk of some points together finds: each box that the kernel's slab test meets above a point, once; those of
+ * the owner that the point skips may be missing. Point `gone` is dropped at the first leaf: nothing is found for it
+ * after. Every third leaf is kept for the next walk, which finds it first, and a second time. */
 static size_t check_walk(tree_walk *walk, const tree_box *box, uint32_t count, const roberts_vec3 *point,
                          const uint32_t *skip, uint32_t points, uint32_t gone)
 {

@@ -1,5 +1,5 @@
-/* test_verify_spoiled.c - drawings spoiled in one place at a time: --verify finds each fault that can be seen, and none in
- * the drawing as it was. */
+/* test_verify_spoiled.c - drawings spoiled in one place at a time: --verify finds each fault that can be seen, and none
+ * in the drawing as it was. */
 #include "roberts.h"
 #include "scenes.h"
 
@@ -7,7 +7,7 @@
 
 enum { ROUNDS = 8, TRIES = 12 }; /* scenes of a family; faults of a kind in one drawing */
 
-/* ---- scenes ----------------------------------------------------------------------------------------------------- */
+/* ---- scenes ---------------------------------------------------------------------------------------------------- */
 
 /* From BLOCKS on: bodies that are not convex. */
 typedef enum family { CROWD, LATTICE, BALLS, COINS, WALL, DIGITS, BLOCKS, TORI, TERRAIN, STARS, FAMILIES } family;
@@ -190,7 +190,7 @@ static roberts_camera camera_for(rng *r, int round)
     return camera;
 }
 
-/* ---- faults ----------------------------------------------------------------------------------------------------- */
+/* ---- faults ---------------------------------------------------------------------------------------------------- */
 
 typedef enum fault {
     END_1E3, /* an end is moved by a thousandth of the edge, */
@@ -285,7 +285,7 @@ static bool spoil(const roberts_scene *scene, roberts_drawing *drawing, size_t i
     }
 }
 
-/* ---- rates ------------------------------------------------------------------------------------------------------ */
+/* ---- rates ----------------------------------------------------------------------------------------------------- */
 
 typedef struct rate {
     size_t tried, found;

@@ -31,7 +31,7 @@ static view prepare(const roberts_scene *scene, const roberts_camera *camera)
     return v;
 }
 
-/* ---- frames ------------------------------------------------------------------------------------------------------- */
+/* ---- frames ---------------------------------------------------------------------------------------------------- */
 
 static void expect_frame(const char *name, const view *v, roberts_vec3 right, roberts_vec3 up)
 {
@@ -395,7 +395,7 @@ static void up_nearly_parallel(void **state)
     roberts_scene_free(scene);
 }
 
-/* ---- the two projections ------------------------------------------------------------------------------------------ */
+/* ---- the two projections --------------------------------------------------------------------------------------- */
 
 static roberts_vec3 random_point(rng *r)
 {
@@ -470,9 +470,9 @@ static void perspective_pictures(void **state)
     roberts_scene_free(scene);
 }
 
-/* From (6, 12, 12), looking at the origin from D = 18: at h before the eye and s aside of the axis, a point has its picture
- * at a distance of s D / h from the middle and a depth of (D - h) D / h; both right to the last places, and within the
- * bound of rounding, down to some millionths of the scene's size. All numbers here are exact. */
+/* From (6, 12, 12), looking at the origin from D = 18: at h before the eye and s aside of the axis, a point has its
+ * picture at a distance of s D / h from the middle and a depth of (D - h) D / h; both right to the last places, and
+ * within the bound of rounding, down to some millionths of the scene's size. All numbers here are exact. */
 static void close_to_the_eye(void **state)
 {
     const roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE, .eye = {6, 12, 12}, .has_look_at = true};
@@ -587,7 +587,7 @@ static void planes_stay_planes(void **state)
     model_free(&m);
 }
 
-/* ---- front, back, edge-on ----------------------------------------------------------------------------------------- */
+/* ---- front, back, edge-on -------------------------------------------------------------------------------------- */
 
 /* Facing of the face of a scene whose inward normal is (a, b, c). */
 static int facing_of(const roberts_scene *scene, const view *v, roberts_vec3 n)
@@ -674,7 +674,7 @@ static void facing_of_needles(void **state)
     }
 }
 
-/* ---- what is refused ---------------------------------------------------------------------------------------------- */
+/* ---- what is refused ------------------------------------------------------------------------------------------- */
 
 static void refused_by_table(void **state)
 {
@@ -743,7 +743,7 @@ static void refused_by_table(void **state)
     roberts_scene_free(scene);
 }
 
-/* ---- the touching distance ---------------------------------------------------------------------------------------- */
+/* ---- the touching distance ------------------------------------------------------------------------------------- */
 
 static void epsilon_by_table(void **state)
 {
@@ -782,7 +782,7 @@ static void epsilon_by_table(void **state)
     }
 }
 
-/* ---- sizes beyond squaring ---------------------------------------------------------------------------------------- */
+/* ---- sizes beyond squaring ------------------------------------------------------------------------------------- */
 
 static void huge_and_tiny(void **state)
 {

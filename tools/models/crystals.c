@@ -22,7 +22,7 @@ typedef struct crystal {
     size_t corner_count;
 } crystal;
 
-/* ---- forms ------------------------------------------------------------------------------------------------------- */
+/* ---- forms ----------------------------------------------------------------------------------------------------- */
 
 static void add_plane(crystal *c, roberts_vec3 n, double d)
 {
@@ -84,7 +84,7 @@ static void add_trigonal_form(crystal *c, double ratio, double h, double k, doub
     }
 }
 
-/* ---- from faces to the solid ------------------------------------------------------------------------------------- */
+/* ---- from faces to the solid ----------------------------------------------------------------------------------- */
 
 static bool is_inside(const crystal *c, roberts_vec3 p)
 {
@@ -154,7 +154,7 @@ static void add_crystal(body *b, crystal *c, roberts_vec3 at)
         add_face(b, c, c->face[i], base);
 }
 
-/* ---- the plate --------------------------------------------------------------------------------------------------- */
+/* ---- the plate ------------------------------------------------------------------------------------------------- */
 
 static void add_cubic_crystals(body *b, double z)
 {

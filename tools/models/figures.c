@@ -21,7 +21,7 @@ static void add_parallelepiped(body *to, roberts_vec3 p, roberts_vec3 a, roberts
     body_free(&box);
 }
 
-/* ---- a chair ----------------------------------------------------------------------------------------------------- */
+/* ---- a chair --------------------------------------------------------------------------------------------------- */
 
 /* Above the seat everything leans back by 1 in 8. */
 static void add_leaning(body *b, roberts_vec3 lo, roberts_vec3 hi)
@@ -49,7 +49,7 @@ void chair(body *b)
         add_leaning(b, vec3(4, 39, 59 + 12 * i), vec3(40, 41, 66 + 12 * i));
 }
 
-/* ---- a staircase ------------------------------------------------------------------------------------------------- */
+/* ---- a staircase ----------------------------------------------------------------------------------------------- */
 
 enum { STEPS_A_TURN = 16, STEPS = 26 };
 
@@ -108,7 +108,7 @@ void spiral_staircase(body *b)
     }
 }
 
-/* ---- arrangements ------------------------------------------------------------------------------------------------ */
+/* ---- arrangements ---------------------------------------------------------------------------------------------- */
 
 /* A copy of `part`, of size `ratio`, in each corner of it; `level` times over. */
 static void add_flake(body *b, const body *part, double ratio, int level, motion at)
@@ -155,7 +155,7 @@ void cubic_space(body *b)
     }
 }
 
-/* ---- plates of solids -------------------------------------------------------------------------------------------- */
+/* ---- plates of solids ------------------------------------------------------------------------------------------ */
 
 static double circumradius(int solid)
 {

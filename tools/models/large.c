@@ -27,7 +27,7 @@ static uint64_t integer_root(uint64_t n)
     return (uint64_t)sqrt((double)n);
 }
 
-/* ---- lattice ----------------------------------------------------------------------------------------------------- */
+/* ---- lattice --------------------------------------------------------------------------------------------------- */
 
 static uint64_t cube_of(uint64_t n)
 {
@@ -49,7 +49,7 @@ static void lattice_solid(body *b, const plan *p, uint64_t index)
         body_add(b, &p->octahedron, rng_turn(&r, 0.4375, middle));
 }
 
-/* ---- city -------------------------------------------------------------------------------------------------------- */
+/* ---- city ------------------------------------------------------------------------------------------------------ */
 
 /* n x n blocks of 12 x 12 with streets of 4 between them, four solids in each. */
 static uint64_t city_count(uint64_t n)
@@ -116,7 +116,7 @@ static void city_solid(body *b, const plan *p, uint64_t index)
         podium_part(b, &r, at, height, index % 4);
 }
 
-/* ---- wall -------------------------------------------------------------------------------------------------------- */
+/* ---- wall ------------------------------------------------------------------------------------------------------ */
 
 /* Bricks of 4 x 2 x 1 in running bond: courses of `width` whole bricks in turn with courses that have a half brick at
  * either end. Length to height is about as 4 to 3. */
@@ -139,7 +139,7 @@ static void wall_solid(body *b, const plan *p, uint64_t index)
     body_box(b, vec3(x0, 0, z), vec3(x1, 2, z + 1));
 }
 
-/* ---- heaps ------------------------------------------------------------------------------------------------------- */
+/* ---- heaps ----------------------------------------------------------------------------------------------------- */
 
 /* A plate at a random place, turned about the vertical, each above all before it; some nine lie over one another
  * everywhere. The heap is half as high as wide. */
@@ -307,7 +307,7 @@ static void speck_solid(body *b, const plan *p, uint64_t index)
     body_free(&ball);
 }
 
-/* ---- single solids ----------------------------------------------------------------------------------------------- */
+/* ---- single solids --------------------------------------------------------------------------------------------- */
 
 static uint64_t single(uint64_t n)
 {
@@ -336,7 +336,7 @@ static void sphere_solid(body *b, const plan *p, uint64_t index)
     globe_make(b, (uint32_t)rings, (uint32_t)(2 * rings));
 }
 
-/* ---- the table, and writing -------------------------------------------------------------------------------------- */
+/* ---- the table, and writing ------------------------------------------------------------------------------------ */
 
 typedef uint64_t count_fn(uint64_t n);
 typedef void solid_fn(body *b, const plan *p, uint64_t index); /* adds solid `index` */

@@ -6,7 +6,7 @@
 #include "stand.h"
 #include "uniform.h"
 
-/* ---- cubes ------------------------------------------------------------------------------------------------------- */
+/* ---- cubes ----------------------------------------------------------------------------------------------------- */
 
 static void cube_behind_cube(body *b)
 {
@@ -61,7 +61,7 @@ static void stella_octangula(body *b)
     body_free(&tetrahedron);
 }
 
-/* ---- things that stand on one another ---------------------------------------------------------------------------- */
+/* ---- things that stand on one another -------------------------------------------------------------------------- */
 
 /* A flight away from the viewer, a landing, a second flight to the left; every step is a block down to the floor. */
 static void staircase(body *b)
@@ -96,7 +96,7 @@ static void tower(body *b)
     }
 }
 
-/* ---- the table --------------------------------------------------------------------------------------------------- */
+/* ---- the table ------------------------------------------------------------------------------------------------- */
 
 enum { TABLE_HEIGHT = 16 };
 
@@ -156,7 +156,7 @@ static void table(body *b)
     stand_uniform(b, TETRAHEDRON, 3, 1.5, vec3(25.5, 2.5, z), half_angle(-0.125));
 }
 
-/* ---- a temple ---------------------------------------------------------------------------------------------------- */
+/* ---- a temple -------------------------------------------------------------------------------------------------- */
 
 /* The roof over the rectangle lo.x..hi.x, lo.y..hi.y: its ridge runs along y at height hi.z. */
 static void roof(body *b, roberts_vec3 lo, roberts_vec3 hi)

@@ -170,7 +170,7 @@ const char *catalan_about(int solid)
     return recipes[solid].dual;
 }
 
-/* ---- vertices --------------------------------------------------------------------------------------------------- */
+/* ---- vertices -------------------------------------------------------------------------------------------------- */
 
 static void add_new_vertex(body *b, roberts_vec3 p)
 {
@@ -253,7 +253,7 @@ static void snub_dodecahedron_vertices(body *b)
     }
 }
 
-/* ---- faces of the hull ------------------------------------------------------------------------------------------ */
+/* ---- faces of the hull ----------------------------------------------------------------------------------------- */
 
 /* The vertices at the ends of the edges from each vertex. */
 typedef struct edges {
@@ -346,7 +346,7 @@ void uniform_make(body *b, int solid)
     body_free(&hull);
 }
 
-/* ---- duals ------------------------------------------------------------------------------------------------------ */
+/* ---- duals ----------------------------------------------------------------------------------------------------- */
 
 /* A coordinate that symmetry makes 0 and rounding does not: the least true one is above 0.08. */
 static double without_residue(double x)
@@ -405,7 +405,7 @@ void catalan_make(body *b, int solid)
     body_free(&primal);
 }
 
-/* ---- over regular polygons --------------------------------------------------------------------------------------- */
+/* ---- over regular polygons ------------------------------------------------------------------------------------- */
 
 /* n vertices at height z, the first one `first` steps of 1/`steps` turn from the x axis. */
 static uint32_t add_ring(body *b, uint32_t n, double radius, double z, uint32_t first, uint32_t steps)
