@@ -372,6 +372,14 @@ static void check_family(family which, rate rates[FAULTS])
     }
 }
 
+/* How many faults of so many may be missed: none, but for ends off by 1e-6. Where a border crosses the edge at a flat
+ * angle, or the edge is short, so small a shift stays within the few epsilons in which --verify reports points as
+ * undecided. (13 of 8,299 in a long run.) */
+static size_t undetected(fault what, size_t tried)
+{
+    return what == END_1E6 ? tried / 200 : 0;
+}
+
 static void test_spoiled(void **state)
 {
     rate rates[FAULTS] = {{0}};
@@ -387,7 +395,7 @@ static void test_spoiled(void **state)
         }
     }
     for (fault what = 0; what < FAULTS; what++) {
-        if (rates[what].found != rates[what].tried)
+        if (rates[what].found < rates[what].tried - undetected(what, rates[what].tried))
             fail_msg("%s: %zu of %zu found", fault_names[what], rates[what].found, rates[what].tried);
         assert_true(rates[what].tried > 200);
     }
