@@ -100,7 +100,7 @@ static bytes_built build_header(const char *begins, uint32_t count)
 {
     bytes_built b = {.size = 0};
     char header[80] = {0};
-    for (size_t i = 0; begins[i]; i++)
+    for (size_t i = 0; i < sizeof header && begins[i]; i++)
         header[i] = begins[i];
     build_bytes(&b, header, sizeof header);
     build_number(&b, count, 4);
