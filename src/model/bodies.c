@@ -312,7 +312,7 @@ static bool lay_out(assembly *a)
     if (!scene_lay_out(scene, &a->all, a->of, a->body_count, a->surface.point))
         return false;
     for (uint32_t f = 0; f < scene->face_count; f++) {
-        while (scene->solid[s].face == f && s < scene->solid_count)
+        while (s < scene->solid_count && scene->solid[s].face == f)
             scene->solid[s++].face = to;
         if (a->number[scene->face_number[f]] == ROBERTS_NONE)
             continue;
@@ -392,11 +392,10 @@ static edge_key *list_edges(const assembly *a, uint32_t *first)
 {
     const surface *s = &a->surface;
     edge_key *key = alloc_array(s->edge_count, sizeof *key);
-    uint32_t odd = a->extra;
     for (uint32_t b = 0; b <= a->body_count; b++)
         first[b] = 0;
     for (int pass = 0; key && pass < 2; pass++) {
-        odd = a->extra;
+        uint32_t odd = a->extra;
         for (size_t i = 0; i < s->edge_count; i++) {
             const surface_edge *e = &s->edge[i];
             uint32_t body = a->of[e->odd ? odd++ : piece_of(e->piece[0])];
@@ -648,10 +647,8 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
         else if (a.body_count == 0)
             status =
                 error_set(error, ROBERTS_NOT_CLOSED, 0, "there is nothing to draw: no face has area, no edge length");
-        else if (!lay_out(&a))
-            status = ROBERTS_NO_MEMORY;
         else
-            status = fill_scene(&a, error);
+            status = lay_out(&a) ? fill_scene(&a, error) : ROBERTS_NO_MEMORY;
     }
     polygons_free(&a.faces);
     polygons_free(&a.all);
@@ -742,16 +739,16 @@ const scene_part *scene_part_at(const roberts_scene *scene, uint32_t edge)
     return &s->part[low];
 }
 
-void scene_surface_free(scene_surface *of)
+void scene_surface_free(scene_surface *s)
 {
-    if (!of)
+    if (!s)
         return;
-    free(of->kind);
-    free(of->smooth);
-    free(of->edge_is);
-    free(of->plane_of);
-    free(of->many);
-    free(of->many_face);
-    free(of->part);
-    free(of);
+    free(s->kind);
+    free(s->smooth);
+    free(s->edge_is);
+    free(s->plane_of);
+    free(s->many);
+    free(s->many_face);
+    free(s->part);
+    free(s);
 }

@@ -54,9 +54,10 @@ static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh, bool len
         if (!scene->vertex_color)
             return false;
         for (uint32_t v = 0; v < scene->vertex_count; v++)
-            scene->vertex_color[v] = scene_vertex_number(scene, v) == ROBERTS_NONE
-                                         ? (roberts_color){0}
-                                         : mesh->vertex_color[scene_vertex_number(scene, v)];
+            if (scene_vertex_number(scene, v) == ROBERTS_NONE)
+                scene->vertex_color[v] = (roberts_color){0};
+            else
+                scene->vertex_color[v] = mesh->vertex_color[scene_vertex_number(scene, v)];
     }
     if (mesh->face_color && (scene->face_number || !lend)) {
         scene->face_color = alloc_array(scene->face_count, sizeof *scene->face_color);

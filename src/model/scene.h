@@ -110,7 +110,7 @@ const scene_many *scene_many_at(const roberts_scene *scene, uint32_t edge);
 /* The entry of an edge that is EDGE_PART. */
 const scene_part *scene_part_at(const roberts_scene *scene, uint32_t edge);
 
-void scene_surface_free(scene_surface *surface);
+void scene_surface_free(scene_surface *s);
 
 /* The vertex in the input; of welded vertices the smallest. */
 static inline uint32_t scene_vertex_number(const roberts_scene *scene, uint32_t v)

@@ -356,7 +356,9 @@ static uint32_t assign_row(verifier *f, uint32_t index, bool put)
     const roberts_segment *row = &f->drawing->segment[index];
     uint32_t none = f->scene->edge_count, count = 0;
     bool convex = row->solid >= f->scene->solid_count || scene_is_convex(f->scene, row->solid);
-    name_range range = convex ? (name_range){0} : names_of(f, row);
+    name_range range = {0};
+    if (!convex)
+        range = names_of(f, row);
     uint32_t edge = convex ? find_edge(f->scene, row) : next_edge(f, &range, row);
     for (; edge != none; edge = convex ? none : next_edge(f, &range, row)) {
         if (put)

@@ -161,8 +161,8 @@ static bool begins_text(input *in)
 {
     const size_t length = input_need(in, 1) ? input_token(in) : 0;
     return length > 0 && length <= INPUT_TOKEN_MAX &&
-           (memchr("#{0123456789", *in->at, 12) || input_separator(*in->at) || off_is_keyword(in->at, length) ||
-            is_obj_word(in->at, length));
+           ((*in->at && strchr("#{0123456789", *in->at)) || input_separator(*in->at) ||
+            off_is_keyword(in->at, length) || is_obj_word(in->at, length));
 }
 
 /* Brings the header and the count of binary STL. False: they do not come, or a line of text ends before. A small model

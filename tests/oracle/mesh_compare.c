@@ -58,14 +58,11 @@ static bool parse(int argc, char **argv, arguments *a)
             a->edges = strtoull(value, NULL, 10);
         else if (!strcmp(option, "--slack"))
             a->scene.slack = strtod(value, NULL);
-        else if (!strcmp(option, "--dir") && parse_view(value, 0, &a->scene.view))
-            continue;
-        else if (!strcmp(option, "--eye") && parse_view(value, 1, &a->scene.view))
-            continue;
         else if (!strcmp(option, "--file")) {
             a->first_file = i + 1;
             return true;
-        } else
+        } else if ((strcmp(option, "--dir") != 0 && strcmp(option, "--eye") != 0) ||
+                   !parse_view(value, option[2] == 'e', &a->scene.view))
             return false;
     }
     return true;
