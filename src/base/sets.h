@@ -15,4 +15,15 @@ static inline uint32_t sets_root(uint32_t *parent, uint32_t i)
     return i;
 }
 
+/* Joins the sets of a and b. The smaller root becomes the root of both. */
+static inline void sets_join(uint32_t *parent, uint32_t a, uint32_t b)
+{
+    a = sets_root(parent, a);
+    b = sets_root(parent, b);
+    if (a < b)
+        parent[b] = a;
+    else
+        parent[a] = b;
+}
+
 #endif

@@ -41,4 +41,13 @@ static inline int compare_u64(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* Compares two uint32_t, for qsort() and bsearch(). */
+static inline int sort_compare_numbers(const void *a, const void *b)
+{
+    uint32_t x, y;
+    memcpy(&x, a, sizeof x);
+    memcpy(&y, b, sizeof y);
+    return (x > y) - (x < y);
+}
+
 #endif

@@ -142,16 +142,6 @@ static uint32_t piece_of(uint32_t incidence)
     return incidence & ~SURFACE_TURNED;
 }
 
-static void join(uint32_t *parent, uint32_t a, uint32_t b)
-{
-    a = sets_root(parent, a);
-    b = sets_root(parent, b);
-    if (a < b)
-        parent[b] = a;
-    else
-        parent[a] = b;
-}
-
 /* Joins pieces that are connected by edges; wires are connected by their ends. parent: [pieces + edges]; owner:
  * [vertices] scratch. */
 static void join_pieces(const surface *s, uint32_t *parent, uint32_t *owner)
@@ -162,23 +152,23 @@ static void join_pieces(const surface *s, uint32_t *parent, uint32_t *owner)
         owner[v] = ROBERTS_NONE;
     for (uint32_t p = 1; p < s->piece_count; p++)
         if (s->face[p] == s->face[p - 1])
-            join(parent, p - 1, p);
+            sets_join(parent, p - 1, p);
     for (size_t i = 0; i < s->edge_count; i++) {
         const surface_edge *e = &s->edge[i];
         uint32_t own = s->piece_count + (uint32_t)i;
         if (e->piece[0] != ROBERTS_NONE) {
-            join(parent, own, piece_of(e->piece[0]));
+            sets_join(parent, own, piece_of(e->piece[0]));
             if (e->piece[1] != ROBERTS_NONE)
-                join(parent, own, piece_of(e->piece[1]));
+                sets_join(parent, own, piece_of(e->piece[1]));
             for (uint32_t k = e->many; e->many != ROBERTS_NONE && k < e->many_end; k++)
-                join(parent, own, piece_of(s->many[k]));
+                sets_join(parent, own, piece_of(s->many[k]));
             continue;
         }
         for (int k = 0; k < 2; k++) {
             uint32_t *first = &owner[e->v[k]];
             if (*first == ROBERTS_NONE)
                 *first = own;
-            join(parent, own, *first);
+            sets_join(parent, own, *first);
         }
     }
 }

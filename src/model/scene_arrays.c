@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "base/array.h"
 #include "base/box.h"
 #include "base/error.h"
@@ -158,14 +159,6 @@ void scene_set_box(roberts_scene *scene, roberts_vec3 lo, roberts_vec3 hi)
     scene->unit = ldexp(1.0, exponent > LEAST_EXPONENT ? exponent : LEAST_EXPONENT);
 }
 
-static int compare_numbers(const void *a, const void *b)
-{
-    uint32_t x, y;
-    memcpy(&x, a, sizeof x);
-    memcpy(&y, b, sizeof y);
-    return (x > y) - (x < y);
-}
-
 void scene_copy_corners(roberts_scene *scene, const polygons *faces)
 {
     const uint32_t *start = faces->start, *number = scene->face_number;
@@ -232,13 +225,13 @@ static bool number_sparse(roberts_scene *scene, uint32_t from, uint32_t to, uint
     if (!array_reserve(sorted, room, count, sizeof **sorted))
         return false;
     memcpy(*sorted, scene->corner + from, count * sizeof **sorted);
-    qsort(*sorted, count, sizeof **sorted, compare_numbers);
+    qsort(*sorted, count, sizeof **sorted, sort_compare_numbers);
     for (uint32_t i = 0; i < count; i++)
         if (i == 0 || (*sorted)[i] != (*sorted)[i - 1])
             scene->number[scene->vertex_count++] = (*sorted)[i];
     for (uint32_t i = from; i < to; i++) {
         const uint32_t *found = bsearch(&scene->corner[i], scene->number + first, scene->vertex_count - first,
-                                        sizeof *scene->number, compare_numbers);
+                                        sizeof *scene->number, sort_compare_numbers);
         scene->corner[i] = (uint32_t)(found - scene->number);
     }
     return true;

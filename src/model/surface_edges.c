@@ -176,14 +176,6 @@ static bool take_groups(finder *f)
     return true;
 }
 
-static int compare_numbers(const void *a, const void *b)
-{
-    uint32_t x, y;
-    memcpy(&x, a, sizeof x);
-    memcpy(&y, b, sizeof y);
-    return (x > y) - (x < y);
-}
-
 /* Lists the ends of odd sides, each once. */
 static bool list_vertices(finder *f)
 {
@@ -195,23 +187,13 @@ static bool list_vertices(finder *f)
         f->vertex[2 * i] = f->s->side[f->odd[i]].v[0];
         f->vertex[2 * i + 1] = f->s->side[f->odd[i]].v[1];
     }
-    qsort(f->vertex, 2 * f->odd_count, sizeof *f->vertex, compare_numbers);
+    qsort(f->vertex, 2 * f->odd_count, sizeof *f->vertex, sort_compare_numbers);
     for (size_t i = 0; i < 2 * f->odd_count; i++)
         if (i == 0 || f->vertex[i] != f->vertex[i - 1])
             f->vertex[f->vertex_count++] = f->vertex[i];
     for (size_t i = 0; i < f->vertex_count; i++)
         f->parent[f->vertex[i]] = f->vertex[i];
     return true;
-}
-
-static void join(uint32_t *parent, uint32_t a, uint32_t b)
-{
-    a = sets_root(parent, a);
-    b = sets_root(parent, b);
-    if (a < b)
-        parent[b] = a;
-    else
-        parent[a] = b;
 }
 
 /* Finds the vertices on the segment from a to b, as stops; joins vertices at its ends to a and b. */
@@ -230,9 +212,9 @@ static bool find_stops(finder *f, const point_grid *grid, uint32_t a, uint32_t b
         roberts_vec3 AV = vec3_sub(point[v], A), BV = vec3_sub(point[v], point[b]);
         double t = squared > 0.0 ? vec3_dot(AV, AB) / squared : 0.0;
         if (vec3_length(AV) <= f->touching) {
-            join(f->parent, a, v);
+            sets_join(f->parent, a, v);
         } else if (vec3_length(BV) <= f->touching) {
-            join(f->parent, b, v);
+            sets_join(f->parent, b, v);
         } else if (t > 0.0 && t < 1.0 && vec3_length(vec3_sub(AV, vec3_scale(t, AB))) <= f->touching) {
             if (!array_reserve(&f->stop, &f->stop_room, f->stop_count + 1, sizeof *f->stop))
                 return false;
