@@ -171,29 +171,22 @@ static const char *name(const row *r)
     return r->of->scene ? roberts_scene_name(r->of->scene, r->s->solid) : "";
 }
 
-static bool is_empty(const row *r, int column)
+/* Writes a field that is no text; `empty` where it holds nothing. */
+static void write_field(const row *r, int column, const char *empty, output *out)
 {
+    uint32_t whole;
     switch (kinds[column]) {
     case WHOLE:
-        return column != BODY && whole_number(r, column) == ROBERTS_NONE;
+        whole = whole_number(r, column);
+        whole == ROBERTS_NONE &&column != BODY ? output_text(out, empty) : output_integer(out, whole);
+        break;
     case NUMBER:
-        return column >= END_X0 && column <= END_Z1 && !r->has_ends;
-    case TEXT:
-        return !*name(r);
+        column >= END_X0 &&column <= END_Z1 && !r->has_ends ? output_text(out, empty)
+                                                            : output_number(out, number(r, column));
+        break;
     default:
-        return false;
-    }
-}
-
-/* Writes a field that is no text. */
-static void write_field(const row *r, int column, output *out)
-{
-    if (kinds[column] == WHOLE)
-        output_integer(out, whole_number(r, column));
-    else if (kinds[column] == NUMBER)
-        output_number(out, number(r, column));
-    else
         output_text(out, word(r, column));
+    }
 }
 
 static bool is_listed(const roberts_segment *s, bool with_hidden)
@@ -224,8 +217,8 @@ static void write_csv_row(const row *r, output *out)
             output_bytes(out, ",", 1);
         if (kinds[column] == TEXT)
             write_csv_text(name(r), out);
-        else if (!is_empty(r, column))
-            write_field(r, column, out);
+        else
+            write_field(r, column, "", out);
     }
     output_bytes(out, "\n", 1);
 }
@@ -247,10 +240,15 @@ void table_write_csv(const roberts_drawing *drawing, const roberts_draw_options 
 
 /* ---- JSON ---- */
 
-/* As a string of JSON (RFC 8259). A byte that belongs to no character of UTF-8 becomes U+FFFD. */
+/* As a string of JSON (RFC 8259); null where there is none. A byte that belongs to no character of UTF-8 becomes
+ * U+FFFD. */
 static void write_json_text(const char *text, output *out)
 {
     static const char hex[] = "0123456789abcdef";
+    if (!*text) {
+        output_text(out, "null");
+        return;
+    }
     output_bytes(out, "\"", 1);
     while (*text) {
         size_t length = output_character(text);
@@ -277,12 +275,10 @@ static void write_json_member(const row *r, int i, output *out)
     output_text(out, i ? ",\"" : "\"");
     output_text(out, names[column]);
     output_text(out, is_word ? "\":\"" : "\":");
-    if (is_empty(r, column))
-        output_text(out, "null");
-    else if (kinds[column] == TEXT)
+    if (kinds[column] == TEXT)
         write_json_text(name(r), out);
     else
-        write_field(r, column, out);
+        write_field(r, column, "null", out);
     if (is_word)
         output_bytes(out, "\"", 1);
 }
