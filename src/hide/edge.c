@@ -151,7 +151,7 @@ static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *fi
     bool surface = front->kind == HIDE_SURFACE_FACE;
     for (; bits; bits &= bits - 1) {
         const hide_line *line = first + bits_trailing_zeros(bits);
-        if (seen_owns(w->fronts->scene, &line->is, front->own) ||
+        if (seen_owns(w->fronts->scene, &line->is.own, front->own) ||
             (surface && leaves_at_corner(w->fronts, &line->e, w->fronts->face + front->face)))
             left &= ~(bits & -bits);
     }
@@ -420,10 +420,10 @@ static BITS_RARE bool add_hulls(hide_line *line)
 /* The key that hide_worker.own is to be: lines of a convex body have no other. */
 static uint32_t common_own(const hide_worker *w)
 {
-    uint32_t own = w->line[0].is.own[0];
+    uint32_t own = w->line[0].is.own.key[0];
     bool common = own != ROBERTS_NONE && own & SEEN_BODY;
     for (const hide_line *line = w->line, *end = line + w->line_count; common && line < end; line++)
-        common = line->is.own[0] == own && line->is.own[1] == ROBERTS_NONE;
+        common = line->is.own.key[0] == own && line->is.own.key[1] == ROBERTS_NONE;
     return common ? own : ROBERTS_NONE;
 }
 

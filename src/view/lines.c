@@ -75,7 +75,7 @@ static bool classify(const seen_walk *w, uint32_t e, const scene_edge *edge, see
     line->class = ROBERTS_WIRE;
     if (edge->f[0] == ROBERTS_NONE)
         return true;
-    edge_faces faces = line->many ? faces_of_many(s, line->many, crease) : faces_of_edge(w, edge, is, crease);
+    edge_faces faces = line->own.many ? faces_of_many(s, line->own.many, crease) : faces_of_edge(w, edge, is, crease);
     bool fold = (faces.left == 0) != (faces.right == 0);
     line->class = ROBERTS_OUTLINE;
     if (is & EDGE_CUT)
@@ -89,18 +89,29 @@ static bool classify(const seen_walk *w, uint32_t e, const scene_edge *edge, see
     return true;
 }
 
+seen_own seen_own_of(const roberts_scene *scene, uint32_t body, uint32_t edge)
+{
+    const scene_surface *surface = scene->surface;
+    const scene_edge *e = scene_edge_stored(scene, body, edge);
+    seen_own own = seen_owns_none;
+    for (int k = 0; k < 2; k++)
+        if (e->f[k] != ROBERTS_NONE)
+            own.key[k] = surface->plane_of[scene->solid[body].face + e->f[k]];
+    if (surface->edge_is[edge] & EDGE_MANY)
+        own.many = scene_many_at(scene, edge);
+    return own;
+}
+
 /* The line of an edge of a body that is not convex, number `e` of seen.scene. */
 static bool surface_line(seen_walk *w, uint32_t e, const scene_edge *edge, seen_line *line)
 {
     const roberts_scene *scene = w->of->scene;
     const scene_solid *own = &scene->solid[w->body];
-    *line = (seen_line){.edge = line->edge, .v = {own->vertex + edge->v[0], own->vertex + edge->v[1]}};
-    if (scene->surface->edge_is[e] & EDGE_MANY)
-        line->many = scene_many_at(scene, e);
+    *line = (seen_line){.edge = line->edge,
+                        .v = {own->vertex + edge->v[0], own->vertex + edge->v[1]},
+                        .own = seen_own_of(scene, w->body, e)};
     if (!classify(w, e, edge, line))
         return false;
-    for (int k = 0; k < 2; k++)
-        line->own[k] = edge->f[k] == ROBERTS_NONE ? ROBERTS_NONE : scene->surface->plane_of[own->face + edge->f[k]];
     w->surviving++;
     return true;
 }
@@ -137,7 +148,7 @@ bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
     if (left.edge == ROBERTS_NONE || left.t0 >= left.t1) { /* equal: it ends on the near plane, to rounding */
         *line = (seen_line){.edge = edge,
                             .v = {ROBERTS_NONE, ROBERTS_NONE},
-                            .own = {convex ? seen_body_key(w->body) : ROBERTS_NONE, ROBERTS_NONE},
+                            .own = {{convex ? seen_body_key(w->body) : ROBERTS_NONE, ROBERTS_NONE}, NULL},
                             .t1 = 1.0,
                             .taken = SEEN_TAKEN};
         return w->hidden && (convex ? taken_of_solid(w, line) : taken_of_surface(w, line));

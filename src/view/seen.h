@@ -97,6 +97,28 @@ static inline uint32_t seen_face_key(const roberts_scene *scene, uint32_t body, 
     return scene_is_convex(scene, body) ? seen_body_key(body) : scene->surface->plane_of[face];
 }
 
+/* Faces that do not hide a line, because it lies in them. */
+typedef struct seen_own {
+    uint32_t key[2];        /* ROBERTS_NONE: none */
+    const scene_many *many; /* of an edge of more than two faces: all of them; else NULL */
+} seen_own;
+
+static const seen_own seen_owns_none = {{ROBERTS_NONE, ROBERTS_NONE}, NULL};
+
+/* The faces in whose planes an edge of seen.scene lies, of a body that is not convex. */
+seen_own seen_own_of(const roberts_scene *scene, uint32_t body, uint32_t edge);
+
+/* Is it the key of one of them? */
+static inline bool seen_owns(const roberts_scene *scene, const seen_own *own, uint32_t key)
+{
+    const scene_surface *surface = scene->surface;
+    const scene_many *many = own->many;
+    bool found = own->key[0] == key || own->key[1] == key;
+    for (uint32_t k = many ? many->first : 0; many && k < many->end && !found; k++)
+        found = surface->plane_of[surface->many_face[k] & ~MANY_TURNED] == key;
+    return found;
+}
+
 /* ---- lines ----------------------------------------------------------------------------------------------------- */
 
 /* A computed point of the model: the sum of both. */
@@ -112,25 +134,14 @@ enum {
 };
 
 typedef struct seen_line {
-    uint32_t edge;          /* of seen.source; ROBERTS_NONE: the line is no edge */
-    uint32_t v[2];          /* its ends, vertices of seen.scene; ROBERTS_NONE: a computed point */
-    const seen_point *end;  /* [2] computed ends; NULL: both ends are vertices */
-    uint32_t own[2];        /* keys of its own faces; ROBERTS_NONE: none */
-    const scene_many *many; /* of an edge of more than two faces: all of them; else NULL */
-    double t0, t1;          /* what the line is of its edge */
-    uint8_t class;          /* roberts_line */
-    uint8_t taken;          /* SEEN_TAKEN... */
+    uint32_t edge;         /* of seen.source; ROBERTS_NONE: the line is no edge */
+    uint32_t v[2];         /* its ends, vertices of seen.scene; ROBERTS_NONE: a computed point */
+    const seen_point *end; /* [2] computed ends; NULL: both ends are vertices */
+    seen_own own;          /* its own faces: they do not hide it */
+    double t0, t1;         /* what the line is of its edge */
+    uint8_t class;         /* roberts_line */
+    uint8_t taken;         /* SEEN_TAKEN... */
 } seen_line;
-
-/* Is it the key of one of the line's own faces? */
-static inline bool seen_owns(const roberts_scene *scene, const seen_line *line, uint32_t key)
-{
-    const scene_surface *surface = scene->surface;
-    bool own = line->own[0] == key || line->own[1] == key;
-    for (uint32_t k = line->many ? line->many->first : 0; line->many && k < line->many->end && !own; k++)
-        own = surface->plane_of[surface->many_face[k] & ~MANY_TURNED] == key;
-    return own;
-}
 
 /* What rows call an edge of seen.source: t0..t1 of the edge between two vertices of the input. */
 typedef struct seen_name {
@@ -223,9 +234,7 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
     line->v[0] = w->vertex + edge->v[0];
     line->v[1] = w->vertex + edge->v[1];
     line->end = NULL;
-    line->own[0] = seen_body_key(w->body);
-    line->own[1] = ROBERTS_NONE;
-    line->many = NULL;
+    line->own = (seen_own){{seen_body_key(w->body), ROBERTS_NONE}, NULL};
     line->t0 = 0.0;
     line->t1 = 1.0;
     line->class = (uint8_t)seen_class(fronts);
