@@ -148,7 +148,7 @@ bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
     if (left.edge == ROBERTS_NONE || left.t0 >= left.t1) { /* equal: it ends on the near plane, to rounding */
         *line = (seen_line){.edge = edge,
                             .v = {ROBERTS_NONE, ROBERTS_NONE},
-                            .own = {{convex ? seen_body_key(w->body) : ROBERTS_NONE, ROBERTS_NONE}, NULL},
+                            .own = {{w->key, ROBERTS_NONE}, NULL},
                             .t1 = 1.0,
                             .taken = SEEN_TAKEN};
         return w->hidden && (convex ? taken_of_solid(w, line) : taken_of_surface(w, line));
@@ -169,6 +169,7 @@ seen_walk seen_walk_slowly(const seen *s, uint32_t body)
     const scene_solid *own = &scene->solid[body];
     seen_walk w = {.of = s,
                    .body = body,
+                   .key = scene_is_convex(scene, body) ? seen_body_key(body) : ROBERTS_NONE,
                    .edge = source->solid[body].edge,
                    .end = source->solid[body + 1].edge,
                    .slow = true,
