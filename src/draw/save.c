@@ -87,6 +87,7 @@ roberts_draw_options roberts_draw_options_default(void)
         .outline = {.width_mm = 0.5},
         .border = {.width_mm = 0.5},
         .crease = {.width_mm = 0.35},
+        .intersection = {.width_mm = 0.35},
         .wire = {.width_mm = 0.35},
         .back = {.width_mm = 0.25, .dash_mm = 12 * 0.25, .gap_mm = 3 * 0.25},
         .frame = {.width_mm = 0.7, .off = true},
@@ -104,11 +105,25 @@ static bool pen_is_valid(const roberts_pen *pen)
 
 static bool pens_are_valid(const roberts_draw_options *options)
 {
-    const roberts_pen *const pen[] = {&options->outline, &options->border, &options->crease, &options->wire,
-                                      &options->back,    &options->frame,  &options->symbol};
+    const roberts_pen *const pen[] = {&options->outline, &options->border, &options->crease, &options->intersection,
+                                      &options->wire,    &options->back,   &options->frame,  &options->symbol};
     for (size_t i = 0; i < sizeof pen / sizeof pen[0]; i++)
         if (!pen_is_valid(pen[i]))
             return false;
+    return true;
+}
+
+static bool columns_are_valid(const roberts_draw_options *options)
+{
+    if (options->column_count > ROBERTS_COLUMNS)
+        return false;
+    for (size_t i = 0; i < options->column_count; i++) {
+        if (options->column[i] < 0 || options->column[i] >= ROBERTS_COLUMNS)
+            return false;
+        for (size_t k = 0; k < i; k++)
+            if (options->column[k] == options->column[i])
+                return false;
+    }
     return true;
 }
 
@@ -122,6 +137,8 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
             "a pen must be more than 0 and at most 1000 mm wide; dashes and gaps must be 0 to 1000 mm long");
     if (options->order < ROBERTS_ORDER_TRAVEL || options->order > ROBERTS_ORDER_NONE)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown order of strokes");
+    if (!columns_are_valid(options))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "an unknown column of tables, or one that is wanted twice");
     return page_is_valid(&options->page, error) ? ROBERTS_OK : ROBERTS_BAD_ARGUMENT;
 }
 
@@ -157,13 +174,12 @@ static roberts_status write_page(const subject *what, const roberts_draw_options
 static roberts_status write_table(const subject *what, const roberts_draw_options *options, output *out,
                                   roberts_error *error)
 {
-    bool with_hidden = options->hidden != ROBERTS_HIDDEN_NONE;
     if (what->sheet)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a table cannot hold a sheet of several views");
     if (options->format == ROBERTS_CSV)
-        table_write_csv(what->drawing, options->scene, with_hidden, out);
+        table_write_csv(what->drawing, options, out);
     else
-        table_write_json(what->drawing, options->scene, with_hidden, out);
+        table_write_json(what->drawing, options, out);
     return ROBERTS_OK;
 }
 

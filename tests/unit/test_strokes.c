@@ -35,7 +35,7 @@ static strokes strokes_of(roberts_segment *segment, size_t count, const roberts_
 
 static void print_strokes(const strokes *s, char *text, size_t size)
 {
-    static const char *const name[] = {"hidden", "wire", "crease", "border", "outline", "frame"};
+    static const char *const name[] = {"hidden", "wire", "intersection", "crease", "border", "outline", "frame"};
     size_t used = 0;
     text[0] = '\0';
     for (int i = 0; i < LINE_CLASSES; i++)
@@ -54,7 +54,7 @@ static void print_strokes(const strokes *s, char *text, size_t size)
 /* ---- doubles ---- */
 
 typedef struct given {
-    char class; /* o, b, c, w, h; 0: no more */
+    char class; /* o, b, c, i, w, h; 0: no more */
     double x0, y0, x1, y1, z0, z1;
 } given;
 
@@ -75,15 +75,22 @@ static const struct {
     {"at one depth: border, crease",
      {{'c', 1, 1, 9, 1, 0, 0}, {'b', 1, 1, 5, 1, 0, 0}},
      "crease 5,1 9,1; border 1,1 5,1"},
-    {"at one depth: crease, wire", {{'w', 1, 1, 9, 1, 0, 0}, {'c', 1, 1, 5, 1, 0, 0}}, "wire 5,1 9,1; crease 1,1 5,1"},
+    {"the nearer wins: intersection", {{'c', 1, 1, 9, 1, 0, 0}, {'i', 1, 1, 9, 1, 1, 1}}, "intersection 1,1 9,1"},
+    {"at one depth: crease, intersection",
+     {{'i', 1, 1, 9, 1, 0, 0}, {'c', 1, 1, 5, 1, 0, 0}},
+     "intersection 5,1 9,1; crease 1,1 5,1"},
+    {"at one depth: intersection, wire",
+     {{'w', 1, 1, 9, 1, 0, 0}, {'i', 1, 1, 5, 1, 0, 0}},
+     "wire 5,1 9,1; intersection 1,1 5,1"},
     {"at one depth: wire, hidden", {{'h', 1, 1, 9, 1, 0, 0}, {'w', 1, 1, 5, 1, 0, 0}}, "hidden 5,1 9,1; wire 1,1 5,1"},
     {"the order of the classes",
-     {{'o', 1, 5, 9, 5, 0, 0},
-      {'b', 1, 4, 9, 4, 0, 0},
-      {'c', 1, 3, 9, 3, 0, 0},
+     {{'o', 1, 6, 9, 6, 0, 0},
+      {'b', 1, 5, 9, 5, 0, 0},
+      {'c', 1, 4, 9, 4, 0, 0},
+      {'i', 1, 3, 9, 3, 0, 0},
       {'w', 1, 2, 9, 2, 0, 0},
       {'h', 1, 1, 9, 1, 0, 0}},
-     "hidden 1,1 9,1; wire 1,2 9,2; crease 1,3 9,3; border 1,4 9,4; outline 1,5 9,5"},
+     "hidden 1,1 9,1; wire 1,2 9,2; intersection 1,3 9,3; crease 1,4 9,4; border 1,5 9,5; outline 1,6 9,6"},
     {"visible wins over a nearer hidden one: crease",
      {{'h', 1, 1, 9, 1, 1, 1}, {'c', 1, 1, 9, 1, 0, 0}},
      "crease 1,1 9,1"},
@@ -153,6 +160,7 @@ static roberts_segment segment_of(const given *g)
 {
     roberts_line line = g->class == 'b'   ? ROBERTS_BORDER
                         : g->class == 'c' ? ROBERTS_CREASE
+                        : g->class == 'i' ? ROBERTS_INTERSECTION
                         : g->class == 'w' ? ROBERTS_WIRE
                                           : ROBERTS_OUTLINE;
     roberts_segment s = line_at(line, g->x0, g->y0, g->x1, g->y1);
@@ -887,6 +895,91 @@ static void fields_of_view_fill_the_page(void **state)
     }
 }
 
+/* ---- smooth meshes ---- */
+
+enum { ROUND = 90, ACROSS = 45 };
+
+/* A torus of quadrilaterals, seen as the preset `view`. */
+static roberts_drawing torus_drawing(const char *view)
+{
+    const double turn = 6.283185307179586;
+    roberts_mesh mesh = {0};
+    roberts_scene *scene;
+    roberts_camera camera;
+    roberts_drawing drawing;
+    for (uint32_t i = 0; i < ROUND * ACROSS; i++) {
+        const double u = turn * (i / ACROSS) / ROUND, v = turn * (i % ACROSS) / ACROSS, r = 3.0 + cos(v);
+        const roberts_vec3 p = {r * cos(u), r * sin(u), sin(v)};
+        assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
+    }
+    for (uint32_t i = 0; i < ROUND; i++)
+        for (uint32_t k = 0; k < ACROSS; k++) {
+            const uint32_t row = i * ACROSS, next = (i + 1) % ROUND * ACROSS, over = (k + 1) % ACROSS;
+            const uint32_t corner[] = {row + k, next + k, next + over, row + over};
+            assert_int_equal(roberts_mesh_add_face(&mesh, corner, 4, NULL), ROBERTS_OK);
+        }
+    assert_true(roberts_camera_preset(view, &camera));
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_hide(scene, &camera, NULL, &drawing, NULL), ROBERTS_OK);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+    return drawing;
+}
+
+static double stroke_length(const strokes *s, const polyline *line)
+{
+    const page_point *p = s->lines.point + line->first;
+    double length = line->closed ? page_distance(p[0], p[line->count - 1]) : 0.0;
+    for (uint32_t k = 1; k < line->count; k++)
+        length += page_distance(p[k - 1], p[k]);
+    return length;
+}
+
+/* The pen is lifted only where a line ends: no two strokes of a class end at one place, so none could go on as the
+ * other. */
+static void check_ends(const strokes *s)
+{
+    for (size_t i = 0; i < s->lines.count; i++)
+        for (size_t k = 0; k < i; k++) {
+            const polyline *a = &s->lines.item[i], *b = &s->lines.item[k];
+            for (int end = 0; end < 4 && !a->closed && !b->closed; end++)
+                assert_false(page_touches(s->lines.point[a->first + (end & 1 ? a->count - 1 : 0)],
+                                          s->lines.point[b->first + (end & 2 ? b->count - 1 : 0)]));
+        }
+}
+
+static const struct {
+    const char *view;
+    size_t most; /* strokes */
+} smooth_cases[] = {
+    {"front", 1}, {"top", 2}, {"iso", 30}, /* where the outline folds back and goes behind itself it is cut */
+};
+
+/* Outlines of smooth meshes are drawn in long strokes. */
+static void smooth_outlines_are_long_strokes(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof smooth_cases / sizeof smooth_cases[0]; i++) {
+        roberts_drawing drawing = torus_drawing(smooth_cases[i].view);
+        roberts_draw_options options = roberts_draw_options_default();
+        strokes s;
+        double all = 0.0, longest = 0.0;
+        assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+        for (size_t k = 0; k < s.lines.count; k++) {
+            const double length = stroke_length(&s, &s.lines.item[k]);
+            all += length;
+            longest = length > longest ? length : longest;
+        }
+        print_message("%s: %zu segments, %zu strokes, the longest has %.0f %% of the length\n", smooth_cases[i].view,
+                      drawing.count, s.lines.count, 100.0 * longest / all);
+        assert_true(s.lines.count <= smooth_cases[i].most);
+        assert_true(longest > 0.5 * all);
+        check_ends(&s);
+        strokes_free(&s);
+        roberts_drawing_free(&drawing);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -904,6 +997,7 @@ int main(void)
         cmocka_unit_test(frame_lies_on_the_margins),
         cmocka_unit_test(drawings_keep_from_the_frame),
         cmocka_unit_test(fields_of_view_fill_the_page),
+        cmocka_unit_test(smooth_outlines_are_long_strokes),
     };
     return cmocka_run_group_tests_name("strokes", tests, NULL, NULL);
 }
