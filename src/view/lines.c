@@ -159,7 +159,7 @@ bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
     line->t0 = left.t0;
     line->t1 = left.t1;
     if (w->hidden)
-        line->taken = (uint8_t)((left.t0 > 0.0 ? SEEN_TAKEN_BEFORE : 0) | (left.t1 < 1.0 ? SEEN_TAKEN_AFTER : 0));
+        line->taken = (left.t0 > 0.0 ? SEEN_TAKEN_BEFORE : 0u) | (left.t1 < 1.0 ? SEEN_TAKEN_AFTER : 0u);
     return true;
 }
 

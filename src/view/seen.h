@@ -139,8 +139,8 @@ typedef struct seen_line {
     const seen_point *end; /* [2] computed ends; NULL: both ends are vertices */
     seen_own own;          /* its own faces: they do not hide it */
     double t0, t1;         /* what the line is of its edge */
-    uint8_t class;         /* roberts_line */
-    uint8_t taken;         /* SEEN_TAKEN... */
+    roberts_line class;
+    unsigned taken; /* SEEN_TAKEN... */
 } seen_line;
 
 /* What rows call an edge of seen.source: t0..t1 of the edge between two vertices of the input. */
@@ -248,7 +248,7 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
     line->own = (seen_own){{w->key, ROBERTS_NONE}, NULL};
     line->t0 = 0.0;
     line->t1 = 1.0;
-    line->class = (uint8_t)seen_class(fronts);
+    line->class = seen_class(fronts);
     line->taken = 0;
     return true;
 }
@@ -256,12 +256,12 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
 /* Finds the line of edge `edge` of the walk's body; false: the edge is none. */
 bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line);
 
-/* Finds the next line; false at the end. */
-BITS_INLINE bool seen_next(seen_walk *w, seen_line *line)
+/* Finds the next line; false at the end. slow: w->slow. */
+BITS_INLINE bool seen_next(seen_walk *w, seen_line *line, bool slow)
 {
     while (w->edge < w->end) {
         line->edge = w->edge++;
-        if (w->slow ? seen_slow_line(w, line->edge, line) : seen_solid_line(w, w->stored++, line))
+        if (slow ? seen_slow_line(w, line->edge, line) : seen_solid_line(w, w->stored++, line))
             return true;
     }
     return false;
