@@ -214,12 +214,39 @@ bool segments_hide(const hide_job *job, hide_worker *w, uint32_t body)
     return take_lines(job, w, &walk, SIZE_MAX) && hide_lines(job, w);
 }
 
+/* Takes up lines that are no edges, from *next on, a group of them or up to `end`. False: no memory. */
+static bool take_further(const hide_job *job, hide_worker *w, uint32_t *next, uint32_t end)
+{
+    const cover *c = &job->fronts.cover;
+    hide_worker_begin(w, ROBERTS_NONE);
+    if (!hide_worker_reserve(w, HIDE_GROUP))
+        return false;
+    for (; *next < end && w->line_count < HIDE_GROUP; ++*next) {
+        hide_line *line = &w->line[w->line_count];
+        line->is = job->seen.further.line[*next];
+        w->drawn++;
+        hide_worker_add(w, line);
+        if (c->depth && cover_hides_edge(c, line->e.A, line->e.B)) {
+            w->sides.tally.covered++;
+            w->line_count--;
+        }
+    }
+    return true;
+}
+
+static bool find_further(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
+{
+    const uint32_t *first = job->seen.further.first;
+    for (uint32_t next = first[body]; next < first[body + 1];)
+        if (!take_further(job, w, &next, first[body + 1]) || !hide_lines(job, w) || !add_lines(job, w, out, body))
+            return false;
+    return true;
+}
+
 /* The lines of a convex body are taken all together: they have the same own faces. Those of another body are taken a
  * group at a time. */
-static bool find_in_body(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
+static bool find_edges(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
 {
-    if (!has_segments(job, body))
-        return true;
     if (scene_is_convex(job->seen.scene, body))
         return (job->order.solid ? picture_order_recall(&job->order, body, w) : segments_hide(job, w, body)) &&
                add_lines(job, w, out, body);
@@ -235,7 +262,9 @@ bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_
     for (uint32_t s = first; s < end; s++) {
         if (job->order.solid)
             picture_order_fetch(&job->order, s);
-        if (!find_in_body(job, w, out, s))
+        if (!has_segments(job, s))
+            continue;
+        if (!find_edges(job, w, out, s) || (job->seen.further.first && !find_further(job, w, out, s)))
             return false;
     }
     return true;

@@ -26,12 +26,20 @@ typedef struct seen_rules {
     bool hidden;         /* so are edges that their own convex body hides, or that the near plane takes */
 } seen_rules;
 
+/* Lines that are no edges, body by body: line[first[body]] .. line[first[body + 1] - 1] follow the edges of their body.
+ * NULL: there are none. Who sets them frees them. */
+typedef struct seen_further {
+    const struct seen_line *line;
+    const uint32_t *first; /* [solid_count of scene + 1] */
+} seen_further;
+
 typedef struct seen {
     const roberts_scene *source; /* as given: rows name its vertices and edges */
     const roberts_scene *scene;  /* the same, or what the near plane leaves of it */
     view view;
     view_clip clip;
     seen_rules rules;
+    seen_further further;
     roberts_vec3 *P;       /* [vertex_count of scene] view points of bodies that are mapped */
     unsigned char *facing; /* [face_count of scene] VIEW_FRONT, _BACK or _EDGE_ON, likewise */
     uint32_t *turned;      /* [corners of scene] of faces seen from behind, the other way round; NULL: all bodies are
@@ -145,7 +153,7 @@ typedef struct seen_line {
 
 /* What rows call an edge of seen.source: t0..t1 of the edge between two vertices of the input. */
 typedef struct seen_name {
-    uint32_t v[2]; /* as in the input */
+    uint32_t v[2]; /* as in the input; ROBERTS_NONE: of a line that is no edge */
     double t0, t1; /* 0 and 1 but where an edge of the file has been cut */
 } seen_name;
 
@@ -165,6 +173,8 @@ static inline seen_name seen_edge_name(const roberts_scene *source, uint32_t bod
 static inline seen_name seen_line_name(const seen *s, uint32_t body, const seen_line *line)
 {
     const roberts_scene *source = s->source;
+    if (line->edge == ROBERTS_NONE)
+        return (seen_name){{ROBERTS_NONE, ROBERTS_NONE}, 0.0, 1.0};
     if (s->clip.clipped || !scene_is_convex(source, body))
         return seen_edge_name(source, body, line->edge);
     return (seen_name){{scene_vertex_number(source, line->v[0]), scene_vertex_number(source, line->v[1])}, 0.0, 1.0};
