@@ -144,7 +144,7 @@ enum {
 typedef struct seen_line {
     uint32_t edge;         /* of seen.source; ROBERTS_NONE: the line is no edge */
     uint32_t v[2];         /* its ends, vertices of seen.scene; ROBERTS_NONE: a computed point */
-    const seen_point *end; /* [2] computed ends; NULL: both ends are vertices */
+    const seen_point *end; /* [2] computed ends, never NULL if the line is no edge; NULL: both are vertices */
     seen_own own;          /* its own faces: they do not hide it */
     double t0, t1;         /* what the line is of its edge */
     roberts_line class;
@@ -157,26 +157,16 @@ typedef struct seen_name {
     double t0, t1; /* 0 and 1 but where an edge of the file has been cut */
 } seen_name;
 
-seen_name seen_part_name(const roberts_scene *source, uint32_t edge);
+/* Of an edge; of a line. */
+seen_name seen_edge_name(const roberts_scene *source, uint32_t body, uint32_t edge);
+seen_name seen_slow_name(const seen *s, uint32_t body, const seen_line *line);
 
-static inline seen_name seen_edge_name(const roberts_scene *source, uint32_t body, uint32_t edge)
-{
-    if (!scene_is_convex(source, body) && source->surface->edge_is[edge] & EDGE_PART)
-        return seen_part_name(source, edge);
-    const scene_edge *e = scene_edge_stored(source, body, edge);
-    uint32_t first = source->solid[body].vertex;
-    return (seen_name){
-        {scene_vertex_number(source, first + e->v[0]), scene_vertex_number(source, first + e->v[1])}, 0.0, 1.0};
-}
-
-/* The same of the edge of a line; where nothing is cut its ends are at hand. */
+/* The same; where nothing is cut the ends of the line are at hand. */
 static inline seen_name seen_line_name(const seen *s, uint32_t body, const seen_line *line)
 {
     const roberts_scene *source = s->source;
-    if (line->edge == ROBERTS_NONE)
-        return (seen_name){{ROBERTS_NONE, ROBERTS_NONE}, 0.0, 1.0};
-    if (s->clip.clipped || !scene_is_convex(source, body))
-        return seen_edge_name(source, body, line->edge);
+    if (s->clip.clipped || line->end || !scene_is_convex(source, body))
+        return seen_slow_name(s, body, line);
     return (seen_name){{scene_vertex_number(source, line->v[0]), scene_vertex_number(source, line->v[1])}, 0.0, 1.0};
 }
 
