@@ -130,7 +130,7 @@ static double largest(roberts_vec3 a)
     return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
 }
 
-static double touching_distance(const roberts_scene *scene, const roberts_mesh *mesh)
+double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh)
 {
     double diameter = vec3_length(vec3_sub(scene->box_max, scene->box_min));
     double rounding = TOUCHING_ULPS * DBL_EPSILON * fmax(largest(scene->box_min), largest(scene->box_max));
@@ -513,22 +513,25 @@ static double bend_of(const roberts_scene *scene, const scene_solid *own, uint32
     return a * a + b * b + c * c;
 }
 
-/* Is the body a curved surface? See SMOOTH_FACES. */
-static bool is_smooth(const roberts_scene *scene, uint32_t b)
+/* Counts edges until the rest cannot change the answer. */
+bool bodies_smooth(const roberts_scene *scene, uint32_t b)
 {
     const scene_solid *own = &scene->solid[b];
-    uint32_t bent = 0, little = 0;
+    uint32_t much = 0, little = 0;
     if (own[1].face - own->face <= SMOOTH_FACES)
         return false;
     for (uint32_t e = own->edge; e < own[1].edge; e++) {
+        uint32_t left = own[1].edge - e;
+        if (little >= much + (uint64_t)left || much > little + (uint64_t)left)
+            break;
         if (scene->surface->edge_is[e] & (EDGE_MANY | EDGE_CUT) ||
             scene->edge[own->stored + (e - own->edge)].f[1] == ROBERTS_NONE)
             continue;
         double bend = bend_of(scene, own, e);
-        bent += bend > FLAT_BEND;
+        much += bend > FLAT_BEND && !(bend < LITTLE_BEND);
         little += bend > FLAT_BEND && bend < LITTLE_BEND;
     }
-    return bent > 0 && little >= bent - little;
+    return little > 0 && little >= much;
 }
 
 /* Builds a convex solid again, in its new place. */
@@ -607,7 +610,7 @@ static roberts_status fill_scene(assembly *a, roberts_error *error)
             !(fit_planes(a, b) && store_edges(a, b, key + first[b], first[b + 1] - first[b], &map, room)))
             goto done;
     for (uint32_t b = 0; b < a->body_count; b++)
-        scene->surface->smooth[b] = !a->is_convex[b] && is_smooth(scene, b);
+        scene->surface->smooth[b] = !a->is_convex[b] && bodies_smooth(scene, b);
     if (!rename_all(a))
         goto done;
     status = ROBERTS_OK;
@@ -629,7 +632,7 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
     roberts_status status = sort_components(&a, known, error);
     if (status == ROBERTS_OK) {
         a.surface.name = a.name;
-        double touching = touching_distance(scene, mesh);
+        double touching = bodies_touching(scene, mesh);
         face_rules rules = {mesh->vertex, options->tolerance, touching, scene->unit, options->even_odd};
         if (!surface_take_faces(&a.surface, a.listed, &rules) || !surface_find_edges(&a.surface, touching) ||
             !list_all(&a) || !number_bodies(&a))

@@ -196,26 +196,37 @@ static bool list_vertices(finder *f)
     return true;
 }
 
+surface_touch surface_touches(roberts_vec3 A, roberts_vec3 B, roberts_vec3 P, double touching, double *t)
+{
+    roberts_vec3 AB = vec3_sub(B, A), AP = vec3_sub(P, A);
+    double squared = vec3_dot(AB, AB);
+    *t = squared > 0.0 ? vec3_dot(AP, AB) / squared : 0.0;
+    if (vec3_length(AP) <= touching)
+        return TOUCHES_START;
+    if (vec3_length(vec3_sub(P, B)) <= touching)
+        return TOUCHES_END;
+    return *t > 0.0 && *t < 1.0 && vec3_length(vec3_sub(AP, vec3_scale(*t, AB))) <= touching ? TOUCHES_BETWEEN
+                                                                                             : TOUCHES_NOT;
+}
+
 /* Finds the vertices on the segment from a to b, as stops; joins vertices at its ends to a and b. */
 static bool find_stops(finder *f, const point_grid *grid, uint32_t a, uint32_t b)
 {
     const roberts_vec3 *point = f->s->point;
-    roberts_vec3 A = point[a], AB = vec3_sub(point[b], A);
-    double squared = vec3_dot(AB, AB);
     f->stop_count = f->found.count = 0;
-    if (!point_grid_near(grid, A, point[b], f->touching, &f->found))
+    if (!point_grid_near(grid, point[a], point[b], f->touching, &f->found))
         return false;
     for (size_t i = 0; i < f->found.count; i++) {
         uint32_t v = f->found.item[i];
         if (v == a || v == b)
             continue;
-        roberts_vec3 AV = vec3_sub(point[v], A), BV = vec3_sub(point[v], point[b]);
-        double t = squared > 0.0 ? vec3_dot(AV, AB) / squared : 0.0;
-        if (vec3_length(AV) <= f->touching) {
+        double t;
+        surface_touch touch = surface_touches(point[a], point[b], point[v], f->touching, &t);
+        if (touch == TOUCHES_START) {
             sets_join(f->parent, a, v);
-        } else if (vec3_length(BV) <= f->touching) {
+        } else if (touch == TOUCHES_END) {
             sets_join(f->parent, b, v);
-        } else if (t > 0.0 && t < 1.0 && vec3_length(vec3_sub(AV, vec3_scale(t, AB))) <= f->touching) {
+        } else if (touch == TOUCHES_BETWEEN) {
             if (!array_reserve(&f->stop, &f->stop_room, f->stop_count + 1, sizeof *f->stop))
                 return false;
             f->stop[f->stop_count++] = (side_stop){t, v};
