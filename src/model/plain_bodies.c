@@ -1,8 +1,4 @@
-/* plain_bodies.c - see plain_bodies.h.
- *
- * Edges are found without sorting all sides. Each side that runs from a smaller to a greater vertex makes an edge, in
- * a bucket of its smaller vertex; only these short buckets are sorted. Each side that runs back then finds the edge
- * that it completes. A side that finds none is a border. */
+/* plain_bodies.c - see plain_bodies.h. */
 #include "model/plain_bodies.h"
 
 #include <stdlib.h>
@@ -10,7 +6,6 @@
 
 #include "base/array.h"
 #include "base/box.h"
-#include "base/sets.h"
 #include "base/sort.h"
 #include "model/bodies.h"
 #include "model/face_pieces.h"
@@ -89,13 +84,10 @@ typedef struct plain_work {
     const uint8_t *mark;
     face_rules rules;
     face_pieces pieces;
-    uint32_t *start;  /* [vertices of a solid + 1] where the edges of each smaller vertex end */
-    uint32_t *parent; /* [faces of a solid] sets of faces connected by edges */
-    scene_edge *edge; /* [edge_count] of the bodies that are built here; those of repeated solids are stored already */
-    scene_edge *border; /* [border_count] scratch: edges of one face on their right, which is f[1] */
-    uint32_t *count;    /* [solids] how many edges each has */
-    uint8_t *open;      /* [solids] 1: it has borders */
-    size_t edge_count, edge_room, border_count, border_room, start_room, parent_room;
+    plain_edges edges; /* of the bodies that are built here; those of repeated solids are stored already */
+    uint32_t *first;   /* [solids] where each has them */
+    uint32_t *count;   /* [solids] how many */
+    uint8_t *open;     /* [solids] 1: it has borders */
 } plain_work;
 
 /* Stores the plane of a face, as bodies.c does: it points to where the corners run clockwise. */
@@ -184,164 +176,18 @@ static plain_answer take_faces(plain_work *w, uint32_t s)
     return PLAIN_YES;
 }
 
-/* ---- edges ----------------------------------------------------------------------------------------------------- */
-
-enum { SHORT_BUCKET = 24 };
-
-static int compare_edges(const void *pa, const void *pb)
-{
-    const scene_edge *a = pa, *b = pb;
-    if (a->v[0] != b->v[0])
-        return a->v[0] < b->v[0] ? -1 : 1;
-    return (a->v[1] > b->v[1]) - (a->v[1] < b->v[1]);
-}
-
-/* Counts the sides that run to a greater vertex, by their first one; start[v] becomes where those of v begin. */
-static uint32_t count_upward(const plain_work *w, uint32_t s)
-{
-    const roberts_scene *scene = w->scene;
-    uint32_t base = scene->solid[s].vertex, vertices = scene->solid[s + 1].vertex - base, sum = 0;
-    memset(w->start, 0, vertices * sizeof *w->start);
-    for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++) {
-        const uint32_t *corner = scene->corner + scene->face_start[f], *end = scene->corner + scene->face_start[f + 1];
-        for (uint32_t from = end[-1]; corner < end; from = *corner++)
-            w->start[from - base] += from < *corner;
-    }
-    for (uint32_t v = 0; v < vertices; v++) {
-        uint32_t here = w->start[v];
-        w->start[v] = sum;
-        sum += here;
-    }
-    return sum;
-}
-
-/* Makes an edge of each side that runs to a greater vertex. False: two have the same ends. */
-static bool make_edges(const plain_work *w, uint32_t s, scene_edge *edge)
-{
-    const roberts_scene *scene = w->scene;
-    uint32_t base = scene->solid[s].vertex, vertices = scene->solid[s + 1].vertex - base, first = scene->solid[s].face;
-    bool different = true;
-    for (uint32_t f = first; f < scene->solid[s + 1].face; f++) {
-        const uint32_t *corner = scene->corner + scene->face_start[f], *end = scene->corner + scene->face_start[f + 1];
-        for (uint32_t from = end[-1]; corner < end; from = *corner++)
-            if (from < *corner)
-                edge[w->start[from - base]++] = (scene_edge){{from - base, *corner - base}, {f - first, ROBERTS_NONE}};
-    }
-    for (uint32_t v = 0, begin = 0; v < vertices && different; begin = w->start[v++]) {
-        uint32_t count = w->start[v] - begin;
-        if (count > SHORT_BUCKET)
-            qsort(edge + begin, count, sizeof *edge, compare_edges);
-        else
-            SORT_FEW(scene_edge, edge + begin, count, a->v[1] > b->v[1])
-        for (uint32_t i = begin + 1; i < begin + count; i++)
-            different = different && edge[i].v[1] != edge[i - 1].v[1];
-    }
-    return different;
-}
-
-/* The edge from v0 to v1; NULL: there is none. */
-static inline scene_edge *find_edge(const plain_work *w, scene_edge *edge, uint32_t v0, uint32_t v1)
-{
-    uint32_t low = v0 > 0 ? w->start[v0 - 1] : 0, end = w->start[v0], high = end;
-    while (high - low > SHORT_BUCKET) {
-        uint32_t middle = low + (high - low) / 2;
-        if (edge[middle].v[1] < v1)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    while (low < end && edge[low].v[1] < v1)
-        low++;
-    return low < end && edge[low].v[1] == v1 ? &edge[low] : NULL;
-}
-
-/* Gives each edge its second face: of the sides that run to a smaller vertex. Those without a partner become borders.
- * *sets: how many sets of faces edges connect. *paired: how many edges have two faces. */
-static plain_answer complete_edges(plain_work *w, uint32_t s, scene_edge *edge, uint32_t *sets, uint32_t *paired)
-{
-    const roberts_scene *scene = w->scene;
-    uint32_t base = scene->solid[s].vertex, first = scene->solid[s].face, faces = scene->solid[s + 1].face - first;
-    *sets = faces;
-    *paired = 0;
-    for (uint32_t f = 0; f < faces; f++)
-        w->parent[f] = f;
-    for (uint32_t f = first; f < first + faces; f++) {
-        const uint32_t *corner = scene->corner + scene->face_start[f], *end = scene->corner + scene->face_start[f + 1];
-        for (uint32_t from = end[-1]; corner < end; from = *corner++) {
-            if (from < *corner)
-                continue;
-            scene_edge *e = find_edge(w, edge, *corner - base, from - base);
-            if (!e) {
-                if (!array_reserve(&w->border, &w->border_room, w->border_count + 1, sizeof *w->border))
-                    return PLAIN_NO_MEMORY;
-                w->border[w->border_count++] = (scene_edge){{*corner - base, from - base}, {ROBERTS_NONE, f - first}};
-                continue;
-            }
-            if (e->f[1] != ROBERTS_NONE)
-                return PLAIN_NO;
-            e->f[1] = f - first;
-            ++*paired;
-            uint32_t a = sets_root(w->parent, f - first), b = sets_root(w->parent, e->f[0]);
-            *sets -= a != b;
-            w->parent[a < b ? b : a] = a < b ? a : b;
-        }
-    }
-    return PLAIN_YES;
-}
-
-/* Merges the borders on the right of a face into the `count` edges. False: two have the same ends. */
-static bool merge_borders(plain_work *w, scene_edge *edge, size_t count)
-{
-    size_t borders = w->border_count;
-    if (borders > 1)
-        qsort(w->border, borders, sizeof *w->border, compare_edges);
-    for (size_t i = 1; i < borders; i++)
-        if (compare_edges(&w->border[i - 1], &w->border[i]) == 0)
-            return false;
-    for (size_t to = count + borders; borders > 0;)
-        if (count > 0 && compare_edges(&edge[count - 1], &w->border[borders - 1]) > 0)
-            edge[--to] = edge[--count];
-        else
-            edge[--to] = w->border[--borders];
-    return true;
-}
-
-/* Finds the edges of a solid, and puts them after those of the solids before. A body of two faces is left to bodies.c:
- * they may be the same. */
-static plain_answer take_edges(plain_work *w, uint32_t s)
-{
-    scene_solid *own = &w->scene->solid[s];
-    uint32_t faces = own[1].face - own->face, sets, paired;
-    if (!array_reserve(&w->start, &w->start_room, own[1].vertex - own->vertex, sizeof *w->start) ||
-        !array_reserve(&w->parent, &w->parent_room, faces, sizeof *w->parent))
-        return PLAIN_NO_MEMORY;
-    uint32_t upward = count_upward(w, s);
-    if (!array_reserve(&w->edge, &w->edge_room, w->edge_count + upward, sizeof *w->edge))
-        return PLAIN_NO_MEMORY;
-    if (!make_edges(w, s, w->edge + w->edge_count))
-        return PLAIN_NO;
-    w->border_count = 0;
-    plain_answer answer = complete_edges(w, s, w->edge + w->edge_count, &sets, &paired);
-    if (answer != PLAIN_YES || sets > 1 || faces == 2)
-        return answer == PLAIN_YES ? PLAIN_NO : answer;
-    size_t count = upward + w->border_count;
-    if (!array_reserve(&w->edge, &w->edge_room, w->edge_count + count, sizeof *w->edge) ||
-        w->edge_count + count >= ROBERTS_NONE)
-        return PLAIN_NO_MEMORY;
-    if (!merge_borders(w, w->edge + w->edge_count, upward))
-        return PLAIN_NO;
-    w->open[s] = paired < count;
-    w->count[s] = (uint32_t)count;
-    own->stored = (uint32_t)w->edge_count;
-    w->edge_count += count;
-    return PLAIN_YES;
-}
-
 /* ---- borders --------------------------------------------------------------------------------------------------- */
 
-static bool is_border(const scene_edge *e)
+/* Finds the edges of solid s. */
+static plain_answer take_edges(plain_work *w, uint32_t s)
 {
-    return e->f[0] == ROBERTS_NONE || e->f[1] == ROBERTS_NONE;
+    uint32_t first = (uint32_t)w->edges.count;
+    plain_answer answer = plain_edges_find(&w->edges, s);
+    w->first[s] = first;
+    w->count[s] = (uint32_t)w->edges.count - first;
+    for (uint32_t e = first; e < w->edges.count && !w->open[s]; e++)
+        w->open[s] = w->edges.edge[e].f[1] == ROBERTS_NONE;
+    return answer;
 }
 
 /* Lists the ends of all borders, two for each, by compact numbers. False: no memory. */
@@ -352,8 +198,8 @@ static bool list_borders(const plain_work *w, uint32_t **end, size_t *count)
     for (uint32_t s = 0; s < w->scene->solid_count; s++) {
         const scene_solid *own = &w->scene->solid[s];
         for (uint32_t e = 0; w->open[s] && e < w->count[s]; e++) {
-            const scene_edge *edge = &w->edge[own->stored + e];
-            if (!is_border(edge))
+            const scene_edge *edge = &w->edges.edge[w->first[s] + e];
+            if (edge->f[1] != ROBERTS_NONE)
                 continue;
             if (!array_reserve(end, &room, *count + 2, sizeof **end))
                 return false;
@@ -436,47 +282,28 @@ static plain_answer are_apart(const plain_work *w)
 static bool join_edges(plain_work *w)
 {
     roberts_scene *scene = w->scene;
-    size_t used = scene->shared;
+    scene_edge *own = w->edges.edge;
+    size_t used = scene->shared, count = w->edges.count;
     for (uint32_t s = 0; s < scene->solid_count; s++)
         if (w->count[s] == 0 && scene->solid[s].stored >= scene->shared)
             used = scene->solid[s].stored + (size_t)scene_corners(scene, s) / 2;
-    if (w->edge_count == 0)
-        return true;
+    if (count == 0 || used + count >= ROBERTS_NONE)
+        return count == 0;
     if (used == 0) {
         free(scene->edge);
-        scene->edge = w->edge;
-        w->edge = NULL;
+        scene->edge = own;
+        w->edges.edge = NULL;
     }
-    if (used + w->edge_count >= ROBERTS_NONE)
-        return false;
-    void *edge = realloc(scene->edge, (used + w->edge_count) * sizeof *scene->edge);
+    void *edge = realloc(scene->edge, (used + count) * sizeof *scene->edge);
     if (!edge)
         return false;
     scene->edge = edge;
-    if (w->edge)
-        memcpy(scene->edge + used, w->edge, w->edge_count * sizeof *scene->edge);
-    free(w->edge);
-    w->edge = NULL;
+    if (used > 0)
+        memcpy(scene->edge + used, own, count * sizeof *own);
     for (uint32_t s = 0; s < scene->solid_count; s++)
         if (w->count[s] > 0)
-            scene->solid[s].stored += (uint32_t)used;
+            scene->solid[s].stored = (uint32_t)used + w->first[s];
     return true;
-}
-
-/* Notes on which sides of the edges of body s the faces are. One on the right alone becomes the first. */
-static void note_sides(const plain_work *w, uint32_t s)
-{
-    const scene_solid *own = &w->scene->solid[s];
-    uint8_t *is = w->scene->surface->edge_is + own->edge;
-    scene_edge *edge = w->scene->edge + own->stored;
-    memset(is, EDGE_TURNED_1, own[1].edge - own->edge);
-    for (uint32_t e = 0; w->open[s] && e < own[1].edge - own->edge; e++)
-        if (edge[e].f[0] == ROBERTS_NONE) {
-            edge[e] = (scene_edge){{edge[e].v[0], edge[e].v[1]}, {edge[e].f[1], ROBERTS_NONE}};
-            is[e] = EDGE_TURNED_0;
-        } else if (edge[e].f[1] == ROBERTS_NONE) {
-            is[e] = 0;
-        }
 }
 
 /* Numbers the edges, and fills the arrays that only scenes with such bodies have. */
@@ -503,7 +330,11 @@ static bool fill_surface(plain_work *w)
         if (!w->mark[s])
             continue;
         to->kind[s] = w->open[s] ? ROBERTS_OPEN : ROBERTS_CLOSED;
-        note_sides(w, s);
+        uint8_t *is = to->edge_is + scene->solid[s].edge;
+        if (w->count[s] > 0)
+            memcpy(is, w->edges.is + w->first[s], w->count[s]);
+        else
+            memset(is, EDGE_TURNED_1, scene->solid[s + 1].edge - scene->solid[s].edge);
         to->smooth[s] = bodies_smooth(scene, s);
     }
     return true;
@@ -515,9 +346,11 @@ plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const
     plain_work w = {.scene = scene,
                     .mark = mark,
                     .rules = {scene->point, options->tolerance, touching, scene->unit, options->even_odd},
+                    .edges = {.scene = scene},
+                    .first = alloc_zeroed(scene->solid_count, sizeof *w.first),
                     .count = alloc_zeroed(scene->solid_count, sizeof *w.count),
                     .open = alloc_zeroed(scene->solid_count, 1)};
-    plain_answer answer = w.count && w.open ? PLAIN_YES : PLAIN_NO_MEMORY;
+    plain_answer answer = w.first && w.count && w.open ? PLAIN_YES : PLAIN_NO_MEMORY;
     for (uint32_t s = 0; answer == PLAIN_YES && s < scene->solid_count; s++) {
         if (!mark[s])
             continue;
@@ -527,6 +360,7 @@ plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const
         if (scene->solid[s].stored >= scene->shared)
             answer = take_edges(&w, s);
     }
+    plain_edges_free_scratch(&w.edges);
     if (answer == PLAIN_YES)
         answer = are_apart(&w);
     if (answer == PLAIN_YES)
@@ -534,14 +368,11 @@ plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const
     for (uint32_t s = 0; answer == PLAIN_YES && s < scene->solid_count; s++)
         if (mark[s])
             answer = take_faces(&w, s);
-    free(w.start);
-    free(w.parent);
-    free(w.border);
-    w.start = w.parent = NULL;
     if (answer == PLAIN_YES && !(join_edges(&w) && fill_surface(&w)))
         answer = PLAIN_NO_MEMORY;
     face_pieces_free(&w.pieces);
-    free(w.edge);
+    plain_edges_free(&w.edges);
+    free(w.first);
     free(w.count);
     free(w.open);
     return answer;

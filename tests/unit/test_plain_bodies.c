@@ -89,18 +89,31 @@ static void add_step(roberts_mesh *mesh, roberts_vec3 at, bool concave)
     }
 }
 
+/* Turns every third face from `first` on. */
+static void turn_some(roberts_mesh *mesh, size_t first)
+{
+    for (size_t f = first; f < mesh->face_count; f += 3) {
+        uint32_t *corner = mesh->corner + mesh->face_start[f], swapped = corner[0];
+        corner[0] = corner[1];
+        corner[1] = swapped;
+    }
+}
+
 static void fill(roberts_mesh *mesh, const char *what)
 {
     for (double x = 0.0; *what; what++, x += 10.0) {
         roberts_vec3 at = {x, 0.25 * x, 0.125 * x};
-        if (*what == 't' || *what == 'T')
+        size_t first = mesh->face_count;
+        if (*what == 't' || *what == 'T' || *what == 'm')
             add_ring(mesh, *what == 'T' ? 60 : 12, *what == 'T' ? 30 : 8, true, at);
-        else if (*what == 's' || *what == 'S')
+        else if (*what == 's' || *what == 'S' || *what == 'n')
             add_ring(mesh, *what == 'S' ? 60 : 12, *what == 'S' ? 30 : 8, false, at);
         else if (*what == 'b')
             add_box(mesh, at);
         else
             add_step(mesh, at, *what == 'c');
+        if (*what == 'm' || *what == 'n')
+            turn_some(mesh, first);
     }
 }
 
@@ -171,11 +184,12 @@ static void check_same(const char *what, const roberts_scene *a, const roberts_s
     assert_memory_equal(a->face_width, b->face_width, a->face_count * sizeof *a->face_width);
 }
 
-/* One letter for each body: torus, sheet, box, step of whole faces; capitals are large. The first is not convex: its
- * face is repeated. */
+/* One letter for each body: torus, sheet, box, step of whole faces, torus and sheet of mixed winding; capitals are
+ * large. The first is not convex: its face is repeated. */
 static void plain_bodies_are_the_same(void **state)
 {
-    static const char *const meshes[] = {"t", "T", "s", "S", "tt", "ss", "tb", "sb", "p", "pbbtsbp", "TsbtST", "TTT"};
+    static const char *const meshes[] = {"t", "T",       "s", "S", "tt",    "ss",     "tb", "sb",
+                                         "p", "pbbtsbp", "m", "n", "tmbnt", "TsbtST", "TTT"};
     (void)state;
     for (size_t i = 0; i < sizeof meshes / sizeof meshes[0]; i++)
         for (int take = 0; take < 2; take++) {
