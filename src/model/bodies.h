@@ -14,12 +14,4 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
  * coordinates are 32-bit floats, at least the step between two of them. */
 double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh);
 
-/* Is body b, which has its planes and edges, a curved surface? It has more than 500 faces then, and at least half of
- * its bent edges are bent little. */
-bool bodies_smooth(const roberts_scene *scene, uint32_t b);
-
-/* Has the mesh wires: elements of two corners that are not edges of the scene? `scene` holds the convex solids of the
- * mesh, and only elements of one and two corners are left. False: no memory. */
-bool bodies_wires(const roberts_scene *scene, const roberts_mesh *mesh, bool *found);
-
 #endif

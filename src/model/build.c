@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/threads.h"
 #include "model/bodies.h"
+#include "model/body_edges.h"
 #include "model/components.h"
 #include "model/hull.h"
 #include "model/plain_bodies.h"
@@ -394,7 +395,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
 static bool has_wires(const roberts_scene *scene, const roberts_mesh *mesh, roberts_status *status)
 {
     bool found = false;
-    if (*status == ROBERTS_OK && scene->face_count < mesh->face_count && !bodies_wires(scene, mesh, &found))
+    if (*status == ROBERTS_OK && scene->face_count < mesh->face_count && !body_edges_wires(scene, mesh, &found))
         *status = ROBERTS_NO_MEMORY;
     return found;
 }

@@ -7,7 +7,7 @@
 #include "base/array.h"
 #include "base/box.h"
 #include "base/sort.h"
-#include "model/bodies.h"
+#include "model/body_edges.h"
 #include "model/face_pieces.h"
 #include "model/point_grid.h"
 #include "model/scene_arrays.h"
@@ -335,7 +335,7 @@ static bool fill_surface(plain_work *w)
             memcpy(is, w->edges.is + w->first[s], w->count[s]);
         else
             memset(is, EDGE_TURNED_1, scene->solid[s + 1].edge - scene->solid[s].edge);
-        to->smooth[s] = bodies_smooth(scene, s);
+        to->smooth[s] = body_smooth(scene, s);
     }
     return true;
 }

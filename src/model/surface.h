@@ -64,7 +64,8 @@ typedef struct surface {
  * memory. */
 bool surface_take_faces(surface *s, const uint8_t *listed, const face_rules *rules);
 
-/* Finds the edges: sides that lie on one another, within `touching`, are one edge. False: no memory. */
+/* Finds the edges: sides that lie on one another, within `touching`, are one edge. The sides are freed. False: no
+ * memory. */
 bool surface_find_edges(surface *s, double touching);
 
 /* How a point lies to a segment from A to B: within the touching distance of an end, or of what is between them. */

@@ -100,21 +100,14 @@ static uint32_t incidence(uint32_t piece, bool turned)
 /* If a side is a part of an edge of the file, copies this part to surface.part; else *part is ROBERTS_NONE. */
 static bool copy_part(surface *s, uint32_t side, uint32_t *part)
 {
-    size_t low = 0, high = s->part_count;
+    size_t at = find_numbered(s->side_part, s->part_count, sizeof *s->side_part, side);
     *part = ROBERTS_NONE;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (s->side_part[middle].edge < side)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    if (low == s->part_count || s->side_part[low].edge != side)
+    if (at == s->part_count || s->side_part[at].edge != side)
         return true;
     if (!array_reserve(&s->part, &s->edge_part_room, s->edge_part_count + 1, sizeof *s->part))
         return false;
     *part = (uint32_t)s->edge_part_count;
-    s->part[s->edge_part_count++] = s->side_part[low];
+    s->part[s->edge_part_count++] = s->side_part[at];
     return true;
 }
 
@@ -471,5 +464,9 @@ bool surface_find_edges(surface *s, double touching)
     free(f.odd_edge);
     free(f.stop);
     free(f.found.item);
+    free(s->side);
+    free(s->side_part);
+    s->side = NULL;
+    s->side_part = NULL;
     return enough && s->edge_count < ROBERTS_NONE;
 }
