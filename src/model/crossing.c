@@ -13,6 +13,9 @@
 /* Part of the touching distance that an error may have in a decision. */
 #define TRUSTED 0.125
 
+/* Part of the scene's size: computed ends are off by less. */
+#define ROUNDING 1e-20
+
 /* ---- planes and signs ------------------------------------------------------------------------------------------ */
 
 static double greatest(roberts_vec3 d)
@@ -349,6 +352,14 @@ static crossing_point point_of(const pair *w, cut *c, int of)
                             vec3_scale(scene->unit, (roberts_vec3){c->at.x.lo, c->at.y.lo, c->at.z.lo})};
 }
 
+/* Does P come after Q, by x, y, z? Coordinates that differ by no more than what computing them rounds are equal. */
+static bool is_behind(const roberts_scene *scene, const crossing_point *P, const crossing_point *Q)
+{
+    roberts_vec3 d = vec3_add(vec3_sub(P->point, Q->point), vec3_sub(P->low, Q->low));
+    double rounding = ROUNDING * scene->unit;
+    return fabs(d.x) > rounding ? d.x > 0.0 : fabs(d.y) > rounding ? d.y > 0.0 : d.z > 0.0;
+}
+
 /* Adds what two spans have in common, unless they only touch. False: no memory. */
 static bool add_common(const pair *w, span *f, span *g, crossing_list *out)
 {
@@ -361,8 +372,7 @@ static bool add_common(const pair *w, span *f, span *g, crossing_list *out)
     crossing_segment *s = &out->item[out->count++];
     *s = (crossing_segment){.face = {w->face[0]->first, w->face[1]->first},
                             .end = {point_of(w, &low, of[0]), point_of(w, &high, of[1])}};
-    int order = vec3_compare(s->end[0].point, s->end[1].point);
-    if (order > 0 || (order == 0 && vec3_compare(s->end[0].low, s->end[1].low) > 0)) {
+    if (is_behind(w->rules->scene, &s->end[0], &s->end[1])) {
         crossing_point first = s->end[0];
         s->end[0] = s->end[1];
         s->end[1] = first;
