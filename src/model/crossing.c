@@ -346,10 +346,10 @@ static crossing_point point_of(const pair *w, cut *c, int of)
     const roberts_scene *scene = w->rules->scene;
     const roberts_vec3 none = {0.0, 0.0, 0.0};
     if (c->q == ROBERTS_NONE)
-        return (crossing_point){scene->point[c->p], scene->low ? scene->low[c->p] : none};
+        return (crossing_point){scene->point[c->p], scene->low ? scene->low[c->p] : none, c->p};
     refine_cut(w, c, w->face[1 - of]);
     return (crossing_point){vec3_scale(scene->unit, (roberts_vec3){c->at.x.hi, c->at.y.hi, c->at.z.hi}),
-                            vec3_scale(scene->unit, (roberts_vec3){c->at.x.lo, c->at.y.lo, c->at.z.lo})};
+                            vec3_scale(scene->unit, (roberts_vec3){c->at.x.lo, c->at.y.lo, c->at.z.lo}), ROBERTS_NONE};
 }
 
 /* Does P come after Q, by x, y, z? Coordinates that differ by no more than what computing them rounds are equal. */
@@ -370,7 +370,8 @@ static bool add_common(const pair *w, span *f, span *g, crossing_list *out)
     if (!array_reserve(&out->item, &out->room, out->count + 1, sizeof *out->item))
         return false;
     crossing_segment *s = &out->item[out->count++];
-    *s = (crossing_segment){.face = {w->face[0]->first, w->face[1]->first},
+    *s = (crossing_segment){.body = {w->face[0]->body, w->face[1]->body},
+                            .face = {w->face[0]->first, w->face[1]->first},
                             .end = {point_of(w, &low, of[0]), point_of(w, &high, of[1])}};
     if (is_behind(w->rules->scene, &s->end[0], &s->end[1])) {
         crossing_point first = s->end[0];
@@ -503,7 +504,7 @@ static bool find_spans(const pair *w, int i, face_spans *s)
         if (c.over && c.under) {
             if (!add_span(w, i, &s->inside, c.on))
                 return false;
-        } else if (c.corners > 1 && f->end - f->first > 1) {
+        } else if (c.corners > 1 && crossing_in_pieces(f)) {
             if (((c.over || flat) && !add_span(w, i, &s->over, c.on)) ||
                 ((c.under || flat) && !add_span(w, i, &s->under, c.on)))
                 return false;
@@ -558,7 +559,7 @@ bool crossing_find(const crossing_rules *rules, crossing_face *f, crossing_face 
     if (crossing_is_beside(rules, f, g) || crossing_is_beside(rules, g, f))
         return true;
     pair w = pair_of(rules, f, g);
-    if (f->end - f->first > 1 || g->end - g->first > 1)
+    if (crossing_in_pieces(f) || crossing_in_pieces(g))
         return find_in_pieces(&w, out);
     contact a = contact_of(&w, 0, f->first), b = contact_of(&w, 1, g->first);
     return add_common(&w, &a.on, &b.on, out);

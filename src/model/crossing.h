@@ -46,10 +46,12 @@ typedef struct crossing_face {
 /* A computed point: the sum of both. */
 typedef struct crossing_point {
     roberts_vec3 point, low;
+    uint32_t vertex; /* of the scene, if it is a corner of one of the faces; else ROBERTS_NONE */
 } crossing_point;
 
 /* A maximal segment in which two faces cross. */
 typedef struct crossing_segment {
+    uint32_t body[2];      /* whose faces they are */
     uint32_t face[2];      /* the first pieces of both, in the scene */
     crossing_point end[2]; /* end[0] has the smaller x, or y where those are equal, or z */
 } crossing_segment;
@@ -64,6 +66,12 @@ crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint3
 
 /* Is all of face f on one side of the plane of g, or on it? Quicker than crossing_find(). */
 bool crossing_is_beside(const crossing_rules *rules, const crossing_face *f, crossing_face *g);
+
+/* Does the face consist of several pieces? */
+static inline bool crossing_in_pieces(const crossing_face *f)
+{
+    return f->end - f->first > 1;
+}
 
 /* Appends the segments in which two different faces cross, in the order of their first ends. False: no memory. */
 bool crossing_find(const crossing_rules *rules, crossing_face *f, crossing_face *g, crossing_list *out);

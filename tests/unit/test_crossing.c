@@ -361,7 +361,7 @@ static void ends_agree_on_both_sides_of_a_side(void **state)
         int same = 0;
         for (int i = 0; i < 2; i++)
             for (int k = 0; k < 2; k++)
-                same += memcmp(&found.item[0].end[i], &found.item[1].end[k], sizeof(crossing_point)) == 0;
+                same += memcmp(&found.item[0].end[i], &found.item[1].end[k], 2 * sizeof(roberts_vec3)) == 0;
         assert_int_equal(same, 1);
         free(found.item);
         roberts_scene_free(scene);
