@@ -314,6 +314,7 @@ typedef enum roberts_line {
     ROBERTS_BORDER,  /**< it has one face */
     ROBERTS_WIRE,    /**< it has none */
     ROBERTS_INTERSECTION, /**< no edge: two faces cross there */
+    ROBERTS_BACK_OUTLINE, /**< like ROBERTS_BACK, but a face is edge-on: it would be an outline */
 } roberts_line;
 
 /** A maximal part of a line in one state. A line is an edge, or a segment in which two faces cross. */

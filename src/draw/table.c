@@ -115,11 +115,12 @@ static const char *state_name(uint8_t state)
     }
 }
 
-/* An edge at the back of its solid is a crease: its faces lie on both sides of it. */
+/* An edge at the back of its solid is a crease, if its faces lie on both sides of it. */
 static const char *class_name(uint8_t line)
 {
     switch (line) {
     case ROBERTS_OUTLINE:
+    case ROBERTS_BACK_OUTLINE:
         return "outline";
     case ROBERTS_BORDER:
         return "border";

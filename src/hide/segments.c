@@ -152,7 +152,7 @@ static bool take_lines(const hide_job *job, hide_worker *w, seen_walk *walk, siz
             continue;
         }
         hide_worker_add(w, line);
-        line->hidden = is->class == ROBERTS_BACK;
+        line->hidden = seen_is_back(is->class);
         if (line->hidden && !hide_intervals_add(&line->intervals, walk->body, &(hide_interval){0.0, 1.0, 0.0, 1.0}))
             return false;
         line++;
