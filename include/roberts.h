@@ -333,6 +333,12 @@ typedef struct roberts_segment {
     double z0, z1;
     uint8_t state; /**< roberts_state */
     uint8_t line;  /**< roberts_line */
+    /** Hidden, and roberts_hide_options.levels: how many layers lie before the middle of the part, at most 65535; else
+     * 0. Each convex or closed body counts as often as the line of sight enters it there, which is how many of its
+     * faces toward the viewer lie before the part. An open body counts each face that the line of sight meets. Faces in
+     * whose planes the line lies do not count. (A. Appel, "The notion of quantitative invisibility and the machine
+     * rendering of solids", ACM 1967.) */
+    uint16_t level;
     uint32_t edge; /**< number of the edge in the scene; of an intersection, its number in roberts_drawing.crossing */
 } roberts_segment;
 
@@ -403,6 +409,7 @@ typedef struct roberts_hide_options {
                                 than 30 degrees are not drawn (default: true) */
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
+    bool levels;           /**< with keep_hidden: fill in `level` */
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
                            largest coordinate, and 2 float ulp of the largest one that came as a 32-bit float */
     uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
@@ -712,6 +719,7 @@ typedef struct roberts_ink {
 typedef enum roberts_column {
     ROBERTS_COLUMN_ENDS,  /**< X0,Y0,Z0,X1,Y1,Z1: roberts_segment_ends() */
     ROBERTS_COLUMN_DEPTH, /**< z0,z1: how near the viewer the ends are, as in roberts_segment */
+    ROBERTS_COLUMN_LEVEL, /**< level, as in roberts_segment; roberts_hide() has to be told to fill it in */
     ROBERTS_COLUMN_NAME,  /**< name: that of the solid's group, roberts_scene_name() */
     ROBERTS_COLUMNS       /**< how many there are */
 } roberts_column;

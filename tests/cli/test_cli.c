@@ -508,6 +508,21 @@ static void lost_lines_have_a_class(void **state)
     }
 }
 
+/* Levels are counted only if they are wanted; a row that is not hidden has 0. */
+static void levels_are_counted(void **state)
+{
+    (void)state;
+    assert_int_equal(run("--view top models/platonic/cube.off -f csv --hidden dashed --columns +name,+level"), 0);
+    assert_int_equal(count(",outline,0,2,,0\n") + count(",outline,0,1,,0\n"), 2);
+    assert_int_equal(count(",,1\n"), 8);
+    assert_int_equal(run("--view top models/platonic/cube.off -f json --hidden dashed --columns +level"), 0);
+    assert_int_equal(count("\"level\":1}"), 8);
+    assert_int_equal(run("--view top models/platonic/cube.off -f csv --columns +level"), 0);
+    assert_int_equal(count(",0\n"), 4);
+    assert_int_equal(run("models/platonic/cube.off -f csv --columns level"), 2);
+    assert_int_equal(strncmp(last.err, "roberts: --columns: \"level\" is unknown; did you mean +level?", 60), 0);
+}
+
 static void too_large_for_the_page(void **state)
 {
     (void)state;
@@ -978,6 +993,7 @@ int main(void)
         IN_FOLDER(pages_and_pens),
         IN_FOLDER(borders_and_wires),
         IN_FOLDER(lost_lines_have_a_class),
+        IN_FOLDER(levels_are_counted),
         IN_FOLDER(tables_name_class_and_faces),
         IN_FOLDER(too_large_for_the_page),
         IN_FOLDER(description_depends_on_the_drawing_alone),
