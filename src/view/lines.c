@@ -139,7 +139,7 @@ static bool taken_of_solid(const seen_walk *w, seen_line *line)
     const scene_edge *edge = scene_edge_stored(source, w->body, line->edge);
     uint32_t first = source->solid[w->body].face;
     int f = facing_of(w->of, source, first + edge->f[0]), g = facing_of(w->of, source, first + edge->f[1]);
-    line->class = (uint8_t)seen_class(f, g);
+    line->class = seen_class((f == VIEW_FRONT) + (g == VIEW_FRONT), f, g);
     return line->class == ROBERTS_OUTLINE || w->all ||
            !seen_is_flat(source->face_plane + first, edge, w->of->rules.crease_chord);
 }
@@ -163,7 +163,7 @@ bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
     line->t0 = left.t0;
     line->t1 = left.t1;
     if (w->hidden)
-        line->taken = (uint8_t)((left.t0 > 0.0 ? SEEN_TAKEN_BEFORE : 0) | (left.t1 < 1.0 ? SEEN_TAKEN_AFTER : 0));
+        line->taken = (left.t0 > 0.0 ? SEEN_TAKEN_BEFORE : 0u) | (left.t1 < 1.0 ? SEEN_TAKEN_AFTER : 0u);
     return true;
 }
 
@@ -191,8 +191,20 @@ seen_walk seen_walk_slowly(const seen *s, uint32_t body)
     return w;
 }
 
-seen_name seen_part_name(const roberts_scene *source, uint32_t edge)
+seen_name seen_edge_name(const roberts_scene *source, uint32_t body, uint32_t edge)
 {
-    const scene_part *part = scene_part_at(source, edge);
-    return (seen_name){{part->v[0], part->v[1]}, part->t0, part->t1};
+    if (!scene_is_convex(source, body) && source->surface->edge_is[edge] & EDGE_PART) {
+        const scene_part *part = scene_part_at(source, edge);
+        return (seen_name){{part->v[0], part->v[1]}, part->t0, part->t1};
+    }
+    const scene_edge *e = scene_edge_stored(source, body, edge);
+    uint32_t v0 = source->solid[body].vertex + e->v[0], v1 = source->solid[body].vertex + e->v[1];
+    return (seen_name){{scene_vertex_number(source, v0), scene_vertex_number(source, v1)}, 0.0, 1.0};
+}
+
+seen_name seen_slow_name(const seen *s, uint32_t body, const seen_line *line)
+{
+    if (line->edge == ROBERTS_NONE)
+        return (seen_name){{ROBERTS_NONE, ROBERTS_NONE}, 0.0, 1.0};
+    return seen_edge_name(s->source, body, line->edge);
 }
