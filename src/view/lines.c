@@ -75,7 +75,8 @@ static bool classify(const seen_walk *w, uint32_t e, const scene_edge *edge, see
     line->class = ROBERTS_WIRE;
     if (edge->f[0] == ROBERTS_NONE)
         return true;
-    edge_faces faces = line->own.many ? faces_of_many(s, line->own.many, crease) : faces_of_edge(w, edge, is, crease);
+    edge_faces faces =
+        is & EDGE_MANY ? faces_of_many(s, scene_many_at(s->scene, e), crease) : faces_of_edge(w, edge, is, crease);
     bool fold = (faces.left == 0) != (faces.right == 0);
     line->class = ROBERTS_OUTLINE;
     if (is & EDGE_CUT)
@@ -107,11 +108,12 @@ static bool surface_line(seen_walk *w, uint32_t e, const scene_edge *edge, seen_
 {
     const roberts_scene *scene = w->of->scene;
     const scene_solid *own = &scene->solid[w->body];
-    *line = (seen_line){.edge = line->edge,
-                        .v = {own->vertex + edge->v[0], own->vertex + edge->v[1]},
-                        .own = seen_own_of(scene, w->body, e)};
     if (!classify(w, e, edge, line))
         return false;
+    *line = (seen_line){.edge = line->edge,
+                        .v = {own->vertex + edge->v[0], own->vertex + edge->v[1]},
+                        .own = seen_own_of(scene, w->body, e),
+                        .class = line->class};
     w->surviving++;
     return true;
 }
@@ -144,7 +146,7 @@ bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
 {
     const roberts_scene *scene = w->of->scene;
     clip_edge left = seen_left_of(w->of, edge);
-    bool convex = scene_is_convex(scene, w->body);
+    bool convex = w->key != ROBERTS_NONE;
     if (left.edge == ROBERTS_NONE || left.t0 >= left.t1) { /* equal: it ends on the near plane, to rounding */
         *line = (seen_line){.edge = edge,
                             .v = {ROBERTS_NONE, ROBERTS_NONE},
