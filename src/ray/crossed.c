@@ -5,8 +5,9 @@
 
 #include "base/array.h"
 
-/* Touching distances: how far beside the line rays are cast. What only touches goes on no farther than one. */
-#define BESIDE 0.5
+/* Touching distances: how far beside the line rays are cast. Near its ends a face may be narrow there, so they are cast
+ * nearer, too. */
+static const double beside[] = {0.5, 0.05, 0.005};
 
 static int by_number(const void *pa, const void *pb)
 {
@@ -54,8 +55,8 @@ static bool is_in_plane(const crossed *c, uint32_t face, roberts_vec3 X)
     return fabs(off) <= 2.0 * (c->touching + scene_deviation(c->scene, face));
 }
 
-/* Is X, a point of its plane, in the piece? */
-static bool holds(const crossed *c, uint32_t face, roberts_vec3 X)
+/* Is X, a point of its plane, in the piece, or no farther outside than `loose`? */
+static bool holds(const crossed *c, uint32_t face, roberts_vec3 X, double loose)
 {
     const roberts_scene *scene = c->scene;
     plane F = scene->face_plane[face];
@@ -65,22 +66,22 @@ static bool holds(const crossed *c, uint32_t face, roberts_vec3 X)
         roberts_vec3 P = scene->point[scene->corner[k]], Q = scene->point[scene->corner[k + 1 < end ? k + 1 : first]];
         roberts_vec3 side = vec3_sub(Q, P);
         double off = vec3_dot(n, vec3_cross(side, vec3_sub(X, P)));
-        if (off < -0.25 * BESIDE * c->touching * vec3_length(side))
+        if (off < -loose * vec3_length(side))
             return false;
     }
     return true;
 }
 
 /* Is X in a piece of the face of this number that lies in the plane of `face`? */
-static bool face_holds(const crossed *c, const crossed_piece *like, roberts_vec3 X)
+static bool face_holds(const crossed *c, const crossed_piece *like, roberts_vec3 X, double loose)
 {
     const roberts_scene *scene = c->scene;
     uint32_t key = seen_face_key(scene, like->body, like->face);
     bool convex = scene_is_convex(scene, like->body);
     if (convex)
-        return holds(c, like->face, X);
+        return holds(c, like->face, X, loose);
     for (uint32_t k = first_piece(c, like->number); k < scene->face_count && c->piece[k].number == like->number; k++)
-        if (seen_face_key(scene, c->piece[k].body, c->piece[k].face) == key && holds(c, c->piece[k].face, X))
+        if (seen_face_key(scene, c->piece[k].body, c->piece[k].face) == key && holds(c, c->piece[k].face, X, loose))
             return true;
     return false;
 }
@@ -103,7 +104,7 @@ bool crossed_find(const crossed *c, const roberts_crossing *line, crossed_faces 
                          (p->face != out->of[0].face && seen_face_key(scene, p->body, p->face) !=
                                                             seen_face_key(scene, out->of[0].body, out->of[0].face));
             found = other && is_in_plane(c, p->face, line->end[0]) && is_in_plane(c, p->face, line->end[1]) &&
-                    face_holds(c, p, middle);
+                    face_holds(c, p, middle, c->touching);
             if (found)
                 out->of[i] = *p;
         }
@@ -113,24 +114,30 @@ bool crossed_find(const crossed *c, const roberts_crossing *line, crossed_faces 
     return true;
 }
 
+/* Are both faces met on both sides of X, so far from it? */
+static bool are_met_beside(const crossed *c, const crossed_faces *faces, roberts_vec3 X, roberts_vec3 d, double far)
+{
+    for (int i = 0; i < 2; i++) {
+        plane F = c->scene->face_plane[faces->of[i].face];
+        roberts_vec3 aside = vec3_cross((roberts_vec3){F.a, F.b, F.c}, d);
+        double length = vec3_length(aside);
+        if (!(length > 0.0))
+            return true; /* too short to tell */
+        aside = vec3_scale(far / length, aside);
+        if (!face_holds(c, &faces->of[i], vec3_add(X, aside), 0.25 * far) ||
+            !face_holds(c, &faces->of[i], vec3_sub(X, aside), 0.25 * far))
+            return false;
+    }
+    return true;
+}
+
 bool crossed_is_line(const crossed *c, const roberts_crossing *line, const crossed_faces *faces)
 {
     static const double places[] = {0.5, 0.31, 0.77};
     roberts_vec3 d = vec3_sub(line->end[1], line->end[0]);
-    for (int k = 0; k < 3; k++) {
-        int met = 0;
-        for (int i = 0; i < 2; i++) {
-            plane F = c->scene->face_plane[faces->of[i].face];
-            roberts_vec3 aside = vec3_cross((roberts_vec3){F.a, F.b, F.c}, d);
-            double length = vec3_length(aside);
-            if (!(length > 0.0))
-                return true; /* too short to tell */
-            aside = vec3_scale(BESIDE * c->touching / length, aside);
-            met += face_holds(c, &faces->of[i], vec3_add(point_at(line, places[k]), aside)) +
-                   face_holds(c, &faces->of[i], vec3_sub(point_at(line, places[k]), aside));
-        }
-        if (met == 4)
-            return true;
-    }
+    for (int k = 0; k < 3; k++)
+        for (int n = 0; n < 3; n++)
+            if (are_met_beside(c, faces, point_at(line, places[k]), d, beside[n] * c->touching))
+                return true;
     return false;
 }
