@@ -60,16 +60,6 @@ static hide_box box_of_face(const hide_fronts *fronts, uint32_t piece)
 
 /* ---- two faces ------------------------------------------------------------------------------------------------- */
 
-/* How many corners two faces of one body share. */
-static unsigned shared_corners(const roberts_scene *scene, uint32_t f, uint32_t g)
-{
-    unsigned shared = 0;
-    for (uint32_t i = scene->face_start[f]; i < scene->face_start[f + 1]; i++)
-        for (uint32_t k = scene->face_start[g]; k < scene->face_start[g + 1]; k++)
-            shared += scene->corner[i] == scene->corner[k];
-    return shared;
-}
-
 static bool add_pair(finder *t, uint32_t f, uint32_t g)
 {
     uint64_t pair = f < g ? (uint64_t)f << 32 | g : (uint64_t)g << 32 | f;
@@ -202,6 +192,50 @@ static crossing_face *face_at(finder *t, const hide_front *front, uint32_t k, cr
     return f;
 }
 
+/* Is the piece a whole face? */
+static bool is_whole(const roberts_scene *scene, const hide_front *front)
+{
+    const uint32_t *plane_of = scene->surface ? scene->surface->plane_of : NULL;
+    uint32_t k = front->piece;
+    return front->kind == HIDE_SOLID_FACE || ((k == 0 || plane_of[k - 1] != plane_of[k]) &&
+                                              (k + 1 == scene->face_count || plane_of[k + 1] != plane_of[k]));
+}
+
+static bool is_corner(const hide_face *F, uint32_t v)
+{
+    for (uint32_t i = 0; i < F->count; i++)
+        if (F->corner[i] == v)
+            return true;
+    return false;
+}
+
+/* Is all of G on one side of the plane of F, beyond doubt? Corners that it shares with F are in the plane. What a
+ * distance from the plane is off by, anywhere in the scene, is less than `error`: see set_trust() in front.c. */
+static bool is_plainly_beside(const hide_fronts *fronts, const hide_face *F, const hide_face *G)
+{
+    double error = greater(F->touch - (double)F->limit, F->touch);
+    bool over = false, under = false;
+    for (uint32_t i = 0; i < G->count && !(over && under); i++) {
+        if (is_corner(F, G->corner[i]))
+            continue;
+        double h = plane_at(F->F, fronts->P[G->corner[i]]);
+        over = over || !(h <= -error);
+        under = under || !(h >= error);
+    }
+    return !(over && under);
+}
+
+/* Can the pieces of two faces be told not to cross at once? Most pairs of a surface are neighbours, and can. */
+static bool are_apart(const hide_fronts *fronts, const hide_front *f, const hide_front *g)
+{
+    const hide_face *F = &fronts->face[f->face], *G = &fronts->face[g->face];
+    if (F->count == 3 && f->solid == g->solid &&
+        is_corner(G, F->corner[0]) + is_corner(G, F->corner[1]) + is_corner(G, F->corner[2]) > 1)
+        return true; /* they share a side: one of them is a triangle */
+    return is_whole(fronts->scene, f) && is_whole(fronts->scene, g) &&
+           (is_plainly_beside(fronts, F, G) || is_plainly_beside(fronts, G, F));
+}
+
 /* Entries i < k of a cell's list whose boxes meet. */
 static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_t k)
 {
@@ -212,9 +246,8 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
         return meet_solids(t, list[i].front, list[k].front);
-    if (f->solid == g->solid && shared_corners(fronts->scene, f->piece, g->piece) > 1 &&
-        fronts->scene->face_start[f->piece + 1] - fronts->scene->face_start[f->piece] == 3)
-        return true; /* they share a side: one of them is a triangle */
+    if (are_apart(fronts, f, g))
+        return true;
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
 
