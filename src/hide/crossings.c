@@ -288,7 +288,7 @@ static bool meet_all(finder *finders, const objet *grid, int threads)
     for (size_t p = 0; p < parts; p++) {
         finder *t = &finders[thread_self()];
         for (size_t c = p * CELLS_AT_ONCE; !lost && c < cells && c < (p + 1) * CELLS_AT_ONCE; c++)
-            lost = lost || !meet_cell(t, grid, c);
+            lost = lost || (!(grid->apart && grid->apart[c]) && !meet_cell(t, grid, c));
     }
     return !lost;
 }

@@ -232,6 +232,9 @@ void objet_free(objet *grid)
     free(grid->start);
     free(grid->entry);
     free(grid->next);
+    free(grid->apart);
+    free(grid->below);
+    cover_free(&grid->sheet);
     *grid = (objet){0};
 }
 
