@@ -307,7 +307,10 @@ static bool meet_forward(hide_worker *w, const party *p, uint32_t k, uint32_t en
 static bool meet_cell(hide_worker *w, const party *p, uint32_t column, uint32_t row, float far)
 {
     const objet *grid = w->grid;
-    const uint32_t *start = grid->start + (size_t)column * grid->frame.ny + row;
+    size_t cell = (size_t)column * grid->frame.ny + row;
+    const uint32_t *start = grid->start + cell;
+    if (grid->below && far > grid->below[cell])
+        return true; /* edges of the sheet that fills the cell */
     uint32_t sides = objet_most(objet_cut(four_load(w->place), column, row)), k = start[0];
     bool alone = p->alone && grid->next; /* a line of a fan would go back over all faces of the fan in every cell */
     if (!alone && start[1] - start[0] > SHORT_LIST) {

@@ -164,11 +164,18 @@ static bool has_segments(const hide_job *job, uint32_t body)
     return !job->fronts.culled[body] || (job->seen.clip.clipped && job->options->keep_hidden);
 }
 
+/* Lies all of AB behind covers, or behind sheets? Where hidden lines are wanted, neither is asked. */
+BITS_INLINE bool is_covered(const hide_job *job, roberts_vec3 A, roberts_vec3 B)
+{
+    const cover *c = &job->fronts.cover, *sheet = &job->grid.sheet;
+    return (c->depth && cover_hides_edge(c, A, B)) ||
+           (sheet->depth && !job->options->keep_hidden && cover_hides_edge(sheet, A, B));
+}
+
 /* Takes up the next lines of a walk, `most` of them or all. What lies behind covers is hidden at once; covers are kept
  * only where hidden lines are not wanted. A line without a front face is hidden by its own body. False: no memory. */
 BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most, bool slow)
 {
-    const cover *c = &job->fronts.cover;
     const roberts_vec3 *P = job->fronts.P;
     size_t left = walk->end - walk->edge;
     hide_worker_begin(w, walk->key);
@@ -181,7 +188,7 @@ BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk,
             continue;
         }
         w->drawn++;
-        if (c->depth && cover_hides_edge(c, P[is->v[0]], P[is->v[1]])) {
+        if (is_covered(job, P[is->v[0]], P[is->v[1]])) {
             w->sides.tally.covered++;
             continue;
         }
@@ -244,7 +251,6 @@ bool segments_hide(const hide_job *job, hide_worker *w, uint32_t body)
 /* Takes up lines that are no edges, from *next on, a group of them or up to `end`. False: no memory. */
 static bool take_further(const hide_job *job, hide_worker *w, uint32_t *next, uint32_t end)
 {
-    const cover *c = &job->fronts.cover;
     hide_worker_begin(w, ROBERTS_NONE);
     if (!hide_worker_reserve(w, HIDE_GROUP))
         return false;
@@ -253,7 +259,7 @@ static bool take_further(const hide_job *job, hide_worker *w, uint32_t *next, ui
         line->is = job->seen.further.line[*next];
         w->drawn++;
         hide_worker_add(w, line);
-        if (c->depth && cover_hides_edge(c, line->e.A, line->e.B)) {
+        if (is_covered(job, line->e.A, line->e.B)) {
             w->sides.tally.covered++;
             w->line_count--;
         }
@@ -302,7 +308,6 @@ bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_
 bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t first, size_t end)
 {
     const crossings *c = &job->crossings;
-    const cover *covers = &job->fronts.cover;
     const view *v = &job->seen.view;
     line_writer writer = {&job->seen, out, 0, v->unit, job->options->keep_hidden, v->perspective};
     for (size_t k = first; k < end;) {
@@ -313,7 +318,7 @@ bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t
             hide_line *line = &w->line[w->line_count];
             line->is = crossings_line(c, job->seen.scene, k);
             hide_worker_add(w, line);
-            if (covers->depth && cover_hides_edge(covers, line->e.A, line->e.B)) {
+            if (is_covered(job, line->e.A, line->e.B)) {
                 w->sides.tally.covered++;
                 w->line_count--;
             }
