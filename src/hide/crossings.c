@@ -257,6 +257,8 @@ static bool meet_cell(finder *t, const objet *grid, size_t cell)
     const hide_fronts *fronts = t->fronts;
     const objet_entry *list = grid->entry + grid->start[cell];
     uint32_t count = grid->start[cell + 1] - grid->start[cell];
+    bool all = fronts->seen->rules.hidden || !grid->sheet.depth;
+    float least = all ? -INFINITY : grid->sheet.depth[cell]; /* all beyond is hidden here */
     memset(t->kept, 0, (count < KEPT_FACES ? count : KEPT_FACES) * sizeof *t->kept);
     for (uint32_t i = 0; i + 1 < count; i++) {
         const hide_box *own = &fronts->front_box[list[i].front];
@@ -265,7 +267,7 @@ static bool meet_cell(finder *t, const objet *grid, size_t cell)
             for (unsigned near = objet_near(grid, k, end, most); near; near &= near - 1) {
                 uint32_t at = k + (uint32_t)bits_trailing_zeros(near) - first;
                 const hide_box *box = &fronts->front_box[list[at].front];
-                if (box->z1 < own->z0) {
+                if (box->z1 < own->z0 || box->z1 < least) {
                     k = end;
                     break;
                 }

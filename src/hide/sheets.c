@@ -1,7 +1,9 @@
 /* sheets.c - see sheets.h. */
 #include "hide/sheets.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
 #include "base/bits.h"
@@ -21,22 +23,36 @@
 typedef struct finding {
     const objet *grid;
     const hide_fronts *fronts;
-    unsigned char *folded; /* [cells] something in the cell is no sheet */
-    unsigned char *wound;  /* [vertices] how often the faces of a surface go round the vertex in the picture: 0, 1, 2 or
-                              more */
-    objet_walk *walk;      /* [threads] */
+    atomic_uint *fold;    /* [cells] rank_of() of the nearest depth of what is no sheet */
+    unsigned char *wound; /* [vertices] how often the faces of a surface go round the vertex in the picture: 0, 1, 2 or
+                             more */
+    objet_walk *walk;     /* [threads] */
     int threads;
 } finding;
 
-static void fold_cells(const finding *f, uint32_t left, uint32_t right, uint32_t low, uint32_t high)
+/* Floats as numbers that ascend as they do; 0 is below all of them. */
+static uint32_t rank_of(float z)
 {
-    for (uint32_t i = left; i <= right; i++)
-        for (uint32_t j = low; j <= high; j++) {
-#ifdef _OPENMP
-#pragma omp atomic write
-#endif
-            f->folded[(size_t)i * f->grid->frame.ny + j] = 1;
-        }
+    uint32_t bits;
+    memcpy(&bits, &z, sizeof bits);
+    return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+}
+
+static float of_rank(uint32_t rank)
+{
+    uint32_t bits = rank & 0x80000000u ? rank & 0x7fffffffu : ~rank;
+    float z;
+    memcpy(&z, &bits, sizeof z);
+    return rank == 0 ? -INFINITY : z;
+}
+
+/* What is nowhere nearer than z in the cell is no sheet. */
+static void fold_cell(const finding *f, uint32_t column, uint32_t row, float z)
+{
+    atomic_uint *fold = &f->fold[(size_t)column * f->grid->frame.ny + row];
+    unsigned rank = rank_of(z), known = atomic_load_explicit(fold, memory_order_relaxed);
+    while (known < rank && !atomic_compare_exchange_weak(fold, &known, rank)) {
+    }
 }
 
 /* All cells of a box. */
@@ -44,16 +60,22 @@ static void fold_box(const finding *f, const hide_box *box, double loose)
 {
     const scan_frame *s = &f->grid->frame;
     double m = s->margin + loose;
-    fold_cells(f, scan_column(s, (double)box->x0 - m), scan_column(s, (double)box->x1 + m),
-               scan_row(s, (double)box->y0 - m), scan_row(s, (double)box->y1 + m));
+    uint32_t right = scan_column(s, (double)box->x1 + m);
+    uint32_t low = scan_row(s, (double)box->y0 - m), high = scan_row(s, (double)box->y1 + m);
+    for (uint32_t i = scan_column(s, (double)box->x0 - m); i <= right; i++)
+        for (uint32_t j = low; j <= high; j++)
+            fold_cell(f, i, j, box->z1);
 }
 
 static bool fold_edge(const finding *f, objet_walk *walk, roberts_vec3 A, roberts_vec3 B)
 {
     if (!objet_cells(f->grid, A, B, walk))
         return false;
-    for (size_t k = 0; k < walk->count; k++)
-        fold_cells(f, walk->item[k].column, walk->item[k].column, walk->item[k].row, walk->item[k].row);
+    for (size_t k = 0; k < walk->count; k++) {
+        const objet_stretch *in = &walk->item[k];
+        double z0 = A.z + in->t0 * (B.z - A.z), z1 = A.z + in->t1 * (B.z - A.z);
+        fold_cell(f, in->column, in->row, hide_float_above(greater(z0, z1) + f->grid->frame.margin));
+    }
     return true;
 }
 
@@ -157,8 +179,8 @@ static void fold_wound(const finding *f)
 #endif
     for (uint32_t v = 0; v < count; v++)
         if (f->wound[v] > 1) {
-            float x = (float)fronts->P[v].x, y = (float)fronts->P[v].y;
-            fold_box(f, &(hide_box){.x0 = x, .x1 = x, .y0 = y, .y1 = y}, 0x1p-22 * (fabs((double)x) + fabs((double)y)));
+            hide_box box = hide_box_around(&(hide_bounds){fronts->P[v], fronts->P[v]});
+            fold_box(f, &box, 0.0);
         }
 }
 
@@ -191,41 +213,48 @@ static int holds(const hide_fronts *fronts, const hide_face *F, double x, double
     return 1;
 }
 
-/* The sheets of a cell that nothing folds. */
-static void find_in_cell(objet *grid, const hide_fronts *fronts, uint32_t column, uint32_t row)
+/* Faces of a cell that no gap in depth parts. */
+typedef struct part {
+    float depth; /* of the farthest corner */
+    uint32_t sheets;
+} part;
+
+/* The sheets of a cell, nearest first, as far as nothing else lies that near. */
+static void find_in_cell(objet *grid, const hide_fronts *fronts, uint32_t column, uint32_t row, float fold)
 {
     const scan_frame *s = &grid->frame;
     size_t cell = (size_t)column * s->ny + row;
     double x = s->x0 + (column + ACROSS_CELL) * s->dx, y = s->y0 + (row + UP_CELL) * s->dy;
-    hide_box about = {
-        .x0 = hide_float_below(x), .x1 = hide_float_above(x), .y0 = hide_float_below(y), .y1 = hide_float_above(y)};
-    uint32_t most = objet_most(objet_cut(objet_place(grid, &about), column, row)), parts = 0, sheets = 0;
-    float depth = INFINITY, nearest = -INFINITY, below = -INFINITY; /* of the part at hand: how far it reaches */
+    hide_bounds point = {{x, y, 0.0}, {x, y, 0.0}};
+    hide_box about = hide_box_around(&point);
+    uint32_t most = objet_most(objet_cut(objet_place(grid, &about), column, row));
+    part at = {INFINITY, 0};
+    bool found = false;
     for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end; k += 4) {
         unsigned near = objet_near(grid, k, end, most);
         for (uint32_t i = k; i < end && i < k + 4; i++, near >>= 1) {
             const hide_front *front = &fronts->front[grid->entry[i].front];
             const hide_box *box = &fronts->front_box[grid->entry[i].front];
-            if (box->z1 < depth) { /* another part begins */
-                if (sheets == 1 && ++parts == 1)
-                    nearest = depth;
-                if (parts == 1 && sheets == 1)
-                    below = box->z1;
-                sheets = 0;
-                depth = box->z0;
+            if (box->z1 < at.depth) { /* a part ends */
+                if (at.sheets > 0 && !found) {
+                    found = true;
+                    grid->sheet.depth[cell] = hide_float_below((double)at.depth - SHEET_SLACK * fronts->space.epsilon);
+                    grid->below[cell] = box->z1 > fold ? box->z1 : fold;
+                }
+                at = (part){box->z0, 0};
             }
-            depth = box->z0 < depth ? box->z0 : depth;
+            at.depth = box->z0 < at.depth ? box->z0 : at.depth;
+            if (!(at.depth > fold))
+                return;
             int held = near & 1 ? holds(fronts, &fronts->face[front->face], x, y) : 0;
-            if (held < 0 || (sheets += (uint32_t)held) > 1)
+            if (held < 0 || (at.sheets += (uint32_t)held) > 1)
                 return;
         }
     }
-    if (sheets == 1 && ++parts == 1)
-        nearest = depth;
     grid->apart[cell] = 1;
-    if (parts > 0) {
-        grid->sheet.depth[cell] = hide_float_below((double)nearest - SHEET_SLACK * fronts->space.epsilon);
-        grid->below[cell] = below;
+    if (at.sheets > 0 && !found) {
+        grid->sheet.depth[cell] = hide_float_below((double)at.depth - SHEET_SLACK * fronts->space.epsilon);
+        grid->below[cell] = fold;
     }
 }
 
@@ -241,8 +270,7 @@ static void find_in_cells(objet *grid, const finding *f)
 #endif
     for (uint32_t i = 0; i < grid->frame.nx; i++)
         for (uint32_t j = 0; j < grid->frame.ny; j++)
-            if (!f->folded[(size_t)i * grid->frame.ny + j])
-                find_in_cell(grid, f->fronts, i, j);
+            find_in_cell(grid, f->fronts, i, j, of_rank(atomic_load(&f->fold[(size_t)i * grid->frame.ny + j])));
 }
 
 bool sheets_find(objet *grid, const hide_fronts *fronts, uint32_t threads)
@@ -253,12 +281,12 @@ bool sheets_find(objet *grid, const hide_fronts *fronts, uint32_t threads)
         return true; /* a border that the near plane has made is no edge */
     finding f = {
         .grid = grid, .fronts = fronts, .threads = threads_for(threads, 1 + scene->edge_count / WORTH_A_THREAD)};
-    f.folded = alloc_zeroed(cells, sizeof *f.folded);
+    f.fold = alloc_zeroed(cells, sizeof *f.fold);
     f.wound = alloc_zeroed(scene->vertex_count, sizeof *f.wound);
     f.walk = alloc_zeroed((size_t)f.threads, sizeof *f.walk);
     grid->apart = alloc_zeroed(cells, sizeof *grid->apart);
     grid->below = alloc_array(cells, sizeof *grid->below);
-    bool found = f.folded && f.wound && f.walk && grid->apart && grid->below;
+    bool found = f.fold && f.wound && f.walk && grid->apart && grid->below;
     if (found) {
         grid->sheet.frame = grid->frame;
         grid->sheet.depth = alloc_array(cells, sizeof *grid->sheet.depth);
@@ -273,6 +301,6 @@ bool sheets_find(objet *grid, const hide_fronts *fronts, uint32_t threads)
         free(f.walk[i].item);
     free(f.walk);
     free(f.wound);
-    free(f.folded);
+    free(f.fold);
     return found;
 }
