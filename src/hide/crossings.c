@@ -15,6 +15,8 @@
 #define KEPT_FACES 512
 /* So many comparisons of a corner with a plane may be spent on keeping two solids apart. */
 #define WORTH_A_PLANE 4096
+/* Two faces of more corners in all are not held against one another's sides. */
+#define FEW_CORNERS 12
 /* More pairs of faces of two solids than this are found by sorting. */
 #define FEW_PAIRS 1024
 
@@ -225,6 +227,24 @@ static bool is_plainly_beside(const hide_fronts *fronts, const hide_face *F, con
     return !(over && under);
 }
 
+/* Does a side of F part the pictures of both, beyond doubt? They may share corners on it. */
+static bool is_parted(const hide_fronts *fronts, const hide_face *F, const hide_face *G)
+{
+    const roberts_vec3 *P = fronts->P;
+    for (uint32_t i = 0; i < F->count; i++) {
+        uint32_t p = F->corner[i], q = F->corner[i + 1 < F->count ? i + 1 : 0], k = 0;
+        double dx = P[q].x - P[p].x, dy = P[q].y - P[p].y;
+        for (uint32_t v; k < G->count; k++) {
+            v = G->corner[k];
+            if (v != p && v != q && !(dx * (P[v].y - P[p].y) - dy * (P[v].x - P[p].x) < -fronts->space.plain))
+                break;
+        }
+        if (k == G->count)
+            return true;
+    }
+    return false;
+}
+
 /* Can the pieces of two faces be told not to cross at once? Most pairs of a surface are neighbours, and can. */
 static bool are_apart(const hide_fronts *fronts, const hide_front *f, const hide_front *g)
 {
@@ -233,7 +253,8 @@ static bool are_apart(const hide_fronts *fronts, const hide_front *f, const hide
         is_corner(G, F->corner[0]) + is_corner(G, F->corner[1]) + is_corner(G, F->corner[2]) > 1)
         return true; /* they share a side: one of them is a triangle */
     return is_whole(fronts->scene, f) && is_whole(fronts->scene, g) &&
-           (is_plainly_beside(fronts, F, G) || is_plainly_beside(fronts, G, F));
+           (is_plainly_beside(fronts, F, G) || is_plainly_beside(fronts, G, F) ||
+            (F->count + G->count <= FEW_CORNERS && (is_parted(fronts, F, G) || is_parted(fronts, G, F))));
 }
 
 /* Entries i < k of a cell's list whose boxes meet. */
