@@ -4,7 +4,7 @@
  * Only what can be seen is looked for. Candidates are pairs of fronts in one cell of Objet[i][j] whose boxes meet; of a
  * convex solid the front faces count, of another body all faces that are not edge-on. What covers hide is no front, and
  * has no lines; and where hidden lines are not wanted, no pair is sought behind a sheet that fills the cell (see
- * sheets.h). The grid and the threads change no line: lines are put in the order of the faces of the file. */
+ * sheets.h). The grid and the threads change no line that is seen: lines are put in the order of the faces of the file. */
 #ifndef ROBERTS_HIDE_CROSSINGS_H
 #define ROBERTS_HIDE_CROSSINGS_H
 
