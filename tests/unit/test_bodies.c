@@ -128,7 +128,7 @@ static void lines_have_their_classes(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const body_case *c = &cases[i];
-        const double wanted[] = {c->outline, c->crease, 0.0, c->border, c->wire};
+        const double wanted[ROBERTS_INTERSECTION + 1] = {c->outline, c->crease, 0.0, c->border, c->wire};
         roberts_scene *scene = scene_of(c->text, &(roberts_scene_options){.even_odd = c->even_odd});
         roberts_drawing drawing = drawing_of(scene, c->dir, c->all_edges);
         double length[ROBERTS_INTERSECTION + 1];
