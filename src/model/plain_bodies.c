@@ -17,7 +17,7 @@
 
 /* ---- not convex at a glance ------------------------------------------------------------------------------------ */
 
-enum { GLANCE_LEAST = 1000, GLANCE_FACES = 8, GLANCE_VERTICES = 32 };
+enum { GLANCE_FACES = 8, GLANCE_VERTICES = 16 };
 
 /* More than rounding can make of a bound. */
 #define GLANCE_MARGIN 1.01
@@ -43,27 +43,26 @@ static double allowance_of(const roberts_scene *scene, uint32_t s, double tolera
     return GLANCE_MARGIN * tolerance * greater(largest, *size);
 }
 
-/* Have some vertices of solid s more than this distance to the plane, on both sides of it? Then the solid is refused
- * whichever way the face is wound. */
-static bool is_crossed(const roberts_scene *scene, uint32_t s, const fitted_plane *fit, roberts_vec3 origin,
-                       double distance)
+/* How far some vertices of solid s lie on either side of the plane, whichever is less. If that is more than allowed,
+ * the solid is refused whichever way the face is wound. */
+static double crossed_by(const roberts_scene *scene, uint32_t s, const fitted_plane *fit, roberts_vec3 origin)
 {
     uint32_t first = scene->solid[s].vertex, count = scene->solid[s + 1].vertex - first;
-    bool above = false, below = false;
+    double least = 0.0, most = 0.0;
     for (uint32_t i = 0; i < GLANCE_VERTICES; i++) {
         uint32_t v = first + (uint32_t)((uint64_t)i * count / GLANCE_VERTICES);
         double height = vec3_dot(fit->n, vec3_sub(scene->point[v], origin)) - fit->mean;
-        above = above || height > distance;
-        below = below || height < -distance;
+        least = lesser(least, height);
+        most = greater(most, height);
     }
-    return above && below;
+    return lesser(most, -least);
 }
 
-bool plain_not_convex(const roberts_scene *scene, uint32_t s, double tolerance)
+bool plain_large_not_convex(const roberts_scene *scene, uint32_t s, double tolerance)
 {
     uint32_t first = scene->solid[s].face, count = scene->solid[s + 1].face - first;
-    double size, allowed = count < GLANCE_LEAST ? 0.0 : allowance_of(scene, s, tolerance, &size);
-    for (uint32_t i = 0; i < GLANCE_FACES && allowed > 0.0; i++) {
+    double size = 0.0, allowed = -1.0;
+    for (uint32_t i = 0; i < GLANCE_FACES && allowed != 0.0; i++) {
         uint32_t f = first + (uint32_t)((uint64_t)i * count / GLANCE_FACES);
         const uint32_t *corner = scene->corner + scene->face_start[f];
         if (scene->face_start[f + 1] - scene->face_start[f] != 3)
@@ -71,7 +70,12 @@ bool plain_not_convex(const roberts_scene *scene, uint32_t s, double tolerance)
         roberts_vec3 A = scene->point[corner[0]];
         roberts_vec3 ring[3] = {{0, 0, 0}, vec3_sub(scene->point[corner[1]], A), vec3_sub(scene->point[corner[2]], A)};
         fitted_plane fit = face_plane_fit(ring, 3);
-        if (fit.width > 0.0 && is_crossed(scene, s, &fit, A, allowed * greater(1.0, size / fit.width)))
+        double crossed = crossed_by(scene, s, &fit, A);
+        if (!(fit.width > 0.0) || !(crossed > tolerance * fit.width))
+            continue; /* the solid is wider than a face */
+        if (allowed < 0.0)
+            allowed = allowance_of(scene, s, tolerance, &size);
+        if (allowed > 0.0 && crossed > allowed * greater(1.0, size / fit.width))
             return true;
     }
     return false;

@@ -9,9 +9,18 @@
 
 #include "model/plain_edges.h"
 
+enum { PLAIN_LARGE = 1000 }; /* faces */
+
 /* Is it certain, after a look at a few faces and vertices, that solid s is not convex? The scene is laid out, its
- * planes are not fitted. False for small solids: they are quickly checked in full. */
-bool plain_not_convex(const roberts_scene *scene, uint32_t s, double tolerance);
+ * planes are not fitted. */
+bool plain_large_not_convex(const roberts_scene *scene, uint32_t s, double tolerance);
+
+/* The same; false for small solids, which are quickly checked in full. */
+static inline bool plain_not_convex(const roberts_scene *scene, uint32_t s, double tolerance)
+{
+    return scene->solid[s + 1].face - scene->solid[s].face >= PLAIN_LARGE &&
+           plain_large_not_convex(scene, s, tolerance);
+}
 
 /* Makes bodies of the components that are not convex solids, mark[s] != 0, if all of these are plain. The others are
  * built already. The scene is laid out and has no vertices or faces that a component lacks; edges of repeated solids
