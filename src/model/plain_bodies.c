@@ -91,7 +91,7 @@ typedef struct plain_work {
     plain_edges edges; /* of the bodies that are built here; those of repeated solids are stored already */
     uint32_t *first;   /* [solids] where each has them */
     uint32_t *count;   /* [solids] how many */
-    uint8_t *open;     /* [solids] 1: it has borders */
+    uint8_t *open;     /* [solids] 1: some edge has not two faces */
 } plain_work;
 
 /* Stores the plane of a face, as bodies.c does: it points to where the corners run clockwise. */
@@ -180,7 +180,14 @@ static plain_answer take_faces(plain_work *w, uint32_t s)
     return PLAIN_YES;
 }
 
-/* ---- borders --------------------------------------------------------------------------------------------------- */
+/* ---- open bodies ---------------------------------------------------------------------------------------------------
+ */
+
+/* Has the edge not two faces? */
+static bool is_odd(const plain_edges *edges, uint32_t e)
+{
+    return edges->edge[e].f[1] == ROBERTS_NONE || edges->is[e] & EDGE_MANY;
+}
 
 /* Finds the edges of solid s. */
 static plain_answer take_edges(plain_work *w, uint32_t s)
@@ -190,12 +197,12 @@ static plain_answer take_edges(plain_work *w, uint32_t s)
     w->first[s] = first;
     w->count[s] = (uint32_t)w->edges.count - first;
     for (uint32_t e = first; e < w->edges.count && !w->open[s]; e++)
-        w->open[s] = w->edges.edge[e].f[1] == ROBERTS_NONE;
+        w->open[s] = is_odd(&w->edges, e);
     return answer;
 }
 
-/* Lists the ends of all borders, two for each, by compact numbers. False: no memory. */
-static bool list_borders(const plain_work *w, uint32_t **end, size_t *count)
+/* Lists the ends of all edges that have not two faces, two for each, by compact numbers. False: no memory. */
+static bool list_odd(const plain_work *w, uint32_t **end, size_t *count)
 {
     size_t room = 0;
     *count = 0;
@@ -203,7 +210,7 @@ static bool list_borders(const plain_work *w, uint32_t **end, size_t *count)
         const scene_solid *own = &w->scene->solid[s];
         for (uint32_t e = 0; w->open[s] && e < w->count[s]; e++) {
             const scene_edge *edge = &w->edges.edge[w->first[s] + e];
-            if (edge->f[1] != ROBERTS_NONE)
+            if (!is_odd(&w->edges, w->first[s] + e))
                 continue;
             if (!array_reserve(end, &room, *count + 2, sizeof **end))
                 return false;
@@ -214,7 +221,7 @@ static bool list_borders(const plain_work *w, uint32_t **end, size_t *count)
     return true;
 }
 
-/* Does no listed vertex touch the border from a to b, but for its ends? */
+/* Does no listed vertex touch the edge from a to b, but for its ends? */
 static plain_answer is_clear(const plain_work *w, const point_grid *grid, uint32_t a, uint32_t b, point_list *found)
 {
     const roberts_vec3 *point = w->scene->point;
@@ -230,14 +237,14 @@ static plain_answer is_clear(const plain_work *w, const point_grid *grid, uint32
     return PLAIN_YES;
 }
 
-/* Does no vertex of a border touch another border? */
+/* Does no vertex of such an edge touch another one? */
 static plain_answer are_clear(const plain_work *w)
 {
     uint32_t *end = NULL, *vertex = NULL;
     size_t count = 0, vertices = 0;
     point_grid grid = {0};
     point_list found = {0};
-    plain_answer answer = list_borders(w, &end, &count) ? PLAIN_YES : PLAIN_NO_MEMORY;
+    plain_answer answer = list_odd(w, &end, &count) ? PLAIN_YES : PLAIN_NO_MEMORY;
     if (answer == PLAIN_YES && count > 0) {
         if ((vertex = alloc_array(count, sizeof *vertex))) {
             memcpy(vertex, end, count * sizeof *vertex);
@@ -310,6 +317,28 @@ static bool join_edges(plain_work *w)
     return true;
 }
 
+/* Moves the faces of edges of more than two to the scene. They come body by body. */
+static void join_many(plain_work *w)
+{
+    const roberts_scene *scene = w->scene;
+    plain_edges *from = &w->edges;
+    scene_surface *to = scene->surface;
+    uint32_t s = 0;
+    for (size_t i = 0; i < from->many_count; i++) {
+        scene_many *many = &from->many[i];
+        while (w->count[s] == 0 || many->edge >= w->first[s] + w->count[s])
+            s++;
+        many->edge = scene->solid[s].edge + (many->edge - w->first[s]);
+        for (uint32_t k = many->first; k < many->end; k++)
+            from->many_face[k] += scene->solid[s].face;
+    }
+    to->many = from->many;
+    to->many_face = from->many_face;
+    to->many_count = (uint32_t)from->many_count;
+    from->many = NULL;
+    from->many_face = NULL;
+}
+
 /* Numbers the edges, and fills the arrays that only scenes with such bodies have. */
 static bool fill_surface(plain_work *w)
 {
@@ -341,6 +370,7 @@ static bool fill_surface(plain_work *w)
             memset(is, EDGE_TURNED_1, scene->solid[s + 1].edge - scene->solid[s].edge);
         to->smooth[s] = body_smooth(scene, s);
     }
+    join_many(w);
     return true;
 }
 

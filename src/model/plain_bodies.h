@@ -1,9 +1,9 @@
 /* plain_bodies.h - bodies that are not convex, but need no cutting.
  *
  * A body is *plain* if it is as simple as most meshes are: each face is a triangle, or another convex polygon in one
- * plane; each edge has one face or two; the faces are connected by edges; and no
- * vertex touches a border but at its ends. Such a body is built where its component lies in the scene: nothing is
- * copied, sorted or numbered anew. All others go through bodies.c, which makes the same of a plain body. */
+ * plane; nearly all edges have two faces, and no vertex touches another one but at its ends; the faces are connected by
+ * edges. Such a body is built where its component lies in the scene: nothing is copied, sorted or numbered anew. All
+ * others go through bodies.c, which makes the same of a plain body. */
 #ifndef ROBERTS_MODEL_PLAIN_BODIES_H
 #define ROBERTS_MODEL_PLAIN_BODIES_H
 
