@@ -185,6 +185,14 @@ static void check_same(const char *what, const roberts_scene *a, const roberts_s
                 fail_msg("%s: edge %u has other faces", what, e);
         }
     }
+    assert_int_equal(a->surface->many_count, b->surface->many_count);
+    for (uint32_t i = 0; i < a->surface->many_count; i++) {
+        const scene_many *p = &a->surface->many[i], *q = &b->surface->many[i];
+        assert_int_equal(p->edge, q->edge);
+        assert_int_equal(p->end - p->first, q->end - q->first);
+        assert_memory_equal(a->surface->many_face + p->first, b->surface->many_face + q->first,
+                            (p->end - p->first) * sizeof *a->surface->many_face);
+    }
     for (uint32_t v = 0; v < a->vertex_count; v++)
         assert_int_equal(scene_vertex_number(a, v), scene_vertex_number(b, v));
     for (uint32_t f = 0; f < a->face_count; f++)
@@ -197,8 +205,8 @@ static void check_same(const char *what, const roberts_scene *a, const roberts_s
     assert_memory_equal(a->face_width, b->face_width, a->face_count * sizeof *a->face_width);
 }
 
-/* One letter for each body: torus, sheet, box, step of whole faces, torus and sheet of mixed winding; capitals are
- * large. The first is not convex: its face is repeated. */
+/* One letter for each body: torus, sheet, box, step of whole faces, torus (m) and sheet (n) of mixed winding, torus
+ * with fins; capitals are large. The first is not convex: its face is repeated. */
 static void plain_bodies_are_the_same(void **state)
 {
     static const char *const meshes[] = {"t",       "T", "s", "S",     "tt", "ss",    "tb",     "sb", "p",
