@@ -2,6 +2,7 @@
 #include "hide/segments.h"
 
 #include "base/array.h"
+#include "hide/level.h"
 
 /* ---- lines to segments ----------------------------------------------------------------------------------------- */
 
@@ -23,7 +24,8 @@ typedef struct line_row {
 
 BITS_INLINE line_row row_of(const line_writer *w, const seen_line *line)
 {
-    seen_name name = seen_line_name(w->seen, w->body, line);
+    const seen_name none = {{ROBERTS_NONE, ROBERTS_NONE}, 0.0, 1.0};
+    seen_name name = line->class == ROBERTS_INTERSECTION ? none : seen_line_name(w->seen, w->body, line);
     double width = name.t1 - name.t0;
     return (line_row){.v = {name.v[0], name.v[1]},
                       .edge = line->edge,
@@ -119,13 +121,38 @@ BITS_INLINE bool add_line(const line_writer *w, const hide_line *line)
     return true;
 }
 
-static bool add_lines(const hide_job *job, const hide_worker *w, hide_chunk *out, uint32_t body)
+/* Fills in the level of a line's hidden segments, which are those from `first` on. The middle is that in space. */
+static BITS_RARE bool add_levels(const hide_job *job, hide_worker *w, hide_chunk *out, const seen_line *line,
+                                 size_t first)
+{
+    const view *v = &job->seen.view;
+    for (roberts_segment *s = out->segment + first, *end = out->segment + out->count; s < end; s++) {
+        uint32_t level;
+        if (s->state != ROBERTS_HIDDEN)
+            continue;
+        const roberts_vec3 A = vec3_scale(1.0 / v->unit, (roberts_vec3){s->p0.x, s->p0.y, s->z0});
+        const roberts_vec3 B = vec3_scale(1.0 / v->unit, (roberts_vec3){s->p1.x, s->p1.y, s->z1});
+        const double middle = view_from_space(v, A.z, B.z, 0.5);
+        const roberts_vec3 X = vec3_add(A, vec3_scale(middle, vec3_sub(B, A)));
+        if (!hide_level_at(w, line, X, &level))
+            return false;
+        s->level = (uint16_t)(level < UINT16_MAX ? level : UINT16_MAX);
+    }
+    return true;
+}
+
+static bool add_lines(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
 {
     const view *v = &job->seen.view;
     line_writer writer = {&job->seen, out, body, v->unit, job->options->keep_hidden, v->perspective};
-    for (const hide_line *line = w->line, *end = line + w->line_count; line < end; line++)
+    bool levels = writer.all && job->options->levels;
+    for (const hide_line *line = w->line, *end = line + w->line_count; line < end; line++) {
+        const size_t first = out->count;
         if ((writer.all || !line->hidden) && !add_line(&writer, line))
             return false;
+        if (levels && !add_levels(job, w, out, &line->is, first))
+            return false;
+    }
     return true;
 }
 
@@ -159,7 +186,7 @@ BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk,
             continue;
         }
         hide_worker_add(w, line);
-        line->hidden = is->class == ROBERTS_BACK;
+        line->hidden = seen_is_back(is->class);
         if (line->hidden && !hide_intervals_add(&line->intervals, walk->body, &(hide_interval){0.0, 1.0, 0.0, 1.0}))
             return false;
         line++;
@@ -266,6 +293,38 @@ bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_
             continue;
         if (!find_edges(job, w, out, s) || (job->seen.further.first && !find_further(job, w, out, s)))
             return false;
+    }
+    return true;
+}
+
+/* ---- where faces cross ----------------------------------------------------------------------------------------- */
+
+bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t first, size_t end)
+{
+    const crossings *c = &job->crossings;
+    const cover *covers = &job->fronts.cover;
+    const view *v = &job->seen.view;
+    line_writer writer = {&job->seen, out, 0, v->unit, job->options->keep_hidden, v->perspective};
+    for (size_t k = first; k < end;) {
+        hide_worker_begin(w, ROBERTS_NONE);
+        if (!hide_worker_reserve(w, HIDE_GROUP))
+            return false;
+        for (; k < end && w->line_count < HIDE_GROUP; k++) {
+            hide_line *line = &w->line[w->line_count];
+            line->is = crossings_line(c, job->seen.scene, k);
+            hide_worker_add(w, line);
+            if (covers->depth && cover_hides_edge(covers, line->e.A, line->e.B)) {
+                w->sides.tally.covered++;
+                w->line_count--;
+            }
+        }
+        if (!hide_lines(job, w))
+            return false;
+        for (const hide_line *line = w->line; line < w->line + w->line_count; line++) {
+            writer.body = c->item[line->is.edge].body[0];
+            if ((writer.all || !line->hidden) && !add_line(&writer, line))
+                return false;
+        }
     }
     return true;
 }

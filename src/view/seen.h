@@ -214,10 +214,18 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
                        .vertex = own->vertex};
 }
 
-/* The class of an edge by how many of its two faces are front. */
-static inline roberts_line seen_class(int fronts)
+/* The class of an edge of a convex body, by the facing of its two faces. fronts: how many of them are front. */
+static inline roberts_line seen_class(int fronts, int f, int g)
 {
-    return fronts == 1 ? ROBERTS_OUTLINE : fronts == 2 ? ROBERTS_CREASE : ROBERTS_BACK;
+    if (fronts > 0)
+        return fronts == 1 ? ROBERTS_OUTLINE : ROBERTS_CREASE;
+    return f == VIEW_BACK && g == VIEW_BACK ? ROBERTS_BACK : ROBERTS_BACK_OUTLINE;
+}
+
+/* Is it the class of an edge that its own body hides? */
+static inline bool seen_is_back(roberts_line class)
+{
+    return class == ROBERTS_BACK || class == ROBERTS_BACK_OUTLINE;
 }
 
 static inline int seen_fronts(const unsigned char *facing, const scene_edge *edge)
@@ -248,7 +256,7 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
     line->own = (seen_own){{w->key, ROBERTS_NONE}, NULL};
     line->t0 = 0.0;
     line->t1 = 1.0;
-    line->class = seen_class(fronts);
+    line->class = seen_class(fronts, w->facing[edge->f[0]], w->facing[edge->f[1]]);
     line->taken = 0;
     return true;
 }

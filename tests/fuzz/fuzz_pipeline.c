@@ -50,7 +50,7 @@ static roberts_camera choose_camera(const uint8_t *set, const roberts_scene *sce
 static roberts_hide_options choose_hiding(const uint8_t *set)
 {
     roberts_hide_options hide = roberts_hide_options_default();
-    hide.keep_hidden = set[FLAGS] & 1;
+    hide.keep_hidden = hide.levels = set[FLAGS] & 1;
     hide.all_edges = set[FLAGS] & 2;
     hide.crease_degrees = set[CREASE] % 181;
     hide.grid = set[GRID] % 33;

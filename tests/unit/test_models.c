@@ -527,7 +527,7 @@ static outcome drawn(const roberts_mesh *m, const char *name, int said)
         const roberts_segment *s = &drawing.segment[i];
         if (s->v0 != 8 || s->v1 != 9)
             continue;
-        if (s->line == ROBERTS_BACK)
+        if (s->line == ROBERTS_BACK || s->line == ROBERTS_BACK_OUTLINE)
             fail_msg("%s: edge 8-9 is hidden by its own solid", name);
         if (s->state == ROBERTS_HIDDEN)
             o.t0 = s->t0, o.t1 = s->t1;
