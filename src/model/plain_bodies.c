@@ -180,7 +180,7 @@ static plain_answer take_faces(plain_work *w, uint32_t s)
     return PLAIN_YES;
 }
 
-/* ---- open bodies ------------------------------------------------------------------------------------------------- */
+/* ---- open bodies ------------------------------------------------------------------------------------------------ */
 
 /* Has the edge not two faces? */
 static bool is_odd(const plain_edges *edges, uint32_t e)
