@@ -24,7 +24,8 @@ typedef struct line_row {
 
 BITS_INLINE line_row row_of(const line_writer *w, const seen_line *line)
 {
-    seen_name name = seen_line_name(w->seen, w->body, line);
+    const seen_name none = {{ROBERTS_NONE, ROBERTS_NONE}, 0.0, 1.0};
+    seen_name name = line->class == ROBERTS_INTERSECTION ? none : seen_line_name(w->seen, w->body, line);
     double width = name.t1 - name.t0;
     return (line_row){.v = {name.v[0], name.v[1]},
                       .edge = line->edge,
@@ -292,6 +293,38 @@ bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_
             continue;
         if (!find_edges(job, w, out, s) || (job->seen.further.first && !find_further(job, w, out, s)))
             return false;
+    }
+    return true;
+}
+
+/* ---- where faces cross ----------------------------------------------------------------------------------------- */
+
+bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t first, size_t end)
+{
+    const crossings *c = &job->crossings;
+    const cover *covers = &job->fronts.cover;
+    const view *v = &job->seen.view;
+    line_writer writer = {&job->seen, out, 0, v->unit, job->options->keep_hidden, v->perspective};
+    for (size_t k = first; k < end;) {
+        hide_worker_begin(w, ROBERTS_NONE);
+        if (!hide_worker_reserve(w, HIDE_GROUP))
+            return false;
+        for (; k < end && w->line_count < HIDE_GROUP; k++) {
+            hide_line *line = &w->line[w->line_count];
+            line->is = crossings_line(c, job->seen.scene, k);
+            hide_worker_add(w, line);
+            if (covers->depth && cover_hides_edge(covers, line->e.A, line->e.B)) {
+                w->sides.tally.covered++;
+                w->line_count--;
+            }
+        }
+        if (!hide_lines(job, w))
+            return false;
+        for (const hide_line *line = w->line; line < w->line + w->line_count; line++) {
+            writer.body = c->item[line->is.edge].body[0];
+            if ((writer.all || !line->hidden) && !add_line(&writer, line))
+                return false;
+        }
     }
     return true;
 }

@@ -19,6 +19,9 @@ enum { MOST_SWEEPS = 60, FIRST_WIDER = 40 };
 /* A border that crosses itself more often is not cut: it would take minutes, and gigabytes. */
 enum { MOST_CROSSINGS = 1 << 18 };
 
+/* So many pairs of lines are compared with one another; beyond that, crossings are found by sweeps alone. */
+#define MOST_PAIRS 0x1p27
+
 bool border_add_stop(border *b, border_stop stop)
 {
     if (!array_reserve(&b->stop, &b->stop_room, b->stop_count + 1, sizeof *b->stop))
@@ -26,6 +29,107 @@ bool border_add_stop(border *b, border_stop stop)
     b->stop[b->stop_count++] = stop;
     return true;
 }
+
+bool border_add_crossing(face_pieces *f, border *b, uint32_t i, uint32_t j)
+{
+    const uint32_t *v = b->item[i].v, *w = b->item[j].v;
+    double p = piece_turn(f->node[w[0]].at, f->node[w[1]].at, f->node[v[0]].at);
+    double q = piece_turn(f->node[w[0]].at, f->node[w[1]].at, f->node[v[1]].at);
+    double t = p != q ? greater(0.0, lesser(1.0, p / (p - q))) : 0.5;
+    uint32_t node = face_pieces_add_crossing(f, v[0], v[1], t);
+    return node != ROBERTS_NONE && border_add_stop(b, (border_stop){i, node, 0.0}) &&
+           border_add_stop(b, (border_stop){j, node, 0.0});
+}
+
+/* ---- all crossings at once ------------------------------------------------------------------------------------- */
+
+/* A line's extent along an axis. */
+typedef struct extent {
+    double low, high;
+    uint32_t line;
+} extent;
+
+static int compare_extents(const void *pa, const void *pb)
+{
+    const extent *a = pa, *b = pb;
+    if (a->low != b->low)
+        return a->low < b->low ? -1 : 1;
+    return (a->line > b->line) - (a->line < b->line);
+}
+
+static double coordinate(const face_pieces *f, uint32_t node, int axis)
+{
+    return axis == 0 ? f->node[node].at.x : f->node[node].at.y;
+}
+
+/* Sorts the lines along an axis, and counts the pairs whose extents meet there. */
+static double sort_extents(const face_pieces *f, const border *b, int axis, extent *item)
+{
+    double pairs = 0.0;
+    for (uint32_t i = 0; i < b->count; i++) {
+        double p = coordinate(f, b->item[i].v[0], axis), q = coordinate(f, b->item[i].v[1], axis);
+        item[i] = (extent){lesser(p, q), greater(p, q), i};
+    }
+    if (b->count > 1)
+        qsort(item, b->count, sizeof *item, compare_extents);
+    for (size_t i = 0; i < b->count; i++) {
+        size_t low = i + 1, high = b->count;
+        while (low < high) {
+            size_t middle = low + (high - low) / 2;
+            if (item[middle].low <= item[i].high)
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        pairs += (double)(low - i - 1);
+    }
+    return pairs;
+}
+
+/* Notes where two lines cross. What touches is left to the sweep. False: no memory. */
+static bool cross(face_pieces *f, border *b, uint32_t i, uint32_t j)
+{
+    const uint32_t *v = b->item[i].v, *w = b->item[j].v;
+    roberts_vec2 A = f->node[v[0]].at, B = f->node[v[1]].at, C = f->node[w[0]].at, D = f->node[w[1]].at;
+    double c = piece_turn(A, B, C), d = piece_turn(A, B, D);
+    if (!((c > 0.0 && d < 0.0) || (c < 0.0 && d > 0.0)))
+        return true;
+    double p = piece_turn(C, D, A), q = piece_turn(C, D, B);
+    return !((p > 0.0 && q < 0.0) || (p < 0.0 && q > 0.0)) || border_add_crossing(f, b, i, j);
+}
+
+/* Crosses all lines with all, in place of what a sweep has found; unless there are very many pairs, or more crossings
+ * than are wanted. A sweep meets at least one crossing of each tangle, but seldom all. False: no memory. */
+static bool cross_all(face_pieces *f, border *b)
+{
+    extent *item = alloc_array(b->count, sizeof *item);
+    size_t most = 2 * ((size_t)MOST_CROSSINGS + 1);
+    if (!item)
+        return false;
+    double along_x = sort_extents(f, b, 0, item), along_y = sort_extents(f, b, 1, item);
+    int axis = along_x <= along_y ? 0 : 1;
+    bool enough = true, few = lesser(along_x, along_y) <= MOST_PAIRS;
+    if (few) {
+        b->stop_count = 0;
+        sort_extents(f, b, axis, item);
+    }
+    for (size_t i = 0; few && enough && i < b->count; i++) {
+        const border_line *own = &b->item[item[i].line];
+        double p = coordinate(f, own->v[0], 1 - axis), q = coordinate(f, own->v[1], 1 - axis);
+        double low = lesser(p, q), high = greater(p, q);
+        for (size_t k = i + 1; enough && k < b->count && item[k].low <= item[i].high && b->stop_count < most; k++) {
+            const border_line *other = &b->item[item[k].line];
+            p = coordinate(f, other->v[0], 1 - axis);
+            q = coordinate(f, other->v[1], 1 - axis);
+            if (lesser(p, q) <= high && low <= greater(p, q))
+                enough = cross(f, b, item[i].line, item[k].line);
+        }
+    }
+    free(item);
+    return enough;
+}
+
+/* ---- division -------------------------------------------------------------------------------------------------- */
 
 static size_t slot_of(double x, double y, size_t mask)
 {
@@ -184,6 +288,8 @@ static tiling sweep_border(face_pieces *f, border *b, const face_rules *rules, b
         tiling found = face_pieces_triangulate(f, b, rules->even_odd, f->planar || *crossed);
         if (found != TILING_CROSSED)
             return found;
+        if (sweeps == 0 && !cross_all(f, b))
+            return TILING_NO_MEMORY;
         *crossed = true;
         if (f->node_count - corners > MOST_CROSSINGS)
             return TILING_BROKEN;

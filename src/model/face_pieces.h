@@ -89,6 +89,9 @@ typedef struct border {
 /* Appends a stop. False: no memory. */
 bool border_add_stop(border *b, border_stop stop);
 
+/* Appends the crossing of lines i and j as a node, and as a stop of both. False: no memory. */
+bool border_add_crossing(face_pieces *f, border *b, uint32_t i, uint32_t j);
+
 typedef enum tiling {
     TILING_DONE,
     TILING_CROSSED, /* lines cross or touch: b->stop lists some of the places */

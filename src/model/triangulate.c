@@ -171,17 +171,6 @@ static bool note_touch(sweep *s, uint32_t line, uint32_t node)
     return border_add_stop(s->b, (border_stop){line, node, 0.0});
 }
 
-/* Lines that cross. False: no memory. */
-static bool note_crossing(sweep *s, uint32_t i, uint32_t j)
-{
-    double p = side_of(s, j, s->end[i][0]), q = side_of(s, j, s->end[i][1]);
-    double t = p != q ? greater(0.0, lesser(1.0, p / (p - q))) : 0.5;
-    uint32_t node = face_pieces_add_crossing(s->f, s->end[i][0], s->end[i][1], t);
-    s->crossed = true;
-    return node != ROBERTS_NONE && border_add_stop(s->b, (border_stop){i, node, 0.0}) &&
-           border_add_stop(s->b, (border_stop){j, node, 0.0});
-}
-
 /* Do a line and the one right above it meet before their first right end, or there without sharing it? Then notes it,
  * and sets the upper one aside; until the two at hand do not meet. False: no memory. */
 static bool check_neighbours(sweep *s, uint32_t low)
@@ -197,7 +186,9 @@ static bool check_neighbours(sweep *s, uint32_t low)
         double side = low_ends ? -side_of(s, high, a) : side_of(s, low, b);
         if (side > 0.0)
             return true;
-        if (!(side == 0.0 ? note_touch(s, low_ends ? high : low, low_ends ? a : b) : note_crossing(s, low, high)))
+        s->crossed = true;
+        if (!(side == 0.0 ? note_touch(s, low_ends ? high : low, low_ends ? a : b)
+                          : border_add_crossing(s->f, s->b, low, high)))
             return false;
         take_out(s, high);
     }
