@@ -72,6 +72,70 @@ static void put_taken(const hide_job *job, hide_chunk *out, uint32_t body, seen_
         out->segment[out->count++] = row;
 }
 
+/* Writes what the near plane has taken of a piece from t0 to t1 of the edge, if that is anything. */
+static void put_taken_piece(const hide_job *job, hide_chunk *out, uint32_t body, seen_line piece, roberts_vec3 at)
+{
+    if (piece.t0 < piece.t1)
+        put_taken(job, out, body, piece, at);
+}
+
+/* Writes the rows of one piece of a line; `piece`: the line in the class of the piece, from t0 to t1 of the edge. There
+ * is room for them. */
+static void put_piece(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line, seen_line piece)
+{
+    const view *v = &job->seen.view;
+    const hide_edge *e = &line->e;
+    const seen_line *whole = &line->is;
+    double t0 = greater(piece.t0, whole->t0), t1 = lesser(piece.t1, whole->t1), length = whole->t1 - whole->t0;
+    double at0 = piece.t0, at1 = piece.t1;
+    if (whole->taken & (SEEN_TAKEN | SEEN_TAKEN_BEFORE)) {
+        piece.t1 = whole->taken & SEEN_TAKEN ? at1 : lesser(at1, whole->t0);
+        put_taken_piece(job, out, body, piece, e->A);
+    }
+    if (!(whole->taken & SEEN_TAKEN) && t0 < t1) {
+        double s0 = view_from_space(v, e->A.z, e->B.z, (t0 - whole->t0) / length);
+        double s1 = t1 == whole->t1 ? 1.0 : view_from_space(v, e->A.z, e->B.z, (t1 - whole->t0) / length), from = s0;
+        piece.t0 = whole->t0;
+        piece.t1 = whole->t1;
+        roberts_segment row = row_of(job, body, &piece);
+        for (size_t i = 0; i < line->intervals.count; i++) {
+            hide_solid_interval hidden = line->intervals.item[i];
+            hidden.part.t0 = greater(hidden.part.t0, s0);
+            hidden.part.t1 = lesser(hidden.part.t1, s1);
+            if (hidden.part.t0 >= hidden.part.t1)
+                continue;
+            if (hidden.part.t0 > from)
+                put_part(job, out, &row, e, from, hidden.part.t0);
+            if (job->options->keep_hidden)
+                put_hidden(job, out, &row, e, &hidden);
+            from = hidden.part.t1;
+        }
+        if (from < s1)
+            put_part(job, out, &row, e, from, s1);
+    }
+    if (whole->taken & SEEN_TAKEN_AFTER) {
+        piece.t0 = greater(at0, whole->t1);
+        piece.t1 = at1;
+        put_taken_piece(job, out, body, piece, e->B);
+    }
+}
+
+/* The same of a line that has pieces, in the class of each. False: no memory. */
+static bool add_pieces(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line)
+{
+    for (const union_piece *p = line->is.piece, *last = NULL; !last; p++) {
+        seen_line piece = line->is;
+        if (!array_reserve(&out->segment, &out->room, out->count + 2 * line->intervals.count + 3, sizeof *out->segment))
+            return false;
+        piece.t0 = p->t0;
+        piece.t1 = p->t1;
+        if (seen_piece_class(&job->seen, body, &line->is, p, &piece.class))
+            put_piece(job, out, body, line, piece);
+        last = p->t1 == 1.0 ? p : NULL;
+    }
+    return true;
+}
+
 /* Visible segments of a line between its hidden parts, and those too where they are wanted. False: no memory. */
 static inline bool add_line(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line)
 {
@@ -81,6 +145,8 @@ static inline bool add_line(const hide_job *job, hide_chunk *out, uint32_t body,
     double from = 0.0;
     if (line->hidden && !all)
         return true;
+    if (line->is.piece)
+        return add_pieces(job, out, body, line);
     if (!array_reserve(&out->segment, &out->room, out->count + 2 * parts + 3, sizeof *out->segment))
         return false;
     seen_line taken = line->is;

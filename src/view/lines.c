@@ -9,9 +9,8 @@ typedef struct edge_faces {
 } edge_faces;
 
 /* `turned`: the face lies on the right of the edge. */
-static void add_face(const seen *s, uint32_t face, bool turned, edge_faces *to)
+static void add_facing(int facing, bool turned, edge_faces *to)
 {
-    int facing = s->facing[face];
     if (facing == VIEW_EDGE_ON)
         to->edge_on++;
     else if ((facing == VIEW_FRONT) != turned)
@@ -38,10 +37,10 @@ static edge_faces faces_of_edge(const seen_walk *w, const scene_edge *edge, uint
 {
     edge_faces found = {0};
     uint32_t first = w->of->scene->solid[w->body].face;
-    add_face(w->of, first + edge->f[0], is & EDGE_TURNED_0, &found);
+    add_facing(w->of->facing[first + edge->f[0]], is & EDGE_TURNED_0, &found);
     if (edge->f[1] == ROBERTS_NONE)
         return found;
-    add_face(w->of, first + edge->f[1], is & EDGE_TURNED_1, &found);
+    add_facing(w->of->facing[first + edge->f[1]], is & EDGE_TURNED_1, &found);
     found.flat = chord_between(w->plane[edge->f[0]], w->plane[edge->f[1]], way_of(is)) < crease;
     return found;
 }
@@ -54,7 +53,7 @@ static edge_faces faces_of_many(const seen *s, const scene_many *many, double cr
     edge_faces found = {.flat = true};
     for (uint32_t k = many->first; k < many->end; k++) {
         plane F = of[face[many->first] & ~MANY_TURNED], G = of[face[k] & ~MANY_TURNED];
-        add_face(s, face[k] & ~MANY_TURNED, face[k] & MANY_TURNED, &found);
+        add_facing(s->facing[face[k] & ~MANY_TURNED], face[k] & MANY_TURNED, &found);
         found.flat = found.flat && (chord_between(F, G, 1.0) < crease || chord_between(F, G, -1.0) < crease);
     }
     return found;
@@ -140,7 +139,9 @@ static bool taken_of_surface(const seen_walk *w, seen_line *line)
     return !flat && !(is & EDGE_CUT);
 }
 
-bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
+/* The line of an edge, as it is without a union. Of a body that is not convex all but the class is set even where the
+ * edge is no line. */
+static bool lone_line(seen_walk *w, uint32_t edge, seen_line *line)
 {
     const roberts_scene *scene = w->of->scene;
     clip_edge left = seen_left_of(w->of, edge);
@@ -154,13 +155,98 @@ bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
         return w->hidden && (convex ? taken_of_solid(w, line) : taken_of_surface(w, line));
     }
     const scene_edge *stored = scene_edge_stored(scene, w->body, left.edge);
-    if (!(convex ? seen_solid_line(w, stored, line) : surface_line(w, left.edge, stored, line)))
-        return false;
+    bool is_line = convex ? seen_solid_line(w, stored, line) : surface_line(w, left.edge, stored, line);
     line->t0 = left.t0;
     line->t1 = left.t1;
     if (w->hidden)
         line->taken = (uint8_t)((left.t0 > 0.0 ? SEEN_TAKEN_BEFORE : 0) | (left.t1 < 1.0 ? SEEN_TAKEN_AFTER : 0));
+    return is_line;
+}
+
+/* ---- bodies taken together as one ------------------------------------------------------------------------------ */
+
+/* How the viewer sees a face of seen.source. A body that is culled has no view points, and the faces of a scene that
+ * the near plane has cut have other numbers: there the depth of the normal decides, by the face's width. */
+static int facing_of_side(const seen *s, uint32_t face)
+{
+    double stretch;
+    if (s->scene == s->source && s->facing[face])
+        return s->facing[face];
+    plane F = view_plane(&s->view, s->source, face, &stretch);
+    if (fabs(F.c) * scene_width(s->source, face) <= s->view.epsilon * s->view.unit)
+        return VIEW_EDGE_ON;
+    return F.c < 0.0 ? VIEW_FRONT : VIEW_BACK;
+}
+
+/* The sides of a piece as the faces of an edge; `crease`: flat below that. *back: none is toward the viewer. */
+static edge_faces faces_of_piece(const seen *s, const union_piece *piece, double crease, bool *back)
+{
+    const union_side *side = s->united.side + piece->first;
+    const plane *of = s->source->face_plane;
+    edge_faces found = {.flat = true};
+    *back = true;
+    for (uint32_t i = 0; i < piece->count; i++) {
+        int facing = facing_of_side(s, side[i].face);
+        plane F = of[side[0].face], G = of[side[i].face];
+        add_facing(facing, side[i].turned, &found);
+        *back = *back && facing != VIEW_FRONT;
+        found.flat = found.flat && (chord_between(F, G, 1.0) < crease || chord_between(F, G, -1.0) < crease);
+    }
+    return found;
+}
+
+bool seen_piece_class(const seen *s, uint32_t body, const seen_line *line, const union_piece *piece, uint8_t *class)
+{
+    *class = line->class;
+    if (piece->state != UNION_DRAWN)
+        return piece->state == UNION_ALONE && line->alone;
+    bool back, convex = scene_is_convex(s->source, body);
+    double crease = convex ? s->rules.crease_chord : crease_of(s, body);
+    edge_faces faces = faces_of_piece(s, piece, crease, &back);
+    bool fold = (faces.left == 0) != (faces.right == 0);
+    if (!fold && faces.flat && !s->rules.all_edges)
+        return false;
+    back = back && line->class == ROBERTS_BACK;
+    *class = fold || faces.left == 0 ? ROBERTS_OUTLINE : back ? ROBERTS_BACK : ROBERTS_CREASE;
     return true;
+}
+
+/* Would an edge of a convex body be a line without the union? `line`: what it would be if flat edges were lines. */
+static bool is_lone_solid_line(const seen_walk *w, const seen_line *line)
+{
+    const roberts_scene *source = w->of->source;
+    return w->all || line->class == ROBERTS_OUTLINE ||
+           !seen_is_flat(source->face_plane + source->solid[w->body].face,
+                         scene_edge_stored(source, w->body, line->edge), w->of->rules.crease_chord);
+}
+
+/* The line of an edge where bodies are one. An edge of a convex body that has no face toward the viewer is hidden by
+ * its own body, whatever the others fill. */
+static bool united_line(seen_walk *w, uint32_t edge, seen_line *line)
+{
+    const union_piece *piece = united_pieces(&w->of->united, edge);
+    bool convex = scene_is_convex(w->of->source, w->body), all = w->all, drawn = false;
+    uint8_t class;
+    if (!piece)
+        return lone_line(w, edge, line);
+    w->all = all || convex;
+    bool is_line = lone_line(w, edge, line);
+    w->all = all;
+    if (!is_line && (convex || (line->taken & SEEN_TAKEN && !w->hidden)))
+        return false;
+    line->alone = convex ? is_lone_solid_line(w, line) : is_line;
+    line->piece = piece;
+    for (bool last = false; !last && !drawn; piece++) {
+        drawn = seen_piece_class(w->of, w->body, line, piece, &class);
+        last = piece->t1 == 1.0;
+    }
+    w->surviving += drawn && !is_line;
+    return drawn;
+}
+
+bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
+{
+    return w->of->united.first ? united_line(w, edge, line) : lone_line(w, edge, line);
 }
 
 seen_walk seen_walk_slowly(const seen *s, uint32_t body)

@@ -10,12 +10,16 @@
  *   - pieces of one planar face of another body share a key, their scene_surface.plane_of.
  *
  * A line need not be an edge. A line where two faces cross has no edge, its ends may be computed points, and its own
- * keys may be those of faces of two bodies. */
+ * keys may be those of faces of two bodies.
+ *
+ * Where bodies are taken together as one (united.h), some pieces of an edge are no line, and others have a class of
+ * their own. The line is the whole edge, and lists its pieces: what hides it is asked once. */
 #ifndef ROBERTS_VIEW_SEEN_H
 #define ROBERTS_VIEW_SEEN_H
 
 #include "base/bits.h"
 #include "view/clip.h"
+#include "view/united.h"
 #include "view/view.h"
 
 /* Which edges are lines. */
@@ -32,6 +36,7 @@ typedef struct seen {
     view view;
     view_clip clip;
     seen_rules rules;
+    united united;         /* bodies taken together as one; zeroed: they are not */
     roberts_vec3 *P;       /* [vertex_count of scene] view points of bodies that are mapped */
     unsigned char *facing; /* [face_count of scene] VIEW_FRONT, _BACK or _EDGE_ON, likewise */
     uint32_t *turned;      /* [corners of scene] of faces seen from behind, the other way round; NULL: all bodies are
@@ -49,6 +54,9 @@ bool seen_begin_points(seen *s);
 
 /* Says which edges are lines. */
 void seen_set_rules(seen *s, const roberts_hide_options *options);
+
+/* Takes all bodies together as one, with at most so many threads. False: no memory. */
+bool seen_unite(seen *s, uint32_t threads);
 
 /* ---- faces ----------------------------------------------------------------------------------------------------- */
 
@@ -134,14 +142,19 @@ enum {
 };
 
 typedef struct seen_line {
-    uint32_t edge;         /* of seen.source; ROBERTS_NONE: the line is no edge */
-    uint32_t v[2];         /* its ends, vertices of seen.scene; ROBERTS_NONE: a computed point */
-    const seen_point *end; /* [2] computed ends; NULL: both ends are vertices */
-    seen_own own;          /* its own faces: they do not hide it */
-    double t0, t1;         /* what the line is of its edge */
-    uint8_t class;         /* roberts_line */
-    uint8_t taken;         /* SEEN_TAKEN... */
+    uint32_t edge;            /* of seen.source; ROBERTS_NONE: the line is no edge */
+    uint32_t v[2];            /* its ends, vertices of seen.scene; ROBERTS_NONE: a computed point */
+    const seen_point *end;    /* [2] computed ends; NULL: both ends are vertices */
+    seen_own own;             /* its own faces: they do not hide it */
+    double t0, t1;            /* what the line is of its edge */
+    uint8_t class;            /* roberts_line */
+    uint8_t taken;            /* SEEN_TAKEN... */
+    bool alone;               /* pieces that the union leaves as they are belong to the line, in its class */
+    const union_piece *piece; /* of the edge, up to t1 == 1; NULL: the whole line is of one class */
 } seen_line;
+
+/* The class of a piece of a line that has pieces; false: the piece is no part of it. */
+bool seen_piece_class(const seen *s, uint32_t body, const seen_line *line, const union_piece *piece, uint8_t *class);
 
 /* What rows call an edge of seen.source: t0..t1 of the edge between two vertices of the input. */
 typedef struct seen_name {
@@ -172,7 +185,7 @@ typedef struct seen_walk {
     const seen *of;
     uint32_t body;
     uint32_t edge, end; /* of seen.source: the next one; behind the last one */
-    bool slow;          /* the body is not convex, or the near plane has cut the scene */
+    bool slow;          /* the body is not convex, the near plane has cut the scene, or bodies are one */
     bool hidden, all;   /* as in seen_rules */
     size_t surviving;   /* edges met that a face toward the viewer has, since somebody has set it to 0 */
     /* of the body in seen.scene, from its first on: */
@@ -189,7 +202,7 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
 {
     const roberts_scene *scene = s->scene;
     const scene_solid *own = &scene->solid[body];
-    if (s->clip.clipped || !scene_is_convex(scene, body))
+    if (s->clip.clipped || s->united.first || !scene_is_convex(scene, body))
         return seen_walk_slowly(s, body);
     return (seen_walk){.of = s,
                        .body = body,
@@ -239,6 +252,7 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
     line->t1 = 1.0;
     line->class = (uint8_t)seen_class(fronts);
     line->taken = 0;
+    line->piece = NULL;
     return true;
 }
 
