@@ -20,10 +20,12 @@
 /* When so many fronts have met a group of lines, most of what the next ones hide is hidden already. */
 #define MANY_FRONTS 6
 
-bool hide_worker_more(hide_worker *w)
+bool hide_worker_reserve(hide_worker *w, size_t lines)
 {
     size_t room = w->line_room;
-    if (!array_grow(&w->line, &w->line_room, w->line_count + 1, sizeof *w->line))
+    if (lines <= room)
+        return true;
+    if (!array_grow(&w->line, &w->line_room, lines, sizeof *w->line))
         return false;
     memset(w->line + room, 0, (w->line_room - room) * sizeof *w->line);
     return true;
@@ -37,20 +39,25 @@ bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *gr
     w->seen = alloc_zeroed(fronts->front_count, sizeof *w->seen);
     /* More, so that it lies apart from what other threads write; and a line at least: where there is none, its array
      * can be pointed into. */
-    return w->seen && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) && hide_worker_more(w);
+    return w->seen && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) && hide_worker_reserve(w, 1);
 }
 
-roberts_vec3 hide_end_point(const hide_fronts *fronts, const seen_line *line, int k)
+static roberts_vec3 end_point(const hide_fronts *fronts, const seen_line *line, int k)
 {
     if (line->v[k] != ROBERTS_NONE)
         return fronts->P[line->v[k]];
     return view_point(&fronts->seen->view, vec3_add(line->end[k].point, line->end[k].low));
 }
 
-void hide_worker_add_taken(hide_worker *w)
+BITS_RARE void hide_set_ends(const hide_fronts *fronts, const seen_line *line, hide_edge *e)
 {
-    size_t n = w->line_count;
-    hide_line *line = &w->line[w->line_count++];
+    e->A = end_point(fronts, line, 0);
+    e->B = end_point(fronts, line, 1);
+}
+
+void hide_worker_add_taken(hide_worker *w, hide_line *line)
+{
+    size_t n = w->line_count++;
     line->e = (hide_edge){.a = ROBERTS_NONE, .b = ROBERTS_NONE};
     line->intervals.count = line->hulls.count = 0;
     line->hidden = true;
@@ -417,19 +424,8 @@ static BITS_RARE bool add_hulls(hide_line *line)
     return true;
 }
 
-/* The key that hide_worker.own is to be: lines of a convex body have no other. */
-static uint32_t common_own(const hide_worker *w)
-{
-    uint32_t own = w->line[0].is.own.key[0];
-    bool common = own != ROBERTS_NONE && own & SEEN_BODY;
-    for (const hide_line *line = w->line, *end = line + w->line_count; common && line < end; line++)
-        common = line->is.own.key[0] == own && line->is.own.key[1] == ROBERTS_NONE;
-    return common ? own : ROBERTS_NONE;
-}
-
 bool hide_worker_run(hide_worker *w)
 {
-    w->own = common_own(w);
     /* Nothing else could hide them; and a fan of a million triangles lists all of them in the cell of its tip. */
     bool alone = w->fronts->scene->solid_count == 1 && w->own != ROBERTS_NONE;
     if (w->line_count > 0 && !alone && !run_lines(w))

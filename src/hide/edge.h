@@ -43,8 +43,8 @@ typedef struct hide_worker {
     bool shrinks;            /* the boxes of the lines at work shrink with what is hidden of them */
     uint32_t met;            /* fronts that met the group at work, where lines shrink */
     size_t live;             /* lines of the group at work that are not wholly hidden */
-    uint32_t own;            /* the one key of own faces of all lines, that of a convex body; ROBERTS_NONE: each line
-                                has to be asked */
+    uint32_t own;            /* the one key of own faces of all lines, where it is that of a convex body; ROBERTS_NONE:
+                                each line is asked for its own */
     /* [front_count] the last group of edges that met the front, by its stamp. Short, so that more of it stays in the
      * cache. */
     uint16_t *seen;
@@ -57,20 +57,14 @@ typedef struct hide_worker {
 bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *grid, bool all);
 void hide_worker_free(hide_worker *w);
 
-/* Room for one more line. */
-bool hide_worker_more(hide_worker *w);
+/* Room for so many lines. False: no memory. */
+bool hide_worker_reserve(hide_worker *w, size_t lines);
 
-/* Begins with no lines. */
-static inline void hide_worker_begin(hide_worker *w)
+/* Begins with no lines. own: see hide_worker. */
+static inline void hide_worker_begin(hide_worker *w, uint32_t own)
 {
     w->line_count = 0;
-}
-
-/* The place of the next line: its caller sets `is` and calls hide_worker_add() or hide_worker_add_taken(), or leaves
- * the place to another line. NULL: no memory. */
-static inline hide_line *hide_worker_next(hide_worker *w)
-{
-    return w->line_count == w->line_room && !hide_worker_more(w) ? NULL : &w->line[w->line_count];
+    w->own = own;
 }
 
 /* The edge's box, rounded outward. */
@@ -86,21 +80,24 @@ BITS_INLINE hide_box hide_edge_box(const hide_edge *e, double margin)
     return box;
 }
 
-/* The view point of an end of a line that has a computed one. */
-roberts_vec3 hide_end_point(const hide_fronts *fronts, const seen_line *line, int k);
+/* Sets the view points of a line with a computed end. */
+void hide_set_ends(const hide_fronts *fronts, const seen_line *line, hide_edge *e);
 
-/* Takes up the line at hide_worker_next() with the lines before it. */
-BITS_INLINE void hide_worker_add(hide_worker *w)
+/* Takes up a line, which is w->line + w->line_count and has its `is`. */
+BITS_INLINE void hide_worker_add(hide_worker *w, hide_line *line)
 {
-    size_t n = w->line_count;
-    hide_line *line = &w->line[w->line_count++];
+    size_t n = w->line_count++;
     const seen_line *is = &line->is;
     hide_edge *e = &line->e;
     e->a = is->v[0];
     e->b = is->v[1];
     e->end = is->end;
-    e->A = is->end ? hide_end_point(w->fronts, is, 0) : w->fronts->P[e->a];
-    e->B = is->end ? hide_end_point(w->fronts, is, 1) : w->fronts->P[e->b];
+    if (is->end) {
+        hide_set_ends(w->fronts, is, e);
+    } else {
+        e->A = w->fronts->P[e->a];
+        e->B = w->fronts->P[e->b];
+    }
     roberts_vec3 AB = vec3_sub(e->B, e->A);
     e->length = sqrt(AB.x * AB.x + AB.y * AB.y);
     e->length3 = vec3_length(AB);
@@ -118,7 +115,7 @@ BITS_INLINE void hide_worker_add(hide_worker *w)
 }
 
 /* The same of a line that the near plane has taken: it has no ends, and nothing is asked of it. */
-void hide_worker_add_taken(hide_worker *w);
+void hide_worker_add_taken(hide_worker *w, hide_line *line);
 
 /* Finds what hides the lines taken up: all fronts but those of their own faces. Hidden parts ascend and are disjoint.
  * False: no memory. */

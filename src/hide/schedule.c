@@ -316,16 +316,16 @@ bool picture_order_recall(const picture_order *o, uint32_t solid, hide_worker *w
     const kept_chunk *c = &o->chunk[o->place[solid] / KEPT_SOLIDS];
     seen_walk walk = seen_walk_begin(w->fronts->seen, solid);
     uint32_t k = o->place[solid] % KEPT_SOLIDS, end = c->first_line[k + 1], part = c->first_part[k];
-    hide_worker_begin(w);
+    hide_worker_begin(w, walk.key);
+    if (!hide_worker_reserve(w, end - c->first_line[k]))
+        return false;
     for (uint32_t i = c->first_line[k]; i < end; i++) {
-        hide_line *line = hide_worker_next(w);
-        if (!line)
-            return false;
+        hide_line *line = &w->line[w->line_count];
         seen_again(&walk, c->line[i].edge, &line->is);
         if (line->is.taken & SEEN_TAKEN)
-            hide_worker_add_taken(w);
+            hide_worker_add_taken(w, line);
         else
-            hide_worker_add(w);
+            hide_worker_add(w, line);
         hide_intervals *intervals = &line->intervals;
         if (!array_reserve(&intervals->item, &intervals->room, c->line[i].parts, sizeof *intervals->item))
             return false;

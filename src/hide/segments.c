@@ -5,20 +5,23 @@
 
 /* ---- lines to segments ----------------------------------------------------------------------------------------- */
 
-/* What all rows of a line have in common. Its t0..t1 is what the line is of the edge that it names. */
-static inline roberts_segment row_of(const hide_job *job, uint32_t body, const seen_line *line)
+/* What all segments of a line have in common. */
+typedef struct line_row {
+    uint32_t body, v[2], edge;
+    uint8_t class;
+    double t0, t1; /* what the line is of the edge that it names */
+} line_row;
+
+BITS_INLINE line_row row_of(const hide_job *job, uint32_t body, const seen_line *line)
 {
-    seen_name name = seen_edge_name(job->seen.source, body, line->edge);
+    seen_name name = seen_line_name(&job->seen, body, line);
     double width = name.t1 - name.t0;
-    return (roberts_segment){.solid = body,
-                             .v0 = name.v[0],
-                             .v1 = name.v[1],
-                             .by = ROBERTS_NONE,
-                             .t0 = name.t0 + width * line->t0,
-                             .t1 = line->t1 == 1.0 ? name.t1 : name.t0 + width * line->t1,
-                             .state = ROBERTS_VISIBLE,
-                             .line = line->class,
-                             .edge = line->edge};
+    return (line_row){.body = body,
+                      .v = {name.v[0], name.v[1]},
+                      .edge = line->edge,
+                      .class = line->class,
+                      .t0 = name.t0 + width * line->t0,
+                      .t1 = line->t1 == 1.0 ? name.t1 : name.t0 + width * line->t1};
 }
 
 /* Where on the edge in space a point of its picture is; view_to_space() without a call where it has nothing to do. */
@@ -27,159 +30,174 @@ static inline double to_space(const view *v, const hide_edge *e, double s)
     return v->perspective ? view_to_space(v, e->A.z, e->B.z, s) : s;
 }
 
-/* Writes the part s0..s1 of a line, unless rounding leaves no length of it in space. There is room for it. */
-static inline void put_part(const hide_job *job, hide_chunk *out, const roberts_segment *row, const hide_edge *e,
-                            double s0, double s1)
+/* Writes the part s0..s1 of a line, unless rounding leaves no length of it in space. by: who hides it; ROBERTS_NONE: it
+ * is visible. There is room for it. */
+BITS_INLINE void put_part(const hide_job *job, hide_chunk *out, const line_row *row, const hide_edge *e,
+                          const hide_interval *part, uint32_t by)
 {
     const view *v = &job->seen.view;
-    double unit = v->unit, width = row->t1 - row->t0;
+    double unit = v->unit, width = row->t1 - row->t0, s0 = part->t0, s1 = part->t1;
     double t0 = row->t0 + width * to_space(v, e, s0), t1 = s1 == 1.0 ? row->t1 : row->t0 + width * to_space(v, e, s1);
     if (t0 >= t1)
         return;
     roberts_vec3 R0 = hide_edge_at(e, s0), R1 = hide_edge_at(e, s1);
-    out->segment[out->count++] = (roberts_segment){.solid = row->solid,
-                                                   .v0 = row->v0,
-                                                   .v1 = row->v1,
-                                                   .by = row->by,
+    out->segment[out->count++] = (roberts_segment){.solid = row->body,
+                                                   .v0 = row->v[0],
+                                                   .v1 = row->v[1],
+                                                   .by = by,
                                                    .t0 = t0,
                                                    .t1 = t1,
                                                    .p0 = {R0.x * unit, R0.y * unit},
                                                    .p1 = {R1.x * unit, R1.y * unit},
                                                    .z0 = R0.z * unit,
                                                    .z1 = R1.z * unit,
-                                                   .state = row->state,
-                                                   .line = row->line,
+                                                   .state = by == ROBERTS_NONE ? ROBERTS_VISIBLE : ROBERTS_HIDDEN,
+                                                   .line = row->class,
                                                    .edge = row->edge};
 }
 
-static void put_hidden(const hide_job *job, hide_chunk *out, const roberts_segment *row, const hide_edge *e,
-                       const hide_solid_interval *hidden)
+/* Writes what the near plane has taken, from t0 to t1 of the edge. at: where it is cut. There is room for it. */
+static void put_taken(const hide_job *job, hide_chunk *out, const line_row *row, roberts_vec3 at)
 {
-    roberts_segment part = *row;
-    part.state = ROBERTS_HIDDEN;
-    part.by = hidden->solid;
-    put_part(job, out, &part, e, hidden->part.t0, hidden->part.t1);
+    roberts_vec2 cut = {at.x * job->seen.view.unit, at.y * job->seen.view.unit};
+    if (row->t0 < row->t1)
+        out->segment[out->count++] = (roberts_segment){.solid = row->body,
+                                                       .v0 = row->v[0],
+                                                       .v1 = row->v[1],
+                                                       .by = ROBERTS_NONE,
+                                                       .t0 = row->t0,
+                                                       .t1 = row->t1,
+                                                       .p0 = cut,
+                                                       .p1 = cut,
+                                                       .state = ROBERTS_CLIPPED,
+                                                       .line = row->class,
+                                                       .edge = row->edge};
 }
 
-/* Writes what the near plane has taken, from t0 to t1 of the edge. `at`: where it is cut. There is room for it. */
-static void put_taken(const hide_job *job, hide_chunk *out, uint32_t body, seen_line line, roberts_vec3 at)
+/* What the near plane has taken of the line before it (which: SEEN_TAKEN_BEFORE), after it, or instead of it. */
+static BITS_RARE void add_taken(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line, int which)
 {
-    double unit = job->seen.view.unit;
-    roberts_segment row = row_of(job, body, &line);
-    row.state = ROBERTS_CLIPPED;
-    row.p0 = row.p1 = (roberts_vec2){at.x * unit, at.y * unit};
-    if (row.t0 < row.t1)
-        out->segment[out->count++] = row;
+    seen_line taken = line->is;
+    if (!(taken.taken & which))
+        return;
+    taken.t0 = which == SEEN_TAKEN_AFTER ? line->is.t1 : 0.0;
+    taken.t1 = which == SEEN_TAKEN_BEFORE ? line->is.t0 : 1.0;
+    line_row row = row_of(job, body, &taken);
+    put_taken(job, out, &row, which == SEEN_TAKEN_AFTER ? line->e.B : line->e.A);
 }
 
-/* Writes what the near plane has taken of a piece from t0 to t1 of the edge, if that is anything. */
+/* Visible segments of a line between its hidden parts, and those too where they are wanted. False: no memory. */
+BITS_INLINE bool add_line(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line)
+{
+    bool all = job->options->keep_hidden;
+    size_t parts = line->intervals.count;
+    hide_interval shown = {.t0 = 0.0};
+    if (!array_reserve(&out->segment, &out->room, out->count + 2 * parts + 3, sizeof *out->segment))
+        return false;
+    if (line->is.taken)
+        add_taken(job, out, body, line, line->is.taken & SEEN_TAKEN ? SEEN_TAKEN : SEEN_TAKEN_BEFORE);
+    if (line->is.taken & SEEN_TAKEN)
+        return true;
+    line_row row = row_of(job, body, &line->is);
+    for (size_t i = 0; i <= parts; i++) {
+        const hide_solid_interval *hidden = i < parts ? &line->intervals.item[i] : NULL;
+        shown.t1 = hidden ? hidden->part.t0 : 1.0;
+        if (shown.t1 > shown.t0)
+            put_part(job, out, &row, &line->e, &shown, ROBERTS_NONE);
+        if (hidden && all)
+            put_part(job, out, &row, &line->e, &hidden->part, hidden->solid);
+        shown.t0 = hidden ? hidden->part.t1 : 1.0;
+    }
+    if (line->is.taken)
+        add_taken(job, out, body, line, SEEN_TAKEN_AFTER);
+    return true;
+}
+
+/* What the near plane has taken of a piece, from t0 to t1 of the edge, if that is anything. There is room for it. */
 static void put_taken_piece(const hide_job *job, hide_chunk *out, uint32_t body, seen_line piece, roberts_vec3 at)
 {
-    if (piece.t0 < piece.t1)
-        put_taken(job, out, body, piece, at);
+    if (piece.t0 >= piece.t1)
+        return;
+    line_row row = row_of(job, body, &piece);
+    put_taken(job, out, &row, at);
 }
 
-/* Writes the rows of one piece of a line; `piece`: the line in the class of the piece, from t0 to t1 of the edge. There
- * is room for them. */
-static void put_piece(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line, seen_line piece)
+/* Writes the parts of a line from s0 to s1 of its picture. There is room for them. */
+static void put_parts(const hide_job *job, hide_chunk *out, const line_row *row, const hide_line *line,
+                      const hide_interval *all)
+{
+    hide_interval shown = {.t0 = all->t0};
+    for (size_t i = 0; i < line->intervals.count; i++) {
+        hide_interval hidden = line->intervals.item[i].part;
+        hidden.t0 = greater(hidden.t0, all->t0);
+        hidden.t1 = lesser(hidden.t1, all->t1);
+        if (hidden.t0 >= hidden.t1)
+            continue;
+        shown.t1 = hidden.t0;
+        if (shown.t1 > shown.t0)
+            put_part(job, out, row, &line->e, &shown, ROBERTS_NONE);
+        if (job->options->keep_hidden)
+            put_part(job, out, row, &line->e, &hidden, line->intervals.item[i].solid);
+        shown.t0 = hidden.t1;
+    }
+    shown.t1 = all->t1;
+    if (shown.t1 > shown.t0)
+        put_part(job, out, row, &line->e, &shown, ROBERTS_NONE);
+}
+
+/* The segments of one piece of a line, which has a class of its own. False: no memory. */
+static bool add_piece(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line,
+                      const union_piece *piece, uint8_t class)
 {
     const view *v = &job->seen.view;
     const hide_edge *e = &line->e;
     const seen_line *whole = &line->is;
-    double t0 = greater(piece.t0, whole->t0), t1 = lesser(piece.t1, whole->t1), length = whole->t1 - whole->t0;
-    double at0 = piece.t0, at1 = piece.t1;
-    if (whole->taken & (SEEN_TAKEN | SEEN_TAKEN_BEFORE)) {
-        piece.t1 = whole->taken & SEEN_TAKEN ? at1 : lesser(at1, whole->t0);
-        put_taken_piece(job, out, body, piece, e->A);
+    seen_line part = *whole;
+    bool gone = whole->taken & SEEN_TAKEN;
+    if (!array_reserve(&out->segment, &out->room, out->count + 2 * line->intervals.count + 3, sizeof *out->segment))
+        return false;
+    part.class = class;
+    part.t0 = piece->t0;
+    part.t1 = gone ? piece->t1 : lesser(piece->t1, whole->t0);
+    if (whole->taken & (SEEN_TAKEN | SEEN_TAKEN_BEFORE))
+        put_taken_piece(job, out, body, part, e->A);
+    double t0 = greater(piece->t0, whole->t0), t1 = lesser(piece->t1, whole->t1), width = whole->t1 - whole->t0;
+    if (!gone && t0 < t1) {
+        part.t0 = whole->t0;
+        part.t1 = whole->t1;
+        line_row row = row_of(job, body, &part);
+        hide_interval shown = {.t0 = view_from_space(v, e->A.z, e->B.z, (t0 - whole->t0) / width), .t1 = 1.0};
+        if (t1 < whole->t1)
+            shown.t1 = view_from_space(v, e->A.z, e->B.z, (t1 - whole->t0) / width);
+        put_parts(job, out, &row, line, &shown);
     }
-    if (!(whole->taken & SEEN_TAKEN) && t0 < t1) {
-        double s0 = view_from_space(v, e->A.z, e->B.z, (t0 - whole->t0) / length);
-        double s1 = t1 == whole->t1 ? 1.0 : view_from_space(v, e->A.z, e->B.z, (t1 - whole->t0) / length), from = s0;
-        piece.t0 = whole->t0;
-        piece.t1 = whole->t1;
-        roberts_segment row = row_of(job, body, &piece);
-        for (size_t i = 0; i < line->intervals.count; i++) {
-            hide_solid_interval hidden = line->intervals.item[i];
-            hidden.part.t0 = greater(hidden.part.t0, s0);
-            hidden.part.t1 = lesser(hidden.part.t1, s1);
-            if (hidden.part.t0 >= hidden.part.t1)
-                continue;
-            if (hidden.part.t0 > from)
-                put_part(job, out, &row, e, from, hidden.part.t0);
-            if (job->options->keep_hidden)
-                put_hidden(job, out, &row, e, &hidden);
-            from = hidden.part.t1;
-        }
-        if (from < s1)
-            put_part(job, out, &row, e, from, s1);
-    }
-    if (whole->taken & SEEN_TAKEN_AFTER) {
-        piece.t0 = greater(at0, whole->t1);
-        piece.t1 = at1;
-        put_taken_piece(job, out, body, piece, e->B);
-    }
-}
-
-/* The same of a line that has pieces, in the class of each. False: no memory. */
-static bool add_pieces(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line)
-{
-    for (const union_piece *p = line->is.piece, *last = NULL; !last; p++) {
-        seen_line piece = line->is;
-        if (!array_reserve(&out->segment, &out->room, out->count + 2 * line->intervals.count + 3, sizeof *out->segment))
-            return false;
-        piece.t0 = p->t0;
-        piece.t1 = p->t1;
-        if (seen_piece_class(&job->seen, body, &line->is, p, &piece.class))
-            put_piece(job, out, body, line, piece);
-        last = p->t1 == 1.0 ? p : NULL;
-    }
+    part.t0 = greater(piece->t0, whole->t1);
+    part.t1 = piece->t1;
+    if (whole->taken & SEEN_TAKEN_AFTER)
+        put_taken_piece(job, out, body, part, e->B);
     return true;
 }
 
-/* Visible segments of a line between its hidden parts, and those too where they are wanted. False: no memory. */
-static inline bool add_line(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line)
+/* The segments of a line that has pieces. False: no memory. */
+static bool add_pieces(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line)
 {
-    bool all = job->options->keep_hidden;
-    const hide_edge *e = &line->e;
-    size_t parts = line->intervals.count;
-    double from = 0.0;
-    if (line->hidden && !all)
-        return true;
-    if (line->is.piece)
-        return add_pieces(job, out, body, line);
-    if (!array_reserve(&out->segment, &out->room, out->count + 2 * parts + 3, sizeof *out->segment))
-        return false;
-    seen_line taken = line->is;
-    if (line->is.taken & (SEEN_TAKEN | SEEN_TAKEN_BEFORE)) {
-        taken.t0 = 0.0;
-        taken.t1 = line->is.taken & SEEN_TAKEN ? 1.0 : line->is.t0;
-        put_taken(job, out, body, taken, e->A);
-    }
-    if (line->is.taken & SEEN_TAKEN)
-        return true;
-    roberts_segment row = row_of(job, body, &line->is);
-    for (size_t i = 0; i < parts; i++) {
-        const hide_interval *part = &line->intervals.item[i].part;
-        if (part->t0 > from)
-            put_part(job, out, &row, e, from, part->t0);
-        if (all)
-            put_hidden(job, out, &row, e, &line->intervals.item[i]);
-        from = part->t1;
-    }
-    if (from < 1.0)
-        put_part(job, out, &row, e, from, 1.0);
-    if (line->is.taken & SEEN_TAKEN_AFTER) {
-        taken.t0 = line->is.t1;
-        taken.t1 = 1.0;
-        put_taken(job, out, body, taken, e->B);
+    const union_piece *piece = line->is.piece;
+    for (bool last = false; !last; piece++) {
+        uint8_t class;
+        if (seen_piece_class(&job->seen, body, &line->is, piece, &class) &&
+            !add_piece(job, out, body, line, piece, class))
+            return false;
+        last = piece->t1 == 1.0;
     }
     return true;
 }
 
 static bool add_lines(const hide_job *job, const hide_worker *w, hide_chunk *out, uint32_t body)
 {
+    bool all = job->options->keep_hidden;
     for (const hide_line *line = w->line, *end = line + w->line_count; line < end; line++)
-        if (!add_line(job, out, body, line))
+        if ((all || !line->hidden) &&
+            !(line->is.piece ? add_pieces(job, out, body, line) : add_line(job, out, body, line)))
             return false;
     return true;
 }
@@ -198,16 +216,14 @@ static bool take_lines(const hide_job *job, hide_worker *w, seen_walk *walk, siz
 {
     const cover *c = &job->fronts.cover;
     const roberts_vec3 *P = job->fronts.P;
-    hide_worker_begin(w);
-    while (w->line_count < most) {
-        hide_line *line = hide_worker_next(w);
-        if (!line)
-            return false;
+    size_t left = walk->end - walk->edge;
+    hide_worker_begin(w, walk->key);
+    if (!hide_worker_reserve(w, left < most ? left : most))
+        return false;
+    for (hide_line *line = w->line; w->line_count < most && seen_next(walk, &line->is);) {
         const seen_line *is = &line->is;
-        if (!seen_next(walk, &line->is))
-            break;
         if (is->taken & SEEN_TAKEN) {
-            hide_worker_add_taken(w);
+            hide_worker_add_taken(w, line++);
             continue;
         }
         w->drawn++;
@@ -215,10 +231,11 @@ static bool take_lines(const hide_job *job, hide_worker *w, seen_walk *walk, siz
             w->sides.tally.covered++;
             continue;
         }
-        hide_worker_add(w);
+        hide_worker_add(w, line);
         line->hidden = is->class == ROBERTS_BACK;
         if (line->hidden && !hide_intervals_add(&line->intervals, walk->body, &(hide_interval){0.0, 1.0, 0.0, 1.0}))
             return false;
+        line++;
     }
     w->surviving += walk->surviving;
     walk->surviving = 0;
@@ -254,7 +271,7 @@ static bool hide_lines(const hide_job *job, hide_worker *w)
 
 bool segments_hide(const hide_job *job, hide_worker *w, uint32_t body)
 {
-    hide_worker_begin(w);
+    hide_worker_begin(w, ROBERTS_NONE);
     if (!has_segments(job, body))
         return true;
     seen_walk walk = seen_walk_begin(&job->seen, body);

@@ -149,7 +149,7 @@ static bool lone_line(seen_walk *w, uint32_t edge, seen_line *line)
     if (left.edge == ROBERTS_NONE || left.t0 >= left.t1) { /* equal: it ends on the near plane, to rounding */
         *line = (seen_line){.edge = edge,
                             .v = {ROBERTS_NONE, ROBERTS_NONE},
-                            .own = {{convex ? seen_body_key(w->body) : ROBERTS_NONE, ROBERTS_NONE}, NULL},
+                            .own = {{w->key, ROBERTS_NONE}, NULL},
                             .t1 = 1.0,
                             .taken = SEEN_TAKEN};
         return w->hidden && (convex ? taken_of_solid(w, line) : taken_of_surface(w, line));
@@ -215,7 +215,7 @@ bool seen_piece_class(const seen *s, uint32_t body, const seen_line *line, const
 static bool is_lone_solid_line(const seen_walk *w, const seen_line *line)
 {
     const roberts_scene *source = w->of->source;
-    return w->all || line->class == ROBERTS_OUTLINE ||
+    return w->of->rules.all_edges || line->class == ROBERTS_OUTLINE ||
            !seen_is_flat(source->face_plane + source->solid[w->body].face,
                          scene_edge_stored(source, w->body, line->edge), w->of->rules.crease_chord);
 }
@@ -255,6 +255,7 @@ seen_walk seen_walk_slowly(const seen *s, uint32_t body)
     const scene_solid *own = &scene->solid[body];
     seen_walk w = {.of = s,
                    .body = body,
+                   .key = scene_is_convex(scene, body) ? seen_body_key(body) : ROBERTS_NONE,
                    .edge = source->solid[body].edge,
                    .end = source->solid[body + 1].edge,
                    .slow = true,

@@ -174,6 +174,15 @@ static inline seen_name seen_edge_name(const roberts_scene *source, uint32_t bod
         {scene_vertex_number(source, first + e->v[0]), scene_vertex_number(source, first + e->v[1])}, 0.0, 1.0};
 }
 
+/* The same of the edge of a line; where nothing is cut its ends are at hand. */
+static inline seen_name seen_line_name(const seen *s, uint32_t body, const seen_line *line)
+{
+    const roberts_scene *source = s->source;
+    if (s->clip.clipped || !scene_is_convex(source, body))
+        return seen_edge_name(source, body, line->edge);
+    return (seen_name){{scene_vertex_number(source, line->v[0]), scene_vertex_number(source, line->v[1])}, 0.0, 1.0};
+}
+
 /* What the near plane leaves of an edge of seen.source. */
 static inline clip_edge seen_left_of(const seen *s, uint32_t edge)
 {
@@ -185,6 +194,7 @@ typedef struct seen_walk {
     const seen *of;
     uint32_t body;
     uint32_t edge, end; /* of seen.source: the next one; behind the last one */
+    uint32_t key;       /* of a convex body, the one key of own faces of all its lines; else ROBERTS_NONE */
     bool slow;          /* the body is not convex, the near plane has cut the scene, or bodies are one */
     bool hidden, all;   /* as in seen_rules */
     size_t surviving;   /* edges met that a face toward the viewer has, since somebody has set it to 0 */
@@ -206,6 +216,7 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
         return seen_walk_slowly(s, body);
     return (seen_walk){.of = s,
                        .body = body,
+                       .key = seen_body_key(body),
                        .edge = own->edge,
                        .end = own[1].edge,
                        .hidden = s->rules.hidden,
@@ -247,7 +258,7 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
     line->v[0] = w->vertex + edge->v[0];
     line->v[1] = w->vertex + edge->v[1];
     line->end = NULL;
-    line->own = (seen_own){{seen_body_key(w->body), ROBERTS_NONE}, NULL};
+    line->own = (seen_own){{w->key, ROBERTS_NONE}, NULL};
     line->t0 = 0.0;
     line->t1 = 1.0;
     line->class = (uint8_t)seen_class(fronts);
