@@ -106,6 +106,17 @@ static const option rows[] = {
      .manual =
          "How hidden lines are drawn: none (the default), dashed or solid. In tables, dashed and solid keep them."},
     {.group = GROUP_OUTPUT,
+     .name = "columns",
+     .flags = OPTION_TABLE,
+     .value = "+NAME,...",
+     .words = values_columns,
+     .set = values_set_columns,
+     .brief = "further columns of tables",
+     .help = "further columns of tables, in this order: +ends (in the model), +depth (toward the viewer), +name (of "
+             "the group)",
+     .manual = "Further columns of tables, after the usual ones and in the order given: +ends, +depth, +name. OUTPUT "
+               "FORMATS says what they hold."},
+    {.group = GROUP_OUTPUT,
      .name = "crease",
      .flags = OPTION_DRAWS,
      .value = "DEGREES",
