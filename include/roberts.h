@@ -585,6 +585,7 @@ typedef struct roberts_verify_options {
     double crease_degrees; /**< as given to roberts_hide(): tells wholly hidden edges from those that are not drawn */
     bool crease_auto;      /**< as given to roberts_hide() (default: true) */
     bool all_edges;        /**< as given to roberts_hide() */
+    bool unite;            /**< as given to roberts_hide(); then only the parts of edges that are drawn are checked */
     uint32_t threads;      /**< 0 = one per processor; the result does not depend on it */
     roberts_contradiction_fn *contradiction; /**< NULL: count only */
     void *context;

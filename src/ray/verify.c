@@ -225,7 +225,7 @@ static void check_edge(const verifier *f, stretch_checker *checker, uint32_t sol
                      whole = scene_edge_at(f->scene, solid, index);
     const edge_name part = part_of(f, solid, index);
     bool convex = scene_is_convex(f->scene, solid);
-    bool gaps = convex ? is_surely_drawn(f, &edge) : is_surely_line(f, solid, left.edge);
+    bool gaps = !f->options.unite && (convex ? is_surely_drawn(f, &edge) : is_surely_line(f, solid, left.edge));
     double end = left.t0, gap = GAP / (part.t1 - part.t0);
     stretch s = {.A = vertex_point(f, whole.v[0]),
                  .B = vertex_point(f, whole.v[1]),
