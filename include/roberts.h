@@ -376,7 +376,8 @@ typedef struct roberts_drawing {
     size_t count;
     roberts_segment *segment; /**< [count] */
     size_t crossing_count;
-    roberts_crossing *crossing;          /**< [crossing_count] sorted by face[0], face[1], end[0] */
+    roberts_crossing *crossing; /**< [crossing_count] sorted by face[0], face[1], end[0]; faces toward the viewer */
+    size_t crossing_pairs;      /**< pairs of faces that cross there */
     roberts_vec2 window_min, window_max; /**< box of the scene's picture, hidden parts included; or the field of view */
     bool framed;    /**< the window is the field of view: segments reach beyond it, and drawing cuts them off there (see
                          roberts_page_shape()) */
@@ -453,7 +454,7 @@ typedef struct roberts_receiver {
  * The same, but hands the segments to `each` one by one, in their order, and keeps none, so that a large drawing need
  * not fit in memory.
  * summary  NULL, or filled like a drawing without segments; its `count` says how many there were; its `crossing` is
- *          there before the first intersection comes
+ *          there before the first intersection comes; released by roberts_drawing_free()
  * Returns what roberts_hide() returns, or ROBERTS_STOPPED if `each->receive` returned false.
  */
 roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camera *camera,

@@ -130,14 +130,18 @@ static bool more_singles(front_tile *tile, size_t more)
 /* Each of the faces as a front of its own. */
 static bool add_single_fronts(const hide_fronts *fronts, front_tile *tile, uint32_t solid, const front_faces *found)
 {
+    uint32_t piece = fronts->scene->solid[solid].face;
     if (!more_singles(tile, found->count))
         return false;
-    for (uint32_t k = 0; k < found->count; k++) {
+    for (uint32_t k = 0; k < found->count; k++, piece++) {
+        while (fronts->seen->facing[piece] != VIEW_FRONT)
+            piece++;
         hide_bounds own = face_bounds(fronts, &found->face[k]);
         tile->single_box[tile->single_count] = hide_box_around(&own);
         tile->single[tile->single_count++] = (hide_front){.solid = solid,
                                                           .own = seen_body_key(solid),
                                                           .face = tile->face + k,
+                                                          .piece = piece,
                                                           .face_count = 1,
                                                           .listed = true,
                                                           .kind = HIDE_SOLID_FACE};
@@ -169,6 +173,7 @@ static BITS_RARE bool add_surface(hide_fronts *fronts, front_tile *tile, uint32_
         tile->single[tile->single_count++] = (hide_front){.solid = body,
                                                           .own = seen_face_key(scene, body, face),
                                                           .face = tile->face++,
+                                                          .piece = face,
                                                           .face_count = 1,
                                                           .listed = true,
                                                           .kind = HIDE_SURFACE_FACE};

@@ -14,7 +14,8 @@ typedef struct line_row {
 
 BITS_INLINE line_row row_of(const hide_job *job, uint32_t body, const seen_line *line)
 {
-    seen_name name = seen_line_name(&job->seen, body, line);
+    const seen_name none = {{ROBERTS_NONE, ROBERTS_NONE}, 0.0, 1.0};
+    seen_name name = line->class == ROBERTS_INTERSECTION ? none : seen_line_name(&job->seen, body, line);
     double width = name.t1 - name.t0;
     return (line_row){.body = body,
                       .v = {name.v[0], name.v[1]},
@@ -301,6 +302,35 @@ bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_
             picture_order_fetch(&job->order, s);
         if (!find_in_body(job, w, out, s))
             return false;
+    }
+    return true;
+}
+
+/* ---- where faces cross ----------------------------------------------------------------------------------------- */
+
+bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t first, size_t end)
+{
+    const crossings *c = &job->crossings;
+    const cover *covers = &job->fronts.cover;
+    for (size_t k = first; k < end;) {
+        hide_worker_begin(w, ROBERTS_NONE);
+        if (!hide_worker_reserve(w, HIDE_GROUP))
+            return false;
+        for (; k < end && w->line_count < HIDE_GROUP; k++) {
+            hide_line *line = &w->line[w->line_count];
+            line->is = crossings_line(c, job->seen.scene, k);
+            hide_worker_add(w, line);
+            if (covers->depth && cover_hides_edge(covers, line->e.A, line->e.B)) {
+                w->sides.tally.covered++;
+                w->line_count--;
+            }
+        }
+        if (!hide_lines(job, w))
+            return false;
+        for (const hide_line *line = w->line; line < w->line + w->line_count; line++)
+            if ((job->options->keep_hidden || !line->hidden) &&
+                !add_line(job, out, c->item[line->is.edge].body[0], line))
+                return false;
     }
     return true;
 }
