@@ -289,7 +289,7 @@ static void describe(const hide_job *job, const roberts_camera *camera, roberts_
     drawing->solids = job->seen.source->solid_count;
     drawing->culled_solids = fronts->culled_count;
     drawing->edges = job->seen.source->edge_count;
-    drawing->seams = job->seen.united.seams;
+    drawing->seams = united_seams(&job->seen.edges, job->seen.source->edge_count);
     drawing->front_faces = fronts->face_count;
     drawing->back_faces = fronts->back;
     drawing->edge_on_faces = fronts->edge_on;

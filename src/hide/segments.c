@@ -15,7 +15,7 @@ typedef struct line_row {
 BITS_INLINE line_row row_of(const hide_job *job, uint32_t body, const seen_line *line)
 {
     const seen_name none = {{ROBERTS_NONE, ROBERTS_NONE}, 0.0, 1.0};
-    seen_name name = line->class == ROBERTS_INTERSECTION ? none : seen_line_name(&job->seen, body, line);
+    seen_name name = line->end ? none : seen_line_name(&job->seen, body, line);
     double width = name.t1 - name.t0;
     return (line_row){.body = body,
                       .v = {name.v[0], name.v[1]},
@@ -193,12 +193,16 @@ static bool add_pieces(const hide_job *job, hide_chunk *out, uint32_t body, cons
     return true;
 }
 
+BITS_INLINE bool add_either(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line)
+{
+    return line->is.piece ? add_pieces(job, out, body, line) : add_line(job, out, body, line);
+}
+
 static bool add_lines(const hide_job *job, const hide_worker *w, hide_chunk *out, uint32_t body)
 {
     bool all = job->options->keep_hidden;
     for (const hide_line *line = w->line, *end = line + w->line_count; line < end; line++)
-        if ((all || !line->hidden) &&
-            !(line->is.piece ? add_pieces(job, out, body, line) : add_line(job, out, body, line)))
+        if ((all || !line->hidden) && !add_either(job, out, body, line))
             return false;
     return true;
 }
@@ -319,6 +323,8 @@ bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t
         for (; k < end && w->line_count < HIDE_GROUP; k++) {
             hide_line *line = &w->line[w->line_count];
             line->is = crossings_line(c, job->seen.scene, k);
+            if (!crossings_unite(c, &job->seen, k, &line->is))
+                continue;
             hide_worker_add(w, line);
             if (covers->depth && cover_hides_edge(covers, line->e.A, line->e.B)) {
                 w->sides.tally.covered++;
@@ -329,7 +335,7 @@ bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t
             return false;
         for (const hide_line *line = w->line; line < w->line + w->line_count; line++)
             if ((job->options->keep_hidden || !line->hidden) &&
-                !add_line(job, out, c->item[line->is.edge].body[0], line))
+                !add_either(job, out, c->item[line->is.edge].body[0], line))
                 return false;
     }
     return true;

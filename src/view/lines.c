@@ -179,13 +179,12 @@ static int facing_of_side(const seen *s, uint32_t face)
 }
 
 /* The sides of a piece as the faces of an edge; `crease`: flat below that. *back: none is toward the viewer. */
-static edge_faces faces_of_piece(const seen *s, const union_piece *piece, double crease, bool *back)
+static edge_faces faces_of_piece(const seen *s, const union_side *side, uint32_t count, double crease, bool *back)
 {
-    const union_side *side = s->united.side + piece->first;
     const plane *of = s->source->face_plane;
     edge_faces found = {.flat = true};
     *back = true;
-    for (uint32_t i = 0; i < piece->count; i++) {
+    for (uint32_t i = 0; i < count; i++) {
         int facing = facing_of_side(s, side[i].face);
         plane F = of[side[0].face], G = of[side[i].face];
         add_facing(facing, side[i].turned, &found);
@@ -202,13 +201,27 @@ bool seen_piece_class(const seen *s, uint32_t body, const seen_line *line, const
         return piece->state == UNION_ALONE && line->alone;
     bool back, convex = scene_is_convex(s->source, body);
     double crease = convex ? s->rules.crease_chord : crease_of(s, body);
-    edge_faces faces = faces_of_piece(s, piece, crease, &back);
+    edge_faces faces = faces_of_piece(s, line->side + piece->first, piece->count, crease, &back);
     bool fold = (faces.left == 0) != (faces.right == 0);
     if (!fold && faces.flat && !s->rules.all_edges)
         return false;
     back = back && line->class == ROBERTS_BACK;
     *class = fold || faces.left == 0 ? ROBERTS_OUTLINE : back ? ROBERTS_BACK : ROBERTS_CREASE;
     return true;
+}
+
+bool seen_take_pieces(const seen *s, uint32_t body, const united *of, uint32_t index, seen_line *line)
+{
+    const union_piece *piece = united_pieces(of, index);
+    bool drawn = false;
+    uint8_t class;
+    line->piece = piece;
+    line->side = of->side;
+    for (bool last = false; !last && !drawn; piece++) {
+        drawn = seen_piece_class(s, body, line, piece, &class);
+        last = piece->t1 == 1.0;
+    }
+    return drawn;
 }
 
 /* Would an edge of a convex body be a line without the union? `line`: what it would be if flat edges were lines. */
@@ -224,10 +237,8 @@ static bool is_lone_solid_line(const seen_walk *w, const seen_line *line)
  * its own body, whatever the others fill. */
 static bool united_line(seen_walk *w, uint32_t edge, seen_line *line)
 {
-    const union_piece *piece = united_pieces(&w->of->united, edge);
-    bool convex = scene_is_convex(w->of->source, w->body), all = w->all, drawn = false;
-    uint8_t class;
-    if (!piece)
+    bool convex = scene_is_convex(w->of->source, w->body), all = w->all;
+    if (!united_pieces(&w->of->edges, edge))
         return lone_line(w, edge, line);
     w->all = all || convex;
     bool is_line = lone_line(w, edge, line);
@@ -235,18 +246,14 @@ static bool united_line(seen_walk *w, uint32_t edge, seen_line *line)
     if (!is_line && (convex || (line->taken & SEEN_TAKEN && !w->hidden)))
         return false;
     line->alone = convex ? is_lone_solid_line(w, line) : is_line;
-    line->piece = piece;
-    for (bool last = false; !last && !drawn; piece++) {
-        drawn = seen_piece_class(w->of, w->body, line, piece, &class);
-        last = piece->t1 == 1.0;
-    }
+    bool drawn = seen_take_pieces(w->of, w->body, &w->of->edges, edge, line);
     w->surviving += drawn && !is_line;
     return drawn;
 }
 
 bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
 {
-    return w->of->united.first ? united_line(w, edge, line) : lone_line(w, edge, line);
+    return w->of->edges.first ? united_line(w, edge, line) : lone_line(w, edge, line);
 }
 
 seen_walk seen_walk_slowly(const seen *s, uint32_t body)

@@ -36,7 +36,8 @@ typedef struct seen {
     view view;
     view_clip clip;
     seen_rules rules;
-    united united;         /* bodies taken together as one; zeroed: they are not */
+    union_bodies bodies;   /* taken together as one ... */
+    united edges;          /* ... their edges; zeroed: they are not */
     roberts_vec3 *P;       /* [vertex_count of scene] view points of bodies that are mapped */
     unsigned char *facing; /* [face_count of scene] VIEW_FRONT, _BACK or _EDGE_ON, likewise */
     uint32_t *turned;      /* [corners of scene] of faces seen from behind, the other way round; NULL: all bodies are
@@ -150,8 +151,12 @@ typedef struct seen_line {
     uint8_t class;            /* roberts_line */
     uint8_t taken;            /* SEEN_TAKEN... */
     bool alone;               /* pieces that the union leaves as they are belong to the line, in its class */
-    const union_piece *piece; /* of the edge, up to t1 == 1; NULL: the whole line is of one class */
+    const union_piece *piece; /* of the line's edge, up to t1 == 1; NULL: the whole line is of one class */
+    const union_side *side;   /* what the pieces' sides count from */
 } seen_line;
+
+/* Gives a line its pieces, those of line `index` of `of`. False: the line has none that is drawn. */
+bool seen_take_pieces(const seen *s, uint32_t body, const united *of, uint32_t index, seen_line *line);
 
 /* The class of a piece of a line that has pieces; false: the piece is no part of it. */
 bool seen_piece_class(const seen *s, uint32_t body, const seen_line *line, const union_piece *piece, uint8_t *class);
@@ -212,7 +217,7 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
 {
     const roberts_scene *scene = s->scene;
     const scene_solid *own = &scene->solid[body];
-    if (s->clip.clipped || s->united.first || !scene_is_convex(scene, body))
+    if (s->clip.clipped || s->edges.first || !scene_is_convex(scene, body))
         return seen_walk_slowly(s, body);
     return (seen_walk){.of = s,
                        .body = body,
