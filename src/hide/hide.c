@@ -81,8 +81,9 @@ static roberts_status list_fronts(hide_job *job)
 {
     const hide_fronts *fronts = &job->fronts;
     double depth;
-    scan_frame frame = cells_for_lists(fronts->front_box, fronts->front_count, fronts->low, fronts->high,
-                                       job->options->grid, hide_margin(&fronts->space), &depth);
+    cells_boxes boxes = {fronts->front_box, fronts->front_count, fronts->low, fronts->high,
+                         hide_margin(&fronts->space)};
+    scan_frame frame = cells_for_lists(&boxes, job->options->grid, &depth);
     if (!picture_order_init(&job->order, fronts, depth))
         return ROBERTS_NO_MEMORY;
     hide_fronts_drop_boxes(&job->fronts);
