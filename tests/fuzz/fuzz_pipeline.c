@@ -54,6 +54,7 @@ static roberts_hide_options choose_hiding(const uint8_t *set)
     hide.all_edges = set[FLAGS] & 2;
     hide.crease_degrees = set[CREASE] % 181;
     hide.grid = set[GRID] % 33;
+    hide.unite = set[KIND] & 16;
     hide.threads = 1;
     return hide;
 }
