@@ -620,9 +620,9 @@ typedef struct roberts_verification {
  * Besides options->rays to a segment, rays are cast close to the ends of visible segments, behind whatever face hides
  * a part of one, step by step along hidden segments, and at the middle of segments that name what hides them (`by`).
  * The rule is that of roberts_hide(), with drawing->epsilon; points where the answer depends on a few epsilon are
- * counted as undecided. Segments in state ROBERTS_CLIPPED are not looked at. A contradiction is not a failure.
- * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW, or _BAD_ARGUMENT (a segment of no edge of the scene, t out
- * of order). */
+ * counted as undecided. Segments in state ROBERTS_CLIPPED and those of intersections are not looked at. A contradiction
+ * is not a failure. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW, or _BAD_ARGUMENT (a segment of no edge of the scene, t
+ * out of order). */
 roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *camera, const roberts_drawing *drawing,
                               const roberts_verify_options *options, roberts_verification *result,
                               roberts_error *error);

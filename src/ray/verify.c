@@ -368,7 +368,7 @@ static roberts_status assign_rows(verifier *f, roberts_error *error)
     uint32_t total = 0;
     for (uint32_t i = 0; i < f->drawing->count; i++) {
         const roberts_segment *row = &f->drawing->segment[i];
-        if (assign_row(f, i, false) == 0)
+        if (row->line != ROBERTS_INTERSECTION && assign_row(f, i, false) == 0)
             return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                              "segment %u belongs to no edge of the scene (solid %u, %u-%u)", (unsigned)i,
                              (unsigned)row->solid, (unsigned)row->v0, (unsigned)row->v1);
@@ -381,7 +381,8 @@ static roberts_status assign_rows(verifier *f, roberts_error *error)
     if (!(f->row = alloc_array(total, sizeof *f->row)))
         return error_no_memory(error);
     for (uint32_t i = (uint32_t)f->drawing->count; i-- > 0;)
-        assign_row(f, i, true);
+        if (f->drawing->segment[i].line != ROBERTS_INTERSECTION)
+            assign_row(f, i, true);
     for (uint32_t e = 0; e < scene->edge_count; e++)
         sort_rows(f, f->row_start[e], f->row_start[e + 1]);
     return ROBERTS_OK;
