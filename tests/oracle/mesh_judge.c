@@ -63,6 +63,8 @@ static void take_own(judgement *j, const mesh_edge *e)
     const uint32_t *position = j->truth->position;
     for (size_t i = 0; i < j->drawing->count; i++) {
         const roberts_segment *s = &j->drawing->segment[i];
+        if (s->v0 == ROBERTS_NONE)
+            continue;
         uint32_t p = position[s->v0], q = position[s->v1];
         if (p == e->v0 && q == e->v1)
             add_piece(j, s->t0, s->t1, s->state != ROBERTS_VISIBLE);
@@ -79,6 +81,8 @@ static void take_others(judgement *j, const mesh_edge *e)
     for (size_t i = 0; i < j->drawing->count; i++) {
         const roberts_segment *s = &j->drawing->segment[i];
         double off0, off1;
+        if (s->v0 == ROBERTS_NONE)
+            continue;
         double t0 = along(a, b, at(vertex[s->v0], vertex[s->v1], s->t0), &off0);
         double t1 = along(a, b, at(vertex[s->v0], vertex[s->v1], s->t1), &off1);
         if (fmax(off0, off1) <= 1e-11 * j->size)
