@@ -463,6 +463,48 @@ static bool finders_init(finder *finders, int threads, const hide_fronts *fronts
     return true;
 }
 
+typedef struct crossed_lines {
+    const crossings *of;
+    const seen *seen;
+} crossed_lines;
+
+/* A line in which faces of closed bodies cross. Faces of a scene that the near plane has cut have other numbers than
+ * those as given. */
+static bool union_line_of(const void *context, uint32_t index, union_line *line, uint32_t own[2])
+{
+    const crossed_lines *lines = context;
+    const seen *s = lines->seen;
+    const crossing_segment *is = &lines->of->item[index];
+    if (!union_takes(s->source, is->body[0]) || !union_takes(s->source, is->body[1]))
+        return false;
+    *line = (union_line){.A = is->end[0].point,
+                         .B = is->end[1].point,
+                         .body = ROBERTS_NONE,
+                         .crossed = {is->body[0], is->body[1]},
+                         .own = own,
+                         .own_count = s->scene == s->source ? 2 : 0};
+    own[0] = is->face[0];
+    own[1] = is->face[1];
+    return true;
+}
+
+static bool find_pieces(crossings *c, const seen *s, uint32_t threads)
+{
+    const crossed_lines lines = {c, s};
+    if (!s->edges.first || c->count == 0)
+        return true;
+    return c->count < ROBERTS_NONE &&
+           united_find(&c->pieces, &s->bodies, union_line_of, &lines, (uint32_t)c->count, threads);
+}
+
+bool crossings_unite(const crossings *c, const seen *s, size_t k, seen_line *line)
+{
+    if (!united_pieces(&c->pieces, (uint32_t)k))
+        return true;
+    line->alone = true;
+    return seen_take_pieces(s, c->item[k].body[0], &c->pieces, (uint32_t)k, line);
+}
+
 bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, uint32_t threads)
 {
     int count = threads_for(threads, 1 + grid->start[scan_cells(&grid->frame)] / WORTH_A_THREAD);
@@ -470,7 +512,7 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
     first_cell *first = find_first_cells(fronts, grid, count);
     bool enough = finders && first && finders_init(finders, count, fronts, grid, first) &&
                   meet_all(finders, grid, count) && meet_pairs(finders, count) &&
-                  gather(c, fronts->scene, finders, count);
+                  gather(c, fronts->scene, finders, count) && find_pieces(c, fronts->seen, threads);
     for (int i = 0; finders && i < count; i++) {
         free(finders[i].found.item);
         free(finders[i].pair);
@@ -488,6 +530,7 @@ void crossings_free(crossings *c)
     free(c->item);
     free(c->end);
     free(c->name);
+    united_free(&c->pieces);
     *c = (crossings){0};
 }
 

@@ -9,20 +9,25 @@
 
 #include "hide/objet.h"
 #include "model/crossing.h"
+#include "view/united.h"
 
 typedef struct crossings {
     crossing_segment *item; /* [count] by the numbers of their faces, then by their ends; each once */
     seen_point (*end)[2];   /* [count] their ends */
     roberts_crossing *name; /* [count] what rows say of them */
     size_t count;
-    size_t pairs; /* of faces */
+    size_t pairs;  /* of faces */
+    united pieces; /* of the lines, where bodies are taken together as one */
 } crossings;
 
-/* Finds all lines. False: no memory; crossings_free() is due in any case. */
+/* Finds all lines, and their pieces where bodies are one. False: no memory; crossings_free() is due in any case. */
 bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, uint32_t threads);
 void crossings_free(crossings *c);
 
 /* Line k as `hide` takes it up. */
 seen_line crossings_line(const crossings *c, const roberts_scene *scene, size_t k);
+
+/* Gives the line its pieces, where bodies are one. False: nothing of it is drawn. */
+bool crossings_unite(const crossings *c, const seen *s, size_t k, seen_line *line);
 
 #endif

@@ -63,6 +63,8 @@ static roberts_status make_fronts(hide_job *job, const roberts_scene *scene, con
     if (status != ROBERTS_OK)
         return status;
     seen_set_rules(&job->seen, options);
+    if (options->unite && !seen_unite(&job->seen, options->threads))
+        return ROBERTS_NO_MEMORY;
     if (!hide_fronts_build(&job->fronts, &job->seen, options))
         return ROBERTS_NO_MEMORY;
     const view *v = &job->seen.view;
@@ -288,6 +290,7 @@ static void describe(const hide_job *job, const roberts_camera *camera, roberts_
     drawing->solids = job->seen.source->solid_count;
     drawing->culled_solids = fronts->culled_count;
     drawing->edges = job->seen.source->edge_count;
+    drawing->seams = united_seams(&job->seen.edges, job->seen.source->edge_count);
     drawing->front_faces = fronts->face_count;
     drawing->back_faces = fronts->back;
     drawing->edge_on_faces = fronts->edge_on;

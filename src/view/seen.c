@@ -41,6 +41,8 @@ void seen_end(seen *s)
     free(s->P);
     free(s->facing);
     free(s->turned);
+    united_free(&s->edges);
+    union_free(&s->bodies);
     view_clip_free(&s->clip);
     *s = (seen){0};
 }
@@ -58,6 +60,12 @@ void seen_set_rules(seen *s, const roberts_hide_options *options)
     s->rules = (seen_rules){chord, chord, options->all_edges, options->keep_hidden};
     if (options->crease_auto)
         s->rules.smooth_chord = greater(chord, square_chord(SMOOTH_CREASE));
+}
+
+bool seen_unite(seen *s, uint32_t threads)
+{
+    return union_prepare(&s->bodies, s->source, s->view.epsilon * s->view.unit) &&
+           united_find_edges(&s->edges, &s->bodies, threads);
 }
 
 int seen_either_face(seen *s, uint32_t face, seen_face *out)
