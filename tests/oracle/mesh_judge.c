@@ -63,6 +63,8 @@ static void take_own(judgement *j, const mesh_edge *e)
     const uint32_t *position = j->truth->position;
     for (size_t i = 0; i < j->drawing->count; i++) {
         const roberts_segment *s = &j->drawing->segment[i];
+        if (s->v0 == ROBERTS_NONE)
+            continue;
         uint32_t p = position[s->v0], q = position[s->v1];
         if (p == e->v0 && q == e->v1)
             add_piece(j, s->t0, s->t1, s->state != ROBERTS_VISIBLE);
@@ -79,6 +81,8 @@ static void take_others(judgement *j, const mesh_edge *e)
     for (size_t i = 0; i < j->drawing->count; i++) {
         const roberts_segment *s = &j->drawing->segment[i];
         double off0, off1;
+        if (s->v0 == ROBERTS_NONE)
+            continue;
         double t0 = along(a, b, at(vertex[s->v0], vertex[s->v1], s->t0), &off0);
         double t1 = along(a, b, at(vertex[s->v0], vertex[s->v1], s->t1), &off1);
         if (fmax(off0, off1) <= 1e-11 * j->size)
@@ -170,8 +174,10 @@ static double surely_wrong(const judgement *j, const mesh_edge *e, double *unjud
             theirs = theirs || (truth[k].t0 < t && t < truth[k].t1);
         if (mine == theirs)
             continue;
+        const roberts_vec3 *vertex = j->scene->mesh.vertex;
+        const mesh_point X = {at(vertex[e->v0], vertex[e->v1], t), e->v0, e->v1, ROBERTS_NONE, ROBERTS_NONE};
         oracle_answer answer = mesh_truth_at(&j->scene->mesh, &j->scene->view, j->scene->even_odd, j->truth->position,
-                                             e->v0, e->v1, t, j->scene->slack);
+                                             &X, j->scene->slack);
         if (answer == ORACLE_UNSURE || (answer == ORACLE_YES) == mine)
             *unjudged += cut[i + 1] - cut[i];
         else

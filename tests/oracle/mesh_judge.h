@@ -16,7 +16,8 @@ typedef struct mesh_scene {
 
 typedef struct mesh_total {
     size_t scenes, edges, hidden, cut; /* compared; wholly hidden; hidden in part */
-    size_t disagreements;              /* edges, or whole scenes that the program refused */
+    size_t lines, lines_cut;           /* intersection lines; those hidden in part or wholly */
+    size_t disagreements;              /* edges, lines, or whole scenes that the program refused */
     size_t refused;                    /* scenes that the oracle refused */
     double unjudged;                   /* length of t that was not judged, because of slack; whole edges count 1 */
     double worst;                      /* greatest difference on an edge that did not fail */

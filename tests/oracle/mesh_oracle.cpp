@@ -73,10 +73,9 @@ void mesh_truth_free(mesh_truth *truth)
 }
 
 oracle_answer mesh_truth_at(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, const uint32_t *position,
-                            uint32_t v0, uint32_t v1, double t, double slack)
+                            const mesh_point *point, double slack)
 {
-    roberts_vec3 a = mesh->vertex[v0], b = mesh->vertex[v1];
-    plain X{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
+    plain X{point->at.x, point->at.y, point->at.z};
     plain V = view->w ? plain{view->x - X.x, view->y - X.y, view->z - X.z} : plain{view->x, view->y, view->z};
     double l = std::sqrt(V.x * V.x + V.y * V.y + V.z * V.z);
     V = {V.x / l, V.y / l, V.z / l};
@@ -99,10 +98,10 @@ oracle_answer mesh_truth_at(const roberts_mesh *mesh, const oracle_view *view, b
                 w = l = 1 - z / std::sqrt((view->x - X.x) * (view->x - X.x) + (view->y - X.y) * (view->y - X.y) +
                                           (view->z - X.z) * (view->z - X.z));
             q.push_back({(d.x * r.x + d.y * r.y + d.z * r.z) / w, (d.x * u.x + d.y * u.y + d.z * u.z) / w, z / w});
-            own0 = own0 || c == v0;
-            own1 = own1 || c == v1;
+            own0 = own0 || c == point->v0;
+            own1 = own1 || c == point->v1;
         }
-        if (q.size() < 3 || (own0 && own1))
+        if (q.size() < 3 || (own0 && own1) || f == point->f0 || f == point->f1)
             continue;
         /* the plane z = z0 + gx x + gy y above X, by Newell */
         plain n{0, 0, 0}, m{0, 0, 0};
