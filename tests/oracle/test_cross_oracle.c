@@ -358,7 +358,8 @@ static bool drop_row(cross_row *row, size_t *count, size_t i)
 static bool shift_end(cross_row *row, size_t *count, size_t i)
 {
     (void)count;
-    row[i].p.y += 1e-6;
+    row[i].p.y +=
+        1e-6 * (1 + fabs(row[i].q.x - row[i].p.x) + fabs(row[i].q.y - row[i].p.y) + fabs(row[i].q.z - row[i].p.z));
     return true;
 }
 
