@@ -6,15 +6,10 @@
 #include <inttypes.h>
 
 #include "exact.h"
+#include "large.h"
 #include "models.h"
 #include "off.h"
 #include "uniform.h"
-
-/* The arguments of a scene, and solids that it is made of, centred at the origin. */
-typedef struct plan {
-    uint64_t n, seed;
-    body tetrahedron, cube, octahedron;
-} plan;
 
 static uint64_t one_each(uint64_t n)
 {
@@ -339,71 +334,125 @@ static void sphere_solid(body *b, const plan *p, uint64_t index)
 /* ---- the table, and writing ------------------------------------------------------------------------------------ */
 
 typedef uint64_t count_fn(uint64_t n);
+typedef void prepare_fn(plan *p);                              /* makes p->part */
 typedef void solid_fn(body *b, const plan *p, uint64_t index); /* adds solid `index` */
 
 static const struct {
     family family;
     count_fn *count;
     solid_fn *solid;
+    prepare_fn *prepare; /* NULL: nothing to prepare */
 } families[] = {
     {{"lattice", "N [SEED]",
       "Lattice of N^3 tetrahedra, cubes and octahedra, one in each unit cell, each at a random turn (a rational one).",
       1, 200, true},
      cube_of,
-     lattice_solid},
+     lattice_solid,
+     NULL},
     {{"city", "N [SEED]",
       "City of N x N blocks between streets, four solids to a block: setback towers, houses, courtyards of four wings\n"
       "that touch, podiums with towers on them. Heights and kinds are random.",
       1, 2000, true},
      city_count,
-     city_solid},
+     city_solid,
+     NULL},
     {{"wall", "N", "Brick wall, N bricks of 4 x 2 x 1 in running bond, without gaps.", 1, 50000000, false},
      one_each,
-     wall_solid},
+     wall_solid,
+     NULL},
     {{"plates", "N [SEED]",
       "Heap of N thin plates at random places and turned at random about the vertical, each over all before it.", 1,
       50000000, true},
      one_each,
-     plates_solid},
+     plates_solid,
+     NULL},
     {{"stack", "N [SEED]",
       "Stack of N boxes along the z axis, of random width and turn; from the top they all lie behind one another.", 1,
       50000000, true},
      one_each,
-     stack_solid},
+     stack_solid,
+     NULL},
     {{"needles", "N [SEED]", "N long sticks over one another in random directions, each across the whole picture.", 1,
       50000000, true},
      one_each,
-     needles_solid},
+     needles_solid,
+     NULL},
     {{"ground", "N [SEED]", "One slab with N small boxes hanging under it; from below, N boxes before one large face.",
       1, 50000000, true},
      ground_count,
-     ground_solid},
-    {{"copies", "N", "N copies of one cube in the same place.", 1, 50000000, false}, one_each, copies_solid},
-    {{"coins", "N [SEED]", "A hundred coins of N corners over one another.", 3, 1000000, true}, hundred, coins_solid},
+     ground_solid,
+     NULL},
+    {{"copies", "N", "N copies of one cube in the same place.", 1, 50000000, false}, one_each, copies_solid, NULL},
+    {{"coins", "N [SEED]", "A hundred coins of N corners over one another.", 3, 1000000, true},
+     hundred,
+     coins_solid,
+     NULL},
     {{"disc", "N [SEED]", "One disc of N corners with N small boxes under it, some beyond its rim.", 3, 10000000, true},
      ground_count,
-     disc_solid},
+     disc_solid,
+     NULL},
     {{"parts", "N", "Square slab, its straight borders in N parts each, with N small boxes under one of them.", 1,
       10000000, false},
      ground_count,
-     parts_solid},
+     parts_solid,
+     NULL},
     {{"fans", "N", "Two pyramids over the regular N-gon, one behind the tip of the other.", 3, 1000000, false},
      two,
-     fans_solid},
+     fans_solid,
+     NULL},
     {{"speck", "N", "Two balls of about N faces each, one through the other, and a large box far away.", 8, 10000000,
       false},
      three,
-     speck_solid},
-    {{"sphere", "N", "Ball of about N faces: parallels and meridians.", 8, 10000000, false}, single, sphere_solid},
+     speck_solid,
+     NULL},
+    {{"sphere", "N", "Ball of about N faces: parallels and meridians.", 8, 10000000, false},
+     single,
+     sphere_solid,
+     NULL},
     {{"prism", "N", "Uniform prism over the regular N-gon: circumradius of the N-gon 1, side faces squares.", 3,
       1000000, false},
      single,
-     prism_solid},
+     prism_solid,
+     NULL},
     {{"antiprism", "N",
       "Uniform antiprism over the regular N-gon: circumradius of the N-gon 1, side faces equilateral triangles.", 3,
       1000000, false},
      single,
-     antiprism_solid},
+     antiprism_solid,
+     NULL},
+    {{"scan", "N [SEED]", "Ball of about N triangles with bumps, and with dents that have sharp rims.", 20, 20000000,
+      true},
+     single,
+     part_solid,
+     scan_prepare},
+    {{"balls", "N [SEED]", "A thousand balls of about N triangles in all, none touching another.", 20000, 50000000,
+      true},
+     thousand,
+     balls_solid,
+     ball_prepare},
+    {{"boulders", "N [SEED]", "The same with bumps and dents.", 20000, 50000000, true},
+     thousand,
+     balls_solid,
+     boulder_prepare},
+    {{"crossing", "N [SEED]", "A thousand balls of about N triangles in all, each crossing some others.", 20000,
+      50000000, true},
+     thousand,
+     crossing_solid,
+     ball_prepare},
+    {{"terrain", "N [SEED]", "Land of about N triangles, an open sheet that leans over to one side.", 2, 50000000,
+      true},
+     single,
+     part_solid,
+     terrain_prepare},
+    {{"stars", "N [SEED]",
+      "Lattice of N^3 spiky stars of 24 or 60 triangles, one in each unit cell, each at a random turn.", 1, 200, true},
+     cube_of,
+     stars_solid,
+     NULL},
+    {{"soup", "N [SEED]", "N loose triangles in a cube, each crossing some three others.", 1, 50000000, true},
+     one_each,
+     soup_solid,
+     NULL},
 };
 
 size_t family_count(void)
@@ -455,6 +504,9 @@ bool family_write(size_t i, uint64_t n, uint64_t seed, FILE *file)
     uniform_make(&p.tetrahedron, TETRAHEDRON);
     uniform_make(&p.cube, CUBE);
     uniform_make(&p.octahedron, OCTAHEDRON);
+    uniform_make(&p.icosahedron, ICOSAHEDRON);
+    if (families[i].prepare)
+        families[i].prepare(&p);
     describe(i, n, seed, comment, sizeof comment);
     run_pass(i, &p, 0, &w, &vertices, &faces);
     off_begin(&w, file, comment, vertices, faces);
@@ -463,5 +515,7 @@ bool family_write(size_t i, uint64_t n, uint64_t seed, FILE *file)
     body_free(&p.tetrahedron);
     body_free(&p.cube);
     body_free(&p.octahedron);
+    body_free(&p.icosahedron);
+    body_free(&p.part);
     return off_end(&w);
 }

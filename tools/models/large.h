@@ -1,0 +1,28 @@
+/* large.h - what the scenes of any size share: their arguments, and the meshes of meshes.c. */
+#ifndef MODELS_LARGE_H
+#define MODELS_LARGE_H
+
+#include "body.h"
+
+/* The arguments of a scene, and bodies that it is made of, centred at the origin. */
+typedef struct plan {
+    uint64_t n, seed;
+    body tetrahedron, cube, octahedron, icosahedron;
+    body part; /* made once before the scene, where its family prepares one */
+} plan;
+
+/* ---- meshes.c: bodies that are not convex, of many triangles; all coordinates are integers ---------------------- */
+
+void scan_prepare(plan *p);
+void ball_prepare(plan *p);
+void boulder_prepare(plan *p);
+void terrain_prepare(plan *p);
+
+uint64_t thousand(uint64_t n);
+void part_solid(body *b, const plan *p, uint64_t index);
+void balls_solid(body *b, const plan *p, uint64_t index);
+void crossing_solid(body *b, const plan *p, uint64_t index);
+void stars_solid(body *b, const plan *p, uint64_t index);
+void soup_solid(body *b, const plan *p, uint64_t index);
+
+#endif
