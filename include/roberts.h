@@ -313,27 +313,30 @@ typedef enum roberts_line {
     ROBERTS_BACK,    /**< no face is front: hidden by its own solid */
     ROBERTS_BORDER,  /**< it has one face */
     ROBERTS_WIRE,    /**< it has none */
+    ROBERTS_INTERSECTION, /**< no edge: two faces cross there */
 } roberts_line;
 
-/** A maximal part of an edge in one state. */
+/** A maximal part of a line in one state. A line is an edge, or a segment in which two faces cross. */
 typedef struct roberts_segment {
-    uint32_t solid;  /**< number of the solid, from 0 by smallest vertex */
-    uint32_t v0, v1; /**< the edge's vertices as in the input, v0 < v1 */
+    uint32_t solid;  /**< number of the solid, from 0 by smallest vertex; of an intersection, that of its first face */
+    uint32_t v0, v1; /**< the edge's vertices as in the input, v0 < v1; ROBERTS_NONE for an intersection */
     uint32_t by;     /**< hidden: the solid seen at the middle of the part; else ROBERTS_NONE */
-    double t0, t1;   /**< along the edge in space from v0 to v1, 0 <= t0 < t1 <= 1 */
+    double t0, t1;   /**< along the line in space, 0 <= t0 < t1 <= 1: from v0 to v1, or from end[0] to end[1] of its
+                          roberts_crossing */
     /** Its ends in the picture, model units. Both ends of a clipped part are where it is cut (0,0 if the whole edge is
      * clipped). */
     roberts_vec2 p0, p1;
     double z0, z1; /**< how near the viewer p0 and p1 are: greater is nearer; linear along the line in the picture */
     uint8_t state; /**< roberts_state */
     uint8_t line;  /**< roberts_line */
-    uint32_t edge; /**< number of the edge in the scene; see roberts_segment_faces() */
+    uint32_t edge; /**< number of the edge in the scene; of an intersection, its number in roberts_drawing.crossing */
 } roberts_segment;
 
-/** Finds the faces of a segment's edge: face[0] < face[1], as numbered in the input, with those of fewer than three
- * corners counted. ROBERTS_NONE where there is none (a wire, a border, a face of a hull); of more than two, the two
- * smallest. `scene` is the one that the drawing was made from. */
-void roberts_segment_faces(const roberts_scene *scene, const roberts_segment *segment, uint32_t face[2]);
+/** A maximal segment in which two faces cross. */
+typedef struct roberts_crossing {
+    uint32_t face[2];    /**< face[0] < face[1], as numbered in the input */
+    roberts_vec3 end[2]; /**< in the model; end[0] has the smaller x, or y where those are equal, or z */
+} roberts_crossing;
 
 /** How many pairs of an edge and a front each test decided (lecture: tests 1 to 4, cheapest first). A front is all that
  * one convex solid shows under its outline, or one front face of a solid that shows very many, or one face of a body of
@@ -364,10 +367,13 @@ typedef enum roberts_epsilon_reason {
     ROBERTS_EPSILON_FLOAT32,  /**< 2 units of the last place of the largest coordinate that came as a 32-bit float */
 } roberts_epsilon_reason;
 
-/** The segments of all edges, sorted by solid, v0, v1, t0, with what was counted on the way. */
+/** The segments of all edges, sorted by solid, v0, v1, t0; then those of all intersections, sorted by their faces and
+ * t0. With them goes what was counted on the way. */
 typedef struct roberts_drawing {
     size_t count;
-    roberts_segment *segment;            /**< [count] */
+    roberts_segment *segment; /**< [count] */
+    size_t crossing_count;
+    roberts_crossing *crossing;          /**< [crossing_count] sorted by face[0], face[1], end[0] */
     roberts_vec2 window_min, window_max; /**< box of the scene's picture, hidden parts included; or the field of view */
     bool framed;    /**< the window is the field of view: segments reach beyond it, and drawing cuts them off there (see
                          roberts_page_shape()) */
@@ -413,6 +419,13 @@ roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *ca
                             const roberts_hide_options *options, roberts_drawing *drawing, roberts_error *error);
 void roberts_drawing_free(roberts_drawing *drawing);
 
+/** Finds the faces of a segment's edge, or those that cross in it: face[0] < face[1], as numbered in the input, with
+ * those of fewer than three corners counted. ROBERTS_NONE where there is none (a wire, a border, a face of a hull); of
+ * more than two, the two smallest. `drawing` holds the segment, or is its summary; it was made from `scene`, which
+ * may be NULL for an intersection. */
+void roberts_segment_faces(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
+                           uint32_t face[2]);
+
 /** Receives one segment, valid during the call only; false stops the work. */
 typedef bool roberts_segment_fn(void *context, const roberts_segment *segment);
 
@@ -425,7 +438,8 @@ typedef struct roberts_receiver {
 /**
  * The same, but hands the segments to `each` one by one, in their order, and keeps none, so that a large drawing need
  * not fit in memory.
- * summary  NULL, or filled like a drawing without segments; its `count` says how many there were
+ * summary  NULL, or filled like a drawing without segments; its `count` says how many there were; its `crossing` is
+ *          there before the first intersection comes
  * Returns what roberts_hide() returns, or ROBERTS_STOPPED if `each->receive` returned false.
  */
 roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camera *camera,
@@ -698,6 +712,7 @@ typedef struct roberts_draw_options {
     roberts_pen outline;             /**< default: 0.5 mm */
     roberts_pen border;              /**< edges of one face; default: 0.5 mm */
     roberts_pen crease;              /**< default: 0.35 mm */
+    roberts_pen intersection;        /**< where faces cross; default: 0.35 mm */
     roberts_pen wire;                /**< edges of no face; default: 0.35 mm */
     roberts_pen back;                /**< hidden lines; default: 0.25 mm, dashes of 12 and gaps of 3 widths (ISO 128) */
     roberts_pen frame;               /**< along the margins, 5 mm from the drawing; if that is `framed`, where it is
@@ -707,7 +722,7 @@ typedef struct roberts_draw_options {
     roberts_placement placement;     /**< default: fitted, in the middle */
     roberts_order order;             /**< default: ROBERTS_ORDER_TRAVEL */
     const roberts_scene *scene;      /**< tables: the drawing's scene, which knows the faces of edges; NULL: f0 and f1
-                                          stay empty */
+                                          of edges stay empty */
     bool real_dashes;                /**< dashes as strokes, fitted to the line; default: as a pattern of it */
     double dpi;                      /**< PNG: dots per inch; default: 150 */
     const char *title, *description; /**< SVG: UTF-8; NULL: none */

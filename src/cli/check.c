@@ -196,6 +196,7 @@ static void warn_pages(const cli_options *options, const options_given *given)
     warn_pen("outline", &draw->outline, &usual.outline, NULL);
     warn_pen("border", &draw->border, &usual.border, NULL);
     warn_pen("crease", &draw->crease, &usual.crease, NULL);
+    warn_pen("intersection", &draw->intersection, &usual.intersection, NULL);
     warn_pen("wire", &draw->wire, &usual.wire, NULL);
     warn_pen("hidden", &draw->back, &usual.back,
              hidden ? NULL : "hidden lines are not drawn without --hidden dashed or solid");
@@ -203,7 +204,8 @@ static void warn_pages(const cli_options *options, const options_given *given)
              !draw->frame.off || options_is_given(given, "frame") ? NULL : "it is not drawn without --frame");
     warn_pen("symbol", &draw->symbol, &usual.symbol, options->is_sheet ? NULL : "it is not drawn without --sheet");
     if (draw->real_dashes && !is_dashed(&draw->outline) && !is_dashed(&draw->border) && !is_dashed(&draw->crease) &&
-        !is_dashed(&draw->wire) && !(draw->hidden == ROBERTS_HIDDEN_DASHED && is_dashed(&draw->back)))
+        !is_dashed(&draw->intersection) && !is_dashed(&draw->wire) &&
+        !(draw->hidden == ROBERTS_HIDDEN_DASHED && is_dashed(&draw->back)))
         warn("--dash real", "no lines are dashed, as by --hidden dashed");
 }
 

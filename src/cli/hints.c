@@ -196,6 +196,8 @@ static const roberts_pen *pen_of(const cli_options *options, const roberts_segme
         return &draw->border;
     case ROBERTS_CREASE:
         return &draw->crease;
+    case ROBERTS_INTERSECTION:
+        return &draw->intersection;
     case ROBERTS_WIRE:
         return &draw->wire;
     default:

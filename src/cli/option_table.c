@@ -281,15 +281,17 @@ static const option rows[] = {
      .set = values_set_style,
      .brief = "a pen",
      .help =
-         "a pen; CLASS: outline, border, crease, wire, hidden, frame or symbol (default: 0.5, 0.5, 0.35, 0.35, 0.25 "
-         "dashed, 0.7, 0.35 mm, black). width=MM; color=NAME, #rrggbb or #rgb; dash=DASH/GAP in mm as seen, or none; "
-         "off, on",
+         "a pen; CLASS: outline, border, crease, intersection, wire, hidden, frame or symbol (default: 0.5, 0.5, 0.35, "
+         "0.35, 0.35, 0.25 dashed, 0.7, 0.35 mm, black). width=MM; color=NAME, #rrggbb or #rgb; dash=DASH/GAP in mm "
+         "as seen, or none; off, on",
      .manual =
-         "Sets a pen. CLASS is outline, border, crease, wire, hidden, frame or symbol. width=MM is its width, "
+         "Sets a pen. CLASS is outline, border, crease, intersection, wire, hidden, frame or symbol. width=MM is its "
+         "width, "
          "color=COLOR its colour (as for --background). dash=DASH/GAP are the lengths of dashes and gaps in mm, as "
          "seen on paper; dash=DASH has gaps of a quarter of it; dash=none draws whole lines. off leaves the class out, "
          "on brings it back. May be given several times.\n"
-         "The defaults are 0.5, 0.5, 0.35, 0.35, 0.25, 0.7 and 0.35 mm, black; hidden lines have dashes of 3 mm and "
+         "The defaults are 0.5, 0.5, 0.35, 0.35, 0.35, 0.25, 0.7 and 0.35 mm, black; hidden lines have dashes of 3 mm "
+         "and "
          "gaps of 0.75 mm, which follow the width. They do not depend on the page: small or crowded pictures want "
          "thinner pens."},
     {.group = GROUP_LINES,

@@ -165,7 +165,7 @@ static bool is_counted_only(const cli_options *options)
     const roberts_draw_options *page = &options->draw;
     return page->format == ROBERTS_NULL && !options->verify && !options->is_sheet &&
            options->camera.projection == ROBERTS_ORTHOGRAPHIC && !page->outline.off && !page->border.off &&
-           !page->crease.off && !page->wire.off && !page->back.off;
+           !page->crease.off && !page->intersection.off && !page->wire.off && !page->back.off;
 }
 
 static roberts_status hide_and_count(const cli_options *options, const roberts_scene *scene, roberts_drawing *drawing,

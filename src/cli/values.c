@@ -391,13 +391,14 @@ static int set_key(roberts_pen *pen, const char *item)
     }
 }
 
-const char *const values_pens[] = {"outline", "border", "crease", "wire", "hidden", "frame", "symbol", NULL};
+const char *const values_pens[] = {"outline", "border", "crease", "intersection", "wire", "hidden",
+                                   "frame",   "symbol", NULL};
 
 int values_set_style(const option *o, const char *value, cli_options *options)
 {
     roberts_draw_options *draw = &options->draw;
-    roberts_pen *const pens[] = {&draw->outline, &draw->border, &draw->crease, &draw->wire,
-                                 &draw->back,    &draw->frame,  &draw->symbol};
+    roberts_pen *const pens[] = {&draw->outline, &draw->border, &draw->crease, &draw->intersection,
+                                 &draw->wire,    &draw->back,   &draw->frame,  &draw->symbol};
     char word[64];
     bool fits;
     const char *rest = parse_word(value, ':', word, sizeof word, &fits);

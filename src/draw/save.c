@@ -87,6 +87,7 @@ roberts_draw_options roberts_draw_options_default(void)
         .outline = {.width_mm = 0.5},
         .border = {.width_mm = 0.5},
         .crease = {.width_mm = 0.35},
+        .intersection = {.width_mm = 0.35},
         .wire = {.width_mm = 0.35},
         .back = {.width_mm = 0.25, .dash_mm = 12 * 0.25, .gap_mm = 3 * 0.25},
         .frame = {.width_mm = 0.7, .off = true},
@@ -104,8 +105,8 @@ static bool pen_is_valid(const roberts_pen *pen)
 
 static bool pens_are_valid(const roberts_draw_options *options)
 {
-    const roberts_pen *const pen[] = {&options->outline, &options->border, &options->crease, &options->wire,
-                                      &options->back,    &options->frame,  &options->symbol};
+    const roberts_pen *const pen[] = {&options->outline, &options->border, &options->crease, &options->intersection,
+                                      &options->wire,    &options->back,   &options->frame,  &options->symbol};
     for (size_t i = 0; i < sizeof pen / sizeof pen[0]; i++)
         if (!pen_is_valid(pen[i]))
             return false;

@@ -28,6 +28,8 @@ const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line
         return &options->crease;
     case ROBERTS_BORDER:
         return &options->border;
+    case ROBERTS_INTERSECTION:
+        return &options->intersection;
     case ROBERTS_WIRE:
         return &options->wire;
     case LINE_FRAME:
@@ -254,11 +256,12 @@ static bool has_line(const roberts_drawing *drawing, roberts_line line)
     return false;
 }
 
-/* The width of the widest pen that the views may need. Scenes of solids alone have neither borders nor wires. */
+/* The width of the widest pen that the views may need. Of borders, wires and intersections that is known only
+ * from the segments. */
 static double widest_pen(const roberts_drawing *const *view, int views, const roberts_draw_options *options)
 {
     double widest = 0.0;
-    for (int i = ROBERTS_OUTLINE; i <= ROBERTS_WIRE; i++) {
+    for (int i = ROBERTS_OUTLINE; i <= ROBERTS_INTERSECTION; i++) {
         const roberts_line line = (roberts_line)i;
         const double width = strokes_pen(options, line)->width_mm;
         bool needed = is_class_drawn(options, line) && width > widest;

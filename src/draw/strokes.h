@@ -7,13 +7,14 @@
 
 /* Further classes beside those of roberts_line: the border of the picture or of the area within the margins, and the
  * symbol of a sheet. */
-#define LINE_FRAME ((roberts_line)(ROBERTS_WIRE + 1))
-#define LINE_SYMBOL ((roberts_line)(ROBERTS_WIRE + 2))
+#define LINE_FRAME ((roberts_line)(ROBERTS_INTERSECTION + 1))
+#define LINE_SYMBOL ((roberts_line)(ROBERTS_INTERSECTION + 2))
 
 /* From the undermost class to the uppermost. */
-enum { LINE_CLASSES = 7 };
-static const roberts_line line_order[LINE_CLASSES] = {ROBERTS_BACK,    ROBERTS_WIRE, ROBERTS_CREASE, ROBERTS_BORDER,
-                                                      ROBERTS_OUTLINE, LINE_FRAME,   LINE_SYMBOL};
+enum { LINE_CLASSES = 8 };
+static const roberts_line line_order[LINE_CLASSES] = {ROBERTS_BACK,   ROBERTS_WIRE,   ROBERTS_INTERSECTION,
+                                                      ROBERTS_CREASE, ROBERTS_BORDER, ROBERTS_OUTLINE,
+                                                      LINE_FRAME,     LINE_SYMBOL};
 
 /* Points are rounded to the page's unit, 0.001 mm (0.01 mm if the page is longer than 4 m). That is far finer than a
  * pen and short to write, and neighbours that share an end still share it. */

@@ -84,8 +84,8 @@ static void open_layer(output *out, const roberts_draw_options *options, roberts
 {
     static const char *const name[] = {
         [ROBERTS_OUTLINE] = "outline", [ROBERTS_CREASE] = "crease", [ROBERTS_BACK] = "hidden",
-        [ROBERTS_BORDER] = "border",   [ROBERTS_WIRE] = "wire",     [LINE_FRAME] = "frame",
-        [LINE_SYMBOL] = "symbol"};
+        [ROBERTS_BORDER] = "border",   [ROBERTS_WIRE] = "wire",     [ROBERTS_INTERSECTION] = "intersection",
+        [LINE_FRAME] = "frame",        [LINE_SYMBOL] = "symbol"};
     const roberts_pen *pen = strokes_pen(options, line);
     double dash[2];
     output_text(out, "<g id=\"");

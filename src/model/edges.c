@@ -169,9 +169,15 @@ static void add_smallest(uint32_t face[2], uint32_t number)
     }
 }
 
-void roberts_segment_faces(const roberts_scene *scene, const roberts_segment *segment, uint32_t face[2])
+void roberts_segment_faces(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
+                           uint32_t face[2])
 {
     face[0] = face[1] = ROBERTS_NONE;
+    if (segment->line == ROBERTS_INTERSECTION) {
+        if (segment->edge < drawing->crossing_count)
+            memcpy(face, drawing->crossing[segment->edge].face, 2 * sizeof *face);
+        return;
+    }
     if (segment->solid >= scene->solid_count || segment->edge < scene->solid[segment->solid].edge ||
         segment->edge >= scene->solid[segment->solid + 1].edge)
         return;

@@ -18,8 +18,8 @@ uint32_t paper_color(int line)
 {
     static const uint32_t color[PAPER_CLASSES] = {
         [ROBERTS_OUTLINE] = 0xff0000, [ROBERTS_CREASE] = 0x00ff00, [ROBERTS_BACK] = 0x0000ff,
-        [ROBERTS_BORDER] = 0xff00ff,  [ROBERTS_WIRE] = 0x808080,   [PAPER_FRAME] = 0xffff00,
-        [PAPER_SYMBOL] = 0x00ffff,
+        [ROBERTS_BORDER] = 0xff00ff,  [ROBERTS_WIRE] = 0x808080,   [ROBERTS_INTERSECTION] = 0xff8000,
+        [PAPER_FRAME] = 0xffff00,     [PAPER_SYMBOL] = 0x00ffff,
     };
     return color[line];
 }
@@ -40,6 +40,7 @@ roberts_draw_options paper_options(void)
     set_color(&options.back, ROBERTS_BACK);
     set_color(&options.border, ROBERTS_BORDER);
     set_color(&options.wire, ROBERTS_WIRE);
+    set_color(&options.intersection, ROBERTS_INTERSECTION);
     set_color(&options.frame, PAPER_FRAME);
     set_color(&options.symbol, PAPER_SYMBOL);
     return options;
@@ -83,8 +84,8 @@ static void line_to(path *w, roberts_vec2 to)
 
 static int class_of_layer(const char *name)
 {
-    static const char *const layer[PAPER_CLASSES] = {"outline\"", "crease\"", "hidden\"", "border\"",
-                                                     "wire\"",    "frame\"",  "symbol\""};
+    static const char *const layer[PAPER_CLASSES] = {"outline\"", "crease\"",       "hidden\"", "border\"",
+                                                     "wire\"",    "intersection\"", "frame\"",  "symbol\""};
     for (int i = 0; i < PAPER_CLASSES; i++)
         if (strncmp(name, layer[i], strlen(layer[i])) == 0)
             return i;

@@ -140,7 +140,9 @@ static void commas_become_points(void **state)
 
 #define HEAD "body,v0,v1,t0,t1,state,x0,y0,x1,y1,by,class,f0,f1\n"
 
-static roberts_segment three[] = {
+static roberts_crossing crossing = {{3, 8}, {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}};
+
+static roberts_segment some[] = {
     {0, 0, 1, ROBERTS_NONE, 0.0, 0.5, {0.0, -1.5}, {1e-7, 2e20}, 0.0, 0.0, ROBERTS_VISIBLE, ROBERTS_OUTLINE, 0},
     {0, 0, 1, 7, 0.5, 1.0, {1e-7, 2e20}, {0.1, 3.0}, 0.0, 0.0, ROBERTS_HIDDEN, ROBERTS_OUTLINE, 0},
     {4294967294u,
@@ -155,6 +157,19 @@ static roberts_segment three[] = {
      0.0,
      ROBERTS_CLIPPED,
      ROBERTS_CREASE,
+     0},
+    {2,
+     ROBERTS_NONE,
+     ROBERTS_NONE,
+     ROBERTS_NONE,
+     0.0,
+     0.25,
+     {1.0, 2.0},
+     {3.0, 4.0},
+     0.0,
+     0.0,
+     ROBERTS_VISIBLE,
+     ROBERTS_INTERSECTION,
      0},
 };
 
@@ -181,6 +196,11 @@ static const struct {
      "{\"body\":4294967294,\"v0\":9,\"v1\":10,\"t0\":0.25,\"t1\":1,\"state\":\"clipped\",\"x0\":0,\"y0\":1,"
      "\"x1\":1,\"y1\":1,\"by\":null,\"class\":\"crease\",\"f0\":null,\"f1\":null}\n]\n"},
     {"JSON, visible rows alone", ROBERTS_JSON, ROBERTS_HIDDEN_NONE, 1, 2, "[]\n"},
+    {"an intersection has no vertices, but faces", ROBERTS_CSV, ROBERTS_HIDDEN_NONE, 3, 1,
+     HEAD "2,,,0,0.25,visible,1,2,3,4,,intersection,3,8\n"},
+    {"the same in JSON", ROBERTS_JSON, ROBERTS_HIDDEN_NONE, 3, 1,
+     "[\n{\"body\":2,\"v0\":null,\"v1\":null,\"t0\":0,\"t1\":0.25,\"state\":\"visible\",\"x0\":1,\"y0\":2,"
+     "\"x1\":3,\"y1\":4,\"by\":null,\"class\":\"intersection\",\"f0\":3,\"f1\":8}\n]\n"},
     {"null", ROBERTS_NULL, ROBERTS_HIDDEN_NONE, 0, 3, ""},
 };
 
@@ -188,7 +208,10 @@ static void check_rows(void)
 {
     for (size_t i = 0; i < sizeof row_cases / sizeof row_cases[0]; i++) {
         roberts_draw_options options = roberts_draw_options_default();
-        roberts_drawing drawing = {.count = row_cases[i].count, .segment = three + row_cases[i].first};
+        roberts_drawing drawing = {.count = row_cases[i].count,
+                                   .segment = some + row_cases[i].first,
+                                   .crossing_count = 1,
+                                   .crossing = &crossing};
         sink to = {0};
         options.format = row_cases[i].format;
         options.hidden = row_cases[i].hidden;

@@ -206,6 +206,8 @@ static const struct {
     {"crease", ROBERTS_VISIBLE, ROBERTS_CREASE, ROBERTS_HIDDEN_NONE, ROBERTS_CREASE},
     {"border", ROBERTS_VISIBLE, ROBERTS_BORDER, ROBERTS_HIDDEN_NONE, ROBERTS_BORDER},
     {"wire", ROBERTS_VISIBLE, ROBERTS_WIRE, ROBERTS_HIDDEN_NONE, ROBERTS_WIRE},
+    {"intersection", ROBERTS_VISIBLE, ROBERTS_INTERSECTION, ROBERTS_HIDDEN_NONE, ROBERTS_INTERSECTION},
+    {"hidden intersection", ROBERTS_HIDDEN, ROBERTS_INTERSECTION, ROBERTS_HIDDEN_DASHED, ROBERTS_BACK},
     {"hidden border", ROBERTS_HIDDEN, ROBERTS_BORDER, ROBERTS_HIDDEN_DASHED, ROBERTS_BACK},
     {"hidden outline, not wanted", ROBERTS_HIDDEN, ROBERTS_OUTLINE, ROBERTS_HIDDEN_NONE, -1},
     {"hidden outline, dashed", ROBERTS_HIDDEN, ROBERTS_OUTLINE, ROBERTS_HIDDEN_DASHED, ROBERTS_BACK},
@@ -224,10 +226,11 @@ static void each_class_has_its_pen(void **state)
         segment.state = (uint8_t)class_cases[i].state;
         options.hidden = class_cases[i].hidden;
         print_message("%s\n", class_cases[i].name);
-        for (int line = ROBERTS_OUTLINE; line <= ROBERTS_WIRE; line++)
+        for (int line = ROBERTS_OUTLINE; line <= ROBERTS_INTERSECTION; line++)
             assert_int_equal(count_strokes(&drawing, &options, (roberts_line)line), line == class_cases[i].drawn_as);
         options.outline.off = options.crease.off = options.back.off = options.border.off = options.wire.off = true;
-        for (int line = ROBERTS_OUTLINE; line <= ROBERTS_WIRE; line++)
+        options.intersection.off = true;
+        for (int line = ROBERTS_OUTLINE; line <= ROBERTS_INTERSECTION; line++)
             assert_int_equal(count_strokes(&drawing, &options, (roberts_line)line), 0);
     }
 }

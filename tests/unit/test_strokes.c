@@ -35,7 +35,7 @@ static strokes strokes_of(roberts_segment *segment, size_t count, const roberts_
 
 static void print_strokes(const strokes *s, char *text, size_t size)
 {
-    static const char *const name[] = {"hidden", "wire", "crease", "border", "outline", "frame"};
+    static const char *const name[] = {"hidden", "wire", "intersection", "crease", "border", "outline", "frame"};
     size_t used = 0;
     text[0] = '\0';
     for (int i = 0; i < LINE_CLASSES; i++)
@@ -54,7 +54,7 @@ static void print_strokes(const strokes *s, char *text, size_t size)
 /* ---- doubles ---- */
 
 typedef struct given {
-    char class; /* o, b, c, w, h; 0: no more */
+    char class; /* o, b, c, i, w, h; 0: no more */
     double x0, y0, x1, y1, z0, z1;
 } given;
 
@@ -75,15 +75,22 @@ static const struct {
     {"at one depth: border, crease",
      {{'c', 1, 1, 9, 1, 0, 0}, {'b', 1, 1, 5, 1, 0, 0}},
      "crease 5,1 9,1; border 1,1 5,1"},
-    {"at one depth: crease, wire", {{'w', 1, 1, 9, 1, 0, 0}, {'c', 1, 1, 5, 1, 0, 0}}, "wire 5,1 9,1; crease 1,1 5,1"},
+    {"the nearer wins: intersection", {{'c', 1, 1, 9, 1, 0, 0}, {'i', 1, 1, 9, 1, 1, 1}}, "intersection 1,1 9,1"},
+    {"at one depth: crease, intersection",
+     {{'i', 1, 1, 9, 1, 0, 0}, {'c', 1, 1, 5, 1, 0, 0}},
+     "intersection 5,1 9,1; crease 1,1 5,1"},
+    {"at one depth: intersection, wire",
+     {{'w', 1, 1, 9, 1, 0, 0}, {'i', 1, 1, 5, 1, 0, 0}},
+     "wire 5,1 9,1; intersection 1,1 5,1"},
     {"at one depth: wire, hidden", {{'h', 1, 1, 9, 1, 0, 0}, {'w', 1, 1, 5, 1, 0, 0}}, "hidden 5,1 9,1; wire 1,1 5,1"},
     {"the order of the classes",
-     {{'o', 1, 5, 9, 5, 0, 0},
-      {'b', 1, 4, 9, 4, 0, 0},
-      {'c', 1, 3, 9, 3, 0, 0},
+     {{'o', 1, 6, 9, 6, 0, 0},
+      {'b', 1, 5, 9, 5, 0, 0},
+      {'c', 1, 4, 9, 4, 0, 0},
+      {'i', 1, 3, 9, 3, 0, 0},
       {'w', 1, 2, 9, 2, 0, 0},
       {'h', 1, 1, 9, 1, 0, 0}},
-     "hidden 1,1 9,1; wire 1,2 9,2; crease 1,3 9,3; border 1,4 9,4; outline 1,5 9,5"},
+     "hidden 1,1 9,1; wire 1,2 9,2; intersection 1,3 9,3; crease 1,4 9,4; border 1,5 9,5; outline 1,6 9,6"},
     {"visible wins over a nearer hidden one: crease",
      {{'h', 1, 1, 9, 1, 1, 1}, {'c', 1, 1, 9, 1, 0, 0}},
      "crease 1,1 9,1"},
@@ -153,6 +160,7 @@ static roberts_segment segment_of(const given *g)
 {
     roberts_line line = g->class == 'b'   ? ROBERTS_BORDER
                         : g->class == 'c' ? ROBERTS_CREASE
+                        : g->class == 'i' ? ROBERTS_INTERSECTION
                         : g->class == 'w' ? ROBERTS_WIRE
                                           : ROBERTS_OUTLINE;
     roberts_segment s = line_at(line, g->x0, g->y0, g->x1, g->y1);
