@@ -270,6 +270,137 @@ size_t cross_judge_rows(const cross_case *c, const cross_row *row, size_t count,
     return r.failed;
 }
 
+/* ---- of a drawing ---- */
+
+/* The picture's axes, and the point in its middle. */
+typedef struct picture {
+    roberts_vec3 right, up, toward, middle, eye;
+    double far; /* from the eye to the middle; 0: no eye */
+} picture;
+
+static roberts_vec3 minus(roberts_vec3 p, roberts_vec3 q)
+{
+    return (roberts_vec3){p.x - q.x, p.y - q.y, p.z - q.z};
+}
+
+static roberts_vec3 unit_cross(roberts_vec3 a, roberts_vec3 b)
+{
+    roberts_vec3 c = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    double l = hypot(hypot(c.x, c.y), c.z);
+    return (roberts_vec3){c.x / l, c.y / l, c.z / l};
+}
+
+static double times(roberts_vec3 a, roberts_vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/* As the manual says: the origin is the middle of the box round all faces, and z points up, or y where z is seen as a
+ * point. */
+static picture picture_of(const mesh_scene *scene)
+{
+    const roberts_mesh *m = &scene->mesh;
+    const oracle_view *v = &scene->view;
+    roberts_vec3 low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (uint32_t i = 0; i < m->face_start[m->face_count]; i++) {
+        roberts_vec3 p = m->vertex[m->corner[i]];
+        low = (roberts_vec3){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
+        high = (roberts_vec3){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
+    }
+    picture out = {.middle = {(low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2}};
+    roberts_vec3 d = {v->x, v->y, v->z};
+    if (v->w) {
+        out.eye = d;
+        d = minus(d, out.middle);
+        out.far = sqrt(times(d, d));
+    }
+    double l = sqrt(times(d, d));
+    out.toward = (roberts_vec3){d.x / l, d.y / l, d.z / l};
+    bool upright = hypot(out.toward.x, out.toward.y) < 1e-9;
+    out.right = unit_cross(upright ? (roberts_vec3){0, 1, 0} : (roberts_vec3){0, 0, 1}, out.toward);
+    out.up = unit_cross(out.toward, out.right);
+    return out;
+}
+
+/* How far the picture of X is from p. */
+static double beside(const picture *view, roberts_vec3 X, roberts_vec2 p)
+{
+    roberts_vec3 d = minus(X, view->middle);
+    double w = view->far > 0 ? 1 - times(d, view->toward) / view->far : 1;
+    return hypot(times(d, view->right) / w - p.x, times(d, view->up) / w - p.y);
+}
+
+/* Learns the bodies of faces from the rows of edges. */
+static void take_bodies(const roberts_scene *built, const roberts_drawing *drawing, uint32_t *body)
+{
+    for (size_t i = 0; i < drawing->count; i++) {
+        const roberts_segment *s = &drawing->segment[i];
+        uint32_t face[2];
+        if (s->line == ROBERTS_INTERSECTION)
+            continue;
+        roberts_segment_faces(built, drawing, s, face);
+        for (int k = 0; k < 2; k++)
+            if (face[k] != ROBERTS_NONE)
+                body[face[k]] = s->solid;
+    }
+}
+
+size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, const roberts_drawing *drawing,
+                           mesh_total *total, FILE *out)
+{
+    const mesh_scene *scene = c->scene;
+    const picture view = picture_of(scene);
+    size_t count = 0, failed = 0;
+    double loose = 1e-9 * scene_size(&scene->mesh) + 1e3 * scene->slack;
+    cross_case with_bodies = *c;
+    cross_row *row = malloc((drawing->count + 1) * sizeof *row);
+    uint32_t *body = malloc((scene->mesh.face_count + 1) * sizeof *body);
+    for (size_t f = 0; body && f < scene->mesh.face_count; f++)
+        body[f] = ROBERTS_NONE;
+    if (body)
+        take_bodies(built, drawing, body);
+    for (size_t i = 0; row && body && i < drawing->count; i++) {
+        const roberts_segment *s = &drawing->segment[i];
+        uint32_t face[2];
+        const char *fault = NULL;
+        if (s->line != ROBERTS_INTERSECTION) {
+            if (count > 0 && s->v0 != ROBERTS_NONE && ++failed == 1)
+                fprintf(out, "%s: a row of an edge follows one of an intersection\n", c->name);
+            continue;
+        }
+        roberts_segment_faces(built, drawing, s, face);
+        if (s->edge >= drawing->crossing_count || s->v0 != ROBERTS_NONE || s->v1 != ROBERTS_NONE) {
+            fault = "it names no line, or an edge";
+        } else {
+            const roberts_crossing *l = &drawing->crossing[s->edge];
+            const cross_line ends = {.a = l->end[0], .b = l->end[1]};
+            const cross_row r = {s->solid,
+                                 face[0],
+                                 face[1],
+                                 true,
+                                 s->state == ROBERTS_VISIBLE,
+                                 s->t0,
+                                 s->t1,
+                                 on_line(&ends, s->t0),
+                                 on_line(&ends, s->t1)};
+            row[count++] = r;
+            if (l->face[0] != face[0] || l->face[1] != face[1])
+                fault = "its faces are not those of its line";
+            else if (!(fmax(beside(&view, r.p, s->p0), beside(&view, r.q, s->p1)) <= loose))
+                fault = "its ends are not where they are in the picture";
+        }
+        if (fault && ++failed <= REPORTS)
+            fprintf(out, "%s: faces %u and %u: row %zu: %s\n", c->name, face[0], face[1], i, fault);
+    }
+    total->disagreements += failed;
+    with_bodies.face_body = body;
+    if (row && body)
+        failed += cross_judge_rows(&with_bodies, row, count, total, out);
+    free(row);
+    free(body);
+    return failed;
+}
+
 cross_row *cross_rows_of_truth(const cross_truth *truth, const uint32_t *face_body, size_t *count)
 {
     cross_row *row = malloc((2 * (truth->line_count + truth->interval_count) + 1) * sizeof *row);

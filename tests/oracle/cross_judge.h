@@ -29,6 +29,11 @@ typedef struct cross_case {
  * `out`. Returns how many lines and rows were wrong. */
 size_t cross_judge_rows(const cross_case *c, const cross_row *row, size_t count, mesh_total *total, FILE *out);
 
+/* The same for the rows of a drawing, with their pictures and with the ends that the drawing gives each line. `built`
+ * is the library's scene. */
+size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, const roberts_drawing *drawing,
+                           mesh_total *total, FILE *out);
+
 /* The rows that are right; *count is filled. NULL: no memory. The caller frees them. */
 cross_row *cross_rows_of_truth(const cross_truth *truth, const uint32_t *face_body, size_t *count);
 

@@ -13,6 +13,7 @@ static const char help[] =
     "  --seed S       first seed (default: 1)\n"
     "  --edges N      goes on until N edges have been compared (default: one scene of each family)\n"
     "  --folder DIR   failing scenes are written to DIR/failures/ (default: build)\n"
+    "  --lines        judges intersection lines, too\n"
     "  --list         names the families\n"
     "mesh_compare [--dir X,Y,Z | --eye X,Y,Z] [--slack S] --file FILE...\n"
     "The same for files of any origin. What could change if things moved by S (model units) is not judged.\n";
@@ -46,6 +47,11 @@ static bool parse(int argc, char **argv, arguments *a)
             fputs(help, stdout);
             exit(0);
         }
+        if (!strcmp(option, "--lines")) {
+            a->scene.lines = true;
+            i--;
+            continue;
+        }
         if (!value)
             return false;
         if (!strcmp(option, "--family"))
@@ -70,11 +76,12 @@ static bool parse(int argc, char **argv, arguments *a)
 
 static void sum_up(const mesh_total *t)
 {
-    printf("%zu edges of %zu scenes (%zu refused by the oracle), %zu disagreements; %zu hidden, %zu cut; not judged: "
+    printf("%zu edges and %zu intersection lines (%zu of them hidden in part or wholly) of %zu scenes (%zu refused by "
+           "the oracle), %zu disagreements; %zu hidden, %zu cut; not judged: "
            "%.3g edge lengths; "
            "greatest difference %.2g; %zu pairs of edge and face, %zu by rational numbers\n",
-           t->edges, t->scenes, t->refused, t->disagreements, t->hidden, t->cut, t->unjudged, t->worst, t->pairs,
-           t->exact);
+           t->edges, t->lines, t->lines_cut, t->scenes, t->refused, t->disagreements, t->hidden, t->cut, t->unjudged,
+           t->worst, t->pairs, t->exact);
 }
 
 static bool compare_files(const arguments *a, int argc, char **argv, mesh_total *total)
@@ -107,6 +114,7 @@ static bool compare_families(const arguments *a, mesh_total *total)
             if (!mesh_family_make(f, seed, &scene))
                 return false;
             snprintf(name, sizeof name, "%s-%" PRIu64, mesh_family_name(f), seed);
+            scene.lines = a->scene.lines;
             mesh_judge(name, &scene, a->folder, total, stdout);
             mesh_scene_free(&scene);
         }

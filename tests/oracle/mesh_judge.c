@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "cross_judge.h"
 #include "judge.h"
 
 enum { REPORTS = 3 /* of one scene */, MANY_EDGES = 3000 /* of which rows are looked up by their vertices alone */ };
@@ -250,6 +251,20 @@ static double size_of(const roberts_mesh *mesh)
     return size;
 }
 
+/* Judges the intersection lines; gives how many were wrong. */
+static size_t judge_lines(const char *name, const judgement *j, const roberts_scene *built, mesh_total *total,
+                          FILE *out)
+{
+    cross_truth crossed;
+    size_t failed = 0;
+    if (cross_truth_find(&j->scene->mesh, &j->scene->view, j->scene->even_odd, &crossed)) {
+        const cross_case c = {j->scene, &crossed, j->truth->position, NULL, name};
+        failed = cross_judge_drawing(&c, built, j->drawing, total, out);
+        cross_truth_free(&crossed);
+    }
+    return failed;
+}
+
 bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, mesh_total *total, FILE *out)
 {
     const oracle_view *v = &scene->view;
@@ -287,6 +302,8 @@ bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, m
                        .any = malloc((drawing.count + 1) * sizeof *j.any)};
         for (size_t i = 0; j.piece && j.hidden && j.any && i < truth.edge_count; i++)
             judge_edge(&j, &truth.edge[i], name, total, &failed, out);
+        if (scene->lines)
+            failed += judge_lines(name, &j, built, total, out);
         free(j.piece);
         free(j.hidden);
         free(j.any);
