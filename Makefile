@@ -252,7 +252,7 @@ $(BUILD)/tests/test_fuzz: $(call object,$(FUZZ_SRC))
 # The exact oracle: C++ with CGAL, for tests alone.
 ORACLE_OBJ  := $(call object,$(ORACLE)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.o)
 ORACLE_LIBS := -lgmp -lmpfr -lstdc++
-ORACLE_TEST := $(BUILD)/tests/test_oracle $(BUILD)/tests/test_mesh_oracle $(BUILD)/tests/test_cross_oracle \
+ORACLE_TEST := $(BUILD)/tests/test_oracle $(BUILD)/tests/test_mesh_oracle $(BUILD)/tests/test_cross_oracle $(BUILD)/tests/test_union_oracle \
                $(BUILD)/tests/test_golden
 $(ORACLE_TEST): $(ORACLE_OBJ)
 $(ORACLE_TEST): TEST_LIBS = $(ORACLE_LIBS)

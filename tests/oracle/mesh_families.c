@@ -391,12 +391,16 @@ enum { OWN = sizeof families / sizeof families[0] };
 
 size_t mesh_family_count(void)
 {
-    return OWN + mesh_cross_family_count;
+    return OWN + mesh_cross_family_count + mesh_union_family_count;
 }
 
 static const mesh_family *family(size_t index)
 {
-    return index < OWN ? &families[index] : &mesh_cross_families[index - OWN];
+    if (index < OWN)
+        return &families[index];
+    index -= OWN;
+    return index < mesh_cross_family_count ? &mesh_cross_families[index]
+                                           : &mesh_union_families[index - mesh_cross_family_count];
 }
 
 const char *mesh_family_name(size_t index)
@@ -415,6 +419,7 @@ bool mesh_family_make(size_t index, uint64_t seed, mesh_scene *scene)
         family(index)->make(&w);
     } while (!w.no_memory && scene->mesh.face_count == 0);
     look(&w);
+    scene->united = index >= OWN + mesh_cross_family_count;
     if (w.no_memory)
         mesh_scene_free(scene);
     return !w.no_memory;

@@ -1,8 +1,5 @@
 /* mesh_families_cross.c - scenes in which faces cross. Coordinates are whole numbers, so that planes are exact and
  * contacts are what they look like. */
-#include <stdlib.h>
-#include <string.h>
-
 #include "mesh_workshop.h"
 
 /* ---- loose faces ---- */
@@ -22,9 +19,11 @@ static void sheets(workshop *w)
         sheet s = any_sheet(w);
         int low[2], high[2];
         for (int k = 0; k < 2; k++) {
-            low[k] = any(w, -6, 2);
-            high[k] = any(w, low[k] + 1, 8);
+            low[k] = any(w, -8, -1);
+            high[k] = any(w, 1, 8);
         }
+        for (int k = 0; k < 3; k++)
+            s.o[k] /= 2;
         rectangle(w, &s, low, high);
     }
 }
@@ -70,9 +69,11 @@ static void fans(workshop *w)
         low[0] = any(w, -6, 2);
         high[0] = any(w, low[0] + 1, 8);
         low[1] = any(w, -3, 0);
-        high[1] = any(w, low[1] + 1, 3);
+        high[1] = any(w, 0, 3) ? any(w, 1, 3) : any(w, low[1] + 1, 3);
         rectangle(w, &t, low, high);
     }
+    if (any(w, 0, 1))
+        sheets(w);
 }
 
 /* Folded sheets whose folds, and sides, lie in one line, on and in other sheets: edges and lines in one place. */
@@ -113,56 +114,6 @@ static void nearly_coplanar(workshop *w)
 
 /* ---- bodies ---- */
 
-typedef struct matrix {
-    int row[3][3];
-} matrix;
-
-static void put_shape(workshop *w, const shape *s, const int at[3], const matrix *m)
-{
-    uint32_t *number = malloc((size_t)s->point_count * sizeof *number), corner[SHAPE_POINTS];
-    if (!number) {
-        w->no_memory = true;
-        return;
-    }
-    for (int i = 0; i < s->point_count; i++) {
-        double p[3];
-        for (int k = 0; k < 3; k++)
-            p[k] = at[k] + (double)(m->row[k][0] * s->point[i][0] + m->row[k][1] * s->point[i][1] +
-                                    m->row[k][2] * s->point[i][2]);
-        number[i] = vertex(w, p[0], p[1], p[2]);
-    }
-    for (int f = 0; f < s->face_count; f++) {
-        int count = 0;
-        for (int i = s->face_start[f]; i < s->face_start[f + 1] && count < FACE_CORNERS; i++)
-            corner[count++] = number[s->corner[i]];
-        face(w, corner, count);
-    }
-    free(number);
-}
-
-static const matrix identity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-
-/* The matrix of a rotation times the quaternion's norm: whole numbers. */
-static matrix rotation(const int q[4])
-{
-    int a = q[0], b = q[1], c = q[2], d = q[3];
-    return (matrix){{{a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)},
-                     {2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)},
-                     {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d}}};
-}
-
-/* A rotation of norm 9, so that all bodies of a scene have one size. */
-static matrix any_rotation(workshop *w)
-{
-    static const int quaternion[][4] = {{3, 0, 0, 0}, {2, 2, 1, 0}, {2, 1, 0, 2},  {1, 2, 2, 0},
-                                        {2, 0, 2, 1}, {0, 2, 1, 2}, {2, -2, 0, 1}, {1, 0, -2, 2}};
-    int q[4];
-    memcpy(q, quaternion[any(w, 0, 7)], sizeof q);
-    for (int k = 1; k < 4; k++)
-        q[k] *= any(w, 0, 1) ? 1 : -1;
-    return rotation(q);
-}
-
 static const int nowhere[3] = {0, 0, 0};
 
 /* Regular tetrahedra of one size about one point. */
@@ -172,13 +123,13 @@ static void five_tetrahedra(workshop *w)
     for (int i = any(w, 2, 5); i > 0; i--) {
         int at[3];
         shape s = {0};
-        const matrix m = any_rotation(w);
+        const matrix m = workshop_rotation(w);
         for (int k = 0; k < 4; k++)
             shape_point(&s, corner[k][0], corner[k][1], corner[k][2]);
         for (int k = 0; k < 3; k++)
             at[k] = any(w, 0, 3) ? 0 : any(w, -3, 3);
         if (shape_hull(&s))
-            put_shape(w, &s, at, &m);
+            workshop_put(w, &s, at, &m);
     }
 }
 
@@ -191,7 +142,7 @@ static void cubes_in_cubes(workshop *w)
             at[k] = any(w, 0, 4);
         int x = any(w, 1, 5), y = any(w, 1, 5);
         shape s = shape_box(x, y, any(w, 1, 5));
-        put_shape(w, &s, at, &identity);
+        workshop_put(w, &s, at, &workshop_identity);
     }
 }
 
@@ -200,12 +151,12 @@ static void turned_cubes(workshop *w)
 {
     for (int i = any(w, 2, 4); i > 0; i--) {
         int at[3];
-        const matrix m = any_rotation(w);
+        const matrix m = workshop_rotation(w);
         for (int k = 0; k < 3; k++)
             at[k] = 9 * any(w, -1, 1);
         int x = any(w, 1, 3), y = any(w, 1, 3);
         shape s = shape_box(x, y, any(w, 1, 3));
-        put_shape(w, &s, at, &m);
+        workshop_put(w, &s, at, &m);
     }
 }
 
@@ -217,7 +168,7 @@ static void convex_solids(workshop *w)
         shape s = shape_any(&w->d);
         for (int k = 0; k < 3; k++)
             at[k] = any(w, -3, 3);
-        put_shape(w, &s, at, &identity);
+        workshop_put(w, &s, at, &workshop_identity);
     }
 }
 
@@ -248,7 +199,7 @@ static void star_bodies(workshop *w)
     } else if (any(w, 0, 1)) {
         int x = any(w, 3, 20), y = any(w, 3, 20);
         shape s = shape_box(x, y, any(w, 1, 15));
-        put_shape(w, &s, (int[]){-8, -2, any(w, -4, 4)}, &identity);
+        workshop_put(w, &s, (int[]){-8, -2, any(w, -4, 4)}, &workshop_identity);
     }
     w->scene->even_odd = any(w, 0, 2) == 0;
 }
@@ -278,7 +229,7 @@ static void screws(workshop *w)
     for (int i = any(w, 1, 2); i > 0; i--) {
         int z = any(w, -2, 18), thick = any(w, 1, 5), side = any(w, 14, 30);
         shape s = shape_box(side, side, thick);
-        put_shape(w, &s, (int[]){-14, -14, z}, &identity);
+        workshop_put(w, &s, (int[]){-14, -14, z}, &workshop_identity);
     }
 }
 
@@ -301,7 +252,7 @@ static void notched(workshop *w)
         shape s = shape_any(&w->d);
         for (int k = 0; k < 3; k++)
             at[k] = any(w, -1, 8);
-        put_shape(w, &s, at, &identity);
+        workshop_put(w, &s, at, &workshop_identity);
     }
 }
 

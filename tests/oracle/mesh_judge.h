@@ -11,6 +11,7 @@ typedef struct mesh_scene {
     roberts_mesh mesh;
     oracle_view view; /* without a near plane */
     bool even_odd;
+    bool united;  /* closed bodies that are drawn as one */
     bool lines;   /* intersection lines are judged, too */
     double slack; /* model units: what could change if things moved so far is not judged; 0: judged strictly */
 } mesh_scene;

@@ -76,6 +76,18 @@ static inline uint32_t on_sheet(workshop *w, const sheet *s, int x, int y)
                   s->o[2] + x * s->u[2] + y * s->v[2]);
 }
 
+typedef struct matrix {
+    int row[3][3];
+} matrix;
+
+extern const matrix workshop_identity;
+
+/* A rotation times 9, in whole numbers. */
+matrix workshop_rotation(workshop *w);
+
+/* Adds a convex solid, each of its points sent to at + m p. */
+void workshop_put(workshop *w, const shape *s, const int at[3], const matrix *m);
+
 typedef struct mesh_family {
     const char *name;
     void (*make)(workshop *w);
@@ -84,5 +96,9 @@ typedef struct mesh_family {
 /* mesh_families_cross.c: bodies and faces that cross. */
 extern const mesh_family mesh_cross_families[];
 extern const size_t mesh_cross_family_count;
+
+/* mesh_families_union.c: closed bodies, to be drawn as one. */
+extern const mesh_family mesh_union_families[];
+extern const size_t mesh_union_family_count;
 
 #endif
