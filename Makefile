@@ -128,6 +128,9 @@ test-sanitize: ## runs the tests with the sanitizers of addresses and undefined 
 bench: all tools ## measures speed and memory, 10 minutes; shorter: BENCH_MAX=1e5 (see tools/bench.sh)
 	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh
 
+bench-meshes: all tools ## measures meshes of triangles alone, up to 1.4 million of them
+	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh all-meshes
+
 bench-baseline: all tools ## counts instructions (valgrind) and keeps them in tools/bench-baseline.txt
 	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh baseline
 
@@ -326,9 +329,9 @@ lint-cppcheck:
 JOBS     ?= $(CPUS)
 export JOBS
 
-.PHONY: all bench bench-baseline check check-includes check-long clean demo drawings figures force fuzz fuzzers \
-    gallery goldens help install lint lint-cppcheck lint-format lint-tidy models test test-quick test-sanitize \
-    test-threads tools uninstall
+.PHONY: all bench bench-baseline bench-meshes check check-includes check-long clean demo drawings figures force fuzz \
+    fuzzers gallery goldens help install lint lint-cppcheck lint-format lint-tidy models test test-quick \
+    test-sanitize test-threads tools uninstall
 .SECONDARY:
 .DELETE_ON_ERROR:
 -include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.d)

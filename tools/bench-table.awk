@@ -1,6 +1,6 @@
 # Tables from the rows of bench.sh:
 #
-#     awk -v table=stages|draw|threads|verify|read|goals|instructions -f bench-table.awk FILE.tsv...
+#     awk -v table=stages|draw|threads|verify|read|goals|meshes|instructions -f bench-table.awk FILE.tsv...
 #
 # Columns go by the names in a file's first row.
 BEGIN {
@@ -59,6 +59,10 @@ FNR == 1 {
         printf "%-24s%14s%14s%10s%10s%8s%8s\n", "", "bytes", "numbers", "read", "strtod", "times", "MB/s"
     } else if (table == "goals") {
         title("In short (CPU seconds of one thread where nothing else is said)")
+    } else if (table == "meshes") {
+        title("Meshes in short: CPU seconds of one thread, reading included; growth from the smallest size, over edges")
+        printf "%-24s%12s%12s%12s%10s%8s%10s%8s%10s\n", "", "triangles", "edges", "segments", "total", "goal", "MB", \
+            "goal", "growth"
     } else {
         title("Instructions executed, reading included")
         printf "%-24s%16s%16s%10s\n", "", "now", "baseline", "change"
@@ -167,6 +171,32 @@ table == "read" {
     printf "%-24s%14s%14s%10.3f%10.3f%8.2f%8.0f\n", value("scene"), grouped(value("bytes")), \
         grouped(value("numbers")), \
         value("read_cpu"), value("strtod_cpu"), value("times"), value("bytes") / value("read_cpu") / 1e6
+}
+
+# The goals of a mesh of so many triangles: seconds or megabytes, "-" where there is none.
+function mesh_goal(scene, triangles, unit,   goal) {
+    goal["scan 74420 s"] = 0.04
+    goal["scan 74420 MB"] = 20
+    goal["scan, all edges 74420 s"] = 0.05
+    goal["scan 1393920 s"] = 0.4
+    goal["scan 1393920 MB"] = 150
+    goal["balls 1280000 s"] = 0.6
+    goal["boulders 1280000 s"] = 0.6
+    goal["soup 1000000 s"] = 1.2
+    scene = scene " " triangles " " unit
+    return scene in goal ? goal[scene] : "-"
+}
+
+table == "meshes" && value("runs") > 0 {
+    key = value("scene")
+    if (!(key in from_total)) {
+        from_edges[key] = value("edges")
+        from_total[key] = value("total_cpu")
+    }
+    printf "%-24s%12s%12s%12s%10.3f%8s%10.0f%8s%10s\n", key, grouped(value("faces")), grouped(value("edges")), \
+        grouped(value("segments")), value("total_cpu"), mesh_goal(key, value("faces"), "s"), \
+        value("peak_memory_kb") / 1024, mesh_goal(key, value("faces"), "MB"), \
+        exponent(from_total[key], value("total_cpu"), from_edges[key], value("edges"), 0.002)
 }
 
 table == "instructions" {

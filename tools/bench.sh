@@ -1,19 +1,21 @@
 #!/bin/sh
-# Measures the program: tools/bench.sh [PART]...    (the first three unless given; `make bench` builds first)
+# Measures the program: tools/bench.sh [PART]...    (the first four unless given; `make bench` builds first)
 #
 #   scenes        lattice, city, wall and plates of a thousand solids to a million, and ../shared/scenes where present:
 #                 each stage, memory, growth; drawn as SVG; checked by --verify; read by strtod(); two threads
 #                 against one
 #   worst         scenes that are hard, each for one reason
+#   meshes        meshes of triangles to 350,000 of them: scans, balls, land, stars, balls and loose triangles that cross
 #   instructions  instructions executed, counted by callgrind, against tools/bench-baseline.txt
 #   baseline      the same, and writes that file anew
+#   all-meshes    the meshes, to 1.4 million triangles (`make bench-meshes`)
 #   tables        measures nothing: prints the tables of what was measured last, also of a run that was broken off
 #
 # Prints tables, and writes the same figures, tab-separated, to build/bench/. A row is the run of median CPU time, of
 # nine for a thousand solids down to three for a million; of a third as many with --verify, of one when drawn as SVG.
 # Scenes are made there by make-models and kept, but for those of a million solids (up to 0.5 GB each).
 #
-# BENCH_MAX       most solids to a scene (1e6); less makes it short: BENCH_MAX=1e5
+# BENCH_MAX       most solids or triangles to a scene (1e7: no bound); less makes it short: BENCH_MAX=1e5
 # BENCH_LIMIT     seconds after which a run is given up, and larger scenes of its kind with it (100; needs timeout)
 # ROBERTS_BUILD   what to measure (build)
 # ROBERTS_SHARED  where scenes/ and models/ of others are (../shared)
@@ -27,7 +29,7 @@ roberts=$build/roberts
 out=$build/bench
 baseline=tools/bench-baseline.txt
 limit=${BENCH_LIMIT:-100}
-most=$(awk -v n="${BENCH_MAX:-1e6}" 'BEGIN { printf "%d", n }')
+most=$(awk -v n="${BENCH_MAX:-1e7}" 'BEGIN { printf "%d", n }')
 general='--dir .31,.47,.83' # no face of our scenes is edge-on, no two corners lie behind one another
 
 tab=$(printf '\t')
@@ -62,7 +64,7 @@ scene() {
     fi
 }
 
-# argument FAMILY SOLIDS: the generator's N for about so many solids
+# argument FAMILY SIZE: the generator's N for about so many solids, of meshes for about so many triangles
 argument() {
     case $1-$2 in
     lattice-1000) echo 10 ;;
@@ -73,6 +75,9 @@ argument() {
     city-10000) echo 50 ;;
     city-100000) echo 158 ;;
     city-1000000) echo 500 ;;
+    stars-10000) echo 6 ;;
+    stars-100000) echo 13 ;;
+    stars-1000000) echo 29 ;;
     *) echo "$2" ;;
     esac
 }
@@ -274,6 +279,32 @@ worst() {
     done
 }
 
+# mesh NAME FAMILY "SIZES" OPTION...: a mesh, larger and larger, to $triangles
+mesh() {
+    name=$1 family=$2 sizes=$3
+    shift 3
+    for size in $sizes; do
+        [ "$size" -le "$most" ] && [ "$size" -le "$triangles" ] || break
+        scene "$family" "$(argument "$family" "$size")"
+        [ "$size" -lt 1000000 ] || large=$file
+        measure meshes stages "$name" "$(runs_for "$size")" 1 null "$@" $general "$file" || break
+    done
+}
+
+# meshes TRIANGLES: none larger
+meshes() {
+    triangles=$1
+    head_line >"$out/meshes.tsv"
+    mesh 'scan' scan '10000 75000 350000 1400000' --crease 40
+    mesh 'scan, all edges' scan '10000 75000 350000 1400000' --all-edges
+    mesh 'balls' balls '20000 320000 1280000' --crease 40
+    mesh 'boulders' boulders '80000 320000 1280000' --crease 40
+    mesh 'terrain' terrain '10000 100000 1000000' --crease 40
+    mesh 'stars' stars '10000 100000 1000000'
+    mesh 'crossing' crossing '20000 320000 1280000' --crease 40
+    mesh 'soup' soup '10000 100000 1000000'
+}
+
 # count NAME FILE: adds the instructions of a run, all of it, to build/bench/instructions.tsv
 count() {
     say "$1 by callgrind"
@@ -340,15 +371,17 @@ show() {
 mkdir -p "$out" || exit 1
 trap 'rm -f "$out/scene.part" "$out/moved.off" "$out/runs" "$out/stats" "$large"' EXIT
 trap 'exit 130' INT TERM
-[ $# -gt 0 ] || set -- scenes worst instructions
+[ $# -gt 0 ] || set -- scenes worst meshes instructions
 
 for part in "$@"; do
     case $part in
     scenes) scenes ;;
     worst) worst ;;
+    meshes) meshes 350000 ;;
+    all-meshes) meshes 2000000 ;;
     instructions) instructions ;;
     baseline) renew_baseline ;;
-    tables) set -- scenes worst instructions ;;
+    tables) set -- scenes worst meshes instructions ;;
     *)
         sed -n '2,/^set/s/^# \{0,1\}//p' "$0" >&2
         exit 2
@@ -370,6 +403,10 @@ for which in "$@"; do
         show goals read scenes
         ;;
     worst) show stages worst ;;
+    meshes | all-meshes)
+        show stages meshes
+        show meshes meshes
+        ;;
     *) show instructions instructions ;;
     esac
 done
