@@ -1,0 +1,202 @@
+/* test_loose_ends.c - every facet that shows is bounded all round: at each end of a visible line others lead on. First
+ * pictures in which that is so or not by hand, then all of models/ and the published models, from directions in which
+ * no face is edge-on. */
+#include <dirent.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include <cmocka.h>
+
+#include "loose_ends.h"
+#include "skip.h"
+
+/* ---- by hand ---- */
+
+/* Lines as x0 y0 x1 y1. */
+static const struct {
+    const char *name;
+    size_t lines;
+    double line[6][4];
+    size_t loose;
+} hand_cases[] = {
+    {"a line alone", 1, {{0, 0, 1, 0}}, 2},
+    {"a triangle", 3, {{0, 0, 1, 0}, {1, 0, 0, 1}, {0, 1, 0, 0}}, 0},
+    {"an open corner", 2, {{0, 0, 1, 0}, {1, 0, 0, 1}}, 2},
+    {"a line that ends on another", 4, {{0, 0, 1, 0}, {1, 0, 0, 1}, {0, 1, 0, 0}, {0.2, 0, 0.2, 0.8}}, 0},
+    {"... and just before it", 4, {{0, 0, 1, 0}, {1, 0, 0, 1}, {0, 1, 0, 0}, {0.2, 0, 0.2, 0.7999}}, 1},
+    {"a line over another in the same place leads nowhere", 2, {{0, 0, 1, 0}, {0, 0, 1, 0}}, 4},
+    {"the same, shorter", 2, {{0, 0, 1, 0}, {0, 0, 0.5, 0}}, 3},
+    {"one after another", 3, {{0, 0, 1, 0}, {1, 0, 2, 0}, {2, 0, 3, 0}}, 2},
+};
+
+static void test_by_hand(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof hand_cases / sizeof hand_cases[0]; i++) {
+        roberts_segment segment[6] = {{0}};
+        roberts_drawing drawing = {.count = hand_cases[i].lines, .segment = segment};
+        loose_end end[12];
+        size_t asked;
+        for (size_t k = 0; k < hand_cases[i].lines; k++) {
+            const double *l = hand_cases[i].line[k];
+            segment[k] = (roberts_segment){.p0 = {l[0], l[1]}, .p1 = {l[2], l[3]}, .line = ROBERTS_CREASE};
+        }
+        size_t loose = loose_ends_find(&drawing, end, 12, &asked);
+        if (loose != hand_cases[i].loose || asked != 2 * hand_cases[i].lines)
+            fail_msg("%s: %zu loose ends of %zu", hand_cases[i].name, loose, asked);
+    }
+}
+
+/* ---- models ---- */
+
+enum { FILES = 2000, NAME = 600, LARGEST_FILE = 3000000 /* bytes */, REPORTS = 12 };
+
+typedef struct tally {
+    size_t models, left_out, refused, ends, loose, bad_models;
+} tally;
+
+static const roberts_camera views[] = {
+    {.dir = {0.3172, -0.6451, 0.4093}},
+    {.dir = {-0.7331, 0.2719, 0.5237}},
+};
+
+static void walk_model(const char *path, tally *t)
+{
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    roberts_hide_options options = roberts_hide_options_default();
+    options.all_edges = true;
+    if (roberts_mesh_read_file(&mesh, path, NULL, NULL) != ROBERTS_OK ||
+        roberts_scene_build(&mesh, NULL, &scene, NULL) != ROBERTS_OK) {
+        t->refused++;
+        roberts_mesh_free(&mesh);
+        return;
+    }
+    t->models++;
+    size_t before = t->loose;
+    for (size_t v = 0; v < sizeof views / sizeof views[0]; v++) {
+        roberts_drawing drawing = {0};
+        loose_end end[4];
+        size_t asked;
+        assert_int_equal(roberts_hide(scene, &views[v], &options, &drawing, NULL), ROBERTS_OK);
+        size_t loose = loose_ends_find(&drawing, end, 4, &asked);
+        assert_true(loose != SIZE_MAX);
+        t->ends += asked;
+        t->loose += loose;
+        if (loose && t->bad_models < REPORTS) {
+            const roberts_segment *s = &drawing.segment[end[0].segment];
+            roberts_vec2 p = end[0].end ? s->p1 : s->p0;
+            uint32_t f[2];
+            roberts_segment_faces(scene, &drawing, s, f);
+            printf("%s: %zu of %zu ends are loose; the first at %.9g, %.9g: %s %ld-%ld, faces %ld and %ld, t %.9g\n"
+                   "  build/roberts --all-edges -f csv --dir=%.4f,%.4f,%.4f %s\n",
+                   path, loose, asked, p.x, p.y, s->line == ROBERTS_INTERSECTION ? "intersection" : "edge",
+                   s->v0 == ROBERTS_NONE ? -1L : (long)s->v0, s->v1 == ROBERTS_NONE ? -1L : (long)s->v1,
+                   f[0] == ROBERTS_NONE ? -1L : (long)f[0], f[1] == ROBERTS_NONE ? -1L : (long)f[1],
+                   end[0].end ? s->t1 : s->t0, views[v].dir.x, views[v].dir.y, views[v].dir.z, path);
+        }
+        roberts_drawing_free(&drawing);
+    }
+    t->bad_models += t->loose > before;
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+}
+
+/* Does the library find lines where faces cross at all? */
+static bool crossings_are_drawn(void)
+{
+    static const char text[] = "OFF\n8 2 0\n0 0 0 4 0 0 4 4 0 0 4 0 1 2 -1 3 2 -1 3 2 1 1 2 1\n4 0 1 2 3\n4 4 5 6 7\n";
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    roberts_drawing drawing = {0};
+    assert_int_equal(roberts_mesh_read_memory(&mesh, "squares", text, strlen(text), NULL, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_hide(scene, &views[0], NULL, &drawing, NULL), ROBERTS_OK);
+    bool drawn = drawing.crossing_count > 0;
+    roberts_drawing_free(&drawing);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+    return drawn;
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(a, b);
+}
+
+/* All models in a folder and in those below it. */
+static void walk_folder(const char *path, tally *t)
+{
+    char(*names)[NAME] = malloc(sizeof(char[FILES][NAME]));
+    size_t count = 0;
+    DIR *folder = opendir(path);
+    for (const struct dirent *entry; folder && names && count < FILES && (entry = readdir(folder));)
+        if (entry->d_name[0] != '.' && snprintf(names[count], NAME, "%s/%s", path, entry->d_name) < NAME)
+            count++;
+    if (folder)
+        closedir(folder);
+    if (names)
+        qsort(names, count, NAME, by_name);
+    for (size_t i = 0; i < count; i++) {
+        const char *ending = strrchr(names[i], '.');
+        struct stat about;
+        if (stat(names[i], &about) != 0)
+            continue;
+        if (S_ISDIR(about.st_mode))
+            walk_folder(names[i], t);
+        else if (ending && !strcmp(ending, ".off")) {
+            if (about.st_size > LARGEST_FILE)
+                t->left_out++;
+            else
+                walk_model(names[i], t);
+        }
+    }
+    free(names);
+}
+
+static void test_models(void **state)
+{
+    tally t = {0};
+    (void)state;
+    if (!crossings_are_drawn())
+        SKIP_BECAUSE("no lines are drawn where faces cross");
+    walk_folder("models", &t);
+    print_message("note: %zu ends of lines of %zu models in two views: %zu loose, of %zu models\n", t.ends, t.models,
+                  t.loose, t.bad_models);
+    assert_true(t.models > 50 && t.ends > 10000);
+    assert_int_equal(t.loose, 0);
+}
+
+static void test_published_models(void **state)
+{
+    const char *shared = getenv("ROBERTS_SHARED");
+    char path[NAME];
+    tally t = {0};
+    (void)state;
+    if (!crossings_are_drawn())
+        SKIP_BECAUSE("no lines are drawn where faces cross");
+    snprintf(path, sizeof path, "%s/models", shared && *shared ? shared : "../shared");
+    walk_folder(path, &t);
+    if (t.models == 0)
+        SKIP_BECAUSE("no models in %s", path);
+    print_message("note: %zu ends of lines of %zu published models in two views: %zu loose, of %zu models; left out: "
+                  "%zu large files, %zu without a model\n",
+                  t.ends, t.models, t.loose, t.bad_models, t.left_out, t.refused);
+    assert_int_equal(t.loose, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_by_hand),
+        cmocka_unit_test(test_models),
+        cmocka_unit_test(test_published_models),
+    };
+    return cmocka_run_group_tests_name("loose ends", tests, NULL, NULL);
+}
