@@ -326,7 +326,10 @@ typedef struct roberts_segment {
     /** Its ends in the picture, model units. Both ends of a clipped part are where it is cut (0,0 if the whole edge is
      * clipped). */
     roberts_vec2 p0, p1;
-    double z0, z1; /**< how near the viewer p0 and p1 are: greater is nearer; linear along the line in the picture */
+    /** How near the viewer p0 and p1 are, model units: greater is nearer, 0 is where p0 and p1 are counted from. Linear
+     * along the line in the picture: in perspective e / (1 - e / D), where the end is nearer than the look-at point by
+     * e, along the axis of sight, and the eye nearer by D. */
+    double z0, z1;
     uint8_t state; /**< roberts_state */
     uint8_t line;  /**< roberts_line */
     uint32_t edge; /**< number of the edge in the scene; of an intersection, its number in roberts_drawing.crossing */
@@ -386,6 +389,7 @@ typedef struct roberts_drawing {
                                        faces and edges) */
     size_t front_faces, back_faces, edge_on_faces;
     size_t edges, surviving_edges; /**< all; with a front face */
+    size_t seams;       /**< edges of which the union takes a part, or all, since bodies touch there or hold it */
     size_t drawn_edges; /**< of the surviving ones (of all, if hidden segments are kept) those that are not flatter than
                              the crease angle */
     roberts_tally tally;
@@ -399,6 +403,11 @@ typedef struct roberts_hide_options {
                                 than 30 degrees are not drawn (default: true) */
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
+    /** Draw all bodies as one. Edges of closed bodies keep the parts where the angle that the bodies fill together
+     * about the edge is neither nothing, nor all, nor exactly a half-plane: flush blocks lose their seam, and what is
+     * inside is gone. Where edges of several bodies lie on one another, that of the body of smallest number is drawn.
+     */
+    bool unite;
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
                            largest coordinate, and 2 float ulp of the largest one that came as a 32-bit float */
     uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
@@ -425,6 +434,11 @@ void roberts_drawing_free(roberts_drawing *drawing);
  * may be NULL for an intersection. */
 void roberts_segment_faces(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
                            uint32_t face[2]);
+
+/** Finds the ends of a segment in the model, at t0 and t1 of its line. `scene` and `drawing` as above. False, and no
+ * end is set, if there is no such line. */
+bool roberts_segment_ends(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
+                          roberts_vec3 end[2]);
 
 /** Receives one segment, valid during the call only; false stops the work. */
 typedef bool roberts_segment_fn(void *context, const roberts_segment *segment);
@@ -571,6 +585,7 @@ typedef struct roberts_verify_options {
     double crease_degrees; /**< as given to roberts_hide(): tells wholly hidden edges from those that are not drawn */
     bool crease_auto;      /**< as given to roberts_hide() (default: true) */
     bool all_edges;        /**< as given to roberts_hide() */
+    bool unite;            /**< as given to roberts_hide(); then only the parts of edges that are drawn are checked */
     uint32_t threads;      /**< 0 = one per processor; the result does not depend on it */
     roberts_contradiction_fn *contradiction; /**< NULL: count only */
     void *context;
@@ -699,6 +714,14 @@ typedef struct roberts_ink {
     double scale;          /**< mm on paper per model unit */
 } roberts_ink;
 
+/** Further columns of tables, after the usual ones. */
+typedef enum roberts_column {
+    ROBERTS_COLUMN_ENDS,  /**< X0,Y0,Z0,X1,Y1,Z1: roberts_segment_ends() */
+    ROBERTS_COLUMN_DEPTH, /**< z0,z1: how near the viewer the ends are, as in roberts_segment */
+    ROBERTS_COLUMN_NAME,  /**< name: that of the solid's group, roberts_scene_name() */
+    ROBERTS_COLUMNS       /**< how many there are */
+} roberts_column;
+
 /** Tells where an unfinished file is: called with its name just before it is created, and with NULL once it is renamed
  * or removed, so that an interrupted program can remove it. The name is valid between the two calls. What a killed
  * program leaves is removed when the same file is saved again. */
@@ -706,28 +729,30 @@ typedef void roberts_temporary_fn(void *context, const char *path);
 
 /** How a drawing is written. Start from roberts_draw_options_default() and change what you need. */
 typedef struct roberts_draw_options {
-    roberts_format format;           /**< default: ROBERTS_SVG */
-    roberts_hidden hidden;           /**< default: ROBERTS_HIDDEN_NONE */
-    roberts_page page;               /**< default: A4, upright, margins of 10 mm */
-    roberts_pen outline;             /**< default: 0.5 mm */
-    roberts_pen border;              /**< edges of one face; default: 0.5 mm */
-    roberts_pen crease;              /**< default: 0.35 mm */
-    roberts_pen intersection;        /**< where faces cross; default: 0.35 mm */
-    roberts_pen wire;                /**< edges of no face; default: 0.35 mm */
-    roberts_pen back;                /**< hidden lines; default: 0.25 mm, dashes of 12 and gaps of 3 widths (ISO 128) */
-    roberts_pen frame;               /**< along the margins, 5 mm from the drawing; if that is `framed`, where it is
-                                          cut off; default: off, 0.7 mm */
-    roberts_pen symbol;              /**< projection symbol of a sheet; default: 0.35 mm */
-    roberts_background background;   /**< default: off */
-    roberts_placement placement;     /**< default: fitted, in the middle */
-    roberts_order order;             /**< default: ROBERTS_ORDER_TRAVEL */
-    const roberts_scene *scene;      /**< tables: the drawing's scene, which knows the faces of edges; NULL: f0 and f1
-                                          of edges stay empty */
-    bool real_dashes;                /**< dashes as strokes, fitted to the line; default: as a pattern of it */
-    double dpi;                      /**< PNG: dots per inch; default: 150 */
-    const char *title, *description; /**< SVG: UTF-8; NULL: none */
-    roberts_ink *ink;                /**< NULL, or filled when a page is written */
-    roberts_temporary_fn *temporary; /**< NULL: not needed */
+    roberts_format format;         /**< default: ROBERTS_SVG */
+    roberts_hidden hidden;         /**< default: ROBERTS_HIDDEN_NONE */
+    roberts_page page;             /**< default: A4, upright, margins of 10 mm */
+    roberts_pen outline;           /**< default: 0.5 mm */
+    roberts_pen border;            /**< edges of one face; default: 0.5 mm */
+    roberts_pen crease;            /**< default: 0.35 mm */
+    roberts_pen intersection;      /**< where faces cross; default: 0.35 mm */
+    roberts_pen wire;              /**< edges of no face; default: 0.35 mm */
+    roberts_pen back;              /**< hidden lines; default: 0.25 mm, dashes of 12 and gaps of 3 widths (ISO 128) */
+    roberts_pen frame;             /**< along the margins, 5 mm from the drawing; if that is `framed`, where it is
+                                        cut off; default: off, 0.7 mm */
+    roberts_pen symbol;            /**< projection symbol of a sheet; default: 0.35 mm */
+    roberts_background background; /**< default: off */
+    roberts_placement placement;   /**< default: fitted, in the middle */
+    roberts_order order;           /**< default: ROBERTS_ORDER_TRAVEL */
+    const roberts_scene *scene;    /**< tables: the drawing's scene, which knows the faces and ends of edges, and
+                                        names; NULL: these fields stay empty */
+    size_t column_count;           /**< tables: how many further columns; default: 0 */
+    roberts_column column[ROBERTS_COLUMNS]; /**< [column_count] in this order, each once */
+    bool real_dashes;                       /**< dashes as strokes, fitted to the line; default: as a pattern of it */
+    double dpi;                             /**< PNG: dots per inch; default: 150 */
+    const char *title, *description;        /**< SVG: UTF-8; NULL: none */
+    roberts_ink *ink;                       /**< NULL, or filled when a page is written */
+    roberts_temporary_fn *temporary;        /**< NULL: not needed */
     void *temporary_context;
 } roberts_draw_options;
 

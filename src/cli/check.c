@@ -17,6 +17,11 @@
 
 enum { NAME_SIZE = 4096, LIST_SIZE = 512 };
 
+static bool is_table(roberts_format format)
+{
+    return format == ROBERTS_CSV || format == ROBERTS_JSON;
+}
+
 static bool has_page(roberts_format format)
 {
     return format != ROBERTS_CSV && format != ROBERTS_JSON && format != ROBERTS_NULL;
@@ -160,19 +165,19 @@ static bool is_dashed(const roberts_pen *pen)
     return pen->dash_mm > 0.0 && !pen->off;
 }
 
-/* Warns of page options where there is no page. */
-static void warn_paper(const cli_options *options, const options_given *given)
+/* Warns of options with a flag that do nothing, for this format `lacks` what they are about. */
+static void warn_useless(const cli_options *options, const options_given *given, unsigned flag, const char *lacks)
 {
     char list[LIST_SIZE];
     size_t found = 0, used = 0;
     for (size_t i = 0; i < given->table->count && used < LIST_SIZE; i++) {
         const option *o = &given->table->row[i];
-        if (given->row[i] && (o->flags & OPTION_PAPER))
+        if (given->row[i] && (o->flags & flag))
             used += (size_t)snprintf(list + used, LIST_SIZE - used, "%s--%s", found++ ? ", " : "", o->name);
     }
     if (found > 0)
-        fprintf(stderr, "roberts: warning: %s %s no effect: %s has no page\n", list, found > 1 ? "have" : "has",
-                values_format_name(options->draw.format));
+        fprintf(stderr, "roberts: warning: %s %s no effect: %s %s\n", list, found > 1 ? "have" : "has",
+                values_format_name(options->draw.format), lacks);
 }
 
 /* Warns of a pen for lines that are not drawn: something is `missing`, or (NULL) they are off. */
@@ -249,7 +254,9 @@ void check_warn(const cli_options *options, const options_given *given)
     if (has_page(options->draw.format))
         warn_pages(options, given);
     else
-        warn_paper(options, given);
+        warn_useless(options, given, OPTION_PAPER, "has no page");
+    if (!is_table(options->draw.format))
+        warn_useless(options, given, OPTION_TABLE, "is no table");
     if (isatty(STDIN_FILENO) && strcmp(options->input[0], "-") == 0)
         fputs(
             "roberts: reading the model from the terminal; ctrl-D ends it (roberts --help tells how to name a file)\n",

@@ -106,6 +106,17 @@ static const option rows[] = {
      .manual =
          "How hidden lines are drawn: none (the default), dashed or solid. In tables, dashed and solid keep them."},
     {.group = GROUP_OUTPUT,
+     .name = "columns",
+     .flags = OPTION_TABLE,
+     .value = "+NAME,...",
+     .words = values_columns,
+     .set = values_set_columns,
+     .brief = "further columns of tables",
+     .help = "further columns of tables, in this order: +ends (in the model), +depth (toward the viewer), +name (of "
+             "the group)",
+     .manual = "Further columns of tables, after the usual ones and in the order given: +ends, +depth, +name. OUTPUT "
+               "FORMATS says what they hold."},
+    {.group = GROUP_OUTPUT,
      .name = "crease",
      .flags = OPTION_DRAWS,
      .value = "DEGREES",
@@ -150,6 +161,21 @@ static const option rows[] = {
      .manual = "What belongs to a face that crosses itself, such as a pentagram. nonzero (the default): all that its "
                "border winds round. evenodd: what it winds round an odd number of times, which leaves the middle of a "
                "pentagram open."},
+    {.group = GROUP_OUTPUT,
+     .name = "union",
+     .flags = OPTION_DRAWS,
+     .set = values_set_flag,
+     TO(hide.unite),
+     .brief = "draw all bodies as one",
+     .help = "draw all closed bodies as one: no line where they touch flush or lie in one another",
+     .manual =
+         "Draws all closed bodies as one. Parts that are flush show no seam, what is inside of a body is not drawn, "
+         "also "
+         "not as a hidden line, and a line where two bodies meet has the class that it has in the whole: the foot of a "
+         "leg on a slab is a crease. Parts are flush if they are so within the touching distance (--epsilon) and what "
+         "their faces depart from their planes; models with six digits may need --epsilon. Open surfaces and wires are "
+         "drawn as without this option. Where edges of several bodies lie on one another, that of the body of smallest "
+         "number is drawn."},
     {.group = GROUP_OUTPUT,
      .name = "hull",
      .flags = OPTION_DRAWS,

@@ -69,6 +69,7 @@ typedef enum option_flags {
     OPTION_FOLDER = 32,  /* the value is a folder */
     OPTION_COLON = 64,   /* completions put a colon behind the words */
     OPTION_ALONE = 128,  /* the program does nothing else */
+    OPTION_TABLE = 256,  /* about tables: without effect on pages */
 } option_flags;
 
 typedef struct option option;

@@ -137,6 +137,39 @@ int values_set_hidden(const option *o, const char *value, cli_options *options)
     return status;
 }
 
+const char *const values_columns[] = {
+    [ROBERTS_COLUMN_ENDS] = "+ends",
+    [ROBERTS_COLUMN_DEPTH] = "+depth",
+    [ROBERTS_COLUMN_NAME] = "+name",
+    [ROBERTS_COLUMNS] = NULL,
+};
+
+/* One further column. */
+static int add_column(const option *o, const char *word, roberts_draw_options *draw)
+{
+    const size_t i = parse_find(word, o->words);
+    if (!o->words[i])
+        return hint_unknown("--columns", word, o->words, "with commas between several");
+    for (size_t k = 0; k < draw->column_count; k++)
+        if (draw->column[k] == (roberts_column)i)
+            return message_misuse("--columns: %s is there twice", word);
+    draw->column[draw->column_count++] = (roberts_column)i;
+    return EXIT_DONE;
+}
+
+int values_set_columns(const option *o, const char *value, cli_options *options)
+{
+    char word[64];
+    bool fits;
+    int status = EXIT_DONE;
+    options->draw.column_count = 0;
+    while (value && status == EXIT_DONE) {
+        value = parse_word(value, ',', word, sizeof word, &fits);
+        status = fits ? add_column(o, word, &options->draw) : message_misuse("--columns: \"%s...\" is too long", word);
+    }
+    return status;
+}
+
 int values_set_crease(const option *o, const char *value, cli_options *options)
 {
     options->hide.crease_auto = strcmp(value, "auto") == 0;

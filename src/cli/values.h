@@ -9,6 +9,7 @@ extern const char *const values_formats[];
 extern const char *const values_fill_rules[];
 extern const char *const values_sheets[];
 extern const char *const values_hidden[];
+extern const char *const values_columns[];
 extern const char *const values_pages[];
 extern const char *const values_scales[];
 extern const char *const values_units[];
@@ -32,9 +33,10 @@ option_set values_set_length;    /* double in mm, from o->least to o->most; may 
 option_set values_set_direction; /* roberts_vec3, not 0,0,0 */
 
 /* For one option each. */
-option_set values_set_format, values_set_sheet, values_set_hidden, values_set_crease, values_set_fill_rule,
-    values_set_page, values_set_scale, values_set_unit, values_set_align, values_set_frame, values_set_background,
-    values_set_dpi, values_set_style, values_set_dash, values_set_order, values_set_view, values_set_dir,
-    values_set_eye, values_set_look_at, values_set_fov, values_set_stats, values_set_verify, values_set_pick;
+option_set values_set_format, values_set_sheet, values_set_hidden, values_set_columns, values_set_crease,
+    values_set_fill_rule, values_set_page, values_set_scale, values_set_unit, values_set_align, values_set_frame,
+    values_set_background, values_set_dpi, values_set_style, values_set_dash, values_set_order, values_set_view,
+    values_set_dir, values_set_eye, values_set_look_at, values_set_fov, values_set_stats, values_set_verify,
+    values_set_pick;
 
 #endif

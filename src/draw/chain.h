@@ -86,8 +86,9 @@ typedef struct polylines {
 /* Longer polylines are cut: Cairo outlines each one as a whole, which takes 6 kB of memory for a point. */
 enum { CHAIN_POINTS_MAX = 5000 };
 
-/* Appends the pieces of one class as polylines, as few as possible. Ends within PIECE_TOUCH of each other are one
- * place. Where more than two pieces meet, the line goes on as straight as it can. False: no memory. */
+/* Appends the pieces of one class as polylines, so that no two of them end at one place. Ends within PIECE_TOUCH of
+ * each other are one place. Where more than two pieces meet, the line goes on as straight as it can. False: no memory.
+ */
 bool chain_pieces(const pieces *p, roberts_line line, polylines *out);
 
 /* The same in the order of the pieces. A polyline goes on with the next piece if that starts or ends where it ends. */

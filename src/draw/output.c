@@ -198,6 +198,24 @@ void output_integer(output *out, uint32_t n)
     output_bytes(out, text + at, sizeof text - at);
 }
 
+size_t output_character(const char *string)
+{
+    const unsigned char *text = (const unsigned char *)string;
+    static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    uint32_t code = text[0];
+    size_t length = code < 0x80 ? 1 : code < 0xc0 ? 0 : code < 0xe0 ? 2 : code < 0xf0 ? 3 : code < 0xf8 ? 4 : 0;
+    if (length > 1)
+        code &= 0x7fu >> length;
+    for (size_t i = 1; i < length; i++) {
+        if ((text[i] & 0xc0) != 0x80) /* the end of the text as well */
+            return 0;
+        code = code << 6 | (text[i] & 0x3f);
+    }
+    bool control = code < 0x20 && code != '\t' && code != '\n';
+    bool none = (code >= 0xd800 && code < 0xe000) || code == 0xfffe || code == 0xffff || code > 0x10ffff;
+    return length == 0 || code < least[length] || control || none ? 0 : length;
+}
+
 roberts_status output_finish(output *out, roberts_error *error)
 {
     flush(out);

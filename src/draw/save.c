@@ -113,6 +113,20 @@ static bool pens_are_valid(const roberts_draw_options *options)
     return true;
 }
 
+static bool columns_are_valid(const roberts_draw_options *options)
+{
+    if (options->column_count > ROBERTS_COLUMNS)
+        return false;
+    for (size_t i = 0; i < options->column_count; i++) {
+        if (options->column[i] < 0 || options->column[i] >= ROBERTS_COLUMNS)
+            return false;
+        for (size_t k = 0; k < i; k++)
+            if (options->column[k] == options->column[i])
+                return false;
+    }
+    return true;
+}
+
 static roberts_status check_options(const roberts_draw_options *options, roberts_error *error)
 {
     if (options->hidden < ROBERTS_HIDDEN_NONE || options->hidden > ROBERTS_HIDDEN_SOLID)
@@ -123,6 +137,8 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
             "a pen must be more than 0 and at most 1000 mm wide; dashes and gaps must be 0 to 1000 mm long");
     if (options->order < ROBERTS_ORDER_TRAVEL || options->order > ROBERTS_ORDER_NONE)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown order of strokes");
+    if (!columns_are_valid(options))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "an unknown column of tables, or one that is wanted twice");
     return page_is_valid(&options->page, error) ? ROBERTS_OK : ROBERTS_BAD_ARGUMENT;
 }
 
@@ -158,13 +174,12 @@ static roberts_status write_page(const subject *what, const roberts_draw_options
 static roberts_status write_table(const subject *what, const roberts_draw_options *options, output *out,
                                   roberts_error *error)
 {
-    bool with_hidden = options->hidden != ROBERTS_HIDDEN_NONE;
     if (what->sheet)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a table cannot hold a sheet of several views");
     if (options->format == ROBERTS_CSV)
-        table_write_csv(what->drawing, options->scene, with_hidden, out);
+        table_write_csv(what->drawing, options, out);
     else
-        table_write_json(what->drawing, options->scene, with_hidden, out);
+        table_write_json(what->drawing, options, out);
     return ROBERTS_OK;
 }
 

@@ -46,30 +46,12 @@ static void write_color(output *out, unsigned char red, unsigned char green, uns
 
 /* ---- text ---- */
 
-/* The length of the character at the start of `text`; 0 if XML does not allow it. */
-static size_t character_length(const unsigned char *text)
-{
-    static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-    uint32_t code = text[0];
-    size_t length = code < 0x80 ? 1 : code < 0xc0 ? 0 : code < 0xe0 ? 2 : code < 0xf0 ? 3 : code < 0xf8 ? 4 : 0;
-    if (length > 1)
-        code &= 0x7fu >> length;
-    for (size_t i = 1; i < length; i++) {
-        if ((text[i] & 0xc0) != 0x80) /* the end of the text as well */
-            return 0;
-        code = code << 6 | (text[i] & 0x3f);
-    }
-    bool control = code < 0x20 && code != '\t' && code != '\n';
-    bool none = (code >= 0xd800 && code < 0xe000) || code == 0xfffe || code == 0xffff || code > 0x10ffff;
-    return length == 0 || code < least[length] || control || none ? 0 : length;
-}
-
 /* Writes UTF-8 with <, > and & as entities. A byte that belongs to no character of XML 1.0, in its shortest form (RFC
  * 3629), becomes a question mark: a file's name may hold any bytes. */
 static void write_escaped(output *out, const char *text)
 {
     while (*text) {
-        size_t length = character_length((const unsigned char *)text);
+        size_t length = output_character(text);
         if (*text == '<' || *text == '>' || *text == '&')
             output_text(out, *text == '<' ? "&lt;" : *text == '>' ? "&gt;" : "&amp;");
         else if (length)

@@ -4,22 +4,102 @@
  * hides the row, v0 and v1 where the line is no edge, and f0 and f1 where the edge has no such face. */
 #include "draw/table.h"
 
-static const char *const column[] = {"body", "v0", "v1", "t0", "t1",    "state", "x0",
-                                     "y0",   "x1", "y1", "by", "class", "f0",    "f1"};
+#include <string.h>
 
-enum { COLUMNS = sizeof column / sizeof column[0], V0 = 1, T0 = 3, STATE = 5, BY = 10, CLASS = 11, F0 = 12 };
+/* The columns: first those that each table has, then those of roberts_column. */
+enum {
+    BODY,
+    V0,
+    V1,
+    T0,
+    T1,
+    STATE,
+    X0,
+    Y0,
+    X1,
+    Y1,
+    BY,
+    CLASS,
+    F0,
+    F1,
+    USUAL, /* so many has each table */
+    END_X0 = USUAL,
+    END_Y0,
+    END_Z0,
+    END_X1,
+    END_Y1,
+    END_Z1,
+    DEPTH0,
+    DEPTH1,
+    NAME,
+    COLUMNS
+};
 
-/* A row: a segment and the faces of its line. */
+static const char *const names[COLUMNS] = {
+    [BODY] = "body", [V0] = "v0",     [V1] = "v1",     [T0] = "t0",     [T1] = "t1",     [STATE] = "state",
+    [X0] = "x0",     [Y0] = "y0",     [X1] = "x1",     [Y1] = "y1",     [BY] = "by",     [CLASS] = "class",
+    [F0] = "f0",     [F1] = "f1",     [END_X0] = "X0", [END_Y0] = "Y0", [END_Z0] = "Z0", [END_X1] = "X1",
+    [END_Y1] = "Y1", [END_Z1] = "Z1", [DEPTH0] = "z0", [DEPTH1] = "z1", [NAME] = "name",
+};
+
+/* What a field may hold. */
+typedef enum field_kind { WHOLE, NUMBER, WORD, TEXT } field_kind;
+
+static const field_kind kinds[COLUMNS] = {
+    [BODY] = WHOLE,    [V0] = WHOLE,      [V1] = WHOLE,      [T0] = NUMBER,     [T1] = NUMBER,     [STATE] = WORD,
+    [X0] = NUMBER,     [Y0] = NUMBER,     [X1] = NUMBER,     [Y1] = NUMBER,     [BY] = WHOLE,      [CLASS] = WORD,
+    [F0] = WHOLE,      [F1] = WHOLE,      [END_X0] = NUMBER, [END_Y0] = NUMBER, [END_Z0] = NUMBER, [END_X1] = NUMBER,
+    [END_Y1] = NUMBER, [END_Z1] = NUMBER, [DEPTH0] = NUMBER, [DEPTH1] = NUMBER, [NAME] = TEXT,
+};
+
+/* The columns of each roberts_column. */
+static const struct {
+    uint8_t first, end;
+} further[ROBERTS_COLUMNS] = {
+    [ROBERTS_COLUMN_ENDS] = {END_X0, END_Z1 + 1},
+    [ROBERTS_COLUMN_DEPTH] = {DEPTH0, DEPTH1 + 1},
+    [ROBERTS_COLUMN_NAME] = {NAME, NAME + 1},
+};
+
+/* A table: its columns, from left to right. */
+typedef struct table {
+    const roberts_drawing *drawing;
+    const roberts_scene *scene; /* or NULL */
+    uint8_t column[COLUMNS];
+    int count;
+    bool wants_ends;
+} table;
+
+static table table_of(const roberts_drawing *drawing, const roberts_draw_options *options)
+{
+    table t = {.drawing = drawing, .scene = options->scene};
+    for (; t.count < USUAL; t.count++)
+        t.column[t.count] = (uint8_t)t.count;
+    for (size_t k = 0; k < options->column_count; k++) {
+        for (uint8_t i = further[options->column[k]].first; i < further[options->column[k]].end; i++)
+            t.column[t.count++] = i;
+        t.wants_ends = t.wants_ends || options->column[k] == ROBERTS_COLUMN_ENDS;
+    }
+    return t;
+}
+
+/* ---- rows ---- */
+
+/* A row: a segment, and what the scene knows of it. */
 typedef struct row {
+    const table *of;
     const roberts_segment *s;
     uint32_t face[2];
+    bool has_ends;
+    roberts_vec3 end[2];
 } row;
 
-static row row_of(const roberts_drawing *drawing, const roberts_scene *scene, const roberts_segment *s)
+static row row_of(const table *t, const roberts_segment *s)
 {
-    row r = {s, {ROBERTS_NONE, ROBERTS_NONE}};
-    if (scene || s->line == ROBERTS_INTERSECTION)
-        roberts_segment_faces(scene, drawing, s, r.face);
+    row r = {t, s, {ROBERTS_NONE, ROBERTS_NONE}, false, {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}};
+    if (t->scene || s->line == ROBERTS_INTERSECTION)
+        roberts_segment_faces(t->scene, t->drawing, s, r.face);
+    r.has_ends = t->wants_ends && roberts_segment_ends(t->scene, t->drawing, s, r.end);
     return r;
 }
 
@@ -52,94 +132,170 @@ static const char *class_name(uint8_t line)
     }
 }
 
+/* ROBERTS_NONE: the field is empty. */
+static uint32_t whole_number(const row *r, int column)
+{
+    switch (column) {
+    case BODY:
+        return r->s->solid;
+    case V0:
+        return r->s->v0;
+    case V1:
+        return r->s->v1;
+    case BY:
+        return r->s->by;
+    default:
+        return r->face[column - F0];
+    }
+}
+
+static double number(const row *r, int column)
+{
+    const roberts_segment *s = r->s;
+    const double usual[] = {s->t0, s->t1, 0.0 /* no number: the state */, s->p0.x, s->p0.y, s->p1.x, s->p1.y};
+    if (column < USUAL)
+        return usual[column - T0];
+    const roberts_vec3 a = r->end[0], b = r->end[1];
+    const double rest[] = {a.x, a.y, a.z, b.x, b.y, b.z, s->z0, s->z1};
+    return rest[column - END_X0];
+}
+
+static const char *word(const row *r, int column)
+{
+    return column == STATE ? state_name(r->s->state) : class_name(r->s->line);
+}
+
+/* "": there is none. */
+static const char *name(const row *r)
+{
+    return r->of->scene ? roberts_scene_name(r->of->scene, r->s->solid) : "";
+}
+
+/* Writes a field that is no text; `empty` where it holds nothing. */
+static void write_field(const row *r, int column, const char *empty, output *out)
+{
+    uint32_t whole;
+    switch (kinds[column]) {
+    case WHOLE:
+        whole = whole_number(r, column);
+        whole == ROBERTS_NONE &&column != BODY ? output_text(out, empty) : output_integer(out, whole);
+        break;
+    case NUMBER:
+        column >= END_X0 &&column <= END_Z1 && !r->has_ends ? output_text(out, empty)
+                                                            : output_number(out, number(r, column));
+        break;
+    default:
+        output_text(out, word(r, column));
+    }
+}
+
 static bool is_listed(const roberts_segment *s, bool with_hidden)
 {
     return s->state == ROBERTS_VISIBLE || with_hidden;
 }
 
-/* Whether column i holds whole numbers; all other columns but the words hold numbers with decimals. */
-static bool is_whole(int i)
+/* ---- CSV ---- */
+
+/* With quotes where commas, quotes or line ends need them (RFC 4180). The bytes are those of the input. */
+static void write_csv_text(const char *text, output *out)
 {
-    return i < T0 || i == BY || i >= F0;
+    if (!strpbrk(text, ",\"\r\n")) {
+        output_text(out, text);
+        return;
+    }
+    output_bytes(out, "\"", 1);
+    for (; *text; text++)
+        output_bytes(out, *text == '"' ? "\"\"" : text, *text == '"' ? 2 : 1);
+    output_bytes(out, "\"", 1);
 }
 
-/* The number in such a column; ROBERTS_NONE: empty. */
-static uint32_t whole_number(const row *r, int i)
+static void write_csv_row(const row *r, output *out)
 {
-    const uint32_t early[] = {r->s->solid, r->s->v0, r->s->v1};
-    return i < T0 ? early[i] : i == BY ? r->s->by : r->face[i - F0];
-}
-
-static bool is_word(int i)
-{
-    return i == STATE || i == CLASS;
-}
-
-static bool is_empty(const row *r, int i)
-{
-    return i >= V0 && is_whole(i) && whole_number(r, i) == ROBERTS_NONE;
-}
-
-static void write_field(const row *r, int i, output *out)
-{
-    const roberts_segment *s = r->s;
-    const double number[] = {s->t0, s->t1, 0.0 /* no number: the state */, s->p0.x, s->p0.y, s->p1.x, s->p1.y};
-    if (is_whole(i))
-        output_integer(out, whole_number(r, i));
-    else if (is_word(i))
-        output_text(out, i == STATE ? state_name(s->state) : class_name(s->line));
-    else
-        output_number(out, number[i - T0]);
-}
-
-void table_write_csv(const roberts_drawing *drawing, const roberts_scene *scene, bool with_hidden, output *out)
-{
-    for (int i = 0; i < COLUMNS; i++) {
-        output_text(out, i ? "," : "");
-        output_text(out, column[i]);
+    for (int i = 0; i < r->of->count; i++) {
+        int column = r->of->column[i];
+        if (i)
+            output_bytes(out, ",", 1);
+        if (kinds[column] == TEXT)
+            write_csv_text(name(r), out);
+        else
+            write_field(r, column, "", out);
     }
     output_bytes(out, "\n", 1);
-    for (size_t n = 0; n < drawing->count; n++) {
-        const roberts_segment *s = &drawing->segment[n];
-        if (!is_listed(s, with_hidden))
-            continue;
-        const row r = row_of(drawing, scene, s);
-        for (int i = 0; i < COLUMNS; i++) {
-            if (i)
-                output_bytes(out, ",", 1);
-            if (!is_empty(&r, i))
-                write_field(&r, i, out);
-        }
-        output_bytes(out, "\n", 1);
-    }
 }
 
-static void write_member(const row *r, int i, output *out)
+void table_write_csv(const roberts_drawing *drawing, const roberts_draw_options *options, output *out)
 {
-    output_text(out, i ? ",\"" : "\"");
-    output_text(out, column[i]);
-    output_text(out, is_word(i) ? "\":\"" : "\":");
-    if (is_empty(r, i))
+    const table t = table_of(drawing, options);
+    for (int i = 0; i < t.count; i++) {
+        output_text(out, i ? "," : "");
+        output_text(out, names[t.column[i]]);
+    }
+    output_bytes(out, "\n", 1);
+    for (size_t n = 0; n < drawing->count; n++)
+        if (is_listed(&drawing->segment[n], options->hidden != ROBERTS_HIDDEN_NONE)) {
+            const row r = row_of(&t, &drawing->segment[n]);
+            write_csv_row(&r, out);
+        }
+}
+
+/* ---- JSON ---- */
+
+/* As a string of JSON (RFC 8259); null where there is none. A byte that belongs to no character of UTF-8 becomes
+ * U+FFFD. */
+static void write_json_text(const char *text, output *out)
+{
+    static const char hex[] = "0123456789abcdef";
+    if (!*text) {
         output_text(out, "null");
+        return;
+    }
+    output_bytes(out, "\"", 1);
+    while (*text) {
+        size_t length = output_character(text);
+        if (*text == '"' || *text == '\\') {
+            output_bytes(out, "\\", 1);
+            output_bytes(out, text, 1);
+        } else if ((unsigned char)*text < 0x20) {
+            output_text(out, *text < 0x10 ? "\\u000" : "\\u001");
+            output_bytes(out, &hex[*text & 15], 1);
+        } else if (length) {
+            output_bytes(out, text, length);
+        } else {
+            output_text(out, "\\ufffd");
+        }
+        text += length ? length : 1;
+    }
+    output_bytes(out, "\"", 1);
+}
+
+static void write_json_member(const row *r, int i, output *out)
+{
+    int column = r->of->column[i];
+    bool is_word = kinds[column] == WORD;
+    output_text(out, i ? ",\"" : "\"");
+    output_text(out, names[column]);
+    output_text(out, is_word ? "\":\"" : "\":");
+    if (kinds[column] == TEXT)
+        write_json_text(name(r), out);
     else
-        write_field(r, i, out);
-    if (is_word(i))
+        write_field(r, column, "null", out);
+    if (is_word)
         output_bytes(out, "\"", 1);
 }
 
-void table_write_json(const roberts_drawing *drawing, const roberts_scene *scene, bool with_hidden, output *out)
+void table_write_json(const roberts_drawing *drawing, const roberts_draw_options *options, output *out)
 {
+    const table t = table_of(drawing, options);
     bool first = true;
     output_text(out, "[");
     for (size_t n = 0; n < drawing->count; n++) {
-        const roberts_segment *s = &drawing->segment[n];
-        if (!is_listed(s, with_hidden))
+        if (!is_listed(&drawing->segment[n], options->hidden != ROBERTS_HIDDEN_NONE))
             continue;
         output_text(out, first ? "\n{" : ",\n{");
         first = false;
-        const row r = row_of(drawing, scene, s);
-        for (int i = 0; i < COLUMNS; i++)
-            write_member(&r, i, out);
+        const row r = row_of(&t, &drawing->segment[n]);
+        for (int i = 0; i < t.count; i++)
+            write_json_member(&r, i, out);
         output_text(out, "}");
     }
     output_text(out, first ? "]\n" : "\n]\n");

@@ -4,9 +4,10 @@
 
 #include "draw/output.h"
 
-/* Writes one row per segment, in the drawing's order; without `with_hidden` only visible segments. `scene`: of
- * the drawing, or NULL, which leaves f0 and f1 of edges empty. The caller finishes `out`. */
-void table_write_csv(const roberts_drawing *drawing, const roberts_scene *scene, bool with_hidden, output *out);
-void table_write_json(const roberts_drawing *drawing, const roberts_scene *scene, bool with_hidden, output *out);
+/* Writes one row per segment, in the drawing's order; only visible segments, unless hidden ones are wanted. Of
+ * `options` only the scene, the further columns and `hidden` count; they have been checked. The caller finishes `out`.
+ */
+void table_write_csv(const roberts_drawing *drawing, const roberts_draw_options *options, output *out);
+void table_write_json(const roberts_drawing *drawing, const roberts_draw_options *options, output *out);
 
 #endif

@@ -145,7 +145,7 @@ static void set_frame(const some *s, bundle_node *n)
 }
 
 /* Takes in a face. Its plane may be off by `touch - limit` at the far end of the scene, or by half of `touch` where
- * that says nothing (see front_set_trust() in front.c). */
+ * that says nothing (see set_trust() in front.c). */
 static void take_in(const some *s, bundle_node *n, const hide_face *F)
 {
     double m = hide_margin(s->space), uncertain = greater(0.5 * F->touch, F->touch - (double)F->limit);

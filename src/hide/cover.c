@@ -186,7 +186,7 @@ static bool hides_solid(const hide_fronts *fronts, const hide_front *front, uint
     if (slack < 0.0 && runs_of(&fronts->outline_runs, corner, front->corners))
         return false; /* runs are not asked about points inside */
     for (uint32_t v = scene->solid[solid].vertex; v < scene->solid[solid + 1].vertex; v++) {
-        roberts_vec3 X = view_point(&fronts->view, scene->point[v]);
+        roberts_vec3 X = view_point(&fronts->seen->view, scene->point[v]);
         if (!hide_polygon_holds(fronts, &fronts->outline_runs, corner, front->corners, (roberts_vec2){X.x, X.y}, slack))
             return false;
     }

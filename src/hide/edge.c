@@ -20,10 +20,12 @@
 /* When so many fronts have met a group of lines, most of what the next ones hide is hidden already. */
 #define MANY_FRONTS 6
 
-bool hide_worker_more(hide_worker *w)
+bool hide_worker_reserve(hide_worker *w, size_t lines)
 {
     size_t room = w->line_room;
-    if (!array_grow(&w->line, &w->line_room, w->line_count + 1, sizeof *w->line))
+    if (lines <= room)
+        return true;
+    if (!array_grow(&w->line, &w->line_room, lines, sizeof *w->line))
         return false;
     memset(w->line + room, 0, (w->line_room - room) * sizeof *w->line);
     return true;
@@ -37,7 +39,33 @@ bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *gr
     w->seen = alloc_zeroed(fronts->front_count, sizeof *w->seen);
     /* More, so that it lies apart from what other threads write; and a line at least: where there is none, its array
      * can be pointed into. */
-    return w->seen && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) && hide_worker_more(w);
+    return w->seen && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) && hide_worker_reserve(w, 1);
+}
+
+static roberts_vec3 end_point(const hide_fronts *fronts, const seen_line *line, int k)
+{
+    if (line->v[k] != ROBERTS_NONE)
+        return fronts->P[line->v[k]];
+    return view_point(&fronts->seen->view, vec3_add(line->end[k].point, line->end[k].low));
+}
+
+BITS_RARE void hide_set_ends(const hide_fronts *fronts, const seen_line *line, hide_edge *e)
+{
+    e->A = end_point(fronts, line, 0);
+    e->B = end_point(fronts, line, 1);
+}
+
+void hide_worker_add_taken(hide_worker *w, hide_line *line)
+{
+    size_t n = w->line_count++;
+    line->e = (hide_edge){.a = ROBERTS_NONE, .b = ROBERTS_NONE};
+    line->intervals.count = line->hulls.count = 0;
+    line->hidden = true;
+    if (n < HIDE_GROUP) {
+        hide_lanes *l = &w->lanes;
+        l->x0[n] = l->y0[n] = l->z0[n] = INFINITY;
+        l->x1[n] = l->y1[n] = l->z1[n] = -INFINITY;
+    }
 }
 
 void hide_worker_free(hide_worker *w)
@@ -97,16 +125,6 @@ static void shrink(hide_worker *w, size_t n, const hide_interval *hidden)
         l->z0[n] = hide_float_below(P.z - w->margin);
 }
 
-/* Is it a front of the line's own faces? */
-static bool is_own(const hide_worker *w, const hide_line *line, const hide_front *front)
-{
-    const scene_surface *surface = w->fronts->scene->surface;
-    bool own = line->own[0] == front->plane || line->own[1] == front->plane;
-    for (uint32_t k = line->many ? line->many->first : 0; line->many && k < line->many->end && !own; k++)
-        own = surface->plane_of[surface->many_face[k] & ~MANY_TURNED] == front->plane;
-    return own;
-}
-
 /* (Q - P) x (X - P), of the picture: > 0 where X is on the left of P -> Q. */
 static double left_of(roberts_vec3 P, roberts_vec3 Q, roberts_vec3 X)
 {
@@ -119,7 +137,7 @@ static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, cons
 {
     uint32_t at = F->count;
     for (uint32_t i = 0; i < F->count; i++)
-        if (F->corner[i] == e->a || F->corner[i] == e->b) {
+        if (F->corner[i] == e->a || F->corner[i] == e->b) { /* never ROBERTS_NONE */
             if (at < F->count)
                 return false;
             at = i;
@@ -131,15 +149,17 @@ static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, cons
     return left_of(V, after, X) < -fronts->space.plain || left_of(V, X, before) < -fronts->space.plain;
 }
 
-/* Leaves out the lines, given by bits from `first` on, whose own face the front is, and those that only touch it at a
- * corner. */
+/* Leaves out the lines, given by bits from `first` on, that own the front. Leaves out those too that only touch a face
+ * of a surface at a corner. */
 static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *first, uint64_t bits,
                                        const hide_front *front)
 {
     uint64_t left = bits;
+    bool surface = front->kind == HIDE_SURFACE_FACE;
     for (; bits; bits &= bits - 1) {
         const hide_line *line = first + bits_trailing_zeros(bits);
-        if (is_own(w, line, front) || leaves_at_corner(w->fronts, &line->e, w->fronts->face + front->face))
+        if (seen_owns(w->fronts->scene, &line->is.own, front->own) ||
+            (surface && leaves_at_corner(w->fronts, &line->e, w->fronts->face + front->face)))
             left &= ~(bits & -bits);
     }
     return left;
@@ -201,7 +221,6 @@ static inline bool apart(const hide_box *box, four least, four most)
 
 /* Lines that go through cells together: one alone, or all of a group. */
 typedef struct party {
-    uint32_t solid;      /* whose edges they are; ROBERTS_NONE: of a body that is not convex */
     hide_line *first;    /* the line, or the group's first */
     bool alone;          /* else each line of the group has its box in hide_worker.lanes */
     const hide_box *box; /* of all of them; where a line is alone, it is not asked about depth */
@@ -217,9 +236,9 @@ BITS_INLINE bool meet_once(hide_worker *w, const party *p, uint32_t front)
     bool hull = w->grid->next && w->fronts->front[front].kind == HIDE_SOLID_FACE;
     const hide_lanes *lanes = hull ? &w->whole : &w->lanes;
     uint64_t bits = p->alone ? 1 : met_by(lanes, w->line_count, &w->fronts->front_box[front]);
-    if (p->solid == ROBERTS_NONE && w->fronts->front[front].kind == HIDE_SURFACE_FACE)
+    if (w->own == ROBERTS_NONE)
         bits = not_left_out(w, p->first, bits, &w->fronts->front[front]);
-    return !bits || w->fronts->front[front].solid == p->solid || meet(w, p->first, bits, p->box, front);
+    return !bits || w->fronts->front[front].own == w->own || meet(w, p->first, bits, p->box, front);
 }
 
 /* The same, where its box reaches theirs. */
@@ -260,7 +279,7 @@ static bool meet_forward(hide_worker *w, const party *p, uint32_t k, uint32_t en
     const objet *grid = w->grid;
     const hide_fronts *fronts = w->fronts;
     for (uint32_t next; k < end; k = next) {
-        if (grid->next && fronts->front[grid->entry[k].front].solid == p->solid) {
+        if (grid->next && fronts->front[grid->entry[k].front].own == w->own) {
             next = grid->next[k];
             continue;
         }
@@ -316,7 +335,7 @@ static void next_stamp(hide_worker *w)
 }
 
 /* One edge through the cells that it crosses. */
-static bool run_alone(hide_worker *w, uint32_t solid, hide_line *line)
+static bool run_alone(hide_worker *w, hide_line *line)
 {
     const hide_edge *e = &line->e;
     if (line->hidden)
@@ -327,7 +346,7 @@ static bool run_alone(hide_worker *w, uint32_t solid, hide_line *line)
     if (!objet_cells(w->grid, e->A, e->B, &w->walk))
         return false;
     hide_box box = hide_edge_box(e, w->margin);
-    party p = {.solid = solid, .first = line, .alone = true, .box = &box};
+    party p = {.first = line, .alone = true, .box = &box};
     set_reach(w, &box);
     for (size_t i = 0; w->live && i < w->walk.count; i++) {
         objet_stretch s = w->walk.item[i];
@@ -339,7 +358,7 @@ static bool run_alone(hide_worker *w, uint32_t solid, hide_line *line)
 }
 
 /* All edges through the cells of their common box. */
-static bool run_together(hide_worker *w, uint32_t solid, uint32_t left, uint32_t right, uint32_t low, uint32_t high)
+static bool run_together(hide_worker *w, uint32_t left, uint32_t right, uint32_t low, uint32_t high)
 {
     w->live = w->met = 0;
     w->shrinks = !w->all;
@@ -351,7 +370,7 @@ static bool run_together(hide_worker *w, uint32_t solid, uint32_t left, uint32_t
     if (w->grid->next)
         w->whole = w->lanes;
     next_stamp(w);
-    party p = {.solid = solid, .first = w->line, .box = &w->box};
+    party p = {.first = w->line, .box = &w->box};
     set_reach(w, &w->box);
     for (uint32_t i = left; w->live && i <= right; i++)
         for (uint32_t j = low; j <= high; j++)
@@ -379,7 +398,7 @@ static void box_lines(hide_worker *w)
 }
 
 /* By the way that costs less. */
-static bool run_lines(hide_worker *w, uint32_t solid)
+static bool run_lines(hide_worker *w)
 {
     const scan_frame *f = &w->grid->frame;
     if (w->line_count <= HIDE_GROUP) {
@@ -387,10 +406,10 @@ static bool run_lines(hide_worker *w, uint32_t solid)
         uint32_t left = scan_column(f, (double)w->box.x0), right = scan_column(f, (double)w->box.x1);
         uint32_t low = scan_row(f, (double)w->box.y0), high = scan_row(f, (double)w->box.y1);
         if (right - left < GROUP_CELLS && high - low < GROUP_CELLS)
-            return run_together(w, solid, left, right, low, high);
+            return run_together(w, left, right, low, high);
     }
     for (size_t i = 0; i < w->line_count; i++)
-        if (!run_alone(w, solid, &w->line[i]))
+        if (!run_alone(w, &w->line[i]))
             return false;
     return true;
 }
@@ -405,11 +424,11 @@ static BITS_RARE bool add_hulls(hide_line *line)
     return true;
 }
 
-bool hide_worker_run(hide_worker *w, uint32_t solid)
+bool hide_worker_run(hide_worker *w)
 {
     /* Nothing else could hide them; and a fan of a million triangles lists all of them in the cell of its tip. */
-    bool alone = w->fronts->scene->solid_count == 1 && solid != ROBERTS_NONE;
-    if (w->line_count > 0 && !alone && !run_lines(w, solid))
+    bool alone = w->fronts->scene->solid_count == 1 && w->own != ROBERTS_NONE;
+    if (w->line_count > 0 && !alone && !run_lines(w))
         return false;
     for (hide_line *line = w->line, *end = line + w->line_count; line < end; line++) {
         if (line->hulls.count > 0 && !add_hulls(line))

@@ -1,4 +1,4 @@
-/* edge.h - edges through the grid: what hides them, and whom the viewer sees there instead. */
+/* edge.h - lines through the grid: what hides them, and whom the viewer sees there instead. */
 #ifndef ROBERTS_HIDE_EDGE_H
 #define ROBERTS_HIDE_EDGE_H
 
@@ -7,20 +7,16 @@
 #include "hide/front_test.h"
 #include "hide/intervals.h"
 
-/* A solid of more edges than this is taken edge by edge. A multiple of 4. */
+/* Of more lines than this each is taken alone. A multiple of 4. */
 #define HIDE_GROUP 64
 
-/* An edge at work. */
+/* A line at work. */
 typedef struct hide_line {
     hide_edge e;
     hide_intervals intervals; /* hidden so far */
     hide_intervals hulls;     /* ... by solids entered face by face: one interval for each of them */
     bool hidden;              /* wholly: nothing more need be asked */
-    uint32_t edge;            /* of the scene */
-    /* Of a body that is not convex: the planes of its own faces (scene_surface.plane_of; ROBERTS_NONE: none), or of
-     * more than two all that are listed. */
-    uint32_t own[2];
-    const scene_many *many;
+    seen_line is;
 } hide_line;
 
 /* Boxes of a group's lines, rounded outward, side by side; one that is wholly hidden begins at infinity, and so do
@@ -36,7 +32,7 @@ typedef struct hide_worker {
     hide_sides sides;
     objet_walk walk;
     double margin;   /* hide_margin() */
-    hide_line *line; /* [line_count] the edges at work, all of one solid; those beyond keep their memory */
+    hide_line *line; /* [line_count] the lines at work; those beyond keep their memory */
     size_t line_count, line_room;
     hide_box box;            /* of all of them, if they are no more than a group */
     hide_lanes lanes;        /* of the first of them; they shrink with what is hidden of a line */
@@ -47,6 +43,8 @@ typedef struct hide_worker {
     bool shrinks;            /* the boxes of the lines at work shrink with what is hidden of them */
     uint32_t met;            /* fronts that met the group at work, where lines shrink */
     size_t live;             /* lines of the group at work that are not wholly hidden */
+    uint32_t own;            /* the one key of own faces of all lines, where it is that of a convex body; ROBERTS_NONE:
+                                each line is asked for its own */
     /* [front_count] the last group of edges that met the front, by its stamp. Short, so that more of it stays in the
      * cache. */
     uint16_t *seen;
@@ -59,13 +57,14 @@ typedef struct hide_worker {
 bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *grid, bool all);
 void hide_worker_free(hide_worker *w);
 
-/* Room for one more line. */
-bool hide_worker_more(hide_worker *w);
+/* Room for so many lines. False: no memory. */
+bool hide_worker_reserve(hide_worker *w, size_t lines);
 
-/* Begins a solid. */
-static inline void hide_worker_begin(hide_worker *w)
+/* Begins with no lines. own: see hide_worker. */
+static inline void hide_worker_begin(hide_worker *w, uint32_t own)
 {
     w->line_count = 0;
+    w->own = own;
 }
 
 /* The edge's box, rounded outward. */
@@ -81,19 +80,24 @@ BITS_INLINE hide_box hide_edge_box(const hide_edge *e, double margin)
     return box;
 }
 
-/* Takes up one more edge of the scene, which is stored with its solid as `from`; `first`: the solid's first vertex.
- * NULL: no memory. */
-BITS_INLINE hide_line *hide_worker_add(hide_worker *w, uint32_t edge, const scene_edge *from, uint32_t first)
+/* Sets the view points of a line with a computed end. */
+void hide_set_ends(const hide_fronts *fronts, const seen_line *line, hide_edge *e);
+
+/* Takes up a line, which is w->line + w->line_count and has its `is`. */
+BITS_INLINE void hide_worker_add(hide_worker *w, hide_line *line)
 {
-    size_t n = w->line_count;
-    if (n == w->line_room && !hide_worker_more(w))
-        return NULL;
-    hide_line *line = &w->line[w->line_count++];
+    size_t n = w->line_count++;
+    const seen_line *is = &line->is;
     hide_edge *e = &line->e;
-    e->a = first + from->v[0];
-    e->b = first + from->v[1];
-    e->A = w->fronts->P[e->a];
-    e->B = w->fronts->P[e->b];
+    e->a = is->v[0];
+    e->b = is->v[1];
+    e->end = is->end;
+    if (is->end) {
+        hide_set_ends(w->fronts, is, e);
+    } else {
+        e->A = w->fronts->P[e->a];
+        e->B = w->fronts->P[e->b];
+    }
     roberts_vec3 AB = vec3_sub(e->B, e->A);
     e->length = sqrt(AB.x * AB.x + AB.y * AB.y);
     e->length3 = vec3_length(AB);
@@ -108,13 +112,14 @@ BITS_INLINE hide_line *hide_worker_add(hide_worker *w, uint32_t edge, const scen
     }
     line->intervals.count = line->hulls.count = 0;
     line->hidden = false;
-    line->edge = edge;
-    return line;
 }
 
-/* Finds what the other solids hide of the lines taken up, edges of `solid` (ROBERTS_NONE: of a body that is not convex;
- * what hides them are all faces but their own): their parts ascend and are disjoint. False: no memory. */
-bool hide_worker_run(hide_worker *w, uint32_t solid);
+/* The same of a line that the near plane has taken: it has no ends, and nothing is asked of it. */
+void hide_worker_add_taken(hide_worker *w, hide_line *line);
+
+/* Finds what hides the lines taken up: all fronts but those of their own faces. Hidden parts ascend and are disjoint.
+ * False: no memory. */
+bool hide_worker_run(hide_worker *w);
 
 /* The solid seen at picture point (x, y), the one of smallest number where several touch there; ROBERTS_NONE where no
  * front face is. */

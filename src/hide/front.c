@@ -27,12 +27,16 @@ static double box_size(const hide_box *box)
     return (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0) + (double)(box->z1 - box->z0);
 }
 
-/* The departure of a face that is not narrow is left out of the reach. All that is asked of its plane beyond the face
+/* Says how far a distance from the face's plane can be trusted: `touch` within the reach that is returned, `limit`
+ * anywhere. The plane of a face of width w is known to about its rounding (and the face's own departure from it) at the
+ * face, and to that times r / w at a distance r.
+ *
+ * The departure of a face that is not narrow is left out of the reach. All that is asked of its plane beyond the face
  * is whether what lies behind its solid lies behind the plane, and a sight line only gets deeper behind both. So the
  * plane need only hold for the solid itself, and that it does, to about the departure. */
-double front_set_trust(const hide_fronts *fronts, uint32_t solid, uint32_t face, double stretch, hide_face *f)
+static double set_trust(const hide_fronts *fronts, uint32_t solid, uint32_t face, double stretch, hide_face *f)
 {
-    const view *v = &fronts->view;
+    const view *v = &fronts->seen->view;
     f->departure = 0.0f;
     double departure = scene_deviation(fronts->scene, face) * v->per_unit;
     double width = scene_width(fronts->scene, face) * v->per_unit, rounded = 0.0;
@@ -65,22 +69,20 @@ static front_faces find_faces(hide_fronts *fronts, front_tile *tile, uint32_t so
     uint32_t end = scene->solid[solid + 1].face;
     front_faces found = {.face = fronts->face + tile->face, .reach = INFINITY, .steepest = 1.0};
     for (uint32_t face = scene->solid[solid].face; face < end; face++) {
-        double stretch = 1.0;
-        plane F;
-        int facing = view_face(&fronts->view, scene, face, fronts->P, &F, &stretch);
-        fronts->facing[face] = (unsigned char)facing;
+        seen_face look;
+        int facing = seen_front_face(fronts->seen, face, &look);
         if (facing != VIEW_FRONT) {
             found.back += facing == VIEW_BACK;
             found.edge_on += facing == VIEW_EDGE_ON;
             continue;
         }
         hide_face *f = &found.face[found.count++];
-        f->F = F;
-        f->corner = scene->corner + scene->face_start[face];
-        f->count = scene->face_start[face + 1] - scene->face_start[face];
-        found.reach = lesser(found.reach, front_set_trust(fronts, solid, face, stretch, f));
+        f->F = look.F;
+        f->corner = look.corner;
+        f->count = look.count;
+        found.reach = lesser(found.reach, set_trust(fronts, solid, face, look.stretch, f));
         found.touch = greater(found.touch, f->touch);
-        found.steepest = lesser(found.steepest, -F.c);
+        found.steepest = lesser(found.steepest, -f->F.c);
         tile->most_corners = f->count > tile->most_corners ? f->count : tile->most_corners;
     }
     return found;
@@ -117,7 +119,8 @@ static bool is_bundle(const hide_fronts *fronts, const front_faces *found, const
     return area > DEPTH_OF_BUNDLE * width * height;
 }
 
-bool front_more_singles(front_tile *tile, size_t more)
+/* Room for `more` fronts of one face. False: no memory. */
+static bool more_singles(front_tile *tile, size_t more)
 {
     size_t need = tile->single_count + more;
     return array_reserve(&tile->single, &tile->single_room, need, sizeof *tile->single) &&
@@ -127,13 +130,48 @@ bool front_more_singles(front_tile *tile, size_t more)
 /* Each of the faces as a front of its own. */
 static bool add_single_fronts(const hide_fronts *fronts, front_tile *tile, uint32_t solid, const front_faces *found)
 {
-    if (!front_more_singles(tile, found->count))
+    if (!more_singles(tile, found->count))
         return false;
     for (uint32_t k = 0; k < found->count; k++) {
         hide_bounds own = face_bounds(fronts, &found->face[k]);
         tile->single_box[tile->single_count] = hide_box_around(&own);
-        tile->single[tile->single_count++] = (hide_front){
-            .solid = solid, .face = tile->face + k, .face_count = 1, .kind = HIDE_SOLID_FACE, .listed = true};
+        tile->single[tile->single_count++] = (hide_front){.solid = solid,
+                                                          .own = seen_body_key(solid),
+                                                          .face = tile->face + k,
+                                                          .face_count = 1,
+                                                          .listed = true,
+                                                          .kind = HIDE_SOLID_FACE};
+    }
+    return true;
+}
+
+/* Enters the faces of a body that is not convex, each piece that is not edge-on by itself. False: no memory. */
+static BITS_RARE bool add_surface(hide_fronts *fronts, front_tile *tile, uint32_t body)
+{
+    const roberts_scene *scene = fronts->scene;
+    uint32_t first = scene->solid[body].face, end = scene->solid[body + 1].face;
+    if (!more_singles(tile, end - first))
+        return false;
+    for (uint32_t face = first; face < end; face++) {
+        hide_face *f = &fronts->face[tile->face];
+        seen_face look;
+        int facing = seen_either_face(fronts->seen, face, &look);
+        tile->faces += facing == VIEW_FRONT;
+        tile->back += facing == VIEW_BACK;
+        tile->edge_on += facing == VIEW_EDGE_ON;
+        if (facing == VIEW_EDGE_ON)
+            continue;
+        *f = (hide_face){.F = look.F, .corner = look.corner, .count = look.count};
+        set_trust(fronts, body, face, look.stretch, f);
+        tile->most_corners = f->count > tile->most_corners ? f->count : tile->most_corners;
+        hide_bounds own = face_bounds(fronts, f);
+        tile->single_box[tile->single_count] = hide_box_around(&own);
+        tile->single[tile->single_count++] = (hide_front){.solid = body,
+                                                          .own = seen_face_key(scene, body, face),
+                                                          .face = tile->face++,
+                                                          .face_count = 1,
+                                                          .listed = true,
+                                                          .kind = HIDE_SURFACE_FACE};
     }
     return true;
 }
@@ -203,10 +241,10 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
 {
     const roberts_scene *scene = fronts->scene;
     const hide_box *box = &fronts->box[solid];
-    uint32_t vertex = scene->solid[solid].vertex, *outline = fronts->outline + tile->outline;
-    view_points(&fronts->view, scene->point + vertex, scene->solid[solid + 1].vertex - vertex, fronts->P + vertex);
+    uint32_t *outline = fronts->outline + tile->outline;
+    seen_map_body(fronts->seen, solid);
     if (!scene_is_convex(scene, solid))
-        return surface_add_fronts(fronts, tile, solid);
+        return add_surface(fronts, tile, solid);
     front_faces found = find_faces(fronts, tile, solid);
     uint32_t cycle = outline_cycle(fronts, solid, scratch->next, outline), corners = cycle;
     double width = (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0);
@@ -218,7 +256,7 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
     bool bundled = cycle && !whole && is_bundle(fronts, &found, box);
     double size = box_size(box);
     double reach = found.reach - size;
-    if (reach > 6.0 * fronts->view.extent)
+    if (reach > 6.0 * fronts->seen->view.extent)
         reach = INFINITY; /* nothing is farther away, along three axes */
     /* By how much nearer than the front's farthest corner a point must be to count as touching it. Nothing of a front
      * is farther than the farthest corner of its outline, since its depth is a concave function; a point that much
@@ -227,11 +265,12 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
     double slack = 2.0 * (found.touch + hide_margin(&fronts->space)) / found.steepest;
     double depth = corners ? farthest(fronts, outline, corners) : -INFINITY;
     hide_front front = {.solid = solid,
+                        .own = seen_body_key(solid),
                         .face = tile->face,
                         .face_count = found.count,
                         .depth = hide_float_below(depth - slack),
                         .reach = reach,
-                        .loose = hide_float_above(LOOSE_DEPARTURES * (found.touch - fronts->view.epsilon)),
+                        .loose = hide_float_above(LOOSE_DEPARTURES * (found.touch - fronts->seen->view.epsilon)),
                         .outline = tile->outline,
                         .corners = cycle,
                         .kind = whole ? HIDE_CONVEX_SOLID : HIDE_BUNDLE};

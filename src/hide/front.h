@@ -1,4 +1,5 @@
-/* front.h - one solid: mapped, its faces classified, and its front entered. */
+/* front.h - one body: mapped, its faces classified, and its fronts entered. A convex solid is one front, or one for
+ * each of its front faces. Of another body each piece of a face is a front of its own, which hides from both sides. */
 #ifndef ROBERTS_HIDE_FRONT_H
 #define ROBERTS_HIDE_FRONT_H
 
@@ -12,19 +13,7 @@ typedef struct front_scratch {
     char apart[THREADS_APART];
 } front_scratch;
 
-/* Maps a solid of the tile and enters its front. False: no memory. */
+/* Maps a body of the tile and enters its fronts. False: no memory. */
 bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, uint32_t solid);
-
-/* How far a distance from the face's plane can be trusted: `touch` within the reach that is returned, `limit` anywhere.
- * The plane of a face of width w is known to about its rounding (and the face's own departure from it) at the face, and
- * to that times r / w at a distance r. */
-double front_set_trust(const hide_fronts *fronts, uint32_t solid, uint32_t face, double stretch, hide_face *f);
-
-/* Room for `more` fronts of one face. False: no memory. */
-bool front_more_singles(front_tile *tile, size_t more);
-
-/* Enters the faces of a body of the tile that is not convex, whose points are mapped: each piece that is not edge-on by
- * itself. False: no memory. (surface_fronts.c) */
-bool surface_add_fronts(hide_fronts *fronts, front_tile *tile, uint32_t body);
 
 #endif

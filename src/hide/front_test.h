@@ -9,7 +9,7 @@
  *      the plane of any of the faces, if A and B are not both behind all of them.
  *
  * Planes are asked far from their faces here. An edge out of the reach of what they can be trusted (see
- * front_set_trust() in front.c: beyond a thousand widths of a face, or at once for models given to few digits) meets
+ * set_trust() in front.c: beyond a thousand widths of a face, or at once for models given to few digits) meets
  * the faces one by one, tests 1 to 4 each, and the hull of what they hide is the front's part. A one-face front is
  * handled likewise; for a bundle, only the faces that its tree leaves. */
 #ifndef ROBERTS_HIDE_FRONT_TEST_H

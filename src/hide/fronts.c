@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/error.h"
 #include "base/bits.h"
 #include "base/sort.h"
 #include "base/threads.h"
@@ -44,7 +43,7 @@ static hide_bounds measure_solid(const hide_fronts *fronts, uint32_t solid)
     hide_bounds own = hide_no_bounds;
     for (uint32_t count; left > 0; left -= count, point += count) {
         count = left < POINTS_AT_ONCE ? left : POINTS_AT_ONCE;
-        view_points(&fronts->view, point, count, P);
+        view_points(&fronts->seen->view, point, count, P);
         box_add_all(&own.low, &own.high, P, count);
     }
     return own;
@@ -167,9 +166,9 @@ static void cull_late(hide_fronts *fronts, front_tile *tile, uint32_t s)
     fronts->culled[s] = true;
     tile->culled++;
     for (uint32_t face = solid->face; face < solid[1].face; face++) {
-        tile->faces -= fronts->facing[face] == VIEW_FRONT;
-        tile->back -= fronts->facing[face] == VIEW_BACK;
-        tile->edge_on -= fronts->facing[face] == VIEW_EDGE_ON;
+        tile->faces -= fronts->seen->facing[face] == VIEW_FRONT;
+        tile->back -= fronts->seen->facing[face] == VIEW_BACK;
+        tile->edge_on -= fronts->seen->facing[face] == VIEW_EDGE_ON;
     }
 }
 
@@ -442,21 +441,17 @@ static bool alloc_fronts(hide_fronts *fronts)
     const roberts_scene *scene = fronts->scene;
     fronts->box = alloc_array(scene->solid_count, sizeof *fronts->box);
     fronts->culled = alloc_zeroed(scene->solid_count, sizeof *fronts->culled);
-    fronts->P = alloc_array(scene->vertex_count, sizeof *fronts->P);
-    fronts->facing = alloc_zeroed(scene->face_count, sizeof *fronts->facing);
     fronts->face = alloc_array(scene->face_count, sizeof *fronts->face);
     fronts->front = alloc_array(scene->solid_count, sizeof *fronts->front);
     fronts->front_box = alloc_array(scene->solid_count, sizeof *fronts->front_box);
     fronts->outline = alloc_array(scene->vertex_count, sizeof *fronts->outline);
-    if (scene->surface)
-        fronts->turned = alloc_array(scene->face_start[scene->face_count], sizeof *fronts->turned);
-    return (fronts->turned || !scene->surface) && fronts->box && fronts->culled && fronts->P && fronts->facing &&
-           fronts->face && fronts->front && fronts->front_box && fronts->outline;
+    return fronts->box && fronts->culled && fronts->face && fronts->front && fronts->front_box && fronts->outline;
 }
 
 static void set_space(hide_fronts *fronts)
 {
-    const view *v = &fronts->view;
+    const view *v = &fronts->seen->view;
+    fronts->P = fronts->seen->P;
     fronts->space = (hide_space){.P = fronts->P,
                                  .epsilon = v->epsilon,
                                  .rounding = v->across_rounding,
@@ -466,19 +461,16 @@ static void set_space(hide_fronts *fronts)
                                  .view = v};
 }
 
-roberts_status hide_fronts_build(hide_fronts *fronts, const roberts_scene *scene, const roberts_camera *camera,
-                                 const roberts_hide_options *options, roberts_error *error)
+bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options *options)
 {
+    const roberts_scene *scene = s->scene;
     bool cull = !options->keep_hidden;
     build b = {.fronts = fronts,
                .threads = threads_for(options->threads, 1 + scene->solid_count / SOLIDS_PER_THREAD),
                .looked_up = !cull};
-    *fronts = (hide_fronts){.scene = scene};
-    roberts_status status = view_prepare(&fronts->view, scene, camera, options->epsilon, error);
-    if (status != ROBERTS_OK)
-        return status;
+    *fronts = (hide_fronts){.seen = s, .scene = scene};
     scan_frame frame = {0};
-    bool done = alloc_fronts(fronts) && box_solids(fronts, b.threads);
+    bool done = seen_begin_points(s) && alloc_fronts(fronts) && box_solids(fronts, b.threads);
     if (done) {
         set_space(fronts);
         if (cull)
@@ -486,9 +478,9 @@ roberts_status hide_fronts_build(hide_fronts *fronts, const roberts_scene *scene
                                      hide_margin(&fronts->space), b.threads);
     }
     if (done && cover_init(&fronts->cover, frame, b.threads) && add_solids(&b))
-        return ROBERTS_OK;
+        return true;
     hide_fronts_free(fronts);
-    return error_no_memory(error);
+    return false;
 }
 
 void hide_fronts_drop_boxes(hide_fronts *fronts)
@@ -501,13 +493,10 @@ void hide_fronts_free(hide_fronts *fronts)
 {
     free(fronts->box);
     free(fronts->culled);
-    free(fronts->P);
-    free(fronts->facing);
     free(fronts->face);
     free(fronts->front);
     free(fronts->front_box);
     free(fronts->outline);
-    free(fronts->turned);
     runs_table_free(&fronts->face_runs);
     runs_table_free(&fronts->outline_runs);
     bundle_table_free(&fronts->bundles);

@@ -27,11 +27,9 @@ typedef enum hide_kind {
 typedef struct hide_front {
     double reach; /* of a convex solid: distance from it up to which the planes of its faces can be trusted */
     uint32_t solid;
-    uint32_t face; /* of hide_fronts.face, the first */
-    union {
-        uint32_t outline; /* of hide_fronts.outline, the first corner: convex solid and bundle */
-        uint32_t plane;   /* its scene_surface.plane_of: surface face */
-    };
+    uint32_t face;    /* of hide_fronts.face, the first */
+    uint32_t own;     /* its seen_face_key(): it does not hide lines that list this key */
+    uint32_t outline; /* of hide_fronts.outline, the first corner: convex solid and bundle */
     uint32_t corners; /* of the outline; 0: a face has corners of its own */
     float loose;      /* by how much its faces may leave its outline: by what they depart from their planes */
     float depth;      /* what is nowhere nearer is behind it wherever it is inside the outline */
@@ -41,21 +39,18 @@ typedef struct hide_front {
 } hide_front;
 
 typedef struct hide_fronts {
-    const roberts_scene *scene;
-    view view;
+    seen *seen;
+    const roberts_scene *scene; /* seen->scene */
+    const roberts_vec3 *P;      /* seen->P */
     hide_space space;
     hide_box *box;         /* [solid_count], until they are dropped */
     unsigned char *culled; /* [solid_count] also of one that the near plane has left nothing of */
-    roberts_vec3 *P;       /* [vertex_count] view points of solids not culled */
-    unsigned char *facing; /* [face_count] VIEW_FRONT, _BACK or _EDGE_ON, likewise */
     hide_face *face;       /* front faces; each front's lie together, but there is room between some */
     hide_front *front;     /* [front_count] */
     hide_box *front_box;   /* [front_count] */
     uint32_t front_count;
     double thickest;   /* what is farther than this above a front's box does not touch it; INFINITY: not known */
     uint32_t *outline; /* compact vertex numbers, likewise */
-    uint32_t *
-        turned; /* [corners of the scene] of faces seen from behind, the other way round; NULL: all bodies are convex */
     bundle_table bundles;
     runs_table face_runs, outline_runs; /* of faces and of outlines of very many corners */
     cover cover;
@@ -65,11 +60,9 @@ typedef struct hide_fronts {
     roberts_vec2 low, high;           /* box of the picture, view units */
 } hide_fronts;
 
-/* Of the options, the touching distance and the number of threads count, and whether hidden lines are kept: if not,
- * solids that are wholly hidden are left out. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT; after a
- * failure `fronts` is empty. */
-roberts_status hide_fronts_build(hide_fronts *fronts, const roberts_scene *scene, const roberts_camera *camera,
-                                 const roberts_hide_options *options, roberts_error *error);
+/* Maps what is seen and makes its fronts. Of the options the number of threads counts, and whether hidden lines are
+ * kept: if not, solids that are wholly hidden are left out. False: no memory, and `fronts` is empty. */
+bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options *options);
 void hide_fronts_free(hide_fronts *fronts);
 
 /* Releases the boxes of solids: edges ask those of fronts only. */
@@ -83,7 +76,7 @@ BITS_INLINE void hide_fronts_fetch(const hide_fronts *fronts, uint32_t solid)
     size_t vertices = s[1].vertex - s->vertex, faces = s[1].face - s->face;
     FETCH_ARRAY(fronts->P + s->vertex, vertices * sizeof *fronts->P);
     FETCH_ARRAY(scene->face_plane + s->face, faces * sizeof *scene->face_plane);
-    FETCH_AHEAD(fronts->facing + s->face);
+    FETCH_AHEAD(fronts->seen->facing + s->face);
     FETCH_AHEAD(scene->edge + s->stored);
 }
 

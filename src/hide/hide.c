@@ -1,11 +1,11 @@
 /* hide.c - hidden-line removal from beginning to end, as in the lecture:
  *
- *   1. Fronts. The near plane clips the scene. Each solid is mapped to view space, and its front faces become fronts
- *      (fronts.c, front.c). Solids that covers hide are left out (cover.c).
+ *   1. Fronts. `view` says what is seen (view/seen.h): each solid is mapped to view space, and its front faces become
+ *      fronts (fronts.c, front.c). Solids that covers hide are left out (cover.c).
  *   2. Objet[i][j]. The cells of the picture list the fronts that touch them (cells.c, objet.c).
- *   3. Edges. The drawn edges of each solid are taken (segments.c) through the cells that they cross (edge.c). Tests
- *      1 to 4 say what each front there hides of them (front_test.c, tests.c), and the hidden intervals are united
- *      (intervals.c). What is left of an edge becomes segments.
+ *   3. Lines. The lines of each body are taken (segments.c) through the cells that they cross (edge.c). Tests 1 to 4
+ *      say what each front there hides of them (front_test.c, tests.c), and the hidden intervals are united
+ *      (intervals.c). What is left of a line becomes segments.
  *
  * Threads take solids in chunks. Each chunk keeps its segments until those of the chunks before it are laid down
  * (schedule.c). The threads share nothing else, so the result does not depend on them. */
@@ -24,11 +24,6 @@
 #define CHUNK_SOLIDS 64
 #define CHUNK_SEGMENTS 1024 /* room to begin with: nine visible edges of each block, and then some */
 #define CHUNKS_PER_THREAD 8 /* with less work than this a thread costs more than it does */
-
-/* The crease angle of bodies that are taken for curved, degrees. */
-#define SMOOTH_CREASE 30.0
-
-static const double pi = 3.14159265358979323846;
 
 roberts_hide_options roberts_hide_options_default(void)
 {
@@ -58,17 +53,19 @@ static roberts_time lap(roberts_time *last)
 
 /* What is culled does not depend on the grid. Where borders coincide in the picture, another solid's border may differ
  * in the last bit. Where hidden segments are wanted, with the solid that the viewer sees there, nothing is culled. */
-static roberts_status make_fronts(hide_job *job, const roberts_camera *camera, roberts_error *error)
+static roberts_status make_fronts(hide_job *job, const roberts_scene *scene, const roberts_camera *camera,
+                                  roberts_error *error)
 {
     const roberts_hide_options *options = job->options;
-    roberts_status status = view_clip_scene(&job->clip, job->source, camera, error);
+    roberts_status status = seen_begin(&job->seen, scene, camera, options->epsilon, error);
     if (status != ROBERTS_OK)
         return status;
-    job->scene = job->clip.clipped ? &job->clip.scene : job->source;
-    status = hide_fronts_build(&job->fronts, job->scene, camera, options, error);
-    if (status != ROBERTS_OK)
-        return status;
-    const view *v = &job->fronts.view;
+    seen_set_rules(&job->seen, options);
+    if (options->unite && !seen_unite(&job->seen, options->threads))
+        return ROBERTS_NO_MEMORY;
+    if (!hide_fronts_build(&job->fronts, &job->seen, options))
+        return ROBERTS_NO_MEMORY;
+    const view *v = &job->seen.view;
     if (v->epsilon > EPSILON_MOST * v->diameter && options->epsilon > 0.0)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                          "the touching distance, %.6g, is more than a hundredth of the scene (%.6g)", options->epsilon,
@@ -92,24 +89,9 @@ static roberts_status list_fronts(hide_job *job)
 
 /* ---- 3. edges, tests and segments ---- */
 
-/* The squared distance of two unit normals that meet at this angle. */
-static double square_chord(double degrees)
-{
-    double chord = 2.0 * sin(degrees * pi / 360.0);
-    return chord * chord;
-}
-
-static void set_crease(hide_job *job)
-{
-    job->crease_chord = square_chord(job->options->crease_degrees);
-    job->smooth_chord = job->crease_chord;
-    if (job->options->crease_auto)
-        job->smooth_chord = greater(job->crease_chord, square_chord(SMOOTH_CREASE));
-}
-
 static bool do_chunk(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t index)
 {
-    uint32_t first = index * CHUNK_SOLIDS, count = job->scene->solid_count;
+    uint32_t first = index * CHUNK_SOLIDS, count = job->seen.scene->solid_count;
     uint32_t end = count - first < CHUNK_SOLIDS ? count : first + CHUNK_SOLIDS;
     return array_reserve(&out->segment, &out->room, out->count + CHUNK_SEGMENTS, sizeof *out->segment) &&
            segments_find(job, w, out, first, end);
@@ -123,13 +105,13 @@ static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
     for (uint32_t k = first; k < end; k++) {
         uint32_t s = job->order.solid[k];
         if (k + 2 * SOLIDS_AHEAD < count) {
-            FETCH_AHEAD(&job->scene->solid[job->order.solid[k + 2 * SOLIDS_AHEAD]]);
+            FETCH_AHEAD(&job->seen.scene->solid[job->order.solid[k + 2 * SOLIDS_AHEAD]]);
             FETCH_AHEAD(&job->fronts.culled[job->order.solid[k + 2 * SOLIDS_AHEAD]]);
         }
         if (k + SOLIDS_AHEAD < count && !job->fronts.culled[job->order.solid[k + SOLIDS_AHEAD]])
             hide_fronts_fetch(&job->fronts, job->order.solid[k + SOLIDS_AHEAD]);
-        hide_worker_begin(w);
-        if (!job->fronts.culled[s] && scene_is_convex(job->scene, s) && !segments_hide(job, w, s))
+        hide_worker_begin(w, ROBERTS_NONE);
+        if (scene_is_convex(job->seen.scene, s) && !segments_hide(job, w, s))
             return false;
         if (!picture_order_keep(&job->order, k, w))
             return false;
@@ -209,7 +191,7 @@ static roberts_status fill_drawing(const hide_job *job, hide_worker *w, uint32_t
 
 static roberts_status do_chunks(hide_job *job, roberts_drawing *drawing)
 {
-    uint32_t count = (job->scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
+    uint32_t count = (job->seen.scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
     int threads = threads_for(job->options->threads, 1 + count / CHUNKS_PER_THREAD);
     roberts_status status = ROBERTS_NO_MEMORY;
     hide_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
@@ -254,7 +236,7 @@ static roberts_status check_options(const roberts_hide_options *options, roberts
 static void set_frame(const hide_job *job, const roberts_camera *camera, roberts_drawing *drawing)
 {
     double half;
-    if (!view_frame(&job->fronts.view, camera, job->clip.clipped, &half))
+    if (!view_frame(&job->seen.view, camera, job->seen.clip.clipped, &half))
         return;
     drawing->framed = true;
     drawing->window_min = (roberts_vec2){-half, -half};
@@ -265,15 +247,17 @@ static void set_frame(const hide_job *job, const roberts_camera *camera, roberts
 static void describe(const hide_job *job, const roberts_camera *camera, roberts_drawing *drawing)
 {
     const hide_fronts *fronts = &job->fronts;
-    double unit = fronts->view.unit;
-    drawing->epsilon = fronts->view.epsilon * unit;
-    drawing->epsilon_reason = fronts->view.epsilon_reason;
-    drawing->scene_diameter = fronts->view.diameter * unit;
+    const view *v = &job->seen.view;
+    double unit = v->unit;
+    drawing->epsilon = v->epsilon * unit;
+    drawing->epsilon_reason = v->epsilon_reason;
+    drawing->scene_diameter = v->diameter * unit;
     drawing->grid = job->grid.frame.nx;
     drawing->grid_rows = job->grid.frame.ny;
-    drawing->solids = job->source->solid_count;
+    drawing->solids = job->seen.source->solid_count;
     drawing->culled_solids = fronts->culled_count;
-    drawing->edges = job->source->edge_count;
+    drawing->edges = job->seen.source->edge_count;
+    drawing->seams = job->seen.united.seams;
     drawing->front_faces = fronts->face_count;
     drawing->back_faces = fronts->back;
     drawing->edge_on_faces = fronts->edge_on;
@@ -282,7 +266,8 @@ static void describe(const hide_job *job, const roberts_camera *camera, roberts_
     set_frame(job, camera, drawing);
 }
 
-static roberts_status hide(hide_job *job, const roberts_camera *camera, roberts_drawing *drawing, roberts_error *error)
+static roberts_status hide(hide_job *job, const roberts_scene *scene, const roberts_camera *camera,
+                           roberts_drawing *drawing, roberts_error *error)
 {
     roberts_hide_options defaults = roberts_hide_options_default();
     job->options = job->options ? job->options : &defaults;
@@ -290,7 +275,7 @@ static roberts_status hide(hide_job *job, const roberts_camera *camera, roberts_
     roberts_status status = check_options(job->options, error);
     roberts_time clock = now();
     if (status == ROBERTS_OK) {
-        status = make_fronts(job, camera, error);
+        status = make_fronts(job, scene, camera, error);
         drawing->view_time = lap(&clock);
     }
     if (status == ROBERTS_OK) {
@@ -298,7 +283,6 @@ static roberts_status hide(hide_job *job, const roberts_camera *camera, roberts_
         drawing->grid_time = lap(&clock);
     }
     if (status == ROBERTS_OK) {
-        set_crease(job);
         describe(job, camera, drawing);
         status = do_chunks(job, drawing);
         drawing->hide_time = lap(&clock);
@@ -306,7 +290,7 @@ static roberts_status hide(hide_job *job, const roberts_camera *camera, roberts_
     picture_order_free(&job->order);
     objet_free(&job->grid);
     hide_fronts_free(&job->fronts);
-    view_clip_free(&job->clip);
+    seen_end(&job->seen);
     if (status == ROBERTS_NO_MEMORY)
         error_no_memory(error);
     if (status == ROBERTS_STOPPED)
@@ -319,15 +303,15 @@ static roberts_status hide(hide_job *job, const roberts_camera *camera, roberts_
 roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *camera,
                             const roberts_hide_options *options, roberts_drawing *drawing, roberts_error *error)
 {
-    hide_job job = {.source = scene, .options = options};
-    return hide(&job, camera, drawing, error);
+    hide_job job = {.options = options};
+    return hide(&job, scene, camera, drawing, error);
 }
 
 roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camera *camera,
                                  const roberts_hide_options *options, const roberts_receiver *each,
                                  roberts_drawing *summary, roberts_error *error)
 {
-    hide_job job = {.source = scene, .options = options};
+    hide_job job = {.options = options};
     roberts_drawing counted;
     if (!each || !each->receive) {
         if (summary)
@@ -336,7 +320,7 @@ roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camer
     }
     job.each = each->receive;
     job.context = each->context;
-    return hide(&job, camera, summary ? summary : &counted, error);
+    return hide(&job, scene, camera, summary ? summary : &counted, error);
 }
 
 void roberts_drawing_free(roberts_drawing *drawing)

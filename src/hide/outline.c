@@ -10,7 +10,7 @@ uint32_t outline_cycle(const hide_fronts *fronts, uint32_t solid, uint32_t *next
 {
     const scene_solid *own = &fronts->scene->solid[solid];
     const scene_edge *e = fronts->scene->edge + own->stored, *end = e + (own[1].edge - own->edge);
-    const unsigned char *facing = fronts->facing + own->face;
+    const unsigned char *facing = fronts->seen->facing + own->face;
     uint32_t edges = 0, start = ROBERTS_NONE, count = 0, size = own[1].vertex - own->vertex;
     for (uint32_t v = 0; v < size; v++)
         next[v] = ROBERTS_NONE;
@@ -47,10 +47,11 @@ static BITS_RARE bool turns_left(const hide_fronts *fronts, uint32_t a, uint32_t
 {
     const roberts_vec3 *P = fronts->P;
     roberts_vec3 AB = vec3_sub(P[b], P[a]), BC = vec3_sub(P[c], P[b]);
-    double left = refine_side(&fronts->space, a, b, c); /* no number where AB has no length */
+    double left =
+        refine_side(&fronts->space, a, b, refine_vertex(&fronts->space, c)); /* no number where AB has no length */
     if (AB.x * BC.x + AB.y * BC.y <= 0.0)
         return left > 0.0;
-    return left >= -INWARD_TURN * fronts->view.epsilon / size * span_of(BC);
+    return left >= -INWARD_TURN * fronts->seen->view.epsilon / size * span_of(BC);
 }
 
 /* Tests 2 to 4 need a convex polygon: for them the inside is what lies on the inner side of every side's line, so that
@@ -60,7 +61,7 @@ static BITS_RARE bool turns_left(const hide_fronts *fronts, uint32_t a, uint32_t
 bool outline_is_convex(const hide_fronts *fronts, const uint32_t *outline, uint32_t corners, double size)
 {
     const double plain =
-        TURN_ROUNDINGS * fronts->view.across_rounding * size; /* no product of two sides is off by more */
+        TURN_ROUNDINGS * fronts->seen->view.across_rounding * size; /* no product of two sides is off by more */
     int rounds = 0;
     if (corners < 3)
         return false;
@@ -126,7 +127,7 @@ static bool is_left_turn(const hide_fronts *fronts, uint32_t a, uint32_t b, uint
 {
     const roberts_vec3 *P = fronts->P;
     roberts_vec3 AB = vec3_sub(P[b], P[a]), AC = vec3_sub(P[c], P[a]);
-    return AB.x * AC.y - AB.y * AC.x > TURN_ROUNDINGS * fronts->view.across_rounding * hypot(AC.x, AC.y);
+    return AB.x * AC.y - AB.y * AC.x > TURN_ROUNDINGS * fronts->seen->view.across_rounding * hypot(AC.x, AC.y);
 }
 
 /* The last corners of a chain at which it does not turn left toward c are none. The first `kept` stay. */

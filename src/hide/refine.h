@@ -9,9 +9,30 @@
 
 #include "hide/types.h"
 
-/* Distance, view units, of vertex x from the sight plane through vertices p and q; > 0 left of p -> q in the
- * picture. */
-double refine_side(const hide_space *space, uint32_t p, uint32_t q, uint32_t x);
+/* A point in twice the precision: a vertex, or a computed end of an edge. */
+typedef struct refine_point {
+    uint32_t vertex;         /* ROBERTS_NONE: */
+    const seen_point *place; /* it is here */
+    double z;                /* its depth in view space */
+} refine_point;
+
+static inline refine_point refine_vertex(const hide_space *space, uint32_t v)
+{
+    return (refine_point){v, NULL, space->P[v].z};
+}
+
+static inline refine_point refine_start(const hide_edge *e)
+{
+    return (refine_point){e->a, e->end, e->A.z};
+}
+
+static inline refine_point refine_end(const hide_edge *e)
+{
+    return (refine_point){e->b, e->end ? e->end + 1 : NULL, e->B.z};
+}
+
+/* Distance, view units, of x from the sight plane through vertices p and q; > 0 left of p -> q in the picture. */
+double refine_side(const hide_space *space, uint32_t p, uint32_t q, refine_point x);
 
 /* Where edge e crosses the sight plane through p and q: parameter along the edge's picture. */
 double refine_crossing(const hide_space *space, uint32_t p, uint32_t q, const hide_edge *e);

@@ -252,7 +252,7 @@ static bool keep_line(kept_chunk *c, const hide_line *line, bool all)
         !array_reserve(&c->t, &c->t_room, 2 * end, sizeof *c->t) ||
         (all && !array_reserve(&c->by, &c->by_room, end, sizeof *c->by)) || parts > UINT32_MAX || end > UINT32_MAX)
         return false;
-    c->line[c->line_count++] = (kept_line){line->edge, (uint32_t)parts};
+    c->line[c->line_count++] = (kept_line){line->is.edge, (uint32_t)parts};
     for (size_t i = 0; i < parts; i++) {
         c->t[2 * (first + i)] = line->intervals.item[i].part.t0;
         c->t[2 * (first + i) + 1] = line->intervals.item[i].part.t1;
@@ -313,15 +313,19 @@ void picture_order_fetch(const picture_order *o, uint32_t solid)
 
 bool picture_order_recall(const picture_order *o, uint32_t solid, hide_worker *w)
 {
-    const roberts_scene *scene = w->fronts->scene;
     const kept_chunk *c = &o->chunk[o->place[solid] / KEPT_SOLIDS];
+    seen_walk walk = seen_walk_begin(w->fronts->seen, solid);
     uint32_t k = o->place[solid] % KEPT_SOLIDS, end = c->first_line[k + 1], part = c->first_part[k];
-    hide_worker_begin(w);
+    hide_worker_begin(w, walk.key);
+    if (!hide_worker_reserve(w, end - c->first_line[k]))
+        return false;
     for (uint32_t i = c->first_line[k]; i < end; i++) {
-        uint32_t edge = c->line[i].edge;
-        hide_line *line = hide_worker_add(w, edge, scene_edge_stored(scene, solid, edge), scene->solid[solid].vertex);
-        if (!line)
-            return false;
+        hide_line *line = &w->line[w->line_count];
+        seen_again(&walk, c->line[i].edge, &line->is);
+        if (line->is.taken & SEEN_TAKEN)
+            hide_worker_add_taken(w, line);
+        else
+            hide_worker_add(w, line);
         hide_intervals *intervals = &line->intervals;
         if (!array_reserve(&intervals->item, &intervals->room, c->line[i].parts, sizeof *intervals->item))
             return false;

@@ -67,7 +67,7 @@ bool tiles_order(tiles *t, const front_tile *of, const hide_fronts *fronts);
 
 #define KEPT_SOLIDS 64 /* solids: their edges are kept together */
 
-/* An edge of which something may be visible, or is wanted though it is hidden. */
+/* A line of which something may be visible, or is wanted though it is hidden. */
 typedef struct kept_line {
     uint32_t edge, parts;
 } kept_line;

@@ -2,16 +2,26 @@
 #include "hide/segments.h"
 
 #include "base/array.h"
-#include "hide/surface_lines.h"
 
-/* Flatter than the crease angle; the normals of the model are compared, which perspective does not bend. `edge` is
- * stored with the solid. */
-static bool is_flat(const hide_job *job, const roberts_scene *scene, uint32_t solid, const scene_edge *edge)
+/* ---- lines to segments ----------------------------------------------------------------------------------------- */
+
+/* What all segments of a line have in common. */
+typedef struct line_row {
+    uint32_t body, v[2], edge;
+    uint8_t class;
+    double t0, t1; /* what the line is of the edge that it names */
+} line_row;
+
+BITS_INLINE line_row row_of(const hide_job *job, uint32_t body, const seen_line *line)
 {
-    const plane *of = scene->face_plane + scene->solid[solid].face;
-    plane F = of[edge->f[0]], G = of[edge->f[1]];
-    double a = F.a - G.a, b = F.b - G.b, c = F.c - G.c;
-    return a * a + b * b + c * c < job->crease_chord;
+    seen_name name = seen_line_name(&job->seen, body, line);
+    double width = name.t1 - name.t0;
+    return (line_row){.body = body,
+                      .v = {name.v[0], name.v[1]},
+                      .edge = line->edge,
+                      .class = line->class,
+                      .t0 = name.t0 + width * line->t0,
+                      .t1 = line->t1 == 1.0 ? name.t1 : name.t0 + width * line->t1};
 }
 
 /* Where on the edge in space a point of its picture is; view_to_space() without a call where it has nothing to do. */
@@ -20,181 +30,222 @@ static inline double to_space(const view *v, const hide_edge *e, double s)
     return v->perspective ? view_to_space(v, e->A.z, e->B.z, s) : s;
 }
 
-static bool add_segment(const hide_job *job, hide_chunk *out, const roberts_segment *pattern, const hide_edge *e,
-                        double s0, double s1)
+/* Writes the part s0..s1 of a line, unless rounding leaves no length of it in space. by: who hides it; ROBERTS_NONE: it
+ * is visible. There is room for it. */
+BITS_INLINE void put_part(const hide_job *job, hide_chunk *out, const line_row *row, const hide_edge *e,
+                          const hide_interval *part, uint32_t by)
 {
-    const view *v = &job->fronts.view;
-    double unit = v->unit, width = pattern->t1 - pattern->t0; /* of what the near plane leaves of the edge, mostly 1 */
-    double t0 = pattern->t0 + width * to_space(v, e, s0);
-    double t1 = s1 == 1.0 ? pattern->t1 : pattern->t0 + width * to_space(v, e, s1);
+    const view *v = &job->seen.view;
+    double unit = v->unit, width = row->t1 - row->t0, s0 = part->t0, s1 = part->t1;
+    double t0 = row->t0 + width * to_space(v, e, s0), t1 = s1 == 1.0 ? row->t1 : row->t0 + width * to_space(v, e, s1);
     if (t0 >= t1)
-        return true; /* rounding leaves no length in space */
-    if (!array_reserve(&out->segment, &out->room, out->count + 1, sizeof *out->segment))
-        return false;
+        return;
     roberts_vec3 R0 = hide_edge_at(e, s0), R1 = hide_edge_at(e, s1);
-    roberts_segment *segment = &out->segment[out->count++];
-    *segment = *pattern;
-    segment->t0 = t0;
-    segment->t1 = t1;
-    segment->p0 = (roberts_vec2){R0.x * unit, R0.y * unit};
-    segment->p1 = (roberts_vec2){R1.x * unit, R1.y * unit};
-    segment->z0 = R0.z * unit;
-    segment->z1 = R1.z * unit;
-    return true;
+    out->segment[out->count++] = (roberts_segment){.solid = row->body,
+                                                   .v0 = row->v[0],
+                                                   .v1 = row->v[1],
+                                                   .by = by,
+                                                   .t0 = t0,
+                                                   .t1 = t1,
+                                                   .p0 = {R0.x * unit, R0.y * unit},
+                                                   .p1 = {R1.x * unit, R1.y * unit},
+                                                   .z0 = R0.z * unit,
+                                                   .z1 = R1.z * unit,
+                                                   .state = by == ROBERTS_NONE ? ROBERTS_VISIBLE : ROBERTS_HIDDEN,
+                                                   .line = row->class,
+                                                   .edge = row->edge};
 }
 
-static bool add_hidden(const hide_job *job, hide_chunk *out, roberts_segment pattern, const hide_edge *e,
-                       const hide_solid_interval *hidden)
+/* Writes what the near plane has taken, from t0 to t1 of the edge. at: where it is cut. There is room for it. */
+static void put_taken(const hide_job *job, hide_chunk *out, const line_row *row, roberts_vec3 at)
 {
-    pattern.state = ROBERTS_HIDDEN;
-    pattern.by = hidden->solid;
-    return add_segment(job, out, &pattern, e, hidden->part.t0, hidden->part.t1);
+    roberts_vec2 cut = {at.x * job->seen.view.unit, at.y * job->seen.view.unit};
+    if (row->t0 < row->t1)
+        out->segment[out->count++] = (roberts_segment){.solid = row->body,
+                                                       .v0 = row->v[0],
+                                                       .v1 = row->v[1],
+                                                       .by = ROBERTS_NONE,
+                                                       .t0 = row->t0,
+                                                       .t1 = row->t1,
+                                                       .p0 = cut,
+                                                       .p1 = cut,
+                                                       .state = ROBERTS_CLIPPED,
+                                                       .line = row->class,
+                                                       .edge = row->edge};
 }
 
-/* How the faces of a solid look, from its first on. */
-static const unsigned char *facing_of(const hide_job *job, uint32_t solid)
+/* What the near plane has taken of the line before it (which: SEEN_TAKEN_BEFORE), after it, or instead of it. */
+static BITS_RARE void add_taken(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line, int which)
 {
-    return job->fronts.facing + job->scene->solid[solid].face;
+    seen_line taken = line->is;
+    if (!(taken.taken & which))
+        return;
+    taken.t0 = which == SEEN_TAKEN_AFTER ? line->is.t1 : 0.0;
+    taken.t1 = which == SEEN_TAKEN_BEFORE ? line->is.t0 : 1.0;
+    line_row row = row_of(job, body, &taken);
+    put_taken(job, out, &row, which == SEEN_TAKEN_AFTER ? line->e.B : line->e.A);
 }
 
-/* How many of the two faces of a stored edge are front. */
-static inline int front_count(const unsigned char *facing, const scene_edge *edge)
+/* Visible segments of a line between its hidden parts, and those too where they are wanted. False: no memory. */
+BITS_INLINE bool add_line(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line)
 {
-    return (facing[edge->f[0]] == VIEW_FRONT) + (facing[edge->f[1]] == VIEW_FRONT);
-}
-
-static bool add_clipped(hide_chunk *out, roberts_segment pattern, double t0, double t1, roberts_vec2 at)
-{
-    if (!array_reserve(&out->segment, &out->room, out->count + 1, sizeof *out->segment))
-        return false;
-    pattern.state = ROBERTS_CLIPPED;
-    pattern.t0 = t0;
-    pattern.t1 = t1;
-    pattern.p0 = pattern.p1 = at;
-    out->segment[out->count++] = pattern;
-    return true;
-}
-
-bool segments_add_parts(const hide_job *job, hide_chunk *out, const roberts_segment *pattern, const hide_line *line)
-{
-    double from = 0.0;
-    const hide_edge *e = &line->e;
     bool all = job->options->keep_hidden;
-    for (size_t i = 0; i < line->intervals.count; i++) {
-        const hide_interval *part = &line->intervals.item[i].part;
-        if (part->t0 > from && !add_segment(job, out, pattern, e, from, part->t0))
-            return false;
-        if (all && !add_hidden(job, out, *pattern, e, &line->intervals.item[i]))
-            return false;
-        from = part->t1;
-    }
-    return from >= 1.0 || add_segment(job, out, pattern, e, from, 1.0);
-}
-
-/* The same of an edge of which the near plane has left t0..t1 of the pattern. */
-static bool add_line(const hide_job *job, hide_chunk *out, const roberts_segment *pattern, const hide_line *line)
-{
-    double unit = job->fronts.view.unit;
-    const hide_edge *e = &line->e;
-    bool all = job->options->keep_hidden;
-    if (all && pattern->t0 > 0.0 &&
-        !add_clipped(out, *pattern, 0.0, pattern->t0, (roberts_vec2){e->A.x * unit, e->A.y * unit}))
-        return false;
-    if (!segments_add_parts(job, out, pattern, line))
-        return false;
-    return !all || pattern->t1 >= 1.0 ||
-           add_clipped(out, *pattern, pattern->t1, 1.0, (roberts_vec2){e->B.x * unit, e->B.y * unit});
-}
-
-/* The same of an edge that the near plane leaves whole, where its visible segments are all that is wanted. It has a
- * front face. (To share what writes a segment with add_segment() took two to four in a thousand of all
- * instructions.) */
-static bool add_visible(const hide_job *job, hide_chunk *out, uint32_t solid, const unsigned char *facing,
-                        const hide_line *line)
-{
-    const view *v = &job->fronts.view;
-    const hide_edge *e = &line->e;
-    const scene_edge *edge = scene_edge_stored(job->scene, solid, line->edge);
-    roberts_line kind = front_count(facing, edge) == 2 ? ROBERTS_CREASE : ROBERTS_OUTLINE;
-    double from = 0.0, unit = v->unit;
     size_t parts = line->intervals.count;
-    if (!array_reserve(&out->segment, &out->room, out->count + parts + 1, sizeof *out->segment))
+    hide_interval shown = {.t0 = 0.0};
+    if (!array_reserve(&out->segment, &out->room, out->count + 2 * parts + 3, sizeof *out->segment))
         return false;
+    if (line->is.taken)
+        add_taken(job, out, body, line, line->is.taken & SEEN_TAKEN ? SEEN_TAKEN : SEEN_TAKEN_BEFORE);
+    if (line->is.taken & SEEN_TAKEN)
+        return true;
+    line_row row = row_of(job, body, &line->is);
     for (size_t i = 0; i <= parts; i++) {
-        const hide_interval *part = i < parts ? &line->intervals.item[i].part : NULL;
-        double to = part ? part->t0 : 1.0, t0 = to_space(v, e, from), t1 = to == 1.0 ? 1.0 : to_space(v, e, to);
-        if (to > from && t0 < t1) {
-            roberts_vec3 R0 = hide_edge_at(e, from), R1 = hide_edge_at(e, to);
-            out->segment[out->count++] = (roberts_segment){.solid = solid,
-                                                           .v0 = scene_vertex_number(job->scene, e->a),
-                                                           .v1 = scene_vertex_number(job->scene, e->b),
-                                                           .by = ROBERTS_NONE,
-                                                           .t0 = t0,
-                                                           .t1 = t1,
-                                                           .p0 = {R0.x * unit, R0.y * unit},
-                                                           .p1 = {R1.x * unit, R1.y * unit},
-                                                           .z0 = R0.z * unit,
-                                                           .z1 = R1.z * unit,
-                                                           .state = ROBERTS_VISIBLE,
-                                                           .line = (uint8_t)kind,
-                                                           .edge = line->edge};
-        }
-        from = part ? part->t1 : 1.0;
+        const hide_solid_interval *hidden = i < parts ? &line->intervals.item[i] : NULL;
+        shown.t1 = hidden ? hidden->part.t0 : 1.0;
+        if (shown.t1 > shown.t0)
+            put_part(job, out, &row, &line->e, &shown, ROBERTS_NONE);
+        if (hidden && all)
+            put_part(job, out, &row, &line->e, &hidden->part, hidden->solid);
+        shown.t0 = hidden ? hidden->part.t1 : 1.0;
+    }
+    if (line->is.taken)
+        add_taken(job, out, body, line, SEEN_TAKEN_AFTER);
+    return true;
+}
+
+/* What the near plane has taken of a piece, from t0 to t1 of the edge, if that is anything. There is room for it. */
+static void put_taken_piece(const hide_job *job, hide_chunk *out, uint32_t body, seen_line piece, roberts_vec3 at)
+{
+    if (piece.t0 >= piece.t1)
+        return;
+    line_row row = row_of(job, body, &piece);
+    put_taken(job, out, &row, at);
+}
+
+/* Writes the parts of a line from s0 to s1 of its picture. There is room for them. */
+static void put_parts(const hide_job *job, hide_chunk *out, const line_row *row, const hide_line *line,
+                      const hide_interval *all)
+{
+    hide_interval shown = {.t0 = all->t0};
+    for (size_t i = 0; i < line->intervals.count; i++) {
+        hide_interval hidden = line->intervals.item[i].part;
+        hidden.t0 = greater(hidden.t0, all->t0);
+        hidden.t1 = lesser(hidden.t1, all->t1);
+        if (hidden.t0 >= hidden.t1)
+            continue;
+        shown.t1 = hidden.t0;
+        if (shown.t1 > shown.t0)
+            put_part(job, out, row, &line->e, &shown, ROBERTS_NONE);
+        if (job->options->keep_hidden)
+            put_part(job, out, row, &line->e, &hidden, line->intervals.item[i].solid);
+        shown.t0 = hidden.t1;
+    }
+    shown.t1 = all->t1;
+    if (shown.t1 > shown.t0)
+        put_part(job, out, row, &line->e, &shown, ROBERTS_NONE);
+}
+
+/* The segments of one piece of a line, which has a class of its own. False: no memory. */
+static bool add_piece(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line,
+                      const union_piece *piece, uint8_t class)
+{
+    const view *v = &job->seen.view;
+    const hide_edge *e = &line->e;
+    const seen_line *whole = &line->is;
+    seen_line part = *whole;
+    bool gone = whole->taken & SEEN_TAKEN;
+    if (!array_reserve(&out->segment, &out->room, out->count + 2 * line->intervals.count + 3, sizeof *out->segment))
+        return false;
+    part.class = class;
+    part.t0 = piece->t0;
+    part.t1 = gone ? piece->t1 : lesser(piece->t1, whole->t0);
+    if (whole->taken & (SEEN_TAKEN | SEEN_TAKEN_BEFORE))
+        put_taken_piece(job, out, body, part, e->A);
+    double t0 = greater(piece->t0, whole->t0), t1 = lesser(piece->t1, whole->t1), width = whole->t1 - whole->t0;
+    if (!gone && t0 < t1) {
+        part.t0 = whole->t0;
+        part.t1 = whole->t1;
+        line_row row = row_of(job, body, &part);
+        hide_interval shown = {.t0 = view_from_space(v, e->A.z, e->B.z, (t0 - whole->t0) / width), .t1 = 1.0};
+        if (t1 < whole->t1)
+            shown.t1 = view_from_space(v, e->A.z, e->B.z, (t1 - whole->t0) / width);
+        put_parts(job, out, &row, line, &shown);
+    }
+    part.t0 = greater(piece->t0, whole->t1);
+    part.t1 = piece->t1;
+    if (whole->taken & SEEN_TAKEN_AFTER)
+        put_taken_piece(job, out, body, part, e->B);
+    return true;
+}
+
+/* The segments of a line that has pieces. False: no memory. */
+static bool add_pieces(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line)
+{
+    const union_piece *piece = line->is.piece;
+    for (bool last = false; !last; piece++) {
+        uint8_t class;
+        if (seen_piece_class(&job->seen, body, &line->is, piece, &class) &&
+            !add_piece(job, out, body, line, piece, class))
+            return false;
+        last = piece->t1 == 1.0;
     }
     return true;
 }
 
-/* What lies behind the covers is hidden at once; covers are kept only where hidden lines are not wanted. P: view points
- * of the solid. */
-static inline bool is_covered(const cover *c, const roberts_vec3 *P, const scene_edge *edge)
+static bool add_lines(const hide_job *job, const hide_worker *w, hide_chunk *out, uint32_t body)
 {
-    return c->depth && cover_hides_edge(c, P[edge->v[0]], P[edge->v[1]]);
+    bool all = job->options->keep_hidden;
+    for (const hide_line *line = w->line, *end = line + w->line_count; line < end; line++)
+        if ((all || !line->hidden) &&
+            !(line->is.piece ? add_pieces(job, out, body, line) : add_line(job, out, body, line)))
+            return false;
+    return true;
 }
 
-bool segments_covered(const hide_job *job, uint32_t solid, const scene_edge *edge)
+/* ---- bodies to lines ------------------------------------------------------------------------------------------- */
+
+/* Has the body segments? Of one that the near plane has taken, only those that say so. */
+static bool has_segments(const hide_job *job, uint32_t body)
 {
-    return is_covered(&job->fronts.cover, job->fronts.P + job->scene->solid[solid].vertex, edge);
+    return !job->fronts.culled[body] || (job->seen.clip.clipped && job->options->keep_hidden);
 }
 
-/* Takes up the edges of a solid that are drawn and not covered. A surviving edge has a front face. An outline (one
- * front face) is always drawn; an edge whose two faces look the same way is not where it is flat, whether they are
- * front or, among hidden lines, back. */
-static bool take_edges(const hide_job *job, hide_worker *w, uint32_t solid)
+/* Takes up a body's next lines, `most` of them or all. What lies behind covers is hidden at once; covers are kept only
+ * where hidden lines are not wanted. A line without a front face is hidden by its own body. False: no memory. */
+static bool take_lines(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most)
 {
-    const roberts_scene *scene = job->scene;
-    const unsigned char *facing = facing_of(job, solid);
-    const scene_edge *edge = scene->edge + scene->solid[solid].stored;
-    const roberts_vec3 *P = job->fronts.P + scene->solid[solid].vertex;
-    const bool *cap = job->clip.clipped ? job->clip.cap : NULL;
-    bool keep_hidden = job->options->keep_hidden, all = job->options->all_edges;
-    hide_worker_begin(w);
-    for (uint32_t i = scene->solid[solid].edge, end = scene->solid[solid + 1].edge; i < end; i++, edge++) {
-        int fronts = front_count(facing, edge);
-        w->surviving += fronts > 0;
-        if ((fronts == 0 && !keep_hidden) || (cap && cap[i]) ||
-            (fronts != 1 && !all && is_flat(job, scene, solid, edge)))
+    const cover *c = &job->fronts.cover;
+    const roberts_vec3 *P = job->fronts.P;
+    size_t left = walk->end - walk->edge;
+    hide_worker_begin(w, walk->key);
+    if (!hide_worker_reserve(w, left < most ? left : most))
+        return false;
+    for (hide_line *line = w->line; w->line_count < most && seen_next(walk, &line->is);) {
+        const seen_line *is = &line->is;
+        if (is->taken & SEEN_TAKEN) {
+            hide_worker_add_taken(w, line++);
             continue;
+        }
         w->drawn++;
-        if (is_covered(&job->fronts.cover, P, edge)) {
+        if (c->depth && cover_hides_edge(c, P[is->v[0]], P[is->v[1]])) {
             w->sides.tally.covered++;
             continue;
         }
-        hide_line *line = hide_worker_add(w, i, edge, scene->solid[solid].vertex);
-        if (!line)
+        hide_worker_add(w, line);
+        line->hidden = is->class == ROBERTS_BACK;
+        if (line->hidden && !hide_intervals_add(&line->intervals, walk->body, &(hide_interval){0.0, 1.0, 0.0, 1.0}))
             return false;
-        if (fronts == 0) {
-            line->hidden = true;
-            if (!hide_intervals_add(&line->intervals, solid, &(hide_interval){0.0, 1.0, 0.0, 1.0}))
-                return false;
-        }
+        line++;
     }
+    w->surviving += walk->surviving;
+    walk->surviving = 0;
     return true;
 }
 
-/* The solid of each hidden part becomes the one that is seen there, in its middle. */
-void segments_name_hiders(const hide_job *job, hide_worker *w)
+/* The body of each hidden part becomes the one that is seen there, in its middle. */
+static void name_hiders(const hide_job *job, hide_worker *w)
 {
-    const view *v = &job->fronts.view;
+    const view *v = &job->seen.view;
     for (hide_line *line = w->line, *end = line + w->line_count; line < end; line++)
         for (size_t i = 0; i < line->intervals.count; i++) {
             const hide_edge *e = &line->e;
@@ -202,80 +253,45 @@ void segments_name_hiders(const hide_job *job, hide_worker *w)
             double t0 = view_to_space(v, e->A.z, e->B.z, hidden->part.t0);
             double t1 = view_to_space(v, e->A.z, e->B.z, hidden->part.t1);
             roberts_vec3 middle = hide_edge_at(e, view_from_space(v, e->A.z, e->B.z, 0.5 * (t0 + t1)));
-            uint32_t seen = hide_seen_at(w, middle.x, middle.y);
-            if (seen != ROBERTS_NONE) /* else the point lies on a border and rounding has put it outside */
-                hidden->solid = seen;
+            uint32_t body = hide_seen_at(w, middle.x, middle.y);
+            if (body != ROBERTS_NONE) /* else the point lies on a border and rounding has put it outside */
+                hidden->solid = body;
         }
 }
 
-bool segments_hide(const hide_job *job, hide_worker *w, uint32_t solid)
+/* Finds what is hidden of the lines taken up. False: no memory. */
+static bool hide_lines(const hide_job *job, hide_worker *w)
 {
-    if (!take_edges(job, w, solid) || !hide_worker_run(w, solid))
+    if (!hide_worker_run(w))
         return false;
     if (job->options->keep_hidden)
-        segments_name_hiders(job, w);
+        name_hiders(job, w);
     return true;
 }
 
-/* One edge of the scene as given: the line that stands for it, NULL where it is not drawn. */
-static bool add_edge(const hide_job *job, hide_chunk *out, uint32_t solid, uint32_t edge, const hide_line *line)
+bool segments_hide(const hide_job *job, hide_worker *w, uint32_t body)
 {
-    const scene_edge *source = scene_edge_stored(job->source, solid, edge);
-    uint32_t first = job->source->solid[solid].vertex;
-    clip_edge left = {edge, 0.0, 1.0};
-    if (job->clip.clipped)
-        left = job->clip.origin[edge];
-    if (left.edge != ROBERTS_NONE && (!line || (line->hidden && !job->options->keep_hidden)))
+    hide_worker_begin(w, ROBERTS_NONE);
+    if (!has_segments(job, body))
         return true;
-    int fronts = line ? front_count(facing_of(job, solid), scene_edge_stored(job->scene, solid, line->edge)) : 0;
-    roberts_segment pattern = {.solid = solid,
-                               .v0 = scene_vertex_number(job->source, first + source->v[0]),
-                               .v1 = scene_vertex_number(job->source, first + source->v[1]),
-                               .by = ROBERTS_NONE,
-                               .t0 = left.t0,
-                               .t1 = left.t1,
-                               .state = ROBERTS_VISIBLE,
-                               .line = fronts == 1   ? ROBERTS_OUTLINE
-                                       : fronts == 2 ? ROBERTS_CREASE
-                                                     : ROBERTS_BACK,
-                               .edge = edge};
-    if (left.edge == ROBERTS_NONE || left.t0 >= left.t1) { /* equal: it ends on the near plane, to rounding */
-        bool drawn = job->options->all_edges || !is_flat(job, job->source, solid, source);
-        return !job->options->keep_hidden || !drawn || add_clipped(out, pattern, 0.0, 1.0, (roberts_vec2){0.0, 0.0});
-    }
-    return add_line(job, out, &pattern, line);
+    seen_walk walk = seen_walk_begin(&job->seen, body);
+    return take_lines(job, w, &walk, SIZE_MAX) && hide_lines(job, w);
 }
 
-/* The lines come in the order of the edges, of which some are not drawn and some, by the near plane, clipped away. */
-static bool add_solid(const hide_job *job, const hide_worker *w, hide_chunk *out, uint32_t solid)
+/* The lines of a convex body are taken all together: they have the same own faces. Those of another body are taken a
+ * group at a time. */
+static bool find_in_body(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
 {
-    const hide_line *line = w->line, *end = line + w->line_count;
-    const unsigned char *facing = facing_of(job, solid);
-    bool visible = !job->clip.clipped && !job->options->keep_hidden;
-    for (; visible && line < end; line++)
-        if (!line->hidden && !add_visible(job, out, solid, facing, line))
+    if (!has_segments(job, body))
+        return true;
+    if (scene_is_convex(job->seen.scene, body))
+        return (job->order.solid ? picture_order_recall(&job->order, body, w) : segments_hide(job, w, body)) &&
+               add_lines(job, w, out, body);
+    seen_walk walk = seen_walk_begin(&job->seen, body);
+    while (walk.edge < walk.end)
+        if (!take_lines(job, w, &walk, HIDE_GROUP) || !hide_lines(job, w) || !add_lines(job, w, out, body))
             return false;
-    for (; !job->clip.clipped && line < end; line++)
-        if (!add_edge(job, out, solid, line->edge, line))
-            return false;
-    for (uint32_t i = job->source->solid[solid].edge; job->clip.clipped && i < job->source->solid[solid + 1].edge;
-         i++) {
-        bool drawn = line < end && line->edge == job->clip.origin[i].edge;
-        if (!add_edge(job, out, solid, i, drawn ? line++ : NULL))
-            return false;
-    }
     return true;
-}
-
-static bool find_in_solid(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t solid)
-{
-    if (!scene_is_convex(job->scene, solid))
-        return surface_find(job, w, out, solid);
-    if (job->fronts.culled[solid] && !(job->clip.clipped && job->options->keep_hidden))
-        return true;
-    if (job->order.solid ? !picture_order_recall(&job->order, solid, w) : !segments_hide(job, w, solid))
-        return false;
-    return add_solid(job, w, out, solid);
 }
 
 bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t first, uint32_t end)
@@ -283,7 +299,7 @@ bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_
     for (uint32_t s = first; s < end; s++) {
         if (job->order.solid)
             picture_order_fetch(&job->order, s);
-        if (!find_in_solid(job, w, out, s))
+        if (!find_in_body(job, w, out, s))
             return false;
     }
     return true;

@@ -92,8 +92,8 @@ static side_line measure(const hide_space *space, const hide_face *F, hide_chord
     return s;
 }
 
-/* The sign of a distance `h` (times the side's length) of vertex x that is off by no more than `error`. */
-static int sign_closely(const hide_space *space, const side_line *s, uint32_t x, double h, double error,
+/* The sign of a distance `h` (times the side's length) of an edge's end that is off by no more than `error`. */
+static int sign_closely(const hide_space *space, const side_line *s, refine_point x, double h, double error,
                         uint64_t *refined)
 {
     if (error > HIDE_TRUSTED * space->epsilon * s->length && fabs(h) <= space->epsilon * s->length + error &&
@@ -112,8 +112,8 @@ static hide_side look_closely(const hide_space *space, const hide_face *F, hide_
     /* A side no longer than epsilon bounds nothing that its neighbours do not bound to within epsilon. */
     if (s.length <= space->epsilon)
         return (hide_side){0, 0};
-    hide_side H = {(signed char)sign_closely(space, &s, e->a, s.a, s.error_a, refined),
-                   (signed char)sign_closely(space, &s, e->b, s.b, s.error_b, refined)};
+    hide_side H = {(signed char)sign_closely(space, &s, refine_start(e), s.a, s.error_a, refined),
+                   (signed char)sign_closely(space, &s, refine_end(e), s.b, s.error_b, refined)};
     /* With one end outside, the other is on the side only where it is not certainly inside, be it by less than epsilon:
      * see hide_near_misses(). */
     if (H.a < 0 && H.b == 0 && s.direction * s.b > s.error_b)

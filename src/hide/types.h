@@ -3,7 +3,7 @@
 #define ROBERTS_HIDE_TYPES_H
 
 #include "base/box.h"
-#include "view/view.h"
+#include "view/seen.h"
 
 typedef struct hide_space {
     const roberts_vec3 *P;      /* view points of all vertices, by compact number */
@@ -35,10 +35,11 @@ typedef struct hide_face {
 
 /* The edge AB under test. */
 typedef struct hide_edge {
-    roberts_vec3 A, B; /* view points */
-    uint32_t a, b;     /* their compact numbers */
-    double length;     /* of AB in the picture */
-    double length3;    /* of AB in view space */
+    roberts_vec3 A, B;     /* view points */
+    uint32_t a, b;         /* vertices of the scene; ROBERTS_NONE: a computed point */
+    const seen_point *end; /* [2] where A and B are in the model if they are computed; NULL: both are vertices */
+    double length;         /* of AB in the picture */
+    double length3;        /* of AB in view space */
 } hide_edge;
 
 /* The hidden part t0 .. t1 of an edge by one face or solid: parameters along its picture. From r0 to r1 the edge is

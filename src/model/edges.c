@@ -11,6 +11,7 @@
 
 #include "base/array.h"
 #include "base/sort.h"
+#include "base/vec.h"
 
 enum { SHORT_BUCKET = 24 }; /* half-edges; up to so many, insertion beats the library's sort */
 
@@ -169,6 +170,13 @@ static void add_smallest(uint32_t face[2], uint32_t number)
     }
 }
 
+/* Whether the scene has the segment's edge. */
+static bool has_edge(const roberts_scene *scene, const roberts_segment *segment)
+{
+    return scene && segment->solid < scene->solid_count && segment->edge >= scene->solid[segment->solid].edge &&
+           segment->edge < scene->solid[segment->solid + 1].edge;
+}
+
 void roberts_segment_faces(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
                            uint32_t face[2])
 {
@@ -178,8 +186,7 @@ void roberts_segment_faces(const roberts_scene *scene, const roberts_drawing *dr
             memcpy(face, drawing->crossing[segment->edge].face, 2 * sizeof *face);
         return;
     }
-    if (segment->solid >= scene->solid_count || segment->edge < scene->solid[segment->solid].edge ||
-        segment->edge >= scene->solid[segment->solid + 1].edge)
+    if (!has_edge(scene, segment))
         return;
     const uint32_t first = scene->solid[segment->solid].face;
     const scene_edge *edge = scene_edge_stored(scene, segment->solid, segment->edge);
@@ -192,4 +199,38 @@ void roberts_segment_faces(const roberts_scene *scene, const roberts_drawing *dr
     for (int k = 0; k < 2; k++)
         if (edge->f[k] != ROBERTS_NONE)
             add_smallest(face, scene_face_number(scene, first + edge->f[k]));
+}
+
+/* The point at t of a line from A to B that begins at `from` and ends at `to`. */
+static roberts_vec3 point_at(const roberts_vec3 line[2], double from, double to, double t)
+{
+    if (t <= from || t >= to)
+        return line[t > from];
+    return vec3_add(line[0], vec3_scale((t - from) / (to - from), vec3_sub(line[1], line[0])));
+}
+
+bool roberts_segment_ends(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
+                          roberts_vec3 end[2])
+{
+    const uint32_t body = segment->solid, e = segment->edge;
+    roberts_vec3 line[2];
+    double from = 0.0, to = 1.0;
+    if (segment->line == ROBERTS_INTERSECTION) {
+        if (e >= drawing->crossing_count)
+            return false;
+        memcpy(line, drawing->crossing[e].end, sizeof line);
+    } else {
+        if (!has_edge(scene, segment))
+            return false;
+        const scene_edge *edge = scene_edge_stored(scene, body, e);
+        for (int i = 0; i < 2; i++)
+            line[i] = scene->point[scene->solid[body].vertex + edge->v[i]];
+        if (!scene_is_convex(scene, body) && scene->surface->edge_is[e] & EDGE_PART) {
+            from = scene_part_at(scene, e)->t0;
+            to = scene_part_at(scene, e)->t1;
+        }
+    }
+    end[0] = point_at(line, from, to, segment->t0);
+    end[1] = point_at(line, from, to, segment->t1);
+    return true;
 }

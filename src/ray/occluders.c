@@ -333,29 +333,10 @@ uint32_t occluders_place(const occluders *o, roberts_vec3 X)
 
 /* ---- who takes part -------------------------------------------------------------------------------------------- */
 
-/* Whether the edge lies in this plane, by the number that pieces of one face share. */
-static bool lies_in(const roberts_scene *scene, uint32_t solid, uint32_t edge, uint32_t plane_of)
+bool occluders_take_part(const occluders *o, const occluders_asker *of, uint32_t face)
 {
-    const scene_surface *surface = scene->surface;
-    const scene_edge *e = scene_edge_stored(scene, solid, edge);
-    for (int k = 0; k < 2; k++)
-        if (e->f[k] != ROBERTS_NONE && surface->plane_of[scene->solid[solid].face + e->f[k]] == plane_of)
-            return true;
-    if (!(surface->edge_is[edge] & EDGE_MANY))
-        return false;
-    const scene_many *many = scene_many_at(scene, edge);
-    for (uint32_t k = many->first; k < many->end; k++)
-        if (surface->plane_of[surface->many_face[k] & ~MANY_TURNED] == plane_of)
-            return true;
-    return false;
-}
-
-bool occluders_take_part(const occluders *o, occluders_asker of, uint32_t face)
-{
-    if (o->face_solid[face] != (of.own ? o->twin[of.solid] : of.solid))
-        return true;
-    return of.own &&
-           (of.edge == ROBERTS_NONE || !lies_in(o->s.scene, of.solid, of.edge, o->s.scene->surface->plane_of[face]));
+    const roberts_scene *scene = o->s.scene;
+    return !seen_owns(scene, &of->none, seen_face_key(scene, o->face_solid[face], face));
 }
 
 /* ---- casting --------------------------------------------------------------------------------------------------- */
@@ -402,7 +383,7 @@ static void ask(casting *c, uint32_t face, tree_set points)
     while (!tree_set_is_empty(&points)) {
         uint32_t i = tree_set_take(&points);
         sight_question *q = &c->question[i];
-        if ((q->answer == SIGHT_SURELY && !q->nearest) || !occluders_take_part(o, q->of, face))
+        if ((q->answer == SIGHT_SURELY && !q->nearest) || !occluders_take_part(o, &q->of, face))
             continue;
         double slack = convex && q->of.own && solid == o->twin[q->of.solid] ? o->slack[q->of.solid] : 0.0;
         sight_answer answer =
@@ -490,7 +471,7 @@ bool occluders_search_next(occluders_search *s, uint32_t *face, sight_part *part
     do {
         while (s->face < s->face_end) {
             *face = s->face++;
-            if (occluders_take_part(s->o, s->of, *face) && sight_hidden_part(&s->o->s, *face, s->A, s->B, part))
+            if (occluders_take_part(s->o, &s->of, *face) && sight_hidden_part(&s->o->s, *face, s->A, s->B, part))
                 return true;
         }
     } while (next_item(s));

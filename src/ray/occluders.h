@@ -6,6 +6,7 @@
 
 #include "ray/sight.h"
 #include "ray/tree.h"
+#include "view/seen.h"
 
 typedef struct occluders {
     sight s;
@@ -30,13 +31,12 @@ uint32_t occluders_place(const occluders *o, roberts_vec3 X);
 /* Who asks: an edge of `solid`. */
 typedef struct occluders_asker {
     uint32_t solid;
-    bool own;      /* faces of `solid` itself take part, */
-    uint32_t edge; /* ... but those in the planes of the faces of this edge of sight.scene; ROBERTS_NONE: of none */
+    bool own;      /* faces of `solid` itself take part */
+    seen_own none; /* faces that do not, because the edge lies in them */
 } occluders_asker;
 
-/* Whether a face may hide points of the edge that asks. It may not if it is a face of the edge, or lies in the plane of
- * one: the edge lies in it. */
-bool occluders_take_part(const occluders *o, occluders_asker of, uint32_t face);
+/* Whether a face may hide points of the edge that asks. It may not if the edge lies in it. */
+bool occluders_take_part(const occluders *o, const occluders_asker *of, uint32_t face);
 
 /* A question about X, a point of an edge: which faces hide it?
  *

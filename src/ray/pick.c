@@ -8,11 +8,11 @@
 #include "base/sort.h"
 #include "base/error.h"
 #include "ray/sight.h"
-#include "view/clip.h"
+#include "view/seen.h"
 
 typedef struct picker {
     sight s;
-    view v;
+    seen seen;
     roberts_vec3 Q, toward; /* the sight line, through the picture's point, toward the viewer; in s.unit */
     roberts_picked *picked;
     size_t room;
@@ -21,7 +21,7 @@ typedef struct picker {
 /* Depth of a point, in s.unit, behind the picture plane. */
 static double depth_of(const picker *p, roberts_vec3 X)
 {
-    return vec3_dot(vec3_sub(p->Q, X), p->v.dir);
+    return vec3_dot(vec3_sub(p->Q, X), p->seen.view.dir);
 }
 
 static bool append(picker *p, roberts_pick_hit hit)
@@ -83,22 +83,18 @@ roberts_status roberts_pick(const roberts_scene *scene, const roberts_camera *ca
     *picked = (roberts_picked){0};
     if (!isfinite(x) || !isfinite(y))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "the point to pick must be finite");
-    view_clip clip;
-    roberts_status status = view_clip_scene(&clip, scene, camera, error);
+    roberts_status status = seen_begin(&p.seen, scene, camera, 0.0, error);
     if (status != ROBERTS_OK)
         return status;
-    const roberts_scene *seen = clip.clipped ? &clip.scene : scene;
-    if ((status = view_prepare(&p.v, seen, camera, 0.0, error)) != ROBERTS_OK)
-        goto done;
-    if (!sight_prepare(&p.s, seen, &p.v)) {
+    if (!sight_prepare(&p.s, p.seen.scene, &p.seen.view)) {
         status = error_no_memory(error);
         goto done;
     }
     roberts_vec2 shift = {x / p.s.unit, y / p.s.unit};
-    p.Q = vec3_add(vec3_scale(shift.x, p.v.right), vec3_scale(shift.y, p.v.up));
-    p.Q = vec3_add(sight_point(&p.s, p.v.origin), p.Q);
+    p.Q = vec3_add(vec3_scale(shift.x, p.seen.view.right), vec3_scale(shift.y, p.seen.view.up));
+    p.Q = vec3_add(sight_point(&p.s, p.seen.view.origin), p.Q);
     p.toward = sight_from(&p.s, p.Q);
-    for (uint32_t solid = 0; status == ROBERTS_OK && solid < seen->solid_count; solid++)
+    for (uint32_t solid = 0; status == ROBERTS_OK && solid < p.seen.scene->solid_count; solid++)
         if (!pick_solid(&p, solid))
             status = error_no_memory(error);
     if (status != ROBERTS_OK)
@@ -107,7 +103,7 @@ roberts_status roberts_pick(const roberts_scene *scene, const roberts_camera *ca
         order(picked, (p.s.loose + p.s.rounding) * p.s.unit);
 done:
     sight_free(&p.s);
-    view_clip_free(&clip);
+    seen_end(&p.seen);
     return status;
 }
 

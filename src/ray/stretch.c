@@ -186,7 +186,7 @@ static double hidden_until(const occluders *o, const stretch_probe *p, const sig
         return p->t;
     if (all.t1 < 1.0 && solid[1].face - solid->face <= FEW_FACES)
         for (uint32_t face = solid->face; face < solid[1].face; face++)
-            if (face != q->hider && occluders_take_part(o, q->of, face) &&
+            if (face != q->hider && occluders_take_part(o, &q->of, face) &&
                 sight_hidden_part(&o->s, face, q->X, end, &part) && part.t0 <= all.t1 + touching)
                 all.t1 = greater(all.t1, part.t1);
     return all.t1 >= 1.0 ? p->end : p->t + all.t1 * (p->end - p->t);
@@ -265,8 +265,7 @@ void stretch_checker_finish(stretch_checker *c)
 
 static occluders_asker asker_of(const stretch *s)
 {
-    bool between = s->faces == STRETCH_BETWEEN;
-    return (occluders_asker){s->solid, between || s->faces == STRETCH_BACK, between ? s->seen : ROBERTS_NONE};
+    return (occluders_asker){s->solid, s->faces == STRETCH_BETWEEN || s->faces == STRETCH_BACK, s->own};
 }
 
 static void ask(stretch_checker *c, const stretch *s, const stretch_probe *p)

@@ -16,7 +16,7 @@ typedef enum stretch_edge {
 typedef struct stretch {
     roberts_vec3 A, B; /* ends of the whole edge; t runs from A to B */
     uint32_t solid, edge;
-    uint32_t seen; /* the edge's number in the scene that hides, where `faces` is STRETCH_BETWEEN */
+    seen_own own; /* faces that do not hide it */
     stretch_edge faces;
     double t0, t1;
     roberts_state drawn;

@@ -15,7 +15,6 @@
 #include "base/sort.h"
 #include "base/threads.h"
 #include "ray/stretch.h"
-#include "view/clip.h"
 
 /* A gap between two rows of an edge that is no wider in t is rounding. */
 #define GAP 1e-15
@@ -43,8 +42,7 @@ typedef struct edge_name {
 
 typedef struct verifier {
     const roberts_scene *scene; /* as given: the drawing's numbers and t go by it */
-    const roberts_scene *seen;  /* what hides: the same, or what the near plane leaves of it */
-    view_clip clip;
+    seen seen;                  /* of it, seen.scene hides */
     const roberts_drawing *drawing;
     roberts_verify_options options;
     occluders o;
@@ -94,7 +92,7 @@ static bool is_surely_drawn(const verifier *f, const scene_edge *e)
     if (f->options.all_edges || e->f[1] == ROBERTS_NONE || f->o.s.facing[e->f[0]] == SIGHT_NOT_FRONT ||
         f->o.s.facing[e->f[1]] == SIGHT_NOT_FRONT)
         return true;
-    const plane *of = f->seen->face_plane;
+    const plane *of = f->seen.scene->face_plane;
     return angle_between(of[e->f[0]], of[e->f[1]], false) > f->options.crease_degrees + CREASE_MARGIN;
 }
 
@@ -108,7 +106,7 @@ typedef struct edge_sides {
  * edge. */
 static void add_side(const verifier *f, uint32_t face, bool on_right, uint32_t first, edge_sides *to)
 {
-    plane F = f->seen->face_plane[face], G = f->o.s.scene->face_plane[face];
+    plane F = f->seen.scene->face_plane[face], G = f->o.s.scene->face_plane[face];
     bool back = F.a * G.a + F.b * G.b + F.c * G.c < 0.0; /* it was turned to the viewer */
     to->unsure += f->o.s.facing[face] == SIGHT_UNSURE;
     if (f->o.s.facing[face] == SIGHT_NOT_FRONT)
@@ -117,19 +115,19 @@ static void add_side(const verifier *f, uint32_t face, bool on_right, uint32_t f
         to->right++;
     else
         to->left++;
-    double bent = angle_between(f->seen->face_plane[first], F, false);
+    double bent = angle_between(f->seen.scene->face_plane[first], F, false);
     to->bent = fmax(to->bent, fmin(bent, 180.0 - bent));
 }
 
 static edge_sides sides_of(const verifier *f, uint32_t solid, uint32_t index)
 {
-    const scene_surface *surface = f->seen->surface;
-    const scene_edge *e = scene_edge_stored(f->seen, solid, index);
+    const scene_surface *surface = f->seen.scene->surface;
+    const scene_edge *e = scene_edge_stored(f->seen.scene, solid, index);
     uint8_t is = surface->edge_is[index];
-    uint32_t of = f->seen->solid[solid].face;
+    uint32_t of = f->seen.scene->solid[solid].face;
     edge_sides found = {0};
     if (is & EDGE_MANY) {
-        const scene_many *many = scene_many_at(f->seen, index);
+        const scene_many *many = scene_many_at(f->seen.scene, index);
         const uint32_t *face = surface->many_face;
         for (uint32_t k = many->first; k < many->end; k++)
             add_side(f, face[k] & ~MANY_TURNED, face[k] & MANY_TURNED, face[many->first] & ~MANY_TURNED, &found);
@@ -140,7 +138,8 @@ static edge_sides sides_of(const verifier *f, uint32_t solid, uint32_t index)
             add_side(f, of + e->f[k], is & (k ? EDGE_TURNED_1 : EDGE_TURNED_0), of + e->f[0], &found);
     if (e->f[1] != ROBERTS_NONE) {
         bool alike = !(is & EDGE_TURNED_0) == !(is & EDGE_TURNED_1);
-        found.bent = angle_between(f->seen->face_plane[of + e->f[0]], f->seen->face_plane[of + e->f[1]], alike);
+        found.bent =
+            angle_between(f->seen.scene->face_plane[of + e->f[0]], f->seen.scene->face_plane[of + e->f[1]], alike);
     }
     return found;
 }
@@ -148,8 +147,8 @@ static edge_sides sides_of(const verifier *f, uint32_t solid, uint32_t index)
 /* The same as is_surely_drawn() for an edge of a body that is not convex. */
 static bool is_surely_line(const verifier *f, uint32_t solid, uint32_t index)
 {
-    const scene_surface *surface = f->seen->surface;
-    const scene_edge *e = scene_edge_stored(f->seen, solid, index);
+    const scene_surface *surface = f->seen.scene->surface;
+    const scene_edge *e = scene_edge_stored(f->seen.scene, solid, index);
     double crease = f->options.crease_degrees;
     bool cut = surface->edge_is[index] & EDGE_CUT;
     if (e->f[1] == ROBERTS_NONE)
@@ -164,12 +163,6 @@ static bool is_surely_line(const verifier *f, uint32_t solid, uint32_t index)
     return !cut && (f->options.all_edges || sides.bent > crease + CREASE_MARGIN);
 }
 
-/* What the near plane leaves of an edge. */
-static clip_edge left_of(const verifier *f, uint32_t index)
-{
-    return f->clip.clipped ? f->clip.origin[index] : (clip_edge){index, 0.0, 1.0};
-}
-
 static roberts_vec3 vertex_point(const verifier *f, uint32_t vertex)
 {
     return sight_point(&f->o.s, f->scene->point[vertex]);
@@ -178,16 +171,8 @@ static roberts_vec3 vertex_point(const verifier *f, uint32_t vertex)
 /* The part of an edge of the file that an edge of a body is. */
 static edge_name part_of(const verifier *f, uint32_t solid, uint32_t index)
 {
-    const scene_edge *e = scene_edge_stored(f->scene, solid, index);
-    uint32_t first = f->scene->solid[solid].vertex;
-    edge_name name = {.solid = solid, .edge = index, .t1 = 1.0};
-    if (scene_is_convex(f->scene, solid) || !(f->scene->surface->edge_is[index] & EDGE_PART)) {
-        name.v[0] = scene_vertex_number(f->scene, first + e->v[0]);
-        name.v[1] = scene_vertex_number(f->scene, first + e->v[1]);
-        return name;
-    }
-    const scene_part *part = scene_part_at(f->scene, index);
-    return (edge_name){solid, {part->v[0], part->v[1]}, index, part->t0, part->t1};
+    seen_name name = seen_edge_name(f->scene, solid, index);
+    return (edge_name){solid, {name.v[0], name.v[1]}, index, name.t0, name.t1};
 }
 
 /* The row with t along the part. */
@@ -233,20 +218,25 @@ static void check_gap(stretch_checker *checker, double t0, double t1, double gap
  * gap. */
 static void check_edge(const verifier *f, stretch_checker *checker, uint32_t solid, uint32_t index)
 {
-    clip_edge left = left_of(f, index);
+    clip_edge left = seen_left_of(&f->seen, index);
     if (left.edge == ROBERTS_NONE)
         return;
-    const scene_edge edge = scene_edge_at(f->seen, solid, left.edge), whole = scene_edge_at(f->scene, solid, index);
+    const scene_edge edge = scene_edge_at(f->seen.scene, solid, left.edge),
+                     whole = scene_edge_at(f->scene, solid, index);
     const edge_name part = part_of(f, solid, index);
     bool convex = scene_is_convex(f->scene, solid);
-    bool gaps = convex ? is_surely_drawn(f, &edge) : is_surely_line(f, solid, left.edge);
+    bool gaps = !f->options.unite && (convex ? is_surely_drawn(f, &edge) : is_surely_line(f, solid, left.edge));
     double end = left.t0, gap = GAP / (part.t1 - part.t0);
     stretch s = {.A = vertex_point(f, whole.v[0]),
                  .B = vertex_point(f, whole.v[1]),
                  .solid = solid,
                  .edge = index,
-                 .seen = left.edge,
-                 .faces = convex ? classify_edge(f, &edge) : STRETCH_BETWEEN};
+                 .faces = convex ? classify_edge(f, &edge) : STRETCH_BETWEEN,
+                 .own = seen_owns_none};
+    if (!convex)
+        s.own = seen_own_of(f->seen.scene, solid, left.edge);
+    else if (s.faces != STRETCH_BACK)
+        s.own.key[0] = seen_body_key(solid);
     for (uint32_t k = f->row_start[index]; k < f->row_start[index + 1]; k++) {
         const roberts_segment row = row_on(&part, &f->drawing->segment[f->row[k]]);
         if (row.state == ROBERTS_CLIPPED)
@@ -526,13 +516,13 @@ static void count_rays(const verifier *f, double *rays)
         rays[s] *= f->options.rays;
 }
 
-static bool build_occluders(verifier *f, const view *v)
+static bool build_occluders(verifier *f)
 {
     double *rays = alloc_array(f->scene->solid_count, sizeof *rays);
     bool built = false;
     if (rays) {
         count_rays(f, rays);
-        built = occluders_build(&f->o, f->seen, v, rays);
+        built = occluders_build(&f->o, f->seen.scene, &f->seen.view, rays);
     }
     free(rays);
     return built;
@@ -563,34 +553,29 @@ static void release(verifier *f)
     free(f->row_start);
     free(f->row);
     occluders_free(&f->o);
-    view_clip_free(&f->clip);
+    seen_end(&f->seen);
 }
 
 roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *camera, const roberts_drawing *drawing,
                               const roberts_verify_options *options, roberts_verification *result, roberts_error *error)
 {
     verifier f = {.scene = scene, .drawing = drawing};
-    view v;
     *result = (roberts_verification){0};
     f.options = options ? *options : roberts_verify_options_default();
     if (f.options.rays == 0)
         f.options.rays = roberts_verify_options_default().rays;
     if (drawing->count >= UINT32_MAX)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "too many segments: 2^32 - 2 at most");
-    roberts_status status = view_clip_scene(&f.clip, scene, camera, error);
+    roberts_status status = seen_begin(&f.seen, scene, camera, drawing->epsilon, error);
     if (status != ROBERTS_OK)
         return status;
-    f.seen = f.clip.clipped ? &f.clip.scene : scene;
-    if ((status = view_prepare(&v, f.seen, camera, drawing->epsilon, error)) != ROBERTS_OK)
-        goto done;
     status = prepare(&f) ? assign_rows(&f, error) : error_no_memory(error);
-    if (status == ROBERTS_OK && !(build_occluders(&f, &v) && order_runs(&f)))
+    if (status == ROBERTS_OK && !(build_occluders(&f) && order_runs(&f)))
         status = error_no_memory(error);
     if (status == ROBERTS_OK) {
         check_chunks(&f);
         status = report(&f, result, error);
     }
-done:
     release(&f);
     return status;
 }

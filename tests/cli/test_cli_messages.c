@@ -389,6 +389,8 @@ static const struct {
     {"-f json --scale 1:2 --unit in --margin 5 --landscape --frame",
      "--landscape, --margin, --scale, --unit, --frame have no effect: json has no page\n"},
     {"-f null --order none --dpi 9", "--dpi, --order have no effect: null has no page\n"},
+    {"--columns +ends", "--columns has no effect: svg is no table\n"},
+    {"-f csv --columns +name,+ends", ""},
     {"-f null -o in/b.svg", "--output has no effect: the format null writes nothing\n"},
     {"-f csv --hidden dashed --crease 5", ""},
 };

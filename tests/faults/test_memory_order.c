@@ -66,10 +66,11 @@ static void fill(uint32_t *cell, bool scattered)
 static bool is_worth(const roberts_scene *scene)
 {
     hide_fronts fronts;
+    seen seen_scene;
     picture_order order;
     double depth;
-    assert_int_equal(hide_fronts_build(&fronts, scene, &camera, &(roberts_hide_options){.threads = 1}, NULL),
-                     ROBERTS_OK);
+    assert_int_equal(seen_begin(&seen_scene, scene, &camera, 0.0, NULL), ROBERTS_OK);
+    assert_true(hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.threads = 1}));
     cells_for_lists(fronts.front_box, fronts.front_count, fronts.low, fronts.high, 0, 0.0, &depth);
     assert_true(picture_order_init(&order, &fronts, depth));
     bool worth = order.solid != NULL;
@@ -77,6 +78,7 @@ static bool is_worth(const roberts_scene *scene)
         assert_true(order.solid[i] < COUNT && order.place[order.solid[i]] == i);
     picture_order_free(&order);
     hide_fronts_free(&fronts);
+    seen_end(&seen_scene);
     return worth;
 }
 

@@ -33,17 +33,24 @@ static bool tell(const findings *f)
 
 static int class_of(const roberts_segment *s)
 {
-    return s->state == ROBERTS_HIDDEN ? ROBERTS_BACK : s->line == ROBERTS_CREASE ? ROBERTS_CREASE : ROBERTS_OUTLINE;
+    return s->state == ROBERTS_HIDDEN ? ROBERTS_BACK : s->line == ROBERTS_BACK ? ROBERTS_OUTLINE : s->line;
+}
+
+static const roberts_pen *pen_of(const roberts_draw_options *options, int line)
+{
+    const roberts_pen *const pen[] = {
+        [ROBERTS_OUTLINE] = &options->outline, [ROBERTS_CREASE] = &options->crease,
+        [ROBERTS_BACK] = &options->back,       [ROBERTS_BORDER] = &options->border,
+        [ROBERTS_WIRE] = &options->wire,       [ROBERTS_INTERSECTION] = &options->intersection,
+    };
+    return pen[line];
 }
 
 static bool is_drawn(const roberts_segment *s, const roberts_draw_options *options)
 {
     if (s->state == ROBERTS_CLIPPED || (s->state == ROBERTS_HIDDEN && options->hidden == ROBERTS_HIDDEN_NONE))
         return false;
-    int line = class_of(s);
-    return !(line == ROBERTS_OUTLINE  ? options->outline.off
-             : line == ROBERTS_CREASE ? options->crease.off
-                                      : options->back.off);
+    return !pen_of(options, class_of(s))->off;
 }
 
 static bool add_rows(row_list *r, const roberts_drawing *d, const roberts_draw_options *options, const page_map *map,
@@ -486,7 +493,8 @@ bool check_same(const paper *p, const paper *q)
 
 /* ---- pixels ---------------------------------------------------------------------------------------------------- */
 
-/* The channel of a class, 0 to 255. */
+/* The channel of a class, 0 to 255. Only hidden lines have blue; further classes have as much
+ * red as green, so that they show none of the three. */
 static int part(uint32_t pixel, int line)
 {
     static const int shift[] = {[ROBERTS_OUTLINE] = 16, [ROBERTS_CREASE] = 8, [ROBERTS_BACK] = 0};
@@ -498,11 +506,6 @@ static bool shows(uint32_t pixel, int line)
 {
     int other = part(pixel, (line + 1) % 3), third = part(pixel, (line + 2) % 3);
     return part(pixel, line) >= 128 && other < 128 && third < 128;
-}
-
-static const roberts_pen *pen_of(const roberts_draw_options *options, int line)
-{
-    return line == ROBERTS_OUTLINE ? &options->outline : line == ROBERTS_CREASE ? &options->crease : &options->back;
 }
 
 /* Whether the pixel at a point of a row has the right colour. Depth decides which of two visible classes is drawn;

@@ -18,7 +18,7 @@ uint32_t paper_color(int line)
 {
     static const uint32_t color[PAPER_CLASSES] = {
         [ROBERTS_OUTLINE] = 0xff0000, [ROBERTS_CREASE] = 0x00ff00, [ROBERTS_BACK] = 0x0000ff,
-        [ROBERTS_BORDER] = 0xff00ff,  [ROBERTS_WIRE] = 0x808080,   [ROBERTS_INTERSECTION] = 0xff8000,
+        [ROBERTS_BORDER] = 0xe0e000,  [ROBERTS_WIRE] = 0xc0c000,   [ROBERTS_INTERSECTION] = 0xd0d000,
         [PAPER_FRAME] = 0xffff00,     [PAPER_SYMBOL] = 0x00ffff,
     };
     return color[line];

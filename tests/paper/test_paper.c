@@ -1,6 +1,8 @@
 /* Pages against tables: what SVG, PDF and PNG show is read back and compared with the segments. This is a sample;
  * tests/paper/compare draws more. */
 #include <dirent.h>
+#include <errno.h>
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -9,6 +11,7 @@
 
 #include <cmocka.h>
 
+#include "drawing.h"
 #include "paper/trials.h"
 
 /* ---- faults that there were ------------------------------------------------------------------------------------ */
@@ -25,6 +28,11 @@ static const struct {
     {"a needle, on the page thinner than places are apart",
      "OFF/4 4 0/0 0 0/1 0 1e-6/1 1e-6 0/1 1e-6 1e-6/3 0 2 1/3 0 1 3/3 0 3 2/3 1 2 3/",
      {0, -1, 0.2}},
+    {"a box, three faces on one edge, a wire before and behind them",
+     "OFF/17 10 0/0 0 0/4 0 0/4 4 0/0 -4 -1/4 -4 -1/0 -3 0/4 -3 0/-1 -2 2/5 3 -2/1 1 1/2 1 1/1 2 1/2 2 1/1 1 2/2 1 2/"
+     "1 2 2/2 2 2/3 0 1 2/4 0 1 4 3/4 0 1 6 5/2 7 8/4 9 11 12 10/4 13 14 16 15/4 9 10 14 13/4 10 12 16 14/"
+     "4 12 11 15 16/4 11 9 13 15/",
+     {1, -2, 3}},
 };
 
 /* A slash stands for a new line. */
@@ -222,6 +230,44 @@ static void faults_of_lines_are_found(void **state)
     }
 }
 
+/* A line of each class, alone on its height, comes back from SVG and PDF in its layer and colour. */
+static void each_class_is_read_back(void **state)
+{
+    enum { CLASSES = ROBERTS_INTERSECTION + 1 };
+    roberts_segment segment[CLASSES] = {{0}};
+    roberts_draw_options options = paper_options();
+    (void)state;
+    options.hidden = ROBERTS_HIDDEN_SOLID;
+    for (int i = 0; i < CLASSES; i++)
+        segment[i] = (roberts_segment){.p0 = {0, i},
+                                       .p1 = {10, i},
+                                       .state = i == ROBERTS_BACK ? ROBERTS_HIDDEN : ROBERTS_VISIBLE,
+                                       .line = (uint8_t)i};
+    for (int pdf = 0; pdf < 2; pdf++) {
+        paper p = {0};
+        sink to = {0};
+        bool found[CLASSES] = {false};
+        options.format = pdf ? ROBERTS_PDF : ROBERTS_SVG;
+        assert_int_equal(roberts_drawing_write(&(roberts_drawing){.count = CLASSES, .segment = segment}, &options,
+                                               sink_write, &to, NULL),
+                         ROBERTS_OK);
+        assert_true(pdf ? paper_read_pdf(&p, to.bytes, to.size, options.page.height_mm)
+                        : paper_read_svg(&p, to.bytes, to.size));
+        assert_int_equal(p.count, CLASSES);
+        for (size_t i = 0; i < p.count; i++) {
+            const paper_line *line = &p.item[i];
+            assert_in_range(line->line, 0, CLASSES - 1);
+            assert_true(fabs(fabs(line->a.x - line->b.x) - 190.0) < 0.002);
+            assert_true(fabs(line->a.y - (148.5 + 19.0 * (2.5 - line->line))) < 0.002);
+            found[line->line] = true;
+        }
+        for (int i = 0; i < CLASSES; i++)
+            assert_true(found[i]);
+        paper_free(&p);
+        free(to.bytes);
+    }
+}
+
 static void faults_of_pixels_are_found(void **state)
 {
     roberts_draw_options options = paper_options();
@@ -252,11 +298,9 @@ static void faults_of_pixels_are_found(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(faults_of_lines_are_found),
-        cmocka_unit_test(faults_of_pixels_are_found),
-        cmocka_unit_test(old_faults_are_mended),
-        cmocka_unit_test(models_are_drawn_right),
-        cmocka_unit_test(generated_scenes_are_drawn_right),
+        cmocka_unit_test(faults_of_lines_are_found), cmocka_unit_test(faults_of_pixels_are_found),
+        cmocka_unit_test(each_class_is_read_back),   cmocka_unit_test(old_faults_are_mended),
+        cmocka_unit_test(models_are_drawn_right),    cmocka_unit_test(generated_scenes_are_drawn_right),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -89,11 +89,12 @@ static void a_tree_finds_what_all_faces_do(void **state)
         model m = {0};
         rng r = {seed + 100};
         hide_fronts fronts;
+        seen seen_scene;
         seed < SCENES ? make_scene(&m, seed) : make_speck(&m);
         roberts_scene *scene = model_build(&m);
-        assert_int_equal(hide_fronts_build(&fronts, scene, &cameras[seed % 3],
-                                           &(roberts_hide_options){.keep_hidden = true, .threads = 1}, NULL),
-                         ROBERTS_OK);
+        assert_int_equal(seen_begin(&seen_scene, scene, &cameras[seed % 3], 0.0, NULL), ROBERTS_OK);
+        assert_true(
+            hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
         hide_fronts plain = fronts;
         plain.bundles = (bundle_table){0};
         fronts.space.scene = plain.space.scene = NULL; /* these edges are none of the scene's */
@@ -120,6 +121,7 @@ static void a_tree_finds_what_all_faces_do(void **state)
         }
         assert_true(seed < SCENES || bundles == before + 2);
         hide_fronts_free(&fronts);
+        seen_end(&seen_scene);
         roberts_scene_free(scene);
         model_free(&m);
     }

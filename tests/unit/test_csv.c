@@ -166,8 +166,8 @@ static roberts_segment some[] = {
      0.25,
      {1.0, 2.0},
      {3.0, 4.0},
-     0.0,
-     0.0,
+     5.0,
+     6.0,
      ROBERTS_VISIBLE,
      ROBERTS_INTERSECTION,
      0},
@@ -203,6 +203,145 @@ static const struct {
      "\"x1\":3,\"y1\":4,\"by\":null,\"class\":\"intersection\",\"f0\":3,\"f1\":8}\n]\n"},
     {"null", ROBERTS_NULL, ROBERTS_HIDDEN_NONE, 0, 3, ""},
 };
+
+/* Further columns, in the order given. A drawing by hand has no scene: only an intersection has ends. */
+static const struct {
+    const char *name;
+    roberts_format format;
+    size_t first, column_count;
+    roberts_column column[ROBERTS_COLUMNS + 1];
+    const char *wanted; /* NULL: refused */
+} column_cases[] = {
+    {"depth",
+     ROBERTS_CSV,
+     3,
+     1,
+     {ROBERTS_COLUMN_DEPTH},
+     ",f1,z0,z1\n2,,,0,0.25,visible,1,2,3,4,,intersection,3,8,5,6\n"},
+    {"depth, name, ends",
+     ROBERTS_CSV,
+     3,
+     3,
+     {ROBERTS_COLUMN_DEPTH, ROBERTS_COLUMN_NAME, ROBERTS_COLUMN_ENDS},
+     ",f1,z0,z1,name,X0,Y0,Z0,X1,Y1,Z1\n2,,,0,0.25,visible,1,2,3,4,,intersection,3,8,5,6,,0,0,0,0,0,0.25\n"},
+    {"no ends", ROBERTS_CSV, 0, 1, {ROBERTS_COLUMN_ENDS}, "outline,,,,,,,,\n"},
+    {"no ends, no name, in JSON",
+     ROBERTS_JSON,
+     0,
+     2,
+     {ROBERTS_COLUMN_NAME, ROBERTS_COLUMN_ENDS},
+     "\"f1\":null,\"name\":null,\"X0\":null,\"Y0\":null,\"Z0\":null,\"X1\":null,\"Y1\":null,\"Z1\":null}\n"},
+    {"ends in JSON",
+     ROBERTS_JSON,
+     3,
+     1,
+     {ROBERTS_COLUMN_ENDS},
+     "\"f1\":8,\"X0\":0,\"Y0\":0,\"Z0\":0,\"X1\":0,\"Y1\":0,\"Z1\":0.25}\n"},
+    {"twice", ROBERTS_CSV, 0, 2, {ROBERTS_COLUMN_ENDS, ROBERTS_COLUMN_ENDS}, NULL},
+    {"unknown", ROBERTS_CSV, 0, 1, {ROBERTS_COLUMNS}, NULL},
+    {"too many", ROBERTS_CSV, 0, ROBERTS_COLUMNS + 1, {ROBERTS_COLUMN_ENDS}, NULL},
+};
+
+static void further_columns(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof column_cases / sizeof column_cases[0]; i++) {
+        roberts_draw_options options = roberts_draw_options_default();
+        roberts_drawing drawing = {
+            .count = 1, .segment = some + column_cases[i].first, .crossing_count = 1, .crossing = &crossing};
+        roberts_error error = {0};
+        sink to = {0};
+        options.format = column_cases[i].format;
+        options.column_count = column_cases[i].column_count;
+        memcpy(options.column, column_cases[i].column, sizeof options.column);
+        print_message("%s\n", column_cases[i].name);
+        roberts_status status = roberts_drawing_write(&drawing, &options, sink_write, &to, &error);
+        assert_int_equal(status, column_cases[i].wanted ? ROBERTS_OK : ROBERTS_BAD_ARGUMENT);
+        if (!column_cases[i].wanted)
+            assert_string_equal(error.message, "an unknown column of tables, or one that is wanted twice");
+        else if (!strstr(to.bytes, column_cases[i].wanted))
+            fail_msg("%s", to.bytes);
+        free(to.bytes);
+    }
+}
+
+/* A named body, its ends in the model, and a name that needs quotes. */
+static void columns_of_a_scene(void **state)
+{
+    static const char *const wanted[] = {
+        "0,0,1,0,1,visible,-0.5,-1,-0.5,1,,border,0,,0,0,5,0,2,5,0.5,0.5,\"a, \"\"b\"\"\"\n",
+        "\"X1\":0,\"Y1\":2,\"Z1\":5,\"z0\":0.5,\"z1\":0.5,\"name\":\"a, \\\"b\\\"\"}",
+    };
+    static const char text[] = "o a, \"b\"\nv 0 0 5\nv 0 2 5\nv 1 0 4\nf 1 3 2\n";
+    roberts_mesh mesh = {0};
+    roberts_scene *scene;
+    roberts_camera camera;
+    roberts_drawing drawing;
+    roberts_draw_options options = roberts_draw_options_default();
+    (void)state;
+    assert_true(roberts_camera_preset("top", &camera));
+    assert_int_equal(roberts_mesh_read_memory(&mesh, "a.obj", text, sizeof text - 1, NULL, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_hide(scene, &camera, NULL, &drawing, NULL), ROBERTS_OK);
+    options.scene = scene;
+    options.column_count = ROBERTS_COLUMNS;
+    for (int i = 0; i < ROBERTS_COLUMNS; i++)
+        options.column[i] = (roberts_column)i;
+    for (size_t i = 0; i < 2; i++) {
+        sink to = {0};
+        options.format = i ? ROBERTS_JSON : ROBERTS_CSV;
+        assert_int_equal(roberts_drawing_write(&drawing, &options, sink_write, &to, NULL), ROBERTS_OK);
+        if (!strstr(to.bytes, wanted[i]))
+            fail_msg("%s", to.bytes);
+        free(to.bytes);
+    }
+    roberts_drawing_free(&drawing);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+}
+
+/* Seen from the top, ends in the model and in the picture differ by one shift. The second scene has an edge that is cut
+ * where a vertex lies on it: the row of the rest names the vertices of the whole edge. */
+static void ends_lie_where_the_picture_has_them(void **state)
+{
+    static const char *const text[] = {
+        "OFF\n8 2 0\n0 0 0\n3 0 0\n3 1 0\n0 1 0\n1 -1 2\n2 -1 2\n2 2 1\n1 2 1\n4 0 1 2 3\n4 4 5 6 7\n",
+        "OFF\n5 2 0\n0 0 0\n7 1 0\n0 5 0\n2.8 0.4 0\n1 -4 1\n3 0 1 2\n3 3 4 0\n",
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof text / sizeof text[0]; i++) {
+        roberts_mesh mesh = {0};
+        roberts_scene *scene;
+        roberts_camera camera;
+        roberts_drawing drawing;
+        roberts_hide_options hide = roberts_hide_options_default();
+        roberts_vec3 end[2];
+        size_t parts = 0;
+        hide.keep_hidden = hide.all_edges = true;
+        assert_true(roberts_camera_preset("top", &camera));
+        assert_int_equal(roberts_mesh_read_memory(&mesh, "a", text[i], strlen(text[i]), NULL, NULL), ROBERTS_OK);
+        assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+        assert_int_equal(roberts_hide(scene, &camera, &hide, &drawing, NULL), ROBERTS_OK);
+        for (size_t k = 0; k < drawing.count; k++) {
+            const roberts_segment *s = &drawing.segment[k];
+            const double cx = 0.5 * (drawing.window_max.x - drawing.window_min.x);
+            assert_true(roberts_segment_ends(scene, &drawing, s, end));
+            for (int e = 0; e < 2; e++) {
+                roberts_vec2 p = e ? s->p1 : s->p0;
+                assert_true(fabs(end[e].x - p.x - cx) < 1e-12);
+                assert_true(fabs(end[e].y - p.y - 0.5) < 1e-12);
+            }
+            parts += s->state == ROBERTS_VISIBLE && s->v0 == 0 && s->v1 == 1;
+        }
+        assert_int_equal(parts, i ? 1 : 2);
+        roberts_segment none = drawing.segment[0];
+        none.edge = UINT32_MAX - 1;
+        assert_false(roberts_segment_ends(scene, &drawing, &none, end));
+        roberts_drawing_free(&drawing);
+        roberts_scene_free(scene);
+        roberts_mesh_free(&mesh);
+    }
+}
 
 static void check_rows(void)
 {
@@ -329,6 +468,9 @@ int main(void)
         cmocka_unit_test(commas_become_points),
         cmocka_unit_test(rows),
         cmocka_unit_test(rows_in_a_locale_with_commas),
+        cmocka_unit_test(further_columns),
+        cmocka_unit_test(columns_of_a_scene),
+        cmocka_unit_test(ends_lie_where_the_picture_has_them),
         cmocka_unit_test(full_output),
         cmocka_unit_test(what_is_not_finite_is_refused),
         cmocka_unit_test(formats_by_ending),

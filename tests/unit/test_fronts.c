@@ -153,7 +153,7 @@ static void expect_same(const char *name, uint32_t threads, const hide_fronts *a
                  a->culled_count, b->culled_count);
     assert_memory_equal(a->box, b->box, solids * sizeof *a->box);
     assert_memory_equal(a->culled, b->culled, solids);
-    assert_memory_equal(a->facing, b->facing, a->scene->face_count);
+    assert_memory_equal(a->seen->facing, b->seen->facing, a->scene->face_count);
     assert_memory_equal(a->front_box, b->front_box, a->front_count * sizeof *a->front_box);
     for (uint32_t k = 0; k < a->front_count; k++) {
         const hide_front *f = &a->front[k], *g = &b->front[k];
@@ -172,7 +172,7 @@ static void expect_window(const char *name, const hide_fronts *fronts)
 {
     double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
     for (uint32_t v = 0; v < fronts->scene->vertex_count; v++) {
-        roberts_vec3 p = view_point(&fronts->view, fronts->scene->point[v]);
+        roberts_vec3 p = view_point(&fronts->seen->view, fronts->scene->point[v]);
         x0 = fmin(x0, p.x);
         x1 = fmax(x1, p.x);
         y0 = fmin(y0, p.y);
@@ -260,23 +260,24 @@ static void same_by_any_threads(void **state)
     for (size_t i = 0; i < sizeof scene_cases / sizeof scene_cases[0]; i++) {
         const struct scene_case *c = &scene_cases[i];
         hide_fronts one, many;
+        seen alone, together;
         roberts_scene *scene = make(c->kind);
-        assert_int_equal(hide_fronts_build(&one, scene, c->camera,
-                                           &(roberts_hide_options){.keep_hidden = !c->cull, .threads = 1}, NULL),
-                         ROBERTS_OK);
+        assert_int_equal(seen_begin(&alone, scene, c->camera, 0.0, NULL), ROBERTS_OK);
+        assert_true(hide_fronts_build(&one, &alone, &(roberts_hide_options){.keep_hidden = !c->cull, .threads = 1}));
         expect_window(c->name, &one);
         if (c->covers != (one.cover.depth != NULL) || (c->covers && one.culled_count < scene->solid_count / 10))
             fail_msg("%s: covers are %skept, %zu of %u culled", c->name, one.cover.depth ? "" : "not ",
                      one.culled_count, scene->solid_count);
         for (size_t k = 0; k < sizeof threads / sizeof threads[0]; k++) {
-            assert_int_equal(hide_fronts_build(&many, scene, c->camera,
-                                               &(roberts_hide_options){.keep_hidden = !c->cull, .threads = threads[k]},
-                                               NULL),
-                             ROBERTS_OK);
+            assert_int_equal(seen_begin(&together, scene, c->camera, 0.0, NULL), ROBERTS_OK);
+            assert_true(hide_fronts_build(&many, &together,
+                                          &(roberts_hide_options){.keep_hidden = !c->cull, .threads = threads[k]}));
             expect_same(c->name, threads[k], &one, &many);
             hide_fronts_free(&many);
+            seen_end(&together);
         }
         hide_fronts_free(&one);
+        seen_end(&alone);
         roberts_scene_free(scene);
     }
 }

@@ -492,11 +492,12 @@ static void lists_are_complete_and_in_order(void **state)
         for (size_t i = 0; i < sizeof sides / sizeof sides[0]; i++) {
             roberts_camera camera = {.dir = {i % 2 ? 1 : 0, -1, scene}};
             hide_fronts fronts;
+            seen seen_scene;
             double depth;
             objet grid;
-            assert_int_equal(hide_fronts_build(&fronts, built, &camera,
-                                               &(roberts_hide_options){.keep_hidden = true, .threads = 1}, NULL),
-                             ROBERTS_OK);
+            assert_int_equal(seen_begin(&seen_scene, built, &camera, 0.0, NULL), ROBERTS_OK);
+            assert_true(
+                hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
             assert_int_equal(fronts.culled_count, 0);
             scan_frame frame = cells_for_lists(fronts.front_box, fronts.front_count, fronts.low, fronts.high, sides[i],
                                                hide_margin(&fronts.space), &depth);
@@ -505,6 +506,7 @@ static void lists_are_complete_and_in_order(void **state)
             assert_true(listed_count(&fronts) > 10);
             objet_free(&grid);
             hide_fronts_free(&fronts);
+            seen_end(&seen_scene);
         }
         roberts_scene_free(built);
         model_free(&m);
@@ -516,6 +518,7 @@ static void lists_by_threads(void **state)
 {
     roberts_camera camera = {.dir = {1, 2, 3}};
     hide_fronts fronts;
+    seen seen_scene;
     objet alone, together;
     double depth;
     model m = {0};
@@ -523,9 +526,8 @@ static void lists_by_threads(void **state)
     for (int i = 0; i < 700; i++)
         model_round(&m, MODEL_CORNERS, false, mat3_scale(1, 1, 1), (roberts_vec3){i % 20, i / 20, i % 7});
     roberts_scene *scene = model_build(&m);
-    assert_int_equal(
-        hide_fronts_build(&fronts, scene, &camera, &(roberts_hide_options){.keep_hidden = true, .threads = 1}, NULL),
-        ROBERTS_OK);
+    assert_int_equal(seen_begin(&seen_scene, scene, &camera, 0.0, NULL), ROBERTS_OK);
+    assert_true(hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
     assert_true(fronts.front_count > 40000);
     scan_frame frame = cells_for_lists(fronts.front_box, fronts.front_count, fronts.low, fronts.high, 150,
                                        hide_margin(&fronts.space), &depth);
@@ -541,6 +543,7 @@ static void lists_by_threads(void **state)
     }
     objet_free(&alone);
     hide_fronts_free(&fronts);
+    seen_end(&seen_scene);
     roberts_scene_free(scene);
     model_free(&m);
 }
@@ -558,15 +561,17 @@ static void copies_count_once(void **state)
         model m = {0};
         roberts_camera camera = {.dir = {1, -2, 3}};
         hide_fronts fronts;
+        seen seen_scene;
         for (int k = 0; k < 4; k++)
             model_box(&m, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1 + k * table[i].change});
         roberts_scene *built = model_build(&m);
-        assert_int_equal(hide_fronts_build(&fronts, built, &camera,
-                                           &(roberts_hide_options){.keep_hidden = true, .threads = 1}, NULL),
-                         ROBERTS_OK);
+        assert_int_equal(seen_begin(&seen_scene, built, &camera, 0.0, NULL), ROBERTS_OK);
+        assert_true(
+            hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
         if (listed_count(&fronts) != table[i].fronts || !fronts.front[0].listed)
             fail_msg("%s: %u fronts", table[i].name, listed_count(&fronts));
         hide_fronts_free(&fronts);
+        seen_end(&seen_scene);
         roberts_scene_free(built);
         model_free(&m);
     }

@@ -60,6 +60,17 @@ static hide_edge edge_between(const fixture *f, uint32_t a, uint32_t b)
     return (hide_edge){.A = f->P[a], .B = f->P[b], .a = a, .b = b};
 }
 
+/* The same edge, its second end not a vertex but the sum of two points. Left alone, `place->point` would be as far from
+ * it as `off` says. */
+static hide_edge with_computed_end(hide_edge e, const fixture *f, seen_point place[2], double off)
+{
+    roberts_vec3 b = f->scene->point[e.b];
+    place[1] = (seen_point){{b.x - off, b.y, b.z + off}, {off, 0.0, -off}};
+    e.b = ROBERTS_NONE;
+    e.end = place;
+    return e;
+}
+
 /* The viewpoint V: a direction, or an eye well off all points, which lie within +-2^10; the scene looks at it. */
 static roberts_camera camera_from(whole V, bool perspective)
 {
@@ -120,7 +131,11 @@ static void sides_against_integers(void **state)
         bool perspective = i % 2;
         random_scene(&r, &f, p, &V, perspective, i % 4 > 1);
         int64_t exact = side(p[0], p[1], p[4], V, perspective);
-        double distance = refine_side(&f.space, 0, 1, 4), back = refine_side(&f.space, 1, 0, 4);
+        double distance = refine_side(&f.space, 0, 1, refine_vertex(&f.space, 4)),
+               back = refine_side(&f.space, 1, 0, refine_vertex(&f.space, 4));
+        seen_point place[2];
+        hide_edge computed = with_computed_end(edge_between(&f, 5, 4), &f, place, 0.25);
+        assert_true(fabs(refine_side(&f.space, 0, 1, refine_end(&computed)) - distance) <= 1e-14 * fabs(distance));
         assert_true((exact > 0) == (distance > 0) && (exact < 0) == (distance < 0));
         assert_true(fabs(distance + back) <= 1e-15 * fabs(distance));
         zeros += exact == 0;
@@ -149,11 +164,15 @@ static void crossings_against_fractions(void **state)
         int64_t a = side(p[0], p[1], p[4], V, perspective), b = side(p[0], p[1], p[5], V, perspective);
         if ((a < 0) != (b < 0) && a != b) {
             hide_edge e = edge_between(&f, 4, 5), turned = edge_between(&f, 5, 4);
+            seen_point place[2];
+            hide_edge computed = with_computed_end(e, &f, place, 0.25);
             double exact = (double)((long double)a / (long double)(a - b));
             double t = view_to_space(&f.view, e.A.z, e.B.z, refine_crossing(&f.space, 0, 1, &e));
             double back = view_to_space(&f.view, e.B.z, e.A.z, refine_crossing(&f.space, 0, 1, &turned));
             assert_true(fabs(t - exact) <= T_BOUND);
             assert_true(fabs(back - (1 - exact)) <= T_BOUND);
+            assert_true(fabs(refine_crossing(&f.space, 0, 1, &computed) - refine_crossing(&f.space, 0, 1, &e)) <=
+                        T_BOUND);
             assert_true(fabs(refine_crossing(&f.space, 1, 0, &e) - refine_crossing(&f.space, 0, 1, &e)) <= T_BOUND);
             tried++;
         }
@@ -180,6 +199,9 @@ static void piercings_against_fractions(void **state)
             hide_edge e = edge_between(&f, 4, 5);
             double t = view_to_space(&f.view, e.A.z, e.B.z, refine_pierce(&f.space, &F, &e));
             assert_true(fabs(t - (double)((long double)a / (long double)(a - b))) <= T_BOUND);
+            seen_point place[2];
+            e = with_computed_end(e, &f, place, 0.25);
+            assert_true(fabs(view_to_space(&f.view, e.A.z, e.B.z, refine_pierce(&f.space, &F, &e)) - t) <= T_BOUND);
             tried++;
         }
         roberts_scene_free(f.scene);
@@ -274,7 +296,8 @@ static void deep_views(void **state)
         for (uint32_t x4 = 4; x4 < 8; x4++) {
             roberts_vec3 d = vec3_sub(f.P[1], f.P[0]), e = vec3_sub(f.P[x4], f.P[0]);
             double length = hypot(d.x, d.y), reach = fabs(e.x) + fabs(e.y);
-            double error = fabs((d.x * e.y - d.y * e.x) / length - refine_side(&f.space, 0, 1, x4));
+            double error =
+                fabs((d.x * e.y - d.y * e.x) / length - refine_side(&f.space, 0, 1, refine_vertex(&f.space, x4)));
             assert_true(length == 0.0 || error <= 2 * f.view.across_rounding * (1 + reach / length));
         }
         roberts_scene_free(f.scene);

@@ -895,6 +895,91 @@ static void fields_of_view_fill_the_page(void **state)
     }
 }
 
+/* ---- smooth meshes ---- */
+
+enum { ROUND = 90, ACROSS = 45 };
+
+/* A torus of quadrilaterals, seen as the preset `view`. */
+static roberts_drawing torus_drawing(const char *view)
+{
+    const double turn = 6.283185307179586;
+    roberts_mesh mesh = {0};
+    roberts_scene *scene;
+    roberts_camera camera;
+    roberts_drawing drawing;
+    for (uint32_t i = 0; i < ROUND * ACROSS; i++) {
+        const double u = turn * (i / ACROSS) / ROUND, v = turn * (i % ACROSS) / ACROSS, r = 3.0 + cos(v);
+        const roberts_vec3 p = {r * cos(u), r * sin(u), sin(v)};
+        assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
+    }
+    for (uint32_t i = 0; i < ROUND; i++)
+        for (uint32_t k = 0; k < ACROSS; k++) {
+            const uint32_t row = i * ACROSS, next = (i + 1) % ROUND * ACROSS, over = (k + 1) % ACROSS;
+            const uint32_t corner[] = {row + k, next + k, next + over, row + over};
+            assert_int_equal(roberts_mesh_add_face(&mesh, corner, 4, NULL), ROBERTS_OK);
+        }
+    assert_true(roberts_camera_preset(view, &camera));
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_hide(scene, &camera, NULL, &drawing, NULL), ROBERTS_OK);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+    return drawing;
+}
+
+static double stroke_length(const strokes *s, const polyline *line)
+{
+    const page_point *p = s->lines.point + line->first;
+    double length = line->closed ? page_distance(p[0], p[line->count - 1]) : 0.0;
+    for (uint32_t k = 1; k < line->count; k++)
+        length += page_distance(p[k - 1], p[k]);
+    return length;
+}
+
+/* The pen is lifted only where a line ends: no two strokes of a class end at one place, so none could go on as the
+ * other. */
+static void check_ends(const strokes *s)
+{
+    for (size_t i = 0; i < s->lines.count; i++)
+        for (size_t k = 0; k < i; k++) {
+            const polyline *a = &s->lines.item[i], *b = &s->lines.item[k];
+            for (int end = 0; end < 4 && !a->closed && !b->closed; end++)
+                assert_false(page_touches(s->lines.point[a->first + (end & 1 ? a->count - 1 : 0)],
+                                          s->lines.point[b->first + (end & 2 ? b->count - 1 : 0)]));
+        }
+}
+
+static const struct {
+    const char *view;
+    size_t most; /* strokes */
+} smooth_cases[] = {
+    {"front", 1}, {"top", 2}, {"iso", 30}, /* where the outline folds back and goes behind itself it is cut */
+};
+
+/* Outlines of smooth meshes are drawn in long strokes. */
+static void smooth_outlines_are_long_strokes(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof smooth_cases / sizeof smooth_cases[0]; i++) {
+        roberts_drawing drawing = torus_drawing(smooth_cases[i].view);
+        roberts_draw_options options = roberts_draw_options_default();
+        strokes s;
+        double all = 0.0, longest = 0.0;
+        assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+        for (size_t k = 0; k < s.lines.count; k++) {
+            const double length = stroke_length(&s, &s.lines.item[k]);
+            all += length;
+            longest = length > longest ? length : longest;
+        }
+        print_message("%s: %zu segments, %zu strokes, the longest has %.0f %% of the length\n", smooth_cases[i].view,
+                      drawing.count, s.lines.count, 100.0 * longest / all);
+        assert_true(s.lines.count <= smooth_cases[i].most);
+        assert_true(longest > 0.5 * all);
+        check_ends(&s);
+        strokes_free(&s);
+        roberts_drawing_free(&drawing);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -912,6 +997,7 @@ int main(void)
         cmocka_unit_test(frame_lies_on_the_margins),
         cmocka_unit_test(drawings_keep_from_the_frame),
         cmocka_unit_test(fields_of_view_fill_the_page),
+        cmocka_unit_test(smooth_outlines_are_long_strokes),
     };
     return cmocka_run_group_tests_name("strokes", tests, NULL, NULL);
 }

@@ -228,7 +228,7 @@ static bool one_by_one(const fixture *f, hide_sides *sides, hide_interval *part)
 static void agrees_with_the_tests(void **state)
 {
     rng r = {17};
-    size_t seen[FAST_EMPTY + 1] = {0};
+    size_t outcomes[FAST_EMPTY + 1] = {0};
     hide_sides sides = {0};
     (void)state;
     assert_true(hide_sides_reserve(&sides, CORNERS));
@@ -239,7 +239,7 @@ static void agrees_with_the_tests(void **state)
         set_up(&f, &r);
         fast_take(&outline, f.P, f.corner, f.face.count);
         fast_verdict verdict = fast_test(&outline, &f.space, &f.edge, 20.0, NULL, &part);
-        seen[verdict]++;
+        outcomes[verdict]++;
         if (verdict == FAST_UNCLEAR)
             continue;
         assert_int_equal(one_by_one(&f, &sides, &expected), verdict == FAST_INSIDE || verdict == FAST_CUT);
@@ -250,7 +250,7 @@ static void agrees_with_the_tests(void **state)
     }
     free(sides.H);
     for (int v = FAST_UNCLEAR; v < FAST_EMPTY; v++) /* an edge that misses the outline has missed it before test 4 */
-        assert_true(seen[v] > 1000);
+        assert_true(outcomes[v] > 1000);
 }
 
 /* A part that lies within what is hidden, with what it touches, is none; any other is found as it is. */

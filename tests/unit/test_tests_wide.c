@@ -172,7 +172,7 @@ static void runs_find_what_all_sides_do(void **state)
     (void)state;
     assert_true(hide_sides_reserve(&sides, CORNERS));
     for (kind k = 0; k < KINDS; k++) {
-        roberts_tally seen = {0};
+        roberts_tally outcomes = {0};
         for (int i = 0; i < 100; i++) {
             set_polygon(&f, &r, k);
             for (int e = 0; e < EDGES_OF_EACH; e++) {
@@ -187,16 +187,17 @@ static void runs_find_what_all_sides_do(void **state)
                     (found && !same_part(&f, k, &part, &other)))
                     fail_msg("kind %d, %u corners, polygon %d, edge %d: %d %.17g %.17g instead of %d %.17g %.17g",
                              (int)k, f.face.count, i, e, found, part.t0, part.t1, hidden, other.t0, other.t1);
-                seen.test2_visible += tally.test2_visible;
-                seen.test3_visible += tally.test3_visible;
-                seen.test3_invisible += tally.test3_invisible;
-                seen.test4 += tally.test4;
+                outcomes.test2_visible += tally.test2_visible;
+                outcomes.test3_visible += tally.test3_visible;
+                outcomes.test3_invisible += tally.test3_invisible;
+                outcomes.test4 += tally.test4;
             }
             free(f.r);
         }
-        if (seen.test2_visible < 100 || seen.test3_visible < 100 || seen.test3_invisible < 100 || seen.test4 < 100)
-            fail_msg("kind %d: %zu, %zu, %zu and %zu of the outcomes", (int)k, seen.test2_visible, seen.test3_visible,
-                     seen.test3_invisible, seen.test4);
+        if (outcomes.test2_visible < 100 || outcomes.test3_visible < 100 || outcomes.test3_invisible < 100 ||
+            outcomes.test4 < 100)
+            fail_msg("kind %d: %zu, %zu, %zu and %zu of the outcomes", (int)k, outcomes.test2_visible,
+                     outcomes.test3_visible, outcomes.test3_invisible, outcomes.test4);
     }
     free(sides.H);
 }

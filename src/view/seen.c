@@ -1,0 +1,85 @@
+/* seen.c - see seen.h. */
+#include "view/seen.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+
+/* The crease angle of bodies that are taken for curved, degrees. */
+#define SMOOTH_CREASE 30.0
+
+static const double pi = 3.14159265358979323846;
+
+roberts_status seen_begin(seen *s, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
+                          roberts_error *error)
+{
+    *s = (seen){.source = scene, .scene = scene};
+    roberts_status status = view_clip_scene(&s->clip, scene, camera, error);
+    if (status != ROBERTS_OK)
+        return status;
+    if (s->clip.clipped)
+        s->scene = &s->clip.scene;
+    status = view_prepare(&s->view, s->scene, camera, epsilon, error);
+    if (status != ROBERTS_OK)
+        seen_end(s);
+    return status;
+}
+
+/* Of bodies that are not mapped nothing is ever written, and memory that is not touched is none. */
+bool seen_begin_points(seen *s)
+{
+    s->P = alloc_array(s->scene->vertex_count, sizeof *s->P);
+    s->facing = alloc_zeroed(s->scene->face_count, sizeof *s->facing);
+    if (s->scene->surface)
+        s->turned = alloc_array(s->scene->face_start[s->scene->face_count], sizeof *s->turned);
+    return s->P && s->facing && (s->turned || !s->scene->surface);
+}
+
+void seen_end(seen *s)
+{
+    free(s->P);
+    free(s->facing);
+    free(s->turned);
+    united_free(&s->united);
+    view_clip_free(&s->clip);
+    *s = (seen){0};
+}
+
+/* The squared distance of two unit normals that meet at this angle. */
+static double square_chord(double degrees)
+{
+    double chord = 2.0 * sin(degrees * pi / 360.0);
+    return chord * chord;
+}
+
+void seen_set_rules(seen *s, const roberts_hide_options *options)
+{
+    double chord = square_chord(options->crease_degrees);
+    s->rules = (seen_rules){chord, chord, options->all_edges, options->keep_hidden};
+    if (options->crease_auto)
+        s->rules.smooth_chord = greater(chord, square_chord(SMOOTH_CREASE));
+}
+
+bool seen_unite(seen *s, uint32_t threads)
+{
+    return united_find(&s->united, s->source, s->view.epsilon * s->view.unit, threads);
+}
+
+int seen_either_face(seen *s, uint32_t face, seen_face *out)
+{
+    const roberts_scene *scene = s->scene;
+    uint32_t first = scene->face_start[face], count = scene->face_start[face + 1] - first;
+    out->F = view_plane(&s->view, scene, face, &out->stretch);
+    int facing = view_facing(&s->view, scene, face, out->F, s->P);
+    s->facing[face] = (unsigned char)facing;
+    out->corner = scene->corner + first;
+    out->count = count;
+    if (facing != VIEW_BACK)
+        return facing;
+    out->F = (plane){-out->F.a, -out->F.b, -out->F.c, -out->F.d};
+    for (uint32_t i = 0; i < count; i++)
+        s->turned[first + i] = scene->corner[first + count - 1 - i];
+    out->corner = s->turned + first;
+    return facing;
+}

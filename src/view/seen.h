@@ -1,0 +1,295 @@
+/* seen.h - a scene as one camera sees it: all that `hide` and `ray` read of it.
+ *
+ * `scene` is what the near plane leaves of the scene as given. View points and the facing of faces are filled in body
+ * by body when they are asked for: a body that is never asked for is never mapped. Lines are not stored at all. A walk
+ * goes through the lines of one body and gives each with its class, its ends and its own faces.
+ *
+ * What a line lies in does not hide it. So each face has a key, and a line lists the keys of its own faces:
+ *
+ *   - all faces of a convex body have one key, that of the body: none of them hides an edge that has a front face;
+ *   - pieces of one planar face of another body share a key, their scene_surface.plane_of.
+ *
+ * A line need not be an edge. A line where two faces cross has no edge, its ends may be computed points, and its own
+ * keys may be those of faces of two bodies.
+ *
+ * Where bodies are taken together as one (united.h), some pieces of an edge are no line, and others have a class of
+ * their own. The line is the whole edge, and lists its pieces: what hides it is asked once. */
+#ifndef ROBERTS_VIEW_SEEN_H
+#define ROBERTS_VIEW_SEEN_H
+
+#include "base/bits.h"
+#include "view/clip.h"
+#include "view/united.h"
+#include "view/view.h"
+
+/* Which edges are lines. */
+typedef struct seen_rules {
+    double crease_chord; /* two faces are flat if their unit normals are nearer than this, squared */
+    double smooth_chord; /* the same in bodies that are taken for curved */
+    bool all_edges;      /* edges of flat faces are lines too */
+    bool hidden;         /* so are edges that their own convex body hides, or that the near plane takes */
+} seen_rules;
+
+typedef struct seen {
+    const roberts_scene *source; /* as given: rows name its vertices and edges */
+    const roberts_scene *scene;  /* the same, or what the near plane leaves of it */
+    view view;
+    view_clip clip;
+    seen_rules rules;
+    united united;         /* bodies taken together as one; zeroed: they are not */
+    roberts_vec3 *P;       /* [vertex_count of scene] view points of bodies that are mapped */
+    unsigned char *facing; /* [face_count of scene] VIEW_FRONT, _BACK or _EDGE_ON, likewise */
+    uint32_t *turned;      /* [corners of scene] of faces seen from behind, the other way round; NULL: all bodies are
+                              convex */
+} seen;
+
+/* Clips the scene and prepares its view; epsilon: as for view_prepare(). Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or
+ * _BAD_ARGUMENT; after a failure `s` is empty. Points and lines need seen_begin_points(), lines seen_set_rules(). */
+roberts_status seen_begin(seen *s, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
+                          roberts_error *error);
+void seen_end(seen *s);
+
+/* Room for view points and facings. False: no memory. */
+bool seen_begin_points(seen *s);
+
+/* Says which edges are lines. */
+void seen_set_rules(seen *s, const roberts_hide_options *options);
+
+/* Takes all bodies together as one, with at most so many threads. False: no memory. */
+bool seen_unite(seen *s, uint32_t threads);
+
+/* ---- faces ----------------------------------------------------------------------------------------------------- */
+
+/* A convex piece of a face as the viewer sees it. */
+typedef struct seen_face {
+    plane F;                /* view space, away from the viewer */
+    double stretch;         /* see view_plane() */
+    const uint32_t *corner; /* [count] counter-clockwise in the picture */
+    uint32_t count;
+} seen_face;
+
+/* Maps a body's points. */
+static inline void seen_map_body(seen *s, uint32_t body)
+{
+    uint32_t first = s->scene->solid[body].vertex, end = s->scene->solid[body + 1].vertex;
+    view_points(&s->view, s->scene->point + first, end - first, s->P + first);
+}
+
+/* The facing of a face of a convex body that is mapped. If it is VIEW_FRONT, `out` is filled. */
+BITS_INLINE int seen_front_face(seen *s, uint32_t face, seen_face *out)
+{
+    const roberts_scene *scene = s->scene;
+    out->stretch = 1.0;
+    int facing = view_face(&s->view, scene, face, s->P, &out->F, &out->stretch);
+    s->facing[face] = (unsigned char)facing;
+    out->corner = scene->corner + scene->face_start[face];
+    out->count = scene->face_start[face + 1] - scene->face_start[face];
+    return facing;
+}
+
+/* The facing of a face of another body that is mapped. Unless it is VIEW_EDGE_ON, `out` is filled, and turned to the
+ * viewer. */
+int seen_either_face(seen *s, uint32_t face, seen_face *out);
+
+/* ---- keys ------------------------------------------------------------------------------------------------------ */
+
+#define SEEN_BODY 0x80000000u /* a flag in the key of a convex body: there are fewer than 2^31 bodies, and faces */
+
+static inline uint32_t seen_body_key(uint32_t body)
+{
+    return body | SEEN_BODY;
+}
+
+static inline uint32_t seen_face_key(const roberts_scene *scene, uint32_t body, uint32_t face)
+{
+    return scene_is_convex(scene, body) ? seen_body_key(body) : scene->surface->plane_of[face];
+}
+
+/* Faces that do not hide a line, because it lies in them. */
+typedef struct seen_own {
+    uint32_t key[2];        /* ROBERTS_NONE: none */
+    const scene_many *many; /* of an edge of more than two faces: all of them; else NULL */
+} seen_own;
+
+static const seen_own seen_owns_none = {{ROBERTS_NONE, ROBERTS_NONE}, NULL};
+
+/* The faces in whose planes an edge of seen.scene lies, of a body that is not convex. */
+seen_own seen_own_of(const roberts_scene *scene, uint32_t body, uint32_t edge);
+
+/* Is it the key of one of them? */
+static inline bool seen_owns(const roberts_scene *scene, const seen_own *own, uint32_t key)
+{
+    const scene_surface *surface = scene->surface;
+    const scene_many *many = own->many;
+    bool found = own->key[0] == key || own->key[1] == key;
+    for (uint32_t k = many ? many->first : 0; many && k < many->end && !found; k++)
+        found = surface->plane_of[surface->many_face[k] & ~MANY_TURNED] == key;
+    return found;
+}
+
+/* ---- lines ----------------------------------------------------------------------------------------------------- */
+
+/* A computed point of the model: the sum of both. */
+typedef struct seen_point {
+    roberts_vec3 point, low;
+} seen_point;
+
+/* What the near plane has taken of the edge of a line, where that is wanted. */
+enum {
+    SEEN_TAKEN_BEFORE = 1, /* what comes before t0 */
+    SEEN_TAKEN_AFTER = 2,  /* what comes after t1 */
+    SEEN_TAKEN = 4,        /* all of it: no end is set */
+};
+
+typedef struct seen_line {
+    uint32_t edge;            /* of seen.source; ROBERTS_NONE: the line is no edge */
+    uint32_t v[2];            /* its ends, vertices of seen.scene; ROBERTS_NONE: a computed point */
+    const seen_point *end;    /* [2] computed ends; NULL: both ends are vertices */
+    seen_own own;             /* its own faces: they do not hide it */
+    double t0, t1;            /* what the line is of its edge */
+    uint8_t class;            /* roberts_line */
+    uint8_t taken;            /* SEEN_TAKEN... */
+    bool alone;               /* pieces that the union leaves as they are belong to the line, in its class */
+    const union_piece *piece; /* of the edge, up to t1 == 1; NULL: the whole line is of one class */
+} seen_line;
+
+/* The class of a piece of a line that has pieces; false: the piece is no part of it. */
+bool seen_piece_class(const seen *s, uint32_t body, const seen_line *line, const union_piece *piece, uint8_t *class);
+
+/* What rows call an edge of seen.source: t0..t1 of the edge between two vertices of the input. */
+typedef struct seen_name {
+    uint32_t v[2]; /* as in the input */
+    double t0, t1; /* 0 and 1 but where an edge of the file has been cut */
+} seen_name;
+
+seen_name seen_part_name(const roberts_scene *source, uint32_t edge);
+
+static inline seen_name seen_edge_name(const roberts_scene *source, uint32_t body, uint32_t edge)
+{
+    if (!scene_is_convex(source, body) && source->surface->edge_is[edge] & EDGE_PART)
+        return seen_part_name(source, edge);
+    const scene_edge *e = scene_edge_stored(source, body, edge);
+    uint32_t first = source->solid[body].vertex;
+    return (seen_name){
+        {scene_vertex_number(source, first + e->v[0]), scene_vertex_number(source, first + e->v[1])}, 0.0, 1.0};
+}
+
+/* The same of the edge of a line; where nothing is cut its ends are at hand. */
+static inline seen_name seen_line_name(const seen *s, uint32_t body, const seen_line *line)
+{
+    const roberts_scene *source = s->source;
+    if (s->clip.clipped || !scene_is_convex(source, body))
+        return seen_edge_name(source, body, line->edge);
+    return (seen_name){{scene_vertex_number(source, line->v[0]), scene_vertex_number(source, line->v[1])}, 0.0, 1.0};
+}
+
+/* What the near plane leaves of an edge of seen.source. */
+static inline clip_edge seen_left_of(const seen *s, uint32_t edge)
+{
+    return s->clip.clipped ? s->clip.origin[edge] : (clip_edge){edge, 0.0, 1.0};
+}
+
+/* A walk through the lines of one body, in the order of its edges. */
+typedef struct seen_walk {
+    const seen *of;
+    uint32_t body;
+    uint32_t edge, end; /* of seen.source: the next one; behind the last one */
+    uint32_t key;       /* of a convex body, the one key of own faces of all its lines; else ROBERTS_NONE */
+    bool slow;          /* the body is not convex, the near plane has cut the scene, or bodies are one */
+    bool hidden, all;   /* as in seen_rules */
+    size_t surviving;   /* edges met that a face toward the viewer has, since somebody has set it to 0 */
+    /* of the body in seen.scene, from its first on: */
+    const scene_edge *stored;
+    const unsigned char *facing;
+    const plane *plane;
+    uint32_t vertex;
+} seen_walk;
+
+/* The body's points are mapped and its faces classified, unless the near plane has left nothing of it. */
+seen_walk seen_walk_slowly(const seen *s, uint32_t body);
+
+static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
+{
+    const roberts_scene *scene = s->scene;
+    const scene_solid *own = &scene->solid[body];
+    if (s->clip.clipped || s->united.first || !scene_is_convex(scene, body))
+        return seen_walk_slowly(s, body);
+    return (seen_walk){.of = s,
+                       .body = body,
+                       .key = seen_body_key(body),
+                       .edge = own->edge,
+                       .end = own[1].edge,
+                       .hidden = s->rules.hidden,
+                       .all = s->rules.all_edges,
+                       .stored = scene->edge + own->stored,
+                       .facing = s->facing + own->face,
+                       .plane = scene->face_plane + own->face,
+                       .vertex = own->vertex};
+}
+
+/* The class of an edge by how many of its two faces are front. */
+static inline roberts_line seen_class(int fronts)
+{
+    return fronts == 1 ? ROBERTS_OUTLINE : fronts == 2 ? ROBERTS_CREASE : ROBERTS_BACK;
+}
+
+static inline int seen_fronts(const unsigned char *facing, const scene_edge *edge)
+{
+    return (facing[edge->f[0]] == VIEW_FRONT) + (facing[edge->f[1]] == VIEW_FRONT);
+}
+
+/* Flatter than the crease angle; the normals of the model are compared, which perspective does not bend. */
+static inline bool seen_is_flat(const plane *of, const scene_edge *edge, double chord)
+{
+    plane F = of[edge->f[0]], G = of[edge->f[1]];
+    double a = F.a - G.a, b = F.b - G.b, c = F.c - G.c;
+    return a * a + b * b + c * c < chord;
+}
+
+/* The line of an edge of a convex body, as stored in seen.scene. An edge with one front face is an outline and always a
+ * line. An edge whose two faces look the same way is none where it is flat. */
+BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line *line)
+{
+    int fronts = seen_fronts(w->facing, edge);
+    w->surviving += fronts > 0;
+    if ((fronts == 0 && !w->hidden) ||
+        (fronts != 1 && !w->all && seen_is_flat(w->plane, edge, w->of->rules.crease_chord)))
+        return false;
+    line->v[0] = w->vertex + edge->v[0];
+    line->v[1] = w->vertex + edge->v[1];
+    line->end = NULL;
+    line->own = (seen_own){{w->key, ROBERTS_NONE}, NULL};
+    line->t0 = 0.0;
+    line->t1 = 1.0;
+    line->class = (uint8_t)seen_class(fronts);
+    line->taken = 0;
+    line->piece = NULL;
+    return true;
+}
+
+/* Finds the line of edge `edge` of the walk's body; false: the edge is none. */
+bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line);
+
+/* Finds the next line; false at the end. */
+BITS_INLINE bool seen_next(seen_walk *w, seen_line *line)
+{
+    while (w->edge < w->end) {
+        line->edge = w->edge++;
+        if (w->slow ? seen_slow_line(w, line->edge, line) : seen_solid_line(w, w->stored++, line))
+            return true;
+    }
+    return false;
+}
+
+/* Finds a line again that a walk through a convex body has given. */
+static inline void seen_again(seen_walk *w, uint32_t edge, seen_line *line)
+{
+    line->edge = edge;
+    w->all = true; /* it is not flat, or flat edges are wanted */
+    if (w->slow)
+        seen_slow_line(w, edge, line);
+    else
+        seen_solid_line(w, w->stored + (edge - w->edge), line);
+}
+
+#endif
