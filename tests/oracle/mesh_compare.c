@@ -11,7 +11,7 @@ static const char help[] =
     "disagrees.\n"
     "  --family NAME  only this family (default: all in turn)\n"
     "  --seed S       first seed (default: 1)\n"
-    "  --edges N      goes on until N edges have been compared (default: one scene of each family)\n"
+    "  --edges N      goes on until N edges and lines have been compared (default: one scene of each family)\n"
     "  --folder DIR   failing scenes are written to DIR/failures/ (default: build)\n"
     "  --lines        judges intersection lines, too\n"
     "  --list         names the families\n"
@@ -105,7 +105,7 @@ static bool compare_files(const arguments *a, int argc, char **argv, mesh_total 
 
 static bool compare_families(const arguments *a, mesh_total *total)
 {
-    for (uint64_t seed = a->seed; seed == a->seed || total->edges < a->edges; seed++)
+    for (uint64_t seed = a->seed; seed == a->seed || total->edges + total->lines < a->edges; seed++)
         for (size_t f = 0; f < mesh_family_count(); f++) {
             char name[64];
             mesh_scene scene;

@@ -142,7 +142,10 @@ static void judge_line(work *w, const union_line *l, bool visible)
 
 static union_class class_of(uint8_t line)
 {
-    return line == ROBERTS_OUTLINE ? UNION_OUTLINE : line == ROBERTS_CREASE ? UNION_CREASE : UNION_OPEN;
+    /* a crease that no face shows has a name of its own in the library, but not in tables */
+    return line == ROBERTS_OUTLINE                          ? UNION_OUTLINE
+           : line == ROBERTS_CREASE || line == ROBERTS_BACK ? UNION_CREASE
+                                                            : UNION_OPEN;
 }
 
 /* A row must lie where something is drawn, and be of its class. */

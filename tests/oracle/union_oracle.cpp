@@ -367,22 +367,24 @@ struct union_finder {
             for (const presence &p : bodies)
                 full[i] = full[i] || (p.s->convex ? fills(p, way) : fills_any(p, X, R, S, d));
         }
-        std::vector<direction> side; /* of what is filled */
+        std::vector<size_t> side; /* rays that bound what is filled */
         for (size_t i = 0; i < n; i++)
             if (full[i] != full[(i + n - 1) % n])
-                side.push_back(ray[i]);
-        if (side.empty() || (side.size() == 2 && turn(side[0], side[1]) == 0))
+                side.push_back(i);
+        if (side.empty() || (side.size() == 2 && turn(ray[side[0]], ray[side[1]]) == 0))
             return -1;
         if (side.size() > 2)
             return UNION_OPEN;
         point3 V{rational(view.x), rational(view.y), rational(view.z)};
         if (view.w)
             V = minus(V, X);
-        point3 across = cross(V, d);
-        int s0 = sign_of(dot(across, in_space(side[0]))), s1 = sign_of(dot(across, in_space(side[1])));
-        if (s0 == 0 && s1 == 0)
-            return UNION_OPEN;
-        return s0 * s1 >= 0 ? UNION_OUTLINE : UNION_CREASE;
+        direction to_viewer{dot(V, e1) / n1, dot(V, e2) / n2};
+        int s0 = sign_of(turn(to_viewer, ray[side[0]])), s1 = sign_of(turn(to_viewer, ray[side[1]]));
+        /* a side faces the viewer where the viewer is not on the side of what is filled */
+        bool front0 = (s0 > 0) == full[side[0]] && s0 != 0, front1 = (s1 > 0) == full[side[1]] && s1 != 0;
+        if (s0 == 0 || s1 == 0)
+            return front0 || front1 ? UNION_OUTLINE : UNION_OPEN;
+        return s0 == s1 ? UNION_OUTLINE : UNION_CREASE;
     }
 
     std::vector<union_part> drawn(const line_at_hand &l)

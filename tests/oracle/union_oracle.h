@@ -17,9 +17,9 @@ extern "C" {
 
 /* What a line is in the picture of the union. */
 typedef enum union_class {
-    UNION_OUTLINE, /* both sides of what is filled lie on one side of the line, or one is edge-on */
+    UNION_OUTLINE, /* both sides of what is filled lie on one side of the line, or one is edge-on, the other front */
     UNION_CREASE,
-    UNION_OPEN, /* more than two sides, or none that can be seen from the side: not compared */
+    UNION_OPEN, /* not compared: more than two sides, or one edge-on and the other not front */
 } union_class;
 
 /* A part of a line that is drawn. */
