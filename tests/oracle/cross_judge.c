@@ -181,6 +181,13 @@ static bool surely_missing(const rows_at_hand *r, size_t mine, const cross_line 
     return false;
 }
 
+/* Lines of which nothing is seen need no rows: the library looks for lines between faces toward the viewer. */
+static bool is_optional(const rows_at_hand *r, const cross_line *l)
+{
+    const oracle_interval *hidden = r->c->truth->interval + l->first;
+    return l->edge_on || (l->count == 1 && hidden->t0 == 0 && hidden->t1 == 1);
+}
+
 static void judge_line(rows_at_hand *r, const cross_line *l)
 {
     double limit = t_limit(r, l), how_much;
@@ -199,6 +206,10 @@ static void judge_line(rows_at_hand *r, const cross_line *l)
             }
         }
     double gap = gaps(r, mine, &turns);
+    if (mine == 0 && is_optional(r, l)) {
+        r->total->lines_left_out++;
+        return;
+    }
     if (gap > limit) {
         if (surely_missing(r, mine, l))
             tell(r, l->f0, l->f1, mine ? "rows leave out a part of the line" : "no row for a line of this length",
@@ -225,6 +236,19 @@ static void judge_order(rows_at_hand *r)
     }
 }
 
+/* Is a row the same as one of faces f and g would be, which have the same corners? (Of bodies that lie in one place
+ * each has its faces.) */
+static bool has_twin(const rows_at_hand *r, const cross_row *row, uint32_t f, uint32_t g)
+{
+    cross_row twin = *row;
+    twin.f0 = f < g ? f : g;
+    twin.f1 = f < g ? g : f;
+    for (size_t i = 0; i < r->c->truth->line_count; i++)
+        if (is_of(&twin, &r->c->truth->line[i], t_limit(r, &r->c->truth->line[i])))
+            return true;
+    return false;
+}
+
 /* Rows that belong to no line of the oracle's. */
 static void judge_others(rows_at_hand *r)
 {
@@ -237,8 +261,9 @@ static void judge_others(rows_at_hand *r)
             tell(r, p->f0, p->f1, "there is no such face", 0);
             continue;
         }
-        if (r->c->truth->same[p->f0] != p->f0 || r->c->truth->same[p->f1] != p->f1)
-            continue; /* of bodies that lie in one place */
+        uint32_t f = r->c->truth->same[p->f0], g = r->c->truth->same[p->f1];
+        if (f != ROBERTS_NONE && g != ROBERTS_NONE && (f != p->f0 || g != p->f1) && has_twin(r, p, f, g))
+            continue;
         roberts_vec3 X = {0.5 * (p->p.x + p->q.x), 0.5 * (p->p.y + p->q.y), 0.5 * (p->p.z + p->q.z)};
         if (s->slack == 0 || cross_truth_at(&s->mesh, s->even_odd, p->f0, p->f1, X, s->slack) == ORACLE_NO)
             tell(r, p->f0, p->f1, "a row of no line, of this length", distance(p->p, p->q));

@@ -104,9 +104,11 @@ bool cross_truth_find(const roberts_mesh *mesh, const oracle_view *view, bool ev
         std::vector<cross_line> lines;
         std::vector<oracle_interval> intervals;
         for (const crossing &c : finder.find()) {
-            std::vector<oracle_interval> hidden = o.hide(o.spot_of(c.a), o.spot_of(c.b), {c.f, c.g});
-            lines.push_back({o.faces[c.f].number, o.faces[c.g].number, nearest(c.a), nearest(c.b), intervals.size(),
-                             hidden.size()});
+            const spot a = o.spot_of(c.a), b = o.spot_of(c.b);
+            std::vector<oracle_interval> hidden = o.hide(a, b, {c.f, c.g});
+            bool edge_on = o.edge_on(o.faces[c.f]) || o.edge_on(o.faces[c.g]);
+            lines.push_back({o.faces[c.f].number, o.faces[c.g].number, nearest(c.a), nearest(c.b), edge_on,
+                             intervals.size(), hidden.size()});
             intervals.insert(intervals.end(), hidden.begin(), hidden.end());
         }
         std::vector<uint32_t> same(mesh->face_count, ROBERTS_NONE);

@@ -20,6 +20,7 @@ extern "C" {
 typedef struct cross_line {
     uint32_t f0, f1;     /* faces of the mesh, f0 < f1 */
     roberts_vec3 a, b;   /* its ends, each coordinate the nearest double */
+    bool edge_on;        /* a face is edge-on: the line lies in the picture where the whole face does */
     size_t first, count; /* hidden intervals, into cross_truth.interval; they ascend and do not touch */
 } cross_line;
 

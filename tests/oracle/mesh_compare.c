@@ -76,12 +76,13 @@ static bool parse(int argc, char **argv, arguments *a)
 
 static void sum_up(const mesh_total *t)
 {
-    printf("%zu edges and %zu intersection lines (%zu of them hidden in part or wholly) of %zu scenes (%zu refused by "
+    printf("%zu edges and %zu intersection lines (%zu of them hidden in part or wholly, %zu "
+           "without rows since nothing of them is seen) of %zu scenes (%zu refused by "
            "the oracle), %zu disagreements; %zu hidden, %zu cut; not judged: "
            "%.3g edge lengths; "
            "greatest difference %.2g; %zu pairs of edge and face, %zu by rational numbers\n",
-           t->edges, t->lines, t->lines_cut, t->scenes, t->refused, t->disagreements, t->hidden, t->cut, t->unjudged,
-           t->worst, t->pairs, t->exact);
+           t->edges, t->lines, t->lines_cut, t->lines_left_out, t->scenes, t->refused, t->disagreements, t->hidden,
+           t->cut, t->unjudged, t->worst, t->pairs, t->exact);
 }
 
 static bool compare_files(const arguments *a, int argc, char **argv, mesh_total *total)

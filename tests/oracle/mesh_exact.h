@@ -431,13 +431,23 @@ struct mesh_oracle {
         return join(all, 0);
     }
 
+    template <class N> int facing_of(const polygon &f, const vec<N> &n) const
+    {
+        const roberts_vec3 V{view.x, view.y, view.z};
+        return view.w ? sign_of(height(f, n, V)) : sign_of(dot(n, sub<N>(V, roberts_vec3{0, 0, 0})));
+    }
+
+    bool edge_on(const polygon &f) const
+    {
+        return facing_of(f, newell<rational>(f)) == 0;
+    }
+
     /* What face f hides of the line from a to b, which does not lie in it by its nature. */
     template <class N> std::vector<oracle_interval> hide_by(const polygon &f, const spot &a, const spot &b) const
     {
         std::vector<oracle_interval> out;
         vec<N> n = newell<N>(f);
-        int facing = view.w ? sign_of(height(f, n, roberts_vec3{view.x, view.y, view.z}))
-                            : sign_of(dot(n, sub<N>(roberts_vec3{view.x, view.y, view.z}, roberts_vec3{0, 0, 0})));
+        int facing = facing_of(f, n);
         if (facing == 0)
             return out;
         N toward(-facing);

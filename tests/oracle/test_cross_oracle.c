@@ -348,8 +348,21 @@ static void test_triangles(void **state)
 /* Makes a right table wrong at row i, a place where it can be; false: this row cannot be made wrong so. */
 typedef bool mutate_fn(cross_row *row, size_t *count, size_t i);
 
+static const cross_truth *truth_at_hand;
+
+static bool edge_on(const cross_row *row)
+{
+    bool found = false;
+    for (size_t i = 0; i < truth_at_hand->line_count; i++)
+        if (truth_at_hand->line[i].f0 == row->f0 && truth_at_hand->line[i].f1 == row->f1)
+            found = truth_at_hand->line[i].edge_on;
+    return found;
+}
+
 static bool drop_row(cross_row *row, size_t *count, size_t i)
 {
+    if (row[i].t0 == 0 && row[i].t1 == 1 && (!row[i].visible || edge_on(&row[i])))
+        return false; /* of a line that needs no row */
     memmove(row + i, row + i + 1, (*count - i - 1) * sizeof *row);
     --*count;
     return true;
@@ -409,6 +422,7 @@ static bool swap_faces(cross_row *row, size_t *count, size_t i)
 static bool change_face(cross_row *row, size_t *count, size_t i)
 {
     (void)count;
+    row[i].f0 = row[i].f1;
     row[i].f1++;
     return true;
 }
@@ -507,6 +521,7 @@ static void test_wrong_tables(void **state)
             assert_int_equal(cross_judge_rows(&c, row, count, &total, stdout), 0);
             assert_int_equal(total.lines, truth.line_count);
             scenes += count > 0;
+            truth_at_hand = &truth;
             for (size_t m = 0; m < MUTATIONS && count; m++)
                 for (int again = 0; again < 3; again++) {
                     size_t i = (size_t)dice_next(&(dice){seed * 100 + m + 1000 * (uint64_t)again}) % count, n = count;
