@@ -197,8 +197,11 @@ size_t union_judge_rows(const union_case *c, const union_row *row, size_t count,
     for (size_t i = 0; w.a.interval && w.b.interval && i < truth->line_count; i++) {
         total->lines++;
         total->lines_cut += truth->line[i].parts > 0;
-        judge_line(&w, &truth->line[i], false);
-        judge_line(&w, &truth->line[i], true);
+        /* lines where faces cross are looked for among what is seen */
+        if (!truth->line[i].crossing)
+            judge_line(&w, &truth->line[i], false);
+        if (!truth->line[i].crossing || !truth->line[i].edge_on)
+            judge_line(&w, &truth->line[i], true);
     }
     for (size_t i = 0; w.a.interval && w.b.interval && i < count; i++)
         judge_row(&w, &row[i]);

@@ -424,19 +424,21 @@ bool union_truth_find(const roberts_mesh *mesh, const oracle_view *view, union_t
         std::vector<union_line> lines;
         std::vector<union_part> parts;
         std::vector<oracle_interval> intervals;
-        auto add = [&](const spot &a, const spot &b, const std::vector<size_t> &own) {
+        auto add = [&](const spot &a, const spot &b, const std::vector<size_t> &own, bool crossing) {
+            bool edge_on = u.o.edge_on(u.o.faces[own[0]]) || u.o.edge_on(u.o.faces[own[1]]);
             std::vector<union_part> part = u.drawn(u.take_line(a, b, own));
             std::vector<oracle_interval> hidden;
             if (!part.empty())
                 hidden = u.o.hide(a, b, own);
-            lines.push_back({nearest(a.at), nearest(b.at), parts.size(), part.size(), intervals.size(), hidden.size()});
+            lines.push_back({nearest(a.at), nearest(b.at), crossing, edge_on, parts.size(), part.size(),
+                             intervals.size(), hidden.size()});
             parts.insert(parts.end(), part.begin(), part.end());
             intervals.insert(intervals.end(), hidden.begin(), hidden.end());
         };
         for (const auto &[v0, v1, own] : u.edges)
-            add(u.o.spot_of(u.o.position[v0]), u.o.spot_of(u.o.position[v1]), own);
+            add(u.o.spot_of(u.o.position[v0]), u.o.spot_of(u.o.position[v1]), own, false);
         for (const crossing &c : cross_finder(u.o).find())
-            add(u.o.spot_of(c.a), u.o.spot_of(c.b), {c.f, c.g});
+            add(u.o.spot_of(c.a), u.o.spot_of(c.b), {c.f, c.g}, true);
         truth->line_count = lines.size(), truth->part_count = parts.size();
         truth->interval_count = intervals.size(), truth->asked = u.asked;
         truth->line = copy_of(lines);

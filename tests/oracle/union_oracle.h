@@ -31,8 +31,9 @@ typedef struct union_part {
 /* An edge of a body, or a segment in which faces of two bodies cross. */
 typedef struct union_line {
     roberts_vec3 a, b;
-    size_t part, parts;  /* what is drawn, into union_truth.part; parts ascend */
-    size_t first, count; /* hidden intervals, into union_truth.interval; they ascend and do not touch */
+    bool crossing, edge_on; /* no edge; one of its faces is edge-on */
+    size_t part, parts;     /* what is drawn, into union_truth.part; parts ascend */
+    size_t first, count;    /* hidden intervals, into union_truth.interval; they ascend and do not touch */
 } union_line;
 
 typedef struct union_truth {
