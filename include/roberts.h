@@ -308,19 +308,20 @@ typedef enum roberts_state {
 } roberts_state;
 
 typedef enum roberts_line {
-    ROBERTS_OUTLINE, /**< its faces lie on one side of it in the picture: one is front, the other back or edge-on */
-    ROBERTS_CREASE,  /**< its faces lie on both sides */
-    ROBERTS_BACK,    /**< no face is front: hidden by its own solid */
-    ROBERTS_BORDER,  /**< it has one face */
-    ROBERTS_WIRE,    /**< it has none */
+    ROBERTS_OUTLINE, /**< its faces lie on one side of it in the picture (one is front, one back), or one is edge-on */
+    ROBERTS_CREASE,  /**< its faces lie on both sides of it */
+    ROBERTS_BACK,    /**< both faces of a convex solid are back faces: it hides the edge; a crease otherwise */
+    ROBERTS_BORDER,  /**< an edge of one face */
+    ROBERTS_WIRE,    /**< an edge of no face */
     ROBERTS_INTERSECTION, /**< no edge: two faces cross there */
+    ROBERTS_BACK_OUTLINE, /**< like ROBERTS_BACK, but a face is edge-on: it would be an outline */
 } roberts_line;
 
 /** A maximal part of a line in one state. A line is an edge, or a segment in which two faces cross. */
 typedef struct roberts_segment {
-    uint32_t solid;  /**< number of the solid, from 0 by smallest vertex; of an intersection, that of its first face */
+    uint32_t solid;  /**< number of the body, from 0 by smallest vertex; of an intersection, that of its first face */
     uint32_t v0, v1; /**< the edge's vertices as in the input, v0 < v1; ROBERTS_NONE for an intersection */
-    uint32_t by;     /**< hidden: the solid seen at the middle of the part; else ROBERTS_NONE */
+    uint32_t by;     /**< hidden: the body seen at the middle of the part; else ROBERTS_NONE */
     double t0, t1;   /**< along the line in space, 0 <= t0 < t1 <= 1: from v0 to v1, or from end[0] to end[1] of its
                           roberts_crossing */
     /** Its ends in the picture, model units. Both ends of a clipped part are where it is cut (0,0 if the whole edge is
@@ -332,6 +333,12 @@ typedef struct roberts_segment {
     double z0, z1;
     uint8_t state; /**< roberts_state */
     uint8_t line;  /**< roberts_line */
+    /** Hidden, and roberts_hide_options.levels: how many layers lie before the middle of the part, at most 65535; else
+     * 0. Each convex or closed body counts as often as the line of sight enters it there, which is how many of its
+     * faces toward the viewer lie before the part. An open body counts each face that the line of sight meets. Faces in
+     * whose planes the line lies do not count. (A. Appel, "The notion of quantitative invisibility and the machine
+     * rendering of solids", ACM 1967.) */
+    uint16_t level;
     uint32_t edge; /**< number of the edge in the scene; of an intersection, its number in roberts_drawing.crossing */
 } roberts_segment;
 
@@ -376,7 +383,8 @@ typedef struct roberts_drawing {
     size_t count;
     roberts_segment *segment; /**< [count] */
     size_t crossing_count;
-    roberts_crossing *crossing;          /**< [crossing_count] sorted by face[0], face[1], end[0] */
+    roberts_crossing *crossing; /**< [crossing_count] sorted by face[0], face[1], end[0]; faces toward the viewer */
+    size_t crossing_pairs;      /**< pairs of faces that cross there */
     roberts_vec2 window_min, window_max; /**< box of the scene's picture, hidden parts included; or the field of view */
     bool framed;    /**< the window is the field of view: segments reach beyond it, and drawing cuts them off there (see
                          roberts_page_shape()) */
@@ -403,6 +411,7 @@ typedef struct roberts_hide_options {
                                 than 30 degrees are not drawn (default: true) */
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
+    bool levels;           /**< with keep_hidden: fill in `level` */
     /** Draw all bodies as one. Edges of closed bodies keep the parts where the angle that the bodies fill together
      * about the edge is neither nothing, nor all, nor exactly a half-plane: flush blocks lose their seam, and what is
      * inside is gone. Where edges of several bodies lie on one another, that of the body of smallest number is drawn.
@@ -420,9 +429,10 @@ roberts_hide_options roberts_hide_options_default(void);
  * Removes the hidden lines of `scene` seen by `camera`.
  * options  NULL for the defaults
  * drawing  owned by the caller, released by roberts_drawing_free(); empty on failure
- * A point of an edge is hidden where a front face of another solid, closed in projection, holds a point strictly
- * nearer on the same sight line; positions within epsilon count as touching. The result does not depend on grid or
- * threads. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT.
+ * A point of a line is hidden if some face that is not edge-on holds a point strictly nearer to the viewer on the same
+ * line of sight. Faces are closed in projection and hide from both sides; positions within epsilon count as touching.
+ * What a line lies in does not hide it: an edge's own faces, or both faces of an intersection. The result does not
+ * depend on grid or threads. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT.
  */
 roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *camera,
                             const roberts_hide_options *options, roberts_drawing *drawing, roberts_error *error);
@@ -453,7 +463,7 @@ typedef struct roberts_receiver {
  * The same, but hands the segments to `each` one by one, in their order, and keeps none, so that a large drawing need
  * not fit in memory.
  * summary  NULL, or filled like a drawing without segments; its `count` says how many there were; its `crossing` is
- *          there before the first intersection comes
+ *          there before the first intersection comes; released by roberts_drawing_free()
  * Returns what roberts_hide() returns, or ROBERTS_STOPPED if `each->receive` returned false.
  */
 roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camera *camera,
@@ -718,6 +728,7 @@ typedef struct roberts_ink {
 typedef enum roberts_column {
     ROBERTS_COLUMN_ENDS,  /**< X0,Y0,Z0,X1,Y1,Z1: roberts_segment_ends() */
     ROBERTS_COLUMN_DEPTH, /**< z0,z1: how near the viewer the ends are, as in roberts_segment */
+    ROBERTS_COLUMN_LEVEL, /**< level, as in roberts_segment; roberts_hide() has to be told to fill it in */
     ROBERTS_COLUMN_NAME,  /**< name: that of the solid's group, roberts_scene_name() */
     ROBERTS_COLUMNS       /**< how many there are */
 } roberts_column;

@@ -5,7 +5,7 @@
 #                 each stage, memory, growth; drawn as SVG; checked by --verify; read by strtod(); two threads
 #                 against one
 #   worst         scenes that are hard, each for one reason
-#   meshes        meshes of triangles to 350,000 of them: scans, balls, land, stars, balls and loose triangles that cross
+#   meshes        meshes of up to 350,000 triangles: scans, balls, land, stars; balls and loose triangles that cross
 #   instructions  instructions executed, counted by callgrind, against tools/bench-baseline.txt
 #   baseline      the same, and writes that file anew
 #   all-meshes    the meshes, to 1.4 million triangles (`make bench-meshes`)

@@ -166,6 +166,16 @@ static void write_scenes(target *to)
         case_about(i, about, sizeof about);
         write_body(to, "tests/", case_name(i), about, &b);
     }
+    for (size_t i = 0; i < star_count(); i++) {
+        body b = {0};
+        star_make(&b, i);
+        write_body(to, "star/", star_name(i), star_about(i), &b);
+    }
+    for (size_t i = 0; i < shape_count(); i++) {
+        body b = {0};
+        shape_at(i)->make(&b);
+        write_body(to, "shapes/", shape_at(i)->name, shape_at(i)->about, &b);
+    }
     for (size_t i = 0; i < scene_count(); i++) {
         body b = {0};
         scene_at(i)->make(&b);
@@ -194,7 +204,7 @@ static void write_members(target *to)
 
 static int write_all(const char *folder)
 {
-    static const char *const parts[] = {"", "platonic", "archimedean", "catalan", "prisms", "tests"};
+    static const char *const parts[] = {"", "platonic", "archimedean", "catalan", "prisms", "star", "shapes", "tests"};
     target to = {folder, false};
     for (size_t i = 0; i < sizeof parts / sizeof *parts && !to.failed; i++)
         make_folder(&to, parts[i]);

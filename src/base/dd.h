@@ -54,6 +54,16 @@ static inline dd dd_mul(dd a, dd b)
     return dd_two_sum(p, e + (a.hi * b.lo + a.lo * b.hi));
 }
 
+/* By long division: three digits of a double each. */
+static inline dd dd_div(dd a, dd b)
+{
+    double first = a.hi / b.hi;
+    dd rest = dd_sub(a, dd_mul((dd){first, 0.0}, b));
+    double second = rest.hi / b.hi;
+    rest = dd_sub(rest, dd_mul((dd){second, 0.0}, b));
+    return dd_add(dd_two_sum(first, second), (dd){rest.hi / b.hi, 0.0});
+}
+
 static inline dd3 dd3_from(roberts_vec3 a)
 {
     return (dd3){{a.x, 0.0}, {a.y, 0.0}, {a.z, 0.0}};

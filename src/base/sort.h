@@ -32,6 +32,23 @@ uint32_t radix_key_descending(float x);
  * `count`. False: no memory. */
 bool radix_order(const uint32_t *key, uint32_t count, uint32_t *order);
 
+/* The first of `count` items of `size` bytes, each of which begins with a uint32_t, ascending, that has `number` or a
+ * greater one; `count`: there is none. */
+static inline size_t find_numbered(const void *items, size_t count, size_t size, uint32_t number)
+{
+    size_t low = 0;
+    while (low < count) {
+        size_t middle = low + (count - low) / 2;
+        uint32_t here;
+        memcpy(&here, (const char *)items + middle * size, sizeof here);
+        if (here < number)
+            low = middle + 1;
+        else
+            count = middle;
+    }
+    return low;
+}
+
 /* For qsort(): of two uint64_t, the lesser first. */
 static inline int compare_u64(const void *a, const void *b)
 {

@@ -112,10 +112,13 @@ static const option rows[] = {
      .words = values_columns,
      .set = values_set_columns,
      .brief = "further columns of tables",
-     .help = "further columns of tables, in this order: +ends (in the model), +depth (toward the viewer), +name (of "
+     .help = "further columns of tables, in this order: +ends (in the model), +depth (toward the viewer), +level (how "
+             "many layers hide "
+             "it), +name (of "
              "the group)",
-     .manual = "Further columns of tables, after the usual ones and in the order given: +ends, +depth, +name. OUTPUT "
-               "FORMATS says what they hold."},
+     .manual =
+         "Further columns of tables, after the usual ones and in the order given: +ends, +depth, +level, +name. OUTPUT "
+         "FORMATS says what they hold."},
     {.group = GROUP_OUTPUT,
      .name = "crease",
      .flags = OPTION_DRAWS,

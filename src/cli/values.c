@@ -138,15 +138,14 @@ int values_set_hidden(const option *o, const char *value, cli_options *options)
 }
 
 const char *const values_columns[] = {
-    [ROBERTS_COLUMN_ENDS] = "+ends",
-    [ROBERTS_COLUMN_DEPTH] = "+depth",
-    [ROBERTS_COLUMN_NAME] = "+name",
-    [ROBERTS_COLUMNS] = NULL,
+    [ROBERTS_COLUMN_ENDS] = "+ends", [ROBERTS_COLUMN_DEPTH] = "+depth", [ROBERTS_COLUMN_LEVEL] = "+level",
+    [ROBERTS_COLUMN_NAME] = "+name", [ROBERTS_COLUMNS] = NULL,
 };
 
 /* One further column. */
-static int add_column(const option *o, const char *word, roberts_draw_options *draw)
+static int add_column(const option *o, const char *word, cli_options *options)
 {
+    roberts_draw_options *draw = &options->draw;
     const size_t i = parse_find(word, o->words);
     if (!o->words[i])
         return hint_unknown("--columns", word, o->words, "with commas between several");
@@ -154,6 +153,7 @@ static int add_column(const option *o, const char *word, roberts_draw_options *d
         if (draw->column[k] == (roberts_column)i)
             return message_misuse("--columns: %s is there twice", word);
     draw->column[draw->column_count++] = (roberts_column)i;
+    options->hide.levels |= i == ROBERTS_COLUMN_LEVEL;
     return EXIT_DONE;
 }
 
@@ -163,9 +163,10 @@ int values_set_columns(const option *o, const char *value, cli_options *options)
     bool fits;
     int status = EXIT_DONE;
     options->draw.column_count = 0;
+    options->hide.levels = false;
     while (value && status == EXIT_DONE) {
         value = parse_word(value, ',', word, sizeof word, &fits);
-        status = fits ? add_column(o, word, &options->draw) : message_misuse("--columns: \"%s...\" is too long", word);
+        status = fits ? add_column(o, word, options) : message_misuse("--columns: \"%s...\" is too long", word);
     }
     return status;
 }

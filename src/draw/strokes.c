@@ -68,7 +68,8 @@ static bool is_drawn(const roberts_draw_options *options, const roberts_segment 
     if (segment->state == ROBERTS_HIDDEN)
         *line = ROBERTS_BACK;
     else
-        *line = segment->line == ROBERTS_BACK ? ROBERTS_OUTLINE : (roberts_line)segment->line;
+        *line = segment->line == ROBERTS_BACK || segment->line == ROBERTS_BACK_OUTLINE ? ROBERTS_OUTLINE
+                                                                                       : (roberts_line)segment->line;
     return is_class_drawn(options, *line);
 }
 

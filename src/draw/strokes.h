@@ -7,8 +7,8 @@
 
 /* Further classes beside those of roberts_line: the border of the picture or of the area within the margins, and the
  * symbol of a sheet. */
-#define LINE_FRAME ((roberts_line)(ROBERTS_INTERSECTION + 1))
-#define LINE_SYMBOL ((roberts_line)(ROBERTS_INTERSECTION + 2))
+#define LINE_FRAME ((roberts_line)(ROBERTS_BACK_OUTLINE + 1))
+#define LINE_SYMBOL ((roberts_line)(ROBERTS_BACK_OUTLINE + 2))
 
 /* From the undermost class to the uppermost. */
 enum { LINE_CLASSES = 8 };

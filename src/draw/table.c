@@ -31,15 +31,16 @@ enum {
     END_Z1,
     DEPTH0,
     DEPTH1,
+    LEVEL,
     NAME,
     COLUMNS
 };
 
 static const char *const names[COLUMNS] = {
-    [BODY] = "body", [V0] = "v0",     [V1] = "v1",     [T0] = "t0",     [T1] = "t1",     [STATE] = "state",
-    [X0] = "x0",     [Y0] = "y0",     [X1] = "x1",     [Y1] = "y1",     [BY] = "by",     [CLASS] = "class",
-    [F0] = "f0",     [F1] = "f1",     [END_X0] = "X0", [END_Y0] = "Y0", [END_Z0] = "Z0", [END_X1] = "X1",
-    [END_Y1] = "Y1", [END_Z1] = "Z1", [DEPTH0] = "z0", [DEPTH1] = "z1", [NAME] = "name",
+    [BODY] = "body", [V0] = "v0",     [V1] = "v1",     [T0] = "t0",     [T1] = "t1",       [STATE] = "state",
+    [X0] = "x0",     [Y0] = "y0",     [X1] = "x1",     [Y1] = "y1",     [BY] = "by",       [CLASS] = "class",
+    [F0] = "f0",     [F1] = "f1",     [END_X0] = "X0", [END_Y0] = "Y0", [END_Z0] = "Z0",   [END_X1] = "X1",
+    [END_Y1] = "Y1", [END_Z1] = "Z1", [DEPTH0] = "z0", [DEPTH1] = "z1", [LEVEL] = "level", [NAME] = "name",
 };
 
 /* What a field may hold. */
@@ -49,7 +50,7 @@ static const field_kind kinds[COLUMNS] = {
     [BODY] = WHOLE,    [V0] = WHOLE,      [V1] = WHOLE,      [T0] = NUMBER,     [T1] = NUMBER,     [STATE] = WORD,
     [X0] = NUMBER,     [Y0] = NUMBER,     [X1] = NUMBER,     [Y1] = NUMBER,     [BY] = WHOLE,      [CLASS] = WORD,
     [F0] = WHOLE,      [F1] = WHOLE,      [END_X0] = NUMBER, [END_Y0] = NUMBER, [END_Z0] = NUMBER, [END_X1] = NUMBER,
-    [END_Y1] = NUMBER, [END_Z1] = NUMBER, [DEPTH0] = NUMBER, [DEPTH1] = NUMBER, [NAME] = TEXT,
+    [END_Y1] = NUMBER, [END_Z1] = NUMBER, [DEPTH0] = NUMBER, [DEPTH1] = NUMBER, [LEVEL] = WHOLE,   [NAME] = TEXT,
 };
 
 /* The columns of each roberts_column. */
@@ -58,6 +59,7 @@ static const struct {
 } further[ROBERTS_COLUMNS] = {
     [ROBERTS_COLUMN_ENDS] = {END_X0, END_Z1 + 1},
     [ROBERTS_COLUMN_DEPTH] = {DEPTH0, DEPTH1 + 1},
+    [ROBERTS_COLUMN_LEVEL] = {LEVEL, LEVEL + 1},
     [ROBERTS_COLUMN_NAME] = {NAME, NAME + 1},
 };
 
@@ -97,7 +99,7 @@ typedef struct row {
 static row row_of(const table *t, const roberts_segment *s)
 {
     row r = {t, s, {ROBERTS_NONE, ROBERTS_NONE}, false, {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}};
-    if (t->scene || s->line == ROBERTS_INTERSECTION)
+    if (t->scene || s->line == ROBERTS_INTERSECTION || s->v0 == ROBERTS_NONE)
         roberts_segment_faces(t->scene, t->drawing, s, r.face);
     r.has_ends = t->wants_ends && roberts_segment_ends(t->scene, t->drawing, s, r.end);
     return r;
@@ -115,11 +117,12 @@ static const char *state_name(uint8_t state)
     }
 }
 
-/* An edge at the back of its solid is a crease: its faces lie on both sides of it. */
+/* An edge at the back of its solid is a crease, if its faces lie on both sides of it. */
 static const char *class_name(uint8_t line)
 {
     switch (line) {
     case ROBERTS_OUTLINE:
+    case ROBERTS_BACK_OUTLINE:
         return "outline";
     case ROBERTS_BORDER:
         return "border";
@@ -144,6 +147,8 @@ static uint32_t whole_number(const row *r, int column)
         return r->s->v1;
     case BY:
         return r->s->by;
+    case LEVEL:
+        return r->s->level;
     default:
         return r->face[column - F0];
     }

@@ -11,6 +11,7 @@
 
 /* So many are put in order one by one. */
 #define FEW 64
+
 bool bundle_table_init(bundle_table *table, size_t count)
 {
     *table = (bundle_table){.count = count / BUNDLE_FACES + 1};
@@ -48,24 +49,16 @@ typedef struct middles {
     uint32_t *key, *place, *moved; /* [as order] */
 } middles;
 
-/* order[first .. first+count-1] by their keys, which are key[0 .. count-1]; few are put in their places one by one.
- * False: no memory. */
+/* Puts order[first .. first+count-1] in the order of their keys, which are key[0 .. count-1]. False: no memory. */
 static bool sort(const middles *m, uint32_t first, uint32_t count)
 {
     uint32_t *order = m->order + first;
-    for (uint32_t i = 1; count <= FEW && i < count; i++) {
-        uint32_t key = m->key[i], moved = order[i], k = i;
-        for (; k > 0 && m->key[k - 1] > key; k--) {
-            m->key[k] = m->key[k - 1];
-            order[k] = order[k - 1];
-        }
-        m->key[k] = key;
-        order[k] = moved;
-    }
-    if (count <= FEW)
-        return true;
-    if (!radix_order(m->key, count, m->place))
+    if (count > FEW && !radix_order(m->key, count, m->place))
         return false;
+    for (uint32_t i = 0; count <= FEW && i < count; i++)
+        m->place[i] = i;
+    if (count <= FEW)
+        SORT_FEW(uint32_t, m->place, count, m->key[*a] > m->key[*b])
     for (uint32_t i = 0; i < count; i++)
         m->moved[i] = order[m->place[i]];
     memcpy(order, m->moved, count * sizeof *order);

@@ -49,11 +49,12 @@ static sizes measure_some(const hide_box *box, uint32_t count, double per_width,
     return s;
 }
 
-/* In pieces, which do not depend on the threads. Without width or height of the window all are as wide or high as
+/* The pieces do not depend on the threads. If the window has no width or no height, all boxes are as wide or as high as
  * it. */
-static sizes measure(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, int threads)
+static sizes measure(const cells_boxes *b, int threads)
 {
-    sizes all = {.width = high.x - low.x, .height = high.y - low.y}, some[PIECES];
+    uint32_t count = b->count;
+    sizes all = {.width = b->high.x - b->low.x, .height = b->high.y - b->low.y}, some[PIECES];
     double per_width = all.width >= DBL_MIN ? 1.0 / all.width : 0.0;
     double per_height = all.height >= DBL_MIN ? 1.0 / all.height : 0.0;
 #ifdef _OPENMP
@@ -64,7 +65,7 @@ static sizes measure(const hide_box *box, uint32_t count, roberts_vec2 low, robe
     for (uint32_t i = 0; i < PIECES; i++) {
         uint32_t first = (uint32_t)((uint64_t)count * i / PIECES);
         uint32_t end = (uint32_t)((uint64_t)count * (i + 1) / PIECES);
-        some[i] = measure_some(box + first, end - first, per_width, per_height);
+        some[i] = measure_some(b->box + first, end - first, per_width, per_height);
     }
     for (uint32_t i = 0; i < PIECES; i++) {
         all.w += some[i].w;
@@ -91,14 +92,14 @@ static uint32_t whole(double n)
     return n < 1.0 ? 1 : n > SIDE_MOST ? (uint32_t)SIDE_MOST : (uint32_t)n;
 }
 
-scan_frame cells_for_lists(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, uint32_t n,
-                           double margin, double *depth)
+scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth)
 {
     double nx = 1.0, ny = 1.0;
-    sizes s = measure(box, count, low, high, 1);
+    uint32_t count = b->count;
+    sizes s = measure(b, 1);
     *depth = s.area;
     if (n)
-        return scan_frame_over(low, high, n, n, margin);
+        return scan_frame_over(b->low, b->high, n, n, b->margin);
     if (count) {
         divide(&s, count, BOXES_PER_CELL, CELLS_PER_BOX * count + 1.0, &nx, &ny);
         while (nx * ny > 1.0 &&
@@ -107,18 +108,18 @@ scan_frame cells_for_lists(const hide_box *box, uint32_t count, roberts_vec2 low
             ny = greater(1.0, 0.9 * ny);
         }
     }
-    return scan_frame_over(low, high, whole(nx), whole(ny), margin);
+    return scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin);
 }
 
-scan_frame cells_for_covers(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, double margin,
-                            int threads)
+scan_frame cells_for_covers(const cells_boxes *b, int threads)
 {
     double nx, ny;
-    sizes s = measure(box, count, low, high, threads);
+    uint32_t count = b->count;
+    sizes s = measure(b, threads);
     if (!(s.area > COVER_DEPTH) || !(s.width > 0.0) || !(s.height > 0.0))
         return (scan_frame){0};
     double smaller = s.area > COVER_DEPTH_OF_SMALLER ? pow(COVER_DEPTH_OF_SMALLER / s.area, COVER_SHRINKING) : 1.0;
     smaller = greater(smaller, COVER_SMALLEST); /* each front enters all cells that it covers */
     divide(&s, count, BOXES_PER_COVER_CELL * smaller, COVER_CELLS_PER_BOX * count + CELLS_FREE, &nx, &ny);
-    return scan_frame_over(low, high, whole(nx), whole(ny), margin);
+    return scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin);
 }

@@ -5,16 +5,20 @@
 #include "hide/scan.h"
 #include "hide/types.h"
 
-/* Cells for lists over the window low..high: some two mean boxes wide, but no more than lets the lists grow in
- * proportion to the number of boxes. n: given number per side, 0 = choose. *depth: mean number of boxes over a point of
- * the window. */
-scan_frame cells_for_lists(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, uint32_t n,
-                           double margin, double *depth);
+/* Boxes over a window of the picture. */
+typedef struct cells_boxes {
+    const hide_box *box; /* [count] */
+    uint32_t count;
+    roberts_vec2 low, high; /* the window */
+    double margin;          /* hide_margin() */
+} cells_boxes;
 
-/* Cells for covers: much smaller than a mean box. Without columns where covers would not pay: where few boxes lie over
- * one another. By so many threads; what comes out is
- * the same. */
-scan_frame cells_for_covers(const hide_box *box, uint32_t count, roberts_vec2 low, roberts_vec2 high, double margin,
-                            int threads);
+/* Cells for lists: some two mean boxes wide. There are no more of them than lets the lists grow in proportion to the
+ * number of boxes. n: given number per side, 0 = choose. *depth: mean number of boxes over a point of the window. */
+scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth);
+
+/* Cells for covers: much smaller than a mean box. The frame has no columns where few boxes lie over one another, and
+ * covers would not pay. The number of threads does not change the result. */
+scan_frame cells_for_covers(const cells_boxes *b, int threads);
 
 #endif

@@ -75,27 +75,26 @@ static inline void enter_level(float *cell, uint32_t *cell_by, uint32_t count, f
         enter(&cell[k], &cell_by[k], bound, by);
 }
 
-void cover_add(cover *c, scan *s, const roberts_vec3 *P, const uint32_t *corner, uint32_t count, double depth,
-               const hide_face *face, uint32_t face_count, double slack, uint32_t by, double loose)
+void cover_add(cover *c, scan *s, const roberts_vec3 *P, const cover_front *front)
 {
     scan_frame wider = c->frame;
     const scan_frame *f = &wider;
     if (!c->depth)
         return;
-    wider.margin += loose;
-    scan_inner(s, f, P, corner, count);
-    float level = hide_float_below(depth - slack);
+    wider.margin += front->loose;
+    scan_inner(s, f, P, front->corner, front->count);
+    float level = hide_float_below(front->depth - front->slack);
     for (uint32_t i = s->inner_first; i <= s->inner_last; i++) {
         uint32_t first, last;
         float *cell = c->depth + (size_t)i * f->ny;
         uint32_t *cell_by = c->by + (size_t)i * f->ny;
         if (!scan_inside(s, f, i, &first, &last))
             continue;
-        if (!face_count)
-            enter_level(cell + first, cell_by + first, last - first + 1, level, by);
-        for (uint32_t j = first; face_count && j <= last; j++) {
-            double own = greater(depth, depth_over(f, i, j, face, face_count));
-            enter(&cell[j], &cell_by[j], hide_float_below(own - slack), by);
+        if (!front->face_count)
+            enter_level(cell + first, cell_by + first, last - first + 1, level, front->by);
+        for (uint32_t j = first; front->face_count && j <= last; j++) {
+            double own = greater(front->depth, depth_over(f, i, j, front->face, front->face_count));
+            enter(&cell[j], &cell_by[j], hide_float_below(own - front->slack), front->by);
         }
     }
 }

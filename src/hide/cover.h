@@ -13,19 +13,27 @@
 typedef struct cover {
     scan_frame frame;
     float *depth; /* [nx * ny] -infinity without cover; NULL: no covers are kept, nothing is ever behind one */
-    uint32_t *by; /* [nx * ny] what covers the cell, as cover_add() was told */
+    uint32_t *by; /* [nx * ny] what covers the cell: cover_front.by */
 } cover;
 
 /* Takes a frame of the cells; one without columns keeps no covers. By so many threads. No memory: false. */
 bool cover_init(cover *c, scan_frame frame, int threads);
 void cover_free(cover *c);
 
-/* Enters a convex outline of corners P[corner[..]], counter-clockwise, whose front is nowhere over it farther away than
- * `depth`; where faces are given the front is the nearer side of them all, and its depth in each cell is taken. s:
- * scratch for as many columns. slack: how much nearer than the cover a thing must be to count as touching it, in depth.
- * by: kept with the cells. loose: by how much the front may fail to fill its outline. */
-void cover_add(cover *c, scan *s, const roberts_vec3 *P, const uint32_t *corner, uint32_t count, double depth,
-               const hide_face *face, uint32_t face_count, double slack, uint32_t by, double loose);
+/* A front that covers cells. */
+typedef struct cover_front {
+    const uint32_t *corner; /* [count] of its outline, convex, counter-clockwise */
+    uint32_t count;
+    uint32_t by;           /* kept with the cells that it covers */
+    const hide_face *face; /* [face_count] the front is the nearer side of all of them, cell by cell; without faces */
+    uint32_t face_count;   /* only `depth` counts */
+    double depth;          /* the front is nowhere farther away than this */
+    double slack;          /* what is nearer than the cover by this does not touch it */
+    double loose;          /* the front may fail to fill its outline by this */
+} cover_front;
+
+/* Enters the front. P: view points of the scene; s: scratch for as many columns as the frame has. */
+void cover_add(cover *c, scan *s, const roberts_vec3 *P, const cover_front *front);
 
 /* Lies all of the box certainly behind covers? */
 bool cover_hides(const cover *c, const hide_box *box);

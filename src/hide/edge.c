@@ -78,6 +78,7 @@ void hide_worker_free(hide_worker *w)
     free(w->sides.H);
     free(w->walk.item);
     free(w->seen);
+    free(w->level.item);
     *w = (hide_worker){0};
 }
 

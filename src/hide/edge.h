@@ -25,6 +25,17 @@ typedef struct hide_lanes {
     float x0[HIDE_GROUP], x1[HIDE_GROUP], y0[HIDE_GROUP], y1[HIDE_GROUP], z0[HIDE_GROUP], z1[HIDE_GROUP];
 } hide_lanes;
 
+/* A face before a point: see level.c. */
+typedef struct level_hit {
+    uint32_t body;
+    unsigned ways; /* in which the point can be moved into the face */
+} level_hit;
+
+typedef struct level_hits {
+    level_hit *item;
+    size_t count, room;
+} level_hits;
+
 /* Scratch memory of one thread, serving solid after solid. */
 typedef struct hide_worker {
     const hide_fronts *fronts;
@@ -50,6 +61,7 @@ typedef struct hide_worker {
     uint16_t *seen;
     uint16_t stamp;          /* of the group at work */
     size_t surviving, drawn; /* edges, as counted in a roberts_drawing */
+    level_hits level;        /* scratch memory of hide_level_at() */
     char apart[THREADS_APART];
 } hide_worker;
 

@@ -130,14 +130,18 @@ static bool more_singles(front_tile *tile, size_t more)
 /* Each of the faces as a front of its own. */
 static bool add_single_fronts(const hide_fronts *fronts, front_tile *tile, uint32_t solid, const front_faces *found)
 {
+    uint32_t piece = fronts->scene->solid[solid].face;
     if (!more_singles(tile, found->count))
         return false;
-    for (uint32_t k = 0; k < found->count; k++) {
+    for (uint32_t k = 0; k < found->count; k++, piece++) {
+        while (fronts->seen->facing[piece] != VIEW_FRONT)
+            piece++;
         hide_bounds own = face_bounds(fronts, &found->face[k]);
         tile->single_box[tile->single_count] = hide_box_around(&own);
         tile->single[tile->single_count++] = (hide_front){.solid = solid,
                                                           .own = seen_body_key(solid),
                                                           .face = tile->face + k,
+                                                          .piece = piece,
                                                           .face_count = 1,
                                                           .listed = true,
                                                           .kind = HIDE_SOLID_FACE};
@@ -169,6 +173,7 @@ static BITS_RARE bool add_surface(hide_fronts *fronts, front_tile *tile, uint32_
         tile->single[tile->single_count++] = (hide_front){.solid = body,
                                                           .own = seen_face_key(scene, body, face),
                                                           .face = tile->face++,
+                                                          .piece = face,
                                                           .face_count = 1,
                                                           .listed = true,
                                                           .kind = HIDE_SURFACE_FACE};
@@ -195,28 +200,24 @@ static double farthest(const hide_fronts *fronts, const uint32_t *corner, uint32
     return depth;
 }
 
-/* Enters what a front covers. trusted: the planes of its faces say how far it is. by: its number, ROBERTS_NONE if it
- * will have none. */
-static void cover_front(hide_fronts *fronts, scan *s, const hide_front *front, const front_faces *found, bool trusted,
-                        double depth, double slack, uint32_t by)
+/* Is the box many cells of covers across? */
+static bool is_wide(const hide_fronts *fronts, const hide_box *box)
 {
-    const hide_box *box = &fronts->box[front->solid];
     const scan_frame *f = &fronts->cover.frame;
-    bool wide = trusted &&
-                ((double)(box->x1 - box->x0) > COVER_WIDE * f->dx || (double)(box->y1 - box->y0) > COVER_WIDE * f->dy);
-    cover_add(&fronts->cover, s, fronts->P, fronts->outline + front->outline, front->corners, depth, found->face,
-              wide ? found->count : 0, slack, by, (double)front->loose);
+    return (double)(box->x1 - box->x0) > COVER_WIDE * f->dx || (double)(box->y1 - box->y0) > COVER_WIDE * f->dy;
 }
 
-/* Enters the faces of a solid that is not entered as a whole, and the runs of its polygons. corners: of its outline, 0
- * where that is not asked. False: no memory. */
-static BITS_RARE bool enter_faces(hide_fronts *fronts, front_tile *tile, uint32_t solid, const front_faces *found,
-                                  const uint32_t *outline, uint32_t corners, bool bundled)
+/* Enters the faces of a solid that is not entered as a whole, and the runs of its polygons. bundled: the faces become a
+ * bundle. False: no memory. */
+static BITS_RARE bool enter_faces(hide_fronts *fronts, front_tile *tile, const hide_front *front,
+                                  const front_faces *found, bool bundled)
 {
-    if (bundled)
-        return bundle_enter(&fronts->bundles, &fronts->space, found->face, found->count, tile->face) &&
-               enter_runs(fronts, found, outline, 0);
-    return (corners || add_single_fronts(fronts, tile, solid, found)) && enter_runs(fronts, found, outline, corners);
+    const uint32_t *outline = fronts->outline + front->outline;
+    if (front->kind == HIDE_CONVEX_SOLID)
+        return enter_runs(fronts, found, outline, front->corners);
+    bool entered = bundled ? bundle_enter(&fronts->bundles, &fronts->space, found->face, found->count, tile->face)
+                           : add_single_fronts(fronts, tile, front->solid, found);
+    return entered && enter_runs(fronts, found, outline, 0);
 }
 
 static void count_faces(front_tile *tile, const front_faces *found)
@@ -275,10 +276,16 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
                         .corners = cycle,
                         .kind = whole ? HIDE_CONVEX_SOLID : HIDE_BUNDLE};
     if (corners && fronts->cover.depth)
-        cover_front(fronts, &scratch->scan, &front, &found, whole && reach > size, depth, slack,
-                    whole ? tile->front : ROBERTS_NONE);
-    if ((!whole || fronts->face_runs.at) &&
-        !enter_faces(fronts, tile, solid, &found, outline, whole ? corners : 0, bundled))
+        cover_add(&fronts->cover, &scratch->scan, fronts->P,
+                  &(cover_front){.corner = outline,
+                                 .count = cycle,
+                                 .by = whole ? tile->front : ROBERTS_NONE,
+                                 .face = found.face,
+                                 .face_count = whole && reach > size && is_wide(fronts, box) ? found.count : 0,
+                                 .depth = depth,
+                                 .slack = slack,
+                                 .loose = (double)front.loose});
+    if ((!whole || fronts->face_runs.at) && !enter_faces(fronts, tile, &front, &found, bundled))
         return false;
     count_faces(tile, &found);
     if (!whole && !bundled)

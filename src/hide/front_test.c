@@ -1,8 +1,9 @@
 /* front_test.c - see front_test.h. */
 #include "hide/front_test.h"
 
-#include "hide/tests_wide.h"
+#include "base/sort.h"
 #include "hide/intervals.h"
+#include "hide/tests_wide.h"
 
 bool hide_within_reach(const hide_fronts *fronts, const hide_front *front, const hide_edge *e)
 {
@@ -99,30 +100,30 @@ static void ask_faces(climb *c, uint32_t item)
     }
 }
 
-/* The nodes of a rank from the one that begins with `item` on, no more than eight of them: those that reach farthest
+/* A node that may hide more, by its first item. */
+typedef struct reaching {
+    double reach;
+    uint32_t item;
+} reaching;
+
+/* The nodes of a rank from the one that begins with `item` on, no more than eight of them. Those that reach farthest
  * are asked first, so that they leave little to the others. */
 static void ask_nodes(climb *c, int rank, uint32_t item, uint32_t end)
 {
-    uint32_t from[1 << LIST_TREE_BITS], count = 0;
-    double reach[1 << LIST_TREE_BITS], own;
+    reaching node[1 << LIST_TREE_BITS];
+    uint32_t count = 0;
     for (; item < end; item = list_tree_end(&c->b->tree, rank, item)) {
-        if (!may_hide_more(c, &c->b->node[list_tree_node(&c->b->tree, rank, item)], &own))
-            continue;
-        uint32_t i = count++;
-        for (; i > 0 && reach[i - 1] < own; i--) {
-            reach[i] = reach[i - 1];
-            from[i] = from[i - 1];
-        }
-        reach[i] = own;
-        from[i] = item;
+        node[count].item = item;
+        count += may_hide_more(c, &c->b->node[list_tree_node(&c->b->tree, rank, item)], &node[count].reach);
     }
+    SORT_FEW(reaching, node, count, a->reach < b->reach)
     for (uint32_t i = 0; i < count; i++) {
-        if (c->found && reach[i] <= (c->forward ? c->hull->t1 : -c->hull->t0))
+        if (c->found && node[i].reach <= (c->forward ? c->hull->t1 : -c->hull->t0))
             return;
         if (rank == 0)
-            ask_faces(c, from[i]);
+            ask_faces(c, node[i].item);
         else
-            ask_nodes(c, rank - 1, from[i], list_tree_end(&c->b->tree, rank, from[i]));
+            ask_nodes(c, rank - 1, node[i].item, list_tree_end(&c->b->tree, rank, node[i].item));
     }
 }
 

@@ -474,8 +474,9 @@ bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options 
     if (done) {
         set_space(fronts);
         if (cull)
-            frame = cells_for_covers(fronts->box, scene->solid_count, fronts->low, fronts->high,
-                                     hide_margin(&fronts->space), b.threads);
+            frame = cells_for_covers(
+                &(cells_boxes){fronts->box, scene->solid_count, fronts->low, fronts->high, hide_margin(&fronts->space)},
+                b.threads);
     }
     if (done && cover_init(&fronts->cover, frame, b.threads) && add_solids(&b))
         return true;

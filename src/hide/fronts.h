@@ -27,9 +27,12 @@ typedef enum hide_kind {
 typedef struct hide_front {
     double reach; /* of a convex solid: distance from it up to which the planes of its faces can be trusted */
     uint32_t solid;
-    uint32_t face;    /* of hide_fronts.face, the first */
-    uint32_t own;     /* its seen_face_key(): it does not hide lines that list this key */
-    uint32_t outline; /* of hide_fronts.outline, the first corner: convex solid and bundle */
+    uint32_t face; /* of hide_fronts.face, the first */
+    uint32_t own;  /* its seen_face_key(): it does not hide lines that list this key */
+    union {
+        uint32_t outline; /* of hide_fronts.outline, the first corner: convex solid and bundle */
+        uint32_t piece;   /* the face of the scene: a single face */
+    };
     uint32_t corners; /* of the outline; 0: a face has corners of its own */
     float loose;      /* by how much its faces may leave its outline: by what they depart from their planes */
     float depth;      /* what is nowhere nearer is behind it wherever it is inside the outline */

@@ -3,7 +3,8 @@
  *   1. Fronts. `view` says what is seen (view/seen.h): each solid is mapped to view space, and its front faces become
  *      fronts (fronts.c, front.c). Solids that covers hide are left out (cover.c).
  *   2. Objet[i][j]. The cells of the picture list the fronts that touch them (cells.c, objet.c).
- *   3. Lines. The lines of each body are taken (segments.c) through the cells that they cross (edge.c). Tests 1 to 4
+ *   3. Intersections. Fronts that share a cell may cross; where they do, there is a line more (crossings.c).
+ *   4. Lines. The lines of each body are taken (segments.c) through the cells that they cross (edge.c). Tests 1 to 4
  *      say what each front there hides of them (front_test.c, tests.c), and the hidden intervals are united
  *      (intervals.c). What is left of a line becomes segments.
  *
@@ -23,6 +24,7 @@
 #define SOLIDS_AHEAD 2 /* between asking for one and needing it */
 #define CHUNK_SOLIDS 64
 #define CHUNK_SEGMENTS 1024 /* room to begin with: nine visible edges of each block, and then some */
+#define CHUNK_CROSSINGS 256
 #define CHUNKS_PER_THREAD 8 /* with less work than this a thread costs more than it does */
 
 roberts_hide_options roberts_hide_options_default(void)
@@ -79,19 +81,49 @@ static roberts_status list_fronts(hide_job *job)
 {
     const hide_fronts *fronts = &job->fronts;
     double depth;
-    scan_frame frame = cells_for_lists(fronts->front_box, fronts->front_count, fronts->low, fronts->high,
-                                       job->options->grid, hide_margin(&fronts->space), &depth);
+    cells_boxes boxes = {fronts->front_box, fronts->front_count, fronts->low, fronts->high,
+                         hide_margin(&fronts->space)};
+    scan_frame frame = cells_for_lists(&boxes, job->options->grid, &depth);
     if (!picture_order_init(&job->order, fronts, depth))
         return ROBERTS_NO_MEMORY;
     hide_fronts_drop_boxes(&job->fronts);
     return objet_build(&job->grid, fronts, frame, job->options->threads);
 }
 
-/* ---- 3. edges, tests and segments ---- */
+/* ---- 3. where faces cross ---- */
+
+/* The drawing takes over what rows say of the lines. */
+static roberts_status find_crossings(hide_job *job, roberts_drawing *drawing)
+{
+    crossings *c = &job->crossings;
+    if (!crossings_find(c, &job->fronts, &job->grid, job->options->threads) || c->count >= ROBERTS_NONE)
+        return ROBERTS_NO_MEMORY;
+    drawing->crossing = c->name;
+    drawing->crossing_count = c->count;
+    drawing->crossing_pairs = c->pairs;
+    c->name = NULL;
+    return ROBERTS_OK;
+}
+
+/* ---- 4. lines, tests and segments ---- */
+
+/* How many chunks the bodies are. Those of lines where faces cross follow. */
+static uint32_t body_chunks(const hide_job *job)
+{
+    return (job->seen.scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
+}
+
+static bool do_crossings(const hide_job *job, hide_worker *w, hide_chunk *out, size_t index)
+{
+    size_t first = index * CHUNK_CROSSINGS, count = job->crossings.count;
+    return segments_cross(job, w, out, first, count - first < CHUNK_CROSSINGS ? count : first + CHUNK_CROSSINGS);
+}
 
 static bool do_chunk(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t index)
 {
-    uint32_t first = index * CHUNK_SOLIDS, count = job->seen.scene->solid_count;
+    uint32_t first = index * CHUNK_SOLIDS, count = job->seen.scene->solid_count, bodies = body_chunks(job);
+    if (index >= bodies)
+        return do_crossings(job, w, out, index - bodies);
     uint32_t end = count - first < CHUNK_SOLIDS ? count : first + CHUNK_SOLIDS;
     return array_reserve(&out->segment, &out->room, out->count + CHUNK_SEGMENTS, sizeof *out->segment) &&
            segments_find(job, w, out, first, end);
@@ -191,7 +223,8 @@ static roberts_status fill_drawing(const hide_job *job, hide_worker *w, uint32_t
 
 static roberts_status do_chunks(hide_job *job, roberts_drawing *drawing)
 {
-    uint32_t count = (job->seen.scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
+    size_t crossing = (job->crossings.count + CHUNK_CROSSINGS - 1) / CHUNK_CROSSINGS;
+    uint32_t count = body_chunks(job) + (uint32_t)crossing;
     int threads = threads_for(job->options->threads, 1 + count / CHUNKS_PER_THREAD);
     roberts_status status = ROBERTS_NO_MEMORY;
     hide_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
@@ -257,7 +290,7 @@ static void describe(const hide_job *job, const roberts_camera *camera, roberts_
     drawing->solids = job->seen.source->solid_count;
     drawing->culled_solids = fronts->culled_count;
     drawing->edges = job->seen.source->edge_count;
-    drawing->seams = job->seen.united.seams;
+    drawing->seams = united_seams(&job->seen.edges, job->seen.source->edge_count);
     drawing->front_faces = fronts->face_count;
     drawing->back_faces = fronts->back;
     drawing->edge_on_faces = fronts->edge_on;
@@ -284,9 +317,13 @@ static roberts_status hide(hide_job *job, const roberts_scene *scene, const robe
     }
     if (status == ROBERTS_OK) {
         describe(job, camera, drawing);
+        status = find_crossings(job, drawing);
+    }
+    if (status == ROBERTS_OK) {
         status = do_chunks(job, drawing);
         drawing->hide_time = lap(&clock);
     }
+    crossings_free(&job->crossings);
     picture_order_free(&job->order);
     objet_free(&job->grid);
     hide_fronts_free(&job->fronts);
@@ -320,7 +357,10 @@ roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camer
     }
     job.each = each->receive;
     job.context = each->context;
-    return hide(&job, scene, camera, summary ? summary : &counted, error);
+    roberts_status status = hide(&job, scene, camera, summary ? summary : &counted, error);
+    if (!summary)
+        roberts_drawing_free(&counted);
+    return status;
 }
 
 void roberts_drawing_free(roberts_drawing *drawing)
@@ -328,5 +368,6 @@ void roberts_drawing_free(roberts_drawing *drawing)
     if (!drawing)
         return;
     free(drawing->segment);
+    free(drawing->crossing);
     *drawing = (roberts_drawing){0};
 }

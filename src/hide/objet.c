@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/sort.h"
 #include "base/box.h"
 #include "base/threads.h"
 
@@ -124,8 +125,7 @@ static int nearer_first(const void *pa, const void *pb)
     return (a->entry.front > b->entry.front) - (a->entry.front < b->entry.front);
 }
 
-/* Sorts the lists of the cells first..end-1, nearest corner first, ties by number. Short lists are put in order one by
- * one. False: no memory. */
+/* Sorts the lists of the cells first..end-1, nearest corner first, ties by number. False: no memory. */
 static bool sort_some(const filling *job, size_t first, size_t end)
 {
     const objet *grid = job->grid;
@@ -140,15 +140,12 @@ static bool sort_some(const filling *job, size_t first, size_t end)
             free(list);
             return false;
         }
-        for (uint32_t k = 0; k < count; k++) {
-            sorted e = {job->fronts->front_box[own[k].front].z1, own[k]};
-            uint32_t i = k;
-            for (; count <= SHORT_LIST && i > 0 && nearer_first(&e, &list[i - 1]) < 0; i--)
-                list[i] = list[i - 1];
-            list[i] = e;
-        }
+        for (uint32_t k = 0; k < count; k++)
+            list[k] = (sorted){job->fronts->front_box[own[k].front].z1, own[k]};
         if (count > SHORT_LIST)
             qsort(list, count, sizeof *list, nearer_first);
+        else
+            SORT_FEW(sorted, list, count, nearer_first(b, a) < 0)
         for (uint32_t k = 0; k < count; k++)
             own[k] = list[k].entry;
     }

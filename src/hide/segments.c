@@ -2,22 +2,32 @@
 #include "hide/segments.h"
 
 #include "base/array.h"
+#include "hide/level.h"
 
 /* ---- lines to segments ----------------------------------------------------------------------------------------- */
 
+/* A body's lines on their way into a chunk. */
+typedef struct line_writer {
+    const seen *seen;
+    hide_chunk *out;
+    uint32_t body;
+    double unit;
+    bool all, perspective; /* all: hidden parts are wanted too */
+} line_writer;
+
 /* What all segments of a line have in common. */
 typedef struct line_row {
-    uint32_t body, v[2], edge;
-    uint8_t class;
+    uint32_t v[2], edge;
+    roberts_line class;
     double t0, t1; /* what the line is of the edge that it names */
 } line_row;
 
-BITS_INLINE line_row row_of(const hide_job *job, uint32_t body, const seen_line *line)
+BITS_INLINE line_row row_of(const line_writer *w, const seen_line *line)
 {
-    seen_name name = seen_line_name(&job->seen, body, line);
+    const seen_name none = {{ROBERTS_NONE, ROBERTS_NONE}, 0.0, 1.0};
+    seen_name name = line->end ? none : seen_line_name(w->seen, w->body, line);
     double width = name.t1 - name.t0;
-    return (line_row){.body = body,
-                      .v = {name.v[0], name.v[1]},
+    return (line_row){.v = {name.v[0], name.v[1]},
                       .edge = line->edge,
                       .class = line->class,
                       .t0 = name.t0 + width * line->t0,
@@ -25,106 +35,98 @@ BITS_INLINE line_row row_of(const hide_job *job, uint32_t body, const seen_line 
 }
 
 /* Where on the edge in space a point of its picture is; view_to_space() without a call where it has nothing to do. */
-static inline double to_space(const view *v, const hide_edge *e, double s)
+BITS_INLINE double to_space(const line_writer *w, const hide_edge *e, double s)
 {
-    return v->perspective ? view_to_space(v, e->A.z, e->B.z, s) : s;
+    return w->perspective ? view_to_space(&w->seen->view, e->A.z, e->B.z, s) : s;
 }
 
 /* Writes the part s0..s1 of a line, unless rounding leaves no length of it in space. by: who hides it; ROBERTS_NONE: it
  * is visible. There is room for it. */
-BITS_INLINE void put_part(const hide_job *job, hide_chunk *out, const line_row *row, const hide_edge *e,
-                          const hide_interval *part, uint32_t by)
+BITS_INLINE void put_part(const line_writer *w, const line_row *row, const hide_edge *e, const hide_interval *part,
+                          uint32_t by)
 {
-    const view *v = &job->seen.view;
-    double unit = v->unit, width = row->t1 - row->t0, s0 = part->t0, s1 = part->t1;
-    double t0 = row->t0 + width * to_space(v, e, s0), t1 = s1 == 1.0 ? row->t1 : row->t0 + width * to_space(v, e, s1);
+    double unit = w->unit, width = row->t1 - row->t0, s0 = part->t0, s1 = part->t1;
+    double t0 = row->t0 + width * to_space(w, e, s0), t1 = s1 == 1.0 ? row->t1 : row->t0 + width * to_space(w, e, s1);
     if (t0 >= t1)
         return;
     roberts_vec3 R0 = hide_edge_at(e, s0), R1 = hide_edge_at(e, s1);
-    out->segment[out->count++] = (roberts_segment){.solid = row->body,
-                                                   .v0 = row->v[0],
-                                                   .v1 = row->v[1],
-                                                   .by = by,
-                                                   .t0 = t0,
-                                                   .t1 = t1,
-                                                   .p0 = {R0.x * unit, R0.y * unit},
-                                                   .p1 = {R1.x * unit, R1.y * unit},
-                                                   .z0 = R0.z * unit,
-                                                   .z1 = R1.z * unit,
-                                                   .state = by == ROBERTS_NONE ? ROBERTS_VISIBLE : ROBERTS_HIDDEN,
-                                                   .line = row->class,
-                                                   .edge = row->edge};
+    w->out->segment[w->out->count++] = (roberts_segment){.solid = w->body,
+                                                         .v0 = row->v[0],
+                                                         .v1 = row->v[1],
+                                                         .by = by,
+                                                         .t0 = t0,
+                                                         .t1 = t1,
+                                                         .p0 = {R0.x * unit, R0.y * unit},
+                                                         .p1 = {R1.x * unit, R1.y * unit},
+                                                         .z0 = R0.z * unit,
+                                                         .z1 = R1.z * unit,
+                                                         .state = by == ROBERTS_NONE ? ROBERTS_VISIBLE : ROBERTS_HIDDEN,
+                                                         .line = (uint8_t)row->class,
+                                                         .edge = row->edge};
 }
 
-/* Writes what the near plane has taken, from t0 to t1 of the edge. at: where it is cut. There is room for it. */
-static void put_taken(const hide_job *job, hide_chunk *out, const line_row *row, roberts_vec3 at)
+/* Writes a part of an edge that the near plane has taken. at: where it is cut. There is room for it. */
+static void put_taken_part(const line_writer *w, const seen_line *taken, roberts_vec3 at)
 {
-    roberts_vec2 cut = {at.x * job->seen.view.unit, at.y * job->seen.view.unit};
-    if (row->t0 < row->t1)
-        out->segment[out->count++] = (roberts_segment){.solid = row->body,
-                                                       .v0 = row->v[0],
-                                                       .v1 = row->v[1],
-                                                       .by = ROBERTS_NONE,
-                                                       .t0 = row->t0,
-                                                       .t1 = row->t1,
-                                                       .p0 = cut,
-                                                       .p1 = cut,
-                                                       .state = ROBERTS_CLIPPED,
-                                                       .line = row->class,
-                                                       .edge = row->edge};
+    line_row row = row_of(w, taken);
+    roberts_vec2 cut = {at.x * w->unit, at.y * w->unit};
+    if (row.t0 < row.t1)
+        w->out->segment[w->out->count++] = (roberts_segment){.solid = w->body,
+                                                             .v0 = row.v[0],
+                                                             .v1 = row.v[1],
+                                                             .by = ROBERTS_NONE,
+                                                             .t0 = row.t0,
+                                                             .t1 = row.t1,
+                                                             .p0 = cut,
+                                                             .p1 = cut,
+                                                             .state = ROBERTS_CLIPPED,
+                                                             .line = (uint8_t)row.class,
+                                                             .edge = row.edge};
 }
 
-/* What the near plane has taken of the line before it (which: SEEN_TAKEN_BEFORE), after it, or instead of it. */
-static BITS_RARE void add_taken(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line, int which)
+/* Writes what the near plane has taken of the edge of a line: before the line (which: SEEN_TAKEN_BEFORE), after it, or
+ * instead of it. There is room for it. */
+static BITS_RARE void put_taken(const line_writer *w, const hide_line *line, unsigned which)
 {
     seen_line taken = line->is;
     if (!(taken.taken & which))
         return;
     taken.t0 = which == SEEN_TAKEN_AFTER ? line->is.t1 : 0.0;
     taken.t1 = which == SEEN_TAKEN_BEFORE ? line->is.t0 : 1.0;
-    line_row row = row_of(job, body, &taken);
-    put_taken(job, out, &row, which == SEEN_TAKEN_AFTER ? line->e.B : line->e.A);
+    put_taken_part(w, &taken, which == SEEN_TAKEN_AFTER ? line->e.B : line->e.A);
 }
-
 /* Visible segments of a line between its hidden parts, and those too where they are wanted. False: no memory. */
-BITS_INLINE bool add_line(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line)
+BITS_INLINE bool add_line(const line_writer *w, const hide_line *line)
 {
-    bool all = job->options->keep_hidden;
+    hide_chunk *out = w->out;
     size_t parts = line->intervals.count;
     hide_interval shown = {.t0 = 0.0};
     if (!array_reserve(&out->segment, &out->room, out->count + 2 * parts + 3, sizeof *out->segment))
         return false;
     if (line->is.taken)
-        add_taken(job, out, body, line, line->is.taken & SEEN_TAKEN ? SEEN_TAKEN : SEEN_TAKEN_BEFORE);
+        put_taken(w, line, line->is.taken & SEEN_TAKEN ? SEEN_TAKEN : SEEN_TAKEN_BEFORE);
     if (line->is.taken & SEEN_TAKEN)
         return true;
-    line_row row = row_of(job, body, &line->is);
-    for (size_t i = 0; i <= parts; i++) {
-        const hide_solid_interval *hidden = i < parts ? &line->intervals.item[i] : NULL;
-        shown.t1 = hidden ? hidden->part.t0 : 1.0;
+    line_row row = row_of(w, &line->is);
+    for (size_t i = 0; i < parts; i++) {
+        const hide_solid_interval *hidden = &line->intervals.item[i];
+        shown.t1 = hidden->part.t0;
         if (shown.t1 > shown.t0)
-            put_part(job, out, &row, &line->e, &shown, ROBERTS_NONE);
-        if (hidden && all)
-            put_part(job, out, &row, &line->e, &hidden->part, hidden->solid);
-        shown.t0 = hidden ? hidden->part.t1 : 1.0;
+            put_part(w, &row, &line->e, &shown, ROBERTS_NONE);
+        if (w->all)
+            put_part(w, &row, &line->e, &hidden->part, hidden->solid);
+        shown.t0 = hidden->part.t1;
     }
+    shown.t1 = 1.0;
+    if (shown.t1 > shown.t0)
+        put_part(w, &row, &line->e, &shown, ROBERTS_NONE);
     if (line->is.taken)
-        add_taken(job, out, body, line, SEEN_TAKEN_AFTER);
+        put_taken(w, line, SEEN_TAKEN_AFTER);
     return true;
 }
 
-/* What the near plane has taken of a piece, from t0 to t1 of the edge, if that is anything. There is room for it. */
-static void put_taken_piece(const hide_job *job, hide_chunk *out, uint32_t body, seen_line piece, roberts_vec3 at)
-{
-    if (piece.t0 >= piece.t1)
-        return;
-    line_row row = row_of(job, body, &piece);
-    put_taken(job, out, &row, at);
-}
-
-/* Writes the parts of a line from s0 to s1 of its picture. There is room for them. */
-static void put_parts(const hide_job *job, hide_chunk *out, const line_row *row, const hide_line *line,
-                      const hide_interval *all)
+/* Writes the parts of a line between two places of its picture. There is room for them. */
+static void put_parts(const line_writer *w, const line_row *row, const hide_line *line, const hide_interval *all)
 {
     hide_interval shown = {.t0 = all->t0};
     for (size_t i = 0; i < line->intervals.count; i++) {
@@ -135,23 +137,23 @@ static void put_parts(const hide_job *job, hide_chunk *out, const line_row *row,
             continue;
         shown.t1 = hidden.t0;
         if (shown.t1 > shown.t0)
-            put_part(job, out, row, &line->e, &shown, ROBERTS_NONE);
-        if (job->options->keep_hidden)
-            put_part(job, out, row, &line->e, &hidden, line->intervals.item[i].solid);
+            put_part(w, row, &line->e, &shown, ROBERTS_NONE);
+        if (w->all)
+            put_part(w, row, &line->e, &hidden, line->intervals.item[i].solid);
         shown.t0 = hidden.t1;
     }
     shown.t1 = all->t1;
     if (shown.t1 > shown.t0)
-        put_part(job, out, row, &line->e, &shown, ROBERTS_NONE);
+        put_part(w, row, &line->e, &shown, ROBERTS_NONE);
 }
 
 /* The segments of one piece of a line, which has a class of its own. False: no memory. */
-static bool add_piece(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line,
-                      const union_piece *piece, uint8_t class)
+static bool add_piece(const line_writer *w, const hide_line *line, const union_piece *piece, roberts_line class)
 {
-    const view *v = &job->seen.view;
+    const view *v = &w->seen->view;
     const hide_edge *e = &line->e;
     const seen_line *whole = &line->is;
+    hide_chunk *out = w->out;
     seen_line part = *whole;
     bool gone = whole->taken & SEEN_TAKEN;
     if (!array_reserve(&out->segment, &out->room, out->count + 2 * line->intervals.count + 3, sizeof *out->segment))
@@ -159,46 +161,75 @@ static bool add_piece(const hide_job *job, hide_chunk *out, uint32_t body, const
     part.class = class;
     part.t0 = piece->t0;
     part.t1 = gone ? piece->t1 : lesser(piece->t1, whole->t0);
-    if (whole->taken & (SEEN_TAKEN | SEEN_TAKEN_BEFORE))
-        put_taken_piece(job, out, body, part, e->A);
+    if (whole->taken & (SEEN_TAKEN | SEEN_TAKEN_BEFORE) && part.t0 < part.t1)
+        put_taken_part(w, &part, e->A);
     double t0 = greater(piece->t0, whole->t0), t1 = lesser(piece->t1, whole->t1), width = whole->t1 - whole->t0;
     if (!gone && t0 < t1) {
         part.t0 = whole->t0;
         part.t1 = whole->t1;
-        line_row row = row_of(job, body, &part);
+        line_row row = row_of(w, &part);
         hide_interval shown = {.t0 = view_from_space(v, e->A.z, e->B.z, (t0 - whole->t0) / width), .t1 = 1.0};
         if (t1 < whole->t1)
             shown.t1 = view_from_space(v, e->A.z, e->B.z, (t1 - whole->t0) / width);
-        put_parts(job, out, &row, line, &shown);
+        put_parts(w, &row, line, &shown);
     }
     part.t0 = greater(piece->t0, whole->t1);
     part.t1 = piece->t1;
-    if (whole->taken & SEEN_TAKEN_AFTER)
-        put_taken_piece(job, out, body, part, e->B);
+    if (whole->taken & SEEN_TAKEN_AFTER && part.t0 < part.t1)
+        put_taken_part(w, &part, e->B);
     return true;
 }
 
 /* The segments of a line that has pieces. False: no memory. */
-static bool add_pieces(const hide_job *job, hide_chunk *out, uint32_t body, const hide_line *line)
+static BITS_RARE bool add_pieces(const line_writer *w, const hide_line *line)
 {
     const union_piece *piece = line->is.piece;
     for (bool last = false; !last; piece++) {
-        uint8_t class;
-        if (seen_piece_class(&job->seen, body, &line->is, piece, &class) &&
-            !add_piece(job, out, body, line, piece, class))
+        roberts_line class;
+        if (seen_piece_class(w->seen, w->body, &line->is, piece, &class) && !add_piece(w, line, piece, class))
             return false;
         last = piece->t1 == 1.0;
     }
     return true;
 }
 
-static bool add_lines(const hide_job *job, const hide_worker *w, hide_chunk *out, uint32_t body)
+BITS_INLINE bool add_either(const line_writer *w, const hide_line *line)
 {
-    bool all = job->options->keep_hidden;
-    for (const hide_line *line = w->line, *end = line + w->line_count; line < end; line++)
-        if ((all || !line->hidden) &&
-            !(line->is.piece ? add_pieces(job, out, body, line) : add_line(job, out, body, line)))
+    return line->is.piece ? add_pieces(w, line) : add_line(w, line);
+}
+
+/* Fills in the level of a line's hidden segments, which are those from `first` on. The middle is that in space. */
+static BITS_RARE bool add_levels(const hide_job *job, hide_worker *w, hide_chunk *out, const seen_line *line,
+                                 size_t first)
+{
+    const view *v = &job->seen.view;
+    for (roberts_segment *s = out->segment + first, *end = out->segment + out->count; s < end; s++) {
+        uint32_t level;
+        if (s->state != ROBERTS_HIDDEN)
+            continue;
+        const roberts_vec3 A = vec3_scale(1.0 / v->unit, (roberts_vec3){s->p0.x, s->p0.y, s->z0});
+        const roberts_vec3 B = vec3_scale(1.0 / v->unit, (roberts_vec3){s->p1.x, s->p1.y, s->z1});
+        const double middle = view_from_space(v, A.z, B.z, 0.5);
+        const roberts_vec3 X = vec3_add(A, vec3_scale(middle, vec3_sub(B, A)));
+        if (!hide_level_at(w, line, X, &level))
             return false;
+        s->level = (uint16_t)(level < UINT16_MAX ? level : UINT16_MAX);
+    }
+    return true;
+}
+
+static bool add_lines(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
+{
+    const view *v = &job->seen.view;
+    line_writer writer = {&job->seen, out, body, v->unit, job->options->keep_hidden, v->perspective};
+    bool levels = writer.all && job->options->levels;
+    for (const hide_line *line = w->line, *end = line + w->line_count; line < end; line++) {
+        const size_t first = out->count;
+        if ((writer.all || !line->hidden) && !add_either(&writer, line))
+            return false;
+        if (levels && !add_levels(job, w, out, &line->is, first))
+            return false;
+    }
     return true;
 }
 
@@ -210,9 +241,9 @@ static bool has_segments(const hide_job *job, uint32_t body)
     return !job->fronts.culled[body] || (job->seen.clip.clipped && job->options->keep_hidden);
 }
 
-/* Takes up a body's next lines, `most` of them or all. What lies behind covers is hidden at once; covers are kept only
- * where hidden lines are not wanted. A line without a front face is hidden by its own body. False: no memory. */
-static bool take_lines(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most)
+/* Takes up the next lines of a walk, `most` of them or all. What lies behind covers is hidden at once; covers are kept
+ * only where hidden lines are not wanted. A line without a front face is hidden by its own body. False: no memory. */
+BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most, bool slow)
 {
     const cover *c = &job->fronts.cover;
     const roberts_vec3 *P = job->fronts.P;
@@ -220,9 +251,9 @@ static bool take_lines(const hide_job *job, hide_worker *w, seen_walk *walk, siz
     hide_worker_begin(w, walk->key);
     if (!hide_worker_reserve(w, left < most ? left : most))
         return false;
-    for (hide_line *line = w->line; w->line_count < most && seen_next(walk, &line->is);) {
+    for (hide_line *line = w->line; w->line_count < most && seen_next(walk, &line->is, slow);) {
         const seen_line *is = &line->is;
-        if (is->taken & SEEN_TAKEN) {
+        if (slow && is->taken & SEEN_TAKEN) {
             hide_worker_add_taken(w, line++);
             continue;
         }
@@ -232,7 +263,7 @@ static bool take_lines(const hide_job *job, hide_worker *w, seen_walk *walk, siz
             continue;
         }
         hide_worker_add(w, line);
-        line->hidden = is->class == ROBERTS_BACK;
+        line->hidden = seen_is_back(is->class);
         if (line->hidden && !hide_intervals_add(&line->intervals, walk->body, &(hide_interval){0.0, 1.0, 0.0, 1.0}))
             return false;
         line++;
@@ -240,6 +271,15 @@ static bool take_lines(const hide_job *job, hide_worker *w, seen_walk *walk, siz
     w->surviving += walk->surviving;
     walk->surviving = 0;
     return true;
+}
+
+/* A walk of which nobody else knows the address can be kept in registers. */
+static bool take_lines(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most)
+{
+    if (walk->slow)
+        return take_some(job, w, walk, most, true);
+    seen_walk fast = *walk;
+    return take_some(job, w, &fast, SIZE_MAX, false);
 }
 
 /* The body of each hidden part becomes the one that is seen there, in its middle. */
@@ -278,12 +318,39 @@ bool segments_hide(const hide_job *job, hide_worker *w, uint32_t body)
     return take_lines(job, w, &walk, SIZE_MAX) && hide_lines(job, w);
 }
 
+/* Takes up lines that are no edges, from *next on, a group of them or up to `end`. False: no memory. */
+static bool take_further(const hide_job *job, hide_worker *w, uint32_t *next, uint32_t end)
+{
+    const cover *c = &job->fronts.cover;
+    hide_worker_begin(w, ROBERTS_NONE);
+    if (!hide_worker_reserve(w, HIDE_GROUP))
+        return false;
+    for (; *next < end && w->line_count < HIDE_GROUP; ++*next) {
+        hide_line *line = &w->line[w->line_count];
+        line->is = job->seen.further.line[*next];
+        w->drawn++;
+        hide_worker_add(w, line);
+        if (c->depth && cover_hides_edge(c, line->e.A, line->e.B)) {
+            w->sides.tally.covered++;
+            w->line_count--;
+        }
+    }
+    return true;
+}
+
+static bool find_further(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
+{
+    const uint32_t *first = job->seen.further.first;
+    for (uint32_t next = first[body]; next < first[body + 1];)
+        if (!take_further(job, w, &next, first[body + 1]) || !hide_lines(job, w) || !add_lines(job, w, out, body))
+            return false;
+    return true;
+}
+
 /* The lines of a convex body are taken all together: they have the same own faces. Those of another body are taken a
  * group at a time. */
-static bool find_in_body(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
+static bool find_edges(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
 {
-    if (!has_segments(job, body))
-        return true;
     if (scene_is_convex(job->seen.scene, body))
         return (job->order.solid ? picture_order_recall(&job->order, body, w) : segments_hide(job, w, body)) &&
                add_lines(job, w, out, body);
@@ -299,8 +366,44 @@ bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_
     for (uint32_t s = first; s < end; s++) {
         if (job->order.solid)
             picture_order_fetch(&job->order, s);
-        if (!find_in_body(job, w, out, s))
+        if (!has_segments(job, s))
+            continue;
+        if (!find_edges(job, w, out, s) || (job->seen.further.first && !find_further(job, w, out, s)))
             return false;
+    }
+    return true;
+}
+
+/* ---- where faces cross ----------------------------------------------------------------------------------------- */
+
+bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t first, size_t end)
+{
+    const crossings *c = &job->crossings;
+    const cover *covers = &job->fronts.cover;
+    const view *v = &job->seen.view;
+    line_writer writer = {&job->seen, out, 0, v->unit, job->options->keep_hidden, v->perspective};
+    for (size_t k = first; k < end;) {
+        hide_worker_begin(w, ROBERTS_NONE);
+        if (!hide_worker_reserve(w, HIDE_GROUP))
+            return false;
+        for (; k < end && w->line_count < HIDE_GROUP; k++) {
+            hide_line *line = &w->line[w->line_count];
+            line->is = crossings_line(c, job->seen.scene, k);
+            if (!crossings_unite(c, &job->seen, k, &line->is))
+                continue;
+            hide_worker_add(w, line);
+            if (covers->depth && cover_hides_edge(covers, line->e.A, line->e.B)) {
+                w->sides.tally.covered++;
+                w->line_count--;
+            }
+        }
+        if (!hide_lines(job, w))
+            return false;
+        for (const hide_line *line = w->line; line < w->line + w->line_count; line++) {
+            writer.body = c->item[line->is.edge].body[0];
+            if ((writer.all || !line->hidden) && !add_either(&writer, line))
+                return false;
+        }
     }
     return true;
 }

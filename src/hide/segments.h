@@ -1,7 +1,8 @@
-/* segments.h - the lines of one body, and the segments that are left of them. */
+/* segments.h - the lines of one body, or lines in which faces cross, and the segments that are left of them. */
 #ifndef ROBERTS_HIDE_SEGMENTS_H
 #define ROBERTS_HIDE_SEGMENTS_H
 
+#include "hide/crossings.h"
 #include "hide/schedule.h"
 
 /* One scene seen by one camera, all that its segments follow from. */
@@ -13,6 +14,7 @@ typedef struct hide_job {
     hide_fronts fronts;
     objet grid;
     picture_order order; /* what was found before its turn, if anything */
+    crossings crossings; /* lines that are no edges */
 } hide_job;
 
 /* Takes up the lines of a convex body that are not covered, and finds what is hidden of them, with the bodies seen
@@ -22,5 +24,8 @@ bool segments_hide(const hide_job *job, hide_worker *w, uint32_t body);
 /* Adds the segments of the bodies first .. end - 1; what was found before their turn is not asked again. False: no
  * memory. */
 bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t first, uint32_t end);
+
+/* The same of the lines first .. end - 1 in which faces cross. */
+bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t first, size_t end);
 
 #endif

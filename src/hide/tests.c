@@ -258,6 +258,13 @@ static double touch_at(const hide_space *space, const hide_face *F, roberts_vec3
     return lesser(F->touch, space->epsilon + (double)F->departure * (1.0 + X.z * space->view->inverse_distance));
 }
 
+/* Is F above 0 wherever it is within the reach of an end of the part, from t to r? It is f at that end, and it changes
+ * by `slope` along the part, which is `width` long. Twice the change is far more than rounding can add to it. */
+static inline bool stays_behind(double f, double slope, double width, double reach)
+{
+    return f * width > 2.0 * slope * reach;
+}
+
 /* Where F comes to -touch between t, where it is f, and r, where the reach ends: there the reach has to end. */
 static double reach_behind(const hide_space *space, const hide_face *F, const hide_edge *e, double t, double f,
                            double r)
@@ -275,13 +282,13 @@ bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e
     int sign0 = sign_within(f0, touch0), sign1 = sign_within(f1, touch1);
     if (sign0 <= 0 && sign1 <= 0)
         return false;
-    if (sign0 >= 0)
+    double width = inside->t1 - inside->t0, slope = fabs(f0 - f1);
+    if (sign0 >= 0 && !stays_behind(f0, slope, width, inside->t0 - inside->r0))
         part->r0 = greater(part->r0, reach_behind(space, F, e, inside->t0, f0, inside->r0));
-    if (sign1 >= 0)
+    if (sign1 >= 0 && !stays_behind(f1, slope, width, inside->r1 - inside->t1))
         part->r1 = lesser(part->r1, reach_behind(space, F, e, inside->t1, f1, inside->r1));
     if (sign0 >= 0 && sign1 >= 0)
         return true;
-    double width = inside->t1 - inside->t0, slope = fabs(f0 - f1);
     double t = inside->t0 + width * (f0 / (f0 - f1));
     if (!hide_accurate(space, e, width * PLANE_ROUNDINGS * space->depth_rounding / slope) && space->scene) {
         t = fmin(fmax(refine_pierce(space, F, e), inside->t0), inside->t1);

@@ -3,22 +3,32 @@
 
 #include "base/lanes.h"
 
+/* Side i of the outline, from p to q; `forward`: p has the smaller number. */
+BITS_INLINE void take_side(fast_outline *o, uint32_t i, two p, two q, bool forward)
+{
+    two_part(&o->x[i], &o->y[i], p);
+    if (forward)
+        two_part(&o->ox[i], &o->oy[i], p);
+    else
+        two_part(&o->ox[i], &o->oy[i], q);
+    two_part(&o->dx[i], &o->dy[i], two_sub(q, p));
+}
+
 void fast_take(fast_outline *o, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
 {
     uint32_t first = corner[0];
-    two p = two_of(P[first].x, P[first].y);
+    two p = two_of(P[first].x, P[first].y), begin = p;
     o->corner = corner;
     o->sides = count;
     o->count = count + count % 2;
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t second = corner[i + 1 < count ? i + 1 : 0], lower = first < second ? first : second;
+    for (uint32_t i = 0; i + 1 < count; i++) {
+        uint32_t second = corner[i + 1];
         two q = two_of(P[second].x, P[second].y);
-        two_part(&o->x[i], &o->y[i], p);
-        two_part(&o->ox[i], &o->oy[i], two_of(P[lower].x, P[lower].y));
-        two_part(&o->dx[i], &o->dy[i], two_sub(q, p));
+        take_side(o, i, p, q, first < second);
         first = second;
         p = q;
     }
+    take_side(o, count - 1, p, begin, first < corner[0]);
     if (count % 2) {
         o->x[count] = o->x[0];
         o->y[count] = o->y[0];

@@ -14,7 +14,9 @@
 #include "base/error.h"
 #include "base/sets.h"
 #include "base/sort.h"
+#include "model/body_edges.h"
 #include "model/components.h"
+#include "model/plain_bodies.h"
 #include "model/scene_arrays.h"
 #include "model/solid.h"
 #include "model/surface.h"
@@ -25,13 +27,6 @@
  * coordinates are 32-bit floats, at least the step between two of them. */
 #define TOUCHING_OF_DIAMETER 1e-11
 #define TOUCHING_ULPS 16.0
-
-/* A body of more than SMOOTH_FACES faces is a curved surface if at least half of its bent edges are bent little. Bends
- * are squared distances of unit normals: more than FLAT_BEND (0.1 degrees) is bent, less than LITTLE_BEND (20 degrees)
- * little. */
-#define SMOOTH_FACES 500
-#define FLAT_BEND 3.046e-6
-#define LITTLE_BEND 0.1206
 
 typedef struct assembly {
     roberts_scene *scene;
@@ -44,7 +39,6 @@ typedef struct assembly {
     polygons all;       /* pieces, then ends of edges and wires, then faces of convex solids */
     uint32_t *of;       /* [all.face_count] the body of each */
     uint32_t *number;   /* [all.face_count] the input's face; ROBERTS_NONE: no face */
-    uint32_t extra;     /* the first of `all` that is no piece */
     uint32_t convex;    /* the first of `all` that is a face of a convex solid */
     uint8_t *is_convex; /* [bodies] */
     uint32_t body_count;
@@ -57,11 +51,13 @@ static roberts_status find_kinds(assembly *a, uint8_t *open, uint8_t *convex, bo
 {
     const solid_rules rules = {a->mesh, a->options->tolerance, false};
     for (uint32_t s = 0; s < a->scene->solid_count; s++) {
-        build_result result = solid_build(a->scene, &a->work, s, &rules, error);
+        bool crooked = plain_not_convex(a->scene, s, rules.tolerance);
+        build_result result =
+            crooked ? solid_is_closed(a->scene, &a->work, s, error) : solid_build(a->scene, &a->work, s, &rules, error);
         if (result == BUILD_REFUSED && (error->status == ROBERTS_NO_MEMORY || error->status == ROBERTS_BAD_NUMBER))
             return error->status;
         open[s] = result == BUILD_OPEN && !a->work.holes;
-        convex[s] = result == BUILD_OK;
+        convex[s] = result == BUILD_OK && !crooked;
         *any_open |= open[s];
     }
     return ROBERTS_OK;
@@ -82,6 +78,20 @@ static bool weld_open(assembly *a, const uint8_t *open)
     enough = enough && weld_vertices(a->name, listed, count, a->mesh->vertex);
     free(listed);
     return enough;
+}
+
+/* Frees what is not needed of components that will be laid out anew. */
+static void drop_shapes(roberts_scene *scene)
+{
+    free(scene->point);
+    free(scene->corner);
+    free(scene->face_plane);
+    free(scene->face_deviation);
+    free(scene->face_width);
+    scene->point = NULL;
+    scene->corner = NULL;
+    scene->face_plane = NULL;
+    scene->face_deviation = scene->face_width = NULL;
 }
 
 /* Lays out the components, and lists the faces of those that are not convex solids. known: it is certain that some
@@ -117,6 +127,7 @@ static roberts_status sort_components(assembly *a, bool known, roberts_error *er
     for (uint32_t s = 0; status == ROBERTS_OK && s < a->scene->solid_count; s++)
         for (uint32_t f = a->scene->solid[s].face; f < a->scene->solid[s + 1].face && convex[s]; f++)
             a->listed[scene_face_number(a->scene, f)] = 0;
+    drop_shapes(a->scene);
 done:
     free(open);
     free(convex);
@@ -130,7 +141,7 @@ static double largest(roberts_vec3 a)
     return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
 }
 
-static double touching_distance(const roberts_scene *scene, const roberts_mesh *mesh)
+double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh)
 {
     double diameter = vec3_length(vec3_sub(scene->box_max, scene->box_min));
     double rounding = TOUCHING_ULPS * DBL_EPSILON * fmax(largest(scene->box_min), largest(scene->box_max));
@@ -177,7 +188,7 @@ static void join_pieces(const surface *s, uint32_t *parent, uint32_t *owner)
  * a piece, and the faces of convex solids. */
 static bool list_all(assembly *a)
 {
-    const surface *s = &a->surface;
+    surface *s = &a->surface;
     const roberts_scene *scene = a->scene;
     size_t odd = 0, convex_faces = 0, corners = s->corner_count;
     for (size_t i = 0; i < s->edge_count; i++)
@@ -188,26 +199,22 @@ static bool list_all(assembly *a)
             corners += polygon_size(&a->faces, scene_face_number(scene, f));
         }
     size_t count = s->piece_count + odd + convex_faces;
-    uint32_t *start = a->all.own_start = alloc_array(count + 1, sizeof *start);
-    uint32_t *corner = a->all.own_corner = alloc_array(corners + 2 * odd, sizeof *corner);
     uint32_t *parent = alloc_array(s->piece_count + s->edge_count, sizeof *parent);
     uint32_t *owner = alloc_array(s->vertex_count, sizeof *owner);
     a->of = alloc_array(count, sizeof *a->of);
     a->number = alloc_array(count, sizeof *a->number);
-    bool enough = start && corner && parent && owner && a->of && a->number && count < ROBERTS_NONE &&
-                  corners + 2 * odd < ROBERTS_NONE;
+    bool enough = parent && owner && a->of && a->number && count < ROBERTS_NONE && corners + 2 * odd < ROBERTS_NONE &&
+                  array_reserve(&s->start, &s->start_room, count + 1, sizeof *s->start) &&
+                  array_reserve(&s->corner, &s->corner_room, corners + 2 * odd, sizeof *s->corner);
     if (enough) {
+        uint32_t *start = a->all.own_start = s->start, *corner = a->all.own_corner = s->corner; /* taken over */
+        s->start = s->corner = NULL;
         uint32_t to = (uint32_t)s->corner_count, n = s->piece_count;
         join_pieces(s, parent, owner);
-        if (n > 0)
-            memcpy(start, s->start, n * sizeof *start);
-        if (to > 0)
-            memcpy(corner, s->corner, to * sizeof *corner);
         for (uint32_t p = 0; p < n; p++) {
             a->of[p] = sets_root(parent, p);
             a->number[p] = s->face[p];
         }
-        a->extra = n;
         for (size_t i = 0; i < s->edge_count; i++) {
             if (!s->edge[i].odd)
                 continue;
@@ -241,7 +248,8 @@ static bool list_all(assembly *a)
 }
 
 typedef struct body_key {
-    uint32_t vertex, face, set; /* the smallest of each */
+    uint32_t vertex, face; /* the smallest of each */
+    uint32_t first;        /* its number as bodies come */
     bool convex;
 } body_key;
 
@@ -252,19 +260,28 @@ static int compare_keys(const void *pa, const void *pb)
         return a->vertex < b->vertex ? -1 : 1;
     if (a->face != b->face)
         return a->face < b->face ? -1 : 1;
-    return (a->set > b->set) - (a->set < b->set);
+    return (a->first > b->first) - (a->first < b->first);
 }
 
 /* Numbers the bodies by their smallest vertex, and puts these numbers into of[]. */
 static bool number_bodies(assembly *a)
 {
     const polygons *all = &a->all;
-    size_t sets = a->surface.piece_count + a->surface.edge_count + a->scene->solid_count, count = 0;
-    body_key *key = alloc_array(sets, sizeof *key);
-    uint32_t *rank = alloc_array(sets, sizeof *rank);
-    if (key && rank) {
-        for (size_t i = 0; i < sets; i++)
-            key[i] = (body_key){ROBERTS_NONE, ROBERTS_NONE, (uint32_t)i, false};
+    size_t sets = a->surface.piece_count + a->surface.edge_count + a->scene->solid_count;
+    uint32_t *rank = alloc_array(sets, sizeof *rank), count = 0;
+    if (!rank)
+        return false;
+    memset(rank, 0xff, sets * sizeof *rank);
+    for (uint32_t f = 0; f < all->face_count; f++) { /* first numbered as they come */
+        if (rank[a->of[f]] == ROBERTS_NONE)
+            rank[a->of[f]] = count++;
+        a->of[f] = rank[a->of[f]];
+    }
+    body_key *key = alloc_array(count, sizeof *key);
+    a->is_convex = alloc_array(count, 1);
+    if (key && a->is_convex) {
+        for (uint32_t b = 0; b < count; b++)
+            key[b] = (body_key){ROBERTS_NONE, ROBERTS_NONE, b, false};
         for (uint32_t f = 0; f < all->face_count; f++) {
             body_key *k = &key[a->of[f]];
             k->face = a->number[f] < k->face ? a->number[f] : k->face;
@@ -272,22 +289,19 @@ static bool number_bodies(assembly *a)
             for (uint32_t i = all->start[f]; i < all->start[f + 1]; i++)
                 k->vertex = all->corner[i] < k->vertex ? all->corner[i] : k->vertex;
         }
-        for (size_t i = 0; i < sets; i++)
-            if (key[i].vertex != ROBERTS_NONE)
-                key[count++] = key[i];
         qsort(key, count, sizeof *key, compare_keys);
-        for (uint32_t i = 0; i < count; i++)
-            rank[key[i].set] = i;
+        for (uint32_t b = 0; b < count; b++) {
+            rank[key[b].first] = b;
+            a->is_convex[b] = key[b].convex;
+        }
         for (uint32_t f = 0; f < all->face_count; f++)
             a->of[f] = rank[a->of[f]];
-        a->body_count = (uint32_t)count;
-        a->is_convex = alloc_array(count, 1);
-        for (uint32_t i = 0; a->is_convex && i < count; i++)
-            a->is_convex[i] = key[i].convex;
+        a->body_count = count;
     }
+    bool enough = key && a->is_convex;
     free(key);
     free(rank);
-    return a->is_convex != NULL;
+    return enough;
 }
 
 /* ---- the scene's arrays ---------------------------------------------------------------------------------------- */
@@ -321,7 +335,7 @@ static bool lay_out(assembly *a)
 }
 
 /* Fits the planes of the faces of one body that is not convex. */
-static bool fit_planes(assembly *a, uint32_t body)
+static void fit_planes(assembly *a, uint32_t body)
 {
     roberts_scene *scene = a->scene;
     const surface *s = &a->surface;
@@ -330,16 +344,9 @@ static bool fit_planes(assembly *a, uint32_t body)
         uint32_t count = scene->face_start[f + 1] - scene->face_start[f], first = s->plane_of[scene->face_number[f]];
         roberts_vec3 ring[PIECE_CORNERS], P = scene->point[corner[0]];
         fitted_plane fit = {0};
-        size_t low = 0, high = s->fit_count;
-        while (low < high) {
-            size_t middle = low + (high - low) / 2;
-            if (s->fit[middle].piece < first)
-                low = middle + 1;
-            else
-                high = middle;
-        }
-        if (low < s->fit_count && s->fit[low].piece == first) {
-            const surface_fit *own = &s->fit[low];
+        size_t at = find_numbered(s->fit, s->fit_count, sizeof *s->fit, first);
+        if (at < s->fit_count && s->fit[at].piece == first) {
+            const surface_fit *own = &s->fit[at];
             P = s->point[own->vertex];
             fit = (fitted_plane){.n = own->n, .mean = own->mean, .deviation = own->deviation, .width = own->width};
         } else {
@@ -354,181 +361,6 @@ static bool fit_planes(assembly *a, uint32_t body)
         scene->face_plane[f] = (plane){-fit.n.x, -fit.n.y, -fit.n.z, vec3_dot(fit.n, P) + fit.mean};
         scene_set_bounds(scene, f, fit.deviation, fit.width);
     }
-    return true;
-}
-
-/* An edge on its way into the scene. */
-typedef struct edge_key {
-    uint32_t body, v[2]; /* as in the input */
-    double t;
-    uint32_t edge; /* of the surface */
-} edge_key;
-
-static int compare_edge_keys(const void *pa, const void *pb)
-{
-    const edge_key *a = pa, *b = pb;
-    if (a->v[0] != b->v[0])
-        return a->v[0] < b->v[0] ? -1 : 1;
-    if (a->v[1] != b->v[1])
-        return a->v[1] < b->v[1] ? -1 : 1;
-    if (a->t != b->t)
-        return a->t < b->t ? -1 : 1;
-    return (a->edge > b->edge) - (a->edge < b->edge);
-}
-
-/* Lists the edges of bodies that are not convex, body by body, sorted by their names in the file. first: [bodies +
- * 1]. */
-static edge_key *list_edges(const assembly *a, uint32_t *first)
-{
-    const surface *s = &a->surface;
-    edge_key *key = alloc_array(s->edge_count, sizeof *key);
-    for (uint32_t b = 0; b <= a->body_count; b++)
-        first[b] = 0;
-    for (int pass = 0; key && pass < 2; pass++) {
-        uint32_t odd = a->extra;
-        for (size_t i = 0; i < s->edge_count; i++) {
-            const surface_edge *e = &s->edge[i];
-            uint32_t body = a->of[e->odd ? odd++ : piece_of(e->piece[0])];
-            if (pass == 0) {
-                first[body]++;
-                continue;
-            }
-            edge_key *to = &key[first[body]++];
-            *to = (edge_key){body, {e->v[0], e->v[1]}, 0.0, (uint32_t)i};
-            if (e->part != ROBERTS_NONE)
-                *to =
-                    (edge_key){body, {s->part[e->part].v[0], s->part[e->part].v[1]}, s->part[e->part].t0, (uint32_t)i};
-        }
-        for (uint32_t b = 0, sum = 0; b <= a->body_count && pass == 0; b++) {
-            uint32_t count = first[b];
-            first[b] = sum;
-            sum += count;
-        }
-    }
-    for (uint32_t b = a->body_count; b > 0; b--)
-        first[b] = first[b - 1];
-    first[0] = 0;
-    for (uint32_t b = 0; key && s->edge_part_count > 0 && b < a->body_count; b++)
-        qsort(key + first[b], first[b + 1] - first[b], sizeof *key, compare_edge_keys);
-    return key;
-}
-
-/* Maps the numbers of one body's pieces and vertices to those of the scene. */
-typedef struct body_map {
-    uint32_t *face;   /* [pieces] */
-    uint32_t *vertex; /* [vertices of the surface] of the body at hand */
-} body_map;
-
-/* Stores the faces of an edge of more than two. */
-static bool store_many(assembly *a, const surface_edge *e, uint32_t edge, bool back, const body_map *map,
-                       size_t room[4])
-{
-    size_t *faces = &room[2];
-    scene_surface *to = a->scene->surface;
-    size_t count = e->many_end - e->many;
-    if (!array_reserve(&to->many, &room[0], to->many_count + (size_t)1, sizeof *to->many) ||
-        !array_reserve(&to->many_face, &room[1], *faces + count, sizeof *to->many_face))
-        return false;
-    to->many[to->many_count++] = (scene_many){edge, (uint32_t)*faces, (uint32_t)(*faces + count)};
-    for (uint32_t k = e->many; k < e->many_end; k++)
-        to->many_face[(*faces)++] = map->face[piece_of(a->surface.many[k])] |
-                                    (((a->surface.many[k] & SURFACE_TURNED) != 0) != back ? MANY_TURNED : 0);
-    return true;
-}
-
-/* Do the edge's pieces belong to exactly two faces? */
-static bool is_two_faced(const surface *s, const surface_edge *e)
-{
-    if (e->piece[1] == ROBERTS_NONE)
-        return false;
-    uint32_t first = s->face[piece_of(e->piece[0])], other = first;
-    for (uint32_t k = e->many; e->many != ROBERTS_NONE && k < e->many_end; k++) {
-        uint32_t own = s->face[piece_of(s->many[k])];
-        if (own != first && other != first && own != other)
-            return false;
-        other = own != first ? own : other;
-    }
-    return e->many == ROBERTS_NONE || other != first;
-}
-
-/* Does the edge run opposite to the edge of the file that it is a part of? */
-static bool runs_back(const surface *s, const surface_edge *e)
-{
-    if (e->part == ROBERTS_NONE)
-        return false;
-    const scene_part *part = &s->part[e->part];
-    return vec3_dot(vec3_sub(s->point[e->v[1]], s->point[e->v[0]]),
-                    vec3_sub(s->point[part->v[1]], s->point[part->v[0]])) < 0.0;
-}
-
-/* Stores the edges of body b. */
-static bool store_edges(assembly *a, uint32_t b, const edge_key *key, uint32_t count, body_map *map, size_t room[4])
-{
-    roberts_scene *scene = a->scene;
-    scene_surface *to = scene->surface;
-    const surface *s = &a->surface;
-    const scene_solid *own = &scene->solid[b];
-    bool closed = count > 0;
-    for (uint32_t v = own->vertex; v < own[1].vertex; v++)
-        map->vertex[scene->number[v]] = v - own->vertex;
-    for (uint32_t i = 0; i < count; i++) {
-        const surface_edge *e = &s->edge[key[i].edge];
-        uint32_t edge = own->edge + i, v0 = map->vertex[e->v[0]], v1 = map->vertex[e->v[1]];
-        uint8_t is = e->cut ? EDGE_CUT : 0;
-        scene_edge *stored = &scene->edge[own->stored + i];
-        bool back = runs_back(s, e); /* a part runs in the same direction as the edge of the file */
-        *stored = (scene_edge){{back ? v1 : v0, back ? v0 : v1}, {ROBERTS_NONE, ROBERTS_NONE}};
-        for (int k = 0; k < 2 && e->piece[k] != ROBERTS_NONE; k++) {
-            stored->f[k] = map->face[piece_of(e->piece[k])] - own->face;
-            if (((e->piece[k] & SURFACE_TURNED) != 0) != back)
-                is |= (uint8_t)(k ? EDGE_TURNED_1 : EDGE_TURNED_0);
-        }
-        if (e->many != ROBERTS_NONE) {
-            is |= EDGE_MANY;
-            if (!store_many(a, e, edge, back, map, room))
-                return false;
-        }
-        if (e->part != ROBERTS_NONE) {
-            is |= EDGE_PART;
-            if (!array_reserve(&to->part, &room[3], to->part_count + (size_t)1, sizeof *to->part))
-                return false;
-            to->part[to->part_count] = s->part[e->part];
-            to->part[to->part_count++].edge = edge;
-        }
-        to->edge_is[edge] = is;
-        closed = closed && is_two_faced(s, e);
-    }
-    to->kind[b] = closed ? ROBERTS_CLOSED : ROBERTS_OPEN;
-    return true;
-}
-
-/* The angle between the two faces of an edge, as the square of the distance of their normals. */
-static double bend_of(const roberts_scene *scene, const scene_solid *own, uint32_t edge)
-{
-    const scene_edge *e = &scene->edge[own->stored + (edge - own->edge)];
-    uint8_t is = scene->surface->edge_is[edge];
-    plane F = scene->face_plane[own->face + e->f[0]], G = scene->face_plane[own->face + e->f[1]];
-    double way = ((is & EDGE_TURNED_0) != 0) == ((is & EDGE_TURNED_1) != 0) ? -1.0 : 1.0;
-    double a = F.a - way * G.a, b = F.b - way * G.b, c = F.c - way * G.c;
-    return a * a + b * b + c * c;
-}
-
-/* Is the body a curved surface? See SMOOTH_FACES. */
-static bool is_smooth(const roberts_scene *scene, uint32_t b)
-{
-    const scene_solid *own = &scene->solid[b];
-    uint32_t bent = 0, little = 0;
-    if (own[1].face - own->face <= SMOOTH_FACES)
-        return false;
-    for (uint32_t e = own->edge; e < own[1].edge; e++) {
-        if (scene->surface->edge_is[e] & (EDGE_MANY | EDGE_CUT) ||
-            scene->edge[own->stored + (e - own->edge)].f[1] == ROBERTS_NONE)
-            continue;
-        double bend = bend_of(scene, own, e);
-        bent += bend > FLAT_BEND;
-        little += bend > FLAT_BEND && bend < LITTLE_BEND;
-    }
-    return bent > 0 && little >= bent - little;
 }
 
 /* Builds a convex solid again, in its new place. */
@@ -543,14 +375,14 @@ static roberts_status store_convex(assembly *a, uint32_t b, roberts_error *error
     return ROBERTS_OK;
 }
 
-/* Numbers the edges of all bodies, and allocates their arrays. first: from list_edges(). */
-static bool number_edges(assembly *a, const uint32_t *first)
+/* Numbers the edges of all bodies, and allocates their arrays. */
+static bool number_edges(assembly *a, const body_edges *list)
 {
     roberts_scene *scene = a->scene;
     uint64_t sum = 0;
     for (uint32_t b = 0; b < a->body_count; b++) {
         scene->solid[b].edge = scene->solid[b].stored = (uint32_t)sum;
-        sum += a->is_convex[b] ? scene_corners(scene, b) / 2 : first[b + 1] - first[b];
+        sum += a->is_convex[b] ? scene_corners(scene, b) / 2 : body_edges_count(list, b);
         if (sum >= ROBERTS_NONE)
             return false;
     }
@@ -589,25 +421,22 @@ static bool rename_all(assembly *a)
 static roberts_status fill_scene(assembly *a, roberts_error *error)
 {
     roberts_scene *scene = a->scene;
-    uint32_t *first = alloc_array(a->body_count + (size_t)1, sizeof *first);
-    body_map map = {alloc_array(a->surface.piece_count, sizeof *map.face),
-                    alloc_array(a->surface.vertex_count, sizeof *map.vertex)};
-    edge_key *key = NULL;
-    size_t room[4] = {0};
+    body_edges list = {0};
     roberts_status status = ROBERTS_NO_MEMORY;
     scene->surface = alloc_zeroed(1, sizeof *scene->surface);
-    if (!first || !map.face || !map.vertex || !scene->surface || !(key = list_edges(a, first)) ||
-        !number_edges(a, first))
+    if (!scene->surface || !body_edges_list(&list, &a->surface, a->of, a->body_count) || !number_edges(a, &list))
         goto done;
     for (uint32_t f = 0; f < scene->face_count; f++)
         if (scene->face_number[f] < a->surface.piece_count)
-            map.face[scene->face_number[f]] = f;
-    for (uint32_t b = 0; b < a->body_count; b++)
-        if (!a->is_convex[b] &&
-            !(fit_planes(a, b) && store_edges(a, b, key + first[b], first[b + 1] - first[b], &map, room)))
+            list.face[scene->face_number[f]] = f;
+    for (uint32_t b = 0; b < a->body_count; b++) {
+        if (a->is_convex[b])
+            continue;
+        fit_planes(a, b);
+        if (!body_edges_store(&list, scene, b))
             goto done;
-    for (uint32_t b = 0; b < a->body_count; b++)
-        scene->surface->smooth[b] = !a->is_convex[b] && is_smooth(scene, b);
+        scene->surface->smooth[b] = body_smooth(scene, b);
+    }
     if (!rename_all(a))
         goto done;
     status = ROBERTS_OK;
@@ -615,10 +444,7 @@ static roberts_status fill_scene(assembly *a, roberts_error *error)
         if (a->is_convex[b])
             status = store_convex(a, b, error);
 done:
-    free(first);
-    free(map.face);
-    free(map.vertex);
-    free(key);
+    body_edges_free(&list);
     return status;
 }
 
@@ -629,7 +455,7 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
     roberts_status status = sort_components(&a, known, error);
     if (status == ROBERTS_OK) {
         a.surface.name = a.name;
-        double touching = touching_distance(scene, mesh);
+        double touching = bodies_touching(scene, mesh);
         face_rules rules = {mesh->vertex, options->tolerance, touching, scene->unit, options->even_odd};
         if (!surface_take_faces(&a.surface, a.listed, &rules) || !surface_find_edges(&a.surface, touching) ||
             !list_all(&a) || !number_bodies(&a))
@@ -650,95 +476,4 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
     free(a.number);
     free(a.is_convex);
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
-}
-
-/* ---- wires beside convex solids -------------------------------------------------------------------------------- */
-
-static uint64_t edge_name(uint32_t a, uint32_t b)
-{
-    return a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a;
-}
-
-static bool is_wire(const roberts_mesh *mesh, size_t f)
-{
-    const uint32_t *corner = mesh->corner + mesh->face_start[f];
-    return mesh->face_start[f + 1] - mesh->face_start[f] == 2 && corner[0] != corner[1];
-}
-
-/* The names of all edges of a scene of convex solids, sorted. */
-static uint64_t *list_names(const roberts_scene *scene)
-{
-    uint64_t *name = alloc_array(scene->edge_count, sizeof *name);
-    for (uint32_t s = 0; name && s < scene->solid_count; s++)
-        for (uint32_t e = scene->solid[s].edge; e < scene->solid[s + 1].edge; e++) {
-            const scene_edge edge = scene_edge_at(scene, s, e);
-            name[e] = edge_name(scene_vertex_number(scene, edge.v[0]), scene_vertex_number(scene, edge.v[1]));
-        }
-    if (name)
-        qsort(name, scene->edge_count, sizeof *name, compare_u64);
-    return name;
-}
-
-bool bodies_wires(const roberts_scene *scene, const roberts_mesh *mesh, bool *found)
-{
-    size_t f = 0;
-    *found = false;
-    while (f < mesh->face_count && !is_wire(mesh, f))
-        f++;
-    if (f == mesh->face_count)
-        return true;
-    uint64_t *name = list_names(scene);
-    for (; name && f < mesh->face_count && !*found; f++) {
-        if (!is_wire(mesh, f))
-            continue;
-        uint64_t own = edge_name(mesh->corner[mesh->face_start[f]], mesh->corner[mesh->face_start[f] + 1]);
-        *found = !bsearch(&own, name, scene->edge_count, sizeof *name, compare_u64);
-    }
-    bool enough = name != NULL;
-    free(name);
-    return enough;
-}
-
-/* ---- the scene's lookups --------------------------------------------------------------------------------------- */
-
-const scene_many *scene_many_at(const roberts_scene *scene, uint32_t edge)
-{
-    const scene_surface *s = scene->surface;
-    uint32_t low = 0, high = s->many_count;
-    while (low < high) {
-        uint32_t middle = low + (high - low) / 2;
-        if (s->many[middle].edge < edge)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return &s->many[low];
-}
-
-const scene_part *scene_part_at(const roberts_scene *scene, uint32_t edge)
-{
-    const scene_surface *s = scene->surface;
-    uint32_t low = 0, high = s->part_count;
-    while (low < high) {
-        uint32_t middle = low + (high - low) / 2;
-        if (s->part[middle].edge < edge)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return &s->part[low];
-}
-
-void scene_surface_free(scene_surface *s)
-{
-    if (!s)
-        return;
-    free(s->kind);
-    free(s->smooth);
-    free(s->edge_is);
-    free(s->plane_of);
-    free(s->many);
-    free(s->many_face);
-    free(s->part);
-    free(s);
 }

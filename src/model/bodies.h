@@ -10,8 +10,8 @@
 roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                             bool known, roberts_error *error);
 
-/* Has the mesh wires: elements of two corners that are not edges of the scene? `scene` holds the convex solids of the
- * mesh, and only elements of one and two corners are left. False: no memory. */
-bool bodies_wires(const roberts_scene *scene, const roberts_mesh *mesh, bool *found);
+/* The touching distance, as in the view: a part of the scene's diameter, or ulps of its largest coordinate; where
+ * coordinates are 32-bit floats, at least the step between two of them. */
+double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh);
 
 #endif

@@ -40,7 +40,7 @@ bool box_tree_add(box_tree *tree, const box3 *box, uint32_t count, uint32_t base
 
 void box_tree_free(box_tree *tree);
 
-static inline bool boxes_meet(const box3 *a, const box3 *b)
+static inline bool box3_meet(const box3 *a, const box3 *b)
 {
     return a->lo.x <= b->hi.x && b->lo.x <= a->hi.x && a->lo.y <= b->hi.y && b->lo.y <= a->hi.y && a->lo.z <= b->hi.z &&
            b->lo.z <= a->hi.z;

@@ -9,8 +9,10 @@
 #include "base/error.h"
 #include "base/threads.h"
 #include "model/bodies.h"
+#include "model/body_edges.h"
 #include "model/components.h"
 #include "model/hull.h"
+#include "model/plain_bodies.h"
 #include "model/scene_arrays.h"
 #include "model/repeated_solids.h"
 #include "model/source.h"
@@ -21,17 +23,21 @@
 #define CHUNK_SOLIDS 256
 #define CHUNKS_PER_THREAD 4 /* with less work than this another thread does not pay */
 
-/* Marks of solids; 0: closed. */
+/* Marks of solids; 0: closed, and with `bodies` also convex. */
 enum {
-    OPEN = 1,      /* some edge has not two faces */
-    OPEN_HOLES = 2 /* it is closed, but its surface has holes */
+    OPEN = 1,       /* some edge has not two faces */
+    OPEN_HOLES = 2, /* it is closed, but its surface has holes */
+    NOT_CONVEX = 3, /* only with `bodies`: it is closed */
+    GLANCED = 4     /* the same, but nothing is known of its edges */
 };
 
 /* What the threads that build solids share. */
 typedef struct construction {
     roberts_scene *scene;
     solid_rules rules;
-    uint8_t *open; /* [solid_count] receives OPEN marks; NULL: an open solid is an error */
+    uint8_t *open; /* [solid_count] receives marks; NULL: an open solid is an error */
+    bool bodies;   /* solids may be of any shape */
+    atomic_bool any_marked;
     atomic_bool any_open;
     _Atomic uint32_t refused; /* the first solid known to be refused; ROBERTS_NONE: none */
 } construction;
@@ -84,6 +90,56 @@ static void store_edges(roberts_scene *scene, uint32_t s, const solid_frame *fra
         scene->solid[s].stored += frame->edge_count;
 }
 
+static void mark(construction *c, uint32_t s, uint8_t as)
+{
+    c->open[s] = as;
+    atomic_store_explicit(&c->any_marked, true, memory_order_relaxed);
+    if (as == OPEN || as == OPEN_HOLES)
+        atomic_store_explicit(&c->any_open, true, memory_order_relaxed);
+}
+
+static void refuse(construction *c, construction_worker *worker, uint32_t s)
+{
+    roberts_error *found = &worker->found;
+    worker->no_memory |= found->status == ROBERTS_NO_MEMORY;
+    if (s < worker->refused) {
+        error_set_file(found, source_of_solid(c->scene, s, c->rules.mesh).file);
+        worker->refused = s;
+        worker->error = *found;
+    }
+    thread_lower(&c->refused, s);
+}
+
+/* Was the model refused for its shape alone? */
+static bool is_shape(roberts_status status)
+{
+    return status == ROBERTS_NOT_CLOSED || status == ROBERTS_NOT_PLANAR || status == ROBERTS_NOT_CONVEX ||
+           status == ROBERTS_FLAT;
+}
+
+/* Builds solid s if it is convex, and marks it otherwise. Once some solid is open, the others are first asked whether
+ * they are: of soups all are. */
+static void build_or_mark(construction *c, construction_worker *worker, uint32_t s)
+{
+    build_result result = BUILD_OK;
+    if (plain_not_convex(c->scene, s, c->rules.tolerance)) {
+        mark(c, s, GLANCED);
+        return;
+    }
+    if (atomic_load_explicit(&c->any_open, memory_order_relaxed))
+        result = solid_is_closed(c->scene, &worker->tools, s, &worker->found);
+    if (result == BUILD_OK)
+        result = solid_build(c->scene, &worker->tools, s, &c->rules, &worker->found);
+    if (result == BUILD_OK)
+        store_edges(c->scene, s, &worker->tools.frame);
+    else if (result == BUILD_OPEN)
+        mark(c, s, worker->tools.holes ? OPEN_HOLES : OPEN);
+    else if (is_shape(worker->found.status))
+        mark(c, s, NOT_CONVEX);
+    else
+        refuse(c, worker, s);
+}
+
 /* Builds solid s, or does less if the rest is known to be useless. Once some solid is open, the others are only asked
  * whether they are closed, since all will be numbered anew. The same holds for solids after one that is refused. */
 static void build_solid(construction *c, construction_worker *worker, uint32_t s)
@@ -92,13 +148,16 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
                           s > atomic_load_explicit(&c->refused, memory_order_relaxed);
     roberts_error *found = &worker->found;
     build_result result;
+    if (c->bodies) {
+        build_or_mark(c, worker, s);
+        return;
+    }
     if (only_ask && !c->open)
         return;
     result = only_ask ? solid_is_closed(c->scene, &worker->tools, s, found)
                       : solid_build(c->scene, &worker->tools, s, &c->rules, found);
     if (result == BUILD_OPEN && c->open) {
-        c->open[s] = worker->tools.holes ? OPEN_HOLES : OPEN;
-        atomic_store_explicit(&c->any_open, true, memory_order_relaxed);
+        mark(c, s, worker->tools.holes ? OPEN_HOLES : OPEN);
         return;
     }
     if (result == BUILD_OPEN) {
@@ -108,15 +167,8 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
     }
     if (result == BUILD_OK && !only_ask)
         store_edges(c->scene, s, &worker->tools.frame);
-    if (result != BUILD_REFUSED)
-        return;
-    worker->no_memory |= found->status == ROBERTS_NO_MEMORY;
-    if (s < worker->refused) {
-        error_set_file(found, source_of_solid(c->scene, s, c->rules.mesh).file);
-        worker->refused = s;
-        worker->error = *found;
-    }
-    thread_lower(&c->refused, s);
+    if (result == BUILD_REFUSED)
+        refuse(c, worker, s);
 }
 
 /* The refusal of the first solid that is refused, whichever thread found it. A lack of memory comes before all
@@ -167,6 +219,7 @@ static roberts_status build_solids(construction *c, uint32_t threads_wanted, rep
         return error_no_memory(error);
     }
     atomic_init(&c->any_open, false);
+    atomic_init(&c->any_marked, false);
     atomic_init(&c->refused, ROBERTS_NONE);
     for (int i = 0; i < threads; i++)
         worker[i].refused = ROBERTS_NONE;
@@ -212,11 +265,36 @@ static bool only_holes(const uint8_t *open, uint32_t count)
     return true;
 }
 
-/* Was the model refused for its shape alone? */
-static bool is_shape(roberts_status status)
+/* Makes plain bodies of the solids that are marked, if they can be. *done: it has, or failed; otherwise the marks say
+ * which solids are open, and the status is that of the first one that is not convex. */
+static roberts_status build_plain(construction *c, const polygons *faces, const roberts_scene_options *options,
+                                  roberts_status status, bool *done, roberts_error *error)
 {
-    return status == ROBERTS_NOT_CLOSED || status == ROBERTS_NOT_PLANAR || status == ROBERTS_NOT_CONVEX ||
-           status == ROBERTS_FLAT;
+    roberts_scene *scene = c->scene;
+    const roberts_mesh *mesh = c->rules.mesh;
+    builder work = {0};
+    *done = false;
+    if (status == ROBERTS_OK && scene->face_count == mesh->face_count && faces->repeated == 0) {
+        plain_answer answer = plain_bodies_build(scene, c->open, options, bodies_touching(scene, mesh));
+        *done = answer != PLAIN_NO;
+        if (*done)
+            return answer == PLAIN_YES ? ROBERTS_OK : ROBERTS_NO_MEMORY;
+    }
+    for (uint32_t s = 0; s < scene->solid_count; s++) {
+        if (c->open[s] == GLANCED && status != ROBERTS_NO_MEMORY) {
+            build_result result = solid_is_closed(scene, &work, s, error);
+            if (result == BUILD_REFUSED)
+                status = ROBERTS_NO_MEMORY;
+            mark(c, s, result == BUILD_OPEN ? (work.holes ? OPEN_HOLES : OPEN) : NOT_CONVEX);
+        }
+        if (c->open[s] == NOT_CONVEX) {
+            c->open[s] = 0;
+            if (status == ROBERTS_OK || (status != ROBERTS_NO_MEMORY && s < atomic_load(&c->refused)))
+                status = error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex", s);
+        }
+    }
+    builder_free(&work);
+    return status == ROBERTS_NO_MEMORY || !atomic_load(&c->any_open) ? status : ROBERTS_OK;
 }
 
 /* Builds the components as solids. If some are open, welds and splits them and builds all solids anew. */
@@ -225,8 +303,9 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
 {
     polygons faces;
     repeated_solids list = {0};
-    construction c = {.scene = scene, .rules = {mesh, options->tolerance, false}};
-    bool any_open;
+    const bool bodies = !options->solids && !options->hull;
+    construction c = {.scene = scene, .rules = {mesh, options->tolerance, false}, .bodies = bodies};
+    bool any_open, done = false;
     roberts_status status = polygons_of_mesh(&faces, mesh, error);
     if (status != ROBERTS_OK)
         return status;
@@ -237,8 +316,9 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
     if (!(c.open = alloc_zeroed(scene->solid_count, sizeof *c.open)))
         goto done;
     status = build_solids(&c, options->threads, &list, error);
-    any_open = status == ROBERTS_OK && atomic_load(&c.any_open);
-    bool bodies = !options->solids && !options->hull;
+    if (status != ROBERTS_NO_MEMORY && atomic_load(&c.any_marked) && bodies)
+        status = build_plain(&c, &faces, options, status, &done, error);
+    any_open = status == ROBERTS_OK && !done && atomic_load(&c.any_open);
     *known = is_shape(status);
     if (any_open && bodies && only_holes(c.open, scene->solid_count)) {
         status = error_set(error, ROBERTS_NOT_CONVEX, 0, "a surface has holes"); /* which bodies_build() handles */
@@ -315,7 +395,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
 static bool has_wires(const roberts_scene *scene, const roberts_mesh *mesh, roberts_status *status)
 {
     bool found = false;
-    if (*status == ROBERTS_OK && scene->face_count < mesh->face_count && !bodies_wires(scene, mesh, &found))
+    if (*status == ROBERTS_OK && scene->face_count < mesh->face_count && !body_edges_wires(scene, mesh, &found))
         *status = ROBERTS_NO_MEMORY;
     return found;
 }
@@ -372,6 +452,10 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
     }
     if (status == ROBERTS_OK) {
         (*scene)->float32_step = mesh_float32_step(mesh);
+        if (!lend) {
+            free((*scene)->turned);
+            (*scene)->turned = NULL;
+        }
         if (!lend && !copy_groups(*scene, mesh))
             status = error_no_memory(&found);
     }

@@ -10,14 +10,48 @@
 /* If the signed areas of a border cancel to less than this part of its size squared, its Newell normal says nothing. */
 #define CANCELLED 1e-6
 
+/* a * b, added to a sum of `count` doubles of which none overlaps another, the least first (J. R. Shewchuk, "Adaptive
+ * precision floating-point arithmetic and fast robust geometric predicates", Discrete & Computational Geometry 18,
+ * 1997). */
+static int add_product(double *sum, int count, double a, double b)
+{
+    double part[2] = {0.0, a * b};
+    part[0] = fma(a, b, -part[1]);
+    for (int k = 0; k < 2; k++) {
+        double carry = part[k];
+        for (int i = 0; i < count; i++) {
+            dd s = dd_two_sum(carry, sum[i]);
+            carry = s.hi;
+            sum[i] = s.lo;
+        }
+        sum[count++] = carry;
+    }
+    return count;
+}
+
+static double exact_turn(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c)
+{
+    dd bx = dd_two_diff(b.x, a.x), by = dd_two_diff(b.y, a.y), cx = dd_two_diff(c.x, a.x), cy = dd_two_diff(c.y, a.y);
+    double sum[16], turn = 0.0;
+    int n = add_product(sum, 0, bx.lo, cy.lo);
+    n = add_product(sum, n, -by.lo, cx.lo);
+    n = add_product(sum, n, bx.lo, cy.hi);
+    n = add_product(sum, n, bx.hi, cy.lo);
+    n = add_product(sum, n, -by.lo, cx.hi);
+    n = add_product(sum, n, -by.hi, cx.lo);
+    n = add_product(sum, n, bx.hi, cy.hi);
+    n = add_product(sum, n, -by.hi, cx.hi);
+    for (int i = 0; i < n; i++)
+        turn += sum[i]; /* the last part that is not 0 exceeds all others together */
+    return turn;
+}
+
 double piece_turn(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c)
 {
     double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x), turn = left - right;
-    if (fabs(turn) > 4.0 * 0x1p-52 * (fabs(left) + fabs(right)))
+    if (fabs(turn) > 4.0 * 0x1p-52 * (fabs(left) + fabs(right)) || (left == 0.0 && right == 0.0))
         return turn;
-    dd exact = dd_sub(dd_mul(dd_two_diff(b.x, a.x), dd_two_diff(c.y, a.y)),
-                      dd_mul(dd_two_diff(b.y, a.y), dd_two_diff(c.x, a.x)));
-    return exact.hi;
+    return exact_turn(a, b, c);
 }
 
 bool face_pieces_add_side(face_pieces *f, piece_side side)
@@ -89,7 +123,8 @@ static roberts_vec3 largest_normal(const roberts_vec3 *relative, size_t count)
     return best;
 }
 
-/* The plane of a border whose areas cancel. */
+/* The plane of a border whose areas cancel, wholly or so far that their sum tells less of the face than of how far its
+ * corners leave the plane. */
 static fitted_plane fit_crossed(const roberts_vec3 *relative, size_t count)
 {
     roberts_vec3 n = largest_normal(relative, count);
@@ -112,6 +147,45 @@ static fitted_plane fit_crossed(const roberts_vec3 *relative, size_t count)
                           .width = 0.5 * length / (2.0 * far)};
 }
 
+/* What is nearer to 0 is 0, in units of the scene: then no product of differences leaves the range of doubles. */
+#define LEAST_COORDINATE 0x1p-200
+
+static double whole_part(double x)
+{
+    return fabs(x) < LEAST_COORDINATE ? 0.0 : x;
+}
+
+/* The place of a point in the coordinate plane. */
+static roberts_vec2 place_of(const face_pieces *f, roberts_vec3 point)
+{
+    double x = whole_part(point.x / f->unit), y = whole_part(point.y / f->unit), z = whole_part(point.z / f->unit);
+    return f->axis == 0   ? (roberts_vec2){f->turned * y, z}
+           : f->axis == 1 ? (roberts_vec2){f->turned * z, x}
+                          : (roberts_vec2){f->turned * x, y};
+}
+
+static double interpolate(dd a, dd b, double t, double *low)
+{
+    dd p = dd_add(a, dd_mul((dd){t, 0.0}, dd_sub(b, a)));
+    *low = p.lo;
+    return p.hi;
+}
+
+uint32_t face_pieces_add_crossing(face_pieces *f, uint32_t a, uint32_t b, double t)
+{
+    const piece_node A = f->node[a], B = f->node[b];
+    piece_node X = {.vertex = ROBERTS_NONE};
+    X.point.x = interpolate((dd){A.point.x, A.low.x}, (dd){B.point.x, B.low.x}, t, &X.low.x);
+    X.point.y = interpolate((dd){A.point.y, A.low.y}, (dd){B.point.y, B.low.y}, t, &X.low.y);
+    X.point.z = interpolate((dd){A.point.z, A.low.z}, (dd){B.point.z, B.low.z}, t, &X.low.z);
+    X.at = place_of(f, X.point);
+    if (f->node_count >= ROBERTS_NONE - 1 ||
+        !array_reserve(&f->node, &f->node_room, f->node_count + 1, sizeof *f->node))
+        return ROBERTS_NONE;
+    f->node[f->node_count] = X;
+    return (uint32_t)f->node_count++;
+}
+
 /* Fits the plane, and places the nodes in the coordinate plane nearest to it. */
 static void fit(face_pieces *f, const face_rules *rules)
 {
@@ -124,8 +198,12 @@ static void fit(face_pieces *f, const face_rules *rules)
     }
     f->chord = greater(high.x - low.x, greater(high.y - low.y, high.z - low.z));
     f->fit = f->chord > 0.0 ? face_plane_fit(f->relative, (uint32_t)f->ring_count) : (fitted_plane){0};
-    if (f->ring_count > 3 && f->fit.area < CANCELLED * f->chord * f->chord)
-        f->fit = fit_crossed(f->relative, f->ring_count);
+    double planar = greater(rules->tolerance * f->chord, rules->touching / rules->unit);
+    if (f->ring_count > 3 && (f->fit.deviation > planar || f->fit.area < CANCELLED * f->chord * f->chord)) {
+        fitted_plane crossed = fit_crossed(f->relative, f->ring_count);
+        if (crossed.deviation <= planar || f->fit.area < CANCELLED * f->chord * f->chord)
+            f->fit = crossed;
+    }
     f->fit.mean *= rules->unit;
     f->fit.deviation *= rules->unit;
     f->fit.width *= rules->unit;
@@ -134,12 +212,9 @@ static void fit(face_pieces *f, const face_rules *rules)
     double x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);
     f->axis = x > y && x > z ? 0 : y > z ? 1 : 2;
     f->turned = (f->axis == 0 ? n.x : f->axis == 1 ? n.y : n.z) < 0.0 ? -1.0 : 1.0;
-    for (size_t i = 0; i < f->node_count; i++) {
-        roberts_vec3 p = vec3_scale(1.0 / rules->unit, f->node[i].point);
-        f->node[i].at = f->axis == 0   ? (roberts_vec2){f->turned * p.y, p.z}
-                        : f->axis == 1 ? (roberts_vec2){f->turned * p.z, p.x}
-                                       : (roberts_vec2){f->turned * p.x, p.y};
-    }
+    f->unit = rules->unit;
+    for (size_t i = 0; i < f->node_count; i++)
+        f->node[i].at = place_of(f, f->node[i].point);
 }
 
 /* Does the ring turn left or go straight at every corner, and make one round in all? */
@@ -218,9 +293,36 @@ static bool add_sides(face_pieces *f)
     return true;
 }
 
+/* Is the ring a quadrilateral that turns left at every corner? */
+static bool is_quadrilateral(const face_pieces *f)
+{
+    bool left = f->ring_count == 4;
+    for (uint32_t i = 0; left && i < 4; i++)
+        left = piece_turn(f->node[f->ring[i]].at, f->node[f->ring[(i + 1) % 4]].at, f->node[f->ring[(i + 2) % 4]].at) >
+               0.0;
+    return left;
+}
+
+/* Cuts a quadrilateral that is not planar along its shorter diagonal. */
+static bool take_quadrilateral(face_pieces *f)
+{
+    roberts_vec3 P[4];
+    if (!array_reserve(&f->piece, &f->piece_room, 2, sizeof *f->piece))
+        return false;
+    for (int i = 0; i < 4; i++)
+        P[i] = f->node[f->ring[i]].point;
+    roberts_vec3 a = vec3_sub(P[2], P[0]), b = vec3_sub(P[3], P[1]);
+    uint32_t first = vec3_dot(b, b) <= vec3_dot(a, a);
+    for (uint32_t p = 0; p < 2; p++) {
+        uint32_t at[3] = {first + 2 * p, (first + 2 * p + 1) % 4, (first + 2 * p + 2) % 4};
+        f->piece[p] = (face_piece){3, {f->ring[at[0]], f->ring[at[1]], f->ring[at[2]]}, {at[0], at[1], 4}};
+    }
+    f->piece_count = 2;
+    return true;
+}
+
 bool face_pieces_cut(face_pieces *f, const face_rules *rules, const uint32_t *corner, uint32_t count)
 {
-    bool done = false;
     if (!take_ring(f, rules->point, corner, count))
         return false;
     if (f->ring_count < 3)
@@ -229,18 +331,11 @@ bool face_pieces_cut(face_pieces *f, const face_rules *rules, const uint32_t *co
     f->planar = f->ring_count == 3 || f->fit.deviation <= greater(rules->tolerance * f->chord, rules->touching);
     if (!(f->fit.width > rules->touching))
         return true;
-    bool whole = f->ring_count == 3 || (f->planar && is_convex(f));
-    if (whole && f->ring_count <= PIECE_CORNERS)
-        return take_whole(f);
-    if (whole)
-        return take_fan(f) && add_sides(f);
-    if (!face_pieces_arrange(f, rules, &done))
-        return false;
-    if (done) {
-        f->planar = true;
-        return true;
-    }
-    return face_pieces_triangulate(f, f->ring, (uint32_t)f->ring_count, f->planar) && add_sides(f);
+    if (!f->planar && is_quadrilateral(f))
+        return take_quadrilateral(f) && add_sides(f);
+    if (f->ring_count > 3 && !(f->planar && is_convex(f)))
+        return face_pieces_arrange(f, rules);
+    return f->ring_count <= PIECE_CORNERS ? take_whole(f) : take_fan(f) && add_sides(f);
 }
 
 void face_pieces_free(face_pieces *f)
@@ -250,7 +345,6 @@ void face_pieces_free(face_pieces *f)
     free(f->node);
     free(f->piece);
     free(f->side);
-    free(f->link);
     free(f->relative);
     *f = (face_pieces){0};
 }

@@ -18,11 +18,11 @@ typedef struct piece_node {
     roberts_vec3 point, low; /* of a crossing: model units, and what rounding took from them */
 } piece_node;
 
-/* A convex polygon. Each of its sides is a side of the ring that it was cut from, or a cut. */
+/* A convex polygon. */
 typedef struct face_piece {
     uint32_t count;
     uint32_t node[PIECE_CORNERS];
-    uint32_t label[PIECE_CORNERS]; /* below the ring's length: a side of the ring; from there on: a cut */
+    uint32_t label[PIECE_CORNERS]; /* a side of the ring or a line of the border; behind all of them: a cut */
 } face_piece;
 
 /* A stretch of the face's border with the piece on its left; or a cut of a face that is not planar. */
@@ -32,17 +32,12 @@ typedef struct piece_side {
     uint32_t side; /* of the face, counted from 0: from its corner `side` to the next; ROBERTS_NONE: a cut */
 } piece_side;
 
-/* A corner of a ring whose ears are cut: its neighbours round the ring, and along a space-filling curve. */
-typedef struct ring_link {
-    uint32_t node, next, last, label;
-    uint32_t z, next_z, last_z;
-} ring_link;
-
 /* Cuts one face at a time; the arrays serve face after face. Zeroed = empty. */
 typedef struct face_pieces {
     fitted_plane fit;  /* relative to the first corner of the ring; of a crossing border, of the plane that is used */
     double chord;      /* greatest extent of the face along an axis */
     bool planar;       /* false: each piece is a triangle with a plane of its own */
+    double unit;       /* as in face_rules */
     double turned;     /* -1 if the coordinate plane shows the normal from behind, else 1 */
     int axis;          /* the coordinate that is dropped */
     uint32_t *ring;    /* [ring_count] nodes round the face, neighbours distinct */
@@ -50,10 +45,9 @@ typedef struct face_pieces {
     piece_node *node;
     face_piece *piece;
     piece_side *side;
-    ring_link *link; /* scratch of the ear clipping */
     roberts_vec3 *relative;
     size_t ring_count, node_count, piece_count, side_count;
-    size_t ring_room, side_of_room, node_room, piece_room, side_room, link_room, relative_room;
+    size_t ring_room, side_of_room, node_room, piece_room, side_room, relative_room;
 } face_pieces;
 
 /* What all faces have in common. */
@@ -72,18 +66,53 @@ void face_pieces_free(face_pieces *f);
 
 /* ---- the parts of it ------------------------------------------------------------------------------------------- */
 
-/* > 0 if a, b, c turn left; the sign is exact for all but contrived input. */
-double piece_turn(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c);
+/* A line of a border between two nodes, v[0] < v[1]. */
+typedef struct border_line {
+    uint32_t v[2];
+    int32_t net;   /* how often the border runs from v[0] to v[1], minus how often it runs back; not 0 */
+    uint32_t side; /* the first side of the face that it is part of */
+} border_line;
 
-/* Cuts a simple polygon of nodes that turns left on the whole into triangles. It may touch itself, or run along a slit
- * both ways. `merge`: join triangles to convex polygons. False: no memory. (triangulate.c) */
-bool face_pieces_triangulate(face_pieces *f, const uint32_t *ring, uint32_t count, bool merge);
+/* A node that a line has to pass through. */
+typedef struct border_stop {
+    uint32_t line, node;
+    double t; /* along the line */
+} border_stop;
 
-/* If the ring crosses or touches itself, cuts it into the cells of its arrangement, and sets *done. False: no memory.
- * (arrangement.c) */
-bool face_pieces_arrange(face_pieces *f, const face_rules *rules, bool *done);
+/* The border of a face, as a graph. */
+typedef struct border {
+    border_line *item; /* [count] */
+    border_stop *stop; /* [stop_count] */
+    size_t count, stop_count, stop_room;
+} border;
+
+/* Appends a stop. False: no memory. */
+bool border_add_stop(border *b, border_stop stop);
+
+/* Appends the crossing of lines i and j as a node, and as a stop of both. False: no memory. */
+bool border_add_crossing(face_pieces *f, border *b, uint32_t i, uint32_t j);
+
+typedef enum tiling {
+    TILING_DONE,
+    TILING_CROSSED, /* lines cross or touch: b->stop lists some of the places */
+    TILING_BROKEN,  /* signs contradict one another, which only numbers out of range can cause */
+    TILING_NO_MEMORY,
+} tiling;
+
+/* Cuts what the border winds round into triangles. Labels of pieces are lines, or cuts from b->count on. `merge`: join
+ * triangles to convex polygons. (triangulate.c) */
+tiling face_pieces_triangulate(face_pieces *f, border *b, bool even_odd, bool merge);
+
+/* Cuts a face that is not convex, whether its border crosses itself or not. False: no memory. (arrangement.c) */
+bool face_pieces_arrange(face_pieces *f, const face_rules *rules);
+
+/* Appends the point at t, 0 to 1, between two nodes. ROBERTS_NONE: no memory. */
+uint32_t face_pieces_add_crossing(face_pieces *f, uint32_t a, uint32_t b, double t);
 
 /* Appends a side. False: no memory. */
 bool face_pieces_add_side(face_pieces *f, piece_side side);
+
+/* > 0 if a, b, c turn left. The sign is exact unless products leave the range of doubles. */
+double piece_turn(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c);
 
 #endif

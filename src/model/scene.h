@@ -76,7 +76,7 @@ struct roberts_scene {
      * solid of the pattern is wound in the input, once the other way round. */
     uint32_t shared;
     unsigned lent;   /* LENT_...; none once the scene is built */
-    uint8_t *turned; /* [face_count] 1: its corners run the other way round than in the mesh that has lent them */
+    uint8_t *turned; /* [face_count] 1: its corners run the other way round than in the mesh; NULL once it is built */
     size_t corner_count;
     scene_solid *solid;    /* [solid_count + 1] */
     roberts_vec3 *point;   /* [vertex_count] as read, so that exact arithmetic can go back to it */

@@ -89,8 +89,7 @@ bool scene_alloc_arrays(roberts_scene *scene, kept_numbers kept)
         scene->number = alloc_array(scene->vertex_count, sizeof *scene->number);
     if (!scene->face_start)
         scene->face_start = alloc_array(faces + 1, sizeof *scene->face_start);
-    if (scene->lent & LENT_CORNER)
-        scene->turned = alloc_zeroed(faces, sizeof *scene->turned);
+    scene->turned = alloc_zeroed(faces, sizeof *scene->turned);
     if (!scene->corner)
         scene->corner = alloc_array(scene->corner_count, sizeof *scene->corner);
     scene->face_plane = alloc_array(faces, sizeof *scene->face_plane);
@@ -98,9 +97,9 @@ bool scene_alloc_arrays(roberts_scene *scene, kept_numbers kept)
     scene->face_width = alloc_array(faces, sizeof *scene->face_width);
     if (!kept.faces)
         scene->face_number = alloc_array(faces, sizeof *scene->face_number);
-    return scene->solid && scene->point && (scene->turned || !(scene->lent & LENT_CORNER)) &&
-           (scene->number || kept.vertices) && scene->face_start && scene->corner && scene->face_plane &&
-           scene->face_deviation && scene->face_width && (scene->face_number || kept.faces);
+    return scene->solid && scene->point && scene->turned && (scene->number || kept.vertices) && scene->face_start &&
+           scene->corner && scene->face_plane && scene->face_deviation && scene->face_width &&
+           (scene->face_number || kept.faces);
 }
 
 void scene_turn_face(roberts_scene *scene, uint32_t f)
@@ -117,7 +116,7 @@ void scene_turn_face(roberts_scene *scene, uint32_t f)
 
 void scene_turn_back(roberts_scene *scene)
 {
-    for (uint32_t f = 0; scene->turned && f < scene->face_count; f++)
+    for (uint32_t f = 0; scene->lent & LENT_CORNER && scene->turned && f < scene->face_count; f++)
         if (scene->turned[f])
             scene_turn_face(scene, f);
 }

@@ -64,8 +64,15 @@ typedef struct surface {
  * memory. */
 bool surface_take_faces(surface *s, const uint8_t *listed, const face_rules *rules);
 
-/* Finds the edges: sides that lie on one another, within `touching`, are one edge. False: no memory. */
+/* Finds the edges: sides that lie on one another, within `touching`, are one edge. The sides are freed. False: no
+ * memory. */
 bool surface_find_edges(surface *s, double touching);
+
+/* How a point lies to a segment from A to B: within the touching distance of an end, or of what is between them. */
+typedef enum surface_touch { TOUCHES_NOT, TOUCHES_START, TOUCHES_END, TOUCHES_BETWEEN } surface_touch;
+
+/* *t: where along the segment the point is. */
+surface_touch surface_touches(roberts_vec3 A, roberts_vec3 B, roberts_vec3 P, double touching, double *t);
 
 /* The place of a vertex on the edge of the file between v[0] and v[1], from 0 to 1. */
 double surface_part_of(const surface *s, const uint32_t v[2], uint32_t at);

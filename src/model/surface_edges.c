@@ -100,21 +100,14 @@ static uint32_t incidence(uint32_t piece, bool turned)
 /* If a side is a part of an edge of the file, copies this part to surface.part; else *part is ROBERTS_NONE. */
 static bool copy_part(surface *s, uint32_t side, uint32_t *part)
 {
-    size_t low = 0, high = s->part_count;
+    size_t at = find_numbered(s->side_part, s->part_count, sizeof *s->side_part, side);
     *part = ROBERTS_NONE;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (s->side_part[middle].edge < side)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    if (low == s->part_count || s->side_part[low].edge != side)
+    if (at == s->part_count || s->side_part[at].edge != side)
         return true;
     if (!array_reserve(&s->part, &s->edge_part_room, s->edge_part_count + 1, sizeof *s->part))
         return false;
     *part = (uint32_t)s->edge_part_count;
-    s->part[s->edge_part_count++] = s->side_part[low];
+    s->part[s->edge_part_count++] = s->side_part[at];
     return true;
 }
 
@@ -196,26 +189,37 @@ static bool list_vertices(finder *f)
     return true;
 }
 
+surface_touch surface_touches(roberts_vec3 A, roberts_vec3 B, roberts_vec3 P, double touching, double *t)
+{
+    roberts_vec3 AB = vec3_sub(B, A), AP = vec3_sub(P, A);
+    double squared = vec3_dot(AB, AB);
+    *t = squared > 0.0 ? vec3_dot(AP, AB) / squared : 0.0;
+    if (vec3_length(AP) <= touching)
+        return TOUCHES_START;
+    if (vec3_length(vec3_sub(P, B)) <= touching)
+        return TOUCHES_END;
+    return *t > 0.0 && *t < 1.0 && vec3_length(vec3_sub(AP, vec3_scale(*t, AB))) <= touching ? TOUCHES_BETWEEN
+                                                                                             : TOUCHES_NOT;
+}
+
 /* Finds the vertices on the segment from a to b, as stops; joins vertices at its ends to a and b. */
 static bool find_stops(finder *f, const point_grid *grid, uint32_t a, uint32_t b)
 {
     const roberts_vec3 *point = f->s->point;
-    roberts_vec3 A = point[a], AB = vec3_sub(point[b], A);
-    double squared = vec3_dot(AB, AB);
     f->stop_count = f->found.count = 0;
-    if (!point_grid_near(grid, A, point[b], f->touching, &f->found))
+    if (!point_grid_near(grid, point[a], point[b], f->touching, &f->found))
         return false;
     for (size_t i = 0; i < f->found.count; i++) {
         uint32_t v = f->found.item[i];
         if (v == a || v == b)
             continue;
-        roberts_vec3 AV = vec3_sub(point[v], A), BV = vec3_sub(point[v], point[b]);
-        double t = squared > 0.0 ? vec3_dot(AV, AB) / squared : 0.0;
-        if (vec3_length(AV) <= f->touching) {
+        double t;
+        surface_touch touch = surface_touches(point[a], point[b], point[v], f->touching, &t);
+        if (touch == TOUCHES_START) {
             sets_join(f->parent, a, v);
-        } else if (vec3_length(BV) <= f->touching) {
+        } else if (touch == TOUCHES_END) {
             sets_join(f->parent, b, v);
-        } else if (t > 0.0 && t < 1.0 && vec3_length(vec3_sub(AV, vec3_scale(t, AB))) <= f->touching) {
+        } else if (touch == TOUCHES_BETWEEN) {
             if (!array_reserve(&f->stop, &f->stop_room, f->stop_count + 1, sizeof *f->stop))
                 return false;
             f->stop[f->stop_count++] = (side_stop){t, v};
@@ -460,5 +464,9 @@ bool surface_find_edges(surface *s, double touching)
     free(f.odd_edge);
     free(f.stop);
     free(f.found.item);
+    free(s->side);
+    free(s->side_part);
+    s->side = NULL;
+    s->side_part = NULL;
     return enough && s->edge_count < ROBERTS_NONE;
 }

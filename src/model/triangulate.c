@@ -1,193 +1,486 @@
-/* triangulate.c - cuts a simple polygon into triangles, and joins these to convex polygons.
+/* triangulate.c - cuts what the lines of a border wind round into triangles, and joins these to convex polygons.
  *
- * Ears are cut off one by one (G. H. Meisters, "Polygons have ears", American Mathematical Monthly 82(6), 1975). Then
- * cuts that convex pieces do not need are taken back (S. Hertel, K. Mehlhorn, "Fast triangulation of simple polygons",
- * FCT 1983). A polygon may touch itself at corners and run along a slit both ways. */
+ * A sweep line goes over the nodes in the order of x, then y. Between two neighbours on it lies a region, filled or
+ * not. What is not yet cut of a filled region is bounded on its left by a chain of nodes, which turns inward everywhere
+ * but at its ends; a new node cuts off the triangles that it sees along the chain (S. Hertel, K. Mehlhorn, "Fast
+ * triangulation of the plane with respect to simple polygons", Information and Control 64, 1985). This takes
+ * O(n log n). Whether two lines cross is asked of neighbours only (M. I. Shamos, D. Hoey, "Geometric intersection
+ * problems", FOCS 1976). If they do, the crossing is noted, and one of the two is set aside, so that one sweep finds
+ * many crossings; then nothing is cut. Every decision is the exact sign of a turn. So the triangles tile what is
+ * filled: no overlaps, no gaps.
+ *
+ * Cuts that convex pieces do not need are then taken back (Hertel and Mehlhorn, too). */
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "base/bits.h"
-#include "base/sort.h"
 #include "model/face_pieces.h"
+#include "model/sweep_order.h"
 
-/* With more corners than this, those near a triangle are found along a space-filling curve. */
-enum { MANY_CORNERS = 80 };
+/* A node of a chain. */
+typedef struct chain_link {
+    uint32_t node;
+    uint32_t down, up; /* ROBERTS_NONE: an end */
+    uint32_t label;    /* of what leads up from here: a line, or from border.count on a cut */
+} chain_link;
 
-static roberts_vec2 place(const face_pieces *f, uint32_t link)
+/* A region above a line of the sweep, if it is filled. */
+typedef struct open_region {
+    uint32_t bottom, top; /* of its chain */
+    uint32_t last;        /* where the sweep was last: the chain's node farthest to the right */
+} open_region;
+
+typedef struct sweep_event {
+    double x, y;
+    uint32_t node;
+} sweep_event;
+
+typedef struct sweep {
+    face_pieces *f;
+    border *b;
+    bool even_odd;
+    bool crossed, broken; /* broken: the order contradicts itself, which exact signs exclude */
+    sweep_order order;
+    uint32_t (*end)[2];  /* [b->count] left and right node of each line */
+    int32_t *winding;    /* [b->count] right above it */
+    open_region *region; /* [b->count] right above it, if that is filled */
+    sweep_event *event;
+    uint32_t *start[2]; /* [nodes + 1] into line[]: 0 by right end, 1 by left end */
+    uint32_t *line[2];
+    uint8_t *in_order; /* [b->count] */
+    chain_link *link;
+    size_t event_count, link_count, link_room;
+    uint32_t cuts;
+} sweep;
+
+static roberts_vec2 place(const sweep *s, uint32_t node)
 {
-    return f->node[f->link[link].node].at;
+    return s->f->node[node].at;
 }
 
-static double turn_at(const face_pieces *f, uint32_t b)
+/* > 0: the node is above the line. */
+static double side_of(const sweep *s, uint32_t line, uint32_t node)
 {
-    return piece_turn(place(f, f->link[b].last), place(f, b), place(f, f->link[b].next));
+    return piece_turn(place(s, s->end[line][0]), place(s, s->end[line][1]), place(s, node));
 }
 
-/* The triangle before and after a corner, with its box. */
-typedef struct ear {
-    uint32_t node[3];
-    roberts_vec2 A, B, C, low, high;
-} ear;
-
-/* Is corner p in the triangle, or with `strict` also on its border? It is enough to ask corners that do not turn
- * left. */
-static bool holds(const face_pieces *f, const ear *e, uint32_t p, bool strict)
+static bool is_filled(const sweep *s, int32_t winding)
 {
-    roberts_vec2 P = place(f, p);
-    uint32_t node = f->link[p].node;
-    if (P.x < e->low.x || P.x > e->high.x || P.y < e->low.y || P.y > e->high.y || node == e->node[0] ||
-        node == e->node[1] || node == e->node[2])
+    return s->even_odd ? winding % 2 != 0 : winding != 0;
+}
+
+static int32_t winding_above(const sweep *s, uint32_t line)
+{
+    return line == ROBERTS_NONE ? 0 : s->winding[line];
+}
+
+/* How the winding number changes from below a line to above it. */
+static int32_t step_across(const sweep *s, uint32_t line)
+{
+    return s->b->item[line].v[0] == s->end[line][0] ? s->b->item[line].net : -s->b->item[line].net;
+}
+
+/* ---- preparation ----------------------------------------------------------------------------------------------- */
+
+static int compare_events(const void *pa, const void *pb)
+{
+    const sweep_event *a = pa, *b = pb;
+    if (a->x != b->x)
+        return a->x < b->x ? -1 : 1;
+    if (a->y != b->y)
+        return a->y < b->y ? -1 : 1;
+    return (a->node > b->node) - (a->node < b->node);
+}
+
+static bool comes_before(roberts_vec2 a, roberts_vec2 b)
+{
+    return a.x < b.x || (a.x == b.x && a.y < b.y);
+}
+
+/* Lists the lines by their right ends (k = 0) or left ends (k = 1). */
+static void list_lines(sweep *s, int k)
+{
+    size_t nodes = s->f->node_count;
+    uint32_t *start = s->start[k];
+    for (size_t n = 0; n <= nodes; n++)
+        start[n] = 0;
+    for (size_t i = 0; i < s->b->count; i++)
+        start[s->end[i][1 - k]]++;
+    for (uint32_t n = 0, sum = 0; n <= nodes; n++) {
+        sum += start[n];
+        start[n] = sum;
+    }
+    for (uint32_t i = (uint32_t)s->b->count; i-- > 0;)
+        s->line[k][--start[s->end[i][1 - k]]] = i;
+}
+
+static bool prepare(sweep *s)
+{
+    size_t lines = s->b->count, nodes = s->f->node_count;
+    bool enough = sweep_order_start(&s->order, lines) && (s->end = alloc_array(lines, sizeof *s->end)) &&
+                  (s->winding = alloc_array(lines, sizeof *s->winding)) &&
+                  (s->region = alloc_array(lines, sizeof *s->region)) &&
+                  (s->event = alloc_array(nodes, sizeof *s->event)) && (s->in_order = alloc_zeroed(lines, 1));
+    for (int k = 0; enough && k < 2; k++)
+        enough = (s->start[k] = alloc_array(nodes + 1, sizeof *s->start[k])) &&
+                 (s->line[k] = alloc_array(lines, sizeof *s->line[k]));
+    if (!enough)
         return false;
-    double ab = piece_turn(e->A, e->B, P), bc = piece_turn(e->B, e->C, P), ca = piece_turn(e->C, e->A, P);
-    bool inside = strict ? ab >= 0.0 && bc >= 0.0 && ca >= 0.0 : ab > 0.0 && bc > 0.0 && ca > 0.0;
-    return inside && turn_at(f, p) <= 0.0;
-}
-
-/* The plane in 2^15 columns and rows, for the curve. */
-typedef struct curve {
-    roberts_vec2 low;
-    double per_x, per_y;
-} curve;
-
-static uint32_t cell_along(double x, double low, double per)
-{
-    double i = (x - low) * per;
-    return !(i > 0.0) ? 0 : i >= 32767.0 ? 32767 : (uint32_t)i;
-}
-
-static uint32_t place_on(const curve *c, roberts_vec2 P)
-{
-    return bits_spread(cell_along(P.x, c->low.x, c->per_x)) << 1 | bits_spread(cell_along(P.y, c->low.y, c->per_y));
-}
-
-/* Links the corners along the curve (G. M. Morton, 1966). On it, all corners in a box lie between the box's lower left
- * and upper right corner. False: no memory. */
-static bool link_curve(face_pieces *f, uint32_t count, curve *c)
-{
-    uint64_t *key = alloc_array(count, sizeof *key);
-    roberts_vec2 high = {-INFINITY, -INFINITY};
-    c->low = (roberts_vec2){INFINITY, INFINITY};
-    if (!key)
-        return false;
-    for (uint32_t i = 0; i < count; i++) {
-        roberts_vec2 P = place(f, i);
-        c->low = (roberts_vec2){lesser(c->low.x, P.x), lesser(c->low.y, P.y)};
-        high = (roberts_vec2){greater(high.x, P.x), greater(high.y, P.y)};
+    for (size_t i = 0; i < lines; i++) {
+        const border_line *own = &s->b->item[i];
+        bool swap = comes_before(place(s, own->v[1]), place(s, own->v[0]));
+        s->end[i][0] = own->v[swap];
+        s->end[i][1] = own->v[!swap];
     }
-    c->per_x = high.x > c->low.x ? 32768.0 / (high.x - c->low.x) : 0.0;
-    c->per_y = high.y > c->low.y ? 32768.0 / (high.y - c->low.y) : 0.0;
-    for (uint32_t i = 0; i < count; i++) {
-        f->link[i].z = place_on(c, place(f, i));
-        key[i] = (uint64_t)f->link[i].z << 32 | i;
-    }
-    qsort(key, count, sizeof *key, compare_u64);
-    for (uint32_t i = 0; i < count; i++) {
-        f->link[(uint32_t)key[i]].last_z = i > 0 ? (uint32_t)key[i - 1] : ROBERTS_NONE;
-        f->link[(uint32_t)key[i]].next_z = i + 1 < count ? (uint32_t)key[i + 1] : ROBERTS_NONE;
-    }
-    free(key);
+    list_lines(s, 0);
+    list_lines(s, 1);
+    for (uint32_t n = 0; n < nodes; n++)
+        if (s->start[0][n + 1] > s->start[0][n] || s->start[1][n + 1] > s->start[1][n])
+            s->event[s->event_count++] = (sweep_event){place(s, n).x, place(s, n).y, n};
+    if (s->event_count > 1)
+        qsort(s->event, s->event_count, sizeof *s->event, compare_events);
     return true;
 }
 
-/* Does the triangle before and after b hold no other corner? `strict`: nor on its border. c: NULL where all are
- * asked. */
-static bool is_ear(const face_pieces *f, uint32_t b, bool strict, const curve *c)
+static void free_sweep(sweep *s)
 {
-    const ring_link *link = f->link;
-    uint32_t before = link[b].last, after = link[b].next;
-    ear e = {{link[before].node, link[b].node, link[after].node},
-             place(f, before),
-             place(f, b),
-             place(f, after),
-             {0, 0},
-             {0, 0}};
-    if (!(piece_turn(e.A, e.B, e.C) > 0.0))
-        return false;
-    e.low = (roberts_vec2){lesser(e.A.x, lesser(e.B.x, e.C.x)), lesser(e.A.y, lesser(e.B.y, e.C.y))};
-    e.high = (roberts_vec2){greater(e.A.x, greater(e.B.x, e.C.x)), greater(e.A.y, greater(e.B.y, e.C.y))};
-    if (!c) {
-        for (uint32_t p = link[after].next; p != before; p = link[p].next)
-            if (holds(f, &e, p, strict))
-                return false;
-        return true;
+    sweep_order_free(&s->order);
+    free(s->end);
+    free(s->winding);
+    free(s->region);
+    free(s->event);
+    free(s->in_order);
+    free(s->link);
+    for (int k = 0; k < 2; k++) {
+        free(s->start[k]);
+        free(s->line[k]);
     }
-    uint32_t first = place_on(c, e.low), last = place_on(c, e.high);
-    for (uint32_t p = link[b].next_z; p != ROBERTS_NONE && link[p].z <= last; p = link[p].next_z)
-        if (p != before && p != after && holds(f, &e, p, strict))
+}
+
+/* ---- crossings ------------------------------------------------------------------------------------------------- */
+
+static void take_out(sweep *s, uint32_t line)
+{
+    sweep_order_remove(&s->order, line);
+    s->in_order[line] = 0;
+}
+
+/* A node on a line. False: no memory. */
+static bool note_touch(sweep *s, uint32_t line, uint32_t node)
+{
+    s->crossed = true;
+    return border_add_stop(s->b, (border_stop){line, node, 0.0});
+}
+
+/* Do a line and the one right above it meet before their first right end, or there without sharing it? Then notes it,
+ * and sets the upper one aside; until the two at hand do not meet. False: no memory. */
+static bool check_neighbours(sweep *s, uint32_t low)
+{
+    while (low != ROBERTS_NONE) {
+        uint32_t high = s->order.place[low].near[1];
+        if (high == ROBERTS_NONE)
+            return true;
+        uint32_t a = s->end[low][1], b = s->end[high][1];
+        if (a == b)
+            return true;
+        bool low_ends = comes_before(place(s, a), place(s, b));
+        double side = low_ends ? -side_of(s, high, a) : side_of(s, low, b);
+        if (side > 0.0)
+            return true;
+        s->crossed = true;
+        if (!(side == 0.0 ? note_touch(s, low_ends ? high : low, low_ends ? a : b)
+                          : border_add_crossing(s->f, s->b, low, high)))
             return false;
-    for (uint32_t p = link[b].last_z; p != ROBERTS_NONE && link[p].z >= first; p = link[p].last_z)
-        if (p != before && p != after && holds(f, &e, p, strict))
-            return false;
+        take_out(s, high);
+    }
     return true;
 }
 
-static bool add_triangle(face_pieces *f, uint32_t b, uint32_t across)
+/* The highest line below a node; lines that pass through it are noted and set aside. */
+static bool find_below(sweep *s, uint32_t node, uint32_t *below)
 {
-    const ring_link *link = f->link;
-    uint32_t a = link[b].last, c = link[b].next;
+    uint32_t at = s->order.root;
+    *below = ROBERTS_NONE;
+    while (at != ROBERTS_NONE) {
+        bool above = side_of(s, at, node) > 0.0;
+        *below = above ? at : *below;
+        at = s->order.place[at].child[above];
+    }
+    for (bool first = true;; first = false) {
+        uint32_t next = sweep_order_above(&s->order, *below);
+        if (next == ROBERTS_NONE || side_of(s, next, node) != 0.0)
+            return first || check_neighbours(s, *below);
+        if (!note_touch(s, next, node))
+            return false;
+        take_out(s, next);
+    }
+}
+
+/* ---- chains ---------------------------------------------------------------------------------------------------- */
+
+static uint32_t add_link(sweep *s, uint32_t node)
+{
+    if (!array_reserve(&s->link, &s->link_room, s->link_count + 1, sizeof *s->link))
+        return ROBERTS_NONE;
+    s->link[s->link_count] = (chain_link){node, ROBERTS_NONE, ROBERTS_NONE, 0};
+    return (uint32_t)s->link_count++;
+}
+
+static uint32_t new_cut(sweep *s)
+{
+    return (uint32_t)s->b->count + s->cuts++;
+}
+
+static bool add_triangle(sweep *s, const uint32_t node[3], const uint32_t label[3])
+{
+    face_pieces *f = s->f;
     if (!array_reserve(&f->piece, &f->piece_room, f->piece_count + 1, sizeof *f->piece))
         return false;
     face_piece *t = &f->piece[f->piece_count++];
     t->count = 3;
-    t->node[0] = link[a].node;
-    t->node[1] = link[b].node;
-    t->node[2] = link[c].node;
-    t->label[0] = link[a].label;
-    t->label[1] = link[b].label;
-    t->label[2] = across;
+    for (int i = 0; i < 3; i++) {
+        t->node[i] = node[i];
+        t->label[i] = label[i];
+    }
     return true;
 }
 
-/* The corner of a quadrilateral to begin with: then the shorter diagonal is cut, if both are inside. */
-static uint32_t first_ear(const face_pieces *f, uint32_t count)
+static bool turns_left(const sweep *s, uint32_t a, uint32_t b, uint32_t c)
 {
-    if (count != 4 || turn_at(f, 0) <= 0.0 || turn_at(f, 1) <= 0.0 || turn_at(f, 2) <= 0.0 || turn_at(f, 3) <= 0.0)
-        return 0;
-    roberts_vec3 a = vec3_sub(f->node[f->link[2].node].point, f->node[f->link[0].node].point);
-    roberts_vec3 b = vec3_sub(f->node[f->link[3].node].point, f->node[f->link[1].node].point);
-    return vec3_dot(b, b) <= vec3_dot(a, a) ? 0 : 1;
+    return piece_turn(place(s, a), place(s, b), place(s, c)) > 0.0;
 }
 
-/* Cuts off ears until three corners are left. If rounding leaves no ear, it cuts ears with corners on their border,
- * then any corner that turns left, then any. Returns the number of cuts; ROBERTS_NONE: no memory. */
-static uint32_t cut_ears(face_pieces *f, uint32_t count, const curve *c)
+/* Cuts off what the chain's uppermost node, the newest, sees. */
+static bool cut_down(sweep *s, uint32_t own)
 {
-    ring_link *link = f->link;
-    uint32_t left = count, cuts = 0, b = first_ear(f, count), tried = 0, lax = 0;
-    while (left > 3) {
-        bool cut = lax == 0   ? is_ear(f, b, true, c)
-                   : lax == 1 ? is_ear(f, b, false, c)
-                   : lax == 2 ? turn_at(f, b) > 0.0
-                              : true;
-        if (!cut) {
-            b = link[b].next;
-            if (++tried > left) {
-                tried = 0;
-                lax++;
-            }
+    chain_link *link = s->link;
+    uint32_t v = link[own].node, c1 = link[own].down, c2 = c1 != ROBERTS_NONE ? link[c1].down : ROBERTS_NONE;
+    for (; c2 != ROBERTS_NONE && turns_left(s, link[c2].node, v, link[c1].node); c1 = c2, c2 = link[c2].down) {
+        uint32_t cut = new_cut(s);
+        if (!add_triangle(s, (uint32_t[]){link[c2].node, v, link[c1].node},
+                          (uint32_t[]){cut, link[c1].label, link[c2].label}))
+            return false;
+        link[c2].label = cut;
+        link[c2].up = own;
+        link[own].down = c2;
+    }
+    return true;
+}
+
+/* Cuts off what the chain's lowest node, the newest, sees. last: the label of the line from it to the chain's other
+ * end, if the region ends here. */
+static bool cut_up(sweep *s, uint32_t own, uint32_t last)
+{
+    chain_link *link = s->link;
+    uint32_t v = link[own].node, c1 = link[own].up, c2 = c1 != ROBERTS_NONE ? link[c1].up : ROBERTS_NONE;
+    for (; c2 != ROBERTS_NONE && turns_left(s, link[c1].node, v, link[c2].node); c1 = c2, c2 = link[c2].up) {
+        uint32_t cut = last != ROBERTS_NONE && link[c2].up == ROBERTS_NONE ? last : new_cut(s);
+        if (!add_triangle(s, (uint32_t[]){link[c1].node, v, link[c2].node},
+                          (uint32_t[]){link[own].label, cut, link[c1].label}))
+            return false;
+        link[own].label = cut;
+        link[own].up = c2;
+        link[c2].down = own;
+    }
+    s->broken = s->broken || (last != ROBERTS_NONE && c2 != ROBERTS_NONE);
+    return true;
+}
+
+/* The region's upper line leads to this node. */
+static bool extend_top(sweep *s, open_region *r, uint32_t node, uint32_t label)
+{
+    uint32_t own = add_link(s, node);
+    if (own == ROBERTS_NONE)
+        return false;
+    s->link[own].down = r->top;
+    s->link[r->top].up = own;
+    s->link[r->top].label = label;
+    r->top = r->last = own;
+    return cut_down(s, own);
+}
+
+/* The region's lower line leads to this node. last: as in cut_up(). */
+static bool extend_bottom(sweep *s, open_region *r, uint32_t node, uint32_t label, uint32_t last)
+{
+    uint32_t own = add_link(s, node);
+    if (own == ROBERTS_NONE)
+        return false;
+    s->link[own].up = r->bottom;
+    s->link[own].label = label;
+    s->link[r->bottom].down = own;
+    r->bottom = r->last = own;
+    return cut_up(s, own, last);
+}
+
+/* A node within the region: it is cut to the chain's node farthest to the right, which it sees. *high: the part above
+ * the node; r becomes the part below. */
+static bool split(sweep *s, open_region *r, uint32_t node, open_region *high)
+{
+    uint32_t low_own = add_link(s, node), copy = add_link(s, s->link[r->last].node), own = add_link(s, node);
+    if (low_own == ROBERTS_NONE || copy == ROBERTS_NONE || own == ROBERTS_NONE)
+        return false;
+    chain_link *link = s->link;
+    uint32_t at = r->last, cut = new_cut(s);
+    link[copy] = (chain_link){link[at].node, own, link[at].up, link[at].label};
+    if (link[at].up != ROBERTS_NONE)
+        link[link[at].up].down = copy;
+    link[own].up = copy;
+    link[own].label = cut;
+    *high = (open_region){own, r->top == at ? copy : r->top, own};
+    link[at].up = low_own;
+    link[at].label = cut;
+    link[low_own].down = at;
+    r->top = r->last = low_own;
+    return cut_down(s, low_own) && cut_up(s, own, ROBERTS_NONE);
+}
+
+/* Two regions become one: the chain of the lower one ends at the node where that of the upper one begins. */
+static void merge(sweep *s, open_region *r, const open_region *high)
+{
+    chain_link *link = s->link;
+    uint32_t dropped = high->bottom, own = r->top;
+    link[own].up = link[dropped].up;
+    link[own].label = link[dropped].label;
+    if (link[own].up != ROBERTS_NONE) {
+        link[link[own].up].down = own;
+        r->top = high->top;
+    }
+    r->last = own;
+}
+
+static bool begin(sweep *s, open_region *r, uint32_t node)
+{
+    uint32_t own = add_link(s, node);
+    *r = (open_region){own, own, own};
+    return own != ROBERTS_NONE;
+}
+
+/* ---- the sweep ------------------------------------------------------------------------------------------------- */
+
+/* Closes the regions between the lines that end here, and brings those round them to the node. The lines run from
+ * `first` to `last` in the order. */
+static bool end_regions(sweep *s, uint32_t node, uint32_t below, uint32_t first, uint32_t last)
+{
+    if (is_filled(s, winding_above(s, below)) && !extend_top(s, &s->region[below], node, first))
+        return false;
+    for (uint32_t i = first; i != last; i = s->order.place[i].near[1])
+        if (is_filled(s, s->winding[i]) && !extend_bottom(s, &s->region[i], node, i, s->order.place[i].near[1]))
+            return false;
+    return !is_filled(s, s->winding[last]) || extend_bottom(s, &s->region[last], node, last, ROBERTS_NONE);
+}
+
+/* Puts the lines that leave the node into the order, above `below`. Of two that lie on one another, the longer one is
+ * divided, and set aside. False: no memory. */
+static bool insert_leaving(sweep *s, uint32_t node, uint32_t below)
+{
+    for (uint32_t k = s->start[1][node]; k < s->start[1][node + 1]; k++) {
+        uint32_t line = s->line[1][k], under = below, to = s->end[line][1];
+        uint32_t at = s->order.root;
+        double side = 0.0;
+        while (at != ROBERTS_NONE) { /* those of the tree leave here too, or are clearly below or above */
+            bool leaves = s->end[at][0] == node;
+            side = side_of(s, at, leaves ? to : node);
+            if (leaves && side == 0.0)
+                break;
+            under = side > 0.0 ? at : under;
+            at = s->order.place[at].child[side > 0.0];
+        }
+        if (at == ROBERTS_NONE) {
+            sweep_order_insert(&s->order, line, under);
+            s->in_order[line] = 1;
             continue;
         }
-        uint32_t before = link[b].last, after = link[b].next, across = count + cuts;
-        if (turn_at(f, b) > 0.0) {
-            if (!add_triangle(f, b, across))
-                return ROBERTS_NONE;
-            cuts++;
-            link[before].label = across;
-        }
-        link[before].next = after;
-        link[after].last = before;
-        if (c && link[b].next_z != ROBERTS_NONE)
-            link[link[b].next_z].last_z = link[b].last_z;
-        if (c && link[b].last_z != ROBERTS_NONE)
-            link[link[b].last_z].next_z = link[b].next_z;
-        left--;
-        b = link[after].next; /* not the same corner again, which would give a fan of thin triangles */
-        tried = lax = 0;
+        uint32_t end = s->end[at][1];
+        bool shorter = comes_before(place(s, to), place(s, end));
+        if (!note_touch(s, shorter ? at : line, shorter ? to : end))
+            return false;
+        if (!shorter)
+            continue;
+        under = s->order.place[at].near[0];
+        take_out(s, at);
+        sweep_order_insert(&s->order, line, under);
+        s->in_order[line] = 1;
     }
-    if (turn_at(f, b) > 0.0 && !add_triangle(f, b, link[link[b].next].label))
-        return ROBERTS_NONE;
-    return cuts;
+    return true;
 }
+
+/* Begins the regions above the lines that leave the node, and leads those round them on. had: lines ended here; high:
+ * the region above the uppermost of them. */
+static bool begin_regions(sweep *s, uint32_t node, uint32_t below, bool had, open_region high)
+{
+    int32_t winding = winding_above(s, below), outer = winding;
+    uint32_t line = sweep_order_above(&s->order, below);
+    if (line == ROBERTS_NONE || s->end[line][0] != node) {
+        if (is_filled(s, outer))
+            merge(s, &s->region[below], &high);
+        return true;
+    }
+    if (!had && is_filled(s, outer) && !split(s, &s->region[below], node, &high))
+        return false;
+    for (bool more = true; more;) {
+        uint32_t next = s->order.place[line].near[1];
+        winding += step_across(s, line);
+        s->winding[line] = winding;
+        more = next != ROBERTS_NONE && s->end[next][0] == node;
+        if (!more)
+            s->region[line] = high;
+        else if (is_filled(s, winding) && !begin(s, &s->region[line], node))
+            return false;
+        line = more ? next : line;
+    }
+    return true;
+}
+
+/* The lines that end at a node, from *first to *last in the order; ROBERTS_NONE: none. */
+static void find_ending(sweep *s, uint32_t node, uint32_t *first, uint32_t *last)
+{
+    size_t count = 0, met = 1;
+    *first = *last = ROBERTS_NONE;
+    for (uint32_t k = s->start[0][node]; k < s->start[0][node + 1]; k++)
+        if (s->in_order[s->line[0][k]]) {
+            *first = *last = s->line[0][k];
+            count++;
+        }
+    if (count == 0)
+        return;
+    for (uint32_t i; (i = s->order.place[*first].near[0]) != ROBERTS_NONE && s->end[i][1] == node; met++)
+        *first = i;
+    for (uint32_t i; (i = s->order.place[*last].near[1]) != ROBERTS_NONE && s->end[i][1] == node; met++)
+        *last = i;
+    s->broken = s->broken || met != count;
+}
+
+/* One node. False: no memory. */
+static bool meet(sweep *s, uint32_t node)
+{
+    uint32_t first, last, below;
+    open_region high = {ROBERTS_NONE, ROBERTS_NONE, ROBERTS_NONE};
+    find_ending(s, node, &first, &last);
+    bool had = first != ROBERTS_NONE;
+    if (had)
+        below = s->order.place[first].near[0];
+    else if (!find_below(s, node, &below))
+        return false;
+    if (had && !s->crossed && !s->broken) {
+        if (!end_regions(s, node, below, first, last))
+            return false;
+        high = s->region[last];
+    }
+    for (uint32_t k = s->start[0][node]; k < s->start[0][node + 1]; k++)
+        if (s->in_order[s->line[0][k]])
+            take_out(s, s->line[0][k]);
+    if (!insert_leaving(s, node, below))
+        return false;
+    if (!s->crossed && !s->broken && !begin_regions(s, node, below, had, high))
+        return false;
+    if (below != ROBERTS_NONE && !check_neighbours(s, below))
+        return false;
+    for (uint32_t k = s->start[1][node]; k < s->start[1][node + 1]; k++)
+        if (s->in_order[s->line[1][k]] && !check_neighbours(s, s->line[1][k]))
+            return false;
+    return true;
+}
+
+/* ---- joining --------------------------------------------------------------------------------------------------- */
 
 /* The side of a piece that has this label; the number of its sides if there is none. */
 static uint32_t find_label(const face_piece *p, uint32_t label)
@@ -224,63 +517,62 @@ static bool join(const face_pieces *f, face_piece *p, const face_piece *q, uint3
     return true;
 }
 
-/* Takes back cuts that are not needed. of[]: the two pieces at each cut, which may have been joined to others since. */
-static void join_pieces(face_pieces *f, size_t first, uint32_t count, uint32_t cuts, uint32_t *of, uint32_t *parent)
+/* Takes back cuts that are not needed. Labels from `count` on are cuts. False: no memory. */
+static bool join_pieces(face_pieces *f, uint32_t count, uint32_t cuts)
 {
-    for (uint32_t c = 0; c < 2 * cuts; c++)
-        of[c] = ROBERTS_NONE;
-    for (size_t p = first; p < f->piece_count; p++) {
-        parent[p - first] = (uint32_t)p;
-        for (uint32_t i = 0; i < f->piece[p].count; i++)
+    uint32_t(*of)[2] = alloc_array(cuts, sizeof *of); /* the pieces at each cut, which may be joined to others later */
+    uint32_t *parent = alloc_array(f->piece_count, sizeof *parent);
+    bool enough = of && parent;
+    for (uint32_t c = 0; enough && c < cuts; c++)
+        of[c][0] = of[c][1] = ROBERTS_NONE;
+    for (uint32_t p = 0; enough && p < f->piece_count; p++) {
+        parent[p] = p;
+        for (uint32_t i = 0; i < 3; i++)
             if (f->piece[p].label[i] >= count) {
-                uint32_t *own = &of[2 * (f->piece[p].label[i] - count)];
-                own[own[0] != ROBERTS_NONE] = (uint32_t)p;
+                uint32_t *own = of[f->piece[p].label[i] - count];
+                own[own[0] != ROBERTS_NONE] = p;
             }
     }
-    for (uint32_t c = 0; c < cuts; c++) {
-        uint32_t p = of[2 * c], q = of[2 * c + 1];
+    for (uint32_t c = 0; enough && c < cuts; c++) {
+        uint32_t p = of[c][0], q = of[c][1];
         if (p == ROBERTS_NONE || q == ROBERTS_NONE)
             continue;
-        while (parent[p - first] != p)
-            p = parent[p - first];
-        while (parent[q - first] != q)
-            q = parent[q - first];
+        for (; parent[p] != p; p = parent[p])
+            parent[p] = parent[parent[p]];
+        for (; parent[q] != q; q = parent[q])
+            parent[q] = parent[parent[q]];
         uint32_t i = find_label(&f->piece[p], count + c), j = find_label(&f->piece[q], count + c);
         if (p == q || i == f->piece[p].count || j == f->piece[q].count)
             continue;
         if (join(f, &f->piece[p], &f->piece[q], i, j)) {
-            parent[q - first] = p;
+            parent[q] = p;
             f->piece[q].count = 0;
         }
     }
-    size_t to = first;
-    for (size_t p = first; p < f->piece_count; p++)
+    size_t to = 0;
+    for (size_t p = 0; enough && p < f->piece_count; p++)
         if (f->piece[p].count > 0)
             f->piece[to++] = f->piece[p];
-    f->piece_count = to;
-}
-
-bool face_pieces_triangulate(face_pieces *f, const uint32_t *ring, uint32_t count, bool merge)
-{
-    size_t first = f->piece_count;
-    if (!array_reserve(&f->link, &f->link_room, count, sizeof *f->link))
-        return false;
-    for (uint32_t i = 0; i < count; i++)
-        f->link[i] = (ring_link){ring[i], i + 1 < count ? i + 1 : 0, i > 0 ? i - 1 : count - 1, i, 0, 0, 0};
-    curve along;
-    if (count > MANY_CORNERS && !link_curve(f, count, &along))
-        return false;
-    uint32_t cuts = cut_ears(f, count, count > MANY_CORNERS ? &along : NULL);
-    if (cuts == ROBERTS_NONE)
-        return false;
-    if (!merge || cuts == 0)
-        return true;
-    uint32_t *of = alloc_array(2 * (size_t)cuts, sizeof *of);
-    uint32_t *parent = alloc_array(f->piece_count - first, sizeof *parent);
-    bool enough = of && parent;
-    if (enough)
-        join_pieces(f, first, count, cuts, of, parent);
+    f->piece_count = enough ? to : 0;
     free(of);
     free(parent);
     return enough;
+}
+
+tiling face_pieces_triangulate(face_pieces *f, border *b, bool even_odd, bool merge)
+{
+    sweep s = {.f = f, .b = b, .even_odd = even_odd};
+    bool enough = prepare(&s);
+    f->piece_count = 0;
+    b->stop_count = 0;
+    for (size_t i = 0; enough && i < s.event_count; i++)
+        enough = meet(&s, s.event[i].node);
+    uint32_t cuts = s.cuts;
+    tiling found = !enough ? TILING_NO_MEMORY : s.crossed ? TILING_CROSSED : s.broken ? TILING_BROKEN : TILING_DONE;
+    free_sweep(&s);
+    if (found != TILING_DONE)
+        f->piece_count = 0;
+    else if (merge && cuts > 0 && !join_pieces(f, (uint32_t)b->count, cuts))
+        found = TILING_NO_MEMORY;
+    return found;
 }

@@ -18,6 +18,10 @@ enum { FEW_FACES = 24 };
 /* Sine of the least angle between a line and the normal of a plane at which a direction in the plane is sure. */
 #define ACROSS_LEAST 1e-6
 
+/* Touching distances: so far a line in which two faces cross may be from their planes. Its ends may have been moved to
+ * corners. */
+#define OWN_TOUCH 4.0
+
 /* ---- the bodies ---------------------------------------------------------------------------------------------------
  */
 
@@ -115,7 +119,8 @@ void union_work_free(union_work *work)
 union_line union_line_of_edge(const roberts_scene *scene, uint32_t s, uint32_t e, uint32_t own[2])
 {
     scene_edge edge = scene_edge_at(scene, s, e);
-    union_line line = {scene->point[edge.v[0]], scene->point[edge.v[1]], s, own, 2};
+    union_line line = {
+        .A = scene->point[edge.v[0]], .B = scene->point[edge.v[1]], .body = s, .own = own, .own_count = 2};
     memcpy(own, edge.f, sizeof edge.f);
     if (scene->surface && (scene->surface->edge_is[e] & EDGE_MANY)) {
         const scene_many *many = scene_many_at(scene, e);
@@ -140,11 +145,16 @@ static bool add_event(union_cutter *c, double t)
     return true;
 }
 
+/* Does the face meet in the line? Of a line in which faces cross, all pieces of these faces do. */
 static bool is_own(const union_cutter *c, uint32_t face)
 {
-    for (uint32_t i = 0; i < c->line->own_count; i++)
-        if ((c->line->own[i] & ~MANY_TURNED) == face)
+    const roberts_scene *scene = c->all->scene;
+    for (uint32_t i = 0; i < c->line->own_count; i++) {
+        uint32_t own = c->line->own[i] & ~MANY_TURNED;
+        if (own == face ||
+            (c->line->body == ROBERTS_NONE && union_plane_number(scene, own) == union_plane_number(scene, face)))
             return true;
+    }
     return false;
 }
 
@@ -244,10 +254,10 @@ static bool meet_face(union_cutter *c, const union_fill *of, uint32_t face, bool
     plane F = union_plane(scene, face);
     double touch = of->touch, a = plane_at(F, c->A), b = plane_at(F, vec3_add(c->A, c->U));
     bool own = is_own(c, face);
-    *beyond = a < -touch && b < -touch;
+    *beyond = !own && a < -touch && b < -touch;
     if (own && c->line->body != ROBERTS_NONE)
         return add_own(c, of->body, face);
-    if (*beyond || (a > touch && b > touch))
+    if (!own && (*beyond || (a > touch && b > touch)))
         return true;
     roberts_vec3 n = {F.a, F.b, F.c}, w = vec3_cross(n, c->u);
     double length = vec3_length(w);
@@ -260,8 +270,8 @@ static bool meet_face(union_cutter *c, const union_fill *of, uint32_t face, bool
     double t0 = greater(o.t0, 0.0), t1 = lesser(o.t1, 1.0);
     if ((t1 - t0) * c->length < -touch)
         return true;
-    double d0 = a + t0 * (b - a), d1 = a + t1 * (b - a);
-    if (fabs(d0) <= touch && fabs(d1) <= touch) {
+    double d0 = a + t0 * (b - a), d1 = a + t1 * (b - a), near = own ? OWN_TOUCH * touch : touch;
+    if (fabs(d0) <= near && fabs(d1) <= near) {
         if ((t1 - t0) * c->length <= 2.0 * touch)
             return add_event(c, 0.5 * (t0 + t1));
         if (o.plus == 0.0 && o.minus == 0.0)
@@ -303,7 +313,7 @@ static bool meet_body(union_cutter *c, uint32_t body, const box3 *box)
     } else {
         const box_tree_node *node = all->tree.node;
         for (uint32_t i = all->root[body], end = node[i].skip; i < end;) {
-            if (!boxes_meet(&node[i].box, box)) {
+            if (!box3_meet(&node[i].box, box)) {
                 i = node[i].skip;
                 continue;
             }
@@ -330,7 +340,7 @@ static bool meet_bodies(union_cutter *c)
     box.lo = vec3_sub(box.lo, m);
     box.hi = vec3_add(box.hi, m);
     for (uint32_t i = all->bodies, end = node[i].skip; i < end;) {
-        if (!boxes_meet(&node[i].box, &box)) {
+        if (!box3_meet(&node[i].box, &box)) {
             i = node[i].skip;
             continue;
         }
@@ -396,10 +406,9 @@ bool union_cut(const union_bodies *all, const union_line *line, union_work *work
     union_cutter c = {.all = all, .line = line, .work = work, .touch = all->touch};
     work->piece_count = work->side_count = work->contact_count = work->fill_count = work->event_count = 0;
     set_frame(&c);
-    for (uint32_t i = 0; i < line->own_count; i++)
-        c.departure = greater(c.departure, (double)all->scene->face_deviation[line->own[i] & ~MANY_TURNED]);
-    if (line->body != ROBERTS_NONE)
-        c.departure = all->departure[line->body];
+    c.departure = line->body != ROBERTS_NONE
+                      ? all->departure[line->body]
+                      : greater(all->departure[line->crossed[0]], all->departure[line->crossed[1]]);
     c.touch += c.departure;
     if (all->bodies == ROBERTS_NONE || !(c.length > 4.0 * c.touch)) /* shorter than what touches */
         return add_piece(&c, 0.0, 1.0);

@@ -28,8 +28,12 @@ typedef enum union_state {
     UNION_DRAWN,  /* drawn; its class follows from its sides */
     UNION_SEAM,   /* not drawn: the bodies fill exactly a half-plane, or their faces cover one another */
     UNION_INSIDE, /* not drawn: it lies inside a body */
-    UNION_TWICE,  /* drawn as an edge of a body with a smaller number, which lies here too */
+    UNION_TWICE,  /* another line in the same place is drawn: see below */
 } union_state;
+
+/* Of lines in one place one is drawn: of edges, that of the body of smallest number. A line in which two faces cross is
+ * drawn where there is no edge and both faces, or others in their planes that have been chosen instead, bound what is
+ * filled. */
 
 /* A face that bounds what the bodies fill together. */
 typedef struct union_side {
@@ -49,7 +53,8 @@ typedef struct union_piece {
 /* A line in space. */
 typedef struct union_line {
     roberts_vec3 A, B;   /* as scene->point */
-    uint32_t body;       /* whose edge it is; ROBERTS_NONE: no edge, so every edge that lies on it is preferred */
+    uint32_t body;       /* whose edge it is; ROBERTS_NONE: two faces cross in it */
+    uint32_t crossed[2]; /* then the bodies of these faces */
     const uint32_t *own; /* [own_count] the faces that meet in it, compact numbers, perhaps with MANY_TURNED */
     uint32_t own_count;
 } union_line;

@@ -273,8 +273,8 @@ static void begin_fills(union_cutter *c, double t, uint32_t clusters)
     }
 }
 
-/* The ray that stands for a cluster where what is filled ends: of a body that fills the side that is filled, an own
- * face first. */
+/* The ray that stands for a cluster where what is filled ends: of a body that fills the side that is filled; of an edge
+ * an own face first. */
 static const union_ray *bounding_ray(const union_cutter *c, double t, uint32_t k, uint32_t clusters, bool after)
 {
     const union_work *work = c->work;
@@ -286,8 +286,10 @@ static const union_ray *bounding_ray(const union_cutter *c, double t, uint32_t k
         if (r->cluster != k)
             continue;
         other = other ? other : r;
-        if (fills(c, fill_of(work, r->side.body), t, filled, middle) &&
-            (!found || (r->own && !found->own) || (r->own == found->own && r->side.face < found->side.face)))
+        bool better = !found || r->side.face < found->side.face;
+        if (found && c->line->body != ROBERTS_NONE && r->own != found->own)
+            better = r->own;
+        if (better && fills(c, fill_of(work, r->side.body), t, filled, middle))
             found = r;
     }
     return found ? found : other;
@@ -305,10 +307,27 @@ static bool opposite(const union_cutter *c, uint32_t i, uint32_t k)
     return false;
 }
 
-/* Does another body that comes first have an edge here? */
-static bool drawn_elsewhere(const union_cutter *c)
+/* Do both faces that cross in the line bound what is filled? */
+static bool own_sides(const union_cutter *c, const union_piece *piece)
+{
+    const roberts_scene *scene = c->all->scene;
+    for (uint32_t k = 0; k < c->line->own_count; k++) {
+        uint32_t i = piece->first, end = piece->first + piece->count;
+        while (i < end &&
+               union_plane_number(scene, c->work->side[i].face) != union_plane_number(scene, c->line->own[k]))
+            i++;
+        if (i == end)
+            return false;
+    }
+    return true;
+}
+
+/* Is another line in this place drawn instead? */
+static bool drawn_elsewhere(const union_cutter *c, const union_piece *piece)
 {
     const union_work *work = c->work;
+    if (c->line->body == ROBERTS_NONE && !own_sides(c, piece))
+        return true;
     for (size_t i = 0; i < work->ray_count; i++) {
         const union_ray *r = &work->ray[i];
         size_t k = 0;
@@ -384,7 +403,7 @@ bool union_judge(union_cutter *c, union_piece *piece)
         return true;
     if (!find_sides(c, t, clusters, piece, &alone))
         return false;
-    piece->state = piece->count == 0 ? UNION_SEAM : drawn_elsewhere(c) ? UNION_TWICE : UNION_DRAWN;
+    piece->state = piece->count == 0 ? UNION_SEAM : drawn_elsewhere(c, piece) ? UNION_TWICE : UNION_DRAWN;
     if (piece->state == UNION_DRAWN && alone && c->line->body != ROBERTS_NONE)
         piece->state = UNION_ALONE;
     if (piece->state != UNION_DRAWN) {

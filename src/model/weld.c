@@ -98,6 +98,28 @@ bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const
     return enough;
 }
 
+/* A hash table: nearly always no two are equal, and then nothing needs to be sorted. */
+bool weld_any_equal(const uint32_t *listed, size_t count, const roberts_vec3 *point, bool *equal)
+{
+    size_t size = 16;
+    *equal = false;
+    while (size < 2 * count)
+        size *= 2;
+    uint32_t *slot = alloc_array(size, sizeof *slot);
+    if (!slot)
+        return false;
+    memset(slot, 0xff, size * sizeof *slot);
+    for (size_t i = 0; i < count && !*equal; i++) {
+        roberts_vec3 p = point[listed[i]], at = {p.x + 0.0, p.y + 0.0, p.z + 0.0}; /* -0 + 0 is +0 */
+        size_t to = (size_t)(mix(mix(mix(0, at.x), at.y), at.z) >> 20) & (size - 1);
+        for (; slot[to] != ROBERTS_NONE && !*equal; to = (to + 1) & (size - 1))
+            *equal = vec3_compare(point[slot[to]], at) == 0;
+        slot[to] = listed[i];
+    }
+    free(slot);
+    return true;
+}
+
 /* ---- components that are not closed ---------------------------------------------------------------------------- */
 
 /* Components that are not closed are welded, split, and numbered together with the others.

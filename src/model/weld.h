@@ -13,6 +13,9 @@
  * position (-0 is 0). Other names stay as they are. False: no memory. */
 bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const roberts_vec3 *point);
 
+/* Sets *equal: are two of the `count` listed vertices at exactly the same position? False: no memory. */
+bool weld_any_equal(const uint32_t *listed, size_t count, const roberts_vec3 *point, bool *equal);
+
 /* ---- components that are not closed ---------------------------------------------------------------------------- */
 
 /* Components that are not closed are welded, split, and numbered together with the others. */

@@ -8,8 +8,20 @@ typedef struct edge_faces {
     bool flat; /* all in one plane, but for the crease angle */
 } edge_faces;
 
+/* The facing of a face of seen.scene, or of seen.source. The latter is seen from the eye, since only there the near
+ * plane takes something. */
+static int facing_of(const seen *s, const roberts_scene *scene, uint32_t face)
+{
+    const view *v = &s->view;
+    if (scene == s->scene)
+        return s->facing[face];
+    roberts_vec3 eye = vec3_add(v->origin, vec3_scale(v->unit / v->inverse_distance, v->dir));
+    double inside = plane_at(scene->face_plane[face], vec3_sub(eye, scene->centre));
+    return fabs(inside) <= v->epsilon * v->unit ? VIEW_EDGE_ON : inside < 0.0 ? VIEW_FRONT : VIEW_BACK;
+}
+
 /* `turned`: the face lies on the right of the edge. */
-static void add_facing(int facing, bool turned, edge_faces *to)
+static void add_face(int facing, bool turned, edge_faces *to)
 {
     if (facing == VIEW_EDGE_ON)
         to->edge_on++;
@@ -32,28 +44,31 @@ static double way_of(uint8_t is)
     return ((is & EDGE_TURNED_0) != 0) != ((is & EDGE_TURNED_1) != 0) ? 1.0 : -1.0;
 }
 
-/* An edge of one face or two. */
-static edge_faces faces_of_edge(const seen_walk *w, const scene_edge *edge, uint8_t is, double crease)
+/* An edge of one face or two, of the body in `scene`. */
+static edge_faces faces_of_edge(const seen_walk *w, const roberts_scene *scene, const scene_edge *edge, uint8_t is,
+                                double crease)
 {
     edge_faces found = {0};
-    uint32_t first = w->of->scene->solid[w->body].face;
-    add_facing(w->of->facing[first + edge->f[0]], is & EDGE_TURNED_0, &found);
+    uint32_t first = scene->solid[w->body].face;
+    const plane *of = scene->face_plane + first;
+    add_face(facing_of(w->of, scene, first + edge->f[0]), is & EDGE_TURNED_0, &found);
     if (edge->f[1] == ROBERTS_NONE)
         return found;
-    add_facing(w->of->facing[first + edge->f[1]], is & EDGE_TURNED_1, &found);
-    found.flat = chord_between(w->plane[edge->f[0]], w->plane[edge->f[1]], way_of(is)) < crease;
+    add_face(facing_of(w->of, scene, first + edge->f[1]), is & EDGE_TURNED_1, &found);
+    found.flat = chord_between(of[edge->f[0]], of[edge->f[1]], way_of(is)) < crease;
     return found;
 }
 
 /* An edge of more than two. */
-static edge_faces faces_of_many(const seen *s, const scene_many *many, double crease)
+static edge_faces faces_of_many(const seen *s, const roberts_scene *scene, const scene_many *many, double crease)
 {
-    const uint32_t *face = s->scene->surface->many_face;
-    const plane *of = s->scene->face_plane;
+    const uint32_t *face = scene->surface->many_face;
+    const plane *of = scene->face_plane;
     edge_faces found = {.flat = true};
     for (uint32_t k = many->first; k < many->end; k++) {
-        plane F = of[face[many->first] & ~MANY_TURNED], G = of[face[k] & ~MANY_TURNED];
-        add_facing(s->facing[face[k] & ~MANY_TURNED], face[k] & MANY_TURNED, &found);
+        uint32_t f = face[k] & ~MANY_TURNED;
+        plane F = of[face[many->first] & ~MANY_TURNED], G = of[f];
+        add_face(facing_of(s, scene, f), face[k] & MANY_TURNED, &found);
         found.flat = found.flat && (chord_between(F, G, 1.0) < crease || chord_between(F, G, -1.0) < crease);
     }
     return found;
@@ -65,16 +80,18 @@ static double crease_of(const seen *s, uint32_t body)
     return s->source->surface->smooth[body] ? s->rules.smooth_chord : s->rules.crease_chord;
 }
 
-/* Is the edge, number `e` of seen.scene, a line? Its class is set then. */
-static bool classify(const seen_walk *w, uint32_t e, const scene_edge *edge, seen_line *line)
+/* Is edge `e` of `scene`, seen.scene or seen.source, a line? Its class is set then. */
+static bool classify(const seen_walk *w, const roberts_scene *scene, uint32_t e, seen_line *line)
 {
     const seen *s = w->of;
-    uint8_t is = s->scene->surface->edge_is[e];
+    const scene_edge *edge = scene_edge_stored(scene, w->body, e);
+    uint8_t is = scene->surface->edge_is[e];
     double crease = crease_of(s, w->body);
     line->class = ROBERTS_WIRE;
     if (edge->f[0] == ROBERTS_NONE)
         return true;
-    edge_faces faces = line->own.many ? faces_of_many(s, line->own.many, crease) : faces_of_edge(w, edge, is, crease);
+    edge_faces faces = is & EDGE_MANY ? faces_of_many(s, scene, scene_many_at(scene, e), crease)
+                                      : faces_of_edge(w, scene, edge, is, crease);
     bool fold = (faces.left == 0) != (faces.right == 0);
     line->class = ROBERTS_OUTLINE;
     if (is & EDGE_CUT)
@@ -109,34 +126,22 @@ static bool surface_line(seen_walk *w, uint32_t e, const scene_edge *edge, seen_
     *line = (seen_line){.edge = line->edge,
                         .v = {own->vertex + edge->v[0], own->vertex + edge->v[1]},
                         .own = seen_own_of(scene, w->body, e)};
-    if (!classify(w, e, edge, line))
+    if (!classify(w, scene, e, line))
         return false;
     w->surviving++;
     return true;
 }
 
-/* An edge of seen.source that the near plane has taken as a whole, of a convex body. */
+/* An edge of seen.source that the near plane has taken as a whole, of a convex body: is it a line? */
 static bool taken_of_solid(const seen_walk *w, seen_line *line)
 {
     const roberts_scene *source = w->of->source;
-    line->class = ROBERTS_BACK;
-    return w->all || !seen_is_flat(source->face_plane + source->solid[w->body].face,
-                                   scene_edge_stored(source, w->body, line->edge), w->of->rules.crease_chord);
-}
-
-/* The same of another body. Only of an edge that is flat, or a cut, is it known that it would be no line. */
-static bool taken_of_surface(const seen_walk *w, seen_line *line)
-{
-    const roberts_scene *source = w->of->source;
     const scene_edge *edge = scene_edge_stored(source, w->body, line->edge);
-    const plane *of = source->face_plane + source->solid[w->body].face;
-    uint8_t is = source->surface->edge_is[line->edge];
-    bool flat = edge->f[1] != ROBERTS_NONE && !(is & EDGE_MANY) && !w->all &&
-                chord_between(of[edge->f[0]], of[edge->f[1]], way_of(is)) < crease_of(w->of, w->body);
-    line->class = edge->f[0] == ROBERTS_NONE   ? ROBERTS_WIRE
-                  : edge->f[1] == ROBERTS_NONE ? ROBERTS_BORDER
-                                               : ROBERTS_CREASE;
-    return !flat && !(is & EDGE_CUT);
+    uint32_t first = source->solid[w->body].face;
+    int f = facing_of(w->of, source, first + edge->f[0]), g = facing_of(w->of, source, first + edge->f[1]);
+    line->class = seen_class((f == VIEW_FRONT) + (g == VIEW_FRONT), f, g);
+    return line->class == ROBERTS_OUTLINE || w->all ||
+           !seen_is_flat(source->face_plane + first, edge, w->of->rules.crease_chord);
 }
 
 /* The line of an edge, as it is without a union. Of a body that is not convex all but the class is set even where the
@@ -152,63 +157,76 @@ static bool lone_line(seen_walk *w, uint32_t edge, seen_line *line)
                             .own = {{w->key, ROBERTS_NONE}, NULL},
                             .t1 = 1.0,
                             .taken = SEEN_TAKEN};
-        return w->hidden && (convex ? taken_of_solid(w, line) : taken_of_surface(w, line));
+        return w->hidden && (convex ? taken_of_solid(w, line) : classify(w, w->of->source, edge, line));
     }
     const scene_edge *stored = scene_edge_stored(scene, w->body, left.edge);
     bool is_line = convex ? seen_solid_line(w, stored, line) : surface_line(w, left.edge, stored, line);
     line->t0 = left.t0;
     line->t1 = left.t1;
     if (w->hidden)
-        line->taken = (uint8_t)((left.t0 > 0.0 ? SEEN_TAKEN_BEFORE : 0) | (left.t1 < 1.0 ? SEEN_TAKEN_AFTER : 0));
+        line->taken = (left.t0 > 0.0 ? SEEN_TAKEN_BEFORE : 0u) | (left.t1 < 1.0 ? SEEN_TAKEN_AFTER : 0u);
     return is_line;
 }
 
 /* ---- bodies taken together as one ------------------------------------------------------------------------------ */
 
-/* How the viewer sees a face of seen.source. A body that is culled has no view points, and the faces of a scene that
- * the near plane has cut have other numbers: there the depth of the normal decides, by the face's width. */
+/* How the viewer sees a face of seen.source. Of a body that is culled the facing is not known: there the depth of the
+ * normal decides, by the face's width. */
 static int facing_of_side(const seen *s, uint32_t face)
 {
     double stretch;
-    if (s->scene == s->source && s->facing[face])
-        return s->facing[face];
+    if (s->scene != s->source || s->facing[face])
+        return facing_of(s, s->source, face);
     plane F = view_plane(&s->view, s->source, face, &stretch);
     if (fabs(F.c) * scene_width(s->source, face) <= s->view.epsilon * s->view.unit)
         return VIEW_EDGE_ON;
     return F.c < 0.0 ? VIEW_FRONT : VIEW_BACK;
 }
 
-/* The sides of a piece as the faces of an edge; `crease`: flat below that. *back: none is toward the viewer. */
-static edge_faces faces_of_piece(const seen *s, const union_piece *piece, double crease, bool *back)
+/* The sides of a piece as the faces of an edge; `crease`: flat below that. */
+static edge_faces faces_of_piece(const seen *s, const union_side *side, uint32_t count, double crease)
 {
-    const union_side *side = s->united.side + piece->first;
     const plane *of = s->source->face_plane;
     edge_faces found = {.flat = true};
-    *back = true;
-    for (uint32_t i = 0; i < piece->count; i++) {
-        int facing = facing_of_side(s, side[i].face);
+    for (uint32_t i = 0; i < count; i++) {
         plane F = of[side[0].face], G = of[side[i].face];
-        add_facing(facing, side[i].turned, &found);
-        *back = *back && facing != VIEW_FRONT;
+        add_face(facing_of_side(s, side[i].face), side[i].turned, &found);
         found.flat = found.flat && (chord_between(F, G, 1.0) < crease || chord_between(F, G, -1.0) < crease);
     }
     return found;
 }
 
-bool seen_piece_class(const seen *s, uint32_t body, const seen_line *line, const union_piece *piece, uint8_t *class)
+bool seen_piece_class(const seen *s, uint32_t body, const seen_line *line, const union_piece *piece,
+                      roberts_line *class)
 {
     *class = line->class;
     if (piece->state != UNION_DRAWN)
         return piece->state == UNION_ALONE && line->alone;
-    bool back, convex = scene_is_convex(s->source, body);
+    bool back = seen_is_back(line->class), convex = scene_is_convex(s->source, body);
     double crease = convex ? s->rules.crease_chord : crease_of(s, body);
-    edge_faces faces = faces_of_piece(s, piece, crease, &back);
+    edge_faces faces = faces_of_piece(s, line->side + piece->first, piece->count, crease);
     bool fold = (faces.left == 0) != (faces.right == 0);
     if (!fold && faces.flat && !s->rules.all_edges)
         return false;
-    back = back && line->class == ROBERTS_BACK;
-    *class = fold || faces.left == 0 ? ROBERTS_OUTLINE : back ? ROBERTS_BACK : ROBERTS_CREASE;
+    if (fold || faces.left == 0)
+        *class = back ? ROBERTS_BACK_OUTLINE : ROBERTS_OUTLINE;
+    else
+        *class = back ? ROBERTS_BACK : ROBERTS_CREASE;
     return true;
+}
+
+bool seen_take_pieces(const seen *s, uint32_t body, const united *of, uint32_t index, seen_line *line)
+{
+    const union_piece *piece = united_pieces(of, index);
+    bool drawn = false;
+    roberts_line class;
+    line->piece = piece;
+    line->side = of->side;
+    for (bool last = false; !last && !drawn; piece++) {
+        drawn = seen_piece_class(s, body, line, piece, &class);
+        last = piece->t1 == 1.0;
+    }
+    return drawn;
 }
 
 /* Would an edge of a convex body be a line without the union? `line`: what it would be if flat edges were lines. */
@@ -224,10 +242,8 @@ static bool is_lone_solid_line(const seen_walk *w, const seen_line *line)
  * its own body, whatever the others fill. */
 static bool united_line(seen_walk *w, uint32_t edge, seen_line *line)
 {
-    const union_piece *piece = united_pieces(&w->of->united, edge);
-    bool convex = scene_is_convex(w->of->source, w->body), all = w->all, drawn = false;
-    uint8_t class;
-    if (!piece)
+    bool convex = scene_is_convex(w->of->source, w->body), all = w->all;
+    if (!united_pieces(&w->of->edges, edge))
         return lone_line(w, edge, line);
     w->all = all || convex;
     bool is_line = lone_line(w, edge, line);
@@ -235,18 +251,14 @@ static bool united_line(seen_walk *w, uint32_t edge, seen_line *line)
     if (!is_line && (convex || (line->taken & SEEN_TAKEN && !w->hidden)))
         return false;
     line->alone = convex ? is_lone_solid_line(w, line) : is_line;
-    line->piece = piece;
-    for (bool last = false; !last && !drawn; piece++) {
-        drawn = seen_piece_class(w->of, w->body, line, piece, &class);
-        last = piece->t1 == 1.0;
-    }
+    bool drawn = seen_take_pieces(w->of, w->body, &w->of->edges, edge, line);
     w->surviving += drawn && !is_line;
     return drawn;
 }
 
 bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
 {
-    return w->of->united.first ? united_line(w, edge, line) : lone_line(w, edge, line);
+    return w->of->edges.first ? united_line(w, edge, line) : lone_line(w, edge, line);
 }
 
 seen_walk seen_walk_slowly(const seen *s, uint32_t body)
@@ -273,8 +285,20 @@ seen_walk seen_walk_slowly(const seen *s, uint32_t body)
     return w;
 }
 
-seen_name seen_part_name(const roberts_scene *source, uint32_t edge)
+seen_name seen_edge_name(const roberts_scene *source, uint32_t body, uint32_t edge)
 {
-    const scene_part *part = scene_part_at(source, edge);
-    return (seen_name){{part->v[0], part->v[1]}, part->t0, part->t1};
+    if (!scene_is_convex(source, body) && source->surface->edge_is[edge] & EDGE_PART) {
+        const scene_part *part = scene_part_at(source, edge);
+        return (seen_name){{part->v[0], part->v[1]}, part->t0, part->t1};
+    }
+    const scene_edge *e = scene_edge_stored(source, body, edge);
+    uint32_t v0 = source->solid[body].vertex + e->v[0], v1 = source->solid[body].vertex + e->v[1];
+    return (seen_name){{scene_vertex_number(source, v0), scene_vertex_number(source, v1)}, 0.0, 1.0};
+}
+
+seen_name seen_slow_name(const seen *s, uint32_t body, const seen_line *line)
+{
+    if (line->edge == ROBERTS_NONE)
+        return (seen_name){{ROBERTS_NONE, ROBERTS_NONE}, 0.0, 1.0};
+    return seen_edge_name(s->source, body, line->edge);
 }

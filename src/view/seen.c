@@ -41,7 +41,8 @@ void seen_end(seen *s)
     free(s->P);
     free(s->facing);
     free(s->turned);
-    united_free(&s->united);
+    united_free(&s->edges);
+    union_free(&s->bodies);
     view_clip_free(&s->clip);
     *s = (seen){0};
 }
@@ -63,7 +64,8 @@ void seen_set_rules(seen *s, const roberts_hide_options *options)
 
 bool seen_unite(seen *s, uint32_t threads)
 {
-    return united_find(&s->united, s->source, s->view.epsilon * s->view.unit, threads);
+    return union_prepare(&s->bodies, s->source, s->view.epsilon * s->view.unit) &&
+           united_find_edges(&s->edges, &s->bodies, threads);
 }
 
 int seen_either_face(seen *s, uint32_t face, seen_face *out)

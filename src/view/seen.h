@@ -30,13 +30,22 @@ typedef struct seen_rules {
     bool hidden;         /* so are edges that their own convex body hides, or that the near plane takes */
 } seen_rules;
 
+/* Lines that are no edges, body by body: line[first[body]] .. line[first[body + 1] - 1] follow the edges of their body.
+ * NULL: there are none. Who sets them frees them. */
+typedef struct seen_further {
+    const struct seen_line *line;
+    const uint32_t *first; /* [solid_count of scene + 1] */
+} seen_further;
+
 typedef struct seen {
     const roberts_scene *source; /* as given: rows name its vertices and edges */
     const roberts_scene *scene;  /* the same, or what the near plane leaves of it */
     view view;
     view_clip clip;
     seen_rules rules;
-    united united;         /* bodies taken together as one; zeroed: they are not */
+    seen_further further;
+    union_bodies bodies;   /* taken together as one ... */
+    united edges;          /* ... their edges; zeroed: they are not */
     roberts_vec3 *P;       /* [vertex_count of scene] view points of bodies that are mapped */
     unsigned char *facing; /* [face_count of scene] VIEW_FRONT, _BACK or _EDGE_ON, likewise */
     uint32_t *turned;      /* [corners of scene] of faces seen from behind, the other way round; NULL: all bodies are
@@ -142,44 +151,41 @@ enum {
 };
 
 typedef struct seen_line {
-    uint32_t edge;            /* of seen.source; ROBERTS_NONE: the line is no edge */
-    uint32_t v[2];            /* its ends, vertices of seen.scene; ROBERTS_NONE: a computed point */
-    const seen_point *end;    /* [2] computed ends; NULL: both ends are vertices */
-    seen_own own;             /* its own faces: they do not hide it */
-    double t0, t1;            /* what the line is of its edge */
-    uint8_t class;            /* roberts_line */
-    uint8_t taken;            /* SEEN_TAKEN... */
+    uint32_t edge;         /* of seen.source; ROBERTS_NONE: the line is no edge */
+    uint32_t v[2];         /* its ends, vertices of seen.scene; ROBERTS_NONE: a computed point */
+    const seen_point *end; /* [2] computed ends, never NULL if the line is no edge; NULL: both are vertices */
+    seen_own own;          /* its own faces: they do not hide it */
+    double t0, t1;         /* what the line is of its edge */
+    roberts_line class;
+    unsigned taken;           /* SEEN_TAKEN... */
     bool alone;               /* pieces that the union leaves as they are belong to the line, in its class */
-    const union_piece *piece; /* of the edge, up to t1 == 1; NULL: the whole line is of one class */
+    const union_piece *piece; /* of the line, up to t1 == 1; NULL: the whole line is of one class */
+    const union_side *side;   /* what the pieces' sides count from */
 } seen_line;
 
+/* Gives a line its pieces, those of line `index` of `of`. False: the line has none that is drawn. */
+bool seen_take_pieces(const seen *s, uint32_t body, const united *of, uint32_t index, seen_line *line);
+
 /* The class of a piece of a line that has pieces; false: the piece is no part of it. */
-bool seen_piece_class(const seen *s, uint32_t body, const seen_line *line, const union_piece *piece, uint8_t *class);
+bool seen_piece_class(const seen *s, uint32_t body, const seen_line *line, const union_piece *piece,
+                      roberts_line *class);
 
 /* What rows call an edge of seen.source: t0..t1 of the edge between two vertices of the input. */
 typedef struct seen_name {
-    uint32_t v[2]; /* as in the input */
+    uint32_t v[2]; /* as in the input; ROBERTS_NONE: of a line that is no edge */
     double t0, t1; /* 0 and 1 but where an edge of the file has been cut */
 } seen_name;
 
-seen_name seen_part_name(const roberts_scene *source, uint32_t edge);
+/* Of an edge; of a line. */
+seen_name seen_edge_name(const roberts_scene *source, uint32_t body, uint32_t edge);
+seen_name seen_slow_name(const seen *s, uint32_t body, const seen_line *line);
 
-static inline seen_name seen_edge_name(const roberts_scene *source, uint32_t body, uint32_t edge)
-{
-    if (!scene_is_convex(source, body) && source->surface->edge_is[edge] & EDGE_PART)
-        return seen_part_name(source, edge);
-    const scene_edge *e = scene_edge_stored(source, body, edge);
-    uint32_t first = source->solid[body].vertex;
-    return (seen_name){
-        {scene_vertex_number(source, first + e->v[0]), scene_vertex_number(source, first + e->v[1])}, 0.0, 1.0};
-}
-
-/* The same of the edge of a line; where nothing is cut its ends are at hand. */
+/* The same; where nothing is cut the ends of the line are at hand. */
 static inline seen_name seen_line_name(const seen *s, uint32_t body, const seen_line *line)
 {
     const roberts_scene *source = s->source;
-    if (s->clip.clipped || !scene_is_convex(source, body))
-        return seen_edge_name(source, body, line->edge);
+    if (s->clip.clipped || line->end || !scene_is_convex(source, body))
+        return seen_slow_name(s, body, line);
     return (seen_name){{scene_vertex_number(source, line->v[0]), scene_vertex_number(source, line->v[1])}, 0.0, 1.0};
 }
 
@@ -212,7 +218,7 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
 {
     const roberts_scene *scene = s->scene;
     const scene_solid *own = &scene->solid[body];
-    if (s->clip.clipped || s->united.first || !scene_is_convex(scene, body))
+    if (s->clip.clipped || s->edges.first || !scene_is_convex(scene, body))
         return seen_walk_slowly(s, body);
     return (seen_walk){.of = s,
                        .body = body,
@@ -227,10 +233,18 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
                        .vertex = own->vertex};
 }
 
-/* The class of an edge by how many of its two faces are front. */
-static inline roberts_line seen_class(int fronts)
+/* The class of an edge of a convex body, by the facing of its two faces. fronts: how many of them are front. */
+static inline roberts_line seen_class(int fronts, int f, int g)
 {
-    return fronts == 1 ? ROBERTS_OUTLINE : fronts == 2 ? ROBERTS_CREASE : ROBERTS_BACK;
+    if (fronts > 0)
+        return fronts == 1 ? ROBERTS_OUTLINE : ROBERTS_CREASE;
+    return f == VIEW_BACK && g == VIEW_BACK ? ROBERTS_BACK : ROBERTS_BACK_OUTLINE;
+}
+
+/* Is it the class of an edge that its own body hides? */
+static inline bool seen_is_back(roberts_line class)
+{
+    return class == ROBERTS_BACK || class == ROBERTS_BACK_OUTLINE;
 }
 
 static inline int seen_fronts(const unsigned char *facing, const scene_edge *edge)
@@ -261,7 +275,7 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
     line->own = (seen_own){{w->key, ROBERTS_NONE}, NULL};
     line->t0 = 0.0;
     line->t1 = 1.0;
-    line->class = (uint8_t)seen_class(fronts);
+    line->class = seen_class(fronts, w->facing[edge->f[0]], w->facing[edge->f[1]]);
     line->taken = 0;
     line->piece = NULL;
     return true;
@@ -270,12 +284,12 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
 /* Finds the line of edge `edge` of the walk's body; false: the edge is none. */
 bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line);
 
-/* Finds the next line; false at the end. */
-BITS_INLINE bool seen_next(seen_walk *w, seen_line *line)
+/* Finds the next line; false at the end. slow: w->slow. */
+BITS_INLINE bool seen_next(seen_walk *w, seen_line *line, bool slow)
 {
     while (w->edge < w->end) {
         line->edge = w->edge++;
-        if (w->slow ? seen_slow_line(w, line->edge, line) : seen_solid_line(w, w->stored++, line))
+        if (slow ? seen_slow_line(w, line->edge, line) : seen_solid_line(w, w->stored++, line))
             return true;
     }
     return false;

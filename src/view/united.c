@@ -1,14 +1,12 @@
-/* united.c - see united.h. Threads take chunks of bodies; what they find is then laid down in the order of the chunks.
- */
+/* united.c - see united.h. Threads take chunks of lines; what they find is then laid down in the order of the lines. */
 #include "view/united.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/array.h"
 #include "base/threads.h"
 
-enum { CHUNK_BODIES = 64, CHUNKS_PER_THREAD = 2 };
+enum { CHUNK_LINES = 512, CHUNKS_PER_THREAD = 2 };
 
 /* What is found of one chunk. */
 typedef struct chunk {
@@ -18,10 +16,17 @@ typedef struct chunk {
     bool lost; /* no memory */
 } chunk;
 
-/* Keeps the answer about one edge, unless it is that nothing changes. first: where the edge's pieces begin. */
+typedef struct search {
+    const union_bodies *all;
+    united_line_fn *line_of;
+    const void *context;
+    uint32_t count;
+    uint32_t *first; /* [count] counts from the pieces of the chunk */
+} search;
+
+/* Keeps the answer about one line, unless it is that nothing changes. first: where the line's pieces begin. */
 static bool keep(chunk *to, const union_work *work, uint32_t *first)
 {
-    *first = ROBERTS_NONE;
     if (work->piece_count == 1 && work->piece[0].state == UNION_ALONE)
         return true;
     if (!array_reserve(&to->piece, &to->piece_room, to->piece_count + work->piece_count, sizeof *to->piece) ||
@@ -38,30 +43,32 @@ static bool keep(chunk *to, const union_work *work, uint32_t *first)
     return true;
 }
 
-static bool find_chunk(const united *u, const union_bodies *all, uint32_t index, chunk *to)
+static uint32_t end_of(const search *s, uint32_t index)
 {
-    const roberts_scene *scene = all->scene;
-    uint32_t body = index * CHUNK_BODIES, left = scene->solid_count - body;
+    uint32_t begin = index * CHUNK_LINES;
+    return s->count - begin < CHUNK_LINES ? s->count : begin + CHUNK_LINES;
+}
+
+static bool find_chunk(const search *s, uint32_t index, chunk *to)
+{
     union_work work = {0};
     bool done = true;
-    for (uint32_t last = body + (left < CHUNK_BODIES ? left : CHUNK_BODIES); body < last; body++)
-        for (uint32_t e = scene->solid[body].edge; e < scene->solid[body + 1].edge && done; e++) {
-            uint32_t own[2];
-            u->first[e] = ROBERTS_NONE;
-            if (!union_takes(scene, body))
-                continue;
-            union_line line = union_line_of_edge(scene, body, e, own);
-            done = union_cut(all, &line, &work) && keep(to, &work, &u->first[e]);
-        }
+    for (uint32_t i = index * CHUNK_LINES; i < end_of(s, index) && done; i++) {
+        union_line line;
+        uint32_t own[2];
+        s->first[i] = ROBERTS_NONE;
+        if (s->line_of(s->context, i, &line, own))
+            done = union_cut(s->all, &line, &work) && keep(to, &work, &s->first[i]);
+    }
     union_work_free(&work);
     return done;
 }
 
 /* Lays the chunks down one after another. */
-static bool join_chunks(united *u, const roberts_scene *scene, const chunk *found, uint32_t count)
+static bool join_chunks(united *u, const search *s, const chunk *found, uint32_t chunks)
 {
     size_t pieces = 0, sides = 0;
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < chunks; i++) {
         if (found[i].lost)
             return false;
         pieces += found[i].piece_count;
@@ -71,16 +78,14 @@ static bool join_chunks(united *u, const roberts_scene *scene, const chunk *foun
     u->side = alloc_array(sides, sizeof *u->side);
     if (!u->piece || !u->side || pieces >= ROBERTS_NONE || sides >= ROBERTS_NONE)
         return false;
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t body = i * CHUNK_BODIES, left = scene->solid_count - body;
-        uint32_t last = body + (left < CHUNK_BODIES ? left : CHUNK_BODIES);
-        for (uint32_t e = scene->solid[body].edge; e < scene->solid[last].edge; e++)
-            if (u->first[e] != ROBERTS_NONE)
-                u->first[e] += (uint32_t)u->piece_count;
+    for (uint32_t i = 0; i < chunks; i++) {
+        for (uint32_t k = i * CHUNK_LINES; k < end_of(s, i); k++)
+            if (u->first[k] != ROBERTS_NONE)
+                u->first[k] += (uint32_t)u->piece_count;
+        size_t before = u->side_count;
         for (size_t k = 0; k < found[i].piece_count; k++) {
-            union_piece piece = found[i].piece[k];
-            piece.first += (uint32_t)u->side_count;
-            u->piece[u->piece_count++] = piece;
+            u->piece[u->piece_count] = found[i].piece[k];
+            u->piece[u->piece_count++].first += (uint32_t)before;
         }
         for (size_t k = 0; k < found[i].side_count; k++)
             u->side[u->side_count++] = found[i].side[k];
@@ -88,48 +93,35 @@ static bool join_chunks(united *u, const roberts_scene *scene, const chunk *foun
     return true;
 }
 
-static size_t count_seams(const united *u, uint32_t edges)
-{
-    size_t seams = 0;
-    for (uint32_t e = 0; e < edges; e++) {
-        const union_piece *p = united_pieces(u, e);
-        bool seam = false;
-        for (; p; p = p->t1 < 1.0 ? p + 1 : NULL)
-            seam = seam || p->state == UNION_SEAM || p->state == UNION_INSIDE;
-        seams += seam;
-    }
-    return seams;
-}
-
-static bool find_all(united *u, const union_bodies *all, chunk *found, uint32_t count, int threads)
+static void find_chunks(const search *s, chunk *found, uint32_t chunks, int threads)
 {
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 #else
     (void)threads;
 #endif
-    for (uint32_t i = 0; i < count; i++)
-        found[i].lost = !find_chunk(u, all, i, &found[i]);
-    return join_chunks(u, all->scene, found, count);
+    for (uint32_t i = 0; i < chunks; i++)
+        found[i].lost = !find_chunk(s, i, &found[i]);
 }
 
-bool united_find(united *u, const roberts_scene *scene, double touch, uint32_t threads)
+bool united_find(united *u, const union_bodies *all, united_line_fn *line_of, const void *context, uint32_t count,
+                 uint32_t threads)
 {
-    uint32_t count = (scene->solid_count + CHUNK_BODIES - 1) / CHUNK_BODIES;
-    union_bodies all = {0};
-    chunk *found = alloc_zeroed(count, sizeof *found);
-    *u = (united){.first = alloc_array(scene->edge_count, sizeof *u->first)};
-    bool done = found && u->first && union_prepare(&all, scene, touch);
-    done = done && find_all(u, &all, found, count, threads_for(threads, 1 + count / CHUNKS_PER_THREAD));
-    for (uint32_t i = 0; found && i < count; i++) {
+    uint32_t chunks = (uint32_t)(((size_t)count + CHUNK_LINES - 1) / CHUNK_LINES);
+    chunk *found = alloc_zeroed(chunks, sizeof *found);
+    *u = (united){.first = alloc_array(count, sizeof *u->first)};
+    search s = {all, line_of, context, count, u->first};
+    bool done = found && u->first;
+    if (done) {
+        find_chunks(&s, found, chunks, threads_for(threads, 1 + chunks / CHUNKS_PER_THREAD));
+        done = join_chunks(u, &s, found, chunks);
+    }
+    for (uint32_t i = 0; found && i < chunks; i++) {
         free(found[i].piece);
         free(found[i].side);
     }
     free(found);
-    union_free(&all);
-    if (done)
-        u->seams = count_seams(u, scene->edge_count);
-    else
+    if (!done)
         united_free(u);
     return done;
 }
@@ -140,4 +132,46 @@ void united_free(united *u)
     free(u->piece);
     free(u->side);
     *u = (united){0};
+}
+
+/* The body of an edge. */
+static uint32_t body_of(const roberts_scene *scene, uint32_t edge)
+{
+    uint32_t low = 0, high = scene->solid_count;
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2;
+        if (scene->solid[middle].edge <= edge)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static bool line_of_edge(const void *context, uint32_t index, union_line *line, uint32_t own[2])
+{
+    const roberts_scene *scene = context;
+    uint32_t body = body_of(scene, index);
+    if (!union_takes(scene, body))
+        return false;
+    *line = union_line_of_edge(scene, body, index, own);
+    return true;
+}
+
+bool united_find_edges(united *u, const union_bodies *all, uint32_t threads)
+{
+    return united_find(u, all, line_of_edge, all->scene, all->scene->edge_count, threads);
+}
+
+size_t united_seams(const united *u, uint32_t count)
+{
+    size_t seams = 0;
+    for (uint32_t i = 0; u->first && i < count; i++) {
+        const union_piece *p = united_pieces(u, i);
+        bool seam = false;
+        for (; p; p = p->t1 < 1.0 ? p + 1 : NULL)
+            seam = seam || p->state == UNION_SEAM || p->state == UNION_INSIDE;
+        seams += seam;
+    }
+    return seams;
 }

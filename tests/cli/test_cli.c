@@ -467,6 +467,62 @@ static void tables_name_class_and_faces(void **state)
     assert_null(strstr(last.out, ",border,"));
 }
 
+/* How often `what` stands in the output. */
+static size_t count(const char *what)
+{
+    size_t found = 0;
+    for (const char *at = last.out; (at = strstr(at, what)); at++)
+        found++;
+    return found;
+}
+
+static const struct {
+    const char *arguments;
+    size_t outlines, creases, clipped;
+} class_cases[] = {
+    /* an edge between two back faces is a crease, one with a face edge-on an outline */
+    {"--view iso models/platonic/cube.off", 6, 6, 0},
+    {"--view top models/platonic/cube.off", 12, 0, 0},
+    /* the front is taken, which faces the eye and no other face does, and a part of the four edges to the back */
+    {"--eye 0,-4,0 --near 3.5 models/platonic/cube.off", 4, 4 + 2 * 4, 4 + 4},
+    /* from higher up the top faces the eye too */
+    {"--eye 0,-4,2 --look-at 0,4,2 --near 3.5 models/platonic/cube.off", 3 + 2 * 2 + 1, 1 + 2 * 2 + 3, 4 + 4},
+    /* a floor with a sheet that rises from its front edge, above it, and one that rises from its back edge, behind it
+     */
+    {"--eye 0,-5,1 --look-at 0,4,1 --near 8 far.off", 1, 1, 4 + 4},
+};
+
+/* Rows have the class of the line where it is hidden or taken by the near plane, too. */
+static void lost_lines_have_a_class(void **state)
+{
+    char line[300];
+    (void)state;
+    put("far.off", "OFF\n5 3 0\n-1 0 0\n1 0 0\n1 1 0\n-1 1 0\n0 9 3\n4 0 1 2 3\n3 0 1 4\n3 2 3 4\n");
+    for (size_t i = 0; i < sizeof class_cases / sizeof class_cases[0]; i++) {
+        snprintf(line, sizeof line, "-q -f csv --hidden dashed %s", class_cases[i].arguments);
+        assert_int_equal(run(line), 0);
+        print_message("%s\n%s", line, last.out);
+        assert_int_equal(count(",outline,"), class_cases[i].outlines);
+        assert_int_equal(count(",crease,"), class_cases[i].creases);
+        assert_int_equal(count(",clipped,"), class_cases[i].clipped);
+    }
+}
+
+/* Levels are counted only if they are wanted; a row that is not hidden has 0. */
+static void levels_are_counted(void **state)
+{
+    (void)state;
+    assert_int_equal(run("--view top models/platonic/cube.off -f csv --hidden dashed --columns +name,+level"), 0);
+    assert_int_equal(count(",outline,0,2,,0\n") + count(",outline,0,1,,0\n"), 2);
+    assert_int_equal(count(",,1\n"), 8);
+    assert_int_equal(run("--view top models/platonic/cube.off -f json --hidden dashed --columns +level"), 0);
+    assert_int_equal(count("\"level\":1}"), 8);
+    assert_int_equal(run("--view top models/platonic/cube.off -f csv --columns +level"), 0);
+    assert_int_equal(count(",0\n"), 4);
+    assert_int_equal(run("models/platonic/cube.off -f csv --columns level"), 2);
+    assert_int_equal(strncmp(last.err, "roberts: --columns: \"level\" is unknown; did you mean +level?", 60), 0);
+}
+
 static void too_large_for_the_page(void **state)
 {
     (void)state;
@@ -936,6 +992,8 @@ int main(void)
         IN_FOLDER(angles_are_views),
         IN_FOLDER(pages_and_pens),
         IN_FOLDER(borders_and_wires),
+        IN_FOLDER(lost_lines_have_a_class),
+        IN_FOLDER(levels_are_counted),
         IN_FOLDER(tables_name_class_and_faces),
         IN_FOLDER(too_large_for_the_page),
         IN_FOLDER(description_depends_on_the_drawing_alone),

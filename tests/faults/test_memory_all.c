@@ -39,7 +39,7 @@ static roberts_status run(const run_case *c, roberts_error *error, size_t *writt
     roberts_drawing drawing = {0};
     roberts_hide_options hide = roberts_hide_options_default();
     roberts_draw_options draw = roberts_draw_options_default();
-    hide.keep_hidden = c->keep_hidden;
+    hide.keep_hidden = hide.levels = c->keep_hidden;
     hide.grid = c->grid;
     hide.threads = 1;
     draw.format = c->format;

@@ -3,6 +3,7 @@
 #include <dirent.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -10,6 +11,12 @@
 #include <cmocka.h>
 
 #include "oracle/golden.h"
+
+/* Folders of bodies that are not convex: test_mesh_oracle.c compares their drawings with the exact oracle. */
+static bool left_out(const char *folder)
+{
+    return !strcmp(folder, "star") || !strcmp(folder, "shapes");
+}
 
 /* Calls visit for each model in a folder below models/ and in the folders in it. */
 static void each_model(const char *below, void (*visit)(const char *below, void *context), void *context)
@@ -28,6 +35,8 @@ static void each_model(const char *below, void (*visit)(const char *below, void 
         assert_int_equal(stat(path, &about), 0);
         size_t length = strlen(name);
         if (S_ISDIR(about.st_mode)) {
+            if (left_out(name))
+                continue;
             snprintf(path, sizeof path, "%s/", name);
             each_model(path, visit, context);
         } else if (length > 4 && !strcmp(name + length - 4, ".off")) {

@@ -89,13 +89,13 @@ static const body_case cases[] = {
 };
 
 /* Visible length of each class. */
-static void measure(const roberts_drawing *drawing, double length[ROBERTS_INTERSECTION + 1])
+static void measure(const roberts_drawing *drawing, double length[ROBERTS_BACK_OUTLINE + 1])
 {
-    for (int i = 0; i <= ROBERTS_INTERSECTION; i++)
+    for (int i = 0; i <= ROBERTS_BACK_OUTLINE; i++)
         length[i] = 0.0;
     for (size_t i = 0; i < drawing->count; i++) {
         const roberts_segment *s = &drawing->segment[i];
-        assert_in_range(s->line, 0, ROBERTS_INTERSECTION);
+        assert_in_range(s->line, 0, ROBERTS_BACK_OUTLINE);
         assert_true(s->t0 < s->t1 && s->v0 < s->v1);
         length[s->line] += hypot(s->p1.x - s->p0.x, s->p1.y - s->p0.y);
     }
@@ -128,16 +128,16 @@ static void lines_have_their_classes(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const body_case *c = &cases[i];
-        const double wanted[] = {c->outline, c->crease, 0.0, c->border, c->wire};
+        const double wanted[ROBERTS_BACK_OUTLINE + 1] = {c->outline, c->crease, 0.0, c->border, c->wire};
         roberts_scene *scene = scene_of(c->text, &(roberts_scene_options){.even_odd = c->even_odd});
         roberts_drawing drawing = drawing_of(scene, c->dir, c->all_edges);
-        double length[ROBERTS_INTERSECTION + 1];
+        double length[ROBERTS_BACK_OUTLINE + 1];
         print_message("%s\n", c->name);
         assert_int_equal(roberts_scene_solid_count(scene), strlen(c->kinds));
         for (uint32_t s = 0; s < strlen(c->kinds); s++)
             assert_int_equal("xco"[roberts_scene_body_kind(scene, s)], c -> kinds[s]);
         measure(&drawing, length);
-        for (int k = 0; k <= ROBERTS_INTERSECTION; k++)
+        for (int k = 0; k <= ROBERTS_BACK_OUTLINE; k++)
             if (fabs(length[k] - wanted[k]) > 1e-9)
                 fail_msg("class %d: %.12g of lines instead of %.12g", k, length[k], wanted[k]);
         roberts_drawing_free(&drawing);
@@ -194,7 +194,7 @@ static void the_fill_rule_decides(void **state)
                                         "5 0 1 2 3 4\n2 5 6\n",
                                         &(roberts_scene_options){.even_odd = odd});
         roberts_drawing drawing = drawing_of(scene, (roberts_vec3){0, 0, 1}, false);
-        double length[ROBERTS_INTERSECTION + 1];
+        double length[ROBERTS_BACK_OUTLINE + 1];
         measure(&drawing, length);
         assert_true(fabs(length[ROBERTS_WIRE] - (odd ? 0.2 : 0.0)) < 1e-12);
         roberts_drawing_free(&drawing);

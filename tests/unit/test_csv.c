@@ -143,34 +143,36 @@ static void commas_become_points(void **state)
 static roberts_crossing crossing = {{3, 8}, {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}};
 
 static roberts_segment some[] = {
-    {0, 0, 1, ROBERTS_NONE, 0.0, 0.5, {0.0, -1.5}, {1e-7, 2e20}, 0.0, 0.0, ROBERTS_VISIBLE, ROBERTS_OUTLINE, 0},
-    {0, 0, 1, 7, 0.5, 1.0, {1e-7, 2e20}, {0.1, 3.0}, 0.0, 0.0, ROBERTS_HIDDEN, ROBERTS_OUTLINE, 0},
-    {4294967294u,
-     9,
-     10,
-     ROBERTS_NONE,
-     0.25,
-     1.0,
-     {-0.0, 1.0},
-     {1.0, 1.0},
-     0.0,
-     0.0,
-     ROBERTS_CLIPPED,
-     ROBERTS_CREASE,
-     0},
-    {2,
-     ROBERTS_NONE,
-     ROBERTS_NONE,
-     ROBERTS_NONE,
-     0.0,
-     0.25,
-     {1.0, 2.0},
-     {3.0, 4.0},
-     5.0,
-     6.0,
-     ROBERTS_VISIBLE,
-     ROBERTS_INTERSECTION,
-     0},
+    {.v1 = 1, .by = ROBERTS_NONE, .t1 = 0.5, .p0 = {0.0, -1.5}, .p1 = {1e-7, 2e20}, .line = ROBERTS_OUTLINE},
+    {.v1 = 1,
+     .by = 7,
+     .t0 = 0.5,
+     .t1 = 1.0,
+     .p0 = {1e-7, 2e20},
+     .p1 = {0.1, 3.0},
+     .state = ROBERTS_HIDDEN,
+     .line = ROBERTS_OUTLINE,
+     .level = 3},
+    {.solid = 4294967294u,
+     .v0 = 9,
+     .v1 = 10,
+     .by = ROBERTS_NONE,
+     .t0 = 0.25,
+     .t1 = 1.0,
+     .p0 = {-0.0, 1.0},
+     .p1 = {1.0, 1.0},
+     .state = ROBERTS_CLIPPED,
+     .line = ROBERTS_CREASE},
+    {.solid = 2,
+     .v0 = ROBERTS_NONE,
+     .v1 = ROBERTS_NONE,
+     .by = ROBERTS_NONE,
+     .t1 = 0.25,
+     .p0 = {1.0, 2.0},
+     .p1 = {3.0, 4.0},
+     .z0 = 5.0,
+     .z1 = 6.0,
+     .line = ROBERTS_INTERSECTION},
 };
 
 static const struct {
@@ -224,6 +226,7 @@ static const struct {
      3,
      {ROBERTS_COLUMN_DEPTH, ROBERTS_COLUMN_NAME, ROBERTS_COLUMN_ENDS},
      ",f1,z0,z1,name,X0,Y0,Z0,X1,Y1,Z1\n2,,,0,0.25,visible,1,2,3,4,,intersection,3,8,5,6,,0,0,0,0,0,0.25\n"},
+    {"level", ROBERTS_CSV, 1, 1, {ROBERTS_COLUMN_LEVEL}, ",outline,,,3\n"},
     {"no ends", ROBERTS_CSV, 0, 1, {ROBERTS_COLUMN_ENDS}, "outline,,,,,,,,\n"},
     {"no ends, no name, in JSON",
      ROBERTS_JSON,
@@ -252,6 +255,7 @@ static void further_columns(void **state)
         roberts_error error = {0};
         sink to = {0};
         options.format = column_cases[i].format;
+        options.hidden = ROBERTS_HIDDEN_DASHED;
         options.column_count = column_cases[i].column_count;
         memcpy(options.column, column_cases[i].column, sizeof options.column);
         print_message("%s\n", column_cases[i].name);
@@ -269,8 +273,8 @@ static void further_columns(void **state)
 static void columns_of_a_scene(void **state)
 {
     static const char *const wanted[] = {
-        "0,0,1,0,1,visible,-0.5,-1,-0.5,1,,border,0,,0,0,5,0,2,5,0.5,0.5,\"a, \"\"b\"\"\"\n",
-        "\"X1\":0,\"Y1\":2,\"Z1\":5,\"z0\":0.5,\"z1\":0.5,\"name\":\"a, \\\"b\\\"\"}",
+        "0,0,1,0,1,visible,-0.5,-1,-0.5,1,,border,0,,0,0,5,0,2,5,0.5,0.5,0,\"a, \"\"b\"\"\"\n",
+        "\"X1\":0,\"Y1\":2,\"Z1\":5,\"z0\":0.5,\"z1\":0.5,\"level\":0,\"name\":\"a, \\\"b\\\"\"}",
     };
     static const char text[] = "o a, \"b\"\nv 0 0 5\nv 0 2 5\nv 1 0 4\nf 1 3 2\n";
     roberts_mesh mesh = {0};

@@ -1,5 +1,4 @@
-/* The four tests of src/hide/tests.c, each by itself, with every tie; then all of them together. Scenes are bare points
- * in view space: the viewer at z = +infinity, so that a face seen from the front runs counter-clockwise. */
+/* The four tests of src/hide/tests.c, each by itself, with every tie; then all of them together. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -8,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "hide/tests.h"
+#include "bare_points.h"
 
 #define EPSILON 1e-9
 
@@ -34,8 +33,7 @@ static void set_up(fixture *f, const roberts_vec3 *corners, uint32_t count, robe
     }
     f->P[count] = A;
     f->P[count + 1] = B;
-    f->space =
-        (hide_space){.P = f->P, .epsilon = EPSILON, .rounding = 1e-16, .plain = hide_plain(10.0, EPSILON, 1e-16)};
+    f->space = bare_space(f->P, EPSILON, 1e-16, 10.0);
     n = vec3_cross(vec3_sub(corners[1], corners[0]), vec3_sub(corners[2], corners[0]));
     n = vec3_scale(-1.0 / vec3_length(n), n); /* inward: away from the viewer */
     f->face = (hide_face){.F = {n.x, n.y, n.z, -vec3_dot(n, corners[0])},
@@ -43,9 +41,7 @@ static void set_up(fixture *f, const roberts_vec3 *corners, uint32_t count, robe
                           .count = count,
                           .touch = EPSILON,
                           .limit = EPSILON};
-    f->edge = (hide_edge){.A = A, .B = B, .a = count, .b = count + 1};
-    f->edge.length = hypot(B.x - A.x, B.y - A.y);
-    f->edge.length3 = vec3_length(vec3_sub(B, A));
+    f->edge = bare_edge(f->P, count, count + 1);
     assert_true(hide_sides_reserve(&f->sides, count));
 }
 
@@ -213,11 +209,7 @@ static bool one_by_one(const hide_space *space, const hide_face *F, const hide_e
         sides->tally.test1_visible++;
         return false;
     }
-    if (hide_test2(space, F, e)) {
-        sides->tally.test2_visible++;
-        return false;
-    }
-    if (!hide_by_sides(space, F, e, sides, part))
+    if (!bare_tests_2_to_4(space, F, e, sides, part))
         return false;
     hide_interval inside = *part;
     return hide_pierce(space, F, e, &inside, sides, part) && hide_is_left(space, e, part);

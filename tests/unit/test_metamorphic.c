@@ -795,7 +795,8 @@ static void one_solid_hides_one_interval(void **state)
         model_to_digits(&m, 5 + i / 8 % 2);
         roberts_drawing d = model_draw(&m, &camera, &options);
         for (size_t k = 0; k < d.count; k++) {
-            bool hidden = d.segment[k].state == ROBERTS_HIDDEN && d.segment[k].line != ROBERTS_BACK;
+            bool hidden = d.segment[k].state == ROBERTS_HIDDEN && d.segment[k].line != ROBERTS_BACK &&
+                          d.segment[k].line != ROBERTS_BACK_OUTLINE;
             parts += hidden;
             if (hidden && k >= 2 && same_edge(&d.segment[k - 2], &d.segment[k]) &&
                 d.segment[k - 2].state == ROBERTS_HIDDEN) {
@@ -993,7 +994,8 @@ static bool agrees(const witness *w, const roberts_segment *s, roberts_vec3 P, b
     double grow = w->ties ? 0.0 : w->tie, nearest;
     bool larger = is_hidden(w, s->solid, P, grow, &nearest), smaller = is_hidden(w, s->solid, P, -grow, &nearest);
     *certain = larger == smaller;
-    return !*certain || s->line == ROBERTS_BACK || larger == (s->state == ROBERTS_HIDDEN);
+    return !*certain || s->line == ROBERTS_BACK || s->line == ROBERTS_BACK_OUTLINE ||
+           larger == (s->state == ROBERTS_HIDDEN);
 }
 
 /* Points inside each row and close to its ends have its state: with the tiling, each row begins and ends where it

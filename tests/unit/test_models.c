@@ -13,6 +13,7 @@
 
 #include <cmocka.h>
 
+#include "mesh_corners.h"
 #include "model/scene.h"
 #include "whole_file.h"
 
@@ -22,7 +23,8 @@ static const double ROUNDING = 1e-12;
 
 enum { PATH_ROOM = 1024, CORNER_MAX = 12 };
 
-static const char *const folders[] = {"", "platonic/", "archimedean/", "catalan/", "prisms/", "tests/"};
+static const char *const folders[] = {"",        "platonic/", "archimedean/", "catalan/",
+                                      "prisms/", "star/",     "shapes/",      "tests/"};
 
 static const char *build_folder(void)
 {
@@ -148,10 +150,12 @@ static void misuse_and_failure(void **state)
 
 /* ---- reading --------------------------------------------------------------------------------------------------- */
 
+/* None but that a corner comes twice, at the end of a slit, in the shapes that have holes. */
 static void no_warning(void *context, const char *file, size_t line, const char *message)
 {
     (void)context;
-    fail_msg("%s:%zu: %s", file, line, message);
+    if (!file || !strstr(file, "/shapes/") || !strstr(message, " that repeat another of the same face"))
+        fail_msg("%s:%zu: %s", file, line, message);
 }
 
 static const roberts_warnings strict = {no_warning, NULL};
@@ -276,35 +280,6 @@ static const known_solid known[] = {
     {"prisms/antiprism-10", UNIFORM, 20, 40, 22, {[3] = 20, [10] = 2}},
     {"prisms/antiprism-12", UNIFORM, 24, 48, 26, {[3] = 24, [12] = 2}},
 };
-
-static size_t corner_count(const roberts_mesh *m, size_t f)
-{
-    return m->face_start[f + 1] - m->face_start[f];
-}
-
-/* Corner i of face f, i less than twice their number. */
-static uint32_t corner(const roberts_mesh *m, size_t f, size_t i)
-{
-    return m->corner[m->face_start[f] + (i < corner_count(m, f) ? i : i - corner_count(m, f))];
-}
-
-static roberts_vec3 point(const roberts_mesh *m, size_t f, size_t i)
-{
-    return m->vertex[corner(m, f, i)];
-}
-
-/* Unit normal of face f by the winding of its first three corners. */
-static roberts_vec3 normal(const roberts_mesh *m, size_t f)
-{
-    roberts_vec3 o = point(m, f, 1);
-    roberts_vec3 n = vec3_cross(vec3_sub(o, point(m, f, 0)), vec3_sub(point(m, f, 2), o));
-    return vec3_scale(1 / vec3_length(n), n);
-}
-
-static double distance(roberts_vec3 a, roberts_vec3 b)
-{
-    return vec3_length(vec3_sub(a, b));
-}
 
 static void check_counts(const known_solid *k, const roberts_mesh *m)
 {
@@ -552,7 +527,7 @@ static outcome drawn(const roberts_mesh *m, const char *name, int said)
         const roberts_segment *s = &drawing.segment[i];
         if (s->v0 != 8 || s->v1 != 9)
             continue;
-        if (s->line == ROBERTS_BACK)
+        if (s->line == ROBERTS_BACK || s->line == ROBERTS_BACK_OUTLINE)
             fail_msg("%s: edge 8-9 is hidden by its own solid", name);
         if (s->state == ROBERTS_HIDDEN)
             o.t0 = s->t0, o.t1 = s->t1;
@@ -609,7 +584,10 @@ static void check_builds(const char *path, const char *name)
 {
     roberts_mesh mesh = read_mesh(path);
     roberts_scene *scene = build_scene(&mesh, name);
-    assert_int_equal(roberts_scene_vertex_count(scene), mesh.vertex_count);
+    size_t count = roberts_scene_vertex_count(scene);
+    bool crosses_itself = strncmp(name, "star/", 5) == 0; /* then points where sides cross may have been added */
+    if (crosses_itself ? count < mesh.vertex_count : count != mesh.vertex_count)
+        fail_msg("%s: %zu vertices", name, count);
     roberts_scene_free(scene);
     roberts_mesh_free(&mesh);
 }
@@ -706,6 +684,9 @@ static void figures_have_the_faces_they_promise(void **state)
         {"cubic-space", 64 + 3 * 48, {6, 6, 6, 6, 6, 6, 6, 6}},
         {"platonic-solids", 6, {6, 4, 6, 8, 12, 20}},
         {"archimedean-solids", 13, {8, 14, 14, 14, 26, 26, 38, 32}},
+        {"compound-of-five-tetrahedra", 5, {4, 4, 4, 4, 4}},
+        {"menger-sponge", 20 * 20, {6, 6, 6, 6, 6, 6, 6, 6}},
+        {"locomotive", 54, {6, 6, 6, 6, 6, 6, 6, 6}},
         {"crystals", 8, {6 + 8, 12 + 24, 12 + 6, 4 + 8, 6 + 6 + 6, 12 + 6, 4 + 4 + 8 + 2, 8 + 8 + 4 + 2}},
     };
     (void)state;

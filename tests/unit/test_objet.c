@@ -499,8 +499,9 @@ static void lists_are_complete_and_in_order(void **state)
             assert_true(
                 hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
             assert_int_equal(fronts.culled_count, 0);
-            scan_frame frame = cells_for_lists(fronts.front_box, fronts.front_count, fronts.low, fronts.high, sides[i],
-                                               hide_margin(&fronts.space), &depth);
+            scan_frame frame = cells_for_lists(&(cells_boxes){fronts.front_box, fronts.front_count, fronts.low,
+                                                              fronts.high, hide_margin(&fronts.space)},
+                                               sides[i], &depth);
             assert_int_equal(objet_build(&grid, &fronts, frame, 1), ROBERTS_OK);
             expect_lists(&grid, &fronts);
             assert_true(listed_count(&fronts) > 10);
@@ -529,8 +530,9 @@ static void lists_by_threads(void **state)
     assert_int_equal(seen_begin(&seen_scene, scene, &camera, 0.0, NULL), ROBERTS_OK);
     assert_true(hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
     assert_true(fronts.front_count > 40000);
-    scan_frame frame = cells_for_lists(fronts.front_box, fronts.front_count, fronts.low, fronts.high, 150,
-                                       hide_margin(&fronts.space), &depth);
+    scan_frame frame = cells_for_lists(
+        &(cells_boxes){fronts.front_box, fronts.front_count, fronts.low, fronts.high, hide_margin(&fronts.space)}, 150,
+        &depth);
     size_t cells = scan_cells(&frame);
     assert_true(cells > 8192);
     assert_int_equal(objet_build(&alone, &fronts, frame, 1), ROBERTS_OK);
@@ -637,8 +639,14 @@ static void add_covers(cover *c, scan *s, front *g, rng *r)
         for (uint32_t k = 0; k < g[i].faces; k++)
             face[k] = face_of(g[i].face[k]);
         bool by_cell = rng_int(r, 0, 1);
-        cover_add(c, s, g[i].outline.P, g[i].outline.corner, g[i].outline.count, g[i].least, by_cell ? face : NULL,
-                  by_cell ? g[i].faces : 0, SLACK, (uint32_t)i, 0.0);
+        cover_add(c, s, g[i].outline.P,
+                  &(cover_front){.corner = g[i].outline.corner,
+                                 .count = g[i].outline.count,
+                                 .depth = g[i].least,
+                                 .face = by_cell ? face : NULL,
+                                 .face_count = by_cell ? g[i].faces : 0,
+                                 .slack = SLACK,
+                                 .by = (uint32_t)i});
     }
 }
 
@@ -684,9 +692,15 @@ static void covers_are_not_wasted(void **state)
         front g = random_front(&r, ROUND);
         double z = rng_between(&r, -3, 3);
         assert_true(cover_init(&c, frame_of((size_t)i % FRAMES), 1) && scan_init(&scratch, c.frame.nx));
-        cover_add(&c, &scratch, g.outline.P, g.outline.corner, g.outline.count, z, NULL, 0, SLACK, 7, 0.0);
-        cover_add(&c, &scratch, g.outline.P, g.outline.corner, g.outline.count, z - 1, NULL, 0, SLACK, 8,
-                  0.0); /* farther: changes nothing */
+        cover_add(
+            &c, &scratch, g.outline.P,
+            &(cover_front){.corner = g.outline.corner, .count = g.outline.count, .depth = z, .slack = SLACK, .by = 7});
+        cover_add(&c, &scratch, g.outline.P,
+                  &(cover_front){.corner = g.outline.corner,
+                                 .count = g.outline.count,
+                                 .depth = z - 1,
+                                 .slack = SLACK,
+                                 .by = 8}); /* farther: changes nothing */
         for (uint32_t cell = 0; cell < scan_cells(&c.frame); cell++) {
             roberts_vec3 q[4];
             bool well = true;
@@ -754,7 +768,8 @@ static void no_covers(void **state)
     hide_box box = {0, 1, 3, 4, -9, -8};
     (void)state;
     assert_true(cover_init(&c, (scan_frame){0}, 1));
-    cover_add(&c, &scratch, g.P, g.corner, g.count, 5, NULL, 0, SLACK, 0, 0.0);
+    cover_add(&c, &scratch, g.P,
+              &(cover_front){.corner = g.corner, .count = g.count, .depth = 5, .slack = SLACK, .by = 0});
     assert_false(cover_hides(&c, &box));
     assert_false(cover_hides_edge(&c, (roberts_vec3){0, 3, -9}, (roberts_vec3){1, 4, -9}));
     cover_free(&c);
@@ -812,8 +827,8 @@ static void cells_by_table(void **state)
     assert_non_null(box);
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         make_boxes(box, table[i].huge, table[i].w, table[i].h, &r);
-        scan_frame f = cells_for_lists(box, BOXES, window_low, window_high, 0, MARGIN, &depth);
-        scan_frame c = cells_for_covers(box, BOXES, window_low, window_high, MARGIN, 1);
+        scan_frame f = cells_for_lists(&(cells_boxes){box, BOXES, window_low, window_high, MARGIN}, 0, &depth);
+        scan_frame c = cells_for_covers(&(cells_boxes){box, BOXES, window_low, window_high, MARGIN}, 1);
         double listed = entries(&f, box), cells = (double)scan_cells(&f), covers = (double)scan_cells(&c);
         if (listed > 40.0 * BOXES || cells > 8.0 * BOXES || cells < table[i].least_cells || covers > 64.0 * BOXES)
             fail_msg("%s: %g cells, %g entries, %g cells of covers", table[i].name, cells, listed, covers);
@@ -827,16 +842,16 @@ static void cells_given_or_few(void **state)
     roberts_vec2 upright = {window_low.x, window_high.y};
     double depth;
     (void)state;
-    scan_frame f = cells_for_lists(box, 2, window_low, window_high, 17, MARGIN, &depth);
+    scan_frame f = cells_for_lists(&(cells_boxes){box, 2, window_low, window_high, MARGIN}, 17, &depth);
     assert_true(f.nx == 17 && f.ny == 17);
-    f = cells_for_lists(box, 0, window_low, window_high, 0, MARGIN, &depth);
+    f = cells_for_lists(&(cells_boxes){box, 0, window_low, window_high, MARGIN}, 0, &depth);
     assert_true(f.nx == 1 && f.ny == 1);
-    f = cells_for_lists(box, 2, window_low, upright, 0, MARGIN, &depth); /* no width */
+    f = cells_for_lists(&(cells_boxes){box, 2, window_low, upright, MARGIN}, 0, &depth); /* no width */
     assert_true(f.nx >= 1 && f.ny >= 1 && f.dx > 0 && f.dy > 0);
-    f = cells_for_covers(box, 2, window_low, upright, MARGIN, 1);
+    f = cells_for_covers(&(cells_boxes){box, 2, window_low, upright, MARGIN}, 1);
     assert_int_equal(scan_cells(&f), 0);
     double area = (window_high.x - window_low.x) * (window_high.y - window_low.y);
-    cells_for_lists(box, 2, window_low, window_high, 0, MARGIN, &depth);
+    cells_for_lists(&(cells_boxes){box, 2, window_low, window_high, MARGIN}, 0, &depth);
     assert_true(fabs(depth - (8.0 * 4.0 + 1.0 * 1.0) / area) < 1e-12);
 }
 
@@ -849,10 +864,10 @@ static void cells_by_threads(void **state)
     assert_non_null(box);
     for (int i = 0; i < 4; i++)
         make_boxes(box + i * BOXES, 20, 0.03, 0.05, &r);
-    scan_frame one = cells_for_covers(box, 4 * BOXES, window_low, window_high, MARGIN, 1);
+    scan_frame one = cells_for_covers(&(cells_boxes){box, 4 * BOXES, window_low, window_high, MARGIN}, 1);
     assert_true(one.nx > 100);
     for (int threads = 2; threads < 5; threads++) {
-        scan_frame f = cells_for_covers(box, 4 * BOXES, window_low, window_high, MARGIN, threads);
+        scan_frame f = cells_for_covers(&(cells_boxes){box, 4 * BOXES, window_low, window_high, MARGIN}, threads);
         assert_memory_equal(&f, &one, sizeof f);
     }
     free(box);

@@ -1,6 +1,6 @@
 /* Lanes against plain C, and tests 2 to 4 at a stroke against the tests one by one. */
 #include "base/lanes.h"
-#include "hide/tests.h"
+#include "bare_points.h"
 #include "scenes.h"
 
 #define EPSILON 1e-9
@@ -213,16 +213,8 @@ static void set_up(fixture *f, rng *r)
     uint32_t a = f->face.count, b = a + 1;
     f->P[a] = place(r, whole);
     f->P[b] = place(r, whole);
-    f->space =
-        (hide_space){.P = f->P, .epsilon = EPSILON, .rounding = ROUNDING, .plain = hide_plain(12.0, EPSILON, ROUNDING)};
-    f->edge = (hide_edge){.A = f->P[a], .B = f->P[b], .a = a, .b = b};
-    f->edge.length = f->edge.length3 = hypot(f->P[b].x - f->P[a].x, f->P[b].y - f->P[a].y);
-}
-
-/* What the tests one by one find. */
-static bool one_by_one(const fixture *f, hide_sides *sides, hide_interval *part)
-{
-    return !hide_test2(&f->space, &f->face, &f->edge) && hide_by_sides(&f->space, &f->face, &f->edge, sides, part);
+    f->space = bare_space(f->P, EPSILON, ROUNDING, 12.0);
+    f->edge = bare_edge(f->P, a, b);
 }
 
 static void agrees_with_the_tests(void **state)
@@ -242,7 +234,8 @@ static void agrees_with_the_tests(void **state)
         outcomes[verdict]++;
         if (verdict == FAST_UNCLEAR)
             continue;
-        assert_int_equal(one_by_one(&f, &sides, &expected), verdict == FAST_INSIDE || verdict == FAST_CUT);
+        assert_int_equal(bare_tests_2_to_4(&f.space, &f.face, &f.edge, &sides, &expected),
+                         verdict == FAST_INSIDE || verdict == FAST_CUT);
         if (verdict == FAST_INSIDE || verdict == FAST_CUT)
             assert_memory_equal(&part, &expected, sizeof part);
         if (verdict == FAST_MISSED)
@@ -276,7 +269,7 @@ static void within_the_hidden_is_none(void **state)
             assert_true(hidden.t1 == 1.0 || expected.r1 < hidden.t1);
             within++;
         } else if (all == FAST_UNCLEAR && verdict == FAST_EMPTY) {
-            if (one_by_one(&f, &sides, &expected)) {
+            if (bare_tests_2_to_4(&f.space, &f.face, &f.edge, &sides, &expected)) {
                 assert_true(hidden.t0 == 0.0 || expected.r0 > hidden.t0);
                 assert_true(hidden.t1 == 1.0 || expected.r1 < hidden.t1);
             }

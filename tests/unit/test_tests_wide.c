@@ -1,5 +1,6 @@
 /* Polygons of very many corners: tests 2 to 4 by runs of sides against the tests side by side, to the last bit. */
 #include "hide/tests_wide.h"
+#include "bare_points.h"
 #include "scenes.h"
 
 #define EPSILON 1e-10
@@ -95,8 +96,7 @@ static void set_polygon(fixture *f, rng *r, kind k)
         f->P[f->corner[i]] = P[i];
     f->face = (hide_face){.corner = f->corner, .count = count};
     double extent = k == WHOLE ? 4000.0 : EXTENT;
-    f->space = (hide_space){.P = f->P, .epsilon = EPSILON * extent, .rounding = ROUNDING * extent};
-    f->space.plain = hide_plain(extent, f->space.epsilon, f->space.rounding);
+    f->space = bare_space(f->P, EPSILON * extent, ROUNDING * extent, extent);
     f->r = runs_make(&f->space, f->corner, count);
     assert_non_null(f->r);
 }
@@ -136,18 +136,7 @@ static void set_edge(fixture *f, rng *r, kind k)
         f->P[a] = (roberts_vec3){P.x + s * (Q.x - P.x), P.y + s * (Q.y - P.y), 0.0};
         f->P[b] = (roberts_vec3){P.x + t * (Q.x - P.x), P.y + t * (Q.y - P.y), 0.0};
     }
-    f->edge = (hide_edge){.A = f->P[a], .B = f->P[b], .a = a, .b = b};
-    f->edge.length = f->edge.length3 = hypot(f->P[b].x - f->P[a].x, f->P[b].y - f->P[a].y);
-}
-
-/* What the tests side by side find. */
-static bool side_by_side(const fixture *f, hide_sides *sides, hide_interval *part)
-{
-    if (hide_test2(&f->space, &f->face, &f->edge)) {
-        sides->tally.test2_visible++;
-        return false;
-    }
-    return hide_by_sides(&f->space, &f->face, &f->edge, sides, part);
+    f->edge = bare_edge(f->P, a, b);
 }
 
 /* The same to the last bit; where several sides are a straight one, to less than a quarter of epsilon. */
@@ -182,7 +171,7 @@ static void runs_find_what_all_sides_do(void **state)
                 bool found = hide_by_runs(&f.space, f.r, &f.face, &f.edge, &sides, &part);
                 roberts_tally tally = sides.tally;
                 sides.tally = (roberts_tally){0};
-                bool hidden = side_by_side(&f, &sides, &other);
+                bool hidden = bare_tests_2_to_4(&f.space, &f.face, &f.edge, &sides, &other);
                 if (found != hidden || !same_tally(k, found, &tally, &sides.tally) ||
                     (found && !same_part(&f, k, &part, &other)))
                     fail_msg("kind %d, %u corners, polygon %d, edge %d: %d %.17g %.17g instead of %d %.17g %.17g",

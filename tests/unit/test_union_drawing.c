@@ -172,43 +172,57 @@ static void check_alike(const both *b, const roberts_camera *camera, const char 
     roberts_drawing_free(&one);
 }
 
-/* From above, askew, along axes, near by. */
-static void check_views(const both *b, rng *r, const char *name)
+/* Directions from the scene to the viewer: askew and along axes. */
+static const roberts_vec3 directions[] = {{1, -1, 1}, {2, -3, 1.5}, {0, 0, 1},   {0, -1, 0},
+                                          {-1, 0, 0}, {1, -1, 0},   {-2, 1, -3}, {0.37, -0.71, 0.53}};
+
+enum { DIRECTIONS = sizeof directions / sizeof *directions, VIEWS = 2 * DIRECTIONS + 1 };
+
+/* View `i` of VIEWS: the directions, the same turned with the body, and one in perspective. */
+static void check_view(const both *b, mat3 turn, int i, const char *name)
 {
-    static const double dir[][3] = {{1, -1, 1}, {2, -3, 1.5}, {0, 0, 1},  {0, -1, 0},
-                                    {-1, 0, 0}, {1, -1, 0},   {-2, 1, -3}};
+    roberts_camera camera = {.dir = directions[i % DIRECTIONS]};
     char text[120];
-    for (size_t i = 0; i <= sizeof dir / sizeof *dir; i++) {
-        bool random = i == sizeof dir / sizeof *dir;
-        roberts_camera camera = {.dir = {random ? rng_between(r, -1, 1) : dir[i][0],
-                                         random ? rng_between(r, -1, 1) : dir[i][1],
-                                         random ? rng_between(r, -1, 1) : dir[i][2]}};
-        snprintf(text, sizeof text, "%s, seen from %g,%g,%g", name, camera.dir.x, camera.dir.y, camera.dir.z);
-        check_alike(b, &camera, text);
-    }
-    roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE, .eye = {40, -50, 45}};
-    snprintf(text, sizeof text, "%s, in perspective", name);
+    if (i >= DIRECTIONS)
+        camera.dir = mat3_map(turn, camera.dir);
+    if (i == VIEWS - 1)
+        camera = (roberts_camera){.projection = ROBERTS_PERSPECTIVE, .eye = {40, -50, 45}};
+    snprintf(text, sizeof text, "%s, view %d from %g,%g,%g", name, i, camera.dir.x, camera.dir.y, camera.dir.z);
     check_alike(b, &camera, text);
 }
 
-/* As it is; turned; turned and rounded to six digits. */
-static void check_body(model *blocks, const cells *c, uint64_t seed, const char *name)
+enum { AS_IT_IS, TURNED, TURNED_TO_SIX_DIGITS, LAYOUTS };
+
+/* One body, laid out in one way, in the views `first`, first + step, ... */
+static void check_layout(const model *blocks, const cells *c, uint64_t seed, int layout, int first, int step,
+                         const char *name)
 {
-    model one = {0};
+    model one = {0}, many;
     rng r = {seed};
-    mat3 turn = mat3_turn(&r);
+    mat3 turn = layout == AS_IT_IS ? mat3_scale(1, 1, 1) : mat3_turn(&r);
+    both b = {&many, &one, layout == TURNED_TO_SIX_DIGITS ? 1e-5 : 0.0, is_pinched(c)};
     roberts_vec3 shift = {rng_between(&r, -9, 9), rng_between(&r, -9, 9), rng_between(&r, -9, 9)};
-    both b = {blocks, &one, 0.0, is_pinched(c)};
+    model_copy(&many, blocks);
     put_surface(&one, c);
-    check_views(&b, &r, name);
-    model_map(blocks, turn, shift);
-    model_map(&one, turn, shift);
-    check_views(&b, &r, name);
-    model_to_digits(blocks, 6);
-    model_to_digits(&one, 6);
-    b.epsilon = 1e-5;
-    check_views(&b, &r, name);
+    if (layout != AS_IT_IS) {
+        model_map(&many, turn, shift);
+        model_map(&one, turn, shift);
+    }
+    if (layout == TURNED_TO_SIX_DIGITS) {
+        model_to_digits(&many, 6);
+        model_to_digits(&one, 6);
+    }
+    for (int i = first; i < VIEWS; i += step)
+        check_view(&b, turn, i, name);
+    model_free(&many);
     model_free(&one);
+}
+
+/* As it is; turned; turned and rounded to six digits. */
+static void check_body(const model *blocks, const cells *c, uint64_t seed, const char *name)
+{
+    for (int layout = 0; layout < LAYOUTS; layout++)
+        check_layout(blocks, c, seed, layout, 0, 1, name);
 }
 
 /* ---- bodies ---------------------------------------------------------------------------------------------------- */
@@ -282,7 +296,7 @@ static void test_menger_sponge(void **state)
 static void test_random_cells(void **state)
 {
     (void)state;
-    for (uint64_t seed = 0; seed < 150; seed++) {
+    for (uint64_t seed = 0; seed < 600; seed++) {
         model m = {0};
         cells c = {0};
         rng r = {seed};
@@ -307,7 +321,51 @@ static void test_random_cells(void **state)
             put_block(&m, &c, block);
         }
         if (m.solids > 0)
-            check_body(&m, &c, seed, name);
+            check_layout(&m, &c, seed, (int)(seed % LAYOUTS), (int)(seed / LAYOUTS) % VIEWS, VIEWS, name);
+        model_free(&m);
+    }
+}
+
+/* No two visible lines lie on one another: seen askew, lines in one place of the picture are in one place in space. */
+static void check_single(const roberts_drawing *d, double slack, const char *name)
+{
+    for (size_t i = 0; i < d->count; i++)
+        for (size_t k = i + 1; k < d->count; k++) {
+            const roberts_segment *a = &d->segment[i], *b = &d->segment[k];
+            double x = a->p1.x - a->p0.x, y = a->p1.y - a->p0.y, length = hypot(x, y);
+            double t0 = ((b->p0.x - a->p0.x) * x + (b->p0.y - a->p0.y) * y) / length;
+            double t1 = ((b->p1.x - a->p0.x) * x + (b->p1.y - a->p0.y) * y) / length;
+            double off0 = ((b->p0.x - a->p0.x) * y - (b->p0.y - a->p0.y) * x) / length;
+            double off1 = ((b->p1.x - a->p0.x) * y - (b->p1.y - a->p0.y) * x) / length;
+            double shared = fmin(fmax(t0, t1), length) - fmax(fmin(t0, t1), 0.0);
+            if (fabs(off0) < slack && fabs(off1) < slack && shared > 4 * slack)
+                fail_msg("%s: solid %u, %u-%u, and solid %u, %u-%u, lie on one another", name, a->solid, a->v0, a->v1,
+                         b->solid, b->v0, b->v1);
+        }
+}
+
+/* Blocks that overlap at random: their faces cross, too. */
+static void test_random_blocks(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 0; seed < 2000; seed++) {
+        model m = {0};
+        cells c = {0};
+        rng r = {seed};
+        char name[40];
+        snprintf(name, sizeof name, "random blocks %d", (int)seed);
+        for (int i = rng_int(&r, 2, 7); i > 0; i--) {
+            int block[6];
+            for (int k = 0; k < 3; k++) {
+                block[k] = rng_int(&r, 0, 4);
+                block[3 + k] = block[k] + rng_int(&r, 1, 4);
+            }
+            put_block(&m, &c, block);
+        }
+        roberts_drawing d = draw(&m, &(roberts_camera){.dir = {0.37, -0.71, 0.53}}, 0.0, true);
+        check_single(&d, 1e-8, name);
+        roberts_drawing_free(&d);
+        check_layout(&m, &c, seed, (int)(seed % LAYOUTS), (int)(seed / LAYOUTS) % VIEWS, VIEWS, name);
         model_free(&m);
     }
 }
@@ -348,8 +406,8 @@ static void test_same_result(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_bodies), cmocka_unit_test(test_wall),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_bodies),        cmocka_unit_test(test_wall),
                                        cmocka_unit_test(test_menger_sponge), cmocka_unit_test(test_random_cells),
-                                       cmocka_unit_test(test_same_result)};
+                                       cmocka_unit_test(test_random_blocks), cmocka_unit_test(test_same_result)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,6 +12,11 @@ void cubic_space(body *b);
 void platonic_solids(body *b);
 void archimedean_solids(body *b);
 
+/* In blocks.c. */
+void five_tetrahedra(body *b);
+void menger_sponge(body *b);
+void locomotive(body *b);
+
 /* In crystals.c. */
 void crystals(body *b);
 

@@ -15,6 +15,12 @@ const char *case_name(size_t i);
 void case_about(size_t i, char *text, size_t size);
 void case_make(body *b, size_t i);
 
+/* One star polyhedron, centred at the origin. */
+size_t star_count(void);
+const char *star_name(size_t i);
+const char *star_about(size_t i);
+void star_make(body *b, size_t i);
+
 typedef struct scene {
     const char *name, *about;
     void (*make)(body *b);
@@ -22,6 +28,10 @@ typedef struct scene {
 
 size_t scene_count(void);
 const scene *scene_at(size_t i);
+
+/* Bodies that are not convex, by formula. */
+size_t shape_count(void);
+const scene *shape_at(size_t i);
 
 /* ---- families of any size: made solid by solid while being written --------------------------------------------- */
 

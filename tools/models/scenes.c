@@ -232,6 +232,10 @@ static const scene scenes[] = {
     {"archimedean-solids",
      "The thirteen half-regular solids side by side, each with its corners on a sphere of one size.",
      archimedean_solids},
+    {"compound-of-five-tetrahedra", "Five tetrahedra through one another, the corners of a dodecahedron.",
+     five_tetrahedra},
+    {"menger-sponge", "Menger sponge of level 2, of 400 cubes that touch.", menger_sponge},
+    {"locomotive", "A locomotive of blocks and columns that touch or go through one another.", locomotive},
     {"crystals",
      "Crystals by their forms, axial ratios after Dana: galena {100} {111}, garnet {110} {211}, pyrite {210} {100}, "
      "zircon\n"

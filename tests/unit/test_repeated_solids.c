@@ -1,4 +1,4 @@
-/* test_patterns.c - solids that repeat one another in a file get what each of them gets alone; components that follow
+/* test_repeated_solids.c - solids that repeat one another in a file get what each of them gets alone; components that follow
  * one another are found as the definition has it. */
 #include "base/box.h"
 #include "model/components.h"

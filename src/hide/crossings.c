@@ -1,0 +1,489 @@
+/* crossings.c - see crossings.h. */
+#include "hide/crossings.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/bits.h"
+#include "base/sort.h"
+#include "base/threads.h"
+
+/* Cells that a thread takes at a time; with fewer entries than this a thread costs more than it does. */
+#define CELLS_AT_ONCE 64
+#define WORTH_A_THREAD 8192
+/* In a longer list the planes of faces are not kept. */
+#define KEPT_FACES 512
+/* So many comparisons of a corner with a plane may be spent on keeping two solids apart. */
+#define WORTH_A_PLANE 4096
+/* More pairs of faces of two solids than this are found by sorting. */
+#define FEW_PAIRS 1024
+
+/* A face of a front, with its box. */
+typedef struct boxed_face {
+    hide_box box;
+    uint32_t piece;
+} boxed_face;
+
+typedef struct face_list {
+    boxed_face *item;
+    size_t count, room;
+} face_list;
+
+/* What each thread has for itself. */
+typedef struct finder {
+    const hide_fronts *fronts;
+    crossing_rules rules;
+    crossing_list found;
+    uint64_t *pair; /* [pair_count] faces of several pieces, first pieces of both: they are asked at the end */
+    size_t pair_count, pair_room;
+    crossing_face *face; /* [KEPT_FACES] of the entries of the cell at hand, as far as `kept` says */
+    bool kept[KEPT_FACES];
+    face_list list[2];
+    char apart[THREADS_APART];
+} finder;
+
+/* ---- boxes ----------------------------------------------------------------------------------------------------- */
+
+static inline bool boxes_meet(const hide_box *a, const hide_box *b)
+{
+    return a->x0 <= b->x1 && b->x0 <= a->x1 && a->y0 <= b->y1 && b->y0 <= a->y1 && a->z0 <= b->z1 && b->z0 <= a->z1;
+}
+
+static hide_box box_of_face(const hide_fronts *fronts, uint32_t piece)
+{
+    const roberts_scene *scene = fronts->scene;
+    hide_bounds own = hide_no_bounds;
+    for (uint32_t k = scene->face_start[piece]; k < scene->face_start[piece + 1]; k++)
+        box_add(&own.low, &own.high, fronts->P[scene->corner[k]]);
+    return hide_box_around(&own);
+}
+
+/* ---- two faces ------------------------------------------------------------------------------------------------- */
+
+/* How many corners two faces of one body share. */
+static unsigned shared_corners(const roberts_scene *scene, uint32_t f, uint32_t g)
+{
+    unsigned shared = 0;
+    for (uint32_t i = scene->face_start[f]; i < scene->face_start[f + 1]; i++)
+        for (uint32_t k = scene->face_start[g]; k < scene->face_start[g + 1]; k++)
+            shared += scene->corner[i] == scene->corner[k];
+    return shared;
+}
+
+static bool add_pair(finder *t, uint32_t f, uint32_t g)
+{
+    uint64_t pair = f < g ? (uint64_t)f << 32 | g : (uint64_t)g << 32 | f;
+    if (t->pair_count > 0 && t->pair[t->pair_count - 1] == pair)
+        return true;
+    if (!array_reserve(&t->pair, &t->pair_room, t->pair_count + 1, sizeof *t->pair))
+        return false;
+    t->pair[t->pair_count++] = pair;
+    return true;
+}
+
+/* The faces of two pieces. False: no memory. */
+static bool meet_faces(finder *t, crossing_face *f, crossing_face *g)
+{
+    if (f->body == g->body && f->first == g->first)
+        return true;
+    if (crossing_in_pieces(f) || crossing_in_pieces(g))
+        return add_pair(t, f->first, g->first);
+    /* the same way round, whichever comes first */
+    return f->first < g->first ? crossing_find(&t->rules, f, g, &t->found) : crossing_find(&t->rules, g, f, &t->found);
+}
+
+/* ---- two fronts ------------------------------------------------------------------------------------------------ */
+
+/* Is all of a body outside of the plane of some face of a convex solid? */
+static bool is_outside(const hide_fronts *fronts, uint32_t solid, uint32_t body)
+{
+    const roberts_scene *scene = fronts->scene;
+    const scene_solid *s = &scene->solid[solid], *b = &scene->solid[body];
+    double touching = fronts->space.epsilon * scene->unit;
+    if ((size_t)(s[1].face - s->face) * (b[1].vertex - b->vertex) > WORTH_A_PLANE)
+        return false;
+    for (uint32_t f = s->face; f < s[1].face; f++) {
+        plane F = scene->face_plane[f];
+        uint32_t v = b->vertex;
+        while (v < b[1].vertex && plane_at(F, vec3_sub(scene->point[v], scene->centre)) <= touching)
+            v++;
+        if (v == b[1].vertex)
+            return true;
+    }
+    return false;
+}
+
+/* Lists the faces of a front that meet a box. */
+static bool list_faces(const hide_fronts *fronts, const hide_front *front, const hide_box *box, face_list *to)
+{
+    const scene_solid *s = &fronts->scene->solid[front->solid];
+    uint32_t first = hide_is_face(front) ? front->piece : s->face, end = hide_is_face(front) ? first + 1 : s[1].face;
+    to->count = 0;
+    for (uint32_t f = first; f < end; f++) {
+        if (!hide_is_face(front) && fronts->seen->facing[f] != VIEW_FRONT)
+            continue;
+        boxed_face item = {box_of_face(fronts, f), f};
+        if (!boxes_meet(&item.box, box))
+            continue;
+        if (!array_reserve(&to->item, &to->room, to->count + 1, sizeof *to->item))
+            return false;
+        to->item[to->count++] = item;
+    }
+    return true;
+}
+
+static int compare_left(const void *pa, const void *pb)
+{
+    const boxed_face *a = pa, *b = pb;
+    if (a->box.x0 != b->box.x0)
+        return a->box.x0 < b->box.x0 ? -1 : 1;
+    return (a->piece > b->piece) - (a->piece < b->piece);
+}
+
+static bool meet_boxed(finder *t, const boxed_face *f, const boxed_face *g, const uint32_t body[2])
+{
+    if (!boxes_meet(&f->box, &g->box))
+        return true;
+    crossing_face F = crossing_face_of(&t->rules, body[0], f->piece);
+    crossing_face G = crossing_face_of(&t->rules, body[1], g->piece);
+    return meet_faces(t, &F, &G);
+}
+
+/* All pairs of the two lists whose boxes meet. */
+static bool meet_lists(finder *t, const uint32_t body[2])
+{
+    face_list *f = &t->list[0], *g = &t->list[1];
+    bool enough = true;
+    if (f->count * g->count <= FEW_PAIRS) {
+        for (size_t i = 0; enough && i < f->count; i++)
+            for (size_t k = 0; enough && k < g->count; k++)
+                enough = meet_boxed(t, &f->item[i], &g->item[k], body);
+        return enough;
+    }
+    qsort(f->item, f->count, sizeof *f->item, compare_left);
+    qsort(g->item, g->count, sizeof *g->item, compare_left);
+    for (size_t i = 0, k = 0; enough && i < f->count && k < g->count;) {
+        if (f->item[i].box.x0 <= g->item[k].box.x0) {
+            for (size_t n = k; enough && n < g->count && g->item[n].box.x0 <= f->item[i].box.x1; n++)
+                enough = meet_boxed(t, &f->item[i], &g->item[n], body);
+            i++;
+        } else {
+            for (size_t n = i; enough && n < f->count && f->item[n].box.x0 <= g->item[k].box.x1; n++)
+                enough = meet_boxed(t, &f->item[n], &g->item[k], body);
+            k++;
+        }
+    }
+    return enough;
+}
+
+/* Two fronts of different bodies, one of which at least is a whole solid. */
+static bool meet_solids(finder *t, uint32_t a, uint32_t b)
+{
+    const hide_fronts *fronts = t->fronts;
+    const hide_front *f = &fronts->front[a], *g = &fronts->front[b];
+    const hide_box *p = &fronts->front_box[a], *q = &fronts->front_box[b];
+    if ((scene_is_convex(fronts->scene, f->solid) && is_outside(fronts, f->solid, g->solid)) ||
+        (scene_is_convex(fronts->scene, g->solid) && is_outside(fronts, g->solid, f->solid)))
+        return true;
+    return list_faces(fronts, f, q, &t->list[0]) && list_faces(fronts, g, p, &t->list[1]) &&
+           meet_lists(t, (uint32_t[]){f->solid, g->solid});
+}
+
+/* ---- cells ----------------------------------------------------------------------------------------------------- */
+
+/* The face of entry k of a list, which is kept with the cell. */
+static crossing_face *face_at(finder *t, const hide_front *front, uint32_t k, crossing_face *other)
+{
+    crossing_face *f = k < KEPT_FACES ? &t->face[k] : other;
+    if (k >= KEPT_FACES || !t->kept[k])
+        *f = crossing_face_of(&t->rules, front->solid, front->piece);
+    if (k < KEPT_FACES)
+        t->kept[k] = true;
+    return f;
+}
+
+/* Entries i < k of a cell's list whose boxes meet. */
+static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_t k)
+{
+    const hide_fronts *fronts = t->fronts;
+    const hide_front *f = &fronts->front[list[i].front], *g = &fronts->front[list[k].front];
+    crossing_face other[2];
+    if (f->own == g->own)
+        return true; /* a convex solid, or pieces of one face */
+    if (!hide_is_face(f) || !hide_is_face(g))
+        return meet_solids(t, list[i].front, list[k].front);
+    if (f->solid == g->solid && shared_corners(fronts->scene, f->piece, g->piece) > 1 &&
+        fronts->scene->face_start[f->piece + 1] - fronts->scene->face_start[f->piece] == 3)
+        return true; /* they share a side: one of them is a triangle */
+    return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
+}
+
+/* All pairs of one cell. Fronts are listed nearest first, so that those behind a front end the search. */
+static bool meet_cell(finder *t, const objet *grid, size_t cell)
+{
+    const hide_fronts *fronts = t->fronts;
+    const objet_entry *list = grid->entry + grid->start[cell];
+    uint32_t count = grid->start[cell + 1] - grid->start[cell];
+    memset(t->kept, 0, (count < KEPT_FACES ? count : KEPT_FACES) * sizeof *t->kept);
+    for (uint32_t i = 0; i + 1 < count; i++) {
+        const hide_box *own = &fronts->front_box[list[i].front];
+        uint32_t most = objet_most(objet_sides(list[i].sides)), first = grid->start[cell], end = first + count;
+        for (uint32_t k = first + i + 1; k < end; k += 4)
+            for (unsigned near = objet_near(grid, k, end, most); near; near &= near - 1) {
+                uint32_t at = k + (uint32_t)bits_trailing_zeros(near) - first;
+                const hide_box *box = &fronts->front_box[list[at].front];
+                if (box->z1 < own->z0) {
+                    k = end;
+                    break;
+                }
+                if (boxes_meet(own, box) && !meet_entries(t, list, i, at))
+                    return false;
+            }
+    }
+    return true;
+}
+
+static bool meet_all(finder *finders, const objet *grid, int threads)
+{
+    size_t cells = scan_cells(&grid->frame), parts = (cells + CELLS_AT_ONCE - 1) / CELLS_AT_ONCE;
+    bool lost = false;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) reduction(|| : lost)
+#else
+    (void)threads;
+#endif
+    for (size_t p = 0; p < parts; p++) {
+        finder *t = &finders[thread_self()];
+        for (size_t c = p * CELLS_AT_ONCE; !lost && c < cells && c < (p + 1) * CELLS_AT_ONCE; c++)
+            lost = lost || !meet_cell(t, grid, c);
+    }
+    return !lost;
+}
+
+/* ---- faces of several pieces ----------------------------------------------------------------------------------- */
+
+/* The pairs that any thread has listed, each once. */
+static bool unite_pairs(finder *finders, int threads)
+{
+    finder *all = &finders[0];
+    for (int i = 1; i < threads; i++) {
+        finder *t = &finders[i];
+        if (!array_reserve(&all->pair, &all->pair_room, all->pair_count + t->pair_count, sizeof *all->pair))
+            return false;
+        if (t->pair_count > 0)
+            memcpy(all->pair + all->pair_count, t->pair, t->pair_count * sizeof *all->pair);
+        all->pair_count += t->pair_count;
+    }
+    if (all->pair_count > 1)
+        qsort(all->pair, all->pair_count, sizeof *all->pair, compare_u64);
+    size_t to = 0;
+    for (size_t k = 0; k < all->pair_count; k++)
+        if (to == 0 || all->pair[to - 1] != all->pair[k])
+            all->pair[to++] = all->pair[k];
+    all->pair_count = to;
+    return true;
+}
+
+/* The body of a face of the scene. */
+static uint32_t body_of(const roberts_scene *scene, uint32_t face)
+{
+    uint32_t low = 0, high = scene->solid_count;
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2;
+        if (scene->solid[middle].face <= face)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static bool meet_pairs(finder *finders, int threads)
+{
+    const roberts_scene *scene = finders->fronts->scene;
+    const uint64_t *pair;
+    bool lost = false;
+    if (!unite_pairs(finders, threads))
+        return false;
+    pair = finders->pair;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 16) num_threads(threads) reduction(|| : lost)
+#endif
+    for (size_t k = 0; k < finders->pair_count; k++) {
+        finder *t = &finders[thread_self()];
+        uint32_t f = (uint32_t)(pair[k] >> 32), g = (uint32_t)pair[k];
+        crossing_face F = crossing_face_of(&t->rules, body_of(scene, f), f);
+        crossing_face G = crossing_face_of(&t->rules, body_of(scene, g), g);
+        lost = lost || !crossing_find(&t->rules, &F, &G, &t->found);
+    }
+    return !lost;
+}
+
+/* ---- all of it ------------------------------------------------------------------------------------------------- */
+
+/* A segment with the numbers of its faces. */
+typedef struct named {
+    uint32_t number[2];
+    crossing_segment is;
+} named;
+
+static int compare_points(const crossing_point *p, const crossing_point *q)
+{
+    int order = vec3_compare(p->point, q->point);
+    return order != 0 ? order : vec3_compare(p->low, q->low);
+}
+
+static int compare_named(const void *pa, const void *pb)
+{
+    const named *a = pa, *b = pb;
+    for (int i = 0; i < 2; i++)
+        if (a->number[i] != b->number[i])
+            return a->number[i] < b->number[i] ? -1 : 1;
+    for (int i = 0; i < 2; i++)
+        if (a->is.face[i] != b->is.face[i])
+            return a->is.face[i] < b->is.face[i] ? -1 : 1;
+    int order = compare_points(&a->is.end[0], &b->is.end[0]);
+    return order != 0 ? order : compare_points(&a->is.end[1], &b->is.end[1]);
+}
+
+/* The face of smaller number first. */
+static named name_segment(const roberts_scene *scene, const crossing_segment *s)
+{
+    named n = {{scene_face_number(scene, s->face[0]), scene_face_number(scene, s->face[1])}, *s};
+    if (n.number[0] < n.number[1] || (n.number[0] == n.number[1] && s->face[0] < s->face[1]))
+        return n;
+    for (int i = 0; i < 2; i++) {
+        n.number[i] = scene_face_number(scene, s->face[1 - i]);
+        n.is.face[i] = s->face[1 - i];
+        n.is.body[i] = s->body[1 - i];
+    }
+    return n;
+}
+
+/* Puts what the threads have found in order, each segment once: several cells may have found it. */
+static bool gather(crossings *c, const roberts_scene *scene, const finder *finders, int threads)
+{
+    size_t count = 0;
+    for (int i = 0; i < threads; i++)
+        count += finders[i].found.count;
+    if (count == 0)
+        return true;
+    named *all = alloc_array(count, sizeof *all);
+    c->item = alloc_array(count, sizeof *c->item);
+    c->end = alloc_array(count, sizeof *c->end);
+    c->name = alloc_array(count, sizeof *c->name);
+    bool enough = all && c->item && c->end && c->name;
+    for (int i = 0, to = 0; enough && i < threads; i++)
+        for (size_t k = 0; k < finders[i].found.count; k++)
+            all[to++] = name_segment(scene, &finders[i].found.item[k]);
+    if (enough)
+        qsort(all, count, sizeof *all, compare_named);
+    for (size_t k = 0; enough && k < count; k++) {
+        const named *n = &all[k];
+        if (k > 0 && compare_named(n, n - 1) == 0)
+            continue;
+        c->pairs += k == 0 || n->is.face[0] != n[-1].is.face[0] || n->is.face[1] != n[-1].is.face[1];
+        c->item[c->count] = n->is;
+        c->name[c->count] = (roberts_crossing){{n->number[0], n->number[1]}, {n->is.end[0].point, n->is.end[1].point}};
+        for (int i = 0; i < 2; i++)
+            c->end[c->count][i] = (seen_point){n->is.end[i].point, n->is.end[i].low};
+        c->count++;
+    }
+    free(all);
+    return enough;
+}
+
+static bool finders_init(finder *finders, int threads, const hide_fronts *fronts)
+{
+    for (int i = 0; i < threads; i++) {
+        finders[i].fronts = fronts;
+        finders[i].rules = (crossing_rules){fronts->scene, fronts->space.epsilon * fronts->scene->unit};
+        finders[i].face = alloc_array(KEPT_FACES, sizeof *finders[i].face);
+        if (!finders[i].face)
+            return false;
+    }
+    return true;
+}
+
+typedef struct crossed_lines {
+    const crossings *of;
+    const seen *seen;
+} crossed_lines;
+
+/* A line in which faces of closed bodies cross. Faces of a scene that the near plane has cut have other numbers than
+ * those as given. */
+static bool union_line_of(const void *context, uint32_t index, union_line *line, uint32_t own[2])
+{
+    const crossed_lines *lines = context;
+    const seen *s = lines->seen;
+    const crossing_segment *is = &lines->of->item[index];
+    if (!union_takes(s->source, is->body[0]) || !union_takes(s->source, is->body[1]))
+        return false;
+    *line = (union_line){.A = is->end[0].point,
+                         .B = is->end[1].point,
+                         .body = ROBERTS_NONE,
+                         .crossed = {is->body[0], is->body[1]},
+                         .own = own,
+                         .own_count = s->scene == s->source ? 2 : 0};
+    own[0] = is->face[0];
+    own[1] = is->face[1];
+    return true;
+}
+
+static bool find_pieces(crossings *c, const seen *s, uint32_t threads)
+{
+    const crossed_lines lines = {c, s};
+    if (!s->edges.first || c->count == 0)
+        return true;
+    return c->count < ROBERTS_NONE &&
+           united_find(&c->pieces, &s->bodies, union_line_of, &lines, (uint32_t)c->count, threads);
+}
+
+bool crossings_unite(const crossings *c, const seen *s, size_t k, seen_line *line)
+{
+    if (!united_pieces(&c->pieces, (uint32_t)k))
+        return true;
+    line->alone = true;
+    return seen_take_pieces(s, c->item[k].body[0], &c->pieces, (uint32_t)k, line);
+}
+
+bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, uint32_t threads)
+{
+    int count = threads_for(threads, 1 + grid->start[scan_cells(&grid->frame)] / WORTH_A_THREAD);
+    finder *finders = alloc_zeroed((size_t)count, sizeof *finders);
+    bool enough = finders && finders_init(finders, count, fronts) && meet_all(finders, grid, count) &&
+                  meet_pairs(finders, count) && gather(c, fronts->scene, finders, count) &&
+                  find_pieces(c, fronts->seen, threads);
+    for (int i = 0; finders && i < count; i++) {
+        free(finders[i].found.item);
+        free(finders[i].pair);
+        free(finders[i].face);
+        free(finders[i].list[0].item);
+        free(finders[i].list[1].item);
+    }
+    free(finders);
+    return enough;
+}
+
+void crossings_free(crossings *c)
+{
+    free(c->item);
+    free(c->end);
+    free(c->name);
+    united_free(&c->pieces);
+    *c = (crossings){0};
+}
+
+seen_line crossings_line(const crossings *c, const roberts_scene *scene, size_t k)
+{
+    const crossing_segment *s = &c->item[k];
+    seen_line line = {.edge = (uint32_t)k,
+                      .v = {s->end[0].vertex, s->end[1].vertex},
+                      .end = c->end[k],
+                      .own = seen_owns_none,
+                      .t1 = 1.0,
+                      .class = ROBERTS_INTERSECTION};
+    for (int i = 0; i < 2; i++)
+        line.own.key[i] = seen_face_key(scene, s->body[i], s->face[i]);
+    return line;
+}

@@ -1,0 +1,117 @@
+/* level.c - how many layers lie before a hidden point: Appel's quantitative invisibility ("The notion of quantitative
+ * invisibility and the machine rendering of solids", ACM 1967).
+ *
+ * Appel counts the faces toward the viewer. Winding tells which these are, and winding is not trusted here. But the
+ * line of sight comes from outside: it enters a closed body by the first face that it meets, leaves by the second, and
+ * so on. So every other face is one toward the viewer.
+ *
+ * The point may lie on the border of faces in the picture, as where equal blocks are stacked. Then the point is moved a
+ * little, in four directions, so that it lies in exactly one of two faces with a common side. Faces are closed, so of
+ * each body the direction with the most layers counts. */
+#include "hide/level.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+
+enum { WAYS = 4 };
+
+/* No side of a usual model runs along one of them. */
+static const roberts_vec2 way[WAYS] = {{0.842, 0.539}, {-0.539, 0.842}, {-0.842, -0.539}, {0.539, -0.842}};
+
+/* The ways in which X can be moved a little so that it lies in the face, as bits. */
+static unsigned ways_into(const hide_fronts *fronts, const hide_face *F, roberts_vec3 X)
+{
+    unsigned ways = (1u << WAYS) - 1;
+    for (uint32_t i = 0; i < F->count && ways; i++) {
+        roberts_vec3 P = fronts->P[F->corner[i]], Q = fronts->P[F->corner[i + 1 < F->count ? i + 1 : 0]];
+        double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (X.y - P.y) - dy * (X.x - P.x);
+        double band = fronts->space.epsilon * sqrt(dx * dx + dy * dy);
+        if (H > band)
+            continue;
+        for (int k = 0; k < WAYS; k++)
+            if (H < -band || !(dx * way[k].y - dy * way[k].x > 0.0))
+                ways &= ~(1u << k);
+    }
+    return ways;
+}
+
+/* Takes note of a face, if it lies before X. */
+static bool take_face(const hide_fronts *fronts, uint32_t body, const hide_face *F, roberts_vec3 X, level_hits *hits)
+{
+    if (plane_at(F->F, X) <= F->touch || !hide_polygon_holds(fronts, &fronts->face_runs, F->corner, F->count,
+                                                             (roberts_vec2){X.x, X.y}, fronts->space.epsilon))
+        return true;
+    if (!array_reserve(&hits->item, &hits->room, hits->count + 1, sizeof *hits->item))
+        return false;
+    hits->item[hits->count++] = (level_hit){body, ways_into(fronts, F, X)};
+    return true;
+}
+
+static bool take_front(const hide_fronts *fronts, const hide_front *front, roberts_vec3 X, level_hits *hits)
+{
+    const hide_face *face = fronts->face + front->face;
+    const bundle *b = bundle_of(&fronts->bundles, front->face, front->face_count);
+    for (uint32_t i = 0; !b && i < front->face_count; i++)
+        if (!take_face(fronts, front->solid, &face[i], X, hits))
+            return false;
+    for (uint32_t i = 0, end; b && bundle_next(b, X.x, X.y, &i, &end);)
+        for (; i < end; i++)
+            if (!take_face(fronts, front->solid, &face[b->order[i]], X, hits))
+                return false;
+    return true;
+}
+
+static bool may_hide(const hide_fronts *fronts, const hide_box *box, roberts_vec3 X)
+{
+    double m = fronts->space.epsilon;
+    return X.x >= (double)box->x0 - m && X.x <= (double)box->x1 + m && X.y >= (double)box->y0 - m &&
+           X.y <= (double)box->y1 + m && (double)box->z1 >= X.z;
+}
+
+static int by_body(const void *a, const void *b)
+{
+    const level_hit *p = a, *q = b;
+    return (p->body > q->body) - (p->body < q->body);
+}
+
+/* The layers of one body, of whose faces hit[0] to hit[count - 1] lie before the point. */
+static uint32_t layers(const roberts_scene *scene, const level_hit *hit, size_t count)
+{
+    uint32_t most = 0;
+    for (int k = 0; k < WAYS; k++) {
+        uint32_t met = 0;
+        for (size_t i = 0; i < count; i++)
+            met += hit[i].ways >> k & 1;
+        most = met > most ? met : most;
+    }
+    if (scene_is_convex(scene, hit->body))
+        return most > 0;
+    return scene->surface->kind[hit->body] == ROBERTS_CLOSED ? (most + 1) / 2 : most;
+}
+
+bool hide_level_at(hide_worker *w, const seen_line *line, roberts_vec3 X, uint32_t *level)
+{
+    const hide_fronts *fronts = w->fronts;
+    const scan_frame *frame = &w->grid->frame;
+    level_hits *hits = &w->level;
+    size_t cell = (size_t)scan_column(frame, X.x) * frame->ny + scan_row(frame, X.y);
+    *level = seen_is_back(line->class);
+    hits->count = 0;
+    for (uint32_t k = w->grid->start[cell]; k < w->grid->start[cell + 1]; k++) {
+        const uint32_t index = w->grid->entry[k].front;
+        const hide_front *front = &fronts->front[index];
+        if (may_hide(fronts, &fronts->front_box[index], X) && !seen_owns(fronts->scene, &line->own, front->own) &&
+            !take_front(fronts, front, X, hits))
+            return false;
+    }
+    if (hits->count > 1)
+        qsort(hits->item, hits->count, sizeof *hits->item, by_body);
+    for (size_t i = 0, next; i < hits->count; i = next) {
+        for (next = i + 1; next < hits->count && hits->item[next].body == hits->item[i].body;)
+            next++;
+        *level += layers(fronts->scene, &hits->item[i], next - i);
+    }
+    *level += *level == 0; /* rounding has put X beside what hides it */
+    return true;
+}

@@ -1,0 +1,566 @@
+/* crossing.c - see crossing.h.
+ *
+ * The two planes meet in a line, and each face holds spans of it. A convex piece that has corners on both sides of the
+ * other's plane holds one span inside. A piece that has a side in the other's plane holds that side; if two pieces of
+ * one face hold it, one from above and one from below, and it is a cut, the face goes on there. The faces cross where
+ * both hold the line. Places on the line are compared by the coordinate along which it runs most. */
+#include "model/crossing.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+
+/* Part of the touching distance that an error may have in a decision. */
+#define TRUSTED 0.125
+
+/* Part of the scene's size: computed ends are off by less. */
+#define ROUNDING 1e-20
+
+/* ---- planes and signs ------------------------------------------------------------------------------------------ */
+
+static double greatest(roberts_vec3 d)
+{
+    return greater(fabs(d.x), greater(fabs(d.y), fabs(d.z)));
+}
+
+/* Vertex v as seen from a point, in the scene's unit. */
+static roberts_vec3 from_point(const crossing_rules *rules, uint32_t v, roberts_vec3 point, roberts_vec3 low)
+{
+    const roberts_scene *scene = rules->scene;
+    roberts_vec3 d = vec3_sub(scene->point[v], point);
+    if (scene->low)
+        d = vec3_add(d, vec3_sub(scene->low[v], low));
+    return vec3_scale(1.0 / scene->unit, d);
+}
+
+/* The same in double-double numbers. */
+static dd3 exactly_from(const crossing_rules *rules, uint32_t v, roberts_vec3 point, roberts_vec3 low)
+{
+    const roberts_scene *scene = rules->scene;
+    double k = 1.0 / scene->unit; /* a power of two: scaling is exact */
+    dd3 d = dd3_between(vec3_scale(k, scene->point[v]), vec3_scale(k, point));
+    if (!scene->low)
+        return d;
+    return dd3_add(d, dd3_between(vec3_scale(k, scene->low[v]), vec3_scale(k, low)));
+}
+
+/* Adds what one piece has of the normal, of the sum of the corners, and of the error. */
+static void add_piece(const crossing_rules *rules, crossing_face *f, uint32_t piece, roberts_vec3 *sum)
+{
+    const roberts_scene *scene = rules->scene;
+    uint32_t first = scene->face_start[piece], end = scene->face_start[piece + 1];
+    roberts_vec3 P = from_point(rules, scene->corner[end - 1], f->origin, f->low);
+    for (uint32_t k = first; k < end; k++) {
+        roberts_vec3 Q = from_point(rules, scene->corner[k], f->origin, f->low);
+        f->n = vec3_add(f->n, vec3_cross(P, Q));
+        f->error += greatest(P) * greatest(Q);
+        f->chord = greater(f->chord, greatest(Q));
+        *sum = vec3_add(*sum, Q);
+        P = Q;
+    }
+}
+
+static uint32_t corners_of(const crossing_rules *rules, const crossing_face *f)
+{
+    return rules->scene->face_start[f->end] - rules->scene->face_start[f->first];
+}
+
+crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint32_t piece)
+{
+    const roberts_scene *scene = rules->scene;
+    crossing_face f = {.body = body, .first = piece, .end = piece + 1};
+    roberts_vec3 sum = {0.0, 0.0, 0.0};
+    if (scene->surface && !scene_is_convex(scene, body)) {
+        const uint32_t *plane_of = scene->surface->plane_of;
+        while (f.first > scene->solid[body].face && plane_of[f.first - 1] == plane_of[piece])
+            f.first--;
+        while (f.end < scene->solid[body + 1].face && plane_of[f.end] == plane_of[piece])
+            f.end++;
+    }
+    uint32_t origin = scene->corner[scene->face_start[f.first]], count = corners_of(rules, &f);
+    f.origin = scene->point[origin];
+    if (scene->low)
+        f.low = scene->low[origin];
+    for (uint32_t k = f.first; k < f.end; k++)
+        add_piece(rules, &f, k, &sum);
+    /* A coordinate of n is off by 6 + count halves of an ulp of the sum of its terms, at most twice f.error. A height
+     * adds three such products and their sum. */
+    f.error *= 2.0 * (40.0 + 3.0 * count) * 0x1p-53;
+    f.mean = count > 3 ? vec3_dot(f.n, sum) / count : 0.0;
+    f.length = vec3_length(f.n);
+    f.touch = f.length * (rules->touching + scene_deviation(scene, f.first)) / scene->unit;
+    return f;
+}
+
+static void refine_plane(const crossing_rules *rules, crossing_face *f)
+{
+    const roberts_scene *scene = rules->scene;
+    dd3 n = {{0, 0}, {0, 0}, {0, 0}}, sum = n;
+    uint32_t count = corners_of(rules, f);
+    for (uint32_t piece = f->first; piece < f->end; piece++) {
+        uint32_t first = scene->face_start[piece], end = scene->face_start[piece + 1];
+        dd3 P = exactly_from(rules, scene->corner[end - 1], f->origin, f->low);
+        for (uint32_t k = first; k < end; k++) {
+            dd3 Q = exactly_from(rules, scene->corner[k], f->origin, f->low);
+            if (k > first || piece > f->first) /* else Q is the origin; and so is P next */
+                n = dd3_add(n, dd3_cross(P, Q));
+            if (count > 3)
+                sum = dd3_add(sum, Q);
+            P = Q;
+        }
+    }
+    f->exact_n = n;
+    f->exact_mean = count > 3 ? dd_div(dd3_dot(n, sum), (dd){count, 0.0}) : (dd){0.0, 0.0};
+    f->refined = true;
+}
+
+static dd exact_height(const crossing_rules *rules, crossing_face *f, uint32_t v)
+{
+    if (!f->refined)
+        refine_plane(rules, f);
+    return dd_sub(dd3_dot(f->exact_n, exactly_from(rules, v, f->origin, f->low)), f->exact_mean);
+}
+
+static bool has_corner(const crossing_rules *rules, const crossing_face *f, uint32_t v)
+{
+    const roberts_scene *scene = rules->scene;
+    for (uint32_t k = scene->face_start[f->first]; k < scene->face_start[f->end]; k++)
+        if (scene->corner[k] == v)
+            return true;
+    return false;
+}
+
+/* A corner's place over a plane. */
+typedef struct height {
+    double h, error; /* in lengths of the plane's n */
+    int sign;        /* 0: on it */
+} height;
+
+/* Vertex v, of `body`, over the plane of f. */
+static inline height height_of(const crossing_rules *rules, crossing_face *f, uint32_t body, uint32_t v)
+{
+    height at = {0.0, 0.0, 0};
+    if (body == f->body && has_corner(rules, f, v))
+        return at;
+    roberts_vec3 d = from_point(rules, v, f->origin, f->low);
+    at.h = vec3_dot(f->n, d) - f->mean;
+    at.error = f->error * (greatest(d) + f->chord);
+    if (at.error > TRUSTED * f->touch && !(fabs(at.h) > at.error + f->touch)) {
+        at.h = exact_height(rules, f, v).hi;
+        at.error = 0x1p-52 * fabs(at.h);
+    }
+    at.sign = (at.h > f->touch) - (at.h < -f->touch);
+    return at;
+}
+
+bool crossing_is_beside(const crossing_rules *rules, const crossing_face *f, crossing_face *g)
+{
+    const roberts_scene *scene = rules->scene;
+    bool over = false, under = false;
+    for (uint32_t k = scene->face_start[f->first]; k < scene->face_start[f->end] && !(over && under); k++) {
+        int sign = height_of(rules, g, f->body, scene->corner[k]).sign;
+        over = over || sign > 0;
+        under = under || sign < 0;
+    }
+    return !(over && under);
+}
+
+/* ---- places on the line ---------------------------------------------------------------------------------------- */
+
+/* Two faces at work. */
+typedef struct pair {
+    const crossing_rules *rules;
+    crossing_face *face[2];
+    int axis;     /* along which their line runs most */
+    double slack; /* what touches along the line, as measured along the axis; in the scene's unit */
+} pair;
+
+/* Where the border of one face meets the other's plane. */
+typedef struct cut {
+    uint32_t p, q;   /* a corner, q: ROBERTS_NONE; or on the side from p to q */
+    double s, error; /* the coordinate along the axis, from the first face's origin on */
+    bool exact;
+    dd3 at; /* if `exact`: in the scene's unit */
+} cut;
+
+typedef struct span {
+    cut low, high;
+} span;
+
+static double along(roberts_vec3 d, int axis)
+{
+    return axis == 0 ? d.x : axis == 1 ? d.y : d.z;
+}
+
+static dd exactly_along(dd3 d, int axis)
+{
+    return axis == 0 ? d.x : axis == 1 ? d.y : d.z;
+}
+
+static pair pair_of(const crossing_rules *rules, crossing_face *f, crossing_face *g)
+{
+    pair p = {rules, {f, g}, 0, 0.0};
+    roberts_vec3 d = vec3_cross(f->n, g->n);
+    double length = vec3_length(d);
+    if (!(length > 1e-6 * f->length * g->length)) {
+        if (!f->refined)
+            refine_plane(rules, f);
+        if (!g->refined)
+            refine_plane(rules, g);
+        dd3 e = dd3_cross(f->exact_n, g->exact_n);
+        d = (roberts_vec3){e.x.hi, e.y.hi, e.z.hi};
+        length = vec3_length(d);
+    }
+    p.axis = fabs(d.x) >= fabs(d.y) && fabs(d.x) >= fabs(d.z) ? 0 : fabs(d.y) >= fabs(d.z) ? 1 : 2;
+    p.slack = rules->touching / rules->scene->unit * (length > 0.0 ? fabs(along(d, p.axis)) / length : 1.0);
+    return p;
+}
+
+/* Is vertex p before q, by x, y, z? */
+static bool is_before(const roberts_scene *scene, uint32_t p, uint32_t q)
+{
+    int order = vec3_compare(scene->point[p], scene->point[q]);
+    if (order == 0 && scene->low)
+        order = vec3_compare(scene->low[p], scene->low[q]);
+    return order != 0 ? order < 0 : p < q;
+}
+
+static cut corner_cut(const pair *w, uint32_t v)
+{
+    double s = along(from_point(w->rules, v, w->face[0]->origin, w->face[0]->low), w->axis);
+    return (cut){.p = v, .q = ROBERTS_NONE, .s = s, .error = 0x1p-50 * fabs(s)};
+}
+
+/* Where the side between p and q, at heights a and b of different signs, pierces the plane. */
+static cut side_cut(const pair *w, uint32_t p, uint32_t q, height a, height b)
+{
+    if (!is_before(w->rules->scene, p, q)) {
+        uint32_t v = p;
+        height h = a;
+        p = q;
+        q = v;
+        a = b;
+        b = h;
+    }
+    const crossing_face *base = w->face[0];
+    double from = along(from_point(w->rules, p, base->origin, base->low), w->axis);
+    double to = along(from_point(w->rules, q, base->origin, base->low), w->axis);
+    double t = a.h / (a.h - b.h), off = (a.error + b.error) / fabs(a.h - b.h) + 0x1p-50;
+    return (cut){.p = p,
+                 .q = q,
+                 .s = from + t * (to - from),
+                 .error = 4.0 * off * fabs(to - from) + 0x1p-50 * (fabs(from) + fabs(to))};
+}
+
+/* `other`: the face whose plane it is in. */
+static void refine_cut(const pair *w, cut *c, crossing_face *other)
+{
+    const crossing_rules *rules = w->rules;
+    const roberts_vec3 none = {0.0, 0.0, 0.0};
+    const crossing_face *base = w->face[0];
+    double k = 1.0 / rules->scene->unit;
+    if (c->exact)
+        return;
+    c->at = exactly_from(rules, c->p, none, none);
+    if (c->q != ROBERTS_NONE) {
+        dd a = exact_height(rules, other, c->p), t = dd_div(a, dd_sub(a, exact_height(rules, other, c->q)));
+        roberts_vec3 low = rules->scene->low ? rules->scene->low[c->p] : none;
+        dd3 way = exactly_from(rules, c->q, rules->scene->point[c->p], low);
+        c->at = dd3_add(c->at, (dd3){dd_mul(t, way.x), dd_mul(t, way.y), dd_mul(t, way.z)});
+    }
+    dd s = dd_sub(exactly_along(c->at, w->axis), (dd){k * along(base->origin, w->axis), 0.0});
+    s = dd_sub(s, (dd){k * along(base->low, w->axis), 0.0});
+    c->s = s.hi;
+    c->error = 0x1p-52 * fabs(s.hi);
+    c->exact = true;
+}
+
+/* By how much a, of the border of face[i], comes after b, of that of face[j]. What is within the error of what touches
+ * is computed again. */
+static double after(const pair *w, cut *a, int i, cut *b, int j)
+{
+    double error = a->error + b->error;
+    if (error > TRUSTED * w->slack && !(fabs(a->s - b->s) > w->slack + error)) {
+        refine_cut(w, a, w->face[1 - i]);
+        refine_cut(w, b, w->face[1 - j]);
+    }
+    return a->s - b->s;
+}
+
+/* The later of two cuts, `a` of the border of face[0] and `b` of that of face[1], or the earlier one; a corner rather
+ * than a side that touches it. *of: whose border it is on. */
+static cut chosen(const pair *w, cut *a, cut *b, bool later, int *of)
+{
+    double d = after(w, a, 0, b, 1);
+    bool corners = (a->q == ROBERTS_NONE) != (b->q == ROBERTS_NONE) && fabs(d) <= w->slack;
+    bool first = corners ? a->q == ROBERTS_NONE : later ? d >= 0.0 : d <= 0.0;
+    *of = first ? 0 : 1;
+    return first ? *a : *b;
+}
+
+/* What a piece has to do with the other's plane. */
+typedef struct contact {
+    span on;
+    uint32_t corners; /* on the plane */
+    bool over, under;
+    bool met; /* `on` is set */
+} contact;
+
+static void add_cut(const pair *w, int i, contact *c, cut at)
+{
+    if (!c->met || after(w, &at, i, &c->on.low, i) < 0.0)
+        c->on.low = at;
+    if (!c->met || after(w, &at, i, &c->on.high, i) > 0.0)
+        c->on.high = at;
+    c->met = true;
+}
+
+/* A piece of face[i]. */
+static contact contact_of(const pair *w, int i, uint32_t piece)
+{
+    const roberts_scene *scene = w->rules->scene;
+    crossing_face *other = w->face[1 - i];
+    uint32_t first = scene->face_start[piece], end = scene->face_start[piece + 1], p = scene->corner[end - 1];
+    contact c = {0};
+    height a = height_of(w->rules, other, w->face[i]->body, p);
+    for (uint32_t k = first; k < end; k++) {
+        uint32_t q = scene->corner[k];
+        height b = height_of(w->rules, other, w->face[i]->body, q);
+        c.over = c.over || b.sign > 0;
+        c.under = c.under || b.sign < 0;
+        c.corners += b.sign == 0;
+        if (b.sign == 0)
+            add_cut(w, i, &c, corner_cut(w, q));
+        else if (a.sign * b.sign < 0)
+            add_cut(w, i, &c, side_cut(w, p, q, a, b));
+        p = q;
+        a = b;
+    }
+    return c;
+}
+
+/* ---- segments -------------------------------------------------------------------------------------------------- */
+
+static crossing_point point_of(const pair *w, cut *c, int of)
+{
+    const roberts_scene *scene = w->rules->scene;
+    const roberts_vec3 none = {0.0, 0.0, 0.0};
+    if (c->q == ROBERTS_NONE)
+        return (crossing_point){scene->point[c->p], scene->low ? scene->low[c->p] : none, c->p};
+    refine_cut(w, c, w->face[1 - of]);
+    return (crossing_point){vec3_scale(scene->unit, (roberts_vec3){c->at.x.hi, c->at.y.hi, c->at.z.hi}),
+                            vec3_scale(scene->unit, (roberts_vec3){c->at.x.lo, c->at.y.lo, c->at.z.lo}), ROBERTS_NONE};
+}
+
+/* Does P come after Q, by x, y, z? Coordinates that differ by no more than what computing them rounds are equal. */
+static bool is_behind(const roberts_scene *scene, const crossing_point *P, const crossing_point *Q)
+{
+    roberts_vec3 d = vec3_add(vec3_sub(P->point, Q->point), vec3_sub(P->low, Q->low));
+    double rounding = ROUNDING * scene->unit;
+    return fabs(d.x) > rounding ? d.x > 0.0 : fabs(d.y) > rounding ? d.y > 0.0 : d.z > 0.0;
+}
+
+/* Adds what two spans have in common, unless they only touch. False: no memory. */
+static bool add_common(const pair *w, span *f, span *g, crossing_list *out)
+{
+    int of[2];
+    cut low = chosen(w, &f->low, &g->low, true, &of[0]), high = chosen(w, &f->high, &g->high, false, &of[1]);
+    if (!(after(w, &high, of[1], &low, of[0]) > w->slack))
+        return true;
+    if (!array_reserve(&out->item, &out->room, out->count + 1, sizeof *out->item))
+        return false;
+    crossing_segment *s = &out->item[out->count++];
+    *s = (crossing_segment){.body = {w->face[0]->body, w->face[1]->body},
+                            .face = {w->face[0]->first, w->face[1]->first},
+                            .end = {point_of(w, &low, of[0]), point_of(w, &high, of[1])}};
+    if (is_behind(w->rules->scene, &s->end[0], &s->end[1])) {
+        crossing_point first = s->end[0];
+        s->end[0] = s->end[1];
+        s->end[1] = first;
+    }
+    return true;
+}
+
+/* ---- faces of several pieces ----------------------------------------------------------------------------------- */
+
+typedef struct span_list {
+    span *item;
+    size_t count, room;
+} span_list;
+
+/* The spans of one face: inside of pieces, along sides of pieces that lie above the other's plane or below it, and
+ * along edges of the file. */
+typedef struct face_spans {
+    span_list inside, over, under, edge;
+} face_spans;
+
+static bool add_span(const pair *w, int i, span_list *to, span on)
+{
+    if (!array_reserve(&to->item, &to->room, to->count + 1, sizeof *to->item))
+        return false;
+    refine_cut(w, &on.low, w->face[1 - i]);
+    refine_cut(w, &on.high, w->face[1 - i]);
+    to->item[to->count++] = on;
+    return true;
+}
+
+static int compare_spans(const void *pa, const void *pb)
+{
+    const span *a = pa, *b = pb;
+    if (a->low.s != b->low.s)
+        return a->low.s < b->low.s ? -1 : 1;
+    return (a->high.s > b->high.s) - (a->high.s < b->high.s);
+}
+
+/* Sorts spans and joins those that touch. */
+static void unite(const pair *w, span_list *all)
+{
+    size_t to = 0;
+    if (all->count > 1)
+        qsort(all->item, all->count, sizeof *all->item, compare_spans);
+    for (size_t k = 0; k < all->count; k++) {
+        span s = all->item[k];
+        if (to == 0 || s.low.s > all->item[to - 1].high.s + w->slack)
+            all->item[to++] = s;
+        else if (s.high.s > all->item[to - 1].high.s)
+            all->item[to - 1].high = s.high;
+    }
+    all->count = to;
+}
+
+/* Adds to `inside` what of the sides above is along sides below as well, and not along an edge. All lists ascend. */
+static bool add_cuts(const pair *w, int i, face_spans *s)
+{
+    for (size_t a = 0, b = 0; a < s->over.count && b < s->under.count;) {
+        const span *f = &s->over.item[a], *g = &s->under.item[b];
+        span both = {f->low.s > g->low.s ? f->low : g->low, f->high.s < g->high.s ? f->high : g->high};
+        for (size_t e = 0; e < s->edge.count && both.high.s > both.low.s + w->slack; e++) {
+            const span *edge = &s->edge.item[e];
+            if (edge->high.s <= both.low.s || edge->low.s >= both.high.s)
+                continue;
+            if (edge->low.s > both.low.s + w->slack && !add_span(w, i, &s->inside, (span){both.low, edge->low}))
+                return false;
+            both.low = edge->high;
+        }
+        if (both.high.s > both.low.s + w->slack && !add_span(w, i, &s->inside, both))
+            return false;
+        if (f->high.s < g->high.s)
+            a++;
+        else
+            b++;
+    }
+    return true;
+}
+
+/* Is the edge one of face f? */
+static bool is_edge_of(const roberts_scene *scene, uint32_t e, const scene_edge *edge, const crossing_face *f)
+{
+    for (int k = 0; k < 2; k++)
+        if (edge->f[k] != ROBERTS_NONE) {
+            uint32_t face = scene->solid[f->body].face + edge->f[k];
+            if (face >= f->first && face < f->end)
+                return true;
+        }
+    if (!(scene->surface->edge_is[e] & EDGE_MANY))
+        return false;
+    const scene_many *many = scene_many_at(scene, e);
+    for (uint32_t k = many->first; k < many->end; k++) {
+        uint32_t face = scene->surface->many_face[k] & ~MANY_TURNED;
+        if (face >= f->first && face < f->end)
+            return true;
+    }
+    return false;
+}
+
+/* Adds the edges of face[i] that lie in the other's plane. They are few, and they are seldom asked for. */
+static bool add_edges(const pair *w, int i, span_list *to)
+{
+    const roberts_scene *scene = w->rules->scene;
+    const crossing_face *f = w->face[i];
+    const scene_solid *own = &scene->solid[f->body];
+    for (uint32_t e = own->edge; e < own[1].edge; e++) {
+        const scene_edge *edge = scene_edge_stored(scene, f->body, e);
+        uint32_t a = own->vertex + edge->v[0], b = own->vertex + edge->v[1];
+        if (scene->surface->edge_is[e] & EDGE_CUT || !is_edge_of(scene, e, edge, f) ||
+            height_of(w->rules, w->face[1 - i], f->body, a).sign != 0 ||
+            height_of(w->rules, w->face[1 - i], f->body, b).sign != 0)
+            continue;
+        cut at[2] = {corner_cut(w, a), corner_cut(w, b)};
+        bool back = at[0].s > at[1].s;
+        if (!add_span(w, i, to, (span){at[back], at[!back]}))
+            return false;
+    }
+    unite(w, to);
+    return true;
+}
+
+/* What face[i] holds of the line. */
+static bool find_spans(const pair *w, int i, face_spans *s)
+{
+    const crossing_face *f = w->face[i];
+    for (uint32_t piece = f->first; piece < f->end; piece++) {
+        contact c = contact_of(w, i, piece);
+        bool flat = !c.over && !c.under;
+        if (c.over && c.under) {
+            if (!add_span(w, i, &s->inside, c.on))
+                return false;
+        } else if (c.corners > 1 && crossing_in_pieces(f)) {
+            if (((c.over || flat) && !add_span(w, i, &s->over, c.on)) ||
+                ((c.under || flat) && !add_span(w, i, &s->under, c.on)))
+                return false;
+        }
+    }
+    unite(w, &s->over);
+    unite(w, &s->under);
+    if (s->over.count > 0 && s->under.count > 0 && !(add_edges(w, i, &s->edge) && add_cuts(w, i, s)))
+        return false;
+    unite(w, &s->inside);
+    return true;
+}
+
+static void free_spans(face_spans *s)
+{
+    free(s->inside.item);
+    free(s->over.item);
+    free(s->under.item);
+    free(s->edge.item);
+}
+
+static int compare_segments(const void *pa, const void *pb)
+{
+    const crossing_segment *a = pa, *b = pb;
+    return vec3_compare(a->end[0].point, b->end[0].point);
+}
+
+static bool find_in_pieces(const pair *w, crossing_list *out)
+{
+    face_spans of[2] = {{{0}, {0}, {0}, {0}}, {{0}, {0}, {0}, {0}}};
+    size_t first = out->count;
+    bool enough = find_spans(w, 0, &of[0]) && find_spans(w, 1, &of[1]);
+    span_list *f = &of[0].inside, *g = &of[1].inside;
+    for (size_t a = 0, b = 0; enough && a < f->count && b < g->count;) {
+        enough = add_common(w, &f->item[a], &g->item[b], out);
+        if (f->item[a].high.s < g->item[b].high.s)
+            a++;
+        else
+            b++;
+    }
+    if (out->count > first + 1)
+        qsort(out->item + first, out->count - first, sizeof *out->item, compare_segments);
+    free_spans(&of[0]);
+    free_spans(&of[1]);
+    return enough;
+}
+
+/* ---- all of it ------------------------------------------------------------------------------------------------- */
+
+bool crossing_find(const crossing_rules *rules, crossing_face *f, crossing_face *g, crossing_list *out)
+{
+    if (crossing_is_beside(rules, f, g) || crossing_is_beside(rules, g, f))
+        return true;
+    pair w = pair_of(rules, f, g);
+    if (crossing_in_pieces(f) || crossing_in_pieces(g))
+        return find_in_pieces(&w, out);
+    contact a = contact_of(&w, 0, f->first), b = contact_of(&w, 1, g->first);
+    return add_common(&w, &a.on, &b.on, out);
+}

@@ -1,0 +1,379 @@
+/* plain_bodies.c - see plain_bodies.h. */
+#include "model/plain_bodies.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/box.h"
+#include "base/sort.h"
+#include "model/body_edges.h"
+#include "model/face_pieces.h"
+#include "model/point_grid.h"
+#include "model/scene_arrays.h"
+#include "model/surface.h"
+#include "model/weld.h"
+#include "read/mesh.h"
+
+/* ---- not convex at a glance ------------------------------------------------------------------------------------ */
+
+enum { GLANCE_LEAST = 1000, GLANCE_FACES = 8, GLANCE_VERTICES = 32 };
+
+/* More than rounding can make of a bound. */
+#define GLANCE_MARGIN 1.01
+
+/* Beyond these sizes a solid is checked in a frame of its own. */
+#define GLANCE_LARGE 0x1p200
+#define GLANCE_SMALL 0x1p-200
+
+/* How far a vertex may lie outside a plane of unit width, see solid_check(); 0: numbers are too large or too small. */
+static double allowance_of(const roberts_scene *scene, uint32_t s, double tolerance, double *size)
+{
+    const roberts_vec3 *point = scene->point + scene->solid[s].vertex;
+    uint32_t count = scene->solid[s + 1].vertex - scene->solid[s].vertex;
+    roberts_vec3 low = point[0], high = point[0], sum = {0, 0, 0};
+    box_add_all(&low, &high, point, count);
+    for (uint32_t v = 0; v < count; v++)
+        sum = vec3_add(sum, point[v]);
+    double largest = greater(greater(greater(-low.x, high.x), greater(-low.y, high.y)), greater(-low.z, high.z));
+    *size = vec3_length(vec3_sub(high, low));
+    if (!isfinite(sum.x + sum.y + sum.z) || largest > MESH_COORDINATE_MAX ||
+        !(*size > GLANCE_SMALL && *size < GLANCE_LARGE))
+        return 0.0;
+    return GLANCE_MARGIN * tolerance * greater(largest, *size);
+}
+
+/* Have some vertices of solid s more than this distance to the plane, on both sides of it? Then the solid is refused
+ * whichever way the face is wound. */
+static bool is_crossed(const roberts_scene *scene, uint32_t s, const fitted_plane *fit, roberts_vec3 origin,
+                       double distance)
+{
+    uint32_t first = scene->solid[s].vertex, count = scene->solid[s + 1].vertex - first;
+    bool above = false, below = false;
+    for (uint32_t i = 0; i < GLANCE_VERTICES; i++) {
+        uint32_t v = first + (uint32_t)((uint64_t)i * count / GLANCE_VERTICES);
+        double height = vec3_dot(fit->n, vec3_sub(scene->point[v], origin)) - fit->mean;
+        above = above || height > distance;
+        below = below || height < -distance;
+    }
+    return above && below;
+}
+
+bool plain_not_convex(const roberts_scene *scene, uint32_t s, double tolerance)
+{
+    uint32_t first = scene->solid[s].face, count = scene->solid[s + 1].face - first;
+    double size, allowed = count < GLANCE_LEAST ? 0.0 : allowance_of(scene, s, tolerance, &size);
+    for (uint32_t i = 0; i < GLANCE_FACES && allowed > 0.0; i++) {
+        uint32_t f = first + (uint32_t)((uint64_t)i * count / GLANCE_FACES);
+        const uint32_t *corner = scene->corner + scene->face_start[f];
+        if (scene->face_start[f + 1] - scene->face_start[f] != 3)
+            continue;
+        roberts_vec3 A = scene->point[corner[0]];
+        roberts_vec3 ring[3] = {{0, 0, 0}, vec3_sub(scene->point[corner[1]], A), vec3_sub(scene->point[corner[2]], A)};
+        fitted_plane fit = face_plane_fit(ring, 3);
+        if (fit.width > 0.0 && is_crossed(scene, s, &fit, A, allowed * greater(1.0, size / fit.width)))
+            return true;
+    }
+    return false;
+}
+
+/* ---- faces ----------------------------------------------------------------------------------------------------- */
+
+typedef struct plain_work {
+    roberts_scene *scene;
+    const uint8_t *mark;
+    face_rules rules;
+    face_pieces pieces;
+    plain_edges edges; /* of the bodies that are built here; those of repeated solids are stored already */
+    uint32_t *first;   /* [solids] where each has them */
+    uint32_t *count;   /* [solids] how many */
+    uint8_t *open;     /* [solids] 1: it has borders */
+} plain_work;
+
+/* Stores the plane of a face, as bodies.c does: it points to where the corners run clockwise. */
+static void store_plane(roberts_scene *scene, uint32_t f, const fitted_plane *fit)
+{
+    roberts_vec3 P = vec3_sub(scene->point[scene->corner[scene->face_start[f]]], scene->centre);
+    scene->face_plane[f] = (plane){-fit->n.x, -fit->n.y, -fit->n.z, vec3_dot(fit->n, P) + fit->mean * scene->unit};
+    scene_set_bounds(scene, f, fit->deviation * scene->unit, fit->width * scene->unit);
+}
+
+/* Takes a face of four or more corners, if it is convex and in one plane. */
+static plain_answer take_polygon(plain_work *w, uint32_t f)
+{
+    roberts_scene *scene = w->scene;
+    const uint32_t *corner = scene->corner + scene->face_start[f];
+    uint32_t count = scene->face_start[f + 1] - scene->face_start[f];
+    face_pieces *p = &w->pieces;
+    roberts_vec3 ring[PIECE_CORNERS];
+    if (count > PIECE_CORNERS)
+        return PLAIN_NO;
+    if (!face_pieces_cut(p, &w->rules, corner, count))
+        return PLAIN_NO_MEMORY;
+    if (!p->planar || p->piece_count != 1 || p->piece[0].count != count)
+        return PLAIN_NO;
+    for (uint32_t i = 0; i < count; i++) {
+        if (p->node[p->piece[0].node[i]].vertex != corner[i])
+            return PLAIN_NO;
+        ring[i] = vec3_scale(1.0 / scene->unit, vec3_sub(scene->point[corner[i]], scene->point[corner[0]]));
+    }
+    fitted_plane fit = face_plane_fit(ring, count);
+    store_plane(scene, f, &fit);
+    return PLAIN_YES;
+}
+
+/* Corner k of triangles f and g, relative to `origin` and in the scene's units. */
+static inline two_vec3 corners_at(const roberts_scene *scene, uint32_t f, uint32_t g, uint32_t k)
+{
+    return two_vec3_of(&scene->point[scene->corner[scene->face_start[f] + k]],
+                       &scene->point[scene->corner[scene->face_start[g] + k]]);
+}
+
+static inline two_vec3 scaled(two by, two_vec3 a)
+{
+    return (two_vec3){two_mul(by, a.x), two_mul(by, a.y), two_mul(by, a.z)};
+}
+
+/* Takes triangles f and g, which may be the same. False: one is too narrow to be a face. */
+static inline bool take_triangles(const plain_work *w, uint32_t f, uint32_t g)
+{
+    roberts_scene *scene = w->scene;
+    two per_unit = two_all(1.0 / scene->unit), unit = two_all(scene->unit), minus = two_all(-1.0);
+    two_vec3 origin = corners_at(scene, f, g, 0);
+    two_planes fit = two_planes_of_triangles(scaled(per_unit, two_vec3_sub(corners_at(scene, f, g, 1), origin)),
+                                             scaled(per_unit, two_vec3_sub(corners_at(scene, f, g, 2), origin)));
+    if (fit.empty || two_at_most(two_mul(fit.width, unit), two_all(w->rules.touching)))
+        return false;
+    plane *F = &scene->face_plane[f], *G = &scene->face_plane[g];
+    two_vec3 P = two_vec3_sub(origin, two_vec3_all(scene->centre));
+    two_part(&F->a, &G->a, two_mul(minus, fit.n.x));
+    two_part(&F->b, &G->b, two_mul(minus, fit.n.y));
+    two_part(&F->c, &G->c, two_mul(minus, fit.n.z));
+    two_part(&F->d, &G->d, two_add(two_vec3_dot(fit.n, P), two_mul(fit.mean, unit)));
+    two_part_floats(&scene->face_deviation[f], &scene->face_deviation[g],
+                    two_mul(fit.deviation, two_all(SCENE_UPWARD)));
+    two_part_floats(&scene->face_width[f], &scene->face_width[g], two_mul(fit.width, two_all(SCENE_DOWNWARD)));
+    return true;
+}
+
+/* Takes the faces of a solid. */
+static plain_answer take_faces(plain_work *w, uint32_t s)
+{
+    roberts_scene *scene = w->scene;
+    const uint32_t *start = scene->face_start, end = scene->solid[s + 1].face;
+    for (uint32_t f = scene->solid[s].face; f < end; f++) {
+        if (start[f + 1] - start[f] > 3) {
+            plain_answer answer = take_polygon(w, f);
+            if (answer != PLAIN_YES)
+                return answer;
+            continue;
+        }
+        uint32_t g = f + 1 < end && start[f + 2] - start[f + 1] == 3 ? f + 1 : f;
+        if (!take_triangles(w, f, g))
+            return PLAIN_NO;
+        f = g;
+    }
+    return PLAIN_YES;
+}
+
+/* ---- borders --------------------------------------------------------------------------------------------------- */
+
+/* Finds the edges of solid s. */
+static plain_answer take_edges(plain_work *w, uint32_t s)
+{
+    uint32_t first = (uint32_t)w->edges.count;
+    plain_answer answer = plain_edges_find(&w->edges, s);
+    w->first[s] = first;
+    w->count[s] = (uint32_t)w->edges.count - first;
+    for (uint32_t e = first; e < w->edges.count && !w->open[s]; e++)
+        w->open[s] = w->edges.edge[e].f[1] == ROBERTS_NONE;
+    return answer;
+}
+
+/* Lists the ends of all borders, two for each, by compact numbers. False: no memory. */
+static bool list_borders(const plain_work *w, uint32_t **end, size_t *count)
+{
+    size_t room = 0;
+    *count = 0;
+    for (uint32_t s = 0; s < w->scene->solid_count; s++) {
+        const scene_solid *own = &w->scene->solid[s];
+        for (uint32_t e = 0; w->open[s] && e < w->count[s]; e++) {
+            const scene_edge *edge = &w->edges.edge[w->first[s] + e];
+            if (edge->f[1] != ROBERTS_NONE)
+                continue;
+            if (!array_reserve(end, &room, *count + 2, sizeof **end))
+                return false;
+            (*end)[(*count)++] = own->vertex + edge->v[0];
+            (*end)[(*count)++] = own->vertex + edge->v[1];
+        }
+    }
+    return true;
+}
+
+/* Does no listed vertex touch the border from a to b, but for its ends? */
+static plain_answer is_clear(const plain_work *w, const point_grid *grid, uint32_t a, uint32_t b, point_list *found)
+{
+    const roberts_vec3 *point = w->scene->point;
+    found->count = 0;
+    if (!point_grid_near(grid, point[a], point[b], w->rules.touching, found))
+        return PLAIN_NO_MEMORY;
+    for (size_t i = 0; i < found->count; i++) {
+        uint32_t v = found->item[i];
+        double t;
+        if (v != a && v != b && surface_touches(point[a], point[b], point[v], w->rules.touching, &t) != TOUCHES_NOT)
+            return PLAIN_NO;
+    }
+    return PLAIN_YES;
+}
+
+/* Does no vertex of a border touch another border? */
+static plain_answer are_clear(const plain_work *w)
+{
+    uint32_t *end = NULL, *vertex = NULL;
+    size_t count = 0, vertices = 0;
+    point_grid grid = {0};
+    point_list found = {0};
+    plain_answer answer = list_borders(w, &end, &count) ? PLAIN_YES : PLAIN_NO_MEMORY;
+    if (answer == PLAIN_YES && count > 0) {
+        if ((vertex = alloc_array(count, sizeof *vertex))) {
+            memcpy(vertex, end, count * sizeof *vertex);
+            qsort(vertex, count, sizeof *vertex, sort_compare_numbers);
+            for (size_t i = 0; i < count; i++)
+                if (i == 0 || vertex[i] != vertex[i - 1])
+                    vertex[vertices++] = vertex[i];
+        }
+        if (!vertex || !point_grid_build(&grid, w->scene->point, vertex, vertices))
+            answer = PLAIN_NO_MEMORY;
+        for (size_t i = 0; answer == PLAIN_YES && i < count; i += 2)
+            answer = is_clear(w, &grid, end[i], end[i + 1], &found);
+    }
+    point_grid_free(&grid);
+    free(found.item);
+    free(vertex);
+    free(end);
+    return answer;
+}
+
+/* Are all vertices of open bodies at places of their own? Otherwise these bodies have to be welded. */
+static plain_answer are_apart(const plain_work *w)
+{
+    const roberts_scene *scene = w->scene;
+    uint32_t *listed = NULL;
+    size_t count = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        count = 0;
+        for (uint32_t s = 0; s < scene->solid_count; s++)
+            for (uint32_t v = scene->solid[s].vertex; w->open[s] && v < scene->solid[s + 1].vertex; v++, count++)
+                if (pass == 1)
+                    listed[count] = v;
+        if (count == 0)
+            return PLAIN_YES;
+        if (pass == 0 && !(listed = alloc_array(count, sizeof *listed)))
+            return PLAIN_NO_MEMORY;
+    }
+    bool equal = false, enough = weld_any_equal(listed, count, scene->point, &equal);
+    free(listed);
+    return !enough ? PLAIN_NO_MEMORY : equal ? PLAIN_NO : PLAIN_YES;
+}
+
+/* ---- the scene ------------------------------------------------------------------------------------------------- */
+
+/* Moves the edges to the scene, after those that it has. */
+static bool join_edges(plain_work *w)
+{
+    roberts_scene *scene = w->scene;
+    scene_edge *own = w->edges.edge;
+    size_t used = scene->shared, count = w->edges.count;
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        if (w->count[s] == 0 && scene->solid[s].stored >= scene->shared)
+            used = scene->solid[s].stored + (size_t)scene_corners(scene, s) / 2;
+    if (count == 0 || used + count >= ROBERTS_NONE)
+        return count == 0;
+    if (used == 0) {
+        free(scene->edge);
+        scene->edge = own;
+        w->edges.edge = NULL;
+    }
+    void *edge = realloc(scene->edge, (used + count) * sizeof *scene->edge);
+    if (!edge)
+        return false;
+    scene->edge = edge;
+    if (used > 0)
+        memcpy(scene->edge + used, own, count * sizeof *own);
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        if (w->count[s] > 0)
+            scene->solid[s].stored = (uint32_t)used + w->first[s];
+    return true;
+}
+
+/* Numbers the edges, and fills the arrays that only scenes with such bodies have. */
+static bool fill_surface(plain_work *w)
+{
+    roberts_scene *scene = w->scene;
+    scene_surface *to = scene->surface = alloc_zeroed(1, sizeof *to);
+    uint64_t sum = 0;
+    for (uint32_t s = 0; s < scene->solid_count; s++) {
+        scene->solid[s].edge = (uint32_t)sum;
+        sum += w->count[s] > 0 ? w->count[s] : scene_corners(scene, s) / 2;
+        if (sum >= ROBERTS_NONE)
+            return false;
+    }
+    scene->solid[scene->solid_count].edge = scene->edge_count = (uint32_t)sum;
+    if (!to || !(to->kind = alloc_zeroed(scene->solid_count, 1)) ||
+        !(to->smooth = alloc_zeroed(scene->solid_count, 1)) || !(to->edge_is = alloc_zeroed(scene->edge_count, 1)) ||
+        !(to->plane_of = alloc_array(scene->face_count, sizeof *to->plane_of)))
+        return false;
+    for (uint32_t f = 0; f < scene->face_count; f++)
+        to->plane_of[f] = f;
+    for (uint32_t s = 0; s < scene->solid_count; s++) {
+        to->kind[s] = ROBERTS_CONVEX;
+        if (!w->mark[s])
+            continue;
+        to->kind[s] = w->open[s] ? ROBERTS_OPEN : ROBERTS_CLOSED;
+        uint8_t *is = to->edge_is + scene->solid[s].edge;
+        if (w->count[s] > 0)
+            memcpy(is, w->edges.is + w->first[s], w->count[s]);
+        else
+            memset(is, EDGE_TURNED_1, scene->solid[s + 1].edge - scene->solid[s].edge);
+        to->smooth[s] = body_smooth(scene, s);
+    }
+    return true;
+}
+
+plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const roberts_scene_options *options,
+                                double touching)
+{
+    plain_work w = {.scene = scene,
+                    .mark = mark,
+                    .rules = {scene->point, options->tolerance, touching, scene->unit, options->even_odd},
+                    .edges = {.scene = scene},
+                    .first = alloc_zeroed(scene->solid_count, sizeof *w.first),
+                    .count = alloc_zeroed(scene->solid_count, sizeof *w.count),
+                    .open = alloc_zeroed(scene->solid_count, 1)};
+    plain_answer answer = w.first && w.count && w.open ? PLAIN_YES : PLAIN_NO_MEMORY;
+    for (uint32_t s = 0; answer == PLAIN_YES && s < scene->solid_count; s++) {
+        if (!mark[s])
+            continue;
+        for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++)
+            if (scene->turned[f])
+                scene_turn_face(scene, f); /* back to what the file has */
+        if (scene->solid[s].stored >= scene->shared)
+            answer = take_edges(&w, s);
+    }
+    plain_edges_free_scratch(&w.edges);
+    if (answer == PLAIN_YES)
+        answer = are_apart(&w);
+    if (answer == PLAIN_YES)
+        answer = are_clear(&w);
+    for (uint32_t s = 0; answer == PLAIN_YES && s < scene->solid_count; s++)
+        if (mark[s])
+            answer = take_faces(&w, s);
+    if (answer == PLAIN_YES && !(join_edges(&w) && fill_surface(&w)))
+        answer = PLAIN_NO_MEMORY;
+    face_pieces_free(&w.pieces);
+    plain_edges_free(&w.edges);
+    free(w.first);
+    free(w.count);
+    free(w.open);
+    return answer;
+}

@@ -1,0 +1,295 @@
+/* plain_edges.c - see plain_edges.h.
+ *
+ * Most meshes are wound alike. Then edges are found without sorting all sides: each side that runs from a smaller to a
+ * greater vertex makes an edge, in a bucket of its smaller vertex, and only these short buckets are sorted. Each side
+ * that runs back then finds the edge that it completes; if there is none, it is a border. Otherwise all sides are
+ * sorted. */
+#include "model/plain_edges.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/sets.h"
+#include "base/sort.h"
+
+/* ---- faces that are wound alike -------------------------------------------------------------------------------- */
+
+enum { SHORT_BUCKET = 24 };
+
+static int compare_edges(const void *pa, const void *pb)
+{
+    const scene_edge *a = pa, *b = pb;
+    if (a->v[0] != b->v[0])
+        return a->v[0] < b->v[0] ? -1 : 1;
+    return (a->v[1] > b->v[1]) - (a->v[1] < b->v[1]);
+}
+
+/* Counts the sides that run to a greater vertex, by their first one; start[v] becomes where those of v begin. */
+static uint32_t count_upward(const plain_edges *p, uint32_t s)
+{
+    const roberts_scene *scene = p->scene;
+    uint32_t base = scene->solid[s].vertex, vertices = scene->solid[s + 1].vertex - base, sum = 0;
+    memset(p->start, 0, vertices * sizeof *p->start);
+    for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++) {
+        const uint32_t *corner = scene->corner + scene->face_start[f], *end = scene->corner + scene->face_start[f + 1];
+        for (uint32_t from = end[-1]; corner < end; from = *corner++)
+            p->start[from - base] += from < *corner;
+    }
+    for (uint32_t v = 0; v < vertices; v++) {
+        uint32_t here = p->start[v];
+        p->start[v] = sum;
+        sum += here;
+    }
+    return sum;
+}
+
+/* Makes an edge of each side that runs to a greater vertex. False: two have the same ends. */
+static bool make_edges(const plain_edges *p, uint32_t s, scene_edge *edge)
+{
+    const roberts_scene *scene = p->scene;
+    uint32_t base = scene->solid[s].vertex, vertices = scene->solid[s + 1].vertex - base, first = scene->solid[s].face;
+    bool different = true;
+    for (uint32_t f = first; f < scene->solid[s + 1].face; f++) {
+        const uint32_t *corner = scene->corner + scene->face_start[f], *end = scene->corner + scene->face_start[f + 1];
+        for (uint32_t from = end[-1]; corner < end; from = *corner++)
+            if (from < *corner)
+                edge[p->start[from - base]++] = (scene_edge){{from - base, *corner - base}, {f - first, ROBERTS_NONE}};
+    }
+    for (uint32_t v = 0, begin = 0; v < vertices && different; begin = p->start[v++]) {
+        uint32_t count = p->start[v] - begin;
+        if (count > SHORT_BUCKET)
+            qsort(edge + begin, count, sizeof *edge, compare_edges);
+        else
+            SORT_FEW(scene_edge, edge + begin, count, a->v[1] > b->v[1])
+        for (uint32_t i = begin + 1; i < begin + count; i++)
+            different = different && edge[i].v[1] != edge[i - 1].v[1];
+    }
+    return different;
+}
+
+/* The edge from v0 to v1; NULL: there is none. */
+static inline scene_edge *find_edge(const plain_edges *p, scene_edge *edge, uint32_t v0, uint32_t v1)
+{
+    uint32_t low = v0 > 0 ? p->start[v0 - 1] : 0, end = p->start[v0], high = end;
+    while (high - low > SHORT_BUCKET) {
+        uint32_t middle = low + (high - low) / 2;
+        if (edge[middle].v[1] < v1)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    while (low < end && edge[low].v[1] < v1)
+        low++;
+    return low < end && edge[low].v[1] == v1 ? &edge[low] : NULL;
+}
+
+/* Gives each edge its second face: of the sides that run to a smaller vertex. Those without a partner become borders.
+ * *sets: how many sets of faces edges connect. *paired: how many edges have two faces. */
+static plain_answer complete_edges(plain_edges *p, uint32_t s, scene_edge *edge, uint32_t *sets, uint32_t *paired)
+{
+    const roberts_scene *scene = p->scene;
+    uint32_t base = scene->solid[s].vertex, first = scene->solid[s].face, faces = scene->solid[s + 1].face - first;
+    *sets = faces;
+    *paired = 0;
+    for (uint32_t f = 0; f < faces; f++)
+        p->parent[f] = f;
+    for (uint32_t f = first; f < first + faces; f++) {
+        const uint32_t *corner = scene->corner + scene->face_start[f], *end = scene->corner + scene->face_start[f + 1];
+        for (uint32_t from = end[-1]; corner < end; from = *corner++) {
+            if (from < *corner)
+                continue;
+            scene_edge *e = find_edge(p, edge, *corner - base, from - base);
+            if (!e) {
+                if (!array_reserve(&p->border, &p->border_room, p->border_count + 1, sizeof *p->border))
+                    return PLAIN_NO_MEMORY;
+                p->border[p->border_count++] = (scene_edge){{*corner - base, from - base}, {ROBERTS_NONE, f - first}};
+                continue;
+            }
+            if (e->f[1] != ROBERTS_NONE)
+                return PLAIN_NO;
+            e->f[1] = f - first;
+            ++*paired;
+            uint32_t a = sets_root(p->parent, f - first), b = sets_root(p->parent, e->f[0]);
+            *sets -= a != b;
+            p->parent[a < b ? b : a] = a < b ? a : b;
+        }
+    }
+    return PLAIN_YES;
+}
+
+/* Merges the borders on the right of a face into the `count` edges. False: two have the same ends. */
+static bool merge_borders(plain_edges *p, scene_edge *edge, size_t count)
+{
+    size_t borders = p->border_count;
+    if (borders > 1)
+        qsort(p->border, borders, sizeof *p->border, compare_edges);
+    for (size_t i = 1; i < borders; i++)
+        if (compare_edges(&p->border[i - 1], &p->border[i]) == 0)
+            return false;
+    for (size_t to = count + borders; borders > 0;)
+        if (count > 0 && compare_edges(&edge[count - 1], &p->border[borders - 1]) > 0)
+            edge[--to] = edge[--count];
+        else
+            edge[--to] = p->border[--borders];
+    return true;
+}
+
+/* Notes on which sides of the edges the faces are. One on the right alone becomes the first. */
+static void note_sides(scene_edge *edge, uint8_t *is, size_t count, bool any_border)
+{
+    memset(is, EDGE_TURNED_1, count);
+    for (size_t e = 0; any_border && e < count; e++)
+        if (edge[e].f[0] == ROBERTS_NONE) {
+            edge[e] = (scene_edge){{edge[e].v[0], edge[e].v[1]}, {edge[e].f[1], ROBERTS_NONE}};
+            is[e] = EDGE_TURNED_0;
+        } else if (edge[e].f[1] == ROBERTS_NONE) {
+            is[e] = 0;
+        }
+}
+
+static bool make_room(plain_edges *p, size_t count)
+{
+    return array_reserve(&p->edge, &p->edge_room, p->count + count, sizeof *p->edge) &&
+           array_reserve(&p->is, &p->is_room, p->count + count, 1) && p->count + count < ROBERTS_NONE;
+}
+
+/* *alike: the faces are wound alike, as far as they have been looked at. */
+static plain_answer find_alike(plain_edges *p, uint32_t s, bool *alike)
+{
+    uint32_t sets, paired, upward = count_upward(p, s);
+    p->border_count = 0;
+    if (!make_room(p, upward))
+        return PLAIN_NO_MEMORY;
+    *alike = make_edges(p, s, p->edge + p->count);
+    plain_answer answer = *alike ? complete_edges(p, s, p->edge + p->count, &sets, &paired) : PLAIN_NO;
+    *alike = *alike && answer != PLAIN_NO;
+    if (answer != PLAIN_YES || sets > 1)
+        return answer == PLAIN_YES ? PLAIN_NO : answer;
+    size_t count = upward + p->border_count;
+    if (!make_room(p, count))
+        return PLAIN_NO_MEMORY;
+    *alike = merge_borders(p, p->edge + p->count, upward);
+    if (!*alike)
+        return PLAIN_NO;
+    note_sides(p->edge + p->count, p->is + p->count, count, paired < count);
+    p->count += count;
+    return PLAIN_YES;
+}
+
+/* ---- all others ------------------------------------------------------------------------------------------------ */
+
+/* Sorts the sides into p->half. False: no memory. */
+static bool sort_sides(plain_edges *p, uint32_t s)
+{
+    const roberts_scene *scene = p->scene;
+    uint32_t base = scene->solid[s].vertex, vertices = scene->solid[s + 1].vertex - base, first = scene->solid[s].face;
+    uint32_t sum = 0;
+    if (!array_reserve(&p->half, &p->half_room, scene_corners(scene, s), sizeof *p->half))
+        return false;
+    memset(p->start, 0, vertices * sizeof *p->start);
+    for (int pass = 0; pass < 2; pass++) {
+        for (uint32_t f = first; f < scene->solid[s + 1].face; f++) {
+            const uint32_t *corner = scene->corner + scene->face_start[f],
+                           *end = scene->corner + scene->face_start[f + 1];
+            for (uint32_t from = end[-1]; corner < end; from = *corner++) {
+                bool turned = from > *corner;
+                uint32_t lower = (turned ? *corner : from) - base, upper = (turned ? from : *corner) - base;
+                if (pass == 0)
+                    p->start[lower]++;
+                else
+                    p->half[p->start[lower]++] = (uint64_t)upper << 32 | (uint64_t)(f - first) << 1 | turned;
+            }
+        }
+        for (uint32_t v = 0; v < vertices && pass == 0; v++) {
+            uint32_t here = p->start[v];
+            p->start[v] = sum;
+            sum += here;
+        }
+    }
+    for (uint32_t v = 0, begin = 0; v < vertices; begin = p->start[v++]) {
+        uint32_t count = p->start[v] - begin;
+        if (count > SHORT_BUCKET)
+            qsort(p->half + begin, count, sizeof *p->half, compare_u64);
+        else
+            SORT_FEW(uint64_t, p->half + begin, count, *a > *b)
+    }
+    return true;
+}
+
+/* Makes an edge of one side, or two with the same ends. */
+static void add_edge(plain_edges *p, uint32_t v, const uint64_t *half, uint32_t count)
+{
+    scene_edge *edge = &p->edge[p->count];
+    uint8_t is = half[0] & 1 ? EDGE_TURNED_0 : 0;
+    *edge = (scene_edge){{v, (uint32_t)(half[0] >> 32)}, {(uint32_t)half[0] >> 1, ROBERTS_NONE}};
+    if (count == 2) {
+        edge->f[1] = (uint32_t)half[1] >> 1;
+        is |= half[1] & 1 ? EDGE_TURNED_1 : 0;
+    }
+    p->is[p->count++] = is;
+}
+
+static plain_answer find_mixed(plain_edges *p, uint32_t s)
+{
+    const roberts_scene *scene = p->scene;
+    uint32_t vertices = scene->solid[s + 1].vertex - scene->solid[s].vertex;
+    uint32_t faces = scene->solid[s + 1].face - scene->solid[s].face, sets = faces;
+    size_t before = p->count;
+    if (!sort_sides(p, s) || !make_room(p, scene_corners(scene, s)))
+        return PLAIN_NO_MEMORY;
+    for (uint32_t f = 0; f < faces; f++)
+        p->parent[f] = f;
+    for (uint32_t v = 0, i = 0, to; v < vertices; v++)
+        for (; i < p->start[v]; i = to) {
+            for (to = i + 1; to < p->start[v] && p->half[to] >> 32 == p->half[i] >> 32; to++)
+                continue;
+            uint32_t f = (uint32_t)p->half[i] >> 1, g = (uint32_t)p->half[to - 1] >> 1;
+            if (to - i > 2 || (to - i == 2 && f == g)) {
+                p->count = before;
+                return PLAIN_NO;
+            }
+            add_edge(p, v, p->half + i, to - i);
+            f = sets_root(p->parent, f);
+            g = sets_root(p->parent, g);
+            sets -= f != g;
+            p->parent[f < g ? g : f] = f < g ? f : g;
+        }
+    if (sets > 1)
+        p->count = before;
+    return sets > 1 ? PLAIN_NO : PLAIN_YES;
+}
+
+plain_answer plain_edges_find(plain_edges *p, uint32_t s)
+{
+    const scene_solid *own = &p->scene->solid[s];
+    uint32_t faces = own[1].face - own->face;
+    bool alike = true;
+    if (!array_reserve(&p->start, &p->start_room, own[1].vertex - own->vertex, sizeof *p->start) ||
+        !array_reserve(&p->parent, &p->parent_room, faces, sizeof *p->parent))
+        return PLAIN_NO_MEMORY;
+    if (faces == 2 || faces >= 1u << 31)
+        return PLAIN_NO;
+    plain_answer answer = find_alike(p, s, &alike);
+    return alike || answer == PLAIN_NO_MEMORY ? answer : find_mixed(p, s);
+}
+
+void plain_edges_free_scratch(plain_edges *p)
+{
+    free(p->start);
+    free(p->parent);
+    free(p->half);
+    free(p->border);
+    p->start = p->parent = NULL;
+    p->half = NULL;
+    p->border = NULL;
+    p->start_room = p->parent_room = p->half_room = p->border_count = p->border_room = 0;
+}
+
+void plain_edges_free(plain_edges *p)
+{
+    plain_edges_free_scratch(p);
+    free(p->edge);
+    free(p->is);
+    *p = (plain_edges){0};
+}

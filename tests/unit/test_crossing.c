@@ -1,0 +1,380 @@
+/* test_crossing.c - where two faces cross: hand-made pairs of every kind, in all orders and turned in all ways; random
+ * triangles with integer corners against whole numbers, to the last bit. */
+#include "model/crossing.h"
+#include "scenes.h"
+
+enum { MOST_LINES = 3 };
+
+typedef struct pair_case {
+    const char *name, *off; /* two faces, or more: the first two are asked */
+    size_t count;
+    double line[MOST_LINES][6];
+} pair_case;
+
+#define SQUARE_VERTICES "0 0 0\n4 0 0\n4 4 0\n0 4 0\n"
+#define STAR "0 -10 0\n6 8 0\n-9 -3 0\n9 -3 0\n-6 8 0\n"
+
+static const pair_case cases[] = {
+    {"one through the other",
+     "8 2 0\n" SQUARE_VERTICES "1 2 -1\n3 2 -1\n3 2 1\n1 2 1\n4 0 1 2 3\n4 4 5 6 7\n",
+     1,
+     {{1, 2, 0, 3, 2, 0}}},
+    {"partly beyond it",
+     "8 2 0\n" SQUARE_VERTICES "3 2 -1\n7 2 -1\n7 2 1\n3 2 1\n4 0 1 2 3\n4 4 5 6 7\n",
+     1,
+     {{3, 2, 0, 4, 2, 0}}},
+    {"apart", "8 2 0\n" SQUARE_VERTICES "5 2 -1\n7 2 -1\n7 2 1\n5 2 1\n4 0 1 2 3\n4 4 5 6 7\n", 0, {{0}}},
+    {"stands on it", "8 2 0\n" SQUARE_VERTICES "1 2 0\n3 2 0\n3 2 1\n1 2 1\n4 0 1 2 3\n4 4 5 6 7\n", 0, {{0}}},
+    {"touches it with a corner", "7 2 0\n" SQUARE_VERTICES "2 2 0\n3 2 1\n1 2 1\n4 0 1 2 3\n3 4 5 6\n", 0, {{0}}},
+    {"pokes through by less than what touches",
+     "8 2 0\n" SQUARE_VERTICES "1 2 -1e-12\n3 2 -1e-12\n3 2 1\n1 2 1\n4 0 1 2 3\n4 4 5 6 7\n",
+     0,
+     {{0}}},
+    {"... by more",
+     "8 2 0\n" SQUARE_VERTICES "1 2 -1e-9\n3 2 -1e-9\n3 2 1\n1 2 1\n4 0 1 2 3\n4 4 5 6 7\n",
+     1,
+     {{1, 2, 0, 3, 2, 0}}},
+    {"their borders only meet", "7 2 0\n" SQUARE_VERTICES "4 1 -1\n4 3 -1\n6 2 2\n4 0 1 2 3\n3 4 5 6\n", 0, {{0}}},
+    {"in one plane", "8 2 0\n" SQUARE_VERTICES "1 1 0\n5 1 0\n5 5 0\n1 5 0\n4 0 1 2 3\n4 4 5 6 7\n", 0, {{0}}},
+    {"parallel", "8 2 0\n" SQUARE_VERTICES "1 1 1\n5 1 1\n5 5 1\n1 5 1\n4 0 1 2 3\n4 4 5 6 7\n", 0, {{0}}},
+    {"share a side", "6 2 0\n" SQUARE_VERTICES "4 0 3\n0 0 3\n4 0 1 2 3\n4 0 1 4 5\n", 0, {{0}}},
+    {"share a corner and cross from there on",
+     "5 2 0\n0 0 0\n4 -4 0\n4 4 0\n4 0 -2\n4 0 2\n3 0 1 2\n3 0 3 4\n",
+     1,
+     {{0, 0, 0, 4, 0, 0}}},
+    {"share a corner and nothing else", "5 2 0\n0 0 0\n4 -4 0\n4 4 0\n-4 0 -2\n-4 0 2\n3 0 1 2\n3 0 3 4\n", 0, {{0}}},
+    {"share two corners, a diagonal of both",
+     "6 2 0\n" SQUARE_VERTICES "0 0 4\n4 4 -4\n4 0 1 2 3\n4 0 4 2 5\n",
+     1,
+     {{0, 0, 0, 4, 4, 0}}},
+    {"a side runs through a corner",
+     "6 2 0\n0 0 0\n4 0 0\n0 4 0\n0 0 -1\n0 0 1\n4 4 0\n3 0 1 2\n3 3 4 5\n",
+     1,
+     {{0, 0, 0, 2, 2, 0}}},
+    {"a corner ends on a side",
+     "7 2 0\n" SQUARE_VERTICES "2 0 -1\n2 4 0\n2 0 1\n4 0 1 2 3\n3 4 5 6\n",
+     1,
+     {{2, 0, 0, 2, 4, 0}}},
+    {"a comb",
+     "12 2 0\n-1 -1 0\n9 -1 0\n9 1 0\n-1 1 0\n0 0 2\n0 0 -2\n2 0 -2\n2 0 1\n4 0 1\n4 0 -2\n6 0 -2\n6 0 2\n4 0 1 2 3\n"
+     "8 4 5 6 7 8 9 10 11\n",
+     2,
+     {{0, 0, 0, 2, 0, 0}, {4, 0, 0, 6, 0, 0}}},
+    {"a tooth that ends in the plane parts nothing",
+     "11 2 0\n-1 -1 0\n9 -1 0\n9 1 0\n-1 1 0\n0 0 2\n0 0 -2\n6 0 -2\n6 0 2\n4 0 2\n3 0 0\n2 0 2\n4 0 1 2 3\n"
+     "7 4 5 6 7 8 9 10\n",
+     1,
+     {{0, 0, 0, 6, 0, 0}}},
+    {"a side in the plane parts the line",
+     "12 2 0\n-1 -1 0\n9 -1 0\n9 1 0\n-1 1 0\n0 0 2\n0 0 -2\n6 0 -2\n6 0 2\n4 0 2\n4 0 0\n2 0 0\n2 0 2\n4 0 1 2 3\n"
+     "8 4 5 6 7 8 9 10 11\n",
+     2,
+     {{0, 0, 0, 2, 0, 0}, {4, 0, 0, 6, 0, 0}}},
+    {"along the slit to a hole",
+     "14 2 0\n0 0 0\n8 0 0\n8 8 0\n0 8 0\n2 2 0\n2 6 0\n6 6 0\n6 2 0\n-1 -1 -1\n9 9 -1\n9 9 1\n-1 -1 1\n1 1 0\n"
+     "3 3 0\n10 0 1 2 3 0 4 5 6 7 4\n4 8 9 10 11\n",
+     2,
+     {{0, 0, 0, 2, 2, 0}, {6, 6, 0, 8, 8, 0}}},
+    {"across the slit to a hole",
+     "12 2 0\n0 0 0\n8 0 0\n8 8 0\n0 8 0\n2 2 0\n2 6 0\n6 6 0\n6 2 0\n-1 1 -1\n9 1 -1\n9 1 1\n-1 1 1\n"
+     "10 0 1 2 3 0 4 5 6 7 4\n4 8 9 10 11\n",
+     1,
+     {{0, 1, 0, 8, 1, 0}}},
+    {"through a star",
+     "9 2 0\n" STAR "-20 0 -1\n20 0 -1\n20 0 1\n-20 0 1\n5 0 1 2 3 4\n4 5 6 7 8\n",
+     1,
+     {{-54.0 / 11, 0, 0, 54.0 / 11, 0, 0}}},
+    {"along a side of a star, which is an edge",
+     "9 2 0\n" STAR "-20 -3 -1\n20 -3 -1\n20 -3 1\n-20 -3 1\n5 0 1 2 3 4\n4 5 6 7 8\n",
+     0,
+     {{0}}},
+    {"far from the origin",
+     "8 2 0\n1000000 0 0\n1000004 0 0\n1000004 4 0\n1000000 4 0\n1000001 2 -1\n1000003 2 -1\n1000003 2 1\n1000001 2 1\n"
+     "4 0 1 2 3\n4 4 5 6 7\n",
+     1,
+     {{1000001, 2, 0, 1000003, 2, 0}}},
+};
+
+/* A way to turn a scene that rounds nothing: axes and signs. */
+static roberts_vec3 turned(roberts_vec3 p, int way)
+{
+    const double c[3] = {p.x, p.y, p.z};
+    static const int order[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    const int *axis = order[way % 6];
+    int signs = way / 6;
+    return (roberts_vec3){signs & 1 ? -c[axis[0]] : c[axis[0]], signs & 2 ? -c[axis[1]] : c[axis[1]],
+                          signs & 4 ? -c[axis[2]] : c[axis[2]]};
+}
+
+enum { WAYS = 48 };
+
+/* Reads a scene of loose faces, turned, with the corners of each face begun elsewhere or run backward. */
+static roberts_scene *scene_of(const char *off, int way, uint32_t begin, bool back)
+{
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    roberts_error error;
+    char text[1024] = "OFF\n";
+    strcat(text, off);
+    assert_int_equal(roberts_mesh_read_memory(&mesh, "case", text, strlen(text), NULL, &error), ROBERTS_OK);
+    for (size_t v = 0; v < mesh.vertex_count; v++)
+        mesh.vertex[v] = turned(mesh.vertex[v], way);
+    for (size_t f = 0; f < mesh.face_count; f++) {
+        uint32_t *corner = mesh.corner + mesh.face_start[f], n = mesh.face_start[f + 1] - mesh.face_start[f], was[16];
+        memcpy(was, corner, n * sizeof *was);
+        for (uint32_t k = 0; k < n; k++)
+            corner[k] = was[back ? (2 * n - k - begin % n) % n : (k + begin) % n];
+    }
+    if (roberts_scene_build(&mesh, NULL, &scene, &error) != ROBERTS_OK)
+        fail_msg("%s", error.message);
+    roberts_mesh_free(&mesh);
+    return scene;
+}
+
+/* The face of the scene that is a face of the file. */
+static crossing_face face_of(const crossing_rules *rules, uint32_t number)
+{
+    for (uint32_t s = 0; s < rules->scene->solid_count; s++)
+        for (uint32_t f = rules->scene->solid[s].face; f < rules->scene->solid[s + 1].face; f++)
+            if (scene_face_number(rules->scene, f) == number)
+                return crossing_face_of(rules, s, f);
+    fail_msg("there is no face %u", number);
+    return (crossing_face){0};
+}
+
+static bool is_near(roberts_vec3 p, roberts_vec3 q, double size)
+{
+    return fabs(p.x - q.x) <= size && fabs(p.y - q.y) <= size && fabs(p.z - q.z) <= size;
+}
+
+/* Is the segment among the expected ones? */
+static bool is_expected(const pair_case *c, const crossing_segment *s, int way)
+{
+    for (size_t k = 0; k < c->count; k++) {
+        const double *l = c->line[k];
+        roberts_vec3 a = turned((roberts_vec3){l[0], l[1], l[2]}, way);
+        roberts_vec3 b = turned((roberts_vec3){l[3], l[4], l[5]}, way);
+        if (vec3_compare(a, b) > 0) {
+            roberts_vec3 first = a;
+            a = b;
+            b = first;
+        }
+        if (is_near(s->end[0].point, a, 1e-8) && is_near(s->end[1].point, b, 1e-8))
+            return true;
+    }
+    return false;
+}
+
+static void pairs_cross_where_they_should(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (int way = 0; way < WAYS; way++)
+            for (uint32_t k = 0; k < 16; k++) {
+                roberts_scene *scene = scene_of(cases[i].off, way, k / 4, k & 1);
+                crossing_rules rules = {scene, 1e-10};
+                crossing_face f = face_of(&rules, 0), g = face_of(&rules, 1);
+                crossing_list found = {0};
+                assert_true(crossing_find(&rules, k & 2 ? &g : &f, k & 2 ? &f : &g, &found));
+                if (found.count != cases[i].count)
+                    fail_msg("%s: %zu segments, not %zu (turned %d, %u)", cases[i].name, found.count, cases[i].count,
+                             way, k);
+                for (size_t n = 0; n < found.count; n++) {
+                    if (!is_expected(&cases[i], &found.item[n], way))
+                        fail_msg("%s: segment %zu is elsewhere (turned %d, %u)", cases[i].name, n, way, k);
+                    assert_true(n == 0 || vec3_compare(found.item[n - 1].end[0].point, found.item[n].end[0].point) < 0);
+                }
+                free(found.item);
+                roberts_scene_free(scene);
+            }
+}
+
+/* ---- triangles against whole numbers ---------------------------------------------------------------------------- */
+
+typedef struct whole3 {
+    int64_t x[3];
+} whole3;
+
+/* Six times the volume of abcd: > 0 where d is on the side to which abc turns left. */
+static int64_t volume(const whole3 *a, const whole3 *b, const whole3 *c, const whole3 *d)
+{
+    int64_t u[3], v[3], w[3];
+    for (int k = 0; k < 3; k++) {
+        u[k] = b->x[k] - a->x[k];
+        v[k] = c->x[k] - a->x[k];
+        w[k] = d->x[k] - a->x[k];
+    }
+    return (u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] + (u[0] * v[1] - u[1] * v[0]) * w[2];
+}
+
+/* A point whose coordinates are fractions over one positive denominator. */
+typedef struct fraction3 {
+    int64_t over[3], under;
+} fraction3;
+
+static int compare_fractions(const fraction3 *p, const fraction3 *q)
+{
+    for (int k = 0; k < 3; k++) {
+        int64_t d = p->over[k] * q->under - q->over[k] * p->under;
+        if (d != 0)
+            return d < 0 ? -1 : 1;
+    }
+    return 0;
+}
+
+/* What triangle t has of the other's plane, from end to end; false: it does not go on at both sides. */
+static bool whole_span(const whole3 t[3], const whole3 other[3], fraction3 end[2])
+{
+    int64_t h[3];
+    int cuts = 0, over = 0, under = 0;
+    for (int i = 0; i < 3; i++) {
+        h[i] = volume(&other[0], &other[1], &other[2], &t[i]);
+        over += h[i] > 0;
+        under += h[i] < 0;
+    }
+    if (over == 0 || under == 0)
+        return false;
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3;
+        fraction3 at = {{t[i].x[0], t[i].x[1], t[i].x[2]}, 1};
+        if (h[i] != 0) {
+            if ((h[i] > 0) == (h[j] > 0) || h[j] == 0)
+                continue;
+            int64_t side = h[i] > 0 ? 1 : -1;
+            at.under = side * (h[i] - h[j]);
+            for (int k = 0; k < 3; k++)
+                at.over[k] = t[i].x[k] * at.under + side * h[i] * (t[j].x[k] - t[i].x[k]);
+        }
+        end[cuts++] = at;
+    }
+    assert_int_equal(cuts, 2);
+    if (compare_fractions(&end[0], &end[1]) > 0) {
+        fraction3 first = end[0];
+        end[0] = end[1];
+        end[1] = first;
+    }
+    return true;
+}
+
+/* Do two triangles cross, and where? */
+static bool whole_crossing(const whole3 f[3], const whole3 g[3], fraction3 end[2])
+{
+    fraction3 a[2], b[2];
+    if (!whole_span(f, g, a) || !whole_span(g, f, b))
+        return false;
+    end[0] = compare_fractions(&a[0], &b[0]) >= 0 ? a[0] : b[0];
+    end[1] = compare_fractions(&a[1], &b[1]) <= 0 ? a[1] : b[1];
+    return compare_fractions(&end[0], &end[1]) < 0;
+}
+
+/* The nearest double: both numbers are below 2^53. */
+static bool is_nearest(double x, int64_t over, int64_t under)
+{
+    return x == (double)over / (double)under;
+}
+
+static void triangles_cross_as_whole_numbers_say(void **state)
+{
+    (void)state;
+    rng r = {20261122};
+    size_t crossing = 0, sharing = 0, touching = 0;
+    for (int round = 0; round < 20000; round++) {
+        int room = rng_int(&r, 2, 12), shared = rng_int(&r, 0, 5) - 3;
+        whole3 t[6];
+        uint32_t corner[6] = {0, 1, 2, 3, 4, 5};
+        for (int i = 0; i < 6; i++)
+            for (int k = 0; k < 3; k++)
+                t[i].x[k] = rng_int(&r, -room, room);
+        for (int i = 0; i < shared; i++) {
+            t[3 + i] = t[i];
+            corner[3 + i] = (uint32_t)i;
+        }
+        roberts_mesh mesh = {0};
+        for (int i = 0; i < 6; i++)
+            assert_int_equal(
+                roberts_mesh_add_vertex(&mesh, (roberts_vec3){(double)t[i].x[0], (double)t[i].x[1], (double)t[i].x[2]},
+                                        NULL, NULL),
+                ROBERTS_OK);
+        assert_int_equal(roberts_mesh_add_face(&mesh, corner, 3, NULL), ROBERTS_OK);
+        assert_int_equal(roberts_mesh_add_face(&mesh, corner + 3, 3, NULL), ROBERTS_OK);
+        roberts_scene *scene = NULL;
+        fraction3 end[2];
+        bool cross = whole_crossing(t, t + 3, end);
+        if (roberts_scene_build(&mesh, NULL, &scene, NULL) == ROBERTS_OK && scene->face_count == 2) {
+            crossing_rules rules = {scene, 1e-10};
+            crossing_face f = face_of(&rules, 0), g = face_of(&rules, 1);
+            crossing_list found = {0};
+            assert_true(crossing_find(&rules, &f, &g, &found));
+            if (found.count != (size_t)cross)
+                fail_msg("round %d: %zu segments, not %d", round, found.count, cross);
+            for (int i = 0; cross && i < 2; i++) {
+                roberts_vec3 p = found.item[0].end[i].point;
+                assert_true(is_nearest(p.x, end[i].over[0], end[i].under));
+                assert_true(is_nearest(p.y, end[i].over[1], end[i].under));
+                assert_true(is_nearest(p.z, end[i].over[2], end[i].under));
+            }
+            crossing += cross;
+            sharing += cross && shared > 0;
+            touching += !cross && (crossing_is_beside(&rules, &f, &g) != crossing_is_beside(&rules, &g, &f));
+            free(found.item);
+        }
+        roberts_scene_free(scene);
+        roberts_mesh_free(&mesh);
+    }
+    assert_true(crossing > 2000 && sharing > 500 && touching > 500);
+}
+
+/* Two triangles that share a side are pierced at one point, bit for bit, whatever their numbers and directions. */
+static void ends_agree_on_both_sides_of_a_side(void **state)
+{
+    (void)state;
+    rng r = {7};
+    for (int round = 0; round < 2000; round++) {
+        roberts_mesh mesh = {0};
+        roberts_vec3 p[7] = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}, {2, 0, 0}, {-2, 0, 0}};
+        mat3 turn = mat3_turn(&r);
+        uint32_t face[3][3] = {{0, 1, 2}, {3, 4, 5}, {4, 3, 6}}, order[7];
+        rng_permutation(&r, order, 7);
+        roberts_vec3 moved[7];
+        for (int i = 0; i < 7; i++) {
+            p[i].x += rng_between(&r, -0.1, 0.1);
+            p[i].y += rng_between(&r, -0.1, 0.1);
+            p[i].z += rng_between(&r, -0.1, 0.1);
+            moved[order[i]] = mat3_map(turn, p[i]);
+        }
+        for (int i = 0; i < 7; i++)
+            assert_int_equal(roberts_mesh_add_vertex(&mesh, moved[i], NULL, NULL), ROBERTS_OK);
+        for (int f = 0; f < 3; f++) {
+            uint32_t corner[3];
+            int start = rng_int(&r, 0, 2);
+            for (int k = 0; k < 3; k++)
+                corner[k] = order[face[f][(start + k) % 3]];
+            assert_int_equal(roberts_mesh_add_face(&mesh, corner, 3, NULL), ROBERTS_OK);
+        }
+        roberts_scene *scene = NULL;
+        assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+        crossing_rules rules = {scene, 1e-10};
+        crossing_face f = face_of(&rules, 0), g = face_of(&rules, 1), h = face_of(&rules, 2);
+        crossing_list found = {0};
+        assert_true(crossing_find(&rules, &f, &g, &found) && crossing_find(&rules, &h, &f, &found));
+        assert_int_equal(found.count, 2);
+        int same = 0;
+        for (int i = 0; i < 2; i++)
+            for (int k = 0; k < 2; k++)
+                same += memcmp(&found.item[0].end[i], &found.item[1].end[k], 2 * sizeof(roberts_vec3)) == 0;
+        assert_int_equal(same, 1);
+        free(found.item);
+        roberts_scene_free(scene);
+        roberts_mesh_free(&mesh);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pairs_cross_where_they_should),
+        cmocka_unit_test(triangles_cross_as_whole_numbers_say),
+        cmocka_unit_test(ends_agree_on_both_sides_of_a_side),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,120 @@
+/* Lines that are no edges (seen.further): hidden by all faces but those whose keys they list. */
+#include "hide/cells.h"
+#include "hide/segments.h"
+#include "scenes.h"
+
+/* What a scene with one further line of body 0 gives. */
+static hide_chunk segments_of(const roberts_scene *scene, const roberts_camera *camera, bool all, const seen_line *line)
+{
+    roberts_hide_options options = roberts_hide_options_default();
+    hide_job job = {.options = &options};
+    hide_worker w;
+    hide_chunk out = {0};
+    double depth;
+    uint32_t *first = calloc((size_t)scene->solid_count + 1, sizeof *first);
+    options.keep_hidden = all;
+    options.threads = 1;
+    assert_non_null(first);
+    for (uint32_t s = 1; s <= scene->solid_count; s++)
+        first[s] = 1;
+    assert_int_equal(seen_begin(&job.seen, scene, camera, 0.0, NULL), ROBERTS_OK);
+    seen_set_rules(&job.seen, &options);
+    if (line)
+        job.seen.further = (seen_further){line, first};
+    assert_true(hide_fronts_build(&job.fronts, &job.seen, &options));
+    scan_frame frame = cells_for_lists(&(cells_boxes){job.fronts.front_box, job.fronts.front_count, job.fronts.low,
+                                                      job.fronts.high, hide_margin(&job.fronts.space)},
+                                       0, &depth);
+    assert_int_equal(objet_build(&job.grid, &job.fronts, frame, 1), ROBERTS_OK);
+    assert_true(hide_worker_init(&w, &job.fronts, &job.grid, all));
+    assert_true(segments_find(&job, &w, &out, 0, scene->solid_count));
+    hide_worker_free(&w);
+    objet_free(&job.grid);
+    hide_fronts_free(&job.fronts);
+    seen_end(&job.seen);
+    free(first);
+    return out;
+}
+
+/* A line between points of the model, which lies in faces of these keys. */
+static seen_line line_between(const seen_point end[2], uint32_t key0, uint32_t key1)
+{
+    return (seen_line){.edge = ROBERTS_NONE,
+                       .v = {ROBERTS_NONE, ROBERTS_NONE},
+                       .end = end,
+                       .own = {{key0, key1}, NULL},
+                       .t1 = 1.0,
+                       .class = ROBERTS_INTERSECTION};
+}
+
+/* Two boxes one over the other as seen from above, the upper one at x from 1 to 2; and a line over the lower one. */
+static const struct {
+    const char *name;
+    double z;        /* of the line, which runs from x = 0.5 to x = 4 */
+    int own[2];      /* bodies whose keys it lists; -1: none */
+    double shown[4]; /* t of what is visible: from, to; 0, 0: no such part */
+} cases[] = {
+    {"on the lower box", 1.0, {0, -1}, {0, 1.0 / 7, 3.0 / 7, 1}},
+    {"on both", 1.0, {0, 1}, {0, 1}},
+    {"on both, the other way round", 1.0, {1, 0}, {0, 1}},
+    {"within the lower box, and of its faces", 0.5, {0, -1}, {0, 1.0 / 7, 3.0 / 7, 1}},
+    {"within the lower box, and of none", 0.5, {-1, -1}, {0, 0}},
+    {"over both", 9.0, {-1, -1}, {0, 1}},
+};
+
+static void further_lines(void **state)
+{
+    const roberts_camera camera = {.dir = {0, 0, 1}, .up = {0, 1, 0}};
+    (void)state;
+    for (size_t i = 0; i < 2 * (sizeof cases / sizeof cases[0]); i++) {
+        bool all = i % 2;
+        model m = {0};
+        size_t visible = 0, hidden = 0;
+        double length = 0.0;
+        model_box(&m, (roberts_vec3){0, 0, 0}, (roberts_vec3){5, 5, 1});
+        model_box(&m, (roberts_vec3){1, 1, 2}, (roberts_vec3){2, 4, 3});
+        roberts_scene *scene = model_build(&m);
+        /* the ends are sums: neither part alone is near them */
+        seen_point end[2] = {{{0.25, 2, cases[i / 2].z - 1}, {0.25, 0, 1}}, {{5, 3, cases[i / 2].z + 2}, {-1, 0, -2}}};
+        uint32_t key[2];
+        for (int k = 0; k < 2; k++)
+            key[k] = cases[i / 2].own[k] < 0 ? ROBERTS_NONE : seen_body_key((uint32_t)cases[i / 2].own[k]);
+        seen_line line = line_between(end, key[0], key[1]);
+        hide_chunk with = segments_of(scene, &camera, all, &line), without = segments_of(scene, &camera, all, NULL);
+        for (size_t n = 0, edges = 0; n < with.count; n++) {
+            const roberts_segment *s = &with.segment[n];
+            if (s->edge != ROBERTS_NONE) {
+                assert_true(edges < without.count && s->solid == without.segment[edges].solid &&
+                            s->edge == without.segment[edges].edge && s->t0 == without.segment[edges].t0 &&
+                            s->t1 == without.segment[edges].t1);
+                edges++;
+                continue;
+            }
+            assert_int_equal(s->line, ROBERTS_INTERSECTION);
+            assert_int_equal(s->solid, 0);
+            assert_true(s->v0 == ROBERTS_NONE && s->v1 == ROBERTS_NONE);
+            length += s->t1 - s->t0;
+            if (s->state == ROBERTS_HIDDEN) {
+                hidden++;
+                continue;
+            }
+            const double *shown = cases[i / 2].shown + 2 * visible;
+            if (visible > 1 || fabs(s->t0 - shown[0]) > 1e-12 || fabs(s->t1 - shown[1]) > 1e-12)
+                fail_msg("%s: visible from %g to %g", cases[i / 2].name, s->t0, s->t1);
+            visible++;
+        }
+        size_t expected = (cases[i / 2].shown[1] > 0.0) + (cases[i / 2].shown[3] > 0.0);
+        if (visible != expected || (all ? fabs(length - 1.0) > 1e-12 : hidden > 0))
+            fail_msg("%s: %zu visible parts, %zu hidden", cases[i / 2].name, visible, hidden);
+        free(with.segment);
+        free(without.segment);
+        roberts_scene_free(scene);
+        model_free(&m);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(further_lines)};
+    return cmocka_run_group_tests_name("lines", tests, NULL, NULL);
+}

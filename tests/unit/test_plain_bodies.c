@@ -1,0 +1,269 @@
+/* test_plain_bodies.c - bodies built where they lie are the same as those that are cut, joined and laid out anew.
+ *
+ * Each mesh is built twice: as it is, and with its first face once more, the other way round. A face that repeats an
+ * earlier one counts for nothing, but its body is not plain. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "model/plain_bodies.h"
+#include "model/scene.h"
+#include "read/mesh.h"
+
+static void add_face(roberts_mesh *mesh, size_t count, const uint32_t *corner)
+{
+    for (size_t i = 0; i < count; i++)
+        assert_true(mesh_add_corner(mesh, corner[i]));
+    assert_true(mesh_end_face(mesh));
+}
+
+/* A ring of triangles, `along` times `across`; around: also a torus the other way, and no border. */
+static void add_ring(roberts_mesh *mesh, uint32_t along, uint32_t across, bool around, roberts_vec3 at)
+{
+    const double turn = 6.283185307179586;
+    uint32_t first = (uint32_t)mesh->vertex_count, columns = around ? across : across + 1;
+    for (uint32_t i = 0; i < along; i++)
+        for (uint32_t k = 0; k < columns; k++) {
+            double a = turn * i / along, b = turn * k / across * (around ? 1.0 : 0.4);
+            double r = 3.0 + (1.0 + 0.1 * sin(5.0 * a + 3.0 * b)) * cos(b);
+            assert_true(mesh_add_vertex(mesh, (roberts_vec3){at.x + r * cos(a), at.y + r * sin(a), at.z + sin(b)}));
+        }
+    for (uint32_t i = 0; i < along; i++)
+        for (uint32_t k = 0; k < across; k++) {
+            uint32_t j = (i + 1) % along, l = (k + 1) % columns;
+            uint32_t a = first + i * columns + k, b = first + j * columns + k, c = first + j * columns + l,
+                     d = first + i * columns + l;
+            add_face(mesh, 3, (uint32_t[]){b, c, a});
+            add_face(mesh, 3, i % 2 ? (uint32_t[]){a, c, d} : (uint32_t[]){c, d, a});
+        }
+}
+
+static void add_box(roberts_mesh *mesh, roberts_vec3 at)
+{
+    static const uint32_t face[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
+                                        {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+    uint32_t first = (uint32_t)mesh->vertex_count;
+    for (int v = 0; v < 8; v++)
+        assert_true(mesh_add_vertex(mesh, (roberts_vec3){at.x + (v >> 2), at.y + (v >> 1 & 1), at.z + (v & 1)}));
+    for (int f = 0; f < 6; f++) {
+        uint32_t corner[4];
+        for (int i = 0; i < 4; i++)
+            corner[i] = first + face[f][i];
+        add_face(mesh, 4, corner);
+    }
+}
+
+/* A box with a notch: planar faces of four and six corners, one of them concave in `concave`. */
+static void add_step(roberts_mesh *mesh, roberts_vec3 at, bool concave)
+{
+    static const double outline[6][2] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+    uint32_t first = (uint32_t)mesh->vertex_count;
+    for (int z = 0; z < 2; z++)
+        for (int v = 0; v < 6; v++)
+            assert_true(mesh_add_vertex(mesh, (roberts_vec3){at.x + outline[v][0], at.y + outline[v][1], at.z + z}));
+    for (uint32_t i = 0; i < 6; i++) {
+        uint32_t k = (i + 1) % 6;
+        add_face(mesh, 4, (uint32_t[]){first + i, first + k, first + 6 + k, first + 6 + i});
+    }
+    for (uint32_t z = 0; z < 2; z++) {
+        uint32_t v = first + 6 * z;
+        if (concave) {
+            add_face(mesh, 6, (uint32_t[]){v, v + 1, v + 2, v + 3, v + 4, v + 5});
+        } else {
+            uint32_t lower[2][4] = {{v + 3, v + 2, v + 1, v}, {v + 5, v + 4, v + 3, v}};
+            for (int k = 0; k < 2; k++)
+                for (int i = 0; z == 1 && i < 2; i++) {
+                    uint32_t other = lower[k][i];
+                    lower[k][i] = lower[k][3 - i];
+                    lower[k][3 - i] = other;
+                }
+            add_face(mesh, 4, lower[0]);
+            add_face(mesh, 4, lower[1]);
+        }
+    }
+}
+
+/* Turns every third face from `first` on. */
+static void turn_some(roberts_mesh *mesh, size_t first)
+{
+    for (size_t f = first; f < mesh->face_count; f += 3) {
+        uint32_t *corner = mesh->corner + mesh->face_start[f], swapped = corner[0];
+        corner[0] = corner[1];
+        corner[1] = swapped;
+    }
+}
+
+static void fill(roberts_mesh *mesh, const char *what)
+{
+    for (double x = 0.0; *what; what++, x += 10.0) {
+        roberts_vec3 at = {x, 0.25 * x, 0.125 * x};
+        size_t first = mesh->face_count;
+        if (*what == 't' || *what == 'T' || *what == 'm')
+            add_ring(mesh, *what == 'T' ? 60 : 12, *what == 'T' ? 30 : 8, true, at);
+        else if (*what == 's' || *what == 'S' || *what == 'n')
+            add_ring(mesh, *what == 'S' ? 60 : 12, *what == 'S' ? 30 : 8, false, at);
+        else if (*what == 'b')
+            add_box(mesh, at);
+        else
+            add_step(mesh, at, *what == 'c');
+        if (*what == 'm' || *what == 'n')
+            turn_some(mesh, first);
+    }
+}
+
+static roberts_scene *scene_of(const char *what, bool repeat, bool take)
+{
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    roberts_error error = {0};
+    fill(&mesh, what);
+    if (repeat) {
+        uint32_t corner[8], count = mesh.face_start[1];
+        for (uint32_t i = 0; i < count; i++)
+            corner[i] = mesh.corner[count - 1 - i];
+        add_face(&mesh, count, corner);
+    }
+    roberts_status status =
+        take ? roberts_scene_take(&mesh, NULL, &scene, &error) : roberts_scene_build(&mesh, NULL, &scene, &error);
+    if (status != ROBERTS_OK)
+        fail_msg("%s: %s", what, error.message);
+    roberts_mesh_free(&mesh);
+    return scene;
+}
+
+/* The faces of an edge, the smaller first, and on which side each is. */
+static void faces_of(const roberts_scene *scene, uint32_t s, uint32_t e, uint32_t face[2], bool turned[2])
+{
+    const scene_edge *edge = scene_edge_stored(scene, s, e);
+    uint8_t is = scene->surface->edge_is[e];
+    int first = edge->f[1] < edge->f[0];
+    for (int k = 0; k < 2; k++) {
+        face[k] = edge->f[k ^ first];
+        turned[k] = (is & (k ^ first ? EDGE_TURNED_1 : EDGE_TURNED_0)) != 0;
+    }
+}
+
+static void check_same(const char *what, const roberts_scene *a, const roberts_scene *b)
+{
+    if (a->solid_count != b->solid_count || a->vertex_count != b->vertex_count || a->face_count != b->face_count ||
+        a->edge_count != b->edge_count)
+        fail_msg("%s: other counts", what);
+    for (uint32_t s = 0; s < a->solid_count; s++) {
+        assert_int_equal(a->solid[s].vertex, b->solid[s].vertex);
+        assert_int_equal(a->solid[s].face, b->solid[s].face);
+        assert_int_equal(a->solid[s].edge, b->solid[s].edge);
+        assert_int_equal(a->surface->kind[s], b->surface->kind[s]);
+        assert_int_equal(a->surface->smooth[s], b->surface->smooth[s]);
+        for (uint32_t e = a->solid[s].edge; e < a->solid[s + 1].edge; e++) {
+            const scene_edge *p = scene_edge_stored(a, s, e), *q = scene_edge_stored(b, s, e);
+            uint32_t face[2][2];
+            bool turned[2][2];
+            if (p->v[0] != q->v[0] || p->v[1] != q->v[1])
+                fail_msg("%s: edge %u has other ends", what, e);
+            faces_of(a, s, e, face[0], turned[0]);
+            faces_of(b, s, e, face[1], turned[1]);
+            if (memcmp(face[0], face[1], sizeof face[0]) != 0 || memcmp(turned[0], turned[1], sizeof turned[0]) != 0)
+                fail_msg("%s: edge %u has other faces", what, e);
+        }
+    }
+    for (uint32_t v = 0; v < a->vertex_count; v++)
+        assert_int_equal(scene_vertex_number(a, v), scene_vertex_number(b, v));
+    for (uint32_t f = 0; f < a->face_count; f++)
+        assert_int_equal(scene_face_number(a, f), scene_face_number(b, f));
+    assert_memory_equal(a->point, b->point, a->vertex_count * sizeof *a->point);
+    assert_memory_equal(a->face_start, b->face_start, (a->face_count + 1) * sizeof *a->face_start);
+    assert_memory_equal(a->corner, b->corner, a->face_start[a->face_count] * sizeof *a->corner);
+    assert_memory_equal(a->face_plane, b->face_plane, a->face_count * sizeof *a->face_plane);
+    assert_memory_equal(a->face_deviation, b->face_deviation, a->face_count * sizeof *a->face_deviation);
+    assert_memory_equal(a->face_width, b->face_width, a->face_count * sizeof *a->face_width);
+}
+
+/* One letter for each body: torus, sheet, box, step of whole faces, torus and sheet of mixed winding; capitals are
+ * large. The first is not convex: its face is repeated. */
+static void plain_bodies_are_the_same(void **state)
+{
+    static const char *const meshes[] = {"t", "T",       "s", "S", "tt",    "ss",     "tb", "sb",
+                                         "p", "pbbtsbp", "m", "n", "tmbnt", "TsbtST", "TTT"};
+    (void)state;
+    for (size_t i = 0; i < sizeof meshes / sizeof meshes[0]; i++)
+        for (int take = 0; take < 2; take++) {
+            roberts_scene *plain = scene_of(meshes[i], false, take), *other = scene_of(meshes[i], true, take);
+            if (plain->face_number || !other->face_number)
+                fail_msg("%s: the one is not plain, or the other is", meshes[i]);
+            check_same(meshes[i], plain, other);
+            roberts_scene_free(plain);
+            roberts_scene_free(other);
+        }
+}
+
+static void a_concave_face_is_cut(void **state)
+{
+    (void)state;
+    roberts_scene *scene = scene_of("tc", false, true);
+    assert_non_null(scene->face_number);
+    roberts_scene_free(scene);
+}
+
+/* Only what is far from convex is told at a glance. */
+static void a_glance_tells_only_what_is_certain(void **state)
+{
+    static const struct {
+        double dent;
+        bool told;
+    } cases[] = {{0.0, false}, {1e-7, false}, {0.3, true}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        enum { ROWS = 24, COLUMNS = 48, VERTICES = 2 + (ROWS - 1) * COLUMNS, FACES = 2 * COLUMNS * (ROWS - 1) };
+        static roberts_vec3 point[VERTICES];
+        static uint32_t corner[3 * FACES], start[FACES + 1];
+        uint32_t count = 0, last = VERTICES - 1;
+        point[0] = (roberts_vec3){0, 0, 1};
+        point[last] = (roberts_vec3){0, 0, -1};
+        for (uint32_t k = 0; k < (ROWS - 1) * COLUMNS; k++) {
+            double a = 3.141592653589793 * (k / COLUMNS + 1) / ROWS, b = 6.283185307179586 * (k % COLUMNS) / COLUMNS;
+            double r = 1.0 - cases[i].dent * (0.5 + 0.5 * sin(6.0 * a) * sin(5.0 * b));
+            point[1 + k] = (roberts_vec3){r * sin(a) * cos(b), r * sin(a) * sin(b), r * cos(a)};
+        }
+        for (uint32_t k = 0; k < ROWS * COLUMNS; k++) {
+            uint32_t row = k / COLUMNS, column = k % COLUMNS, next = (column + 1) % COLUMNS;
+            uint32_t above = 1 + (row - 1) * COLUMNS, below = 1 + row * COLUMNS;
+            if (row > 0) {
+                start[count / 3] = count;
+                corner[count++] = above + column;
+                corner[count++] = row + 1 < ROWS ? below + column : last;
+                corner[count++] = above + next;
+            }
+            if (row + 1 < ROWS) {
+                start[count / 3] = count;
+                corner[count++] = below + column;
+                corner[count++] = below + next;
+                corner[count++] = row > 0 ? above + next : 0;
+            }
+        }
+        start[count / 3] = count;
+        assert_int_equal(count, 3 * FACES);
+        roberts_scene scene = {.solid_count = 1,
+                               .point = point,
+                               .corner = corner,
+                               .face_start = start,
+                               .solid = (scene_solid[]){{0, 0, 0, 0}, {VERTICES, FACES, 0, 0}}};
+        if (plain_not_convex(&scene, 0, SCENE_TOLERANCE) != cases[i].told)
+            fail_msg("a sphere with dents of %g", cases[i].dent);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(plain_bodies_are_the_same),
+        cmocka_unit_test(a_concave_face_is_cut),
+        cmocka_unit_test(a_glance_tells_only_what_is_certain),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
