@@ -13,7 +13,6 @@ static const char help[] =
     "  --seed S       first seed (default: 1)\n"
     "  --edges N      goes on until N edges and lines have been compared (default: one scene of each family)\n"
     "  --folder DIR   failing scenes are written to DIR/failures/ (default: build)\n"
-    "  --lines        judges intersection lines, too\n"
     "  --list         names the families\n"
     "mesh_compare [--dir X,Y,Z | --eye X,Y,Z] [--slack S] --file FILE...\n"
     "The same for files of any origin. What could change if things moved by S (model units) is not judged.\n";
@@ -46,11 +45,6 @@ static bool parse(int argc, char **argv, arguments *a)
         if (!strcmp(option, "--help")) {
             fputs(help, stdout);
             exit(0);
-        }
-        if (!strcmp(option, "--lines")) {
-            a->scene.lines = true;
-            i--;
-            continue;
         }
         if (!value)
             return false;
@@ -115,7 +109,6 @@ static bool compare_families(const arguments *a, mesh_total *total)
             if (!mesh_family_make(f, seed, &scene))
                 return false;
             snprintf(name, sizeof name, "%s-%" PRIu64, mesh_family_name(f), seed);
-            scene.lines = a->scene.lines;
             mesh_judge(name, &scene, a->folder, total, stdout);
             mesh_scene_free(&scene);
         }

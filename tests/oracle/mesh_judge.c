@@ -337,8 +337,7 @@ static size_t judge_bodies(const char *name, const mesh_scene *scene, mesh_total
                        .any = malloc((drawing.count + 1) * sizeof *j.any)};
         for (size_t i = 0; j.piece && j.hidden && j.any && i < truth.edge_count; i++)
             judge_edge(&j, &truth.edge[i], name, total, &failed, out);
-        if (scene->lines)
-            failed += judge_lines(name, &j, built, total, out);
+        failed += judge_lines(name, &j, built, total, out);
         free(j.piece);
         free(j.hidden);
         free(j.any);

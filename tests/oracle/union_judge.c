@@ -142,10 +142,10 @@ static void judge_line(work *w, const union_line *l, bool visible)
 
 static union_class class_of(uint8_t line)
 {
-    /* a crease that no face shows has a name of its own in the library, but not in tables */
-    return line == ROBERTS_OUTLINE                          ? UNION_OUTLINE
-           : line == ROBERTS_CREASE || line == ROBERTS_BACK ? UNION_CREASE
-                                                            : UNION_OPEN;
+    /* edges that no face shows have names of their own in the library, but not in tables */
+    bool outline = line == ROBERTS_OUTLINE || line == ROBERTS_BACK_OUTLINE;
+    bool crease = line == ROBERTS_CREASE || line == ROBERTS_BACK;
+    return outline ? UNION_OUTLINE : crease ? UNION_CREASE : UNION_OPEN;
 }
 
 /* A row must lie where something is drawn, and be of its class. */

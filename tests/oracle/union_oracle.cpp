@@ -380,11 +380,7 @@ struct union_finder {
             V = minus(V, X);
         direction to_viewer{dot(V, e1) / n1, dot(V, e2) / n2};
         int s0 = sign_of(turn(to_viewer, ray[side[0]])), s1 = sign_of(turn(to_viewer, ray[side[1]]));
-        /* a side faces the viewer where the viewer is not on the side of what is filled */
-        bool front0 = (s0 > 0) == full[side[0]] && s0 != 0, front1 = (s1 > 0) == full[side[1]] && s1 != 0;
-        if (s0 == 0 || s1 == 0)
-            return front0 || front1 ? UNION_OUTLINE : UNION_OPEN;
-        return s0 == s1 ? UNION_OUTLINE : UNION_CREASE;
+        return s0 * s1 >= 0 ? UNION_OUTLINE : UNION_CREASE;
     }
 
     std::vector<union_part> drawn(const line_at_hand &l)

@@ -17,9 +17,9 @@ extern "C" {
 
 /* What a line is in the picture of the union. */
 typedef enum union_class {
-    UNION_OUTLINE, /* both sides of what is filled lie on one side of the line, or one is edge-on, the other front */
+    UNION_OUTLINE, /* both sides of what is filled lie on one side of the line, or one is edge-on */
     UNION_CREASE,
-    UNION_OPEN, /* not compared: more than two sides, or one edge-on and the other not front */
+    UNION_OPEN, /* not compared: what is filled has more than two sides */
 } union_class;
 
 /* A part of a line that is drawn. */

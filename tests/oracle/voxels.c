@@ -120,8 +120,8 @@ static voxel_edge edge_at(const cells *c, const oracle_view *view, const int p[3
             }
     const roberts_vec3 middle = {(e.a.x + e.b.x) / 2, (e.a.y + e.b.y) / 2, (e.a.z + e.b.z) / 2};
     int s0 = side_of(view, middle, d, side[0]), s1 = side_of(view, middle, d, side[1]);
-    if (s0 != 0 && s1 != 0)
-        e.class_ = s0 == s1 ? UNION_OUTLINE : UNION_CREASE;
+    if (count != 2)
+        e.class_ = s0 * s1 >= 0 ? UNION_OUTLINE : UNION_CREASE;
     return e;
 }
 

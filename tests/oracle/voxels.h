@@ -9,7 +9,7 @@
 typedef struct voxel_edge {
     roberts_vec3 a, b;
     bool drawn;
-    union_class class_; /* if it is drawn; open where a side is edge-on, too */
+    union_class class_; /* if it is drawn */
 } voxel_edge;
 
 /* All unit edges that a body reaches; NULL: no memory, or faces that are no rectangles across x on the grid. The

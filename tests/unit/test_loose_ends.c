@@ -186,23 +186,6 @@ static void walk_model(const char *path, tally *t)
     roberts_mesh_free(&mesh);
 }
 
-/* Does the library find lines where faces cross at all? */
-static bool crossings_are_drawn(void)
-{
-    static const char text[] = "OFF\n8 2 0\n0 0 0 4 0 0 4 4 0 0 4 0 1 2 -1 3 2 -1 3 2 1 1 2 1\n4 0 1 2 3\n4 4 5 6 7\n";
-    roberts_mesh mesh = {0};
-    roberts_scene *scene = NULL;
-    roberts_drawing drawing = {0};
-    assert_int_equal(roberts_mesh_read_memory(&mesh, "squares", text, strlen(text), NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_hide(scene, &views[0], NULL, &drawing, NULL), ROBERTS_OK);
-    bool drawn = drawing.crossing_count > 0;
-    roberts_drawing_free(&drawing);
-    roberts_scene_free(scene);
-    roberts_mesh_free(&mesh);
-    return drawn;
-}
-
 static int by_name(const void *a, const void *b)
 {
     return strcmp(a, b);
@@ -242,8 +225,6 @@ static void test_models(void **state)
 {
     tally t = {0};
     (void)state;
-    if (!crossings_are_drawn())
-        SKIP_BECAUSE("no lines are drawn where faces cross");
     walk_folder("models", &t);
     print_message("note: %zu ends of lines of %zu models in two views: %zu loose, of %zu models\n", t.ends, t.models,
                   t.loose, t.bad_models);
@@ -257,8 +238,6 @@ static void test_published_models(void **state)
     char path[NAME];
     tally t = {0};
     (void)state;
-    if (!crossings_are_drawn())
-        SKIP_BECAUSE("no lines are drawn where faces cross");
     snprintf(path, sizeof path, "%s/models", shared && *shared ? shared : "../shared");
     walk_folder(path, &t);
     if (t.models == 0)
