@@ -496,6 +496,8 @@ struct mesh_oracle {
             pairs++;
             std::vector<oracle_interval> some =
                 exactly(false, &exact, [&](auto zero) { return hide_by<decltype(zero)>(faces[f], a, b); });
+            if (some.size() == 1 && some[0].t0 == 0 && some[0].t1 == 1)
+                return some; /* all is hidden: other faces change nothing */
             all.insert(all.end(), some.begin(), some.end());
         }
         return join(all, 4e-14);
