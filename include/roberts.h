@@ -578,16 +578,18 @@ bool roberts_ray_polyhedron(roberts_ray ray, const roberts_plane *F, size_t coun
 
 /** A point of an edge about which the drawing and a ray disagree. */
 typedef struct roberts_contradiction {
-    uint32_t solid, v0, v1; /**< the edge, as in roberts_segment */
+    uint32_t solid, v0, v1; /**< the line, as in roberts_segment */
     double t;               /**< where on it */
     roberts_state drawn;    /**< what the drawing says */
     roberts_state cast;     /**< what the ray says; clipped: the near plane cuts the point off */
     uint32_t by;            /**< cast hidden: a solid that hides the point; else ROBERTS_NONE */
     uint32_t drawn_by;      /**< drawn hidden: the solid that the drawing names, or ROBERTS_NONE; where `cast` is hidden
                                  too, this is the wrong solid */
+    uint32_t face[2];       /**< of an intersection: its faces; of an edge: ROBERTS_NONE */
+    bool no_line;           /**< these faces do not cross there; `cast` says nothing */
 } roberts_contradiction;
 
-/** Receives contradictions, by edge and then along it. */
+/** Receives contradictions, by line and then along it. */
 typedef void roberts_contradiction_fn(void *context, const roberts_contradiction *contradiction);
 
 typedef struct roberts_verify_options {
@@ -620,9 +622,9 @@ typedef struct roberts_verification {
  * Besides options->rays to a segment, rays are cast close to the ends of visible segments, behind whatever face hides
  * a part of one, step by step along hidden segments, and at the middle of segments that name what hides them (`by`).
  * The rule is that of roberts_hide(), with drawing->epsilon; points where the answer depends on a few epsilon are
- * counted as undecided. Segments in state ROBERTS_CLIPPED are not looked at. A contradiction is not a failure.
- * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW, or _BAD_ARGUMENT (a segment of no edge of the scene, t out
- * of order). */
+ * counted as undecided. Segments in state ROBERTS_CLIPPED and those of intersections are not looked at. A contradiction
+ * is not a failure. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW, or _BAD_ARGUMENT (a segment of no edge of the scene, t
+ * out of order). */
 roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *camera, const roberts_drawing *drawing,
                               const roberts_verify_options *options, roberts_verification *result,
                               roberts_error *error);

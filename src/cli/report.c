@@ -122,12 +122,15 @@ static roberts_drawing add_up(const roberts_drawing *drawing, size_t views)
         sum.surviving_edges += d->surviving_edges;
         sum.drawn_edges += d->drawn_edges;
         sum.seams += d->seams;
+        sum.crossing_count += d->crossing_count;
+        sum.crossing_pairs += d->crossing_pairs;
         add_tally(&sum.tally, &d->tally);
         sum.view_time = report_sum(sum.view_time, d->view_time);
         sum.grid_time = report_sum(sum.grid_time, d->grid_time);
         sum.hide_time = report_sum(sum.hide_time, d->hide_time);
     }
     sum.segment = NULL;
+    sum.crossing = NULL;
     return sum;
 }
 
@@ -242,6 +245,8 @@ void report_stats(const cli_options *options, const run_stats *run, const robert
         {"visible", "of them visible", run->segments[ROBERTS_VISIBLE]},
         {"hidden", "hidden", run->segments[ROBERTS_HIDDEN]},
         {"clipped", "clipped", run->segments[ROBERTS_CLIPPED]},
+        {"crossing_pairs", "pairs of faces that cross", d->crossing_pairs},
+        {"crossings", "lines in which they cross", d->crossing_count},
         {"grid", "columns of the grid", d->grid},
         {"grid_rows", "rows", d->grid_rows},
         {"peak_memory_kb", "kB of memory at most", peak_memory()},
@@ -310,9 +315,17 @@ static void tell_contradiction(void *context, const roberts_contradiction *c)
         return;
     message_open(log);
     message_begin(log, t->options->label);
-    fprintf(log, "verify: solid %u, edge %u-%u, t = %.17g: drawn %s, but ", (unsigned)c->solid, (unsigned)c->v0,
-            (unsigned)c->v1, c->t, c->drawn == ROBERTS_VISIBLE ? "visible" : "hidden");
-    if (c->cast == ROBERTS_CLIPPED)
+    fprintf(log, "verify: solid %u, ", (unsigned)c->solid);
+    if (c->face[0] == ROBERTS_NONE)
+        fprintf(log, "edge %u-%u", (unsigned)c->v0, (unsigned)c->v1);
+    else
+        fprintf(log, "intersection of faces %u and %u", (unsigned)c->face[0], (unsigned)c->face[1]);
+    fprintf(log, ", t = %.17g: ", c->t);
+    if (!c->no_line)
+        fprintf(log, "drawn %s, but ", c->drawn == ROBERTS_VISIBLE ? "visible" : "hidden");
+    if (c->no_line)
+        fputs("they do not cross there\n", log);
+    else if (c->cast == ROBERTS_CLIPPED)
         fputs("the near plane cuts it off\n", log);
     else if (c->cast == ROBERTS_HIDDEN && c->drawn == ROBERTS_HIDDEN)
         fprintf(log, "it is solid %u that hides it, not solid %u\n", (unsigned)c->by, (unsigned)c->drawn_by);

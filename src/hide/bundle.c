@@ -9,7 +9,7 @@
 #include "base/box.h"
 #include "base/sort.h"
 
-/* So many are put in order one by one. */
+/* Up to so many keys are sorted by insertion. */
 #define FEW 64
 
 bool bundle_table_init(bundle_table *table, size_t count)
@@ -65,9 +65,9 @@ static bool sort(const middles *m, uint32_t first, uint32_t count)
     return true;
 }
 
-/* The items of a node whose parts are nodes of `rank`: so that these are of faces near one another, they are put in
- * order along the longer side of the box of their middles, and then in each part likewise. (By places on a Z-order
- * curve, which jumps, an edge before a fan was asked two to five times as many faces.) */
+/* Puts the items of a node in order, so that each of its parts, nodes of `rank`, holds faces near one another. The
+ * items are sorted along the longer side of the box of their middles; then each part is treated likewise. (Along a
+ * Z-order curve, which jumps, an edge before a fan was asked two to five times as many faces.) */
 static bool divide(const middles *m, const list_tree *over, int rank, uint32_t first, uint32_t end)
 {
     roberts_vec3 low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
@@ -88,7 +88,7 @@ static bool divide(const middles *m, const list_tree *over, int rank, uint32_t f
     return true;
 }
 
-/* Faces whose middles are near one another come together. */
+/* Brings faces together whose middles are near one another. */
 static bool put_in_order(const hide_space *space, const hide_face *face, const list_tree *over, uint32_t *order)
 {
     uint32_t count = over->items;
@@ -114,8 +114,8 @@ typedef struct some {
     uint32_t first, end;
 } some;
 
-/* M, the mean of the middles, and the direction along which they lie most spread, corners counted: the first axis of
- * their moments. */
+/* Sets M, the mean of the middles, and the direction in which the corners spread most: the first axis of their
+ * moments. */
 static void set_frame(const some *s, bundle_node *n)
 {
     double xx = 0.0, xy = 0.0, yy = 0.0;
@@ -137,8 +137,8 @@ static void set_frame(const some *s, bundle_node *n)
     n->uy = length > 0.0 ? y / length : 0.0;
 }
 
-/* Takes in a face. Its plane may be off by `touch - limit` at the far end of the scene, or by half of `touch` where
- * that says nothing (see set_trust() in front.c). */
+/* Takes in a face. At the far end of the scene its plane may be off by `touch - limit`, or by half of `touch` if that
+ * is more (see set_trust() in front.c). */
 static void take_in(const some *s, bundle_node *n, const hide_face *F)
 {
     double m = hide_margin(s->space), uncertain = greater(0.5 * F->touch, F->touch - (double)F->limit);

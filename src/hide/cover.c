@@ -13,7 +13,7 @@
 #define FILL 1024
 #define FILLED_BY_ONE 500000
 
-/* As all threads fetch their part of the memory from the system. */
+/* Sets all depths to none. Each thread fetches its part of the memory from the system. */
 static void fill(float *depth, size_t count, int threads)
 {
     float none[FILL];
@@ -49,7 +49,8 @@ void cover_free(cover *c)
     *c = (cover){0};
 }
 
-/* Least depth of the faces' planes over the cell. Each is least in one corner; c < 0, z = (a x + b y + d) / -c. */
+/* The least depth of the faces' planes over the cell. A plane is least in one corner, as c < 0 and
+ * z = (a x + b y + d) / -c. */
 static double depth_over(const scan_frame *f, uint32_t i, uint32_t j, const hide_face *face, uint32_t face_count)
 {
     double least = INFINITY;
@@ -104,8 +105,8 @@ static inline bool four_nearer(const float *cell, four z)
     return four_signs(four_below(z, four_load(cell))) == 15;
 }
 
-/* Are all of cell[0 .. count-1] nearer than z? Four at a time, and none beside them: another thread may be writing
- * there. */
+/* Are all of cell[0 .. count-1] nearer than z? Four are read at a time, but none beside them, since another thread may
+ * be writing there. */
 static inline bool all_nearer(const float *cell, uint32_t count, float z)
 {
     if (count < 4)
@@ -137,15 +138,15 @@ uint32_t cover_at(const cover *c, double x, double y, float z)
     return c->depth[cell] > z ? c->by[cell] : ROBERTS_NONE;
 }
 
-/* Column by column, as scan.c walks a polygon's side: in each the rows that AB has there, and its nearest depth. Both
- * are linear in the column's number; the line is taken a margin further on all sides, which also makes up for
- * rounding. */
+/* Goes along AB column by column, as scan.c does along a polygon's side. Each column is asked for the rows that AB has
+ * there, and for its nearest depth there. Both are linear in the column's number. The line is taken a margin larger on
+ * all sides, which also makes up for rounding. */
 bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
 {
     const scan_frame *f = &c->frame;
     if (!c->depth)
         return false;
-    /* most edges that are not covered are not in their middle */
+    /* of most edges that are not covered, the middle is not covered */
     size_t middle = scan_cell(f, 0.5 * (A.x + B.x), 0.5 * (A.y + B.y));
     if (!((double)c->depth[middle] > 0.5 * (A.z + B.z)))
         return false;
@@ -173,8 +174,8 @@ bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
     return true;
 }
 
-/* Does the front hide the solid, all of whose vertices lie inside its outline or on it? By `loose` it may fail to fill
- * that: then they must lie so far inside. */
+/* Does the front hide the solid? It does if it is nearer and all vertices lie inside its outline or on it. If the front
+ * may fail to fill its outline by `loose`, they must lie that far inside. */
 static bool hides_solid(const hide_fronts *fronts, const hide_front *front, uint32_t solid)
 {
     const roberts_scene *scene = fronts->scene;
@@ -192,9 +193,9 @@ static bool hides_solid(const hide_fronts *fronts, const hide_front *front, uint
     return true;
 }
 
-/* A solid whose border lies on the border of what hides it is in cells that are not wholly covered. So, where the cells
- * further in are, the fronts that cover its middle and its corners are asked themselves. Most solids that are not
- * hidden are not in their middle, or not at those corners. */
+/* If the border of a solid lies on the border of the front that hides it, the cells there are not wholly covered. So if
+ * only the cells further in are covered, the fronts that cover the middle and the corners are asked themselves. Most
+ * solids that are not hidden are found out by their middle or by these corners. */
 bool cover_hides_solid(const struct hide_fronts *fronts, const hide_box *box, uint32_t solid)
 {
     const cover *c = &fronts->cover;

@@ -1,9 +1,12 @@
 /* cover.h - the nearest cover of each cell.
  *
- * Source: the lecture's "la face la plus proche qui recouvre le pave". Here a cell may be covered by the whole front of
- * a solid, not only by one face: the front's outline covers it. Of several covers the nearest counts, compared by the
- * farthest depth that it has over the cell: what is nowhere nearer than that lies behind it. The cells are finer than
- * those of Objet[i][j], and others (see cells.h), since a cell that a front only crosses is not covered. */
+ * Source: the lecture's "la face la plus proche qui recouvre le pave". Here the whole front of a solid may cover a
+ * cell, not only one face: its outline covers the cell. Each cell keeps the nearest of its covers. Covers are compared
+ * by their farthest depth over the cell, because everything that is nowhere nearer than this depth lies behind the
+ * cover.
+ *
+ * The cells have a frame of their own, finer than that of Objet[i][j] (see cells.h): a front does not cover the cells
+ * that it only crosses. */
 #ifndef ROBERTS_HIDE_COVER_H
 #define ROBERTS_HIDE_COVER_H
 
@@ -16,7 +19,7 @@ typedef struct cover {
     uint32_t *by; /* [nx * ny] what covers the cell: cover_front.by */
 } cover;
 
-/* Takes a frame of the cells; one without columns keeps no covers. By so many threads. No memory: false. */
+/* Begins without covers, over the cells of a frame. A frame without columns keeps no covers. False: no memory. */
 bool cover_init(cover *c, scan_frame frame, int threads);
 void cover_free(cover *c);
 
@@ -35,24 +38,24 @@ typedef struct cover_front {
 /* Enters the front. P: view points of the scene; s: scratch for as many columns as the frame has. */
 void cover_add(cover *c, scan *s, const roberts_vec3 *P, const cover_front *front);
 
-/* Lies all of the box certainly behind covers? */
+/* Do covers certainly hide all of the box? */
 bool cover_hides(const cover *c, const hide_box *box);
 
 struct hide_fronts;
 
-/* Is the solid, which has this box, certainly hidden by what is entered so far? Its vertices need not be mapped. */
+/* Do the fronts entered so far certainly hide the solid, which has this box? Its vertices need not be mapped. */
 bool cover_hides_solid(const struct hide_fronts *fronts, const hide_box *box, uint32_t solid);
 
-/* Is what covers the cell of picture point (x, y) certainly nearer than z? */
+/* Is the cover of the cell of picture point (x, y) certainly nearer than z? */
 static inline bool cover_nearer(const cover *c, double x, double y, float z)
 {
     return c->depth[scan_cell(&c->frame, x, y)] > z;
 }
 
-/* What covers the cell of picture point (x, y), if that is certainly nearer than z; else ROBERTS_NONE. */
+/* The `by` of the cover of the cell of picture point (x, y), if it is certainly nearer than z; else ROBERTS_NONE. */
 uint32_t cover_at(const cover *c, double x, double y, float z);
 
-/* Lies all of AB certainly behind covers? */
+/* Do covers certainly hide all of AB? */
 bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B);
 
 #endif

@@ -15,7 +15,7 @@
 
 /* A solid of more columns or rows than this is taken edge by edge. */
 #define GROUP_CELLS 3
-/* In a list of so many fronts at the most it gains nothing to seek those that are met first. */
+/* In a list of at most so many fronts, seeking those to meet first gains nothing. */
 #define SHORT_LIST 32
 /* When so many fronts have met a group of lines, most of what the next ones hide is hidden already. */
 #define MANY_FRONTS 6
@@ -37,8 +37,8 @@ bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *gr
     w->least[0] = w->least[2] = -INFINITY;
     w->most[1] = w->most[3] = INFINITY;
     w->seen = alloc_zeroed(fronts->front_count, sizeof *w->seen);
-    /* More, so that it lies apart from what other threads write; and a line at least: where there is none, its array
-     * can be pointed into. */
+    /* More room, so that the array lies apart from what other threads write. At least one line, so that there is an
+     * array to point into. */
     return w->seen && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) && hide_worker_reserve(w, 1);
 }
 
@@ -82,8 +82,8 @@ void hide_worker_free(hide_worker *w)
     *w = (hide_worker){0};
 }
 
-/* What is nearer than all corners of a front is not hidden and touches nothing that is, whatever its faces' planes are
- * rounded to. False: nothing is left. */
+/* Takes from the part what is nearer than all corners of the front. The front does not hide that, whatever the planes
+ * of its faces are rounded to. False: nothing is left. */
 static BITS_RARE bool confine(const hide_worker *w, const hide_box *box, const hide_edge *e, hide_interval *part)
 {
     double nearest = (double)box->z1 + w->margin;
@@ -92,16 +92,16 @@ static BITS_RARE bool confine(const hide_worker *w, const hide_box *box, const h
            hide_is_left(&w->fronts->space, e, part);
 }
 
-/* Whether that may change anything. */
+/* Is nothing of the part that near, so that confine() would change nothing? */
 static inline bool is_confined(const hide_worker *w, const hide_box *box, const hide_edge *e, const hide_interval *part)
 {
     double nearest = (double)box->z1 + w->margin, dz = e->B.z - e->A.z;
     return e->A.z + part->r0 * dz <= nearest && e->A.z + part->r1 * dz <= nearest;
 }
 
-/* Of a line that is hidden at one end only the rest, which begins at P, need meet other fronts: where their boxes miss
- * the rest's by the margin, what they hide is hidden already and touches nothing beyond it: they reach no farther than
- * their boxes and the margin. What is known of the line's other end stays. */
+/* Shrinks the box of a line that is hidden at one end to the box of the rest, which begins at P. A front whose box
+ * misses that box by the margin hides nothing more and touches nothing of the rest, since fronts reach no farther than
+ * their boxes and the margin. The box keeps the line's other end. */
 static void shrink(hide_worker *w, size_t n, const hide_interval *hidden)
 {
     const hide_edge *e = &w->line[n].e;
@@ -132,8 +132,8 @@ static double left_of(roberts_vec3 P, roberts_vec3 Q, roberts_vec3 X)
     return (Q.x - P.x) * (X.y - P.y) - (Q.y - P.y) * (X.x - P.x);
 }
 
-/* Does the line begin or end at a corner of the face, and go on plainly outside of it from there? Of a surface most
- * faces that a line meets are of this kind. */
+/* Does the line begin or end at a corner of the face, and leave it plainly there? Most faces of a surface that a line
+ * meets are of this kind. */
 static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, const hide_face *F)
 {
     uint32_t at = F->count;
@@ -166,7 +166,8 @@ static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *fi
     return left;
 }
 
-/* Of the lines from `first` on, within `box`, those given by bits against a front that may be nearer somewhere. */
+/* Tests lines against a front that may be nearer somewhere: those that `bits` gives, from `first` on. They lie within
+ * `box`. False: no memory. */
 static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box *box, uint32_t index)
 {
     const hide_fronts *fronts = w->fronts;
@@ -197,7 +198,7 @@ static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box
     return true;
 }
 
-/* Which of the group's lines have boxes that meet another. */
+/* Which lines of the group have boxes that meet this one? Bit i stands for line i. */
 static inline uint64_t met_by(const hide_lanes *l, size_t count, const hide_box *box)
 {
     four x0 = four_all(box->x0), x1 = four_all(box->x1), y0 = four_all(box->y0), y1 = four_all(box->y1);
@@ -212,7 +213,7 @@ static inline uint64_t met_by(const hide_lanes *l, size_t count, const hide_box 
     return bits;
 }
 
-/* Has the box, x0, x1, y0, y1 as lanes, a side that is below the least or above the most that it may be? */
+/* Does the box have a side (x0, x1, y0, y1 as lanes) that is below the least or above the most that it may be? */
 static inline bool apart(const hide_box *box, four least, four most)
 {
     float side[4];
@@ -227,13 +228,13 @@ typedef struct party {
     const hide_box *box; /* of all of them; where a line is alone, it is not asked about depth */
 } party;
 
-/* The lines against one front that may be nearer somewhere, if they have not met it yet. False: no memory. */
+/* Tests the lines against one front that may be nearer somewhere, unless they have met it. False: no memory. */
 BITS_INLINE bool meet_once(hide_worker *w, const party *p, uint32_t front)
 {
     if (w->seen[front] == w->stamp)
         return true;
     w->seen[front] = w->stamp;
-    /* What the faces of one solid hide is joined to one part, also where a face reaches only what is hidden already. */
+    /* The parts that the faces of one solid hide are joined, and a face counts even if all it hides is hidden. */
     bool hull = w->grid->next && w->fronts->front[front].kind == HIDE_SOLID_FACE;
     const hide_lanes *lanes = hull ? &w->whole : &w->lanes;
     uint64_t bits = p->alone ? 1 : met_by(lanes, w->line_count, &w->fronts->front_box[front]);
@@ -242,7 +243,7 @@ BITS_INLINE bool meet_once(hide_worker *w, const party *p, uint32_t front)
     return !bits || w->fronts->front[front].own == w->own || meet(w, p->first, bits, p->box, front);
 }
 
-/* The same, where its box reaches theirs. */
+/* The same, if the front's box reaches theirs. */
 BITS_INLINE bool meet_entry(hide_worker *w, const party *p, uint32_t front)
 {
     return apart(&w->fronts->front_box[front], four_load(w->least), four_load(w->most)) || meet_once(w, p, front);
@@ -261,7 +262,7 @@ static uint32_t first_behind(const objet *grid, const hide_fronts *fronts, uint3
     return k;
 }
 
-/* Entries from `first` on before `end`, the last four first. */
+/* Tests the lines against the entries first .. end - 1, the last four first. False: no memory. */
 static bool meet_backward(hide_worker *w, const party *p, uint32_t first, uint32_t end, uint32_t sides)
 {
     while (end > first && w->live) {
@@ -274,7 +275,8 @@ static bool meet_backward(hide_worker *w, const party *p, uint32_t first, uint32
     return true;
 }
 
-/* Entries from k on, the nearest fronts first; `far`: the farthest depth of the lines there. */
+/* Tests the lines against the entries k .. end - 1, the nearest fronts first. far: the farthest depth of the lines
+ * there. False: no memory. */
 static bool meet_forward(hide_worker *w, const party *p, uint32_t k, uint32_t end, uint32_t sides, float far)
 {
     const objet *grid = w->grid;
@@ -288,7 +290,7 @@ static bool meet_forward(hide_worker *w, const party *p, uint32_t k, uint32_t en
         for (next = k + 4; near; near &= near - 1) {
             uint32_t front = grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front;
             if (fronts->front_box[front].z1 < far)
-                return true; /* and so are all that follow: none of them has a point nearer than the lines here */
+                return true; /* neither this front nor those that follow have a point nearer than the lines here */
             if (!meet_entry(w, p, front))
                 return false;
             if (!w->live)
@@ -298,16 +300,16 @@ static bool meet_forward(hide_worker *w, const party *p, uint32_t k, uint32_t en
     return true;
 }
 
-/* The lines against the fronts of one cell, as long as one line is not wholly hidden. Fronts that begin before all of
- * the lines come first, the farthest of them first: what stands next in a row or a pile hides more than what stands far
- * before both. The others follow. Fronts are looked at four at a time. (To prefetch the boxes of the next ones gains
- * nothing, not even in scenes that no cache holds.) */
+/* Tests the lines against the fronts of one cell, until all lines are wholly hidden. Fronts that begin before all lines
+ * come first, beginning with the farthest: in a row or a pile the next solid hides more than one far before it. The
+ * other fronts follow. Four fronts are looked at a time. (Prefetching the boxes of the next fronts gains nothing, not
+ * even in scenes that no cache holds.) */
 static bool meet_cell(hide_worker *w, const party *p, uint32_t column, uint32_t row, float far)
 {
     const objet *grid = w->grid;
     const uint32_t *start = grid->start + (size_t)column * grid->frame.ny + row;
     uint32_t sides = objet_most(objet_cut(four_load(w->place), column, row)), k = start[0];
-    bool alone = p->alone && grid->next; /* it would pass all faces of its own solid, those of a fan again and again */
+    bool alone = p->alone && grid->next; /* a line of a fan would go back over all faces of the fan in every cell */
     if (!alone && start[1] - start[0] > SHORT_LIST) {
         k = first_behind(grid, w->fronts, k, start[1], p->box->z1);
         if (!meet_backward(w, p, start[0], k, sides))
@@ -316,7 +318,7 @@ static bool meet_cell(hide_worker *w, const party *p, uint32_t column, uint32_t 
     return !w->live || meet_forward(w, p, k, start[1], sides, far);
 }
 
-/* What a front's box must reach, so as to meet this one. */
+/* Sets what a front's box must reach so as to meet this one. */
 static void set_reach(hide_worker *w, const hide_box *box)
 {
     w->least[1] = box->x0;
@@ -326,7 +328,7 @@ static void set_reach(hide_worker *w, const hide_box *box)
     four_store(w->place, objet_place(w->grid, box));
 }
 
-/* A new stamp; when they run out, all start again. */
+/* Takes a new stamp. When stamps run out, they start again. */
 static void next_stamp(hide_worker *w)
 {
     if (++w->stamp == 0) {
@@ -335,7 +337,7 @@ static void next_stamp(hide_worker *w)
     }
 }
 
-/* One edge through the cells that it crosses. */
+/* Takes one line through the cells that it crosses. False: no memory. */
 static bool run_alone(hide_worker *w, hide_line *line)
 {
     const hide_edge *e = &line->e;
@@ -358,7 +360,7 @@ static bool run_alone(hide_worker *w, hide_line *line)
     return true;
 }
 
-/* All edges through the cells of their common box. */
+/* Takes all lines through the cells of their common box. False: no memory. */
 static bool run_together(hide_worker *w, uint32_t left, uint32_t right, uint32_t low, uint32_t high)
 {
     w->live = w->met = 0;
@@ -380,7 +382,7 @@ static bool run_together(hide_worker *w, uint32_t left, uint32_t right, uint32_t
     return true;
 }
 
-/* The box of all of a group; what fills up the last four lanes meets nothing. */
+/* Finds the box of a group. Boxes that meet nothing fill up the last four lanes. */
 static void box_lines(hide_worker *w)
 {
     hide_box all = {INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
@@ -398,7 +400,7 @@ static void box_lines(hide_worker *w)
     w->box = all;
 }
 
-/* By the way that costs less. */
+/* Takes the lines through the cells, together or alone: the way that costs less. False: no memory. */
 static bool run_lines(hide_worker *w)
 {
     const scan_frame *f = &w->grid->frame;
@@ -415,7 +417,7 @@ static bool run_lines(hide_worker *w)
     return true;
 }
 
-/* What solids entered face by face hide becomes part of the whole. */
+/* Adds what solids entered face by face hide. False: no memory. */
 static BITS_RARE bool add_hulls(hide_line *line)
 {
     hide_intervals_hulls_done(&line->hulls);
@@ -427,7 +429,8 @@ static BITS_RARE bool add_hulls(hide_line *line)
 
 bool hide_worker_run(hide_worker *w)
 {
-    /* Nothing else could hide them; and a fan of a million triangles lists all of them in the cell of its tip. */
+    /* In a scene of one convex body nothing else hides its lines. (A fan lists all its triangles in the cell of its
+     * tip.) */
     bool alone = w->fronts->scene->solid_count == 1 && w->own != ROBERTS_NONE;
     if (w->line_count > 0 && !alone && !run_lines(w))
         return false;
@@ -450,7 +453,7 @@ typedef struct look {
     double x, y;
     double best;    /* the nearest depth */
     uint32_t solid; /* the smallest that touches there */
-    bool touching;  /* the nearest depth is known, and asked who touches it */
+    bool touching;  /* the nearest depth is known; the question is who touches it */
 } look;
 
 static void look_at_face(const hide_fronts *fronts, const hide_front *front, const hide_face *F, double z1, look *l)
@@ -477,7 +480,7 @@ static void look_at_front(const hide_fronts *fronts, const hide_front *front, do
             look_at_face(fronts, front, &face[b->order[i]], z1, l);
 }
 
-/* The fronts of one cell, those whose boxes, by their sides in it, can hold the point; four at a time. */
+/* Asks the fronts of one cell whose boxes can hold the point, by their sides in the cell. Four are looked at a time. */
 static void look_at_cell(const hide_worker *w, size_t cell, uint32_t sides, look *l)
 {
     const objet *grid = w->grid;
@@ -489,7 +492,7 @@ static void look_at_cell(const hide_worker *w, size_t cell, uint32_t sides, look
             const hide_front *front = &fronts->front[index];
             const hide_box *box = &fronts->front_box[index];
             if ((double)box->z1 + (l->touching ? fronts->thickest : 0.0) < l->best)
-                return; /* and so are all that follow */
+                return; /* all that follow are farther too */
             if (box_holds(fronts, box, l->x, l->y) && !(l->touching && front->solid >= l->solid))
                 look_at_front(fronts, front, (double)box->z1, l);
         }

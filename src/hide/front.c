@@ -88,7 +88,7 @@ static front_faces find_faces(hide_fronts *fronts, front_tile *tile, uint32_t so
     return found;
 }
 
-static hide_bounds face_bounds(const hide_fronts *fronts, const hide_face *F)
+BITS_INLINE hide_bounds face_bounds(const hide_fronts *fronts, const hide_face *F)
 {
     hide_bounds own = hide_no_bounds;
     for (uint32_t i = 0; i < F->count; i++)
@@ -165,7 +165,9 @@ static BITS_RARE bool add_surface(hide_fronts *fronts, front_tile *tile, uint32_
         tile->edge_on += facing == VIEW_EDGE_ON;
         if (facing == VIEW_EDGE_ON)
             continue;
-        *f = (hide_face){.F = look.F, .corner = look.corner, .count = look.count};
+        f->F = look.F;
+        f->corner = look.corner;
+        f->count = look.count;
         set_trust(fronts, body, face, look.stretch, f);
         tile->most_corners = f->count > tile->most_corners ? f->count : tile->most_corners;
         hide_bounds own = face_bounds(fronts, f);

@@ -40,7 +40,7 @@ BITS_RARE bool hide_by_outline_closely(const hide_fronts *fronts, const uint32_t
     return hide_by_sides(&fronts->space, &F, e, sides, part);
 }
 
-/* Tests 1 to 4 of one face; false where it hides nothing of e. */
+/* Makes tests 1 to 4 with one face. False: it hides nothing of e. */
 BITS_INLINE bool by_face(const hide_fronts *fronts, const hide_face *F, double span, const hide_edge *e,
                          hide_sides *sides, hide_interval *part)
 {
@@ -56,7 +56,7 @@ BITS_INLINE bool by_face(const hide_fronts *fronts, const hide_face *F, double s
     return inside && hide_pierce_all(fronts, F, 1, e, sides, part);
 }
 
-/* Lets the hull of what is known to be hidden hold a part, with which it begins if nothing has been `*found`. */
+/* Adds a part to the hull of the hidden parts. The hull begins with it if nothing has been `*found`. */
 static void join(hide_interval *hull, bool *found, const hide_interval *part)
 {
     *hull = *found ? hide_intervals_joined(hull, part) : *part;
@@ -73,10 +73,10 @@ typedef struct climb {
     hide_sides *sides;
     hide_interval *hull; /* of what is known to be hidden; meaningless until something is */
     bool found;
-    bool forward; /* asked is what hides more beyond the hull's end; else before its beginning */
+    bool forward; /* who hides more beyond the hull's end? else: before its beginning? */
 } climb;
 
-/* Can a node's faces hide more than is known? `*reach`: the more of it, the farther on in the direction that is asked
+/* Can a node's faces hide more than is known? `*reach` grows with how far they may hide, in the direction that is asked
  * about. */
 static bool may_hide_more(const climb *c, const bundle_node *n, double *reach)
 {
@@ -127,7 +127,7 @@ static void ask_nodes(climb *c, int rank, uint32_t item, uint32_t end)
     }
 }
 
-/* First where the hull ends, then where it begins. */
+/* Finds where the hull ends, then where it begins. */
 static BITS_RARE bool by_bundle(climb *c)
 {
     int highest = (int)c->b->tree.ranks - 1;

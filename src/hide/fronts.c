@@ -13,13 +13,13 @@
 
 /* With fewer solids than this a thread costs more than it does. */
 #define SOLIDS_PER_THREAD 2048
-/* Solids whose boxes a thread finds in one go. */
+/* A thread finds the boxes of so many solids at a time. */
 #define BOXES_AT_ONCE 1024
 
 /* Solids between asking for a box and needing it. */
 #define BOX_AHEAD 8
 
-/* Bits for each front: of so many fronts that have no copy one in ten falls on another's bit. */
+/* Bits for each front. With so many, one in ten of the fronts without a copy falls on another front's bit. */
 #define BITS_PER_FRONT 8
 
 /* Scratch memory of the building. */
@@ -49,15 +49,15 @@ static hide_bounds measure_solid(const hide_fronts *fronts, uint32_t solid)
     return own;
 }
 
-/* In the picture, by what may be empty. */
+/* Widens a box of the picture to hold another one, which may be empty. */
 static void widen_by(hide_bounds *all, const hide_bounds *own)
 {
     all->low = (roberts_vec3){lesser(all->low.x, own->low.x), lesser(all->low.y, own->low.y), 0.0};
     all->high = (roberts_vec3){greater(all->high.x, own->high.x), greater(all->high.y, own->high.y), 0.0};
 }
 
-/* Boxes of the solids first..end-1; gives what is round them all. One of which the near plane has left nothing is
- * empty. */
+/* Finds the boxes of the solids first..end-1. Returns the box round all of them. The box of a solid of which the near
+ * plane has left nothing is empty. */
 static hide_bounds box_some(hide_fronts *fronts, uint32_t first, uint32_t end)
 {
     hide_bounds all = hide_no_bounds;
@@ -69,7 +69,7 @@ static hide_bounds box_some(hide_fronts *fronts, uint32_t first, uint32_t end)
     return all;
 }
 
-/* Boxes of all solids, and the window. False: no memory. */
+/* Finds the boxes of all solids, and the window. False: no memory. */
 static bool box_solids(hide_fronts *fronts, int threads)
 {
     uint32_t solids = fronts->scene->solid_count, count = solids / BOXES_AT_ONCE + 1;
@@ -99,7 +99,8 @@ static bool is_empty(const hide_fronts *fronts, uint32_t s)
     return fronts->scene->solid[s].vertex == fronts->scene->solid[s + 1].vertex;
 }
 
-/* Is nothing to be seen of the first of the solids? Asks for what will soon be asked of one that follows it. */
+/* Culls the first of the solids if nothing of it can be seen; returns whether it did. Prefetches the box of a later
+ * one. */
 static bool cull_first(hide_fronts *fronts, front_tile *tile, const uint32_t *order, uint32_t left)
 {
     uint32_t s = order[0];
@@ -113,8 +114,7 @@ static bool cull_first(hide_fronts *fronts, front_tile *tile, const uint32_t *or
     return fronts->culled[s];
 }
 
-/* The solid's turn to be mapped will come: asks for what that wants (or, of very many points, for the beginning of
- * it). */
+/* Prefetches what mapping the solid will need (or, of very many points, the beginning of it). Returns the solid. */
 static uint32_t let_wait(hide_fronts *fronts, uint32_t s)
 {
     const roberts_scene *scene = fronts->scene;
@@ -127,7 +127,7 @@ static uint32_t let_wait(hide_fronts *fronts, uint32_t s)
     return s;
 }
 
-/* As they are numbered: no covers are kept. */
+/* Enters the solids of a tile in the order of their numbers, if no covers are kept. False: no memory. */
 static bool do_tile_in_order(hide_fronts *fronts, front_scratch *scratch, front_tile *tile)
 {
     for (uint32_t s = tile->first; s < tile->end; s++) {
@@ -138,8 +138,8 @@ static bool do_tile_in_order(hide_fronts *fronts, front_scratch *scratch, front_
     return true;
 }
 
-/* Nearest solids first, each culled where those before it cover it. Its turn to be mapped comes when the next one is
- * found that is not culled, and while that one's memory is on its way: it lies anywhere. */
+/* Enters the solids of a tile, nearest first. A solid is culled if those before it cover it. The others wait one turn
+ * before they are mapped, while their memory is on its way: it lies anywhere. False: no memory. */
 static bool do_tile(build *b, front_scratch *scratch, front_tile *tile)
 {
     hide_fronts *fronts = b->fronts;
@@ -159,7 +159,7 @@ static bool do_tile(build *b, front_scratch *scratch, front_tile *tile)
     return waiting == ROBERTS_NONE || front_add(fronts, scratch, tile, waiting);
 }
 
-/* A solid that was mapped and counted is hidden by those that came later. */
+/* Culls a solid that was mapped and counted, and that solids after it hide. */
 static void cull_late(hide_fronts *fronts, front_tile *tile, uint32_t s)
 {
     const scene_solid *solid = &fronts->scene->solid[s];
@@ -172,7 +172,7 @@ static void cull_late(hide_fronts *fronts, front_tile *tile, uint32_t s)
     }
 }
 
-/* Once more, when every cover is known. */
+/* Culls once more, when every cover is known. */
 static void cull_again(hide_fronts *fronts, front_tile *tile)
 {
     for (uint32_t k = tile->first; k < tile->front; k++) {
@@ -187,7 +187,7 @@ static void cull_again(hide_fronts *fronts, front_tile *tile)
     }
 }
 
-/* All solids, round by round. */
+/* Enters all solids, round by round. False: no memory. */
 static bool do_tiles(build *b)
 {
     tiles *t = &b->tiles;
@@ -227,7 +227,7 @@ static void close_up(hide_fronts *fronts, const tiles *t)
     fronts->front_count = to;
 }
 
-/* ... and those of single faces behind them. False: no memory. */
+/* Adds the fronts of single faces behind them. False: no memory. */
 static bool add_singles(hide_fronts *fronts, const tiles *t)
 {
     size_t count = fronts->front_count, room = fronts->scene->solid_count, box_room = room;
@@ -246,7 +246,8 @@ static bool add_singles(hide_fronts *fronts, const tiles *t)
     return true;
 }
 
-/* A front's `depth` is below its farthest corner by as much as one must be above a face so as not to touch it. */
+/* Finds hide_fronts.thickest: a front's `depth` is below its farthest corner by as much as a point must be above a face
+ * so as not to touch it. */
 static double thickest(const hide_fronts *fronts)
 {
     double most = 0.0;
@@ -280,7 +281,8 @@ static uint32_t most_vertices(const roberts_scene *scene)
     return most;
 }
 
-/* Arrays so much longer that they lie apart; and the tables of bundles and runs, where a solid could have them. */
+/* Allocates the threads' arrays, with more room so that they lie apart; and the tables of bundles and runs, if a solid
+ * can have them. False: no memory. */
 static bool alloc_scratch(build *b)
 {
     hide_fronts *fronts = b->fronts;
@@ -313,14 +315,14 @@ static void free_scratch(build *b)
 
 /* ---- copies: fronts of solids at the very same place ---- */
 
-/* Which bits have been met, and which more than once. */
+/* Knows which bits have been met, and which more than once. */
 typedef struct sieve {
     uint64_t *met, *again;
     unsigned shift; /* from a key to its bit: the upper bits of a product are the mixed ones */
 } sieve;
 
-/* Do the two fronts, of different solids, show the very same faces? Then each hides what the other hides, and neither
- * anything of the other. */
+/* Do the fronts of two solids show the very same faces? Then they hide the same, and neither hides anything of the
+ * other. */
 static bool same_front(const hide_fronts *fronts, uint32_t a, uint32_t b)
 {
     const hide_front *f = &fronts->front[a], *g = &fronts->front[b];
@@ -341,7 +343,7 @@ static bool same_front(const hide_fronts *fronts, uint32_t a, uint32_t b)
     return true;
 }
 
-/* Fronts that can differ in nothing else differ here. */
+/* A key that differs for most fronts that are no copies. */
 static uint32_t place_key(const hide_fronts *fronts, uint32_t front)
 {
     return bits_hash(&fronts->front_box[front], sizeof fronts->front_box[front]);
@@ -373,7 +375,7 @@ static bool sieve_again(const sieve *s, uint32_t key)
     return s->again[at >> 6] >> (at & 63) & 1;
 }
 
-/* The fronts that share their bit with another, ascending, and their keys. */
+/* Keeps the fronts that share their bit with another, ascending, and their keys. Returns their number. */
 static uint32_t sift(const hide_fronts *fronts, const sieve *s, uint32_t *front, uint32_t *key)
 {
     uint32_t count = 0;
@@ -385,8 +387,8 @@ static uint32_t sift(const hide_fronts *fronts, const sieve *s, uint32_t *front,
     return count;
 }
 
-/* Sets `listed` of the fronts, which are of whole solids. Of copies of a solid one front is enough: a thousand of them
- * would cost a million comparisons. It is the one of smallest number, since a stable order of the keys brings copies
+/* Sets `listed` of the fronts of whole solids. One front is enough for all copies of a solid: a thousand copies would
+ * cost a million comparisons. It is the one of smallest number, since a stable order of the keys brings copies
  * together. False: no memory. */
 static bool leave_out_copies(hide_fronts *fronts)
 {
@@ -435,7 +437,7 @@ static bool add_solids(build *b)
     return done;
 }
 
-/* Of most arrays only a part is ever written, and memory that is not touched is none. */
+/* Only a part of most arrays is ever written, and memory that nobody touches costs nothing. */
 static bool alloc_fronts(hide_fronts *fronts)
 {
     const roberts_scene *scene = fronts->scene;

@@ -1,7 +1,7 @@
 /* intervals.h - hidden parts of one edge and their union.
  *
- * What one convex solid hides of an edge is one interval, because the volume behind it is convex (see front_test.h).
- * Parts of different solids, and of the faces of a solid of many faces, are joined where they overlap or touch. */
+ * A convex solid hides one interval of an edge, because the volume behind it is convex (see front_test.h). Parts that
+ * overlap or touch are joined: those of different solids, and those of the faces of a solid of many faces. */
 #ifndef ROBERTS_HIDE_INTERVALS_H
 #define ROBERTS_HIDE_INTERVALS_H
 
@@ -17,13 +17,13 @@ typedef struct hide_intervals {
     size_t count, room;
 } hide_intervals;
 
-/* Is every point between them within reach of one of them? */
+/* Is every point between the two parts within reach of one of them? */
 static inline bool hide_intervals_touch(const hide_interval *a, const hide_interval *b)
 {
     return a->r0 <= b->r1 && b->r0 <= a->r1;
 }
 
-/* Their union, which reaches as far as either of them, also where the shorter one reaches farther. */
+/* The union of two parts. It reaches as far as either of them, even if the shorter one reaches farther. */
 static inline hide_interval hide_intervals_joined(const hide_interval *a, const hide_interval *b)
 {
     return (hide_interval){lesser(a->t0, b->t0), greater(a->t1, b->t1), lesser(a->r0, b->r0), greater(a->r1, b->r1)};
@@ -31,8 +31,8 @@ static inline hide_interval hide_intervals_joined(const hide_interval *a, const 
 
 bool hide_intervals_add_closely(hide_intervals *intervals, uint32_t solid, hide_interval *part);
 
-/* Adds what a front of `solid` hides, joined with the parts that it overlaps or touches (as long as these are few);
- * `*part` becomes what it has grown to. False: no memory. Mostly there is one part, or none. */
+/* Adds a part that a front of `solid` hides. It is joined with the parts that it overlaps or touches, as long as these
+ * are few, and `*part` becomes the union. Mostly there is one part, or none. False: no memory. */
 static inline bool hide_intervals_add(hide_intervals *intervals, uint32_t solid, hide_interval *part)
 {
     hide_solid_interval *only = intervals->item;
@@ -47,12 +47,12 @@ static inline bool hide_intervals_add(hide_intervals *intervals, uint32_t solid,
     return true;
 }
 
-/* Adds what one face of `solid` hides to the hull of what its other faces do, which `*part` becomes: faces given to few
- * digits, or cut by the near plane, leave gaps between them, and the solid none. Of very many solids one may have
- * several hulls until hide_intervals_hulls_done(). False: no memory. */
+/* Adds a part that one face of `solid` hides to the hull of the parts of its other faces; `*part` becomes the hull.
+ * Faces given to few digits, or cut by the near plane, leave gaps between them, but the solid has none. Among very many
+ * solids, one may have several hulls until hide_intervals_hulls_done(). False: no memory. */
 bool hide_intervals_hull(hide_intervals *hulls, uint32_t solid, hide_interval *part);
 
-/* Leaves one hull of each solid. */
+/* Joins the hulls of each solid to one. */
 void hide_intervals_hulls_done(hide_intervals *hulls);
 
 /* Parts nearer than `epsilon` to an end of the edge reach it. */
@@ -65,7 +65,7 @@ static inline void hide_intervals_reach_ends(hide_intervals *intervals, double e
         last->t1 = 1.0;
 }
 
-/* Puts several parts in order and joins those that touch. */
+/* Sorts several parts and joins those that touch. */
 void hide_intervals_join(hide_intervals *intervals, double epsilon, double length);
 
 /* Unites the parts in place: afterwards they ascend and are disjoint, with more than `epsilon` between them and between

@@ -27,7 +27,7 @@ typedef struct filling {
     int threads;
 } filling;
 
-/* One more, at a cell that other threads may count at as well; gives how many it were before. */
+/* Adds one to a count that other threads may change as well. Returns the count before. */
 static inline uint32_t count_one(uint32_t *cell, bool alone)
 {
     uint32_t before;
@@ -40,8 +40,8 @@ static inline uint32_t count_one(uint32_t *cell, bool alone)
     return before;
 }
 
-/* Calls for every cell that the front touches: counts it there, or with `fill` lists it. A box of at most two columns
- * and two rows is taken for the polygon. */
+/* Counts the front at every cell that it touches or, with `fill`, lists it there. If its box has at most two columns
+ * and two rows, the box stands for the polygon. */
 static void list_front(const filling *job, uint32_t index, scan *s, bool fill)
 {
     objet *grid = job->grid;
@@ -73,7 +73,7 @@ static void list_front(const filling *job, uint32_t index, scan *s, bool fill)
     }
 }
 
-/* Counts all fronts, or lists them: in any order, which the sorting mends. */
+/* Counts all fronts, or lists them in any order. They are sorted later. */
 static void list_all(const filling *job, bool fill)
 {
     const hide_fronts *fronts = job->fronts;
@@ -85,7 +85,7 @@ static void list_all(const filling *job, bool fill)
             list_front(job, k, &job->lister[thread_self()].s, fill);
 }
 
-/* Counts become places: start[cell] the first of the cell's list. */
+/* Turns counts into places: start[cell] becomes the first place of the cell's list. False: no memory. */
 static bool sum_counts(objet *grid)
 {
     size_t total = 0, cells = scan_cells(&grid->frame);
@@ -102,7 +102,7 @@ static bool sum_counts(objet *grid)
     return grid->entry != NULL;
 }
 
-/* Filling has moved each start to its list's end, which is the next one's start. */
+/* Puts each start back. Filling has moved it to its list's end, which is the start of the next list. */
 static void restore_starts(objet *grid)
 {
     size_t cells = scan_cells(&grid->frame);
@@ -111,7 +111,7 @@ static void restore_starts(objet *grid)
     grid->start[0] = 0;
 }
 
-/* A cell's list at the sorting. */
+/* An entry of a cell's list while it is sorted. */
 typedef struct sorted {
     float z1;
     objet_entry entry;
@@ -153,7 +153,7 @@ static bool sort_some(const filling *job, size_t first, size_t end)
     return true;
 }
 
-/* All of them. A thread's cells lie together. */
+/* Sorts all lists. The cells of a thread lie together. False: no memory. */
 static bool sort_lists(const filling *job)
 {
     size_t cells = scan_cells(&job->grid->frame);
@@ -167,7 +167,7 @@ static bool sort_lists(const filling *job)
     return !lost;
 }
 
-/* Fills `next`, from each list's end. */
+/* Fills `next`, from the end of each list. False: no memory. */
 static bool link_lists(objet *grid, const hide_fronts *fronts)
 {
     size_t cells = scan_cells(&grid->frame);
@@ -235,7 +235,7 @@ void objet_free(objet *grid)
     *grid = (objet){0};
 }
 
-/* box_clip(), which has nothing to do where both ends are inside. */
+/* box_clip(), called only if an end is outside. */
 static void clip_slab(double a, double b, double low, double high, double *t0, double *t1)
 {
     if (lesser(a, b) < low || greater(a, b) > high)

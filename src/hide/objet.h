@@ -1,8 +1,9 @@
 /* objet.h - the grid Objet[i][j]: which fronts touch which cell of the picture.
  *
- * Source: the lecture's last section. A front is what one solid shows: all its front faces, listed once under their
- * common outline; a solid of many faces is listed face by face (see fronts.h). A cell lists its fronts nearest corner
- * first, so that one that begins behind an edge ends the search. What covers a cell is kept apart (see cover.h). */
+ * Source: the lecture's last section. A front is what one solid shows: all its front faces are listed once, under their
+ * common outline. A solid of many faces is listed face by face (see fronts.h). A cell lists its fronts by their nearest
+ * corners, the nearest first, so that the first one that begins behind an edge ends the search. Covers are kept apart
+ * (see cover.h). */
 #ifndef ROBERTS_HIDE_OBJET_H
 #define ROBERTS_HIDE_OBJET_H
 
@@ -28,9 +29,9 @@ typedef struct objet {
         per[4];      /* where cell (0, 0) begins and how many 256ths of a cell there are in a view unit: x, x, y, y */
     uint32_t *start; /* [nx * ny + 1] cell c lists entry[start[c]] .. entry[start[c + 1] - 1] */
     objet_entry *entry; /* [start[nx * ny] + OBJET_SPARE] */
-    /* [as entry] where a cell's list goes on with another solid, or ends: so a solid need not pass its own faces one by
-     * one, all of which a fan of very many triangles has in the cell of its tip. NULL where no solid is listed face by
-     * face. */
+    /* [as entry] where the list goes on with another solid, or ends. So the lines of a solid pass over all of its own
+     * faces at once. A fan of very many triangles has all of them in the cell of its tip. NULL: no solid is listed face
+     * by face. */
     uint32_t *next;
 } objet;
 
@@ -45,8 +46,8 @@ typedef struct objet_walk {
     size_t count, room;
 } objet_walk;
 
-/* Fills the cells of `frame`, by so many threads at the most (0: what there is), on which the result does not depend.
- * Returns ROBERTS_OK or _NO_MEMORY. */
+/* Fills the cells of `frame`, by at most so many threads (0: as many as there are). The threads do not change the
+ * result. Returns ROBERTS_OK or _NO_MEMORY. */
 roberts_status objet_build(objet *grid, const hide_fronts *fronts, scan_frame frame, uint32_t threads);
 void objet_free(objet *grid);
 
@@ -58,8 +59,7 @@ static inline four objet_place(const objet *grid, const hide_box *box)
     return four_mul(four_sub(four_load(side), four_load(grid->from)), four_load(grid->per));
 }
 
-/* ... cut to cell (i, j), a byte for each. Whatever is rounded here, of two sides the lesser stays no greater than the
- * other. */
+/* ... cut to cell (i, j), a byte for each side. Rounding keeps the order of two sides. */
 static inline uint32_t objet_cut(four place, uint32_t i, uint32_t j)
 {
     const float column = 256.0f * (float)(int32_t)i, row = 256.0f * (float)(int32_t)j;
@@ -67,19 +67,19 @@ static inline uint32_t objet_cut(four place, uint32_t i, uint32_t j)
     return four_bytes(four_sub(place, four_load(from)));
 }
 
-/* The sides of an entry whose box is cut so. */
+/* The sides of an entry, from its box as objet_cut() gives it. */
 static inline uint32_t objet_sides(uint32_t cut)
 {
     return cut ^ 0xff00ff00;
 }
 
-/* ... and what they are at the most where it meets, in the cell, another box that is cut so. */
+/* The most that the sides of an entry can be if it meets this box within the cell. */
 static inline uint32_t objet_most(uint32_t cut)
 {
     return objet_sides((cut >> 8 & 0x00ff00ff) | (cut << 8 & 0xff00ff00));
 }
 
-/* Which of the four entries from k on, but none from `end` on, have sides within the most they may be. */
+/* Which of the four entries from k on, but before `end`, have no side above its most? Bit i stands for entry k + i. */
 static inline unsigned objet_near(const objet *grid, uint32_t k, uint32_t end, uint32_t most)
 {
     return four_bytes_at_most((const uint32_t *)(grid->entry + k), most) & (end - k < 4 ? (1u << (end - k)) - 1 : 15u);

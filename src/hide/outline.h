@@ -8,15 +8,15 @@
 
 #include "hide/fronts.h"
 
-/* The edges of the solid that have one front face, which they run round counter-clockwise, joined to a cycle. Returns
- * its number of corners, or 0 where the edges are not one cycle. next, outline: room for all vertices of the solid. */
+/* Joins the solid's edges with one front face to a cycle, counter-clockwise. Returns its number of corners, or 0 if the
+ * edges are not one cycle. next, outline: room for all vertices of the solid. */
 uint32_t outline_cycle(const hide_fronts *fronts, uint32_t solid, uint32_t *next, uint32_t *outline);
 
-/* Is the outline a convex polygon? size: how large it is, along x and y together. */
+/* Is the outline a convex polygon? size: its width and height together. */
 bool outline_is_convex(const hide_fronts *fronts, const uint32_t *outline, uint32_t corners, double size);
 
-/* The convex hull of the solid's vertices in the picture, counter-clockwise. Returns its number of corners, or 0 where
- * it has no area. order, outline: room for all vertices of the solid. */
+/* Finds the convex hull of the solid's vertices in the picture, counter-clockwise. Returns its number of corners, or 0
+ * if it has no area. order, outline: room for all vertices of the solid. */
 uint32_t outline_hull(const hide_fronts *fronts, uint32_t solid, uint32_t *order, uint32_t *outline);
 
 #endif

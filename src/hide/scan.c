@@ -35,8 +35,8 @@ void scan_free(scan *s)
     *s = (scan){0};
 }
 
-/* One side. At the borders of a column its line is taken a margin further out, which also makes up for the rounding of
- * a steep line's ordinate; its ordinates never leave those of its ends. */
+/* Takes in one side. The part over a column is taken a margin longer at both borders. This also makes up for the
+ * rounding of a steep line's ordinate. The ordinates stay between those of the side's ends. */
 static void scan_side(scan *s, const scan_frame *f, roberts_vec3 P, roberts_vec3 Q)
 {
     double m = f->margin, run = Q.x - P.x;
@@ -82,7 +82,7 @@ void scan_polygon(scan *s, const scan_frame *f, const roberts_vec3 *P, const uin
         scan_side(s, f, P[corner[k]], P[corner[k + 1 < count ? k + 1 : 0]]);
 }
 
-/* The inner columns' borders between two abscissas: *first .. *last. */
+/* The borders of inner columns between two abscissas: *first .. *last. False: there are none. */
 static inline bool borders_between(const scan *s, const scan_frame *f, double from, double to, uint32_t *first,
                                    uint32_t *last)
 {
@@ -100,7 +100,7 @@ static inline bool borders_between(const scan *s, const scan_frame *f, double fr
     return *first <= *last;
 }
 
-/* Near an end C of a side, from which it rises by `rise` within three margins, this bounds the side at the borders. */
+/* Bounds a side at the borders near one of its ends, (x, y). Within three margins the side rises by `rise`. */
 static inline void scan_end(const scan *s, const scan_frame *f, double *bound, double x, double y, double rise)
 {
     uint32_t first, last;
@@ -110,11 +110,12 @@ static inline void scan_end(const scan *s, const scan_frame *f, double *bound, d
         bound[i] = greater(bound[i], greater(y, y + rise));
 }
 
-/* A side's ordinates at the borders of columns. The sides below the polygon are a convex function of x, those above a
- * concave one: over a column they are highest, or lowest, at its borders. Those above are taken upside down. At a
- * border the line is taken a margin further both ways, which also makes up for its rounding; so where the border is
- * that near to a corner, both sides there have a say. A vertical side bounds nothing that its neighbours do not
- * bound. */
+/* Bounds a side's ordinates at the borders of columns. The sides below the polygon are a convex function of x, those
+ * above it a concave one. So over a column the former are highest at a border, and the latter lowest. Sides above are
+ * taken upside down.
+ *
+ * Each border counts as two margins wide, which also makes up for rounding. If it is that near to a corner, both sides
+ * of the corner count. A vertical side bounds nothing that its neighbours do not bound. */
 static void scan_borders(scan *s, const scan_frame *f, roberts_vec3 P, roberts_vec3 Q)
 {
     bool below = Q.x > P.x;
@@ -133,8 +134,8 @@ static void scan_borders(scan *s, const scan_frame *f, roberts_vec3 P, roberts_v
         bound[i] = greater(bound[i], from + (f->x0 + i * f->dx - left) * slope + lift);
 }
 
-/* One side of a polygon whose corners are in these columns and not near a border. Gives how many borders it crosses
- * upward of the polygon's lower half. */
+/* Bounds one side whose ends lie in these columns and not near a border. Returns how many borders it crosses as a side
+ * below the polygon, else 0. */
 static inline uint32_t scan_side_borders(const scan *s, const scan_frame *f, const roberts_vec3 *P,
                                          const roberts_vec3 *Q, uint32_t column, uint32_t next)
 {
@@ -148,10 +149,9 @@ static inline uint32_t scan_side_borders(const scan *s, const scan_frame *f, con
     return below ? last - first : 0;
 }
 
-/* What scan_inner() does, to the last bit, where no corner is so near to a border that two sides have a say there: then
- * a border is met where the columns of two neighbours differ, by one side below and one above. False: a corner is that
- * near, or (of a polygon that is not quite convex) more sides meet a border; the columns are to be found the other
- * way. */
+/* The short way of scan_inner(), with the same result to the last bit. It serves if no corner is near a border: then
+ * one side below the polygon and one above it cross each border. False: a corner is near a border; or more sides cross
+ * one, because the polygon is not quite convex. */
 static bool scan_apart(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
 {
     double near = 4.0 * f->margin * f->per_dx, inside = 1.0 - near;

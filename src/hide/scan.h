@@ -1,10 +1,12 @@
 /* scan.h - the conservative Bresenham-like scan of a convex polygon over a grid of cells.
  *
- * Source: the lecture's last section: walk the lower half of the polygon from its leftmost to its rightmost corner and
- * note Bas[i] in every column, walk the upper half back and note Haut[i]; the polygon touches the rows from Bas[i] to
- * Haut[i]. A thin Bresenham line would skip cells that the true line only cuts at a corner; here each side counts for
- * all that it has over the closed column, widened by a margin, so that no cell that the closed polygon touches is
- * missed. The same walk tells which cells lie wholly inside. */
+ * Source: the lecture's last section. It walks the lower half of the polygon from the leftmost to the rightmost corner
+ * and notes Bas[i] in every column; then it walks the upper half back and notes Haut[i]. The polygon touches the rows
+ * from Bas[i] to Haut[i].
+ *
+ * A thin Bresenham line skips cells that the true line only cuts at a corner. Here each side counts with its whole part
+ * over the closed column, widened by a margin. So the scan misses no cell that the closed polygon touches. A second
+ * scan finds the cells that lie wholly inside. */
 #ifndef ROBERTS_HIDE_SCAN_H
 #define ROBERTS_HIDE_SCAN_H
 
@@ -30,7 +32,7 @@ static inline size_t scan_cells(const scan_frame *f)
     return (size_t)f->nx * f->ny;
 }
 
-/* Column of abscissa x, row of ordinate y, kept inside the grid; that of no number is 0. */
+/* The number of a column or row, kept inside the grid; NaN gives 0. */
 static inline uint32_t scan_clamp(double position, double last)
 {
     return (uint32_t)lesser(greater(position, 0.0), last);
@@ -57,18 +59,20 @@ typedef struct scan {
     uint32_t first, last;             /* columns touched */
     double *bas, *haut;               /* [nx] least and greatest ordinate in the column */
     uint32_t inner_first, inner_last; /* columns within the polygon's width; none where first > last */
-    double *under, *over; /* [nx + 1] at the left borders of inner columns, and at the right one of the last: above the
-                             greatest ordinate of the sides below, and minus what is below the least of those above */
+    /* [nx + 1] At the left border of each inner column, and at the right border of the last one: `under` is no less
+     * than any ordinate of the sides below the polygon, and -over no greater than any of the sides above it. */
+    double *under, *over;
 } scan;
 
 /* Arrays for grids of nx columns; false: no memory. scan_free() takes a zeroed scan. */
 bool scan_init(scan *s, uint32_t nx);
 void scan_free(scan *s);
 
-/* Which cells the convex polygon P[corner[0]], P[corner[1]], ..., counter-clockwise, touches: for scan_touched(). */
+/* Finds the cells that the convex polygon P[corner[0]], P[corner[1]], ..., counter-clockwise, touches: see
+ * scan_touched(). */
 void scan_polygon(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
 
-/* Which cells lie wholly inside: for scan_inside(). */
+/* Finds the cells that lie wholly inside the polygon: see scan_inside(). */
 void scan_inner(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
 
 /* Rows touched in column i. */

@@ -12,9 +12,9 @@
 
 /* Side of a tile in cells of covers: at least seven mean boxes, 128 kB of cells. */
 #define TILE_CELLS 128
-/* How far a solid may reach out of its tile, in cells. What is asked of the covers is within two cells of its box. */
+/* How far a solid may reach out of its tile, in cells. It asks covers within two cells of its box. */
 #define TILE_REACH (TILE_CELLS / 2 - 2)
-/* Without covers, or of few: */
+/* Solids of a tile if no covers are kept. */
 #define TILE_SOLIDS 512
 
 /* Tiles of one round, those of every other column and row beginning with (i, j). */
@@ -58,7 +58,7 @@ typedef struct tile_sizes {
     uint32_t solids, faces, vertices;
 } tile_sizes;
 
-/* Each tile's places follow those of the tiles before it. */
+/* Sets each tile's places, which follow those of the tiles before it. */
 static void set_places(tiles *t, const tile_sizes *size)
 {
     uint32_t first = 0, face = 0, outline = 0;
@@ -72,7 +72,7 @@ static void set_places(tiles *t, const tile_sizes *size)
     }
 }
 
-/* The tile of each solid. */
+/* Finds the tile of each solid. */
 static void find_tiles(const layout *l, const hide_fronts *fronts, uint32_t *own, int threads)
 {
     uint32_t count = fronts->scene->solid_count;
@@ -168,16 +168,16 @@ bool tiles_order(tiles *t, const front_tile *of, const hide_fronts *fronts)
 
 /* Fewer solids than this do not leave the cache. */
 #define MANY_SOLIDS 32768
-/* The picture is counted in so many columns and rows for the order... */
+/* For the order the picture has so many columns and rows. */
 #define SIDE 1024
-/* ... and if one solid lies on average farther than this from the last, the file has them as they come. Rows, heaps and
- * lattices that were built one beside the other have less than 30, random ones more than 600. */
+/* If a solid lies on average farther than this from the one before it, the file has no order that helps. Rows, heaps
+ * and lattices that were built one beside the other have less than 30, random ones more than 600. */
 #define FAR_APART 100.0
-/* ... or if as many boxes as this lie over a point of the picture: what lies behind one another lies anywhere in the
+/* The same if as many boxes as this lie over a point of the picture: solids behind one another lie anywhere in the
  * file. In flat scenes the order costs a fifth of hiding, in deep ones it saves a fourth to a half. */
 #define DEEP 2.5
 
-/* Solids between asking for what is kept of one and needing it; twice as many before, where it is. */
+/* So many solids before it is needed, what is kept of a solid is prefetched; twice as many before, the place of it. */
 #define RECALLS_AHEAD 4
 
 static double apart(uint32_t a, uint32_t b)
@@ -185,8 +185,8 @@ static double apart(uint32_t a, uint32_t b)
     return a < b ? b - a : a - b;
 }
 
-/* Fills `key` so that the solids' order follows the Z-order curve through the picture. Gives how far one is from the
- * last, on average. */
+/* Fills `key` so that the solids' order follows the Z-order curve through the picture. Returns how far a solid is from
+ * the one before it, on average. */
 static double find_keys(const hide_fronts *fronts, uint32_t *key)
 {
     uint32_t count = fronts->scene->solid_count, last_i = 0, last_j = 0;
@@ -263,14 +263,14 @@ static bool keep_line(kept_chunk *c, const hide_line *line, bool all)
     return true;
 }
 
-/* An array that cannot be made smaller stays as it is. */
+/* Makes an array smaller, if that can be done. */
 static void *shrunk(void *array, size_t size)
 {
     void *smaller = size ? realloc(array, size) : NULL;
     return smaller ? smaller : array;
 }
 
-/* What a chunk has not used. */
+/* Gives back the memory that a chunk has not used. */
 static void shrink(kept_chunk *c)
 {
     c->line = shrunk(c->line, c->line_count * sizeof *c->line);
@@ -340,7 +340,7 @@ bool picture_order_recall(const picture_order *o, uint32_t solid, hide_worker *w
 
 /* ---- chunks ---- */
 
-/* At the end threads wait for the last run, so that each should have many. */
+/* At the end, threads wait for the last run. So each thread should have many runs. */
 #define RUNS_PER_THREAD 16
 
 bool chunks_init(chunks *c, uint32_t total, int threads, roberts_drawing *drawing, roberts_segment_fn *each,
@@ -386,8 +386,8 @@ static void give_away(chunks *c, const hide_chunk *chunk)
     atomic_store(&c->turn, chunk->number + 1);
 }
 
-/* The drawing moves only while nobody writes to it. The next has its turn before the copying, most of which is the
- * system bringing new memory. */
+/* Copies a chunk into the drawing, which moves only while nobody writes to it. The next chunk gets its turn before the
+ * copying, since most of that time the system brings new memory. */
 static void lay_down(chunks *c, const hide_chunk *chunk)
 {
     size_t first = c->drawing->count, total = first + chunk->count;
@@ -408,7 +408,7 @@ static void lay_down(chunks *c, const hide_chunk *chunk)
     atomic_fetch_sub(&c->copying, 1);
 }
 
-/* The thread's own whose turn it is: they are free again. */
+/* Gives away, or lays down, the chunks of this thread whose turn it is. They are free then. */
 static void settle(chunks *c, chunk_queue *own)
 {
     for (; own->count && goes_on(c); own->first = (own->first + 1) % CHUNKS_WAITING) {
@@ -424,7 +424,7 @@ static void settle(chunks *c, chunk_queue *own)
     }
 }
 
-/* Until no more than `most` of the thread's own are waiting. */
+/* Waits until no more than `most` of the thread's chunks wait for their turn. */
 static void wait_for_turns(chunks *c, chunk_queue *own, uint32_t most)
 {
     for (unsigned turn = 0; own->count > most && goes_on(c); turn++) {
@@ -433,7 +433,7 @@ static void wait_for_turns(chunks *c, chunk_queue *own, uint32_t most)
     }
 }
 
-/* The thread's next run, where there is one; else an empty one. */
+/* Takes the next run for this thread, if there is one. */
 static void take_run(chunks *c, chunk_queue *own)
 {
     uint32_t run_count = (c->total + c->run - 1) / c->run;

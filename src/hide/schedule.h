@@ -1,23 +1,23 @@
-/* schedule.h - which solids a thread takes, in what order, and how what the threads find comes out in the order of
+/* schedule.h - says which solids a thread takes and in what order, and brings what the threads find into the order of
  * the file. Nothing here changes what is found.
  *
- * 1. Tiles: fronts are built tile by tile. Where covers are kept, a tile holds the solids whose middle is in a square
- *    of TILE_CELLS cells, so that the covers that it touches stay in a cache. Tiles are taken in rounds. No two tiles
- *    of a round lie beside one another, and no solid reaches farther out of its tile than nearly half of one. So
- *    solids of different tiles of a round never ask or enter the same cover, and what is culled does not depend on
- *    the threads. The few solids that reach farther are a tile by themselves, and the first round. Without covers, a
- *    tile holds solids that follow one another in the file, and there is one round.
+ * 1. Tiles: fronts are built tile by tile. If covers are kept, a tile holds the solids whose middle is in a square of
+ *    TILE_CELLS cells, so that the covers that the tile touches stay in a cache. Tiles are taken in rounds. No two
+ * tiles of a round lie beside one another, and a solid reaches out of its tile by less than half of one. So solids of
+ *    different tiles of a round never ask or enter the same cover, and the threads do not change what is culled. The
+ * few solids that reach farther are a tile by themselves, and the first round. Without covers, a tile holds solids that
+ *    follow one another in the file, and there is one round.
  *
- * 2. The order of the picture: lines come out in the order of the file. Where solids that follow one another in the
- *    file lie anywhere in the picture, and are more than a cache holds, each edge would fetch the fronts around it
- *    from memory. There solids are hidden in the order in which they lie in the picture first. Of their lines only
- *    the parameters of what is hidden are kept, until it is the solid's turn; where hidden segments are wanted, so is
- *    the solid seen there.
+ * 2. The order of the picture: lines come out in the order of the file. But solids that follow one another in the file
+ *    may lie anywhere in the picture. If they are more than a cache holds, each edge would fetch the fronts around it
+ *    from memory. So these solids are hidden beforehand, in the order in which they lie in the picture. The parameters
+ *    of the hidden parts are kept until it is the solid's turn. If hidden segments are wanted, the solid seen there is
+ *    kept too.
  *
- * 3. Chunks: segments are found in chunks of solids. Any thread takes the next few chunks, one run, since neighbours
- *    ask for the same fronts. No thread waits for another. A chunk whose turn has not come stays with its thread,
- *    which looks after every chunk whether its turn has come, and then gives the segments away or lays them down
- *    itself: they are still in its cache. Only a thread with a full queue has to wait. */
+ * 3. Chunks: segments are found in chunks of solids. A thread takes a run of a few chunks that follow one another,
+ * since neighbours ask for the same fronts. If the turn of a chunk has not come, the chunk stays with its thread. The
+ *    thread looks again after every further chunk, and gives the segments away or lays them down itself, while they are
+ *    still in its cache. No thread waits for another unless its queue is full. */
 #ifndef ROBERTS_HIDE_SCHEDULE_H
 #define ROBERTS_HIDE_SCHEDULE_H
 
@@ -35,9 +35,9 @@
  * tiles. */
 enum { TILE_ROUNDS = 5 };
 
-/* A solid has at most one front for all of it, no more front faces than faces, and no more corners in its outline than
- * vertices. So a tile's places in the arrays of hide_fronts begin where those of the tiles before it must end. Room
- * that is not used is never touched. */
+/* A solid has at most one whole front, no more front faces than faces, and no more corners in its outline than
+ * vertices. So it is known beforehand where in the arrays of hide_fronts a tile may begin to write. Room that is not
+ * used is never touched. */
 typedef struct front_tile {
     uint32_t first, end;           /* of tiles.solid */
     uint32_t front, face, outline; /* of the arrays of hide_fronts: the next to be written */
@@ -60,7 +60,7 @@ typedef struct tiles {
 bool tiles_make(tiles *t, const hide_fronts *fronts, int threads);
 void tiles_free(tiles *t);
 
-/* Orders a tile's solids, nearest first, ties by number. False: no memory. */
+/* Puts a tile's solids in order, nearest first, ties by number. False: no memory. */
 bool tiles_order(tiles *t, const front_tile *of, const hide_fronts *fronts);
 
 /* ---- the order of the picture ---- */
@@ -82,7 +82,7 @@ typedef struct kept_chunk {
 
 typedef struct picture_order {
     uint32_t count, chunks; /* of solids; of chunks, if any are kept */
-    uint32_t *solid;        /* [count] in this order; NULL: the order of the file serves as well, nothing is kept */
+    uint32_t *solid;        /* [count] in this order; NULL: the order of the file is as good, and nothing is kept */
     uint32_t *place;        /* [count] where in `order` a solid is */
     kept_chunk *chunk;      /* [chunks] one for every KEPT_SOLIDS solids of them */
 } picture_order;
@@ -92,15 +92,15 @@ typedef struct picture_order {
 bool picture_order_init(picture_order *o, const hide_fronts *fronts, double depth);
 void picture_order_free(picture_order *o);
 
-/* Keeps the worker's lines, of the solid order[place], as hide_worker_run() has left them; within a chunk solids come
- * one after the other. Of a solid that is culled the lines are none. False: no memory. */
+/* Keeps the worker's lines, those of order[place], as hide_worker_run() has left them. The solids of a chunk come one
+ * after the other. A solid that is culled comes without lines. False: no memory. */
 bool picture_order_keep(picture_order *o, uint32_t place, const hide_worker *w);
 
-/* Asks for what will be wanted at the recalling of the solids soon after this one: their lines lie anywhere. */
+/* Prefetches the lines of solids that will be recalled soon after this one: they lie anywhere. */
 void picture_order_fetch(const picture_order *o, uint32_t solid);
 
-/* Gives the worker the solid's lines back; those that are wholly hidden only where it keeps hidden parts. False: no
- * memory. */
+/* Gives the worker the solid's lines back. Those that are wholly hidden come back only if hidden parts are kept. False:
+ * no memory. */
 bool picture_order_recall(const picture_order *o, uint32_t solid, hide_worker *w);
 
 /* ---- chunks ---- */
@@ -112,11 +112,11 @@ typedef struct hide_chunk {
     uint32_t number;
 } hide_chunk;
 
-/* A run has at most so many chunks; and so many of a thread may wait for their turn: its run, while those before it are
- * at work, and more, so that a thread that is slow or put aside by the system does not stop the others. */
+/* CHUNKS_RUN: most chunks in a run. CHUNKS_WAITING: most chunks of a thread that wait for their turn. That is more than
+ * a run, so that a thread that the system makes wait does not stop the others. */
 enum { CHUNKS_RUN = 16, CHUNKS_WAITING = 3 * CHUNKS_RUN };
 
-/* The chunks of one thread: those waiting in the order of their numbers, a ring, and those that are free. */
+/* The chunks of one thread: those that wait, a ring in the order of their numbers, and those that are free. */
 typedef struct chunk_queue {
     hide_chunk chunk[CHUNKS_WAITING];
     hide_chunk *waiting[CHUNKS_WAITING], *spare[CHUNKS_WAITING]; /* spare: last the one used last */
@@ -133,10 +133,10 @@ typedef struct chunks {
     void *context;
     _Atomic uint32_t taken;   /* runs */
     atomic_int status;        /* roberts_status; what is not ROBERTS_OK ends the work */
-    _Atomic uint32_t turn;    /* of the chunk that is given away or placed next; its thread alone may touch: */
-    roberts_drawing *drawing; /* (whose segments may be written by those whose turn it was) */
+    _Atomic uint32_t turn;    /* the chunk that is given away or laid down next. Its thread alone may change: */
+    roberts_drawing *drawing; /* (threads that had their turn may still write its segments) */
     size_t room;              /* of drawing->segment */
-    _Atomic uint32_t copying; /* threads that write to the drawing, which must stay where it is */
+    _Atomic uint32_t copying; /* threads that write to the drawing: until they have done, it must not be moved */
 } chunks;
 
 /* For `total` chunks found by `threads` threads. False: no memory; chunks_free() is due in any case. */
@@ -144,8 +144,8 @@ bool chunks_init(chunks *c, uint32_t total, int threads, roberts_drawing *drawin
                  void *context);
 void chunks_free(chunks *c);
 
-/* The next chunk for thread `self`, counted from 0, to be filled; NULL: there is no more, or the work is over for what
- * `status` says. When all threads have got NULL, or have failed, all segments are where they belong. */
+/* The next chunk that thread `self`, counted from 0, is to fill. NULL: there is none, or `status` has ended the work.
+ * When all threads have got NULL, or have failed, all segments are where they belong. */
 hide_chunk *chunks_take(chunks *c, int self);
 
 /* The chunk that the thread has taken is full. */

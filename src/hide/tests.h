@@ -51,7 +51,7 @@ static inline hide_chord hide_side_of(const hide_face *F, uint32_t i)
 /* t_i, and how far along the edge from there it is epsilon away from the side's line. */
 typedef struct hide_crossing {
     double t, touch;
-    double error; /* bound of t's error where it is not accurate, 0 where it is */
+    double error; /* bound of t's error; 0: t is accurate */
     hide_chord side;
 } hide_crossing;
 
@@ -82,12 +82,12 @@ typedef struct hide_near {
     int side; /* the last one is a little to the left (1) of it, to the right (-1), or cannot be told from it (0) */
 } hide_near;
 
-/* Test 2: 1 where P is left of the sight plane through AB, -1 where it is right of it, 0 where it counts as near. */
+/* Test 2: is P left of the sight plane through AB (1), right of it (-1), or near to it (0)? */
 int hide_corner_side(const hide_space *space, roberts_vec3 P, const hide_edge *e, hide_near *near);
 
-/* Does the sight plane miss a polygon all of whose other corners are on its left (or else right)? Of a corner on the
- * other side it cuts a sliver off, up to epsilon wide, but much longer where the edge runs nearly along a side: where
- * solids fill a place without a gap one would see through. */
+/* Does the sight plane miss a polygon whose other corners are all on its left (or all on its right)? If a near corner
+ * is on the other side, the plane cuts off a sliver up to epsilon wide. The sliver is much longer if the edge runs
+ * nearly along a side. It must not be missed, or one would see through solids that fill a place without a gap. */
 static inline bool hide_near_misses(const hide_near *near, bool left)
 {
     return near->count == 0 || (near->count == 1 && !near->doubtful && near->side != (left ? -1 : 1));
@@ -113,7 +113,8 @@ typedef struct hide_cutting {
     uint64_t *refined;
 } hide_cutting;
 
-/* ... and takes it into account; false where nothing is left between the crossings. Begin with hide_uncut. */
+/* Finds the same crossing and takes it into account. False: nothing is left between the crossings. Begin with
+ * hide_uncut. */
 bool hide_cut_by(const hide_cutting *c, hide_chord side, hide_side H, hide_cut *cut);
 bool hide_cut_end(const hide_cutting *c, hide_cut *cut, hide_interval *part);
 

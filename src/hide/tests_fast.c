@@ -55,7 +55,7 @@ static bool outside_one(const fast_sides *H, size_t count, double plain)
     return false;
 }
 
-/* Signs that are not plain as look_closely() in tests.c has them. */
+/* Signs that are not plain are found as in look_closely() in tests.c. */
 fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const hide_edge *e, fast_sides *H)
 {
     bool a_inside = all_above(H->a, o->count, space->plain);

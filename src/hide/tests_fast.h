@@ -1,9 +1,9 @@
-/* tests_fast.h - tests 2 to 4 at a stroke, for an edge and an outline between which all signs are plain.
+/* tests_fast.h - tests 2 to 4 in one pass, for an edge and an outline if all signs are plain.
  *
- * A sign is plain where its cross product is larger than hide_space.plain: then it is the one that tests.c would
- * find, without looking at lengths and errors. The sides' functions H_i(A), H_i(B) are computed two at a time, in the
- * form that test 4 needs for t_i, so that the part found is the same to the last bit. Where a sign is not plain (but
- * for those of an edge that ends well inside), or a crossing not accurate, the verdict is left to tests.c. */
+ * A sign is plain if its cross product is larger than hide_space.plain. Then tests.c would find the same sign, and
+ * lengths and errors need not be looked at. H_i(A) and H_i(B) are computed for two sides at a time, in the form that
+ * test 4 needs for t_i. So the part found is the same to the last bit. tests.c decides if a crossing is not accurate,
+ * or if a sign is not plain (unless the edge has one end well inside). */
 #ifndef ROBERTS_HIDE_TESTS_FAST_H
 #define ROBERTS_HIDE_TESTS_FAST_H
 
@@ -11,15 +11,15 @@
 #include "base/lanes.h"
 #include "hide/reach.h"
 
-/* An outline at hand, drawn together from the picture. An odd number of sides is made even: the last stands twice, and
- * so does the first corner. */
+/* An outline, copied to one place. An odd number of sides is made even: the last side stands twice, and so does the
+ * first corner. */
 typedef struct fast_outline {
     const uint32_t *corner;                               /* whose; NULL: nobody's */
     uint32_t sides;                                       /* as many as there are */
     size_t count;                                         /* ... made even */
     _Alignas(16) double x[FAST_CORNERS], y[FAST_CORNERS]; /* corners */
-    double ox[FAST_CORNERS], oy[FAST_CORNERS];            /* of side i the end of smaller number */
-    double dx[FAST_CORNERS], dy[FAST_CORNERS];            /* ... and from its first corner to the next */
+    double ox[FAST_CORNERS], oy[FAST_CORNERS];            /* of side i: the corner of smaller number */
+    double dx[FAST_CORNERS], dy[FAST_CORNERS];            /* of side i: from its first corner to the next */
 } fast_outline;
 
 typedef enum fast_verdict {
@@ -28,10 +28,10 @@ typedef enum fast_verdict {
     FAST_OUTSIDE, /* test 3: outside one side */
     FAST_INSIDE,  /* test 3: inside all sides */
     FAST_CUT,     /* test 4: a part is inside */
-    FAST_EMPTY,   /* test 4: none is, or none that is not known to be hidden */
+    FAST_EMPTY,   /* test 4: no part is inside, or the part is known to be hidden */
 } fast_verdict;
 
-/* Takes up the outline P[corner[0]], P[corner[1]], ... of at most FAST_CORNERS corners. */
+/* Copies the outline P[corner[0]], P[corner[1]], ... of at most FAST_CORNERS corners. */
 void fast_take(fast_outline *o, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
 
 /* H_i(A) and H_i(B), times the lengths of the sides; > 0 inside. */
@@ -40,7 +40,7 @@ typedef struct fast_sides {
     uint32_t out_a, out_b; /* bit i: A, B is outside of side i */
 } fast_sides;
 
-/* Test 3. True: all signs are plain. */
+/* Finds the signs of test 3. True: all of them are plain. */
 BITS_INLINE bool fast_signs(const fast_outline *o, double plain, const hide_edge *e, fast_sides *H)
 {
     two ax = two_all(e->A.x), ay = two_all(e->A.y), bx = two_all(e->B.x), by = two_all(e->B.y);
@@ -63,7 +63,7 @@ BITS_INLINE bool fast_signs(const fast_outline *o, double plain, const hide_edge
     return two_least(nearest) > plain;
 }
 
-/* Test 2: how the corners lie about the sight plane through AB. */
+/* Test 2: on which sides of the sight plane through AB do the corners lie? */
 BITS_INLINE fast_verdict fast_corners(const fast_outline *o, double plain, const hide_edge *e)
 {
     two ax = two_all(e->A.x), ay = two_all(e->A.y), dx = two_all(e->B.x - e->A.x), dy = two_all(e->B.y - e->A.y);
@@ -81,22 +81,24 @@ BITS_INLINE fast_verdict fast_corners(const fast_outline *o, double plain, const
     return right == 0 || right == all ? FAST_MISSED : FAST_CUT;
 }
 
-/* Test 4 where some crossing is not accurate by the bound for all of them: as hide_test4() has it. */
+/* Test 4 with a bound for each crossing, as in hide_test4(): for edges that the common bound does not show to be
+ * accurate. */
 fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
                               hide_interval *part);
 
-/* reach_along() of side i: it is crossed at *t, `touch` is below 0 where the edge comes in. */
+/* reach_along() of side i, which is crossed at *t. `touch` is below 0 if the edge comes in there. */
 double fast_reach_along(const fast_outline *o, const hide_space *space, const hide_edge *e, int i, double touch,
                         double *t);
 
-/* How far the edge is within epsilon of the border from *t on, where it crosses side i; i < 0: it does not. */
+/* The t up to which the edge stays within epsilon of the border, from *t on, where it crosses side i. i < 0: it crosses
+ * none. */
 BITS_INLINE double fast_reach(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
                               int i, double *t)
 {
     if (i < 0)
         return *t;
     double length = sqrt(o->dx[i] * o->dx[i] + o->dy[i] * o->dy[i]), apart = H->a[i] - H->b[i];
-    double touch = space->epsilon * length / apart; /* with its sign: below 0 where the edge comes in */
+    double touch = space->epsilon * length / apart; /* below 0 if the edge comes in */
     return reach_is_plain(space, e, fabs(touch)) ? *t + touch : fast_reach_along(o, space, e, i, touch, t);
 }
 
@@ -130,9 +132,9 @@ BITS_INLINE fast_verdict fast_cut(const fast_outline *o, const hide_space *space
     return (t1 - t0) * e->length3 > space->epsilon ? FAST_CUT : FAST_EMPTY;
 }
 
-/* Is what lies inside plainly within what is hidden, with all that it touches? That is so where the point at which the
- * hidden part begins is outside of a side that A is outside of, and the one at which it ends of a side that B is
- * outside of (or the edge itself begins or ends there), and neither is near to any side. */
+/* Is the part inside, with all that it touches, plainly within the part that is hidden? It is if three things hold. The
+ * hidden part begins at the edge's beginning, or outside of a side that A is outside of. It ends at the edge's end, or
+ * outside of a side that B is outside of. And neither of its ends is near to any side. */
 BITS_INLINE bool fast_within(const fast_outline *o, double plain, const fast_sides *H, const hide_interval *hidden)
 {
     two t0 = two_all(hidden->t0), t1 = two_all(hidden->t1), nearest = two_all(INFINITY);
@@ -149,14 +151,14 @@ BITS_INLINE bool fast_within(const fast_outline *o, double plain, const fast_sid
            two_least(nearest) > plain;
 }
 
-/* Where not all signs are plain. FAST_OUTSIDE: of one side plainly, whatever the others say. FAST_CUT: one end is
- * plainly inside, the other near to some side, and H has the signs that tests.c would find. FAST_UNCLEAR: that takes
- * twice the precision, or no end is plainly inside. */
+/* Asks an edge of which not all signs are plain. FAST_OUTSIDE: it is plainly outside of one side, whatever the others
+ * say. FAST_CUT: one end is plainly inside, the other near to some side, and H has the signs that tests.c would find.
+ * FAST_UNCLEAR: the signs take twice the precision, or no end is plainly inside. */
 fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const hide_edge *e, fast_sides *H);
 
-/* span: no two points of outline and edge are farther apart, along x and y together; hidden: a part of the edge that
- * is, what lies within it need not be found; NULL: find all. Fills `part` where the verdict is FAST_INSIDE or
- * FAST_CUT. */
+/* Tests 2 to 4. span: no two points of outline and edge are farther apart, along x and y together. hidden: a part of
+ * the edge that is known to be hidden, within which nothing need be found; NULL: none. Fills `part` if the verdict is
+ * FAST_INSIDE or FAST_CUT. */
 BITS_INLINE fast_verdict fast_test(const fast_outline *o, const hide_space *space, const hide_edge *e, double span,
                                    const hide_interval *hidden, hide_interval *part)
 {

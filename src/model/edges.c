@@ -177,17 +177,11 @@ static bool has_edge(const roberts_scene *scene, const roberts_segment *segment)
            segment->edge < scene->solid[segment->solid + 1].edge;
 }
 
-/* Is it a part of a line in which faces cross? In a union such a line is an outline or a crease. */
-static bool is_crossing(const roberts_segment *segment)
-{
-    return segment->line == ROBERTS_INTERSECTION || segment->v0 == ROBERTS_NONE;
-}
-
 void roberts_segment_faces(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
                            uint32_t face[2])
 {
     face[0] = face[1] = ROBERTS_NONE;
-    if (is_crossing(segment)) {
+    if (scene_crosses(segment)) {
         if (drawing && segment->edge < drawing->crossing_count)
             memcpy(face, drawing->crossing[segment->edge].face, 2 * sizeof *face);
         return;
@@ -221,7 +215,7 @@ bool roberts_segment_ends(const roberts_scene *scene, const roberts_drawing *dra
     const uint32_t body = segment->solid, e = segment->edge;
     roberts_vec3 line[2];
     double from = 0.0, to = 1.0;
-    if (is_crossing(segment)) {
+    if (scene_crosses(segment)) {
         if (e >= drawing->crossing_count)
             return false;
         memcpy(line, drawing->crossing[e].end, sizeof line);

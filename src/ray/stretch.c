@@ -111,7 +111,8 @@ static bool contradicts_strictly(stretch_checker *c, const stretch_probe *p, con
 /* by: a solid that hides the point; ROBERTS_NONE: `cast` is not hidden. */
 static void contradict(stretch_result *out, const stretch_probe *p, uint32_t solid, roberts_state as, uint32_t by)
 {
-    roberts_contradiction what = {solid, 0, 0, p->t, p->drawn, as, by, p->drawn_by};
+    roberts_contradiction what = {
+        .solid = solid, .t = p->t, .drawn = p->drawn, .cast = as, .by = by, .drawn_by = p->drawn_by};
     if (array_reserve(&out->found, &out->room, out->count + 1, sizeof *out->found))
         out->found[out->count++] = (stretch_finding){what, p->edge};
     else

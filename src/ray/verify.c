@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/sort.h"
 #include "base/threads.h"
+#include "ray/crossed.h"
 #include "ray/stretch.h"
 
 /* A gap between two rows of an edge that is no wider in t is rounding. */
@@ -26,6 +27,8 @@
 #define RUN_EDGES 32
 /* Runs in a chunk: enough to make the cost of sharing them out negligible. */
 #define CHUNK_RUNS 32
+/* Intersections in a chunk. */
+#define CHUNK_LINES 1024
 /* A thread with fewer chunks than this costs more than it saves. */
 #define CHUNKS_PER_THREAD 4
 
@@ -50,10 +53,12 @@ typedef struct verifier {
     size_t name_count;
     uint32_t *row_start;    /* [edge_count + 1] */
     uint32_t *row;          /* [segments] rows of the drawing, edge by edge, by t */
+    crossed crossed;        /* the faces of intersections */
+    size_t line_row;        /* the first row of an intersection; those that follow are in the order of their lines */
     edge_run *run;          /* [run_count + 1] the last one marks the end */
     uint32_t *order;        /* [run_count] runs by where they are in the picture */
     stretch_result *result; /* [chunk_count] */
-    uint32_t run_count, chunk_count;
+    uint32_t run_count, edge_chunks, chunk_count; /* chunks of edges, and then of intersections */
 } verifier;
 
 roberts_verify_options roberts_verify_options_default(void)
@@ -250,6 +255,78 @@ static void check_edge(const verifier *f, stretch_checker *checker, uint32_t sol
         check_gap(checker, end, left.t1, gap, &s);
 }
 
+/* ---- intersections --------------------------------------------------------------------------------------------- */
+
+/* Notes that the faces of line k do not cross. */
+static void deny_line(stretch_result *out, uint32_t body, uint32_t edge)
+{
+    stretch_finding finding = {.what = {.solid = body, .t = 0.5, .by = ROBERTS_NONE, .no_line = true}, .edge = edge};
+    if (!array_reserve(&out->found, &out->room, out->count + 1, sizeof *out->found))
+        out->lost = true;
+    else
+        out->found[out->count++] = finding;
+}
+
+/* The first row of line k or of one behind it. */
+static size_t first_row(const verifier *f, size_t k)
+{
+    size_t low = f->line_row, high = f->drawing->count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (f->drawing->segment[middle].edge < k)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Checks an intersection: its faces, its rows, and the gaps between them. */
+static void check_line(const verifier *f, stretch_checker *checker, stretch_result *result, size_t k)
+{
+    const clip_edge whole = {ROBERTS_NONE, 0.0, 1.0};
+    const roberts_crossing *line = &f->drawing->crossing[k];
+    uint32_t edge = f->scene->edge_count + (uint32_t)k;
+    size_t row = first_row(f, k);
+    crossed_faces faces;
+    bool found = crossed_find(&f->crossed, line, &faces);
+    if (!found || !crossed_is_line(&f->crossed, line, &faces)) {
+        deny_line(result, row < f->drawing->count ? f->drawing->segment[row].solid : 0, edge);
+        return;
+    }
+    stretch s = {.A = sight_point(&f->o.s, line->end[0]),
+                 .B = sight_point(&f->o.s, line->end[1]),
+                 .solid = faces.of[0].body,
+                 .edge = edge,
+                 .faces = STRETCH_BETWEEN,
+                 .own = seen_owns_none};
+    for (int i = 0; i < 2; i++)
+        if (!scene_is_convex(f->seen.scene, faces.of[i].body) || f->o.s.facing[faces.of[i].face] != SIGHT_NOT_FRONT)
+            s.own.key[i] = seen_face_key(f->seen.scene, faces.of[i].body, faces.of[i].face);
+    double end = 0.0;
+    for (; row < f->drawing->count && f->drawing->segment[row].edge == k; row++) {
+        if (!f->options.unite)
+            check_gap(checker, end, f->drawing->segment[row].t0, GAP, &s);
+        check_row(checker, &whole, &f->drawing->segment[row], GAP, &s);
+        end = fmax(end, f->drawing->segment[row].t1);
+    }
+    if (!f->options.unite)
+        check_gap(checker, end, 1.0, GAP, &s);
+}
+
+/* Are the rows of intersections in order, each of a line? */
+static bool has_lines_in_order(verifier *f)
+{
+    const roberts_drawing *d = f->drawing;
+    f->line_row = d->count;
+    while (f->line_row > 0 && scene_crosses(&d->segment[f->line_row - 1]))
+        f->line_row--;
+    for (size_t i = f->line_row; i < d->count; i++)
+        if (d->segment[i].edge >= d->crossing_count || (i > f->line_row && d->segment[i - 1].edge > d->segment[i].edge))
+            return false;
+    return true;
+}
+
 /* ---- rows to edges --------------------------------------------------------------------------------------------- */
 
 static int by_name(const void *a, const void *b)
@@ -345,6 +422,8 @@ static uint32_t assign_row(verifier *f, uint32_t index, bool put)
 {
     const roberts_segment *row = &f->drawing->segment[index];
     uint32_t none = f->scene->edge_count, count = 0;
+    if (index >= f->line_row)
+        return 1;
     bool convex = row->solid >= f->scene->solid_count || scene_is_convex(f->scene, row->solid);
     name_range range = {0};
     if (!convex)
@@ -366,9 +445,11 @@ static roberts_status assign_rows(verifier *f, roberts_error *error)
 {
     const roberts_scene *scene = f->scene;
     uint32_t total = 0;
+    if (!has_lines_in_order(f))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "segments of intersections are not in order");
     for (uint32_t i = 0; i < f->drawing->count; i++) {
         const roberts_segment *row = &f->drawing->segment[i];
-        if (assign_row(f, i, false) == 0)
+        if (!scene_crosses(row) && assign_row(f, i, false) == 0)
             return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                              "segment %u belongs to no edge of the scene (solid %u, %u-%u)", (unsigned)i,
                              (unsigned)row->solid, (unsigned)row->v0, (unsigned)row->v1);
@@ -380,7 +461,7 @@ static roberts_status assign_rows(verifier *f, roberts_error *error)
         total = f->row_start[e] += total;
     if (!(f->row = alloc_array(total, sizeof *f->row)))
         return error_no_memory(error);
-    for (uint32_t i = (uint32_t)f->drawing->count; i-- > 0;)
+    for (uint32_t i = (uint32_t)f->line_row; i-- > 0;)
         assign_row(f, i, true);
     for (uint32_t e = 0; e < scene->edge_count; e++)
         sort_rows(f, f->row_start[e], f->row_start[e + 1]);
@@ -397,7 +478,10 @@ static void check_chunk(verifier *f, uint32_t index)
         f->result[index].lost = true;
         return;
     }
-    for (uint32_t i = 0; i < (left < CHUNK_RUNS ? left : CHUNK_RUNS); i++) {
+    size_t line = ((size_t)index - f->edge_chunks) * CHUNK_LINES, lines = f->drawing->crossing_count;
+    for (size_t k = line; index >= f->edge_chunks && k < lines && k < line + CHUNK_LINES; k++)
+        check_line(f, checker, &f->result[index], k);
+    for (uint32_t i = 0; index < f->edge_chunks && i < (left < CHUNK_RUNS ? left : CHUNK_RUNS); i++) {
         const edge_run *r = &f->run[f->order[first + i]];
         for (uint32_t edge = r->edge; edge < r[1].edge; edge++)
             check_edge(f, checker, r->solid, edge);
@@ -427,6 +511,22 @@ static int by_edge(const void *a, const void *b)
     return p->what.by < q->what.by ? -1 : p->what.by > q->what.by;
 }
 
+/* Says which edge or intersection it is about. */
+static void name_line(const verifier *f, uint32_t edge, roberts_contradiction *what)
+{
+    what->v0 = what->v1 = what->face[0] = what->face[1] = ROBERTS_NONE;
+    if (edge >= f->scene->edge_count) {
+        const roberts_crossing *line = &f->drawing->crossing[edge - f->scene->edge_count];
+        what->face[0] = line->face[0];
+        what->face[1] = line->face[1];
+        return;
+    }
+    const edge_name name = part_of(f, what->solid, edge);
+    what->v0 = name.v[0];
+    what->v1 = name.v[1];
+    what->t = name.t0 + (name.t1 - name.t0) * what->t;
+}
+
 /* Passes on the contradictions of all chunks, by edge and then along it; two rays from one point count once. False: no
  * memory. */
 static bool pass_on(const verifier *f, size_t count, roberts_verification *result)
@@ -443,10 +543,7 @@ static bool pass_on(const verifier *f, size_t count, roberts_verification *resul
         roberts_contradiction *what = &all[k].what;
         if (k > 0 && by_edge(&all[k - 1], &all[k]) == 0)
             continue;
-        const edge_name name = part_of(f, what->solid, all[k].edge);
-        what->v0 = name.v[0];
-        what->v1 = name.v[1];
-        what->t = name.t0 + (name.t1 - name.t0) * what->t;
+        name_line(f, all[k].edge, what);
         result->contradictions++;
         if (f->options.contradiction)
             f->options.contradiction(f->options.context, what);
@@ -536,8 +633,11 @@ static bool prepare(verifier *f)
     f->row_start = alloc_zeroed(edges + 1, sizeof *f->row_start);
     if (!f->run || !f->order || !f->row_start || !name_edges(f))
         return false;
+    if (f->drawing->crossing_count > 0 && !crossed_begin(&f->crossed, f->seen.scene, f->drawing->epsilon))
+        return false;
     find_runs(f);
-    f->chunk_count = f->run_count / CHUNK_RUNS + (f->run_count % CHUNK_RUNS != 0);
+    f->edge_chunks = f->run_count / CHUNK_RUNS + (f->run_count % CHUNK_RUNS != 0);
+    f->chunk_count = f->edge_chunks + (uint32_t)((f->drawing->crossing_count + CHUNK_LINES - 1) / CHUNK_LINES);
     f->result = alloc_zeroed(f->chunk_count, sizeof *f->result);
     return f->result;
 }
@@ -552,6 +652,7 @@ static void release(verifier *f)
     free(f->name);
     free(f->row_start);
     free(f->row);
+    crossed_end(&f->crossed);
     occluders_free(&f->o);
     seen_end(&f->seen);
 }

@@ -12,15 +12,15 @@
 #include "model/face_plane.h"
 #include "view/cutter.h"
 
-/* The distance of the near plane if none is given: this part of the distance of the look-at point, and at least this
- * part of the scene's diameter. Nearer things would be drawn a thousand times as large as at the look-at point. */
+/* The distance of the near plane if none is given: this part of the look-at point's distance, and at least this part of
+ * the scene's diameter. Nearer things would be drawn a thousand times as large as at the look-at point. */
 #define NEAR_OF_DISTANCE 1e-3
 #define NEAR_OF_DIAMETER 1e-5
 /* The least distance of the near plane, whatever is given, as a part of the scene's diameter. Coordinates in the
  * picture grow by one over it, and with them the touching distance. */
 #define NEAR_LEAST 1e-6
-/* What is nearer than this to the near plane lies in it, to rounding; likewise the eye and a face. In ulps of the
- * largest coordinate, the eye's included. */
+/* A point nearer than this to the near plane lies in it, to rounding; an eye this near to a face lies on the face. In
+ * ulps of the largest coordinate, the eye's included. */
 #define TOUCHING_ULPS 16.0
 
 bool cutter_add_vertex(cutter *c, roberts_vec3 point, roberts_vec3 low, uint32_t number)
@@ -93,7 +93,8 @@ static uint32_t find_edge(const cutter *c, uint32_t solid, uint32_t a, uint32_t 
     return low;
 }
 
-/* a + t (b - a). A double holds this only to its last place, which near the eye is a wide angle; `low` is the rest. */
+/* Returns a + t (b - a). A double holds it only to its last place, and near the eye that is a wide angle; `low` takes
+ * the rest. */
 static double divide(double a, double b, double t, double *low)
 {
     dd p = dd_add((dd){a, 0.0}, dd_mul((dd){t, 0.0}, dd_two_diff(b, a)));
@@ -107,7 +108,7 @@ bool cutter_add_cut(cutter *c, roberts_vec3 A, roberts_vec3 B, double t)
     return cutter_add_vertex(c, point, low, ROBERTS_NONE);
 }
 
-/* Adds the vertices that stay, and one on each edge that the plane cuts. */
+/* Adds the vertices that stay, and a vertex on each edge that the plane cuts. */
 static bool cut_vertices(cutter *c, uint32_t solid)
 {
     const roberts_scene *from = c->from;
@@ -157,7 +158,7 @@ bool cutter_measure_width(cutter *c, uint32_t first, double *width)
     return true;
 }
 
-/* Cuts one face. The cap will run along the cut the other way. A side that is straight only within the tolerance may
+/* Cuts one face. The cap will run along the cut the other way. If a side is straight only within the tolerance, it may
  * weave through the plane: then each way in belongs to the way out before it. */
 static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face)
 {
@@ -193,9 +194,8 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
                            scene_face_number(from, face));
 }
 
-/* Adds the cap, as plane as its corners lie in the near plane; `start` is one of the cut edges. If a side weaves
- * through the plane there are several rings, and the cap has one of them. The outline is then no single cycle, and
- * the faces hide one by one (see front.c). */
+/* Adds the cap. `start` is one of the cut edges. If a side weaves through the plane there are several rings, and the
+ * cap has one of them. Then the outline is no single cycle, and the faces hide one by one (see hide/front.c). */
 static bool add_cap(cutter *c, uint32_t start)
 {
     const roberts_scene *from = c->from;
@@ -211,8 +211,8 @@ static bool add_cap(cutter *c, uint32_t start)
     return cutter_measure_width(c, begin, &width) && cutter_add_face(c, F, c->touching, width, ROBERTS_NONE);
 }
 
-/* Adds the edges that stay, whole or in part, in their order, and those along the cap last. map: from faces to faces
- * of the clipped scene. */
+/* Adds the edges that stay whole or in part, in their order, and then those along the cap. map: the numbers of faces in
+ * the clipped scene. */
 static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t cap)
 {
     const roberts_scene *from = c->from;
@@ -240,8 +240,8 @@ static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t c
     return true;
 }
 
-/* Whether the eye is inside of a solid. On a face it is outside, to rounding; what a face departs from its plane does
- * not count. */
+/* Is the eye inside a solid? An eye on a face, to rounding, is outside. The face's departure from its plane does not
+ * count. */
 static bool holds_eye(const cutter *c, uint32_t solid)
 {
     roberts_vec3 P = vec3_sub(c->eye, c->from->centre);
@@ -338,7 +338,7 @@ static void set_touching(cutter *c)
     c->touching *= TOUCHING_ULPS * DBL_EPSILON;
 }
 
-/* The line of sight and the near plane; false where view_prepare() will refuse the camera. */
+/* Sets the line of sight and the near plane. False: view_prepare() will refuse the camera. */
 static bool set_near(cutter *c, const roberts_camera *camera)
 {
     roberts_vec3 centre = c->from->centre, back = vec3_sub(camera->eye, camera->has_look_at ? camera->look_at : centre);

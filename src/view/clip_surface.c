@@ -1,5 +1,5 @@
-/* clip_surface.c - bodies that are not convex, cut by the near plane: each piece of a face by itself. A closed body is
- * closed by caps, whose edges are not drawn; an open one stays open, and one looks into it. */
+/* clip_surface.c - cuts bodies that are not convex by the near plane, each piece of a face by itself. Caps close a
+ * closed body; their edges are not drawn. An open body stays open, and one looks into it. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -53,13 +53,13 @@ static uint32_t find_cut(const cutter *c, uint32_t a, uint32_t b)
     return found->vertex;
 }
 
-/* How near the plane cuts the side from a to b. */
+/* Where the near plane cuts the side from a to b. */
 static double cut_at(const cutter *c, uint32_t a, uint32_t b)
 {
     return (c->near - c->depth[a]) / (c->depth[b] - c->depth[a]);
 }
 
-/* Vertices that stay, and one on each side that is cut. */
+/* Adds the vertices that stay, and a vertex on each side that is cut. */
 static bool cut_vertices(cutter *c, uint32_t body)
 {
     const roberts_scene *from = c->from;
@@ -117,7 +117,7 @@ typedef struct cut_lines {
     size_t count, room;
 } cut_lines;
 
-/* One face. `lines`: takes the cut, where it has one. */
+/* Cuts one face. `lines` takes the cut, if there is one. */
 static bool cut_face(cutter *c, uint32_t face, uint32_t *to_face, cut_lines *lines)
 {
     const roberts_scene *from = c->from;
@@ -152,7 +152,7 @@ static bool cut_face(cutter *c, uint32_t face, uint32_t *to_face, cut_lines *lin
            add_plane_of(c, from->surface->plane_of[face]);
 }
 
-/* The faces of an edge that stay, as an edge of more than two. */
+/* Adds the faces that stay of an edge of more than two. */
 static bool add_many(cutter *c, const scene_many *many, const uint32_t *map, uint32_t edge)
 {
     const uint32_t *face = c->from->surface->many_face;
@@ -168,7 +168,7 @@ static bool add_many(cutter *c, const scene_many *many, const uint32_t *map, uin
     return true;
 }
 
-/* An edge of which something stays. */
+/* Adds what stays of an edge. */
 static bool cut_edge(cutter *c, uint32_t body, uint32_t e, const uint32_t *map)
 {
     const roberts_scene *from = c->from;
@@ -231,8 +231,9 @@ static size_t first_from(const cut_line *both, size_t count, uint32_t vertex)
     return low;
 }
 
-/* The lines as one ring: each from its end on to one that begins or ends there, and between loops to the first vertex
- * and back: what runs twice bounds nothing by the odd-even rule. Both ways of each line are listed; used[]: by line. */
+/* Makes one ring of the lines. Each line is followed by one that begins or ends where it ends. Between loops the ring
+ * goes to its first vertex and back: by the odd-even rule a way that runs twice bounds nothing. `both` lists each line
+ * both ways; used[] belongs to it. */
 static size_t make_ring(const cut_line *both, size_t count, uint8_t *used, uint32_t *ring)
 {
     size_t length = 0;
@@ -264,7 +265,7 @@ static size_t make_ring(const cut_line *both, size_t count, uint8_t *used, uint3
     return length;
 }
 
-/* The cap's pieces as faces without a number, which hide and have no edges. */
+/* Adds the cap's pieces as faces without a number. They hide and have no edges. */
 static bool add_cap(cutter *c, const uint32_t *ring, size_t count)
 {
     roberts_scene *to = &c->clip->scene;

@@ -123,11 +123,12 @@ static bool surface_line(seen_walk *w, uint32_t e, const scene_edge *edge, seen_
 {
     const roberts_scene *scene = w->of->scene;
     const scene_solid *own = &scene->solid[w->body];
-    *line = (seen_line){.edge = line->edge,
-                        .v = {own->vertex + edge->v[0], own->vertex + edge->v[1]},
-                        .own = seen_own_of(scene, w->body, e)};
     if (!classify(w, scene, e, line))
         return false;
+    *line = (seen_line){.edge = line->edge,
+                        .v = {own->vertex + edge->v[0], own->vertex + edge->v[1]},
+                        .own = seen_own_of(scene, w->body, e),
+                        .class = line->class};
     w->surviving++;
     return true;
 }
@@ -150,7 +151,7 @@ static bool lone_line(seen_walk *w, uint32_t edge, seen_line *line)
 {
     const roberts_scene *scene = w->of->scene;
     clip_edge left = seen_left_of(w->of, edge);
-    bool convex = scene_is_convex(scene, w->body);
+    bool convex = w->key != ROBERTS_NONE;
     if (left.edge == ROBERTS_NONE || left.t0 >= left.t1) { /* equal: it ends on the near plane, to rounding */
         *line = (seen_line){.edge = edge,
                             .v = {ROBERTS_NONE, ROBERTS_NONE},

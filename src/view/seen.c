@@ -26,7 +26,7 @@ roberts_status seen_begin(seen *s, const roberts_scene *scene, const roberts_cam
     return status;
 }
 
-/* Of bodies that are not mapped nothing is ever written, and memory that is not touched is none. */
+/* Nothing is written for bodies that are not mapped, and memory that nobody touches costs nothing. */
 bool seen_begin_points(seen *s)
 {
     s->P = alloc_array(s->scene->vertex_count, sizeof *s->P);

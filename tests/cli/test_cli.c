@@ -523,6 +523,17 @@ static void levels_are_counted(void **state)
     assert_int_equal(strncmp(last.err, "roberts: --columns: \"level\" is unknown; did you mean +level?", 60), 0);
 }
 
+/* Lines where faces cross are no edges: rays check the others. */
+static void crossing_bodies_are_verified(void **state)
+{
+    (void)state;
+    assert_int_equal(run("-f csv models/interpenetrating-cubes.off --columns +ends"), 0);
+    assert_int_equal(count(",intersection,"), 2);
+    assert_non_null(strstr(last.out, ",,intersection,0,8,4,2,6,6,2,6\n"));
+    assert_int_equal(run("-f null --verify models/interpenetrating-cubes.off"), 0);
+    assert_non_null(strstr(last.err, "contradictions: 0"));
+}
+
 static void too_large_for_the_page(void **state)
 {
     (void)state;
@@ -994,6 +1005,7 @@ int main(void)
         IN_FOLDER(borders_and_wires),
         IN_FOLDER(lost_lines_have_a_class),
         IN_FOLDER(levels_are_counted),
+        IN_FOLDER(crossing_bodies_are_verified),
         IN_FOLDER(tables_name_class_and_faces),
         IN_FOLDER(too_large_for_the_page),
         IN_FOLDER(description_depends_on_the_drawing_alone),

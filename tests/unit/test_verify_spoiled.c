@@ -208,7 +208,8 @@ static const char *const fault_names[FAULTS] = {"end off by 1e-3", "end off by 1
 
 static bool same_edge(const roberts_segment *a, const roberts_segment *b)
 {
-    return a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1;
+    return a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1 &&
+           (a->v0 != ROBERTS_NONE || a->edge == b->edge); /* an edge, or an intersection */
 }
 
 static void drop_rows(roberts_drawing *drawing, size_t first, size_t count)
@@ -291,11 +292,21 @@ typedef struct rate {
     size_t tried, found;
 } rate;
 
+/* The line that is spoiled, and whether that is found. */
+typedef struct wanted {
+    const roberts_drawing *drawing;
+    const roberts_segment *row;
+    bool found;
+} wanted;
+
 static void count_on(void *context, const roberts_contradiction *c)
 {
-    roberts_segment *row = context; /* the edge that is spoiled; `line` says whether that is found */
-    if (c->solid == row->solid && c->v0 == row->v0 && c->v1 == row->v1)
-        row->line = 1;
+    wanted *w = context;
+    uint32_t face[2] = {ROBERTS_NONE, ROBERTS_NONE};
+    if (w->row->line == ROBERTS_INTERSECTION)
+        roberts_segment_faces(NULL, w->drawing, w->row, face);
+    w->found = w->found || (c->solid == w->row->solid && c->v0 == w->row->v0 && c->v1 == w->row->v1 &&
+                            c->face[0] == face[0] && c->face[1] == face[1]);
     assert_true(c->drawn != c->cast || (c->cast == ROBERTS_HIDDEN && c->by != c->drawn_by));
 }
 
@@ -305,12 +316,11 @@ static bool is_found(const roberts_scene *scene, const roberts_camera *camera, c
 {
     roberts_verify_options options = roberts_verify_options_default();
     roberts_verification found;
-    roberts_segment edge = row ? *row : (roberts_segment){0};
-    edge.line = 0;
+    wanted w = {drawing, row, false};
     options.contradiction = row ? count_on : NULL;
-    options.context = &edge;
+    options.context = &w;
     assert_int_equal(roberts_verify(scene, camera, drawing, &options, &found, NULL), ROBERTS_OK);
-    return row ? edge.line : found.contradictions > 0;
+    return row ? w.found : found.contradictions > 0;
 }
 
 /* Where the near plane cuts bodies that pass through one another, their cuts lie in one plane and each of them is seen:

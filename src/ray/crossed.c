@@ -1,0 +1,143 @@
+/* crossed.c - see crossed.h. */
+#include "ray/crossed.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+
+/* Touching distances: how far beside the line rays are cast. Near its ends a face may be narrow there, so they are cast
+ * nearer, too. */
+static const double beside[] = {0.5, 0.05, 0.005};
+
+static int by_number(const void *pa, const void *pb)
+{
+    const crossed_piece *a = pa, *b = pb;
+    if (a->number != b->number)
+        return a->number < b->number ? -1 : 1;
+    return (a->face > b->face) - (a->face < b->face);
+}
+
+bool crossed_begin(crossed *c, const roberts_scene *scene, double touching)
+{
+    *c = (crossed){scene, touching, alloc_array(scene->face_count, sizeof *c->piece)};
+    if (!c->piece)
+        return false;
+    for (uint32_t body = 0; body < scene->solid_count; body++)
+        for (uint32_t f = scene->solid[body].face; f < scene->solid[body + 1].face; f++)
+            c->piece[f] = (crossed_piece){scene_face_number(scene, f), body, f};
+    qsort(c->piece, scene->face_count, sizeof *c->piece, by_number);
+    return true;
+}
+
+void crossed_end(crossed *c)
+{
+    free(c->piece);
+    *c = (crossed){0};
+}
+
+/* The first piece of a face of this number; face_count: there is none. */
+static uint32_t first_piece(const crossed *c, uint32_t number)
+{
+    uint32_t low = 0, high = c->scene->face_count;
+    while (low < high) {
+        uint32_t middle = low + (high - low) / 2;
+        if (c->piece[middle].number < number)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static bool is_in_plane(const crossed *c, uint32_t face, roberts_vec3 X)
+{
+    double off = plane_at(c->scene->face_plane[face], vec3_sub(X, c->scene->centre));
+    return fabs(off) <= 2.0 * (c->touching + scene_deviation(c->scene, face));
+}
+
+/* Is X, a point of its plane, in the piece, or no farther outside than `loose`? */
+static bool holds(const crossed *c, uint32_t face, roberts_vec3 X, double loose)
+{
+    const roberts_scene *scene = c->scene;
+    plane F = scene->face_plane[face];
+    const roberts_vec3 n = {-F.a, -F.b, -F.c};
+    uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
+    for (uint32_t k = first; k < end; k++) {
+        roberts_vec3 P = scene->point[scene->corner[k]], Q = scene->point[scene->corner[k + 1 < end ? k + 1 : first]];
+        roberts_vec3 side = vec3_sub(Q, P);
+        double off = vec3_dot(n, vec3_cross(side, vec3_sub(X, P)));
+        if (off < -loose * vec3_length(side))
+            return false;
+    }
+    return true;
+}
+
+/* Is X in a piece of the face of this number that lies in the plane of `face`? */
+static bool face_holds(const crossed *c, const crossed_piece *like, roberts_vec3 X, double loose)
+{
+    const roberts_scene *scene = c->scene;
+    uint32_t key = seen_face_key(scene, like->body, like->face);
+    bool convex = scene_is_convex(scene, like->body);
+    if (convex)
+        return holds(c, like->face, X, loose);
+    for (uint32_t k = first_piece(c, like->number); k < scene->face_count && c->piece[k].number == like->number; k++)
+        if (seen_face_key(scene, c->piece[k].body, c->piece[k].face) == key && holds(c, c->piece[k].face, X, loose))
+            return true;
+    return false;
+}
+
+static roberts_vec3 point_at(const roberts_crossing *line, double t)
+{
+    return vec3_add(line->end[0], vec3_scale(t, vec3_sub(line->end[1], line->end[0])));
+}
+
+bool crossed_find(const crossed *c, const roberts_crossing *line, crossed_faces *out)
+{
+    const roberts_scene *scene = c->scene;
+    roberts_vec3 middle = point_at(line, 0.5);
+    for (int i = 0; i < 2; i++) {
+        bool found = false;
+        for (uint32_t k = first_piece(c, line->face[i]);
+             !found && k < scene->face_count && c->piece[k].number == line->face[i]; k++) {
+            const crossed_piece *p = &c->piece[k];
+            bool other = i == 0 || p->body != out->of[0].body ||
+                         (p->face != out->of[0].face && seen_face_key(scene, p->body, p->face) !=
+                                                            seen_face_key(scene, out->of[0].body, out->of[0].face));
+            found = other && is_in_plane(c, p->face, line->end[0]) && is_in_plane(c, p->face, line->end[1]) &&
+                    face_holds(c, p, middle, c->touching);
+            if (found)
+                out->of[i] = *p;
+        }
+        if (!found)
+            return false;
+    }
+    return true;
+}
+
+/* Are both faces met on both sides of X, so far from it? */
+static bool are_met_beside(const crossed *c, const crossed_faces *faces, roberts_vec3 X, roberts_vec3 d, double far)
+{
+    for (int i = 0; i < 2; i++) {
+        plane F = c->scene->face_plane[faces->of[i].face];
+        roberts_vec3 aside = vec3_cross((roberts_vec3){F.a, F.b, F.c}, d);
+        double length = vec3_length(aside);
+        if (!(length > 0.0))
+            return true; /* too short to tell */
+        aside = vec3_scale(far / length, aside);
+        if (!face_holds(c, &faces->of[i], vec3_add(X, aside), 0.25 * far) ||
+            !face_holds(c, &faces->of[i], vec3_sub(X, aside), 0.25 * far))
+            return false;
+    }
+    return true;
+}
+
+bool crossed_is_line(const crossed *c, const roberts_crossing *line, const crossed_faces *faces)
+{
+    static const double places[] = {0.5, 0.31, 0.77};
+    roberts_vec3 d = vec3_sub(line->end[1], line->end[0]);
+    for (int k = 0; k < 3; k++)
+        for (int n = 0; n < 3; n++)
+            if (are_met_beside(c, faces, point_at(line, places[k]), d, beside[n] * c->touching))
+                return true;
+    return false;
+}
