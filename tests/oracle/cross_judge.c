@@ -426,6 +426,46 @@ size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, cons
     return failed;
 }
 
+/* Is the first coordinate in which the ends differ the same within the slack? */
+static bool is_tied(const cross_line *l, double slack)
+{
+    const double d[3] = {l->b.x - l->a.x, l->b.y - l->a.y, l->b.z - l->a.z};
+    for (int k = 0; k < 3; k++)
+        if (d[k] != 0)
+            return fabs(d[k]) <= slack;
+    return false;
+}
+
+void cross_turn_ties(const mesh_scene *scene, cross_truth *truth, const roberts_drawing *drawing)
+{
+    for (size_t i = 0; i < truth->line_count; i++) {
+        cross_line *l = &truth->line[i];
+        double straight = HUGE_VAL, turned = HUGE_VAL;
+        if (!is_tied(l, scene->slack))
+            continue;
+        for (size_t k = 0; k < drawing->crossing_count; k++) {
+            const roberts_crossing *c = &drawing->crossing[k];
+            if (c->face[0] != l->f0 || c->face[1] != l->f1)
+                continue;
+            straight = fmin(straight, distance(c->end[0], l->a) + distance(c->end[1], l->b));
+            turned = fmin(turned, distance(c->end[0], l->b) + distance(c->end[1], l->a));
+        }
+        if (!(turned < straight))
+            continue;
+        roberts_vec3 a = l->a;
+        l->a = l->b;
+        l->b = a;
+        oracle_interval *hidden = truth->interval + l->first;
+        for (size_t k = 0; k < l->count; k++)
+            hidden[k] = (oracle_interval){1 - hidden[k].t1, 1 - hidden[k].t0};
+        for (size_t k = 0; k < l->count / 2; k++) {
+            oracle_interval was = hidden[k];
+            hidden[k] = hidden[l->count - 1 - k];
+            hidden[l->count - 1 - k] = was;
+        }
+    }
+}
+
 cross_row *cross_rows_of_truth(const cross_truth *truth, const uint32_t *face_body, size_t *count)
 {
     cross_row *row = malloc((2 * (truth->line_count + truth->interval_count) + 1) * sizeof *row);
