@@ -345,7 +345,7 @@ typedef struct roberts_segment {
 /** A maximal segment in which two faces cross. */
 typedef struct roberts_crossing {
     uint32_t face[2];    /**< face[0] < face[1], as numbered in the input */
-    roberts_vec3 end[2]; /**< in the model; end[0] has the smaller x, or y where those are equal, or z */
+    roberts_vec3 end[2]; /**< in the model; end[0] has the smaller x, or y where those touch, or z */
 } roberts_crossing;
 
 /** How many pairs of an edge and a front each test decided (lecture: tests 1 to 4, cheapest first). A front is all that
