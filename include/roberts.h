@@ -412,10 +412,11 @@ typedef struct roberts_hide_options {
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
     bool levels;           /**< with keep_hidden: fill in `level` */
-    /** Draw all bodies as one. Edges of closed bodies keep the parts where the angle that the bodies fill together
-     * about the edge is neither nothing, nor all, nor exactly a half-plane: flush blocks lose their seam, and what is
-     * inside is gone. Where edges of several bodies lie on one another, that of the body of smallest number is drawn.
-     */
+    /** Draw all closed bodies as one. An edge keeps the parts where the angle that the bodies fill together about it is
+     * neither nothing, nor all, nor exactly a half-plane: flush blocks lose their seam, and what is inside is gone. Its
+     * class follows from the sides of what they fill; so does that of a line in which faces cross, which is an outline
+     * or a crease then. Where edges of several bodies lie on one another, that of the body of smallest number is
+     * drawn. */
     bool unite;
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
                            largest coordinate, and 2 float ulp of the largest one that came as a 32-bit float */

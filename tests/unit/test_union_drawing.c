@@ -354,6 +354,24 @@ static void check_single(const roberts_drawing *d, double slack, const char *nam
         }
 }
 
+/* Rays find nothing wrong with the drawing, hidden lines included. */
+static void check_rays(const model *m, const char *name)
+{
+    roberts_camera camera = {.dir = {0.37, -0.71, 0.53}};
+    roberts_hide_options options = roberts_hide_options_default();
+    roberts_verify_options verify = roberts_verify_options_default();
+    roberts_verification found;
+    options.unite = verify.unite = options.keep_hidden = true;
+    roberts_scene *scene = model_build(m);
+    roberts_drawing drawing;
+    assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_verify(scene, &camera, &drawing, &verify, &found, NULL), ROBERTS_OK);
+    if (found.contradictions > 0 || found.points == 0)
+        fail_msg("%s: %zu contradictions at %zu points", name, found.contradictions, found.points);
+    roberts_drawing_free(&drawing);
+    roberts_scene_free(scene);
+}
+
 /* Blocks that overlap at random: their faces cross, too. */
 static void test_random_blocks(void **state)
 {
@@ -374,6 +392,8 @@ static void test_random_blocks(void **state)
         }
         roberts_drawing d = draw(&m, &(roberts_camera){.dir = {0.37, -0.71, 0.53}}, 0.0, true);
         check_single(&d, 1e-8, name);
+        if (seed % 10 == 0)
+            check_rays(&m, name);
         roberts_drawing_free(&d);
         check_layout(&m, &c, seed, (int)(seed % LAYOUTS), (int)(seed / LAYOUTS) % VIEWS, VIEWS, name);
         model_free(&m);
