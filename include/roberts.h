@@ -397,7 +397,8 @@ typedef struct roberts_drawing {
                                        faces and edges) */
     size_t front_faces, back_faces, edge_on_faces;
     size_t edges, surviving_edges; /**< all; with a front face */
-    size_t seams;       /**< edges of which the union takes a part, or all, since bodies touch there or hold it */
+    size_t seams; /**< with `unite`: surviving edges (all, if hidden segments are kept) that are left out, or parts of
+                       them, because bodies are flush there or one holds them */
     size_t drawn_edges; /**< of the surviving ones (of all, if hidden segments are kept) those that are not flatter than
                              the crease angle */
     roberts_tally tally;

@@ -66,6 +66,7 @@ typedef struct union_bodies {
     double touch;      /* touching distance */
     double diameter;   /* of the scene */
     double *departure; /* [solid_count] the greatest departure of a face from its plane */
+    box3 *box;         /* [solid_count] of closed bodies, wider by what touches */
     uint32_t *root;    /* [solid_count] the tree over the body's faces; ROBERTS_NONE: it has few faces */
     uint32_t bodies;   /* the tree over the closed bodies; ROBERTS_NONE: there are none */
     box_tree tree;
