@@ -137,7 +137,7 @@ static void check_covered(const roberts_drawing *of, const roberts_drawing *by, 
     free(found);
 }
 
-static roberts_drawing draw(const model *m, const roberts_camera *camera, double epsilon, bool unite)
+static roberts_drawing draw_mesh(const roberts_mesh *mesh, const roberts_camera *camera, double epsilon, bool unite)
 {
     roberts_scene *scene = NULL;
     roberts_drawing drawing = {0};
@@ -145,11 +145,16 @@ static roberts_drawing draw(const model *m, const roberts_camera *camera, double
     roberts_hide_options options = roberts_hide_options_default();
     options.epsilon = epsilon;
     options.unite = unite;
-    if (roberts_scene_build(&m->mesh, NULL, &scene, &error) != ROBERTS_OK ||
+    if (roberts_scene_build(mesh, NULL, &scene, &error) != ROBERTS_OK ||
         roberts_hide(scene, camera, &options, &drawing, &error) != ROBERTS_OK)
         fail_msg("%s", error.message);
     roberts_scene_free(scene);
     return drawing;
+}
+
+static roberts_drawing draw(const model *m, const roberts_camera *camera, double epsilon, bool unite)
+{
+    return draw_mesh(&m->mesh, camera, epsilon, unite);
 }
 
 /* Blocks and the same body modelled as one. */
@@ -402,6 +407,33 @@ static void test_random_blocks(void **state)
     }
 }
 
+/* A body alone is its own union, though its faces cross and wind twice round its middle. */
+static void test_star_bodies(void **state)
+{
+    static const char *const file[] = {"great-dodecahedron",
+                                       "great-icosahedron",
+                                       "great-stellated-dodecahedron",
+                                       "small-stellated-dodecahedron",
+                                       "pentagrammic-crossed-antiprism",
+                                       "tetrahemihexahedron"};
+    (void)state;
+    for (size_t i = 0; i < sizeof file / sizeof *file; i++) {
+        char path[100];
+        roberts_mesh mesh = {0};
+        roberts_camera camera = {.dir = {0.37, -0.71, 0.53}};
+        likeness how = {1e-8, false};
+        snprintf(path, sizeof path, "models/star/%s.off", file[i]);
+        assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
+        roberts_drawing alone = draw_mesh(&mesh, &camera, 0.0, false), united = draw_mesh(&mesh, &camera, 0.0, true);
+        assert_true(alone.count > 0);
+        check_covered(&alone, &united, &how, file[i]);
+        check_covered(&united, &alone, &how, file[i]);
+        roberts_drawing_free(&alone);
+        roberts_drawing_free(&united);
+        roberts_mesh_free(&mesh);
+    }
+}
+
 /* Threads, cells and the order in which the bodies come change no line. */
 static void test_same_result(void **state)
 {
@@ -440,6 +472,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_bodies),        cmocka_unit_test(test_wall),
                                        cmocka_unit_test(test_menger_sponge), cmocka_unit_test(test_random_cells),
-                                       cmocka_unit_test(test_random_blocks), cmocka_unit_test(test_same_result)};
+                                       cmocka_unit_test(test_random_blocks), cmocka_unit_test(test_star_bodies),
+                                       cmocka_unit_test(test_same_result)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
