@@ -24,7 +24,8 @@
 
 /* What becomes of a piece of a line. */
 typedef enum union_state {
-    UNION_ALONE,  /* no other body changes anything: the line is what it is without the union */
+    UNION_ALONE,  /* no other body changes anything: the line is what it is without the union. So is one of a body that
+                     only touches or crosses itself */
     UNION_DRAWN,  /* drawn; its class follows from its sides */
     UNION_SEAM,   /* not drawn: the bodies fill exactly a half-plane, or their faces cover one another */
     UNION_INSIDE, /* not drawn: it lies inside a body */

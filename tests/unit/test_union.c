@@ -223,7 +223,8 @@ static void check_crossings(line_check *check, int i, int k, int axis, grid_edge
             continue;
         union_line line = {.A = lay(check->laid, p[0][0], p[0][1], p[0][2]),
                            .B = lay(check->laid, p[1][0], p[1][1], p[1][2]),
-                           .body = ROBERTS_NONE};
+                           .body = ROBERTS_NONE,
+                           .crossed = {(uint32_t)i, (uint32_t)k}};
         check_line(check, &line, (roberts_vec3){p[0][0], p[0][1], p[0][2]}, (roberts_vec3){p[1][0], p[1][1], p[1][2]},
                    crossed);
     }
