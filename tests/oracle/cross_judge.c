@@ -181,11 +181,28 @@ static bool surely_missing(const rows_at_hand *r, size_t mine, const cross_line 
     return false;
 }
 
+/* Is a part of a line seen, whatever the slack may change? */
+static bool surely_seen(const rows_at_hand *r, const cross_line *l, double from, double to)
+{
+    const mesh_scene *s = r->c->scene;
+    const mesh_point X = {on_line(l, 0.5 * (from + to)), ROBERTS_NONE, ROBERTS_NONE, l->f0, l->f1};
+    if (s->slack == 0)
+        return from < to;
+    return to - from > t_limit(r, l) + s->slack / length_of(l) &&
+           mesh_truth_at(&s->mesh, &s->view, s->even_odd, r->c->position, &X, s->slack) == ORACLE_NO;
+}
+
 /* Lines of which nothing is seen need no rows: the library looks for lines between faces toward the viewer. */
 static bool is_optional(const rows_at_hand *r, const cross_line *l)
 {
     const oracle_interval *hidden = r->c->truth->interval + l->first;
-    return l->edge_on || (l->count == 1 && hidden->t0 == 0 && hidden->t1 == 1);
+    double from = 0;
+    for (size_t k = 0; k <= l->count && !l->edge_on; k++) {
+        if (surely_seen(r, l, from, k < l->count ? hidden[k].t0 : 1))
+            return false;
+        from = k < l->count ? hidden[k].t1 : 1;
+    }
+    return true;
 }
 
 static void judge_line(rows_at_hand *r, const cross_line *l)
@@ -426,22 +443,12 @@ size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, cons
     return failed;
 }
 
-/* Is the first coordinate in which the ends differ the same within the slack? */
-static bool is_tied(const cross_line *l, double slack)
-{
-    const double d[3] = {l->b.x - l->a.x, l->b.y - l->a.y, l->b.z - l->a.z};
-    for (int k = 0; k < 3; k++)
-        if (d[k] != 0)
-            return fabs(d[k]) <= slack;
-    return false;
-}
-
 void cross_turn_ties(const mesh_scene *scene, cross_truth *truth, const roberts_drawing *drawing)
 {
     for (size_t i = 0; i < truth->line_count; i++) {
         cross_line *l = &truth->line[i];
         double straight = HUGE_VAL, turned = HUGE_VAL;
-        if (!is_tied(l, scene->slack))
+        if (scene->slack == 0 || fabs(l->b.x - l->a.x) > scene->slack)
             continue;
         for (size_t k = 0; k < drawing->crossing_count; k++) {
             const roberts_crossing *c = &drawing->crossing[k];

@@ -35,7 +35,7 @@ size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, cons
                            mesh_total *total, FILE *out);
 
 /* Turns lines of the oracle round where the drawing has them the other way about and either end may be called the
- * smaller one, since the first coordinate in which they differ is the same within the slack. */
+ * smaller one, since their x is the same within the slack. */
 void cross_turn_ties(const mesh_scene *scene, cross_truth *truth, const roberts_drawing *drawing);
 
 /* The rows that are right; *count is filled. NULL: no memory. The caller frees them. */
