@@ -443,12 +443,84 @@ size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, cons
     return failed;
 }
 
-void cross_turn_ties(const mesh_scene *scene, cross_truth *truth, const roberts_drawing *drawing)
+/* Sends the hidden intervals of a line to another line on which it lies. */
+static void send_hidden(const cross_truth *truth, const cross_line *from, const cross_line *to)
 {
-    for (size_t i = 0; i < truth->line_count; i++) {
+    for (size_t k = from->first; k < from->first + from->count; k++) {
+        oracle_interval *h = &truth->interval[k];
+        double t0 = along(to, on_line(from, h->t0)), t1 = along(to, on_line(from, h->t1));
+        *h = (oracle_interval){fmin(t0, t1), fmax(t0, t1)};
+    }
+}
+
+static int by_start(const void *a, const void *b)
+{
+    const oracle_interval *p = a, *q = b;
+    return (p->t0 > q->t0) - (p->t0 < q->t0);
+}
+
+/* Sorts the hidden intervals of a line and joins those within `gap`. */
+static void join_hidden(const cross_truth *truth, cross_line *l, double gap)
+{
+    oracle_interval *h = truth->interval + l->first;
+    size_t count = 0;
+    qsort(h, l->count, sizeof *h, by_start);
+    for (size_t k = 0; k < l->count; k++)
+        if (count && h[k].t0 <= h[count - 1].t1 + gap)
+            h[count - 1].t1 = fmax(h[count - 1].t1, h[k].t1);
+        else
+            h[count++] = h[k];
+    l->count = count;
+}
+
+/* Makes one line of l and next, of the same faces, if they meet within the slack. */
+static bool unite(const cross_truth *truth, cross_line *l, const cross_line *next, double slack)
+{
+    const roberts_vec3 mine[2] = {l->a, l->b}, other[2] = {next->a, next->b};
+    if (l->f0 != next->f0 || l->f1 != next->f1)
+        return false;
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 2; k++)
+            if (distance(mine[i], other[k]) <= slack) {
+                cross_line both = *l;
+                both.a = i ? mine[0] : other[1 - k];
+                both.b = i ? other[1 - k] : mine[1];
+                send_hidden(truth, l, &both);
+                send_hidden(truth, next, &both);
+                for (size_t h = 0; h < next->count; h++) /* theirs lie behind, perhaps with a gap that was left */
+                    truth->interval[l->first + l->count + h] = truth->interval[next->first + h];
+                both.count += next->count;
+                join_hidden(truth, &both, 4 * slack / length_of(&both));
+                *l = both;
+                return true;
+            }
+    return false;
+}
+
+static void turn_round(const cross_truth *truth, cross_line *l)
+{
+    cross_line turned = *l;
+    turned.a = l->b;
+    turned.b = l->a;
+    send_hidden(truth, l, &turned);
+    join_hidden(truth, &turned, 0);
+    *l = turned;
+}
+
+void cross_settle(const mesh_scene *scene, cross_truth *truth, const roberts_drawing *drawing)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < truth->line_count && scene->slack > 0; i++) {
+        cross_line *last = count ? &truth->line[count - 1] : NULL;
+        if (!last || !unite(truth, last, &truth->line[i], scene->slack))
+            truth->line[count++] = truth->line[i];
+    }
+    if (scene->slack > 0)
+        truth->line_count = count;
+    for (size_t i = 0; i < truth->line_count && scene->slack > 0; i++) {
         cross_line *l = &truth->line[i];
         double straight = HUGE_VAL, turned = HUGE_VAL;
-        if (scene->slack == 0 || fabs(l->b.x - l->a.x) > scene->slack)
+        if (fabs(l->b.x - l->a.x) > scene->slack)
             continue;
         for (size_t k = 0; k < drawing->crossing_count; k++) {
             const roberts_crossing *c = &drawing->crossing[k];
@@ -457,19 +529,8 @@ void cross_turn_ties(const mesh_scene *scene, cross_truth *truth, const roberts_
             straight = fmin(straight, distance(c->end[0], l->a) + distance(c->end[1], l->b));
             turned = fmin(turned, distance(c->end[0], l->b) + distance(c->end[1], l->a));
         }
-        if (!(turned < straight))
-            continue;
-        roberts_vec3 a = l->a;
-        l->a = l->b;
-        l->b = a;
-        oracle_interval *hidden = truth->interval + l->first;
-        for (size_t k = 0; k < l->count; k++)
-            hidden[k] = (oracle_interval){1 - hidden[k].t1, 1 - hidden[k].t0};
-        for (size_t k = 0; k < l->count / 2; k++) {
-            oracle_interval was = hidden[k];
-            hidden[k] = hidden[l->count - 1 - k];
-            hidden[l->count - 1 - k] = was;
-        }
+        if (turned < straight)
+            turn_round(truth, l);
     }
 }
 
