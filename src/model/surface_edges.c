@@ -119,6 +119,15 @@ static bool same_face(const surface *s, const uint32_t side[2])
     return !((p | q) & SURFACE_CUT) && s->plane_of[p] == s->plane_of[q];
 }
 
+/* Is the vertex a corner of the side's piece? */
+static bool is_corner(const surface *s, const surface_side *side, uint32_t v)
+{
+    uint32_t p = side->piece & ~SURFACE_CUT, i = s->start[p];
+    while (i < s->start[p + 1] && s->corner[i] != v)
+        i++;
+    return i < s->start[p + 1];
+}
+
 /* Makes an edge of sides with the same ends if two pieces have it; otherwise lists the sides as odd. */
 static bool take_group(finder *f, const uint64_t *half, size_t count)
 {
@@ -148,6 +157,7 @@ static bool take_group(finder *f, const uint64_t *half, size_t count)
     edge.piece[0] = incidence(a->piece, a->v[0] > a->v[1]);
     edge.piece[1] = incidence(b->piece, b->v[0] > b->v[1]);
     edge.cut = (a->piece & b->piece & SURFACE_CUT) != 0;
+    edge.odd = s->whole_sides && !(is_corner(s, a, edge.v[0]) && is_corner(s, a, edge.v[1]));
     if (s->part_count > 0 && !copy_part(s, side[0], &edge.part))
         return false;
     if (!array_reserve(&s->edge, &s->edge_room, s->edge_count + 1, sizeof *s->edge))
