@@ -37,7 +37,7 @@ PAPER_P  := tests/paper/compare.c
 PAPER    := $(filter-out $(PAPER_P) $(TEST_SRC),$(sort $(wildcard tests/paper/*.c)))
 FUZZ_SRC := $(filter-out $(TEST_SRC),$(sort $(wildcard tests/fuzz/*.c)))
 C_SRC    := $(LIB_SRC) $(CLI_SRC) $(TOOL_SRC) $(MODEL_SRC) $(TEST_SRC) $(ORACLE) $(ORACLE_P) \
-            $(FUZZ_SRC) $(PAPER) $(PAPER_P)
+            $(FUZZ_SRC) $(PAPER) $(PAPER_P) tests/support/loose_ends.c
 VERSION  := $(shell sed -n 's/^.define ROBERTS_VERSION "\(.*\)"/\1/p' include/roberts.h)
 SONAME   := libroberts.so.$(firstword $(subst ., ,$(VERSION)))
 SHARED   := libroberts.so.$(VERSION)
@@ -59,7 +59,7 @@ PAGES    := $(BUILD)/roberts.1 $(BUILD)/completions/bash $(BUILD)/completions/zs
 # tests/unit/test_off.c becomes build/tests/test_off: names of tests are different in all folders.
 TEST_BIN := $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(TEST_SRC)))
 # What takes longer than a second or two is left out of `make test-quick`.
-SLOW     := fault_files faults install memory_order mesh_oracle metamorphic off oracle render same_bytes hull_memory
+SLOW     := cross_oracle fault_files faults install memory_order mesh_oracle union union_drawing metamorphic off oracle render same_bytes hull_memory union_oracle
 QUICK_BIN = $(filter-out $(SLOW:%=$(BUILD)/tests/test_%),$(TEST_BIN))
 RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) \
             LOCPATH='$(abspath $(BUILD)/locale)' tests/run.sh
@@ -252,10 +252,13 @@ $(FUZZER): $(call object,tests/fuzz/fuzz_read.c)
 $(BUILD)/tests/test_options $(BUILD)/tests/test_verify_report: $(filter-out %/main.o,$(call object,$(CLI_SRC)))
 $(BUILD)/tests/test_fuzz: $(call object,$(FUZZ_SRC))
 
+$(BUILD)/tests/test_loose_ends: $(call object,tests/support/loose_ends.c)
+
 # The exact oracle: C++ with CGAL, for tests alone.
 ORACLE_OBJ  := $(call object,$(ORACLE)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.o)
 ORACLE_LIBS := -lgmp -lmpfr -lstdc++
-ORACLE_TEST := $(BUILD)/tests/test_oracle $(BUILD)/tests/test_mesh_oracle $(BUILD)/tests/test_golden
+ORACLE_TEST := $(BUILD)/tests/test_oracle $(BUILD)/tests/test_mesh_oracle $(BUILD)/tests/test_cross_oracle $(BUILD)/tests/test_union_oracle \
+               $(BUILD)/tests/test_golden
 $(ORACLE_TEST): $(ORACLE_OBJ)
 $(ORACLE_TEST): TEST_LIBS = $(ORACLE_LIBS)
 

@@ -121,6 +121,7 @@ static roberts_drawing add_up(const roberts_drawing *drawing, size_t views)
         sum.edges += d->edges;
         sum.surviving_edges += d->surviving_edges;
         sum.drawn_edges += d->drawn_edges;
+        sum.seams += d->seams;
         sum.crossing_count += d->crossing_count;
         sum.crossing_pairs += d->crossing_pairs;
         add_tally(&sum.tally, &d->tally);
@@ -250,6 +251,7 @@ void report_stats(const cli_options *options, const run_stats *run, const robert
         {"grid_rows", "rows", d->grid_rows},
         {"peak_memory_kb", "kB of memory at most", peak_memory()},
     };
+    const figure seams = {"seams", "edges left out, or parts of them, where bodies are one", d->seams};
     const figure tests[] = {
         {"pairs", "pairs of edge and front", d->tally.pairs},
         {"test1_visible", "test 1: in front of the plane, visible", d->tally.test1_visible},
@@ -277,6 +279,10 @@ void report_stats(const cli_options *options, const run_stats *run, const robert
     if (views > 1)
         fprintf(log, json ? "\"views\":%zu," : "%14zu  views, counted together\n", views);
     print_figures(log, counts, sizeof counts / sizeof counts[0], json);
+    if (options->hide.unite) {
+        fputs(json ? "," : "", log);
+        print_figures(log, &seams, 1, json);
+    }
     print_ink(log, &run->ink, &options->draw.placement, json);
     if (json)
         fprintf(log, ",\"epsilon\":%.17g,\"epsilon_reason\":\"%s\",\"scene_diameter\":%.17g,\"tests\":{", d->epsilon,
@@ -341,6 +347,7 @@ roberts_status report_verify(const cli_options *options, const roberts_scene *sc
     verify.crease_degrees = options->hide.crease_degrees;
     verify.crease_auto = options->hide.crease_auto;
     verify.all_edges = options->hide.all_edges;
+    verify.unite = options->hide.unite;
     verify.threads = options->hide.threads;
     verify.contradiction = tell_contradiction;
     verify.context = &t;

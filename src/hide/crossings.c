@@ -7,6 +7,7 @@
 #include "base/bits.h"
 #include "base/sort.h"
 #include "base/threads.h"
+#include "hide/sheets.h"
 
 /* Cells that a thread takes at a time; with fewer entries than this a thread costs more than it does. */
 #define CELLS_AT_ONCE 64
@@ -15,8 +16,12 @@
 #define KEPT_FACES 512
 /* So many comparisons of a corner with a plane may be spent on keeping two solids apart. */
 #define WORTH_A_PLANE 4096
-/* Two faces of more corners in all are not held against one another's sides. */
-#define FEW_CORNERS 12
+/* In place of a column, of which there are fewer. */
+#define NO_CELL UINT16_MAX
+/* Pictures of faces of more corners are not kept apart. */
+#define FEW_CORNERS 8
+/* Roundings of a picture coordinate: a corner no farther on the inner side of a line than this is beside it. */
+#define LOOSE 4.0
 /* More pairs of faces of two solids than this are found by sorting. */
 #define FEW_PAIRS 1024
 
@@ -31,9 +36,18 @@ typedef struct face_list {
     size_t count, room;
 } face_list;
 
+/* The first of the cells that list a front, if these are all that its box touches. */
+typedef struct first_cell {
+    uint16_t column, row;
+} first_cell;
+
 /* What each thread has for itself. */
 typedef struct finder {
     const hide_fronts *fronts;
+    const objet *grid;
+    const first_cell *first; /* [front_count] */
+    const sheets *sheets;
+    sheet_cell known; /* of the cell at hand */
     crossing_rules rules;
     crossing_list found;
     uint64_t *pair; /* [pair_count] faces of several pieces, first pieces of both: they are asked at the end */
@@ -61,6 +75,25 @@ static hide_box box_of_face(const hide_fronts *fronts, uint32_t piece)
 }
 
 /* ---- two faces ------------------------------------------------------------------------------------------------- */
+
+/* Is one face beside a side of the other in the picture? What is within rounding of the side is beside it. */
+static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
+{
+    const roberts_vec3 *P = fronts->P;
+    double loose = LOOSE * fronts->space.rounding;
+    roberts_vec3 A = P[f->corner[f->count - 1]];
+    for (uint32_t i = 0; i < f->count; i++) {
+        roberts_vec3 B = P[f->corner[i]];
+        double dx = B.x - A.x, dy = B.y - A.y, most = loose * (fabs(dx) + fabs(dy));
+        uint32_t k = 0;
+        while (k < g->count && dx * (P[g->corner[k]].y - A.y) - dy * (P[g->corner[k]].x - A.x) <= most)
+            k++;
+        if (k == g->count)
+            return true;
+        A = B;
+    }
+    return false;
+}
 
 static bool add_pair(finder *t, uint32_t f, uint32_t g)
 {
@@ -194,69 +227,6 @@ static crossing_face *face_at(finder *t, const hide_front *front, uint32_t k, cr
     return f;
 }
 
-/* Is the piece a whole face? */
-static bool is_whole(const roberts_scene *scene, const hide_front *front)
-{
-    const uint32_t *plane_of = scene->surface ? scene->surface->plane_of : NULL;
-    uint32_t k = front->piece;
-    return front->kind == HIDE_SOLID_FACE || ((k == 0 || plane_of[k - 1] != plane_of[k]) &&
-                                              (k + 1 == scene->face_count || plane_of[k + 1] != plane_of[k]));
-}
-
-static bool is_corner(const hide_face *F, uint32_t v)
-{
-    for (uint32_t i = 0; i < F->count; i++)
-        if (F->corner[i] == v)
-            return true;
-    return false;
-}
-
-/* Is all of G on one side of the plane of F, beyond doubt? Corners that it shares with F are in the plane. What a
- * distance from the plane is off by, anywhere in the scene, is less than `error`: see set_trust() in front.c. */
-static bool is_plainly_beside(const hide_fronts *fronts, const hide_face *F, const hide_face *G)
-{
-    double error = greater(F->touch - (double)F->limit, F->touch);
-    bool over = false, under = false;
-    for (uint32_t i = 0; i < G->count && !(over && under); i++) {
-        if (is_corner(F, G->corner[i]))
-            continue;
-        double h = plane_at(F->F, fronts->P[G->corner[i]]);
-        over = over || !(h <= -error);
-        under = under || !(h >= error);
-    }
-    return !(over && under);
-}
-
-/* Does a side of F part the pictures of both, beyond doubt? They may share corners on it. */
-static bool is_parted(const hide_fronts *fronts, const hide_face *F, const hide_face *G)
-{
-    const roberts_vec3 *P = fronts->P;
-    for (uint32_t i = 0; i < F->count; i++) {
-        uint32_t p = F->corner[i], q = F->corner[i + 1 < F->count ? i + 1 : 0], k = 0;
-        double dx = P[q].x - P[p].x, dy = P[q].y - P[p].y;
-        for (uint32_t v; k < G->count; k++) {
-            v = G->corner[k];
-            if (v != p && v != q && !(dx * (P[v].y - P[p].y) - dy * (P[v].x - P[p].x) < -fronts->space.plain))
-                break;
-        }
-        if (k == G->count)
-            return true;
-    }
-    return false;
-}
-
-/* Can the pieces of two faces be told not to cross at once? Most pairs of a surface are neighbours, and can. */
-static bool are_apart(const hide_fronts *fronts, const hide_front *f, const hide_front *g)
-{
-    const hide_face *F = &fronts->face[f->face], *G = &fronts->face[g->face];
-    if (F->count == 3 && f->solid == g->solid &&
-        is_corner(G, F->corner[0]) + is_corner(G, F->corner[1]) + is_corner(G, F->corner[2]) > 1)
-        return true; /* they share a side: one of them is a triangle */
-    return is_whole(fronts->scene, f) && is_whole(fronts->scene, g) &&
-           (is_plainly_beside(fronts, F, G) || is_plainly_beside(fronts, G, F) ||
-            (F->count + G->count <= FEW_CORNERS && (is_parted(fronts, F, G) || is_parted(fronts, G, F))));
-}
-
 /* Entries i < k of a cell's list whose boxes meet. */
 static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_t k)
 {
@@ -267,19 +237,37 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
         return meet_solids(t, list[i].front, list[k].front);
-    if (are_apart(fronts, f, g))
-        return true;
+    const hide_face *F = &fronts->face[f->face], *G = &fronts->face[g->face];
+    if (F->count <= FEW_CORNERS && G->count <= FEW_CORNERS &&
+        (is_beside_a_side(fronts, F, G) || is_beside_a_side(fronts, G, F)))
+        return true; /* nearly all neighbours are */
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
 
-/* All pairs of one cell. Fronts are listed nearest first, so that those behind a front end the search. */
-static bool meet_cell(finder *t, const objet *grid, size_t cell)
+/* Is this the first cell that lists both fronts? If that is not known: true. */
+static inline bool is_met_here(const finder *t, uint32_t a, uint32_t b, size_t cell)
 {
+    const first_cell *f = &t->first[a], *g = &t->first[b];
+    if (f->column == NO_CELL || g->column == NO_CELL)
+        return true;
+    size_t column = f->column > g->column ? f->column : g->column, row = f->row > g->row ? f->row : g->row;
+    return column * t->grid->frame.ny + row == cell;
+}
+
+/* All pairs of one cell. Fronts are listed nearest first, so that those behind a front end the search. */
+static bool meet_cell(finder *t, size_t cell)
+{
+    const objet *grid = t->grid;
     const hide_fronts *fronts = t->fronts;
     const objet_entry *list = grid->entry + grid->start[cell];
     uint32_t count = grid->start[cell + 1] - grid->start[cell];
     bool all = fronts->seen->rules.hidden || !grid->sheet.depth;
     float least = all ? -INFINITY : grid->sheet.depth[cell]; /* all beyond is hidden here */
+    if (grid->apart && grid->apart[cell])
+        return true;
+    sheets_of_cell(t->sheets, fronts, grid, cell, &t->known);
+    if (t->known.apart)
+        return true;
     memset(t->kept, 0, (count < KEPT_FACES ? count : KEPT_FACES) * sizeof *t->kept);
     for (uint32_t i = 0; i + 1 < count; i++) {
         const hide_box *own = &fronts->front_box[list[i].front];
@@ -292,7 +280,9 @@ static bool meet_cell(finder *t, const objet *grid, size_t cell)
                     k = end;
                     break;
                 }
-                if (boxes_meet(own, box) && !meet_entries(t, list, i, at))
+                if (!(t->known.single && t->known.group[i] == t->known.group[at]) &&
+                    is_met_here(t, list[i].front, list[at].front, cell) && boxes_meet(own, box) &&
+                    !meet_entries(t, list, i, at))
                     return false;
             }
     }
@@ -311,7 +301,7 @@ static bool meet_all(finder *finders, const objet *grid, int threads)
     for (size_t p = 0; p < parts; p++) {
         finder *t = &finders[thread_self()];
         for (size_t c = p * CELLS_AT_ONCE; !lost && c < cells && c < (p + 1) * CELLS_AT_ONCE; c++)
-            lost = lost || (!(grid->apart && grid->apart[c]) && !meet_cell(t, grid, c));
+            lost = lost || !meet_cell(t, c);
     }
     return !lost;
 }
@@ -449,10 +439,34 @@ static bool gather(crossings *c, const roberts_scene *scene, const finder *finde
     return enough;
 }
 
-static bool finders_init(finder *finders, int threads, const hide_fronts *fronts)
+/* A front is listed in all cells that its box touches if these are two columns and two rows at the most. */
+static first_cell *find_first_cells(const hide_fronts *fronts, const objet *grid, int threads)
+{
+    first_cell *first = alloc_array(fronts->front_count, sizeof *first);
+    (void)threads;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(threads)
+#endif
+    for (uint32_t k = 0; k < (first ? fronts->front_count : 0); k++) {
+        const hide_box *box = &fronts->front_box[k];
+        double m = grid->frame.margin + (double)fronts->front[k].loose;
+        uint32_t column = scan_column(&grid->frame, (double)box->x0 - m);
+        uint32_t row = scan_row(&grid->frame, (double)box->y0 - m);
+        bool small = scan_column(&grid->frame, (double)box->x1 + m) - column < 2 &&
+                     scan_row(&grid->frame, (double)box->y1 + m) - row < 2;
+        first[k] = (first_cell){small ? (uint16_t)column : NO_CELL, (uint16_t)row};
+    }
+    return first;
+}
+
+static bool finders_init(finder *finders, int threads, const hide_fronts *fronts, const objet *grid,
+                         const first_cell *first, const sheets *surfaces)
 {
     for (int i = 0; i < threads; i++) {
         finders[i].fronts = fronts;
+        finders[i].grid = grid;
+        finders[i].first = first;
+        finders[i].sheets = surfaces;
         finders[i].rules = (crossing_rules){fronts->scene, fronts->space.epsilon * fronts->scene->unit};
         finders[i].face = alloc_array(KEPT_FACES, sizeof *finders[i].face);
         if (!finders[i].face)
@@ -461,12 +475,58 @@ static bool finders_init(finder *finders, int threads, const hide_fronts *fronts
     return true;
 }
 
+typedef struct crossed_lines {
+    const crossings *of;
+    const seen *seen;
+} crossed_lines;
+
+/* A line in which faces of closed bodies cross. Faces of a scene that the near plane has cut have other numbers than
+ * those as given. */
+static bool union_line_of(const void *context, uint32_t index, union_line *line, uint32_t own[2])
+{
+    const crossed_lines *lines = context;
+    const seen *s = lines->seen;
+    const crossing_segment *is = &lines->of->item[index];
+    if (!union_takes(s->source, is->body[0]) || !union_takes(s->source, is->body[1]))
+        return false;
+    *line = (union_line){.A = is->end[0].point,
+                         .B = is->end[1].point,
+                         .body = ROBERTS_NONE,
+                         .crossed = {is->body[0], is->body[1]},
+                         .own = own,
+                         .own_count = s->scene == s->source ? 2 : 0};
+    own[0] = is->face[0];
+    own[1] = is->face[1];
+    return true;
+}
+
+static bool find_pieces(crossings *c, const seen *s, uint32_t threads)
+{
+    const crossed_lines lines = {c, s};
+    if (!s->edges.first || c->count == 0)
+        return true;
+    return c->count < ROBERTS_NONE &&
+           united_find(&c->pieces, &s->bodies, union_line_of, &lines, (uint32_t)c->count, threads);
+}
+
+bool crossings_unite(const crossings *c, const seen *s, size_t k, seen_line *line)
+{
+    if (!united_pieces(&c->pieces, (uint32_t)k))
+        return true;
+    line->alone = true;
+    return seen_take_pieces(s, c->item[k].body[0], &c->pieces, (uint32_t)k, line);
+}
+
 bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, uint32_t threads)
 {
     int count = threads_for(threads, 1 + grid->start[scan_cells(&grid->frame)] / WORTH_A_THREAD);
     finder *finders = alloc_zeroed((size_t)count, sizeof *finders);
-    bool enough = finders && finders_init(finders, count, fronts) && meet_all(finders, grid, count) &&
-                  meet_pairs(finders, count) && gather(c, fronts->scene, finders, count);
+    first_cell *first = find_first_cells(fronts, grid, count);
+    sheets surfaces;
+    bool enough = sheets_find(&surfaces, fronts) && finders && first &&
+                  finders_init(finders, count, fronts, grid, first, &surfaces) && meet_all(finders, grid, count) &&
+                  meet_pairs(finders, count) && gather(c, fronts->scene, finders, count) &&
+                  find_pieces(c, fronts->seen, threads);
     for (int i = 0; finders && i < count; i++) {
         free(finders[i].found.item);
         free(finders[i].pair);
@@ -475,6 +535,8 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
         free(finders[i].list[1].item);
     }
     free(finders);
+    free(first);
+    sheets_free(&surfaces);
     return enough;
 }
 
@@ -483,6 +545,7 @@ void crossings_free(crossings *c)
     free(c->item);
     free(c->end);
     free(c->name);
+    united_free(&c->pieces);
     *c = (crossings){0};
 }
 

@@ -20,7 +20,7 @@
 #include "base/threads.h"
 #include "hide/cells.h"
 #include "hide/segments.h"
-#include "hide/sheets.h"
+#include "hide/layers.h"
 
 #define SOLIDS_AHEAD 2 /* between asking for one and needing it */
 #define CHUNK_SOLIDS 64
@@ -64,7 +64,8 @@ static roberts_status make_fronts(hide_job *job, const roberts_scene *scene, con
     if (status != ROBERTS_OK)
         return status;
     seen_set_rules(&job->seen, options);
-    if (!hide_fronts_build(&job->fronts, &job->seen, options))
+    if (!hide_fronts_build(&job->fronts, &job->seen, options) ||
+        (options->unite && !seen_unite(&job->seen, job->fronts.culled, options->threads)))
         return ROBERTS_NO_MEMORY;
     const view *v = &job->seen.view;
     if (v->epsilon > EPSILON_MOST * v->diameter && options->epsilon > 0.0)
@@ -87,7 +88,7 @@ static roberts_status list_fronts(hide_job *job)
         return ROBERTS_NO_MEMORY;
     hide_fronts_drop_boxes(&job->fronts);
     roberts_status status = objet_build(&job->grid, fronts, frame, job->options->threads);
-    return status != ROBERTS_OK || sheets_find(&job->grid, fronts, job->options->threads) ? status : ROBERTS_NO_MEMORY;
+    return status != ROBERTS_OK || layers_find(&job->grid, fronts, job->options->threads) ? status : ROBERTS_NO_MEMORY;
 }
 
 /* ---- 3. where faces cross ---- */
@@ -290,6 +291,7 @@ static void describe(const hide_job *job, const roberts_camera *camera, roberts_
     drawing->solids = job->seen.source->solid_count;
     drawing->culled_solids = fronts->culled_count;
     drawing->edges = job->seen.source->edge_count;
+    drawing->seams = united_seams(&job->seen.edges, job->seen.source->edge_count);
     drawing->front_faces = fronts->face_count;
     drawing->back_faces = fronts->back;
     drawing->edge_on_faces = fronts->edge_on;

@@ -33,7 +33,7 @@ typedef struct objet {
      * faces at once. A fan of very many triangles has all of them in the cell of its tip. NULL: no solid is listed face
      * by face. */
     uint32_t *next;
-    /* [nx * ny] what sheets.h finds; NULL: nothing */
+    /* [nx * ny] what layers.h finds; NULL: nothing */
     unsigned char *apart; /* 1: no two faces of the cell cross */
     cover sheet;          /* all that is deeper lies behind a sheet that fills the cell; `by` is not used */
     float *below;         /* what is nearer than this lies in that sheet, if it is a line */

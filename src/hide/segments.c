@@ -25,7 +25,7 @@ typedef struct line_row {
 BITS_INLINE line_row row_of(const line_writer *w, const seen_line *line)
 {
     const seen_name none = {{ROBERTS_NONE, ROBERTS_NONE}, 0.0, 1.0};
-    seen_name name = line->class == ROBERTS_INTERSECTION ? none : seen_line_name(w->seen, w->body, line);
+    seen_name name = line->end ? none : seen_line_name(w->seen, w->body, line);
     double width = name.t1 - name.t0;
     return (line_row){.v = {name.v[0], name.v[1]},
                       .edge = line->edge,
@@ -65,17 +65,10 @@ BITS_INLINE void put_part(const line_writer *w, const line_row *row, const hide_
                                                          .edge = row->edge};
 }
 
-/* Writes what the near plane has taken of the edge of a line: before the line (which: SEEN_TAKEN_BEFORE), after it, or
- * instead of it. There is room for it. */
-static BITS_RARE void put_taken(const line_writer *w, const hide_line *line, unsigned which)
+/* Writes a part of an edge that the near plane has taken. at: where it is cut. There is room for it. */
+static void put_taken_part(const line_writer *w, const seen_line *taken, roberts_vec3 at)
 {
-    seen_line taken = line->is;
-    if (!(taken.taken & which))
-        return;
-    taken.t0 = which == SEEN_TAKEN_AFTER ? line->is.t1 : 0.0;
-    taken.t1 = which == SEEN_TAKEN_BEFORE ? line->is.t0 : 1.0;
-    line_row row = row_of(w, &taken);
-    roberts_vec3 at = which == SEEN_TAKEN_AFTER ? line->e.B : line->e.A;
+    line_row row = row_of(w, taken);
     roberts_vec2 cut = {at.x * w->unit, at.y * w->unit};
     if (row.t0 < row.t1)
         w->out->segment[w->out->count++] = (roberts_segment){.solid = w->body,
@@ -91,6 +84,17 @@ static BITS_RARE void put_taken(const line_writer *w, const hide_line *line, uns
                                                              .edge = row.edge};
 }
 
+/* Writes what the near plane has taken of the edge of a line: before the line (which: SEEN_TAKEN_BEFORE), after it, or
+ * instead of it. There is room for it. */
+static BITS_RARE void put_taken(const line_writer *w, const hide_line *line, unsigned which)
+{
+    seen_line taken = line->is;
+    if (!(taken.taken & which))
+        return;
+    taken.t0 = which == SEEN_TAKEN_AFTER ? line->is.t1 : 0.0;
+    taken.t1 = which == SEEN_TAKEN_BEFORE ? line->is.t0 : 1.0;
+    put_taken_part(w, &taken, which == SEEN_TAKEN_AFTER ? line->e.B : line->e.A);
+}
 /* Visible segments of a line between its hidden parts, and those too where they are wanted. False: no memory. */
 BITS_INLINE bool add_line(const line_writer *w, const hide_line *line)
 {
@@ -121,6 +125,89 @@ BITS_INLINE bool add_line(const line_writer *w, const hide_line *line)
     return true;
 }
 
+/* What of a hidden part lies between two places. Nearer to them than `near`, it reaches them. False: nothing. */
+static bool clip_hidden(hide_interval *hidden, const hide_interval *all, double near)
+{
+    if (hidden->t0 - all->t0 <= near)
+        hidden->t0 = all->t0;
+    if (all->t1 - hidden->t1 <= near)
+        hidden->t1 = all->t1;
+    bool whole = hidden->t0 > all->t0 && hidden->t1 < all->t1;
+    return hidden->t1 - hidden->t0 > (whole ? 0.0 : near);
+}
+
+/* Writes the parts of a line between two places of its picture. There is room for them. */
+static void put_parts(const line_writer *w, const line_row *row, const hide_line *line, const hide_interval *all)
+{
+    double near = w->seen->view.epsilon / line->e.length3;
+    hide_interval shown = {.t0 = all->t0};
+    for (size_t i = 0; i < line->intervals.count; i++) {
+        hide_interval hidden = line->intervals.item[i].part;
+        if (!clip_hidden(&hidden, all, near))
+            continue;
+        shown.t1 = hidden.t0;
+        if (shown.t1 > shown.t0)
+            put_part(w, row, &line->e, &shown, ROBERTS_NONE);
+        if (w->all)
+            put_part(w, row, &line->e, &hidden, line->intervals.item[i].solid);
+        shown.t0 = hidden.t1;
+    }
+    shown.t1 = all->t1;
+    if (shown.t1 > shown.t0)
+        put_part(w, row, &line->e, &shown, ROBERTS_NONE);
+}
+
+/* The segments of one piece of a line, which has a class of its own. False: no memory. */
+static bool add_piece(const line_writer *w, const hide_line *line, const union_piece *piece, roberts_line class)
+{
+    const view *v = &w->seen->view;
+    const hide_edge *e = &line->e;
+    const seen_line *whole = &line->is;
+    hide_chunk *out = w->out;
+    seen_line part = *whole;
+    bool gone = whole->taken & SEEN_TAKEN;
+    if (!array_reserve(&out->segment, &out->room, out->count + 2 * line->intervals.count + 3, sizeof *out->segment))
+        return false;
+    part.class = class;
+    part.t0 = piece->t0;
+    part.t1 = gone ? piece->t1 : lesser(piece->t1, whole->t0);
+    if (whole->taken & (SEEN_TAKEN | SEEN_TAKEN_BEFORE) && part.t0 < part.t1)
+        put_taken_part(w, &part, e->A);
+    double t0 = greater(piece->t0, whole->t0), t1 = lesser(piece->t1, whole->t1), width = whole->t1 - whole->t0;
+    if (!gone && t0 < t1) {
+        part.t0 = whole->t0;
+        part.t1 = whole->t1;
+        line_row row = row_of(w, &part);
+        hide_interval shown = {.t0 = view_from_space(v, e->A.z, e->B.z, (t0 - whole->t0) / width), .t1 = 1.0};
+        if (t1 < whole->t1)
+            shown.t1 = view_from_space(v, e->A.z, e->B.z, (t1 - whole->t0) / width);
+        put_parts(w, &row, line, &shown);
+    }
+    part.t0 = greater(piece->t0, whole->t1);
+    part.t1 = piece->t1;
+    if (whole->taken & SEEN_TAKEN_AFTER && part.t0 < part.t1)
+        put_taken_part(w, &part, e->B);
+    return true;
+}
+
+/* The segments of a line that has pieces. False: no memory. */
+static BITS_RARE bool add_pieces(const line_writer *w, const hide_line *line)
+{
+    const union_piece *piece = line->is.piece;
+    for (bool last = false; !last; piece++) {
+        roberts_line class;
+        if (seen_piece_class(w->seen, w->body, &line->is, piece, &class) && !add_piece(w, line, piece, class))
+            return false;
+        last = piece->t1 == 1.0;
+    }
+    return true;
+}
+
+BITS_INLINE bool add_either(const line_writer *w, const hide_line *line)
+{
+    return line->is.piece ? add_pieces(w, line) : add_line(w, line);
+}
+
 /* Fills in the level of a line's hidden segments, which are those from `first` on. The middle is that in space. */
 static BITS_RARE bool add_levels(const hide_job *job, hide_worker *w, hide_chunk *out, const seen_line *line,
                                  size_t first)
@@ -148,7 +235,7 @@ static bool add_lines(const hide_job *job, hide_worker *w, hide_chunk *out, uint
     bool levels = writer.all && job->options->levels;
     for (const hide_line *line = w->line, *end = line + w->line_count; line < end; line++) {
         const size_t first = out->count;
-        if ((writer.all || !line->hidden) && !add_line(&writer, line))
+        if ((writer.all || !line->hidden) && !add_either(&writer, line))
             return false;
         if (levels && !add_levels(job, w, out, &line->is, first))
             return false;
@@ -229,13 +316,32 @@ static void name_hiders(const hide_job *job, hide_worker *w)
         }
 }
 
+/* Cuts the hidden parts of lines where their pieces end: another body may be seen beyond. False: no memory. */
+static bool split_at_pieces(const hide_job *job, hide_worker *w)
+{
+    for (hide_line *line = w->line, *end = line + w->line_count; line < end; line++) {
+        const seen_line *is = &line->is;
+        const union_piece *piece = is->taken & SEEN_TAKEN ? NULL : is->piece;
+        for (; piece && piece->t1 < is->t1; piece++) {
+            double t = (piece->t1 - is->t0) / (is->t1 - is->t0);
+            if (t > 0.0 &&
+                !hide_intervals_split(&line->intervals, view_from_space(&job->seen.view, line->e.A.z, line->e.B.z, t)))
+                return false;
+        }
+    }
+    return true;
+}
+
 /* Finds what is hidden of the lines taken up. False: no memory. */
 static bool hide_lines(const hide_job *job, hide_worker *w)
 {
     if (!hide_worker_run(w))
         return false;
-    if (job->options->keep_hidden)
-        name_hiders(job, w);
+    if (!job->options->keep_hidden)
+        return true;
+    if (job->seen.edges.first && !split_at_pieces(job, w))
+        return false;
+    name_hiders(job, w);
     return true;
 }
 
@@ -317,6 +423,8 @@ bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t
         for (; k < end && w->line_count < HIDE_GROUP; k++) {
             hide_line *line = &w->line[w->line_count];
             line->is = crossings_line(c, job->seen.scene, k);
+            if (!crossings_unite(c, &job->seen, k, &line->is))
+                continue;
             hide_worker_add(w, line);
             if (is_covered(job, line->e.A, line->e.B)) {
                 w->sides.tally.covered++;
@@ -327,7 +435,7 @@ bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t
             return false;
         for (const hide_line *line = w->line; line < w->line + w->line_count; line++) {
             writer.body = c->item[line->is.edge].body[0];
-            if ((writer.all || !line->hidden) && !add_line(&writer, line))
+            if ((writer.all || !line->hidden) && !add_either(&writer, line))
                 return false;
         }
     }

@@ -1,9 +1,9 @@
 /* bodies.c - builds a scene whose bodies are not all convex.
  *
- * Components that are convex solids stay what they are, also those that come out when open components are welded and
- * split (weld.c). The faces of all others are handled together: they are cut into convex pieces (surface.c) and joined
- * at their edges (surface_edges.c). Pieces connected by edges are a body. Then everything is laid out anew, body by
- * body. */
+ * Some components are convex solids, and so are some parts of open components that have been welded and split (weld.c).
+ * These stay what they are. The faces of all others are handled together: they are cut into convex pieces (surface.c)
+ * and joined at their edges (surface_edges.c). Pieces connected by edges are a body. Then everything is laid out anew,
+ * body by body. */
 #include "model/bodies.h"
 
 #include <float.h>
@@ -47,6 +47,7 @@ typedef struct assembly {
 
 /* ---- which components are convex solids ------------------------------------------------------------------------ */
 
+/* Finds which components are convex solids, and which are open and may be welded. */
 static roberts_status find_kinds(assembly *a, uint8_t *open, uint8_t *convex, bool *any_open, roberts_error *error)
 {
     const solid_rules rules = {a->mesh, a->options->tolerance, false};
@@ -153,8 +154,8 @@ static uint32_t piece_of(uint32_t incidence)
     return incidence & ~SURFACE_TURNED;
 }
 
-/* Joins pieces that are connected by edges; wires are connected by their ends. parent: [pieces + edges]; owner:
- * [vertices] scratch. */
+/* Joins pieces that are connected by edges, and wires that are connected by their ends. parent: [pieces + edges];
+ * owner: [vertices], scratch. */
 static void join_pieces(const surface *s, uint32_t *parent, uint32_t *owner)
 {
     for (size_t i = 0; i < s->piece_count + s->edge_count; i++)
@@ -184,8 +185,8 @@ static void join_pieces(const surface *s, uint32_t *parent, uint32_t *owner)
     }
 }
 
-/* Lists all that is laid out, each item with its set in of[]: the pieces, the ends of edges that may not be corners of
- * a piece, and the faces of convex solids. */
+/* Lists all that will be laid out, and in of[] the set of each item: the pieces; the two ends of each edge whose ends
+ * may not be corners of a piece; the faces of convex solids. */
 static bool list_all(assembly *a)
 {
     surface *s = &a->surface;
@@ -249,7 +250,7 @@ static bool list_all(assembly *a)
 
 typedef struct body_key {
     uint32_t vertex, face; /* the smallest of each */
-    uint32_t first;        /* its number as bodies come */
+    uint32_t first;        /* its number by its first item */
     bool convex;
 } body_key;
 
@@ -272,7 +273,7 @@ static bool number_bodies(assembly *a)
     if (!rank)
         return false;
     memset(rank, 0xff, sets * sizeof *rank);
-    for (uint32_t f = 0; f < all->face_count; f++) { /* first numbered as they come */
+    for (uint32_t f = 0; f < all->face_count; f++) { /* for now, bodies are numbered by their first item */
         if (rank[a->of[f]] == ROBERTS_NONE)
             rank[a->of[f]] = count++;
         a->of[f] = rank[a->of[f]];
@@ -306,8 +307,8 @@ static bool number_bodies(assembly *a)
 
 /* ---- the scene's arrays ---------------------------------------------------------------------------------------- */
 
-/* Lays out everything in place of the components, then removes the items that are not faces. Numbers in the scene still
- * refer to `all` and to the vertices of the surface. */
+/* Lays out everything in place of the components, then removes the items that are not faces. For the time being, faces
+ * have their numbers in `all`, and vertices those of the surface. */
 static bool lay_out(assembly *a)
 {
     roberts_scene *scene = a->scene;
@@ -363,7 +364,7 @@ static void fit_planes(assembly *a, uint32_t body)
     }
 }
 
-/* Builds a convex solid again, in its new place. */
+/* Builds a convex solid again, where it lies now. */
 static roberts_status store_convex(assembly *a, uint32_t b, roberts_error *error)
 {
     scene_solid *own = &a->scene->solid[b];

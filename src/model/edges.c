@@ -181,8 +181,8 @@ void roberts_segment_faces(const roberts_scene *scene, const roberts_drawing *dr
                            uint32_t face[2])
 {
     face[0] = face[1] = ROBERTS_NONE;
-    if (segment->line == ROBERTS_INTERSECTION) {
-        if (segment->edge < drawing->crossing_count)
+    if (scene_crosses(segment)) {
+        if (drawing && segment->edge < drawing->crossing_count)
             memcpy(face, drawing->crossing[segment->edge].face, 2 * sizeof *face);
         return;
     }
@@ -215,7 +215,7 @@ bool roberts_segment_ends(const roberts_scene *scene, const roberts_drawing *dra
     const uint32_t body = segment->solid, e = segment->edge;
     roberts_vec3 line[2];
     double from = 0.0, to = 1.0;
-    if (segment->line == ROBERTS_INTERSECTION) {
+    if (scene_crosses(segment)) {
         if (e >= drawing->crossing_count)
             return false;
         memcpy(line, drawing->crossing[e].end, sizeof line);

@@ -17,7 +17,7 @@
 
 /* ---- not convex at a glance ------------------------------------------------------------------------------------ */
 
-enum { GLANCE_LEAST = 1000, GLANCE_FACES = 8, GLANCE_VERTICES = 32 };
+enum { GLANCE_FACES = 8, GLANCE_VERTICES = 16 };
 
 /* More than rounding can make of a bound. */
 #define GLANCE_MARGIN 1.01
@@ -43,27 +43,26 @@ static double allowance_of(const roberts_scene *scene, uint32_t s, double tolera
     return GLANCE_MARGIN * tolerance * greater(largest, *size);
 }
 
-/* Have some vertices of solid s more than this distance to the plane, on both sides of it? Then the solid is refused
- * whichever way the face is wound. */
-static bool is_crossed(const roberts_scene *scene, uint32_t s, const fitted_plane *fit, roberts_vec3 origin,
-                       double distance)
+/* How far some vertices of solid s lie on either side of the plane, whichever is less. If that is more than allowed,
+ * the solid is refused whichever way the face is wound. */
+static double crossed_by(const roberts_scene *scene, uint32_t s, const fitted_plane *fit, roberts_vec3 origin)
 {
     uint32_t first = scene->solid[s].vertex, count = scene->solid[s + 1].vertex - first;
-    bool above = false, below = false;
+    double least = 0.0, most = 0.0;
     for (uint32_t i = 0; i < GLANCE_VERTICES; i++) {
         uint32_t v = first + (uint32_t)((uint64_t)i * count / GLANCE_VERTICES);
         double height = vec3_dot(fit->n, vec3_sub(scene->point[v], origin)) - fit->mean;
-        above = above || height > distance;
-        below = below || height < -distance;
+        least = lesser(least, height);
+        most = greater(most, height);
     }
-    return above && below;
+    return lesser(most, -least);
 }
 
-bool plain_not_convex(const roberts_scene *scene, uint32_t s, double tolerance)
+bool plain_large_not_convex(const roberts_scene *scene, uint32_t s, double tolerance)
 {
     uint32_t first = scene->solid[s].face, count = scene->solid[s + 1].face - first;
-    double size, allowed = count < GLANCE_LEAST ? 0.0 : allowance_of(scene, s, tolerance, &size);
-    for (uint32_t i = 0; i < GLANCE_FACES && allowed > 0.0; i++) {
+    double size = 0.0, allowed = -1.0;
+    for (uint32_t i = 0; i < GLANCE_FACES && allowed != 0.0; i++) {
         uint32_t f = first + (uint32_t)((uint64_t)i * count / GLANCE_FACES);
         const uint32_t *corner = scene->corner + scene->face_start[f];
         if (scene->face_start[f + 1] - scene->face_start[f] != 3)
@@ -71,7 +70,12 @@ bool plain_not_convex(const roberts_scene *scene, uint32_t s, double tolerance)
         roberts_vec3 A = scene->point[corner[0]];
         roberts_vec3 ring[3] = {{0, 0, 0}, vec3_sub(scene->point[corner[1]], A), vec3_sub(scene->point[corner[2]], A)};
         fitted_plane fit = face_plane_fit(ring, 3);
-        if (fit.width > 0.0 && is_crossed(scene, s, &fit, A, allowed * greater(1.0, size / fit.width)))
+        double crossed = crossed_by(scene, s, &fit, A);
+        if (!(fit.width > 0.0) || !(crossed > tolerance * fit.width))
+            continue; /* the solid is wider than a face */
+        if (allowed < 0.0)
+            allowed = allowance_of(scene, s, tolerance, &size);
+        if (allowed > 0.0 && crossed > allowed * greater(1.0, size / fit.width))
             return true;
     }
     return false;
@@ -87,7 +91,7 @@ typedef struct plain_work {
     plain_edges edges; /* of the bodies that are built here; those of repeated solids are stored already */
     uint32_t *first;   /* [solids] where each has them */
     uint32_t *count;   /* [solids] how many */
-    uint8_t *open;     /* [solids] 1: it has borders */
+    uint8_t *open;     /* [solids] 1: some edge has not two faces */
 } plain_work;
 
 /* Stores the plane of a face, as bodies.c does: it points to where the corners run clockwise. */
@@ -176,7 +180,13 @@ static plain_answer take_faces(plain_work *w, uint32_t s)
     return PLAIN_YES;
 }
 
-/* ---- borders --------------------------------------------------------------------------------------------------- */
+/* ---- open bodies ------------------------------------------------------------------------------------------------ */
+
+/* Has the edge not two faces? */
+static bool is_odd(const plain_edges *edges, uint32_t e)
+{
+    return edges->edge[e].f[1] == ROBERTS_NONE || edges->is[e] & EDGE_MANY;
+}
 
 /* Finds the edges of solid s. */
 static plain_answer take_edges(plain_work *w, uint32_t s)
@@ -186,12 +196,12 @@ static plain_answer take_edges(plain_work *w, uint32_t s)
     w->first[s] = first;
     w->count[s] = (uint32_t)w->edges.count - first;
     for (uint32_t e = first; e < w->edges.count && !w->open[s]; e++)
-        w->open[s] = w->edges.edge[e].f[1] == ROBERTS_NONE;
+        w->open[s] = is_odd(&w->edges, e);
     return answer;
 }
 
-/* Lists the ends of all borders, two for each, by compact numbers. False: no memory. */
-static bool list_borders(const plain_work *w, uint32_t **end, size_t *count)
+/* Lists the ends of all edges that have not two faces, two for each, by compact numbers. False: no memory. */
+static bool list_odd(const plain_work *w, uint32_t **end, size_t *count)
 {
     size_t room = 0;
     *count = 0;
@@ -199,7 +209,7 @@ static bool list_borders(const plain_work *w, uint32_t **end, size_t *count)
         const scene_solid *own = &w->scene->solid[s];
         for (uint32_t e = 0; w->open[s] && e < w->count[s]; e++) {
             const scene_edge *edge = &w->edges.edge[w->first[s] + e];
-            if (edge->f[1] != ROBERTS_NONE)
+            if (!is_odd(&w->edges, w->first[s] + e))
                 continue;
             if (!array_reserve(end, &room, *count + 2, sizeof **end))
                 return false;
@@ -210,7 +220,7 @@ static bool list_borders(const plain_work *w, uint32_t **end, size_t *count)
     return true;
 }
 
-/* Does no listed vertex touch the border from a to b, but for its ends? */
+/* Does no listed vertex touch the edge from a to b, but for its ends? */
 static plain_answer is_clear(const plain_work *w, const point_grid *grid, uint32_t a, uint32_t b, point_list *found)
 {
     const roberts_vec3 *point = w->scene->point;
@@ -226,14 +236,14 @@ static plain_answer is_clear(const plain_work *w, const point_grid *grid, uint32
     return PLAIN_YES;
 }
 
-/* Does no vertex of a border touch another border? */
+/* Does no vertex of such an edge touch another one? */
 static plain_answer are_clear(const plain_work *w)
 {
     uint32_t *end = NULL, *vertex = NULL;
     size_t count = 0, vertices = 0;
     point_grid grid = {0};
     point_list found = {0};
-    plain_answer answer = list_borders(w, &end, &count) ? PLAIN_YES : PLAIN_NO_MEMORY;
+    plain_answer answer = list_odd(w, &end, &count) ? PLAIN_YES : PLAIN_NO_MEMORY;
     if (answer == PLAIN_YES && count > 0) {
         if ((vertex = alloc_array(count, sizeof *vertex))) {
             memcpy(vertex, end, count * sizeof *vertex);
@@ -306,6 +316,28 @@ static bool join_edges(plain_work *w)
     return true;
 }
 
+/* Moves the faces of edges of more than two to the scene. They come body by body. */
+static void join_many(plain_work *w)
+{
+    const roberts_scene *scene = w->scene;
+    plain_edges *from = &w->edges;
+    scene_surface *to = scene->surface;
+    uint32_t s = 0;
+    for (size_t i = 0; i < from->many_count; i++) {
+        scene_many *many = &from->many[i];
+        while (w->count[s] == 0 || many->edge >= w->first[s] + w->count[s])
+            s++;
+        many->edge = scene->solid[s].edge + (many->edge - w->first[s]);
+        for (uint32_t k = many->first; k < many->end; k++)
+            from->many_face[k] += scene->solid[s].face;
+    }
+    to->many = from->many;
+    to->many_face = from->many_face;
+    to->many_count = (uint32_t)from->many_count;
+    from->many = NULL;
+    from->many_face = NULL;
+}
+
 /* Numbers the edges, and fills the arrays that only scenes with such bodies have. */
 static bool fill_surface(plain_work *w)
 {
@@ -337,6 +369,7 @@ static bool fill_surface(plain_work *w)
             memset(is, EDGE_TURNED_1, scene->solid[s + 1].edge - scene->solid[s].edge);
         to->smooth[s] = body_smooth(scene, s);
     }
+    join_many(w);
     return true;
 }
 

@@ -217,25 +217,63 @@ static bool sort_sides(plain_edges *p, uint32_t s)
     return true;
 }
 
-/* Makes an edge of one side, or two with the same ends. */
-static void add_edge(plain_edges *p, uint32_t v, const uint64_t *half, uint32_t count)
+/* Have both faces the same corners, in any order? */
+static bool same_corners(const roberts_scene *scene, uint32_t f, uint32_t g)
+{
+    const uint32_t *a = scene->corner + scene->face_start[f], *b = scene->corner + scene->face_start[g];
+    uint32_t count = scene->face_start[f + 1] - scene->face_start[f], found = 0;
+    if (count != scene->face_start[g + 1] - scene->face_start[g])
+        return false;
+    for (uint32_t i = 0; i < count; i++)
+        for (uint32_t k = 0; k < count; k++)
+            found += a[i] == b[k];
+    return found == count;
+}
+
+enum { MANY_MOST = 16 }; /* faces at an edge; to compare all pairs of more would take long */
+
+/* Notes the faces of an edge of more than two, none of which repeats another. */
+static plain_answer add_many(plain_edges *p, uint32_t s, const uint64_t *half, uint32_t count)
+{
+    uint32_t first = p->scene->solid[s].face;
+    if (count > MANY_MOST)
+        return PLAIN_NO;
+    for (uint32_t i = 1; i < count; i++)
+        for (uint32_t k = 0; k < i; k++)
+            if (same_corners(p->scene, first + ((uint32_t)half[i] >> 1), first + ((uint32_t)half[k] >> 1)))
+                return PLAIN_NO;
+    if (!array_reserve(&p->many, &p->many_room, p->many_count + 1, sizeof *p->many) ||
+        !array_reserve(&p->many_face, &p->many_face_room, p->many_faces + count, sizeof *p->many_face))
+        return PLAIN_NO_MEMORY;
+    p->many[p->many_count++] =
+        (scene_many){(uint32_t)p->count, (uint32_t)p->many_faces, (uint32_t)p->many_faces + count};
+    for (uint32_t i = 0; i < count; i++)
+        p->many_face[p->many_faces++] = (uint32_t)half[i] >> 1 | (half[i] & 1 ? MANY_TURNED : 0);
+    return PLAIN_YES;
+}
+
+/* Makes an edge of sides with the same ends. */
+static plain_answer add_edge(plain_edges *p, uint32_t s, uint32_t v, const uint64_t *half, uint32_t count)
 {
     scene_edge *edge = &p->edge[p->count];
     uint8_t is = half[0] & 1 ? EDGE_TURNED_0 : 0;
+    plain_answer answer = count > 2 ? add_many(p, s, half, count) : PLAIN_YES;
     *edge = (scene_edge){{v, (uint32_t)(half[0] >> 32)}, {(uint32_t)half[0] >> 1, ROBERTS_NONE}};
-    if (count == 2) {
+    if (count > 1) {
         edge->f[1] = (uint32_t)half[1] >> 1;
         is |= half[1] & 1 ? EDGE_TURNED_1 : 0;
+        answer = edge->f[0] == edge->f[1] ? PLAIN_NO : answer;
     }
-    p->is[p->count++] = is;
+    p->is[p->count++] = is | (count > 2 ? EDGE_MANY : 0);
+    return answer;
 }
 
-static plain_answer find_mixed(plain_edges *p, uint32_t s)
+static plain_answer find_sorted(plain_edges *p, uint32_t s)
 {
     const roberts_scene *scene = p->scene;
     uint32_t vertices = scene->solid[s + 1].vertex - scene->solid[s].vertex;
     uint32_t faces = scene->solid[s + 1].face - scene->solid[s].face, sets = faces;
-    size_t before = p->count;
+    bool odd = false, crowded = false;
     if (!sort_sides(p, s) || !make_room(p, scene_corners(scene, s)))
         return PLAIN_NO_MEMORY;
     for (uint32_t f = 0; f < faces; f++)
@@ -244,20 +282,19 @@ static plain_answer find_mixed(plain_edges *p, uint32_t s)
         for (; i < p->start[v]; i = to) {
             for (to = i + 1; to < p->start[v] && p->half[to] >> 32 == p->half[i] >> 32; to++)
                 continue;
-            uint32_t f = (uint32_t)p->half[i] >> 1, g = (uint32_t)p->half[to - 1] >> 1;
-            if (to - i > 2 || (to - i == 2 && f == g)) {
-                p->count = before;
-                return PLAIN_NO;
+            plain_answer answer = add_edge(p, s, v, p->half + i, to - i);
+            if (answer != PLAIN_YES)
+                return answer;
+            odd = odd || (to - i) % 2;
+            crowded = crowded || to - i > 2;
+            for (uint32_t k = i + 1; k < to; k++) {
+                uint32_t f = sets_root(p->parent, (uint32_t)p->half[k - 1] >> 1);
+                uint32_t g = sets_root(p->parent, (uint32_t)p->half[k] >> 1);
+                sets -= f != g;
+                p->parent[f < g ? g : f] = f < g ? f : g;
             }
-            add_edge(p, v, p->half + i, to - i);
-            f = sets_root(p->parent, f);
-            g = sets_root(p->parent, g);
-            sets -= f != g;
-            p->parent[f < g ? g : f] = f < g ? f : g;
         }
-    if (sets > 1)
-        p->count = before;
-    return sets > 1 ? PLAIN_NO : PLAIN_YES;
+    return sets > 1 || (crowded && !odd) ? PLAIN_NO : PLAIN_YES;
 }
 
 plain_answer plain_edges_find(plain_edges *p, uint32_t s)
@@ -271,7 +308,7 @@ plain_answer plain_edges_find(plain_edges *p, uint32_t s)
     if (faces == 2 || faces >= 1u << 31)
         return PLAIN_NO;
     plain_answer answer = find_alike(p, s, &alike);
-    return alike || answer == PLAIN_NO_MEMORY ? answer : find_mixed(p, s);
+    return alike || answer == PLAIN_NO_MEMORY ? answer : find_sorted(p, s);
 }
 
 void plain_edges_free_scratch(plain_edges *p)
@@ -291,5 +328,7 @@ void plain_edges_free(plain_edges *p)
     plain_edges_free_scratch(p);
     free(p->edge);
     free(p->is);
+    free(p->many);
+    free(p->many_face);
     *p = (plain_edges){0};
 }

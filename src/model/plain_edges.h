@@ -1,4 +1,4 @@
-/* plain_edges.h - the edges of a body of whole faces, each with one face or two. */
+/* plain_edges.h - the edges of a body of whole faces. */
 #ifndef ROBERTS_MODEL_PLAIN_EDGES_H
 #define ROBERTS_MODEL_PLAIN_EDGES_H
 
@@ -10,18 +10,20 @@ typedef enum plain_answer { PLAIN_NO, PLAIN_YES, PLAIN_NO_MEMORY } plain_answer;
 typedef struct plain_edges {
     const roberts_scene *scene;
     scene_edge *edge; /* [count] of two faces or, f[1] == ROBERTS_NONE, of one */
-    uint8_t *is;      /* [count] EDGE_TURNED_... */
-    size_t count;
+    uint8_t *is;      /* [count] EDGE_TURNED_..., EDGE_MANY */
+    scene_many *many; /* [many_count] edges of more than two faces, by their places here */
+    uint32_t *many_face;
+    size_t count, many_count, many_faces;
     /* scratch */
     uint32_t *start;    /* [vertices of a body] where the edges of each smaller vertex end */
     uint32_t *parent;   /* [faces of a body] sets of faces connected by edges */
     uint64_t *half;     /* [sides of a body] larger vertex << 32 | face << 1 | turned */
     scene_edge *border; /* [border_count] edges of one face on their right, which is f[1] */
-    size_t edge_room, is_room, start_room, parent_room, half_room, border_count, border_room;
+    size_t edge_room, is_room, start_room, parent_room, half_room, border_count, border_room, many_room, many_face_room;
 } plain_edges;
 
-/* Appends the edges of solid s. The answer is PLAIN_NO, and nothing is appended, if an edge has more than two faces, if
- * edges do not connect all faces, or if there are two faces in all, which may be the same. */
+/* Appends the edges of solid s. The answer is PLAIN_NO if edges do not connect all faces, if a face may repeat another,
+ * or if each edge has an even number of faces and some have more than two: these may be solids that touch. */
 plain_answer plain_edges_find(plain_edges *p, uint32_t s);
 
 /* Frees the scratch memory, or everything. */

@@ -99,6 +99,12 @@ struct roberts_scene {
     double unit; /* about the box's size, a power of two; of face_deviation and face_width, and of view space */
 };
 
+/* Is the segment a part of a line in which faces cross? Where bodies are one, such a line has another class. */
+static inline bool scene_crosses(const roberts_segment *segment)
+{
+    return segment->line == ROBERTS_INTERSECTION || segment->v0 == ROBERTS_NONE;
+}
+
 static inline bool scene_is_convex(const roberts_scene *scene, uint32_t s)
 {
     return !scene->surface || scene->surface->kind[s] == ROBERTS_CONVEX;

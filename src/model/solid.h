@@ -13,32 +13,32 @@ typedef struct local_face {
     double depth;       /* F at the barycentre, >= 0 */
     double deviation;   /* greatest distance of a corner from the plane */
     double area, width; /* width: area over greatest chord */
-    bool strict;        /* strictly convex as a polygon, told without a tolerance */
-    bool lean; /* it takes its plane from its neighbours: its own leaves a vertex too far outside, or it has none */
+    bool strict;        /* strictly convex as a polygon, decided without a tolerance */
+    bool lean;          /* it takes its plane from its neighbours, because its own is not good enough or has no area */
 } local_face;
 
-/* One solid relative to its first vertex; if it is very large or very small, also scaled by a power of two. The arrays
- * serve solid after solid; zeroed = empty. */
+/* One solid in a frame of its own: the first vertex is the origin, and a very large or very small solid is scaled by a
+ * power of two. The arrays are used for solid after solid. Zeroed = empty. */
 typedef struct solid_frame {
     uint32_t solid;           /* its number */
     const roberts_mesh *mesh; /* for messages */
     uint32_t vertex_first, vertex_count, face_first, face_count;
     roberts_vec3 *point;    /* [vertex_count] */
     local_face *face;       /* [face_count] */
-    const scene_edge *edge; /* [edge_count] as they are stored in a scene, once they are paired */
+    const scene_edge *edge; /* [edge_count] as a scene stores them; set when they are paired */
     uint32_t edge_count;
     roberts_vec3 *ring;      /* room for the corners of any one face */
-    uint32_t turned;         /* how many faces run clockwise in the input, seen from outside */
+    uint32_t turned;         /* how many faces are clockwise in the input, seen from outside */
     uint32_t widest;         /* the face with the greatest width */
     bool any_lean;           /* some face is lean */
     bool any_doubt;          /* some face is not strictly convex, or not planar within the tolerance */
-    bool any_shallow;        /* some face is nearer to the barycentre than the least thickness of a solid */
-    roberts_vec3 barycentre; /* mean of the vertices: inside, if the solid is convex */
+    bool any_shallow;        /* the barycentre is nearer to some face than `flat` */
+    roberts_vec3 barycentre; /* the mean of the vertices, which is inside a convex solid */
     double unit;             /* model units per unit of this frame */
     double scene_units;      /* the scene's units (of deviation and width) per unit of this frame */
     double size;             /* diagonal of the box */
     double allowed;          /* the tolerance as a length */
-    double flat;             /* thinner than this, the solid is flat */
+    double flat;             /* a solid thinner than this is flat */
     size_t point_room, face_room, ring_room;
 } solid_frame;
 

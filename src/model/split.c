@@ -1,13 +1,13 @@
-/* split.c - which faces make up one solid, if more than two faces meet in an edge.
+/* split.c - takes solids apart that share edges.
  *
- * A piece is a set of faces that are connected by edges. (Two solids that touch only in a corner are two pieces.) A
- * piece with two faces at each edge is a solid. In any other piece solids touch: four or six faces meet in an edge. Two
- * methods take it apart, in this order:
+ * A piece is a set of faces that are connected by edges. (Two solids that only share a corner are two pieces.) If each
+ * edge of a piece has two faces, the piece is a solid. If some edge has an odd number of faces, the piece is left as it
+ * is. Otherwise solids touch: four or six faces meet in an edge. Two methods take such a piece apart:
  *
- * 1. By the file. The faces of a solid mostly follow one another. So faces are taken in order until each edge of those
- *    taken has two of them: these make up one solid, or several that do not touch. This needs no geometry and gives
+ * 1. By the file. The faces of a solid mostly follow one another. Faces are taken in order until each edge of those
+ *    taken has two of them. They make up one solid, or several that do not touch. This needs no geometry, and gives
  *    back what was written.
- * 2. By the angles between faces: see below.
+ * 2. By the angles between faces, if the first method fails: see below.
  *
  * Both take linear time if faces have few neighbours. */
 #include "model/split.h"
@@ -22,14 +22,13 @@
 
 /* ---- by angles: the walk along the walls ----------------------------------------------------------------------- */
 
-/* Takes solids that touch apart by the angles between their faces.
+/* The solids are found as one walks along the walls of a room. The walk starts from one side of a face, which is taken
+ * for the inner side. At each edge it goes on to the face that comes first when one turns through the inside. Solids
+ * are convex, so this is at most a half turn. A walk that closes is a solid.
  *
- * Idea: walk along the walls of a room. Start from a face and assume which side is the inner one. At each edge go on to
- * the face that comes first when one turns through the inside. A solid is convex, so the turn is at most a half turn. A
- * walk that closes is a solid. Faces with the same vertices are one wall with two sides; it is taken once for each
- * solid. The first walk starts from the outermost face that is left, because only one of its sides can close. The next
- * walks start from the other sides of the walls just taken, where the neighbours are. This takes linear time if faces
- * have few neighbours; a budget limits what hostile input can cost. */
+ * Faces with the same vertices are one wall with two sides, and each side belongs to another solid. The first walk
+ * starts from the outermost face, of which only one side can close. The next walks start from the other sides of the
+ * walls just taken: there are the neighbours. A budget limits the time that hostile input can take. */
 
 /* What both methods work on. */
 typedef struct splitter {
@@ -312,8 +311,8 @@ static bool walk_all(walker *w)
     return enough;
 }
 
-/* Splits the piece order[from] .. order[to - 1], in the frame of all points. Faces whose walk does not close get no
- * group. False: no memory. */
+/* Splits the piece order[from] .. order[to - 1]. `frame` has the points of all pieces. Faces whose walk does not close
+ * get no group. False: no memory. */
 static bool walls_split(splitter *s, const solid_frame *frame, uint32_t from, uint32_t to)
 {
     walker w = {.s = s, .frame = frame};
@@ -341,16 +340,7 @@ static bool walls_split(splitter *s, const solid_frame *frame, uint32_t from, ui
     return enough;
 }
 
-/* ---- pieces, and both ways ------------------------------------------------------------------------------------- */
-
 /* ---- pieces ---------------------------------------------------------------------------------------------------- */
-
-static void unite(uint32_t *parent, uint32_t a, uint32_t b)
-{
-    a = sets_root(parent, a);
-    b = sets_root(parent, b);
-    parent[a < b ? b : a] = a < b ? a : b;
-}
 
 /* Numbers the edges and joins the faces at each. */
 static void number_edges(splitter *s)
@@ -363,7 +353,7 @@ static void number_edges(splitter *s)
             if (i == start || s->edges->half[i] >> 32 != s->edges->half[i - 1] >> 32)
                 s->edge_start[s->edge_count++] = i;
             else
-                unite(s->parent, splitter_face(s, i - 1), splitter_face(s, i));
+                sets_join(s->parent, splitter_face(s, i - 1), splitter_face(s, i));
             s->edge_of[(uint32_t)s->edges->half[i]] = s->edge_count - 1;
         }
     s->edge_start[s->edge_count] = s->corner_count;
@@ -377,7 +367,7 @@ static void group_run(splitter *s, uint32_t *parent, uint32_t from, uint32_t to)
     for (uint32_t i = from; i < to; i++) {
         uint32_t f = s->order[i];
         for (uint32_t c = s->loose->face_start[f]; c < s->loose->face_start[f + 1]; c++)
-            unite(parent, f, s->last[s->edge_of[c]]);
+            sets_join(parent, f, s->last[s->edge_of[c]]);
     }
     for (uint32_t i = from; i < to; i++) {
         uint32_t f = s->order[i], root = sets_root(parent, f); /* the root is the smallest and comes first */
@@ -385,7 +375,8 @@ static void group_run(splitter *s, uint32_t *parent, uint32_t from, uint32_t to)
     }
 }
 
-/* Splits the piece order[from] .. order[to - 1] into runs that close. False: some do not, and nothing is grouped. */
+/* Splits the piece order[from] .. order[to - 1] into runs of faces that close. False: the last run does not close, and
+ * nothing is grouped. */
 static bool split_by_file(splitter *s, uint32_t *parent, uint32_t from, uint32_t to)
 {
     uint32_t groups = s->groups->count, open = 0, crowded = 0, begin = from;
@@ -420,7 +411,8 @@ static bool split_by_file(splitter *s, uint32_t *parent, uint32_t from, uint32_t
 
 /* ---- all pieces ------------------------------------------------------------------------------------------------ */
 
-/* Sorts the faces by piece, ascending in each; parent[f] becomes the piece's number, start[p] its end. */
+/* Sorts the faces by piece, in each piece by number. parent[f] becomes the number of face f's piece, end[p] the end of
+ * piece p in s->order. Returns the number of pieces. */
 static uint32_t sort_pieces(splitter *s, uint32_t *end)
 {
     uint32_t pieces = 0, sum = 0;
@@ -440,7 +432,7 @@ static uint32_t sort_pieces(splitter *s, uint32_t *end)
     return pieces;
 }
 
-/* How many faces the edges of a piece have. */
+/* How many faces there are at the edges of a piece. */
 typedef enum edge_counts {
     TWO_EACH, /* the piece is closed */
     EVEN,     /* an even number, so it may be solids that touch */
@@ -460,6 +452,7 @@ static edge_counts count_at_edges(const splitter *s, uint32_t from, uint32_t to)
     return found;
 }
 
+/* Groups the faces of the piece order[from] .. order[to - 1]: by solids, or all together. False: no memory. */
 static bool split_piece(splitter *s, const solid_frame *frame, uint32_t *scratch, uint32_t from, uint32_t to)
 {
     edge_counts counts = count_at_edges(s, from, to);

@@ -230,7 +230,7 @@ static void check_edge(const verifier *f, stretch_checker *checker, uint32_t sol
                      whole = scene_edge_at(f->scene, solid, index);
     const edge_name part = part_of(f, solid, index);
     bool convex = scene_is_convex(f->scene, solid);
-    bool gaps = convex ? is_surely_drawn(f, &edge) : is_surely_line(f, solid, left.edge);
+    bool gaps = !f->options.unite && (convex ? is_surely_drawn(f, &edge) : is_surely_line(f, solid, left.edge));
     double end = left.t0, gap = GAP / (part.t1 - part.t0);
     stretch s = {.A = vertex_point(f, whole.v[0]),
                  .B = vertex_point(f, whole.v[1]),
@@ -305,11 +305,13 @@ static void check_line(const verifier *f, stretch_checker *checker, stretch_resu
             s.own.key[i] = seen_face_key(f->seen.scene, faces.of[i].body, faces.of[i].face);
     double end = 0.0;
     for (; row < f->drawing->count && f->drawing->segment[row].edge == k; row++) {
-        check_gap(checker, end, f->drawing->segment[row].t0, GAP, &s);
+        if (!f->options.unite)
+            check_gap(checker, end, f->drawing->segment[row].t0, GAP, &s);
         check_row(checker, &whole, &f->drawing->segment[row], GAP, &s);
         end = fmax(end, f->drawing->segment[row].t1);
     }
-    check_gap(checker, end, 1.0, GAP, &s);
+    if (!f->options.unite)
+        check_gap(checker, end, 1.0, GAP, &s);
 }
 
 /* Are the rows of intersections in order, each of a line? */
@@ -317,7 +319,7 @@ static bool has_lines_in_order(verifier *f)
 {
     const roberts_drawing *d = f->drawing;
     f->line_row = d->count;
-    while (f->line_row > 0 && d->segment[f->line_row - 1].line == ROBERTS_INTERSECTION)
+    while (f->line_row > 0 && scene_crosses(&d->segment[f->line_row - 1]))
         f->line_row--;
     for (size_t i = f->line_row; i < d->count; i++)
         if (d->segment[i].edge >= d->crossing_count || (i > f->line_row && d->segment[i - 1].edge > d->segment[i].edge))
@@ -447,7 +449,7 @@ static roberts_status assign_rows(verifier *f, roberts_error *error)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "segments of intersections are not in order");
     for (uint32_t i = 0; i < f->drawing->count; i++) {
         const roberts_segment *row = &f->drawing->segment[i];
-        if (assign_row(f, i, false) == 0)
+        if (!scene_crosses(row) && assign_row(f, i, false) == 0)
             return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                              "segment %u belongs to no edge of the scene (solid %u, %u-%u)", (unsigned)i,
                              (unsigned)row->solid, (unsigned)row->v0, (unsigned)row->v1);

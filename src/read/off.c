@@ -3,21 +3,9 @@
 #include "read/off.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 /* ---- errors ---------------------------------------------------------------------------------------------------- */
-
-roberts_status off_fail(off_reader *r, roberts_status status, const char *format, ...)
-{
-    char message[sizeof r->error->message];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
-    return error_set(r->error, status, r->header.binary ? 0 : r->in.line, "%s", message);
-}
 
 /* For somebody who writes 0,5 or separates numbers by commas. */
 static const char *explain_commas(const char *token, size_t length)
@@ -39,29 +27,15 @@ static bool is_negative(const char *token, size_t length)
     return digits && !zero;
 }
 
-static const char *explain_word(roberts_status status, const char *token, size_t length)
+const char *off_explain_word(const char *token, size_t length)
 {
-    if (status == ROBERTS_BAD_NUMBER)
-        return "; it must be a finite number";
     return is_negative(token, length) ? ", which is negative" : explain_commas(token, length);
 }
 
-roberts_status off_expected(off_reader *r, roberts_status status, const char *format, ...)
-{
-    char wanted[120];
-    size_t length = input_token(&r->in);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(wanted, sizeof wanted, format, arguments);
-    va_end(arguments);
-    const char *hint = length && length <= INPUT_TOKEN_MAX ? explain_word(status, r->in.at, length) : "";
-    return input_expected(&r->in, r->error, status, r->header.binary ? 0 : r->in.line, wanted, hint);
-}
-
-void off_warn_fewer(off_reader *r, uint64_t found)
+void off_warn_fewer(reader *r, uint64_t found)
 {
     warning_send(r->warnings, r->name, 0, "%llu faces declared, but there are %llu",
-                 (unsigned long long)r->header.faces, (unsigned long long)found);
+                 (unsigned long long)r->off->header.faces, (unsigned long long)found);
 }
 
 /* ---- colours --------------------------------------------------------------------------------------------------- */
@@ -87,14 +61,14 @@ static bool make_color(const off_color_numbers *numbers, roberts_color *color)
     return true;
 }
 
-static roberts_status count_odd_color(off_reader *r)
+static roberts_status count_odd_color(reader *r)
 {
-    if (r->odd_colors++ == 0)
-        r->first_odd_color = r->header.binary ? 0 : r->in.line;
+    if (r->off->odd_colors++ == 0)
+        r->off->first_odd_color = r->in.line;
     return ROBERTS_OK;
 }
 
-roberts_status off_color_vertex(off_reader *r, const off_color_numbers *numbers)
+roberts_status off_color_vertex(reader *r, const off_color_numbers *numbers)
 {
     roberts_color color;
     if (!make_color(numbers, &color))
@@ -104,7 +78,7 @@ roberts_status off_color_vertex(off_reader *r, const off_color_numbers *numbers)
     return ROBERTS_OK;
 }
 
-roberts_status off_color_face(off_reader *r, const off_color_numbers *numbers)
+roberts_status off_color_face(reader *r, const off_color_numbers *numbers)
 {
     roberts_color color;
     if (!make_color(numbers, &color))
@@ -117,44 +91,36 @@ roberts_status off_color_face(off_reader *r, const off_color_numbers *numbers)
 /* ---- the whole file -------------------------------------------------------------------------------------------- */
 
 /* Warns of what was left out. */
-static void warn(off_reader *r)
+static void warn(reader *r)
 {
     read_warn_thin(r->warnings, r->name, r->thin_faces);
-    if (r->odd_colors)
-        warning_send(r->warnings, r->name, r->first_odd_color, "%zu colour%s that make%s no sense ignored",
-                     r->odd_colors, r->odd_colors == 1 ? "" : "s", r->odd_colors == 1 ? "s" : "");
+    if (r->off->odd_colors)
+        warning_send(r->warnings, r->name, r->off->first_odd_color, "%zu colour%s that make%s no sense ignored",
+                     r->off->odd_colors, r->off->odd_colors == 1 ? "" : "s", r->off->odd_colors == 1 ? "s" : "");
 }
 
-static roberts_status read_all(off_reader *r)
+static roberts_status read_all(reader *r)
 {
     roberts_status status = off_read_header(r);
     if (status != ROBERTS_OK)
         return status;
-    status = r->header.binary ? off_read_binary(r) : off_read_text(r);
+    status = r->off->header.binary ? off_read_binary(r) : off_read_text(r);
     if (status != ROBERTS_OK)
         return status;
     warn(r);
-    if (r->thin_faces || r->odd_colors || r->mesh->face_count - r->mark.faces < r->header.faces)
+    if (r->thin_faces || r->off->odd_colors || r->mesh->face_count - r->mark.faces < r->off->header.faces)
         off_explain_warning(r);
+    r->thin_faces = 0; /* nobody else need warn of them */
     return ROBERTS_OK;
 }
 
-roberts_status off_read(reader *from, const off_division *division)
+roberts_status off_read(reader *r, const off_division *division)
 {
-    off_reader r = {.in = from->in,
-                    .mesh = from->mesh,
-                    .mark = from->mark,
-                    .name = from->name,
-                    .warnings = from->warnings,
-                    .error = from->error,
-                    .division = division,
-                    .vertices_filled = from->vertices_filled,
-                    .faces_filled = from->faces_filled};
-    roberts_status status = read_all(&r);
+    off_state state = {.division = division};
+    r->off = &state;
+    roberts_status status = read_all(r);
     if (status == ROBERTS_BAD_SYNTAX || status == ROBERTS_BAD_INDEX)
-        off_explain_error(&r);
-    from->in = r.in;
-    from->vertices_filled = r.vertices_filled;
-    from->faces_filled = r.faces_filled;
+        off_explain_error(r);
+    r->off = NULL;
     return status;
 }

@@ -1,6 +1,6 @@
 /* off.h - what the parts of the OFF reader share.
  *
- * off.c          the driver: what comes after what; errors and colours
+ * off.c          the driver: what comes after what; colours
  * off_header.c   keyword, dimension, counts
  * off_text.c     vertices and faces as text
  * off_pieces.c   large texts by several threads
@@ -23,32 +23,18 @@ typedef struct off_header {
 
 struct off_division;
 
-typedef struct off_reader {
-    input in;
+/* What the reader of OFF keeps besides. */
+typedef struct off_state {
     off_header header;
-    roberts_mesh *mesh;
-    mesh_mark mark; /* the mesh before this input */
-    const char *name;
-    const roberts_warnings *warnings;
-    roberts_error *error;
-    size_t vertices_filled, faces_filled; /* up to here colours are set */
-    size_t thin_faces;                    /* with fewer than 3 corners */
-    const struct off_division *division;  /* into pieces for threads */
-    unsigned tries_in_vain;               /* of pieces */
-    size_t odd_colors, first_odd_color;   /* colours that make no sense, and the line of the first */
-} off_reader;
+    const struct off_division *division; /* into pieces for threads */
+    unsigned tries_in_vain;              /* of pieces */
+    size_t odd_colors, first_odd_color;  /* colours that make no sense, and the line of the first */
+} off_state;
 
 /* ---- off.c ----------------------------------------------------------------------------------------------------- */
 
-/* Fills the error with the current line; returns `status`. */
-roberts_status off_fail(off_reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
-
-/* Fails because the input does not have here what `format` names. The message quotes what is there, or says that the
- * input ends or that reading failed. */
-roberts_status off_expected(off_reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
-
 /* Says that there are fewer faces than declared. */
-void off_warn_fewer(off_reader *r, uint64_t found);
+void off_warn_fewer(reader *r, uint64_t found);
 
 enum { COLOR_MOST = 4 };
 
@@ -60,29 +46,34 @@ typedef struct off_color_numbers {
 } off_color_numbers;
 
 /* Colour the vertex, or the face, that was read last. A colour that makes no sense is counted and left out. */
-roberts_status off_color_vertex(off_reader *r, const off_color_numbers *numbers);
-roberts_status off_color_face(off_reader *r, const off_color_numbers *numbers);
+roberts_status off_color_vertex(reader *r, const off_color_numbers *numbers);
+roberts_status off_color_face(reader *r, const off_color_numbers *numbers);
+
+/* What a message adds about a word that should be something else: commas between numbers, or in them, a negative
+ * number;
+ * "": nothing. */
+const char *off_explain_word(const char *token, size_t length);
 
 /* ---- the other parts ------------------------------------------------------------------------------------------- */
 
-roberts_status off_read_header(off_reader *r);
-roberts_status off_read_text(off_reader *r);
-roberts_status off_read_binary(off_reader *r);
+roberts_status off_read_header(reader *r);
+roberts_status off_read_text(reader *r);
+roberts_status off_read_binary(reader *r);
 
 /* Whether a word is a keyword of OFF. */
 bool off_is_keyword(const char *word, size_t length);
 
 /* Whether a keyword comes next, perhaps after "{" or "{ =". What precedes it is taken. */
-bool off_at_keyword(off_reader *r);
+bool off_at_keyword(reader *r);
 
 /* After an error: reads the text once more and adds which of its lines may be the reason, or says that this is no OFF.
  * After success: warns of a line in which a number seems to be missing. The reader's buffer is lost. */
-void off_explain_error(off_reader *r);
-void off_explain_warning(off_reader *r);
+void off_explain_error(reader *r);
+void off_explain_warning(reader *r);
 
 /* Warns of text after the last face: it is another model where it has a keyword, and the input is no OFF where it does
  * not look like one. */
-void off_explain_rest(off_reader *r);
+void off_explain_rest(reader *r);
 
 /* ---- plain lines (off_text.c) ---------------------------------------------------------------------------------- */
 
@@ -114,9 +105,9 @@ typedef struct plain_faces {
 const char *plain_read_faces(const char *at, plain_faces *faces);
 
 /* Above all vertex numbers of the file that plain lines can have: those have at most eight digits. */
-static inline uint32_t off_index_limit(const off_reader *r)
+static inline uint32_t off_index_limit(const reader *r)
 {
-    return r->header.vertices < UINT32_MAX ? (uint32_t)r->header.vertices : UINT32_MAX;
+    return r->off->header.vertices < UINT32_MAX ? (uint32_t)r->off->header.vertices : UINT32_MAX;
 }
 
 /* ---- pieces (off_pieces.c) ------------------------------------------------------------------------------------- */
@@ -141,6 +132,6 @@ off_division off_divide(uint32_t threads);
 
 /* Reads on from the end of a vertex or face as far as pieces go, into the mesh; counts lines. `in` is then at the end
  * of a vertex or face again. Costs next to nothing where there is nothing to do. */
-void off_read_pieces(off_reader *r);
+void off_read_pieces(reader *r);
 
 #endif

@@ -34,7 +34,7 @@ static float float_of(uint32_t word)
 }
 
 /* Takes one word. False: the input ends before. */
-static bool next_word(off_reader *r, const words *w, uint32_t *word)
+static bool next_word(reader *r, const words *w, uint32_t *word)
 {
     if (!input_need(&r->in, WORD))
         return false;
@@ -44,14 +44,14 @@ static bool next_word(off_reader *r, const words *w, uint32_t *word)
 }
 
 /* count 0: there is only one of these, and it has no number. */
-static roberts_status ends_in(off_reader *r, const char *what, uint64_t number, uint64_t count)
+static roberts_status ends_in(reader *r, const char *what, uint64_t number, uint64_t count)
 {
     if (r->in.failure)
-        return off_expected(r, ROBERTS_IO, "%s", what);
+        return read_expected(r, ROBERTS_IO, "%s", what);
     if (count == 0)
-        return off_fail(r, ROBERTS_BAD_SYNTAX, "the input ends in %s", what);
-    return off_fail(r, ROBERTS_BAD_SYNTAX, "the input ends in %s %llu of 0..%llu", what, (unsigned long long)number,
-                    (unsigned long long)count - 1);
+        return read_fail(r, ROBERTS_BAD_SYNTAX, "the input ends in %s", what);
+    return read_fail(r, ROBERTS_BAD_SYNTAX, "the input ends in %s %llu of 0..%llu", what, (unsigned long long)number,
+                     (unsigned long long)count - 1);
 }
 
 /* ---- the order of bytes ---------------------------------------------------------------------------------------- */
@@ -64,7 +64,7 @@ static bool likely(uint32_t word)
 }
 
 /* At the first count. Looks only at what vertices are in either order. */
-static bool little_endian(off_reader *r, const words *w)
+static bool little_endian(reader *r, const words *w)
 {
     uint64_t big = 0, little = 0, floats = VOTES;
     int votes = 0;
@@ -85,16 +85,16 @@ static bool little_endian(off_reader *r, const words *w)
     return votes ? votes > 0 : little < big;
 }
 
-static roberts_status read_counts(off_reader *r, words *w)
+static roberts_status read_counts(reader *r, words *w)
 {
     uint32_t count[3], dimension;
-    if (r->header.dimension) {
+    if (r->off->header.dimension) {
         if (!input_need(&r->in, WORD))
             return ends_in(r, "its counts", 0, 0);
         dimension = read_word(r->in.at, false) <= UINT16_MAX ? read_word(r->in.at, false) : read_word(r->in.at, true);
         if (dimension != 3)
-            return off_fail(r, ROBERTS_BAD_SYNTAX, "the dimension is %lu, but only 3 can be drawn",
-                            (unsigned long)dimension);
+            return read_fail(r, ROBERTS_BAD_SYNTAX, "the dimension is %lu, but only 3 can be drawn",
+                             (unsigned long)dimension);
         r->in.at += WORD;
     }
     w->little = little_endian(r, w);
@@ -102,32 +102,32 @@ static roberts_status read_counts(off_reader *r, words *w)
         if (!next_word(r, w, &count[i]))
             return ends_in(r, "its counts", 0, 0);
     }
-    r->header.vertices = count[0];
-    r->header.faces = count[1];
+    r->off->header.vertices = count[0];
+    r->off->header.faces = count[1];
     return ROBERTS_OK;
 }
 
 /* ---- vertices -------------------------------------------------------------------------------------------------- */
 
-static roberts_status read_vertex(off_reader *r, const words *w, uint64_t v)
+static roberts_status read_vertex(reader *r, const words *w, uint64_t v)
 {
     double p[4] = {0, 0, 0, 1};
     if (!input_need(&r->in, (size_t)w->per_vertex * WORD))
-        return ends_in(r, "vertex", v, r->header.vertices);
+        return ends_in(r, "vertex", v, r->off->header.vertices);
     for (int i = 0; i < w->coordinates; i++)
         p[i] = read_float(r->in.at + WORD * (size_t)i, w->little);
     for (int i = 0; i < 3; i++) {
         p[i] /= p[3];
         if (!mesh_coordinate(p[i]))
-            return off_fail(r, ROBERTS_BAD_NUMBER, "vertex %llu has a coordinate that is infinite or no number",
-                            (unsigned long long)v);
+            return read_fail(r, ROBERTS_BAD_NUMBER, "vertex %llu has a coordinate that is infinite or no number",
+                             (unsigned long long)v);
     }
     if (!mesh_add_vertex(r->mesh, (roberts_vec3){p[0], p[1], p[2]}))
         return error_no_memory(r->error);
     roberts_status status = ROBERTS_OK;
-    if (r->header.color) {
+    if (r->off->header.color) {
         off_color_numbers color = {.count = COLOR_MOST, .real = true};
-        const char *at = r->in.at + WORD * (size_t)(w->coordinates + (r->header.normal ? 3 : 0));
+        const char *at = r->in.at + WORD * (size_t)(w->coordinates + (r->off->header.normal ? 3 : 0));
         for (int i = 0; i < COLOR_MOST; i++)
             color.value[i] = read_float(at + WORD * (size_t)i, w->little);
         status = off_color_vertex(r, &color);
@@ -147,10 +147,10 @@ static bool color_float(uint32_t word)
 
 /* Whether faces can follow here: each with its number of colour floats, or each without. The input may end between two
  * faces. */
-static bool faces_fit(off_reader *r, const words *w, bool colors)
+static bool faces_fit(reader *r, const words *w, bool colors)
 {
     size_t at = 0;
-    for (uint64_t f = 0; f < r->header.faces && f < FACES_TRIED; f++) {
+    for (uint64_t f = 0; f < r->off->header.faces && f < FACES_TRIED; f++) {
         if (!input_need(&r->in, at + WORD))
             return f > 0 && (size_t)(r->in.end - r->in.at) == at;
         uint64_t count = read_word(r->in.at + at, w->little);
@@ -160,7 +160,7 @@ static bool faces_fit(off_reader *r, const words *w, bool colors)
         if (!input_need(&r->in, at + length))
             return false;
         for (size_t i = 1; i <= count; i++) {
-            if (read_word(r->in.at + at + WORD * (size_t)i, w->little) >= r->header.vertices)
+            if (read_word(r->in.at + at + WORD * (size_t)i, w->little) >= r->off->header.vertices)
                 return false;
         }
         at += length;
@@ -177,20 +177,21 @@ static bool faces_fit(off_reader *r, const words *w, bool colors)
 }
 
 /* Reads the corners into the mesh; room is made as they come. */
-static roberts_status read_corners(off_reader *r, const words *w, uint64_t f, uint64_t count)
+static roberts_status read_corners(reader *r, const words *w, uint64_t f, uint64_t count)
 {
     roberts_mesh *mesh = r->mesh;
     for (uint64_t done = 0, part; done < count; done += part) {
         part = count - done < WORDS_AT_ONCE ? count - done : WORDS_AT_ONCE;
         if (!input_need(&r->in, part * WORD))
-            return ends_in(r, "face", f, r->header.faces);
+            return ends_in(r, "face", f, r->off->header.faces);
         if (!mesh_corner_room(mesh, part))
             return error_no_memory(r->error);
         for (uint64_t i = 0; i < part; i++) {
             uint32_t index = read_word(r->in.at + WORD * (size_t)i, w->little);
-            if (index >= r->header.vertices)
-                return off_fail(r, ROBERTS_BAD_INDEX, "face %llu names vertex %lu, but there are %llu",
-                                (unsigned long long)f, (unsigned long)index, (unsigned long long)r->header.vertices);
+            if (index >= r->off->header.vertices)
+                return read_fail(r, ROBERTS_BAD_INDEX, "face %llu names vertex %lu, but there are %llu",
+                                 (unsigned long long)f, (unsigned long)index,
+                                 (unsigned long long)r->off->header.vertices);
             mesh->corner[mesh->corner_count + i] = (uint32_t)r->mark.vertices + index;
         }
         mesh->corner_count += part;
@@ -202,18 +203,18 @@ static roberts_status read_corners(off_reader *r, const words *w, uint64_t f, ui
     return ROBERTS_OK;
 }
 
-static roberts_status read_color(off_reader *r, const words *w, uint64_t f)
+static roberts_status read_color(reader *r, const words *w, uint64_t f)
 {
     off_color_numbers color = {.real = true};
     uint32_t count, word = 0;
     if (!next_word(r, w, &count))
-        return ends_in(r, "face", f, r->header.faces);
+        return ends_in(r, "face", f, r->off->header.faces);
     if (count > COLOR_MOST)
-        return off_fail(r, ROBERTS_BAD_SYNTAX, "face %llu has %lu colour numbers, which are too many",
-                        (unsigned long long)f, (unsigned long)count);
+        return read_fail(r, ROBERTS_BAD_SYNTAX, "face %llu has %lu colour numbers, which are too many",
+                         (unsigned long long)f, (unsigned long)count);
     for (; color.count < (int)count; color.count++) {
         if (!next_word(r, w, &word))
-            return ends_in(r, "face", f, r->header.faces);
+            return ends_in(r, "face", f, r->off->header.faces);
         color.value[color.count] = float_of(word);
     }
     if (count == 1 && word < UINT32_C(1) << 23)
@@ -221,17 +222,17 @@ static roberts_status read_color(off_reader *r, const words *w, uint64_t f)
     return count ? off_color_face(r, &color) : ROBERTS_OK;
 }
 
-static roberts_status read_faces(off_reader *r, words *w)
+static roberts_status read_faces(reader *r, words *w)
 {
     w->colors = faces_fit(r, w, true) || !faces_fit(r, w, false);
-    for (uint64_t f = 0; f < r->header.faces; f++) {
+    for (uint64_t f = 0; f < r->off->header.faces; f++) {
         uint32_t count;
         if (!input_need(&r->in, 1) && !r->in.failure) {
             off_warn_fewer(r, f);
             return ROBERTS_OK;
         }
         if (!next_word(r, w, &count))
-            return ends_in(r, "face", f, r->header.faces);
+            return ends_in(r, "face", f, r->off->header.faces);
         roberts_status status = read_corners(r, w, f, count);
         if (status == ROBERTS_OK && w->colors)
             status = read_color(r, w, f);
@@ -241,14 +242,14 @@ static roberts_status read_faces(off_reader *r, words *w)
     return ROBERTS_OK;
 }
 
-roberts_status off_read_binary(off_reader *r)
+roberts_status off_read_binary(reader *r)
 {
-    words w = {.coordinates = r->header.homogeneous ? 4 : 3};
-    w.per_vertex =
-        w.coordinates + (r->header.normal ? 3 : 0) + (r->header.color ? COLOR_MOST : 0) + (r->header.texture ? 2 : 0);
+    words w = {.coordinates = r->off->header.homogeneous ? 4 : 3};
+    w.per_vertex = w.coordinates + (r->off->header.normal ? 3 : 0) + (r->off->header.color ? COLOR_MOST : 0) +
+                   (r->off->header.texture ? 2 : 0);
     roberts_status status = read_counts(r, &w);
     mesh_float32(r->mesh);
-    for (uint64_t v = 0; status == ROBERTS_OK && v < r->header.vertices; v++)
+    for (uint64_t v = 0; status == ROBERTS_OK && v < r->off->header.vertices; v++)
         status = read_vertex(r, &w, v);
     if (status == ROBERTS_OK)
         status = read_faces(r, &w);

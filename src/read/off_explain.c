@@ -39,7 +39,7 @@ typedef struct text_line {
 /* Bytes that are read again at most: a fraction of a second, however large the file. */
 #define LOOK_MOST ((uint64_t)1 << 26)
 
-static text text_begin(const off_reader *r)
+static text text_begin(const reader *r)
 {
     return (text){.source = &r->in.source, .buffer = r->in.buffer, .line = 1};
 }
@@ -337,32 +337,32 @@ static void add_to_message(roberts_error *error, const char *hint)
         snprintf(error->message + used, room, "; look: %s", hint);
 }
 
-void off_explain_error(off_reader *r)
+void off_explain_error(reader *r)
 {
     const bool ended = r->in.ended && r->in.at == r->in.end; /* asked before the buffer is overwritten */
     odd_line odd = {0};
     char said[SAID];
-    if (!r->error || !r->in.source.read_at || r->in.failure || r->header.binary || r->error->line == 0)
+    if (!r->error || !r->in.source.read_at || r->in.failure || r->off->header.binary || r->error->line == 0)
         return;
     text t = text_begin(r);
-    if (r->header.bare && describe_points(&t, said)) {
+    if (r->off->header.bare && describe_points(&t, said)) {
         error_set(r->error, r->error->status, 0, "%s", said);
         return;
     }
     t = text_begin(r);
-    if (r->header.bare && is_xyz(&t)) {
+    if (r->off->header.bare && is_xyz(&t)) {
         error_set(r->error, r->error->status, 0,
                   "this looks like XYZ, the atoms of a molecule, but only OFF, STL, OBJ and PLY can be read");
         return;
     }
-    if (r->header.line == 0)
+    if (r->off->header.line == 0)
         return;
     t = text_begin(r);
-    if (odd_find(&r->header, &t, ended ? r->error->line : r->error->line - 1, &odd))
+    if (odd_find(&r->off->header, &t, ended ? r->error->line : r->error->line - 1, &odd))
         add_to_message(r->error, odd.hint);
 }
 
-void off_explain_rest(off_reader *r)
+void off_explain_rest(reader *r)
 {
     char said[SAID];
     const size_t line = r->in.line;
@@ -372,18 +372,18 @@ void off_explain_rest(off_reader *r)
         return;
     }
     text t = text_begin(r);
-    if (r->warnings && r->header.bare && r->in.source.read_at && !r->in.failure && describe_points(&t, said))
+    if (r->warnings && r->off->header.bare && r->in.source.read_at && !r->in.failure && describe_points(&t, said))
         warning_send(r->warnings, r->name, 0, "%s", said);
     else
         warning_send(r->warnings, r->name, line,
                      "text after the last face ignored; the header says %llu %s and %llu face%s",
-                     (unsigned long long)r->header.vertices, r->header.vertices == 1 ? "vertex" : "vertices",
-                     (unsigned long long)r->header.faces, r->header.faces == 1 ? "" : "s");
+                     (unsigned long long)r->off->header.vertices, r->off->header.vertices == 1 ? "vertex" : "vertices",
+                     (unsigned long long)r->off->header.faces, r->off->header.faces == 1 ? "" : "s");
 }
 
-void off_explain_warning(off_reader *r)
+void off_explain_warning(reader *r)
 {
-    const off_header *h = &r->header;
+    const off_header *h = &r->off->header;
     odd_line odd = {0};
     if (!r->warnings || !r->in.source.read_at || r->in.failure || h->binary || h->line == 0)
         return;

@@ -57,7 +57,7 @@ static size_t keyword(const char *token, size_t length, off_header *h)
 }
 
 /* Takes "{" and "{ =" as often as they come (Geomview nests objects so). Returns how many braces. */
-static size_t open_braces(off_reader *r)
+static size_t open_braces(reader *r)
 {
     size_t count = 0;
     for (; input_skip(&r->in) && *r->in.at == '{'; count++) {
@@ -74,23 +74,23 @@ bool off_is_keyword(const char *word, size_t length)
     return length <= INPUT_TOKEN_MAX && keyword(word, length, &unused) > 0;
 }
 
-bool off_at_keyword(off_reader *r)
+bool off_at_keyword(reader *r)
 {
     open_braces(r);
     const size_t length = input_token(&r->in); /* moves `at` */
     return off_is_keyword(r->in.at, length);
 }
 
-static roberts_status opening(off_reader *r)
+static roberts_status opening(reader *r)
 {
-    r->header.braces = open_braces(r);
+    r->off->header.braces = open_braces(r);
     if (input_token(&r->in) == 0 && !r->in.failure && !r->in.too_blank)
-        return off_fail(r, ROBERTS_BAD_SYNTAX, "the input is empty");
+        return read_fail(r, ROBERTS_BAD_SYNTAX, "the input is empty");
     return ROBERTS_OK;
 }
 
 /* "BINARY" after the keyword; one line end and then the data follow. */
-static roberts_status binary_word(off_reader *r)
+static roberts_status binary_word(reader *r)
 {
     if (!input_skip_in_line(&r->in))
         return ROBERTS_OK;
@@ -103,14 +103,15 @@ static roberts_status binary_word(off_reader *r)
     if (input_need(&r->in, 1) && *r->in.at == '\r')
         r->in.at++;
     if (!input_need(&r->in, 1) || *r->in.at != '\n')
-        return off_expected(r, ROBERTS_BAD_SYNTAX, "the end of the line after BINARY");
+        return read_expected(r, ROBERTS_BAD_SYNTAX, "the end of the line after BINARY");
     r->in.at++;
-    r->header.binary = true;
+    r->off->header.binary = true;
+    r->in.line = 0; /* there are no more lines */
     return ROBERTS_OK;
 }
 
 /* Whether an unsigned integer stands here, alone on its line. */
-static bool lonely_integer(off_reader *r)
+static bool lonely_integer(reader *r)
 {
     size_t i = 0;
     for (bool blank = false;; i++) {
@@ -126,46 +127,46 @@ static bool lonely_integer(off_reader *r)
     }
 }
 
-static roberts_status dimension(off_reader *r)
+static roberts_status dimension(reader *r)
 {
     uint64_t dimension;
     if (!input_skip(&r->in) || !input_integer(&r->in, &dimension))
-        return off_expected(r, ROBERTS_BAD_SYNTAX, "the dimension");
+        return read_expected(r, ROBERTS_BAD_SYNTAX, "the dimension");
     if (dimension != 3)
-        return off_fail(r, ROBERTS_BAD_SYNTAX, "the dimension is %llu, but only 3 can be drawn",
-                        (unsigned long long)dimension);
+        return read_fail(r, ROBERTS_BAD_SYNTAX, "the dimension is %llu, but only 3 can be drawn",
+                         (unsigned long long)dimension);
     return ROBERTS_OK;
 }
 
-static roberts_status counts(off_reader *r)
+static roberts_status counts(reader *r)
 {
     uint64_t edges;
-    if (!input_skip(&r->in) || !input_integer(&r->in, &r->header.vertices))
-        return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of vertices");
-    if (!input_skip(&r->in) || !input_integer(&r->in, &r->header.faces))
-        return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of faces");
-    r->header.line = r->in.line;
+    if (!input_skip(&r->in) || !input_integer(&r->in, &r->off->header.vertices))
+        return read_expected(r, ROBERTS_BAD_SYNTAX, "the number of vertices");
+    if (!input_skip(&r->in) || !input_integer(&r->in, &r->off->header.faces))
+        return read_expected(r, ROBERTS_BAD_SYNTAX, "the number of faces");
+    r->off->header.line = r->in.line;
     if (input_skip_in_line(&r->in)) {
         if (*r->in.at == '-')
             r->in.at++; /* some programs write -1 for what they do not know */
         if (!input_integer(&r->in, &edges))
-            return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of edges");
+            return read_expected(r, ROBERTS_BAD_SYNTAX, "the number of edges");
     } else if (input_skip(&r->in) && lonely_integer(r)) {
         input_integer(&r->in, &edges); /* on a line of its own */
-        r->header.line = r->in.line;
+        r->off->header.line = r->in.line;
     }
     /* only 4OFF is in doubt: with OFF, what else stands on this line is the first vertex */
-    if (r->header.homogeneous && input_skip_in_line(&r->in) && input_integer(&r->in, &edges))
-        return off_fail(r, ROBERTS_BAD_SYNTAX,
-                        "four counts: this is the 4OFF of four-dimensional polytopes with cells (as of Stella), not "
-                        "4OFF with homogeneous coordinates, and cannot be drawn");
-    if (r->in.line == r->header.line && input_skip_in_line(&r->in))
-        r->header.line = 0;
+    if (r->off->header.homogeneous && input_skip_in_line(&r->in) && input_integer(&r->in, &edges))
+        return read_fail(r, ROBERTS_BAD_SYNTAX,
+                         "four counts: this is the 4OFF of four-dimensional polytopes with cells (as of Stella), not "
+                         "4OFF with homogeneous coordinates, and cannot be drawn");
+    if (r->in.line == r->off->header.line && input_skip_in_line(&r->in))
+        r->off->header.line = 0;
     return ROBERTS_OK;
 }
 
 /* Whether an unsigned integer stands here, and behind it on the line a word that begins with a letter. */
-static bool titled_integer(off_reader *r)
+static bool titled_integer(reader *r)
 {
     size_t i = 0;
     while (input_need(&r->in, i + 1) && r->in.at[i] >= '0' && r->in.at[i] <= '9' && i < INPUT_TOKEN_MAX)
@@ -179,45 +180,45 @@ static bool titled_integer(off_reader *r)
 }
 
 /* The rest of the line, which is a title, and the number of points. */
-static roberts_status count_points(off_reader *r)
+static roberts_status count_points(reader *r)
 {
     if (!input_pass_line(&r->in))
-        return off_fail(r, ROBERTS_BAD_SYNTAX, "the first line does not end");
-    if (!input_skip(&r->in) || !lonely_integer(r) || !input_integer(&r->in, &r->header.vertices))
-        return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of points, alone on its line,");
-    r->header.line = r->in.line;
+        return read_fail(r, ROBERTS_BAD_SYNTAX, "the first line does not end");
+    if (!input_skip(&r->in) || !lonely_integer(r) || !input_integer(&r->in, &r->off->header.vertices))
+        return read_expected(r, ROBERTS_BAD_SYNTAX, "the number of points, alone on its line,");
+    r->off->header.line = r->in.line;
     return ROBERTS_OK;
 }
 
 /* Refuses an input that begins with a word that is no keyword. */
-static roberts_status refuse_word(off_reader *r, size_t length)
+static roberts_status refuse_word(reader *r, size_t length)
 {
     const char *hint, *format = read_foreign(r->in.at, length, &hint);
     if (format)
-        return off_fail(r, ROBERTS_BAD_SYNTAX, "this is %s, but only OFF, STL, OBJ and PLY can be read%s%s", format,
-                        *hint ? "; to convert it: " : "", hint);
-    return off_expected(r, ROBERTS_BAD_SYNTAX, "the beginning of OFF (keyword or counts), STL, OBJ or PLY");
+        return read_fail(r, ROBERTS_BAD_SYNTAX, "this is %s, but only OFF, STL, OBJ and PLY can be read%s%s", format,
+                         *hint ? "; to convert it: " : "", hint);
+    return read_expected(r, ROBERTS_BAD_SYNTAX, "the beginning of OFF (keyword or counts), STL, OBJ or PLY");
 }
 
-roberts_status off_read_header(off_reader *r)
+roberts_status off_read_header(reader *r)
 {
     roberts_status status = opening(r);
     if (status != ROBERTS_OK)
         return status;
     size_t length = input_token(&r->in), word = 0;
     if (length <= INPUT_TOKEN_MAX)
-        word = keyword(r->in.at, length, &r->header);
-    r->header.bare = word == 0;
+        word = keyword(r->in.at, length, &r->off->header);
+    r->off->header.bare = word == 0;
     if (word == 0 && (*r->in.at < '0' || *r->in.at > '9'))
         return refuse_word(r, length);
     r->in.at += word;
     if (word == length && (status = binary_word(r)) != ROBERTS_OK)
         return status;
-    if (r->header.binary)
+    if (r->off->header.binary)
         return ROBERTS_OK; /* dimension and counts are binary too */
     if (word == 0 && titled_integer(r))
         return (status = dimension(r)) == ROBERTS_OK ? count_points(r) : status;
-    if (r->header.dimension || (word == 0 && lonely_integer(r)))
+    if (r->off->header.dimension || (word == 0 && lonely_integer(r)))
         status = dimension(r);
     return status == ROBERTS_OK ? counts(r) : status;
 }

@@ -46,7 +46,7 @@ typedef struct slot {
 } slot;
 
 typedef struct pieces_job {
-    off_reader *r; /* only the thread that is joining touches its mesh */
+    reader *r; /* only the thread that is joining touches its mesh */
     const off_division *division;
     slot *slot;           /* [slots] piece i is in slot i modulo `slots` */
     char **text;          /* [threads] what a thread reads a piece into */
@@ -157,7 +157,7 @@ static uint64_t accept(const pieces_job *job, piece *p)
 /* Adds the piece to the mesh. False: no memory, or no other piece can follow. */
 static bool join(pieces_job *job, piece *p)
 {
-    off_reader *r = job->r;
+    reader *r = job->r;
     roberts_mesh *mesh = r->mesh;
     uint64_t at = accept(job, p);
     if (!mesh_room(mesh, mesh->vertex_count + p->vertices, mesh->face_count + p->faces,
@@ -287,11 +287,11 @@ static void do_job(pieces_job *job, uint32_t threads)
     pthread_mutex_destroy(&job->lock);
 }
 
-void off_read_pieces(off_reader *r)
+void off_read_pieces(reader *r)
 {
-    const off_division *d = r->division;
+    const off_division *d = r->off->division;
     const input_source *source = &r->in.source;
-    if (d->threads < 2 || !source->read_at || r->tries_in_vain >= TRIES_IN_VAIN)
+    if (d->threads < 2 || !source->read_at || r->off->tries_in_vain >= TRIES_IN_VAIN)
         return;
     uint64_t start = input_offset(&r->in), left = source->size > start ? source->size - start : 0;
     uint32_t threads = left / d->least < d->threads ? (uint32_t)(left / d->least) : d->threads;
@@ -304,16 +304,16 @@ void off_read_pieces(off_reader *r)
                       .start = start,
                       .at = start,
                       .begin = start,
-                      .vertices_left = r->header.vertices - (r->mesh->vertex_count - r->mark.vertices),
-                      .faces_left = r->header.faces - (r->mesh->face_count - r->mark.faces)};
+                      .vertices_left = r->off->header.vertices - (r->mesh->vertex_count - r->mark.vertices),
+                      .faces_left = r->off->header.faces - (r->mesh->face_count - r->mark.faces)};
     job.vertices = job.vertices_left > 0;
     if (job_init(&job, threads)) {
         do_job(&job, threads);
         input_go(&r->in, job.at);
         if (2 * (job.at - start) < job.slots * (uint64_t)d->piece)
-            r->tries_in_vain++;
+            r->off->tries_in_vain++;
     } else {
-        r->tries_in_vain = TRIES_IN_VAIN; /* one thread needs less memory */
+        r->off->tries_in_vain = TRIES_IN_VAIN; /* one thread needs less memory */
     }
     job_free(&job, threads);
 }

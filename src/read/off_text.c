@@ -153,7 +153,7 @@ enum {
 };
 
 /* Reads one number of a colour; *real where it has a point or an exponent. */
-static bool color_number(off_reader *r, double *value, bool *real)
+static bool color_number(reader *r, double *value, bool *real)
 {
     size_t length = input_token(&r->in);
     for (size_t i = 0; i < length; i++)
@@ -183,15 +183,15 @@ static void tried(patience *p, size_t found)
 
 /* ---- vertices -------------------------------------------------------------------------------------------------- */
 
-static roberts_status bad_vertex(off_reader *r, uint64_t v, const char *part)
+static roberts_status bad_vertex(reader *r, uint64_t v, const char *part)
 {
-    return off_expected(r, input_not_finite(&r->in) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX,
-                        "%s of vertex %llu of 0..%llu", part, (unsigned long long)v,
-                        (unsigned long long)r->header.vertices - 1);
+    return read_expected(r, input_not_finite(&r->in) ? ROBERTS_BAD_NUMBER : ROBERTS_BAD_SYNTAX,
+                         "%s of vertex %llu of 0..%llu", part, (unsigned long long)v,
+                         (unsigned long long)r->off->header.vertices - 1);
 }
 
 /* Skips a normal. Nothing here needs it, so even "nan" will do. */
-static roberts_status skip_normal(off_reader *r, uint64_t v)
+static roberts_status skip_normal(reader *r, uint64_t v)
 {
     double unused;
     for (int i = 0; i < NORMAL; i++) {
@@ -207,9 +207,9 @@ static roberts_status skip_normal(off_reader *r, uint64_t v)
 }
 
 /* Reads colour and texture coordinates, as the top of the file says. */
-static roberts_status vertex_extras(off_reader *r, uint64_t v)
+static roberts_status vertex_extras(reader *r, uint64_t v)
 {
-    const int texture = r->header.texture ? TEXTURE : 0, most = texture + (r->header.color ? COLOR_MOST : 0);
+    const int texture = r->off->header.texture ? TEXTURE : 0, most = texture + (r->off->header.color ? COLOR_MOST : 0);
     off_color_numbers color = {0};
     double value[COLOR_MOST + TEXTURE] = {0};
     bool real[COLOR_MOST + TEXTURE] = {0};
@@ -234,19 +234,19 @@ static roberts_status vertex_extras(off_reader *r, uint64_t v)
     return color.count ? off_color_vertex(r, &color) : ROBERTS_OK;
 }
 
-static roberts_status too_large(off_reader *r, uint64_t v, double w)
+static roberts_status too_large(reader *r, uint64_t v, double w)
 {
     if (w == 0.0)
-        return off_fail(r, ROBERTS_BAD_NUMBER, "vertex %llu lies at infinity: its fourth coordinate is 0",
-                        (unsigned long long)v);
-    return off_fail(r, ROBERTS_BAD_NUMBER, "vertex %llu has a coordinate beyond %g", (unsigned long long)v,
-                    MESH_COORDINATE_MAX);
+        return read_fail(r, ROBERTS_BAD_NUMBER, "vertex %llu lies at infinity: its fourth coordinate is 0",
+                         (unsigned long long)v);
+    return read_fail(r, ROBERTS_BAD_NUMBER, "vertex %llu has a coordinate beyond %g", (unsigned long long)v,
+                     MESH_COORDINATE_MAX);
 }
 
-static roberts_status read_vertex(off_reader *r, uint64_t v)
+static roberts_status read_vertex(reader *r, uint64_t v)
 {
     static const char *const part[4] = {"x", "y", "z", "w"};
-    const int size = r->header.homogeneous ? 4 : 3;
+    const int size = r->off->header.homogeneous ? 4 : 3;
     roberts_status status = ROBERTS_OK;
     double p[4] = {0, 0, 0, 1};
     for (int i = 0; i < size; i++) {
@@ -261,15 +261,15 @@ static roberts_status read_vertex(off_reader *r, uint64_t v)
         return too_large(r, v, p[3]);
     if (!mesh_add_vertex(r->mesh, (roberts_vec3){p[0], p[1], p[2]}))
         return error_no_memory(r->error);
-    if (r->header.normal)
+    if (r->off->header.normal)
         status = skip_normal(r, v);
-    if (status == ROBERTS_OK && (r->header.color || r->header.texture))
+    if (status == ROBERTS_OK && (r->off->header.color || r->off->header.texture))
         status = vertex_extras(r, v);
     return status;
 }
 
 /* Reads plain lines of the buffer as far as the mesh has room; returns how many vertices. */
-static size_t take_vertices(off_reader *r, uint64_t left)
+static size_t take_vertices(reader *r, uint64_t left)
 {
     roberts_mesh *mesh = r->mesh;
     size_t room = mesh->vertex_room - mesh->vertex_count, count;
@@ -279,15 +279,16 @@ static size_t take_vertices(off_reader *r, uint64_t left)
     return count;
 }
 
-static uint64_t vertices_read(const off_reader *r)
+static uint64_t vertices_read(const reader *r)
 {
     return r->mesh->vertex_count - r->mark.vertices;
 }
 
-static roberts_status read_vertices(off_reader *r)
+static roberts_status read_vertices(reader *r)
 {
-    const bool plain = !(r->header.color || r->header.texture || r->header.normal || r->header.homogeneous);
-    const uint64_t count = r->header.vertices;
+    const bool plain =
+        !(r->off->header.color || r->off->header.texture || r->off->header.normal || r->off->header.homogeneous);
+    const uint64_t count = r->off->header.vertices;
     patience lines = {0};
     while (vertices_read(r) < count) {
         if (plain && vertices_read(r) > 0) /* the line of the counts may go on */
@@ -305,7 +306,7 @@ static roberts_status read_vertices(off_reader *r)
 
 /* ---- faces ----------------------------------------------------------------------------------------------------- */
 
-static bool long_index(off_reader *r, uint64_t limit, uint64_t *value)
+static bool long_index(reader *r, uint64_t limit, uint64_t *value)
 {
     size_t length = input_token(&r->in);
     if (length > INPUT_TOKEN_MAX || number_integer(r->in.at, value) != r->in.at + length || *value >= limit)
@@ -315,7 +316,7 @@ static bool long_index(off_reader *r, uint64_t limit, uint64_t *value)
 }
 
 /* Reads an unsigned integer below `limit`; nearly all are short. False: nothing is taken. */
-static inline bool index_number(off_reader *r, uint64_t limit, uint64_t *value)
+static inline bool index_number(reader *r, uint64_t limit, uint64_t *value)
 {
     uint32_t number;
     int count = number_short_integer(r->in.at, &number);
@@ -329,7 +330,7 @@ static inline bool index_number(off_reader *r, uint64_t limit, uint64_t *value)
 }
 
 /* Whether a corner before corner i of the face at hand is vertex 0. */
-static bool names_first(const off_reader *r, uint64_t i)
+static bool names_first(const reader *r, uint64_t i)
 {
     const roberts_mesh *mesh = r->mesh;
     const size_t end = mesh->corner_count + (size_t)(i % CORNERS_AT_ONCE); /* whole parts are counted in already */
@@ -341,7 +342,7 @@ static bool names_first(const off_reader *r, uint64_t i)
 
 /* Says why corner i of face f was not taken; `at` is still before it. A file that counts from 1 comes here with the
  * number of vertices as index, and has not named vertex 0. */
-static roberts_status bad_corner(off_reader *r, uint64_t f, uint64_t i, uint64_t count)
+static roberts_status bad_corner(reader *r, uint64_t f, uint64_t i, uint64_t count)
 {
     uint64_t index;
     bool negative = *r->in.at == '-';
@@ -349,22 +350,22 @@ static roberts_status bad_corner(off_reader *r, uint64_t f, uint64_t i, uint64_t
     in->at += negative;
     if (!input_integer(&r->in, &index)) {
         in->at -= negative;
-        return off_expected(r, ROBERTS_BAD_SYNTAX, "corner %llu of %llu in face %llu of 0..%llu",
-                            (unsigned long long)i + 1, (unsigned long long)count, (unsigned long long)f,
-                            (unsigned long long)r->header.faces - 1);
+        return read_expected(r, ROBERTS_BAD_SYNTAX, "corner %llu of %llu in face %llu of 0..%llu",
+                             (unsigned long long)i + 1, (unsigned long long)count, (unsigned long long)f,
+                             (unsigned long long)r->off->header.faces - 1);
     }
-    const bool next = !negative && index == r->header.vertices;
-    return off_fail(r, ROBERTS_BAD_INDEX, "face %llu names vertex %s%llu, but there are %llu%s%s",
-                    (unsigned long long)f, negative ? "-" : "", (unsigned long long)index,
-                    (unsigned long long)r->header.vertices, next ? ", numbered from 0" : "",
-                    next && !names_first(r, i) ? "; up to here no face names vertex 0: do they count from 1?" : "");
+    const bool next = !negative && index == r->off->header.vertices;
+    return read_fail(r, ROBERTS_BAD_INDEX, "face %llu names vertex %s%llu, but there are %llu%s%s",
+                     (unsigned long long)f, negative ? "-" : "", (unsigned long long)index,
+                     (unsigned long long)r->off->header.vertices, next ? ", numbered from 0" : "",
+                     next && !names_first(r, i) ? "; up to here no face names vertex 0: do they count from 1?" : "");
 }
 
 /* Reads the corners of face f into the mesh. Room is made as they come: a count alone takes no memory. */
-static roberts_status read_corners(off_reader *r, uint64_t f, uint64_t count)
+static roberts_status read_corners(reader *r, uint64_t f, uint64_t count)
 {
     const uint32_t first = (uint32_t)r->mark.vertices;
-    const uint64_t vertices = r->header.vertices;
+    const uint64_t vertices = r->off->header.vertices;
     roberts_mesh *mesh = r->mesh;
     for (uint64_t done = 0, part; done < count; done += part) {
         part = count - done < CORNERS_AT_ONCE ? count - done : CORNERS_AT_ONCE;
@@ -388,15 +389,15 @@ static roberts_status read_corners(off_reader *r, uint64_t f, uint64_t count)
 }
 
 /* Reads what else stands on the line of the last face: a colour, or something that is ignored with a warning. */
-static roberts_status face_color(off_reader *r)
+static roberts_status face_color(reader *r)
 {
     off_color_numbers raw = {0};
     bool good = true;
     uint64_t start = r->in.taken;
-    while (input_skip_in_line(&r->in) && !(*r->in.at == '}' && r->header.braces)) {
+    while (input_skip_in_line(&r->in) && !(*r->in.at == '}' && r->off->header.braces)) {
         if (r->in.taken - start > INPUT_BLANK_MAX)
-            return off_fail(r, ROBERTS_BAD_SYNTAX, "the line of face %zu does not end",
-                            r->mesh->face_count - 1 - r->mark.faces);
+            return read_fail(r, ROBERTS_BAD_SYNTAX, "the line of face %zu does not end",
+                             r->mesh->face_count - 1 - r->mark.faces);
         if (good && raw.count < COLOR_MOST && color_number(r, &raw.value[raw.count++], &raw.real))
             continue;
         good = false;
@@ -410,12 +411,12 @@ static roberts_status face_color(off_reader *r)
 }
 
 /* Reads a face; something stands here. */
-static roberts_status read_face(off_reader *r, uint64_t f)
+static roberts_status read_face(reader *r, uint64_t f)
 {
     uint64_t count;
     if (!index_number(r, UINT64_MAX, &count))
-        return off_expected(r, ROBERTS_BAD_SYNTAX, "the number of corners of face %llu of 0..%llu",
-                            (unsigned long long)f, (unsigned long long)r->header.faces - 1);
+        return read_expected(r, ROBERTS_BAD_SYNTAX, "the number of corners of face %llu of 0..%llu",
+                             (unsigned long long)f, (unsigned long long)r->off->header.faces - 1);
     roberts_status status = read_corners(r, f, count);
     if (status == ROBERTS_OK && *r->in.at != '\n')
         status = face_color(r);
@@ -423,7 +424,7 @@ static roberts_status read_face(off_reader *r, uint64_t f)
 }
 
 /* As take_vertices(). */
-static size_t take_faces(off_reader *r, uint64_t left)
+static size_t take_faces(reader *r, uint64_t left)
 {
     roberts_mesh *mesh = r->mesh;
     size_t room = mesh->face_room - mesh->face_count - 1;
@@ -442,14 +443,14 @@ static size_t take_faces(off_reader *r, uint64_t left)
     return faces.count;
 }
 
-static uint64_t faces_read(const off_reader *r)
+static uint64_t faces_read(const reader *r)
 {
     return r->mesh->face_count - r->mark.faces;
 }
 
-static roberts_status read_faces(off_reader *r)
+static roberts_status read_faces(reader *r)
 {
-    const uint64_t count = r->header.faces;
+    const uint64_t count = r->off->header.faces;
     patience lines = {0};
     while (faces_read(r) < count) {
         if (faces_read(r) > 0)
@@ -459,9 +460,9 @@ static roberts_status read_faces(off_reader *r)
         uint64_t f = faces_read(r);
         if (f == count)
             break;
-        if (!input_skip(&r->in) || (*r->in.at == '}' && r->header.braces)) {
+        if (!input_skip(&r->in) || (*r->in.at == '}' && r->off->header.braces)) {
             if (r->in.failure || r->in.too_blank)
-                return off_expected(r, ROBERTS_BAD_SYNTAX, "face %llu", (unsigned long long)f);
+                return read_expected(r, ROBERTS_BAD_SYNTAX, "face %llu", (unsigned long long)f);
             off_warn_fewer(r, f);
             return ROBERTS_OK;
         }
@@ -474,21 +475,21 @@ static roberts_status read_faces(off_reader *r)
 
 /* Warns of text after the last face. An input that may wait for ever (a pipe, a terminal) is not read on for that: only
  * the last block is looked at. */
-static roberts_status ending(off_reader *r)
+static roberts_status ending(reader *r)
 {
     input *in = &r->in;
     if (!r->in.source.finite)
         in->ended = true;
-    for (; r->header.braces && input_skip(in) && *in->at == '}'; r->header.braces--)
+    for (; r->off->header.braces && input_skip(in) && *in->at == '}'; r->off->header.braces--)
         in->at++;
     if (input_skip(in))
         off_explain_rest(r);
     if (in->failure)
-        return off_expected(r, ROBERTS_IO, "the end");
+        return read_expected(r, ROBERTS_IO, "the end");
     return ROBERTS_OK;
 }
 
-roberts_status off_read_text(off_reader *r)
+roberts_status off_read_text(reader *r)
 {
     roberts_status status = read_vertices(r);
     if (status == ROBERTS_OK)

@@ -34,8 +34,11 @@ roberts_status read_expected(reader *r, roberts_status status, const char *forma
     va_end(arguments);
     if (r->binary && !r->in.failure)
         return read_fail(r, ROBERTS_BAD_SYNTAX, "%s expected, but the input ends before", wanted);
-    return input_expected(&r->in, r->error, status, r->in.line, wanted,
-                          status == ROBERTS_BAD_NUMBER ? "; it must be a finite number" : "");
+    const char *hint = status == ROBERTS_BAD_NUMBER ? "; it must be a finite number" : "";
+    size_t length = r->off && !*hint ? input_token(&r->in) : 0;
+    if (length > 0 && length <= INPUT_TOKEN_MAX)
+        hint = off_explain_word(r->in.at, length);
+    return input_expected(&r->in, r->error, status, r->in.line, wanted, hint);
 }
 
 roberts_status read_bad_position(reader *r, uint64_t v)

@@ -11,6 +11,7 @@
 #include "read/mesh.h"
 
 struct off_division;
+struct off_state;
 
 typedef struct reader {
     input in;
@@ -21,7 +22,8 @@ typedef struct reader {
     roberts_error *error;
     bool binary;                          /* errors name bytes, not lines */
     size_t vertices_filled, faces_filled; /* up to here colours are set */
-    size_t thin_faces;                    /* fewer than 3 corners, but not meant as a line; OFF counts its own */
+    size_t thin_faces;                    /* fewer than 3 corners, but not meant as a line */
+    struct off_state *off;                /* where OFF is read */
 } reader;
 
 /* Reads one input of any format; see roberts_mesh_read(). division: how OFF is divided among threads. */
@@ -30,7 +32,7 @@ roberts_status read_mesh(roberts_mesh *mesh, const char *name, const input_sourc
 
 /* The readers. The input is at its first byte, or behind the byte-order mark; for OBJ, at its first word. On failure
  * they may leave anything in the mesh behind r->mark. */
-roberts_status off_read(reader *from, const struct off_division *division);
+roberts_status off_read(reader *r, const struct off_division *division);
 roberts_status stl_read_text(reader *r);
 roberts_status stl_read_binary(reader *r);
 roberts_status obj_read(reader *r);

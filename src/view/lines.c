@@ -145,7 +145,9 @@ static bool taken_of_solid(const seen_walk *w, seen_line *line)
            !seen_is_flat(source->face_plane + first, edge, w->of->rules.crease_chord);
 }
 
-bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
+/* The line of an edge, as it is without a union. Of a body that is not convex all but the class is set even where the
+ * edge is no line. */
+static bool lone_line(seen_walk *w, uint32_t edge, seen_line *line)
 {
     const roberts_scene *scene = w->of->scene;
     clip_edge left = seen_left_of(w->of, edge);
@@ -159,13 +161,105 @@ bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
         return w->hidden && (convex ? taken_of_solid(w, line) : classify(w, w->of->source, edge, line));
     }
     const scene_edge *stored = scene_edge_stored(scene, w->body, left.edge);
-    if (!(convex ? seen_solid_line(w, stored, line) : surface_line(w, left.edge, stored, line)))
-        return false;
+    bool is_line = convex ? seen_solid_line(w, stored, line) : surface_line(w, left.edge, stored, line);
     line->t0 = left.t0;
     line->t1 = left.t1;
     if (w->hidden)
         line->taken = (left.t0 > 0.0 ? SEEN_TAKEN_BEFORE : 0u) | (left.t1 < 1.0 ? SEEN_TAKEN_AFTER : 0u);
+    return is_line;
+}
+
+/* ---- bodies taken together as one ------------------------------------------------------------------------------ */
+
+/* How the viewer sees a face of seen.source. Of a body that is culled the facing is not known: there the depth of the
+ * normal decides, by the face's width. */
+static int facing_of_side(const seen *s, uint32_t face)
+{
+    double stretch;
+    if (s->scene != s->source || s->facing[face])
+        return facing_of(s, s->source, face);
+    plane F = view_plane(&s->view, s->source, face, &stretch);
+    if (fabs(F.c) * scene_width(s->source, face) <= s->view.epsilon * s->view.unit)
+        return VIEW_EDGE_ON;
+    return F.c < 0.0 ? VIEW_FRONT : VIEW_BACK;
+}
+
+/* The sides of a piece as the faces of an edge; `crease`: flat below that. */
+static edge_faces faces_of_piece(const seen *s, const union_side *side, uint32_t count, double crease)
+{
+    const plane *of = s->source->face_plane;
+    edge_faces found = {.flat = true};
+    for (uint32_t i = 0; i < count; i++) {
+        plane F = of[side[0].face], G = of[side[i].face];
+        add_face(facing_of_side(s, side[i].face), side[i].turned, &found);
+        found.flat = found.flat && (chord_between(F, G, 1.0) < crease || chord_between(F, G, -1.0) < crease);
+    }
+    return found;
+}
+
+bool seen_piece_class(const seen *s, uint32_t body, const seen_line *line, const union_piece *piece,
+                      roberts_line *class)
+{
+    *class = line->class;
+    if (piece->state != UNION_DRAWN)
+        return piece->state == UNION_ALONE && line->alone;
+    bool back = seen_is_back(line->class), convex = scene_is_convex(s->source, body);
+    double crease = convex ? s->rules.crease_chord : crease_of(s, body);
+    edge_faces faces = faces_of_piece(s, line->side + piece->first, piece->count, crease);
+    bool fold = (faces.left == 0) != (faces.right == 0);
+    if (!fold && faces.flat && !s->rules.all_edges)
+        return false;
+    if (fold || faces.left == 0)
+        *class = back ? ROBERTS_BACK_OUTLINE : ROBERTS_OUTLINE;
+    else
+        *class = back ? ROBERTS_BACK : ROBERTS_CREASE;
     return true;
+}
+
+bool seen_take_pieces(const seen *s, uint32_t body, const united *of, uint32_t index, seen_line *line)
+{
+    const union_piece *piece = united_pieces(of, index);
+    bool drawn = false;
+    roberts_line class;
+    line->piece = piece;
+    line->side = of->side;
+    for (bool last = false; !last && !drawn; piece++) {
+        drawn = seen_piece_class(s, body, line, piece, &class);
+        last = piece->t1 == 1.0;
+    }
+    return drawn;
+}
+
+/* Would an edge of a convex body be a line without the union? `line`: what it would be if flat edges were lines. */
+static bool is_lone_solid_line(const seen_walk *w, const seen_line *line)
+{
+    const roberts_scene *source = w->of->source;
+    return w->of->rules.all_edges || line->class == ROBERTS_OUTLINE ||
+           !seen_is_flat(source->face_plane + source->solid[w->body].face,
+                         scene_edge_stored(source, w->body, line->edge), w->of->rules.crease_chord);
+}
+
+/* The line of an edge where bodies are one. An edge of a convex body that has no face toward the viewer is hidden by
+ * its own body, whatever the others fill. */
+static bool united_line(seen_walk *w, uint32_t edge, seen_line *line)
+{
+    bool convex = scene_is_convex(w->of->source, w->body), all = w->all;
+    if (!united_pieces(&w->of->edges, edge))
+        return lone_line(w, edge, line);
+    w->all = all || convex;
+    bool is_line = lone_line(w, edge, line);
+    w->all = all;
+    if (!is_line && (convex || (line->taken & SEEN_TAKEN && !w->hidden)))
+        return false;
+    line->alone = convex ? is_lone_solid_line(w, line) : is_line;
+    bool drawn = seen_take_pieces(w->of, w->body, &w->of->edges, edge, line);
+    w->surviving += drawn && !is_line;
+    return drawn;
+}
+
+bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
+{
+    return w->of->edges.first ? united_line(w, edge, line) : lone_line(w, edge, line);
 }
 
 seen_walk seen_walk_slowly(const seen *s, uint32_t body)

@@ -41,6 +41,8 @@ void seen_end(seen *s)
     free(s->P);
     free(s->facing);
     free(s->turned);
+    united_free(&s->edges);
+    union_free(&s->bodies);
     view_clip_free(&s->clip);
     *s = (seen){0};
 }
@@ -58,6 +60,32 @@ void seen_set_rules(seen *s, const roberts_hide_options *options)
     s->rules = (seen_rules){chord, chord, options->all_edges, options->keep_hidden};
     if (options->crease_auto)
         s->rules.smooth_chord = greater(chord, square_chord(SMOOTH_CREASE));
+}
+
+typedef struct walked {
+    const seen *seen;
+    const unsigned char *culled;
+} walked;
+
+/* Will a walk ask for the edge? Not if its body is culled, nor if its own convex body hides it and hidden lines are not
+ * wanted. */
+static bool is_walked(const void *context, uint32_t body, uint32_t edge)
+{
+    const walked *w = context;
+    const seen *s = w->seen;
+    if (s->rules.hidden)
+        return true;
+    if (s->clip.clipped || !scene_is_convex(s->scene, body))
+        return !w->culled[body];
+    return !w->culled[body] &&
+           seen_fronts(s->facing + s->scene->solid[body].face, scene_edge_stored(s->scene, body, edge));
+}
+
+bool seen_unite(seen *s, const unsigned char *culled, uint32_t threads)
+{
+    const walked w = {s, culled};
+    return union_prepare(&s->bodies, s->source, s->view.epsilon * s->view.unit) &&
+           united_find_edges(&s->edges, &s->bodies, is_walked, &w, threads);
 }
 
 int seen_either_face(seen *s, uint32_t face, seen_face *out)

@@ -10,12 +10,16 @@
  *   - pieces of one planar face of another body share a key, their scene_surface.plane_of.
  *
  * A line need not be an edge. A line where two faces cross has no edge, its ends may be computed points, and its own
- * keys may be those of faces of two bodies. */
+ * keys may be those of faces of two bodies.
+ *
+ * Where bodies are taken together as one (united.h), some pieces of an edge are no line, and others have a class of
+ * their own. The line is the whole edge, and lists its pieces: what hides it is asked once. */
 #ifndef ROBERTS_VIEW_SEEN_H
 #define ROBERTS_VIEW_SEEN_H
 
 #include "base/bits.h"
 #include "view/clip.h"
+#include "view/united.h"
 #include "view/view.h"
 
 /* Which edges are lines. */
@@ -40,6 +44,8 @@ typedef struct seen {
     view_clip clip;
     seen_rules rules;
     seen_further further;
+    union_bodies bodies;   /* taken together as one ... */
+    united edges;          /* ... their edges; zeroed: they are not */
     roberts_vec3 *P;       /* [vertex_count of scene] view points of bodies that are mapped */
     unsigned char *facing; /* [face_count of scene] VIEW_FRONT, _BACK or _EDGE_ON, likewise */
     uint32_t *turned;      /* [corners of scene] of faces seen from behind, the other way round; NULL: all bodies are
@@ -57,6 +63,10 @@ bool seen_begin_points(seen *s);
 
 /* Says which edges are lines. */
 void seen_set_rules(seen *s, const roberts_hide_options *options);
+
+/* Takes all bodies together as one, with at most so many threads. Bodies that are mapped have their facings. culled:
+ * [solid_count] 1: nobody will ask for the lines of this body. False: no memory. */
+bool seen_unite(seen *s, const unsigned char *culled, uint32_t threads);
 
 /* ---- faces ----------------------------------------------------------------------------------------------------- */
 
@@ -148,8 +158,18 @@ typedef struct seen_line {
     seen_own own;          /* its own faces: they do not hide it */
     double t0, t1;         /* what the line is of its edge */
     roberts_line class;
-    unsigned taken; /* SEEN_TAKEN... */
+    unsigned taken;           /* SEEN_TAKEN... */
+    bool alone;               /* pieces that the union leaves as they are belong to the line, in its class */
+    const union_piece *piece; /* of the line, up to t1 == 1; NULL: the whole line is of one class */
+    const union_side *side;   /* what the pieces' sides count from */
 } seen_line;
+
+/* Gives a line its pieces, those of line `index` of `of`. False: the line has none that is drawn. */
+bool seen_take_pieces(const seen *s, uint32_t body, const united *of, uint32_t index, seen_line *line);
+
+/* The class of a piece of a line that has pieces; false: the piece is no part of it. */
+bool seen_piece_class(const seen *s, uint32_t body, const seen_line *line, const union_piece *piece,
+                      roberts_line *class);
 
 /* What rows call an edge of seen.source: t0..t1 of the edge between two vertices of the input. */
 typedef struct seen_name {
@@ -182,7 +202,7 @@ typedef struct seen_walk {
     uint32_t body;
     uint32_t edge, end; /* of seen.source: the next one; behind the last one */
     uint32_t key;       /* of a convex body, the one key of own faces of all its lines; else ROBERTS_NONE */
-    bool slow;          /* the body is not convex, or the near plane has cut the scene */
+    bool slow;          /* the body is not convex, the near plane has cut the scene, or bodies are one */
     bool hidden, all;   /* as in seen_rules */
     size_t surviving;   /* edges met that a face toward the viewer has, since somebody has set it to 0 */
     /* of the body in seen.scene, from its first on: */
@@ -199,7 +219,7 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
 {
     const roberts_scene *scene = s->scene;
     const scene_solid *own = &scene->solid[body];
-    if (s->clip.clipped || !scene_is_convex(scene, body))
+    if (s->clip.clipped || s->edges.first || !scene_is_convex(scene, body))
         return seen_walk_slowly(s, body);
     return (seen_walk){.of = s,
                        .body = body,
@@ -258,6 +278,7 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
     line->t1 = 1.0;
     line->class = seen_class(fronts, w->facing[edge->f[0]], w->facing[edge->f[1]]);
     line->taken = 0;
+    line->piece = NULL;
     return true;
 }
 

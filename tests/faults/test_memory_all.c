@@ -28,7 +28,7 @@ typedef struct run_case {
     bool keep_hidden;
     uint32_t grid;
     roberts_format format;
-    bool hull;
+    bool hull, unite;
 } run_case;
 
 /* Reads, builds, hides, writes; the first status that is not ROBERTS_OK. */
@@ -41,6 +41,7 @@ static roberts_status run(const run_case *c, roberts_error *error, size_t *writt
     roberts_draw_options draw = roberts_draw_options_default();
     hide.keep_hidden = hide.levels = c->keep_hidden;
     hide.grid = c->grid;
+    hide.unite = c->unite;
     hide.threads = 1;
     draw.format = c->format;
     *written = 0;
@@ -190,21 +191,35 @@ static const char *fan(void)
 }
 
 static const run_case cases[] = {
-    {"overlapping solids", "models/compound-of-three-cubes.off", NULL, ISO, false, 0, ROBERTS_SVG, false},
-    {"hidden lines, a grid", "models/table.off", NULL, ISO, true, 9, ROBERTS_CSV, false},
-    {"covers", "models/city.off", NULL, ISO, false, 0, ROBERTS_SVG, false},
-    {"oblique", "models/needles.off", NULL, {.dir = {0, -1, 0}, .oblique = {0.4, 0.3}}, true, 0, ROBERTS_JSON, false},
-    {"perspective", "models/prisms/prism-60.off", NULL, EYE(9, -7, 5, 0), true, 0, ROBERTS_NULL, false},
-    {"the near plane", "models/table.off", NULL, EYE(18, -60, 30, 65), true, 0, ROBERTS_SVG, false},
-    {"welded", NULL, soup, ISO, true, 0, ROBERTS_SVG, false},
-    {"a corner on a side", NULL, open_side, ISO, true, 0, ROBERTS_CSV, false},
-    {"a narrow face", NULL, bevel, ISO, true, 0, ROBERTS_SVG, false},
-    {"many vertices", "models/sphere.off", NULL, ISO, false, 0, ROBERTS_SVG, false},
-    {"an edge of four faces", NULL, hinge, ISO, true, 0, ROBERTS_SVG, false},
-    {"hulls of what is open, and a solid beside it", NULL, half_open, ISO, true, 0, ROBERTS_SVG, true},
-    {"the hull of points", NULL, points, ISO, true, 0, ROBERTS_SVG, true},
-    {"bodies of all kinds", NULL, mixture, ISO, true, 0, ROBERTS_SVG, false},
-    {"bodies of all kinds at the near plane", NULL, mixture, EYE(5, -3, 1, 3.5), true, 0, ROBERTS_CSV, false},
+    {.name = "bodies as one", .file = "models/compound-of-three-cubes.off", .camera = ISO, .unite = true},
+    {.name = "bodies as one, hidden lines, the near plane",
+     .file = "models/table.off",
+     .camera = EYE(18, -60, 30, 65),
+     .keep_hidden = true,
+     .unite = true},
+    {"overlapping solids", "models/compound-of-three-cubes.off", NULL, ISO, false, 0, ROBERTS_SVG, false, false},
+    {"hidden lines, a grid", "models/table.off", NULL, ISO, true, 9, ROBERTS_CSV, false, false},
+    {"covers", "models/city.off", NULL, ISO, false, 0, ROBERTS_SVG, false, false},
+    {"oblique",
+     "models/needles.off",
+     NULL,
+     {.dir = {0, -1, 0}, .oblique = {0.4, 0.3}},
+     true,
+     0,
+     ROBERTS_JSON,
+     false,
+     false},
+    {"perspective", "models/prisms/prism-60.off", NULL, EYE(9, -7, 5, 0), true, 0, ROBERTS_NULL, false, false},
+    {"the near plane", "models/table.off", NULL, EYE(18, -60, 30, 65), true, 0, ROBERTS_SVG, false, false},
+    {"welded", NULL, soup, ISO, true, 0, ROBERTS_SVG, false, false},
+    {"a corner on a side", NULL, open_side, ISO, true, 0, ROBERTS_CSV, false, false},
+    {"a narrow face", NULL, bevel, ISO, true, 0, ROBERTS_SVG, false, false},
+    {"many vertices", "models/sphere.off", NULL, ISO, false, 0, ROBERTS_SVG, false, false},
+    {"an edge of four faces", NULL, hinge, ISO, true, 0, ROBERTS_SVG, false, false},
+    {"hulls of what is open, and a solid beside it", NULL, half_open, ISO, true, 0, ROBERTS_SVG, true, false},
+    {"the hull of points", NULL, points, ISO, true, 0, ROBERTS_SVG, true, false},
+    {"bodies of all kinds", NULL, mixture, ISO, true, 0, ROBERTS_SVG, false, false},
+    {"bodies of all kinds at the near plane", NULL, mixture, EYE(5, -3, 1, 3.5), true, 0, ROBERTS_CSV, false, false},
 };
 
 static void files(void **state)
@@ -212,8 +227,8 @@ static void files(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
         survives(&cases[i]);
-    survives(&(run_case){"a dent", NULL, dented_prism(), ISO, true, 0, ROBERTS_SVG, false});
-    survives(&(run_case){"a fan", NULL, fan(), ISO, true, 0, ROBERTS_SVG, false});
+    survives(&(run_case){"a dent", NULL, dented_prism(), ISO, true, 0, ROBERTS_SVG, false, false});
+    survives(&(run_case){"a fan", NULL, fan(), ISO, true, 0, ROBERTS_SVG, false, false});
 }
 
 int main(void)

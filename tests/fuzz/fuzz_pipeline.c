@@ -54,6 +54,7 @@ static roberts_hide_options choose_hiding(const uint8_t *set)
     hide.all_edges = set[FLAGS] & 2;
     hide.crease_degrees = set[CREASE] % 181;
     hide.grid = set[GRID] % 33;
+    hide.unite = set[KIND] & 16;
     hide.threads = 1;
     return hide;
 }
@@ -76,14 +77,15 @@ static bool count_bytes(void *context, const void *bytes, size_t size)
 
 static bool same_edge(const roberts_segment *a, const roberts_segment *b)
 {
-    return a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1;
+    return a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1 && (!scene_crosses(a) || a->edge == b->edge);
 }
 
 static void require_sound(const roberts_drawing *drawing)
 {
     for (size_t i = 0; i < drawing->count; i++) {
         const roberts_segment *s = &drawing->segment[i];
-        FUZZ_REQUIRE(0 <= s->t0 && s->t0 < s->t1 && s->t1 <= 1 && s->v0 < s->v1);
+        FUZZ_REQUIRE(0 <= s->t0 && s->t0 < s->t1 && s->t1 <= 1);
+        FUZZ_REQUIRE(scene_crosses(s) || s->v0 < s->v1);
         FUZZ_REQUIRE(isfinite(s->p0.x) && isfinite(s->p0.y) && isfinite(s->p1.x) && isfinite(s->p1.y));
         FUZZ_REQUIRE(i == 0 || !same_edge(s - 1, s) || s[-1].t1 <= s->t0);
     }

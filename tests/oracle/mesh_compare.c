@@ -11,7 +11,7 @@ static const char help[] =
     "disagrees.\n"
     "  --family NAME  only this family (default: all in turn)\n"
     "  --seed S       first seed (default: 1)\n"
-    "  --edges N      goes on until N edges have been compared (default: one scene of each family)\n"
+    "  --edges N      goes on until N edges and lines have been compared (default: one scene of each family)\n"
     "  --folder DIR   failing scenes are written to DIR/failures/ (default: build)\n"
     "  --list         names the families\n"
     "mesh_compare [--dir X,Y,Z | --eye X,Y,Z] [--slack S] --file FILE...\n"
@@ -70,11 +70,13 @@ static bool parse(int argc, char **argv, arguments *a)
 
 static void sum_up(const mesh_total *t)
 {
-    printf("%zu edges of %zu scenes (%zu refused by the oracle), %zu disagreements; %zu hidden, %zu cut; not judged: "
+    printf("%zu edges and %zu intersection lines (%zu of them hidden in part or wholly, %zu "
+           "without rows since nothing of them is seen) of %zu scenes (%zu refused by "
+           "the oracle), %zu disagreements; %zu hidden, %zu cut; not judged: "
            "%.3g edge lengths; "
            "greatest difference %.2g; %zu pairs of edge and face, %zu by rational numbers\n",
-           t->edges, t->scenes, t->refused, t->disagreements, t->hidden, t->cut, t->unjudged, t->worst, t->pairs,
-           t->exact);
+           t->edges, t->lines, t->lines_cut, t->lines_left_out, t->scenes, t->refused, t->disagreements, t->hidden,
+           t->cut, t->unjudged, t->worst, t->pairs, t->exact);
 }
 
 static bool compare_files(const arguments *a, int argc, char **argv, mesh_total *total)
@@ -98,7 +100,7 @@ static bool compare_files(const arguments *a, int argc, char **argv, mesh_total 
 
 static bool compare_families(const arguments *a, mesh_total *total)
 {
-    for (uint64_t seed = a->seed; seed == a->seed || total->edges < a->edges; seed++)
+    for (uint64_t seed = a->seed; seed == a->seed || total->edges + total->lines < a->edges; seed++)
         for (size_t f = 0; f < mesh_family_count(); f++) {
             char name[64];
             mesh_scene scene;

@@ -5,42 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "shapes.h"
+#include "mesh_workshop.h"
 
-enum { CELLS = 5 /* of a block, each way */, FACE_CORNERS = 64 };
-
-typedef struct workshop {
-    mesh_scene *scene;
-    dice d;
-    bool no_memory; /* checked once, at the end */
-} workshop;
-
-static int any(workshop *w, int lo, int hi)
-{
-    return dice_int(&w->d, lo, hi);
-}
-
-static uint32_t vertex(workshop *w, double x, double y, double z)
-{
-    uint32_t number = 0;
-    w->no_memory |= roberts_mesh_add_vertex(&w->scene->mesh, (roberts_vec3){x, y, z}, &number, NULL) != ROBERTS_OK;
-    return number;
-}
-
-/* Adds a face from any corner on, wound either way. */
-static void face(workshop *w, const uint32_t *corner, int count)
-{
-    uint32_t turned[FACE_CORNERS];
-    int first = any(w, 0, count - 1), back = any(w, 0, 1);
-    for (int i = 0; i < count; i++)
-        turned[i] = corner[(first + (back ? count - i : i)) % count];
-    w->no_memory |= roberts_mesh_add_face(&w->scene->mesh, turned, (size_t)count, NULL) != ROBERTS_OK;
-}
-
-static void triangle(workshop *w, uint32_t a, uint32_t b, uint32_t c)
-{
-    face(w, (uint32_t[]){a, b, c}, 3);
-}
+enum { CELLS = 5 /* of a block, each way */ };
 
 /* ---- views ---- */
 
@@ -252,13 +219,6 @@ static void terrain(workshop *w)
         }
 }
 
-static double round_to(double x, double step)
-{
-    return floor(x / step + 0.5) * step;
-}
-
-static const double full_turn = 6.28318530717958647692;
-
 /* A tube round a circle or a knot of whole numbers, or a band with a half turn. */
 static void ring(workshop *w, int around, int across, bool half_turn)
 {
@@ -355,33 +315,6 @@ static void books(workshop *w)
 
 /* ---- faces of any shape, in planes through whole points ---- */
 
-/* A plane: an image of the plane of two coordinates, so that all its whole points have whole images. */
-typedef struct sheet {
-    int o[3], u[3], v[3];
-} sheet;
-
-static sheet any_sheet(workshop *w)
-{
-    sheet s;
-    int axis = any(w, 0, 5);
-    for (int k = 0; k < 3; k++) {
-        s.o[k] = any(w, -4, 4);
-        s.u[k] = axis < 3 ? k == axis : any(w, -1, 1);
-        s.v[k] = axis < 3 ? k == (axis + 1) % 3 : any(w, -1, 1);
-    }
-    if (axis >= 3) { /* independent */
-        s.u[0] = 1, s.u[1] = 0;
-        s.v[0] = 0, s.v[1] = 1;
-    }
-    return s;
-}
-
-static uint32_t on_sheet(workshop *w, const sheet *s, int x, int y)
-{
-    return vertex(w, s->o[0] + x * s->u[0] + y * s->v[0], s->o[1] + x * s->u[1] + y * s->v[1],
-                  s->o[2] + x * s->u[2] + y * s->v[2]);
-}
-
 /* A star polygon, a concave one or one that crosses itself anyhow; perhaps with a point over it. */
 static void stars(workshop *w)
 {
@@ -435,10 +368,7 @@ static void overlaps(workshop *w)
     }
 }
 
-static const struct {
-    const char *name;
-    void (*make)(workshop *w);
-} families[] = {
+static const mesh_family families[] = {
     {"blocks", blocks},
     {"strips", blocks_in_strips},
     {"block-soup", block_soup},
@@ -457,14 +387,25 @@ static const struct {
     {"overlaps", overlaps},
 };
 
+enum { OWN = sizeof families / sizeof families[0] };
+
 size_t mesh_family_count(void)
 {
-    return sizeof families / sizeof families[0];
+    return OWN + mesh_cross_family_count + mesh_union_family_count;
+}
+
+static const mesh_family *family(size_t index)
+{
+    if (index < OWN)
+        return &families[index];
+    index -= OWN;
+    return index < mesh_cross_family_count ? &mesh_cross_families[index]
+                                           : &mesh_union_families[index - mesh_cross_family_count];
 }
 
 const char *mesh_family_name(size_t index)
 {
-    return families[index].name;
+    return family(index)->name;
 }
 
 bool mesh_family_make(size_t index, uint64_t seed, mesh_scene *scene)
@@ -475,9 +416,10 @@ bool mesh_family_make(size_t index, uint64_t seed, mesh_scene *scene)
         dice_next(&w.d);
     do {
         roberts_mesh_free(&scene->mesh);
-        families[index].make(&w);
+        family(index)->make(&w);
     } while (!w.no_memory && scene->mesh.face_count == 0);
     look(&w);
+    scene->united = index >= OWN + mesh_cross_family_count;
     if (w.no_memory)
         mesh_scene_free(scene);
     return !w.no_memory;

@@ -7,7 +7,9 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "cross_judge.h"
 #include "judge.h"
+#include "union_judge.h"
 
 enum { REPORTS = 3 /* of one scene */, MANY_EDGES = 3000 /* of which rows are looked up by their vertices alone */ };
 
@@ -174,8 +176,10 @@ static double surely_wrong(const judgement *j, const mesh_edge *e, double *unjud
             theirs = theirs || (truth[k].t0 < t && t < truth[k].t1);
         if (mine == theirs)
             continue;
+        const roberts_vec3 *vertex = j->scene->mesh.vertex;
+        const mesh_point X = {at(vertex[e->v0], vertex[e->v1], t), e->v0, e->v1, ROBERTS_NONE, ROBERTS_NONE};
         oracle_answer answer = mesh_truth_at(&j->scene->mesh, &j->scene->view, j->scene->even_odd, j->truth->position,
-                                             e->v0, e->v1, t, j->scene->slack);
+                                             &X, j->scene->slack);
         if (answer == ORACLE_UNSURE || (answer == ORACLE_YES) == mine)
             *unjudged += cut[i + 1] - cut[i];
         else
@@ -234,8 +238,9 @@ static void tell_command(const char *name, const mesh_scene *scene, const char *
     mkdir(folder, 0777);
     mkdir(path, 0777);
     snprintf(path, sizeof path, "%s/failures/%s.off", folder, name);
-    snprintf(command, sizeof command, "--all-edges --hidden solid -f csv --%s=%.17g,%.17g,%.17g%s",
-             v->w ? "eye" : "dir", v->x, v->y, v->z, scene->even_odd ? " --fill-rule evenodd" : "");
+    snprintf(command, sizeof command, "%s --hidden solid -f csv --%s=%.17g,%.17g,%.17g%s",
+             scene->united ? "--union" : "--all-edges", v->w ? "eye" : "dir", v->x, v->y, v->z,
+             scene->even_odd ? " --fill-rule evenodd" : "");
     if (judge_write_off(path, &scene->mesh, command))
         fprintf(out, "  build/roberts %s %s\n", command, path);
 }
@@ -248,31 +253,79 @@ static double size_of(const roberts_mesh *mesh)
     return size;
 }
 
-bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, mesh_total *total, FILE *out)
+/* Judges the intersection lines; gives how many were wrong. */
+static size_t judge_lines(const char *name, const judgement *j, const roberts_scene *built, mesh_total *total,
+                          FILE *out)
+{
+    cross_truth crossed;
+    size_t failed = 0;
+    if (cross_truth_find(&j->scene->mesh, &j->scene->view, j->scene->even_odd, &crossed)) {
+        cross_settle(j->scene, &crossed, j->drawing);
+        const cross_case c = {j->scene, &crossed, j->truth->position, NULL, name};
+        failed = cross_judge_drawing(&c, built, j->drawing, total, out);
+        cross_truth_free(&crossed);
+    }
+    return failed;
+}
+
+/* Draws the scene; false: the program refuses. */
+static bool draw(const char *name, const mesh_scene *scene, roberts_scene **built, roberts_drawing *drawing, FILE *out)
 {
     const oracle_view *v = &scene->view;
     roberts_camera camera = {.projection = v->w ? ROBERTS_PERSPECTIVE : ROBERTS_ORTHOGRAPHIC};
     roberts_hide_options options = roberts_hide_options_default();
     roberts_scene_options bodies = {.even_odd = scene->even_odd};
-    roberts_scene *built = NULL;
-    roberts_drawing drawing = {0};
     roberts_error error;
-    mesh_truth truth;
-    size_t failed = 0;
     if (v->w)
         camera.eye = (roberts_vec3){v->x, v->y, v->z};
     else
         camera.dir = (roberts_vec3){v->x, v->y, v->z};
-    options.all_edges = options.keep_hidden = true;
-    total->scenes++;
-    if (!mesh_truth_find(&scene->mesh, v, scene->even_odd, &truth)) {
+    options.keep_hidden = true;
+    options.all_edges = !scene->united;
+    options.unite = scene->united;
+    if (roberts_scene_build(&scene->mesh, &bodies, built, &error) == ROBERTS_OK &&
+        roberts_hide(*built, &camera, &options, drawing, &error) == ROBERTS_OK)
+        return true;
+    fprintf(out, "%s: the program refuses: %s\n", name, error.message);
+    return false;
+}
+
+/* Bodies drawn as one. */
+static size_t judge_united(const char *name, const mesh_scene *scene, mesh_total *total, FILE *out)
+{
+    roberts_scene *built = NULL;
+    roberts_drawing drawing = {0};
+    union_truth truth;
+    size_t failed = 1;
+    if (!union_truth_find(&scene->mesh, &scene->view, &truth)) {
         fprintf(out, "%s: the oracle refuses: %s\n", name, truth.error);
         total->refused++;
-        return true;
+        return 0;
     }
-    if (roberts_scene_build(&scene->mesh, &bodies, &built, &error) != ROBERTS_OK ||
-        roberts_hide(built, &camera, &options, &drawing, &error) != ROBERTS_OK) {
-        fprintf(out, "%s: the program refuses: %s\n", name, error.message);
+    if (draw(name, scene, &built, &drawing, out)) {
+        const union_case c = {scene, &truth, name};
+        failed = union_judge_drawing(&c, &drawing, total, out);
+    } else {
+        total->disagreements++;
+    }
+    roberts_drawing_free(&drawing);
+    roberts_scene_free(built);
+    union_truth_free(&truth);
+    return failed;
+}
+
+static size_t judge_bodies(const char *name, const mesh_scene *scene, mesh_total *total, FILE *out)
+{
+    roberts_scene *built = NULL;
+    roberts_drawing drawing = {0};
+    mesh_truth truth;
+    size_t failed = 0;
+    if (!mesh_truth_find(&scene->mesh, &scene->view, scene->even_odd, &truth)) {
+        fprintf(out, "%s: the oracle refuses: %s\n", name, truth.error);
+        total->refused++;
+        return 0;
+    }
+    if (!draw(name, scene, &built, &drawing, out)) {
         failed++;
         total->disagreements++;
     } else {
@@ -285,16 +338,24 @@ bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, m
                        .any = malloc((drawing.count + 1) * sizeof *j.any)};
         for (size_t i = 0; j.piece && j.hidden && j.any && i < truth.edge_count; i++)
             judge_edge(&j, &truth.edge[i], name, total, &failed, out);
+        failed += judge_lines(name, &j, built, total, out);
         free(j.piece);
         free(j.hidden);
         free(j.any);
     }
-    if (failed)
-        tell_command(name, scene, folder, out);
     total->pairs += truth.pairs;
     total->exact += truth.exact;
     roberts_drawing_free(&drawing);
     roberts_scene_free(built);
     mesh_truth_free(&truth);
+    return failed;
+}
+
+bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, mesh_total *total, FILE *out)
+{
+    total->scenes++;
+    size_t failed = (scene->united ? judge_united : judge_bodies)(name, scene, total, out);
+    if (failed)
+        tell_command(name, scene, folder, out);
     return failed == 0;
 }

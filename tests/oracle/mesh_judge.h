@@ -11,12 +11,15 @@ typedef struct mesh_scene {
     roberts_mesh mesh;
     oracle_view view; /* without a near plane */
     bool even_odd;
+    bool united;  /* closed bodies that are drawn as one */
     double slack; /* model units: what could change if things moved so far is not judged; 0: judged strictly */
 } mesh_scene;
 
 typedef struct mesh_total {
     size_t scenes, edges, hidden, cut; /* compared; wholly hidden; hidden in part */
-    size_t disagreements;              /* edges, or whole scenes that the program refused */
+    size_t lines, lines_cut;           /* intersection lines; those hidden in part or wholly */
+    size_t lines_left_out;             /* those without rows of which nothing can be seen */
+    size_t disagreements;              /* edges, lines, or whole scenes that the program refused */
     size_t refused;                    /* scenes that the oracle refused */
     double unjudged;                   /* length of t that was not judged, because of slack; whole edges count 1 */
     double worst;                      /* greatest difference on an edge that did not fail */

@@ -43,10 +43,17 @@ typedef struct mesh_truth {
 bool mesh_truth_find(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, mesh_truth *truth);
 void mesh_truth_free(mesh_truth *truth);
 
-/* How clear the answer is at the point t of the edge v0 v1, in doubles: ORACLE_YES where some face hides it and
- * would do so if everything moved by `slack` (model units), ORACLE_NO where none would; else ORACLE_UNSURE. */
+/* A point of an edge or of an intersection line; what there is none of is ROBERTS_NONE. */
+typedef struct mesh_point {
+    roberts_vec3 at;
+    uint32_t v0, v1; /* faces that have both do not hide it */
+    uint32_t f0, f1; /* nor do these */
+} mesh_point;
+
+/* How clear the answer is at a point, in doubles: ORACLE_YES where some face hides it and would do so if everything
+ * moved by `slack` (model units), ORACLE_NO where none would; else ORACLE_UNSURE. */
 oracle_answer mesh_truth_at(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, const uint32_t *position,
-                            uint32_t v0, uint32_t v1, double t, double slack);
+                            const mesh_point *point, double slack);
 
 #ifdef __cplusplus
 }

@@ -99,12 +99,23 @@ static void turn_some(roberts_mesh *mesh, size_t first)
     }
 }
 
+/* Two faces more at the last edge of the last face. */
+static void add_fins(roberts_mesh *mesh)
+{
+    uint32_t a = mesh->corner[mesh->corner_count - 2], b = mesh->corner[mesh->corner_count - 1];
+    for (int k = 0; k < 2; k++) {
+        roberts_vec3 p = mesh->vertex[a];
+        assert_true(mesh_add_vertex(mesh, (roberts_vec3){p.x + k, p.y - 0.5, p.z + 2.0}));
+        add_face(mesh, 3, (uint32_t[]){k ? a : b, (uint32_t)mesh->vertex_count - 1, k ? b : a});
+    }
+}
+
 static void fill(roberts_mesh *mesh, const char *what)
 {
     for (double x = 0.0; *what; what++, x += 10.0) {
         roberts_vec3 at = {x, 0.25 * x, 0.125 * x};
         size_t first = mesh->face_count;
-        if (*what == 't' || *what == 'T' || *what == 'm')
+        if (*what == 't' || *what == 'T' || *what == 'm' || *what == 'f')
             add_ring(mesh, *what == 'T' ? 60 : 12, *what == 'T' ? 30 : 8, true, at);
         else if (*what == 's' || *what == 'S' || *what == 'n')
             add_ring(mesh, *what == 'S' ? 60 : 12, *what == 'S' ? 30 : 8, false, at);
@@ -114,6 +125,8 @@ static void fill(roberts_mesh *mesh, const char *what)
             add_step(mesh, at, *what == 'c');
         if (*what == 'm' || *what == 'n')
             turn_some(mesh, first);
+        if (*what == 'f')
+            add_fins(mesh);
     }
 }
 
@@ -172,6 +185,14 @@ static void check_same(const char *what, const roberts_scene *a, const roberts_s
                 fail_msg("%s: edge %u has other faces", what, e);
         }
     }
+    assert_int_equal(a->surface->many_count, b->surface->many_count);
+    for (uint32_t i = 0; i < a->surface->many_count; i++) {
+        const scene_many *p = &a->surface->many[i], *q = &b->surface->many[i];
+        assert_int_equal(p->edge, q->edge);
+        assert_int_equal(p->end - p->first, q->end - q->first);
+        assert_memory_equal(a->surface->many_face + p->first, b->surface->many_face + q->first,
+                            (p->end - p->first) * sizeof *a->surface->many_face);
+    }
     for (uint32_t v = 0; v < a->vertex_count; v++)
         assert_int_equal(scene_vertex_number(a, v), scene_vertex_number(b, v));
     for (uint32_t f = 0; f < a->face_count; f++)
@@ -184,12 +205,12 @@ static void check_same(const char *what, const roberts_scene *a, const roberts_s
     assert_memory_equal(a->face_width, b->face_width, a->face_count * sizeof *a->face_width);
 }
 
-/* One letter for each body: torus, sheet, box, step of whole faces, torus and sheet of mixed winding; capitals are
- * large. The first is not convex: its face is repeated. */
+/* One letter for each body: torus, sheet, box, step of whole faces, torus (m) and sheet (n) of mixed winding, torus
+ * with fins; capitals are large. The first is not convex: its face is repeated. */
 static void plain_bodies_are_the_same(void **state)
 {
-    static const char *const meshes[] = {"t", "T",       "s", "S", "tt",    "ss",     "tb", "sb",
-                                         "p", "pbbtsbp", "m", "n", "tmbnt", "TsbtST", "TTT"};
+    static const char *const meshes[] = {"t",       "T", "s", "S",     "tt", "ss",    "tb",     "sb", "p",
+                                         "pbbtsbp", "m", "n", "tmbnt", "f",  "tfbfs", "TsbtST", "TTT"};
     (void)state;
     for (size_t i = 0; i < sizeof meshes / sizeof meshes[0]; i++)
         for (int take = 0; take < 2; take++) {

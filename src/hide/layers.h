@@ -1,0 +1,18 @@
+/* layers.h - cells that surfaces fill.
+ *
+ * Let no outline, border or other fold of a surface meet a cell of Objet[i][j]: each edge there has one face on its
+ * left in the picture and one on its right. Let no vertex there be wound about more than once. Then what the surface
+ * has in the cell is a number of sheets. Each of them fills the cell, and no two points of it lie over one another (it
+ * is a covering without branches, and a cell is simply connected). Faces that are joined overlap in depth. So where a
+ * gap in depth parts the faces of a cell, it parts sheets, and the sheets of a part are as many as its faces over any
+ * one point. Where every part is one sheet, no faces cross in the cell. The nearest sheet hides all that lies behind
+ * it, and nothing hides the edges that lie in it. */
+#ifndef ROBERTS_HIDE_LAYERS_H
+#define ROBERTS_HIDE_LAYERS_H
+
+#include "hide/objet.h"
+
+/* Finds the sheets of a grid that lists all fronts. False: no memory. */
+bool layers_find(objet *grid, const hide_fronts *fronts, uint32_t threads);
+
+#endif

@@ -1,0 +1,442 @@
+/* union.c - see union.h.
+ *
+ * A line is cut at its events. Each piece is judged at its middle, by the rays at which faces leave the line there: the
+ * rays divide the plane across the line into sectors, and each sector is filled by some body or by none
+ * (union_angles.c). */
+#include "model/union_work.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/box.h"
+#include "base/dd.h"
+#include "base/sort.h"
+
+/* Bodies with more faces have a tree of their own. */
+enum { FEW_FACES = 24 };
+
+/* Sine of the least angle between a line and the normal of a plane at which a direction in the plane is sure. */
+#define ACROSS_LEAST 1e-6
+
+/* Touching distances: so far a line in which two faces cross may be from their planes. Its ends may have been moved to
+ * corners. */
+#define OWN_TOUCH 4.0
+
+/* ---- the bodies ---------------------------------------------------------------------------------------------------
+ */
+
+static box3 box_of_face(const roberts_scene *scene, uint32_t face, double margin)
+{
+    box3 box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (uint32_t i = scene->face_start[face]; i < scene->face_start[face + 1]; i++)
+        box_add(&box.lo, &box.hi, union_place(scene, scene->point[scene->corner[i]]));
+    roberts_vec3 m = {margin, margin, margin};
+    return (box3){vec3_sub(box.lo, m), vec3_add(box.hi, m)};
+}
+
+/* The box of a body, and the tree over its faces if it has many. box: scratch for its faces. */
+static bool prepare_body(union_bodies *all, uint32_t s, box3 *box, box3 *whole)
+{
+    const roberts_scene *scene = all->scene;
+    uint32_t first = scene->solid[s].face, count = scene->solid[s + 1].face - first;
+    for (uint32_t i = 0; i < count; i++)
+        all->departure[s] = greater(all->departure[s], (double)scene->face_deviation[first + i]);
+    for (uint32_t i = 0; i < count; i++) {
+        box[i] = box_of_face(scene, first + i, all->touch + all->departure[s]);
+        if (i == 0)
+            *whole = box[0];
+        box_add(&whole->lo, &whole->hi, box[i].lo);
+        box_add(&whole->lo, &whole->hi, box[i].hi);
+    }
+    return count <= FEW_FACES || box_tree_add(&all->tree, box, count, first, &all->root[s]);
+}
+
+static bool prepare_bodies(union_bodies *all, box3 *box, box3 *whole, uint32_t *closed)
+{
+    const roberts_scene *scene = all->scene;
+    uint32_t count = 0;
+    for (uint32_t s = 0; s < scene->solid_count; s++) {
+        all->root[s] = ROBERTS_NONE;
+        if (!union_takes(scene, s))
+            continue;
+        if (!prepare_body(all, s, box, &whole[count]))
+            return false;
+        all->box[s] = whole[count];
+        closed[count++] = s;
+    }
+    if (count == 0)
+        return true;
+    size_t first = all->tree.item_count;
+    if (!box_tree_add(&all->tree, whole, count, 0, &all->bodies))
+        return false;
+    for (size_t i = first; i < all->tree.item_count; i++)
+        all->tree.item[i] = closed[all->tree.item[i]];
+    return true;
+}
+
+bool union_prepare(union_bodies *all, const roberts_scene *scene, double touch)
+{
+    uint32_t most = 0;
+    for (uint32_t s = 0; s < scene->solid_count; s++) {
+        uint32_t count = scene->solid[s + 1].face - scene->solid[s].face;
+        most = count > most ? count : most;
+    }
+    *all = (union_bodies){.scene = scene,
+                          .touch = touch / scene->unit,
+                          .diameter = vec3_length(vec3_sub(scene->box_max, scene->box_min)) / scene->unit,
+                          .departure = alloc_zeroed(scene->solid_count, sizeof *all->departure),
+                          .box = alloc_array(scene->solid_count, sizeof *all->box),
+                          .root = alloc_array(scene->solid_count, sizeof *all->root),
+                          .bodies = ROBERTS_NONE};
+    box3 *box = alloc_array(most, sizeof *box), *whole = alloc_array(scene->solid_count, sizeof *whole);
+    uint32_t *closed = alloc_array(scene->solid_count, sizeof *closed);
+    bool done =
+        all->departure && all->box && all->root && box && whole && closed && prepare_bodies(all, box, whole, closed);
+    free(box);
+    free(whole);
+    free(closed);
+    if (!done)
+        union_free(all);
+    return done;
+}
+
+void union_free(union_bodies *all)
+{
+    free(all->departure);
+    free(all->box);
+    free(all->root);
+    box_tree_free(&all->tree);
+    *all = (union_bodies){.bodies = ROBERTS_NONE};
+}
+
+void union_work_free(union_work *work)
+{
+    free(work->piece);
+    free(work->side);
+    free(work->contact);
+    free(work->ray);
+    free(work->fill);
+    free(work->event);
+    *work = (union_work){0};
+}
+
+union_line union_line_of_edge(const roberts_scene *scene, uint32_t s, uint32_t e, uint32_t own[2])
+{
+    scene_edge edge = scene_edge_at(scene, s, e);
+    union_line line = {
+        .A = scene->point[edge.v[0]], .B = scene->point[edge.v[1]], .body = s, .own = own, .own_count = 2};
+    memcpy(own, edge.f, sizeof edge.f);
+    if (scene->surface && (scene->surface->edge_is[e] & EDGE_MANY)) {
+        const scene_many *many = scene_many_at(scene, e);
+        line.own = scene->surface->many_face + many->first;
+        line.own_count = many->end - many->first;
+    }
+    return line;
+}
+
+/* ---- where the line meets a face ----------------------------------------------------------------------------------
+ */
+
+static bool add_event(union_cutter *c, double t)
+{
+    union_work *work = c->work;
+    double near = 2.0 * c->touch / c->length;
+    if (!(t > near && t < 1.0 - near))
+        return true; /* an end of the line */
+    if (!array_reserve(&work->event, &work->event_room, work->event_count + 1, sizeof *work->event))
+        return false;
+    work->event[work->event_count++] = t;
+    return true;
+}
+
+/* Does the face meet in the line? Of a line in which faces cross, all pieces of these faces do. */
+static bool is_own(const union_cutter *c, uint32_t face)
+{
+    const roberts_scene *scene = c->all->scene;
+    for (uint32_t i = 0; i < c->line->own_count; i++) {
+        uint32_t own = c->line->own[i] & ~MANY_TURNED;
+        if (own == face ||
+            (c->line->body == ROBERTS_NONE && union_plane_number(scene, own) == union_plane_number(scene, face)))
+            return true;
+    }
+    return false;
+}
+
+/* Where the line crosses the plane of a face, in twice the precision. */
+static double crossing(const union_cutter *c, uint32_t face)
+{
+    const roberts_scene *scene = c->all->scene;
+    const uint32_t *corner = scene->corner + scene->face_start[face];
+    uint32_t count = scene->face_start[face + 1] - scene->face_start[face];
+    double k = 1.0 / scene->unit;
+    roberts_vec3 O = vec3_scale(k, scene->point[corner[0]]);
+    dd3 n = {{0, 0}, {0, 0}, {0, 0}}, sum = n; /* Newell's normal; the sum of the corners */
+    for (uint32_t i = 0; i < count; i++) {
+        dd3 p = dd3_between(vec3_scale(k, scene->point[corner[i]]), O);
+        n = dd3_add(n, dd3_cross(p, dd3_between(vec3_scale(k, scene->point[corner[(i + 1) % count]]), O)));
+        sum = dd3_add(sum, p);
+    }
+    dd number = {count, 0.0}, offset = dd3_dot(n, sum);
+    dd a = dd_sub(dd_mul(number, dd3_dot(n, dd3_between(vec3_scale(k, c->line->A), O))), offset);
+    dd b = dd_sub(dd_mul(number, dd3_dot(n, dd3_between(vec3_scale(k, c->line->B), O))), offset);
+    return dd_zero_of(a, b);
+}
+
+/* A face as the line passes over it. */
+typedef struct overlap {
+    double t0, t1;      /* what the line has over the face, along its own direction */
+    double plus, minus; /* how far the face reaches to both sides */
+} overlap;
+
+static void overlap_add(overlap *o, double t)
+{
+    o->t0 = lesser(o->t0, t);
+    o->t1 = greater(o->t1, t);
+}
+
+/* w: the direction across the line in the plane of normal n. A corner nearer than touch to the line's projection lies
+ * on it. False: the face lies beside the line. */
+static bool find_overlap(const union_cutter *c, uint32_t face, roberts_vec3 n, roberts_vec3 w, double touch, overlap *o)
+{
+    const roberts_scene *scene = c->all->scene;
+    const uint32_t *corner = scene->corner + scene->face_start[face];
+    uint32_t count = scene->face_start[face + 1] - scene->face_start[face];
+    roberts_vec3 along = vec3_sub(c->U, vec3_scale(vec3_dot(c->U, n), n));
+    double per = 1.0 / vec3_dot(along, along), s0 = 0.0, t0 = 0.0;
+    *o = (overlap){INFINITY, -INFINITY, 0.0, 0.0};
+    for (uint32_t i = 0; i <= count; i++) {
+        roberts_vec3 P = vec3_sub(union_place(scene, scene->point[corner[i % count]]), c->A);
+        double s = vec3_dot(P, w), t = vec3_dot(P, along) * per;
+        if (fabs(s) <= touch)
+            overlap_add(o, t);
+        else if (i > 0 && fabs(s0) > touch && (s > 0.0) != (s0 > 0.0))
+            overlap_add(o, t0 + (t - t0) * (s0 / (s0 - s)));
+        o->plus = greater(o->plus, s);
+        o->minus = greater(o->minus, -s);
+        s0 = s;
+        t0 = t;
+    }
+    o->plus = o->plus > touch ? o->plus : 0.0;
+    o->minus = o->minus > touch ? o->minus : 0.0;
+    return o->t0 <= o->t1;
+}
+
+static bool add_contact(union_cutter *c, const union_contact *contact)
+{
+    union_work *work = c->work;
+    if (!array_reserve(&work->contact, &work->contact_room, work->contact_count + 1, sizeof *work->contact))
+        return false;
+    work->contact[work->contact_count++] = *contact;
+    return add_event(c, contact->t0) && add_event(c, contact->t1);
+}
+
+/* An edge's own face, on one side of it. */
+static bool add_own(union_cutter *c, uint32_t body, uint32_t face)
+{
+    const roberts_scene *scene = c->all->scene;
+    plane F = union_plane(scene, face);
+    roberts_vec3 n = {F.a, F.b, F.c}, w = vec3_cross(n, c->u);
+    double length = vec3_length(w);
+    overlap o;
+    if (!(length > 0.0))
+        return true;
+    w = vec3_scale(1.0 / length, w);
+    find_overlap(c, face, n, w, 0.0, &o);
+    if (o.plus > o.minus)
+        o.minus = 0.0;
+    else
+        o.plus = 0.0;
+    return add_contact(
+        c, &(union_contact){body, face, union_plane_number(scene, face), true, 0.0, 1.0, n, w, o.plus, o.minus});
+}
+
+/* What the line has to do with a face of a body: a contact, an event, or nothing. `*beyond` becomes true if the line
+ * lies wholly on the side of the plane where F < 0. */
+static bool meet_face(union_cutter *c, const union_fill *of, uint32_t face, bool *beyond)
+{
+    const roberts_scene *scene = c->all->scene;
+    plane F = union_plane(scene, face);
+    double touch = of->touch, a = plane_at(F, c->A), b = plane_at(F, vec3_add(c->A, c->U));
+    bool own = is_own(c, face);
+    *beyond = !own && a < -touch && b < -touch;
+    if (own && c->line->body != ROBERTS_NONE)
+        return add_own(c, of->body, face);
+    if (!own && (*beyond || (a > touch && b > touch)))
+        return true;
+    roberts_vec3 n = {F.a, F.b, F.c}, w = vec3_cross(n, c->u);
+    double length = vec3_length(w);
+    if (!(length > ACROSS_LEAST)) /* it meets the plane in one place, whatever the face looks like */
+        return add_event(c, crossing(c, face));
+    w = vec3_scale(1.0 / length, w);
+    overlap o;
+    if (!find_overlap(c, face, n, w, touch, &o))
+        return true;
+    double t0 = greater(o.t0, 0.0), t1 = lesser(o.t1, 1.0);
+    if ((t1 - t0) * c->length < -touch)
+        return true;
+    double d0 = a + t0 * (b - a), d1 = a + t1 * (b - a), near = own ? OWN_TOUCH * touch : touch;
+    if (fabs(d0) <= near && fabs(d1) <= near) {
+        if ((t1 - t0) * c->length <= 2.0 * touch)
+            return add_event(c, 0.5 * (t0 + t1));
+        if (o.plus == 0.0 && o.minus == 0.0)
+            return true; /* no wider than what touches */
+        return add_contact(
+            c, &(union_contact){of->body, face, union_plane_number(scene, face), own, t0, t1, n, w, o.plus, o.minus});
+    }
+    if ((d0 > touch && d1 > touch) || (d0 < -touch && d1 < -touch))
+        return true;
+    return add_event(c, (d0 > 0.0) != (d1 > 0.0) ? crossing(c, face) : fabs(d0) < fabs(d1) ? t0 : t1);
+}
+
+/* The faces of one body. */
+static bool meet_body(union_cutter *c, uint32_t body, const box3 *box)
+{
+    const union_bodies *all = c->all;
+    const roberts_scene *scene = all->scene;
+    union_work *work = c->work;
+    union_fill of = {.body = body,
+                     .touch = all->touch + all->departure[body] + c->departure,
+                     .convex = scene_is_convex(scene, body)};
+    size_t contacts = work->contact_count, events = work->event_count;
+    bool beyond = false;
+    c->touch = greater(c->touch, of.touch);
+    if (of.convex && body == c->line->body) {
+        for (uint32_t i = 0; i < c->line->own_count; i++)
+            if (!meet_face(c, &of, c->line->own[i], &beyond))
+                return false;
+    } else if (all->root[body] == ROBERTS_NONE) {
+        for (uint32_t f = scene->solid[body].face; f < scene->solid[body + 1].face; f++) {
+            if (!meet_face(c, &of, f, &beyond))
+                return false;
+            if (of.convex && beyond) { /* a plane parts them */
+                work->contact_count = contacts;
+                work->event_count = events;
+                return true;
+            }
+        }
+    } else {
+        const box_tree_node *node = all->tree.node;
+        for (uint32_t i = all->root[body], end = node[i].skip; i < end;) {
+            if (!box3_meet(&node[i].box, box)) {
+                i = node[i].skip;
+                continue;
+            }
+            for (uint32_t k = node[i].first; k < node[i].first + node[i].count; k++)
+                if (!meet_face(c, &of, all->tree.item[k], &beyond))
+                    return false;
+            i++;
+        }
+    }
+    if (!array_reserve(&work->fill, &work->fill_room, work->fill_count + 1, sizeof *work->fill))
+        return false;
+    work->fill[work->fill_count++] = of;
+    return true;
+}
+
+/* Does the line pass the body's box in one place at most, such as its end? Then the body fills nothing along it. */
+static bool passes(const union_cutter *c, uint32_t body)
+{
+    roberts_vec3 A = c->A, B = vec3_add(c->A, c->U), m = {c->departure, c->departure, c->departure};
+    roberts_vec3 low = vec3_sub(c->all->box[body].lo, m), high = vec3_add(c->all->box[body].hi, m);
+    double t0 = 0.0, t1 = 1.0, touch = c->all->touch + c->all->departure[body] + c->departure;
+    return !box_clip(A.x, B.x, low.x, high.x, &t0, &t1) || !box_clip(A.y, B.y, low.y, high.y, &t0, &t1) ||
+           !box_clip(A.z, B.z, low.z, high.z, &t0, &t1) || (t1 - t0) * c->length <= 2.0 * touch;
+}
+
+/* All bodies near the line. */
+static bool meet_bodies(union_cutter *c)
+{
+    const union_bodies *all = c->all;
+    const box_tree_node *node = all->tree.node;
+    roberts_vec3 B = vec3_add(c->A, c->U), m = {c->touch, c->touch, c->touch};
+    box3 box = {c->A, c->A};
+    box_add(&box.lo, &box.hi, B);
+    box.lo = vec3_sub(box.lo, m);
+    box.hi = vec3_add(box.hi, m);
+    for (uint32_t i = all->bodies, end = node[i].skip; i < end;) {
+        if (!box3_meet(&node[i].box, &box)) {
+            i = node[i].skip;
+            continue;
+        }
+        for (uint32_t k = node[i].first; k < node[i].first + node[i].count; k++)
+            if (!passes(c, all->tree.item[k]) && !meet_body(c, all->tree.item[k], &box))
+                return false;
+        i++;
+    }
+    return true;
+}
+
+/* ---- the pieces ---------------------------------------------------------------------------------------------------
+ */
+
+/* The same sides may be different faces in one plane. */
+static bool same_answer(const union_cutter *c, const union_piece *a, const union_piece *b)
+{
+    const union_work *work = c->work;
+    if (a->state != b->state || a->count != b->count)
+        return false;
+    for (uint32_t i = 0; i < a->count; i++) {
+        if (!union_agree(c, &work->side[a->first + i], &work->side[b->first + i], 1.0))
+            return false;
+    }
+    return true;
+}
+
+static bool add_piece(union_cutter *c, double t0, double t1)
+{
+    union_work *work = c->work;
+    union_piece piece = {.t0 = t0, .t1 = t1};
+    if (!union_judge(c, &piece))
+        return false;
+    union_piece *last = work->piece_count > 0 ? &work->piece[work->piece_count - 1] : NULL;
+    if (last && same_answer(c, last, &piece)) {
+        last->t1 = t1;
+        work->side_count -= piece.count;
+        return true;
+    }
+    if (!array_reserve(&work->piece, &work->piece_room, work->piece_count + 1, sizeof *work->piece))
+        return false;
+    work->piece[work->piece_count++] = piece;
+    return true;
+}
+
+static void set_frame(union_cutter *c)
+{
+    const roberts_scene *scene = c->all->scene;
+    roberts_vec3 a = {fabs(c->line->B.x - c->line->A.x), fabs(c->line->B.y - c->line->A.y),
+                      fabs(c->line->B.z - c->line->A.z)};
+    roberts_vec3 axis = {a.x <= a.y && a.x <= a.z, a.y < a.x && a.y <= a.z, a.z < a.x && a.z < a.y};
+    c->A = union_place(scene, c->line->A);
+    c->U = vec3_scale(1.0 / scene->unit, vec3_sub(c->line->B, c->line->A));
+    c->length = vec3_length(c->U);
+    c->u = vec3_scale(1.0 / c->length, c->U);
+    c->e1 = vec3_cross(c->u, axis);
+    c->e1 = vec3_scale(1.0 / vec3_length(c->e1), c->e1);
+    c->e2 = vec3_cross(c->u, c->e1);
+}
+
+bool union_cut(const union_bodies *all, const union_line *line, union_work *work)
+{
+    union_cutter c = {.all = all, .line = line, .work = work, .touch = all->touch};
+    work->piece_count = work->side_count = work->contact_count = work->fill_count = work->event_count = 0;
+    set_frame(&c);
+    c.departure = line->body != ROBERTS_NONE
+                      ? all->departure[line->body]
+                      : greater(all->departure[line->crossed[0]], all->departure[line->crossed[1]]);
+    c.touch += c.departure;
+    if (all->bodies == ROBERTS_NONE || !(c.length > 4.0 * c.touch)) /* shorter than what touches */
+        return add_piece(&c, 0.0, 1.0);
+    if (!meet_bodies(&c))
+        return false;
+    double from = 0.0, near = 2.0 * c.touch / c.length;
+    SORT_FEW(double, work->event, work->event_count, *a > *b)
+    for (size_t i = 0; i < work->event_count; i++) {
+        double t = work->event[i];
+        if (t <= from + near || t >= 1.0 - near)
+            continue;
+        if (!add_piece(&c, from, t))
+            return false;
+        from = t;
+    }
+    return add_piece(&c, from, 1.0);
+}

@@ -1,0 +1,424 @@
+/* union_angles.c - what the bodies at a piece of a line fill together, and where that ends. See union.h. */
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/box.h"
+#include "base/sort.h"
+#include "model/union_work.h"
+
+/* Directions that are tried until a ray passes no border of a face. */
+enum { RAYS_TRIED = 16 };
+
+/* Scene units: a ray must pass a border at this distance to be sure on which side it does. Far above rounding. */
+#define RAY_CLEAR 1e-13
+
+#define FULL_TURN 6.28318530717958647692
+
+/* ---- what a body that is not convex fills -------------------------------------------------------------------------
+ */
+
+enum { MISSES, HITS, UNSURE };
+
+/* Does the segment from M to M + R meet the face, well inside of its border and away from M? */
+static int ray_meets(const roberts_scene *scene, uint32_t face, roberts_vec3 M, roberts_vec3 R)
+{
+    plane F = union_plane(scene, face);
+    roberts_vec3 n = {F.a, F.b, F.c};
+    double slope = vec3_dot(n, R), at = plane_at(F, M), scale = vec3_length(R);
+    if (fabs(slope) <= 1e-6 * scale)
+        return fabs(at) <= 1e-5 * scale ? UNSURE : at * (at + slope) < 0.0 ? UNSURE : MISSES;
+    double t = -at / slope;
+    if (t * scale < -RAY_CLEAR)
+        return MISSES;
+    roberts_vec3 X = vec3_add(M, vec3_scale(t, R));
+    uint32_t first = scene->face_start[face], count = scene->face_start[face + 1] - first;
+    int left = 0, right = 0, near = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        roberts_vec3 P = union_place(scene, scene->point[scene->corner[first + i]]);
+        roberts_vec3 Q = union_place(scene, scene->point[scene->corner[first + (i + 1) % count]]);
+        roberts_vec3 side = vec3_sub(Q, P), to = vec3_sub(X, P);
+        double area = vec3_dot(vec3_cross(side, to), n), sure = RAY_CLEAR * (vec3_length(side) + vec3_length(to));
+        left += area > sure;
+        right += area < -sure;
+        near += fabs(area) <= sure;
+    }
+    if (left && right)
+        return MISSES;
+    return near || t * scale <= RAY_CLEAR ? UNSURE : HITS;
+}
+
+/* Whether the line touches the plane of this face at place t, in the body. */
+static bool in_contact(const union_cutter *c, uint32_t body, uint32_t face, double t)
+{
+    const union_work *work = c->work;
+    uint32_t number = union_plane_number(c->all->scene, face);
+    for (size_t i = 0; i < work->contact_count; i++) {
+        const union_contact *contact = &work->contact[i];
+        if (contact->body == body && contact->plane == number && contact->t0 <= t && t <= contact->t1)
+            return true;
+    }
+    return false;
+}
+
+/* How often a ray from the line at t, in direction w, passes the body's surface: UNSURE, or the last bit of that. Faces
+ * that the line lies in there are left behind at once. */
+static int cast(const union_cutter *c, const union_fill *of, double t, roberts_vec3 w)
+{
+    const union_bodies *all = c->all;
+    const roberts_scene *scene = all->scene;
+    roberts_vec3 M = vec3_add(c->A, vec3_scale(t, c->U)), R = vec3_scale(2.0 * all->diameter, w), E = vec3_add(M, R);
+    uint32_t root = all->root[of->body], first = scene->solid[of->body].face;
+    const box_tree_node few = {.skip = 1, .first = first, .count = scene->solid[of->body + 1].face - first};
+    const box_tree_node *node = root == ROBERTS_NONE ? &few : all->tree.node + root;
+    int passed = 0;
+    for (uint32_t i = 0, end = root == ROBERTS_NONE ? 1 : node[0].skip - root; i < end;) {
+        double t0 = 0.0, t1 = 1.0;
+        const box3 *box = &node[i].box;
+        if (root != ROBERTS_NONE && (!box_clip(M.x, E.x, box->lo.x, box->hi.x, &t0, &t1) ||
+                                     !box_clip(M.y, E.y, box->lo.y, box->hi.y, &t0, &t1) ||
+                                     !box_clip(M.z, E.z, box->lo.z, box->hi.z, &t0, &t1))) {
+            i = node[i].skip - root;
+            continue;
+        }
+        for (uint32_t k = node[i].first; k < node[i].first + node[i].count; k++) {
+            uint32_t face = root == ROBERTS_NONE ? k : all->tree.item[k];
+            if (of->active && in_contact(c, of->body, face, t))
+                continue;
+            int meets = ray_meets(scene, face, M, R);
+            if (meets == UNSURE)
+                return UNSURE;
+            passed ^= meets == HITS;
+        }
+        i++;
+    }
+    return passed;
+}
+
+/* Whether the body fills the sector about angle `middle` of half width `half`, just beside the line at t. */
+static bool fills_by_rays(const union_cutter *c, const union_fill *of, double t, double middle, double half)
+{
+    static const double turn[RAYS_TRIED] = {0.03,  -0.27, 0.41,  -0.11, 0.33, -0.47, 0.19,  -0.37,
+                                            0.071, -0.21, 0.273, -0.43, 0.13, -0.31, 0.459, -0.067};
+    for (int i = 0; i < RAYS_TRIED; i++) {
+        double angle = middle + half * turn[i], slant = 0.7 * turn[(i + 5) % RAYS_TRIED];
+        roberts_vec3 w = vec3_add(vec3_scale(cos(angle), c->e1), vec3_scale(sin(angle), c->e2));
+        w = vec3_add(w, vec3_scale(slant, c->u));
+        int passed = cast(c, of, t, vec3_scale(1.0 / vec3_length(w), w));
+        if (passed != UNSURE)
+            return passed == HITS;
+    }
+    return false;
+}
+
+/* Is the line inside of the body at t, where it touches no face of it? */
+static bool is_inside(const union_cutter *c, const union_fill *of, double t)
+{
+    const roberts_scene *scene = c->all->scene;
+    if (!of->convex)
+        return fills_by_rays(c, of, t, 0.0, 0.5 * FULL_TURN);
+    roberts_vec3 M = vec3_add(c->A, vec3_scale(t, c->U));
+    for (uint32_t f = scene->solid[of->body].face; f < scene->solid[of->body + 1].face; f++)
+        if (!(plane_at(union_plane(scene, f), M) > 0.0))
+            return false;
+    return true;
+}
+
+/* ---- the angles about a piece -------------------------------------------------------------------------------------
+ */
+
+static double touch_of(const union_cutter *c, uint32_t a, uint32_t b)
+{
+    return c->all->touch + c->all->departure[a] + c->all->departure[b];
+}
+
+bool union_agree(const union_cutter *c, const union_side *a, const union_side *b, double way)
+{
+    return way * vec3_dot(a->d, b->d) > 0.0 &&
+           vec3_length(vec3_cross(a->d, b->d)) * lesser(a->reach, b->reach) <= 2.0 * touch_of(c, a->body, b->body);
+}
+
+/* Pieces of one face make one ray. */
+static bool add_ray(union_cutter *c, const union_contact *of, double way, double reach)
+{
+    union_work *work = c->work;
+    roberts_vec3 d = vec3_scale(way, of->w);
+    for (size_t i = 0; i < work->ray_count; i++) {
+        union_ray *r = &work->ray[i];
+        if (r->side.body == of->body && r->plane == of->plane && vec3_dot(r->side.d, d) > 0.0) {
+            r->side.reach = greater(r->side.reach, reach);
+            r->own = r->own || of->own;
+            r->side.face = of->own || (!r->own && of->face < r->side.face) ? of->face : r->side.face;
+            return true;
+        }
+    }
+    if (!array_reserve(&work->ray, &work->ray_room, work->ray_count + 1, sizeof *work->ray))
+        return false;
+    double angle = atan2(vec3_dot(d, c->e2), vec3_dot(d, c->e1));
+    work->ray[work->ray_count++] = (union_ray){{of->face, way > 0.0, of->body, d, reach}, angle, of->plane, 0, of->own};
+    return true;
+}
+
+static union_fill *fill_of(const union_work *work, uint32_t body)
+{
+    for (size_t i = 0; i < work->fill_count; i++)
+        if (work->fill[i].body == body)
+            return &work->fill[i];
+    return NULL;
+}
+
+/* The rays of the piece about t. *alone: only one body has any. */
+static bool find_rays(union_cutter *c, double t, bool *alone)
+{
+    union_work *work = c->work;
+    work->ray_count = 0;
+    *alone = true;
+    uint32_t first = c->line->body != ROBERTS_NONE ? c->line->body : c->line->crossed[0];
+    for (size_t i = 0; i < work->fill_count; i++)
+        work->fill[i].active = false;
+    for (size_t i = 0; i < work->contact_count; i++) {
+        const union_contact *contact = &work->contact[i];
+        if (!(contact->t0 <= t && t <= contact->t1))
+            continue;
+        fill_of(work, contact->body)->active = true;
+        *alone = *alone && contact->body == first;
+        if ((contact->plus > 0.0 && !add_ray(c, contact, 1.0, contact->plus)) ||
+            (contact->minus > 0.0 && !add_ray(c, contact, -1.0, contact->minus)))
+            return false;
+    }
+    return true;
+}
+
+/* Sorts the rays by angle and gives those of one direction one cluster. Clusters ascend with the angle, from 0; the
+ * angles of the first may go on beyond a full turn. Returns their number. */
+static uint32_t find_clusters(union_cutter *c)
+{
+    union_work *work = c->work;
+    union_ray *ray = work->ray;
+    size_t n = work->ray_count, start = 0;
+    SORT_FEW(union_ray, ray, n, a->angle > b->angle || (a->angle == b->angle && a->side.face > b->side.face))
+    while (start < n && union_agree(c, &ray[(start + n - 1) % n].side, &ray[start].side, 1.0))
+        start++;
+    if (n == 0 || start == n) {
+        for (size_t i = 0; i < n; i++)
+            ray[i].cluster = 0;
+        return n > 0;
+    }
+    for (size_t i = 0; i < start; i++)
+        ray[i].angle += FULL_TURN;
+    SORT_FEW(union_ray, ray, n, a->angle > b->angle || (a->angle == b->angle && a->side.face > b->side.face))
+    uint32_t cluster = 0;
+    for (size_t i = 0; i < n; i++) {
+        cluster += i > 0 && !union_agree(c, &ray[i - 1].side, &ray[i].side, 1.0);
+        ray[i].cluster = cluster;
+    }
+    return cluster + 1;
+}
+
+/* The middle of the sector that follows cluster k, and half of its width. */
+static double sector(const union_work *work, uint32_t k, uint32_t clusters, double *half)
+{
+    double last = -INFINITY, next = INFINITY;
+    for (size_t i = 0; i < work->ray_count; i++) {
+        const union_ray *r = &work->ray[i];
+        if (r->cluster == k)
+            last = greater(last, r->angle);
+        if (r->cluster == (k + 1) % clusters)
+            next = lesser(next, r->angle);
+    }
+    if (k + 1 == clusters)
+        next += FULL_TURN;
+    *half = 0.5 * (next - last);
+    return 0.5 * (last + next);
+}
+
+/* A convex body fills what lies on the inner side of all its faces at the line. */
+static bool convex_fills(const union_cutter *c, const union_fill *of, double t, roberts_vec3 w)
+{
+    const union_work *work = c->work;
+    for (size_t i = 0; i < work->contact_count; i++) {
+        const union_contact *contact = &work->contact[i];
+        if (contact->body == of->body && contact->t0 <= t && t <= contact->t1 &&
+            (contact->plus > 0.0 || contact->minus > 0.0) && !(vec3_dot(contact->n, w) > 0.0))
+            return false;
+    }
+    return true;
+}
+
+/* Whether the body fills the sector after cluster k. Of a body that is not convex each ray changes the answer. */
+static bool fills(const union_cutter *c, const union_fill *of, double t, uint32_t k, double middle)
+{
+    const union_work *work = c->work;
+    if (!of->active || of->broken)
+        return false;
+    if (of->convex)
+        return convex_fills(c, of, t, vec3_add(vec3_scale(cos(middle), c->e1), vec3_scale(sin(middle), c->e2)));
+    bool filled = of->first;
+    for (size_t i = 0; i < work->ray_count; i++)
+        filled ^= work->ray[i].side.body == of->body && work->ray[i].cluster > 0 && work->ray[i].cluster <= k;
+    return filled;
+}
+
+/* Finds, for the bodies that are not convex, whether they fill the first sector. */
+static void begin_fills(union_cutter *c, double t, uint32_t clusters)
+{
+    union_work *work = c->work;
+    double half, middle = sector(work, 0, clusters, &half);
+    for (size_t i = 0; i < work->fill_count; i++) {
+        union_fill *of = &work->fill[i];
+        if (!of->active || of->convex)
+            continue;
+        of->broken = false;
+        for (size_t k = 0; k < work->ray_count; k++)
+            of->broken ^= work->ray[k].side.body == of->body;
+        of->first = !of->broken && fills_by_rays(c, of, t, middle, half);
+    }
+}
+
+/* The ray that stands for a cluster where what is filled ends: of a body that fills the side that is filled; of an edge
+ * an own face first. */
+static const union_ray *bounding_ray(const union_cutter *c, double t, uint32_t k, uint32_t clusters, bool after)
+{
+    const union_work *work = c->work;
+    const union_ray *found = NULL, *other = NULL;
+    uint32_t filled = after ? k : (k + clusters - 1) % clusters;
+    double half, middle = sector(work, filled, clusters, &half);
+    for (size_t i = 0; i < work->ray_count; i++) {
+        const union_ray *r = &work->ray[i];
+        if (r->cluster != k)
+            continue;
+        other = other ? other : r;
+        bool better = !found || r->side.face < found->side.face;
+        if (found && c->line->body != ROBERTS_NONE && r->own != found->own)
+            better = r->own;
+        if (better && fills(c, fill_of(work, r->side.body), t, filled, middle))
+            found = r;
+    }
+    return found ? found : other;
+}
+
+/* Is what lies between the clusters i and k exactly a half-plane? */
+static bool opposite(const union_cutter *c, uint32_t i, uint32_t k)
+{
+    const union_work *work = c->work;
+    for (size_t a = 0; a < work->ray_count; a++)
+        for (size_t b = 0; b < work->ray_count; b++)
+            if (work->ray[a].cluster == i && work->ray[b].cluster == k &&
+                union_agree(c, &work->ray[a].side, &work->ray[b].side, -1.0))
+                return true;
+    return false;
+}
+
+/* Do both faces that cross in the line bound what is filled? */
+static bool own_sides(const union_cutter *c, const union_piece *piece)
+{
+    const roberts_scene *scene = c->all->scene;
+    for (uint32_t k = 0; k < c->line->own_count; k++) {
+        uint32_t i = piece->first, end = piece->first + piece->count;
+        while (i < end &&
+               union_plane_number(scene, c->work->side[i].face) != union_plane_number(scene, c->line->own[k]))
+            i++;
+        if (i == end)
+            return false;
+    }
+    return true;
+}
+
+/* Is another line in this place drawn instead? */
+static bool drawn_elsewhere(const union_cutter *c, const union_piece *piece)
+{
+    const union_work *work = c->work;
+    if (c->line->body == ROBERTS_NONE && !own_sides(c, piece))
+        return true;
+    for (size_t i = 0; i < work->ray_count; i++) {
+        const union_ray *r = &work->ray[i];
+        size_t k = 0;
+        if (c->line->body != ROBERTS_NONE && r->side.body >= c->line->body)
+            continue;
+        while (k < work->ray_count &&
+               (k == i || work->ray[k].side.body != r->side.body || work->ray[k].plane != r->plane))
+            k++;
+        if (k == work->ray_count) /* the face ends here */
+            return true;
+    }
+    return false;
+}
+
+/* Adds the sides of a piece. False: no memory. */
+static bool find_sides(union_cutter *c, double t, uint32_t clusters, union_piece *piece, bool *alone)
+{
+    union_work *work = c->work;
+    double half;
+    uint32_t edge[2] = {0, 0};
+    size_t own = 0;
+    piece->first = (uint32_t)work->side_count;
+    piece->count = 0;
+    *alone = true;
+    for (size_t i = 0; i < work->ray_count; i++)
+        own += work->ray[i].own;
+    for (uint32_t k = 0; k < clusters; k++) {
+        uint32_t last = (k + clusters - 1) % clusters;
+        double middle = sector(work, k, clusters, &half), before = sector(work, last, clusters, &half);
+        bool filled = false, was = false;
+        for (size_t i = 0; i < work->fill_count; i++) {
+            filled = filled || fills(c, &work->fill[i], t, k, middle);
+            was = was || fills(c, &work->fill[i], t, last, before);
+        }
+        if (filled == was)
+            continue;
+        const union_ray *r = bounding_ray(c, t, k, clusters, filled);
+        if (!array_reserve(&work->side, &work->side_room, work->side_count + 1, sizeof *work->side))
+            return false;
+        work->side[work->side_count++] = r->side;
+        *alone = *alone && r->own;
+        edge[piece->count > 0] = k;
+        piece->count++;
+    }
+    *alone = *alone && piece->count == own;
+    if (piece->count == 2 && opposite(c, edge[0], edge[1]))
+        piece->count = 0;
+    return true;
+}
+
+/* Is it the body of the line, or one whose face crosses another in it? */
+static bool is_own_body(const union_cutter *c, uint32_t body)
+{
+    const union_line *line = c->line;
+    return line->body == body || (line->body == ROBERTS_NONE && (line->crossed[0] == body || line->crossed[1] == body));
+}
+
+bool union_judge(union_cutter *c, union_piece *piece)
+{
+    union_work *work = c->work;
+    double t = 0.5 * (piece->t0 + piece->t1);
+    bool alone;
+    size_t sides = work->side_count;
+    piece->first = piece->count = 0;
+    if (!find_rays(c, t, &alone))
+        return false;
+    piece->state = UNION_INSIDE;
+    for (size_t i = 0; i < work->fill_count; i++)
+        if (!work->fill[i].active && !is_own_body(c, work->fill[i].body) && is_inside(c, &work->fill[i], t))
+            return true;
+    piece->state = UNION_ALONE;
+    for (size_t i = 0; i < work->fill_count; i++) /* by rounding, a line may lie a little beside its own faces */
+        alone = alone || (!work->fill[i].active && is_own_body(c, work->fill[i].body));
+    if (alone)
+        return true;
+    uint32_t clusters = find_clusters(c);
+    if (clusters == 0)
+        return true;
+    begin_fills(c, t, clusters);
+    const union_fill *own = c->line->body == ROBERTS_NONE ? NULL : fill_of(work, c->line->body);
+    if (own && own->broken)
+        return true;
+    if (!find_sides(c, t, clusters, piece, &alone))
+        return false;
+    piece->state = piece->count == 0 ? UNION_SEAM : drawn_elsewhere(c, piece) ? UNION_TWICE : UNION_DRAWN;
+    if (piece->state == UNION_DRAWN && alone && c->line->body != ROBERTS_NONE)
+        piece->state = UNION_ALONE;
+    if (piece->state != UNION_DRAWN) {
+        piece->first = piece->count = 0;
+        work->side_count = sides;
+    }
+    return true;
+}

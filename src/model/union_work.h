@@ -1,0 +1,66 @@
+/* union_work.h - what union.c and union_angles.c share: a line on its way through the bodies. See union.h. */
+#ifndef ROBERTS_MODEL_UNION_WORK_H
+#define ROBERTS_MODEL_UNION_WORK_H
+
+#include "model/union.h"
+
+/* A line lies in a face from t0 to t1. */
+struct union_contact {
+    uint32_t body, face, plane;
+    bool own; /* the face meets in the line by its index */
+    double t0, t1;
+    roberts_vec3 n, w;  /* the plane's normal; the direction in the plane across the line, both of length 1 */
+    double plus, minus; /* how far the face reaches from the line toward w and -w; 0: not at all */
+};
+
+/* A face leaves the line in one direction. */
+struct union_ray {
+    union_side side;
+    double angle;
+    uint32_t plane, cluster;
+    bool own;
+};
+
+/* A body near the line. */
+struct union_fill {
+    uint32_t body;
+    double touch;
+    bool convex;
+    bool active; /* it touches the line at the piece in hand */
+    bool broken; /* not convex: what it fills there is not clear */
+    bool first;  /* not convex: it fills the first sector */
+};
+
+typedef struct union_cutter {
+    const union_bodies *all;
+    const union_line *line;
+    union_work *work;
+    roberts_vec3 A, U, u, e1, e2; /* A + t U; u: U of length 1; e1, e2: a frame across the line */
+    double length, departure, touch;
+} union_cutter;
+
+static inline roberts_vec3 union_place(const roberts_scene *scene, roberts_vec3 P)
+{
+    return vec3_scale(1.0 / scene->unit, vec3_sub(P, scene->centre));
+}
+
+static inline plane union_plane(const roberts_scene *scene, uint32_t face)
+{
+    plane F = scene->face_plane[face];
+    F.d /= scene->unit;
+    return F;
+}
+
+static inline uint32_t union_plane_number(const roberts_scene *scene, uint32_t face)
+{
+    return scene->surface ? scene->surface->plane_of[face] : face;
+}
+
+/* Do two rays leave the line in one direction (way 1) or in opposite ones (way -1)? Each face may be off by the
+ * touching distance at the line and at its far end. */
+bool union_agree(const union_cutter *c, const union_side *a, const union_side *b, double way);
+
+/* Decides what becomes of the piece from piece->t0 to piece->t1. False: no memory. */
+bool union_judge(union_cutter *c, union_piece *piece);
+
+#endif

@@ -1,0 +1,563 @@
+/* cross_judge.c - see cross_judge.h. A row belongs to the line of its two faces that holds its middle. */
+#include "cross_judge.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "judge.h"
+
+enum { REPORTS = 3 /* of one scene */ };
+
+/* Ends may be off by this part of the scene's size, as rounding leaves them. */
+#define END_ROUNDING 1e-13
+
+typedef struct rows_at_hand {
+    const cross_case *c;
+    const cross_row *row;
+    size_t count;
+    bool *used;      /* [count] */
+    size_t *mine;    /* [count] rows of the line at hand, in the table's order */
+    double rounding; /* model units */
+    size_t failed;
+    mesh_total *total;
+    FILE *out;
+} rows_at_hand;
+
+static roberts_vec3 on_line(const cross_line *l, double t)
+{
+    return (roberts_vec3){l->a.x + t * (l->b.x - l->a.x), l->a.y + t * (l->b.y - l->a.y),
+                          l->a.z + t * (l->b.z - l->a.z)};
+}
+
+static double distance(roberts_vec3 p, roberts_vec3 q)
+{
+    return hypot(hypot(p.x - q.x, p.y - q.y), p.z - q.z);
+}
+
+static double length_of(const cross_line *l)
+{
+    return distance(l->a, l->b);
+}
+
+/* The parameter along the line of the point nearest to X. */
+static double along(const cross_line *l, roberts_vec3 X)
+{
+    double dx = l->b.x - l->a.x, dy = l->b.y - l->a.y, dz = l->b.z - l->a.z;
+    return ((X.x - l->a.x) * dx + (X.y - l->a.y) * dy + (X.z - l->a.z) * dz) / (dx * dx + dy * dy + dz * dz);
+}
+
+static double scene_size(const roberts_mesh *mesh)
+{
+    double size = 0;
+    for (size_t i = 0; i < mesh->vertex_count; i++)
+        size = fmax(size, fmax(fabs(mesh->vertex[i].x), fmax(fabs(mesh->vertex[i].y), fabs(mesh->vertex[i].z))));
+    return size;
+}
+
+/* What t may be off by on a line. */
+static double t_limit(const rows_at_hand *r, const cross_line *l)
+{
+    return MESH_JUDGE_LIMIT + r->rounding / length_of(l);
+}
+
+static void tell(rows_at_hand *r, uint32_t f0, uint32_t f1, const char *what, double how_much)
+{
+    r->total->disagreements++;
+    if (++r->failed <= REPORTS)
+        fprintf(r->out, "%s: faces %u and %u: %s (%.3g)\n", r->c->name, f0, f1, what, how_much);
+}
+
+static bool is_of(const cross_row *row, const cross_line *l, double limit)
+{
+    if (row->f0 != l->f0 || row->f1 != l->f1)
+        return false;
+    roberts_vec3 middle = {0.5 * (row->p.x + row->q.x), 0.5 * (row->p.y + row->q.y), 0.5 * (row->p.z + row->q.z)};
+    double t = along(l, middle);
+    return t >= -limit && t <= 1 + limit;
+}
+
+/* What is wrong with a row on its line; NULL: nothing. */
+static const char *fault_of(const rows_at_hand *r, const cross_row *row, const cross_line *l, double *how_much)
+{
+    double loose = r->rounding + MESH_JUDGE_LIMIT * length_of(l) + 1e3 * r->c->scene->slack;
+    *how_much = fmax(distance(row->p, on_line(l, row->t0)), distance(row->q, on_line(l, row->t1)));
+    if (!(*how_much <= loose))
+        return "an end is not where t says";
+    *how_much = row->t1 - row->t0;
+    if (!(0 <= row->t0 && row->t0 < row->t1 && row->t1 <= 1))
+        return "t is not within 0 and 1, or does not ascend";
+    *how_much = 0;
+    if (!row->intersection)
+        return "the class is not intersection";
+    *how_much = row->body;
+    if (r->c->face_body && r->c->face_body[row->f0] != ROBERTS_NONE && r->c->face_body[row->f0] != row->body)
+        return "the body is not that of the first face";
+    return NULL;
+}
+
+/* Rows of a line must follow one another from 0 to 1, in states by turns. Gives the length that they leave out. */
+static double gaps(const rows_at_hand *r, size_t mine, bool *turns)
+{
+    double end = 0, gap = 0;
+    *turns = true;
+    for (size_t i = 0; i < mine; i++) {
+        const cross_row *row = &r->row[r->mine[i]];
+        gap += fabs(row->t0 - end);
+        end = row->t1;
+        if (i > 0 && row->visible == r->row[r->mine[i - 1]].visible)
+            *turns = false;
+    }
+    return gap + fabs(1 - end);
+}
+
+/* The length that is visible in one and hidden in the other. Where things are not exact, the middles are asked. */
+static double unlike(rows_at_hand *r, size_t mine, const cross_line *l)
+{
+    const oracle_interval *truth = r->c->truth->interval + l->first;
+    const mesh_scene *s = r->c->scene;
+    size_t cuts = 0;
+    double wrong = 0, *cut = malloc((2 * (l->count + mine) + 2) * sizeof *cut);
+    if (!cut)
+        return 1;
+    cut[cuts++] = 0;
+    cut[cuts++] = 1;
+    for (size_t i = 0; i < l->count; i++) {
+        cut[cuts++] = truth[i].t0;
+        cut[cuts++] = truth[i].t1;
+    }
+    for (size_t i = 0; i < mine; i++) {
+        cut[cuts++] = r->row[r->mine[i]].t0;
+        cut[cuts++] = r->row[r->mine[i]].t1;
+    }
+    for (size_t i = 1; i < cuts; i++)
+        for (size_t k = i; k > 0 && cut[k - 1] > cut[k]; k--) {
+            double was = cut[k];
+            cut[k] = cut[k - 1];
+            cut[k - 1] = was;
+        }
+    for (size_t i = 0; i + 1 < cuts; i++) {
+        double t = 0.5 * (cut[i] + cut[i + 1]);
+        bool known = false, mine_hides = false, theirs = false;
+        for (size_t k = 0; k < mine; k++) {
+            const cross_row *row = &r->row[r->mine[k]];
+            if (row->t0 < t && t < row->t1) {
+                known = true;
+                mine_hides = !row->visible;
+            }
+        }
+        for (size_t k = 0; k < l->count; k++)
+            theirs = theirs || (truth[k].t0 < t && t < truth[k].t1);
+        if (!known || mine_hides == theirs)
+            continue;
+        oracle_answer answer = theirs ? ORACLE_YES : ORACLE_NO;
+        if (s->slack > 0) {
+            const mesh_point X = {on_line(l, t), ROBERTS_NONE, ROBERTS_NONE, l->f0, l->f1};
+            answer = mesh_truth_at(&s->mesh, &s->view, s->even_odd, r->c->position, &X, s->slack);
+        }
+        if (answer == ORACLE_UNSURE || (answer == ORACLE_YES) == mine_hides)
+            r->total->unjudged += cut[i + 1] - cut[i];
+        else
+            wrong += cut[i + 1] - cut[i];
+    }
+    free(cut);
+    return wrong;
+}
+
+/* Does the line really exist in what the rows leave out of it? Without slack: yes. */
+static bool surely_missing(const rows_at_hand *r, size_t mine, const cross_line *l)
+{
+    const mesh_scene *s = r->c->scene;
+    double from = 0;
+    if (s->slack == 0)
+        return true;
+    for (size_t i = 0; i <= mine; i++) {
+        double to = i < mine ? r->row[r->mine[i]].t0 : 1;
+        if (to - from > t_limit(r, l) &&
+            cross_truth_at(&s->mesh, s->even_odd, l->f0, l->f1, on_line(l, 0.5 * (from + to)), s->slack) == ORACLE_YES)
+            return true;
+        if (i < mine)
+            from = r->row[r->mine[i]].t1;
+    }
+    return false;
+}
+
+/* Is a part of a line seen, whatever the slack may change? */
+static bool surely_seen(const rows_at_hand *r, const cross_line *l, double from, double to)
+{
+    const mesh_scene *s = r->c->scene;
+    const mesh_point X = {on_line(l, 0.5 * (from + to)), ROBERTS_NONE, ROBERTS_NONE, l->f0, l->f1};
+    if (s->slack == 0)
+        return from < to;
+    return to - from > t_limit(r, l) + s->slack / length_of(l) &&
+           mesh_truth_at(&s->mesh, &s->view, s->even_odd, r->c->position, &X, s->slack) == ORACLE_NO;
+}
+
+/* Lines of which nothing is seen need no rows: the library looks for lines between faces toward the viewer. */
+static bool is_optional(const rows_at_hand *r, const cross_line *l)
+{
+    const oracle_interval *hidden = r->c->truth->interval + l->first;
+    double from = 0;
+    for (size_t k = 0; k <= l->count && !l->edge_on; k++) {
+        if (surely_seen(r, l, from, k < l->count ? hidden[k].t0 : 1))
+            return false;
+        from = k < l->count ? hidden[k].t1 : 1;
+    }
+    return true;
+}
+
+static void judge_line(rows_at_hand *r, const cross_line *l)
+{
+    double limit = t_limit(r, l), how_much;
+    size_t mine = 0, before = r->failed;
+    bool turns;
+    r->total->lines++;
+    r->total->lines_cut += l->count > 0;
+    for (size_t i = 0; i < r->count; i++)
+        if (!r->used[i] && is_of(&r->row[i], l, limit)) {
+            const char *fault = fault_of(r, &r->row[i], l, &how_much);
+            r->used[i] = true;
+            r->mine[mine++] = i;
+            if (fault) {
+                tell(r, l->f0, l->f1, fault, how_much);
+                return;
+            }
+        }
+    double gap = gaps(r, mine, &turns);
+    if (mine == 0 && is_optional(r, l)) {
+        r->total->lines_left_out++;
+        return;
+    }
+    if (gap > limit) {
+        if (surely_missing(r, mine, l))
+            tell(r, l->f0, l->f1, mine ? "rows leave out a part of the line" : "no row for a line of this length",
+                 mine ? gap : length_of(l));
+        else
+            r->total->unjudged += gap;
+    } else if (!turns)
+        tell(r, l->f0, l->f1, "two rows in the same state follow one another", 0);
+    double wrong = unlike(r, mine, l);
+    if (wrong > limit)
+        tell(r, l->f0, l->f1, "program and oracle differ in what of the line is visible", wrong);
+    else if (r->failed == before)
+        r->total->worst = fmax(r->total->worst, wrong);
+}
+
+static void judge_order(rows_at_hand *r)
+{
+    for (size_t i = 0; i < r->count; i++) {
+        const cross_row *p = &r->row[i];
+        if (p->f0 >= p->f1)
+            tell(r, p->f0, p->f1, "faces are not in order", 0);
+        if (i > 0 && (p[-1].f0 > p->f0 || (p[-1].f0 == p->f0 && p[-1].f1 > p->f1)))
+            tell(r, p->f0, p->f1, "rows are not in order", 0);
+    }
+}
+
+/* Is a row the same as one of faces f and g would be, which have the same corners? (Of bodies that lie in one place
+ * each has its faces.) */
+static bool has_twin(const rows_at_hand *r, const cross_row *row, uint32_t f, uint32_t g)
+{
+    cross_row twin = *row;
+    twin.f0 = f < g ? f : g;
+    twin.f1 = f < g ? g : f;
+    for (size_t i = 0; i < r->c->truth->line_count; i++)
+        if (is_of(&twin, &r->c->truth->line[i], t_limit(r, &r->c->truth->line[i])))
+            return true;
+    return false;
+}
+
+/* Rows that belong to no line of the oracle's. */
+static void judge_others(rows_at_hand *r)
+{
+    const mesh_scene *s = r->c->scene;
+    for (size_t i = 0; i < r->count; i++) {
+        const cross_row *p = &r->row[i];
+        if (r->used[i])
+            continue;
+        if (p->f0 >= s->mesh.face_count || p->f1 >= s->mesh.face_count) {
+            tell(r, p->f0, p->f1, "there is no such face", 0);
+            continue;
+        }
+        uint32_t f = r->c->truth->same[p->f0], g = r->c->truth->same[p->f1];
+        if (f != ROBERTS_NONE && g != ROBERTS_NONE && (f != p->f0 || g != p->f1) && has_twin(r, p, f, g))
+            continue;
+        roberts_vec3 X = {0.5 * (p->p.x + p->q.x), 0.5 * (p->p.y + p->q.y), 0.5 * (p->p.z + p->q.z)};
+        if (s->slack == 0 || cross_truth_at(&s->mesh, s->even_odd, p->f0, p->f1, X, s->slack) == ORACLE_NO)
+            tell(r, p->f0, p->f1, "a row of no line, of this length", distance(p->p, p->q));
+        else
+            r->total->unjudged += 1;
+    }
+}
+
+size_t cross_judge_rows(const cross_case *c, const cross_row *row, size_t count, mesh_total *total, FILE *out)
+{
+    rows_at_hand r = {.c = c,
+                      .row = row,
+                      .count = count,
+                      .used = calloc(count + 1, sizeof *r.used),
+                      .mine = malloc((count + 1) * sizeof *r.mine),
+                      .rounding = END_ROUNDING * scene_size(&c->scene->mesh),
+                      .total = total,
+                      .out = out};
+    if (r.used && r.mine) {
+        for (size_t i = 0; i < c->truth->line_count; i++)
+            judge_line(&r, &c->truth->line[i]);
+        judge_order(&r);
+        judge_others(&r);
+    } else {
+        tell(&r, 0, 0, "no memory", 0);
+    }
+    free(r.used);
+    free(r.mine);
+    return r.failed;
+}
+
+/* ---- of a drawing ---- */
+
+/* The picture's axes, and the point in its middle. */
+typedef struct picture {
+    roberts_vec3 right, up, toward, middle, eye;
+    double far; /* from the eye to the middle; 0: no eye */
+} picture;
+
+static roberts_vec3 minus(roberts_vec3 p, roberts_vec3 q)
+{
+    return (roberts_vec3){p.x - q.x, p.y - q.y, p.z - q.z};
+}
+
+static roberts_vec3 unit_cross(roberts_vec3 a, roberts_vec3 b)
+{
+    roberts_vec3 c = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    double l = hypot(hypot(c.x, c.y), c.z);
+    return (roberts_vec3){c.x / l, c.y / l, c.z / l};
+}
+
+static double times(roberts_vec3 a, roberts_vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/* As the manual says: the origin is the middle of the box round all faces, and z points up, or y where z is seen as a
+ * point. */
+static picture picture_of(const mesh_scene *scene)
+{
+    const roberts_mesh *m = &scene->mesh;
+    const oracle_view *v = &scene->view;
+    roberts_vec3 low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (uint32_t i = 0; i < m->face_start[m->face_count]; i++) {
+        roberts_vec3 p = m->vertex[m->corner[i]];
+        low = (roberts_vec3){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
+        high = (roberts_vec3){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
+    }
+    picture out = {.middle = {(low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2}};
+    roberts_vec3 d = {v->x, v->y, v->z};
+    if (v->w) {
+        out.eye = d;
+        d = minus(d, out.middle);
+        out.far = sqrt(times(d, d));
+    }
+    double l = sqrt(times(d, d));
+    out.toward = (roberts_vec3){d.x / l, d.y / l, d.z / l};
+    bool upright = hypot(out.toward.x, out.toward.y) < 1e-9;
+    out.right = unit_cross(upright ? (roberts_vec3){0, 1, 0} : (roberts_vec3){0, 0, 1}, out.toward);
+    out.up = unit_cross(out.toward, out.right);
+    return out;
+}
+
+/* How far the picture of X is from p. */
+static double beside(const picture *view, roberts_vec3 X, roberts_vec2 p)
+{
+    roberts_vec3 d = minus(X, view->middle);
+    double w = view->far > 0 ? 1 - times(d, view->toward) / view->far : 1;
+    return hypot(times(d, view->right) / w - p.x, times(d, view->up) / w - p.y);
+}
+
+/* Learns the bodies of faces from the rows of edges. */
+static void take_bodies(const roberts_scene *built, const roberts_drawing *drawing, uint32_t *body)
+{
+    for (size_t i = 0; i < drawing->count; i++) {
+        const roberts_segment *s = &drawing->segment[i];
+        uint32_t face[2];
+        if (s->line == ROBERTS_INTERSECTION)
+            continue;
+        roberts_segment_faces(built, drawing, s, face);
+        for (int k = 0; k < 2; k++)
+            if (face[k] != ROBERTS_NONE)
+                body[face[k]] = s->solid;
+    }
+}
+
+size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, const roberts_drawing *drawing,
+                           mesh_total *total, FILE *out)
+{
+    const mesh_scene *scene = c->scene;
+    const picture view = picture_of(scene);
+    size_t count = 0, failed = 0;
+    double loose = 1e-9 * scene_size(&scene->mesh) + 1e3 * scene->slack;
+    cross_case with_bodies = *c;
+    cross_row *row = malloc((drawing->count + 1) * sizeof *row);
+    uint32_t *body = malloc((scene->mesh.face_count + 1) * sizeof *body);
+    for (size_t f = 0; body && f < scene->mesh.face_count; f++)
+        body[f] = ROBERTS_NONE;
+    if (body)
+        take_bodies(built, drawing, body);
+    for (size_t i = 0; row && body && i < drawing->count; i++) {
+        const roberts_segment *s = &drawing->segment[i];
+        uint32_t face[2];
+        const char *fault = NULL;
+        if (s->line != ROBERTS_INTERSECTION) {
+            if (count > 0 && s->v0 != ROBERTS_NONE && ++failed == 1)
+                fprintf(out, "%s: a row of an edge follows one of an intersection\n", c->name);
+            continue;
+        }
+        roberts_segment_faces(built, drawing, s, face);
+        if (s->edge >= drawing->crossing_count || s->v0 != ROBERTS_NONE || s->v1 != ROBERTS_NONE) {
+            fault = "it names no line, or an edge";
+        } else {
+            const roberts_crossing *l = &drawing->crossing[s->edge];
+            const cross_line ends = {.a = l->end[0], .b = l->end[1]};
+            const cross_row r = {s->solid,
+                                 face[0],
+                                 face[1],
+                                 true,
+                                 s->state == ROBERTS_VISIBLE,
+                                 s->t0,
+                                 s->t1,
+                                 on_line(&ends, s->t0),
+                                 on_line(&ends, s->t1)};
+            row[count++] = r;
+            if (l->face[0] != face[0] || l->face[1] != face[1])
+                fault = "its faces are not those of its line";
+            else if (!(fmax(beside(&view, r.p, s->p0), beside(&view, r.q, s->p1)) <= loose))
+                fault = "its ends are not where they are in the picture";
+        }
+        if (fault && ++failed <= REPORTS)
+            fprintf(out, "%s: faces %u and %u: row %zu: %s\n", c->name, face[0], face[1], i, fault);
+    }
+    total->disagreements += failed;
+    with_bodies.face_body = body;
+    if (row && body)
+        failed += cross_judge_rows(&with_bodies, row, count, total, out);
+    free(row);
+    free(body);
+    return failed;
+}
+
+/* Sends the hidden intervals of a line to another line on which it lies. */
+static void send_hidden(const cross_truth *truth, const cross_line *from, const cross_line *to)
+{
+    for (size_t k = from->first; k < from->first + from->count; k++) {
+        oracle_interval *h = &truth->interval[k];
+        double t0 = along(to, on_line(from, h->t0)), t1 = along(to, on_line(from, h->t1));
+        *h = (oracle_interval){fmin(t0, t1), fmax(t0, t1)};
+    }
+}
+
+static int by_start(const void *a, const void *b)
+{
+    const oracle_interval *p = a, *q = b;
+    return (p->t0 > q->t0) - (p->t0 < q->t0);
+}
+
+/* Sorts the hidden intervals of a line and joins those within `gap`. */
+static void join_hidden(const cross_truth *truth, cross_line *l, double gap)
+{
+    oracle_interval *h = truth->interval + l->first;
+    size_t count = 0;
+    qsort(h, l->count, sizeof *h, by_start);
+    for (size_t k = 0; k < l->count; k++)
+        if (count && h[k].t0 <= h[count - 1].t1 + gap)
+            h[count - 1].t1 = fmax(h[count - 1].t1, h[k].t1);
+        else
+            h[count++] = h[k];
+    l->count = count;
+}
+
+/* Makes one line of l and next, of the same faces, if they meet within the slack. */
+static bool unite(const cross_truth *truth, cross_line *l, const cross_line *next, double slack)
+{
+    const roberts_vec3 mine[2] = {l->a, l->b}, other[2] = {next->a, next->b};
+    if (l->f0 != next->f0 || l->f1 != next->f1)
+        return false;
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 2; k++)
+            if (distance(mine[i], other[k]) <= slack) {
+                cross_line both = *l;
+                both.a = i ? mine[0] : other[1 - k];
+                both.b = i ? other[1 - k] : mine[1];
+                send_hidden(truth, l, &both);
+                send_hidden(truth, next, &both);
+                for (size_t h = 0; h < next->count; h++) /* theirs lie behind, perhaps with a gap that was left */
+                    truth->interval[l->first + l->count + h] = truth->interval[next->first + h];
+                both.count += next->count;
+                join_hidden(truth, &both, 4 * slack / length_of(&both));
+                *l = both;
+                return true;
+            }
+    return false;
+}
+
+static void turn_round(const cross_truth *truth, cross_line *l)
+{
+    cross_line turned = *l;
+    turned.a = l->b;
+    turned.b = l->a;
+    send_hidden(truth, l, &turned);
+    join_hidden(truth, &turned, 0);
+    *l = turned;
+}
+
+void cross_settle(const mesh_scene *scene, cross_truth *truth, const roberts_drawing *drawing)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < truth->line_count && scene->slack > 0; i++) {
+        cross_line *last = count ? &truth->line[count - 1] : NULL;
+        if (!last || !unite(truth, last, &truth->line[i], scene->slack))
+            truth->line[count++] = truth->line[i];
+    }
+    if (scene->slack > 0)
+        truth->line_count = count;
+    for (size_t i = 0; i < truth->line_count && scene->slack > 0; i++) {
+        cross_line *l = &truth->line[i];
+        double straight = HUGE_VAL, turned = HUGE_VAL;
+        if (fabs(l->b.x - l->a.x) > scene->slack)
+            continue;
+        for (size_t k = 0; k < drawing->crossing_count; k++) {
+            const roberts_crossing *c = &drawing->crossing[k];
+            if (c->face[0] != l->f0 || c->face[1] != l->f1)
+                continue;
+            straight = fmin(straight, distance(c->end[0], l->a) + distance(c->end[1], l->b));
+            turned = fmin(turned, distance(c->end[0], l->b) + distance(c->end[1], l->a));
+        }
+        if (turned < straight)
+            turn_round(truth, l);
+    }
+}
+
+cross_row *cross_rows_of_truth(const cross_truth *truth, const uint32_t *face_body, size_t *count)
+{
+    cross_row *row = malloc((2 * (truth->line_count + truth->interval_count) + 1) * sizeof *row);
+    *count = 0;
+    for (size_t i = 0; row && i < truth->line_count; i++) {
+        const cross_line *l = &truth->line[i];
+        double from = 0;
+        for (size_t k = 0; k <= l->count; k++) {
+            const oracle_interval *hidden = &truth->interval[l->first + k];
+            const double end[2] = {k < l->count ? hidden->t0 : 1, k < l->count ? hidden->t1 : 1};
+            for (int state = 0; state < 2; state++) {
+                if (from < end[state])
+                    row[(*count)++] = (cross_row){.body = face_body ? face_body[l->f0] : 0,
+                                                  .f0 = l->f0,
+                                                  .f1 = l->f1,
+                                                  .intersection = true,
+                                                  .visible = state == 0,
+                                                  .t0 = from,
+                                                  .t1 = end[state],
+                                                  .p = on_line(l, from),
+                                                  .q = on_line(l, end[state])};
+                from = end[state];
+            }
+        }
+    }
+    return row;
+}

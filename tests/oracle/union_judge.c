@@ -1,0 +1,253 @@
+/* union_judge.c - see union_judge.h. Lines and rows lie in one place where the ends of one lie on the line of the
+ * other; lengths are then compared along either. */
+#include "union_judge.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "judge.h"
+
+enum { REPORTS = 3 /* of one scene */ };
+
+/* Points this near count as one, as a part of the scene's size. */
+#define SAME_PLACE 1e-11
+
+typedef struct list {
+    oracle_interval *interval;
+    size_t count;
+} list;
+
+typedef struct work {
+    const union_case *c;
+    const union_row *row;
+    size_t count;
+    double near; /* model units */
+    list a, b;
+    size_t failed;
+    mesh_total *total;
+    FILE *out;
+} work;
+
+static roberts_vec3 between(roberts_vec3 p, roberts_vec3 q, double t)
+{
+    return (roberts_vec3){p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)};
+}
+
+static double distance(roberts_vec3 p, roberts_vec3 q)
+{
+    return hypot(hypot(p.x - q.x, p.y - q.y), p.z - q.z);
+}
+
+/* The parameter of X along pq, and how far it lies from that line. */
+static double along(roberts_vec3 p, roberts_vec3 q, roberts_vec3 X, double *off)
+{
+    double dx = q.x - p.x, dy = q.y - p.y, dz = q.z - p.z;
+    double t = ((X.x - p.x) * dx + (X.y - p.y) * dy + (X.z - p.z) * dz) / (dx * dx + dy * dy + dz * dz);
+    *off = distance(between(p, q, t), X);
+    return t;
+}
+
+/* Does rs lie on the line of pq, and reach into it? [*t0, *t1]: what of pq r and s are at, which may be beyond. */
+static bool coincide(const work *w, const roberts_vec3 line[2], const roberts_vec3 other[2], double *t0, double *t1)
+{
+    double off0, off1;
+    double length = distance(line[0], line[1]), reach = distance(other[0], other[1]);
+    *t0 = along(line[0], line[1], other[0], &off0);
+    *t1 = along(line[0], line[1], other[1], &off1);
+    if (fmax(off0, off1) > w->near * fmax(1, reach / length))
+        return false;
+    return fmax(*t0, *t1) > 0 && fmin(*t0, *t1) < 1;
+}
+
+static void add(list *l, double t0, double t1)
+{
+    t0 = fmax(t0, 0);
+    t1 = fmin(t1, 1);
+    if (t0 < t1)
+        l->interval[l->count++] = (oracle_interval){t0, t1};
+}
+
+static int by_start(const void *a, const void *b)
+{
+    const oracle_interval *p = a, *q = b;
+    return (p->t0 > q->t0) - (p->t0 < q->t0);
+}
+
+static void join(list *l, double gap)
+{
+    size_t count = 0;
+    qsort(l->interval, l->count, sizeof *l->interval, by_start);
+    for (size_t i = 0; i < l->count; i++)
+        if (count && l->interval[i].t0 <= l->interval[count - 1].t1 + gap)
+            l->interval[count - 1].t1 = fmax(l->interval[count - 1].t1, l->interval[i].t1);
+        else
+            l->interval[count++] = l->interval[i];
+    l->count = count;
+}
+
+/* What of line l is drawn, or visible, sent through t -> from + t * (to - from). */
+static void add_truth(const work *w, list *out, const union_line *l, bool visible, double from, double to)
+{
+    const union_truth *truth = w->c->truth;
+    for (size_t i = l->part; i < l->part + l->parts; i++) {
+        double t = truth->part[i].t0, end = truth->part[i].t1;
+        for (size_t k = l->first; visible && k < l->first + l->count && t < end; k++) {
+            const oracle_interval *hidden = &truth->interval[k];
+            if (hidden->t1 <= t || hidden->t0 >= end)
+                continue;
+            if (t < hidden->t0)
+                add(out, fmin(from + t * (to - from), from + hidden->t0 * (to - from)),
+                    fmax(from + t * (to - from), from + hidden->t0 * (to - from)));
+            t = hidden->t1;
+        }
+        if (t < end)
+            add(out, fmin(from + t * (to - from), from + end * (to - from)),
+                fmax(from + t * (to - from), from + end * (to - from)));
+    }
+}
+
+static void tell(work *w, const roberts_vec3 end[2], const char *what, double how_much)
+{
+    w->total->disagreements++;
+    if (++w->failed <= REPORTS)
+        fprintf(w->out, "%s: (%.9g, %.9g, %.9g) to (%.9g, %.9g, %.9g): %s (%.3g)\n", w->c->name, end[0].x, end[0].y,
+                end[0].z, end[1].x, end[1].y, end[1].z, what, how_much);
+}
+
+static double limit_of(const work *w, const roberts_vec3 end[2])
+{
+    return MESH_JUDGE_LIMIT + w->near / distance(end[0], end[1]);
+}
+
+/* What is drawn, or visible, by the oracle must be so by the table. */
+static void judge_line(work *w, const union_line *l, bool visible)
+{
+    const roberts_vec3 end[2] = {l->a, l->b};
+    double t0, t1;
+    w->a.count = w->b.count = 0;
+    add_truth(w, &w->a, l, visible, 0, 1);
+    for (size_t i = 0; i < w->count; i++) {
+        const roberts_vec3 other[2] = {w->row[i].p, w->row[i].q};
+        if ((!visible || w->row[i].visible) && coincide(w, end, other, &t0, &t1))
+            add(&w->b, fmin(t0, t1), fmax(t0, t1));
+    }
+    join(&w->a, 0);
+    join(&w->b, 0.5 * limit_of(w, end));
+    double missing = judge_outside(w->a.interval, w->a.count, w->b.interval, w->b.count);
+    if (missing > limit_of(w, end))
+        tell(w, end, visible ? "less of it is visible than should be" : "less of it is drawn than should be", missing);
+    else
+        w->total->worst = fmax(w->total->worst, missing);
+}
+
+static union_class class_of(uint8_t line)
+{
+    /* edges that no face shows have names of their own in the library, but not in tables */
+    bool outline = line == ROBERTS_OUTLINE || line == ROBERTS_BACK_OUTLINE;
+    bool crease = line == ROBERTS_CREASE || line == ROBERTS_BACK;
+    return outline ? UNION_OUTLINE : crease ? UNION_CREASE : UNION_OPEN;
+}
+
+/* A row must lie where something is drawn, and be of its class. */
+static void judge_row(work *w, const union_row *row)
+{
+    const roberts_vec3 end[2] = {row->p, row->q};
+    double t0, t1, limit = limit_of(w, end), wrong = 0;
+    w->a.count = 0;
+    w->b.count = 0;
+    add(&w->a, 0, 1);
+    for (size_t i = 0; i < w->c->truth->line_count; i++) {
+        const union_line *l = &w->c->truth->line[i];
+        const roberts_vec3 other[2] = {l->a, l->b};
+        if (!coincide(w, end, other, &t0, &t1))
+            continue;
+        add_truth(w, &w->b, l, row->visible, t0, t1);
+        for (size_t k = l->part; k < l->part + l->parts; k++) {
+            const union_part *part = &w->c->truth->part[k];
+            double from = t0 + part->t0 * (t1 - t0), to = t0 + part->t1 * (t1 - t0);
+            double shared = fmin(fmax(from, to), 1) - fmax(fmin(from, to), 0);
+            if (part->class_ != UNION_OPEN && part->class_ != class_of(row->line) && shared > limit)
+                wrong = fmax(wrong, shared);
+        }
+    }
+    join(&w->b, 0.5 * limit);
+    double extra = judge_outside(w->a.interval, 1, w->b.interval, w->b.count);
+    if (extra > limit)
+        tell(w, end, row->visible ? "a row is visible where nothing is" : "a row is drawn where nothing is", extra);
+    else if (wrong > limit)
+        tell(w, end, row->line == ROBERTS_INTERSECTION ? "the class is intersection" : "the class is wrong", wrong);
+}
+
+size_t union_judge_rows(const union_case *c, const union_row *row, size_t count, mesh_total *total, FILE *out)
+{
+    const union_truth *truth = c->truth;
+    size_t most = count + 2 * (truth->part_count + truth->interval_count) + 2;
+    work w = {.c = c,
+              .row = row,
+              .count = count,
+              .a.interval = malloc(most * sizeof *w.a.interval),
+              .b.interval = malloc(most * sizeof *w.b.interval),
+              .total = total,
+              .out = out};
+    for (size_t i = 0; i < c->scene->mesh.vertex_count; i++) {
+        roberts_vec3 p = c->scene->mesh.vertex[i];
+        w.near = fmax(w.near, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
+    }
+    w.near *= SAME_PLACE;
+    for (size_t i = 0; w.a.interval && w.b.interval && i < truth->line_count; i++) {
+        total->lines++;
+        total->lines_cut += truth->line[i].parts > 0;
+        /* lines where faces cross are looked for among what is seen */
+        if (!truth->line[i].crossing)
+            judge_line(&w, &truth->line[i], false);
+        if (!truth->line[i].crossing || !truth->line[i].edge_on)
+            judge_line(&w, &truth->line[i], true);
+    }
+    for (size_t i = 0; w.a.interval && w.b.interval && i < count; i++)
+        judge_row(&w, &row[i]);
+    free(w.a.interval);
+    free(w.b.interval);
+    return w.failed;
+}
+
+size_t union_judge_drawing(const union_case *c, const roberts_drawing *drawing, mesh_total *total, FILE *out)
+{
+    union_row *row = malloc((drawing->count + 1) * sizeof *row);
+    for (size_t i = 0; row && i < drawing->count; i++) {
+        const roberts_segment *s = &drawing->segment[i];
+        const roberts_vec3 *vertex = c->scene->mesh.vertex;
+        bool crossing = s->line == ROBERTS_INTERSECTION || s->v0 == ROBERTS_NONE;
+        roberts_vec3 p = crossing ? drawing->crossing[s->edge].end[0] : vertex[s->v0];
+        roberts_vec3 q = crossing ? drawing->crossing[s->edge].end[1] : vertex[s->v1];
+        row[i] = (union_row){between(p, q, s->t0), between(p, q, s->t1), s->state == ROBERTS_VISIBLE, s->line};
+    }
+    size_t failed = row ? union_judge_rows(c, row, drawing->count, total, out) : 1;
+    free(row);
+    return failed;
+}
+
+union_row *union_rows_of_truth(const union_truth *truth, size_t *count)
+{
+    union_row *row = malloc((2 * (truth->part_count + truth->interval_count) + 1) * sizeof *row);
+    *count = 0;
+    for (size_t i = 0; row && i < truth->line_count; i++) {
+        const union_line *l = &truth->line[i];
+        for (size_t k = l->part; k < l->part + l->parts; k++) {
+            const union_part *part = &truth->part[k];
+            uint8_t line = part->class_ == UNION_OUTLINE ? ROBERTS_OUTLINE : ROBERTS_CREASE;
+            double t = part->t0;
+            for (size_t h = l->first; h <= l->first + l->count; h++) {
+                bool last = h == l->first + l->count;
+                double from = last ? part->t1 : fmin(truth->interval[h].t0, part->t1);
+                double to = last ? part->t1 : fmin(truth->interval[h].t1, part->t1);
+                if (t < from)
+                    row[(*count)++] = (union_row){between(l->a, l->b, t), between(l->a, l->b, from), true, line};
+                t = fmax(t, from);
+                if (t < to)
+                    row[(*count)++] = (union_row){between(l->a, l->b, t), between(l->a, l->b, to), false, line};
+                t = fmax(t, to);
+            }
+        }
+    }
+    return row;
+}

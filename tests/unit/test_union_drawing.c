@@ -1,0 +1,478 @@
+/* test_union_drawing.c - bodies drawn as one give the drawing of the same body modelled as one.
+ *
+ * Blocks fill cells of a grid. The same cells make one body: a square for each place where a cell that is filled meets
+ * one that is not. Both are drawn, and each visible line of the one must lie on visible lines of the other that have
+ * its class. */
+#include <stdio.h>
+
+#include "roberts.h"
+#include "scenes.h"
+
+enum { CELLS = 12 };
+
+typedef struct cells {
+    bool filled[CELLS][CELLS][CELLS];
+} cells;
+
+static bool is_filled(const cells *c, int x, int y, int z)
+{
+    return x >= 0 && y >= 0 && z >= 0 && x < CELLS && y < CELLS && z < CELLS && c->filled[x][y][z];
+}
+
+static void put_block(model *m, cells *c, const int block[6])
+{
+    model_box(m, (roberts_vec3){block[0], block[1], block[2]}, (roberts_vec3){block[3], block[4], block[5]});
+    for (int x = block[0]; x < block[3]; x++)
+        for (int y = block[1]; y < block[4]; y++)
+            for (int z = block[2]; z < block[5]; z++)
+                c->filled[x][y][z] = true;
+}
+
+/* The surface of the cells; vertices are shared. */
+static void put_surface(model *m, const cells *c)
+{
+    static uint32_t number[CELLS + 1][CELLS + 1][CELLS + 1];
+    memset(number, 0, sizeof number);
+    for (int x = 0; x < CELLS; x++)
+        for (int y = 0; y < CELLS; y++)
+            for (int z = 0; z < CELLS; z++)
+                for (int axis = 0; axis < 3 && c->filled[x][y][z]; axis++)
+                    for (int side = 0; side < 2; side++) {
+                        int at[3] = {x, y, z}, next = (axis + 1) % 3, last = (axis + 2) % 3;
+                        at[axis] += side ? 1 : -1;
+                        if (is_filled(c, at[0], at[1], at[2]))
+                            continue;
+                        uint32_t corner[4];
+                        for (int i = 0; i < 4; i++) {
+                            int p[3] = {x, y, z};
+                            p[axis] += side;
+                            p[next] += side ? (i == 1 || i == 2) : (i == 2 || i == 3);
+                            p[last] += side ? (i == 2 || i == 3) : (i == 1 || i == 2);
+                            uint32_t *n = &number[p[0]][p[1]][p[2]];
+                            if (*n == 0) {
+                                model_vertex(m, (roberts_vec3){p[0], p[1], p[2]});
+                                *n = (uint32_t)m->mesh.vertex_count;
+                            }
+                            corner[i] = *n - 1;
+                        }
+                        model_face(m, corner, 4);
+                    }
+}
+
+/* Is there an edge about which two opposite cells are filled? The body that is modelled as one falls in two there: each
+ * half has that edge, in a class of its own. */
+static bool is_pinched(const cells *c)
+{
+    for (int i = 0; i < 3 * (CELLS + 1) * (CELLS + 1) * (CELLS + 1); i++) {
+        int n = CELLS + 1, axis = i % 3, p[3] = {i / 3 % n, i / 3 / n % n, i / 3 / n / n};
+        bool f[2][2];
+        for (int k = 0; k < 4; k++) {
+            int q[3] = {p[0], p[1], p[2]};
+            q[(axis + 1) % 3] -= k & 1;
+            q[(axis + 2) % 3] -= k >> 1;
+            f[k & 1][k >> 1] = is_filled(c, q[0], q[1], q[2]);
+        }
+        if (f[0][0] == f[1][1] && f[0][1] == f[1][0] && f[0][0] != f[0][1])
+            return true;
+    }
+    return false;
+}
+
+/* ---- drawings that are alike ----------------------------------------------------------------------------------- */
+
+typedef struct part {
+    double from, to;
+} part;
+
+static int compare_parts(const void *a, const void *b)
+{
+    const part *p = a, *q = b;
+    return (p->from > q->from) - (p->from < q->from);
+}
+
+typedef struct likeness {
+    double slack;  /* lines nearer than this lie on one another */
+    bool in_class; /* ... if they are of one class */
+} likeness;
+
+/* How much of a segment no visible segment like it in `other` covers. */
+static double uncovered(const roberts_segment *s, const roberts_drawing *other, const likeness *how, part *found)
+{
+    double x = s->p1.x - s->p0.x, y = s->p1.y - s->p0.y, length = hypot(x, y), at = 0.0, bare = 0.0;
+    double slack = how->slack;
+    size_t count = 0;
+    for (size_t i = 0; i < other->count; i++) {
+        const roberts_segment *o = &other->segment[i];
+        double ax = o->p0.x - s->p0.x, ay = o->p0.y - s->p0.y, bx = o->p1.x - s->p0.x, by = o->p1.y - s->p0.y;
+        if (o->state != ROBERTS_VISIBLE || (how->in_class && o->line != s->line) ||
+            fabs(x * ay - y * ax) > slack * length || fabs(x * by - y * bx) > slack * length)
+            continue;
+        double a = (x * ax + y * ay) / length, b = (x * bx + y * by) / length;
+        found[count++] = (part){a < b ? a : b, a < b ? b : a};
+    }
+    qsort(found, count, sizeof *found, compare_parts);
+    for (size_t i = 0; i < count && at < length; i++) {
+        if (found[i].from > at + slack)
+            bare += (found[i].from < length ? found[i].from : length) - at;
+        at = found[i].to > at ? found[i].to : at;
+    }
+    return bare + (at + slack < length ? length - at : 0.0);
+}
+
+static void check_covered(const roberts_drawing *of, const roberts_drawing *by, const likeness *how, const char *name)
+{
+    double slack = how->slack;
+    part *found = malloc((by->count + 1) * sizeof *found);
+    assert_non_null(found);
+    for (size_t i = 0; i < of->count; i++) {
+        const roberts_segment *s = &of->segment[i];
+        double length = hypot(s->p1.x - s->p0.x, s->p1.y - s->p0.y);
+        if (s->state != ROBERTS_VISIBLE || length < 4 * slack)
+            continue;
+        double bare = uncovered(s, by, how, found);
+        if (bare > 2 * slack)
+            fail_msg("%s: %g of solid %u, %u-%u, class %d, from %.9g,%.9g to %.9g,%.9g (t %.9g to %.9g) is not there",
+                     name, bare, s->solid, s->v0, s->v1, s->line, s->p0.x, s->p0.y, s->p1.x, s->p1.y, s->t0, s->t1);
+    }
+    free(found);
+}
+
+static roberts_drawing draw_mesh(const roberts_mesh *mesh, const roberts_camera *camera, double epsilon, bool unite)
+{
+    roberts_scene *scene = NULL;
+    roberts_drawing drawing = {0};
+    roberts_error error = {0};
+    roberts_hide_options options = roberts_hide_options_default();
+    options.epsilon = epsilon;
+    options.unite = unite;
+    if (roberts_scene_build(mesh, NULL, &scene, &error) != ROBERTS_OK ||
+        roberts_hide(scene, camera, &options, &drawing, &error) != ROBERTS_OK)
+        fail_msg("%s", error.message);
+    roberts_scene_free(scene);
+    return drawing;
+}
+
+static roberts_drawing draw(const model *m, const roberts_camera *camera, double epsilon, bool unite)
+{
+    return draw_mesh(&m->mesh, camera, epsilon, unite);
+}
+
+/* Blocks and the same body modelled as one. */
+typedef struct both {
+    const model *blocks, *one;
+    double epsilon;
+    bool pinched;
+} both;
+
+static void check_alike(const both *b, const roberts_camera *camera, const char *name)
+{
+    char text[160];
+    roberts_drawing united = draw(b->blocks, camera, b->epsilon, true), one = draw(b->one, camera, b->epsilon, false);
+    likeness how = {b->epsilon > 0.0 ? 8 * b->epsilon : 1e-8, !b->pinched};
+    snprintf(text, sizeof text, "%s, too many lines", name);
+    check_covered(&united, &one, &how, text);
+    snprintf(text, sizeof text, "%s, too few lines", name);
+    check_covered(&one, &united, &how, text);
+    roberts_drawing_free(&united);
+    roberts_drawing_free(&one);
+}
+
+/* Directions from the scene to the viewer: askew and along axes. */
+static const roberts_vec3 directions[] = {{1, -1, 1}, {2, -3, 1.5}, {0, 0, 1},   {0, -1, 0},
+                                          {-1, 0, 0}, {1, -1, 0},   {-2, 1, -3}, {0.37, -0.71, 0.53}};
+
+enum { DIRECTIONS = sizeof directions / sizeof *directions, VIEWS = 2 * DIRECTIONS + 2 };
+
+/* View `i` of VIEWS: the directions, the same turned with the body, and two in perspective; in the last the near
+ * plane goes through the middle of the body. */
+static void check_view(const both *b, mat3 turn, int i, const char *name)
+{
+    roberts_camera camera = {.dir = directions[i % DIRECTIONS]};
+    char text[120];
+    if (i >= DIRECTIONS)
+        camera.dir = mat3_map(turn, camera.dir);
+    if (i >= VIEWS - 2)
+        camera = (roberts_camera){.projection = ROBERTS_PERSPECTIVE, .eye = {40, -50, 45}};
+    if (i == VIEWS - 1) {
+        const roberts_mesh *mesh = &b->blocks->mesh;
+        for (size_t k = 0; k < mesh->vertex_count; k++)
+            camera.look_at = vec3_add(camera.look_at, vec3_scale(1.0 / (double)mesh->vertex_count, mesh->vertex[k]));
+        camera.has_look_at = true;
+        camera.near_distance = vec3_length(vec3_sub(camera.eye, camera.look_at)) + 0.05;
+    }
+    snprintf(text, sizeof text, "%s, view %d from %g,%g,%g", name, i, camera.dir.x, camera.dir.y, camera.dir.z);
+    check_alike(b, &camera, text);
+}
+
+enum { AS_IT_IS, TURNED, TURNED_TO_SIX_DIGITS, LAYOUTS };
+
+#define ALL_VIEWS (-1)
+
+/* One body, laid out in one way, in one view or, if that is ALL_VIEWS, in all. */
+static void check_layout(const model *blocks, const cells *c, uint64_t seed, int layout, int only, const char *name)
+{
+    model one = {0}, many;
+    rng r = {seed};
+    mat3 turn = layout == AS_IT_IS ? mat3_scale(1, 1, 1) : mat3_turn(&r);
+    both b = {&many, &one, layout == TURNED_TO_SIX_DIGITS ? 1e-5 : 0.0, is_pinched(c)};
+    roberts_vec3 shift = {rng_between(&r, -9, 9), rng_between(&r, -9, 9), rng_between(&r, -9, 9)};
+    model_copy(&many, blocks);
+    put_surface(&one, c);
+    if (layout != AS_IT_IS) {
+        model_map(&many, turn, shift);
+        model_map(&one, turn, shift);
+    }
+    if (layout == TURNED_TO_SIX_DIGITS) {
+        model_to_digits(&many, 6);
+        model_to_digits(&one, 6);
+    }
+    int views =
+        b.pinched ? VIEWS - 1 : VIEWS; /* an edge of four faces is not closed, and what the near plane cuts is open */
+    for (int i = 0; i < views; i++)
+        if (only == ALL_VIEWS || only == i)
+            check_view(&b, turn, i, name);
+    model_free(&many);
+    model_free(&one);
+}
+
+/* As it is; turned; turned and rounded to six digits. */
+static void check_body(const model *blocks, const cells *c, uint64_t seed, const char *name)
+{
+    for (int layout = 0; layout < LAYOUTS; layout++)
+        check_layout(blocks, c, seed, layout, ALL_VIEWS, name);
+}
+
+/* ---- bodies ---------------------------------------------------------------------------------------------------- */
+
+static const struct {
+    const char *name;
+    int count, block[6][6]; /* low, high */
+} bodies[] = {
+    {"block of two", 2, {{0, 0, 0, 2, 2, 2}, {2, 0, 0, 5, 2, 2}}},
+    {"L", 2, {{0, 0, 0, 4, 1, 2}, {0, 1, 0, 1, 4, 2}}},
+    {"T", 2, {{0, 0, 0, 6, 1, 2}, {2, 1, 0, 4, 5, 2}}},
+    {"U", 3, {{0, 0, 0, 6, 1, 2}, {0, 1, 0, 1, 4, 2}, {5, 1, 0, 6, 4, 2}}},
+    {"cross", 3, {{0, 2, 0, 6, 4, 2}, {2, 0, 0, 4, 2, 2}, {2, 4, 0, 4, 6, 2}}},
+    {"staircase", 4, {{0, 0, 0, 1, 3, 1}, {1, 0, 0, 2, 3, 2}, {2, 0, 0, 3, 3, 3}, {3, 0, 0, 4, 3, 4}}},
+    {"staircase of slabs", 3, {{0, 0, 0, 6, 3, 1}, {2, 0, 1, 6, 3, 2}, {4, 0, 2, 6, 3, 3}}},
+    {"table", 5, {{0, 0, 4, 6, 6, 5}, {1, 1, 0, 2, 2, 4}, {4, 1, 0, 5, 2, 4}, {1, 4, 0, 2, 5, 4}, {4, 4, 0, 5, 5, 4}}},
+    {"table with flush legs",
+     5,
+     {{0, 0, 4, 6, 6, 5}, {0, 0, 0, 1, 1, 4}, {5, 0, 0, 6, 1, 4}, {0, 5, 0, 1, 6, 4}, {5, 5, 0, 6, 6, 4}}},
+    {"leg on a slab", 2, {{0, 0, 0, 6, 6, 1}, {2, 2, 1, 4, 4, 5}}},
+    {"opposite blocks about an edge", 2, {{0, 0, 0, 2, 2, 4}, {2, 2, 1, 4, 4, 6}}},
+    {"blocks that share a vertex", 2, {{0, 0, 0, 2, 2, 2}, {2, 2, 2, 4, 4, 4}}},
+    {"nested", 2, {{0, 0, 0, 6, 6, 6}, {0, 2, 2, 4, 4, 4}}},
+};
+
+static void test_bodies(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof bodies / sizeof *bodies; i++) {
+        model m = {0};
+        cells c = {0};
+        for (int k = 0; k < bodies[i].count; k++)
+            put_block(&m, &c, bodies[i].block[k]);
+        check_body(&m, &c, i, bodies[i].name);
+        model_free(&m);
+    }
+}
+
+/* Rows of bricks, every other one shifted by half a brick, with half bricks at both ends. */
+static void test_wall(void **state)
+{
+    (void)state;
+    model m = {0};
+    cells c = {0};
+    for (int row = 0; row < 8; row++)
+        for (int x = -(row % 2); x < 12; x += 2)
+            put_block(&m, &c, (int[]){x < 0 ? 0 : x, 0, row, x + 2 > 12 ? 12 : x + 2, 2, row + 1});
+    check_body(&m, &c, 8, "wall");
+    model_free(&m);
+}
+
+static void test_menger_sponge(void **state)
+{
+    (void)state;
+    model m = {0};
+    cells c = {0};
+    for (int i = 0; i < 9 * 9 * 9; i++) {
+        int p[3] = {i % 9, i / 9 % 9, i / 81};
+        bool kept = true;
+        for (int size = 1; size < 9; size *= 3)
+            kept = kept && (p[0] / size % 3 == 1) + (p[1] / size % 3 == 1) + (p[2] / size % 3 == 1) < 2;
+        if (kept)
+            put_block(&m, &c, (int[]){p[0], p[1], p[2], p[0] + 1, p[1] + 1, p[2] + 1});
+    }
+    assert_int_equal(m.solids, 400);
+    check_body(&m, &c, 81, "Menger sponge");
+    model_free(&m);
+}
+
+/* Cells filled at random, in blocks of one to three along a random axis: they touch in every way. */
+static void test_random_cells(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 0; seed < 600; seed++) {
+        model m = {0};
+        cells c = {0};
+        rng r = {seed};
+        char name[40];
+        int room = rng_int(&r, 2, 4), axis = rng_int(&r, 0, 2), percent = rng_int(&r, 20, 80);
+        snprintf(name, sizeof name, "random cells %d", (int)seed);
+        for (int i = 0; i < room * room * room; i++) {
+            int p[3] = {i % room, i / room % room, i / (room * room)}, block[6];
+            if (is_filled(&c, p[0], p[1], p[2]) || rng_int(&r, 0, 99) >= percent)
+                continue;
+            memcpy(block, p, sizeof p);
+            for (int k = 0; k < 3; k++)
+                block[3 + k] = p[k] + 1;
+            int length = rng_int(&r, 1, 3);
+            while (block[3 + axis] < room && block[3 + axis] - p[axis] < length) {
+                int next[3] = {p[0], p[1], p[2]};
+                next[axis] = block[3 + axis];
+                if (is_filled(&c, next[0], next[1], next[2]))
+                    break;
+                block[3 + axis]++;
+            }
+            put_block(&m, &c, block);
+        }
+        if (m.solids > 0)
+            check_layout(&m, &c, seed, (int)(seed % LAYOUTS), (int)(seed / LAYOUTS) % VIEWS, name);
+        model_free(&m);
+    }
+}
+
+/* No two visible lines lie on one another: seen askew, lines in one place of the picture are in one place in space. */
+static void check_single(const roberts_drawing *d, double slack, const char *name)
+{
+    for (size_t i = 0; i < d->count; i++)
+        for (size_t k = i + 1; k < d->count; k++) {
+            const roberts_segment *a = &d->segment[i], *b = &d->segment[k];
+            double x = a->p1.x - a->p0.x, y = a->p1.y - a->p0.y, length = hypot(x, y);
+            double t0 = ((b->p0.x - a->p0.x) * x + (b->p0.y - a->p0.y) * y) / length;
+            double t1 = ((b->p1.x - a->p0.x) * x + (b->p1.y - a->p0.y) * y) / length;
+            double off0 = ((b->p0.x - a->p0.x) * y - (b->p0.y - a->p0.y) * x) / length;
+            double off1 = ((b->p1.x - a->p0.x) * y - (b->p1.y - a->p0.y) * x) / length;
+            double shared = fmin(fmax(t0, t1), length) - fmax(fmin(t0, t1), 0.0);
+            if (fabs(off0) < slack && fabs(off1) < slack && shared > 4 * slack)
+                fail_msg("%s: solid %u, %u-%u, and solid %u, %u-%u, lie on one another", name, a->solid, a->v0, a->v1,
+                         b->solid, b->v0, b->v1);
+        }
+}
+
+/* Rays find nothing wrong with the drawing, hidden lines included. */
+static void check_rays(const model *m, const char *name)
+{
+    roberts_camera camera = {.dir = {0.37, -0.71, 0.53}};
+    roberts_hide_options options = roberts_hide_options_default();
+    roberts_verify_options verify = roberts_verify_options_default();
+    roberts_verification found;
+    options.unite = verify.unite = options.keep_hidden = true;
+    roberts_scene *scene = model_build(m);
+    roberts_drawing drawing;
+    assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_verify(scene, &camera, &drawing, &verify, &found, NULL), ROBERTS_OK);
+    if (found.contradictions > 0 || found.points == 0)
+        fail_msg("%s: %zu contradictions at %zu points", name, found.contradictions, found.points);
+    roberts_drawing_free(&drawing);
+    roberts_scene_free(scene);
+}
+
+/* Blocks that overlap at random: their faces cross, too. */
+static void test_random_blocks(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 0; seed < 2000; seed++) {
+        model m = {0};
+        cells c = {0};
+        rng r = {seed};
+        char name[40];
+        snprintf(name, sizeof name, "random blocks %d", (int)seed);
+        for (int i = rng_int(&r, 2, 7); i > 0; i--) {
+            int block[6];
+            for (int k = 0; k < 3; k++) {
+                block[k] = rng_int(&r, 0, 4);
+                block[3 + k] = block[k] + rng_int(&r, 1, 4);
+            }
+            put_block(&m, &c, block);
+        }
+        roberts_drawing d = draw(&m, &(roberts_camera){.dir = {0.37, -0.71, 0.53}}, 0.0, true);
+        check_single(&d, 1e-8, name);
+        if (seed % 10 == 0)
+            check_rays(&m, name);
+        roberts_drawing_free(&d);
+        check_layout(&m, &c, seed, (int)(seed % LAYOUTS), (int)(seed / LAYOUTS) % VIEWS, name);
+        model_free(&m);
+    }
+}
+
+/* A body alone is its own union, though its faces cross and wind twice round its middle. */
+static void test_star_bodies(void **state)
+{
+    static const char *const file[] = {"great-dodecahedron",
+                                       "great-icosahedron",
+                                       "great-stellated-dodecahedron",
+                                       "small-stellated-dodecahedron",
+                                       "pentagrammic-crossed-antiprism",
+                                       "tetrahemihexahedron"};
+    (void)state;
+    for (size_t i = 0; i < sizeof file / sizeof *file; i++) {
+        char path[100];
+        roberts_mesh mesh = {0};
+        roberts_camera camera = {.dir = {0.37, -0.71, 0.53}};
+        likeness how = {1e-8, false};
+        snprintf(path, sizeof path, "models/star/%s.off", file[i]);
+        assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
+        roberts_drawing alone = draw_mesh(&mesh, &camera, 0.0, false), united = draw_mesh(&mesh, &camera, 0.0, true);
+        assert_true(alone.count > 0);
+        check_covered(&alone, &united, &how, file[i]);
+        check_covered(&united, &alone, &how, file[i]);
+        roberts_drawing_free(&alone);
+        roberts_drawing_free(&united);
+        roberts_mesh_free(&mesh);
+    }
+}
+
+/* Threads, cells and the order in which the bodies come change no line. */
+static void test_same_result(void **state)
+{
+    (void)state;
+    model m = {0};
+    roberts_camera camera = {.dir = {2, -3, 1.5}};
+    roberts_drawing first = {0};
+    model_wall(&m, 30, 30);
+    roberts_scene *scene = model_build(&m);
+    for (uint32_t i = 0; i < 6; i++) {
+        roberts_hide_options options = roberts_hide_options_default();
+        roberts_drawing drawing = {0};
+        options.unite = true;
+        options.keep_hidden = true;
+        options.threads = (uint32_t[]){1, 2, 3, 8, 1, 4}[i];
+        options.grid = (uint32_t[]){0, 0, 0, 0, 1, 30}[i];
+        assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+        if (i == 0) {
+            first = drawing;
+            continue;
+        }
+        assert_int_equal(drawing.count, first.count);
+        for (size_t k = 0; k < first.count; k++) {
+            const roberts_segment *a = &first.segment[k], *b = &drawing.segment[k];
+            assert_true(a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1 && a->by == b->by && a->t0 == b->t0 &&
+                        a->t1 == b->t1 && a->state == b->state && a->line == b->line);
+        }
+        roberts_drawing_free(&drawing);
+    }
+    roberts_drawing_free(&first);
+    roberts_scene_free(scene);
+    model_free(&m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_bodies),        cmocka_unit_test(test_wall),
+                                       cmocka_unit_test(test_menger_sponge), cmocka_unit_test(test_random_cells),
+                                       cmocka_unit_test(test_random_blocks), cmocka_unit_test(test_star_bodies),
+                                       cmocka_unit_test(test_same_result)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
