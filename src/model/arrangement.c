@@ -410,6 +410,7 @@ static bool take_whole_sides(face_pieces *f, const uint32_t *given, double touch
     bool enough = placed != NULL;
     if (enough && !follow(placed, count)) {
         f->side_count = 0;
+        f->whole_sides = true;
         for (size_t i = 0; enough && i < f->ring_count; i++) { /* side_of[] ascends */
             uint32_t from = given[i], to = given[i + 1 < f->ring_count ? i + 1 : 0];
             while (k < count && placed[k].side < f->side_of[i])

@@ -167,6 +167,7 @@ static bool note_part(surface *s, uint32_t a, uint32_t b)
 static bool take_pieces(surface *s, face_pieces *p, uint32_t face, const uint32_t *corner, uint32_t count)
 {
     uint32_t first = s->piece_count;
+    s->whole_sides = s->whole_sides || p->whole_sides;
     for (size_t n = 0; n < p->node_count && p->piece_count > 0; n++)
         if (p->node[n].vertex == ROBERTS_NONE && (p->node[n].vertex = add_vertex(s, &p->node[n])) == ROBERTS_NONE)
             return false;

@@ -36,7 +36,7 @@ typedef struct surface_edge {
     uint32_t many_end;
     uint32_t part; /* its entry in surface.part; ROBERTS_NONE: it is a whole edge of the file */
     bool cut;      /* not an edge of the file: drawn only as an outline */
-    bool odd;      /* it has not two pieces, or comes from a side that was divided */
+    bool odd;      /* it has not two pieces, comes from a side that was divided, or may end beside its pieces */
 } surface_edge;
 
 typedef struct surface {
@@ -57,7 +57,8 @@ typedef struct surface {
     size_t corner_count, fit_count, side_count, part_count, edge_count, many_count, edge_part_count;
     size_t start_room, corner_room, face_room, plane_room, fit_room, side_room, part_room, edge_room, many_room,
         edge_part_room, point_room, low_room;
-    size_t repeated; /* faces that were left out as copies of earlier ones */
+    size_t repeated;  /* faces that were left out as copies of earlier ones */
+    bool whole_sides; /* some side may have an end that is not a corner of its piece */
 } surface;
 
 /* Cuts the faces f with listed[f] into pieces. Elements of two corners become edges without a face. False: no

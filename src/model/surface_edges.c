@@ -33,6 +33,7 @@ typedef struct finder {
     double touching;
     uint32_t *end;        /* [vertex_count] where the sides of each smaller vertex end in `half` */
     uint64_t *half;       /* [side_count] larger vertex << 32 | side */
+    scene_part *divided;  /* [part_count of s] the parts, by the edges of the file that they are parts of */
     uint32_t *odd;        /* [odd_count] sides of edges that have not two pieces */
     uint32_t *vertex;     /* [vertex_count] their ends */
     uint32_t *parent;     /* [vertex_count of s] sets of vertices at one place, by their smallest; only of `vertex` */
@@ -119,7 +120,32 @@ static bool same_face(const surface *s, const uint32_t side[2])
     return !((p | q) & SURFACE_CUT) && s->plane_of[p] == s->plane_of[q];
 }
 
-/* Makes an edge of sides with the same ends if two pieces have it; otherwise lists the sides as odd. */
+/* Is the vertex a corner of the side's piece? */
+static bool is_corner(const surface *s, const surface_side *side, uint32_t v)
+{
+    uint32_t p = side->piece & ~SURFACE_CUT, i = s->start[p];
+    while (i < s->start[p + 1] && s->corner[i] != v)
+        i++;
+    return i < s->start[p + 1];
+}
+
+static int compare_names(const void *pa, const void *pb)
+{
+    const scene_part *a = pa, *b = pb;
+    if (a->v[0] != b->v[0])
+        return a->v[0] < b->v[0] ? -1 : 1;
+    return (a->v[1] > b->v[1]) - (a->v[1] < b->v[1]);
+}
+
+/* Is some other side a part of the edge of the file that this side is the whole of? */
+static bool is_divided(const finder *f, const surface_side *side)
+{
+    scene_part key = {.v = {lower(side), upper(side)}};
+    return f->divided && bsearch(&key, f->divided, f->s->part_count, sizeof key, compare_names);
+}
+
+/* Makes an edge of sides with the same ends if two pieces have it; otherwise lists the sides as odd. They are odd too
+ * if another face crosses itself on this edge, and so has parts of it. */
 static bool take_group(finder *f, const uint64_t *half, size_t count)
 {
     surface *s = f->s;
@@ -134,7 +160,7 @@ static bool take_group(finder *f, const uint64_t *half, size_t count)
                 side[real] = (uint32_t)half[i];
             real++;
         }
-    if (real != 2 || same_face(s, side)) {
+    if (real != 2 || same_face(s, side) || is_divided(f, &s->side[side[0]])) {
         if (!array_reserve(&f->odd, &f->odd_room, f->odd_count + count, sizeof *f->odd))
             return false;
         for (size_t i = 0; i < count; i++)
@@ -148,6 +174,7 @@ static bool take_group(finder *f, const uint64_t *half, size_t count)
     edge.piece[0] = incidence(a->piece, a->v[0] > a->v[1]);
     edge.piece[1] = incidence(b->piece, b->v[0] > b->v[1]);
     edge.cut = (a->piece & b->piece & SURFACE_CUT) != 0;
+    edge.odd = s->whole_sides && !(is_corner(s, a, edge.v[0]) && is_corner(s, a, edge.v[1]));
     if (s->part_count > 0 && !copy_part(s, side[0], &edge.part))
         return false;
     if (!array_reserve(&s->edge, &s->edge_room, s->edge_count + 1, sizeof *s->edge))
@@ -452,11 +479,18 @@ static bool merge_edges(finder *f)
 bool surface_find_edges(surface *s, double touching)
 {
     finder f = {.s = s, .touching = touching};
+    if (s->part_count > 0) {
+        if (!(f.divided = alloc_array(s->part_count, sizeof *f.divided)))
+            return false;
+        memcpy(f.divided, s->side_part, s->part_count * sizeof *f.divided);
+        qsort(f.divided, s->part_count, sizeof *f.divided, compare_names);
+    }
     bool enough = sort_sides(&f) && take_groups(&f);
     free(f.half);
     free(f.end);
     if (enough && f.odd_count > 0)
         enough = list_vertices(&f) && divide_all(&f) && take_odd_groups(&f) && merge_edges(&f);
+    free(f.divided);
     free(f.odd);
     free(f.vertex);
     free(f.parent);

@@ -116,13 +116,15 @@ static bool pass_line(input *in)
         const char *c = in->at;
         while (c < in->end && *c != '\n' && *c != '\r')
             c++;
-        bool joined = c > in->at && c[-1] == '\\' && c < in->end;
-        in->at = c;
-        if (joined) {
-            in->at--;
+        bool backslash = c > in->at && c[-1] == '\\';
+        in->at = backslash ? c - 1 : c; /* the end of the line may be among the bytes that come next */
+        if (c < in->end && !backslash)
+            return in->taken - start <= INPUT_BLANK_MAX;
+        if (c < in->end) {
             if (!next_word(in))
                 return true;
-        } else if (c < in->end || !input_more(in)) {
+        } else if (!input_more(in)) {
+            in->at = in->end;
             return in->taken - start <= INPUT_BLANK_MAX;
         } else if (in->taken - start > INPUT_BLANK_MAX) {
             return false;

@@ -295,25 +295,33 @@ static double measure_depths(cutter *c)
     return least;
 }
 
+/* Begins the arrays that are read even if nothing comes into them. */
+static bool begin_arrays(cutter *c)
+{
+    roberts_scene *to = &c->clip->scene;
+    if (!(to->solid = alloc_array((size_t)c->from->solid_count + 1, sizeof *to->solid)) ||
+        !array_reserve(&to->face_start, &c->start_room, 1, sizeof *to->face_start) ||
+        !array_reserve(&to->face_plane, &c->plane_room, 1, sizeof *to->face_plane) ||
+        !array_reserve(&to->corner, &c->corner_room, 1, sizeof *to->corner) ||
+        !array_reserve(&to->edge, &c->edge_room, 1, sizeof *to->edge))
+        return false;
+    to->face_start[0] = 0;
+    return true;
+}
+
 static roberts_status cut_solids(cutter *c, roberts_error *error)
 {
     const roberts_scene *from = c->from;
     roberts_scene *to = &c->clip->scene;
     roberts_status status = ROBERTS_OK;
     uint32_t *map = alloc_array(from->face_count, sizeof *map);
-    to->solid = alloc_array((size_t)from->solid_count + 1, sizeof *to->solid);
     to->solid_count = from->solid_count;
     to->box_min = from->box_min;
     to->box_max = from->box_max;
     to->centre = from->centre;
     to->unit = from->unit;
     to->float32_step = from->float32_step;
-    if (!map || !to->solid || !array_reserve(&to->face_start, &c->start_room, 1, sizeof *to->face_start)) {
-        free(map);
-        return error_no_memory(error);
-    }
-    to->face_start[0] = 0;
-    if (from->surface && !cutter_begin_surface(c)) {
+    if (!map || !begin_arrays(c) || (from->surface && !cutter_begin_surface(c))) {
         free(map);
         return error_no_memory(error);
     }

@@ -168,6 +168,29 @@ static bool add_many(cutter *c, const scene_many *many, const uint32_t *map, uin
     return true;
 }
 
+/* Moves the faces of an edge up where the plane has taken the first: an edge may end beside a corner of its face, so
+ * that it stays and the face does not. */
+static void close_up(const scene_surface *surface, uint32_t first_face, scene_edge *edge, uint8_t *is)
+{
+    uint32_t face[2] = {edge->f[1], ROBERTS_NONE};
+    bool turned[2] = {(*is & EDGE_TURNED_1) != 0, false};
+    if (edge->f[0] != ROBERTS_NONE)
+        return;
+    if (*is & EDGE_MANY) {
+        const scene_many *many = &surface->many[surface->many_count - 1];
+        for (uint32_t k = 0; k < 2; k++) {
+            bool stays = many->first + k < many->end;
+            uint32_t own = stays ? surface->many_face[many->first + k] : 0;
+            face[k] = stays ? (own & ~MANY_TURNED) - first_face : ROBERTS_NONE;
+            turned[k] = own & MANY_TURNED;
+        }
+    }
+    edge->f[0] = face[0];
+    edge->f[1] = face[1];
+    *is = (uint8_t)((*is & ~(EDGE_TURNED_0 | EDGE_TURNED_1)) | (turned[0] ? EDGE_TURNED_0 : 0) |
+                    (turned[1] ? EDGE_TURNED_1 : 0));
+}
+
 /* Adds what stays of an edge. */
 static bool cut_edge(cutter *c, uint32_t body, uint32_t e, const uint32_t *map)
 {
@@ -195,9 +218,10 @@ static bool cut_edge(cutter *c, uint32_t body, uint32_t e, const uint32_t *map)
         return false;
     for (int k = 0; k < 2; k++)
         c->clip->scene.edge[number].f[k] = f[k] == ROBERTS_NONE ? ROBERTS_NONE : f[k] - c->first.face;
-    to->edge_is[number] = is;
     if (is & EDGE_MANY && !add_many(c, scene_many_at(from, e), map, number))
         return false;
+    close_up(to, c->first.face, &c->clip->scene.edge[number], &is);
+    to->edge_is[number] = is;
     if (is & EDGE_PART) {
         if (!array_reserve(&to->part, &c->part_room, to->part_count + (size_t)1, sizeof *to->part))
             return false;

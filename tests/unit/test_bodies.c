@@ -82,6 +82,12 @@ static const body_case cases[] = {
     {"a wire on an edge is none", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n2 1 0\n", TOP, "o", 0, 4, 0, 0,
      false, false},
     {"a face without area is wires", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n", TOP, "o", 0, 0, 0, 2, false, false},
+    {"two faces at an edge that a third divides: it crosses itself there",
+     "OFF\n6 3 0\n0 0 0\n4 0 0\n4 2 0\n0 -2 0\n2 -1 2\n2 -1 -2\n4 0 1 2 3\n3 0 1 4\n3 0 1 5\n", FRONT, "o", 0,
+     8 * ROOT_2 + 2, 4, 0, false, false},
+    {"an edge ends where no piece of its faces has a corner: 1 and 2 coincide in the coordinate plane",
+     "OFF\n5 2 0\n0 0 0\n0 3 0\n0 3 2\n4 3 0\n0 6 0\n4 0 1 2 3\n4 4 1 2 3\n", TOP, "o", 0, 3 + 5 + 3 + 5, 4, 0, false,
+     true},
     {"a box open above: one sees into it",
      "OFF\n8 5 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n4 0 1 2 3\n"
      "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n",
@@ -97,6 +103,7 @@ static void measure(const roberts_drawing *drawing, double length[ROBERTS_BACK_O
         const roberts_segment *s = &drawing->segment[i];
         assert_in_range(s->line, 0, ROBERTS_BACK_OUTLINE);
         assert_true(s->t0 < s->t1 && s->v0 < s->v1);
+        assert_true(i == 0 || s[-1].v0 != s->v0 || s[-1].v1 != s->v1 || s[-1].t1 <= s->t0);
         length[s->line] += hypot(s->p1.x - s->p0.x, s->p1.y - s->p0.y);
     }
 }

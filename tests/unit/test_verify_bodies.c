@@ -170,13 +170,45 @@ static void test_smooth(void **state)
     roberts_scene_free(scene);
 }
 
+/* Corners 1 and 2 coincide in the coordinate plane of both faces, so that the edge 2-3 ends at no corner of a piece.
+ * The near plane takes the first face, and leaves a part of the edge. The row then belongs to one face alone. */
+static void test_first_face_taken(void **state)
+{
+    static const double p[5][3] = {{0, 0, 0}, {0, 3, 0}, {0, 3, 2}, {4, 3, 0}, {0, 6, 3}};
+    static const uint32_t face[2][4] = {{0, 1, 2, 3}, {4, 1, 2, 3}};
+    const roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE,
+                                   .eye = {1, 4, -1},
+                                   .has_look_at = true,
+                                   .look_at = {1, 4, 10},
+                                   .up = {0, 1, 0},
+                                   .near_distance = 1.5};
+    roberts_mesh mesh = {0};
+    size_t rows = 0;
+    (void)state;
+    add_vertices(&mesh, p, 5);
+    add_face(&mesh, face[0], 4);
+    add_face(&mesh, face[1], 4);
+    roberts_scene *scene = build(&mesh);
+    roberts_drawing drawing = draw(scene, &camera);
+    assert_int_equal(verify(scene, &camera, &drawing, NULL).contradictions, 0);
+    for (size_t i = 0; i < drawing.count; i++) {
+        const roberts_segment *s = &drawing.segment[i];
+        if (s->v0 != 2 || s->v1 != 3)
+            continue;
+        assert_int_equal(s->line, ROBERTS_BORDER);
+        assert_true(s->t0 == 0.0 && s->t1 == 0.75);
+        rows++;
+    }
+    assert_int_equal(rows, 1);
+    roberts_drawing_free(&drawing);
+    roberts_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pick),
-        cmocka_unit_test(test_own_faces_hide),
-        cmocka_unit_test(test_parts),
-        cmocka_unit_test(test_smooth),
+        cmocka_unit_test(test_pick),   cmocka_unit_test(test_own_faces_hide),   cmocka_unit_test(test_parts),
+        cmocka_unit_test(test_smooth), cmocka_unit_test(test_first_face_taken),
     };
     return cmocka_run_group_tests_name("verify_bodies", tests, NULL, NULL);
 }
