@@ -9,6 +9,10 @@
  * nearer, too. */
 static const double beside[] = {0.5, 0.05, 0.005};
 
+/* A line in two faces whose corners depart from their planes may lie beside the faces by so many departures, as the
+ * planes lean to one another. */
+#define DEPARTURES 8.0
+
 static int by_number(const void *pa, const void *pb)
 {
     const crossed_piece *a = pa, *b = pb;
@@ -55,10 +59,11 @@ static bool is_in_plane(const crossed *c, uint32_t face, roberts_vec3 X)
     return fabs(off) <= 2.0 * (c->touching + scene_deviation(c->scene, face));
 }
 
-/* Is X, a point of its plane, in the piece, or no farther outside than `loose`? */
+/* Is X, a point of its plane, in the piece, or no farther outside than `loose` and what corners depart from planes? */
 static bool holds(const crossed *c, uint32_t face, roberts_vec3 X, double loose)
 {
     const roberts_scene *scene = c->scene;
+    loose += DEPARTURES * scene_deviation(scene, face);
     plane F = scene->face_plane[face];
     const roberts_vec3 n = {-F.a, -F.b, -F.c};
     uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];

@@ -369,12 +369,110 @@ static void ends_agree_on_both_sides_of_a_side(void **state)
     }
 }
 
+/* ---- drawings --------------------------------------------------------------------------------------------------- */
+
+/* Loose triangles, a fine sheet that lies over itself among them, or convex solids. */
+static roberts_scene *crossing_scene(int kind)
+{
+    rng r = {(uint64_t)kind + 1};
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    if (kind == 2) {
+        model m = {0};
+        model_lattice(&m, 4, 1.2, 3);
+        scene = model_build(&m);
+        model_free(&m);
+        return scene;
+    }
+    for (uint32_t i = 0; i < 41 * 41 && kind == 1; i++) { /* a roll that goes through itself */
+        double u = 0.25 * (i / 41), v = 0.1 * (i % 41);
+        roberts_vec3 p = {(2 + cos(u) + 0.3 * u) * cos(u), v + 0.2 * sin(3 * u), (2 + 0.2 * cos(v)) * sin(2 * u)};
+        roberts_mesh_add_vertex(&mesh, p, NULL, NULL);
+    }
+    for (uint32_t i = 0; i < 40 * 40 && kind == 1; i++) {
+        uint32_t a = i / 40 * 41 + i % 40, corner[2][3] = {{a, a + 41, a + 42}, {a, a + 42, a + 1}};
+        for (int k = 0; k < 2; k++)
+            assert_int_equal(roberts_mesh_add_face(&mesh, corner[k], 3, NULL), ROBERTS_OK);
+    }
+    for (uint32_t i = 0; i < 300 && kind == 0; i++) {
+        uint32_t corner[3] = {3 * i, 3 * i + 1, 3 * i + 2};
+        roberts_vec3 at = {rng_between(&r, -2, 2), rng_between(&r, -2, 2), rng_between(&r, -2, 2)};
+        for (int k = 0; k < 3; k++)
+            roberts_mesh_add_vertex(
+                &mesh,
+                vec3_add(at, (roberts_vec3){rng_between(&r, -1, 1), rng_between(&r, -1, 1), rng_between(&r, -1, 1)}),
+                NULL, NULL);
+        assert_int_equal(roberts_mesh_add_face(&mesh, corner, 3, NULL), ROBERTS_OK);
+    }
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    roberts_mesh_free(&mesh);
+    return scene;
+}
+
+/* How many pairs of triangles cross, each asked. */
+static size_t pairs_that_cross(const roberts_scene *scene, double touching)
+{
+    crossing_rules rules = {scene, touching};
+    crossing_list found = {0};
+    for (uint32_t f = 0; f < scene->face_count; f++)
+        for (uint32_t g = f + 1; g < scene->face_count; g++) {
+            uint32_t body[2] = {0, 0};
+            for (uint32_t s = 0; s < scene->solid_count; s++) {
+                body[0] = f >= scene->solid[s].face ? s : body[0];
+                body[1] = g >= scene->solid[s].face ? s : body[1];
+            }
+            crossing_face F = crossing_face_of(&rules, body[0], f), G = crossing_face_of(&rules, body[1], g);
+            assert_true(crossing_find(&rules, &F, &G, &found));
+        }
+    free(found.item);
+    return found.count;
+}
+
+/* Each pair is found, once, by any grid and any number of threads, and the bytes are the same. */
+static void lines_do_not_depend_on_grid_and_threads(void **state)
+{
+    const roberts_camera camera = {.dir = {0.31, -0.47, 0.83}};
+    static const uint32_t grids[] = {0, 1, 7, 90}, threads[] = {1, 1, 2, 3};
+    (void)state;
+    for (int kind = 0; kind < 3; kind++) {
+        roberts_scene *scene = crossing_scene(kind);
+        roberts_drawing first = {0};
+        for (int i = 0; i < 4; i++) {
+            roberts_hide_options options = roberts_hide_options_default();
+            roberts_drawing drawing;
+            options.grid = grids[i];
+            options.threads = threads[i];
+            assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+            if (drawing.crossing_count <= 20)
+                fail_msg("kind %d, grid %u: %zu lines", kind, grids[i], drawing.crossing_count);
+            if (kind < 2)
+                assert_int_equal(drawing.crossing_count, pairs_that_cross(scene, drawing.epsilon));
+            if (i == 0) {
+                first = drawing;
+                continue;
+            }
+            assert_int_equal(drawing.crossing_count, first.crossing_count);
+            assert_memory_equal(drawing.crossing, first.crossing, first.crossing_count * sizeof *first.crossing);
+            assert_int_equal(drawing.count, first.count);
+            for (size_t k = 0; k < first.count; k++)
+                assert_true(drawing.segment[k].t0 == first.segment[k].t0 &&
+                            drawing.segment[k].t1 == first.segment[k].t1 &&
+                            drawing.segment[k].edge == first.segment[k].edge &&
+                            drawing.segment[k].line == first.segment[k].line);
+            roberts_drawing_free(&drawing);
+        }
+        roberts_drawing_free(&first);
+        roberts_scene_free(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pairs_cross_where_they_should),
         cmocka_unit_test(triangles_cross_as_whole_numbers_say),
         cmocka_unit_test(ends_agree_on_both_sides_of_a_side),
+        cmocka_unit_test(lines_do_not_depend_on_grid_and_threads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
