@@ -22,8 +22,7 @@ enum { FEW_FACES = 24 };
  * corners. */
 #define OWN_TOUCH 4.0
 
-/* ---- the bodies ---------------------------------------------------------------------------------------------------
- */
+/* ---- the bodies -------------------------------------------------------------------------------------------------- */
 
 static box3 box_of_face(const roberts_scene *scene, uint32_t face, double margin)
 {
@@ -134,8 +133,7 @@ union_line union_line_of_edge(const roberts_scene *scene, uint32_t s, uint32_t e
     return line;
 }
 
-/* ---- where the line meets a face ----------------------------------------------------------------------------------
- */
+/* ---- where the line meets a face --------------------------------------------------------------------------------- */
 
 static bool add_event(union_cutter *c, double t)
 {
@@ -366,8 +364,7 @@ static bool meet_bodies(union_cutter *c)
     return true;
 }
 
-/* ---- the pieces ---------------------------------------------------------------------------------------------------
- */
+/* ---- the pieces -------------------------------------------------------------------------------------------------- */
 
 /* The same sides may be different faces in one plane. */
 static bool same_answer(const union_cutter *c, const union_piece *a, const union_piece *b)

@@ -14,8 +14,7 @@ enum { RAYS_TRIED = 16 };
 
 #define FULL_TURN 6.28318530717958647692
 
-/* ---- what a body that is not convex fills -------------------------------------------------------------------------
- */
+/* ---- what a body that is not convex fills ------------------------------------------------------------------------ */
 
 enum { MISSES, HITS, UNSURE };
 
@@ -123,8 +122,7 @@ static bool is_inside(const union_cutter *c, const union_fill *of, double t)
     return true;
 }
 
-/* ---- the angles about a piece -------------------------------------------------------------------------------------
- */
+/* ---- the angles about a piece ------------------------------------------------------------------------------------ */
 
 static double touch_of(const union_cutter *c, uint32_t a, uint32_t b)
 {
