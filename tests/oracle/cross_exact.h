@@ -164,6 +164,73 @@ struct cross_finder {
         }
     }
 
+    /* A piece of a flat edge that lies in face f. */
+    struct seam {
+        size_t f;
+        std::vector<size_t> own; /* faces of the edge, and f */
+        vec<rational> a, b;
+    };
+
+    /* On which side of the edge from a along d do the corners of a face lie, in its plane? 0: on both. */
+    int side_of(const polygon &f, const vec<rational> &n, const vec<rational> &a, const vec<rational> &d) const
+    {
+        vec<rational> m = cross(n, d);
+        int side = 0;
+        for (uint32_t v : f.corner) {
+            const vec<rational> p = sub<rational>(o.mesh.vertex[v], roberts_vec3{0, 0, 0});
+            int sign = sign_of(rational(dot(m, vec<rational>{p.x - a.x, p.y - a.y, p.z - a.z})));
+            if (sign != 0 && side != 0 && sign != side)
+                return 0;
+            side = sign != 0 ? sign : side;
+        }
+        return side;
+    }
+
+    void seam_in(size_t f, uint32_t va, uint32_t vb, const std::vector<size_t> &own, std::vector<seam> &out) const
+    {
+        const polygon &F = o.faces[f], &W = o.faces[own[0]];
+        const roberts_vec3 zero{0, 0, 0};
+        const vec<rational> a = sub<rational>(o.mesh.vertex[va], zero), b = sub<rational>(o.mesh.vertex[vb], zero);
+        const vec<rational> n = o.newell<rational>(F), along = cross(n, o.newell<rational>(W));
+        if ((along.x == 0 && along.y == 0 && along.z == 0) || o.height(F, n, a) != 0 || o.height(F, n, b) != 0)
+            return;
+        profile p = profile_of(F, W, along);
+        p.meetings.push_back({dot(along, a), a, 0, 0});
+        p.meetings.push_back({dot(along, b), b, 0, 0});
+        rational low = std::min(dot(along, a), dot(along, b)), high = std::max(dot(along, a), dot(along, b));
+        std::vector<meeting> cut(p.meetings);
+        std::sort(cut.begin(), cut.end(), [](const meeting &x, const meeting &y) { return x.s < y.s; });
+        for (size_t i = 0; i + 1 < cut.size(); i++) {
+            if (cut[i].s == cut[i + 1].s || cut[i].s < low || cut[i + 1].s > high)
+                continue;
+            if (!goes_on(p, (cut[i].s + cut[i + 1].s) / 2))
+                continue;
+            seam s{f, own, cut[i].at, cut[i + 1].at};
+            s.own.push_back(f);
+            out.push_back(s);
+        }
+    }
+
+    std::vector<seam> seams() const
+    {
+        std::vector<seam> out;
+        for (const auto &[key, own] : o.edges) {
+            if (own.size() != 2 || o.faces[own[0]].corner.size() > 4 || o.faces[own[1]].corner.size() > 4)
+                continue;
+            const vec<rational> n = o.newell<rational>(o.faces[own[0]]), m = o.newell<rational>(o.faces[own[1]]);
+            const vec<rational> bend = cross(n, m), a = sub<rational>(o.mesh.vertex[key[0]], roberts_vec3{0, 0, 0});
+            const vec<rational> d = sub<rational>(o.mesh.vertex[key[1]], o.mesh.vertex[key[0]]);
+            if (bend.x != 0 || bend.y != 0 || bend.z != 0)
+                continue;
+            if (side_of(o.faces[own[0]], n, a, d) * side_of(o.faces[own[1]], n, a, d) >= 0)
+                continue;
+            for (size_t f = 0; f < o.faces.size(); f++)
+                if (f != own[0] && f != own[1] && !apart(f, own[0]) && !apart(f, own[1]))
+                    seam_in(f, key[0], key[1], own, out);
+        }
+        return out;
+    }
+
     /* Of each face the first one that has the same corners. */
     std::vector<size_t> first_alike() const
     {

@@ -127,6 +127,32 @@ bool cross_truth_find(const roberts_mesh *mesh, const oracle_view *view, bool ev
     }
 }
 
+bool cross_seams_find(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, cross_truth *truth)
+{
+    std::memset(truth, 0, sizeof *truth);
+    try {
+        mesh_oracle o(*mesh, *view, even_odd);
+        cross_finder finder(o);
+        std::vector<cross_line> lines;
+        std::vector<oracle_interval> intervals;
+        for (const cross_finder::seam &s : finder.seams()) {
+            std::vector<oracle_interval> hidden = o.hide(o.spot_of(s.a), o.spot_of(s.b), s.own);
+            bool edge_on = o.edge_on(o.faces[s.f]) || o.edge_on(o.faces[s.own[0]]);
+            lines.push_back({o.faces[s.f].number, o.faces[s.own[0]].number, nearest(s.a), nearest(s.b), edge_on,
+                             intervals.size(), hidden.size()});
+            intervals.insert(intervals.end(), hidden.begin(), hidden.end());
+        }
+        truth->line_count = lines.size(), truth->interval_count = intervals.size();
+        truth->line = copy_of(lines);
+        truth->interval = copy_of(intervals);
+        return true;
+    } catch (const std::exception &e) {
+        cross_truth_free(truth);
+        std::snprintf(truth->error, sizeof truth->error, "%s", e.what());
+        return false;
+    }
+}
+
 void cross_truth_free(cross_truth *truth)
 {
     std::free(truth->line);

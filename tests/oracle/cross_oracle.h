@@ -38,6 +38,11 @@ typedef struct cross_truth {
 bool cross_truth_find(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, cross_truth *truth);
 void cross_truth_free(cross_truth *truth);
 
+/* Finds where a flat edge, which is not drawn, lies in a face that goes on at both sides of the edge's faces: there
+ * those faces end on it, and the line is an intersection. f0 is the face, f1 the smallest of the edge's. Faces of more
+ * than four corners are not looked at for flat edges. Release as above. */
+bool cross_seams_find(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, cross_truth *truth);
+
 /* How clear it is, in doubles, whether two faces cross at X: ORACLE_YES where they do and would do so if everything
  * moved by `slack` (model units), ORACLE_NO where they would not; else ORACLE_UNSURE. */
 oracle_answer cross_truth_at(const roberts_mesh *mesh, bool even_odd, uint32_t f0, uint32_t f1, roberts_vec3 X,

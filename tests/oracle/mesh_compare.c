@@ -13,6 +13,7 @@ static const char help[] =
     "  --seed S       first seed (default: 1)\n"
     "  --edges N      goes on until N edges and lines have been compared (default: one scene of each family)\n"
     "  --folder DIR   failing scenes are written to DIR/failures/ (default: build)\n"
+    "  --seams        asks instead for lines where flat edges, which are not drawn, lie in faces; N counts scenes\n"
     "  --list         names the families\n"
     "mesh_compare [--dir X,Y,Z | --eye X,Y,Z] [--slack S] --file FILE...\n"
     "The same for files of any origin. What could change if things moved by S (model units) is not judged.\n";
@@ -45,6 +46,11 @@ static bool parse(int argc, char **argv, arguments *a)
         if (!strcmp(option, "--help")) {
             fputs(help, stdout);
             exit(0);
+        }
+        if (!strcmp(option, "--seams")) {
+            a->scene.seams = true;
+            i--;
+            continue;
         }
         if (!value)
             return false;
@@ -98,9 +104,14 @@ static bool compare_files(const arguments *a, int argc, char **argv, mesh_total 
     return read;
 }
 
+static bool is_enough(const arguments *a, const mesh_total *total)
+{
+    return (a->scene.seams ? total->scenes : total->edges + total->lines) >= a->edges;
+}
+
 static bool compare_families(const arguments *a, mesh_total *total)
 {
-    for (uint64_t seed = a->seed; seed == a->seed || total->edges + total->lines < a->edges; seed++)
+    for (uint64_t seed = a->seed; seed == a->seed || !is_enough(a, total); seed++)
         for (size_t f = 0; f < mesh_family_count(); f++) {
             char name[64];
             mesh_scene scene;
@@ -109,6 +120,7 @@ static bool compare_families(const arguments *a, mesh_total *total)
             if (!mesh_family_make(f, seed, &scene))
                 return false;
             snprintf(name, sizeof name, "%s-%" PRIu64, mesh_family_name(f), seed);
+            scene.seams = a->scene.seams;
             mesh_judge(name, &scene, a->folder, total, stdout);
             mesh_scene_free(&scene);
         }

@@ -239,8 +239,10 @@ static void tell_command(const char *name, const mesh_scene *scene, const char *
     mkdir(path, 0777);
     snprintf(path, sizeof path, "%s/failures/%s.off", folder, name);
     snprintf(command, sizeof command, "%s --hidden solid -f csv --%s=%.17g,%.17g,%.17g%s",
-             scene->united ? "--union" : "--all-edges", v->w ? "eye" : "dir", v->x, v->y, v->z,
-             scene->even_odd ? " --fill-rule evenodd" : "");
+             scene->united  ? "--union"
+             : scene->seams ? "--crease 0.1"
+                            : "--all-edges",
+             v->w ? "eye" : "dir", v->x, v->y, v->z, scene->even_odd ? " --fill-rule evenodd" : "");
     if (judge_write_off(path, &scene->mesh, command))
         fprintf(out, "  build/roberts %s %s\n", command, path);
 }
@@ -281,13 +283,58 @@ static bool draw(const char *name, const mesh_scene *scene, roberts_scene **buil
     else
         camera.dir = (roberts_vec3){v->x, v->y, v->z};
     options.keep_hidden = true;
-    options.all_edges = !scene->united;
+    options.all_edges = !scene->united && !scene->seams;
     options.unite = scene->united;
     if (roberts_scene_build(&scene->mesh, &bodies, built, &error) == ROBERTS_OK &&
         roberts_hide(*built, &camera, &options, drawing, &error) == ROBERTS_OK)
         return true;
     fprintf(out, "%s: the program refuses: %s\n", name, error.message);
     return false;
+}
+
+/* The truth about seams in the shape of that about unions: all is drawn. */
+static bool seams_as_lines(const cross_truth *seams, union_truth *out)
+{
+    *out = (union_truth){.line_count = seams->line_count,
+                         .part_count = seams->line_count,
+                         .interval_count = seams->interval_count,
+                         .line = malloc((seams->line_count + 1) * sizeof *out->line),
+                         .part = malloc((seams->line_count + 1) * sizeof *out->part),
+                         .interval = malloc((seams->interval_count + 1) * sizeof *out->interval)};
+    if (!out->line || !out->part || !out->interval)
+        return false;
+    for (size_t i = 0; i < seams->line_count; i++) {
+        const cross_line *l = &seams->line[i];
+        out->line[i] = (union_line){l->a, l->b, true, l->edge_on, i, 1, l->first, l->count};
+        out->part[i] = (union_part){0, 1, UNION_OPEN};
+    }
+    memcpy(out->interval, seams->interval, seams->interval_count * sizeof *out->interval);
+    return true;
+}
+
+/* Without flat edges: where such an edge is the line in which its faces meet another one, there must be a line. */
+static size_t judge_seams(const char *name, const mesh_scene *scene, mesh_total *total, FILE *out)
+{
+    roberts_scene *built = NULL;
+    roberts_drawing drawing = {0};
+    cross_truth seams;
+    union_truth lines = {0};
+    size_t failed = 1;
+    if (!cross_seams_find(&scene->mesh, &scene->view, scene->even_odd, &seams)) {
+        total->refused++;
+        return 0;
+    }
+    if (seams_as_lines(&seams, &lines) && draw(name, scene, &built, &drawing, out)) {
+        const union_case c = {scene, &lines, name};
+        failed = union_judge_lines(&c, &drawing, total, out);
+    } else {
+        total->disagreements++;
+    }
+    roberts_drawing_free(&drawing);
+    roberts_scene_free(built);
+    cross_truth_free(&seams);
+    union_truth_free(&lines);
+    return failed;
 }
 
 /* Bodies drawn as one. */
@@ -354,7 +401,7 @@ static size_t judge_bodies(const char *name, const mesh_scene *scene, mesh_total
 bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, mesh_total *total, FILE *out)
 {
     total->scenes++;
-    size_t failed = (scene->united ? judge_united : judge_bodies)(name, scene, total, out);
+    size_t failed = (scene->united ? judge_united : scene->seams ? judge_seams : judge_bodies)(name, scene, total, out);
     if (failed)
         tell_command(name, scene, folder, out);
     return failed == 0;

@@ -12,6 +12,7 @@ typedef struct mesh_scene {
     oracle_view view; /* without a near plane */
     bool even_odd;
     bool united;  /* closed bodies that are drawn as one */
+    bool seams;   /* instead: lines where flat edges, which are not drawn, lie in faces */
     double slack; /* model units: what could change if things moved so far is not judged; 0: judged strictly */
 } mesh_scene;
 

@@ -251,6 +251,26 @@ static void test_cube_in_cube(void **state)
     roberts_mesh_free(&mesh);
 }
 
+/* A wall of two rows, cut at the floor: no faces cross, but the flat edge between the rows lies in the floor. */
+static void test_seams(void **state)
+{
+    static const char text[] = "OFF\n10 3 0\n0 0 0 4 0 0 4 4 0 0 4 0  -1 2 0 3 2 0 3 2 1 -1 2 1 -1 2 -1 3 2 -1\n"
+                               "4 0 1 2 3\n4 4 5 6 7\n4 4 5 9 8\n";
+    const oracle_view view = {.x = 1, .y = -2, .z = 1};
+    roberts_mesh mesh = {0};
+    cross_truth truth;
+    (void)state;
+    assert_int_equal(roberts_mesh_read_memory(&mesh, "wall", text, strlen(text), NULL, NULL), ROBERTS_OK);
+    assert_true(cross_seams_find(&mesh, &view, false, &truth));
+    assert_int_equal(truth.line_count, 1);
+    assert_true(truth.line[0].f0 == 0 && truth.line[0].f1 == 1);
+    check_end("a", truth.line[0].a, (double[]){0, 2, 0});
+    check_end("b", truth.line[0].b, (double[]){3, 2, 0});
+    assert_int_equal(truth.line[0].count, 0);
+    cross_truth_free(&truth);
+    roberts_mesh_free(&mesh);
+}
+
 /* ---- triangles, in another way ---- */
 
 typedef struct whole {
@@ -549,10 +569,8 @@ static void test_wrong_tables(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_by_hand),
-        cmocka_unit_test(test_cube_in_cube),
-        cmocka_unit_test(test_triangles),
-        cmocka_unit_test(test_wrong_tables),
+        cmocka_unit_test(test_by_hand),   cmocka_unit_test(test_cube_in_cube), cmocka_unit_test(test_seams),
+        cmocka_unit_test(test_triangles), cmocka_unit_test(test_wrong_tables),
     };
     return cmocka_run_group_tests_name("oracle of intersection lines", tests, NULL, NULL);
 }
