@@ -59,7 +59,7 @@ PAGES    := $(BUILD)/roberts.1 $(BUILD)/completions/bash $(BUILD)/completions/zs
 # tests/unit/test_off.c becomes build/tests/test_off: names of tests are different in all folders.
 TEST_BIN := $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(TEST_SRC)))
 # What takes longer than a second or two is left out of `make test-quick`.
-SLOW     := fault_files faults install memory_order mesh_oracle union union_drawing metamorphic off oracle render same_bytes hull_memory
+SLOW     := cross_oracle fault_files faults install memory_order mesh_oracle union union_drawing metamorphic off oracle render same_bytes hull_memory union_oracle
 QUICK_BIN = $(filter-out $(SLOW:%=$(BUILD)/tests/test_%),$(TEST_BIN))
 RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) \
             LOCPATH='$(abspath $(BUILD)/locale)' tests/run.sh

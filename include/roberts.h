@@ -345,7 +345,7 @@ typedef struct roberts_segment {
 /** A maximal segment in which two faces cross. */
 typedef struct roberts_crossing {
     uint32_t face[2];    /**< face[0] < face[1], as numbered in the input */
-    roberts_vec3 end[2]; /**< in the model; end[0] has the smaller x, or y where those are equal, or z */
+    roberts_vec3 end[2]; /**< in the model; end[0] has the smaller x, or y where those touch, or z */
 } roberts_crossing;
 
 /** How many pairs of an edge and a front each test decided (lecture: tests 1 to 4, cheapest first). A front is all that
@@ -397,7 +397,8 @@ typedef struct roberts_drawing {
                                        faces and edges) */
     size_t front_faces, back_faces, edge_on_faces;
     size_t edges, surviving_edges; /**< all; with a front face */
-    size_t seams;       /**< edges of which the union takes a part, or all, since bodies touch there or hold it */
+    size_t seams; /**< with `unite`: surviving edges (all, if hidden segments are kept) that are left out, or parts of
+                       them, because bodies are flush there or one holds them */
     size_t drawn_edges; /**< of the surviving ones (of all, if hidden segments are kept) those that are not flatter than
                              the crease angle */
     roberts_tally tally;
@@ -412,10 +413,11 @@ typedef struct roberts_hide_options {
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
     bool levels;           /**< with keep_hidden: fill in `level` */
-    /** Draw all bodies as one. Edges of closed bodies keep the parts where the angle that the bodies fill together
-     * about the edge is neither nothing, nor all, nor exactly a half-plane: flush blocks lose their seam, and what is
-     * inside is gone. Where edges of several bodies lie on one another, that of the body of smallest number is drawn.
-     */
+    /** Draw all closed bodies as one. An edge keeps the parts where the angle that the bodies fill together about it is
+     * neither nothing, nor all, nor exactly a half-plane: flush blocks lose their seam, and what is inside is gone. Its
+     * class follows from the sides of what they fill; so does that of a line in which faces cross, which is an outline
+     * or a crease then. Where edges of several bodies lie on one another, that of the body of smallest number is
+     * drawn. */
     bool unite;
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
                            largest coordinate, and 2 float ulp of the largest one that came as a 32-bit float */

@@ -172,13 +172,14 @@ static const option rows[] = {
      .brief = "draw all bodies as one",
      .help = "draw all closed bodies as one: no line where they touch flush or lie in one another",
      .manual =
-         "Draws all closed bodies as one. Parts that are flush show no seam, what is inside of a body is not drawn, "
-         "also "
-         "not as a hidden line, and a line where two bodies meet has the class that it has in the whole: the foot of a "
-         "leg on a slab is a crease. Parts are flush if they are so within the touching distance (--epsilon) and what "
-         "their faces depart from their planes; models with six digits may need --epsilon. Open surfaces and wires are "
-         "drawn as without this option. Where edges of several bodies lie on one another, that of the body of smallest "
-         "number is drawn."},
+         "Draws all closed bodies as one. Parts that are flush show no seam. What is inside of a body is not drawn, "
+         "not "
+         "as a hidden line either. A line where bodies meet has the class that it has in the whole: the foot of a leg "
+         "on a slab is a crease, and so is mostly a line in which faces cross. Parts are flush if they are so within "
+         "the touching distance (--epsilon) and what their faces depart from their planes; models with six digits may "
+         "need --epsilon. Open surfaces and wires are drawn as without this option. Where edges of several bodies lie "
+         "on one another, that of the body of smallest number is drawn.\n"
+         "--verify then checks what is drawn, and not what is left out."},
     {.group = GROUP_OUTPUT,
      .name = "hull",
      .flags = OPTION_DRAWS,

@@ -7,6 +7,7 @@
 #include "base/bits.h"
 #include "base/sort.h"
 #include "base/threads.h"
+#include "hide/sheets.h"
 
 /* Cells that a thread takes at a time; with fewer entries than this a thread costs more than it does. */
 #define CELLS_AT_ONCE 64
@@ -15,6 +16,12 @@
 #define KEPT_FACES 512
 /* So many comparisons of a corner with a plane may be spent on keeping two solids apart. */
 #define WORTH_A_PLANE 4096
+/* In place of a column, of which there are fewer. */
+#define NO_CELL UINT16_MAX
+/* Pictures of faces of more corners are not kept apart. */
+#define FEW_CORNERS 8
+/* Roundings of a picture coordinate: a corner no farther on the inner side of a line than this is beside it. */
+#define LOOSE 4.0
 /* More pairs of faces of two solids than this are found by sorting. */
 #define FEW_PAIRS 1024
 
@@ -29,9 +36,18 @@ typedef struct face_list {
     size_t count, room;
 } face_list;
 
+/* The first of the cells that list a front, if these are all that its box touches. */
+typedef struct first_cell {
+    uint16_t column, row;
+} first_cell;
+
 /* What each thread has for itself. */
 typedef struct finder {
     const hide_fronts *fronts;
+    const objet *grid;
+    const first_cell *first; /* [front_count] */
+    const sheets *sheets;
+    sheet_cell known; /* of the cell at hand */
     crossing_rules rules;
     crossing_list found;
     uint64_t *pair; /* [pair_count] faces of several pieces, first pieces of both: they are asked at the end */
@@ -60,14 +76,23 @@ static hide_box box_of_face(const hide_fronts *fronts, uint32_t piece)
 
 /* ---- two faces ------------------------------------------------------------------------------------------------- */
 
-/* How many corners two faces of one body share. */
-static unsigned shared_corners(const roberts_scene *scene, uint32_t f, uint32_t g)
+/* Is one face beside a side of the other in the picture? What is within rounding of the side is beside it. */
+static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
 {
-    unsigned shared = 0;
-    for (uint32_t i = scene->face_start[f]; i < scene->face_start[f + 1]; i++)
-        for (uint32_t k = scene->face_start[g]; k < scene->face_start[g + 1]; k++)
-            shared += scene->corner[i] == scene->corner[k];
-    return shared;
+    const roberts_vec3 *P = fronts->P;
+    double loose = LOOSE * fronts->space.rounding;
+    roberts_vec3 A = P[f->corner[f->count - 1]];
+    for (uint32_t i = 0; i < f->count; i++) {
+        roberts_vec3 B = P[f->corner[i]];
+        double dx = B.x - A.x, dy = B.y - A.y, most = loose * (fabs(dx) + fabs(dy));
+        uint32_t k = 0;
+        while (k < g->count && dx * (P[g->corner[k]].y - A.y) - dy * (P[g->corner[k]].x - A.x) <= most)
+            k++;
+        if (k == g->count)
+            return true;
+        A = B;
+    }
+    return false;
 }
 
 static bool add_pair(finder *t, uint32_t f, uint32_t g)
@@ -212,18 +237,33 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
         return meet_solids(t, list[i].front, list[k].front);
-    if (f->solid == g->solid && shared_corners(fronts->scene, f->piece, g->piece) > 1 &&
-        fronts->scene->face_start[f->piece + 1] - fronts->scene->face_start[f->piece] == 3)
-        return true; /* they share a side: one of them is a triangle */
+    const hide_face *F = &fronts->face[f->face], *G = &fronts->face[g->face];
+    if (F->count <= FEW_CORNERS && G->count <= FEW_CORNERS &&
+        (is_beside_a_side(fronts, F, G) || is_beside_a_side(fronts, G, F)))
+        return true; /* nearly all neighbours are */
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
 
-/* All pairs of one cell. Fronts are listed nearest first, so that those behind a front end the search. */
-static bool meet_cell(finder *t, const objet *grid, size_t cell)
+/* Is this the first cell that lists both fronts? If that is not known: true. */
+static inline bool is_met_here(const finder *t, uint32_t a, uint32_t b, size_t cell)
 {
+    const first_cell *f = &t->first[a], *g = &t->first[b];
+    if (f->column == NO_CELL || g->column == NO_CELL)
+        return true;
+    size_t column = f->column > g->column ? f->column : g->column, row = f->row > g->row ? f->row : g->row;
+    return column * t->grid->frame.ny + row == cell;
+}
+
+/* All pairs of one cell. Fronts are listed nearest first, so that those behind a front end the search. */
+static bool meet_cell(finder *t, size_t cell)
+{
+    const objet *grid = t->grid;
     const hide_fronts *fronts = t->fronts;
     const objet_entry *list = grid->entry + grid->start[cell];
     uint32_t count = grid->start[cell + 1] - grid->start[cell];
+    sheets_of_cell(t->sheets, fronts, grid, cell, &t->known);
+    if (t->known.apart)
+        return true;
     memset(t->kept, 0, (count < KEPT_FACES ? count : KEPT_FACES) * sizeof *t->kept);
     for (uint32_t i = 0; i + 1 < count; i++) {
         const hide_box *own = &fronts->front_box[list[i].front];
@@ -236,7 +276,9 @@ static bool meet_cell(finder *t, const objet *grid, size_t cell)
                     k = end;
                     break;
                 }
-                if (boxes_meet(own, box) && !meet_entries(t, list, i, at))
+                if (!(t->known.single && t->known.group[i] == t->known.group[at]) &&
+                    is_met_here(t, list[i].front, list[at].front, cell) && boxes_meet(own, box) &&
+                    !meet_entries(t, list, i, at))
                     return false;
             }
     }
@@ -255,7 +297,7 @@ static bool meet_all(finder *finders, const objet *grid, int threads)
     for (size_t p = 0; p < parts; p++) {
         finder *t = &finders[thread_self()];
         for (size_t c = p * CELLS_AT_ONCE; !lost && c < cells && c < (p + 1) * CELLS_AT_ONCE; c++)
-            lost = lost || !meet_cell(t, grid, c);
+            lost = lost || !meet_cell(t, c);
     }
     return !lost;
 }
@@ -393,10 +435,34 @@ static bool gather(crossings *c, const roberts_scene *scene, const finder *finde
     return enough;
 }
 
-static bool finders_init(finder *finders, int threads, const hide_fronts *fronts)
+/* A front is listed in all cells that its box touches if these are two columns and two rows at the most. */
+static first_cell *find_first_cells(const hide_fronts *fronts, const objet *grid, int threads)
+{
+    first_cell *first = alloc_array(fronts->front_count, sizeof *first);
+    (void)threads;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(threads)
+#endif
+    for (uint32_t k = 0; k < (first ? fronts->front_count : 0); k++) {
+        const hide_box *box = &fronts->front_box[k];
+        double m = grid->frame.margin + (double)fronts->front[k].loose;
+        uint32_t column = scan_column(&grid->frame, (double)box->x0 - m);
+        uint32_t row = scan_row(&grid->frame, (double)box->y0 - m);
+        bool small = scan_column(&grid->frame, (double)box->x1 + m) - column < 2 &&
+                     scan_row(&grid->frame, (double)box->y1 + m) - row < 2;
+        first[k] = (first_cell){small ? (uint16_t)column : NO_CELL, (uint16_t)row};
+    }
+    return first;
+}
+
+static bool finders_init(finder *finders, int threads, const hide_fronts *fronts, const objet *grid,
+                         const first_cell *first, const sheets *surfaces)
 {
     for (int i = 0; i < threads; i++) {
         finders[i].fronts = fronts;
+        finders[i].grid = grid;
+        finders[i].first = first;
+        finders[i].sheets = surfaces;
         finders[i].rules = (crossing_rules){fronts->scene, fronts->space.epsilon * fronts->scene->unit};
         finders[i].face = alloc_array(KEPT_FACES, sizeof *finders[i].face);
         if (!finders[i].face)
@@ -451,7 +517,10 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
 {
     int count = threads_for(threads, 1 + grid->start[scan_cells(&grid->frame)] / WORTH_A_THREAD);
     finder *finders = alloc_zeroed((size_t)count, sizeof *finders);
-    bool enough = finders && finders_init(finders, count, fronts) && meet_all(finders, grid, count) &&
+    first_cell *first = find_first_cells(fronts, grid, count);
+    sheets surfaces;
+    bool enough = sheets_find(&surfaces, fronts) && finders && first &&
+                  finders_init(finders, count, fronts, grid, first, &surfaces) && meet_all(finders, grid, count) &&
                   meet_pairs(finders, count) && gather(c, fronts->scene, finders, count) &&
                   find_pieces(c, fronts->seen, threads);
     for (int i = 0; finders && i < count; i++) {
@@ -462,6 +531,8 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
         free(finders[i].list[1].item);
     }
     free(finders);
+    free(first);
+    sheets_free(&surfaces);
     return enough;
 }
 

@@ -63,9 +63,8 @@ static roberts_status make_fronts(hide_job *job, const roberts_scene *scene, con
     if (status != ROBERTS_OK)
         return status;
     seen_set_rules(&job->seen, options);
-    if (options->unite && !seen_unite(&job->seen, options->threads))
-        return ROBERTS_NO_MEMORY;
-    if (!hide_fronts_build(&job->fronts, &job->seen, options))
+    if (!hide_fronts_build(&job->fronts, &job->seen, options) ||
+        (options->unite && !seen_unite(&job->seen, job->fronts.culled, options->threads)))
         return ROBERTS_NO_MEMORY;
     const view *v = &job->seen.view;
     if (v->epsilon > EPSILON_MOST * v->diameter && options->epsilon > 0.0)

@@ -151,3 +151,20 @@ void hide_intervals_join(hide_intervals *intervals, double epsilon, double lengt
     }
     intervals->count = kept;
 }
+
+bool hide_intervals_split(hide_intervals *intervals, double t)
+{
+    size_t i = 0;
+    while (i < intervals->count && !(intervals->item[i].part.t0 < t && t < intervals->item[i].part.t1))
+        i++;
+    if (i == intervals->count)
+        return true;
+    if (!array_reserve(&intervals->item, &intervals->room, intervals->count + 1, sizeof *intervals->item))
+        return false;
+    hide_solid_interval *item = intervals->item + i;
+    memmove(item + 1, item, (intervals->count - i) * sizeof *item);
+    intervals->count++;
+    item[0].part.t1 = item[0].part.r1 = t;
+    item[1].part.t0 = item[1].part.r0 = t;
+    return true;
+}

@@ -79,4 +79,7 @@ static inline void hide_intervals_unite(hide_intervals *intervals, double epsilo
         hide_intervals_reach_ends(intervals, epsilon, length);
 }
 
+/* Cuts the part that holds t, if there is one, in two. False: no memory. */
+bool hide_intervals_split(hide_intervals *intervals, double t);
+
 #endif

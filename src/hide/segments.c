@@ -125,15 +125,25 @@ BITS_INLINE bool add_line(const line_writer *w, const hide_line *line)
     return true;
 }
 
+/* What of a hidden part lies between two places. Nearer to them than `near`, it reaches them. False: nothing. */
+static bool clip_hidden(hide_interval *hidden, const hide_interval *all, double near)
+{
+    if (hidden->t0 - all->t0 <= near)
+        hidden->t0 = all->t0;
+    if (all->t1 - hidden->t1 <= near)
+        hidden->t1 = all->t1;
+    bool whole = hidden->t0 > all->t0 && hidden->t1 < all->t1;
+    return hidden->t1 - hidden->t0 > (whole ? 0.0 : near);
+}
+
 /* Writes the parts of a line between two places of its picture. There is room for them. */
 static void put_parts(const line_writer *w, const line_row *row, const hide_line *line, const hide_interval *all)
 {
+    double near = w->seen->view.epsilon / line->e.length3;
     hide_interval shown = {.t0 = all->t0};
     for (size_t i = 0; i < line->intervals.count; i++) {
         hide_interval hidden = line->intervals.item[i].part;
-        hidden.t0 = greater(hidden.t0, all->t0);
-        hidden.t1 = lesser(hidden.t1, all->t1);
-        if (hidden.t0 >= hidden.t1)
+        if (!clip_hidden(&hidden, all, near))
             continue;
         shown.t1 = hidden.t0;
         if (shown.t1 > shown.t0)
@@ -299,13 +309,32 @@ static void name_hiders(const hide_job *job, hide_worker *w)
         }
 }
 
+/* Cuts the hidden parts of lines where their pieces end: another body may be seen beyond. False: no memory. */
+static bool split_at_pieces(const hide_job *job, hide_worker *w)
+{
+    for (hide_line *line = w->line, *end = line + w->line_count; line < end; line++) {
+        const seen_line *is = &line->is;
+        const union_piece *piece = is->taken & SEEN_TAKEN ? NULL : is->piece;
+        for (; piece && piece->t1 < is->t1; piece++) {
+            double t = (piece->t1 - is->t0) / (is->t1 - is->t0);
+            if (t > 0.0 &&
+                !hide_intervals_split(&line->intervals, view_from_space(&job->seen.view, line->e.A.z, line->e.B.z, t)))
+                return false;
+        }
+    }
+    return true;
+}
+
 /* Finds what is hidden of the lines taken up. False: no memory. */
 static bool hide_lines(const hide_job *job, hide_worker *w)
 {
     if (!hide_worker_run(w))
         return false;
-    if (job->options->keep_hidden)
-        name_hiders(job, w);
+    if (!job->options->keep_hidden)
+        return true;
+    if (job->seen.edges.first && !split_at_pieces(job, w))
+        return false;
+    name_hiders(job, w);
     return true;
 }
 

@@ -13,9 +13,6 @@
 /* Part of the touching distance that an error may have in a decision. */
 #define TRUSTED 0.125
 
-/* Part of the scene's size: computed ends are off by less. */
-#define ROUNDING 1e-20
-
 /* ---- planes and signs ------------------------------------------------------------------------------------------ */
 
 static double greatest(roberts_vec3 d)
@@ -352,12 +349,13 @@ static crossing_point point_of(const pair *w, cut *c, int of)
                             vec3_scale(scene->unit, (roberts_vec3){c->at.x.lo, c->at.y.lo, c->at.z.lo}), ROBERTS_NONE};
 }
 
-/* Does P come after Q, by x, y, z? Coordinates that differ by no more than what computing them rounds are equal. */
-static bool is_behind(const roberts_scene *scene, const crossing_point *P, const crossing_point *Q)
+/* Does P come after Q, by x, y, z? Coordinates within the touching distance are equal: how a model is rounded should
+ * not turn a line round. */
+static bool is_behind(const crossing_rules *rules, const crossing_point *P, const crossing_point *Q)
 {
     roberts_vec3 d = vec3_add(vec3_sub(P->point, Q->point), vec3_sub(P->low, Q->low));
-    double rounding = ROUNDING * scene->unit;
-    return fabs(d.x) > rounding ? d.x > 0.0 : fabs(d.y) > rounding ? d.y > 0.0 : d.z > 0.0;
+    double same = rules->touching;
+    return fabs(d.x) > same ? d.x > 0.0 : fabs(d.y) > same ? d.y > 0.0 : d.z > 0.0;
 }
 
 /* Adds what two spans have in common, unless they only touch. False: no memory. */
@@ -373,7 +371,7 @@ static bool add_common(const pair *w, span *f, span *g, crossing_list *out)
     *s = (crossing_segment){.body = {w->face[0]->body, w->face[1]->body},
                             .face = {w->face[0]->first, w->face[1]->first},
                             .end = {point_of(w, &low, of[0]), point_of(w, &high, of[1])}};
-    if (is_behind(w->rules->scene, &s->end[0], &s->end[1])) {
+    if (is_behind(w->rules, &s->end[0], &s->end[1])) {
         crossing_point first = s->end[0];
         s->end[0] = s->end[1];
         s->end[1] = first;

@@ -53,7 +53,7 @@ typedef struct crossing_point {
 typedef struct crossing_segment {
     uint32_t body[2];      /* whose faces they are */
     uint32_t face[2];      /* the first pieces of both, in the scene */
-    crossing_point end[2]; /* end[0] has the smaller x, or y where those are equal, or z */
+    crossing_point end[2]; /* end[0] has the smaller x, or y where those touch, or z */
 } crossing_segment;
 
 typedef struct crossing_list {

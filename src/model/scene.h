@@ -99,7 +99,7 @@ struct roberts_scene {
     double unit; /* about the box's size, a power of two; of face_deviation and face_width, and of view space */
 };
 
-/* Is the segment a part of a line in which faces cross? Where bodies are drawn as one, such a line has another class. */
+/* Is the segment a part of a line in which faces cross? Where bodies are one, such a line has another class. */
 static inline bool scene_crosses(const roberts_segment *segment)
 {
     return segment->line == ROBERTS_INTERSECTION || segment->v0 == ROBERTS_NONE;

@@ -61,6 +61,7 @@ static bool prepare_bodies(union_bodies *all, box3 *box, box3 *whole, uint32_t *
             continue;
         if (!prepare_body(all, s, box, &whole[count]))
             return false;
+        all->box[s] = whole[count];
         closed[count++] = s;
     }
     if (count == 0)
@@ -84,11 +85,13 @@ bool union_prepare(union_bodies *all, const roberts_scene *scene, double touch)
                           .touch = touch / scene->unit,
                           .diameter = vec3_length(vec3_sub(scene->box_max, scene->box_min)) / scene->unit,
                           .departure = alloc_zeroed(scene->solid_count, sizeof *all->departure),
+                          .box = alloc_array(scene->solid_count, sizeof *all->box),
                           .root = alloc_array(scene->solid_count, sizeof *all->root),
                           .bodies = ROBERTS_NONE};
     box3 *box = alloc_array(most, sizeof *box), *whole = alloc_array(scene->solid_count, sizeof *whole);
     uint32_t *closed = alloc_array(scene->solid_count, sizeof *closed);
-    bool done = all->departure && all->root && box && whole && closed && prepare_bodies(all, box, whole, closed);
+    bool done =
+        all->departure && all->box && all->root && box && whole && closed && prepare_bodies(all, box, whole, closed);
     free(box);
     free(whole);
     free(closed);
@@ -100,6 +103,7 @@ bool union_prepare(union_bodies *all, const roberts_scene *scene, double touch)
 void union_free(union_bodies *all)
 {
     free(all->departure);
+    free(all->box);
     free(all->root);
     box_tree_free(&all->tree);
     *all = (union_bodies){.bodies = ROBERTS_NONE};
@@ -329,6 +333,16 @@ static bool meet_body(union_cutter *c, uint32_t body, const box3 *box)
     return true;
 }
 
+/* Does the line pass the body's box in one place at most, such as its end? Then the body fills nothing along it. */
+static bool passes(const union_cutter *c, uint32_t body)
+{
+    roberts_vec3 A = c->A, B = vec3_add(c->A, c->U), m = {c->departure, c->departure, c->departure};
+    roberts_vec3 low = vec3_sub(c->all->box[body].lo, m), high = vec3_add(c->all->box[body].hi, m);
+    double t0 = 0.0, t1 = 1.0, touch = c->all->touch + c->all->departure[body] + c->departure;
+    return !box_clip(A.x, B.x, low.x, high.x, &t0, &t1) || !box_clip(A.y, B.y, low.y, high.y, &t0, &t1) ||
+           !box_clip(A.z, B.z, low.z, high.z, &t0, &t1) || (t1 - t0) * c->length <= 2.0 * touch;
+}
+
 /* All bodies near the line. */
 static bool meet_bodies(union_cutter *c)
 {
@@ -345,7 +359,7 @@ static bool meet_bodies(union_cutter *c)
             continue;
         }
         for (uint32_t k = node[i].first; k < node[i].first + node[i].count; k++)
-            if (!meet_body(c, all->tree.item[k], &box))
+            if (!passes(c, all->tree.item[k]) && !meet_body(c, all->tree.item[k], &box))
                 return false;
         i++;
     }

@@ -24,7 +24,8 @@
 
 /* What becomes of a piece of a line. */
 typedef enum union_state {
-    UNION_ALONE,  /* no other body changes anything: the line is what it is without the union */
+    UNION_ALONE,  /* no other body changes anything: the line is what it is without the union. So is one of a body that
+                     only touches or crosses itself */
     UNION_DRAWN,  /* drawn; its class follows from its sides */
     UNION_SEAM,   /* not drawn: the bodies fill exactly a half-plane, or their faces cover one another */
     UNION_INSIDE, /* not drawn: it lies inside a body */
@@ -66,6 +67,7 @@ typedef struct union_bodies {
     double touch;      /* touching distance */
     double diameter;   /* of the scene */
     double *departure; /* [solid_count] the greatest departure of a face from its plane */
+    box3 *box;         /* [solid_count] of closed bodies, wider by what touches */
     uint32_t *root;    /* [solid_count] the tree over the body's faces; ROBERTS_NONE: it has few faces */
     uint32_t bodies;   /* the tree over the closed bodies; ROBERTS_NONE: there are none */
     box_tree tree;

@@ -166,12 +166,13 @@ static union_fill *fill_of(const union_work *work, uint32_t body)
     return NULL;
 }
 
-/* The rays of the piece about t. *alone: only the line's own faces have one. */
+/* The rays of the piece about t. *alone: only one body has any. */
 static bool find_rays(union_cutter *c, double t, bool *alone)
 {
     union_work *work = c->work;
     work->ray_count = 0;
     *alone = true;
+    uint32_t first = c->line->body != ROBERTS_NONE ? c->line->body : c->line->crossed[0];
     for (size_t i = 0; i < work->fill_count; i++)
         work->fill[i].active = false;
     for (size_t i = 0; i < work->contact_count; i++) {
@@ -179,7 +180,7 @@ static bool find_rays(union_cutter *c, double t, bool *alone)
         if (!(contact->t0 <= t && t <= contact->t1))
             continue;
         fill_of(work, contact->body)->active = true;
-        *alone = *alone && contact->own;
+        *alone = *alone && contact->body == first;
         if ((contact->plus > 0.0 && !add_ray(c, contact, 1.0, contact->plus)) ||
             (contact->minus > 0.0 && !add_ray(c, contact, -1.0, contact->minus)))
             return false;
@@ -378,6 +379,13 @@ static bool find_sides(union_cutter *c, double t, uint32_t clusters, union_piece
     return true;
 }
 
+/* Is it the body of the line, or one whose face crosses another in it? */
+static bool is_own_body(const union_cutter *c, uint32_t body)
+{
+    const union_line *line = c->line;
+    return line->body == body || (line->body == ROBERTS_NONE && (line->crossed[0] == body || line->crossed[1] == body));
+}
+
 bool union_judge(union_cutter *c, union_piece *piece)
 {
     union_work *work = c->work;
@@ -389,10 +397,12 @@ bool union_judge(union_cutter *c, union_piece *piece)
         return false;
     piece->state = UNION_INSIDE;
     for (size_t i = 0; i < work->fill_count; i++)
-        if (!work->fill[i].active && work->fill[i].body != c->line->body && is_inside(c, &work->fill[i], t))
+        if (!work->fill[i].active && !is_own_body(c, work->fill[i].body) && is_inside(c, &work->fill[i], t))
             return true;
     piece->state = UNION_ALONE;
-    if (alone && c->line->body != ROBERTS_NONE)
+    for (size_t i = 0; i < work->fill_count; i++) /* by rounding, a line may lie a little beside its own faces */
+        alone = alone || (!work->fill[i].active && is_own_body(c, work->fill[i].body));
+    if (alone)
         return true;
     uint32_t clusters = find_clusters(c);
     if (clusters == 0)

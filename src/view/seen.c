@@ -62,10 +62,30 @@ void seen_set_rules(seen *s, const roberts_hide_options *options)
         s->rules.smooth_chord = greater(chord, square_chord(SMOOTH_CREASE));
 }
 
-bool seen_unite(seen *s, uint32_t threads)
+typedef struct walked {
+    const seen *seen;
+    const unsigned char *culled;
+} walked;
+
+/* Will a walk ask for the edge? Not if its body is culled, nor if its own convex body hides it and hidden lines are not
+ * wanted. */
+static bool is_walked(const void *context, uint32_t body, uint32_t edge)
 {
+    const walked *w = context;
+    const seen *s = w->seen;
+    if (s->rules.hidden)
+        return true;
+    if (s->clip.clipped || !scene_is_convex(s->scene, body))
+        return !w->culled[body];
+    return !w->culled[body] &&
+           seen_fronts(s->facing + s->scene->solid[body].face, scene_edge_stored(s->scene, body, edge));
+}
+
+bool seen_unite(seen *s, const unsigned char *culled, uint32_t threads)
+{
+    const walked w = {s, culled};
     return union_prepare(&s->bodies, s->source, s->view.epsilon * s->view.unit) &&
-           united_find_edges(&s->edges, &s->bodies, threads);
+           united_find_edges(&s->edges, &s->bodies, is_walked, &w, threads);
 }
 
 int seen_either_face(seen *s, uint32_t face, seen_face *out)

@@ -64,8 +64,9 @@ bool seen_begin_points(seen *s);
 /* Says which edges are lines. */
 void seen_set_rules(seen *s, const roberts_hide_options *options);
 
-/* Takes all bodies together as one, with at most so many threads. False: no memory. */
-bool seen_unite(seen *s, uint32_t threads);
+/* Takes all bodies together as one, with at most so many threads. Bodies that are mapped have their facings. culled:
+ * [solid_count] 1: nobody will ask for the lines of this body. False: no memory. */
+bool seen_unite(seen *s, const unsigned char *culled, uint32_t threads);
 
 /* ---- faces ----------------------------------------------------------------------------------------------------- */
 

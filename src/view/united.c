@@ -148,19 +148,28 @@ static uint32_t body_of(const roberts_scene *scene, uint32_t edge)
     return low;
 }
 
+typedef struct edges_asked {
+    const roberts_scene *scene;
+    united_asked_fn *asked;
+    const void *context;
+} edges_asked;
+
 static bool line_of_edge(const void *context, uint32_t index, union_line *line, uint32_t own[2])
 {
-    const roberts_scene *scene = context;
+    const edges_asked *edges = context;
+    const roberts_scene *scene = edges->scene;
     uint32_t body = body_of(scene, index);
-    if (!union_takes(scene, body))
+    if (!union_takes(scene, body) || !edges->asked(edges->context, body, index))
         return false;
     *line = union_line_of_edge(scene, body, index, own);
     return true;
 }
 
-bool united_find_edges(united *u, const union_bodies *all, uint32_t threads)
+bool united_find_edges(united *u, const union_bodies *all, united_asked_fn *asked, const void *context,
+                       uint32_t threads)
 {
-    return united_find(u, all, line_of_edge, all->scene, all->scene->edge_count, threads);
+    const edges_asked edges = {all->scene, asked, context};
+    return united_find(u, all, line_of_edge, &edges, all->scene->edge_count, threads);
 }
 
 size_t united_seams(const united *u, uint32_t count)

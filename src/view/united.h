@@ -25,8 +25,10 @@ bool united_find(united *u, const union_bodies *all, united_line_fn *line_of, co
                  uint32_t threads);
 void united_free(united *u);
 
-/* The same for all edges of closed bodies. */
-bool united_find_edges(united *u, const union_bodies *all, uint32_t threads);
+/* The same for all edges of closed bodies. asked: of which edges, given `context`; the others keep no pieces. */
+typedef bool united_asked_fn(const void *context, uint32_t body, uint32_t edge);
+bool united_find_edges(united *u, const union_bodies *all, united_asked_fn *asked, const void *context,
+                       uint32_t threads);
 
 /* The pieces of a line; NULL: it is what it is without the union. */
 static inline const union_piece *united_pieces(const united *u, uint32_t index)

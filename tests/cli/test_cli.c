@@ -954,6 +954,37 @@ static void locale_changes_nothing(void **state)
     assert_string_equal(last.out, text);
 }
 
+/* ---- bodies as one ---- */
+
+static size_t lines_of(const char *text)
+{
+    size_t lines = 0;
+    for (; *text; text++)
+        lines += *text == '\n';
+    return lines;
+}
+
+/* Two cubes side by side: of the one seven edges are seen, of the other nine. As one they are a
+ * bar, with nine visible edges, of which three are in two parts. */
+static void draws_bodies_as_one(void **state)
+{
+    (void)state;
+    put("two.off", "OFF 16 12 0\n"
+                   "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n"
+                   "1 0 0\n2 0 0\n1 1 0\n2 1 0\n1 0 1\n2 0 1\n1 1 1\n2 1 1\n"
+                   "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n"
+                   "4 8 10 11 9\n4 12 13 15 14\n4 8 9 13 12\n4 10 14 15 11\n4 8 12 14 10\n4 9 11 15 13\n");
+    assert_int_equal(run("-f csv two.off"), 0);
+    assert_int_equal(lines_of(last.out), 1 + 16);
+    assert_int_equal(run("--union --stats -f csv two.off"), 0);
+    assert_int_equal(lines_of(last.out), 1 + 12);
+    assert_non_null(strstr(last.err, " 6  edges left out, or parts of them, where bodies are one\n"));
+    assert_int_equal(run("--union --stats=json --verify -f null two.off"), 0);
+    assert_non_null(strstr(last.err, "\"seams\":6,"));
+    assert_int_equal(run("--stats=json -f null two.off"), 0);
+    assert_null(strstr(last.err, "seams"));
+}
+
 /* ---- rays ---- */
 
 static void checks_by_rays(void **state)
@@ -1023,6 +1054,7 @@ int main(void)
         IN_FOLDER(warnings_can_be_silenced),
         IN_FOLDER(interruption_leaves_no_partial_file),
         IN_FOLDER(locale_changes_nothing),
+        IN_FOLDER(draws_bodies_as_one),
         IN_FOLDER(checks_by_rays),
         IN_FOLDER(picks),
     };

@@ -181,11 +181,28 @@ static bool surely_missing(const rows_at_hand *r, size_t mine, const cross_line 
     return false;
 }
 
+/* Is a part of a line seen, whatever the slack may change? */
+static bool surely_seen(const rows_at_hand *r, const cross_line *l, double from, double to)
+{
+    const mesh_scene *s = r->c->scene;
+    const mesh_point X = {on_line(l, 0.5 * (from + to)), ROBERTS_NONE, ROBERTS_NONE, l->f0, l->f1};
+    if (s->slack == 0)
+        return from < to;
+    return to - from > t_limit(r, l) + s->slack / length_of(l) &&
+           mesh_truth_at(&s->mesh, &s->view, s->even_odd, r->c->position, &X, s->slack) == ORACLE_NO;
+}
+
 /* Lines of which nothing is seen need no rows: the library looks for lines between faces toward the viewer. */
 static bool is_optional(const rows_at_hand *r, const cross_line *l)
 {
     const oracle_interval *hidden = r->c->truth->interval + l->first;
-    return l->edge_on || (l->count == 1 && hidden->t0 == 0 && hidden->t1 == 1);
+    double from = 0;
+    for (size_t k = 0; k <= l->count && !l->edge_on; k++) {
+        if (surely_seen(r, l, from, k < l->count ? hidden[k].t0 : 1))
+            return false;
+        from = k < l->count ? hidden[k].t1 : 1;
+    }
+    return true;
 }
 
 static void judge_line(rows_at_hand *r, const cross_line *l)
@@ -426,22 +443,84 @@ size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, cons
     return failed;
 }
 
-/* Is the first coordinate in which the ends differ the same within the slack? */
-static bool is_tied(const cross_line *l, double slack)
+/* Sends the hidden intervals of a line to another line on which it lies. */
+static void send_hidden(const cross_truth *truth, const cross_line *from, const cross_line *to)
 {
-    const double d[3] = {l->b.x - l->a.x, l->b.y - l->a.y, l->b.z - l->a.z};
-    for (int k = 0; k < 3; k++)
-        if (d[k] != 0)
-            return fabs(d[k]) <= slack;
+    for (size_t k = from->first; k < from->first + from->count; k++) {
+        oracle_interval *h = &truth->interval[k];
+        double t0 = along(to, on_line(from, h->t0)), t1 = along(to, on_line(from, h->t1));
+        *h = (oracle_interval){fmin(t0, t1), fmax(t0, t1)};
+    }
+}
+
+static int by_start(const void *a, const void *b)
+{
+    const oracle_interval *p = a, *q = b;
+    return (p->t0 > q->t0) - (p->t0 < q->t0);
+}
+
+/* Sorts the hidden intervals of a line and joins those within `gap`. */
+static void join_hidden(const cross_truth *truth, cross_line *l, double gap)
+{
+    oracle_interval *h = truth->interval + l->first;
+    size_t count = 0;
+    qsort(h, l->count, sizeof *h, by_start);
+    for (size_t k = 0; k < l->count; k++)
+        if (count && h[k].t0 <= h[count - 1].t1 + gap)
+            h[count - 1].t1 = fmax(h[count - 1].t1, h[k].t1);
+        else
+            h[count++] = h[k];
+    l->count = count;
+}
+
+/* Makes one line of l and next, of the same faces, if they meet within the slack. */
+static bool unite(const cross_truth *truth, cross_line *l, const cross_line *next, double slack)
+{
+    const roberts_vec3 mine[2] = {l->a, l->b}, other[2] = {next->a, next->b};
+    if (l->f0 != next->f0 || l->f1 != next->f1)
+        return false;
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 2; k++)
+            if (distance(mine[i], other[k]) <= slack) {
+                cross_line both = *l;
+                both.a = i ? mine[0] : other[1 - k];
+                both.b = i ? other[1 - k] : mine[1];
+                send_hidden(truth, l, &both);
+                send_hidden(truth, next, &both);
+                for (size_t h = 0; h < next->count; h++) /* theirs lie behind, perhaps with a gap that was left */
+                    truth->interval[l->first + l->count + h] = truth->interval[next->first + h];
+                both.count += next->count;
+                join_hidden(truth, &both, 4 * slack / length_of(&both));
+                *l = both;
+                return true;
+            }
     return false;
 }
 
-void cross_turn_ties(const mesh_scene *scene, cross_truth *truth, const roberts_drawing *drawing)
+static void turn_round(const cross_truth *truth, cross_line *l)
 {
-    for (size_t i = 0; i < truth->line_count; i++) {
+    cross_line turned = *l;
+    turned.a = l->b;
+    turned.b = l->a;
+    send_hidden(truth, l, &turned);
+    join_hidden(truth, &turned, 0);
+    *l = turned;
+}
+
+void cross_settle(const mesh_scene *scene, cross_truth *truth, const roberts_drawing *drawing)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < truth->line_count && scene->slack > 0; i++) {
+        cross_line *last = count ? &truth->line[count - 1] : NULL;
+        if (!last || !unite(truth, last, &truth->line[i], scene->slack))
+            truth->line[count++] = truth->line[i];
+    }
+    if (scene->slack > 0)
+        truth->line_count = count;
+    for (size_t i = 0; i < truth->line_count && scene->slack > 0; i++) {
         cross_line *l = &truth->line[i];
         double straight = HUGE_VAL, turned = HUGE_VAL;
-        if (!is_tied(l, scene->slack))
+        if (fabs(l->b.x - l->a.x) > scene->slack)
             continue;
         for (size_t k = 0; k < drawing->crossing_count; k++) {
             const roberts_crossing *c = &drawing->crossing[k];
@@ -450,19 +529,8 @@ void cross_turn_ties(const mesh_scene *scene, cross_truth *truth, const roberts_
             straight = fmin(straight, distance(c->end[0], l->a) + distance(c->end[1], l->b));
             turned = fmin(turned, distance(c->end[0], l->b) + distance(c->end[1], l->a));
         }
-        if (!(turned < straight))
-            continue;
-        roberts_vec3 a = l->a;
-        l->a = l->b;
-        l->b = a;
-        oracle_interval *hidden = truth->interval + l->first;
-        for (size_t k = 0; k < l->count; k++)
-            hidden[k] = (oracle_interval){1 - hidden[k].t1, 1 - hidden[k].t0};
-        for (size_t k = 0; k < l->count / 2; k++) {
-            oracle_interval was = hidden[k];
-            hidden[k] = hidden[l->count - 1 - k];
-            hidden[l->count - 1 - k] = was;
-        }
+        if (turned < straight)
+            turn_round(truth, l);
     }
 }
 

@@ -34,9 +34,10 @@ size_t cross_judge_rows(const cross_case *c, const cross_row *row, size_t count,
 size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, const roberts_drawing *drawing,
                            mesh_total *total, FILE *out);
 
-/* Turns lines of the oracle round where the drawing has them the other way about and either end may be called the
- * smaller one, since the first coordinate in which they differ is the same within the slack. */
-void cross_turn_ties(const mesh_scene *scene, cross_truth *truth, const roberts_drawing *drawing);
+/* Where things are not exact: makes one of lines of the same faces that meet within the slack, and turns lines round
+ * that the drawing has the other way about if either end may be the smaller one, since their x is the same within it.
+ */
+void cross_settle(const mesh_scene *scene, cross_truth *truth, const roberts_drawing *drawing);
 
 /* The rows that are right; *count is filled. NULL: no memory. The caller frees them. */
 cross_row *cross_rows_of_truth(const cross_truth *truth, const uint32_t *face_body, size_t *count);

@@ -260,7 +260,7 @@ static size_t judge_lines(const char *name, const judgement *j, const roberts_sc
     cross_truth crossed;
     size_t failed = 0;
     if (cross_truth_find(&j->scene->mesh, &j->scene->view, j->scene->even_odd, &crossed)) {
-        cross_turn_ties(j->scene, &crossed, j->drawing);
+        cross_settle(j->scene, &crossed, j->drawing);
         const cross_case c = {j->scene, &crossed, j->truth->position, NULL, name};
         failed = cross_judge_drawing(&c, built, j->drawing, total, out);
         cross_truth_free(&crossed);

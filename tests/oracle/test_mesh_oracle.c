@@ -17,8 +17,8 @@
 #include "skip.h"
 
 enum {
-    EDGES_OF_EACH = 50000 / 16, /* of each family */
-    LARGEST_FILE = 15000,       /* bytes; the oracle compares each edge with each face */
+    EDGES_OF_EACH = 50000 / 36, /* and intersection lines, of each family */
+    LARGEST_FILE = 6000,        /* bytes; the oracle compares each edge with each face */
     FILES = 1000,
     NAME = 300,
 };
@@ -133,13 +133,19 @@ static void test_by_hand(void **state)
 
 /* ---- the library ---- */
 
-/* Of each family some scenes, until they have had so many edges. */
+static size_t compared(const mesh_total *total)
+{
+    return total->edges + total->lines;
+}
+
+/* Of each family some scenes, until they have had so many edges and lines. */
 static void test_families(void **state)
 {
     mesh_total total = {0};
     (void)state;
     for (size_t f = 0; f < mesh_family_count(); f++)
-        for (size_t seed = 1, first = total.edges; total.edges < first + EDGES_OF_EACH && seed < 10000; seed++) {
+        for (size_t seed = 1, first = compared(&total); compared(&total) < first + EDGES_OF_EACH && seed < 10000;
+             seed++) {
             char name[64];
             mesh_scene scene;
             snprintf(name, sizeof name, "%s-%zu", mesh_family_name(f), seed);
@@ -149,10 +155,12 @@ static void test_families(void **state)
             if (total.disagreements > 100)
                 break;
         }
-    print_message("note: %zu edges of %zu scenes of %zu families of bodies of any kind compared with the exact oracle: "
-                  "%zu disagreements\n",
-                  total.edges, total.scenes, mesh_family_count(), total.disagreements);
-    assert_true(total.edges >= mesh_family_count() * EDGES_OF_EACH);
+    print_message(
+        "note: %zu edges and %zu intersection lines and lines of unions of %zu scenes of %zu families of bodies "
+        "of any kind compared with the exact oracle: %zu disagreements\n",
+        total.edges, total.lines, total.scenes, mesh_family_count(), total.disagreements);
+    assert_true(compared(&total) >= mesh_family_count() * EDGES_OF_EACH);
+    assert_true(total.lines > total.edges / 10);
     assert_true(total.cut > total.edges / 20); /* scenes in which little is cut would show little */
     assert_int_equal(total.refused, 0);
     assert_int_equal(total.disagreements, 0);
@@ -208,9 +216,12 @@ static void test_published_models(void **state)
     snprintf(path, sizeof path, "%s/models/catalogue", shared && *shared ? shared : "../shared");
     judge_folder(path, &total, &refused);
     print_message(
-        "note: %zu edges of %zu published models compared with the exact oracle: %zu disagreements; %.3g edges "
-        "not judged; left out: %zu models with faces that are not planar, %zu files without a model\n",
-        total.edges, total.scenes - total.refused, total.disagreements, total.unjudged, total.refused, refused);
+        "note: %zu edges and %zu intersection lines of %zu published models compared with the exact oracle: %zu "
+        "disagreements; %.3g of them not judged; left out: %zu models with faces that are not planar, %zu files "
+        "without "
+        "a model\n",
+        total.edges, total.lines, total.scenes - total.refused, total.disagreements, total.unjudged, total.refused,
+        refused);
     assert_int_equal(total.disagreements, 0);
 }
 
@@ -222,8 +233,9 @@ static void test_own_models(void **state)
     (void)state;
     judge_folder("models/star", &total, &refused);
     judge_folder("models/shapes", &total, &refused);
-    print_message("note: %zu edges of %zu models compared with the exact oracle: %zu disagreements; left out: %zu\n",
-                  total.edges, total.scenes - total.refused, total.disagreements, total.refused);
+    print_message("note: %zu edges and %zu intersection lines of %zu models compared with the exact oracle: %zu "
+                  "disagreements; left out: %zu\n",
+                  total.edges, total.lines, total.scenes - total.refused, total.disagreements, total.refused);
     assert_int_equal(refused, 0);
     assert_true(total.scenes - total.refused >= 20);
     assert_int_equal(total.disagreements, 0);

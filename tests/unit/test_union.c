@@ -113,27 +113,6 @@ static roberts_vec3 side_direction(const roberts_scene *scene, const union_side 
     return (roberts_vec3){vec3_dot(map.x, w), vec3_dot(map.y, w), vec3_dot(map.z, w)};
 }
 
-/* Sides are where the four cells change from filled to not. */
-static bool sides_fit(const union_piece *piece, const union_work *work, const roberts_scene *scene, roberts_vec3 u,
-                      mat3 map, const bool f[4], int axis)
-{
-    int changes = 0;
-    for (int i = 0; i < 4; i++) {
-        int next = (axis + 1) % 3, last = (axis + 2) % 3;
-        if (f[i] == f[(i + 1) % 4])
-            continue;
-        bool found = false; /* between cell i and the next one lies the direction last, -next, -last, next */
-        for (uint32_t s = 0; s < piece->count; s++) {
-            roberts_vec3 d = side_direction(scene, &work->side[piece->first + s], u, map);
-            found = found || fabs(axis_of(d, i % 2 == 0 ? last : next) - (i == 0 || i == 3 ? 1.0 : -1.0)) < 1e-3;
-        }
-        changes++;
-        if (!found)
-            return false;
-    }
-    return changes == (int)piece->count;
-}
-
 /* How the grid is laid into space: turned, shifted, rounded unless digits are 0. */
 typedef struct layout {
     mat3 turn;
@@ -165,10 +144,29 @@ typedef struct line_check {
     double slack; /* of places of cuts */
 } line_check;
 
+/* Sides are where the four cells change from filled to not. */
+static bool sides_fit(const line_check *check, const union_piece *piece, roberts_vec3 u, const bool f[4], int axis)
+{
+    int changes = 0;
+    for (int i = 0; i < 4; i++) {
+        int next = (axis + 1) % 3, last = (axis + 2) % 3;
+        if (f[i] == f[(i + 1) % 4])
+            continue;
+        bool found = false; /* between cell i and the next one lies the direction last, -next, -last, next */
+        for (uint32_t s = 0; s < piece->count; s++) {
+            roberts_vec3 d = side_direction(check->scene, &check->work->side[piece->first + s], u, check->laid->turn);
+            found = found || fabs(axis_of(d, i % 2 == 0 ? last : next) - (i == 0 || i == 3 ? 1.0 : -1.0)) < 1e-3;
+        }
+        changes++;
+        if (!found)
+            return false;
+    }
+    return changes == (int)piece->count;
+}
+
 /* Cuts a line that goes from A to B in the grid, and counts what is drawn. */
 static void check_line(line_check *check, const union_line *line, roberts_vec3 A, roberts_vec3 B, grid_edges drawn)
 {
-    const roberts_scene *scene = check->scene;
     union_work *work = check->work;
     roberts_vec3 u = vec3_scale(1.0 / vec3_length(vec3_sub(line->B, line->A)), vec3_sub(line->B, line->A));
     int axis = A.x != B.x ? 0 : A.y != B.y ? 1 : 2;
@@ -193,7 +191,7 @@ static void check_line(line_check *check, const union_line *line, roberts_vec3 A
             cells_about(check->b, at, axis, UINT32_MAX, f);
             if (p->state == UNION_ALONE || p->state == UNION_DRAWN)
                 drawn[axis][at[0]][at[1]][at[2]]++;
-            if (p->state == UNION_DRAWN && !sides_fit(p, work, scene, u, check->laid->turn, f, axis))
+            if (p->state == UNION_DRAWN && !sides_fit(check, p, u, f, axis))
                 fail_msg("%s: wrong sides at %d %d %d", check->name, at[0], at[1], at[2]);
         }
     }
@@ -225,7 +223,8 @@ static void check_crossings(line_check *check, int i, int k, int axis, grid_edge
             continue;
         union_line line = {.A = lay(check->laid, p[0][0], p[0][1], p[0][2]),
                            .B = lay(check->laid, p[1][0], p[1][1], p[1][2]),
-                           .body = ROBERTS_NONE};
+                           .body = ROBERTS_NONE,
+                           .crossed = {(uint32_t)i, (uint32_t)k}};
         check_line(check, &line, (roberts_vec3){p[0][0], p[0][1], p[0][2]}, (roberts_vec3){p[1][0], p[1][1], p[1][2]},
                    crossed);
     }
