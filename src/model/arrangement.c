@@ -441,6 +441,7 @@ bool face_pieces_arrange(face_pieces *f, const face_rules *rules)
     if (join_ring(f, rules->touching / rules->unit, &crossed) && take_sides(f, &b))
         found = sweep_border(f, &b, rules, &crossed);
     f->planar = f->planar || crossed;
+    f->uncut = found == TILING_BROKEN;
     bool enough = found != TILING_NO_MEMORY && list_sides(f, &b);
     if (enough && crossed && f->side_count > 0)
         enough = take_whole_sides(f, given, rules->touching);

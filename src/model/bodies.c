@@ -449,8 +449,23 @@ done:
     return status;
 }
 
+/* Counts the corners that are left out. A corner that a face comes back to bounds it like the others. */
+static size_t count_repeated(const assembly *a)
+{
+    const roberts_mesh *mesh = a->mesh;
+    size_t repeated = 0;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        uint32_t first = mesh->face_start[f], end = mesh->face_start[f + 1];
+        if (!a->listed[f])
+            repeated += end - first - polygon_size(&a->faces, f);
+        for (uint32_t i = first; a->listed[f] && end - first >= 3 && i < end; i++)
+            repeated += mesh->corner[i] == mesh->corner[i + 1 < end ? i + 1 : first];
+    }
+    return repeated;
+}
+
 roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
-                            bool known, roberts_error *error)
+                            bool known, bodies_notes *notes, roberts_error *error)
 {
     assembly a = {.scene = scene, .mesh = mesh, .options = options, .surface = {.mesh = mesh}};
     roberts_status status = sort_components(&a, known, error);
@@ -466,6 +481,7 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
                 error_set(error, ROBERTS_NOT_CLOSED, 0, "there is nothing to draw: no face has area, no edge length");
         else
             status = lay_out(&a) ? fill_scene(&a, error) : ROBERTS_NO_MEMORY;
+        *notes = (bodies_notes){count_repeated(&a), a.surface.uncut};
     }
     polygons_free(&a.faces);
     polygons_free(&a.all);

@@ -248,12 +248,19 @@ static roberts_status refuse_empty(const roberts_mesh *mesh, roberts_error *erro
     return error_set(error, ROBERTS_NOT_CLOSED, 0, "no solid: there is no face with three or more corners");
 }
 
-static void warn_repeated(const polygons *faces, const roberts_mesh *mesh, const roberts_warnings *warnings)
+static void warn_repeated(size_t corners, const roberts_mesh *mesh, const roberts_warnings *warnings)
 {
     const char *name = only_name(mesh);
-    if (faces->repeated > 0)
-        warning_send(warnings, name, 0, "%zu corner%s that repeat%s another of the same face ignored", faces->repeated,
-                     faces->repeated == 1 ? "" : "s", faces->repeated == 1 ? "s" : "");
+    if (corners > 0)
+        warning_send(warnings, name, 0, "%zu corner%s that repeat%s another of the same face ignored", corners,
+                     corners == 1 ? "" : "s", corners == 1 ? "s" : "");
+}
+
+static void warn_uncut(size_t faces, const roberts_mesh *mesh, const roberts_warnings *warnings)
+{
+    if (faces > 0)
+        warning_send(warnings, only_name(mesh), 0, "%zu face%s too often to be cut: %s nothing", faces,
+                     faces == 1 ? " crosses itself" : "s cross themselves", faces == 1 ? "it hides" : "they hide");
 }
 
 /* Are all open solids closed surfaces with holes? Welding and splitting cannot make convex solids of those. */
@@ -297,9 +304,15 @@ static roberts_status build_plain(construction *c, const polygons *faces, const 
     return status == ROBERTS_NO_MEMORY || !atomic_load(&c->any_open) ? status : ROBERTS_OK;
 }
 
+/* What comes out beside a scene of solids. */
+typedef struct solid_notes {
+    bool known;      /* it is certain that some component is no convex solid */
+    size_t repeated; /* corners that are left out, since they repeat another of their face */
+} solid_notes;
+
 /* Builds the components as solids. If some are open, welds and splits them and builds all solids anew. */
 static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool lend,
-                            const roberts_scene_options *options, bool *known, roberts_error *error)
+                            const roberts_scene_options *options, solid_notes *notes, roberts_error *error)
 {
     polygons faces;
     repeated_solids list = {0};
@@ -312,17 +325,17 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
     status = ROBERTS_NO_MEMORY;
     if (!components_lay_out(scene, &faces, mesh, lend, &list))
         goto done;
-    warn_repeated(&faces, mesh, &options->warnings);
+    notes->repeated = faces.repeated;
     if (!(c.open = alloc_zeroed(scene->solid_count, sizeof *c.open)))
         goto done;
     status = build_solids(&c, options->threads, &list, error);
     if (status != ROBERTS_NO_MEMORY && atomic_load(&c.any_marked) && bodies)
         status = build_plain(&c, &faces, options, status, &done, error);
     any_open = status == ROBERTS_OK && !done && atomic_load(&c.any_open);
-    *known = is_shape(status);
+    notes->known = is_shape(status);
     if (any_open && bodies && only_holes(c.open, scene->solid_count)) {
         status = error_set(error, ROBERTS_NOT_CONVEX, 0, "a surface has holes"); /* which bodies_build() handles */
-        *known = true;
+        notes->known = true;
     } else if (any_open) {
         construction closed = {.scene = scene, .rules = {mesh, options->tolerance, true}};
         scene_turn_back(scene); /* regrouping starts from the mesh */
@@ -404,7 +417,12 @@ static bool has_wires(const roberts_scene *scene, const roberts_mesh *mesh, robe
 static roberts_status build_bodies(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                                    bool known, roberts_error *error)
 {
-    roberts_status status = bodies_build(scene, mesh, options, known, error);
+    bodies_notes notes = {0};
+    roberts_status status = bodies_build(scene, mesh, options, known, &notes, error);
+    if (status == ROBERTS_OK) {
+        warn_repeated(notes.repeated, mesh, &options->warnings);
+        warn_uncut(notes.uncut, mesh, &options->warnings);
+    }
     if (status == ROBERTS_OK && !copy_colors(scene, mesh, false))
         status = error_no_memory(error);
     return status;
@@ -423,7 +441,7 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
     roberts_scene_options chosen = options ? *options : (roberts_scene_options){0};
     roberts_error found = {0};
     roberts_status status;
-    bool known = false;
+    solid_notes notes = {0};
     *scene = NULL;
     if (chosen.tolerance == 0.0)
         chosen.tolerance = SCENE_TOLERANCE;
@@ -435,15 +453,18 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
     } else if (!(*scene = alloc_zeroed(1, sizeof **scene))) {
         status = error_no_memory(&found);
     } else {
-        status = build(*scene, mesh, lend, &chosen, &known, &found);
+        status = build(*scene, mesh, lend, &chosen, &notes, &found);
+        bool bodies = !chosen.solids && !chosen.hull && (is_shape(status) || has_wires(*scene, mesh, &status));
+        if (!bodies)
+            warn_repeated(notes.repeated, mesh, &chosen.warnings);
         if (chosen.hull && status != ROBERTS_NO_MEMORY && (status != ROBERTS_OK || hull_bare_input(mesh))) {
             scene_clear(*scene);
             found = (roberts_error){0};
             status = build_hulls(*scene, mesh, &chosen, &found);
-        } else if (!chosen.solids && !chosen.hull && (is_shape(status) || has_wires(*scene, mesh, &status))) {
+        } else if (bodies) {
             roberts_error other = {0};
             scene_clear(*scene);
-            status = build_bodies(*scene, mesh, &chosen, known, &other);
+            status = build_bodies(*scene, mesh, &chosen, notes.known, &other);
             if (status != ROBERTS_NOT_CLOSED)
                 found = other;
         } else if (status == ROBERTS_NO_MEMORY) {

@@ -37,6 +37,7 @@ typedef struct face_pieces {
     fitted_plane fit;  /* relative to the first corner of the ring; of a crossing border, of the plane that is used */
     double chord;      /* greatest extent of the face along an axis */
     bool planar;       /* false: each piece is a triangle with a plane of its own */
+    bool uncut;        /* the border crosses itself too often to be cut: there are no pieces */
     bool whole_sides;  /* the sides are whole sides of the face, whose ends may not be corners of the pieces */
     double unit;       /* as in face_rules */
     double turned;     /* -1 if the coordinate plane shows the normal from behind, else 1 */

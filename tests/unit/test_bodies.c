@@ -225,13 +225,58 @@ static void solids_are_asked_for(void **state)
     }
 }
 
+static void note_warning(void *context, const char *file, size_t line, const char *message)
+{
+    (void)file;
+    (void)line;
+    char *said = context;
+    snprintf(said + strlen(said), 200 - strlen(said), "%s;", message);
+}
+
+/* What building says of a face with these corners. */
+static void require_warning(const roberts_vec3 *point, const uint32_t *corner, size_t count, const char *wanted)
+{
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    char said[200] = "";
+    for (size_t i = 0; i < count; i++)
+        assert_int_equal(roberts_mesh_add_vertex(&mesh, point[i], NULL, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_mesh_add_face(&mesh, corner, count, NULL), ROBERTS_OK);
+    assert_int_equal(
+        roberts_scene_build(&mesh, &(roberts_scene_options){.warnings = {note_warning, said}}, &scene, NULL),
+        ROBERTS_OK);
+    assert_string_equal(said, wanted);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+}
+
+/* The corners of a slit are not left out, but those that repeat their neighbour are. A star of 801 sides, of which each
+ * crosses 798 others, is not cut. */
+static void what_is_left_out_is_said(void **state)
+{
+    static const roberts_vec3 slit[10] = {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {1, 1, 0},
+                                          {1, 2, 0}, {2, 2, 0}, {2, 1, 0}, {9, 9, 0}, {9, 9, 0}};
+    static const uint32_t way[10] = {0, 1, 2, 3, 0, 4, 5, 6, 7, 4}, still[10] = {0, 1, 2, 2, 2, 3, 4, 5, 6, 0};
+    enum { SIDES = 801, STEP = 400 };
+    static roberts_vec3 point[SIDES];
+    static uint32_t corner[SIDES];
+    (void)state;
+    require_warning(slit, way, 10, "");
+    require_warning(slit, still, 10, "3 corners that repeat another of the same face ignored;");
+    for (uint32_t i = 0; i < SIDES; i++) {
+        double angle = 2.0 * 3.14159265358979323846 * i / SIDES;
+        point[i] = (roberts_vec3){cos(angle), sin(angle), 0};
+        corner[i] = (uint32_t)((uint64_t)i * STEP % SIDES);
+    }
+    require_warning(point, corner, SIDES, "1 face crosses itself too often to be cut: it hides nothing;");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lines_have_their_classes),
-        cmocka_unit_test(winding_decides_nothing),
-        cmocka_unit_test(the_fill_rule_decides),
-        cmocka_unit_test(solids_are_asked_for),
+        cmocka_unit_test(lines_have_their_classes), cmocka_unit_test(winding_decides_nothing),
+        cmocka_unit_test(the_fill_rule_decides),    cmocka_unit_test(solids_are_asked_for),
+        cmocka_unit_test(what_is_left_out_is_said),
     };
     return cmocka_run_group_tests_name("bodies", tests, NULL, NULL);
 }

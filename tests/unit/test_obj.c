@@ -80,6 +80,8 @@ static const read_bad bad[] = {
      "z of vertex 0 (counted from 0) expected, but the line ends here"},
     {"a word for a coordinate", "v 0 0 0\nv 0 x 0\n", 0, ROBERTS_BAD_SYNTAX, 2,
      "y of vertex 1 (counted from 0) expected, found \"x\""},
+    {"a number with something behind it", "v 0 0 0\nv 0 0 3.1+e2\n", 0, ROBERTS_BAD_SYNTAX, 2,
+     "z of vertex 1 (counted from 0) expected, found \"3.1+e2\""},
     {"not a number", "v 0 0 0\nv nan 0 0\n", 0, ROBERTS_BAD_NUMBER, 2,
      "x of vertex 1 (counted from 0) expected, found \"nan\"; it must be a finite number"},
     {"too large", "v 0 0 0\nv 0 0 -2e150\n", 0, ROBERTS_BAD_NUMBER, 2,
