@@ -28,3 +28,10 @@ figure view-near 50x50 --eye 8,-8,7 --near 11 --fov 40 --hidden dashed $cubes
 figure draw-pattern 60x45 --hidden dashed models/stella-octangula.off
 figure draw-real 60x45 --hidden dashed --dash real --style outline:color=red --style crease:color=blue \
     models/stella-octangula.off
+
+# One line class each, in red.
+figure class-outline 40x40 --style outline:color=red models/interpenetrating-cubes.off
+figure class-crease 40x40 --style crease:color=red models/interpenetrating-cubes.off
+figure class-intersection 40x40 --style intersection:color=red models/interpenetrating-cubes.off
+figure class-hidden 40x40 --hidden dashed --style hidden:color=red models/interpenetrating-cubes.off
+figure class-border 40x40 --azimuth 20 --elevation 35 --style border:color=red models/shapes/moebius-strip.off
