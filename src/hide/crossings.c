@@ -7,7 +7,6 @@
 #include "base/bits.h"
 #include "base/sort.h"
 #include "base/threads.h"
-#include "hide/sheets.h"
 
 /* Cells that a thread takes at a time; with fewer entries than this a thread costs more than it does. */
 #define CELLS_AT_ONCE 64
@@ -46,8 +45,6 @@ typedef struct finder {
     const hide_fronts *fronts;
     const objet *grid;
     const first_cell *first; /* [front_count] */
-    const sheets *sheets;
-    sheet_cell known; /* of the cell at hand */
     crossing_rules rules;
     crossing_list found;
     uint64_t *pair; /* [pair_count] faces of several pieces, first pieces of both: they are asked at the end */
@@ -265,9 +262,6 @@ static bool meet_cell(finder *t, size_t cell)
     float least = all ? -INFINITY : grid->sheet.depth[cell]; /* all beyond is hidden here */
     if (grid->apart && grid->apart[cell])
         return true;
-    sheets_of_cell(t->sheets, fronts, grid, cell, &t->known);
-    if (t->known.apart)
-        return true;
     memset(t->kept, 0, (count < KEPT_FACES ? count : KEPT_FACES) * sizeof *t->kept);
     for (uint32_t i = 0; i + 1 < count; i++) {
         const hide_box *own = &fronts->front_box[list[i].front];
@@ -280,8 +274,7 @@ static bool meet_cell(finder *t, size_t cell)
                     k = end;
                     break;
                 }
-                if (!(t->known.single && t->known.group[i] == t->known.group[at]) &&
-                    is_met_here(t, list[i].front, list[at].front, cell) && boxes_meet(own, box) &&
+                if (is_met_here(t, list[i].front, list[at].front, cell) && boxes_meet(own, box) &&
                     !meet_entries(t, list, i, at))
                     return false;
             }
@@ -460,13 +453,12 @@ static first_cell *find_first_cells(const hide_fronts *fronts, const objet *grid
 }
 
 static bool finders_init(finder *finders, int threads, const hide_fronts *fronts, const objet *grid,
-                         const first_cell *first, const sheets *surfaces)
+                         const first_cell *first)
 {
     for (int i = 0; i < threads; i++) {
         finders[i].fronts = fronts;
         finders[i].grid = grid;
         finders[i].first = first;
-        finders[i].sheets = surfaces;
         finders[i].rules = (crossing_rules){fronts->scene, fronts->space.epsilon * fronts->scene->unit};
         finders[i].face = alloc_array(KEPT_FACES, sizeof *finders[i].face);
         if (!finders[i].face)
@@ -522,11 +514,9 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
     int count = threads_for(threads, 1 + grid->start[scan_cells(&grid->frame)] / WORTH_A_THREAD);
     finder *finders = alloc_zeroed((size_t)count, sizeof *finders);
     first_cell *first = find_first_cells(fronts, grid, count);
-    sheets surfaces;
-    bool enough = sheets_find(&surfaces, fronts) && finders && first &&
-                  finders_init(finders, count, fronts, grid, first, &surfaces) && meet_all(finders, grid, count) &&
-                  meet_pairs(finders, count) && gather(c, fronts->scene, finders, count) &&
-                  find_pieces(c, fronts->seen, threads);
+    bool enough = finders && first && finders_init(finders, count, fronts, grid, first) &&
+                  meet_all(finders, grid, count) && meet_pairs(finders, count) &&
+                  gather(c, fronts->scene, finders, count) && find_pieces(c, fronts->seen, threads);
     for (int i = 0; finders && i < count; i++) {
         free(finders[i].found.item);
         free(finders[i].pair);
@@ -536,7 +526,6 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
     }
     free(finders);
     free(first);
-    sheets_free(&surfaces);
     return enough;
 }
 
