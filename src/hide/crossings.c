@@ -266,7 +266,13 @@ static bool meet_cell(finder *t, size_t cell)
     for (uint32_t i = 0; i + 1 < count; i++) {
         const hide_box *own = &fronts->front_box[list[i].front];
         uint32_t most = objet_most(objet_sides(list[i].sides)), first = grid->start[cell], end = first + count;
-        for (uint32_t k = first + i + 1; k < end; k += 4)
+        const hide_front *front = &fronts->front[list[i].front];
+        bool of_solid = grid->next && front->kind == HIDE_SOLID_FACE; /* the other faces of its solid do not cross it */
+        for (uint32_t k = first + i + 1; k < end; k += 4) {
+            if (of_solid && fronts->front[grid->entry[k].front].solid == front->solid) {
+                k = grid->next[k] - 4;
+                continue;
+            }
             for (unsigned near = objet_near(grid, k, end, most); near; near &= near - 1) {
                 uint32_t at = k + (uint32_t)bits_trailing_zeros(near) - first;
                 const hide_box *box = &fronts->front_box[list[at].front];
@@ -278,6 +284,7 @@ static bool meet_cell(finder *t, size_t cell)
                     !meet_entries(t, list, i, at))
                     return false;
             }
+        }
     }
     return true;
 }
