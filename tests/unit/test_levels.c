@@ -98,7 +98,7 @@ static const struct {
 static roberts_scene *scene_of(const char *name, const char *bytes, size_t size)
 {
     roberts_mesh mesh = {0};
-    roberts_scene *scene;
+    roberts_scene *scene = NULL;
     roberts_error error = {0};
     if (roberts_mesh_read_memory(&mesh, name, bytes, size, NULL, &error) != ROBERTS_OK ||
         roberts_scene_build(&mesh, NULL, &scene, &error) != ROBERTS_OK)
