@@ -23,9 +23,9 @@ void output_text(output *out, const char *text);
 void output_number(output *out, double x); /* as decimal_format() */
 void output_integer(output *out, uint32_t n);
 
-/* The length of the character of UTF-8 at the start of `text`, in its shortest form (RFC 3629); 0 if it is none, or one
- * that XML 1.0 does not allow. A file's name may hold any bytes. */
-size_t output_character(const char *text);
+/* The length of the character of UTF-8 at the start of `string`, in its shortest form (RFC 3629); 0 if it is none, or
+ * one that XML 1.0 does not allow. A file's name may hold any bytes. */
+size_t output_character(const char *string);
 
 /* Writes the rest of the buffer. Returns ROBERTS_OK, or ROBERTS_IO with the reason. */
 roberts_status output_finish(output *out, roberts_error *error);

@@ -112,20 +112,21 @@ static void add_fins(roberts_mesh *mesh)
 
 static void fill(roberts_mesh *mesh, const char *what)
 {
-    for (double x = 0.0; *what; what++, x += 10.0) {
+    for (size_t i = 0; what[i]; i++) {
+        double x = 10.0 * (double)i;
         roberts_vec3 at = {x, 0.25 * x, 0.125 * x};
         size_t first = mesh->face_count;
-        if (*what == 't' || *what == 'T' || *what == 'm' || *what == 'f')
-            add_ring(mesh, *what == 'T' ? 60 : 12, *what == 'T' ? 30 : 8, true, at);
-        else if (*what == 's' || *what == 'S' || *what == 'n')
-            add_ring(mesh, *what == 'S' ? 60 : 12, *what == 'S' ? 30 : 8, false, at);
-        else if (*what == 'b')
+        if (what[i] == 't' || what[i] == 'T' || what[i] == 'm' || what[i] == 'f')
+            add_ring(mesh, what[i] == 'T' ? 60 : 12, what[i] == 'T' ? 30 : 8, true, at);
+        else if (what[i] == 's' || what[i] == 'S' || what[i] == 'n')
+            add_ring(mesh, what[i] == 'S' ? 60 : 12, what[i] == 'S' ? 30 : 8, false, at);
+        else if (what[i] == 'b')
             add_box(mesh, at);
         else
-            add_step(mesh, at, *what == 'c');
-        if (*what == 'm' || *what == 'n')
+            add_step(mesh, at, what[i] == 'c');
+        if (what[i] == 'm' || what[i] == 'n')
             turn_some(mesh, first);
-        if (*what == 'f')
+        if (what[i] == 'f')
             add_fins(mesh);
     }
 }

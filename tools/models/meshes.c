@@ -270,8 +270,10 @@ static double noise(uint64_t seed, double x, double y)
 static double land_height(uint64_t seed, double x, double y)
 {
     double height = 0, wide = 40;
-    for (uint64_t octave = 0; octave < 4; octave++, wide /= 2.5)
+    for (uint64_t octave = 0; octave < 4; octave++) {
         height += 0.75 * wide * noise(seed + octave, x / wide, y / wide);
+        wide /= 2.5;
+    }
     return height;
 }
 
