@@ -158,11 +158,11 @@ static double number(const row *r, int column)
 {
     const roberts_segment *s = r->s;
     const double usual[] = {s->t0, s->t1, 0.0 /* no number: the state */, s->p0.x, s->p0.y, s->p1.x, s->p1.y};
-    if (column <= Y1)
-        return usual[column - T0];
     const roberts_vec3 a = r->end[0], b = r->end[1];
     const double rest[] = {a.x, a.y, a.z, b.x, b.y, b.z, s->z0, s->z1};
-    return rest[column - END_X0];
+    if (column >= END_X0)
+        return rest[column - END_X0];
+    return column <= Y1 ? usual[column - T0] : 0.0;
 }
 
 static const char *word(const row *r, int column)

@@ -110,10 +110,10 @@ typedef struct reaching {
  * are asked first, so that they leave little to the others. */
 static void ask_nodes(climb *c, int rank, uint32_t item, uint32_t end)
 {
-    reaching node[1 << LIST_TREE_BITS];
+    reaching node[1 << LIST_TREE_BITS] = {{0.0, 0}};
     uint32_t count = 0;
     for (; item < end; item = list_tree_end(&c->b->tree, rank, item)) {
-        node[count] = (reaching){0.0, item};
+        node[count].item = item;
         count += may_hide_more(c, &c->b->node[list_tree_node(&c->b->tree, rank, item)], &node[count].reach);
     }
     SORT_FEW(reaching, node, count, a->reach < b->reach)
