@@ -702,6 +702,24 @@ static void figures_have_the_faces_they_promise(void **state)
     }
 }
 
+/* Five regular tetrahedra; together they have each corner of a dodecahedron once. */
+static void five_tetrahedra_are_regular(void **state)
+{
+    const char *path = "models/compound-of-five-tetrahedra.off";
+    roberts_mesh mesh = read_mesh(path);
+    (void)state;
+    assert_int_equal(mesh.vertex_count, 20);
+    for (uint32_t v = 0; v < 20; v++)
+        for (uint32_t w = 0; w < v; w++) {
+            double apart = vec3_length(vec3_sub(mesh.vertex[v], mesh.vertex[w]));
+            if (v / 4 == w / 4)
+                assert_true(fabs(apart - sqrt(8)) < 1e-12);
+            else
+                assert_true(apart > 1);
+        }
+    roberts_mesh_free(&mesh);
+}
+
 static void seeds_make_a_difference(void **state)
 {
     char output[PATH_ROOM], *first, *second;
@@ -769,6 +787,7 @@ int main(void)
         cmocka_unit_test(all_models_are_scenes_without_a_warning),
         cmocka_unit_test(families_have_the_number_of_solids_they_promise),
         cmocka_unit_test(figures_have_the_faces_they_promise),
+        cmocka_unit_test(five_tetrahedra_are_regular),
         cmocka_unit_test(seeds_make_a_difference),
         cmocka_unit_test(nothing_floats),
     };

@@ -19,7 +19,7 @@ static uint32_t nearest_vertex(const body *b, roberts_vec3 p)
 void five_tetrahedra(body *b)
 {
     const double g = (1 + sqrt(5)) / 2, h = 1 / (2 * g);
-    const motion fifth = {{{h, -g / 2, 0.5}, {g / 2, 0.5, h}, {-0.5, h, g / 2}}, {0, 0, 0}};
+    const motion fifth = {{{h, -0.5, g / 2}, {0.5, g / 2, h}, {-g / 2, h, 0.5}}, {0, 0, 0}};
     body dodecahedron = {0}, part = {0};
     uniform_make(&dodecahedron, DODECAHEDRON);
     uniform_make(&part, TETRAHEDRON);
