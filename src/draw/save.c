@@ -25,11 +25,10 @@
 #include <unistd.h>
 
 #include "base/error.h"
-#include "draw/cairo.h"
+#include "draw/formats.h"
 #include "draw/output.h"
 #include "draw/page.h"
 #include "draw/strokes.h"
-#include "draw/svg.h"
 #include "draw/table.h"
 
 /* ---- formats, and any of them to a function ---- */
@@ -157,6 +156,20 @@ static roberts_status check_segments(const roberts_drawing *drawing, roberts_err
     return ROBERTS_OK;
 }
 
+static page_writer *writer_of(roberts_format format)
+{
+    switch (format) {
+    case ROBERTS_SVG:
+        return svg_write;
+    case ROBERTS_PDF:
+        return pdf_write;
+    case ROBERTS_PNG:
+        return image_write;
+    default:
+        return surface_write;
+    }
+}
+
 static roberts_status write_page(const subject *what, const roberts_draw_options *options, output *out,
                                  roberts_error *error)
 {
@@ -164,7 +177,7 @@ static roberts_status write_page(const subject *what, const roberts_draw_options
     roberts_status status = what->sheet ? strokes_make_sheet(&s, what->sheet, options, error)
                                         : strokes_make(&s, what->drawing, options, error);
     if (status == ROBERTS_OK)
-        status = options->format == ROBERTS_SVG ? svg_write(&s, out, error) : surface_write(&s, out, error);
+        status = writer_of(options->format)(&s, out, error);
     if (status == ROBERTS_OK && options->ink)
         *options->ink = strokes_measure(&s);
     strokes_free(&s);

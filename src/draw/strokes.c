@@ -41,6 +41,15 @@ const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line
     }
 }
 
+const char *strokes_class_name(roberts_line line)
+{
+    static const char *const name[] = {
+        [ROBERTS_OUTLINE] = "outline", [ROBERTS_CREASE] = "crease", [ROBERTS_BACK] = "hidden",
+        [ROBERTS_BORDER] = "border",   [ROBERTS_WIRE] = "wire",     [ROBERTS_INTERSECTION] = "intersection",
+        [LINE_FRAME] = "frame",        [LINE_SYMBOL] = "symbol"};
+    return name[line];
+}
+
 static bool is_broken(const roberts_draw_options *options, roberts_line line)
 {
     return strokes_pen(options, line)->dash_mm > 0.0 &&
@@ -332,6 +341,14 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
 void strokes_free(strokes *s)
 {
     polylines_free(&s->lines);
+}
+
+size_t strokes_part_end(const strokes *s, size_t first, size_t end)
+{
+    size_t segments = 0;
+    while (first < end && segments < SEGMENTS_PER_STROKE)
+        segments += s->lines.item[first++].count;
+    return first;
 }
 
 roberts_ink strokes_measure(const strokes *s)

@@ -49,6 +49,17 @@ const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line
  * pen is down for a dash less a width, and a dash no longer than the width is a dot. */
 bool strokes_dash(const roberts_draw_options *options, roberts_line line, double dash[2]);
 
+/* "outline", "hidden", ...: what a class is called in files. */
+const char *strokes_class_name(roberts_line line);
+
+/* Strokes go to Cairo, or into a file's path, in parts of this size: one by one they take several times as long, and
+ * much larger parts take much memory. */
+enum { SEGMENTS_PER_STROKE = 1000 };
+
+/* The end of the part that begins with polyline `first`: as many polylines before `end` as have SEGMENTS_PER_STROKE
+ * segments together. */
+size_t strokes_part_end(const strokes *s, size_t first, size_t end);
+
 /* How often and how far the pen goes. */
 roberts_ink strokes_measure(const strokes *s);
 
