@@ -154,24 +154,28 @@ static double memory_limit(void)
     return most;
 }
 
-/* Refuses an image that is too large. A system that promises more memory than it has would not: it would kill this
+static roberts_status check_size(double width, double height, const roberts_draw_options *options, roberts_error *error)
+{
+    const roberts_page *page = &options->page;
+    if (width >= 1.0 && height >= 1.0 && width <= PIXELS_MAX && height <= PIXELS_MAX)
+        return ROBERTS_OK;
+    return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                     "%g dpi make an image of %.0f x %.0f pixels; it has 1 to %d a side, on this page at most %.0f dpi",
+                     options->dpi, width, height, PIXELS_MAX,
+                     floor(PIXELS_MAX * mm_per_inch / fmax(page->width_mm, page->height_mm)));
+}
+
+/* Refuses an image that needs too much. A system that promises more memory than it has would not: it would kill this
  * process, or others. */
-static roberts_status check_image(const image *m, double width, double height, roberts_error *error)
+static roberts_status check_memory(const image *m, roberts_error *error)
 {
     const double megabyte = 1e6, bytes = (double)m->width * m->surface_height * BYTES_PER_PIXEL, most = memory_limit();
-    const roberts_page *page = &m->s->options->page;
-    if (!(width >= 1.0 && height >= 1.0 && width <= PIXELS_MAX && height <= PIXELS_MAX))
-        return error_set(
-            error, ROBERTS_BAD_ARGUMENT, 0,
-            "%g dpi make an image of %.0f x %.0f pixels; it has 1 to %d a side, on this page at most %.0f dpi",
-            m->s->options->dpi, width, height, PIXELS_MAX,
-            floor(PIXELS_MAX * mm_per_inch / fmax(page->width_mm, page->height_mm)));
-    if (bytes > most)
-        return error_set(
-            error, ROBERTS_NO_MEMORY, 0,
-            "%g dpi make an image of %.0f x %.0f pixels; it takes %.0f MB of memory, and there are %.0f MB at the most",
-            m->s->options->dpi, width, height, ceil(bytes / megabyte), floor(most / megabyte));
-    return ROBERTS_OK;
+    if (bytes <= most)
+        return ROBERTS_OK;
+    return error_set(
+        error, ROBERTS_NO_MEMORY, 0,
+        "%g dpi make an image of %d x %d pixels; it takes %.0f MB of memory, and there are %.0f MB at the most",
+        m->s->options->dpi, m->width, m->height, ceil(bytes / megabyte), floor(most / megabyte));
 }
 
 /* The rows above and below a band that are drawn with it: as many as the longest dash covers, with its caps. Where both
@@ -192,11 +196,11 @@ static void set_bands(image *m, double width, double height, size_t surface_byte
     const double margin = margin_rows(m->s, m->pixels_per_mm);
     const double budget = floor((double)surface_bytes / BYTES_PER_PIXEL / width);
     const double band = fmax(margin, budget - 2.0 * margin);
-    m->width = (int)fmin(width, PIXELS_MAX);
-    m->height = (int)fmin(height, PIXELS_MAX);
+    m->width = (int)width;
+    m->height = (int)height;
     m->surface_height = (int)fmin(budget >= height ? budget : band + 2.0 * margin, m->height);
     m->band_height = m->surface_height == m->height ? m->height : (int)band;
-    m->margin = (int)fmin(margin, PIXELS_MAX);
+    m->margin = (int)fmin(margin, height);
 }
 
 /* False: no memory. */
@@ -230,12 +234,15 @@ roberts_status image_write_bands(const strokes *s, size_t surface_bytes, output 
     const roberts_page *page = &s->options->page;
     const double pixels_per_mm = s->options->dpi / mm_per_inch;
     const double width = ceil(page->width_mm * pixels_per_mm), height = ceil(page->height_mm * pixels_per_mm);
+    roberts_status status = check_size(width, height, s->options, error);
+    if (status != ROBERTS_OK)
+        return status;
     image *m = malloc(sizeof *m);
     if (!m)
         return error_no_memory(error);
     *m = (image){.s = s, .out = out, .pixels_per_mm = pixels_per_mm};
     set_bands(m, width, height, surface_bytes);
-    roberts_status status = check_image(m, width, height, error);
+    status = check_memory(m, error);
     if (status == ROBERTS_OK)
         status = get_memory(m) ? write_image(m, error) : error_no_memory(error);
     free(m->line[0]);

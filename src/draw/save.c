@@ -45,8 +45,10 @@ static const struct {
     const char *name; /* also the ending of file names */
     roberts_format format;
 } formats[] = {
-    {"svg", ROBERTS_SVG}, {"pdf", ROBERTS_PDF}, {"ps", ROBERTS_PS},     {"eps", ROBERTS_EPS},
-    {"png", ROBERTS_PNG}, {"csv", ROBERTS_CSV}, {"json", ROBERTS_JSON}, {"null", ROBERTS_NULL},
+    {"svg", ROBERTS_SVG},   {"pdf", ROBERTS_PDF},   {"ps", ROBERTS_PS},    {"eps", ROBERTS_EPS},
+    {"png", ROBERTS_PNG},   {"tikz", ROBERTS_TIKZ}, {"tex", ROBERTS_TIKZ}, {"dxf", ROBERTS_DXF},
+    {"hpgl", ROBERTS_HPGL}, {"plt", ROBERTS_HPGL},  {"csv", ROBERTS_CSV},  {"json", ROBERTS_JSON},
+    {"null", ROBERTS_NULL},
 };
 
 /* Ignores the case of letters A to Z, whatever the locale. */
@@ -165,6 +167,12 @@ static page_writer *writer_of(roberts_format format)
         return pdf_write;
     case ROBERTS_PNG:
         return image_write;
+    case ROBERTS_TIKZ:
+        return tikz_write;
+    case ROBERTS_DXF:
+        return dxf_write;
+    case ROBERTS_HPGL:
+        return hpgl_write;
     default:
         return surface_write;
     }
@@ -205,6 +213,9 @@ static roberts_status write_format(const subject *what, const roberts_draw_optio
     case ROBERTS_PS:
     case ROBERTS_EPS:
     case ROBERTS_PNG:
+    case ROBERTS_TIKZ:
+    case ROBERTS_DXF:
+    case ROBERTS_HPGL:
         return write_page(what, options, out, error);
     case ROBERTS_CSV:
     case ROBERTS_JSON:
