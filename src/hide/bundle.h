@@ -12,10 +12,9 @@
 #include "hide/tolerance.h"
 
 typedef struct bundle_node {
-    roberts_vec3 M; /* a point among the faces' corners */
-    double ux, uy;  /* unit vector along the faces */
-    double x0, x1, y0,
-        y1; /* box of the corners in the picture, relative to M, along and across; widened by the margin */
+    roberts_vec3 M;           /* a point among the faces' corners */
+    double ux, uy;            /* unit vector along the faces */
+    double x0, x1, y0, y1;    /* box of the corners in the picture, relative to M, along and across; with margin */
     roberts_vec3 least, most; /* bounds of the planes' normals */
     double behind;            /* the greatest F(M), plus the touching distance and rounding */
 } bundle_node;

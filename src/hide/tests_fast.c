@@ -89,8 +89,7 @@ double fast_reach_along(const fast_outline *o, const hide_space *space, const hi
                         double *t)
 {
     hide_face F = {.corner = o->corner, .count = o->sides};
-    uint32_t first =
-        (uint32_t)i < o->sides ? (uint32_t)i : o->sides - 1; /* if the number is odd, the last side is stored twice */
+    uint32_t first = (uint32_t)i < o->sides ? (uint32_t)i : o->sides - 1; /* an odd last side is stored twice */
     reach_border border = {&F, first, first + 1 < o->sides ? first + 1 : 0, touch > 0.0};
     return reach_along(space, e, &border, fabs(touch), t);
 }
