@@ -157,7 +157,8 @@ void hint_refused(const cli_options *options, const roberts_mesh *mesh, roberts_
     if (tolerance > 0.0)
         snprintf(error->message + used, room, " (--tolerance %g would do; see also --hull)", tolerance);
     else if (mesh->vertex_count >= HULL_POINTS)
-        snprintf(error->message + used, room, " (see --hull)");
+        snprintf(error->message + used, room,
+                 mesh->face_count ? " (see --hull)" : " (--hull draws the convex hull of points)");
 }
 
 /* ---- drawings that show nothing ---- */

@@ -118,10 +118,10 @@ static void tell_curved(const cli_options *options, const roberts_scene *scene)
 static void tell_scene(const cli_options *options, const roberts_scene *scene, const run_stats *run)
 {
     char name[NAME_SIZE];
-    size_t solids = roberts_scene_solid_count(scene);
+    const size_t bodies = roberts_scene_solid_count(scene);
     message_open(options->log);
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
-    fprintf(options->log, "%zu solid%s, %zu vertices, %zu faces; %.3f s\n", solids, solids == 1 ? "" : "s",
+    fprintf(options->log, "%zu bod%s, %zu vertices, %zu faces; %.3f s\n", bodies, bodies == 1 ? "y" : "ies",
             run->vertices, run->faces, run->read.wall + run->solids.wall);
     tell_kinds(options, scene);
     if (options->scene.hull)
@@ -141,7 +141,7 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     run->read = report_since(start);
     if (status == ROBERTS_OK) {
         start = report_now();
-        progress_stage("finding the solids");
+        progress_stage("finding the bodies");
         status = roberts_scene_take(&mesh, &solids, scene, error);
         run->solids = report_since(start);
         if (status != ROBERTS_OK)
@@ -152,6 +152,8 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
         return status;
     run->vertices = roberts_scene_vertex_count(*scene);
     run->faces = roberts_scene_face_count(*scene);
+    run->pieces = roberts_scene_piece_count(*scene);
+    run->edges = roberts_scene_edge_count(*scene);
     if (options->verbose)
         tell_scene(options, *scene, run);
     tell_curved(options, *scene);

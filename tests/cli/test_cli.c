@@ -662,7 +662,7 @@ static void verbose_tells(void **state)
 {
     (void)state;
     assert_int_equal(run("-v models/platonic/cube.off -o in/a.svg"), 0);
-    assert_said("roberts: models/platonic/cube.off: 1 solid, 8 vertices, 6 faces; ");
+    assert_said("roberts: models/platonic/cube.off: 1 body, 8 vertices, 6 faces; ");
     assert_said("roberts: in/a.svg: 9 segments; ");
 }
 
@@ -827,11 +827,26 @@ static void statistics(void **state)
 {
     (void)state;
     assert_int_equal(run("-f null --stats models/platonic/cube.off"), 0);
-    assert_said("1  solids\n");
+    assert_said("1  bodies\n");
     assert_said("12  edges\n");
     assert_said("epsilon");
     assert_said("  hide\n");
     assert_null(strstr(last.err, "strokes")); /* no page, no pen */
+    assert_null(strstr(last.err, "pieces"));  /* convex faces are whole */
+    assert_int_equal(run("-v -f null --stats models/star/pentagrammic-prism.off"), 0);
+    assert_said("models/star/pentagrammic-prism.off: 1 body, 10 vertices, 7 faces; ");
+    assert_said("10  vertices\n");
+    assert_said("7  faces\n");
+    assert_said("17  convex pieces of them\n"); /* a pentagon and five points for each pentagram */
+    assert_said("15  edges\n");
+    assert_said("35  parts of them, and cuts between pieces\n"); /* a pentagram's side is three */
+    assert_int_equal(run("-f null --stats=json models/star/pentagrammic-prism.off"), 0);
+    assert_said("\"vertices\":10,\"faces\":7,\"pieces\":17,\"front_faces\":");
+    assert_said("\"edges\":15,\"edge_parts\":35,\"surviving_edges\":");
+    assert_int_equal(run("-f null --stats models/shapes/moebius-strip.off"), 0);
+    assert_said("48  faces\n"); /* none of them planar: two triangles each */
+    assert_said("96  convex pieces of them\n");
+    assert_said("144  edges\n");
     assert_int_equal(run("-o in/a.svg --stats --view top --page 100x100 models/platonic/cube.off"), 0);
     assert_said("1  strokes\n");
     assert_said("320.0  mm with the pen down\n");
@@ -1009,7 +1024,7 @@ static void picks(void **state)
 {
     (void)state;
     assert_int_equal(run("--pick 2.5,-2 --view top -f null models/cube-behind-cube.off"), 0);
-    assert_string_equal(last.err, "roberts: pick 2.5,-2: solid 0, face 0, depth -2.5, at 2,1.5,4\n");
+    assert_string_equal(last.err, "roberts: pick 2.5,-2: body 0, face 0, depth 2.5, at 2,1.5,4\n");
     assert_int_equal(run("--pick -1e6,0 -f null models/cube-behind-cube.off"), 0);
     assert_string_equal(
         last.err,
@@ -1018,8 +1033,8 @@ static void picks(void **state)
                    "3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n3 4 5 6\n3 4 5 7\n3 4 6 7\n3 5 6 7\n");
     /* middle of the box: 3, 3, -1.5; (1, 1) lies below the slanting faces at z = 4 and z = -5 */
     assert_int_equal(run("--pick -2,-2 --view top -f null two.off"), 0);
-    assert_string_equal(last.err, "roberts: pick -2,-2: solid 0, face 3, depth -5.5, at 1,1,4\n"
-                                  "roberts: pick -2,-2: behind it solid 1, face 7, depth 3.5, at 1,1,-5\n");
+    assert_string_equal(last.err, "roberts: pick -2,-2: body 0, face 3, depth 5.5, at 1,1,4\n"
+                                  "roberts: pick -2,-2: behind it body 1, face 7, depth -3.5, at 1,1,-5\n");
 }
 
 int main(void)

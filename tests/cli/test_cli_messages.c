@@ -58,15 +58,16 @@ static void messages_name_the_file(void **state)
     assert_int_equal(run("--solids open.off half.off"), 1); /* one solid of two files, by positions */
     assert_said("roberts: open.off and 1 more: solid 0 is not closed: edge ");
     assert_int_equal(run("empty.off empty.off"), 1);
-    assert_said("roberts: empty.off and 1 more: no solid: there is no face with three or more corners\n");
+    assert_said("roberts: empty.off and 1 more: nothing to draw: there is no face with three different corners\n");
     put("three.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"); /* no points that have a hull */
     put("four.off", "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
     assert_int_equal(run("three.off"), 1);
-    assert_said("roberts: three.off: no solid: there is no face with three or more corners\n");
+    assert_said("roberts: three.off: nothing to draw: there is no face with three different corners\n");
     assert_int_equal(run("--solids tri.off"), 1);
     assert_null(strstr(last.err, "see --hull"));
     assert_int_equal(run("four.off"), 1);
-    assert_said("roberts: four.off: no solid: there is no face with three or more corners (see --hull)\n");
+    assert_said("roberts: four.off: nothing to draw: there is no face with three different corners (--hull draws the "
+                "convex hull of points)\n");
 }
 
 /* As by cat, also from standard input: what is drawn is the first. */
@@ -480,7 +481,7 @@ static void names_are_printed_plainly(void **state)
     assert_null(strchr(last.err, '\x1b'));
     put_cube("b\x07.off", 0, 0, 6);
     assert_int_equal(run("-v -f csv b\x07.off -o c\x07 --verify --turntable 1 -o c\x07%d.csv --stats"), 0);
-    assert_said("roberts: b\\x07.off: 1 solid, ");
+    assert_said("roberts: b\\x07.off: 1 body, ");
     assert_said("roberts: c\\x07"
                 "0.csv: verify: ");
     assert_said("roberts: c\\x07"
@@ -506,7 +507,7 @@ static void several_points_are_picked(void **state)
 {
     (void)state;
     assert_int_equal(run("--pick 2.5,-2 --pick=-1e6,0 --view top -f null models/cube-behind-cube.off"), 0);
-    assert_string_equal(last.err, "roberts: pick 2.5,-2: solid 0, face 0, depth -2.5, at 2,1.5,4\n"
+    assert_string_equal(last.err, "roberts: pick 2.5,-2: body 0, face 0, depth 2.5, at 2,1.5,4\n"
                                   "roberts: pick -1000000,0: nothing is there; the picture reaches from "
                                   "-4.5,-3.5 to 4.5,3.5\n");
 }
@@ -637,7 +638,7 @@ static void each_of_several_pictures_is_named(void **state)
                          "models/platonic/octahedron.off"),
                      0);
     assert_line(0, "roberts: models/platonic/cube.off: verify: ");
-    assert_line(1, "roberts: models/platonic/cube.off: pick 0,0: solid 0, ");
+    assert_line(1, "roberts: models/platonic/cube.off: pick 0,0: body 0, ");
     assert_line(2, "roberts: models/platonic/cube.off: pick 1000000,0: nothing is there");
     assert_line(3, JSON_BEGINS "\"models/platonic/cube.off\",\"output\":null,\"files\":1,");
     assert_line(4, "roberts: models/platonic/octahedron.off: verify: ");
@@ -673,7 +674,7 @@ static void counts_agree(void **state)
     (void)state;
     assert_int_equal(run("--stats --verify -f null models/table.off --hidden dashed"), 0);
     assert_int_equal(sscanf(last.err, "roberts: verify: %u points of %u segments checked", &points, &checked), 2);
-    assert_said(" segments checked, visible and hidden ones; ");
+    assert_said(" segments checked, visible ones and hidden ones, drawn or not; ");
     const char *segments = strstr(last.err, "  segments\n");
     assert_true(segments && segments - last.err > 14);
     assert_int_equal(strtoul(segments - 14, NULL, 10), checked);
