@@ -295,12 +295,14 @@ static const option rows[] = {
      .name = "dpi",
      .flags = OPTION_PAPER,
      .value = "N",
-     .set = values_set_dpi,
+     .set = values_set_number,
      TO(draw.dpi),
-     RANGE(0, 100000),
+     RANGE(10, 10000),
      .brief = "resolution of png",
-     .help = "resolution of png (default: 150)",
-     .manual = "The resolution of png. Default: 150. An image has at most 32767 pixels a side."},
+     .help = "resolution of png, 10 to 10000 (default: 150)",
+     .manual =
+         "The resolution of png, in dots per inch: 10 to 10000. Default: 150. An image has at most 32767 pixels a "
+         "side."},
 
     /* ---- lines ---- */
     {.group = GROUP_LINES,
@@ -421,14 +423,14 @@ static const option rows[] = {
      .name = "fov",
      .flags = OPTION_DRAWS,
      .value = "DEGREES",
-     .set = values_set_fov,
+     .set = values_set_number,
      TO(camera.fov_degrees),
-     RANGE(0, 179),
+     RANGE(0.001, 179),
      .needs = "eye",
      .brief = "angle of the picture",
-     .help = "with --eye: the angle across the shorter side of the picture, above 0 and up to 179; the picture fills "
+     .help = "with --eye: the angle across the shorter side of the picture, up to 179; the picture fills "
              "what the margins leave (default: the whole scene; 60 where it is cut)",
-     .manual = "The angle of a perspective picture, above 0 and up to 179 degrees. The picture has the shape of what "
+     .manual = "The angle of a perspective picture, from 0.001 to 179 degrees. The picture has the shape of what "
                "the page's margins leave, and this angle across its shorter side. The look-at point is in its middle. "
                "The drawing ends at its border, but tables also have what lies beyond. Default: the whole scene, or 60 "
                "degrees where the near plane cuts it."},

@@ -231,6 +231,12 @@ static roberts_status hide_all(const cli_options *options, const roberts_scene *
     return status;
 }
 
+/* Whether what is written asks the scene for the faces of edges. */
+static bool is_table(const cli_options *options)
+{
+    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
+}
+
 /* What messages call the drawing. */
 static const char *name_output(const cli_options *options, char *name, size_t size)
 {
@@ -247,6 +253,20 @@ static void warn_near(const cli_options *options, const roberts_scene *scene, vi
         return;
     message_warning(options->log, name_output(options, name, sizeof name), 0, why);
     v->explained = true;
+}
+
+/* Options without effect on these bodies or these lines. A picture of a turntable may have lines that others do not. */
+static void warn_idle(const cli_options *options, const roberts_scene *scene, const views *v)
+{
+    char text[256], name[NAME_SIZE];
+    const bool page = options->draw.format != ROBERTS_NULL && !is_table(options);
+    if (options->quiet || options->turntable > 0)
+        return;
+    if (options->hide.unite && hint_idle_union(scene))
+        message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0,
+                        "--union has no effect: no body is closed");
+    if (page && hint_idle_pens(options, v->drawing, v->count, text, sizeof text))
+        message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0, text);
 }
 
 static void free_views(views *v)
@@ -309,12 +329,6 @@ static void tell(const cli_options *options, const run_stats *run, const views *
     message_close(options->log);
 }
 
-/* Whether what is written asks the scene for the faces of edges. */
-static bool is_table(const cli_options *options)
-{
-    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
-}
-
 /* Makes one picture. Before the last one is written the scene is released, unless a table needs it. Returns the exit
  * status. */
 static int draw(const cli_options *options, roberts_scene **scene, bool last, const picture_window *window,
@@ -325,6 +339,8 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     roberts_status status = hide_all(options, *scene, &v, &run, &error);
     if (status == ROBERTS_OK)
         warn_near(options, *scene, &v);
+    if (status == ROBERTS_OK)
+        warn_idle(options, *scene, &v);
     if (last && !is_table(options)) {
         roberts_scene_free(*scene);
         *scene = NULL;
