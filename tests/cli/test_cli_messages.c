@@ -754,6 +754,7 @@ int main(void)
         IN_FOLDER(endings_that_mislead_are_warned_of),
         IN_FOLDER(numbers_without_a_turntable_are_warned_of),
         IN_FOLDER(idle_options_are_warned_of),
+        IN_FOLDER(what_a_drawing_lacks_is_warned_of),
         IN_FOLDER(terminals_are_told_of),
         IN_FOLDER(names_are_printed_plainly),
         IN_FOLDER(closed_streams_stay_taken),
