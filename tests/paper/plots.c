@@ -193,7 +193,8 @@ static void read_tikz(reader *r, const char *text)
             r->failed = r->failed || scopes != 1;
             read_tikz_path(r, word);
         } else if (!(passed(&word, "%") || passed(&word, "--(") || passed(&word, "\\coordinate (v") ||
-                     passed(&word, "\\begin{tikzpicture}[x=1mm,y=1mm]\n") || passed(&word, "\\end{tikzpicture}\n"))) {
+                     passed(&word, "\\ifpgfpicture") || passed(&word, "\\begin{\\robertspicture}[x=1mm,y=1mm]\n") ||
+                     passed(&word, "\\end{\\robertspicture}\n"))) {
             r->failed = true;
         }
     }
@@ -346,9 +347,15 @@ static void read_dxf(reader *r, const char *text)
 
 static const double hpgl_unit_mm = 0.025;
 
-static const int hpgl_class[] = {-1,           ROBERTS_OUTLINE, ROBERTS_CREASE,
-                                 ROBERTS_BACK, ROBERTS_BORDER,  ROBERTS_INTERSECTION,
-                                 ROBERTS_WIRE, PAPER_FRAME,     PAPER_SYMBOL};
+static const int hpgl_class[] = {-1,
+                                 ROBERTS_BACK,
+                                 ROBERTS_WIRE,
+                                 ROBERTS_INTERSECTION,
+                                 ROBERTS_CREASE,
+                                 ROBERTS_BORDER,
+                                 ROBERTS_OUTLINE,
+                                 PAPER_FRAME,
+                                 PAPER_SYMBOL};
 
 /* x,y,x,y,... up to a semicolon. */
 static void read_hpgl_points(reader *r, const char **at)

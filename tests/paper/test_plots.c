@@ -117,8 +117,8 @@ static const struct {
     {ROBERTS_DXF, "\n6\nDASHED\n", "\n6\nCONTINUOUS\n"},
     {ROBERTS_DXF, "\n49\n", "\n49\n1"},
     {ROBERTS_HPGL, "PD8000,", "PD8001,"},
-    {ROBERTS_HPGL, "PC1,255", "PC1,254"},
-    {ROBERTS_HPGL, "SP2;", "SP1;"},
+    {ROBERTS_HPGL, "PC6,255", "PC6,254"},
+    {ROBERTS_HPGL, "SP4;", "SP5;"},
     {ROBERTS_HPGL, "LT8,", "LT8,1"},
 };
 
@@ -185,7 +185,9 @@ static void texts_of_tikz(void **state)
     options.description = "\xc3\xa9 \xff";
     options.background = (roberts_background){true, 1, 2, 3};
     char *text = written(all_classes(), options, ROBERTS_TIKZ);
-    const char *begins = "% a?b \\c{\n% \xc3\xa9 ?\n\\begin{tikzpicture}[x=1mm,y=1mm]\n"
+    const char *begins = "% a?b \\c{\n% \xc3\xa9 ?\n"
+                         "\\ifpgfpicture\\def\\robertspicture{scope}\\else\\def\\robertspicture{tikzpicture}\\fi\n"
+                         "\\begin{\\robertspicture}[x=1mm,y=1mm]\n"
                          "\\pgfkeysifdefined{/tikz/roberts page/.@cmd}{}{\\tikzset{roberts page/.style="
                          "{fill={rgb,255:red,1;green,2;blue,3}}}}\n"
                          "\\path[roberts page] (0,0) rectangle (210,297);\n";
@@ -208,7 +210,7 @@ static void tiny_strokes_of_hpgl(void **state)
     (void)state;
     options.page = (roberts_page){.width_mm = 100, .height_mm = 100};
     char *text = written(&drawing, options, ROBERTS_HPGL);
-    assert_string_equal(text, "IN;NP16;\nSP2;PW0.35,2;PC2,0,0,0;LT;\nPU0,0;PD0,0;\nSP1;PW0.5,1;PC1,0,0,0;LT;\n"
+    assert_string_equal(text, "IN;NP16;\nSP4;PW0.35,4;PC4,0,0,0;LT;\nPU0,0;PD0,0;\nSP6;PW0.5,6;PC6,0,0,0;LT;\n"
                               "PU0,2000;PD400,2000,400,2400;\nPU;SP0;\n");
     free(text);
 }
@@ -293,11 +295,12 @@ static void latex_compiles_tikz(void **state)
     fputs("\\documentclass{article}\n\\usepackage{tikz}\n\\begin{document}\n"
           "\\newcount\\n\\tikzset{roberts crease/.style={draw=red,/utils/exec={\\global\\advance\\n by 1 }}}\n"
           "\\resizebox{5cm}{!}{\\input{a.tikz}}\n"
+          "\\begin{tikzpicture}\\input{a.tikz}\\draw (v0) -- (v1);\\end{tikzpicture}\n"
           "\\typeout{creases: \\the\\n}\n\\end{document}\n",
           file);
     assert_int_equal(fclose(file), 0);
     assert_int_equal(system("pdflatex -halt-on-error -interaction=nonstopmode a.tex >a.out 2>&1"), 0);
-    assert_int_equal(system("grep -q '^creases: 1$' a.log"), 0);
+    assert_int_equal(system("grep -q '^creases: 2$' a.log"), 0);
     assert_int_equal(chdir(top), 0);
 }
 
