@@ -266,6 +266,8 @@ void check_warn(const cli_options *options, const options_given *given)
         warn_useless(options, given, OPTION_PAPER, "has no page");
     if (!is_table(options->draw.format))
         warn_useless(options, given, OPTION_TABLE, "is no table");
+    else if (options->hide.levels && options->draw.hidden == ROBERTS_HIDDEN_NONE)
+        warn("--columns +level", "it is 0 in visible rows, and there are no others without --hidden");
     if (isatty(STDIN_FILENO) && strcmp(options->input[0], "-") == 0)
         fputs(
             "roberts: reading the model from the terminal; ctrl-D ends it (roberts --help tells how to name a file)\n",

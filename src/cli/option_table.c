@@ -578,7 +578,9 @@ static const option rows[] = {
      TO(verbose),
      .brief = "say what was read and written",
      .help = "say what was read and written",
-     .manual = "Says what was read and written, and which solids --hull has replaced."},
+     .manual =
+         "Says what was read and written: bodies, vertices and faces of the file, the kinds of bodies if they are not "
+         "all convex, the segments of the drawing, and which solids --hull has replaced."},
     {.group = GROUP_MESSAGES,
      .name = "help",
      .letter = 'h',

@@ -82,18 +82,22 @@ static void tell_hulls(const cli_options *options, const roberts_scene *scene)
     fputs(hulls > told ? " ...\n" : "\n", options->log);
 }
 
-/* Says how many bodies are of each kind; nothing if all are convex. */
+/* Says of which kinds the bodies are; nothing if all are convex. */
 static void tell_kinds(const cli_options *options, const roberts_scene *scene)
 {
+    static const char *const names[] = {
+        [ROBERTS_CONVEX] = "convex", [ROBERTS_CLOSED] = "closed but not convex", [ROBERTS_OPEN] = "open"};
     char name[NAME_SIZE];
-    size_t of[ROBERTS_OPEN + 1] = {0};
+    size_t of[ROBERTS_OPEN + 1] = {0}, told = 0;
     for (uint32_t s = 0; s < roberts_scene_solid_count(scene); s++)
         of[roberts_scene_body_kind(scene, s)]++;
     if (of[ROBERTS_CLOSED] + of[ROBERTS_OPEN] == 0)
         return;
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
-    fprintf(options->log, "%zu convex, %zu closed but not convex, %zu open\n", of[ROBERTS_CONVEX], of[ROBERTS_CLOSED],
-            of[ROBERTS_OPEN]);
+    for (size_t kind = 0; kind <= ROBERTS_OPEN; kind++)
+        if (of[kind] > 0)
+            fprintf(options->log, "%s%zu %s", told++ ? ", " : "bodies: ", of[kind], names[kind]);
+    fputc('\n', options->log);
 }
 
 /* Says that flat edges of curved bodies are left out, unless --crease, --all-edges or --quiet is given. */

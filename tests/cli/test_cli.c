@@ -835,6 +835,7 @@ static void statistics(void **state)
     assert_null(strstr(last.err, "pieces"));  /* convex faces are whole */
     assert_int_equal(run("-v -f null --stats models/star/pentagrammic-prism.off"), 0);
     assert_said("models/star/pentagrammic-prism.off: 1 body, 10 vertices, 7 faces; ");
+    assert_said("models/star/pentagrammic-prism.off: bodies: 1 closed but not convex\n");
     assert_said("10  vertices\n");
     assert_said("7  faces\n");
     assert_said("17  convex pieces of them\n"); /* a pentagon and five points for each pentagram */

@@ -230,6 +230,9 @@ static const struct {
     {"-hidden dashed", "-hidden is unknown; did you mean --hidden?"},
     {"-output a.svg", "-output is unknown; did you mean --output?"}, /* and no file "utput" */
     {"-format=svg", "-format=svg is unknown; did you mean --format=svg?"},
+    {"models/table.off elevation 20", "elevation: there is no such file; did you mean --elevation?"},
+    {"help", "help: there is no such file; did you mean --help?"},
+    {"--no-hidden", "--no-hidden is unknown; did you mean --hidden none?"},
     {"--stats json models/table.off", "json: there is no such file; did you mean --stats=json?"},
     {"models/table.off --verify 10", "10: there is no such file; did you mean --verify=10?"},
     {"--verify=x", "--verify: \"x\" is not a whole number from 1 to 4294967295\n"},
@@ -395,6 +398,10 @@ static const struct {
     {"-f null --order none --dpi 90", "--dpi, --order have no effect: null has no page\n"},
     {"--columns +ends", "--columns has no effect: svg is no table\n"},
     {"-f csv --columns +name,+ends", ""},
+    {"-f csv --columns +level",
+     "--columns +level has no effect: it is 0 in visible rows, and there are no others without "
+     "--hidden\n"},
+    {"-f csv --columns +level --hidden dashed", ""},
     {"-f null -o in/b.svg", "--output has no effect: the format null writes nothing\n"},
     {"-f csv --hidden dashed --crease 5", ""},
 };
