@@ -673,6 +673,9 @@ typedef enum roberts_format {
     ROBERTS_PS,
     ROBERTS_EPS, /**< PostScript cut to the drawing, for inclusion */
     ROBERTS_PNG,
+    ROBERTS_TIKZ, /**< a picture for LaTeX, one path per stroke, a style per line class; ".tex", too */
+    ROBERTS_DXF,  /**< of AutoCAD release 12, millimetres, one layer per line class */
+    ROBERTS_HPGL, /**< for pen plotters (HP-GL/2), one pen per line class; ".plt", too */
     ROBERTS_CSV,  /**< a table, one row per segment */
     ROBERTS_JSON, /**< the same table as an array of objects */
     ROBERTS_NULL, /**< compute, write nothing */
@@ -773,7 +776,7 @@ typedef struct roberts_draw_options {
     roberts_column column[ROBERTS_COLUMNS]; /**< [column_count] in this order, each once */
     bool real_dashes;                       /**< dashes as strokes, fitted to the line; default: as a pattern of it */
     double dpi;                             /**< PNG: dots per inch; default: 150 */
-    const char *title, *description;        /**< SVG: UTF-8; NULL: none */
+    const char *title, *description;        /**< SVG and TikZ: UTF-8; NULL: none */
     roberts_ink *ink;                       /**< NULL, or filled when a page is written */
     roberts_temporary_fn *temporary;        /**< NULL: not needed */
     void *temporary_context;

@@ -29,7 +29,7 @@ figure draw-pattern 60x45 --hidden dashed models/stella-octangula.off
 figure draw-real 60x45 --hidden dashed --dash real --style outline:color=red --style crease:color=blue \
     models/stella-octangula.off
 
-# One line class each, in red.
+# One line class in each figure, in red.
 figure class-outline 40x40 --style outline:color=red models/interpenetrating-cubes.off
 figure class-crease 40x40 --style crease:color=red models/interpenetrating-cubes.off
 figure class-intersection 40x40 --style intersection:color=red models/interpenetrating-cubes.off

@@ -103,9 +103,9 @@ static int choose(const option *o, const char *value, size_t *index)
 /* ---- output ---- */
 
 const char *const values_formats[] = {
-    [ROBERTS_SVG] = "svg",   [ROBERTS_PDF] = "pdf",   [ROBERTS_PS] = "ps",
-    [ROBERTS_EPS] = "eps",   [ROBERTS_PNG] = "png",   [ROBERTS_CSV] = "csv",
-    [ROBERTS_JSON] = "json", [ROBERTS_NULL] = "null", [ROBERTS_NULL + 1] = NULL,
+    [ROBERTS_SVG] = "svg", [ROBERTS_PDF] = "pdf",   [ROBERTS_PS] = "ps",     [ROBERTS_EPS] = "eps",
+    [ROBERTS_PNG] = "png", [ROBERTS_TIKZ] = "tikz", [ROBERTS_DXF] = "dxf",   [ROBERTS_HPGL] = "hpgl",
+    [ROBERTS_CSV] = "csv", [ROBERTS_JSON] = "json", [ROBERTS_NULL] = "null", [ROBERTS_NULL + 1] = NULL,
 };
 
 const char *values_format_name(roberts_format format)

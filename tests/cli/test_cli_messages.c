@@ -291,11 +291,11 @@ static void images_too_large_for_memory(void **state)
     low = limit;
     low.rlim_cur = megabytes_600;
     assert_int_equal(setrlimit(RLIMIT_AS, &low), 0);
-    int large = run("--dpi 1500 models/table.off -o in/a.png");
+    int large = run("--dpi 1500 --hidden dashed --style hidden:dash=200 models/table.off -o in/a.png");
     assert_said(
         "roberts: in/a.png: 1500 dpi make an image of 12402 x 17540 pixels; it takes 871 MB of memory, and there "
         "are 629 MB at the most\n");
-    int small = run("--dpi 300 models/platonic/cube.off -o in/b.png");
+    int small = run("--dpi 1300 models/platonic/cube.off -o in/b.png"); /* 653 MB of pixels, in bands */
     assert_int_equal(setrlimit(RLIMIT_AS, &limit), 0);
     assert_int_equal(large, 1);
     assert_int_equal(small, 0);
