@@ -775,10 +775,11 @@ typedef struct roberts_draw_options {
     size_t column_count;           /**< tables: how many further columns; default: 0 */
     roberts_column column[ROBERTS_COLUMNS]; /**< [column_count] in this order, each once */
     bool real_dashes;                       /**< dashes as strokes, fitted to the line; default: as a pattern of it */
-    double dpi;                             /**< PNG: dots per inch; default: 150 */
-    const char *title, *description;        /**< SVG and TikZ: UTF-8; NULL: none */
-    roberts_ink *ink;                       /**< NULL, or filled when a page is written */
-    roberts_temporary_fn *temporary;        /**< NULL: not needed */
+    bool number_layers; /**< SVG: layers are called "1 hidden" to "8 symbol"; default: "hidden" to "symbol" */
+    double dpi;         /**< PNG: dots per inch; default: 150 */
+    const char *title, *description; /**< SVG and TikZ: UTF-8; NULL: none */
+    roberts_ink *ink;                /**< NULL, or filled when a page is written */
+    roberts_temporary_fn *temporary; /**< NULL: not needed */
     void *temporary_context;
 } roberts_draw_options;
 

@@ -264,7 +264,8 @@ static int choose_format(const options_given *given, cli_options *options)
     const char *slash = strrchr(options->output, '/'), *name = slash ? slash + 1 : options->output;
     if (!options_is_given(given, "format") && !roberts_format_by_path(options->output, &options->draw.format) &&
         strchr(name + (*name == '.'), '.'))
-        return message_misuse("%s: no format has this ending (.svg, .pdf, .ps, .eps, .png, .csv and .json are known); "
+        return message_misuse("%s: no format has this ending (.svg, .pdf, .ps, .eps, .png, .tikz, .tex, .dxf, "
+                              ".hpgl, .plt, .csv and .json are known); "
                               "name the format with -f",
                               options->output);
     return EXIT_DONE;

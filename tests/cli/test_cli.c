@@ -98,8 +98,8 @@ static const struct {
     {"-o", "-o needs a value"},
     {"--format", "--format needs a value"},
     {"--output=", "--output: the name is empty"},
-    {"-o a.dxf models/table.off", "a.dxf: no format has this ending (.svg, .pdf, .ps, .eps, .png, .csv and .json are "
-                                  "known); name the format with -f"},
+    {"-o a.bmp models/table.off", "a.bmp: no format has this ending (.svg, .pdf, .ps, .eps, .png, .tikz, .tex, .dxf, "
+                                  ".hpgl, .plt, .csv and .json are known); name the format with -f"},
     {"--turntable 4", "--turntable needs a name with a place for the number: -o turn-%03d.svg"},
     {"--turntable 4 -o a.svg", "--turntable needs a name with a place"},
     {"--turntable 4 -o a-%d-%d.svg", "--turntable needs a name with a place"},
