@@ -454,10 +454,30 @@ static bool box_holds(const hide_fronts *fronts, const hide_box *box, double x, 
 /* Who is seen at a point: what is known so far. */
 typedef struct look {
     double x, y;
-    double best;    /* the nearest depth */
-    uint32_t solid; /* the smallest that touches there */
-    bool touching;  /* the nearest depth is known; the question is who touches it */
+    double best;        /* the nearest depth */
+    uint32_t solid;     /* the smallest that touches there */
+    bool touching;      /* the nearest depth is known; the question is who touches it */
+    bool faces;         /* the face is wanted too, ... */
+    uint32_t face;      /* ... of that solid the smallest one that touches there */
+    const hide_face *F; /* ... and its plane */
 } look;
+
+/* The number in the scene of a face of a front. */
+static uint32_t face_of_front(const hide_fronts *fronts, const hide_front *front, const hide_face *F)
+{
+    const roberts_scene *scene = fronts->scene;
+    if (hide_is_face(front))
+        return front->piece;
+    uint32_t low = scene->solid[front->solid].face, high = scene->solid[front->solid + 1].face;
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2;
+        if (scene->corner + scene->face_start[middle] <= F->corner)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
 
 static void look_at_face(const hide_fronts *fronts, const hide_front *front, const hide_face *F, double z1, look *l)
 {
@@ -466,6 +486,13 @@ static void look_at_face(const hide_fronts *fronts, const hide_front *front, con
     if (!hide_polygon_holds(fronts, &fronts->face_runs, F->corner, F->count, (roberts_vec2){l->x, l->y},
                             fronts->space.epsilon))
         return;
+    if (l->touching && l->faces) {
+        uint32_t face = face_of_front(fronts, front, F);
+        if (front->solid < l->solid || face < l->face) {
+            l->face = face;
+            l->F = F;
+        }
+    }
     if (l->touching)
         l->solid = front->solid;
     else
@@ -484,10 +511,8 @@ static void look_at_front(const hide_fronts *fronts, const hide_front *front, do
 }
 
 /* Asks the fronts of one cell whose boxes can hold the point, by their sides in the cell. Four are looked at a time. */
-static void look_at_cell(const hide_worker *w, size_t cell, uint32_t sides, look *l)
+static void look_at_cell(const hide_fronts *fronts, const objet *grid, size_t cell, uint32_t sides, look *l)
 {
-    const objet *grid = w->grid;
-    const hide_fronts *fronts = w->fronts;
     for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end; k += 4) {
         unsigned near = objet_near(grid, k, end, sides);
         for (; near; near &= near - 1) {
@@ -496,26 +521,40 @@ static void look_at_cell(const hide_worker *w, size_t cell, uint32_t sides, look
             const hide_box *box = &fronts->front_box[index];
             if ((double)box->z1 + (l->touching ? fronts->thickest : 0.0) < l->best)
                 return; /* all that follow are farther too */
-            if (box_holds(fronts, box, l->x, l->y) && !(l->touching && front->solid >= l->solid))
+            if (box_holds(fronts, box, l->x, l->y) && !(l->touching && front->solid >= l->solid && !(l->faces && front->solid == l->solid)))
                 look_at_front(fronts, front, (double)box->z1, l);
         }
     }
 }
 
+/* Looks at (l->x, l->y). */
+static void look_there(const hide_fronts *fronts, const objet *grid, look *l)
+{
+    uint32_t column = scan_column(&grid->frame, l->x), row = scan_row(&grid->frame, l->y);
+    double m = fronts->space.epsilon;
+    hide_box about = {.x0 = hide_float_below(l->x - m),
+                      .x1 = hide_float_above(l->x + m),
+                      .y0 = hide_float_below(l->y - m),
+                      .y1 = hide_float_above(l->y + m)};
+    uint32_t sides = objet_most(objet_cut(objet_place(grid, &about), column, row));
+    for (int touching = 0; touching < 2; touching++) {
+        l->touching = touching;
+        look_at_cell(fronts, grid, (size_t)column * grid->frame.ny + row, sides, l);
+    }
+}
+
 uint32_t hide_seen_at(const hide_worker *w, double x, double y)
 {
-    const objet *grid = w->grid;
-    uint32_t column = scan_column(&grid->frame, x), row = scan_row(&grid->frame, y);
-    double m = w->fronts->space.epsilon;
-    hide_box about = {.x0 = hide_float_below(x - m),
-                      .x1 = hide_float_above(x + m),
-                      .y0 = hide_float_below(y - m),
-                      .y1 = hide_float_above(y + m)};
-    uint32_t sides = objet_most(objet_cut(objet_place(grid, &about), column, row));
     look l = {.x = x, .y = y, .best = -INFINITY, .solid = ROBERTS_NONE};
-    for (int touching = 0; touching < 2; touching++) {
-        l.touching = touching;
-        look_at_cell(w, (size_t)column * grid->frame.ny + row, sides, &l);
-    }
+    look_there(w->fronts, w->grid, &l);
     return l.solid;
+}
+
+uint32_t hide_face_seen_at(const hide_fronts *fronts, const objet *grid, double x, double y, plane *F)
+{
+    look l = {.x = x, .y = y, .best = -INFINITY, .solid = ROBERTS_NONE, .faces = true, .face = ROBERTS_NONE};
+    look_there(fronts, grid, &l);
+    if (l.F)
+        *F = l.F->F;
+    return l.face;
 }

@@ -300,8 +300,8 @@ static void describe(const hide_job *job, const roberts_camera *camera, roberts_
     set_frame(job, camera, drawing);
 }
 
-static roberts_status hide(hide_job *job, const roberts_scene *scene, const roberts_camera *camera,
-                           roberts_drawing *drawing, roberts_error *error)
+roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const roberts_camera *camera,
+                          roberts_drawing *drawing, roberts_error *error)
 {
     roberts_hide_options defaults = roberts_hide_options_default();
     job->options = job->options ? job->options : &defaults;
@@ -324,6 +324,8 @@ static roberts_status hide(hide_job *job, const roberts_scene *scene, const robe
         status = do_chunks(job, drawing);
         drawing->hide_time = lap(&clock);
     }
+    if (status == ROBERTS_OK && job->regions && !regions_find(job, drawing, job->regions))
+        status = ROBERTS_NO_MEMORY;
     crossings_free(&job->crossings);
     picture_order_free(&job->order);
     objet_free(&job->grid);
@@ -342,7 +344,7 @@ roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *ca
                             const roberts_hide_options *options, roberts_drawing *drawing, roberts_error *error)
 {
     hide_job job = {.options = options};
-    return hide(&job, scene, camera, drawing, error);
+    return hide_scene(&job, scene, camera, drawing, error);
 }
 
 roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camera *camera,
@@ -358,7 +360,7 @@ roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camer
     }
     job.each = each->receive;
     job.context = each->context;
-    roberts_status status = hide(&job, scene, camera, summary ? summary : &counted, error);
+    roberts_status status = hide_scene(&job, scene, camera, summary ? summary : &counted, error);
     if (!summary)
         roberts_drawing_free(&counted);
     return status;
