@@ -451,15 +451,19 @@ static bool box_holds(const hide_fronts *fronts, const hide_box *box, double x, 
     return x >= (double)box->x0 - m && x <= (double)box->x1 + m && y >= (double)box->y0 - m && y <= (double)box->y1 + m;
 }
 
+/* Part of the scene's diameter: a face whose box begins deeper than this behind what is seen at a point does not touch
+ * that. A steep one may be so far behind, but its picture is then narrower than a few epsilon there. */
+#define LOOK_DEPTH 1e-5
+
 /* Who is seen at a point: what is known so far. */
 typedef struct look {
     double x, y;
     double best;        /* the nearest depth */
     uint32_t solid;     /* the smallest that touches there */
     bool touching;      /* the nearest depth is known; the question is who touches it */
-    bool faces;         /* the face is wanted too, ... */
-    uint32_t face;      /* ... of that solid the smallest one that touches there */
-    const hide_face *F; /* ... and its plane */
+    bool faces;     /* the face is wanted too, ... */
+    uint32_t face;  /* ... of that solid the smallest one that touches there */
+    plane F;        /* ... and its plane */
 } look;
 
 /* The number in the scene of a face of a front. */
@@ -481,22 +485,22 @@ static uint32_t face_of_front(const hide_fronts *fronts, const hide_front *front
 
 static void look_at_face(const hide_fronts *fronts, const hide_front *front, const hide_face *F, double z1, look *l)
 {
-    if (l->touching && !(fabs(plane_at(F->F, (roberts_vec3){l->x, l->y, l->best})) <= 2.0 * F->touch))
+    double z = lesser(z1, (F->F.a * l->x + F->F.b * l->y + F->F.d) / -F->F.c);
+    if (l->touching ? !(fabs(plane_at(F->F, (roberts_vec3){l->x, l->y, l->best})) <= 2.0 * F->touch) : z <= l->best)
         return;
     if (!hide_polygon_holds(fronts, &fronts->face_runs, F->corner, F->count, (roberts_vec2){l->x, l->y},
                             fronts->space.epsilon))
         return;
-    if (l->touching && l->faces) {
-        uint32_t face = face_of_front(fronts, front, F);
-        if (front->solid < l->solid || face < l->face) {
-            l->face = face;
-            l->F = F;
-        }
+    if (!l->touching) {
+        l->best = z;
+        return;
     }
-    if (l->touching)
-        l->solid = front->solid;
-    else
-        l->best = greater(l->best, lesser(z1, (F->F.a * l->x + F->F.b * l->y + F->F.d) / -F->F.c));
+    uint32_t face = l->faces ? face_of_front(fronts, front, F) : ROBERTS_NONE;
+    if (front->solid < l->solid || face < l->face) {
+        l->face = face;
+        l->F = F->F;
+    }
+    l->solid = front->solid;
 }
 
 static void look_at_front(const hide_fronts *fronts, const hide_front *front, double z1, look *l)
@@ -513,15 +517,19 @@ static void look_at_front(const hide_fronts *fronts, const hide_front *front, do
 /* Asks the fronts of one cell whose boxes can hold the point, by their sides in the cell. Four are looked at a time. */
 static void look_at_cell(const hide_fronts *fronts, const objet *grid, size_t cell, uint32_t sides, look *l)
 {
+    double beyond = l->touching ? fronts->thickest : 0.0;
+    if (l->faces)
+        beyond = lesser(beyond, LOOK_DEPTH * fronts->seen->view.diameter);
     for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end; k += 4) {
         unsigned near = objet_near(grid, k, end, sides);
         for (; near; near &= near - 1) {
             uint32_t index = grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front;
             const hide_front *front = &fronts->front[index];
             const hide_box *box = &fronts->front_box[index];
-            if ((double)box->z1 + (l->touching ? fronts->thickest : 0.0) < l->best)
+            if ((double)box->z1 + beyond < l->best)
                 return; /* all that follow are farther too */
-            if (box_holds(fronts, box, l->x, l->y) && !(l->touching && front->solid >= l->solid && !(l->faces && front->solid == l->solid)))
+            bool asked = l->touching && (l->faces ? front->solid > l->solid : front->solid >= l->solid);
+            if (!asked && box_holds(fronts, box, l->x, l->y))
                 look_at_front(fronts, front, (double)box->z1, l);
         }
     }
@@ -554,7 +562,6 @@ uint32_t hide_face_seen_at(const hide_fronts *fronts, const objet *grid, double 
 {
     look l = {.x = x, .y = y, .best = -INFINITY, .solid = ROBERTS_NONE, .faces = true, .face = ROBERTS_NONE};
     look_there(fronts, grid, &l);
-    if (l.F)
-        *F = l.F->F;
+    *F = l.F;
     return l.face;
 }
