@@ -19,6 +19,7 @@
 #include "base/bits.h"
 #include "base/threads.h"
 #include "hide/cells.h"
+#include "hide/cut_lines.h"
 #include "hide/segments.h"
 #include "hide/layers.h"
 
@@ -68,6 +69,10 @@ static roberts_status make_fronts(hide_job *job, const roberts_scene *scene, con
     if (!hide_fronts_build_for_looks(&job->fronts, &job->seen, options, looked_up) ||
         (options->unite && !seen_unite(&job->seen, job->fronts.culled, options->threads)))
         return ROBERTS_NO_MEMORY;
+    if (job->regions && job->seen.clip.clipped)
+        status = cut_lines_find(&job->fronts, &job->seen.further, error);
+    if (status != ROBERTS_OK)
+        return status;
     const view *v = &job->seen.view;
     if (v->epsilon > EPSILON_MOST * v->diameter && options->epsilon > 0.0)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
@@ -327,6 +332,8 @@ roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const rober
     }
     if (status == ROBERTS_OK && job->regions && !regions_find(job, drawing, job->regions))
         status = ROBERTS_NO_MEMORY;
+    if (job->regions)
+        cut_lines_free(&job->seen.further);
     crossings_free(&job->crossings);
     picture_order_free(&job->order);
     objet_free(&job->grid);
