@@ -843,6 +843,15 @@ roberts_status roberts_drawing_write(const roberts_drawing *drawing, const rober
 roberts_status roberts_drawing_save(const roberts_drawing *drawing, const roberts_draw_options *options,
                                     const char *path, roberts_error *error);
 
+/**
+ * Writes regions into a file as roberts_drawing_save() does ("-" is standard output): a JSON array with one object for
+ * each region, which has body, face (null: not in the input), area, z0, z1 (z_min, z_max), color (null or an array) and
+ * rings (arrays of [x, y]). Of `options`, which may be NULL, only `temporary` counts. Returns ROBERTS_OK, _NO_MEMORY or
+ * _IO.
+ */
+roberts_status roberts_regions_save(const roberts_region_list *regions, const roberts_draw_options *options,
+                                    const char *path, roberts_error *error);
+
 /* ---- draw: sheets, several views on one page ------------------------------------------------------------------- */
 
 /** Where the views stand, seen from the front view (ISO 5456-2). */
