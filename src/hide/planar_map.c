@@ -189,8 +189,8 @@ static roberts_vec2 between(roberts_vec2 a, roberts_vec2 b)
 /* Does P touch what is between A and B? */
 static bool is_near(roberts_vec2 A, roberts_vec2 B, roberts_vec2 P, double touching)
 {
-    if (P.x < lesser(A.x, B.x) - touching || P.x > greater(A.x, B.x) + touching ||
-        P.y < lesser(A.y, B.y) - touching || P.y > greater(A.y, B.y) + touching)
+    if (P.x < lesser(A.x, B.x) - touching || P.x > greater(A.x, B.x) + touching || P.y < lesser(A.y, B.y) - touching ||
+        P.y > greater(A.y, B.y) + touching)
         return false;
     roberts_vec2 d = between(A, B), p = between(A, P);
     double length2 = product(d, d), t = product(p, d) / length2;

@@ -21,6 +21,9 @@
  * this. */
 #define REGION_TOUCHING 8.0
 
+/* Part of a stretch: where a point in it is taken. */
+#define ASIDE 0.4557
+
 enum { CELLS_PER_THREAD = 2000 };
 
 /* A ring in the making. */
@@ -122,25 +125,26 @@ static bool widest_at(const region_work *w, uint32_t cell, double y, region_scra
     for (size_t k = 0; k + 1 < count; k += 2)
         if (scratch->item[k + 1] - scratch->item[k] > *width) {
             *width = scratch->item[k + 1] - scratch->item[k];
-            *x = scratch->item[k] + 0.5 * *width;
+            *x = scratch->item[k] + ASIDE * *width;
         }
     return true;
 }
 
-/* A point well inside a cell. False: no memory. */
+/* A point well inside a cell, but not in the middle: there a line may lie that a face behind what is seen touches from
+ * behind. False: no memory. */
 static bool point_inside(const region_work *w, uint32_t cell, region_scratch *scratch, roberts_vec2 *inside)
 {
     static const double heights[] = {0.4871, 0.2303, 0.7519}; /* parts of the cell's height; at any of them */
     uint32_t first = w->start[cell], end = w->start[cell + 1];
-    roberts_vec2 sum = {0.0, 0.0};
     double low = INFINITY, high = -INFINITY, most = 0.0;
     for (uint32_t k = first; k < end; k++) {
         roberts_vec2 P = corner_of(w, w->half[k]);
-        sum = (roberts_vec2){sum.x + P.x, sum.y + P.y};
         low = lesser(low, P.y);
         high = greater(high, P.y);
     }
-    *inside = (roberts_vec2){sum.x / (end - first), sum.y / (end - first)};
+    roberts_vec2 A = corner_of(w, w->half[first]), B = corner_of(w, w->half[first + 1]);
+    roberts_vec2 C = corner_of(w, w->half[end - 1]);
+    *inside = (roberts_vec2){0.3127 * A.x + 0.3681 * B.x + 0.3192 * C.x, 0.3127 * A.y + 0.3681 * B.y + 0.3192 * C.y};
     for (size_t i = 0; end - first > 3 && i < sizeof heights / sizeof heights[0]; i++) {
         double y = low + heights[i] * (high - low), x = 0.0, width;
         if (!widest_at(w, cell, y, scratch, &x, &width))
@@ -197,15 +201,18 @@ static bool look_into_all(region_work *w)
     int threads = threads_for(w->job->options->threads, 1 + count / CELLS_PER_THREAD);
     region_scratch *scratches = alloc_zeroed((size_t)threads, sizeof *scratches);
     w->sight = alloc_array(count, sizeof *w->sight);
-    bool lost = !scratches || !w->sight;
-    if (!lost)
-        w->sight[0] = (cell_sight){ROBERTS_NONE, INFINITY, -INFINITY};
+    if (!scratches || !w->sight) {
+        free(scratches);
+        return false;
+    }
+    bool lost = false;
+    w->sight[0] = (cell_sight){ROBERTS_NONE, INFINITY, -INFINITY};
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 256) num_threads(threads) reduction(|| : lost)
 #endif
     for (uint32_t c = 1; c < count; c++)
         lost = lost || !look_into(w, c, &scratches[thread_self()], &w->sight[c]);
-    for (int i = 0; scratches && i < threads; i++)
+    for (int i = 0; i < threads; i++)
         free(scratches[i].item);
     free(scratches);
     return !lost;
