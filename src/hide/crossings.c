@@ -7,6 +7,7 @@
 #include "base/bits.h"
 #include "base/sort.h"
 #include "base/threads.h"
+#include "hide/edge_crossings.h"
 
 /* Cells that a thread takes at a time; with fewer entries than this a thread costs more than it does. */
 #define CELLS_AT_ONCE 64
@@ -116,7 +117,8 @@ static bool meet_faces(finder *t, crossing_face *f, crossing_face *g)
 
 /* ---- two fronts ------------------------------------------------------------------------------------------------ */
 
-/* Is all of a body outside of the plane of some face of a convex solid? */
+/* Is all of a body outside of the plane of some face of a convex solid? If more than a corner of it touches the plane,
+ * no edge there may be left out: it might be a line. */
 static bool is_outside(const hide_fronts *fronts, uint32_t solid, uint32_t body)
 {
     const roberts_scene *scene = fronts->scene;
@@ -126,10 +128,15 @@ static bool is_outside(const hide_fronts *fronts, uint32_t solid, uint32_t body)
         return false;
     for (uint32_t f = s->face; f < s[1].face; f++) {
         plane F = scene->face_plane[f];
-        uint32_t v = b->vertex;
-        while (v < b[1].vertex && plane_at(F, vec3_sub(scene->point[v], scene->centre)) <= touching)
-            v++;
-        if (v == b[1].vertex)
+        double least = -touching - scene_deviation(scene, f);
+        uint32_t v = b->vertex, on = 0;
+        for (; v < b[1].vertex; v++) {
+            double inside = plane_at(F, vec3_sub(scene->point[v], scene->centre));
+            if (!(inside <= touching))
+                break;
+            on += inside >= least;
+        }
+        if (v == b[1].vertex && (on < 2 || !edge_crossings_in_contact(fronts, (uint32_t[]){solid, body}, f)))
             return true;
     }
     return false;
@@ -389,7 +396,20 @@ static int compare_named(const void *pa, const void *pb)
         if (a->is.face[i] != b->is.face[i])
             return a->is.face[i] < b->is.face[i] ? -1 : 1;
     int order = compare_points(&a->is.end[0], &b->is.end[0]);
-    return order != 0 ? order : compare_points(&a->is.end[1], &b->is.end[1]);
+    if (order == 0)
+        order = compare_points(&a->is.end[1], &b->is.end[1]);
+    for (int i = 0; order == 0 && i < 2; i++)
+        order = (a->is.edge[i] > b->is.edge[i]) - (a->is.edge[i] < b->is.edge[i]);
+    return order;
+}
+
+/* Are they one line? An edge may have a part in common with several others. */
+static bool is_same(const named *a, const named *b)
+{
+    named c = *b;
+    c.is.edge[0] = a->is.edge[0];
+    c.is.edge[1] = a->is.edge[1];
+    return compare_named(a, &c) == 0;
 }
 
 /* The face of smaller number first. */
@@ -402,6 +422,7 @@ static named name_segment(const roberts_scene *scene, const crossing_segment *s)
         n.number[i] = scene_face_number(scene, s->face[1 - i]);
         n.is.face[i] = s->face[1 - i];
         n.is.body[i] = s->body[1 - i];
+        n.is.edge[i] = s->edge[1 - i];
     }
     return n;
 }
@@ -426,7 +447,7 @@ static bool gather(crossings *c, const roberts_scene *scene, const finder *finde
         qsort(all, count, sizeof *all, compare_named);
     for (size_t k = 0; enough && k < count; k++) {
         const named *n = &all[k];
-        if (k > 0 && compare_named(n, n - 1) == 0)
+        if (k > 0 && is_same(n, n - 1))
             continue;
         c->pairs += k == 0 || n->is.face[0] != n[-1].is.face[0] || n->is.face[1] != n[-1].is.face[1];
         c->item[c->count] = n->is;
@@ -474,6 +495,21 @@ static bool finders_init(finder *finders, int threads, const hide_fronts *fronts
     return true;
 }
 
+/* All that the threads have found to touch, and the lines that it gives. */
+static bool find_on_edges(finder *finders, int threads)
+{
+    crossing_list *all = &finders[0].found;
+    for (int i = 1; i < threads; i++) {
+        const crossing_list *more = &finders[i].found;
+        if (!array_reserve(&all->touch, &all->touch_room, all->touch_count + more->touch_count, sizeof *all->touch))
+            return false;
+        if (more->touch_count > 0)
+            memcpy(all->touch + all->touch_count, more->touch, more->touch_count * sizeof *all->touch);
+        all->touch_count += more->touch_count;
+    }
+    return edge_crossings_find(finders->fronts, &finders->rules, all);
+}
+
 typedef struct crossed_lines {
     const crossings *of;
     const seen *seen;
@@ -488,6 +524,15 @@ static bool union_line_of(const void *context, uint32_t index, union_line *line,
     const crossing_segment *is = &lines->of->item[index];
     if (!union_takes(s->source, is->body[0]) || !union_takes(s->source, is->body[1]))
         return false;
+    if (is->edge[0] != ROBERTS_NONE || is->edge[1] != ROBERTS_NONE) {
+        int i = is->edge[0] == ROBERTS_NONE;
+        if (s->scene != s->source)
+            return false;
+        *line = union_line_of_edge(s->source, is->body[i], is->edge[i], own);
+        line->A = is->end[0].point;
+        line->B = is->end[1].point;
+        return true;
+    }
     *line = (union_line){.A = is->end[0].point,
                          .B = is->end[1].point,
                          .body = ROBERTS_NONE,
@@ -508,8 +553,17 @@ static bool find_pieces(crossings *c, const seen *s, uint32_t threads)
            united_find(&c->pieces, &s->bodies, union_line_of, &lines, (uint32_t)c->count, threads);
 }
 
+/* Is it part of an edge that the union draws? Where closed bodies meet in an edge, its pieces say so. */
+static bool is_united_edge(const seen *s, const crossing_segment *is)
+{
+    return s->edges.first && (is->edge[0] != ROBERTS_NONE || is->edge[1] != ROBERTS_NONE) &&
+           is->body[0] != is->body[1] && union_takes(s->source, is->body[0]) && union_takes(s->source, is->body[1]);
+}
+
 bool crossings_unite(const crossings *c, const seen *s, size_t k, seen_line *line)
 {
+    if (is_united_edge(s, &c->item[k]))
+        return false;
     if (!united_pieces(&c->pieces, (uint32_t)k))
         return true;
     line->alone = true;
@@ -522,10 +576,10 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
     finder *finders = alloc_zeroed((size_t)count, sizeof *finders);
     first_cell *first = find_first_cells(fronts, grid, count);
     bool enough = finders && first && finders_init(finders, count, fronts, grid, first) &&
-                  meet_all(finders, grid, count) && meet_pairs(finders, count) &&
+                  meet_all(finders, grid, count) && meet_pairs(finders, count) && find_on_edges(finders, count) &&
                   gather(c, fronts->scene, finders, count) && find_pieces(c, fronts->seen, threads);
     for (int i = 0; finders && i < count; i++) {
-        free(finders[i].found.item);
+        crossing_list_free(&finders[i].found);
         free(finders[i].pair);
         free(finders[i].face);
         free(finders[i].list[0].item);
@@ -551,10 +605,18 @@ seen_line crossings_line(const crossings *c, const roberts_scene *scene, size_t 
     seen_line line = {.edge = (uint32_t)k,
                       .v = {s->end[0].vertex, s->end[1].vertex},
                       .end = c->end[k],
-                      .own = seen_owns_none,
+                      .own = seen_owns_one(ROBERTS_NONE),
                       .t1 = 1.0,
                       .class = ROBERTS_INTERSECTION};
-    for (int i = 0; i < 2; i++)
-        line.own.key[i] = seen_face_key(scene, s->body[i], s->face[i]);
+    int keys = 0;
+    for (int i = 0; i < 2; i++) {
+        bool edge = s->edge[i] != ROBERTS_NONE && !scene_is_convex(scene, s->body[i]);
+        seen_own own = edge ? seen_own_of(scene, s->body[i], s->edge[i])
+                            : seen_owns_one(seen_face_key(scene, s->body[i], s->face[i]));
+        for (int n = 0; n < SEEN_KEYS && keys < SEEN_KEYS; n++)
+            if (own.key[n] != ROBERTS_NONE)
+                line.own.key[keys++] = own.key[n];
+        line.own.many = own.many ? own.many : line.own.many;
+    }
     return line;
 }
