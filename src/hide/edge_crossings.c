@@ -8,6 +8,9 @@
 
 #include "base/array.h"
 
+/* So many comparisons of a corner with a plane may be spent on keeping two solids apart. */
+#define WORTH_A_PLANE 4096
+
 /* An edge of face[0] of a touch that is left out and may lie in face[1]. */
 typedef struct touching_edge {
     crossing_touch of;
@@ -275,7 +278,8 @@ bool edge_crossings_find(const hide_fronts *fronts, const crossing_rules *rules,
 
 /* ---- bodies that touch ----------------------------------------------------------------------------------------- */
 
-bool edge_crossings_in_contact(const hide_fronts *fronts, const uint32_t body[2], uint32_t f)
+/* Has one of two bodies that lie on the two sides of face f, of the first, an edge in that face that is left out? */
+static bool is_line_in_contact(const hide_fronts *fronts, const uint32_t body[2], uint32_t f)
 {
     const roberts_scene *scene = fronts->scene;
     plane F = scene->face_plane[f];
@@ -289,5 +293,28 @@ bool edge_crossings_in_contact(const hide_fronts *fronts, const uint32_t body[2]
                 seen_is_left_out(fronts->seen, body[i], e))
                 return true;
         }
+    return false;
+}
+
+bool edge_crossings_apart(const hide_fronts *fronts, uint32_t solid, uint32_t body)
+{
+    const roberts_scene *scene = fronts->scene;
+    const scene_solid *s = &scene->solid[solid], *b = &scene->solid[body];
+    double touching = fronts->space.epsilon * scene->unit;
+    if ((size_t)(s[1].face - s->face) * (b[1].vertex - b->vertex) > WORTH_A_PLANE)
+        return false;
+    for (uint32_t f = s->face; f < s[1].face; f++) {
+        plane F = scene->face_plane[f];
+        double least = -touching - scene_deviation(scene, f);
+        uint32_t v = b->vertex, on = 0;
+        for (; v < b[1].vertex; v++) {
+            double inside = plane_at(F, vec3_sub(scene->point[v], scene->centre));
+            if (!(inside <= touching))
+                break;
+            on += inside >= least;
+        }
+        if (v == b[1].vertex && (on < 2 || !is_line_in_contact(fronts, (uint32_t[]){solid, body}, f)))
+            return true;
+    }
     return false;
 }

@@ -14,7 +14,8 @@
  */
 bool edge_crossings_find(const hide_fronts *fronts, const crossing_rules *rules, crossing_list *found);
 
-/* Has one of two bodies that lie on the two sides of face f, of the first, an edge in that face that is left out? */
-bool edge_crossings_in_contact(const hide_fronts *fronts, const uint32_t body[2], uint32_t f);
+/* Is all of a body outside of the plane of some face of a convex solid, so that no faces of theirs cross? If it touches
+ * that plane with more than a corner, neither has an edge there that is left out. False: it is not known. */
+bool edge_crossings_apart(const hide_fronts *fronts, uint32_t solid, uint32_t body);
 
 #endif
