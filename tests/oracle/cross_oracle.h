@@ -4,7 +4,11 @@
  *   Two faces cross at a point X where each has points on both sides of the other's plane, however near to X. Where a
  *   side of one of them that bounds something runs along the other's plane, they do not: that edge is the line.
  *   An intersection line is a maximal segment of such points of two faces. It runs from its end of smaller (x, y, z).
- *   A face hides a point of it as one of an edge (mesh_oracle.h); its own two faces do not.
+ *   An edge that is left out, since its faces are flat to one another (by less than a tenth of a degree) and lie on
+ * both sides of it in the picture, is such a line as far as it lies inside of a face that is none of its own; and as
+ * far as another edge that is left out lies on it. Its faces are that face, or the first one of the other edge, and the
+ * first of its own that does not lie in one plane with that. A face hides a point of it as one of an edge
+ * (mesh_oracle.h); its own two faces do not.
  *
  * Faces, vertices and planes are those of mesh_oracle.h. A face with the same corners as an earlier one, from whatever
  * start and in whatever direction, is not there. */
@@ -21,6 +25,7 @@ typedef struct cross_line {
     uint32_t f0, f1;     /* faces of the mesh, f0 < f1 */
     roberts_vec3 a, b;   /* its ends, each coordinate the nearest double */
     bool edge_on;        /* a face is edge-on: the line lies in the picture where the whole face does */
+    bool on_edge;        /* one face ends on the other along an edge that is left out; no line where all edges are */
     size_t first, count; /* hidden intervals, into cross_truth.interval; they ascend and do not touch */
 } cross_line;
 
@@ -37,11 +42,6 @@ typedef struct cross_truth {
  * error alone. Release with cross_truth_free(). */
 bool cross_truth_find(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, cross_truth *truth);
 void cross_truth_free(cross_truth *truth);
-
-/* Finds where a flat edge, which is not drawn, lies in a face that goes on at both sides of the edge's faces: there
- * those faces end on it, and the line is an intersection. f0 is the face, f1 the smallest of the edge's. Faces of more
- * than four corners are not looked at for flat edges. Release as above. */
-bool cross_seams_find(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, cross_truth *truth);
 
 /* How clear it is, in doubles, whether two faces cross at X: ORACLE_YES where they do and would do so if everything
  * moved by `slack` (model units), ORACLE_NO where they would not; else ORACLE_UNSURE. */
