@@ -365,15 +365,21 @@ struct cross_finder {
                 near.push_back(f);
                 add_cuts(f, e, cut);
             }
-        for (const auto &[other, faces] : o.edges)
-            if (other != key) {
-                const vec<rational> p = minus(place(other[0]), e.a), q = minus(place(other[1]), e.a);
-                if (parallel(e.d, p) && parallel(e.d, q)) {
-                    along.push_back(other);
-                    cut.push_back(dot(e.d, p) / dot(e.d, e.d));
-                    cut.push_back(dot(e.d, q) / dot(e.d, e.d));
-                }
+        std::vector<rational> divided; /* edges that have not two faces divide one another at their ends */
+        for (const auto &[other, faces] : o.edges) {
+            int on_line = 0;
+            for (uint32_t v : other) {
+                const vec<rational> p = minus(place(v), e.a);
+                if (!parallel(e.d, p))
+                    continue;
+                on_line++;
+                cut.push_back(dot(e.d, p) / dot(e.d, e.d));
+                if (odd && faces.size() != 2)
+                    divided.push_back(cut.back());
             }
+            if (other != key && on_line == 2)
+                along.push_back(other);
+        }
         std::sort(cut.begin(), cut.end());
         const size_t begin = out.size();
         for (size_t i = 0; i + 1 < cut.size(); i++) {
@@ -381,19 +387,20 @@ struct cross_finder {
                 continue;
             const vec<rational> X = e.at((cut[i] + cut[i + 1]) / 2);
             const std::vector<size_t> group = group_at(e, X);
+            const bool divide = std::find(divided.begin(), divided.end(), cut[i]) != divided.end();
             if (!speaks(key, along, X) || !left_out(group, e, X))
                 continue;
             for (size_t g : near)
                 if (std::find(group.begin(), group.end(), g) == group.end() && !o.edge_on(o.faces[g]) &&
                     holds_beside(g, e, X, 1) && holds_beside(g, e, X, -1))
-                    put({g}, group, e, X, cut[i], cut[i + 1], begin, odd, out);
+                    put({g}, group, e, X, cut[i], cut[i + 1], begin, divide, out);
             for (const auto &other : along) {
                 const std::vector<size_t> more = o.edges.at(other);
                 if (!(key < other) || !is_on(other, X) || (odd && more.size() != 2) || !speaks(other, along, X))
                     continue;
                 const std::vector<size_t> theirs = group_at(carrier_of(other), X);
                 if (left_out(theirs, carrier_of(other), X))
-                    put(theirs, group, e, X, cut[i], cut[i + 1], begin, odd, out);
+                    put(theirs, group, e, X, cut[i], cut[i + 1], begin, divide, out);
             }
         }
     }
@@ -405,7 +412,7 @@ struct cross_finder {
 
     /* Adds from .. to of an edge at X, in which the first of `group` ends on the first of `theirs` that lies across. */
     void put(const std::vector<size_t> &theirs, const std::vector<size_t> &group, const carrier &e,
-             const vec<rational> &X, const rational &from, const rational &to, size_t begin, bool odd,
+             const vec<rational> &X, const rational &from, const rational &to, size_t begin, bool divide,
              std::vector<seam> &out) const
     {
         size_t f = first_across(group, e, X, theirs[0]), g = theirs[0];
@@ -413,7 +420,7 @@ struct cross_finder {
             g = first_across(theirs, e, X, f);
         if (f == NONE || g == NONE)
             return;
-        for (size_t k = begin; !odd && k < out.size(); k++)
+        for (size_t k = begin; !divide && k < out.size(); k++)
             if (out[k].f == f && out[k].g == g && same(out[k].b, e.at(from))) {
                 out[k].b = e.at(to);
                 return;
