@@ -216,7 +216,7 @@ bool crossed_is_line(const crossed *c, const roberts_crossing *line, crossed_fac
     roberts_vec3 d = vec3_sub(line->end[1], line->end[0]);
     for (int k = 0; k < 3; k++)
         for (int n = 0; n < 3; n++)
-            if (both_met_beside(c, faces, point_at(line, places[k]), d, beside[n] * c->touching))
+            if (are_met_beside(c, faces, point_at(line, places[k]), d, beside[n] * c->touching))
                 return true;
     return false;
 }
