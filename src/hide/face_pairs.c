@@ -184,7 +184,8 @@ bool face_pairs_find(const hide_fronts *fronts, int threads, face_pairs_fn *take
 {
     pair_search s = {.fronts = fronts, .take = take, .context = context};
     pair_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
-    bool lost = !find_units(&s) || !worker;
+    bool lost = !worker || !find_units(&s);
+    uint32_t count = lost ? 0 : s.count;
     for (int i = 0; worker && i < threads; i++) {
         worker[i].of = &s;
         worker[i].self = i;
@@ -192,7 +193,7 @@ bool face_pairs_find(const hide_fronts *fronts, int threads, face_pairs_fn *take
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 256) num_threads(threads) reduction(|| : lost)
 #endif
-    for (uint32_t a = 0; a < s.count; a++)
+    for (uint32_t a = 0; a < count; a++)
         lost = lost || !meet_others(&worker[thread_self()], a);
     for (int i = 0; worker && i < threads; i++) {
         free(worker[i].list[0].item);

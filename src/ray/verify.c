@@ -294,6 +294,15 @@ static bool is_drawn_edge(const verifier *f, const crossed_faces *faces)
     return false;
 }
 
+/* Returns the body whose back face the line lies in, since that body hides it; otherwise the body of the first face. */
+static uint32_t body_behind(const verifier *f, const crossed_faces *faces)
+{
+    for (int i = 0; i < 2; i++)
+        if (scene_is_convex(f->seen.scene, faces->of[i].body) && f->o.s.facing[faces->of[i].face] == SIGHT_NOT_FRONT)
+            return faces->of[i].body;
+    return faces->of[0].body;
+}
+
 /* Lists the faces in which the line lies. A back face of a convex body does not excuse its body from hiding. */
 static void take_own(const verifier *f, const crossed_faces *faces, seen_own *own)
 {
@@ -330,7 +339,7 @@ static void check_line(const verifier *f, stretch_checker *checker, stretch_resu
     }
     stretch s = {.A = sight_point(&f->o.s, line->end[0]),
                  .B = sight_point(&f->o.s, line->end[1]),
-                 .solid = faces.of[0].body,
+                 .solid = body_behind(f, &faces),
                  .edge = edge,
                  .faces = STRETCH_BETWEEN,
                  .own = seen_owns_one(ROBERTS_NONE)};

@@ -21,12 +21,12 @@ typedef struct mesh_total {
     size_t on_edges;                   /* those of them that lie on edges that are left out */
     size_t disagreements;              /* edges, lines, or whole scenes that the program refused */
     size_t refused;                    /* scenes that the oracle refused */
-    double unjudged;                   /* length of t that was not judged, because of slack; whole edges count 1 */
+    double unjudged;                   /* length in t that was not judged because of slack; a whole edge counts 1 */
     double worst;                      /* greatest difference on an edge that did not fail */
     size_t pairs, exact;               /* as in mesh_truth */
 } mesh_total;
 
-/* An edge fails where program and oracle differ on more than this part of it. */
+/* An edge fails if program and oracle differ on more than this fraction of it. */
 #define MESH_JUDGE_LIMIT 1e-9
 
 /* Draws all edges and compares them and the lines in which faces cross; then leaves flat edges out and compares these
