@@ -5,9 +5,10 @@
 
 #include "base/array.h"
 
-/* Touching distances: how far beside the line rays are cast. Near its ends a face may be narrow, so rays are also cast
- * closer. */
-static const double beside[] = {0.5, 0.05, 0.005};
+/* Distances beside the line at which rays are cast, in touching distances. An end of the line may have been moved to a
+ * corner within that distance, so the first ray is farther away. Near the ends of the line a face may be narrow, so
+ * rays are also cast nearer. */
+static const double beside[] = {4.0, 0.5, 0.05, 0.005};
 
 /* Departures: how far a line in two faces may lie beside them if their corners depart from their planes. It depends on
  * the angle between the planes. */
@@ -215,7 +216,7 @@ bool crossed_is_line(const crossed *c, const roberts_crossing *line, crossed_fac
     static const double places[] = {0.5, 0.31, 0.77};
     roberts_vec3 d = vec3_sub(line->end[1], line->end[0]);
     for (int k = 0; k < 3; k++)
-        for (int n = 0; n < 3; n++)
+        for (size_t n = 0; n < sizeof beside / sizeof *beside; n++)
             if (are_met_beside(c, faces, point_at(line, places[k]), d, beside[n] * c->touching))
                 return true;
     return false;

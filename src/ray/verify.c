@@ -294,7 +294,7 @@ static bool is_drawn_edge(const verifier *f, const crossed_faces *faces)
     return false;
 }
 
-/* Returns the body whose back face the line lies in, since that body hides it; otherwise the body of the first face. */
+/* Returns the body that hides the line if the line lies in one of its back faces; otherwise that of the first face. */
 static uint32_t body_behind(const verifier *f, const crossed_faces *faces)
 {
     for (int i = 0; i < 2; i++)
@@ -558,6 +558,9 @@ static void name_line(const verifier *f, uint32_t edge, roberts_contradiction *w
     what->v0 = what->v1 = what->face[0] = what->face[1] = ROBERTS_NONE;
     if (edge >= f->scene->edge_count) {
         const roberts_crossing *line = &f->drawing->crossing[edge - f->scene->edge_count];
+        size_t row = first_row(f, edge - f->scene->edge_count);
+        if (row < f->drawing->count && f->drawing->segment[row].edge == edge - f->scene->edge_count)
+            what->solid = f->drawing->segment[row].solid;
         what->face[0] = line->face[0];
         what->face[1] = line->face[1];
         return;
