@@ -199,12 +199,13 @@ static uint32_t edge_at(const crossed *c, const crossed_piece *of, roberts_vec3 
     return ROBERTS_NONE;
 }
 
-/* Do both faces go on at both sides of X, as far as is asked, or end there along edges? */
-static bool are_met_beside(const crossed *c, crossed_faces *faces, roberts_vec3 X, roberts_vec3 d, double far)
+/* Do rays meet both faces on both sides of X, at this distance? If `ends`, a face may also end there along an edge. */
+static bool are_met_beside(const crossed *c, crossed_faces *faces, roberts_vec3 X, roberts_vec3 d, double far,
+                           bool ends)
 {
     for (int i = 0; i < 2; i++) {
         int met = sides_met(c, &faces->of[i], X, d, far);
-        faces->edge[i] = met == 1 ? edge_at(c, &faces->of[i], X) : ROBERTS_NONE;
+        faces->edge[i] = ends && met == 1 ? edge_at(c, &faces->of[i], X) : ROBERTS_NONE;
         if (met == 0 || (met == 1 && faces->edge[i] == ROBERTS_NONE))
             return false;
     }
@@ -215,9 +216,10 @@ bool crossed_is_line(const crossed *c, const roberts_crossing *line, crossed_fac
 {
     static const double places[] = {0.5, 0.31, 0.77};
     roberts_vec3 d = vec3_sub(line->end[1], line->end[0]);
-    for (int k = 0; k < 3; k++)
-        for (size_t n = 0; n < sizeof beside / sizeof *beside; n++)
-            if (are_met_beside(c, faces, point_at(line, places[k]), d, beside[n] * c->touching))
-                return true;
+    for (int ends = 0; ends < 2; ends++)
+        for (int k = 0; k < 3; k++)
+            for (size_t n = 0; n < sizeof beside / sizeof *beside; n++)
+                if (are_met_beside(c, faces, point_at(line, places[k]), d, beside[n] * c->touching, ends > 0))
+                    return true;
     return false;
 }
