@@ -216,6 +216,9 @@ bool crossed_is_line(const crossed *c, const roberts_crossing *line, crossed_fac
 {
     static const double places[] = {0.5, 0.31, 0.77};
     roberts_vec3 d = vec3_sub(line->end[1], line->end[0]);
+    faces->edge[0] = faces->edge[1] = ROBERTS_NONE;
+    if (vec3_length(d) <= 2.0 * c->touching)
+        return true; /* too short to test: its ends may be off by the touching distance */
     for (int ends = 0; ends < 2; ends++)
         for (int k = 0; k < 3; k++)
             for (size_t n = 0; n < sizeof beside / sizeof *beside; n++)
