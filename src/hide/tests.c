@@ -267,7 +267,8 @@ static inline bool stays_behind(double f, double slope, double width, double rea
     return f * width > 2.0 * slope * reach;
 }
 
-/* Returns where the reach must end: where F falls to -touch between t, where F is `f`, and r, where the reach ends. */
+/* Returns where the reach must end: where F falls to -touch between t and r. F is `f` at t, and r is the end of the
+ * reach so far. */
 static double reach_behind(const hide_space *space, const hide_face *F, const hide_edge *e, double t, double f,
                            double r)
 {

@@ -48,7 +48,7 @@ typedef struct verifier {
     const roberts_drawing *drawing;
     roberts_verify_options options;
     occluders o;
-    edge_name *name; /* [name_count] of all edges of bodies that are not convex, sorted */
+    edge_name *name; /* [name_count] names of all edges of bodies that are not convex, sorted */
     size_t name_count;
     uint32_t *row_start;    /* [edge_count + 1] */
     uint32_t *row;          /* [segments] rows of the drawing, sorted by edge, then by t */

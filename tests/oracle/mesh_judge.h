@@ -19,7 +19,7 @@ typedef struct mesh_scene {
 typedef struct mesh_total {
     size_t scenes, edges, hidden, cut; /* compared; completely hidden; partly hidden */
     size_t lines, lines_cut;           /* intersection lines; those hidden partly or completely */
-    size_t lines_left_out;             /* lines without rows of which nothing can be seen */
+    size_t lines_left_out;             /* lines that cannot be seen at all and have no rows */
     size_t disagreements;              /* edges, lines, or whole scenes that the program refused */
     size_t refused;                    /* scenes that the oracle refused */
     double unjudged;                   /* length in t that was not judged because of slack; a whole edge counts 1 */
