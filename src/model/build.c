@@ -495,7 +495,7 @@ roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene
 }
 
 /* Removes from the mesh the arrays that the scene now owns. */
-static void part_from(roberts_scene *scene, roberts_mesh *mesh)
+static void release_taken(roberts_scene *scene, roberts_mesh *mesh)
 {
     if (scene->lent & LENT_POINT)
         mesh->vertex = NULL;
@@ -526,7 +526,7 @@ roberts_status roberts_scene_take(roberts_mesh *mesh, const roberts_scene_option
     roberts_status status = build_scene(mesh, true, options, scene, error);
     if (status != ROBERTS_OK)
         return status;
-    part_from(*scene, mesh);
+    release_taken(*scene, mesh);
     roberts_mesh_free(mesh);
     return ROBERTS_OK;
 }
