@@ -20,9 +20,9 @@ COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fPIC $(OPENMP) $(C
 LINK      = $(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^)
 # Evaluated only where used: `make demo` must start without pkg-config.
 NEEDS        =
-CAIRO_CFLAGS = $(shell pkg-config --cflags cairo)
+CAIRO_CFLAGS = $(shell pkg-config --cflags cairo zlib)
 QHULL_CFLAGS = $(shell pkg-config --cflags qhull_r)
-LIBS         = $(shell pkg-config --libs cairo qhull_r) -lm
+LIBS         = $(shell pkg-config --libs cairo qhull_r zlib) -lm
 CMOCKA_LIBS  = $(shell pkg-config --libs cmocka)
 
 LIB_SRC  := $(sort $(wildcard $(foreach room,base read model view hide ray draw,src/$(room)/*.c)))
@@ -203,7 +203,7 @@ $(BUILD)/roberts.pc: force
 	@mkdir -p $(@D)
 	@printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: roberts' \
 	    'Description: line drawings of convex polyhedra with the hidden lines removed' 'Version: $(VERSION)' \
-	    'Requires.private: cairo qhull_r' 'Libs: -L"$${libdir}" -lroberts' 'Libs.private: $(OPENMP) -lm' \
+	    'Requires.private: cairo qhull_r zlib' 'Libs: -L"$${libdir}" -lroberts' 'Libs.private: $(OPENMP) -lm' \
 	    'Cflags: -I"$${includedir}"' >$@
 
 $(BUILD)/roberts: $(call object,$(CLI_SRC)) $(BUILD)/libroberts.a
@@ -269,11 +269,11 @@ $(ORACLE_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(ORACLE_OBJ) $(BUILD)/
 
 # Reading pages back: PDF with zlib, PNG with Cairo. The scenes are those of the oracle.
 $(BUILD)/tests/test_paper: $(call object,$(PAPER)) $(ORACLE_OBJ)
-$(BUILD)/tests/test_paper: TEST_LIBS = -lz $(ORACLE_LIBS)
+$(BUILD)/tests/test_paper: TEST_LIBS = $(ORACLE_LIBS)
 
 $(PAPER_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(call object,$(PAPER)) $(ORACLE_OBJ) $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
-	$(LINK) -lz $(ORACLE_LIBS) $(LIBS)
+	$(LINK) $(ORACLE_LIBS) $(LIBS)
 
 # -frounding-math: intervals of doubles change the rounding mode, so the compiler must not assume one.
 $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
@@ -282,7 +282,7 @@ $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 	$(Q)$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math $(CXXFLAGS) -Iinclude -MMD -MP -c -o $@ $<
 
 $(BUILD)/obj/src/draw/%.o $(BUILD)/obj/tests/paper/%.o: NEEDS = $(CAIRO_CFLAGS)
-$(BUILD)/obj/tests/cli/test_render.o $(BUILD)/obj/tests/cli/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
+$(BUILD)/obj/tests/unit/test_image.o $(BUILD)/obj/tests/cli/test_render.o $(BUILD)/obj/tests/cli/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
 $(BUILD)/obj/src/model/qhull.o: NEEDS = $(QHULL_CFLAGS)
 
 $(BUILD)/obj/%.o: %.c $(BUILD)/flags

@@ -51,6 +51,7 @@ find_missing() {
             need pkg-config has_command pkg-config
             need libcairo2-dev has_library cairo-svg
             need libqhull-dev has_library qhull_r
+            need zlib1g-dev has_library zlib
             if has_command "$cc"; then # gcc brings its own
                 need libomp-dev has_header "$cc" c omp.h
             fi
@@ -61,7 +62,6 @@ find_missing() {
             need libcgal-dev has_header "$cxx" c++ CGAL/version.h
             need libgmp-dev has_header "$cxx" c++ gmp.h
             need libmpfr-dev has_header "$cxx" c++ mpfr.h
-            need zlib1g-dev has_header "$cc" c zlib.h
             need librsvg2-bin has_command rsvg-convert
             need locales test -e /usr/share/i18n/locales/de_DE
             ;;
