@@ -333,7 +333,7 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
     any_open = status == ROBERTS_OK && !done && atomic_load(&c.any_open);
     notes->known = is_shape(status);
     if (any_open && bodies && only_holes(c.open, scene->solid_count)) {
-        status = error_set(error, ROBERTS_NOT_CONVEX, 0, "a surface has holes"); /* which bodies_build() handles */
+        status = error_set(error, ROBERTS_NOT_CONVEX, 0, "a surface has holes"); /* bodies_build() handles it */
         notes->known = true;
     } else if (any_open) {
         construction closed = {.scene = scene, .rules = {mesh, options->tolerance, true}};

@@ -18,11 +18,11 @@ typedef struct golden_total {
     double unjudged; /* edge lengths; see judge_total */
 } golden_total;
 
-/* Compares the program with the golden, and the golden with the oracle. Reports errors to `out`, with the golden's
+/* Compares the program with the golden file, and that file with the oracle. Reports errors to `out`, with the file's
  * line. */
 bool golden_check(const char *golden, golden_total *total, FILE *out);
 
-/* Writes the golden of a model seen from a preset, if the oracle agrees with every edge of it. */
+/* Writes the golden file of a model seen from a preset, if the oracle agrees with every edge of it. */
 bool golden_write(const char *model, const char *view, const char *golden, FILE *out);
 
 #endif
