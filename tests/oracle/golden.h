@@ -1,11 +1,12 @@
 /* golden.h - visible segments of a model stored as text, and accepted only as far as the exact oracle agrees.
  *
- * A golden has lines `solid v0 v1 t0 t1 class` (class: outline or crease), in the order of the drawing, for the
+ * A golden file has lines `solid v0 v1 t0 t1 class` (class: outline or crease), in the order of the drawing, for the
  * program's default options. Its comments describe it:
  *   # model models/table.off
  *   # view iso
  *   # slack 0        or oracle_options.slack as a fraction of the largest coordinate: rounding of the model
- * A model with fewer than 30 edges also lists every edge with its ends in space, to be checked by hand. */
+ *
+ * The file of a model with fewer than 30 edges also lists every edge with its ends in space, to be checked by hand. */
 #ifndef ROBERTS_TESTS_GOLDEN_H
 #define ROBERTS_TESTS_GOLDEN_H
 
