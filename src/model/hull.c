@@ -123,7 +123,7 @@ roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, robert
 /* What happened to a solid. */
 typedef enum hull_fate {
     FATE_KEPT,  /* already convex, or points without faces, which are meant to become a hull */
-    FATE_FLAT,  /* left out */
+    FATE_FLAT,  /* flat: left out */
     FATE_OPEN,  /* replaced by its hull because it is not closed */
     FATE_BENT,  /* replaced because a face is not planar */
     FATE_DENTED /* replaced because it is not convex, or too flat to tell */
