@@ -214,7 +214,7 @@ static inline uint64_t met_by(const hide_lanes *l, size_t count, const hide_box 
 }
 
 /* Is a side of the box (x0, x1, y0, y1 as lanes) below its lower limit or above its upper limit? */
-static inline bool apart(const hide_box *box, four least, four most)
+static inline bool is_apart(const hide_box *box, four least, four most)
 {
     float side[4];
     memcpy(side, box, sizeof side);
@@ -247,7 +247,7 @@ BITS_INLINE bool meet_once(hide_worker *w, const line_set *p, uint32_t front)
 /* As meet_once(), but only if the front's box reaches the lines' box. */
 BITS_INLINE bool meet_entry(hide_worker *w, const line_set *p, uint32_t front)
 {
-    return apart(&w->fronts->front_box[front], four_load(w->least), four_load(w->most)) || meet_once(w, p, front);
+    return is_apart(&w->fronts->front_box[front], four_load(w->least), four_load(w->most)) || meet_once(w, p, front);
 }
 
 /* Finds the first entry, from k on and before `end`, whose front has no point nearer than z. */
