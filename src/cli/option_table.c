@@ -45,9 +45,10 @@ static const option rows[] = {
      .words = values_formats,
      .set = values_set_format,
      .brief = "format",
-     .help = "svg, pdf, ps, eps, png, csv, json, or null: compute, write nothing (default: by the ending of FILE, else "
-             "svg)",
-     .manual = "svg, pdf, ps, eps, png, csv, json, or null, which computes and writes nothing; see OUTPUT FORMATS. "
+     .help = "svg, pdf, ps, eps, png, tikz, dxf, hpgl, csv, json, or null: compute, write nothing (default: by the "
+             "ending of FILE, else svg)",
+     .manual = "svg, pdf, ps, eps, png, tikz, dxf, hpgl, csv, json, or null, which computes and writes nothing; see "
+               "OUTPUT FORMATS. "
                "Default: by the ending of FILE, else svg."},
     {.group = GROUP_OUTPUT,
      .name = "regions",
@@ -368,6 +369,18 @@ static const option rows[] = {
      .help = "travel: the lifted pen travels little; none: as in the model (default: travel)",
      .manual = "travel (the default): strokes are ordered so that the lifted pen travels little: the nearest stroke "
                "next, then 2-opt up to a fixed number of steps. none: as in the model."},
+    {.group = GROUP_LINES,
+     .name = "layers",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "MODE",
+     .words = values_layers,
+     .set = values_set_layers,
+     .brief = "names of the layers of svg",
+     .help = "layers of svg are named (outline) or numbered, too (6 outline), as plotters want them (default: named)",
+     .manual =
+         "named (the default): layers of svg have the names of the classes. numbered: the names begin with numbers, "
+         "from 1 hidden to 6 outline and 8 symbol, the same in every drawing. The software of AxiDraw finds layers "
+         "by their numbers."},
 
     /* ---- view ---- */
     {.group = GROUP_VIEW,
@@ -596,7 +609,9 @@ static const option rows[] = {
      TO(verbose),
      .brief = "say what was read and written",
      .help = "say what was read and written",
-     .manual = "Says what was read and written, and which solids --hull has replaced."},
+     .manual =
+         "Says what was read and written: bodies, vertices and faces of the file, the kinds of bodies if they are not "
+         "all convex, the segments of the drawing, and which solids --hull has replaced."},
     {.group = GROUP_MESSAGES,
      .name = "help",
      .letter = 'h',

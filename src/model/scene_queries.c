@@ -66,7 +66,7 @@ bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid)
            scene_face_number(scene, scene->solid[solid].face) == ROBERTS_NONE;
 }
 
-/* The name of the last group that begins at or before the solid's first face. */
+/* Returns the name of the last group that begins at or before the solid's first face. */
 const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid)
 {
     size_t low = 0, high = scene->group_count;

@@ -98,8 +98,8 @@ static const struct {
     {"-o", "-o needs a value"},
     {"--format", "--format needs a value"},
     {"--output=", "--output: the name is empty"},
-    {"-o a.dxf models/table.off", "a.dxf: no format has this ending (.svg, .pdf, .ps, .eps, .png, .csv and .json are "
-                                  "known); name the format with -f"},
+    {"-o a.bmp models/table.off", "a.bmp: no format has this ending (.svg, .pdf, .ps, .eps, .png, .tikz, .tex, .dxf, "
+                                  ".hpgl, .plt, .csv and .json are known); name the format with -f"},
     {"--turntable 4", "--turntable needs a name with a place for the number: -o turn-%03d.svg"},
     {"--turntable 4 -o a.svg", "--turntable needs a name with a place"},
     {"--turntable 4 -o a-%d-%d.svg", "--turntable needs a name with a place"},
@@ -835,6 +835,7 @@ static void statistics(void **state)
     assert_null(strstr(last.err, "pieces"));  /* convex faces are whole */
     assert_int_equal(run("-v -f null --stats models/star/pentagrammic-prism.off"), 0);
     assert_said("models/star/pentagrammic-prism.off: 1 body, 10 vertices, 7 faces; ");
+    assert_said("models/star/pentagrammic-prism.off: bodies: 1 closed but not convex\n");
     assert_said("10  vertices\n");
     assert_said("7  faces\n");
     assert_said("17  convex pieces of them\n"); /* a pentagon and five points for each pentagram */
@@ -894,7 +895,7 @@ static void sheets(void **state)
 static void warnings_can_be_silenced(void **state)
 {
     (void)state;
-    put("w.off", "OFF\n4 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n1 0\n2 0 1\n");
+    put("w.off", "OFF\n4 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n1 0\n0\n");
     assert_int_equal(run("w.off"), 0);
     assert_said("roberts: w.off:");
     assert_said("warning: ");
