@@ -453,10 +453,6 @@ static bool box_holds(const hide_fronts *fronts, const hide_box *box, double x, 
     return x >= (double)box->x0 - m && x <= (double)box->x1 + m && y >= (double)box->y0 - m && y <= (double)box->y1 + m;
 }
 
-/* Part of the scene's diameter: a face whose box begins deeper than this behind what is seen at a point does not touch
- * it. A steep face may reach so far, but its picture is then narrower than a few epsilon there. */
-#define LOOK_DEPTH 1e-5
-
 /* A search for the solid seen at a point: the result so far. */
 typedef struct look {
     double x, y;
