@@ -176,7 +176,7 @@ bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
 
 /* Does the front hide the solid? It does if it is nearer and all vertices lie inside its outline or on it. If the front
  * may fail to fill its outline by `loose`, they must lie that far inside. */
-static bool hides_solid(const hide_fronts *fronts, const hide_front *front, uint32_t solid)
+static bool hides_solid(const hide_fronts *fronts, const hide_whole_front *front, uint32_t solid)
 {
     const roberts_scene *scene = fronts->scene;
     const uint32_t *corner = fronts->outline + front->outline;
@@ -220,7 +220,7 @@ bool cover_hides_solid(const struct hide_fronts *fronts, const hide_box *box, ui
     for (int k = 0; k < 5; k++) {
         float x = inner.x0 + at[k][0] * (inner.x1 - inner.x0), y = inner.y0 + at[k][1] * (inner.y1 - inner.y0);
         uint32_t front = cover_at(c, (double)x, (double)y, box->z1);
-        if (front != ROBERTS_NONE && front != last && hides_solid(fronts, &fronts->front[front], solid))
+        if (front != ROBERTS_NONE && front != last && hides_solid(fronts, &fronts->whole[front], solid))
             return true;
         last = front;
     }

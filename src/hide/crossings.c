@@ -234,9 +234,11 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
         return meet_solids(t, list[i].front, list[k].front);
-    const hide_face *F = &fronts->face[f->face], *G = &fronts->face[g->face];
-    if (F->count <= FEW_CORNERS && G->count <= FEW_CORNERS &&
-        (is_beside_a_side(fronts, F, G) || is_beside_a_side(fronts, G, F)))
+    uint32_t turned[2][SEEN_TURNED];
+    const hide_face F = hide_outline(fronts, list[i].front, turned[0]);
+    const hide_face G = hide_outline(fronts, list[k].front, turned[1]);
+    if (F.count <= FEW_CORNERS && G.count <= FEW_CORNERS &&
+        (is_beside_a_side(fronts, &F, &G) || is_beside_a_side(fronts, &G, &F)))
         return true; /* nearly all neighbours are */
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
@@ -449,7 +451,7 @@ static first_cell *find_first_cells(const hide_fronts *fronts, const objet *grid
 #endif
     for (uint32_t k = 0; k < (first ? fronts->front_count : 0); k++) {
         const hide_box *box = &fronts->front_box[k];
-        double m = grid->frame.margin + (double)fronts->front[k].loose;
+        double m = grid->frame.margin + hide_loose(fronts, k);
         uint32_t column = scan_column(&grid->frame, (double)box->x0 - m);
         uint32_t row = scan_row(&grid->frame, (double)box->y0 - m);
         bool small = scan_column(&grid->frame, (double)box->x1 + m) - column < 2 &&

@@ -88,11 +88,11 @@ static front_faces find_faces(hide_fronts *fronts, front_tile *tile, uint32_t so
     return found;
 }
 
-BITS_INLINE hide_bounds face_bounds(const hide_fronts *fronts, const hide_face *F)
+BITS_INLINE hide_bounds bounds_of(const hide_fronts *fronts, const uint32_t *corner, uint32_t count)
 {
     hide_bounds own = hide_no_bounds;
-    for (uint32_t i = 0; i < F->count; i++)
-        box_add(&own.low, &own.high, fronts->P[F->corner[i]]);
+    for (uint32_t i = 0; i < count; i++)
+        box_add(&own.low, &own.high, fronts->P[corner[i]]);
     return own;
 }
 
@@ -113,74 +113,65 @@ static bool is_bundle(const hide_fronts *fronts, const front_faces *found, const
     if (found->count > FACES_OF_A_CELL * cells)
         return true;
     for (uint32_t k = 0; k < found->count; k++) {
-        hide_bounds own = face_bounds(fronts, &found->face[k]);
+        hide_bounds own = bounds_of(fronts, found->face[k].corner, found->face[k].count);
         area += (own.high.x - own.low.x) * (own.high.y - own.low.y);
     }
     return area > DEPTH_OF_BUNDLE * width * height;
-}
-
-/* Room for `more` fronts of one face. False: no memory. */
-static bool more_singles(front_tile *tile, size_t more)
-{
-    size_t need = tile->single_count + more;
-    return array_reserve(&tile->single, &tile->single_room, need, sizeof *tile->single) &&
-           array_reserve(&tile->single_box, &tile->single_box_room, need, sizeof *tile->single_box);
 }
 
 /* Each of the faces as a front of its own. */
 static bool add_single_fronts(const hide_fronts *fronts, front_tile *tile, uint32_t solid, const front_faces *found)
 {
     uint32_t piece = fronts->scene->solid[solid].face;
-    if (!more_singles(tile, found->count))
+    size_t need = tile->single_count + found->count;
+    if (!array_reserve(&tile->single, &tile->single_room, need, sizeof *tile->single) ||
+        !array_reserve(&tile->single_box, &tile->single_box_room, need, sizeof *tile->single_box))
         return false;
     for (uint32_t k = 0; k < found->count; k++, piece++) {
         while (fronts->seen->facing[piece] != VIEW_FRONT)
             piece++;
-        hide_bounds own = face_bounds(fronts, &found->face[k]);
+        hide_bounds own = bounds_of(fronts, found->face[k].corner, found->face[k].count);
         tile->single_box[tile->single_count] = hide_box_around(&own);
-        tile->single[tile->single_count++] = (hide_front){.solid = solid,
-                                                          .own = seen_body_key(solid),
-                                                          .face = tile->face + k,
-                                                          .piece = piece,
-                                                          .face_count = 1,
-                                                          .listed = true,
-                                                          .kind = HIDE_SOLID_FACE};
+        tile->single[tile->single_count++] = (hide_front){
+            .solid = solid, .own = seen_body_key(solid), .piece = piece, .listed = true, .kind = HIDE_SOLID_FACE};
     }
     return true;
 }
 
-/* Enters the faces of a body that is not convex, each piece that is not edge-on by itself. False: no memory. */
-static BITS_RARE bool add_surface(hide_fronts *fronts, front_tile *tile, uint32_t body)
+/* Enters the faces of a body that is not convex, each piece that is not edge-on by itself. */
+static BITS_RARE void add_surface(hide_fronts *fronts, front_tile *tile, uint32_t body)
 {
     const roberts_scene *scene = fronts->scene;
-    uint32_t first = scene->solid[body].face, end = scene->solid[body + 1].face;
-    if (!more_singles(tile, end - first))
-        return false;
+    uint32_t first = scene->solid[body].face, end = scene->solid[body + 1].face, to = tile->surface;
     for (uint32_t face = first; face < end; face++) {
-        hide_face *f = &fronts->face[tile->face];
         seen_face look;
-        int facing = seen_either_face(fronts->seen, face, &look);
+        uint32_t turned[SEEN_TURNED];
+        int facing = seen_either_face(fronts->seen, face, &look, turned);
         tile->faces += facing == VIEW_FRONT;
         tile->back += facing == VIEW_BACK;
         tile->edge_on += facing == VIEW_EDGE_ON;
         if (facing == VIEW_EDGE_ON)
             continue;
-        f->F = look.F;
-        f->corner = look.corner;
-        f->count = look.count;
-        set_trust(fronts, body, face, look.stretch, f);
-        tile->most_corners = f->count > tile->most_corners ? f->count : tile->most_corners;
-        hide_bounds own = face_bounds(fronts, f);
-        tile->single_box[tile->single_count] = hide_box_around(&own);
-        tile->single[tile->single_count++] = (hide_front){.solid = body,
-                                                          .own = seen_face_key(scene, body, face),
-                                                          .face = tile->face++,
-                                                          .piece = face,
-                                                          .face_count = 1,
-                                                          .listed = true,
-                                                          .kind = HIDE_SURFACE_FACE};
+        tile->most_corners = look.count > tile->most_corners ? look.count : tile->most_corners;
+        hide_bounds own = bounds_of(fronts, look.corner, look.count);
+        fronts->front_box[to] = hide_box_around(&own);
+        fronts->front[to++] = (hide_front){.solid = body,
+                                           .own = seen_face_key(scene, body, face),
+                                           .piece = face,
+                                           .listed = true,
+                                           .kind = HIDE_SURFACE_FACE};
     }
-    return true;
+    tile->surface = to;
+}
+
+void hide_make_face(const hide_fronts *fronts, uint32_t solid, uint32_t piece, hide_single *to)
+{
+    seen_face look;
+    seen_face_again(fronts->seen, piece, &look, to->turned);
+    to->face.F = look.F;
+    to->face.corner = look.corner;
+    to->face.count = look.count;
+    set_trust(fronts, solid, piece, look.stretch, &to->face);
 }
 
 /* The runs of the faces and of the outline, of those that have many corners. False: no memory. */
@@ -211,15 +202,12 @@ static bool is_wide(const hide_fronts *fronts, const hide_box *box)
 
 /* Enters the faces of a solid that is not entered as a whole, and the runs of its polygons. bundled: the faces become a
  * bundle. False: no memory. */
-static BITS_RARE bool enter_faces(hide_fronts *fronts, front_tile *tile, const hide_front *front,
-                                  const front_faces *found, bool bundled)
+static BITS_RARE bool enter_faces(hide_fronts *fronts, front_tile *tile, uint32_t solid, const front_faces *found,
+                                  bool bundled)
 {
-    const uint32_t *outline = fronts->outline + front->outline;
-    if (front->kind == HIDE_CONVEX_SOLID)
-        return enter_runs(fronts, found, outline, front->corners);
     bool entered = bundled ? bundle_enter(&fronts->bundles, &fronts->space, found->face, found->count, tile->face)
-                           : add_single_fronts(fronts, tile, front->solid, found);
-    return entered && enter_runs(fronts, found, outline, 0);
+                           : add_single_fronts(fronts, tile, solid, found);
+    return entered && enter_runs(fronts, found, NULL, 0);
 }
 
 static void count_faces(front_tile *tile, const front_faces *found)
@@ -246,8 +234,10 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
     const hide_box *box = &fronts->box[solid];
     uint32_t *outline = fronts->outline + tile->outline;
     seen_map_body(fronts->seen, solid);
-    if (!scene_is_convex(scene, solid))
-        return add_surface(fronts, tile, solid);
+    if (!scene_is_convex(scene, solid)) {
+        add_surface(fronts, tile, solid);
+        return true;
+    }
     front_faces found = find_faces(fronts, tile, solid);
     uint32_t cycle = outline_cycle(fronts, solid, scratch->next, outline), corners = cycle;
     double width = (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0);
@@ -267,35 +257,33 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
      * outline. */
     double slack = 2.0 * (found.touch + hide_margin(&fronts->space)) / found.steepest;
     double depth = corners ? farthest(fronts, outline, corners) : -INFINITY;
-    hide_front front = {.solid = solid,
-                        .own = seen_body_key(solid),
-                        .face = tile->face,
-                        .face_count = found.count,
-                        .depth = hide_float_below(depth - slack),
-                        .reach = reach,
-                        .loose = hide_float_above(LOOSE_DEPARTURES * (found.touch - fronts->seen->view.epsilon)),
-                        .outline = tile->outline,
-                        .corners = cycle,
-                        .kind = whole ? HIDE_CONVEX_SOLID : HIDE_BUNDLE};
+    hide_whole_front front = {.reach = reach,
+                              .face = tile->face,
+                              .outline = tile->outline,
+                              .corners = cycle,
+                              .loose = hide_float_above(LOOSE_DEPARTURES * (found.touch - fronts->seen->view.epsilon)),
+                              .depth = hide_float_below(depth - slack),
+                              .face_count = found.count};
     if (corners && fronts->cover.depth)
         cover_add(&fronts->cover, &scratch->scan, fronts->P,
                   &(cover_front){.corner = outline,
                                  .count = cycle,
-                                 .by = whole ? tile->front : ROBERTS_NONE,
+                                 .by = whole ? tile->whole : ROBERTS_NONE,
                                  .face = found.face,
                                  .face_count = whole && reach > size && is_wide(fronts, box) ? found.count : 0,
                                  .depth = depth,
                                  .slack = slack,
                                  .loose = (double)front.loose});
-    if ((!whole || fronts->face_runs.at) && !enter_faces(fronts, tile, &front, &found, bundled))
+    if (whole ? !enter_runs(fronts, &found, outline, cycle) : !enter_faces(fronts, tile, solid, &found, bundled))
         return false;
     count_faces(tile, &found);
     if (!whole && !bundled)
         return true;
     tile->outline += cycle;
     tile->most_corners = cycle > tile->most_corners ? cycle : tile->most_corners;
-    fronts->front_box[tile->front] = *box;
-    fronts->front[tile->front] = front;
-    tile->front++;
+    fronts->front_box[tile->whole] = *box;
+    fronts->whole[tile->whole] = front;
+    fronts->front[tile->whole++] =
+        (hide_front){.solid = solid, .own = seen_body_key(solid), .kind = whole ? HIDE_CONVEX_SOLID : HIDE_BUNDLE};
     return true;
 }

@@ -173,9 +173,9 @@ static void cull_late(hide_fronts *fronts, front_tile *tile, uint32_t s)
 }
 
 /* Culls once more, when every cover is known. */
-static void cull_again(hide_fronts *fronts, front_tile *tile)
+static void cull_again(hide_fronts *fronts, const tiles *t, front_tile *tile)
 {
-    for (uint32_t k = tile->first; k < tile->front; k++) {
+    for (uint32_t k = tile->first_whole; k < tile->whole; k++) {
         const hide_front *front = &fronts->front[k];
         if (cover_hides_solid(fronts, &fronts->front_box[k], front->solid))
             cull_late(fronts, tile, front->solid);
@@ -183,6 +183,11 @@ static void cull_again(hide_fronts *fronts, front_tile *tile)
     for (size_t k = 0; k < tile->single_count; k++) {
         uint32_t s = tile->single[k].solid;
         if ((k == 0 || s != tile->single[k - 1].solid) && cover_hides_solid(fronts, &fronts->box[s], s))
+            cull_late(fronts, tile, s);
+    }
+    for (uint32_t k = tile->first; k < tile->end && tile->surface > tile->first_surface; k++) {
+        uint32_t s = t->solid[k];
+        if (!scene_is_convex(fronts->scene, s) && !fronts->culled[s] && cover_hides_solid(fronts, &fronts->box[s], s))
             cull_late(fronts, tile, s);
     }
 }
@@ -206,43 +211,67 @@ static bool do_tiles(build *b)
 #pragma omp parallel for schedule(dynamic, 1) num_threads(b->threads)
 #endif
     for (uint32_t i = 0; i < t->count; i++)
-        cull_again(b->fronts, &t->tile[i]);
+        cull_again(b->fronts, t, &t->tile[i]);
     return true;
 }
 
-/* Brings the fronts that are left together, tile after tile. */
-static void close_up(hide_fronts *fronts, const tiles *t)
+/* Brings the fronts first..end-1 that are left together, from *to on. */
+static void close_up(hide_fronts *fronts, uint32_t first, uint32_t end, uint32_t *to)
 {
-    uint32_t to = 0;
-    for (uint32_t i = 0; i < t->count; i++)
-        for (uint32_t k = t->tile[i].first; k < t->tile[i].front; k++) {
-            if (fronts->culled[fronts->front[k].solid])
-                continue;
-            if (k != to) {
-                fronts->front[to] = fronts->front[k];
-                fronts->front_box[to] = fronts->front_box[k];
-            }
-            to++;
+    for (uint32_t k = first; k < end; k++) {
+        if (fronts->culled[fronts->front[k].solid])
+            continue;
+        if (k != *to) {
+            fronts->front[*to] = fronts->front[k];
+            fronts->front_box[*to] = fronts->front_box[k];
+            if (k < fronts->convex_count)
+                fronts->whole[*to] = fronts->whole[k];
         }
-    fronts->front_count = to;
+        ++*to;
+    }
 }
 
-/* Adds the fronts of single faces behind them. False: no memory. */
+/* ... of all tiles: whole fronts. */
+static void close_up_wholes(hide_fronts *fronts, const tiles *t)
+{
+    for (uint32_t i = 0; i < t->count; i++)
+        close_up(fronts, t->tile[i].first_whole, t->tile[i].whole, &fronts->whole_count);
+    fronts->front_count = fronts->whole_count;
+}
+
+static size_t count_singles(const hide_fronts *fronts, const tiles *t)
+{
+    size_t count = 0;
+    for (uint32_t i = 0; i < t->count; i++)
+        for (size_t k = 0; k < t->tile[i].single_count; k++)
+            count += !fronts->culled[t->tile[i].single[k].solid];
+    return count;
+}
+
+/* Adds single faces: those of convex solids, then those of other bodies, which are there already and may have to move.
+ * False: no memory. */
 static bool add_singles(hide_fronts *fronts, const tiles *t)
 {
-    size_t count = fronts->front_count, room = fronts->scene->solid_count, box_room = room;
+    uint32_t first = fronts->convex_count, end = first, to = fronts->whole_count;
+    size_t before = to + count_singles(fronts, t), room = fronts->room, box_room = room;
     for (uint32_t i = 0; i < t->count; i++)
-        count += t->tile[i].single_count;
+        close_up(fronts, t->tile[i].first_surface, t->tile[i].surface, &end);
+    size_t surfaces = end - first, count = before + surfaces;
     if (count > UINT32_MAX || !array_reserve(&fronts->front, &room, count, sizeof *fronts->front) ||
         !array_reserve(&fronts->front_box, &box_room, count, sizeof *fronts->front_box))
         return false;
+    if (before != first && surfaces > 0) {
+        memmove(fronts->front + before, fronts->front + first, surfaces * sizeof *fronts->front);
+        memmove(fronts->front_box + before, fronts->front_box + first, surfaces * sizeof *fronts->front_box);
+    }
     for (uint32_t i = 0; i < t->count; i++)
         for (size_t k = 0; k < t->tile[i].single_count; k++) {
             if (fronts->culled[t->tile[i].single[k].solid])
                 continue;
-            fronts->front[fronts->front_count] = t->tile[i].single[k];
-            fronts->front_box[fronts->front_count++] = t->tile[i].single_box[k];
+            fronts->front[to] = t->tile[i].single[k];
+            fronts->front_box[to++] = t->tile[i].single_box[k];
         }
+    fronts->front_count = (uint32_t)count;
     return true;
 }
 
@@ -253,7 +282,7 @@ static double thickest(const hide_fronts *fronts)
     double most = 0.0;
     for (uint32_t k = 0; k < fronts->front_count; k++) {
         const hide_front *front = &fronts->front[k];
-        double own = hide_is_face(front) ? INFINITY : (double)fronts->front_box[k].z1 - (double)front->depth;
+        double own = hide_is_face(front) ? INFINITY : (double)fronts->front_box[k].z1 - (double)fronts->whole[k].depth;
         most = greater(most, own);
     }
     return most;
@@ -325,8 +354,8 @@ typedef struct sieve {
  * other. */
 static bool same_front(const hide_fronts *fronts, uint32_t a, uint32_t b)
 {
-    const hide_front *f = &fronts->front[a], *g = &fronts->front[b];
-    if (f->face_count != g->face_count || f->corners != g->corners || f->kind != g->kind ||
+    const hide_whole_front *f = &fronts->whole[a], *g = &fronts->whole[b];
+    if (f->face_count != g->face_count || f->corners != g->corners || fronts->front[a].kind != fronts->front[b].kind ||
         memcmp(&fronts->front_box[a], &fronts->front_box[b], sizeof(hide_box)) != 0)
         return false;
     for (uint32_t i = 0; i < f->corners; i++) {
@@ -427,7 +456,7 @@ static bool add_solids(build *b)
     hide_fronts *fronts = b->fronts;
     bool done = alloc_scratch(b) && tiles_make(&b->tiles, fronts, b->threads) && do_tiles(b);
     if (done) {
-        close_up(fronts, &b->tiles);
+        close_up_wholes(fronts, &b->tiles);
         add_counts(fronts, &b->tiles);
         done = leave_out_copies(fronts) && add_singles(fronts, &b->tiles);
         fronts->thickest = b->looked_up ? thickest(fronts) : INFINITY;
@@ -437,17 +466,34 @@ static bool add_solids(build *b)
     return done;
 }
 
+static void count_convex(hide_fronts *fronts, uint32_t *other_faces)
+{
+    const roberts_scene *scene = fronts->scene;
+    fronts->convex_count = scene->surface ? 0 : scene->solid_count;
+    *other_faces = 0;
+    for (uint32_t s = 0; scene->surface && s < scene->solid_count; s++)
+        if (scene_is_convex(scene, s))
+            fronts->convex_count++;
+        else
+            *other_faces += scene->solid[s + 1].face - scene->solid[s].face;
+}
+
 /* Only a part of most arrays is ever written, and memory that nobody touches costs nothing. */
 static bool alloc_fronts(hide_fronts *fronts)
 {
     const roberts_scene *scene = fronts->scene;
+    uint32_t other_faces;
+    count_convex(fronts, &other_faces);
+    fronts->room = (size_t)fronts->convex_count + other_faces;
     fronts->box = alloc_array(scene->solid_count, sizeof *fronts->box);
     fronts->culled = alloc_zeroed(scene->solid_count, sizeof *fronts->culled);
-    fronts->face = alloc_array(scene->face_count, sizeof *fronts->face);
-    fronts->front = alloc_array(scene->solid_count, sizeof *fronts->front);
-    fronts->front_box = alloc_array(scene->solid_count, sizeof *fronts->front_box);
+    fronts->face = alloc_array(scene->face_count - other_faces, sizeof *fronts->face);
+    fronts->whole = alloc_array(fronts->convex_count, sizeof *fronts->whole);
+    fronts->front = alloc_array(fronts->room, sizeof *fronts->front);
+    fronts->front_box = alloc_array(fronts->room, sizeof *fronts->front_box);
     fronts->outline = alloc_array(scene->vertex_count, sizeof *fronts->outline);
-    return fronts->box && fronts->culled && fronts->face && fronts->front && fronts->front_box && fronts->outline;
+    return fronts->box && fronts->culled && fronts->face && fronts->whole && fronts->front && fronts->front_box &&
+           fronts->outline;
 }
 
 static void set_space(hide_fronts *fronts)
@@ -488,6 +534,8 @@ bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options 
 
 void hide_fronts_drop_boxes(hide_fronts *fronts)
 {
+    if (fronts->front_count > fronts->whole_count)
+        return;
     free(fronts->box);
     fronts->box = NULL;
 }
@@ -497,6 +545,7 @@ void hide_fronts_free(hide_fronts *fronts)
     free(fronts->box);
     free(fronts->culled);
     free(fronts->face);
+    free(fronts->whole);
     free(fronts->front);
     free(fronts->front_box);
     free(fronts->outline);

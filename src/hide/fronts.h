@@ -25,33 +25,44 @@ typedef enum hide_kind {
 } hide_kind;
 
 typedef struct hide_front {
-    double reach; /* of a convex solid: distance from it up to which the planes of its faces can be trusted */
     uint32_t solid;
-    uint32_t face; /* of hide_fronts.face, the first */
-    uint32_t own;  /* its seen_face_key(): it does not hide lines that list this key */
-    union {
-        uint32_t outline; /* of hide_fronts.outline, the first corner: convex solid and bundle */
-        uint32_t piece;   /* the face of the scene: a single face */
-    };
-    uint32_t corners; /* of the outline; 0: a face has corners of its own */
+    uint32_t own;   /* its seen_face_key(): it does not hide lines that list this key */
+    uint32_t piece; /* of a single face: the face of the scene */
+    uint8_t kind;   /* hide_kind */
+    bool listed;    /* false: a copy of another front */
+} hide_front;
+
+/* What a front has that is all front faces of a convex solid. */
+typedef struct hide_whole_front {
+    double reach;     /* distance from the solid up to which the planes of its faces can be trusted */
+    uint32_t face;    /* of hide_fronts.face, the first */
+    uint32_t outline; /* of hide_fronts.outline, the first corner */
+    uint32_t corners; /* of the outline */
     float loose;      /* by how much its faces may leave its outline: by what they depart from their planes */
     float depth;      /* what is nowhere nearer is behind it wherever it is inside the outline */
     uint32_t face_count;
-    uint8_t kind; /* hide_kind */
-    bool listed;  /* false: a copy of another front */
-} hide_front;
+} hide_whole_front;
+
+/* A single face. It is made when it is asked for, since most faces of a mesh never are. */
+typedef struct hide_single {
+    hide_face face;
+    uint32_t turned[SEEN_TURNED]; /* corners that it may have */
+} hide_single;
 
 typedef struct hide_fronts {
     seen *seen;
     const roberts_scene *scene; /* seen->scene */
     const roberts_vec3 *P;      /* seen->P */
     hide_space space;
-    hide_box *box;         /* [solid_count], until they are dropped */
-    unsigned char *culled; /* [solid_count] also of one that the near plane has left nothing of */
-    hide_face *face;       /* front faces; each front's lie together, but there is room between some */
-    hide_front *front;     /* [front_count] */
-    hide_box *front_box;   /* [front_count] */
-    uint32_t front_count;
+    hide_box *box;           /* [solid_count]; those of single faces need them, else they are dropped */
+    unsigned char *culled;   /* [solid_count] also of one that the near plane has left nothing of */
+    hide_face *face;         /* of whole fronts; each front's lie together, but there is room between some */
+    hide_whole_front *whole; /* [whole_count] */
+    hide_front *front;       /* [front_count] first the whole ones */
+    hide_box *front_box;     /* [front_count] */
+    uint32_t convex_count;   /* convex solids of the scene */
+    uint32_t whole_count, front_count;
+    size_t room;       /* of the arrays of fronts */
     double thickest;   /* what is farther than this above a front's box does not touch it; INFINITY: not known */
     uint32_t *outline; /* compact vertex numbers, likewise */
     bundle_table bundles;
@@ -68,7 +79,7 @@ typedef struct hide_fronts {
 bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options *options);
 void hide_fronts_free(hide_fronts *fronts);
 
-/* Releases the boxes of solids: edges ask those of fronts only. */
+/* Releases the boxes of solids if no front is a single face: edges ask those of fronts only. */
 void hide_fronts_drop_boxes(hide_fronts *fronts);
 
 /* Asks for what will soon be asked or written of a solid: it lies anywhere. (Inlined: see base/bits.h.) */
@@ -89,12 +100,48 @@ static inline bool hide_is_face(const hide_front *front)
     return front->kind >= HIDE_SOLID_FACE;
 }
 
-/* The outline of a front as a polygon for tests 2 to 4; its plane is not set, or that of its only face. */
-static inline hide_face hide_outline(const hide_fronts *fronts, const hide_front *front)
+/* The outline of a front as a polygon for tests 2 to 4; its plane is not set. turned: as in seen_corners(). */
+static inline hide_face hide_outline(const hide_fronts *fronts, uint32_t front, uint32_t turned[SEEN_TURNED])
 {
-    if (hide_is_face(front))
-        return fronts->face[front->face];
-    return (hide_face){.corner = fronts->outline + front->outline, .count = front->corners};
+    hide_face outline = {.corner = NULL};
+    if (hide_is_face(&fronts->front[front])) {
+        outline.corner = seen_corners(fronts->seen, fronts->front[front].piece, &outline.count, turned);
+    } else {
+        outline.corner = fronts->outline + fronts->whole[front].outline;
+        outline.count = fronts->whole[front].corners;
+    }
+    return outline;
+}
+
+/* Makes a single face of a solid. (In front.c.) */
+void hide_make_face(const hide_fronts *fronts, uint32_t solid, uint32_t piece, hide_single *to);
+
+/* The faces of a front: those of a whole one as they are stored, a single one as it is made. */
+static inline const hide_face *hide_faces(const hide_fronts *fronts, uint32_t front, uint32_t *count,
+                                          hide_single *single)
+{
+    const hide_front *f = &fronts->front[front];
+    *count = 1;
+    if (hide_is_face(f)) {
+        hide_make_face(fronts, f->solid, f->piece, single);
+        return &single->face;
+    }
+    *count = fronts->whole[front].face_count;
+    return fronts->face + fronts->whole[front].face;
+}
+
+/* The tree over a front's faces; NULL: there is none. */
+static inline const bundle *hide_bundle(const hide_fronts *fronts, uint32_t front)
+{
+    if (hide_is_face(&fronts->front[front]))
+        return NULL;
+    return bundle_of(&fronts->bundles, fronts->whole[front].face, fronts->whole[front].face_count);
+}
+
+/* By how much a front may leave its outline. */
+static inline double hide_loose(const hide_fronts *fronts, uint32_t front)
+{
+    return front < fronts->whole_count ? (double)fronts->whole[front].loose : 0.0;
 }
 
 /* Is X inside a convex polygon of the picture, a face or an outline as `table` says, or no farther outside than

@@ -162,11 +162,12 @@ static void wind_fronts(const finding *f)
 #endif
     for (uint32_t k = 0; k < fronts->front_count; k++) {
         const hide_front *front = &fronts->front[k];
-        const hide_face *face = &fronts->face[front->face];
-        if (front->kind == HIDE_SURFACE_FACE && face->count == 3)
-            wind(f, face->corner);
+        uint32_t turned[SEEN_TURNED];
+        const hide_face face = hide_outline(fronts, k, turned);
+        if (front->kind == HIDE_SURFACE_FACE && face.count == 3)
+            wind(f, face.corner);
         else if (front->listed)
-            fold_box(f, &fronts->front_box[k], (double)front->loose);
+            fold_box(f, &fronts->front_box[k], hide_loose(fronts, k));
     }
 }
 
@@ -200,8 +201,10 @@ static bool fold_all(const finding *f)
 }
 
 /* Is the point in the triangle: 1, or outside: 0? -1: too near to a side. */
-static int holds(const hide_fronts *fronts, const hide_face *F, double x, double y)
+static int holds(const hide_fronts *fronts, uint32_t front, double x, double y)
 {
+    uint32_t turned[SEEN_TURNED];
+    const hide_face outline = hide_outline(fronts, front, turned), *F = &outline;
     for (uint32_t i = 0; i < 3; i++) {
         roberts_vec3 P = fronts->P[F->corner[i]], Q = fronts->P[F->corner[i < 2 ? i + 1 : 0]];
         double left = (Q.x - P.x) * (y - P.y) - (Q.y - P.y) * (x - P.x);
@@ -233,7 +236,6 @@ static void find_in_cell(objet *grid, const hide_fronts *fronts, uint32_t column
     for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end; k += 4) {
         unsigned near = objet_near(grid, k, end, most);
         for (uint32_t i = k; i < end && i < k + 4; i++, near >>= 1) {
-            const hide_front *front = &fronts->front[grid->entry[i].front];
             const hide_box *box = &fronts->front_box[grid->entry[i].front];
             if (box->z1 < at.depth) { /* a part ends */
                 if (at.sheets > 0 && !found) {
@@ -246,7 +248,7 @@ static void find_in_cell(objet *grid, const hide_fronts *fronts, uint32_t column
             at.depth = box->z0 < at.depth ? box->z0 : at.depth;
             if (!(at.depth > fold))
                 return;
-            int held = near & 1 ? holds(fronts, &fronts->face[front->face], x, y) : 0;
+            int held = near & 1 ? holds(fronts, grid->entry[i].front, x, y) : 0;
             if (held < 0 || (at.sheets += (uint32_t)held) > 1)
                 return;
         }

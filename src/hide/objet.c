@@ -49,13 +49,14 @@ static void list_front(const filling *job, uint32_t index, scan *s, bool fill)
     scan_frame wider = grid->frame;
     const scan_frame *f = &wider;
     const hide_box *box = &fronts->front_box[index];
-    wider.margin += fronts->front[index].loose;
+    wider.margin += hide_loose(fronts, index);
     double m = f->margin;
     uint32_t first = scan_column(f, (double)box->x0 - m), last = scan_column(f, (double)box->x1 + m);
     uint32_t low = scan_row(f, (double)box->y0 - m), high = scan_row(f, (double)box->y1 + m);
     bool small = last - first < 2 && high - low < 2, alone = job->threads == 1;
     if (!small) {
-        hide_face outline = hide_outline(fronts, &fronts->front[index]);
+        uint32_t turned[SEEN_TURNED];
+        hide_face outline = hide_outline(fronts, index, turned);
         scan_polygon(s, f, fronts->P, outline.corner, outline.count);
         first = s->first;
         last = s->last;

@@ -53,22 +53,40 @@ static uint32_t tile_of(const layout *l, const scan_frame *f, const hide_box *bo
     return l->first[r] + i / 2 * l->up[r] + j / 2;
 }
 
-/* What the solids of a tile have in all. */
+/* What the solids of a tile have in all; faces and vertices: those of convex ones. */
 typedef struct tile_sizes {
-    uint32_t solids, faces, vertices;
+    uint32_t solids, wholes, faces, vertices, surfaces;
 } tile_sizes;
 
-/* Sets each tile's places, which follow those of the tiles before it. */
-static void set_places(tiles *t, const tile_sizes *size)
+static void add_size(tile_sizes *of, const roberts_scene *scene, uint32_t s)
 {
-    uint32_t first = 0, face = 0, outline = 0;
+    uint32_t faces = scene->solid[s + 1].face - scene->solid[s].face;
+    of->solids++;
+    if (!scene_is_convex(scene, s)) {
+        of->surfaces += faces;
+        return;
+    }
+    of->wholes++;
+    of->faces += faces;
+    of->vertices += scene->solid[s + 1].vertex - scene->solid[s].vertex;
+}
+
+/* Gives each tile its part of the arrays. */
+static void set_places(const tiles *t, const tile_sizes *size, const hide_fronts *fronts)
+{
+    tile_sizes sum = {.surfaces = fronts->convex_count};
     for (uint32_t k = 0; k < t->count; k++) {
-        t->tile[k].first = t->tile[k].end = t->tile[k].front = first;
-        t->tile[k].face = face;
-        t->tile[k].outline = outline;
-        first += size[k].solids;
-        face += size[k].faces;
-        outline += size[k].vertices;
+        front_tile *to = &t->tile[k];
+        to->first = to->end = sum.solids;
+        to->first_whole = to->whole = sum.wholes;
+        to->first_surface = to->surface = sum.surfaces;
+        to->face = sum.faces;
+        to->outline = sum.vertices;
+        sum.solids += size[k].solids;
+        sum.wholes += size[k].wholes;
+        sum.surfaces += size[k].surfaces;
+        sum.faces += size[k].faces;
+        sum.vertices += size[k].vertices;
     }
 }
 
@@ -96,14 +114,10 @@ static bool by_place(tiles *t, const hide_fronts *fronts, int threads)
     bool done = own && size && t->tile && t->solid;
     if (done)
         find_tiles(&l, fronts, own, threads);
-    for (uint32_t s = 0; done && s < scene->solid_count; s++) {
-        tile_sizes *of = &size[own[s]];
-        of->solids++;
-        of->faces += scene->solid[s + 1].face - scene->solid[s].face;
-        of->vertices += scene->solid[s + 1].vertex - scene->solid[s].vertex;
-    }
+    for (uint32_t s = 0; done && s < scene->solid_count; s++)
+        add_size(&size[own[s]], scene, s);
     if (done)
-        set_places(t, size);
+        set_places(t, size, fronts);
     for (uint32_t s = 0; done && s < scene->solid_count; s++)
         t->solid[t->tile[own[s]].end++] = s;
     free(own);
@@ -116,16 +130,17 @@ static bool by_number(tiles *t, const hide_fronts *fronts)
     const roberts_scene *scene = fronts->scene;
     t->count = scene->solid_count / TILE_SOLIDS + 1;
     t->round[1] = t->round[2] = t->round[3] = t->round[4] = t->round[5] = t->count;
+    tile_sizes *size = alloc_zeroed(t->count, sizeof *size);
     t->tile = alloc_zeroed(t->count, sizeof *t->tile);
-    for (uint32_t k = 0; t->tile && k < t->count; k++) {
-        uint32_t first = k * TILE_SOLIDS, left = scene->solid_count - first;
-        t->tile[k] = (front_tile){.first = first,
-                                  .end = first + (left < TILE_SOLIDS ? left : TILE_SOLIDS),
-                                  .front = first,
-                                  .face = scene->solid[first].face,
-                                  .outline = scene->solid[first].vertex};
-    }
-    return t->tile != NULL;
+    bool done = size && t->tile;
+    for (uint32_t s = 0; done && s < scene->solid_count; s++)
+        add_size(&size[s / TILE_SOLIDS], scene, s);
+    if (done)
+        set_places(t, size, fronts);
+    for (uint32_t k = 0; done && k < t->count; k++)
+        t->tile[k].end += size[k].solids;
+    free(size);
+    return done;
 }
 
 bool tiles_make(tiles *t, const hide_fronts *fronts, int threads)

@@ -35,13 +35,16 @@
  * tiles. */
 enum { TILE_ROUNDS = 5 };
 
-/* A solid has at most one whole front, no more front faces than faces, and no more corners in its outline than
- * vertices. So it is known beforehand where in the arrays of hide_fronts a tile may begin to write. Room that is not
- * used is never touched. */
+/* A convex solid has at most one whole front, no more front faces than faces, and no more corners in its outline than
+ * vertices. Another body has no more fronts than faces. So it is known beforehand where in the arrays of hide_fronts a
+ * tile may begin to write. Room that is not used is never touched. */
 typedef struct front_tile {
-    uint32_t first, end;           /* of tiles.solid */
-    uint32_t front, face, outline; /* of the arrays of hide_fronts: the next to be written */
-    hide_front *single;            /* fronts of one face each, of solids that are entered face by face */
+    uint32_t first, end;                 /* of tiles.solid */
+    uint32_t first_whole, first_surface; /* of hide_fronts.front, behind which other tiles' are: whole fronts; fronts
+                                            of bodies that are not convex */
+    uint32_t whole, surface;             /* the next of these to be written ... */
+    uint32_t face, outline;              /* ... and of other arrays of hide_fronts */
+    hide_front *single;                  /* fronts of one face each, of solids that are entered face by face */
     hide_box *single_box;
     size_t single_count, single_room, single_box_room;
     size_t faces, back, edge_on, culled;

@@ -48,8 +48,8 @@ typedef struct seen {
     united edges;          /* ... their edges; zeroed: they are not */
     roberts_vec3 *P;       /* [vertex_count of scene] view points of bodies that are mapped */
     unsigned char *facing; /* [face_count of scene] VIEW_FRONT, _BACK or _EDGE_ON, likewise */
-    uint32_t *turned;      /* [corners of scene] of faces seen from behind, the other way round; NULL: all bodies are
-                              convex */
+    uint32_t *turned;      /* [corners of scene] of faces of more than SEEN_TURNED corners that are seen from behind,
+                              the other way round; NULL: all bodies are convex */
 } seen;
 
 /* Clips the scene and prepares its view; epsilon: as for view_prepare(). Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or
@@ -97,9 +97,32 @@ BITS_INLINE int seen_front_face(seen *s, uint32_t face, seen_face *out)
     return facing;
 }
 
+/* A face of up to so many corners that is seen from behind is turned over wherever it is asked for: of a mesh all are,
+ * and most are never asked for. */
+enum { SEEN_TURNED = 3 };
+
+/* The corners of a face whose facing is known, counter-clockwise in the picture. `turned` has them if the face is seen
+ * from behind and has no more than that. */
+static inline const uint32_t *seen_corners(const seen *s, uint32_t face, uint32_t *count, uint32_t turned[SEEN_TURNED])
+{
+    const roberts_scene *scene = s->scene;
+    uint32_t first = scene->face_start[face];
+    *count = scene->face_start[face + 1] - first;
+    if (s->facing[face] != VIEW_BACK)
+        return scene->corner + first;
+    if (*count > SEEN_TURNED)
+        return s->turned + first;
+    for (uint32_t i = 0; i < *count; i++)
+        turned[i] = scene->corner[first + *count - 1 - i];
+    return turned;
+}
+
 /* The facing of a face of another body that is mapped. Unless it is VIEW_EDGE_ON, `out` is filled, and turned to the
  * viewer. */
-int seen_either_face(seen *s, uint32_t face, seen_face *out);
+int seen_either_face(seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED]);
+
+/* The same face once more. */
+void seen_face_again(const seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED]);
 
 /* ---- keys ------------------------------------------------------------------------------------------------------ */
 

@@ -396,7 +396,8 @@ static void expect_lists(const objet *grid, const hide_fronts *fronts)
             listed[front] = true;
         }
         for (uint32_t k = 0; k < fronts->front_count; k++) {
-            hide_face outline = hide_outline(fronts, &fronts->front[k]);
+            uint32_t turned[SEEN_TURNED];
+            hide_face outline = hide_outline(fronts, k, turned);
             roberts_vec3 P[64];
             assert_true(outline.count <= 64);
             for (uint32_t i = 0; i < outline.count; i++)
