@@ -8,8 +8,6 @@
 #include "base/box.h"
 #include "base/threads.h"
 
-/* A list up to this length is sorted by insertion. */
-#define SHORT_LIST 24
 /* With fewer fronts or cells than this a thread costs more than it does. */
 #define WORTH_A_THREAD 8192
 
@@ -112,43 +110,28 @@ static void restore_starts(objet *grid)
     grid->start[0] = 0;
 }
 
-/* An entry of a cell's list while it is sorted. */
-typedef struct sorted {
-    float z1;
-    objet_entry entry;
-} sorted;
-
-static int nearer_first(const void *pa, const void *pb)
-{
-    const sorted *a = pa, *b = pb;
-    if (a->z1 != b->z1)
-        return a->z1 > b->z1 ? -1 : 1;
-    return (a->entry.front > b->entry.front) - (a->entry.front < b->entry.front);
-}
-
 /* Sorts the lists of the cells first..end-1, nearest corner first, ties by number. False: no memory. */
 static bool sort_some(const filling *job, size_t first, size_t end)
 {
     const objet *grid = job->grid;
-    sorted *list = NULL;
+    sort_item *list = NULL;
     size_t room = 0;
     for (size_t c = first; c < end; c++) {
         objet_entry *own = grid->entry + grid->start[c];
         uint32_t count = grid->start[c + 1] - grid->start[c];
         if (count < 2)
             continue;
-        if (!array_reserve(&list, &room, count, sizeof *list)) {
+        if (!array_reserve(&list, &room, 2 * (size_t)count, sizeof *list)) {
             free(list);
             return false;
         }
+        for (uint32_t k = 0; k < count; k++) {
+            uint64_t depth = radix_key_descending(job->fronts->front_box[own[k].front].z1);
+            list[k] = (sort_item){depth << 32 | own[k].front, own[k].sides};
+        }
+        sort_keyed(list, count, list + count);
         for (uint32_t k = 0; k < count; k++)
-            list[k] = (sorted){job->fronts->front_box[own[k].front].z1, own[k]};
-        if (count > SHORT_LIST)
-            qsort(list, count, sizeof *list, nearer_first);
-        else
-            SORT_FEW(sorted, list, count, nearer_first(b, a) < 0)
-        for (uint32_t k = 0; k < count; k++)
-            own[k] = list[k].entry;
+            own[k] = (objet_entry){(uint32_t)list[k].key, list[k].value};
     }
     free(list);
     return true;
