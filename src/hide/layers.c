@@ -222,7 +222,15 @@ typedef struct part {
     uint32_t sheets;
 } part;
 
-/* The sheets of a cell, nearest first, as far as nothing else lies that near. */
+/* The nearest sheet of the cell ends at `depth`; what is nearer than `below` lies in it. */
+static void set_sheet(objet *grid, size_t cell, double depth, float below, double epsilon)
+{
+    grid->sheet.depth[cell] = hide_float_below(depth - SHEET_SLACK * epsilon);
+    grid->below[cell] = below;
+}
+
+/* The sheets of a cell, nearest first, as far as nothing else lies that near. Behind the first sheet only scenes whose
+ * hidden lines are wanted are looked at. */
 static void find_in_cell(objet *grid, const hide_fronts *fronts, uint32_t column, uint32_t row, float fold)
 {
     const scan_frame *s = &grid->frame;
@@ -232,16 +240,17 @@ static void find_in_cell(objet *grid, const hide_fronts *fronts, uint32_t column
     hide_box about = hide_box_around(&point);
     uint32_t most = objet_most(objet_cut(objet_place(grid, &about), column, row));
     part at = {INFINITY, 0};
-    bool found = false;
-    for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end; k += 4) {
+    bool found = false, all = fronts->seen->rules.hidden;
+    for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end && (all || !found); k += 4) {
         unsigned near = objet_near(grid, k, end, most);
         for (uint32_t i = k; i < end && i < k + 4; i++, near >>= 1) {
             const hide_box *box = &fronts->front_box[grid->entry[i].front];
             if (box->z1 < at.depth) { /* a part ends */
                 if (at.sheets > 0 && !found) {
                     found = true;
-                    grid->sheet.depth[cell] = hide_float_below((double)at.depth - SHEET_SLACK * fronts->space.epsilon);
-                    grid->below[cell] = box->z1 > fold ? box->z1 : fold;
+                    set_sheet(grid, cell, (double)at.depth, box->z1 > fold ? box->z1 : fold, fronts->space.epsilon);
+                    if (!all)
+                        break;
                 }
                 at = (part){box->z0, 0};
             }
@@ -254,10 +263,8 @@ static void find_in_cell(objet *grid, const hide_fronts *fronts, uint32_t column
         }
     }
     grid->apart[cell] = 1;
-    if (at.sheets > 0 && !found) {
-        grid->sheet.depth[cell] = hide_float_below((double)at.depth - SHEET_SLACK * fronts->space.epsilon);
-        grid->below[cell] = fold;
-    }
+    if (at.sheets > 0 && !found)
+        set_sheet(grid, cell, (double)at.depth, fold, fronts->space.epsilon);
 }
 
 static void find_in_cells(objet *grid, const finding *f)
