@@ -20,7 +20,6 @@
 #include "base/threads.h"
 #include "hide/cells.h"
 #include "hide/segments.h"
-#include "hide/layers.h"
 
 #define SOLIDS_AHEAD 2 /* between asking for one and needing it */
 #define CHUNK_SOLIDS 64
@@ -87,8 +86,7 @@ static roberts_status list_fronts(hide_job *job)
     if (!picture_order_init(&job->order, fronts, depth))
         return ROBERTS_NO_MEMORY;
     hide_fronts_drop_boxes(&job->fronts);
-    roberts_status status = objet_build(&job->grid, fronts, frame, job->options->threads);
-    return status != ROBERTS_OK || layers_find(&job->grid, fronts, job->options->threads) ? status : ROBERTS_NO_MEMORY;
+    return objet_build(&job->grid, fronts, frame, job->options->threads);
 }
 
 /* ---- 3. where faces cross ---- */

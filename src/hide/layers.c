@@ -15,20 +15,6 @@
 /* Where in a cell its sheets are counted, in parts of it: not where regular meshes have their edges. */
 #define ACROSS_CELL 0.43709
 #define UP_CELL 0.56173
-/* Touching distances: what lies this much deeper than a sheet does not touch it, unless the sheet is so steep that it
- * is nearly a line. */
-#define SHEET_SLACK 0x1p20
-
-/* The finding of sheets. */
-typedef struct finding {
-    const objet *grid;
-    const hide_fronts *fronts;
-    atomic_uint *fold;    /* [cells] rank_of() of the nearest depth of what is no sheet */
-    unsigned char *wound; /* [vertices] how often the faces of a surface go round the vertex in the picture: 0, 1, 2 or
-                             more */
-    objet_walk *walk;     /* [threads] */
-    int threads;
-} finding;
 
 /* Floats as numbers that ascend as they do; 0 is below all of them. */
 static uint32_t rank_of(float z)
@@ -47,34 +33,34 @@ static float of_rank(uint32_t rank)
 }
 
 /* What is nowhere nearer than z in the cell is no sheet. */
-static void fold_cell(const finding *f, uint32_t column, uint32_t row, float z)
+static void fold_cell(const layers *l, uint32_t column, uint32_t row, float z)
 {
-    atomic_uint *fold = &f->fold[(size_t)column * f->grid->frame.ny + row];
+    atomic_uint *fold = &l->fold[(size_t)column * l->grid->frame.ny + row];
     unsigned rank = rank_of(z), known = atomic_load_explicit(fold, memory_order_relaxed);
     while (known < rank && !atomic_compare_exchange_weak(fold, &known, rank)) {
     }
 }
 
 /* All cells of a box. */
-static void fold_box(const finding *f, const hide_box *box, double loose)
+static void fold_box(const layers *l, const hide_box *box, double loose)
 {
-    const scan_frame *s = &f->grid->frame;
+    const scan_frame *s = &l->grid->frame;
     double m = s->margin + loose;
     uint32_t right = scan_column(s, (double)box->x1 + m);
     uint32_t low = scan_row(s, (double)box->y0 - m), high = scan_row(s, (double)box->y1 + m);
     for (uint32_t i = scan_column(s, (double)box->x0 - m); i <= right; i++)
         for (uint32_t j = low; j <= high; j++)
-            fold_cell(f, i, j, box->z1);
+            fold_cell(l, i, j, box->z1);
 }
 
-static bool fold_edge(const finding *f, objet_walk *walk, roberts_vec3 A, roberts_vec3 B)
+static bool fold_edge(const layers *l, objet_walk *walk, roberts_vec3 A, roberts_vec3 B)
 {
-    if (!objet_cells(f->grid, A, B, walk))
+    if (!objet_cells(l->grid, A, B, walk))
         return false;
     for (size_t k = 0; k < walk->count; k++) {
         const objet_stretch *in = &walk->item[k];
         double z0 = A.z + in->t0 * (B.z - A.z), z1 = A.z + in->t1 * (B.z - A.z);
-        fold_cell(f, in->column, in->row, hide_float_above(greater(z0, z1) + f->grid->frame.margin));
+        fold_cell(l, in->column, in->row, hide_float_above(greater(z0, z1) + l->grid->frame.margin));
     }
     return true;
 }
@@ -104,35 +90,35 @@ static uint32_t body_of_edge(const roberts_scene *scene, uint32_t edge)
 }
 
 /* Folds of the edges first..end-1, of bodies that are not convex. False: no memory. */
-static bool fold_edges(const finding *f, objet_walk *walk, uint32_t first, uint32_t end)
+static bool fold_edges(const layers *l, objet_walk *walk, uint32_t first, uint32_t end)
 {
-    const roberts_scene *scene = f->fronts->scene;
-    const roberts_vec3 *P = f->fronts->P;
+    const roberts_scene *scene = l->fronts->scene;
+    const roberts_vec3 *P = l->fronts->P;
     for (uint32_t body = body_of_edge(scene, first), e = first; e < end; body++) {
         const scene_solid *own = &scene->solid[body];
         uint32_t last = own[1].edge < end ? own[1].edge : end;
-        const unsigned char *facing = f->fronts->seen->facing + own->face;
+        const unsigned char *facing = l->fronts->seen->facing + own->face;
         const scene_edge *edge = scene->edge + own->stored + (e - own->edge);
         const roberts_vec3 *V = P + own->vertex;
-        bool out = scene_is_convex(scene, body) || f->fronts->culled[body];
+        bool out = scene_is_convex(scene, body) || l->fronts->culled[body];
         for (; e < last; e++, edge++)
             if (!out && !joins_faces(facing, edge, scene->surface->edge_is[e]) &&
-                !fold_edge(f, walk, V[edge->v[0]], V[edge->v[1]]))
+                !fold_edge(l, walk, V[edge->v[0]], V[edge->v[1]]))
                 return false;
     }
     return true;
 }
 
 /* A triangle goes round that corner of it, if any, from which it extends on both sides of the direction +x. */
-static void wind(const finding *f, const uint32_t *corner)
+static void wind(const layers *l, const uint32_t *corner)
 {
-    const roberts_vec3 *P = f->fronts->P;
+    const roberts_vec3 *P = l->fronts->P;
     double y[3] = {P[corner[0]].y, P[corner[1]].y, P[corner[2]].y};
     for (int i = 0; i < 3; i++) {
         if (!(y[i < 2 ? i + 1 : 0] < y[i] && y[i] <= y[i > 0 ? i - 1 : 2]))
             continue;
-        unsigned char *at = &f->wound[corner[i]];
-        if (f->threads == 1) {
+        unsigned char *at = &l->wound[corner[i]];
+        if (l->threads == 1) {
             *at = (unsigned char)(*at + (*at < 2));
         } else {
             unsigned char before;
@@ -154,48 +140,48 @@ static void wind(const finding *f, const uint32_t *corner)
 }
 
 /* Winds all triangles of surfaces. Where anything else is, there are no sheets. */
-static void wind_fronts(const finding *f)
+static void wind_fronts(const layers *l)
 {
-    const hide_fronts *fronts = f->fronts;
+    const hide_fronts *fronts = l->fronts;
 #ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(f->threads)
+#pragma omp parallel for schedule(static) num_threads(l->threads)
 #endif
     for (uint32_t k = 0; k < fronts->front_count; k++) {
         const hide_front *front = &fronts->front[k];
         uint32_t turned[SEEN_TURNED];
         const hide_face face = hide_outline(fronts, k, turned);
         if (front->kind == HIDE_SURFACE_FACE && face.count == 3)
-            wind(f, face.corner);
+            wind(l, face.corner);
         else if (front->listed)
-            fold_box(f, &fronts->front_box[k], hide_loose(fronts, k));
+            fold_box(l, &fronts->front_box[k], hide_loose(fronts, k));
     }
 }
 
-static void fold_wound(const finding *f)
+static void fold_wound(const layers *l)
 {
-    const hide_fronts *fronts = f->fronts;
+    const hide_fronts *fronts = l->fronts;
     uint32_t count = fronts->scene->vertex_count;
 #ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(f->threads)
+#pragma omp parallel for schedule(static) num_threads(l->threads)
 #endif
     for (uint32_t v = 0; v < count; v++)
-        if (f->wound[v] > 1) {
+        if (l->wound[v] > 1) {
             hide_box box = hide_box_around(&(hide_bounds){fronts->P[v], fronts->P[v]});
-            fold_box(f, &box, 0.0);
+            fold_box(l, &box, 0.0);
         }
 }
 
-static bool fold_all(const finding *f)
+static bool fold_all(const layers *l)
 {
-    uint32_t count = f->fronts->scene->edge_count, parts = count / EDGES_AT_ONCE + 1;
+    uint32_t count = l->fronts->scene->edge_count, parts = count / EDGES_AT_ONCE + 1;
     bool lost = false;
 #ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) num_threads(f->threads) reduction(|| : lost)
+#pragma omp parallel for schedule(dynamic, 1) num_threads(l->threads) reduction(|| : lost)
 #endif
     for (uint32_t p = 0; p < parts; p++) {
         uint32_t first = p * EDGES_AT_ONCE, left = count - first;
         lost = lost ||
-               !fold_edges(f, &f->walk[thread_self()], first, first + (left < EDGES_AT_ONCE ? left : EDGES_AT_ONCE));
+               !fold_edges(l, &l->walk[thread_self()], first, first + (left < EDGES_AT_ONCE ? left : EDGES_AT_ONCE));
     }
     return !lost;
 }
@@ -222,23 +208,30 @@ typedef struct part {
     uint32_t sheets;
 } part;
 
-/* The nearest sheet of the cell ends at `depth`; what is nearer than `below` lies in it. */
-static void set_sheet(objet *grid, size_t cell, double depth, float below, double epsilon)
+/* All that is deeper than `depth` lies behind the nearest sheet of the cell; what is nearer than `below` lies in it. */
+static void set_sheet(objet *grid, size_t cell, double depth, float below)
 {
-    grid->sheet.depth[cell] = hide_float_below(depth - SHEET_SLACK * epsilon);
+    grid->sheet.depth[cell] = hide_float_below(depth);
     grid->below[cell] = below;
 }
 
 /* The sheets of a cell, nearest first, as far as nothing else lies that near. Behind the first sheet only scenes whose
  * hidden lines are wanted are looked at. */
-static void find_in_cell(objet *grid, const hide_fronts *fronts, uint32_t column, uint32_t row, float fold)
+void layers_find(const layers *l, uint32_t column, uint32_t row)
 {
+    objet *grid = l->grid;
+    const hide_fronts *fronts = l->fronts;
     const scan_frame *s = &grid->frame;
     size_t cell = (size_t)column * s->ny + row;
+    if (!l->fold)
+        return;
+    float fold = of_rank(atomic_load_explicit(&l->fold[cell], memory_order_relaxed));
+    set_sheet(grid, cell, -INFINITY, INFINITY);
     double x = s->x0 + (column + ACROSS_CELL) * s->dx, y = s->y0 + (row + UP_CELL) * s->dy;
     hide_bounds point = {{x, y, 0.0}, {x, y, 0.0}};
     hide_box about = hide_box_around(&point);
     uint32_t most = objet_most(objet_cut(objet_place(grid, &about), column, row));
+    double slack = SHEET_SLACK * fronts->space.epsilon;
     part at = {INFINITY, 0};
     bool found = false, all = fronts->seen->rules.hidden;
     for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end && (all || !found); k += 4) {
@@ -248,7 +241,7 @@ static void find_in_cell(objet *grid, const hide_fronts *fronts, uint32_t column
             if (box->z1 < at.depth) { /* a part ends */
                 if (at.sheets > 0 && !found) {
                     found = true;
-                    set_sheet(grid, cell, (double)at.depth, box->z1 > fold ? box->z1 : fold, fronts->space.epsilon);
+                    set_sheet(grid, cell, (double)at.depth - slack, box->z1 > fold ? box->z1 : fold);
                     if (!all)
                         break;
                 }
@@ -264,52 +257,37 @@ static void find_in_cell(objet *grid, const hide_fronts *fronts, uint32_t column
     }
     grid->apart[cell] = 1;
     if (at.sheets > 0 && !found)
-        set_sheet(grid, cell, (double)at.depth, fold, fronts->space.epsilon);
+        set_sheet(grid, cell, (double)at.depth - slack, fold);
 }
 
-static void find_in_cells(objet *grid, const finding *f)
-{
-    size_t cells = scan_cells(&grid->frame);
-    for (size_t c = 0; c < cells; c++) {
-        grid->sheet.depth[c] = -INFINITY;
-        grid->below[c] = INFINITY;
-    }
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 16) num_threads(f->threads)
-#endif
-    for (uint32_t i = 0; i < grid->frame.nx; i++)
-        for (uint32_t j = 0; j < grid->frame.ny; j++)
-            find_in_cell(grid, f->fronts, i, j, of_rank(atomic_load(&f->fold[(size_t)i * grid->frame.ny + j])));
-}
-
-bool layers_find(objet *grid, const hide_fronts *fronts, uint32_t threads)
+bool layers_begin(layers *l, objet *grid, const hide_fronts *fronts, uint32_t threads)
 {
     const roberts_scene *scene = fronts->scene;
     size_t cells = scan_cells(&grid->frame);
-    if (!scene->surface || fronts->seen->clip.clipped)
+    *l = (layers){.grid = grid, .fronts = fronts};
+    if (!scene || !scene->surface || fronts->seen->clip.clipped)
         return true; /* a border that the near plane has made is no edge */
-    finding f = {
-        .grid = grid, .fronts = fronts, .threads = threads_for(threads, 1 + scene->edge_count / WORTH_A_THREAD)};
-    f.fold = alloc_zeroed(cells, sizeof *f.fold);
-    f.wound = alloc_zeroed(scene->vertex_count, sizeof *f.wound);
-    f.walk = alloc_zeroed((size_t)f.threads, sizeof *f.walk);
+    l->threads = threads_for(threads, 1 + scene->edge_count / WORTH_A_THREAD);
+    l->fold = alloc_zeroed(cells, sizeof *l->fold);
+    l->wound = alloc_zeroed(scene->vertex_count, sizeof *l->wound);
+    l->walk = alloc_zeroed((size_t)l->threads, sizeof *l->walk);
     grid->apart = alloc_zeroed(cells, sizeof *grid->apart);
     grid->below = alloc_array(cells, sizeof *grid->below);
-    bool found = f.fold && f.wound && f.walk && grid->apart && grid->below;
-    if (found) {
-        grid->sheet.frame = grid->frame;
-        grid->sheet.depth = alloc_array(cells, sizeof *grid->sheet.depth);
-        found = grid->sheet.depth && fold_all(&f);
-    }
-    if (found) {
-        wind_fronts(&f);
-        fold_wound(&f);
-        find_in_cells(grid, &f);
-    }
-    for (int i = 0; f.walk && i < f.threads; i++)
-        free(f.walk[i].item);
-    free(f.walk);
-    free(f.wound);
-    free(f.fold);
-    return found;
+    grid->sheet.frame = grid->frame;
+    grid->sheet.depth = alloc_array(cells, sizeof *grid->sheet.depth);
+    if (!l->fold || !l->wound || !l->walk || !grid->apart || !grid->below || !grid->sheet.depth || !fold_all(l))
+        return false;
+    wind_fronts(l);
+    fold_wound(l);
+    return true;
+}
+
+void layers_end(layers *l)
+{
+    for (int i = 0; l->walk && i < l->threads; i++)
+        free(l->walk[i].item);
+    free(l->walk);
+    free(l->wound);
+    free(l->fold);
+    *l = (layers){0};
 }

@@ -10,9 +10,27 @@
 #ifndef ROBERTS_HIDE_LAYERS_H
 #define ROBERTS_HIDE_LAYERS_H
 
+#include <stdatomic.h>
+
 #include "hide/objet.h"
 
-/* Finds the sheets of a grid that lists all fronts. False: no memory. */
-bool layers_find(objet *grid, const hide_fronts *fronts, uint32_t threads);
+/* The finding of sheets. */
+typedef struct layers {
+    objet *grid;
+    const hide_fronts *fronts;
+    atomic_uint *fold;    /* [cells] a rank for the nearest depth of what is no sheet; NULL: no sheets are sought */
+    unsigned char *wound; /* [vertices] how often the faces of a surface go round the vertex in the picture: 0, 1, 2 or
+                             more */
+    objet_walk *walk;     /* [threads] */
+    int threads;
+} layers;
+
+/* Finds the depth from which on each cell of a grid may hold sheets; the lists may be empty. False: no memory;
+ * layers_end() is due in any case. */
+bool layers_begin(layers *l, objet *grid, const hide_fronts *fronts, uint32_t threads);
+void layers_end(layers *l);
+
+/* Finds the sheets of a cell whose list is complete and in order. */
+void layers_find(const layers *l, uint32_t column, uint32_t row);
 
 #endif

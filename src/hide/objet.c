@@ -7,6 +7,7 @@
 #include "base/sort.h"
 #include "base/box.h"
 #include "base/threads.h"
+#include "hide/layers.h"
 
 /* With fewer fronts or cells than this a thread costs more than it does. */
 #define WORTH_A_THREAD 8192
@@ -14,6 +15,8 @@
 /* What each thread has for itself. */
 typedef struct lister {
     scan s;
+    sort_item *item; /* [room] */
+    size_t room;
     char apart[THREADS_APART];
 } lister;
 
@@ -110,44 +113,39 @@ static void restore_starts(objet *grid)
     grid->start[0] = 0;
 }
 
-/* Sorts the lists of the cells first..end-1, nearest corner first, ties by number. False: no memory. */
-static bool sort_some(const filling *job, size_t first, size_t end)
+/* Sorts the list of a cell, nearest corner first, ties by number. False: no memory. */
+static bool sort_list(const filling *job, size_t cell, lister *own)
 {
-    const objet *grid = job->grid;
-    sort_item *list = NULL;
-    size_t room = 0;
-    for (size_t c = first; c < end; c++) {
-        objet_entry *own = grid->entry + grid->start[c];
-        uint32_t count = grid->start[c + 1] - grid->start[c];
-        if (count < 2)
-            continue;
-        if (!array_reserve(&list, &room, 2 * (size_t)count, sizeof *list)) {
-            free(list);
-            return false;
-        }
-        for (uint32_t k = 0; k < count; k++) {
-            uint64_t depth = radix_key_descending(job->fronts->front_box[own[k].front].z1);
-            list[k] = (sort_item){depth << 32 | own[k].front, own[k].sides};
-        }
-        sort_keyed(list, count, list + count);
-        for (uint32_t k = 0; k < count; k++)
-            own[k] = (objet_entry){(uint32_t)list[k].key, list[k].value};
+    objet_entry *entry = job->grid->entry + job->grid->start[cell];
+    uint32_t count = job->grid->start[cell + 1] - job->grid->start[cell];
+    if (count < 2)
+        return true;
+    if (!array_reserve(&own->item, &own->room, 2 * (size_t)count, sizeof *own->item))
+        return false;
+    for (uint32_t k = 0; k < count; k++) {
+        uint64_t depth = radix_key_descending(job->fronts->front_box[entry[k].front].z1);
+        own->item[k] = (sort_item){depth << 32 | entry[k].front, entry[k].sides};
     }
-    free(list);
+    sort_keyed(own->item, count, own->item + count);
+    for (uint32_t k = 0; k < count; k++)
+        entry[k] = (objet_entry){(uint32_t)own->item[k].key, own->item[k].value};
     return true;
 }
 
-/* Sorts all lists. The cells of a thread lie together. False: no memory. */
-static bool sort_lists(const filling *job)
+/* Sorts all lists, and finds the sheets of each cell while its fronts are in the cache. False: no memory. */
+static bool sort_lists(const filling *job, const layers *sheets)
 {
-    size_t cells = scan_cells(&job->grid->frame);
-    int parts = cells < WORTH_A_THREAD ? 1 : job->threads;
+    const scan_frame *f = &job->grid->frame;
     bool lost = false;
 #ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(parts) reduction(|| : lost)
+#pragma omp parallel for schedule(dynamic, 16) num_threads(job->threads) reduction(|| : lost)
 #endif
-    for (int i = 0; i < parts; i++)
-        lost = lost || !sort_some(job, cells * (size_t)i / (size_t)parts, cells * ((size_t)i + 1) / (size_t)parts);
+    for (uint32_t i = 0; i < f->nx; i++)
+        for (uint32_t j = 0; j < f->ny && !lost; j++) {
+            lost = !sort_list(job, (size_t)i * f->ny + j, &job->lister[thread_self()]);
+            if (!lost)
+                layers_find(sheets, i, j);
+        }
     return !lost;
 }
 
@@ -181,14 +179,17 @@ static bool alloc_listers(filling *job)
 
 static void free_listers(filling *job)
 {
-    for (int i = 0; job->lister && i < job->threads; i++)
+    for (int i = 0; job->lister && i < job->threads; i++) {
         scan_free(&job->lister[i].s);
+        free(job->lister[i].item);
+    }
     free(job->lister);
 }
 
 roberts_status objet_build(objet *grid, const hide_fronts *fronts, scan_frame frame, uint32_t threads)
 {
     filling job = {grid, fronts, NULL, threads_for(threads, 1 + fronts->front_count / WORTH_A_THREAD)};
+    layers sheets = {0};
     *grid = (objet){.frame = frame};
     for (int i = 0; i < 4; i++) {
         grid->from[i] = (float)(i < 2 ? frame.x0 : frame.y0);
@@ -203,8 +204,9 @@ roberts_status objet_build(objet *grid, const hide_fronts *fronts, scan_frame fr
     if (done) {
         list_all(&job, true);
         restore_starts(grid);
-        done = sort_lists(&job) && link_lists(grid, fronts);
+        done = layers_begin(&sheets, grid, fronts, threads) && sort_lists(&job, &sheets) && link_lists(grid, fronts);
     }
+    layers_end(&sheets);
     free_listers(&job);
     if (!done)
         objet_free(grid);

@@ -86,6 +86,11 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
 /* No unit: a front may fail to fill its outline by this times what its faces depart from their planes. */
 #define LOOSE_DEPARTURES 4.0
 
+/* Epsilons of depth: what lies this much deeper than a sheet that fills a cell does not touch the sheet. A plane that
+ * is deeper by d at one place of the picture is d times the depth of its unit normal away. So this holds for a face
+ * whose normal has a depth of more than 2^-20; a steeper one is nearly edge-on. */
+#define SHEET_SLACK 0x1p20
+
 /* Roundings of a view coordinate: the error of F(M) and of what is added to it for a point of the scene. It comes from
  * three products of coordinates, none larger than the extent, and from four sums. */
 #define BUNDLE_ROUNDINGS 16.0
