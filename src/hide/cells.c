@@ -10,6 +10,13 @@
 /* List entries per box that the grid may come to, on average, before it is made coarser. */
 #define ENTRIES_PER_BOX 12.0
 #define ENTRIES_FREE 4096.0
+/* Polygons are slender if they fill less than this part of their boxes, and more than so many boxes lie over a point.
+ */
+#define SLENDER_FILLED 0.125
+#define SLENDER_DEPTH 64.0
+/* Entries per slender polygon at the most; and what an entry costs to make, in comparisons with one of a list. */
+#define ENTRIES_PER_SLENDER 64.0
+#define COST_OF_ENTRY 16.0
 /* Width of a cover's cell in mean boxes: a cell that a front only crosses is not covered. */
 #define BOXES_PER_COVER_CELL 0.11
 /* The more boxes lie over one another, the more is gained by smaller cells: from this depth on they shrink with it. */
@@ -87,12 +94,36 @@ static void divide(const sizes *s, uint32_t count, double boxes, double most, do
     }
 }
 
+/* Entries of the lists of nx * ny cells: each polygon touches the cells along its box, and those that it fills. */
+static double entries(const sizes *s, uint32_t count, double filled, double nx, double ny)
+{
+    return count + nx * s->w + ny * s->h + nx * ny * s->area * filled;
+}
+
+/* More columns and rows for slender polygons, as long as that pays: as many edges as polygons cross as many cells, and
+ * pass over the list in each. */
+static void divide_slender(const sizes *s, uint32_t boxes, double filled, double *nx, double *ny)
+{
+    double count = boxes, least = INFINITY, shape = s->width > 0.0 && s->height > 0.0 ? s->width / s->height : 1.0;
+    for (double side = sqrt(*nx * *ny); side * side <= CELLS_PER_BOX * count; side *= 1.25) {
+        double x = greater(1.0, side * sqrt(shape)), y = greater(1.0, side / sqrt(shape));
+        double all = entries(s, boxes, filled, x, y), cost = all * (COST_OF_ENTRY + all / (x * y));
+        if (all > ENTRIES_PER_SLENDER * count || x > SIDE_MOST || y > SIDE_MOST)
+            return;
+        if (cost < least) {
+            least = cost;
+            *nx = x;
+            *ny = y;
+        }
+    }
+}
+
 static uint32_t whole(double n)
 {
     return n < 1.0 ? 1 : n > SIDE_MOST ? (uint32_t)SIDE_MOST : (uint32_t)n;
 }
 
-scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth)
+scan_frame cells_for_lists(const cells_boxes *b, double filled, uint32_t n, double *depth)
 {
     double nx = 1.0, ny = 1.0;
     uint32_t count = b->count;
@@ -102,11 +133,12 @@ scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth)
         return scan_frame_over(b->low, b->high, n, n, b->margin);
     if (count) {
         divide(&s, count, BOXES_PER_CELL, CELLS_PER_BOX * count + 1.0, &nx, &ny);
-        while (nx * ny > 1.0 &&
-               nx * ny * s.area + nx * s.w + ny * s.h + count > ENTRIES_PER_BOX * count + ENTRIES_FREE) {
+        while (nx * ny > 1.0 && entries(&s, count, 1.0, nx, ny) > ENTRIES_PER_BOX * count + ENTRIES_FREE) {
             nx = greater(1.0, 0.9 * nx);
             ny = greater(1.0, 0.9 * ny);
         }
+        if (filled < SLENDER_FILLED && s.area > SLENDER_DEPTH)
+            divide_slender(&s, count, filled, &nx, &ny);
     }
     return scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin);
 }

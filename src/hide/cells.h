@@ -14,8 +14,10 @@ typedef struct cells_boxes {
 } cells_boxes;
 
 /* Cells for lists: some two mean boxes wide. There are no more of them than lets the lists grow in proportion to the
- * number of boxes. n: given number per side, 0 = choose. *depth: mean number of boxes over a point of the window. */
-scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth);
+ * number of boxes. Where polygons are long, thin and aslant, cells are smaller than their boxes. n: given number per
+ * side, 0 = choose. filled: what part of the boxes their polygons fill, about. *depth: mean number of boxes over a
+ * point of the window. */
+scan_frame cells_for_lists(const cells_boxes *b, double filled, uint32_t n, double *depth);
 
 /* Cells for covers: much smaller than a mean box. The frame has no columns where few boxes lie over one another, and
  * covers would not pay. The number of threads does not change the result. */

@@ -19,6 +19,9 @@
 /* Solids between asking for a box and needing it. */
 #define BOX_AHEAD 8
 
+/* Fronts that are asked what part of their boxes they fill. */
+#define FRONTS_ASKED 1000
+
 /* Bits for each front. With so many, one in ten of the fronts without a copy falls on another front's bit. */
 #define BITS_PER_FRONT 8
 
@@ -530,6 +533,23 @@ bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options 
         return true;
     hide_fronts_free(fronts);
     return false;
+}
+
+double hide_fronts_filled(const hide_fronts *fronts)
+{
+    const roberts_vec3 *P = fronts->P;
+    double boxes = 0.0, twice = 0.0;
+    for (uint32_t k = 0, step = fronts->front_count / FRONTS_ASKED + 1; k < fronts->front_count; k += step) {
+        uint32_t turned[SEEN_TURNED];
+        const hide_box *box = &fronts->front_box[k];
+        const hide_face outline = hide_outline(fronts, k, turned);
+        boxes += (double)(box->x1 - box->x0) * (double)(box->y1 - box->y0);
+        for (uint32_t i = 0; i < outline.count; i++) {
+            roberts_vec3 A = P[outline.corner[i]], B = P[outline.corner[i + 1 < outline.count ? i + 1 : 0]];
+            twice += A.x * B.y - B.x * A.y;
+        }
+    }
+    return boxes > 0.0 ? 0.5 * twice / boxes : 1.0;
 }
 
 void hide_fronts_drop_boxes(hide_fronts *fronts)

@@ -82,6 +82,9 @@ void hide_fronts_free(hide_fronts *fronts);
 /* Releases the boxes of solids if no front is a single face: edges ask those of fronts only. */
 void hide_fronts_drop_boxes(hide_fronts *fronts);
 
+/* What part of their boxes in the picture the fronts fill, about: some of them are asked. */
+double hide_fronts_filled(const hide_fronts *fronts);
+
 /* Asks for what will soon be asked or written of a solid: it lies anywhere. (Inlined: see base/bits.h.) */
 BITS_INLINE void hide_fronts_fetch(const hide_fronts *fronts, uint32_t solid)
 {

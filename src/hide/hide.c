@@ -82,7 +82,7 @@ static roberts_status list_fronts(hide_job *job)
     double depth;
     cells_boxes boxes = {fronts->front_box, fronts->front_count, fronts->low, fronts->high,
                          hide_margin(&fronts->space)};
-    scan_frame frame = cells_for_lists(&boxes, job->options->grid, &depth);
+    scan_frame frame = cells_for_lists(&boxes, hide_fronts_filled(fronts), job->options->grid, &depth);
     if (!picture_order_init(&job->order, fronts, depth))
         return ROBERTS_NO_MEMORY;
     hide_fronts_drop_boxes(&job->fronts);
