@@ -109,66 +109,20 @@ static bool fold_edges(const layers *l, objet_walk *walk, uint32_t first, uint32
     return true;
 }
 
-/* A triangle goes round that corner of it, if any, from which it extends on both sides of the direction +x. */
-static void wind(const layers *l, const uint32_t *corner)
-{
-    const roberts_vec3 *P = l->fronts->P;
-    double y[3] = {P[corner[0]].y, P[corner[1]].y, P[corner[2]].y};
-    for (int i = 0; i < 3; i++) {
-        if (!(y[i < 2 ? i + 1 : 0] < y[i] && y[i] <= y[i > 0 ? i - 1 : 2]))
-            continue;
-        unsigned char *at = &l->wound[corner[i]];
-        if (l->threads == 1) {
-            *at = (unsigned char)(*at + (*at < 2));
-        } else {
-            unsigned char before;
-#ifdef _OPENMP
-#pragma omp atomic capture
-#endif
-            {
-                before = *at;
-                *at |= 1;
-            }
-            if (before)
-#ifdef _OPENMP
-#pragma omp atomic write
-#endif
-                *at = 3;
-        }
-        return;
-    }
-}
-
-/* Winds all triangles of surfaces. Where anything else is, there are no sheets. */
-static void wind_fronts(const layers *l)
+/* Where a front is anything but a triangle of a surface, there are no sheets. */
+static void fold_fronts(const layers *l)
 {
     const hide_fronts *fronts = l->fronts;
+    const uint32_t *start = fronts->scene->face_start;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(static) num_threads(l->threads)
 #endif
     for (uint32_t k = 0; k < fronts->front_count; k++) {
         const hide_front *front = &fronts->front[k];
-        uint32_t turned[SEEN_TURNED];
-        const hide_face face = hide_outline(fronts, k, turned);
-        if (front->kind == HIDE_SURFACE_FACE && face.count == 3)
-            wind(l, face.corner);
-        else if (front->listed)
+        bool sheet = front->kind == HIDE_SURFACE_FACE && start[front->piece + 1] - start[front->piece] == 3;
+        if (!sheet && front->listed)
             fold_box(l, &fronts->front_box[k], hide_loose(fronts, k));
     }
-}
-
-static void fold_wound(const layers *l)
-{
-    const hide_fronts *fronts = l->fronts;
-    uint32_t count = fronts->scene->vertex_count;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(l->threads)
-#endif
-    for (uint32_t v = 0; v < count; v++)
-        if (l->wound[v] > 1) {
-            hide_box box = hide_box_around(&(hide_bounds){fronts->P[v], fronts->P[v]});
-            fold_box(l, &box, 0.0);
-        }
 }
 
 static bool fold_all(const layers *l)
@@ -269,16 +223,14 @@ bool layers_begin(layers *l, objet *grid, const hide_fronts *fronts, uint32_t th
         return true; /* a border that the near plane has made is no edge */
     l->threads = threads_for(threads, 1 + scene->edge_count / WORTH_A_THREAD);
     l->fold = alloc_zeroed(cells, sizeof *l->fold);
-    l->wound = alloc_zeroed(scene->vertex_count, sizeof *l->wound);
     l->walk = alloc_zeroed((size_t)l->threads, sizeof *l->walk);
     grid->apart = alloc_zeroed(cells, sizeof *grid->apart);
     grid->below = alloc_array(cells, sizeof *grid->below);
     grid->sheet.frame = grid->frame;
     grid->sheet.depth = alloc_array(cells, sizeof *grid->sheet.depth);
-    if (!l->fold || !l->wound || !l->walk || !grid->apart || !grid->below || !grid->sheet.depth || !fold_all(l))
+    if (!l->fold || !l->walk || !grid->apart || !grid->below || !grid->sheet.depth || !fold_all(l))
         return false;
-    wind_fronts(l);
-    fold_wound(l);
+    fold_fronts(l);
     return true;
 }
 
@@ -287,7 +239,6 @@ void layers_end(layers *l)
     for (int i = 0; l->walk && i < l->threads; i++)
         free(l->walk[i].item);
     free(l->walk);
-    free(l->wound);
     free(l->fold);
     *l = (layers){0};
 }
