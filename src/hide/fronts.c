@@ -11,18 +11,18 @@
 #include "hide/cells.h"
 #include "hide/front.h"
 
-/* With fewer solids than this a thread costs more than it does. */
+/* With fewer solids than this, another thread does not pay. */
 #define SOLIDS_PER_THREAD 2048
-/* A thread finds the boxes of so many solids at a time. */
+/* A thread finds the boxes of this many solids at a time. */
 #define BOXES_AT_ONCE 1024
 
-/* Solids between asking for a box and needing it. */
+/* A box is prefetched this many solids before it is needed. */
 #define BOX_AHEAD 8
 
-/* Fronts that are asked what part of their boxes they fill. */
+/* About how many fronts hide_fronts_filled() looks at. */
 #define FRONTS_ASKED 1000
 
-/* Bits for each front. With so many, one in ten of the fronts without a copy falls on another front's bit. */
+/* Bits of a sieve for each front. With this many, one in ten of the fronts without a copy shares a bit with another. */
 #define BITS_PER_FRONT 8
 
 /* Scratch memory of the building. */
@@ -31,12 +31,12 @@ typedef struct build {
     tiles tiles;
     front_scratch *scratch; /* [threads] */
     int threads;
-    bool looked_up; /* who is seen at a point will be asked */
+    bool looked_up; /* hide_seen_at() will be called */
 } build;
 
 enum { POINTS_AT_ONCE = 64 };
 
-/* The box of a solid's view points. */
+/* Returns the box of a solid's view points. */
 static hide_bounds measure_solid(const hide_fronts *fronts, uint32_t solid)
 {
     const roberts_scene *scene = fronts->scene;
@@ -52,15 +52,15 @@ static hide_bounds measure_solid(const hide_fronts *fronts, uint32_t solid)
     return own;
 }
 
-/* Widens a box of the picture to hold another one, which may be empty. */
+/* Widens a box of the picture so that it holds another one, which may be empty. */
 static void widen_by(hide_bounds *all, const hide_bounds *own)
 {
     all->low = (roberts_vec3){lesser(all->low.x, own->low.x), lesser(all->low.y, own->low.y), 0.0};
     all->high = (roberts_vec3){greater(all->high.x, own->high.x), greater(all->high.y, own->high.y), 0.0};
 }
 
-/* Finds the boxes of the solids first..end-1. Returns the box round all of them. The box of a solid of which the near
- * plane has left nothing is empty. */
+/* Finds the boxes of the solids first..end-1, and returns the box round all of them. If the near plane has left nothing
+ * of a solid, its box is empty. */
 static hide_bounds box_some(hide_fronts *fronts, uint32_t first, uint32_t end)
 {
     hide_bounds all = hide_no_bounds;
@@ -72,7 +72,7 @@ static hide_bounds box_some(hide_fronts *fronts, uint32_t first, uint32_t end)
     return all;
 }
 
-/* Finds the boxes of all solids, and the window. False: no memory. */
+/* Finds the boxes of all solids, and the box of the picture. False: no memory. */
 static bool box_solids(hide_fronts *fronts, int threads)
 {
     uint32_t solids = fronts->scene->solid_count, count = solids / BOXES_AT_ONCE + 1;
@@ -96,13 +96,13 @@ static bool box_solids(hide_fronts *fronts, int threads)
     return true;
 }
 
-/* Has the near plane left nothing of it? */
+/* Has the near plane left nothing of the solid? */
 static bool is_empty(const hide_fronts *fronts, uint32_t s)
 {
     return fronts->scene->solid[s].vertex == fronts->scene->solid[s + 1].vertex;
 }
 
-/* Culls the first of the solids if nothing of it can be seen; returns whether it did. Prefetches the box of a later
+/* Culls the first of `left` solids if nothing of it can be seen; returns whether it did. Prefetches the box of a later
  * one. */
 static bool cull_first(hide_fronts *fronts, front_tile *tile, const uint32_t *order, uint32_t left)
 {
@@ -117,7 +117,7 @@ static bool cull_first(hide_fronts *fronts, front_tile *tile, const uint32_t *or
     return fronts->culled[s];
 }
 
-/* Prefetches what mapping the solid will need (or, of very many points, the beginning of it). Returns the solid. */
+/* Prefetches what the mapping of the solid needs, at least the beginning. Returns the solid. */
 static uint32_t let_wait(hide_fronts *fronts, uint32_t s)
 {
     const roberts_scene *scene = fronts->scene;
@@ -130,7 +130,7 @@ static uint32_t let_wait(hide_fronts *fronts, uint32_t s)
     return s;
 }
 
-/* Enters the solids of a tile in the order of their numbers, if no covers are kept. False: no memory. */
+/* Adds the fronts of a tile's solids in the order of their numbers, where no covers are kept. False: no memory. */
 static bool do_tile_in_order(hide_fronts *fronts, front_scratch *scratch, front_tile *tile)
 {
     for (uint32_t s = tile->first; s < tile->end; s++) {
@@ -141,8 +141,8 @@ static bool do_tile_in_order(hide_fronts *fronts, front_scratch *scratch, front_
     return true;
 }
 
-/* Enters the solids of a tile, nearest first. A solid is culled if those before it cover it. The others wait one turn
- * before they are mapped, while their memory is on its way: it lies anywhere. False: no memory. */
+/* Adds the fronts of a tile's solids, nearest first. A solid is culled if earlier ones cover it. Each of the others is
+ * mapped one turn later, so that its memory can be fetched meanwhile. False: no memory. */
 static bool do_tile(build *b, front_scratch *scratch, front_tile *tile)
 {
     hide_fronts *fronts = b->fronts;
@@ -162,7 +162,7 @@ static bool do_tile(build *b, front_scratch *scratch, front_tile *tile)
     return waiting == ROBERTS_NONE || front_add(fronts, scratch, tile, waiting);
 }
 
-/* Culls a solid that was mapped and counted, and that solids after it hide. */
+/* Culls a solid that is mapped and counted already. */
 static void cull_late(hide_fronts *fronts, front_tile *tile, uint32_t s)
 {
     const scene_solid *solid = &fronts->scene->solid[s];
@@ -175,7 +175,7 @@ static void cull_late(hide_fronts *fronts, front_tile *tile, uint32_t s)
     }
 }
 
-/* Culls once more, when every cover is known. */
+/* Asks all solids of a tile again whether they are hidden, now that all covers are known. */
 static void cull_again(hide_fronts *fronts, const tiles *t, front_tile *tile)
 {
     for (uint32_t k = tile->first_whole; k < tile->whole; k++) {
@@ -195,7 +195,7 @@ static void cull_again(hide_fronts *fronts, const tiles *t, front_tile *tile)
     }
 }
 
-/* Enters all solids, round by round. False: no memory. */
+/* Adds the fronts of all solids, round by round. False: no memory. */
 static bool do_tiles(build *b)
 {
     tiles *t = &b->tiles;
@@ -218,7 +218,7 @@ static bool do_tiles(build *b)
     return true;
 }
 
-/* Brings the fronts first..end-1 that are left together, from *to on. */
+/* Moves those of the fronts first..end-1 that are not culled to *to and the places behind it. */
 static void close_up(hide_fronts *fronts, uint32_t first, uint32_t end, uint32_t *to)
 {
     for (uint32_t k = first; k < end; k++) {
@@ -234,7 +234,7 @@ static void close_up(hide_fronts *fronts, uint32_t first, uint32_t end, uint32_t
     }
 }
 
-/* ... of all tiles: whole fronts. */
+/* Closes the gaps between the whole fronts of all tiles. */
 static void close_up_wholes(hide_fronts *fronts, const tiles *t)
 {
     for (uint32_t i = 0; i < t->count; i++)
@@ -251,8 +251,8 @@ static size_t count_singles(const hide_fronts *fronts, const tiles *t)
     return count;
 }
 
-/* Adds single faces: those of convex solids, then those of other bodies, which are there already and may have to move.
- * False: no memory. */
+/* Adds the single faces behind the whole fronts: first those of convex solids, then those of other bodies. The latter
+ * are in the array already, but may have to move. False: no memory. */
 static bool add_singles(hide_fronts *fronts, const tiles *t)
 {
     uint32_t first = fronts->convex_count, end = first, to = fronts->whole_count;
@@ -278,8 +278,8 @@ static bool add_singles(hide_fronts *fronts, const tiles *t)
     return true;
 }
 
-/* Finds hide_fronts.thickest: a front's `depth` is below its farthest corner by as much as a point must be above a face
- * so as not to touch it. */
+/* Returns hide_fronts.thickest. A front's `depth` lies below its farthest corner by the distance from a face beyond
+ * which points do not touch it. */
 static double thickest(const hide_fronts *fronts)
 {
     double most = 0.0;
@@ -313,16 +313,16 @@ static uint32_t most_vertices(const roberts_scene *scene)
     return most;
 }
 
-/* Allocates the threads' arrays, with more room so that they lie apart; and the tables of bundles and runs, if a solid
- * can have them. False: no memory. */
+/* Allocates the arrays of the threads, with extra room so that they lie apart, and the tables of bundles and runs, if
+ * some solid can have any. False: no memory. */
 static bool alloc_scratch(build *b)
 {
     hide_fronts *fronts = b->fronts;
     const roberts_scene *scene = fronts->scene;
     uint32_t most = most_vertices(scene);
-    bool asked = scene->solid_count > 1 || b->looked_up; /* a face about an edge, or a point */
+    bool asked = scene->solid_count > 1 || b->looked_up; /* are the faces of a solid tested at all? */
     if (most > BUNDLE_FACES / 2 && asked && !bundle_table_init(&fronts->bundles, scene->face_count))
-        return false; /* a solid has fewer than twice as many faces as vertices */
+        return false; /* a solid has less than twice as many faces as vertices */
     if (most > RUNS_CORNERS && asked &&
         (!runs_table_init(&fronts->face_runs, scene->corner, scene->face_start[scene->face_count]) ||
          !runs_table_init(&fronts->outline_runs, fronts->outline, scene->vertex_count)))
@@ -347,14 +347,13 @@ static void free_scratch(build *b)
 
 /* ---- copies: fronts of solids at the very same place ---- */
 
-/* Knows which bits have been met, and which more than once. */
+/* Remembers which bits have been met once, and which more often. */
 typedef struct sieve {
     uint64_t *met, *again;
-    unsigned shift; /* from a key to its bit: the upper bits of a product are the mixed ones */
+    unsigned shift; /* key >> shift is the key's bit: the upper bits of a product are mixed best */
 } sieve;
 
-/* Do the fronts of two solids show the very same faces? Then they hide the same, and neither hides anything of the
- * other. */
+/* Do two whole fronts have exactly the same faces? Then they hide the same, and neither hides anything of the other. */
 static bool same_front(const hide_fronts *fronts, uint32_t a, uint32_t b)
 {
     const hide_whole_front *f = &fronts->whole[a], *g = &fronts->whole[b];
@@ -375,7 +374,7 @@ static bool same_front(const hide_fronts *fronts, uint32_t a, uint32_t b)
     return true;
 }
 
-/* A key that differs for most fronts that are no copies. */
+/* Returns a key that is different for most fronts that are not copies. */
 static uint32_t place_key(const hide_fronts *fronts, uint32_t front)
 {
     return bits_hash(&fronts->front_box[front], sizeof fronts->front_box[front]);
@@ -407,7 +406,8 @@ static bool sieve_again(const sieve *s, uint32_t key)
     return s->again[at >> 6] >> (at & 63) & 1;
 }
 
-/* Keeps the fronts that share their bit with another, ascending, and their keys. Returns their number. */
+/* Lists the fronts that share their bit with another, ascending, and moves their keys together. Returns their
+ * number. */
 static uint32_t sift(const hide_fronts *fronts, const sieve *s, uint32_t *front, uint32_t *key)
 {
     uint32_t count = 0;
@@ -419,9 +419,9 @@ static uint32_t sift(const hide_fronts *fronts, const sieve *s, uint32_t *front,
     return count;
 }
 
-/* Sets `listed` of the fronts of whole solids. One front is enough for all copies of a solid: a thousand copies would
- * cost a million comparisons. It is the one of smallest number, since a stable order of the keys brings copies
- * together. False: no memory. */
+/* Sets `listed` of the whole fronts. Of several copies only the one with the smallest number is listed: a thousand
+ * listed copies would cost a million tests. Sorting the keys in a stable way brings copies together. False: no
+ * memory. */
 static bool leave_out_copies(hide_fronts *fronts)
 {
     uint32_t count = fronts->front_count, last = ROBERTS_NONE;
@@ -481,7 +481,7 @@ static void count_convex(hide_fronts *fronts, uint32_t *other_faces)
             *other_faces += scene->solid[s + 1].face - scene->solid[s].face;
 }
 
-/* Only a part of most arrays is ever written, and memory that nobody touches costs nothing. */
+/* Only a part of most arrays is ever written. The rest costs no memory, because nobody touches it. */
 static bool alloc_fronts(hide_fronts *fronts)
 {
     const roberts_scene *scene = fronts->scene;
