@@ -1,42 +1,43 @@
-/* cells.c - see cells.h. The numbers below were found by counting instructions on lattices and cities; each is a
- * shallow optimum, off which a factor of two costs a tenth and a factor of ten a factor of three. */
+/* cells.c - see cells.h. The numbers below were found by counting instructions on lattices and cities. Each is near a
+ * flat optimum: a factor of two costs a tenth, a factor of ten costs a factor of three. */
 #include "hide/cells.h"
 
 #include <float.h>
 #include <math.h>
 
-/* Width of a list's cell in mean boxes: smaller cells make longer walks, larger ones longer lists. */
+/* Width of a list's cell in mean boxes. With smaller cells an edge crosses more of them; with larger ones lists are
+ * longer. */
 #define BOXES_PER_CELL 2.0
-/* List entries per box that the grid may come to, on average, before it is made coarser. */
+/* If the lists would have more entries per box than this, on average, the cells are made larger. ENTRIES_FREE entries
+ * do not count. */
 #define ENTRIES_PER_BOX 12.0
 #define ENTRIES_FREE 4096.0
-/* Polygons are slender if they fill less than this part of their boxes, and more than so many boxes lie over a point.
- */
+/* Polygons are slender if they fill less than this part of their boxes, and more boxes than this lie over a point. */
 #define SLENDER_FILLED 0.125
 #define SLENDER_DEPTH 64.0
-/* Entries per slender polygon at the most; and what an entry costs to make, in comparisons with one of a list. */
+/* The most list entries per slender polygon. What it costs to make an entry, as a number of entries passed over. */
 #define ENTRIES_PER_SLENDER 64.0
 #define COST_OF_ENTRY 16.0
-/* Width of a cover's cell in mean boxes: a cell that a front only crosses is not covered. */
+/* Width of a cover's cell in mean boxes. It is small because a cell that an outline crosses is not covered. */
 #define BOXES_PER_COVER_CELL 0.11
-/* The more boxes lie over one another, the more is gained by smaller cells: from this depth on they shrink with it. */
+/* The more boxes lie over one another, the more is gained by smaller cells. So they shrink from this depth on. */
 #define COVER_DEPTH_OF_SMALLER 40.0
 #define COVER_SHRINKING 0.3
 #define COVER_SMALLEST 0.3
 /* Mean number of boxes over a point of the picture from which covers pay. In flat scenes they cost a little. */
 #define COVER_DEPTH 2.5
-/* Cells per box, and cells that cost nothing to speak of. */
+/* The most cells per box. For covers, CELLS_FREE more cells cost next to nothing. */
 #define CELLS_PER_BOX 4.0
 #define COVER_CELLS_PER_BOX 32.0
 #define CELLS_FREE 65536.0
 /* Cells per side at the most, so that their numbers stay in 32 bits. */
 #define SIDE_MOST 16384.0
 
-/* Pieces that boxes are measured in, and how many boxes one thread measures by itself. */
+/* Boxes are measured in this many pieces; and up to how many boxes one thread measures them all. */
 #define PIECES 64
 #define MEASURED_BY_ONE 50000
 
-/* Sums over all boxes, each cut to the window, in parts of it. */
+/* Sums over all boxes, each cut to the window, as parts of it; and the size of the window. */
 typedef struct sizes {
     double w, h, area, width, height;
 } sizes;
@@ -56,8 +57,8 @@ static sizes measure_some(const hide_box *box, uint32_t count, double per_width,
     return s;
 }
 
-/* The pieces do not depend on the threads. If the window has no width or no height, all boxes are as wide or as high as
- * it. */
+/* Sums up the boxes. The pieces do not depend on the threads. If the window has no width (height), all boxes count as
+ * wide (high) as the window. */
 static sizes measure(const cells_boxes *b, int threads)
 {
     uint32_t count = b->count;
@@ -82,7 +83,7 @@ static sizes measure(const cells_boxes *b, int threads)
     return all;
 }
 
-/* Columns and rows for cells `boxes` mean boxes wide and high, `most` cells in all. */
+/* Finds columns and rows for cells that are `boxes` mean boxes wide and high, with `most` cells at the most. */
 static void divide(const sizes *s, uint32_t count, double boxes, double most, double *nx, double *ny)
 {
     *nx = lesser(SIDE_MOST, count / greater(s->w * boxes, 1e-9));
@@ -94,14 +95,14 @@ static void divide(const sizes *s, uint32_t count, double boxes, double most, do
     }
 }
 
-/* Entries of the lists of nx * ny cells: each polygon touches the cells along its box, and those that it fills. */
+/* Estimates the entries of the lists of nx * ny cells. A polygon has as many as its border and its area have cells. */
 static double entries(const sizes *s, uint32_t count, double filled, double nx, double ny)
 {
     return count + nx * s->w + ny * s->h + nx * ny * s->area * filled;
 }
 
-/* More columns and rows for slender polygons, as long as that pays: as many edges as polygons cross as many cells, and
- * pass over the list in each. */
+/* Finds more columns and rows for slender polygons. The cost is that of the entries, and that of the edges: suppose
+ * that there are as many edges as polygons, that they cross as many cells, and pass over the list in each. */
 static void divide_slender(const sizes *s, uint32_t boxes, double filled, double *nx, double *ny)
 {
     double count = boxes, least = INFINITY, shape = s->width > 0.0 && s->height > 0.0 ? s->width / s->height : 1.0;
@@ -151,7 +152,7 @@ scan_frame cells_for_covers(const cells_boxes *b, int threads)
     if (!(s.area > COVER_DEPTH) || !(s.width > 0.0) || !(s.height > 0.0))
         return (scan_frame){0};
     double smaller = s.area > COVER_DEPTH_OF_SMALLER ? pow(COVER_DEPTH_OF_SMALLER / s.area, COVER_SHRINKING) : 1.0;
-    smaller = greater(smaller, COVER_SMALLEST); /* each front enters all cells that it covers */
+    smaller = greater(smaller, COVER_SMALLEST); /* each front writes all cells that it covers */
     divide(&s, count, BOXES_PER_COVER_CELL * smaller, COVER_CELLS_PER_BOX * count + CELLS_FREE, &nx, &ny);
     return scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin);
 }

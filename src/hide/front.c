@@ -6,34 +6,33 @@
 #include "base/array.h"
 #include "hide/outline.h"
 
-/* Cells each way in a picture of n faces, about, are this times the root of n: see CELLS_PER_BOX in cells.c. */
+/* A picture of n faces has about this times the root of n columns of cells: see CELLS_PER_BOX in cells.c. */
 #define CELLS_PER_ROOT 2.0
-/* From this many cells (five or six mean boxes) across, a cover's depth is taken cell by cell and not once for all of
- * it. */
+/* A cover more cells across than this (five or six mean boxes) gets its depth cell by cell, not one for all cells. */
 #define COVER_WIDE 50.0
 
 /* The front faces of a solid. */
 typedef struct front_faces {
     hide_face *face; /* [count] */
     uint32_t count;
-    double reach, touch; /* the least and greatest of theirs */
-    double steepest;     /* least of -c */
+    double reach, touch; /* the least reach, the greatest touch */
+    double steepest;     /* the least -c of their planes */
     uint32_t back, edge_on;
 } front_faces;
 
-/* Along three axes. */
+/* Returns the sum of a box's three sides. */
 static double box_size(const hide_box *box)
 {
     return (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0) + (double)(box->z1 - box->z0);
 }
 
-/* Says how far a distance from the face's plane can be trusted: `touch` within the reach that is returned, `limit`
- * anywhere. The plane of a face of width w is known to about its rounding (and the face's own departure from it) at the
- * face, and to that times r / w at a distance r.
+/* Finds how far distances from the face's plane can be trusted: to `touch` within the reach that is returned, to
+ * `limit` everywhere. At the face, the error of the plane is about its rounding and the face's own departure from it.
+ * At a distance r it is r / w times that, for a face of width w.
  *
- * The departure of a face that is not narrow is left out of the reach. All that is asked of its plane beyond the face
- * is whether what lies behind its solid lies behind the plane, and a sight line only gets deeper behind both. So the
- * plane need only hold for the solid itself, and that it does, to about the departure. */
+ * The reach does not count the departure of a face that is not narrow. Far from the face, the plane is only asked
+ * whether what lies behind the solid lies behind the plane. Since a sight line only gets deeper behind both, the plane
+ * must be right only where the solid is. There its error is about the departure. */
 static double set_trust(const hide_fronts *fronts, uint32_t solid, uint32_t face, double stretch, hide_face *f)
 {
     const view *v = &fronts->seen->view;
@@ -57,12 +56,12 @@ static double set_trust(const hide_fronts *fronts, uint32_t solid, uint32_t face
     return width * (0.5 * (v->epsilon + departure) / (PLANE_ROUNDINGS * v->rounding + departure) - 1.0);
 }
 
-/* Classifies the solid's faces and collects its front faces, from the tile's place on.
+/* Finds the facing of the solid's faces, and stores the front faces at the tile's place.
  *
- * A face whose corners lie beside its plane is front or back as its fitted plane says, also where the eye is within a
- * few departures of that plane. Its picture is a sliver then: how the corners are rounded decides which side is seen,
- * and what is hidden along the sliver. Both answers are right. To call all such faces edge-on instead was tried on
- * 1,500 brick walls: edges that are seen were lost, and which ones depended on the order of the vertices. */
+ * The fitted plane alone decides whether a face is front or back, even if corners lie beside the plane and the eye is
+ * within a few departures of it. The picture of such a face is a sliver, and the rounding of its corners decides which
+ * side is seen and what is hidden along the sliver. Both answers are right. Calling all such faces edge-on was tried on
+ * 1,500 brick walls: it lost visible edges, and the order of the vertices decided which ones. */
 static front_faces find_faces(hide_fronts *fronts, front_tile *tile, uint32_t solid)
 {
     const roberts_scene *scene = fronts->scene;
@@ -96,13 +95,14 @@ BITS_INLINE hide_bounds bounds_of(const hide_fronts *fronts, const uint32_t *cor
     return own;
 }
 
-/* About how many cells of the lists a box meets along one axis, of a window that is `window` long. */
+/* Estimates how many cells of the lists a box meets along one axis. window: length of the window along that axis. */
 static double cells_along(const hide_fronts *fronts, double length, double window)
 {
     return 1.0 + (window > 0.0 ? CELLS_PER_ROOT * sqrt(fronts->scene->face_count) * length / window : 0.0);
 }
 
-/* Do the faces lie across one another's boxes, or very many of them in one cell? (`box` is that of the solid.) */
+/* Should the faces become a bundle, because their boxes overlap, or because very many lie in one cell? box: that of the
+ * solid. */
 static bool is_bundle(const hide_fronts *fronts, const front_faces *found, const hide_box *box)
 {
     double width = (double)(box->x1 - box->x0), height = (double)(box->y1 - box->y0), area = 0.0;
@@ -119,7 +119,7 @@ static bool is_bundle(const hide_fronts *fronts, const front_faces *found, const
     return area > DEPTH_OF_BUNDLE * width * height;
 }
 
-/* Each of the faces as a front of its own. */
+/* Makes each front face a front. False: no memory. */
 static bool add_single_fronts(const hide_fronts *fronts, front_tile *tile, uint32_t solid, const front_faces *found)
 {
     uint32_t piece = fronts->scene->solid[solid].face;
@@ -138,7 +138,7 @@ static bool add_single_fronts(const hide_fronts *fronts, front_tile *tile, uint3
     return true;
 }
 
-/* Enters the faces of a body that is not convex, each piece that is not edge-on by itself. */
+/* Makes each face of a body that is not convex a front, unless it is edge-on. */
 static BITS_RARE void add_surface(hide_fronts *fronts, front_tile *tile, uint32_t body)
 {
     const roberts_scene *scene = fronts->scene;
@@ -174,7 +174,7 @@ void hide_make_face(const hide_fronts *fronts, uint32_t solid, uint32_t piece, h
     set_trust(fronts, solid, piece, look.stretch, &to->face);
 }
 
-/* The runs of the faces and of the outline, of those that have many corners. False: no memory. */
+/* Makes runs for those of the faces and the outline that have many corners. False: no memory. */
 static bool enter_runs(hide_fronts *fronts, const front_faces *found, const uint32_t *outline, uint32_t corners)
 {
     if (!fronts->face_runs.at)
@@ -200,8 +200,8 @@ static bool is_wide(const hide_fronts *fronts, const hide_box *box)
     return (double)(box->x1 - box->x0) > COVER_WIDE * f->dx || (double)(box->y1 - box->y0) > COVER_WIDE * f->dy;
 }
 
-/* Enters the faces of a solid that is not entered as a whole, and the runs of its polygons. bundled: the faces become a
- * bundle. False: no memory. */
+/* Makes fronts, or a bundle, of the faces of a solid that is no front as a whole. Makes their runs too. False: no
+ * memory. */
 static BITS_RARE bool enter_faces(hide_fronts *fronts, front_tile *tile, uint32_t solid, const front_faces *found,
                                   bool bundled)
 {
@@ -218,10 +218,10 @@ static void count_faces(front_tile *tile, const front_faces *found)
     tile->edge_on += found->edge_on;
 }
 
-/* The hull in place of an outline that is not convex; 0 where it cannot be trusted. Face by face such a front would
- * hide too little: what is seen nearly edge-on is a sliver of the picture. As one front it is right to within what the
- * solid departs from a convex one: no point of the solid lies farther than that before the plane of a face, and a sight
- * line behind the solid only gets deeper behind all planes. */
+/* Finds the hull of the solid in the picture, which replaces an outline that is not convex. Returns its corners; 0: it
+ * cannot be trusted. Face by face the solid would hide too little, because faces that are nearly edge-on are slivers.
+ * As one front it is right up to the solid's departure from a convex one: no point of the solid is farther than that in
+ * front of a face's plane, and a sight line behind the solid only gets deeper behind all planes. */
 static uint32_t convex_hull(const hide_fronts *fronts, uint32_t solid, uint32_t *order, uint32_t *outline, double width)
 {
     uint32_t corners = outline_hull(fronts, solid, order, outline);
@@ -250,11 +250,10 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
     double size = box_size(box);
     double reach = found.reach - size;
     if (reach > 6.0 * fronts->seen->view.extent)
-        reach = INFINITY; /* nothing is farther away, along three axes */
-    /* By how much nearer than the front's farthest corner a point must be to count as touching it. Nothing of a front
-     * is farther than the farthest corner of its outline, since its depth is a concave function; a point that much
-     * behind it that it is behind each face by more than `touch` is certainly hidden, wherever it is inside the
-     * outline. */
+        reach = INFINITY; /* no two points of the scene are farther apart */
+    /* No point of a front is farther than the farthest corner of its outline, because its depth is a concave function.
+     * A point that is deeper than that corner by more than `slack` is behind every face by more than `touch`. So it is
+     * certainly hidden wherever it is inside the outline. */
     double slack = 2.0 * (found.touch + hide_margin(&fronts->space)) / found.steepest;
     double depth = corners ? farthest(fronts, outline, corners) : -INFINITY;
     hide_whole_front front = {.reach = reach,

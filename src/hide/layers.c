@@ -9,14 +9,14 @@
 #include "base/bits.h"
 #include "base/threads.h"
 
-/* Edges that a thread takes at a time; with fewer than this a thread costs more than it does. */
+/* Edges that a thread takes at a time. With fewer edges than WORTH_A_THREAD for each, another thread does not pay. */
 #define EDGES_AT_ONCE 4096
 #define WORTH_A_THREAD 8192
-/* Where in a cell its sheets are counted, in parts of it: not where regular meshes have their edges. */
+/* Where in a cell its sheets are counted, as parts of its size. Regular meshes have no edges there. */
 #define ACROSS_CELL 0.43709
 #define UP_CELL 0.56173
 
-/* Floats as numbers that ascend as they do; 0 is below all of them. */
+/* Returns a number that ascends as z does, and is greater than 0. */
 static uint32_t rank_of(float z)
 {
     uint32_t bits;
@@ -32,7 +32,7 @@ static float of_rank(uint32_t rank)
     return rank == 0 ? -INFINITY : z;
 }
 
-/* What is nowhere nearer than z in the cell is no sheet. */
+/* Notes a fold in the cell that is nowhere nearer than z: sheets must be nearer. */
 static void fold_cell(const layers *l, uint32_t column, uint32_t row, float z)
 {
     atomic_uint *fold = &l->fold[(size_t)column * l->grid->frame.ny + row];
@@ -41,7 +41,7 @@ static void fold_cell(const layers *l, uint32_t column, uint32_t row, float z)
     }
 }
 
-/* All cells of a box. */
+/* Notes a fold in all cells of a box. */
 static void fold_box(const layers *l, const hide_box *box, double loose)
 {
     const scan_frame *s = &l->grid->frame;
@@ -75,7 +75,7 @@ static inline bool joins_faces(const unsigned char *facing, const scene_edge *ed
     return f != VIEW_EDGE_ON && g != VIEW_EDGE_ON && (f == g) == turned;
 }
 
-/* The body of an edge of the scene. */
+/* Returns the body of an edge of the scene. */
 static uint32_t body_of_edge(const roberts_scene *scene, uint32_t edge)
 {
     uint32_t low = 0, high = scene->solid_count;
@@ -89,7 +89,7 @@ static uint32_t body_of_edge(const roberts_scene *scene, uint32_t edge)
     return low;
 }
 
-/* Folds of the edges first..end-1, of bodies that are not convex. False: no memory. */
+/* Notes the folds among the edges first..end-1, as far as their bodies are not convex. False: no memory. */
 static bool fold_edges(const layers *l, objet_walk *walk, uint32_t first, uint32_t end)
 {
     const roberts_scene *scene = l->fronts->scene;
@@ -109,7 +109,7 @@ static bool fold_edges(const layers *l, objet_walk *walk, uint32_t first, uint32
     return true;
 }
 
-/* Where a front is anything but a triangle of a surface, there are no sheets. */
+/* Notes all fronts as folds that are not triangles of a surface. */
 static void fold_fronts(const layers *l)
 {
     const hide_fronts *fronts = l->fronts;
@@ -140,7 +140,7 @@ static bool fold_all(const layers *l)
     return !lost;
 }
 
-/* Is the point in the triangle: 1, or outside: 0? -1: too near to a side. */
+/* Is the point (x, y) inside the triangle (1) or outside (0)? -1: it is too near to a side to say. */
 static int holds(const hide_fronts *fronts, uint32_t front, double x, double y)
 {
     uint32_t turned[SEEN_TURNED];
@@ -156,21 +156,22 @@ static int holds(const hide_fronts *fronts, uint32_t front, double x, double y)
     return 1;
 }
 
-/* Faces of a cell that no gap in depth parts. */
+/* A part of a cell's faces: see layers.h. */
 typedef struct part {
-    float depth; /* of the farthest corner */
+    float depth; /* of its farthest corner */
     uint32_t sheets;
 } part;
 
-/* All that is deeper than `depth` lies behind the nearest sheet of the cell; what is nearer than `below` lies in it. */
+/* Notes the nearest sheet of a cell: everything deeper than `depth` lies behind it, and every line nearer than `below`
+ * lies in it. */
 static void set_sheet(objet *grid, size_t cell, double depth, float below)
 {
     grid->sheet.depth[cell] = hide_float_below(depth);
     grid->below[cell] = below;
 }
 
-/* The sheets of a cell, nearest first, as far as nothing else lies that near. Behind the first sheet only scenes whose
- * hidden lines are wanted are looked at. */
+/* Goes through the parts of the cell, nearest first, until one is no sheet. Unless hidden lines are wanted, the first
+ * sheet is enough. */
 void layers_find(const layers *l, uint32_t column, uint32_t row)
 {
     objet *grid = l->grid;

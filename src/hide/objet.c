@@ -9,10 +9,10 @@
 #include "base/threads.h"
 #include "hide/layers.h"
 
-/* With fewer fronts or cells than this a thread costs more than it does. */
+/* With fewer fronts than this for each, another thread does not pay. */
 #define WORTH_A_THREAD 8192
 
-/* What each thread has for itself. */
+/* Memory of one thread. */
 typedef struct lister {
     scan s;
     sort_item *item; /* [room] */
@@ -20,7 +20,7 @@ typedef struct lister {
     char apart[THREADS_APART];
 } lister;
 
-/* The filling of the grid. */
+/* What all threads share while the grid is filled. */
 typedef struct filling {
     objet *grid;
     const hide_fronts *fronts;
@@ -28,7 +28,7 @@ typedef struct filling {
     int threads;
 } filling;
 
-/* Adds one to a count that other threads may change as well. Returns the count before. */
+/* Adds one to a count that other threads may change too. Returns the count before. */
 static inline uint32_t count_one(uint32_t *cell, bool alone)
 {
     uint32_t before;
@@ -41,8 +41,8 @@ static inline uint32_t count_one(uint32_t *cell, bool alone)
     return before;
 }
 
-/* Counts the front at every cell that it touches or, with `fill`, lists it there. If its box has at most two columns
- * and two rows, the box stands for the polygon. */
+/* Counts the front in every cell that it touches or, with `fill`, lists it there. If its box meets at most two columns
+ * and two rows, the front is listed in all their cells. */
 static void list_front(const filling *job, uint32_t index, scan *s, bool fill)
 {
     objet *grid = job->grid;
@@ -75,7 +75,7 @@ static void list_front(const filling *job, uint32_t index, scan *s, bool fill)
     }
 }
 
-/* Counts all fronts, or lists them in any order. They are sorted later. */
+/* Counts all fronts, or lists them, in any order. The lists are sorted later. */
 static void list_all(const filling *job, bool fill)
 {
     const hide_fronts *fronts = job->fronts;
@@ -87,7 +87,7 @@ static void list_all(const filling *job, bool fill)
             list_front(job, k, &job->lister[thread_self()].s, fill);
 }
 
-/* Turns counts into places: start[cell] becomes the first place of the cell's list. False: no memory. */
+/* Replaces counts by places: start[cell] becomes the first place of the cell's list. False: no memory. */
 static bool sum_counts(objet *grid)
 {
     size_t total = 0, cells = scan_cells(&grid->frame);
@@ -104,7 +104,7 @@ static bool sum_counts(objet *grid)
     return grid->entry != NULL;
 }
 
-/* Puts each start back. Filling has moved it to its list's end, which is the start of the next list. */
+/* Moves each start back. Filling has moved it to the end of its list, where the next list starts. */
 static void restore_starts(objet *grid)
 {
     size_t cells = scan_cells(&grid->frame);
@@ -149,7 +149,7 @@ static bool sort_lists(const filling *job, const layers *sheets)
     return !lost;
 }
 
-/* Fills `next`, from the end of each list. False: no memory. */
+/* Fills `next`, beginning at the end of each list. False: no memory. */
 static bool link_lists(objet *grid, const hide_fronts *fronts)
 {
     size_t cells = scan_cells(&grid->frame);
@@ -224,7 +224,7 @@ void objet_free(objet *grid)
     *grid = (objet){0};
 }
 
-/* box_clip(), called only if an end is outside. */
+/* Does what box_clip() does, and calls it only if an end lies outside. */
 static void clip_slab(double a, double b, double low, double high, double *t0, double *t1)
 {
     if (lesser(a, b) < low || greater(a, b) > high)
