@@ -76,6 +76,8 @@ static const body_case cases[] = {
      "10 0 1 2 3 0 4 5 6 7 4\n4 8 9 10 11\n",
      TOP, "oo", 0, 12 + 4 + 2, 0, 0, false, false},
     {"a wire", "OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 1\n", TOP, "o", 0, 0, 0, 1, false, false},
+    {"wires that meet, alone", "OFF\n5 3 0\n0 0 0\n1 0 0\n0.5 0 0\n0.5 1 0\n2 1 0\n2 0 1\n2 2 3\n2 3 4\n", TOP, "o", 0,
+     0, 0, 3.5, false, false},
     {"a wire before a sheet and behind it",
      "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 -0.5 1\n0.5 1.5 -1\n4 0 1 2 3\n2 4 5\n", TOP, "oo", 0, 4, 0, 1.5,
      false, false},
