@@ -82,18 +82,22 @@ static void tell_hulls(const cli_options *options, const roberts_scene *scene)
     fputs(hulls > told ? " ...\n" : "\n", options->log);
 }
 
-/* Says how many bodies are of each kind; nothing if all are convex. */
+/* Says of which kinds the bodies are; nothing if all are convex. */
 static void tell_kinds(const cli_options *options, const roberts_scene *scene)
 {
+    static const char *const names[] = {
+        [ROBERTS_CONVEX] = "convex", [ROBERTS_CLOSED] = "closed but not convex", [ROBERTS_OPEN] = "open"};
     char name[NAME_SIZE];
-    size_t of[ROBERTS_OPEN + 1] = {0};
+    size_t of[ROBERTS_OPEN + 1] = {0}, told = 0;
     for (uint32_t s = 0; s < roberts_scene_solid_count(scene); s++)
         of[roberts_scene_body_kind(scene, s)]++;
     if (of[ROBERTS_CLOSED] + of[ROBERTS_OPEN] == 0)
         return;
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
-    fprintf(options->log, "%zu convex, %zu closed but not convex, %zu open\n", of[ROBERTS_CONVEX], of[ROBERTS_CLOSED],
-            of[ROBERTS_OPEN]);
+    for (size_t kind = 0; kind <= ROBERTS_OPEN; kind++)
+        if (of[kind] > 0)
+            fprintf(options->log, "%s%zu %s", told++ ? ", " : "bodies: ", of[kind], names[kind]);
+    fputc('\n', options->log);
 }
 
 /* Says that flat edges of curved bodies are left out, unless --crease, --all-edges or --quiet is given. */
@@ -118,15 +122,27 @@ static void tell_curved(const cli_options *options, const roberts_scene *scene)
 static void tell_scene(const cli_options *options, const roberts_scene *scene, const run_stats *run)
 {
     char name[NAME_SIZE];
-    size_t solids = roberts_scene_solid_count(scene);
+    const size_t bodies = roberts_scene_solid_count(scene);
     message_open(options->log);
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
-    fprintf(options->log, "%zu solid%s, %zu vertices, %zu faces; %.3f s\n", solids, solids == 1 ? "" : "s",
-            run->vertices, run->faces, run->read.wall + run->solids.wall);
+    fprintf(options->log, "%zu bod%s, %zu vertices, %zu face%s", bodies, bodies == 1 ? "y" : "ies", run->vertices,
+            run->faces, run->faces == 1 ? "" : "s");
+    if (run->lines > 0)
+        fprintf(options->log, ", %zu points and lines", run->lines);
+    fprintf(options->log, "; %.3f s\n", run->read.wall + run->solids.wall);
     tell_kinds(options, scene);
     if (options->scene.hull)
         tell_hulls(options, scene);
     message_close(options->log);
+}
+
+/* Counts the elements of one corner or two. */
+static size_t count_lines(const roberts_mesh *mesh)
+{
+    size_t count = 0;
+    for (size_t f = 0; f < mesh->face_count; f++)
+        count += mesh->face_start[f + 1] - mesh->face_start[f] - 1 < 2;
+    return count;
 }
 
 /* Reads the inputs and builds the scene. The mesh is released on the way. */
@@ -139,9 +155,11 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     progress_stage("reading");
     roberts_status status = read_all(options, &mesh, error);
     run->read = report_since(start);
+    if (status == ROBERTS_OK && options->verbose)
+        run->lines = count_lines(&mesh);
     if (status == ROBERTS_OK) {
         start = report_now();
-        progress_stage("finding the solids");
+        progress_stage("finding the bodies");
         status = roberts_scene_take(&mesh, &solids, scene, error);
         run->solids = report_since(start);
         if (status != ROBERTS_OK)
@@ -152,6 +170,8 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
         return status;
     run->vertices = roberts_scene_vertex_count(*scene);
     run->faces = roberts_scene_face_count(*scene);
+    run->pieces = roberts_scene_piece_count(*scene);
+    run->edges = roberts_scene_edge_count(*scene);
     if (options->verbose)
         tell_scene(options, *scene, run);
     tell_curved(options, *scene);
@@ -229,6 +249,12 @@ static roberts_status hide_all(const cli_options *options, const roberts_scene *
     return status;
 }
 
+/* Whether what is written asks the scene for the faces of edges. */
+static bool is_table(const cli_options *options)
+{
+    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
+}
+
 /* What messages call the drawing. */
 static const char *name_output(const cli_options *options, char *name, size_t size)
 {
@@ -245,6 +271,20 @@ static void warn_near(const cli_options *options, const roberts_scene *scene, vi
         return;
     message_warning(options->log, name_output(options, name, sizeof name), 0, why);
     v->explained = true;
+}
+
+/* Options without effect on these bodies or these lines. A picture of a turntable may have lines that others do not. */
+static void warn_idle(const cli_options *options, const roberts_scene *scene, const views *v)
+{
+    char text[256], name[NAME_SIZE];
+    const bool page = options->draw.format != ROBERTS_NULL && !is_table(options);
+    if (options->quiet || options->turntable > 0)
+        return;
+    if (options->hide.unite && hint_idle_union(scene))
+        message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0,
+                        "--union has no effect: no body is closed");
+    if (page && hint_idle_pens(options, v->drawing, v->count, text, sizeof text))
+        message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0, text);
 }
 
 static void free_views(views *v)
@@ -307,10 +347,18 @@ static void tell(const cli_options *options, const run_stats *run, const views *
     message_close(options->log);
 }
 
-/* Whether what is written asks the scene for the faces of edges. */
-static bool is_table(const cli_options *options)
+/* Writes the visible regions, if they are wanted. */
+static roberts_status save_regions(const cli_options *options, const roberts_scene *scene, roberts_error *error)
 {
-    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
+    roberts_region_list regions;
+    if (!options->regions)
+        return ROBERTS_OK;
+    progress_stage("finding the visible regions");
+    roberts_status status = roberts_regions(scene, &options->camera, &options->hide, &regions, error);
+    if (status == ROBERTS_OK)
+        status = roberts_regions_save(&regions, &options->draw, options->regions, error);
+    roberts_regions_free(&regions);
+    return status;
 }
 
 /* Makes one picture. Before the last one is written the scene is released, unless a table needs it. Returns the exit
@@ -323,6 +371,10 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     roberts_status status = hide_all(options, *scene, &v, &run, &error);
     if (status == ROBERTS_OK)
         warn_near(options, *scene, &v);
+    if (status == ROBERTS_OK)
+        warn_idle(options, *scene, &v);
+    if (status == ROBERTS_OK)
+        status = save_regions(options, *scene, &error);
     if (last && !is_table(options)) {
         roberts_scene_free(*scene);
         *scene = NULL;

@@ -25,19 +25,20 @@
 #include <unistd.h>
 
 #include "base/error.h"
-#include "draw/cairo.h"
+#include "draw/formats.h"
 #include "draw/output.h"
 #include "draw/page.h"
+#include "draw/region_table.h"
 #include "draw/strokes.h"
-#include "draw/svg.h"
 #include "draw/table.h"
 
 /* ---- formats, and any of them to a function ---- */
 
-/* What is written: one of the two; the other is NULL. */
+/* What is written: one of these; the others are NULL. */
 typedef struct subject {
     const roberts_drawing *drawing;
     const roberts_sheet *sheet;
+    const roberts_region_list *regions;
 } subject;
 
 static const double widest_gap = 1000.0; /* mm, between the views of a sheet */
@@ -46,8 +47,10 @@ static const struct {
     const char *name; /* also the ending of file names */
     roberts_format format;
 } formats[] = {
-    {"svg", ROBERTS_SVG}, {"pdf", ROBERTS_PDF}, {"ps", ROBERTS_PS},     {"eps", ROBERTS_EPS},
-    {"png", ROBERTS_PNG}, {"csv", ROBERTS_CSV}, {"json", ROBERTS_JSON}, {"null", ROBERTS_NULL},
+    {"svg", ROBERTS_SVG},   {"pdf", ROBERTS_PDF},   {"ps", ROBERTS_PS},    {"eps", ROBERTS_EPS},
+    {"png", ROBERTS_PNG},   {"tikz", ROBERTS_TIKZ}, {"tex", ROBERTS_TIKZ}, {"dxf", ROBERTS_DXF},
+    {"hpgl", ROBERTS_HPGL}, {"plt", ROBERTS_HPGL},  {"csv", ROBERTS_CSV},  {"json", ROBERTS_JSON},
+    {"null", ROBERTS_NULL},
 };
 
 /* Ignores the case of letters A to Z, whatever the locale. */
@@ -157,6 +160,26 @@ static roberts_status check_segments(const roberts_drawing *drawing, roberts_err
     return ROBERTS_OK;
 }
 
+static page_writer *writer_of(roberts_format format)
+{
+    switch (format) {
+    case ROBERTS_SVG:
+        return svg_write;
+    case ROBERTS_PDF:
+        return pdf_write;
+    case ROBERTS_PNG:
+        return image_write;
+    case ROBERTS_TIKZ:
+        return tikz_write;
+    case ROBERTS_DXF:
+        return dxf_write;
+    case ROBERTS_HPGL:
+        return hpgl_write;
+    default:
+        return surface_write;
+    }
+}
+
 static roberts_status write_page(const subject *what, const roberts_draw_options *options, output *out,
                                  roberts_error *error)
 {
@@ -164,7 +187,7 @@ static roberts_status write_page(const subject *what, const roberts_draw_options
     roberts_status status = what->sheet ? strokes_make_sheet(&s, what->sheet, options, error)
                                         : strokes_make(&s, what->drawing, options, error);
     if (status == ROBERTS_OK)
-        status = options->format == ROBERTS_SVG ? svg_write(&s, out, error) : surface_write(&s, out, error);
+        status = writer_of(options->format)(&s, out, error);
     if (status == ROBERTS_OK && options->ink)
         *options->ink = strokes_measure(&s);
     strokes_free(&s);
@@ -186,12 +209,19 @@ static roberts_status write_table(const subject *what, const roberts_draw_option
 static roberts_status write_format(const subject *what, const roberts_draw_options *options, output *out,
                                    roberts_error *error)
 {
+    if (what->regions) {
+        region_table_write(what->regions, out);
+        return ROBERTS_OK;
+    }
     switch (options->format) {
     case ROBERTS_SVG:
     case ROBERTS_PDF:
     case ROBERTS_PS:
     case ROBERTS_EPS:
     case ROBERTS_PNG:
+    case ROBERTS_TIKZ:
+    case ROBERTS_DXF:
+    case ROBERTS_HPGL:
         return write_page(what, options, out, error);
     case ROBERTS_CSV:
     case ROBERTS_JSON:
@@ -205,6 +235,8 @@ static roberts_status write_format(const subject *what, const roberts_draw_optio
 static roberts_status check_subject(const subject *what, roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
+    if (what->regions)
+        return ROBERTS_OK;
     if (!what->sheet)
         return check_segments(what->drawing, error);
     if (!(what->sheet->gap_mm >= 0.0 && what->sheet->gap_mm <= widest_gap))
@@ -512,4 +544,16 @@ roberts_status roberts_sheet_save(const roberts_sheet *sheet, const roberts_draw
                                   roberts_error *error)
 {
     return save(&(subject){.sheet = sheet}, options, path, error);
+}
+
+roberts_status roberts_regions_save(const roberts_region_list *regions, const roberts_draw_options *options,
+                                    const char *path, roberts_error *error)
+{
+    roberts_draw_options own = roberts_draw_options_default();
+    own.format = ROBERTS_JSON;
+    if (options) {
+        own.temporary = options->temporary;
+        own.temporary_context = options->temporary_context;
+    }
+    return save(&(subject){.regions = regions}, &own, path, error);
 }

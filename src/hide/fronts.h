@@ -66,6 +66,9 @@ typedef struct hide_fronts {
 /* Maps what is seen and makes its fronts. Of the options the number of threads counts, and whether hidden lines are
  * kept: if not, solids that are wholly hidden are left out. False: no memory, and `fronts` is empty. */
 bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options *options);
+
+/* The same. looked_up: who is seen at a point will be asked, also where hidden lines are not kept. */
+bool hide_fronts_build_for_looks(hide_fronts *fronts, seen *s, const roberts_hide_options *options, bool looked_up);
 void hide_fronts_free(hide_fronts *fronts);
 
 /* Releases the boxes of solids: edges ask those of fronts only. */
