@@ -39,8 +39,10 @@ static void write_name(output *out, uint32_t code, const char *before, const cha
 {
     write_code(out, code);
     output_text(out, before);
-    for (; *name; name++)
-        output_bytes(out, &(char){*name >= 'a' && *name <= 'z' ? (char)(*name - 'a' + 'A') : *name}, 1);
+    for (; *name; name++) {
+        const char letter = *name >= 'a' && *name <= 'z' ? (char)(*name - 'a' + 'A') : *name;
+        output_bytes(out, &letter, 1);
+    }
     output_bytes(out, "\n", 1);
 }
 
