@@ -82,8 +82,12 @@ static void color_of(int number, double rgb[3])
                                                {128, 128, 128}, {192, 192, 192}};
     static const double gray[6] = {51, 80, 105, 130, 190, 255}, level[5] = {255, 165, 127, 76, 38};
     for (int i = 0; i < 3; i++) {
-        if (number < 10 || number >= 250) {
-            rgb[i] = number < 10 ? fixed[number][i] : gray[number - 250];
+        if (number < 10) {
+            rgb[i] = fixed[number][i];
+            continue;
+        }
+        if (number >= 250) {
+            rgb[i] = gray[number - 250];
             continue;
         }
         int away = abs(number / 10 * 15 - 15 - i * 120) % 360; /* degrees from the hue of red, green or blue */
