@@ -124,8 +124,8 @@ static bool meet_solids(finder *t, uint32_t a, uint32_t b)
     const hide_fronts *fronts = t->fronts;
     const hide_front *f = &fronts->front[a], *g = &fronts->front[b];
     const hide_box *p = &fronts->front_box[a], *q = &fronts->front_box[b];
-    if ((scene_is_convex(fronts->scene, f->solid) && edge_crossings_apart(fronts, f->solid, g->solid)) ||
-        (scene_is_convex(fronts->scene, g->solid) && edge_crossings_apart(fronts, g->solid, f->solid)))
+    if ((scene_is_convex(fronts->scene, f->solid) && bodies_are_apart(fronts, f->solid, g->solid)) ||
+        (scene_is_convex(fronts->scene, g->solid) && bodies_are_apart(fronts, g->solid, f->solid)))
         return true;
     return list_faces(fronts, f, q, &t->list[0]) && list_faces(fronts, g, p, &t->list[1]) &&
            face_lists_meet(t->list, (uint32_t[]){f->solid, g->solid}, &(face_taker){meet_pair, t, 0});
