@@ -368,6 +368,12 @@ static const struct {
     {"--unit in", "--unit has no effect: the drawing is fitted on the page, and not true to --scale\n"},
     {"--unit in --scale 1:1", ""},
     {"--dpi 300", "--dpi has no effect: only png has a resolution\n"},
+    {"--layers numbered -f pdf", "--layers has no effect: only layers of svg are numbered\n"},
+    {"--background red -f dxf", "--background has no effect: dxf has no background\n"},
+    {"--background red -f hpgl", "--background has no effect: hpgl has no background\n"},
+    {"--style crease:width=1 -f dxf", "the width of a pen has no effect: dxf has no widths of lines\n"},
+    {"--style crease:width=1 --style outline:color=red -f hpgl", ""},
+    {"--style outline:color=red -f dxf", ""},
     {"--dpi 20 -o in/a.png", ""},
     {"--style hidden:color=red", "--style hidden has no effect: hidden lines are not drawn without --hidden dashed or "
                                  "solid\n"},
