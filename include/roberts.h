@@ -479,6 +479,41 @@ roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camer
                                  const roberts_hide_options *options, const roberts_receiver *each,
                                  roberts_drawing *summary, roberts_error *error);
 
+/* ---- regions: what is seen of each face ------------------------------------------------------------------------ */
+
+/** What is seen of one face. Its rings bound it: each runs round one piece of it counter-clockwise in the picture, or
+ * round a hole in the piece before, clockwise. */
+typedef struct roberts_region {
+    uint32_t solid; /**< number of the body */
+    uint32_t face;  /**< number of the face in the input; ROBERTS_NONE: a hull's, or where the near plane cuts */
+    size_t first_ring, ring_count;
+    double area;         /**< in the picture, model units squared */
+    double z_min, z_max; /**< how near the viewer its farthest and its nearest point are, as z0 in roberts_segment */
+    roberts_color color; /**< the face's, as in the input */
+} roberts_region;
+
+/** The visible regions of all faces: they tile the picture's shadow, without gaps and without overlaps. */
+typedef struct roberts_region_list {
+    size_t count, ring_count, corner_count;
+    roberts_region *region; /**< [count] by solid, then by face */
+    size_t *ring_start;     /**< [ring_count + 1] ring r has corners corner[ring_start[r]] .. [ring_start[r + 1] - 1] */
+    roberts_vec2 *corner;   /**< [corner_count] of the picture, model units */
+} roberts_region_list;
+
+/**
+ * Finds what is seen of each face of `scene`. A point of the picture belongs to the face that the viewer sees there; of
+ * several that touch there, to that of the smallest solid, and then to the smallest face.
+ * options  NULL for the defaults; epsilon, grid and threads count, and which edges are drawn does not
+ * out      owned by the caller, released by roberts_regions_free(); empty on failure
+ * Corners are the points at which visible lines end or meet, also lines that the creases leave out. Regions that lie
+ * side by side have the very same corners between them. A ring may touch itself in a corner, but does not cross itself.
+ * What is narrower than a few epsilon is no region. Neither grid nor threads change the result. Returns ROBERTS_OK,
+ * _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT.
+ */
+roberts_status roberts_regions(const roberts_scene *scene, const roberts_camera *camera,
+                               const roberts_hide_options *options, roberts_region_list *out, roberts_error *error);
+void roberts_regions_free(roberts_region_list *regions);
+
 /* ---- ray: rays against shapes -------------------------------------------------------------------------------- */
 
 /* What these have in common. A ray is the points S + t v with t >= 0; v has any length but 0, and t counts in lengths
@@ -809,6 +844,15 @@ roberts_status roberts_drawing_write(const roberts_drawing *drawing, const rober
  * closed pipe is an error like others.
  */
 roberts_status roberts_drawing_save(const roberts_drawing *drawing, const roberts_draw_options *options,
+                                    const char *path, roberts_error *error);
+
+/**
+ * Writes regions into a file as roberts_drawing_save() does ("-" is standard output): a JSON array with one object for
+ * each region, which has body, face (null: not in the input), area, z0, z1 (z_min, z_max), color (null or an array) and
+ * rings (arrays of [x, y]). Of `options`, which may be NULL, only `temporary` counts. Returns ROBERTS_OK, _NO_MEMORY or
+ * _IO.
+ */
+roberts_status roberts_regions_save(const roberts_region_list *regions, const roberts_draw_options *options,
                                     const char *path, roberts_error *error);
 
 /* ---- draw: sheets, several views on one page ------------------------------------------------------------------- */

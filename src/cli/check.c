@@ -104,6 +104,10 @@ int check_format(const cli_options *options)
     if (options->is_sheet && (format == ROBERTS_CSV || format == ROBERTS_JSON))
         return message_misuse("--sheet makes a page, not a table: choose another format than %s",
                               values_format_name(format));
+    if (options->regions && strcmp(options->regions, "-") == 0 && strcmp(options->output, "-") == 0 &&
+        format != ROBERTS_NULL)
+        return message_misuse("--regions: the drawing goes to standard output: name a file, or write no drawing with "
+                              "-f null");
     if (is_binary && !options->batch && strcmp(options->output, "-") == 0 && isatty(STDOUT_FILENO))
         return message_misuse("a terminal cannot show %s: name a file with -o", values_format_name(format));
     return EXIT_DONE;

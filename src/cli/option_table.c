@@ -51,6 +51,24 @@ static const option rows[] = {
                "OUTPUT FORMATS. "
                "Default: by the ending of FILE, else svg."},
     {.group = GROUP_OUTPUT,
+     .name = "regions",
+     .flags = OPTION_FILE,
+     .value = "FILE.json",
+     .set = values_set_text,
+     TO(regions),
+     .excludes = "sheet turntable batch",
+     .brief = "what is seen of each face",
+     .help = "write what is seen of each face as polygons with holes to FILE.json, beside the drawing",
+     .manual =
+         "Writes what is seen of each face to FILE.json (- is standard output), beside the drawing: an array with an "
+         "object for each face that is seen. body and face are numbered as in tables; face is null for a hull's face "
+         "and where the near plane cuts. area is that of the picture, in model units squared. z0 and z1 say how near "
+         "the viewer its farthest and its nearest point are, as in +depth. color holds the numbers from the input, or "
+         "is null. rings holds polygons, each an array of corners [x, y] as in tables: a ring that runs "
+         "counter-clockwise bounds a piece, and those after it that run clockwise bound the holes in that piece. The "
+         "regions of all faces tile the picture without gaps and overlaps. Which lines are drawn, and --union, change "
+         "nothing. It fails if the near plane cuts a body that is not convex."},
+    {.group = GROUP_OUTPUT,
      .name = "turntable",
      .flags = OPTION_DRAWS,
      .value = "N",

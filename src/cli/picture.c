@@ -347,6 +347,20 @@ static void tell(const cli_options *options, const run_stats *run, const views *
     message_close(options->log);
 }
 
+/* Writes the visible regions, if they are wanted. */
+static roberts_status save_regions(const cli_options *options, const roberts_scene *scene, roberts_error *error)
+{
+    roberts_region_list regions;
+    if (!options->regions)
+        return ROBERTS_OK;
+    progress_stage("finding the visible regions");
+    roberts_status status = roberts_regions(scene, &options->camera, &options->hide, &regions, error);
+    if (status == ROBERTS_OK)
+        status = roberts_regions_save(&regions, &options->draw, options->regions, error);
+    roberts_regions_free(&regions);
+    return status;
+}
+
 /* Makes one picture. Before the last one is written the scene is released, unless a table needs it. Returns the exit
  * status. */
 static int draw(const cli_options *options, roberts_scene **scene, bool last, const picture_window *window,
@@ -359,6 +373,8 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
         warn_near(options, *scene, &v);
     if (status == ROBERTS_OK)
         warn_idle(options, *scene, &v);
+    if (status == ROBERTS_OK)
+        status = save_regions(options, *scene, &error);
     if (last && !is_table(options)) {
         roberts_scene_free(*scene);
         *scene = NULL;

@@ -132,6 +132,12 @@ static roberts_scene *scene_of(const char *off, int way, uint32_t begin, bool ba
 }
 
 /* The face of the scene that is a face of the file. */
+static bool is_beside(const crossing_rules *rules, const crossing_face *f, crossing_face *g)
+{
+    crossing_lie lie = crossing_lie_of(rules, f, g);
+    return !(lie.over && lie.under);
+}
+
 static crossing_face face_of(const crossing_rules *rules, uint32_t number)
 {
     for (uint32_t s = 0; s < rules->scene->solid_count; s++)
@@ -184,7 +190,7 @@ static void pairs_cross_where_they_should(void **state)
                         fail_msg("%s: segment %zu is elsewhere (turned %d, %u)", cases[i].name, n, way, k);
                     assert_true(n == 0 || vec3_compare(found.item[n - 1].end[0].point, found.item[n].end[0].point) < 0);
                 }
-                free(found.item);
+                crossing_list_free(&found);
                 roberts_scene_free(scene);
             }
 }
@@ -315,8 +321,8 @@ static void triangles_cross_as_whole_numbers_say(void **state)
             }
             crossing += cross;
             sharing += cross && shared > 0;
-            touching += !cross && (crossing_is_beside(&rules, &f, &g) != crossing_is_beside(&rules, &g, &f));
-            free(found.item);
+            touching += !cross && (is_beside(&rules, &f, &g) != is_beside(&rules, &g, &f));
+            crossing_list_free(&found);
         }
         roberts_scene_free(scene);
         roberts_mesh_free(&mesh);
@@ -363,7 +369,7 @@ static void ends_agree_on_both_sides_of_a_side(void **state)
             for (int k = 0; k < 2; k++)
                 same += memcmp(&found.item[0].end[i], &found.item[1].end[k], 2 * sizeof(roberts_vec3)) == 0;
         assert_int_equal(same, 1);
-        free(found.item);
+        crossing_list_free(&found);
         roberts_scene_free(scene);
         roberts_mesh_free(&mesh);
     }
@@ -424,8 +430,9 @@ static size_t pairs_that_cross(const roberts_scene *scene, double touching)
             crossing_face F = crossing_face_of(&rules, body[0], f), G = crossing_face_of(&rules, body[1], g);
             assert_true(crossing_find(&rules, &F, &G, &found));
         }
-    free(found.item);
-    return found.count;
+    size_t count = found.count;
+    crossing_list_free(&found);
+    return count;
 }
 
 /* Each pair is found, once, by any grid and any number of threads, and the bytes are the same. */
@@ -467,13 +474,32 @@ static void lines_do_not_depend_on_grid_and_threads(void **state)
     }
 }
 
+/* Two triangles cross in the upper right of the picture. With two columns and two rows their boxes touch the lower left
+ * cell, their edges do not. */
+static void a_cell_without_edges_loses_no_line(void **state)
+{
+    (void)state;
+    const char *off = "12 4 0\n10 3 0\n10 10 0\n3 10 0\n10 3 2\n10 10 -2\n3 10 2\n0 9 0\n1 9 0\n0 10 0\n"
+                      "9 0 0\n10 0 0\n9 1 0\n3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n";
+    const roberts_camera camera = {.dir = {0, 0, 1}};
+    for (uint32_t grid = 1; grid < 6; grid++) {
+        roberts_scene *scene = scene_of(off, 0, 0, false);
+        roberts_hide_options options = roberts_hide_options_default();
+        roberts_drawing drawing;
+        options.grid = grid;
+        assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+        assert_int_equal(drawing.crossing_count, 1);
+        roberts_drawing_free(&drawing);
+        roberts_scene_free(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pairs_cross_where_they_should),
-        cmocka_unit_test(triangles_cross_as_whole_numbers_say),
-        cmocka_unit_test(ends_agree_on_both_sides_of_a_side),
-        cmocka_unit_test(lines_do_not_depend_on_grid_and_threads),
+        cmocka_unit_test(pairs_cross_where_they_should),      cmocka_unit_test(triangles_cross_as_whole_numbers_say),
+        cmocka_unit_test(ends_agree_on_both_sides_of_a_side), cmocka_unit_test(lines_do_not_depend_on_grid_and_threads),
+        cmocka_unit_test(a_cell_without_edges_loses_no_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
