@@ -7,9 +7,6 @@
 #include "base/array.h"
 #include "base/error.h"
 
-/* Roundings of a depth, and epsilons: what the near plane cuts lies nearer to it than this. */
-#define CUT_TOUCHING 16.0
-
 static bool is_mapped(const hide_fronts *fronts, uint32_t body)
 {
     return !fronts->culled[body];

@@ -17,10 +17,6 @@
 #include "hide/map_cells.h"
 #include "hide/segments.h"
 
-/* Epsilons, and roundings of a picture coordinate: ends of lines that ought to meet are nearer to one another than
- * this. */
-#define REGION_TOUCHING 8.0
-
 /* Part of a stretch: where a point in it is taken. */
 #define ASIDE 0.4557
 

@@ -87,6 +87,11 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
 /* No unit: a front may leave gaps in its outline of up to this times the departure of its faces from their planes. */
 #define LOOSE_DEPARTURES 4.0
 
+/* Epsilons of depth: what lies this much deeper than a sheet that fills a cell does not touch the sheet. A point that
+ * is deeper than a plane by d lies at a distance of d times the depth of the plane's unit normal. So this holds for
+ * faces whose normal has a depth of more than 2^-20; steeper faces are nearly edge-on. */
+#define SHEET_SLACK 0x1p20
+
 /* Roundings of a view coordinate: the error of F(M) and of the terms added to it for a point of the scene. It comes
  * from three products of coordinates, none larger than the extent, and from four sums. */
 #define BUNDLE_ROUNDINGS 16.0
@@ -112,6 +117,18 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
 
 /* Fraction of epsilon, in the picture: by how much the tested sides may leave more than was guessed. */
 #define RUNS_GUESS_ACCURACY 0.5
+
+/* ---- visible regions ---- */
+
+/* Epsilons, and roundings of a picture coordinate: ends of lines that ought to meet are nearer to one another. */
+#define REGION_TOUCHING 8.0
+
+/* Epsilons, and roundings of a depth: what the near plane has cut is nearer to it than this. */
+#define CUT_TOUCHING 16.0
+
+/* Part of the scene's diameter: a face whose box begins deeper than this behind what is seen at a point does not touch
+ * it. A steep face may reach so far, but its picture is then narrower than a few epsilon there. */
+#define LOOK_DEPTH 1e-5
 
 /* ---- sizes above which another method finds the same result ---- */
 

@@ -17,7 +17,7 @@
 /* A side, or a part of one, with its ends in ascending order. */
 typedef struct part_side {
     uint32_t v[2];  /* v[0] < v[1] */
-    uint32_t piece; /* SURFACE_CUT, as in a side */
+    uint32_t piece; /* as in surface_side, possibly with SURFACE_CUT */
     bool turned;    /* the piece is on the right of v[0] -> v[1] */
     uint32_t part;  /* index in surface.part, or ROBERTS_NONE */
 } part_side;

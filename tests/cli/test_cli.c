@@ -1038,6 +1038,20 @@ static void picks(void **state)
                                   "roberts: pick -2,-2: behind it body 1, face 7, depth -3.5, at 1,1,-5\n");
 }
 
+/* What is seen of each face, beside the drawing. */
+static void regions(void **state)
+{
+    (void)state;
+    put("plate.off", "COFF\n4 1 0\n0 0 0\n4 0 0\n4 2 0\n0 2 0\n4 0 1 2 3 1 0 0.5 1\n");
+    assert_int_equal(run("--view top -f null --regions - plate.off"), 0);
+    assert_string_equal(last.out, "[\n{\"body\":0,\"face\":0,\"area\":8,\"z0\":0,\"z1\":0,\"color\":[1,0,0.5,1],"
+                                  "\"rings\":[[[-2,-1],[2,-1],[2,1],[-2,1]]]}\n]\n");
+    assert_int_equal(run("--view top -o plate.svg --regions plate.json plate.off"), 0);
+    assert_int_equal(run("--view top --regions - plate.off"), 2);
+    assert_int_equal(run("--eye 1,1,1 --look-at 3,1,0.5 -f null --regions - plate.off"), 1);
+    assert_non_null(strstr(last.err, "the near plane cuts body 0, which is not convex"));
+}
+
 int main(void)
 {
     if (!program_find())
@@ -1073,6 +1087,7 @@ int main(void)
         IN_FOLDER(draws_bodies_as_one),
         IN_FOLDER(checks_by_rays),
         IN_FOLDER(picks),
+        IN_FOLDER(regions),
     };
     return cmocka_run_group_tests_name("cli", tests, NULL, NULL);
 }
