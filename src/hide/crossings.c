@@ -32,6 +32,7 @@ typedef struct finder {
     const hide_fronts *fronts;
     const objet *grid;
     const first_cell *first; /* [front_count] */
+    const float *nearest;    /* [cells] all that is deeper is hidden there; NULL: nothing is */
     crossing_rules rules;
     crossing_list found;
     uint64_t *pair; /* [pair_count] faces of several pieces, first pieces of both: they are asked at the end */
@@ -153,31 +154,45 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
         return meet_solids(t, list[i].front, list[k].front);
-    const hide_face *F = &fronts->face[f->face], *G = &fronts->face[g->face];
-    if (F->count <= FEW_CORNERS && G->count <= FEW_CORNERS &&
-        (is_beside_a_side(fronts, F, G) || is_beside_a_side(fronts, G, F)))
+    uint32_t turned[2][SEEN_TURNED];
+    const hide_face F = hide_outline(fronts, list[i].front, turned[0]);
+    const hide_face G = hide_outline(fronts, list[k].front, turned[1]);
+    if (F.count <= FEW_CORNERS && G.count <= FEW_CORNERS &&
+        (is_beside_a_side(fronts, &F, &G) || is_beside_a_side(fronts, &G, &F)))
         return true; /* nearly all neighbours are */
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
 
-/* Is this the first cell that lists both fronts? If that is not known: true. */
-static inline bool is_met_here(const finder *t, uint32_t a, uint32_t b, size_t cell)
+/* Is a pair sought in the cell? `deeper`: the nearest depth of the deeper one of the two. */
+static inline bool is_sought(const finder *t, size_t cell, float deeper)
+{
+    return !(t->grid->apart && t->grid->apart[cell]) && !(t->nearest && deeper < t->nearest[cell]);
+}
+
+/* Has another cell before this one listed and sought both fronts? If that is not known: false. */
+static inline bool is_met_before(const finder *t, uint32_t a, uint32_t b, uint32_t column, uint32_t row)
 {
     const first_cell *f = &t->first[a], *g = &t->first[b];
     if (f->column == NO_CELL || g->column == NO_CELL)
-        return true;
-    size_t column = f->column > g->column ? f->column : g->column, row = f->row > g->row ? f->row : g->row;
-    return column * t->grid->frame.ny + row == cell;
+        return false;
+    uint32_t left = f->column > g->column ? f->column : g->column, low = f->row > g->row ? f->row : g->row;
+    float deeper = t->fronts->front_box[b].z1;
+    for (uint32_t i = left; i <= column; i++)
+        for (uint32_t j = low; j <= row; j++)
+            if ((i < column || j < row) && is_sought(t, (size_t)i * t->grid->frame.ny + j, deeper))
+                return true;
+    return false;
 }
 
 /* All pairs of one cell. Fronts are listed nearest first, so that those behind a front end the search. */
-static bool meet_cell(finder *t, size_t cell)
+static bool meet_cell(finder *t, uint32_t column, uint32_t row)
 {
     const objet *grid = t->grid;
     const hide_fronts *fronts = t->fronts;
+    size_t cell = (size_t)column * grid->frame.ny + row;
     const objet_entry *list = grid->entry + grid->start[cell];
     uint32_t count = grid->start[cell + 1] - grid->start[cell];
-    float least = grid->sheet.depth ? grid->sheet.depth[cell] : -INFINITY; /* all beyond is hidden here */
+    float least = t->nearest ? t->nearest[cell] : -INFINITY;
     if (grid->apart && grid->apart[cell])
         return true;
     memset(t->kept, 0, (count < KEPT_FACES ? count : KEPT_FACES) * sizeof *t->kept);
@@ -198,7 +213,7 @@ static bool meet_cell(finder *t, size_t cell)
                     k = end;
                     break;
                 }
-                if (is_met_here(t, list[i].front, list[at].front, cell) && boxes_meet(own, box) &&
+                if (!is_met_before(t, list[i].front, list[at].front, column, row) && boxes_meet(own, box) &&
                     !meet_entries(t, list, i, at))
                     return false;
             }
@@ -219,7 +234,7 @@ static bool meet_all(finder *finders, const objet *grid, int threads)
     for (size_t p = 0; p < parts; p++) {
         finder *t = &finders[thread_self()];
         for (size_t c = p * CELLS_AT_ONCE; !lost && c < cells && c < (p + 1) * CELLS_AT_ONCE; c++)
-            lost = lost || !meet_cell(t, c);
+            lost = lost || !meet_cell(t, (uint32_t)(c / grid->frame.ny), (uint32_t)(c % grid->frame.ny));
     }
     return !lost;
 }
@@ -381,7 +396,7 @@ static first_cell *find_first_cells(const hide_fronts *fronts, const objet *grid
 #endif
     for (uint32_t k = 0; k < (first ? fronts->front_count : 0); k++) {
         const hide_box *box = &fronts->front_box[k];
-        double m = grid->frame.margin + (double)fronts->front[k].loose;
+        double m = grid->frame.margin + hide_loose(fronts, k);
         uint32_t column = scan_column(&grid->frame, (double)box->x0 - m);
         uint32_t row = scan_row(&grid->frame, (double)box->y0 - m);
         bool small = scan_column(&grid->frame, (double)box->x1 + m) - column < 2 &&
@@ -398,6 +413,7 @@ static bool finders_init(finder *finders, int threads, const hide_fronts *fronts
         finders[i].fronts = fronts;
         finders[i].grid = grid;
         finders[i].first = first;
+        finders[i].nearest = fronts->seen->rules.hidden ? NULL : grid->sheet.depth;
         finders[i].rules = (crossing_rules){fronts->scene, fronts->space.epsilon * fronts->scene->unit};
         finders[i].face = alloc_array(KEPT_FACES, sizeof *finders[i].face);
         if (!finders[i].face)

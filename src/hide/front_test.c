@@ -5,12 +5,12 @@
 #include "hide/intervals.h"
 #include "hide/tests_wide.h"
 
-bool hide_within_reach(const hide_fronts *fronts, const hide_front *front, const hide_edge *e)
+bool hide_within_reach(const hide_fronts *fronts, const hide_whole_front *whole, const hide_edge *e)
 {
-    roberts_vec3 C = fronts->P[fronts->outline[front->outline]];
+    roberts_vec3 C = fronts->P[fronts->outline[whole->outline]];
     double a = fabs(e->A.x - C.x) + fabs(e->A.y - C.y) + fabs(e->A.z - C.z);
     double b = fabs(e->B.x - C.x) + fabs(e->B.y - C.y) + fabs(e->B.z - C.z);
-    return a <= front->reach && b <= front->reach;
+    return a <= whole->reach && b <= whole->reach;
 }
 
 bool hide_pierce_all(const hide_fronts *fronts, const hide_face *face, uint32_t bits, const hide_edge *e,
@@ -90,7 +90,7 @@ static bool may_hide_more(const bundle_search *c, const bundle_node *n, double *
     return t0 < t1 && (bundle_behind(n, hide_edge_at(c->e, t0)) || bundle_behind(n, hide_edge_at(c->e, t1)));
 }
 
-static void ask_faces(bundle_search *c, uint32_t item)
+static void test_faces(bundle_search *c, uint32_t item)
 {
     for (uint32_t end = list_tree_end(&c->b->tree, 0, item); item < end; item++) {
         hide_interval part;
@@ -107,7 +107,7 @@ typedef struct reaching {
 
 /* Tests the nodes of a rank that cover item .. end - 1; there are at most eight. Those that reach farthest come first,
  * since they leave the least to the others. */
-static void ask_nodes(bundle_search *c, int rank, uint32_t item, uint32_t end)
+static void test_nodes(bundle_search *c, int rank, uint32_t item, uint32_t end)
 {
     reaching node[1 << LIST_TREE_BITS] = {{0.0, 0}};
     uint32_t count = 0;
@@ -120,9 +120,9 @@ static void ask_nodes(bundle_search *c, int rank, uint32_t item, uint32_t end)
         if (c->found && node[i].reach <= (c->forward ? c->hull->t1 : -c->hull->t0))
             return;
         if (rank == 0)
-            ask_faces(c, node[i].item);
+            test_faces(c, node[i].item);
         else
-            ask_nodes(c, rank - 1, node[i].item, list_tree_end(&c->b->tree, rank, node[i].item));
+            test_nodes(c, rank - 1, node[i].item, list_tree_end(&c->b->tree, rank, node[i].item));
     }
 }
 
@@ -131,29 +131,28 @@ static BITS_RARE bool by_bundle(bundle_search *c)
 {
     int highest = (int)c->b->tree.ranks - 1;
     c->forward = true;
-    ask_nodes(c, highest, 0, c->b->tree.items);
+    test_nodes(c, highest, 0, c->b->tree.items);
     c->forward = false;
     if (c->found && c->hull->t0 > 0.0)
-        ask_nodes(c, highest, 0, c->b->tree.items);
+        test_nodes(c, highest, 0, c->b->tree.items);
     return c->found;
 }
 
-bool hide_by_faces(const hide_fronts *fronts, const hide_front *front, double span, const hide_edge *e,
-                   hide_sides *sides, hide_interval *hull)
+bool hide_by_faces(const hide_fronts *fronts, const hide_meeting *m, const hide_edge *e, hide_sides *sides,
+                   hide_interval *hull)
 {
     bool found = false;
-    const bundle *b = bundle_of(&fronts->bundles, front->face, front->face_count);
-    if (b)
+    if (m->tree)
         return by_bundle(&(bundle_search){.fronts = fronts,
-                                          .b = b,
-                                          .face = fronts->face + front->face,
+                                          .b = m->tree,
+                                          .face = m->face,
                                           .e = e,
-                                          .span = span,
+                                          .span = m->outline.span,
                                           .sides = sides,
                                           .hull = hull});
-    for (uint32_t k = front->face; k < front->face + front->face_count; k++) {
+    for (uint32_t k = 0; k < m->face_count; k++) {
         hide_interval part;
-        if (by_face(fronts, &fronts->face[k], span, e, sides, &part))
+        if (by_face(fronts, &m->face[k], m->outline.span, e, sides, &part))
             join(hull, &found, &part);
     }
     return found;

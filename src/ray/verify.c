@@ -48,7 +48,7 @@ typedef struct verifier {
     const roberts_drawing *drawing;
     roberts_verify_options options;
     occluders o;
-    edge_name *name; /* [name_count] of all edges of bodies that are not convex, sorted */
+    edge_name *name; /* [name_count] names of all edges of bodies that are not convex, sorted */
     size_t name_count;
     uint32_t *row_start;    /* [edge_count + 1] */
     uint32_t *row;          /* [segments] rows of the drawing, sorted by edge, then by t */
@@ -257,7 +257,7 @@ static void check_edge(const verifier *f, stretch_checker *checker, uint32_t sol
 /* ---- intersections --------------------------------------------------------------------------------------------- */
 
 /* Records that the faces of line k do not cross. */
-static void deny_line(stretch_result *out, uint32_t body, uint32_t edge)
+static void reject_line(stretch_result *out, uint32_t body, uint32_t edge)
 {
     stretch_finding finding = {.what = {.solid = body, .t = 0.5, .by = ROBERTS_NONE, .no_line = true}, .edge = edge};
     if (!array_reserve(&out->found, &out->room, out->count + 1, sizeof *out->found))
@@ -334,7 +334,7 @@ static void check_line(const verifier *f, stretch_checker *checker, stretch_resu
     crossed_faces faces;
     bool found = crossed_find(&f->crossed, line, &faces);
     if (!found || !crossed_is_line(&f->crossed, line, &faces) || is_drawn_edge(f, &faces)) {
-        deny_line(result, row < f->drawing->count ? f->drawing->segment[row].solid : 0, edge);
+        reject_line(result, row < f->drawing->count ? f->drawing->segment[row].solid : 0, edge);
         return;
     }
     stretch s = {.A = sight_point(&f->o.s, line->end[0]),
@@ -573,7 +573,7 @@ static void name_line(const verifier *f, uint32_t edge, roberts_contradiction *w
 
 /* Reports the contradictions of all chunks, sorted by edge and then along it. Two rays from one point count once.
  * False: no memory. */
-static bool pass_on(const verifier *f, size_t count, roberts_verification *result)
+static bool report_contradictions(const verifier *f, size_t count, roberts_verification *result)
 {
     stretch_finding *all = alloc_array(count, sizeof *all);
     size_t k = 0;
@@ -606,7 +606,7 @@ static roberts_status report(const verifier *f, roberts_verification *result, ro
         lost |= f->result[i].lost;
         found += f->result[i].count;
     }
-    if (lost || (found && !pass_on(f, found, result)))
+    if (lost || (found && !report_contradictions(f, found, result)))
         return error_no_memory(error);
     for (uint32_t i = 0; i < f->chunk_count; i++) {
         result->segments += f->result[i].segments;

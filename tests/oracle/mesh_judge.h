@@ -16,8 +16,8 @@ typedef struct mesh_scene {
 } mesh_scene;
 
 typedef struct mesh_total {
-    size_t scenes, edges, hidden, cut; /* compared; wholly hidden; hidden in part */
-    size_t lines, lines_cut;           /* intersection lines; those hidden in part or wholly */
+    size_t scenes, edges, hidden, cut; /* compared; completely hidden; partly hidden */
+    size_t lines, lines_cut;           /* intersection lines; those hidden partly or completely */
     size_t on_edges;                   /* those of them that lie on edges that are left out */
     size_t disagreements;              /* edges, lines, or whole scenes that the program refused */
     size_t refused;                    /* scenes that the oracle refused */
