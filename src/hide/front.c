@@ -149,8 +149,32 @@ static bool add_single_fronts(const hide_fronts *fronts, front_tile *tile, uint3
     return true;
 }
 
+static double farthest(const hide_fronts *fronts, const uint32_t *corner, uint32_t corners)
+{
+    double depth = INFINITY;
+    for (uint32_t i = 0; i < corners; i++)
+        depth = lesser(depth, fronts->P[corner[i]].z);
+    return depth;
+}
+
+/* Enters a face into the covers, unless its box is too small to hold a cell. Its depth is taken cell by cell. */
+static void cover_with_face(hide_fronts *fronts, scan *s, const hide_face *f, const hide_box *box)
+{
+    const scan_frame *frame = &fronts->cover.frame;
+    if (!fronts->cover.depth || (double)(box->x1 - box->x0) < frame->dx || (double)(box->y1 - box->y0) < frame->dy)
+        return;
+    cover_add(&fronts->cover, s, fronts->P,
+              &(cover_front){.corner = f->corner,
+                             .count = f->count,
+                             .by = ROBERTS_NONE,
+                             .face = f,
+                             .face_count = 1,
+                             .depth = farthest(fronts, f->corner, f->count),
+                             .slack = 2.0 * (f->touch + hide_margin(&fronts->space)) / -f->F.c});
+}
+
 /* Enters the faces of a body that is not convex, each piece that is not edge-on by itself. False: no memory. */
-static BITS_RARE bool add_surface(hide_fronts *fronts, front_tile *tile, uint32_t body)
+static BITS_RARE bool add_surface(hide_fronts *fronts, scan *s, front_tile *tile, uint32_t body)
 {
     const roberts_scene *scene = fronts->scene;
     uint32_t first = scene->solid[body].face, end = scene->solid[body + 1].face;
@@ -171,7 +195,9 @@ static BITS_RARE bool add_surface(hide_fronts *fronts, front_tile *tile, uint32_
         set_trust(fronts, body, face, look.stretch, f);
         tile->most_corners = f->count > tile->most_corners ? f->count : tile->most_corners;
         hide_bounds own = face_bounds(fronts, f);
-        tile->single_box[tile->single_count] = hide_box_around(&own);
+        hide_box *box = &tile->single_box[tile->single_count];
+        *box = hide_box_around(&own);
+        cover_with_face(fronts, s, f, box);
         tile->single[tile->single_count++] = (hide_front){.solid = body,
                                                           .own = seen_face_key(scene, body, face),
                                                           .face = tile->face++,
@@ -192,14 +218,6 @@ static bool enter_runs(hide_fronts *fronts, const front_faces *found, const uint
         if (!runs_enter(&fronts->face_runs, &fronts->space, found->face[k].corner, found->face[k].count))
             return false;
     return runs_enter(&fronts->outline_runs, &fronts->space, outline, corners);
-}
-
-static double farthest(const hide_fronts *fronts, const uint32_t *corner, uint32_t corners)
-{
-    double depth = INFINITY;
-    for (uint32_t i = 0; i < corners; i++)
-        depth = lesser(depth, fronts->P[corner[i]].z);
-    return depth;
 }
 
 /* Is the box many cells of covers across? */
@@ -247,7 +265,7 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
     uint32_t *outline = fronts->outline + tile->outline;
     seen_map_body(fronts->seen, solid);
     if (!scene_is_convex(scene, solid))
-        return add_surface(fronts, tile, solid);
+        return add_surface(fronts, &scratch->scan, tile, solid);
     front_faces found = find_faces(fronts, tile, solid);
     uint32_t cycle = outline_cycle(fronts, solid, scratch->next, outline), corners = cycle;
     double width = (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0);
