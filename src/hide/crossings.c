@@ -45,6 +45,7 @@ typedef struct finder {
     const hide_fronts *fronts;
     const objet *grid;
     const first_cell *first; /* [front_count] */
+    const float *nearest;    /* [cells] all that is deeper is hidden there; NULL: nothing is */
     crossing_rules rules;
     crossing_list found;
     uint64_t *pair; /* [pair_count] faces of several pieces, first pieces of both: they are asked at the end */
@@ -241,25 +242,36 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
 
-/* Is this the first cell that lists both fronts? If that is not known: true. */
-static inline bool is_met_here(const finder *t, uint32_t a, uint32_t b, size_t cell)
+/* Is a pair sought in the cell? `deeper`: the nearest depth of the deeper one of the two. */
+static inline bool is_sought(const finder *t, size_t cell, float deeper)
+{
+    return !(t->grid->apart && t->grid->apart[cell]) && !(t->nearest && deeper < t->nearest[cell]);
+}
+
+/* Has another cell before this one listed and sought both fronts? If that is not known: false. */
+static inline bool is_met_before(const finder *t, uint32_t a, uint32_t b, uint32_t column, uint32_t row)
 {
     const first_cell *f = &t->first[a], *g = &t->first[b];
     if (f->column == NO_CELL || g->column == NO_CELL)
-        return true;
-    size_t column = f->column > g->column ? f->column : g->column, row = f->row > g->row ? f->row : g->row;
-    return column * t->grid->frame.ny + row == cell;
+        return false;
+    uint32_t left = f->column > g->column ? f->column : g->column, low = f->row > g->row ? f->row : g->row;
+    float deeper = t->fronts->front_box[b].z1;
+    for (uint32_t i = left; i <= column; i++)
+        for (uint32_t j = low; j <= row; j++)
+            if ((i < column || j < row) && is_sought(t, (size_t)i * t->grid->frame.ny + j, deeper))
+                return true;
+    return false;
 }
 
 /* All pairs of one cell. Fronts are listed nearest first, so that those behind a front end the search. */
-static bool meet_cell(finder *t, size_t cell)
+static bool meet_cell(finder *t, uint32_t column, uint32_t row)
 {
     const objet *grid = t->grid;
     const hide_fronts *fronts = t->fronts;
+    size_t cell = (size_t)column * grid->frame.ny + row;
     const objet_entry *list = grid->entry + grid->start[cell];
     uint32_t count = grid->start[cell + 1] - grid->start[cell];
-    bool all = fronts->seen->rules.hidden || !grid->sheet.depth;
-    float least = all ? -INFINITY : grid->sheet.depth[cell]; /* all beyond is hidden here */
+    float least = t->nearest ? t->nearest[cell] : -INFINITY;
     if (grid->apart && grid->apart[cell])
         return true;
     memset(t->kept, 0, (count < KEPT_FACES ? count : KEPT_FACES) * sizeof *t->kept);
@@ -280,7 +292,7 @@ static bool meet_cell(finder *t, size_t cell)
                     k = end;
                     break;
                 }
-                if (is_met_here(t, list[i].front, list[at].front, cell) && boxes_meet(own, box) &&
+                if (!is_met_before(t, list[i].front, list[at].front, column, row) && boxes_meet(own, box) &&
                     !meet_entries(t, list, i, at))
                     return false;
             }
@@ -301,7 +313,7 @@ static bool meet_all(finder *finders, const objet *grid, int threads)
     for (size_t p = 0; p < parts; p++) {
         finder *t = &finders[thread_self()];
         for (size_t c = p * CELLS_AT_ONCE; !lost && c < cells && c < (p + 1) * CELLS_AT_ONCE; c++)
-            lost = lost || !meet_cell(t, c);
+            lost = lost || !meet_cell(t, (uint32_t)(c / grid->frame.ny), (uint32_t)(c % grid->frame.ny));
     }
     return !lost;
 }
@@ -466,6 +478,7 @@ static bool finders_init(finder *finders, int threads, const hide_fronts *fronts
         finders[i].fronts = fronts;
         finders[i].grid = grid;
         finders[i].first = first;
+        finders[i].nearest = fronts->seen->rules.hidden ? NULL : grid->sheet.depth;
         finders[i].rules = (crossing_rules){fronts->scene, fronts->space.epsilon * fronts->scene->unit};
         finders[i].face = alloc_array(KEPT_FACES, sizeof *finders[i].face);
         if (!finders[i].face)

@@ -467,13 +467,32 @@ static void lines_do_not_depend_on_grid_and_threads(void **state)
     }
 }
 
+/* Two triangles cross in the upper right of the picture. With two columns and two rows their boxes touch the lower left
+ * cell, their edges do not. */
+static void a_cell_without_edges_loses_no_line(void **state)
+{
+    (void)state;
+    const char *off = "12 4 0\n10 3 0\n10 10 0\n3 10 0\n10 3 2\n10 10 -2\n3 10 2\n0 9 0\n1 9 0\n0 10 0\n"
+                      "9 0 0\n10 0 0\n9 1 0\n3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n";
+    const roberts_camera camera = {.dir = {0, 0, 1}};
+    for (uint32_t grid = 1; grid < 6; grid++) {
+        roberts_scene *scene = scene_of(off, 0, 0, false);
+        roberts_hide_options options = roberts_hide_options_default();
+        roberts_drawing drawing;
+        options.grid = grid;
+        assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+        assert_int_equal(drawing.crossing_count, 1);
+        roberts_drawing_free(&drawing);
+        roberts_scene_free(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pairs_cross_where_they_should),
-        cmocka_unit_test(triangles_cross_as_whole_numbers_say),
-        cmocka_unit_test(ends_agree_on_both_sides_of_a_side),
-        cmocka_unit_test(lines_do_not_depend_on_grid_and_threads),
+        cmocka_unit_test(pairs_cross_where_they_should),      cmocka_unit_test(triangles_cross_as_whole_numbers_say),
+        cmocka_unit_test(ends_agree_on_both_sides_of_a_side), cmocka_unit_test(lines_do_not_depend_on_grid_and_threads),
+        cmocka_unit_test(a_cell_without_edges_loses_no_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
