@@ -40,12 +40,19 @@ typedef struct first_cell {
     uint16_t column, row;
 } first_cell;
 
+/* What is known of the fronts before any two of them meet. */
+typedef struct places {
+    first_cell *first;  /* [front_count] */
+    hide_bounds *model; /* [whole] boxes of whole solids along the model's axes, in which many solids lie */
+    uint32_t whole;     /* whole solids; they come before single faces */
+} places;
+
 /* What each thread has for itself. */
 typedef struct finder {
     const hide_fronts *fronts;
     const objet *grid;
-    const first_cell *first; /* [front_count] */
-    const float *nearest;    /* [cells] all that is deeper is hidden there; NULL: nothing is */
+    const places *places;
+    const float *nearest; /* [cells] all that is deeper is hidden there; NULL: nothing is */
     crossing_rules rules;
     crossing_list found;
     uint64_t *pair; /* [pair_count] faces of several pieces, first pieces of both: they are asked at the end */
@@ -242,6 +249,16 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
 
+/* Are both whole solids, with boxes along the model's axes that touch at the most? */
+static inline bool is_apart(const places *p, uint32_t a, uint32_t b)
+{
+    if (a >= p->whole || b >= p->whole)
+        return false;
+    const hide_bounds *f = &p->model[a], *g = &p->model[b];
+    return f->high.x <= g->low.x || g->high.x <= f->low.x || f->high.y <= g->low.y || g->high.y <= f->low.y ||
+           f->high.z <= g->low.z || g->high.z <= f->low.z;
+}
+
 /* Is a pair sought in the cell? `deeper`: the nearest depth of the deeper one of the two. */
 static inline bool is_sought(const finder *t, size_t cell, float deeper)
 {
@@ -251,7 +268,7 @@ static inline bool is_sought(const finder *t, size_t cell, float deeper)
 /* Has another cell before this one listed and sought both fronts? If that is not known: false. */
 static inline bool is_met_before(const finder *t, uint32_t a, uint32_t b, uint32_t column, uint32_t row)
 {
-    const first_cell *f = &t->first[a], *g = &t->first[b];
+    const first_cell *f = &t->places->first[a], *g = &t->places->first[b];
     if (f->column == NO_CELL || g->column == NO_CELL)
         return false;
     uint32_t left = f->column > g->column ? f->column : g->column, low = f->row > g->row ? f->row : g->row;
@@ -292,8 +309,8 @@ static bool meet_cell(finder *t, uint32_t column, uint32_t row)
                     k = end;
                     break;
                 }
-                if (!is_met_before(t, list[i].front, list[at].front, column, row) && boxes_meet(own, box) &&
-                    !meet_entries(t, list, i, at))
+                if (!is_apart(t->places, list[i].front, list[at].front) && boxes_meet(own, box) &&
+                    !is_met_before(t, list[i].front, list[at].front, column, row) && !meet_entries(t, list, i, at))
                     return false;
             }
         }
@@ -452,32 +469,52 @@ static bool gather(crossings *c, const roberts_scene *scene, const finder *finde
 }
 
 /* A front is listed in all cells that its box touches if these are two columns and two rows at the most. */
-static first_cell *find_first_cells(const hide_fronts *fronts, const objet *grid, int threads)
+static first_cell first_cell_of(const scan_frame *frame, const hide_box *box, double loose)
 {
-    first_cell *first = alloc_array(fronts->front_count, sizeof *first);
-    (void)threads;
+    double m = frame->margin + loose;
+    uint32_t column = scan_column(frame, (double)box->x0 - m), row = scan_row(frame, (double)box->y0 - m);
+    bool small = scan_column(frame, (double)box->x1 + m) - column < 2 && scan_row(frame, (double)box->y1 + m) - row < 2;
+    return (first_cell){small ? (uint16_t)column : NO_CELL, (uint16_t)row};
+}
+
+static void place_front(const places *p, const hide_fronts *fronts, const scan_frame *frame, uint32_t k)
+{
+    const roberts_scene *scene = fronts->scene;
+    const scene_solid *s = &scene->solid[fronts->front[k].solid];
+    p->first[k] = first_cell_of(frame, &fronts->front_box[k], (double)fronts->front[k].loose);
+    if (k >= p->whole)
+        return;
+    p->model[k] = hide_no_bounds;
+    box_add_all(&p->model[k].low, &p->model[k].high, scene->point + s->vertex, s[1].vertex - s->vertex);
+}
+
+/* Where points have low parts, boxes along the model's axes are not exact. False: no memory. */
+static bool find_places(places *p, const hide_fronts *fronts, const objet *grid, int threads)
+{
+    uint32_t count = fronts->front_count;
+    while (!fronts->scene->low && p->whole < count && !hide_is_face(&fronts->front[p->whole]))
+        p->whole++;
+    p->first = alloc_array(count, sizeof *p->first);
+    p->model = alloc_array(p->whole, sizeof *p->model);
+    if (!p->first || !p->model)
+        return false;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(static) num_threads(threads)
+#else
+    (void)threads;
 #endif
-    for (uint32_t k = 0; k < (first ? fronts->front_count : 0); k++) {
-        const hide_box *box = &fronts->front_box[k];
-        double m = grid->frame.margin + (double)fronts->front[k].loose;
-        uint32_t column = scan_column(&grid->frame, (double)box->x0 - m);
-        uint32_t row = scan_row(&grid->frame, (double)box->y0 - m);
-        bool small = scan_column(&grid->frame, (double)box->x1 + m) - column < 2 &&
-                     scan_row(&grid->frame, (double)box->y1 + m) - row < 2;
-        first[k] = (first_cell){small ? (uint16_t)column : NO_CELL, (uint16_t)row};
-    }
-    return first;
+    for (uint32_t k = 0; k < count; k++)
+        place_front(p, fronts, &grid->frame, k);
+    return true;
 }
 
 static bool finders_init(finder *finders, int threads, const hide_fronts *fronts, const objet *grid,
-                         const first_cell *first)
+                         const places *where)
 {
     for (int i = 0; i < threads; i++) {
         finders[i].fronts = fronts;
         finders[i].grid = grid;
-        finders[i].first = first;
+        finders[i].places = where;
         finders[i].nearest = fronts->seen->rules.hidden ? NULL : grid->sheet.depth;
         finders[i].rules = (crossing_rules){fronts->scene, fronts->space.epsilon * fronts->scene->unit};
         finders[i].face = alloc_array(KEPT_FACES, sizeof *finders[i].face);
@@ -533,10 +570,11 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
 {
     int count = threads_for(threads, 1 + grid->start[scan_cells(&grid->frame)] / WORTH_A_THREAD);
     finder *finders = alloc_zeroed((size_t)count, sizeof *finders);
-    first_cell *first = find_first_cells(fronts, grid, count);
-    bool enough = finders && first && finders_init(finders, count, fronts, grid, first) &&
-                  meet_all(finders, grid, count) && meet_pairs(finders, count) &&
-                  gather(c, fronts->scene, finders, count) && find_pieces(c, fronts->seen, threads);
+    places where = {0};
+    bool enough = finders && find_places(&where, fronts, grid, count) &&
+                  finders_init(finders, count, fronts, grid, &where) && meet_all(finders, grid, count) &&
+                  meet_pairs(finders, count) && gather(c, fronts->scene, finders, count) &&
+                  find_pieces(c, fronts->seen, threads);
     for (int i = 0; finders && i < count; i++) {
         free(finders[i].found.item);
         free(finders[i].pair);
@@ -545,7 +583,8 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
         free(finders[i].list[1].item);
     }
     free(finders);
-    free(first);
+    free(where.first);
+    free(where.model);
     return enough;
 }
 
