@@ -300,11 +300,12 @@ BITS_INLINE bool seen_next(seen_walk *w, seen_line *line, bool slow)
 static inline void seen_again(seen_walk *w, uint32_t edge, seen_line *line)
 {
     line->edge = edge;
-    w->all = true; /* it is not flat, or flat edges are wanted */
-    if (w->slow)
+    if (w->slow) {
         seen_slow_line(w, edge, line);
-    else
-        seen_solid_line(w, w->stored + (edge - w->edge), line);
+        return;
+    }
+    w->all = true; /* it is not flat, or flat edges are wanted */
+    seen_solid_line(w, w->stored + (edge - w->edge), line);
 }
 
 #endif
