@@ -1,6 +1,7 @@
 /* crossings.c - see crossings.h. */
 #include "hide/crossings.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -40,11 +41,19 @@ typedef struct first_cell {
     uint16_t column, row;
 } first_cell;
 
+/* The box of a whole solid along the model's axes, in which many solids lie. */
+typedef struct model_box {
+    hide_bounds is;
+    atomic_uchar touches; /* may the solid have an edge that lies in a face of another one? contact */
+} model_box;
+
+typedef enum contact { TOUCHES_UNKNOWN, TOUCHES_NOWHERE, TOUCHES_SOMEWHERE } contact;
+
 /* What is known of the fronts before any two of them meet. */
 typedef struct places {
-    first_cell *first;  /* [front_count] */
-    hide_bounds *model; /* [whole] boxes of whole solids along the model's axes, in which many solids lie */
-    uint32_t whole;     /* whole solids; they come before single faces */
+    first_cell *first; /* [front_count] */
+    model_box *model;  /* [whole] */
+    uint32_t whole;    /* whole solids; they come before single faces */
 } places;
 
 /* What each thread has for itself. */
@@ -249,14 +258,37 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
 
-/* Are both whole solids, with boxes along the model's axes that touch at the most? */
-static inline bool is_apart(const places *p, uint32_t a, uint32_t b)
+static bool has_flat_edge(const hide_fronts *fronts, uint32_t solid)
 {
-    if (a >= p->whole || b >= p->whole)
+    const roberts_scene *scene = fronts->scene;
+    const scene_solid *s = &scene->solid[solid];
+    const scene_edge *edge = scene->edge + s->stored, *end = edge + (s[1].edge - s->edge);
+    while (edge < end && !seen_is_flat(scene->face_plane + s->face, edge, fronts->seen->rules.crease_chord))
+        edge++;
+    return edge < end;
+}
+
+/* Where solids touch, flat edges may be lines: those are no edges that are drawn. */
+static inline bool may_touch(const finder *t, uint32_t front)
+{
+    atomic_uchar *touches = &t->places->model[front].touches;
+    unsigned char known = atomic_load_explicit(touches, memory_order_relaxed);
+    if (known == TOUCHES_UNKNOWN) {
+        known = has_flat_edge(t->fronts, t->fronts->front[front].solid) ? TOUCHES_SOMEWHERE : TOUCHES_NOWHERE;
+        atomic_store_explicit(touches, known, memory_order_relaxed);
+    }
+    return known == TOUCHES_SOMEWHERE;
+}
+
+/* Do boxes along the model's axes keep two whole solids apart? */
+static inline bool is_apart(const finder *t, uint32_t a, uint32_t b)
+{
+    if (a >= t->places->whole || b >= t->places->whole)
         return false;
-    const hide_bounds *f = &p->model[a], *g = &p->model[b];
-    return f->high.x <= g->low.x || g->high.x <= f->low.x || f->high.y <= g->low.y || g->high.y <= f->low.y ||
-           f->high.z <= g->low.z || g->high.z <= f->low.z;
+    const hide_bounds *f = &t->places->model[a].is, *g = &t->places->model[b].is;
+    return (f->high.x <= g->low.x || g->high.x <= f->low.x || f->high.y <= g->low.y || g->high.y <= f->low.y ||
+            f->high.z <= g->low.z || g->high.z <= f->low.z) &&
+           !may_touch(t, a) && !may_touch(t, b);
 }
 
 /* Is a pair sought in the cell? `deeper`: the nearest depth of the deeper one of the two. */
@@ -309,7 +341,7 @@ static bool meet_cell(finder *t, uint32_t column, uint32_t row)
                     k = end;
                     break;
                 }
-                if (!is_apart(t->places, list[i].front, list[at].front) && boxes_meet(own, box) &&
+                if (!is_apart(t, list[i].front, list[at].front) && boxes_meet(own, box) &&
                     !is_met_before(t, list[i].front, list[at].front, column, row) && !meet_entries(t, list, i, at))
                     return false;
             }
@@ -481,11 +513,12 @@ static void place_front(const places *p, const hide_fronts *fronts, const scan_f
 {
     const roberts_scene *scene = fronts->scene;
     const scene_solid *s = &scene->solid[fronts->front[k].solid];
+    hide_bounds own = hide_no_bounds;
     p->first[k] = first_cell_of(frame, &fronts->front_box[k], (double)fronts->front[k].loose);
     if (k >= p->whole)
         return;
-    p->model[k] = hide_no_bounds;
-    box_add_all(&p->model[k].low, &p->model[k].high, scene->point + s->vertex, s[1].vertex - s->vertex);
+    box_add_all(&own.low, &own.high, scene->point + s->vertex, s[1].vertex - s->vertex);
+    p->model[k] = (model_box){own, TOUCHES_UNKNOWN};
 }
 
 /* Where points have low parts, boxes along the model's axes are not exact. False: no memory. */

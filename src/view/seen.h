@@ -258,7 +258,7 @@ static inline bool seen_is_flat(const plane *of, const scene_edge *edge, double 
 {
     plane F = of[edge->f[0]], G = of[edge->f[1]];
     double a = F.a - G.a, b = F.b - G.b, c = F.c - G.c;
-    return a * a + b * b + c * c < chord;
+    return a * a < chord && a * a + b * b + c * c < chord;
 }
 
 /* The line of an edge of a convex body, as stored in seen.scene. An edge with one front face is an outline and always a
