@@ -1,4 +1,4 @@
-/* bundle.c - see bundle.h. */
+/* bundle.c - a tree over the front faces of one solid. See bundle.h. */
 #include "hide/bundle.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "base/box.h"
 #include "base/sort.h"
 
-/* Up to so many keys are sorted by insertion. */
+/* Up to this many keys are sorted by insertion. */
 #define FEW 64
 
 bool bundle_table_init(bundle_table *table, size_t count)
@@ -42,14 +42,14 @@ static roberts_vec3 middle_of(const hide_space *space, const hide_face *F)
     return vec3_scale(1.0 / F->count, sum);
 }
 
-/* The faces' middles, and scratch memory for putting them in order. */
+/* The faces' midpoints, and scratch memory for sorting them. */
 typedef struct middles {
     const roberts_vec3 *at;
     uint32_t *order;
-    uint32_t *key, *place, *moved; /* [as order] */
+    uint32_t *key, *place, *moved; /* [as many as order] */
 } middles;
 
-/* Puts order[first .. first+count-1] in the order of their keys, which are key[0 .. count-1]. False: no memory. */
+/* Sorts order[first .. first+count-1] by key[0 .. count-1]. False: no memory. */
 static bool sort(const middles *m, uint32_t first, uint32_t count)
 {
     uint32_t *order = m->order + first;
@@ -65,9 +65,9 @@ static bool sort(const middles *m, uint32_t first, uint32_t count)
     return true;
 }
 
-/* Puts the items of a node in order, so that each of its parts, nodes of `rank`, holds faces near one another. The
- * items are sorted along the longer side of the box of their middles; then each part is treated likewise. (Along a
- * Z-order curve, which jumps, an edge before a fan was asked two to five times as many faces.) */
+/* Sorts the items of a node so that each node of `rank` below it holds neighbouring faces. The items are sorted by
+ * midpoint along the longer side of their box; then each part is sorted likewise. (A Z-order curve jumps: with it, an
+ * edge in front of a fan was compared with two to five times as many faces.) */
 static bool divide(const middles *m, const list_tree *over, int rank, uint32_t first, uint32_t end)
 {
     roberts_vec3 low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
@@ -88,7 +88,7 @@ static bool divide(const middles *m, const list_tree *over, int rank, uint32_t f
     return true;
 }
 
-/* Brings faces together whose middles are near one another. */
+/* Orders the faces so that neighbours in the list have neighbouring midpoints. False: no memory. */
 static bool put_in_order(const hide_space *space, const hide_face *face, const list_tree *over, uint32_t *order)
 {
     uint32_t count = over->items;
@@ -106,17 +106,17 @@ static bool put_in_order(const hide_space *space, const hide_face *face, const l
     return done;
 }
 
-/* Faces of a node, by `order`. */
-typedef struct some {
+/* The faces of a node: order[first .. end - 1]. */
+typedef struct node_faces {
     const hide_space *space;
     const hide_face *face;
     const uint32_t *order;
     uint32_t first, end;
-} some;
+} node_faces;
 
-/* Sets M, the mean of the middles, and the direction in which the corners spread most: the first axis of their
- * moments. */
-static void set_frame(const some *s, bundle_node *n)
+/* Sets the node's frame: M is the mean of the midpoints, and (ux, uy) the direction in which the corners spread most,
+ * the first principal axis of their second moments. */
+static void set_frame(const node_faces *s, bundle_node *n)
 {
     double xx = 0.0, xy = 0.0, yy = 0.0;
     for (uint32_t k = s->first; k < s->end; k++)
@@ -137,9 +137,9 @@ static void set_frame(const some *s, bundle_node *n)
     n->uy = length > 0.0 ? y / length : 0.0;
 }
 
-/* Takes in a face. At the far end of the scene its plane may be off by `touch - limit`, or by half of `touch` if that
- * is more (see set_trust() in front.c). */
-static void take_in(const some *s, bundle_node *n, const hide_face *F)
+/* Adds a face to the node. At the far end of the scene its plane may be off by `touch - limit`, or by half of `touch`
+ * if that is more (see set_trust() in front.c). */
+static void take_in(const node_faces *s, bundle_node *n, const hide_face *F)
 {
     double m = hide_margin(s->space), uncertain = greater(0.5 * F->touch, F->touch - (double)F->limit);
     for (uint32_t i = 0; i < F->count; i++) {
@@ -155,7 +155,7 @@ static void take_in(const some *s, bundle_node *n, const hide_face *F)
         greater(n->behind, plane_at(F->F, n->M) + F->touch + uncertain + BUNDLE_ROUNDINGS * s->space->depth_rounding);
 }
 
-static bundle_node make_node(const some *s)
+static bundle_node make_node(const node_faces *s)
 {
     bundle_node n = {.x0 = INFINITY,
                      .x1 = -INFINITY,
@@ -185,7 +185,7 @@ static bundle *make_bundle(const hide_space *space, const hide_face *face, uint3
     for (int rank = 0; rank < (int)over.ranks; rank++)
         for (uint32_t item = 0, end; item < count; item = end) {
             end = list_tree_end(&over, rank, item);
-            b->node[list_tree_node(&over, rank, item)] = make_node(&(some){space, face, b->order, item, end});
+            b->node[list_tree_node(&over, rank, item)] = make_node(&(node_faces){space, face, b->order, item, end});
         }
     return b;
 }

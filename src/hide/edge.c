@@ -1,7 +1,7 @@
-/* edge.c - see edge.h.
+/* edge.c - lines through the grid. See edge.h.
  *
- * The edges of a small solid go through the cells together: each front in them is met once, by all edges. The edges
- * of a solid that spans many cells go one by one, each through the cells that its own picture crosses. */
+ * The edges of a small solid go through the cells together: each front there is met once, by all edges. The edges of a
+ * solid that spans many cells go one by one, each through the cells that its own picture crosses. */
 #include "hide/edge.h"
 
 #include <math.h>
@@ -13,11 +13,11 @@
 #include "base/box.h"
 #include "base/lanes.h"
 
-/* A solid of more columns or rows than this is taken edge by edge. */
+/* Edges of a solid with more columns or rows than this go one by one. */
 #define GROUP_CELLS 3
-/* In a list of at most so many fronts, seeking those to meet first gains nothing. */
+/* For lists of at most this many fronts, choosing which fronts to meet first gains nothing. */
 #define SHORT_LIST 32
-/* When so many fronts have met a group of lines, most of what the next ones hide is hidden already. */
+/* After a group of lines has met this many fronts, most of what further fronts hide is already hidden. */
 #define MANY_FRONTS 6
 
 bool hide_worker_reserve(hide_worker *w, size_t lines)
@@ -37,8 +37,8 @@ bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *gr
     w->least[0] = w->least[2] = -INFINITY;
     w->most[1] = w->most[3] = INFINITY;
     w->seen = alloc_zeroed(fronts->front_count, sizeof *w->seen);
-    /* More room, so that the array lies apart from what other threads write. At least one line, so that there is an
-     * array to point into. */
+    /* Extra room keeps the array away from what other threads write. One line is reserved so that there is an array to
+     * point into. */
     return w->seen && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) && hide_worker_reserve(w, 1);
 }
 
@@ -82,8 +82,8 @@ void hide_worker_free(hide_worker *w)
     *w = (hide_worker){0};
 }
 
-/* Takes from the part what is nearer than all corners of the front. The front does not hide that, whatever the planes
- * of its faces are rounded to. False: nothing is left. */
+/* Removes from the part whatever is nearer than all corners of the front. The front cannot hide that, however its
+ * planes are rounded. False: nothing is left. */
 static BITS_RARE bool confine(const hide_worker *w, const hide_box *box, const hide_edge *e, hide_interval *part)
 {
     double nearest = (double)box->z1 + w->margin;
@@ -92,16 +92,16 @@ static BITS_RARE bool confine(const hide_worker *w, const hide_box *box, const h
            hide_is_left(&w->fronts->space, e, part);
 }
 
-/* Is nothing of the part that near, so that confine() would change nothing? */
+/* Is no point of the part that near, so that confine() would change nothing? */
 static inline bool is_confined(const hide_worker *w, const hide_box *box, const hide_edge *e, const hide_interval *part)
 {
     double nearest = (double)box->z1 + w->margin, dz = e->B.z - e->A.z;
     return e->A.z + part->r0 * dz <= nearest && e->A.z + part->r1 * dz <= nearest;
 }
 
-/* Shrinks the box of a line that is hidden at one end to the box of the rest, which begins at P. A front whose box
- * misses that box by the margin hides nothing more and touches nothing of the rest, since fronts reach no farther than
- * their boxes and the margin. The box keeps the line's other end. */
+/* Shrinks the box of a line that is hidden at one end to the box of the rest, which begins at P. Fronts extend at most
+ * a margin beyond their boxes. So a front whose box is more than the margin away from the new box hides nothing of the
+ * rest and does not touch it. The box keeps the line's other end. */
 static void shrink(hide_worker *w, size_t n, const hide_interval *hidden)
 {
     const hide_edge *e = &w->line[n].e;
@@ -126,14 +126,14 @@ static void shrink(hide_worker *w, size_t n, const hide_interval *hidden)
         l->z0[n] = hide_float_below(P.z - w->margin);
 }
 
-/* (Q - P) x (X - P), of the picture: > 0 where X is on the left of P -> Q. */
+/* (Q - P) x (X - P) in the picture: > 0 if X is left of P -> Q. */
 static double left_of(roberts_vec3 P, roberts_vec3 Q, roberts_vec3 X)
 {
     return (Q.x - P.x) * (X.y - P.y) - (Q.y - P.y) * (X.x - P.x);
 }
 
-/* Does the line begin or end at a corner of the face, and leave it plainly there? Most faces of a surface that a line
- * meets are of this kind. */
+/* Does the line begin or end at a corner of the face, and plainly leave the face there? Most faces of a surface that a
+ * line meets are of this kind. */
 static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, const hide_face *F)
 {
     uint32_t at = F->count;
@@ -150,8 +150,8 @@ static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, cons
     return left_of(V, after, X) < -fronts->space.plain || left_of(V, X, before) < -fronts->space.plain;
 }
 
-/* Leaves out the lines, given by bits from `first` on, that own the front. Leaves out those too that only touch a face
- * of a surface at a corner. */
+/* Removes from `bits` the lines that own the front, and those that only touch a face of a surface at a corner. Bit i
+ * stands for line first[i]. */
 static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *first, uint64_t bits,
                                        const hide_front *front)
 {
@@ -166,8 +166,8 @@ static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *fi
     return left;
 }
 
-/* Tests lines against a front that may be nearer somewhere: those that `bits` gives, from `first` on. They lie within
- * `box`. False: no memory. */
+/* Tests lines against a front that may be nearer somewhere. Bit i of `bits` stands for line first[i]. The lines lie
+ * within `box`. False: no memory. */
 static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box *box, uint32_t index)
 {
     const hide_fronts *fronts = w->fronts;
@@ -189,7 +189,7 @@ static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box
             return false;
         if (part.t0 == 0.0 && part.t1 == 1.0) {
             line->hidden = true;
-            w->lanes.x0[line - first] = w->whole.x0[line - first] = INFINITY; /* a line alone is not asked for it */
+            w->lanes.x0[line - first] = w->whole.x0[line - first] = INFINITY; /* not used for a single line */
             w->live--;
         } else if (w->shrinks && (part.t0 == 0.0 || part.t1 == 1.0)) {
             shrink(w, (size_t)(line - w->line), &part);
@@ -198,7 +198,7 @@ static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box
     return true;
 }
 
-/* Which lines of the group have boxes that meet this one? Bit i stands for line i. */
+/* Finds the lines of the group whose boxes meet this one. Bit i stands for line i. */
 static inline uint64_t met_by(const hide_lanes *l, size_t count, const hide_box *box)
 {
     four x0 = four_all(box->x0), x1 = four_all(box->x1), y0 = four_all(box->y0), y1 = four_all(box->y1);
@@ -213,7 +213,7 @@ static inline uint64_t met_by(const hide_lanes *l, size_t count, const hide_box 
     return bits;
 }
 
-/* Does the box have a side (x0, x1, y0, y1 as lanes) that is below the least or above the most that it may be? */
+/* Is a side of the box (x0, x1, y0, y1 as lanes) below its lower limit or above its upper limit? */
 static inline bool apart(const hide_box *box, four least, four most)
 {
     float side[4];
@@ -221,20 +221,21 @@ static inline bool apart(const hide_box *box, four least, four most)
     return four_signs(four_either(four_below(four_load(side), least), four_below(most, four_load(side)))) != 0;
 }
 
-/* Lines that go through cells together: one alone, or all of a group. */
-typedef struct party {
-    hide_line *first;    /* the line, or the group's first */
-    bool alone;          /* else each line of the group has its box in hide_worker.lanes */
-    const hide_box *box; /* of all of them; where a line is alone, it is not asked about depth */
-} party;
+/* Lines that go through the cells together: a single one, or all of a group. */
+typedef struct line_set {
+    hide_line *first;    /* the line, or the group's first line */
+    bool alone;          /* a single line; otherwise hide_worker.lanes has the boxes of the lines */
+    const hide_box *box; /* of all lines; the depth of a single line is not used */
+} line_set;
 
-/* Tests the lines against one front that may be nearer somewhere, unless they have met it. False: no memory. */
-BITS_INLINE bool meet_once(hide_worker *w, const party *p, uint32_t front)
+/* Tests the lines against one front that may be nearer somewhere, unless they have already met it. False: no memory. */
+BITS_INLINE bool meet_once(hide_worker *w, const line_set *p, uint32_t front)
 {
     if (w->seen[front] == w->stamp)
         return true;
     w->seen[front] = w->stamp;
-    /* The parts that the faces of one solid hide are joined, and a face counts even if all it hides is hidden. */
+    /* The parts hidden by the faces of one solid are joined. So a face counts even if everything it hides is already
+     * hidden. */
     bool hull = w->grid->next && w->fronts->front[front].kind == HIDE_SOLID_FACE;
     const hide_lanes *lanes = hull ? &w->whole : &w->lanes;
     uint64_t bits = p->alone ? 1 : met_by(lanes, w->line_count, &w->fronts->front_box[front]);
@@ -243,13 +244,13 @@ BITS_INLINE bool meet_once(hide_worker *w, const party *p, uint32_t front)
     return !bits || w->fronts->front[front].own == w->own || meet(w, p->first, bits, p->box, front);
 }
 
-/* The same, if the front's box reaches theirs. */
-BITS_INLINE bool meet_entry(hide_worker *w, const party *p, uint32_t front)
+/* As meet_once(), but only if the front's box reaches the lines' box. */
+BITS_INLINE bool meet_entry(hide_worker *w, const line_set *p, uint32_t front)
 {
     return apart(&w->fronts->front_box[front], four_load(w->least), four_load(w->most)) || meet_once(w, p, front);
 }
 
-/* The first entry from k on, before `end`, whose front has no point nearer than z. */
+/* Finds the first entry, from k on and before `end`, whose front has no point nearer than z. */
 static uint32_t first_behind(const objet *grid, const hide_fronts *fronts, uint32_t k, uint32_t end, float z)
 {
     while (k < end) {
@@ -262,8 +263,9 @@ static uint32_t first_behind(const objet *grid, const hide_fronts *fronts, uint3
     return k;
 }
 
-/* Tests the lines against the entries first .. end - 1, the last four first. False: no memory. */
-static bool meet_backward(hide_worker *w, const party *p, uint32_t first, uint32_t end, uint32_t sides)
+/* Tests the lines against the entries first .. end - 1, from the last to the first, four at a time. False: no
+ * memory. */
+static bool meet_backward(hide_worker *w, const line_set *p, uint32_t first, uint32_t end, uint32_t sides)
 {
     while (end > first && w->live) {
         uint32_t k = end - first < 4 ? first : end - 4;
@@ -275,9 +277,9 @@ static bool meet_backward(hide_worker *w, const party *p, uint32_t first, uint32
     return true;
 }
 
-/* Tests the lines against the entries k .. end - 1, the nearest fronts first. far: the farthest depth of the lines
- * there. False: no memory. */
-static bool meet_forward(hide_worker *w, const party *p, uint32_t k, uint32_t end, uint32_t sides, float far)
+/* Tests the lines against the entries k .. end - 1, nearest fronts first. far: the farthest depth of the lines there.
+ * False: no memory. */
+static bool meet_forward(hide_worker *w, const line_set *p, uint32_t k, uint32_t end, uint32_t sides, float far)
 {
     const objet *grid = w->grid;
     const hide_fronts *fronts = w->fronts;
@@ -290,7 +292,7 @@ static bool meet_forward(hide_worker *w, const party *p, uint32_t k, uint32_t en
         for (next = k + 4; near; near &= near - 1) {
             uint32_t front = grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front;
             if (fronts->front_box[front].z1 < far)
-                return true; /* neither this front nor those that follow have a point nearer than the lines here */
+                return true; /* from here on, no front has a point nearer than the lines */
             if (!meet_entry(w, p, front))
                 return false;
             if (!w->live)
@@ -300,19 +302,19 @@ static bool meet_forward(hide_worker *w, const party *p, uint32_t k, uint32_t en
     return true;
 }
 
-/* Tests the lines against the fronts of one cell, until all lines are wholly hidden. Fronts that begin before all lines
- * come first, beginning with the farthest: in a row or a pile the next solid hides more than one far before it. The
- * other fronts follow. Four fronts are looked at a time. (Prefetching the boxes of the next fronts gains nothing, not
- * even in scenes that no cache holds.) */
-static bool meet_cell(hide_worker *w, const party *p, uint32_t column, uint32_t row, float far)
+/* Tests the lines against the fronts of one cell until all lines are completely hidden. Fronts that begin in front of
+ * all lines come first, the farthest of them first: in a row or a pile, the adjacent solid hides more than a distant
+ * one. The other fronts follow. Four fronts are examined at a time. (Prefetching the boxes of the next fronts gains
+ * nothing, not even in scenes too large for any cache.) False: no memory. */
+static bool meet_cell(hide_worker *w, const line_set *p, uint32_t column, uint32_t row, float far)
 {
     const objet *grid = w->grid;
     size_t cell = (size_t)column * grid->frame.ny + row;
     const uint32_t *start = grid->start + cell;
     if (grid->below && far > grid->below[cell])
-        return true; /* edges of the sheet that fills the cell */
+        return true; /* only edges of the sheet that fills the cell remain */
     uint32_t sides = objet_most(objet_cut(four_load(w->place), column, row)), k = start[0];
-    bool alone = p->alone && grid->next; /* a line of a fan would go back over all faces of the fan in every cell */
+    bool alone = p->alone && grid->next; /* in every cell, a line of a fan would go back over all faces of the fan */
     if (!alone && start[1] - start[0] > SHORT_LIST) {
         k = first_behind(grid, w->fronts, k, start[1], p->box->z1);
         if (!meet_backward(w, p, start[0], k, sides))
@@ -321,7 +323,7 @@ static bool meet_cell(hide_worker *w, const party *p, uint32_t column, uint32_t 
     return !w->live || meet_forward(w, p, k, start[1], sides, far);
 }
 
-/* Sets what a front's box must reach so as to meet this one. */
+/* Sets the limits that a front's box must reach to meet this box. */
 static void set_reach(hide_worker *w, const hide_box *box)
 {
     w->least[1] = box->x0;
@@ -331,7 +333,7 @@ static void set_reach(hide_worker *w, const hide_box *box)
     four_store(w->place, objet_place(w->grid, box));
 }
 
-/* Takes a new stamp. When stamps run out, they start again. */
+/* Takes the next stamp. When stamps run out, they start again. */
 static void next_stamp(hide_worker *w)
 {
     if (++w->stamp == 0) {
@@ -340,7 +342,7 @@ static void next_stamp(hide_worker *w)
     }
 }
 
-/* Takes one line through the cells that it crosses. False: no memory. */
+/* Takes one line through the cells it crosses. False: no memory. */
 static bool run_alone(hide_worker *w, hide_line *line)
 {
     const hide_edge *e = &line->e;
@@ -352,7 +354,7 @@ static bool run_alone(hide_worker *w, hide_line *line)
     if (!objet_cells(w->grid, e->A, e->B, &w->walk))
         return false;
     hide_box box = hide_edge_box(e, w->margin);
-    party p = {.first = line, .alone = true, .box = &box};
+    line_set p = {.first = line, .alone = true, .box = &box};
     set_reach(w, &box);
     for (size_t i = 0; w->live && i < w->walk.count; i++) {
         objet_stretch s = w->walk.item[i];
@@ -376,7 +378,7 @@ static bool run_together(hide_worker *w, uint32_t left, uint32_t right, uint32_t
     if (w->grid->next)
         w->whole = w->lanes;
     next_stamp(w);
-    party p = {.first = w->line, .box = &w->box};
+    line_set p = {.first = w->line, .box = &w->box};
     set_reach(w, &w->box);
     for (uint32_t i = left; w->live && i <= right; i++)
         for (uint32_t j = low; j <= high; j++)
@@ -385,7 +387,7 @@ static bool run_together(hide_worker *w, uint32_t left, uint32_t right, uint32_t
     return true;
 }
 
-/* Finds the box of a group. Boxes that meet nothing fill up the last four lanes. */
+/* Finds the box of a group. The unused ones of the last four lanes get boxes that meet nothing. */
 static void box_lines(hide_worker *w)
 {
     hide_box all = {INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
@@ -403,7 +405,7 @@ static void box_lines(hide_worker *w)
     w->box = all;
 }
 
-/* Takes the lines through the cells, together or alone: the way that costs less. False: no memory. */
+/* Takes the lines through the cells, together or one by one, whichever costs less. False: no memory. */
 static bool run_lines(hide_worker *w)
 {
     const scan_frame *f = &w->grid->frame;
@@ -420,7 +422,7 @@ static bool run_lines(hide_worker *w)
     return true;
 }
 
-/* Adds what solids entered face by face hide. False: no memory. */
+/* Adds the parts hidden by solids entered face by face. False: no memory. */
 static BITS_RARE bool add_hulls(hide_line *line)
 {
     hide_intervals_hulls_done(&line->hulls);
@@ -432,7 +434,7 @@ static BITS_RARE bool add_hulls(hide_line *line)
 
 bool hide_worker_run(hide_worker *w)
 {
-    /* In a scene of one convex body nothing else hides its lines. (A fan lists all its triangles in the cell of its
+    /* In a scene of one convex body, nothing hides its lines. (A fan lists all its triangles in the cell of its
      * tip.) */
     bool alone = w->fronts->scene->solid_count == 1 && w->own != ROBERTS_NONE;
     if (w->line_count > 0 && !alone && !run_lines(w))
@@ -451,12 +453,12 @@ static bool box_holds(const hide_fronts *fronts, const hide_box *box, double x, 
     return x >= (double)box->x0 - m && x <= (double)box->x1 + m && y >= (double)box->y0 - m && y <= (double)box->y1 + m;
 }
 
-/* Who is seen at a point: what is known so far. */
+/* A search for the solid seen at a point: the result so far. */
 typedef struct look {
     double x, y;
     double best;    /* the nearest depth */
-    uint32_t solid; /* the smallest that touches there */
-    bool touching;  /* the nearest depth is known; the question is who touches it */
+    uint32_t solid; /* the smallest number that touches there */
+    bool touching;  /* the nearest depth is known; now find who touches it */
 } look;
 
 static void look_at_face(const hide_fronts *fronts, const hide_front *front, const hide_face *F, double z1, look *l)
@@ -483,7 +485,7 @@ static void look_at_front(const hide_fronts *fronts, const hide_front *front, do
             look_at_face(fronts, front, &face[b->order[i]], z1, l);
 }
 
-/* Asks the fronts of one cell whose boxes can hold the point, by their sides in the cell. Four are looked at a time. */
+/* Examines the fronts of one cell whose boxes can hold the point, four at a time. */
 static void look_at_cell(const hide_worker *w, size_t cell, uint32_t sides, look *l)
 {
     const objet *grid = w->grid;
@@ -495,7 +497,7 @@ static void look_at_cell(const hide_worker *w, size_t cell, uint32_t sides, look
             const hide_front *front = &fronts->front[index];
             const hide_box *box = &fronts->front_box[index];
             if ((double)box->z1 + (l->touching ? fronts->thickest : 0.0) < l->best)
-                return; /* all that follow are farther too */
+                return; /* all later fronts are farther too */
             if (box_holds(fronts, box, l->x, l->y) && !(l->touching && front->solid >= l->solid))
                 look_at_front(fronts, front, (double)box->z1, l);
         }

@@ -1,4 +1,4 @@
-/* edge.h - lines through the grid: what hides them, and whom the viewer sees there instead. */
+/* edge.h - lines through the grid: what hides them, and which solid the viewer sees there instead. */
 #ifndef ROBERTS_HIDE_EDGE_H
 #define ROBERTS_HIDE_EDGE_H
 
@@ -7,28 +7,28 @@
 #include "hide/front_test.h"
 #include "hide/intervals.h"
 
-/* Of more lines than this each is taken alone. A multiple of 4. */
+/* The largest group of lines that goes through the cells together. A multiple of 4. */
 #define HIDE_GROUP 64
 
-/* A line at work. */
+/* A line, and what is known to hide it. */
 typedef struct hide_line {
     hide_edge e;
-    hide_intervals intervals; /* hidden so far */
-    hide_intervals hulls;     /* ... by solids entered face by face: one interval for each of them */
-    bool hidden;              /* wholly: nothing more need be asked */
+    hide_intervals intervals; /* the hidden parts so far */
+    hide_intervals hulls;     /* the parts hidden by solids entered face by face: one interval for each solid */
+    bool hidden;              /* completely: no more tests are needed */
     seen_line is;
 } hide_line;
 
-/* Boxes of a group's lines, rounded outward, side by side; one that is wholly hidden begins at infinity, and so do
- * those that fill up the last four. */
+/* Boxes of a group's lines in SIMD layout, rounded outward. A line that is completely hidden begins at infinity, and so
+ * do the unused ones of the last four lanes. */
 typedef struct hide_lanes {
     float x0[HIDE_GROUP], x1[HIDE_GROUP], y0[HIDE_GROUP], y1[HIDE_GROUP], z0[HIDE_GROUP], z1[HIDE_GROUP];
 } hide_lanes;
 
-/* A face before a point: see level.c. */
+/* A face in front of a point: see level.c. */
 typedef struct level_hit {
     uint32_t body;
-    unsigned ways; /* in which the point can be moved into the face */
+    unsigned ways; /* bits of the directions in which the point can be moved into the face */
 } level_hit;
 
 typedef struct level_hits {
@@ -36,66 +36,67 @@ typedef struct level_hits {
     size_t count, room;
 } level_hits;
 
-/* Scratch memory of one thread, serving solid after solid. */
+/* Scratch memory of one thread, reused for solid after solid. */
 typedef struct hide_worker {
     const hide_fronts *fronts;
     const objet *grid;
     hide_sides sides;
     objet_walk walk;
     double margin;   /* hide_margin() */
-    hide_line *line; /* [line_count] the lines at work; those beyond keep their memory */
+    hide_line *line; /* [line_count] the current lines; lines beyond keep their memory */
     size_t line_count, line_room;
-    hide_box box;            /* of all of them, if they are no more than a group */
-    hide_lanes lanes;        /* of the first of them; they shrink with what is hidden of a line */
-    hide_lanes whole;        /* ... and as they were, where some solids are entered face by face */
-    float least[4], most[4]; /* of x0, x1, y0, y1 of a front that meets the box of the edges at work */
-    float place[4];          /* objet_place() of it */
-    bool all;                /* who hides a part is asked too */
-    bool shrinks;            /* the boxes of the lines at work shrink with what is hidden of them */
-    uint32_t met;            /* fronts that met the group at work, where lines shrink */
-    size_t live;             /* lines of the group at work that are not wholly hidden */
-    uint32_t own;            /* the one key of own faces of all lines, where it is that of a convex body; ROBERTS_NONE:
-                                each line is asked for its own */
-    /* [front_count] the last group of edges that met the front, by its stamp. Short, so that more of it stays in the
+    hide_box box;            /* of all lines, if they fit into one group */
+    hide_lanes lanes;        /* boxes of the lines; they shrink as lines are hidden */
+    hide_lanes whole;        /* the same before shrinking, needed if some solids are entered face by face */
+    float least[4], most[4]; /* limits on x0, x1, y0, y1 of a front that meets the box of the current lines */
+    float place[4];          /* objet_place() of the box */
+    bool all;                /* also find which solid hides each part */
+    bool shrinks;            /* the boxes of the current lines shrink as lines are hidden */
+    uint32_t met;            /* fronts met by the current group, if boxes shrink */
+    size_t live;             /* lines of the current group that are not completely hidden */
+    uint32_t own; /* the lines' common key of own faces, if they belong to a convex body; ROBERTS_NONE: each line has
+                     its own keys */
+    /* [front_count] Stamp of the last group of edges that met the front. It is short so that more stamps fit into the
      * cache. */
     uint16_t *seen;
-    uint16_t stamp;          /* of the group at work */
+    uint16_t stamp;          /* of the current group */
     size_t surviving, drawn; /* edges, as counted in a roberts_drawing */
     level_hits level;        /* scratch memory of hide_level_at() */
     char apart[THREADS_APART];
 } hide_worker;
 
-/* False: no memory; hide_worker_free() is due in any case. */
+/* Prepares a worker. Call hide_worker_free() in any case. all: also find which solid hides each part. False: no
+ * memory. */
 bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *grid, bool all);
 void hide_worker_free(hide_worker *w);
 
-/* Room for so many lines. False: no memory. */
+/* Makes room for this many lines. False: no memory. */
 bool hide_worker_reserve(hide_worker *w, size_t lines);
 
-/* Begins with no lines. own: see hide_worker. */
+/* Starts a new set of lines. own: see hide_worker. */
 static inline void hide_worker_begin(hide_worker *w, uint32_t own)
 {
     w->line_count = 0;
     w->own = own;
 }
 
-/* The edge's box, rounded outward. */
+/* Returns the edge's box, rounded outward. */
 BITS_INLINE hide_box hide_edge_box(const hide_edge *e, double margin)
 {
     two a = two_of(e->A.x, e->A.y), b = two_of(e->B.x, e->B.y), m = two_all(margin), ulp = two_all(0x1p-23);
     two from = two_sub(two_lesser(a, b), m), to = two_add(two_greater(a, b), m);
     hide_box box = {.z0 = hide_float_below(lesser(e->A.z, e->B.z) - margin),
                     .z1 = hide_float_above(greater(e->A.z, e->B.z) + margin)};
-    /* as hide_float_below(), hide_float_above() */
+    /* rounds as hide_float_below() and hide_float_above() do */
     two_part_floats(&box.x0, &box.y0, two_sub(from, two_mul(two_abs(from), ulp)));
     two_part_floats(&box.x1, &box.y1, two_add(to, two_mul(two_abs(to), ulp)));
     return box;
 }
 
-/* Sets the view points of a line with a computed end. */
+/* Sets the view points of a line that has a computed end. */
 void hide_set_ends(const hide_fronts *fronts, const seen_line *line, hide_edge *e);
 
-/* Takes up a line, which is w->line + w->line_count and has its `is`. */
+/* Adds a line: w->line + w->line_count, with its `is` set. */
 BITS_INLINE void hide_worker_add(hide_worker *w, hide_line *line)
 {
     size_t n = w->line_count++;
@@ -126,15 +127,15 @@ BITS_INLINE void hide_worker_add(hide_worker *w, hide_line *line)
     line->hidden = false;
 }
 
-/* The same of a line that the near plane has taken: it has no ends, and nothing is asked of it. */
+/* Adds a line that the near plane has removed. It has no ends and is not tested. */
 void hide_worker_add_taken(hide_worker *w, hide_line *line);
 
-/* Finds what hides the lines taken up: all fronts but those of their own faces. Hidden parts ascend and are disjoint.
- * False: no memory. */
+/* Finds what hides the added lines: all fronts except those of their own faces. The hidden parts ascend and are
+ * disjoint. False: no memory. */
 bool hide_worker_run(hide_worker *w);
 
-/* The solid seen at picture point (x, y), the one of smallest number where several touch there; ROBERTS_NONE where no
- * front face is. */
+/* Returns the solid seen at picture point (x, y). If several touch there, the smallest number counts. ROBERTS_NONE: no
+ * front face is there. */
 uint32_t hide_seen_at(const hide_worker *w, double x, double y);
 
 #endif

@@ -1,4 +1,4 @@
-/* front_test.c - see front_test.h. */
+/* front_test.c - the tests of one edge against the front of one solid. See front_test.h. */
 #include "hide/front_test.h"
 
 #include "base/sort.h"
@@ -40,7 +40,7 @@ BITS_RARE bool hide_by_outline_closely(const hide_fronts *fronts, const uint32_t
     return hide_by_sides(&fronts->space, &F, e, sides, part);
 }
 
-/* Makes tests 1 to 4 with one face. False: it hides nothing of e. */
+/* Makes tests 1 to 4 with one face. False: the face hides nothing of e. */
 BITS_INLINE bool by_face(const hide_fronts *fronts, const hide_face *F, double span, const hide_edge *e,
                          hide_sides *sides, hide_interval *part)
 {
@@ -56,29 +56,28 @@ BITS_INLINE bool by_face(const hide_fronts *fronts, const hide_face *F, double s
     return inside && hide_pierce_all(fronts, F, 1, e, sides, part);
 }
 
-/* Adds a part to the hull of the hidden parts. The hull begins with it if nothing has been `*found`. */
+/* Adds a part to the hull of the hidden parts. If nothing has been `*found`, the part becomes the hull. */
 static void join(hide_interval *hull, bool *found, const hide_interval *part)
 {
     *hull = *found ? hide_intervals_joined(hull, part) : *part;
     *found = true;
 }
 
-/* An edge against a bundle. */
-typedef struct climb {
+/* The tests of one edge against a bundle. */
+typedef struct bundle_search {
     const hide_fronts *fronts;
     const bundle *b;
-    const hide_face *face; /* the bundle's first */
+    const hide_face *face; /* the bundle's first face */
     const hide_edge *e;
     double span;
     hide_sides *sides;
-    hide_interval *hull; /* of what is known to be hidden; meaningless until something is */
+    hide_interval *hull; /* of the hidden parts; valid once `found` */
     bool found;
-    bool forward; /* who hides more beyond the hull's end? else: before its beginning? */
-} climb;
+    bool forward; /* find what hides more beyond the hull's end; otherwise before its beginning */
+} bundle_search;
 
-/* Can a node's faces hide more than is known? `*reach` grows with how far they may hide, in the direction that is asked
- * about. */
-static bool may_hide_more(const climb *c, const bundle_node *n, double *reach)
+/* Can a node's faces hide more than is known? `*reach` is larger the farther they may hide in the current direction. */
+static bool may_hide_more(const bundle_search *c, const bundle_node *n, double *reach)
 {
     double t0, t1;
     if (!bundle_meets(n, c->e, &t0, &t1))
@@ -91,7 +90,7 @@ static bool may_hide_more(const climb *c, const bundle_node *n, double *reach)
     return t0 < t1 && (bundle_behind(n, hide_edge_at(c->e, t0)) || bundle_behind(n, hide_edge_at(c->e, t1)));
 }
 
-static void ask_faces(climb *c, uint32_t item)
+static void ask_faces(bundle_search *c, uint32_t item)
 {
     for (uint32_t end = list_tree_end(&c->b->tree, 0, item); item < end; item++) {
         hide_interval part;
@@ -100,15 +99,15 @@ static void ask_faces(climb *c, uint32_t item)
     }
 }
 
-/* A node that may hide more, by its first item. */
+/* A node that may hide more, given by its first item. */
 typedef struct reaching {
     double reach;
     uint32_t item;
 } reaching;
 
-/* The nodes of a rank from the one that begins with `item` on, no more than eight of them. Those that reach farthest
- * are asked first, so that they leave little to the others. */
-static void ask_nodes(climb *c, int rank, uint32_t item, uint32_t end)
+/* Tests the nodes of a rank that cover item .. end - 1; there are at most eight. Those that reach farthest come first,
+ * since they leave the least to the others. */
+static void ask_nodes(bundle_search *c, int rank, uint32_t item, uint32_t end)
 {
     reaching node[1 << LIST_TREE_BITS] = {{0.0, 0}};
     uint32_t count = 0;
@@ -127,8 +126,8 @@ static void ask_nodes(climb *c, int rank, uint32_t item, uint32_t end)
     }
 }
 
-/* Finds where the hull ends, then where it begins. */
-static BITS_RARE bool by_bundle(climb *c)
+/* Finds the hull's end, then its beginning. False: nothing is hidden. */
+static BITS_RARE bool by_bundle(bundle_search *c)
 {
     int highest = (int)c->b->tree.ranks - 1;
     c->forward = true;
@@ -145,13 +144,13 @@ bool hide_by_faces(const hide_fronts *fronts, const hide_front *front, double sp
     bool found = false;
     const bundle *b = bundle_of(&fronts->bundles, front->face, front->face_count);
     if (b)
-        return by_bundle(&(climb){.fronts = fronts,
-                                  .b = b,
-                                  .face = fronts->face + front->face,
-                                  .e = e,
-                                  .span = span,
-                                  .sides = sides,
-                                  .hull = hull});
+        return by_bundle(&(bundle_search){.fronts = fronts,
+                                          .b = b,
+                                          .face = fronts->face + front->face,
+                                          .e = e,
+                                          .span = span,
+                                          .sides = sides,
+                                          .hull = hull});
     for (uint32_t k = front->face; k < front->face + front->face_count; k++) {
         hide_interval part;
         if (by_face(fronts, &fronts->face[k], span, e, sides, &part))

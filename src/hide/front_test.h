@@ -1,47 +1,48 @@
 /* front_test.h - what the front of one solid hides of one edge of another: one interval.
  *
- * The volume behind a convex solid is { X : X inside the outline, F(X) > 0 for every front face F }. So for the front
- * as a whole the four tests read:
+ * The volume behind a convex solid is { X : X inside the outline, F(X) > 0 for every front face F }. So for the whole
+ * front the four tests become:
  *
  *   1. Some face has A and B in front of it or on it: visible.
  *   2. The outline lies on one side of the sight plane through AB: visible.
- *   3. and 4. as for one face, with the outline's sides in place of a face's; the part found is cut where AB pierces
- *      the plane of any of the faces, if A and B are not both behind all of them.
+ *   3. and 4. as for one face, but with the sides of the outline. If A and B are not both behind all faces, the part
+ *      found is cut where AB pierces the plane of any face.
  *
- * Planes are asked far from their faces here. An edge out of the reach of what they can be trusted (see
- * set_trust() in front.c: beyond a thousand widths of a face, or at once for models given to few digits) meets
- * the faces one by one, tests 1 to 4 each, and the hull of what they hide is the front's part. A one-face front is
- * handled likewise; for a bundle, only the faces that its tree leaves. */
+ * These tests use planes far from their faces. Each front has a reach up to which its planes can be trusted: a thousand
+ * widths of a face, but nothing for models given to few digits (see set_trust() in front.c). An edge beyond the reach
+ * is tested against each face by tests 1 to 4, and the front's part is the hull of what the faces hide. A one-face
+ * front is handled likewise; for a bundle, only the faces that its tree leaves. */
 #ifndef ROBERTS_HIDE_FRONT_TEST_H
 #define ROBERTS_HIDE_FRONT_TEST_H
 
 #include "hide/fronts.h"
 #include "hide/tests.h"
 
-/* How edges are held against a front. */
+/* How edges are tested against a front. */
 typedef enum hide_approach {
     HIDE_FACE_BY_FACE, /* a single face, or the faces that a bundle's tree leaves */
-    HIDE_WITHIN_REACH, /* all faces at once: the edges are within the reach of all planes */
-    HIDE_ASK_REACH,    /* ... where that turns out to be so, else face by face */
+    HIDE_WITHIN_REACH, /* all faces at once: the edges are within reach of all planes */
+    HIDE_ASK_REACH,    /* all faces at once if the edge turns out to be within reach, otherwise face by face */
 } hide_approach;
 
-/* An outline, or a face, against an edge. */
+/* An outline or a face, as tested against an edge. */
 typedef struct hide_polygon {
     const uint32_t *corner; /* [count] */
     uint32_t count;
-    double span; /* no two points of both are farther apart, along x and y together */
+    double span; /* bounds the distance |dx| + |dy| of any two points of polygon and edge */
 } hide_polygon;
 
-/* A front and edges that lie within a box. */
+/* A front, and edges within a box. */
 typedef struct hide_meeting {
     const hide_front *front;
     const hide_face *face;
     hide_polygon outline;
     hide_approach approach;
-    double depth; /* of the front */
+    double depth; /* copied from the front */
 } hide_meeting;
 
-/* The boxes are rounded outward, and their common width and height up by far more than they are rounded to floats. */
+/* Prepares the tests of the edges in a box against a front. The boxes are rounded outward. The factor 1.001 far exceeds
+ * the rounding of their common size to float. */
 BITS_INLINE hide_meeting hide_meet(const hide_fronts *fronts, const hide_front *front, const hide_box *own,
                                    const hide_box *edges)
 {
@@ -58,16 +59,17 @@ BITS_INLINE hide_meeting hide_meet(const hide_fronts *fronts, const hide_front *
                           .depth = (double)front->depth};
 }
 
-/* Where not all faces can be asked at once. */
+/* Tests the faces one by one, or by the tree of a bundle. Finds the hull of what they hide; false if they hide
+ * nothing. */
 bool hide_by_faces(const hide_fronts *fronts, const hide_front *front, double span, const hide_edge *e,
                    hide_sides *sides, hide_interval *part);
 
-/* Are A and B within the reach of what the planes can be trusted, along three axes? */
+/* Are A and B within reach of the front, so that its planes can be trusted there? Measured as |dx| + |dy| + |dz|. */
 bool hide_within_reach(const hide_fronts *fronts, const hide_front *front, const hide_edge *e);
 
-/* Test 1 for all faces: HIDE_VISIBLE where one has A and B in front of it or on it, HIDE_INVISIBLE (as far as depth
- * goes) where both are behind all of them. `*near`: bit i for face i that AB is not clear of, by twice the distance
- * that counts as touching: only these can be pierced. */
+/* Test 1 for all faces. HIDE_VISIBLE: some face has A and B in front of it or on it. HIDE_INVISIBLE (by depth): both
+ * are behind all faces. Bit i of `*near` is set if AB does not clear face i by twice the touching distance. Only these
+ * faces can be pierced. */
 BITS_INLINE hide_verdict hide_test1_of_all(const hide_face *face, uint32_t count, const hide_edge *e, uint32_t *near)
 {
     two x = two_of(e->A.x, e->B.x), y = two_of(e->A.y, e->B.y), z = two_of(e->A.z, e->B.z);
@@ -87,17 +89,18 @@ BITS_INLINE hide_verdict hide_test1_of_all(const hide_face *face, uint32_t count
     return any ? HIDE_UNDECIDED : HIDE_INVISIBLE;
 }
 
-/* Cuts the part where e pierces the planes of the faces given by bits, and counts that; false where nothing of it is
- * left behind them. */
+/* Cuts the part where e pierces the planes of the faces given by `bits`, and counts that. False if nothing is left
+ * behind them. */
 bool hide_pierce_all(const hide_fronts *fronts, const hide_face *face, uint32_t bits, const hide_edge *e,
                      hide_sides *sides, hide_interval *part);
 
-/* Tests 2 to 4 by themselves, of an outline or of a face that has no runs. */
+/* Makes tests 2 to 4 one by one, for an outline or for a face without runs. */
 bool hide_by_outline_closely(const hide_fronts *fronts, const uint32_t *corner, uint32_t count, const hide_edge *e,
                              hide_sides *sides, hide_interval *part);
 
-/* Tests 2 to 4, counted: the part of e inside a polygon; false where there is none. Where all signs are plain the tests
- * are asked together: what is outside one side is then counted for test 3 also where test 2 would have said so. */
+/* Makes tests 2 to 4 and counts them. Finds the part of e inside a polygon; false if there is none. If all signs are
+ * plain, the tests are made together. Then an edge outside one side is counted under test 3, even if test 2 would also
+ * have rejected it. */
 BITS_INLINE bool hide_by_outline(const hide_fronts *fronts, const hide_polygon *p, const hide_edge *e,
                                  const hide_interval *hidden, hide_sides *sides, hide_interval *part)
 {
@@ -126,9 +129,9 @@ BITS_INLINE bool hide_by_outline(const hide_fronts *fronts, const hide_polygon *
     }
 }
 
-/* False where the front hides nothing of e, or nothing but what `hidden` (NULL: none), a part of it that is hidden, has
- * already, and the front is before all of e, so that none of its planes is near. sides: room for
- * fronts->most_corners. */
+/* Finds what the front hides of e. False: it hides nothing, or nothing new. `hidden` is a part of e that is already
+ * hidden (NULL: none). What lies within `hidden` is skipped only if e is behind all faces by depth, so that no plane is
+ * near. sides: room for fronts->most_corners. */
 BITS_INLINE bool hide_by_front(const hide_fronts *fronts, const hide_meeting *m, const hide_edge *e,
                                const hide_interval *hidden, hide_sides *sides, hide_interval *part)
 {
@@ -138,7 +141,7 @@ BITS_INLINE bool hide_by_front(const hide_fronts *fronts, const hide_meeting *m,
         (m->approach == HIDE_FACE_BY_FACE || !hide_within_reach(fronts, m->front, e)))
         return hide_by_faces(fronts, m->front, m->outline.span, e, sides, part);
     sides->tally.pairs++;
-    if (!(e->A.z < m->depth && e->B.z < m->depth)) /* else behind all of it */
+    if (!(e->A.z < m->depth && e->B.z < m->depth)) /* otherwise e is behind the whole front */
         depth = hide_test1_of_all(m->face, m->front->face_count, e, &near);
     if (depth == HIDE_VISIBLE) {
         sides->tally.test1_visible++;

@@ -1,4 +1,4 @@
-/* intervals.c - see intervals.h. */
+/* intervals.c - hidden parts of one edge and their union. See intervals.h. */
 #include "hide/intervals.h"
 
 #include <stdlib.h>
@@ -7,10 +7,10 @@
 #include "base/array.h"
 #include "base/sort.h"
 
-/* With more parts than this a new one is not held against each, or with more hulls only against so many of the last:
- * they are joined when all are there. */
+/* With more parts than this, a new part is not compared with the others, and a new hull only with this many of the last
+ * ones. They are joined at the end. */
 #define FEW 32
-/* So many are put in order one by one; and from so many on comparing takes longer than counting digits. */
+/* Up to SHORT_RUN parts are sorted by insertion. From MANY on, radix sort is faster than comparing. */
 #define SHORT_RUN 16
 #define MANY 256
 
@@ -30,12 +30,12 @@ bool hide_intervals_add_closely(hide_intervals *intervals, uint32_t solid, hide_
         *part = hide_intervals_joined(&intervals->item[i].part, part);
         solid = intervals->item[i].solid < solid ? intervals->item[i].solid : solid;
         intervals->item[i] = intervals->item[--intervals->count];
-        i = intervals->count; /* the greater part may touch what the smaller did not */
+        i = intervals->count; /* the larger part may touch others that the smaller did not */
     }
     return append(intervals, solid, part);
 }
 
-/* From the end: the faces of a solid mostly come one after another. */
+/* Searches from the end: the faces of a solid usually come one after another. */
 bool hide_intervals_hull(hide_intervals *hulls, uint32_t solid, hide_interval *part)
 {
     size_t first = hulls->count > FEW ? hulls->count - FEW : 0;
@@ -47,8 +47,8 @@ bool hide_intervals_hull(hide_intervals *hulls, uint32_t solid, hide_interval *p
     return append(hulls, solid, part);
 }
 
-/* By where a part can first touch another; ties fall by what is left, so that the order in which the parts were found
- * leaves no trace. */
+/* Orders parts by where they can first touch another. Ties are broken by start and solid, so that the order in which
+ * the parts were found does not matter. */
 static int compare(const void *pa, const void *pb)
 {
     const hide_solid_interval *a = pa, *b = pb;
@@ -80,7 +80,7 @@ void hide_intervals_hulls_done(hide_intervals *hulls)
     hulls->count = kept;
 }
 
-/* A run in which few are far from their places, one by one. */
+/* Insertion sort, for runs that are nearly sorted. */
 static void put_in_place(hide_solid_interval *item, size_t count)
 {
     SORT_FEW(hide_solid_interval, item, count, compare(a, b) > 0)
@@ -91,7 +91,7 @@ static float begins(const hide_solid_interval *p)
     return (float)p->part.r0;
 }
 
-/* By a float's worth of where they begin, without comparing; false: no memory. */
+/* Radix-sorts by the start of the parts, rounded to float. False: no memory. */
 static bool sort_roughly(hide_solid_interval *item, uint32_t count)
 {
     uint32_t *key = alloc_array(count, sizeof *key), *order = alloc_array(count, sizeof *order);
@@ -110,8 +110,8 @@ static bool sort_roughly(hide_solid_interval *item, uint32_t count)
     return done;
 }
 
-/* Few parts, as there mostly are, are put in their places one by one. Of many, those that begin in the same float are
- * left to be sorted; without memory, all. */
+/* Sorts the parts. Usually there are few, and insertion sort does. Many are radix-sorted by float first; then only
+ * parts with equal float keys are compared. If memory runs out, qsort() sorts them all. */
 static void sort(hide_intervals *intervals)
 {
     size_t count = intervals->count;

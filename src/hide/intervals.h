@@ -1,7 +1,8 @@
 /* intervals.h - hidden parts of one edge and their union.
  *
  * A convex solid hides one interval of an edge, because the volume behind it is convex (see front_test.h). Parts that
- * overlap or touch are joined: those of different solids, and those of the faces of a solid of many faces. */
+ * overlap or touch are joined, whether they come from different solids or from the faces of one solid with many
+ * faces. */
 #ifndef ROBERTS_HIDE_INTERVALS_H
 #define ROBERTS_HIDE_INTERVALS_H
 
@@ -17,13 +18,13 @@ typedef struct hide_intervals {
     size_t count, room;
 } hide_intervals;
 
-/* Is every point between the two parts within reach of one of them? */
+/* Is every point between the two parts within the reach of one of them? */
 static inline bool hide_intervals_touch(const hide_interval *a, const hide_interval *b)
 {
     return a->r0 <= b->r1 && b->r0 <= a->r1;
 }
 
-/* The union of two parts. It reaches as far as either of them, even if the shorter one reaches farther. */
+/* Returns the union of two parts. Its reach is the larger one, even if that belongs to the shorter part. */
 static inline hide_interval hide_intervals_joined(const hide_interval *a, const hide_interval *b)
 {
     return (hide_interval){lesser(a->t0, b->t0), greater(a->t1, b->t1), lesser(a->r0, b->r0), greater(a->r1, b->r1)};
@@ -31,8 +32,8 @@ static inline hide_interval hide_intervals_joined(const hide_interval *a, const 
 
 bool hide_intervals_add_closely(hide_intervals *intervals, uint32_t solid, hide_interval *part);
 
-/* Adds a part that a front of `solid` hides. It is joined with the parts that it overlaps or touches, as long as these
- * are few, and `*part` becomes the union. Mostly there is one part, or none. False: no memory. */
+/* Adds a part that a front of `solid` hides. The part is joined with the parts it overlaps or touches, as long as these
+ * are few, and `*part` becomes the union. Usually there is one part, or none. False: no memory. */
 static inline bool hide_intervals_add(hide_intervals *intervals, uint32_t solid, hide_interval *part)
 {
     hide_solid_interval *only = intervals->item;
@@ -48,14 +49,14 @@ static inline bool hide_intervals_add(hide_intervals *intervals, uint32_t solid,
 }
 
 /* Adds a part that one face of `solid` hides to the hull of the parts of its other faces; `*part` becomes the hull.
- * Faces given to few digits, or cut by the near plane, leave gaps between them, but the solid has none. Among very many
- * solids, one may have several hulls until hide_intervals_hulls_done(). False: no memory. */
+ * Faces given to few digits, or cut by the near plane, leave gaps between them, but the solid has none. With very many
+ * solids, one solid may have several hulls until hide_intervals_hulls_done(). False: no memory. */
 bool hide_intervals_hull(hide_intervals *hulls, uint32_t solid, hide_interval *part);
 
-/* Joins the hulls of each solid to one. */
+/* Joins the hulls of each solid into one. */
 void hide_intervals_hulls_done(hide_intervals *hulls);
 
-/* Parts nearer than `epsilon` to an end of the edge reach it. */
+/* Extends parts that come nearer than `epsilon` to an end of the edge to that end. */
 static inline void hide_intervals_reach_ends(hide_intervals *intervals, double epsilon, double length)
 {
     hide_interval *first = &intervals->item[0].part, *last = &intervals->item[intervals->count - 1].part;
@@ -68,9 +69,9 @@ static inline void hide_intervals_reach_ends(hide_intervals *intervals, double e
 /* Sorts several parts and joins those that touch. */
 void hide_intervals_join(hide_intervals *intervals, double epsilon, double length);
 
-/* Unites the parts in place: afterwards they ascend and are disjoint, with more than `epsilon` between them and between
- * them and the ends of the edge, `length` long (in space, the unit of epsilon). `solid` of a union is the smallest
- * of its members'. */
+/* Unites the parts in place. Afterwards they ascend and are disjoint, with more than `epsilon` between them and between
+ * them and the ends of the edge. `length` is the edge's length in space, in the unit of epsilon. The `solid` of a union
+ * is the smallest of its members'. */
 static inline void hide_intervals_unite(hide_intervals *intervals, double epsilon, double length)
 {
     if (intervals->count > 1)
@@ -79,7 +80,7 @@ static inline void hide_intervals_unite(hide_intervals *intervals, double epsilo
         hide_intervals_reach_ends(intervals, epsilon, length);
 }
 
-/* Cuts the part that holds t, if there is one, in two. False: no memory. */
+/* Splits the part that contains t, if there is one, in two. False: no memory. */
 bool hide_intervals_split(hide_intervals *intervals, double t);
 
 #endif

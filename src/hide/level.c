@@ -1,13 +1,13 @@
-/* level.c - how many layers lie before a hidden point: Appel's quantitative invisibility ("The notion of quantitative
- * invisibility and the machine rendering of solids", ACM 1967).
+/* level.c - the number of layers in front of a hidden point: Appel's quantitative invisibility ("The notion of
+ * quantitative invisibility and the machine rendering of solids", ACM 1967).
  *
- * Appel counts the faces toward the viewer. Winding tells which these are, and winding is not trusted here. But the
- * line of sight comes from outside: it enters a closed body by the first face that it meets, leaves by the second, and
- * so on. So every other face is one toward the viewer.
+ * Appel counts the faces toward the viewer. Winding would tell which these are, but winding is not trusted here. The
+ * line of sight comes from outside: it enters a closed body through the first face it meets, leaves through the second,
+ * and so on. So every other face is toward the viewer.
  *
- * The point may lie on the border of faces in the picture, as where equal blocks are stacked. Then the point is moved a
- * little, in four directions, so that it lies in exactly one of two faces with a common side. Faces are closed, so of
- * each body the direction with the most layers counts. */
+ * In the picture, the point may lie on the border of faces, for instance where equal blocks are stacked. Then the point
+ * is moved slightly in four directions, so that it lies in exactly one of two faces with a common side. Faces are
+ * closed, so for each body the direction with the most layers counts. */
 #include "hide/level.h"
 
 #include <stdlib.h>
@@ -16,10 +16,10 @@
 
 enum { WAYS = 4 };
 
-/* No side of a usual model runs along one of them. */
+/* Directions along which no side of a usual model runs. */
 static const roberts_vec2 way[WAYS] = {{0.842, 0.539}, {-0.539, 0.842}, {-0.842, -0.539}, {0.539, -0.842}};
 
-/* The ways in which X can be moved a little so that it lies in the face, as bits. */
+/* Finds the directions in which X can be moved slightly so that it lies in the face, as bits. */
 static unsigned ways_into(const hide_fronts *fronts, const hide_face *F, roberts_vec3 X)
 {
     unsigned ways = (1u << WAYS) - 1;
@@ -36,7 +36,7 @@ static unsigned ways_into(const hide_fronts *fronts, const hide_face *F, roberts
     return ways;
 }
 
-/* Takes note of a face, if it lies before X. */
+/* Records a face if it lies in front of X. False: no memory. */
 static bool take_face(const hide_fronts *fronts, uint32_t body, const hide_face *F, roberts_vec3 X, level_hits *hits)
 {
     if (plane_at(F->F, X) <= F->touch || !hide_polygon_holds(fronts, &fronts->face_runs, F->corner, F->count,
@@ -75,7 +75,7 @@ static int by_body(const void *a, const void *b)
     return (p->body > q->body) - (p->body < q->body);
 }
 
-/* The layers of one body, of whose faces hit[0] to hit[count - 1] lie before the point. */
+/* Returns the layers of one body. hit[0 .. count - 1] are its faces in front of the point. */
 static uint32_t layers(const roberts_scene *scene, const level_hit *hit, size_t count)
 {
     uint32_t most = 0;

@@ -1,6 +1,6 @@
-/* list_tree.h - the shape of a tree over a list: a node for each eight items, one for each eight of these nodes, and so
- * on, until no more than eight nodes are left. The nodes of one level are a rank, the lowest first. What a node holds
- * is the caller's. */
+/* list_tree.h - the shape of a tree over a list. Each node covers eight items; on the next level, each node covers
+ * eight of these nodes, until at most eight are left. The levels are called ranks, the lowest first. The caller stores
+ * the nodes' contents. */
 #ifndef ROBERTS_HIDE_LIST_TREE_H
 #define ROBERTS_HIDE_LIST_TREE_H
 
@@ -9,17 +9,17 @@
 
 #include "base/bits.h"
 
-/* A node has 2^LIST_TREE_BITS items. */
+/* A node has 2^LIST_TREE_BITS items or nodes below it. */
 #define LIST_TREE_BITS 3
-/* Ranks of the tree over 2^32 items. */
+/* Most ranks: those of a tree over 2^32 items. */
 #define LIST_TREE_RANKS 10
 
 typedef struct list_tree {
     uint32_t items, ranks;
-    uint32_t start[LIST_TREE_RANKS + 1]; /* each rank's first node; start[ranks] is the number of nodes */
+    uint32_t start[LIST_TREE_RANKS + 1]; /* first node of each rank; start[ranks] is the number of nodes */
 } list_tree;
 
-/* The tree over `items` items; one item has a node too. */
+/* Makes the tree over `items` items. Even a single item has a node. */
 static inline list_tree list_tree_over(uint32_t items)
 {
     list_tree t = {.items = items};
@@ -31,20 +31,20 @@ static inline list_tree list_tree_over(uint32_t items)
     return t;
 }
 
-/* The highest rank that has a node beginning with this item, a multiple of eight. */
+/* Returns the highest rank with a node that begins at `item`, a multiple of eight. */
 static inline int list_tree_highest(const list_tree *t, uint32_t item)
 {
     int most = (int)t->ranks - 1, rank = item ? bits_trailing_zeros(item) / LIST_TREE_BITS - 1 : most;
     return rank < most ? rank : most;
 }
 
-/* The node of this rank that holds the item. */
+/* Returns the node of this rank that covers the item. */
 static inline uint32_t list_tree_node(const list_tree *t, int rank, uint32_t item)
 {
     return t->start[rank] + (item >> (LIST_TREE_BITS * (rank + 1)));
 }
 
-/* The item after the last one of the node of this rank that begins with `item`. */
+/* Returns the end of the items that the node of this rank covers. The node begins at `item`. */
 static inline uint32_t list_tree_end(const list_tree *t, int rank, uint32_t item)
 {
     uint64_t end = (uint64_t)item + (UINT64_C(1) << (LIST_TREE_BITS * (rank + 1)));

@@ -1,11 +1,11 @@
-/* outline.c - see outline.h. */
+/* outline.c - the outline of a solid in the picture. See outline.h. */
 #include "hide/outline.h"
 
 #include <math.h>
 
 #include "hide/refine.h"
 
-/* Epsilon may have called faces of a very small or flat solid edge-on: then the edges may not be one cycle. */
+/* On a very small or flat solid, faces may count as edge-on within epsilon. Then the edges need not form one cycle. */
 uint32_t outline_cycle(const hide_fronts *fronts, uint32_t solid, uint32_t *next, uint32_t *outline)
 {
     const scene_solid *own = &fronts->scene->solid[solid];
@@ -34,34 +34,33 @@ uint32_t outline_cycle(const hide_fronts *fronts, uint32_t solid, uint32_t *next
     return v == start && count == edges ? edges : 0;
 }
 
-/* The longer of a side's two components: its length, or less by a root of two at the most. */
+/* Returns the longer of a side's two components. The length is at most sqrt(2) times as much. */
 static double span_of(roberts_vec3 side)
 {
     return greater(fabs(side.x), fabs(side.y));
 }
 
-/* Whether the outline turns left at corner b or goes straight on, in twice the precision. An inward turn counts as
- * straight on where the lines of both sides cut off no more than half of epsilon from a front of this size. A turn
- * straight back does not count, nor does one after a side without length. */
+/* Does the outline turn left at corner b or go straight on? Decided in double-double numbers. An inward turn counts as
+ * straight if the lines of both sides cut off at most half an epsilon from a front of this size. A turn straight back
+ * fails, and so does a turn after a side of zero length. */
 static BITS_RARE bool turns_left(const hide_fronts *fronts, uint32_t a, uint32_t b, uint32_t c, double size)
 {
     const roberts_vec3 *P = fronts->P;
     roberts_vec3 AB = vec3_sub(P[b], P[a]), BC = vec3_sub(P[c], P[b]);
-    double left =
-        refine_side(&fronts->space, a, b, refine_vertex(&fronts->space, c)); /* no number where AB has no length */
+    double left = refine_side(&fronts->space, a, b, refine_vertex(&fronts->space, c)); /* NaN if AB has zero length */
     if (AB.x * BC.x + AB.y * BC.y <= 0.0)
         return left > 0.0;
     return left >= -INWARD_TURN * fronts->seen->view.epsilon / size * span_of(BC);
 }
 
-/* Tests 2 to 4 need a convex polygon: for them the inside is what lies on the inner side of every side's line, so that
- * one side in a wrong direction may cut off the whole front. A polygon is convex where it turns left at each corner, or
- * goes straight on, and goes round once. To go round is to change once from a side that does not lead up to one that
- * does. */
+/* Tests 2 to 4 need a convex polygon. They take the inside as the inner side of every side's line, so a single side in
+ * a wrong direction may cut off the whole front. A polygon is convex if it turns left or goes straight on at each
+ * corner, and goes round once. It goes round once if it changes exactly once from a side that does not lead up to one
+ * that does. */
 bool outline_is_convex(const hide_fronts *fronts, const uint32_t *outline, uint32_t corners, double size)
 {
     const double plain =
-        TURN_ROUNDINGS * fronts->seen->view.across_rounding * size; /* no product of two sides is off by more */
+        TURN_ROUNDINGS * fronts->seen->view.across_rounding * size; /* bounds the error of a product of two sides */
     int rounds = 0;
     if (corners < 3)
         return false;
@@ -75,7 +74,7 @@ bool outline_is_convex(const hide_fronts *fronts, const uint32_t *outline, uint3
             return false;
         if (left >= 0.0 || AB.x * BC.x + AB.y * BC.y <= 0.0)
             rounds += AB.y <= 0.0 && BC.y > 0.0;
-        else /* straight on, and by rounding a little to the right */
+        else /* straight on, slightly to the right because of rounding */
             rounds -= AB.y > 0.0 && BC.y <= 0.0;
         a = b;
         b = c;
@@ -84,7 +83,7 @@ bool outline_is_convex(const hide_fronts *fronts, const uint32_t *outline, uint3
     return rounds == 1;
 }
 
-/* By x, then by y; of several at one place the nearest first. */
+/* Orders vertices by x, then by y; of several at one place, the nearest first. */
 static bool comes_before(const hide_fronts *fronts, uint32_t a, uint32_t b)
 {
     roberts_vec3 A = fronts->P[a], B = fronts->P[b];
@@ -95,7 +94,8 @@ static bool comes_before(const hide_fronts *fronts, uint32_t a, uint32_t b)
     return A.z != B.z ? A.z > B.z : a < b;
 }
 
-/* Puts item[0 .. count - 1] in order, all but item[root] below which it is a heap already: the last comes first. */
+/* Restores the heap item[0 .. count - 1], whose root is the vertex that comes last, if only item[root] is out of
+ * place. */
 static void sift(const hide_fronts *fronts, uint32_t *item, uint32_t root, uint32_t count)
 {
     for (uint32_t child; (child = 2 * root + 1) < count; root = child) {
@@ -121,8 +121,7 @@ static void sort(const hide_fronts *fronts, uint32_t *item, uint32_t count)
     }
 }
 
-/* Does the way from a over b to c certainly turn left? So near to the straight way that rounding could turn it right, b
- * counts as no corner. */
+/* Does the path a, b, c certainly turn left? If rounding could turn it right, b does not count as a corner. */
 static bool is_left_turn(const hide_fronts *fronts, uint32_t a, uint32_t b, uint32_t c)
 {
     const roberts_vec3 *P = fronts->P;
@@ -130,7 +129,7 @@ static bool is_left_turn(const hide_fronts *fronts, uint32_t a, uint32_t b, uint
     return AB.x * AC.y - AB.y * AC.x > TURN_ROUNDINGS * fronts->seen->view.across_rounding * hypot(AC.x, AC.y);
 }
 
-/* The last corners of a chain at which it does not turn left toward c are none. The first `kept` stay. */
+/* Drops the last corners of a chain at which the path to c does not turn left. The first `kept` corners stay. */
 static uint32_t drop_corners(const hide_fronts *fronts, const uint32_t *chain, uint32_t count, uint32_t kept,
                              uint32_t c)
 {
@@ -139,8 +138,9 @@ static uint32_t drop_corners(const hide_fronts *fronts, const uint32_t *chain, u
     return count;
 }
 
-/* A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information Processing Letters 9(5),
- * 1979: from the first point to the last and back, the corners below and above the line between these. */
+/* Andrew's monotone chain: from the first point to the last and back, along the corners below and above the line
+ * between them. A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information Processing
+ * Letters 9(5), 1979. */
 uint32_t outline_hull(const hide_fronts *fronts, uint32_t solid, uint32_t *order, uint32_t *outline)
 {
     const scene_solid *own = &fronts->scene->solid[solid];
@@ -159,7 +159,7 @@ uint32_t outline_hull(const hide_fronts *fronts, uint32_t solid, uint32_t *order
             continue;
         count = drop_corners(fronts, outline, count, below, order[i]);
         if (count == size)
-            return 0; /* by rounding: what is above the line is no corner below it */
+            return 0; /* by rounding, a vertex above the line is also a corner below it */
         outline[count++] = order[i];
     }
     count = drop_corners(fronts, outline, count, below, first);

@@ -1,8 +1,8 @@
-/* reach.c - see reach.h. */
+/* reach.c - how far along an edge its hider's border is within epsilon. See reach.h. */
 #include "hide/reach.h"
 
-/* Where the edge is epsilon outside of the line from P to Q, going out (coming in); no limit where it does not, or
- * where the side is no longer than epsilon: that bounds nothing that its neighbours do not bound. */
+/* Returns where the edge is epsilon outside the line from P to Q, on its way out (or in). Infinite if it never is. Also
+ * infinite if the side is no longer than epsilon: then its neighbours bound the polygon. */
 static double leaves(const hide_space *space, const hide_edge *e, roberts_vec3 P, roberts_vec3 Q, bool out)
 {
     double dx = Q.x - P.x, dy = Q.y - P.y, length = sqrt(dx * dx + dy * dy);
@@ -12,15 +12,15 @@ static double leaves(const hide_space *space, const hide_edge *e, roberts_vec3 P
     return (a + space->epsilon * length) / (a - b);
 }
 
-/* The parameter of the edge's point that is nearest to P in the picture. */
+/* Returns the parameter of the edge's point that is nearest to P in the picture. */
 static double along(roberts_vec3 P, const hide_edge *e)
 {
     return ((e->B.x - e->A.x) * (P.x - e->A.x) + (e->B.y - e->A.y) * (P.y - e->A.y)) / (e->length * e->length);
 }
 
-/* The walk along the border, from the side that is crossed on, as the edge goes, as far as the reach or the farthest
- * corner. (Sides that lie behind the crossing are flatter to the edge, and it is epsilon outside of them later.) Where
- * the edge comes in it is taken backward: all parameters change their signs. */
+/* Walks along the border in the direction of the edge, from the crossed side to the end of the reach or the farthest
+ * corner. (The sides before the crossing are flatter to the edge, so the edge is epsilon outside them later.) If the
+ * edge enters, the walk goes backward: all parameters change sign. */
 double reach_along(const hide_space *space, const hide_edge *e, const reach_border *border, double touch, double *t)
 {
     const hide_face *F = border->F;

@@ -1,9 +1,9 @@
-/* refine.c - see refine.h. */
+/* refine.c - signs and crossings in double-double numbers. See refine.h. */
 #include "hide/refine.h"
 
 #include "base/dd.h"
 
-/* Where a vertex is. */
+/* Returns the position of a vertex. */
 static seen_point vertex_point(const hide_space *space, uint32_t a)
 {
     const roberts_scene *scene = space->scene;
@@ -15,7 +15,7 @@ static seen_point place_of(const hide_space *space, refine_point x)
     return x.vertex == ROBERTS_NONE ? *x.place : vertex_point(space, x.vertex);
 }
 
-/* b from a, in view units. */
+/* Returns b - a in view units. */
 static dd3 between(const hide_space *space, seen_point b, seen_point a)
 {
     double k = 1.0 / space->view->unit; /* a power of two: scaling is exact, and products stay in range */
@@ -28,7 +28,8 @@ static dd3 from_eye(const hide_space *space, seen_point a)
     return between(space, a, (seen_point){.point = space->view->viewpoint});
 }
 
-/* A multiple, positive and the same for every X, of the distance of X from the sight plane through p and q. */
+/* Returns a multiple of the distance of X from the sight plane through p and q. The factor is positive and the same for
+ * every X. */
 static dd side_determinant(const hide_space *space, uint32_t p, uint32_t q, seen_point X)
 {
     seen_point P = vertex_point(space, p), Q = vertex_point(space, q);
@@ -42,7 +43,8 @@ double refine_side(const hide_space *space, uint32_t p, uint32_t q, refine_point
     const view *v = space->view;
     double length = hypot(space->P[q].x - space->P[p].x, space->P[q].y - space->P[p].y);
     double determinant = side_determinant(space, p, q, place_of(space, x)).hi;
-    if (v->perspective) { /* the picture's determinant of (x, y, 1) is that of (x, y, w), divided by the three w / D */
+    if (v->perspective) { /* the picture's determinant of rows (x, y, 1) is that of rows (x, y, w), divided by the three
+                             w / D */
         double z[] = {space->P[p].z, space->P[q].z, x.z};
         for (int i = 0; i < 3; i++)
             determinant *= 1.0 + z[i] * v->inverse_distance;
@@ -65,14 +67,14 @@ double refine_pierce(const hide_space *space, const hide_face *F, const hide_edg
 {
     seen_point origin = vertex_point(space, F->corner[0]);
     seen_point A = place_of(space, refine_start(e)), B = place_of(space, refine_end(e));
-    dd3 n = {{0, 0}, {0, 0}, {0, 0}}, sum = n; /* Newell's normal, as a sum of triangles; sum of the corners */
+    dd3 n = {{0, 0}, {0, 0}, {0, 0}}, sum = n; /* Newell's normal as a sum of triangles; the sum of the corners */
     for (uint32_t i = 0; i < F->count; i++) {
         dd3 p = between(space, vertex_point(space, F->corner[i]), origin);
         dd3 q = between(space, vertex_point(space, F->corner[(i + 1) % F->count]), origin);
         n = dd3_add(n, dd3_cross(p, q));
         sum = dd3_add(sum, p);
     }
-    /* n . (X - mean of the corners), times their count */
+    /* n . (X - mean of the corners), times the number of corners */
     dd count = {F->count, 0.0}, offset = dd3_dot(n, sum);
     dd a = dd_sub(dd_mul(count, dd3_dot(n, between(space, A, origin))), offset);
     dd b = dd_sub(dd_mul(count, dd3_dot(n, between(space, B, origin))), offset);

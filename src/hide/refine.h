@@ -1,19 +1,19 @@
-/* refine.h - signs and crossings in twice the precision, from the coordinates as read.
+/* refine.h - signs and crossings in double-double numbers, from the coordinates as read.
  *
- * View coordinates carry the rounding of the map to view space, about 1e-15 of the scene. Where a crossing is so
- * oblique, an edge so short or a side so far from the point that this would show, the same quantities are computed
- * from the model's own coordinates, with the viewpoint V as a homogeneous point: a sight plane through P and Q is
- * det(Q - P, X - P, V) = 0 for a direction V, det(P - V, Q - V, X - V) = 0 for an eye. */
+ * View coordinates carry the rounding of the map to view space, about 1e-15 of the scene. This matters if a crossing is
+ * very oblique, an edge very short, or a side very far from the point. Then the same quantities are computed from the
+ * model's own coordinates, with the viewpoint V as a homogeneous point. The sight plane through P and Q is det(Q - P, X
+ * - P, V) = 0 for a direction V, and det(P - V, Q - V, X - V) = 0 for an eye V. */
 #ifndef ROBERTS_HIDE_REFINE_H
 #define ROBERTS_HIDE_REFINE_H
 
 #include "hide/types.h"
 
-/* A point in twice the precision: a vertex, or a computed end of an edge. */
+/* A point with double-double coordinates: a vertex, or a computed end of an edge. */
 typedef struct refine_point {
-    uint32_t vertex;         /* ROBERTS_NONE: */
-    const seen_point *place; /* it is here */
-    double z;                /* its depth in view space */
+    uint32_t vertex;         /* ROBERTS_NONE: a computed point, at `place` */
+    const seen_point *place; /* position in the model */
+    double z;                /* depth in view space */
 } refine_point;
 
 static inline refine_point refine_vertex(const hide_space *space, uint32_t v)
@@ -31,13 +31,14 @@ static inline refine_point refine_end(const hide_edge *e)
     return (refine_point){e->b, e->end ? e->end + 1 : NULL, e->B.z};
 }
 
-/* Distance, view units, of x from the sight plane through vertices p and q; > 0 left of p -> q in the picture. */
+/* Returns the distance, in view units, of x from the sight plane through vertices p and q; > 0 left of p -> q in the
+ * picture. */
 double refine_side(const hide_space *space, uint32_t p, uint32_t q, refine_point x);
 
-/* Where edge e crosses the sight plane through p and q: parameter along the edge's picture. */
+/* Finds where edge e crosses the sight plane through p and q: a parameter along the edge's picture. */
 double refine_crossing(const hide_space *space, uint32_t p, uint32_t q, const hide_edge *e);
 
-/* Where edge e crosses the plane of face F. */
+/* Finds where edge e crosses the plane of face F: a parameter along the edge's picture. */
 double refine_pierce(const hide_space *space, const hide_face *F, const hide_edge *e);
 
 #endif

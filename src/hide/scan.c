@@ -1,4 +1,4 @@
-/* scan.c - see scan.h. */
+/* scan.c - the scan of a convex polygon over a grid of cells. See scan.h. */
 #include "hide/scan.h"
 
 #include <math.h>
@@ -35,8 +35,8 @@ void scan_free(scan *s)
     *s = (scan){0};
 }
 
-/* Takes in one side. The part over a column is taken a margin longer at both borders. This also makes up for the
- * rounding of a steep line's ordinate. The ordinates stay between those of the side's ends. */
+/* Adds one side. In each column, the side is extended by a margin at both borders. This also covers the rounding of a
+ * steep line's ordinate. The ordinates are clamped to those of the side's ends. */
 static void scan_side(scan *s, const scan_frame *f, roberts_vec3 P, roberts_vec3 Q)
 {
     double m = f->margin, run = Q.x - P.x;
@@ -57,7 +57,7 @@ static void scan_side(scan *s, const scan_frame *f, roberts_vec3 P, roberts_vec3
     }
 }
 
-/* Least and greatest abscissa. */
+/* Finds the least and the greatest abscissa. */
 static void find_width(const roberts_vec3 *P, const uint32_t *corner, uint32_t count, double *least, double *greatest)
 {
     *least = INFINITY;
@@ -82,7 +82,7 @@ void scan_polygon(scan *s, const scan_frame *f, const roberts_vec3 *P, const uin
         scan_side(s, f, P[corner[k]], P[corner[k + 1 < count ? k + 1 : 0]]);
 }
 
-/* The borders of inner columns between two abscissas: *first .. *last. False: there are none. */
+/* Finds the borders of inner columns between two abscissas: *first .. *last. False: there are none. */
 static inline bool borders_between(const scan *s, const scan_frame *f, double from, double to, uint32_t *first,
                                    uint32_t *last)
 {
@@ -100,7 +100,7 @@ static inline bool borders_between(const scan *s, const scan_frame *f, double fr
     return *first <= *last;
 }
 
-/* Bounds a side at the borders near one of its ends, (x, y). Within three margins the side rises by `rise`. */
+/* Bounds a side at the borders near one of its ends, (x, y). `rise` is the side's rise over three margins. */
 static inline void scan_end(const scan *s, const scan_frame *f, double *bound, double x, double y, double rise)
 {
     uint32_t first, last;
@@ -110,12 +110,12 @@ static inline void scan_end(const scan *s, const scan_frame *f, double *bound, d
         bound[i] = greater(bound[i], greater(y, y + rise));
 }
 
-/* Bounds a side's ordinates at the borders of columns. The sides below the polygon are a convex function of x, those
- * above it a concave one. So over a column the former are highest at a border, and the latter lowest. Sides above are
- * taken upside down.
+/* Bounds a side's ordinates at the borders of columns. The lower sides of the polygon form a convex function of x, the
+ * upper sides a concave one. So within a column, the lower sides are highest at a border, and the upper ones lowest.
+ * Upper sides are stored negated.
  *
- * Each border counts as two margins wide, which also makes up for rounding. If it is that near to a corner, both sides
- * of the corner count. A vertical side bounds nothing that its neighbours do not bound. */
+ * Each border counts as two margins wide, which also covers rounding. If a corner is within that distance, both its
+ * sides count. A vertical side is ignored: its neighbours bound the polygon. */
 static void scan_borders(scan *s, const scan_frame *f, roberts_vec3 P, roberts_vec3 Q)
 {
     bool below = Q.x > P.x;
@@ -134,8 +134,8 @@ static void scan_borders(scan *s, const scan_frame *f, roberts_vec3 P, roberts_v
         bound[i] = greater(bound[i], from + (f->x0 + i * f->dx - left) * slope + lift);
 }
 
-/* Bounds one side whose ends lie in these columns and not near a border. Returns how many borders it crosses as a side
- * below the polygon, else 0. */
+/* Bounds one side whose ends lie in columns `column` and `next`, away from the borders. Returns the number of borders
+ * it crosses if it is a lower side, otherwise 0. */
 static inline uint32_t scan_side_borders(const scan *s, const scan_frame *f, const roberts_vec3 *P,
                                          const roberts_vec3 *Q, uint32_t column, uint32_t next)
 {
@@ -149,9 +149,9 @@ static inline uint32_t scan_side_borders(const scan *s, const scan_frame *f, con
     return below ? last - first : 0;
 }
 
-/* The short way of scan_inner(), with the same result to the last bit. It serves if no corner is near a border: then
- * one side below the polygon and one above it cross each border. False: a corner is near a border; or more sides cross
- * one, because the polygon is not quite convex. */
+/* A faster scan_inner() with the same result to the last bit, for polygons with no corner near a border. Then one lower
+ * and one upper side cross each border. False: a corner is near a border, or more sides cross one because the polygon
+ * is not quite convex. */
 static bool scan_apart(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
 {
     double near = 4.0 * f->margin * f->per_dx, inside = 1.0 - near;
@@ -168,7 +168,7 @@ static bool scan_apart(scan *s, const scan_frame *f, const roberts_vec3 *P, cons
         last = column > last ? column : last;
     }
     s->inner_first = first + 1;
-    s->inner_last = last - 1; /* of the borders first + 1 .. last */
+    s->inner_last = last - 1; /* inner columns lie between the borders first + 1 .. last */
     if (last == first)
         s->inner_last = 0;
     const roberts_vec3 *A = &P[corner[count - 1]];

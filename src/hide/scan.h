@@ -1,12 +1,12 @@
 /* scan.h - the conservative Bresenham-like scan of a convex polygon over a grid of cells.
  *
- * Source: the lecture's last section. It walks the lower half of the polygon from the leftmost to the rightmost corner
- * and notes Bas[i] in every column; then it walks the upper half back and notes Haut[i]. The polygon touches the rows
- * from Bas[i] to Haut[i].
+ * Source: the lecture's last section. The scan walks the lower half of the polygon from the leftmost to the rightmost
+ * corner and notes Bas[i] in every column. Then it walks back along the upper half and notes Haut[i]. In column i, the
+ * polygon touches the rows from Bas[i] to Haut[i].
  *
- * A thin Bresenham line skips cells that the true line only cuts at a corner. Here each side counts with its whole part
+ * A thin Bresenham line skips cells that the true line cuts only at a corner. Here each side counts with its whole part
  * over the closed column, widened by a margin. So the scan misses no cell that the closed polygon touches. A second
- * scan finds the cells that lie wholly inside. */
+ * scan finds the cells that lie completely inside. */
 #ifndef ROBERTS_HIDE_SCAN_H
 #define ROBERTS_HIDE_SCAN_H
 
@@ -14,17 +14,17 @@
 
 #include "base/vec.h"
 
-/* nx columns and ny rows over the window; cell (i, j) is column i, row j, and cells are counted i * ny + j. */
+/* A grid of nx columns and ny rows over the window. Cell (i, j) is column i, row j, and has number i * ny + j. */
 typedef struct scan_frame {
     uint32_t nx, ny;
     double x0, y0;         /* lower left corner of cell (0, 0) */
     double dx, dy;         /* size of a cell */
     double per_dx, per_dy; /* 1 / dx, 1 / dy */
     double last_x, last_y; /* nx - 1, ny - 1 */
-    double margin;         /* cells are taken to be larger by this on all sides */
+    double margin;         /* cells are widened by this on all sides */
 } scan_frame;
 
-/* Cells over the window low..high. A window without width or height gets columns or rows of some width. */
+/* Makes a grid over the window low..high. If the window has no width or height, the columns or rows still have some. */
 scan_frame scan_frame_over(roberts_vec2 low, roberts_vec2 high, uint32_t nx, uint32_t ny, double margin);
 
 static inline size_t scan_cells(const scan_frame *f)
@@ -32,7 +32,7 @@ static inline size_t scan_cells(const scan_frame *f)
     return (size_t)f->nx * f->ny;
 }
 
-/* The number of a column or row, kept inside the grid; NaN gives 0. */
+/* Rounds down to the number of a column or row and clamps it to the grid; NaN gives 0. */
 static inline uint32_t scan_clamp(double position, double last)
 {
     return (uint32_t)lesser(greater(position, 0.0), last);
@@ -48,41 +48,41 @@ static inline uint32_t scan_row(const scan_frame *f, double y)
     return scan_clamp((y - f->y0) * f->per_dy, f->last_y);
 }
 
-/* Cell of picture point (x, y). */
+/* Returns the cell of picture point (x, y). */
 static inline size_t scan_cell(const scan_frame *f, double x, double y)
 {
     return (size_t)scan_column(f, x) * f->ny + scan_row(f, y);
 }
 
-/* What the scan of one polygon finds. */
+/* The result of scanning one polygon. */
 typedef struct scan {
     uint32_t first, last;             /* columns touched */
     double *bas, *haut;               /* [nx] least and greatest ordinate in the column */
-    uint32_t inner_first, inner_last; /* columns within the polygon's width; none where first > last */
-    /* [nx + 1] At the left border of each inner column, and at the right border of the last one: `under` is no less
-     * than any ordinate of the sides below the polygon, and -over no greater than any of the sides above it. */
+    uint32_t inner_first, inner_last; /* columns within the polygon's width; none if first > last */
+    /* [nx + 1] Bounds at the left border of each inner column and at the right border of the last: `under` is at least
+     * any ordinate of the lower sides, and -over at most any ordinate of the upper sides. */
     double *under, *over;
 } scan;
 
-/* Arrays for grids of nx columns; false: no memory. scan_free() takes a zeroed scan. */
+/* Allocates arrays for grids of nx columns. False: no memory. scan_free() accepts a zeroed scan. */
 bool scan_init(scan *s, uint32_t nx);
 void scan_free(scan *s);
 
-/* Finds the cells that the convex polygon P[corner[0]], P[corner[1]], ..., counter-clockwise, touches: see
- * scan_touched(). */
+/* Finds the cells touched by the convex polygon P[corner[0]], P[corner[1]], ..., which is counter-clockwise; read them
+ * with scan_touched(). */
 void scan_polygon(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
 
-/* Finds the cells that lie wholly inside the polygon: see scan_inside(). */
+/* Finds the cells completely inside the polygon; read them with scan_inside(). */
 void scan_inner(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
 
-/* Rows touched in column i. */
+/* Gets the rows touched in column i. */
 static inline void scan_touched(const scan *s, const scan_frame *f, uint32_t i, uint32_t *first, uint32_t *last)
 {
     *first = scan_row(f, s->bas[i] - f->margin);
     *last = scan_row(f, s->haut[i] + f->margin);
 }
 
-/* Rows wholly inside in inner column i; false where there are none. */
+/* Gets the rows completely inside in inner column i. False if there are none. */
 static inline bool scan_inside(const scan *s, const scan_frame *f, uint32_t i, uint32_t *first, uint32_t *last)
 {
     double low = (greater(s->under[i], s->under[i + 1]) + f->margin - f->y0) * f->per_dy;

@@ -1,4 +1,4 @@
-/* tests.c - the four tests. See tests.h for their rules. */
+/* tests.c - the four tests of one edge against one face. See tests.h for their rules. */
 #include "hide/tests.h"
 
 #include <math.h>
@@ -16,22 +16,22 @@ static inline int sign_within(double value, double tolerance)
     return value > tolerance ? 1 : value < -tolerance ? -1 : 0;
 }
 
-/* Bound of the error of a point's distance from the line through two others that are `length` apart: both ends of the
- * line and the point are off by the rounding of their coordinates, the line's ends by as much more as the point lies
- * beyond them. */
+/* Bounds the error of a point's distance from the line through two others that are `length` apart. The point and both
+ * ends of the line are off by the rounding of their coordinates. The error of the ends grows with the distance of the
+ * point from them. */
 static double line_error(const hide_space *space, double reach, double length)
 {
     return 2.0 * space->rounding * (1.0 + reach / length);
 }
 
-/* TEST 1. Both ends in front of the face's plane or on it. `limit` is smaller than epsilon for a face so small that its
- * plane is uncertain at A and B; such a face is left to the later tests, which look at its plane near it only. */
+/* TEST 1. Both ends are in front of the face's plane or on it. `limit` is smaller than epsilon for a face so small that
+ * its plane is uncertain at A and B. Such a face is left to the later tests, which use its plane only near the face. */
 bool hide_test1(const hide_face *F, const hide_edge *e)
 {
     return plane_at(F->F, e->A) <= (double)F->limit && plane_at(F->F, e->B) <= (double)F->limit;
 }
 
-/* Q(X) = 0 is the sight plane through AB, Q(X) the distance from it (here times the length of AB). A corner whose
+/* Q(X) = 0 is the sight plane through AB. Q(X) is the distance from it, here times the length of AB. A corner whose
  * distance is uncertain counts as near. */
 static inline int corner_side(const hide_space *space, roberts_vec3 P, const hide_edge *e, hide_near *near)
 {
@@ -70,12 +70,12 @@ bool hide_test2(const hide_space *space, const hide_face *F, const hide_edge *e)
     return hide_near_misses(&near, left);
 }
 
-/* A side, taken in the direction from its smaller vertex number to the larger, so that the two faces of it agree to the
- * last bit: the distances of A and B, times its length, and bounds of their errors. */
+/* A side, taken from its smaller vertex number to the larger, so that its two faces agree to the last bit: the
+ * distances of A and B times its length, and bounds of their errors. */
 typedef struct side_line {
     uint32_t p, q;
     double a, b, error_a, error_b, length;
-    int direction; /* 1, or -1 where the face has it the other way */
+    int direction; /* 1, or -1 if the face runs the other way */
 } side_line;
 
 static side_line measure(const hide_space *space, const hide_face *F, hide_chord side, const hide_edge *e)
@@ -92,7 +92,8 @@ static side_line measure(const hide_space *space, const hide_face *F, hide_chord
     return s;
 }
 
-/* The sign of a distance `h` (times the side's length) of an edge's end that is off by no more than `error`. */
+/* Returns the sign of an edge end's distance from a side. `h` is the distance times the side's length, with an error of
+ * at most `error`. */
 static int sign_closely(const hide_space *space, const side_line *s, refine_point x, double h, double error,
                         uint64_t *refined)
 {
@@ -104,18 +105,18 @@ static int sign_closely(const hide_space *space, const side_line *s, refine_poin
     return s->direction * sign_within(h, space->epsilon * s->length);
 }
 
-/* The one predicate for inside, on and outside of a side, where the signs are not plain. */
+/* Decides inside, on and outside of a side where the signs are not plain. All such signs are decided here. */
 static hide_side look_closely(const hide_space *space, const hide_face *F, hide_chord side, const hide_edge *e,
                               uint64_t *refined)
 {
     side_line s = measure(space, F, side, e);
-    /* A side no longer than epsilon bounds nothing that its neighbours do not bound to within epsilon. */
+    /* A side no longer than epsilon is ignored: its neighbours bound the face to within epsilon. */
     if (s.length <= space->epsilon)
         return (hide_side){0, 0};
     hide_side H = {(signed char)sign_closely(space, &s, refine_start(e), s.a, s.error_a, refined),
                    (signed char)sign_closely(space, &s, refine_end(e), s.b, s.error_b, refined)};
-    /* With one end outside, the other is on the side only where it is not certainly inside, be it by less than epsilon:
-     * see hide_near_misses(). */
+    /* If one end is outside, the other counts as on the side only if it is not certainly inside, even by less than
+     * epsilon: see hide_near_misses(). */
     if (H.a < 0 && H.b == 0 && s.direction * s.b > s.error_b)
         H.b = 1;
     if (H.b < 0 && H.a == 0 && s.direction * s.a > s.error_a)
@@ -123,7 +124,7 @@ static hide_side look_closely(const hide_space *space, const hide_face *F, hide_
     return H;
 }
 
-/* TEST 3. The side from P to Q has A on its left where AP x AQ > 0. */
+/* TEST 3. A is left of the side from P to Q if AP x AQ > 0. */
 hide_verdict hide_test3(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides)
 {
     bool inside = true;
@@ -150,7 +151,7 @@ hide_verdict hide_test3(const hide_space *space, const hide_face *F, const hide_
     return inside ? HIDE_INVISIBLE : HIDE_UNDECIDED;
 }
 
-/* The same of one side by itself. */
+/* Test 3 for one side. */
 hide_side hide_side_signs(const hide_space *space, const hide_face *F, hide_chord side, const hide_edge *e,
                           uint64_t *refined)
 {
@@ -177,7 +178,7 @@ hide_crossing hide_cross_side(const hide_space *space, const hide_face *F, hide_
     return c;
 }
 
-/* Twice the precision, where that is needed. */
+/* Computes the crossing in double-double numbers if its error is too large. */
 static void settle(const hide_cutting *c, hide_crossing *at)
 {
     if (at->error == 0.0)
@@ -188,8 +189,8 @@ static void settle(const hide_cutting *c, hide_crossing *at)
     ++*c->refined;
 }
 
-/* Takes `at` for *last where it comes later along the edge (direction 1), or earlier (-1). What is certain without is
- * not refined. (No number, of a side that AB is parallel to, is not certain.) */
+/* Replaces *last by `at` if `at` comes later along the edge (direction 1) or earlier (-1). Crossings are refined only
+ * if their order is uncertain. (A side parallel to AB gives NaN, which is uncertain.) */
 static void take_later(const hide_cutting *c, double direction, hide_crossing *last, hide_crossing at)
 {
     double ahead = direction * (at.t - last->t), error = at.error + last->error;
@@ -214,7 +215,8 @@ bool hide_cut_by(const hide_cutting *c, hide_chord side, hide_side H, hide_cut *
     return cut->in.t - cut->in.error < cut->out.t + cut->out.error;
 }
 
-/* How far the edge is within epsilon of the border from a crossing on; none: its end. */
+/* Returns the parameter up to which the edge stays within epsilon of the border, from a crossing on. If there is no
+ * crossing, that is the edge's end. */
 static double reach_of(const hide_cutting *c, hide_crossing *at, bool out)
 {
     if (reach_is_plain(c->space, c->e, at->touch))
@@ -234,9 +236,9 @@ bool hide_cut_end(const hide_cutting *c, hide_cut *cut, hide_interval *part)
     return hide_is_left(c->space, c->e, part);
 }
 
-/* TEST 4. t_i is the crossing of AB with side plane H_i. Of those by which AB comes in, the last lies on the side
- * itself (0 <= s_i <= 1), and so does the first by which it goes out, unless AB misses the face: then they come in the
- * wrong order. So the s_i need not be computed, and of the crossings at most those two closely. */
+/* TEST 4. t_i is the crossing of AB with side plane H_i. The last crossing inward and the first one outward lie on the
+ * sides themselves (0 <= s_i <= 1), unless AB misses the face; then they come in the wrong order. So the s_i are not
+ * needed, and at most two crossings need to be refined. */
 bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides, hide_interval *part)
 {
     hide_cutting c = {space, F, e, &sides->refined};
@@ -249,8 +251,8 @@ bool hide_test4(const hide_space *space, const hide_face *F, const hide_edge *e,
     return hide_cut_end(&c, &cut, part);
 }
 
-/* What counts as on the plane at X: a solid that the near plane cuts may have its nearest corner a thousand times as
- * near. */
+/* Returns the distance that counts as on the plane at X. It grows toward the eye: the nearest corner of a solid cut by
+ * the near plane may be a thousand times as near as the rest. */
 static double touch_at(const hide_space *space, const hide_face *F, roberts_vec3 X)
 {
     if (F->departure <= 0.0f)
@@ -258,14 +260,14 @@ static double touch_at(const hide_space *space, const hide_face *F, roberts_vec3
     return lesser(F->touch, space->epsilon + (double)F->departure * (1.0 + X.z * space->view->inverse_distance));
 }
 
-/* Is F above 0 wherever it is within the reach of an end of the part, from t to r? It is f at that end, and it changes
- * by `slope` along the part, which is `width` long. Twice the change is far more than rounding can add to it. */
+/* Is F positive over the whole reach beyond an end of the part? F is `f` at that end and changes by `slope` over the
+ * `width` of the part. The factor 2 is far more than rounding can add. */
 static inline bool stays_behind(double f, double slope, double width, double reach)
 {
     return f * width > 2.0 * slope * reach;
 }
 
-/* Where F comes to -touch between t, where it is f, and r, where the reach ends: there the reach has to end. */
+/* Returns where the reach must end: where F falls to -touch between t, where F is `f`, and r, where the reach ends. */
 static double reach_behind(const hide_space *space, const hide_face *F, const hide_edge *e, double t, double f,
                            double r)
 {
@@ -315,7 +317,8 @@ static bool is_on_two(const hide_face *F, const hide_sides *sides)
     return a > 1 || b > 1;
 }
 
-/* Beyond a corner so sharp that the edge is within epsilon of both its sides nothing is inside. */
+/* Ends the part at the face's corners. Beyond a corner so sharp that the edge is within epsilon of both its sides,
+ * nothing is inside. */
 static bool end_at_corners(const hide_space *space, const hide_face *F, const hide_edge *e, const hide_sides *sides,
                            hide_interval *part)
 {

@@ -1,9 +1,9 @@
-/* tests_fast.c - see tests_fast.h. */
+/* tests_fast.c - tests 2 to 4 in one pass: the parts that are rarely needed. See tests_fast.h. */
 #include "hide/tests_fast.h"
 
 #include "base/lanes.h"
 
-/* Side i of the outline, from p to q; `forward`: p has the smaller number. */
+/* Stores side i, which runs from p to q. `forward`: p has the smaller vertex number. */
 BITS_INLINE void take_side(fast_outline *o, uint32_t i, two p, two q, bool forward)
 {
     two_part(&o->x[i], &o->y[i], p);
@@ -55,7 +55,7 @@ static bool outside_one(const fast_sides *H, size_t count, double plain)
     return false;
 }
 
-/* Signs that are not plain are found as in look_closely() in tests.c. */
+/* Decides signs that are not plain as look_closely() in tests.c does. */
 fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const hide_edge *e, fast_sides *H)
 {
     bool a_inside = all_above(H->a, o->count, space->plain);
@@ -79,7 +79,7 @@ fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const h
         touched += h[i] < 0.0 && h[i] >= -on && i < o->sides;
     }
     if (touched > 1)
-        return FAST_UNCLEAR; /* beyond a sharp corner, perhaps: see hide_by_sides() */
+        return FAST_UNCLEAR; /* perhaps beyond a sharp corner: see hide_by_sides() */
     H->out_a = a_inside ? 0 : out;
     H->out_b = a_inside ? out : 0;
     return FAST_CUT;
@@ -89,7 +89,7 @@ double fast_reach_along(const fast_outline *o, const hide_space *space, const hi
                         double *t)
 {
     hide_face F = {.corner = o->corner, .count = o->sides};
-    uint32_t first = (uint32_t)i < o->sides ? (uint32_t)i : o->sides - 1; /* of an odd number the last stands twice */
+    uint32_t first = (uint32_t)i < o->sides ? (uint32_t)i : o->sides - 1; /* an odd last side is stored twice */
     reach_border border = {&F, first, first + 1 < o->sides ? first + 1 : 0, touch > 0.0};
     return reach_along(space, e, &border, fabs(touch), t);
 }
@@ -97,7 +97,7 @@ double fast_reach_along(const fast_outline *o, const hide_space *space, const hi
 fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
                               hide_interval *part)
 {
-    int inward = -1, outward = -1; /* the sides of the last crossing inward and the first one outward */
+    int inward = -1, outward = -1; /* sides of the last entry and the first exit */
     *part = hide_whole;
     for (uint32_t out = H->out_a | H->out_b; out; out &= out - 1) {
         int i = bits_trailing_zeros(out);

@@ -1,9 +1,9 @@
-/* tests_fast.h - tests 2 to 4 in one pass, for an edge and an outline if all signs are plain.
+/* tests_fast.h - tests 2 to 4 in one pass, for an edge and an outline whose signs are all plain.
  *
  * A sign is plain if its cross product is larger than hide_space.plain. Then tests.c would find the same sign, and
- * lengths and errors need not be looked at. H_i(A) and H_i(B) are computed for two sides at a time, in the form that
- * test 4 needs for t_i. So the part found is the same to the last bit. tests.c decides if a crossing is not accurate,
- * or if a sign is not plain (unless the edge has one end well inside). */
+ * lengths and errors do not matter. H_i(A) and H_i(B) are computed for two sides at a time, in the form that test 4
+ * uses for t_i, so the part found is the same to the last bit. tests.c decides if a crossing is not accurate, or if a
+ * sign is not plain (unless one end of the edge is well inside). */
 #ifndef ROBERTS_HIDE_TESTS_FAST_H
 #define ROBERTS_HIDE_TESTS_FAST_H
 
@@ -11,30 +11,30 @@
 #include "base/lanes.h"
 #include "hide/reach.h"
 
-/* An outline, copied to one place. An odd number of sides is made even: the last side stands twice, and so does the
- * first corner. */
+/* A copy of an outline, laid out for SIMD. An odd number of sides is made even by repeating the last side and the first
+ * corner. */
 typedef struct fast_outline {
-    const uint32_t *corner;                               /* whose; NULL: nobody's */
-    uint32_t sides;                                       /* as many as there are */
-    size_t count;                                         /* ... made even */
+    const uint32_t *corner;                               /* identifies the outline; NULL: empty */
+    uint32_t sides;                                       /* the true number */
+    size_t count;                                         /* the number rounded up to even */
     _Alignas(16) double x[FAST_CORNERS], y[FAST_CORNERS]; /* corners */
-    double ox[FAST_CORNERS], oy[FAST_CORNERS];            /* of side i: the corner of smaller number */
+    double ox[FAST_CORNERS], oy[FAST_CORNERS];            /* of side i: its corner with the smaller vertex number */
     double dx[FAST_CORNERS], dy[FAST_CORNERS];            /* of side i: from its first corner to the next */
 } fast_outline;
 
 typedef enum fast_verdict {
-    FAST_UNCLEAR, /* ask tests 2 to 4 themselves */
+    FAST_UNCLEAR, /* undecided: use the tests one by one */
     FAST_MISSED,  /* test 2: the sight plane through AB misses the outline */
     FAST_OUTSIDE, /* test 3: outside one side */
     FAST_INSIDE,  /* test 3: inside all sides */
     FAST_CUT,     /* test 4: a part is inside */
-    FAST_EMPTY,   /* test 4: no part is inside, or the part is known to be hidden */
+    FAST_EMPTY,   /* test 4: no part is inside, or the part is already known to be hidden */
 } fast_verdict;
 
 /* Copies the outline P[corner[0]], P[corner[1]], ... of at most FAST_CORNERS corners. */
 void fast_take(fast_outline *o, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
 
-/* H_i(A) and H_i(B), times the lengths of the sides; > 0 inside. */
+/* H_i(A) and H_i(B), times the lengths of the sides; > 0 is inside. */
 typedef struct fast_sides {
     _Alignas(16) double a[FAST_CORNERS], b[FAST_CORNERS];
     uint32_t out_a, out_b; /* bit i: A, B is outside of side i */
@@ -46,7 +46,7 @@ BITS_INLINE bool fast_signs(const fast_outline *o, double plain, const hide_edge
     two ax = two_all(e->A.x), ay = two_all(e->A.y), bx = two_all(e->B.x), by = two_all(e->B.y);
     two nearest = two_all(INFINITY);
     unsigned out_a = 0, out_b = 0;
-    for (size_t i = o->count; i > 0;) { /* from the end, so that bits need only move up */
+    for (size_t i = o->count; i > 0;) { /* backward: each pair of bits is added at the low end */
         i -= 2;
         two ox = two_load_aligned(o->ox + i), oy = two_load_aligned(o->oy + i);
         two dx = two_load_aligned(o->dx + i), dy = two_load_aligned(o->dy + i);
@@ -81,29 +81,28 @@ BITS_INLINE fast_verdict fast_corners(const fast_outline *o, double plain, const
     return right == 0 || right == all ? FAST_MISSED : FAST_CUT;
 }
 
-/* Test 4 with a bound for each crossing, as in hide_test4(): for edges that the common bound does not show to be
+/* Test 4 with a bound for each crossing, as in hide_test4(), for edges whose crossings the common bound does not prove
  * accurate. */
 fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
                               hide_interval *part);
 
-/* reach_along() of side i, which is crossed at *t. `touch` is below 0 if the edge comes in there. */
+/* Calls reach_along() for side i, which the edge crosses at *t. `touch` is negative if the edge enters there. */
 double fast_reach_along(const fast_outline *o, const hide_space *space, const hide_edge *e, int i, double touch,
                         double *t);
 
-/* The t up to which the edge stays within epsilon of the border, from *t on, where it crosses side i. i < 0: it crosses
- * none. */
+/* Returns the t up to which the edge, crossing side i at *t, stays within epsilon of the border. i < 0: no crossing. */
 BITS_INLINE double fast_reach(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
                               int i, double *t)
 {
     if (i < 0)
         return *t;
     double length = sqrt(o->dx[i] * o->dx[i] + o->dy[i] * o->dy[i]), apart = H->a[i] - H->b[i];
-    double touch = space->epsilon * length / apart; /* below 0 if the edge comes in */
+    double touch = space->epsilon * length / apart; /* negative if the edge enters */
     return reach_is_plain(space, e, fabs(touch)) ? *t + touch : fast_reach_along(o, space, e, i, touch, t);
 }
 
-/* Test 4. The error of a t_i is that of the two distances, 2 rounding (side + reach) each, over their difference, and
- * side and reach are no more than `span`. */
+/* Test 4. The error of t_i is the error of the two distances, 2 rounding (side + reach) each, divided by their
+ * difference. Side and reach are at most `span`. */
 BITS_INLINE fast_verdict fast_cut(const fast_outline *o, const hide_space *space, const hide_edge *e, double span,
                                   const fast_sides *H, hide_interval *part)
 {
@@ -132,9 +131,9 @@ BITS_INLINE fast_verdict fast_cut(const fast_outline *o, const hide_space *space
     return (t1 - t0) * e->length3 > space->epsilon ? FAST_CUT : FAST_EMPTY;
 }
 
-/* Is the part inside, with all that it touches, plainly within the part that is hidden? It is if three things hold. The
- * hidden part begins at the edge's beginning, or outside of a side that A is outside of. It ends at the edge's end, or
- * outside of a side that B is outside of. And neither of its ends is near to any side. */
+/* Does the part inside, with everything it touches, lie plainly within the part known to be hidden? This holds if: the
+ * hidden part begins at the edge's start, or outside a side that A is outside of; it ends at the edge's end, or outside
+ * a side that B is outside of; and neither of its ends is near any side. */
 BITS_INLINE bool fast_within(const fast_outline *o, double plain, const fast_sides *H, const hide_interval *hidden)
 {
     two t0 = two_all(hidden->t0), t1 = two_all(hidden->t1), nearest = two_all(INFINITY);
@@ -151,13 +150,13 @@ BITS_INLINE bool fast_within(const fast_outline *o, double plain, const fast_sid
            two_least(nearest) > plain;
 }
 
-/* Asks an edge of which not all signs are plain. FAST_OUTSIDE: it is plainly outside of one side, whatever the others
- * say. FAST_CUT: one end is plainly inside, the other near to some side, and H has the signs that tests.c would find.
- * FAST_UNCLEAR: the signs take twice the precision, or no end is plainly inside. */
+/* Handles an edge whose signs are not all plain. FAST_OUTSIDE: the edge is plainly outside one side, so the other signs
+ * do not matter. FAST_CUT: one end is plainly inside, the other is near some side, and H has the signs that tests.c
+ * would find. FAST_UNCLEAR: a sign needs double-double numbers, or no end is plainly inside. */
 fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const hide_edge *e, fast_sides *H);
 
-/* Tests 2 to 4. span: no two points of outline and edge are farther apart, along x and y together. hidden: a part of
- * the edge that is known to be hidden, within which nothing need be found; NULL: none. Fills `part` if the verdict is
+/* Tests 2 to 4. `span` bounds the distance of any two points of outline and edge, |dx| + |dy|. `hidden` is a part of
+ * the edge that is known to be hidden, where nothing new need be found; NULL: none. Fills `part` if the verdict is
  * FAST_INSIDE or FAST_CUT. */
 BITS_INLINE fast_verdict fast_test(const fast_outline *o, const hide_space *space, const hide_edge *e, double span,
                                    const hide_interval *hidden, hide_interval *part)
@@ -176,7 +175,7 @@ BITS_INLINE fast_verdict fast_test(const fast_outline *o, const hide_space *spac
     }
     if (hidden && fast_within(o, space->plain, &H, hidden))
         return FAST_EMPTY;
-    if (H.out_a && H.out_b) { /* with an end inside there are corners on both sides */
+    if (H.out_a && H.out_b) { /* if one end is inside, corners lie on both sides */
         fast_verdict verdict = fast_corners(o, space->plain, e);
         if (verdict != FAST_CUT)
             return verdict == FAST_MISSED ? FAST_MISSED : FAST_UNCLEAR;

@@ -1,4 +1,5 @@
-/* tests_wide.c - see tests_wide.h: first the runs of a polygon, then the tests. */
+/* tests_wide.c - tests 2 to 4 for polygons of very many corners: first the runs of sides, then the tests. See
+ * tests_wide.h. */
 #include "hide/tests_wide.h"
 
 #include <math.h>
@@ -6,10 +7,11 @@
 
 #include "base/array.h"
 
-/* Sides that may cut something off before all are asked: mostly there are two, and those beside them; of a straight
- * border that is no run, two times seven on each rank. */
+/* Room for sides that may cut something off. If more turn up, all sides are tested. Usually there are two and their
+ * neighbours; on a straight border that is not one run, two times seven on each rank. */
 #define CUTS 320
-/* Guesses, before all sides are asked. The second is what the first has left, and is right but for rounding. */
+/* Guesses to try before all sides are tested. The second guess is what the first leaves; it is right except for
+ * rounding. */
 #define GUESSES 3
 
 /* ---- runs ---- */
@@ -34,7 +36,7 @@ static roberts_vec3 corner_at(const hide_space *space, const uint32_t *corner, u
     return space->P[corner[i < count ? i : i - count]];
 }
 
-/* The frame, and the box of the corners first .. end in it. */
+/* Sets the run's frame, and the box of corners first .. end in that frame. */
 static runs_node frame_run(const hide_space *space, const uint32_t *corner, uint32_t count, uint32_t first,
                            uint32_t end)
 {
@@ -61,8 +63,8 @@ static runs_node frame_run(const hide_space *space, const uint32_t *corner, uint
     return n;
 }
 
-/* Lifts the three lines over the side PQ; false where that is no graph of a line, or too steep or uncertain a one. A
- * side no longer than epsilon, which bounds nothing in the tests, is one of these. */
+/* Raises the three bounding lines above the side PQ. False if PQ is not the graph of a line over the chord, if it is
+ * too steep, or if its slope is too uncertain. Sides no longer than epsilon fail too; the tests ignore them. */
 static bool lift_over(const hide_space *space, runs_node *n, roberts_vec3 P, roberts_vec3 Q)
 {
     double dx = Q.x - P.x, dy = Q.y - P.y, run = n->ux * dx + n->uy * dy, rise = n->ux * dy - n->uy * dx;
@@ -93,7 +95,7 @@ static runs_node make_run(const hide_space *space, const uint32_t *corner, uint3
 
 runs *runs_make(const hide_space *space, const uint32_t *corner, uint32_t count)
 {
-    list_tree over = list_tree_over(count); /* a run of all sides would turn too much */
+    list_tree over = list_tree_over(count); /* no run of all sides: it would turn too far */
     runs *r = malloc(sizeof *r + over.start[over.ranks] * sizeof *r->node);
     if (!r)
         return NULL;
@@ -150,19 +152,19 @@ bool runs_hold_point(const hide_space *space, const runs *r, const uint32_t *cor
 
 /* ---- tests 2 to 4 ---- */
 
-/* An edge before a polygon. */
+/* An edge against a polygon. */
 typedef struct sight {
     const hide_space *space;
     const runs *r;
     const hide_face *F;
     const hide_edge *e;
-    uint32_t left, right; /* corners on that side of the sight plane; ROBERTS_NONE: none was met */
-    hide_near near;       /* corners that count as near it */
+    uint32_t left, right; /* a corner on that side of the sight plane; ROBERTS_NONE: none found */
+    hide_near near;       /* corners that count as near the sight plane */
 } sight;
 
-/* Where the box of a run's corners lies: plainly left (1) or right (-1) of the sight plane, or else 0: so far from it
- * that no corner of it counts as near (see hide_corner_side(); four times its roundings are far more than box and
- * corners are off by). */
+/* Finds the side of the sight plane on which the box of a run's corners lies: 1 left, -1 right, 0 uncertain. A result
+ * of 1 or -1 means that no corner of the run counts as near (see hide_corner_side()). The bound has four times the
+ * rounding used there, far more than the error of the box and of the corners. */
 static int run_side(const hide_space *space, const runs_node *n, const hide_edge *e)
 {
     double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y, px = n->x - e->A.x, py = n->y - e->A.y, Q = dx * py - dy * px;
@@ -196,7 +198,7 @@ static bool misses(sight *s)
         return false;
     for (uint32_t i = 0; i < over->items && (s->left == ROBERTS_NONE || s->right == ROBERTS_NONE);) {
         int rank = list_tree_highest(over, i), side = 0;
-        bool passed = false; /* with two corners near the sight plane, no more of a straight run are wanted */
+        bool passed = false; /* once two corners are near the sight plane, the rest of a straight run adds nothing */
         for (; rank >= 0 && !side && !passed; rank--) {
             const runs_node *n = &s->r->node[list_tree_node(over, rank, i)];
             side = run_side(s->space, n, s->e);
@@ -214,12 +216,12 @@ static bool misses(sight *s)
     return hide_near_misses(&s->near, s->left != ROBERTS_NONE);
 }
 
-/* Of the sides from corner `from` on, round to corner `to`, which lies on the other side of the sight plane, one across
- * which that changes. */
+/* Finds a side between corner `from` and corner `to`, which lie on different sides of the sight plane, that crosses the
+ * plane. `side` is the side on which `from` lies. */
 static uint32_t side_between(const sight *s, uint32_t from, uint32_t to, int side)
 {
     uint32_t count = s->r->tree.items, low = 0, high = to > from ? to - from : count - from + to;
-    hide_near near = {0}; /* not asked here */
+    hide_near near = {0}; /* not used here */
     while (high - low > 1) {
         uint32_t middle = low + (high - low) / 2, i = middle < count - from ? from + middle : middle - (count - from);
         if (corner_side(s, i, &near) == side)
@@ -230,15 +232,16 @@ static uint32_t side_between(const sight *s, uint32_t from, uint32_t to, int sid
     return low < count - from ? from + low : low - (count - from);
 }
 
-/* Where the edge crosses a side that cuts something off (`outside`), kept on the edge; else the edge's end. */
+/* Returns the parameter where the edge crosses side i if the side cuts something off (`outside`), clamped to the edge;
+ * otherwise the edge's `end`. */
 static double guess(const sight *s, uint32_t i, bool outside, double end)
 {
     double t = outside ? hide_cross_side(s->space, s->F, hide_side_of(s->F, i), s->e).t : end;
     return t > 0.0 ? lesser(t, 1.0) : 0.0;
 }
 
-/* The first guess; false where a side by which it is made has A and B both outside or on it. The polygon runs
- * counter-clockwise: it comes from left to right where the edge goes in. */
+/* Makes the first guess. False if A and B are both outside or on one of the two sides that the guess uses. The polygon
+ * runs counter-clockwise, so its border passes from left to right where the edge enters. */
 static bool begin(const sight *s, hide_sides *sides, double *s0, double *s1)
 {
     *s0 = 0.0;
@@ -253,15 +256,15 @@ static bool begin(const sight *s, hide_sides *sides, double *s0, double *s1)
     return !hide_side_outside(I) && !hide_side_outside(O);
 }
 
-/* Sides that cut something off, or chords of straight runs. */
+/* Sides that cut something off; a straight run is represented by its chord. */
 typedef struct cuts {
     hide_chord side[CUTS];
     uint32_t count;
     hide_side H[CUTS];
 } cuts;
 
-/* Test 3 of the sides that the guess leaves in question. HIDE_INVISIBLE: none of these cuts anything off. Where there
- * are more than there is room for, c->count says so. */
+/* Test 3 for the sides that the guess does not rule out. Returns HIDE_INVISIBLE if none of them cuts anything off. If
+ * there are more than CUTS, c->count exceeds CUTS. */
 static hide_verdict ask_sides(const sight *s, hide_sides *sides, double s0, double s1, cuts *c)
 {
     roberts_vec3 from = hide_edge_at(s->e, s0), to = hide_edge_at(s->e, s1);
@@ -284,7 +287,7 @@ static hide_verdict ask_sides(const sight *s, hide_sides *sides, double s0, doub
     return c->count ? HIDE_UNDECIDED : HIDE_INVISIBLE;
 }
 
-/* Test 4 of these. */
+/* Test 4 for these sides. */
 static bool cut_by(const sight *s, hide_sides *sides, const cuts *c, hide_interval *part)
 {
     hide_cutting cutting = {s->space, s->F, s->e, &sides->refined};
@@ -295,8 +298,8 @@ static bool cut_by(const sight *s, hide_sides *sides, const cuts *c, hide_interv
     return hide_cut_end(&cutting, &cut, part);
 }
 
-/* Tests 3 and 4 by guesses; false where all sides are to be asked. `*verdict` HIDE_UNDECIDED: test 4 has found `part`,
- * or that nothing is left, and then it is empty. */
+/* Tests 3 and 4 by guesses. False: all sides must be tested. If `*verdict` is HIDE_UNDECIDED, test 4 has found `part`,
+ * which is empty if nothing is left. */
 static bool by_guesses(const sight *s, hide_sides *sides, hide_verdict *verdict, hide_interval *part)
 {
     double s0, s1, accuracy = RUNS_GUESS_ACCURACY * s->space->epsilon / s->e->length;

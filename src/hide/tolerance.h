@@ -1,9 +1,9 @@
 /* tolerance.h - every tolerance and bound of hidden-line removal: name, value, unit, reason.
  *
- * Three lengths come from the view, in view units, since they depend on the scene (see map.c): `epsilon`, nearer than
- * which things touch; `rounding`, a bound of the error of one view coordinate; `across_rounding`, the same of an x or
- * y. A hide_space holds them as `epsilon`, `depth_rounding` and `rounding`. The numbers below are multiples of these,
- * or have no unit. Numbers that change time and memory alone stand in the files that use them. */
+ * Three lengths depend on the scene and come from the view, in view units (see map.c). `epsilon` is the touching
+ * distance. `rounding` bounds the error of any view coordinate. `across_rounding` bounds the error of an x or y. A
+ * hide_space holds them as `epsilon`, `depth_rounding` and `rounding`. The numbers below are multiples of these, or
+ * have no unit. Numbers that affect only time and memory are in the files that use them. */
 #ifndef ROBERTS_HIDE_TOLERANCE_H
 #define ROBERTS_HIDE_TOLERANCE_H
 
@@ -11,60 +11,61 @@
 
 /* ---- signs and parameters ---- */
 
-/* No unit: wanted accuracy of a parameter t along an edge. Drawings are checked to 1e-9. A crossing whose rounding
- * could exceed this is computed again in twice the precision. */
+/* No unit: the wanted accuracy of a parameter t along an edge. Drawings are checked to 1e-9. A crossing whose rounding
+ * could exceed this is recomputed in double-double numbers. */
 #define HIDE_T_ACCURACY 1e-10
 
-/* Part of epsilon: the error that a distance may have for its sign to be trusted. */
+/* Fraction of epsilon: the largest error of a distance whose sign is trusted. */
 #define HIDE_TRUSTED 0.125
 
-/* Part of the scene's diameter: the largest touching distance that is accepted. Beyond it "on" would mean a visible
+/* Fraction of the scene's diameter: the largest touching distance accepted. Beyond it, "on" would mean a visible
  * length. */
 #define EPSILON_MOST 0.01
 
-/* Epsilons along the edge: a hidden part that reaches no farther than this beyond its end is taken as it is. Cells and
- * boxes are widened by as much. */
+/* Epsilons along the edge: a hidden part with a reach of at most this beyond its end needs no closer look. Cells and
+ * boxes are widened by the same amount. */
 #define REACH_PLAIN 4.0
 
-/* Roundings of a picture coordinate, times a length: the cross product of two sides of an outline is off by less. */
+/* Roundings of a picture coordinate, times a length: bounds the error of the cross product of two sides of an
+ * outline. */
 #define TURN_ROUNDINGS 8.0
 
-/* Part of epsilon: an outline may turn inward at a corner if the lines of both sides cut off no more than this. */
+/* Fraction of epsilon: an outline may turn inward at a corner if the lines of both sides cut off no more than this. */
 #define INWARD_TURN 0.5
 
-/* Is a parameter with this error good enough, along the edge and as a length? */
+/* Is a parameter with this error accurate enough, as a parameter and as a length? */
 static inline bool hide_accurate(const hide_space *space, const hide_edge *e, double error)
 {
     return error <= HIDE_T_ACCURACY && error * e->length3 <= HIDE_TRUSTED * space->epsilon;
 }
 
-/* View units squared: a cross product of two vectors of the picture that is larger than this has a plain sign.
+/* View units squared: a cross product of two picture vectors has a plain sign if it is larger than this.
  *
- * |u x v| is the distance of one point from the line through two others, times their distance l. It is more than
- * epsilon, with certainty, where |u x v| > epsilon l + 2 rounding (l + reach), and l is no more than 3 and the reach no
- * more than 6 extents (of the picture: x and y), and the products' own rounding adds no more than 4 extents times
- * rounding. There is one bound for the whole scene. Where it does not decide, the sign is computed with its error. */
+ * u x v| is the distance of a point from the line through two others, times their distance l. The distance certainly
+ * exceeds epsilon if |u x v| > epsilon l + 2 rounding (l + reach). Here l is at most 3 extents (of the picture: x and
+ * y) and the reach at most 6. The rounding of the products adds at most 4 extents times rounding. One bound serves the
+ * whole scene. A sign that it does not decide is computed with its own error. */
 static inline double hide_plain(double extent, double epsilon, double rounding)
 {
     return 4.0 * extent * (epsilon + 8.0 * rounding);
 }
 
-/* View units: cells and boxes are widened by this, so that an edge and a face that touch are never kept apart. */
+/* View units: cells and boxes are widened by this, so that an edge and a face that touch are never separated. */
 static inline double hide_margin(const hide_space *space)
 {
     return 4.0 * (space->epsilon + space->depth_rounding);
 }
 
-/* No unit: bound of the error of the parameter t at which AB crosses the line through P along `side`, which goes from
- * corner to corner. `apart`: |a - b| for the signed distances a, b of A and B from that line, times the side's
- * length.
+/* No unit: bounds the error of the parameter t at which AB crosses the line through P along `side`, the vector from one
+ * corner to the next. `apart` is |a - b|, where a and b are the signed distances of A and B from that line, times the
+ * side's length.
  *
- * This bound is sharper than the errors of a and b where the crossing lies near a short side, or far from the ends of
- * AB. With a and b off by da and db, t is off by ((1 - t) da + t db) / (a - b). That is the error that the distance
- * of the crossing X itself would have. Moved by `rounding` in each coordinate, P, Q and X change the cross product by
- * no more than 2 rounding (|PQ| + |PX|), where both norms are sums of coordinates; the products' own rounding adds
- * less than 2 rounding |PQ|. X is taken where it was found. It may be off by t's error times |AB|, which at most
- * doubles the bound as long as 4 rounding |AB| <= apart. */
+ * This bound is sharper than the errors of a and b if the crossing lies near a short side, or far from the ends of AB.
+ * If a and b are off by da and db, t is off by ((1 - t) da + t db) / (a - b). That is the error that the distance of
+ * the crossing X itself would have. If P, Q and X move by `rounding` in each coordinate, the cross product changes by
+ * at most 2 rounding (|PQ| + |PX|), with both norms as sums of coordinates. The rounding of the products adds less than
+ * 2 rounding |PQ|. X is taken as computed. It may be off by t's error times |AB|, which at most doubles the bound as
+ * long as 4 rounding |AB| <= apart. */
 static inline double hide_crossing_error(const hide_space *space, const hide_edge *e, double t, roberts_vec2 P,
                                          roberts_vec2 side, double apart)
 {
@@ -79,58 +80,59 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
 /* Roundings of a view coordinate: the error of a distance from a face's plane, near the face. */
 #define PLANE_ROUNDINGS 4.0
 
-/* No unit: a face is narrow where its solid is larger than this times its width. Only then is the face's departure from
- * its plane counted far from the face. */
+/* No unit: a face is narrow if its solid is larger than this times the face's width. Only for narrow faces does the
+ * departure limit how far from the face its plane is trusted. */
 #define WIDTHS_OF_SOLID 64.0
 
-/* No unit: a front may fail to fill its outline by this times what its faces depart from their planes. */
+/* No unit: a front may leave gaps in its outline of up to this times the departure of its faces from their planes. */
 #define LOOSE_DEPARTURES 4.0
 
-/* Roundings of a view coordinate: the error of F(M) and of what is added to it for a point of the scene. It comes from
- * three products of coordinates, none larger than the extent, and from four sums. */
+/* Roundings of a view coordinate: the error of F(M) and of the terms added to it for a point of the scene. It comes
+ * from three products of coordinates, none larger than the extent, and from four sums. */
 #define BUNDLE_ROUNDINGS 16.0
 
 /* ---- runs of sides of a large polygon ---- */
 
-/* Epsilons: how far inside of the sides a point must be to count as well inside of a run. Sides that rise no steeper
- * than the run's chord is long are at 2.1 then. What the tests call "on a side" is no farther from it than 1.125:
- * epsilon, and the HIDE_TRUSTED part of it. Half of an epsilon is for the guesses. The rest is to spare. */
+/* Epsilons: how far inside the sides a point must be to count as well inside a run. If no side rises by more than it
+ * advances, the point is then at least 2.1 epsilons from each side. A point that the tests call "on a side" is at most
+ * 1.125 away: epsilon and the HIDE_TRUSTED fraction of it. Half an epsilon is for the guesses. The rest is reserve. */
 #define RUNS_CLEAR 3.0
 
-/* Roundings of a picture coordinate, added to that. Each coordinate of a corner and of the point is off by one, in the
- * frame by a root of two; turning to the frame adds less than one each. */
+/* Roundings of a picture coordinate, added to RUNS_CLEAR. Each coordinate of a corner and of the point is off by one,
+ * which the frame increases by a factor of sqrt(2). The rotation into the frame adds less than one each. */
 #define RUNS_CLEAR_ROUNDINGS 16.0
 
-/* Roundings of a picture coordinate, divided by the side's run along the chord: the error of the side's slope, if its
- * two corners are off by that in both directions. The run must be more than RUNS_SIDE_ROUNDINGS roundings. */
+/* Roundings of a picture coordinate, divided by the side's advance along the chord: the error of the side's slope, if
+ * its two corners are off by one rounding in both directions. The advance must exceed RUNS_SIDE_ROUNDINGS roundings. */
 #define RUNS_SLOPE_ROUNDINGS 12.0
 #define RUNS_SIDE_ROUNDINGS 32.0
 
-/* Part of epsilon: corners of a run may lie so far beside its chord for the chord to stand for the run. */
+/* Fraction of epsilon: how far the corners of a run may lie from its chord if the chord stands for the run. */
 #define RUNS_STRAIGHT 0.1
 
-/* Part of epsilon, in the picture: by how much the sides that were asked may leave more than was guessed. */
+/* Fraction of epsilon, in the picture: by how much the tested sides may leave more than was guessed. */
 #define RUNS_GUESS_ACCURACY 0.5
 
-/* ---- sizes above which another method finds the same ---- */
+/* ---- sizes above which another method finds the same result ---- */
 
-/* Front faces of a solid: with more, the solid is entered face by face. An edge that passes it would be compared with
- * all of them. No more than 32: hide_test1_of_all() gives each face a bit. */
+/* Front faces of a solid: with more, each face is a front of its own. Otherwise an edge that passes the solid would be
+ * compared with all of them. At most 32: hide_test1_of_all() gives each face a bit. */
 #define FACES_OF_ONE_FRONT 24
 
-/* Front faces of a solid: with more, it may be a bundle. Below, a tree over them gains nothing. */
+/* Front faces of a solid: with more, it may be a bundle. Below this, a tree over the faces gains nothing. */
 #define BUNDLE_FACES 64
 
-/* Boxes of faces over a point of the solid's box, on average: with more, it is a bundle. */
+/* Average number of face boxes over a point of the solid's box: with more, the solid is a bundle. */
 #define DEPTH_OF_BUNDLE 8.0
 
-/* Faces of a solid in one cell, about: with more, it is a bundle too. With fewer, the tree takes longer. */
+/* Approximate number of the solid's faces in one cell: with more, the solid is a bundle too. With fewer, the tree takes
+ * longer. */
 #define FACES_OF_A_CELL 1000.0
 
-/* Corners of a face or an outline: with more, its sides are taken in runs. Below, that gains nothing. */
+/* Corners of a face or an outline: with more, its sides are grouped into runs. Below this, runs gain nothing. */
 #define RUNS_CORNERS 64
 
-/* Corners of an outline: with more, tests_fast.h leaves it to tests.c. An even number. */
+/* Corners of an outline: with more, tests_fast.h leaves it to tests.c. Must be even. */
 #define FAST_CORNERS 16
 
 #endif

@@ -6,44 +6,44 @@
 #include "view/seen.h"
 
 typedef struct hide_space {
-    const roberts_vec3 *P;      /* view points of all vertices, by compact number */
-    double epsilon;             /* touching distance, view units */
-    double rounding;            /* bound of the error of an x or y of P, view units */
-    double depth_rounding;      /* ... of any coordinate of P, z too; at least that */
-    double plain;               /* a cross product of two vectors of the picture that is larger than this has a plain
-                                   sign: hide_plain(); INFINITY: never */
-    const roberts_scene *scene; /* as read, for signs and crossings in twice the precision; */
+    const roberts_vec3 *P; /* view points of all vertices, by compact number */
+    double epsilon;        /* touching distance, view units */
+    double rounding;       /* bounds the error of an x or y of P, view units */
+    double depth_rounding; /* bounds the error of any coordinate of P; at least `rounding` */
+    double plain; /* a cross product of two picture vectors has a plain sign if it is larger: hide_plain(); INFINITY:
+                     never */
+    const roberts_scene *scene; /* the model as read, for double-double numbers; */
     const view *view;           /* NULL both: never refine (tests on bare points) */
 } hide_space;
 
-/* A box in view space, rounded outward: x and y of the picture, z toward the viewer. */
+/* A box in view space, rounded outward. z points toward the viewer. */
 typedef struct hide_box {
     float x0, x1, y0, y1, z0, z1;
 } hide_box;
 
-/* A front face, or with F not used the outline of several. Its sides run counter-clockwise in the picture. */
+/* A front face, or the outline of several (F is not used then). Its sides run counter-clockwise in the picture. */
 typedef struct hide_face {
     plane F;                /* view space, inward: F(P) < 0 in front of it */
     const uint32_t *corner; /* [count] compact vertex numbers */
-    double touch;           /* F within +-touch is on the plane: epsilon and the face's own departure from it */
+    double touch;           /* F within +-touch is on the plane: epsilon plus the face's own departure from it */
     uint32_t count;
-    float departure; /* from an eye: what `touch` has beside epsilon, at the look-at point's depth; it grows toward the
-                        eye, and `touch` has it at the solid's nearest corner. Else 0 */
-    float limit; /* F(A) <= limit is in front or on even at the far end of the scene, where the plane of a small face
-                    cannot be trusted to `touch`; see test 1 */
+    float departure; /* for an eye: `touch` less epsilon, at the depth of the look-at point. It grows toward the eye;
+                        `touch` has its value at the solid's nearest corner. Otherwise 0 */
+    float limit; /* F(A) <= limit is in front of the plane or on it, even at the far end of the scene, where the plane
+                    of a small face is less certain than `touch`; see test 1 */
 } hide_face;
 
 /* The edge AB under test. */
 typedef struct hide_edge {
-    roberts_vec3 A, B;     /* view points */
+    roberts_vec3 A, B;     /* view points of the ends */
     uint32_t a, b;         /* vertices of the scene; ROBERTS_NONE: a computed point */
-    const seen_point *end; /* [2] where A and B are in the model if they are computed; NULL: both are vertices */
+    const seen_point *end; /* [2] model positions of A and B if one is computed; NULL: both are vertices */
     double length;         /* of AB in the picture */
     double length3;        /* of AB in view space */
 } hide_edge;
 
-/* The hidden part t0 .. t1 of an edge by one face or solid: parameters along its picture. From r0 to r1 the edge is
- * within epsilon of what hides it (see reach.h); r0 <= t0 and r1 >= t1. */
+/* The part t0 .. t1 of an edge hidden by one face or solid: parameters along the edge's picture. From r0 to r1 the edge
+ * is within epsilon of what hides it (see reach.h); r0 <= t0 and r1 >= t1. */
 typedef struct hide_interval {
     double t0, t1;
     double r0, r1;
@@ -59,7 +59,7 @@ static inline roberts_vec3 hide_edge_at(const hide_edge *e, double t)
                           e->A.z + t * (e->B.z - e->A.z)};
 }
 
-/* A float certainly not greater (not less) than x: rounding moves x by half of 2^-23 of it at the most. */
+/* Returns a float certainly not greater (not less) than x. Rounding to float moves x by at most |x| / 2^24. */
 static inline float hide_float_below(double x)
 {
     return (float)(x - fabs(x) * 0x1p-23);
@@ -70,15 +70,15 @@ static inline float hide_float_above(double x)
     return (float)(x + fabs(x) * 0x1p-23);
 }
 
-/* Is (x, y) inside of the side from P to Q, left of which the inside is, or no farther outside than `slack`? Where that
- * is negative: so far inside. */
+/* Is (x, y) inside the side from P to Q, whose inside is on the left, or at most `slack` outside? A negative slack asks
+ * for that much inside. */
 static inline bool hide_side_holds(roberts_vec3 P, roberts_vec3 Q, double x, double y, double slack)
 {
     double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (y - P.y) - dy * (x - P.x);
     return !((H < 0.0 || slack < 0.0) && H < -slack * sqrt(dx * dx + dy * dy));
 }
 
-/* A box of view points as they are; one of none is empty. */
+/* The exact bounding box of view points; low > high if there are none. */
 typedef struct hide_bounds {
     roberts_vec3 low, high;
 } hide_bounds;

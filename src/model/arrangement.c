@@ -1,25 +1,25 @@
-/* arrangement.c - cuts a face that is not convex: its border as a graph whose lines meet in nodes only.
+/* arrangement.c - cuts a face that is not convex: its border as a graph whose lines meet only in nodes.
  *
- * Stretches of the border that lie on one another are one line, with the number of times that the border runs along it;
- * a line that it runs along as often both ways bounds nothing, and is left out. Then the graph is swept
- * (triangulate.c). If the sweep meets lines that cross, or nodes on lines, these lines are divided there, nodes that
- * touch become one, and the graph is swept again. A division bends lines by rounding, which may make new crossings: the
- * next sweep finds them. What a sweep without a crossing gives is a tiling, whatever the rounding was. The number of
- * times that the border winds round a place follows from the lines crossed on the way to it. */
+ * Stretches of the border that coincide become one line, with a count of how often the border runs along it. A line
+ * that the border runs along equally often both ways bounds nothing and is left out. Then the graph is swept
+ * (triangulate.c). If the sweep finds lines that cross, or nodes on lines, those lines are divided there, nodes that
+ * touch are merged, and the graph is swept again. Rounding bends the divided lines, which may cause new crossings; the
+ * next sweep finds them. A sweep that finds no crossing gives a tiling, whatever the rounding. The winding number of a
+ * region follows from the lines crossed on the way to it. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/array.h"
 #include "model/face_pieces.h"
 
-/* Sweeps of one face. From FIRST_WIDER on, the distance within which nodes become one doubles with each sweep, so that
- * an end is reached. */
+/* Sweeps of one face. From FIRST_WIDER on, the merging distance of nodes doubles with each sweep, which forces an
+ * end. */
 enum { MOST_SWEEPS = 60, FIRST_WIDER = 40 };
 
-/* A border that crosses itself more often is not cut: it would take minutes, and gigabytes. */
+/* A border with more crossings than this is not cut: it would take minutes and gigabytes. */
 enum { MOST_CROSSINGS = 1 << 18 };
 
-/* So many pairs of lines are compared with one another; beyond that, crossings are found by sweeps alone. */
+/* Up to this many pairs of lines are compared directly. With more, only sweeps find crossings. */
 #define MOST_PAIRS 0x1p27
 
 bool border_add_stop(border *b, border_stop stop)
@@ -62,7 +62,7 @@ static double coordinate(const face_pieces *f, uint32_t node, int axis)
     return axis == 0 ? f->node[node].at.x : f->node[node].at.y;
 }
 
-/* Sorts the lines along an axis, and counts the pairs whose extents meet there. */
+/* Sorts the lines along an axis, and counts the pairs whose extents overlap there. */
 static double sort_extents(const face_pieces *f, const border *b, int axis, extent *item)
 {
     double pairs = 0.0;
@@ -86,7 +86,7 @@ static double sort_extents(const face_pieces *f, const border *b, int axis, exte
     return pairs;
 }
 
-/* Notes where two lines cross. What touches is left to the sweep. False: no memory. */
+/* Records where two lines cross. Lines that only touch are left to the sweep. False: no memory. */
 static bool cross(face_pieces *f, border *b, uint32_t i, uint32_t j)
 {
     const uint32_t *v = b->item[i].v, *w = b->item[j].v;
@@ -98,8 +98,9 @@ static bool cross(face_pieces *f, border *b, uint32_t i, uint32_t j)
     return !((p > 0.0 && q < 0.0) || (p < 0.0 && q > 0.0)) || border_add_crossing(f, b, i, j);
 }
 
-/* Crosses all lines with all, in place of what a sweep has found; unless there are very many pairs, or more crossings
- * than are wanted. A sweep meets at least one crossing of each tangle, but seldom all. False: no memory. */
+/* Replaces the crossings found by a sweep by those of all pairs of lines, unless there are too many pairs. Stops early
+ * if there are too many crossings. A sweep finds at least one crossing of each tangle, but seldom all. False: no
+ * memory. */
 static bool cross_all(face_pieces *f, border *b)
 {
     extent *item = alloc_array(b->count, sizeof *item);
@@ -137,7 +138,7 @@ static size_t slot_of(double x, double y, size_t mask)
     return (size_t)(h ^ h >> 29) & mask;
 }
 
-/* same[n]: the first node that lies within `touching` of node n, by cells of that size. False: no memory. */
+/* Sets same[n] to the first node within `touching` of node n, using a hash grid. False: no memory. */
 static bool join_nodes(const face_pieces *f, double touching, uint32_t *same)
 {
     size_t size = 16;
@@ -192,7 +193,7 @@ static int compare_lines(const void *pa, const void *pb)
     return (a->side > b->side) - (a->side < b->side);
 }
 
-/* Joins lines that lie on one another, and leaves out those that bound nothing. */
+/* Merges coincident lines, and removes those that bound nothing. */
 static void unite_lines(border *b)
 {
     size_t to = 0;
@@ -213,7 +214,7 @@ static border_line line_of(uint32_t from, uint32_t to, int32_t net, uint32_t sid
     return (border_line){{from < to ? from : to, from < to ? to : from}, from < to ? net : -net, side};
 }
 
-/* The sides of the ring. */
+/* Makes a line of each side of the ring. False: no memory. */
 static bool take_sides(const face_pieces *f, border *b)
 {
     b->item = alloc_array(f->ring_count, sizeof *b->item);
@@ -227,14 +228,14 @@ static bool take_sides(const face_pieces *f, border *b)
     return b->item != NULL;
 }
 
-/* Where a node lies along a line, measured by the line's length squared. */
+/* Returns where a node lies along a line, times the line's length squared. */
 static double along(const face_pieces *f, const border_line *line, uint32_t node)
 {
     roberts_vec2 A = f->node[line->v[0]].at, B = f->node[line->v[1]].at, P = f->node[node].at;
     return (P.x - A.x) * (B.x - A.x) + (P.y - A.y) * (B.y - A.y);
 }
 
-/* Divides the lines at their stops. same[]: from join_nodes(). */
+/* Divides the lines at their stops. same[]: from join_nodes(). False: no memory. */
 static bool divide(const face_pieces *f, border *b, const uint32_t *same)
 {
     size_t k = 0, to = 0;
@@ -266,7 +267,8 @@ static bool divide(const face_pieces *f, border *b, const uint32_t *same)
     return true;
 }
 
-/* Makes corners that lie on one another one node of the ring. *apart: some of them are different vertices. */
+/* Merges coincident corners of the ring into one node. *apart: some of them are different vertices. False: no
+ * memory. */
 static bool join_ring(face_pieces *f, double touching, bool *apart)
 {
     uint32_t *same = alloc_array(f->node_count, sizeof *same);
@@ -303,7 +305,7 @@ static tiling sweep_border(face_pieces *f, border *b, const face_rules *rules, b
     return TILING_BROKEN;
 }
 
-/* Lists the sides of pieces along the border; and the cuts, if the face is not planar. */
+/* Lists the sides of pieces along the border, and the cuts if the face is not planar. False: no memory. */
 static bool list_sides(face_pieces *f, const border *b)
 {
     for (uint32_t p = 0; p < f->piece_count; p++)
@@ -325,11 +327,11 @@ static bool runs_along(const face_pieces *f, const piece_side *s, uint32_t from,
     return (B.x - A.x) * (Q.x - P.x) + (B.y - A.y) * (Q.y - P.y) > 0.0;
 }
 
-/* A stretch of a side of the ring, by its place on it. */
+/* A stretch of a side of the ring, and where it lies on that side. */
 typedef struct placed_side {
     uint32_t side;
     double t0, t1;
-    bool off; /* it departs from the side in space */
+    bool off; /* it is not on the side in space */
     piece_side own;
 } placed_side;
 
@@ -351,7 +353,7 @@ static double part_along(roberts_vec3 p, roberts_vec3 d)
     return x >= y && x >= z ? p.x / d.x : y >= z ? p.y / d.y : p.z / d.z;
 }
 
-/* Where a node is along AB, in space; *off: farther from it than `most`. */
+/* Returns where a node lies along AB in space. Sets *off if it is farther from AB than `most`. */
 static double place_on(const piece_node *node, roberts_vec3 A, roberts_vec3 B, double most, bool *off)
 {
     roberts_vec3 d = vec3_sub(B, A), p = vec3_add(vec3_sub(node->point, A), node->low);
@@ -360,8 +362,8 @@ static double place_on(const piece_node *node, roberts_vec3 A, roberts_vec3 B, d
     return part_along(p, d);
 }
 
-/* Places the stretches on their sides. given: the ring as it was, since nodes that coincide in the plane may be apart
- * in space. */
+/* Finds where each stretch lies on its side. given: the ring before merging, since nodes that coincide in the plane may
+ * be apart in space. NULL: no memory. */
 static placed_side *place_sides(const face_pieces *f, const uint32_t *given, double touching)
 {
     placed_side *placed = alloc_array(f->side_count, sizeof *placed);
@@ -387,7 +389,7 @@ static placed_side *place_sides(const face_pieces *f, const uint32_t *given, dou
     return placed;
 }
 
-/* Do the stretches of each side follow one another, on it? */
+/* Are the stretches of each side on it, one after the other? */
 static bool follow(const placed_side *placed, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
@@ -400,9 +402,9 @@ static bool follow(const placed_side *placed, size_t count)
     return true;
 }
 
-/* If a crossing does not lie on its sides in space, since the border is not quite planar or nodes that touch have
- * become one, edges cannot be divided there: other faces would not find their parts. The edges are then the whole
- * sides, each with one of the pieces along it. */
+/* A crossing may not lie on its sides in space, if the border is not quite planar or if nodes have been merged. Then
+ * edges cannot be divided there, because other faces would not find matching parts. In that case, makes each whole side
+ * an edge of one of the pieces along it. False: no memory. */
 static bool take_whole_sides(face_pieces *f, const uint32_t *given, double touching)
 {
     size_t count = f->side_count, k = 0;

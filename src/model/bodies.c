@@ -1,9 +1,9 @@
 /* bodies.c - builds a scene whose bodies are not all convex.
  *
- * Some components are convex solids, and so are some parts of open components that have been welded and split (weld.c).
- * These stay what they are. The faces of all others are handled together: they are cut into convex pieces (surface.c)
- * and joined at their edges (surface_edges.c). Pieces connected by edges are a body. Then everything is laid out anew,
- * body by body. */
+ * Some components are convex solids, and so are some parts of open components after welding and splitting (weld.c).
+ * These stay solids. All other faces are handled together: they are cut into convex pieces (surface.c) and joined at
+ * their edges (surface_edges.c). Pieces connected by edges form a body. Then the whole scene is laid out again, body by
+ * body. */
 #include "model/bodies.h"
 
 #include <float.h>
@@ -23,8 +23,8 @@
 #include "model/weld.h"
 #include "read/mesh.h"
 
-/* The touching distance, as in the view: a part of the scene's diameter, or ulps of its largest coordinate; where
- * coordinates are 32-bit floats, at least the step between two of them. */
+/* The touching distance, as in the view: a fraction of the scene's diameter, or ulps of its largest coordinate. If
+ * coordinates are 32-bit floats, it is at least the step between adjacent floats. */
 #define TOUCHING_OF_DIAMETER 1e-11
 #define TOUCHING_ULPS 16.0
 
@@ -32,14 +32,14 @@ typedef struct assembly {
     roberts_scene *scene;
     const roberts_mesh *mesh;
     const roberts_scene_options *options;
-    polygons faces;  /* of the mesh, welded and cleaned as the convex solids have them */
+    polygons faces;  /* of the mesh, welded and cleaned as for the convex solids */
     uint8_t *listed; /* [faces] 1: belongs to a body that is not convex */
-    uint32_t *name;  /* [vertices of the mesh] welded name of each, see weld_open(); NULL: nothing is welded */
+    uint32_t *name;  /* [vertices of the mesh] name of each after welding, see weld_open(); NULL: nothing is welded */
     surface surface;
     polygons all;       /* pieces, then ends of edges and wires, then faces of convex solids */
-    uint32_t *of;       /* [all.face_count] the body of each */
-    uint32_t *number;   /* [all.face_count] the input's face; ROBERTS_NONE: no face */
-    uint32_t convex;    /* the first of `all` that is a face of a convex solid */
+    uint32_t *of;       /* [all.face_count] the body of each face */
+    uint32_t *number;   /* [all.face_count] the face of the input; ROBERTS_NONE: no face */
+    uint32_t convex;    /* the first face of `all` that belongs to a convex solid */
     uint8_t *is_convex; /* [bodies] */
     uint32_t body_count;
     builder work;
@@ -64,7 +64,7 @@ static roberts_status find_kinds(assembly *a, uint8_t *open, uint8_t *convex, bo
     return ROBERTS_OK;
 }
 
-/* Names the vertices of open components as regroup() does: the first one at each position. */
+/* Names the vertices of open components as regroup() does: by the first vertex at each position. False: no memory. */
 static bool weld_open(assembly *a, const uint8_t *open)
 {
     const roberts_scene *scene = a->scene;
@@ -81,7 +81,7 @@ static bool weld_open(assembly *a, const uint8_t *open)
     return enough;
 }
 
-/* Frees what is not needed of components that will be laid out anew. */
+/* Frees what is not needed for components that will be laid out again. */
 static void drop_shapes(roberts_scene *scene)
 {
     free(scene->point);
@@ -95,8 +95,8 @@ static void drop_shapes(roberts_scene *scene)
     scene->face_deviation = scene->face_width = NULL;
 }
 
-/* Lays out the components, and lists the faces of those that are not convex solids. known: it is certain that some
- * component is not. */
+/* Lays out the components, and lists the faces of those that are not convex solids. known: some component is known not
+ * to be one. */
 static roberts_status sort_components(assembly *a, bool known, roberts_error *error)
 {
     repeated_solids list = {0};
@@ -185,8 +185,8 @@ static void join_pieces(const surface *s, uint32_t *parent, uint32_t *owner)
     }
 }
 
-/* Lists all that will be laid out, and in of[] the set of each item: the pieces; the two ends of each edge whose ends
- * may not be corners of a piece; the faces of convex solids. */
+/* Lists everything that will be laid out, and sets of[] to the set of each item: the pieces; the two ends of each edge
+ * whose ends may not be corners of a piece; the faces of convex solids. False: no memory. */
 static bool list_all(assembly *a)
 {
     surface *s = &a->surface;
@@ -208,7 +208,7 @@ static bool list_all(assembly *a)
                   array_reserve(&s->start, &s->start_room, count + 1, sizeof *s->start) &&
                   array_reserve(&s->corner, &s->corner_room, corners + 2 * odd, sizeof *s->corner);
     if (enough) {
-        uint32_t *start = a->all.own_start = s->start, *corner = a->all.own_corner = s->corner; /* taken over */
+        uint32_t *start = a->all.own_start = s->start, *corner = a->all.own_corner = s->corner; /* moves to a->all */
         s->start = s->corner = NULL;
         uint32_t to = (uint32_t)s->corner_count, n = s->piece_count;
         join_pieces(s, parent, owner);
@@ -250,7 +250,7 @@ static bool list_all(assembly *a)
 
 typedef struct body_key {
     uint32_t vertex, face; /* the smallest of each */
-    uint32_t first;        /* its number by its first item */
+    uint32_t first;        /* the body's number in order of first items */
     bool convex;
 } body_key;
 
@@ -264,7 +264,7 @@ static int compare_keys(const void *pa, const void *pb)
     return (a->first > b->first) - (a->first < b->first);
 }
 
-/* Numbers the bodies by their smallest vertex, and puts these numbers into of[]. */
+/* Numbers the bodies by their smallest vertex, and stores the numbers in of[]. False: no memory. */
 static bool number_bodies(assembly *a)
 {
     const polygons *all = &a->all;
@@ -273,7 +273,7 @@ static bool number_bodies(assembly *a)
     if (!rank)
         return false;
     memset(rank, 0xff, sets * sizeof *rank);
-    for (uint32_t f = 0; f < all->face_count; f++) { /* for now, bodies are numbered by their first item */
+    for (uint32_t f = 0; f < all->face_count; f++) { /* for now, bodies are numbered in order of their first items */
         if (rank[a->of[f]] == ROBERTS_NONE)
             rank[a->of[f]] = count++;
         a->of[f] = rank[a->of[f]];
@@ -307,8 +307,8 @@ static bool number_bodies(assembly *a)
 
 /* ---- the scene's arrays ---------------------------------------------------------------------------------------- */
 
-/* Lays out everything in place of the components, then removes the items that are not faces. For the time being, faces
- * have their numbers in `all`, and vertices those of the surface. */
+/* Lays out everything in place of the components, then removes the items that are not faces. Until renamed, faces have
+ * their numbers in `all`, and vertices those of the surface. False: no memory. */
 static bool lay_out(assembly *a)
 {
     roberts_scene *scene = a->scene;
@@ -364,7 +364,7 @@ static void fit_planes(assembly *a, uint32_t body)
     }
 }
 
-/* Builds a convex solid again, where it lies now. */
+/* Builds a convex solid again in its new place. */
 static roberts_status store_convex(assembly *a, uint32_t b, roberts_error *error)
 {
     scene_solid *own = &a->scene->solid[b];
@@ -449,7 +449,7 @@ done:
     return status;
 }
 
-/* Counts the corners that are left out. A corner that a face comes back to bounds it like the others. */
+/* Counts the corners that are left out. A corner to which its face returns later bounds the face and is not counted. */
 static size_t count_repeated(const assembly *a)
 {
     const roberts_mesh *mesh = a->mesh;

@@ -4,20 +4,20 @@
 
 #include "model/scene.h"
 
-/* What is left out, for warnings. */
+/* What was left out, for warnings. */
 typedef struct bodies_notes {
-    size_t repeated; /* corners that repeat another of their face: of convex solids all, of others neighbours */
-    size_t uncut;    /* faces that cross themselves too often to be cut; their sides are wires */
+    size_t repeated; /* corners that repeat another of their face: any in convex solids, only adjacent ones elsewhere */
+    size_t uncut;    /* faces that cross themselves too often to be cut; their sides become wires */
 } bodies_notes;
 
 /* Builds `scene`, which is empty: convex solids as usual, all other faces as closed and open bodies in convex pieces.
- * The caller adds the colours. known: it is certain that some component is not a convex solid.
- * Returns ROBERTS_OK, _NO_MEMORY, _BAD_NUMBER or _NOT_CLOSED (there is nothing to draw). */
+ * The caller adds the colours. known: some component is known not to be a convex solid. Returns ROBERTS_OK, _NO_MEMORY,
+ * _BAD_NUMBER or _NOT_CLOSED (there is nothing to draw). */
 roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                             bool known, bodies_notes *notes, roberts_error *error);
 
-/* The touching distance, as in the view: a part of the scene's diameter, or ulps of its largest coordinate; where
- * coordinates are 32-bit floats, at least the step between two of them. */
+/* Returns the touching distance, as in the view: a fraction of the scene's diameter, or ulps of its largest coordinate.
+ * If coordinates are 32-bit floats, it is at least the step between adjacent floats. */
 double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh);
 
 #endif

@@ -1,4 +1,5 @@
-/* body_edges.c - see body_edges.h. Also what later stages look up of such edges, and wires beside convex solids. */
+/* body_edges.c - the edges of bodies that are not convex. See body_edges.h. Also lookups of such edges for later
+ * stages, and wires beside convex solids. */
 #include "model/body_edges.h"
 
 #include <stdlib.h>
@@ -6,9 +7,9 @@
 #include "base/array.h"
 #include "base/sort.h"
 
-/* A body of more than SMOOTH_FACES faces is a curved surface if at least half of its bent edges are bent little. Bends
- * are squared distances of unit normals: more than FLAT_BEND (0.1 degrees) is bent, less than LITTLE_BEND (20 degrees)
- * little. */
+/* A body of more than SMOOTH_FACES faces is a curved surface if at least half of its bent edges are bent only slightly.
+ * Bends are squared distances of unit normals: above FLAT_BEND (0.1 degrees) an edge is bent, below LITTLE_BEND (20
+ * degrees) only slightly. */
 #define SMOOTH_FACES 500
 #define FLAT_BEND 3.046e-6
 #define LITTLE_BEND 0.1206
@@ -20,7 +21,7 @@ static uint32_t piece_of(uint32_t incidence)
 
 /* ---- in order -------------------------------------------------------------------------------------------------- */
 
-/* An edge by its name in the file. */
+/* An edge and its name in the file. */
 typedef struct edge_key {
     uint32_t v[2];
     double t;
@@ -39,7 +40,8 @@ static int compare_keys(const void *pa, const void *pb)
     return (a->edge > b->edge) - (a->edge < b->edge);
 }
 
-/* Sorts edges of one body by their names. The surface has them by their ends, which only differs for parts. */
+/* Sorts the edges of one body by their names. The surface has them sorted by their ends, which differ from the names
+ * only for parts. False: no memory. */
 static bool sort_by_name(const surface *s, uint32_t *order, uint32_t count)
 {
     edge_key *key = alloc_array(count, sizeof *key);
@@ -58,7 +60,7 @@ static bool sort_by_name(const surface *s, uint32_t *order, uint32_t count)
     return true;
 }
 
-/* Counts the edges of each body, then lists them: first[b] moves to the end of body b. */
+/* Counts the edges of each body, then lists them. During the listing, first[b] moves to the end of body b. */
 static void sort_by_body(body_edges *list, const uint32_t *of, uint32_t bodies)
 {
     const surface *s = list->surface;
@@ -100,7 +102,7 @@ bool body_edges_list(body_edges *list, const surface *s, const uint32_t *of, uin
 
 /* ---- into the scene -------------------------------------------------------------------------------------------- */
 
-/* Stores the faces of an edge of more than two. */
+/* Stores the faces of an edge with more than two. False: no memory. */
 static bool store_many(body_edges *list, scene_surface *to, const surface_edge *e, uint32_t edge, bool back)
 {
     const uint32_t *many = list->surface->many;
@@ -140,7 +142,7 @@ static bool is_two_faced(const surface *s, const surface_edge *e)
     return e->many == ROBERTS_NONE || other != first;
 }
 
-/* Does the edge run opposite to the edge of the file that it is a part of? */
+/* Does the edge run opposite to the file's edge of which it is a part? */
 static bool runs_back(const surface *s, const surface_edge *e)
 {
     if (e->part == ROBERTS_NONE)
@@ -164,7 +166,7 @@ bool body_edges_store(body_edges *list, roberts_scene *scene, uint32_t b)
         uint32_t edge = own->edge + i, v0 = list->vertex[e->v[0]], v1 = list->vertex[e->v[1]];
         uint8_t is = e->cut ? EDGE_CUT : 0;
         scene_edge *stored = &scene->edge[own->stored + i];
-        bool back = runs_back(s, e); /* a part runs in the same direction as the edge of the file */
+        bool back = runs_back(s, e); /* a part runs in the same direction as its edge of the file */
         *stored = (scene_edge){{back ? v1 : v0, back ? v0 : v1}, {ROBERTS_NONE, ROBERTS_NONE}};
         for (int k = 0; k < 2 && e->piece[k] != ROBERTS_NONE; k++) {
             stored->f[k] = list->face[piece_of(e->piece[k])] - own->face;
@@ -193,7 +195,7 @@ void body_edges_free(body_edges *list)
 
 /* ---- curved surfaces ------------------------------------------------------------------------------------------- */
 
-/* The angle between the two faces of an edge, as the square of the distance of their normals. */
+/* Returns the bend between the two faces of an edge: the squared distance of their unit normals. */
 static double bend_of(const roberts_scene *scene, const scene_solid *own, uint32_t edge)
 {
     const scene_edge *e = &scene->edge[own->stored + (edge - own->edge)];
@@ -204,7 +206,7 @@ static double bend_of(const roberts_scene *scene, const scene_solid *own, uint32
     return a * a + b * b + c * c;
 }
 
-/* Counts edges until the rest cannot change the answer. */
+/* Counts edges until the rest cannot change the result. */
 bool body_smooth(const roberts_scene *scene, uint32_t b)
 {
     const scene_solid *own = &scene->solid[b];
@@ -238,7 +240,7 @@ static bool is_wire(const roberts_mesh *mesh, size_t f)
     return mesh->face_start[f + 1] - mesh->face_start[f] == 2 && corner[0] != corner[1];
 }
 
-/* The names of all edges of a scene of convex solids, sorted. */
+/* Returns the names of all edges of a scene of convex solids, sorted. NULL: no memory. */
 static uint64_t *list_names(const roberts_scene *scene)
 {
     uint64_t *name = alloc_array(scene->edge_count, sizeof *name);

@@ -1,4 +1,5 @@
-/* box_tree.c - see box_tree.h. Boxes are halved by the middles of their longest extent, until four are left. */
+/* box_tree.c - a tree of boxes. See box_tree.h. Boxes are split at the median of their centres along the longest
+ * extent, until at most four are left. */
 #include "model/box_tree.h"
 
 #include <stdlib.h>
@@ -13,8 +14,8 @@ static double middle(const box3 *box, int axis)
     return axis == 0 ? box->lo.x + box->hi.x : axis == 1 ? box->lo.y + box->hi.y : box->lo.z + box->hi.z;
 }
 
-/* Puts the `half` boxes with the least middles first (C. A. R. Hoare, "Algorithm 65: Find", CACM 4(7), 1961). Ties go
- * by number, so the order of equal boxes is the same in every run. */
+/* Moves the `half` boxes with the smallest centres to the front (C. A. R. Hoare, "Algorithm 65: Find", CACM 4(7),
+ * 1961). Ties are broken by number, so the order of equal boxes is the same in every run. */
 static void halve(const box3 *box, uint32_t *item, uint32_t count, uint32_t half, int axis)
 {
     uint32_t from = 0, to = count - 1;
@@ -51,7 +52,8 @@ static int longest_axis(const box3 *box, const uint32_t *item, uint32_t count)
     return high[2] - low[2] > high[axis] - low[axis] ? 2 : axis;
 }
 
-/* Builds the subtree over the items from `first` on. Numbers in `item` count from 0 until all is built. */
+/* Builds the subtree over the items from `first` on. Numbers in `item` start at 0 until the tree is complete. False: no
+ * memory. */
 static bool build(box_tree *tree, const box3 *box, uint32_t first, uint32_t count)
 {
     if (!array_reserve(&tree->node, &tree->node_room, tree->node_count + 1, sizeof *tree->node))

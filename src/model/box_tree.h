@@ -1,7 +1,7 @@
 /* box_tree.h - a tree of boxes that finds the things near a box or a segment.
  *
- * Several trees share one pair of arrays. A tree is told by its root. Nodes lie in depth-first order, and each knows
- * the node that follows its subtree, so a search needs no stack:
+ * Several trees share one pair of arrays. A tree is identified by its root. Nodes are in depth-first order, and each
+ * stores the node that follows its subtree, so a search needs no stack:
  *
  *     for (uint32_t i = root, end = tree->node[root].skip; i < end;)
  *         if (the box of node i is missed)
@@ -34,8 +34,8 @@ typedef struct box_tree {
     size_t node_count, node_room, item_count, item_room;
 } box_tree;
 
-/* Adds a tree over box[0 .. count - 1]. Its items are their numbers, from `base` on. `count` is at least 1. The
- * root becomes `*root`. False: no memory. */
+/* Adds a tree over box[0 .. count - 1]. Its items are the boxes' numbers, starting at `base`. `count` is at least 1.
+ * Sets *root. False: no memory. */
 bool box_tree_add(box_tree *tree, const box3 *box, uint32_t count, uint32_t base, uint32_t *root);
 
 void box_tree_free(box_tree *tree);

@@ -21,38 +21,38 @@
 #include "read/mesh.h"
 
 #define CHUNK_SOLIDS 256
-#define CHUNKS_PER_THREAD 4 /* with less work than this another thread does not pay */
+#define CHUNKS_PER_THREAD 4 /* with less work, another thread does not pay */
 
 /* Marks of solids; 0: closed, and with `bodies` also convex. */
 enum {
-    OPEN = 1,       /* some edge has not two faces */
+    OPEN = 1,       /* some edge does not have two faces */
     OPEN_HOLES = 2, /* it is closed, but its surface has holes */
-    NOT_CONVEX = 3, /* only with `bodies`: it is closed */
-    GLANCED = 4     /* the same, but nothing is known of its edges */
+    NOT_CONVEX = 3, /* only with `bodies`: closed, but not convex */
+    GLANCED = 4     /* only with `bodies`: not convex; its edges are unknown */
 };
 
-/* What the threads that build solids share. */
+/* State shared by the threads that build solids. */
 typedef struct construction {
     roberts_scene *scene;
     solid_rules rules;
-    uint8_t *open; /* [solid_count] receives marks; NULL: an open solid is an error */
+    uint8_t *open; /* [solid_count] receives the marks; NULL: an open solid is an error */
     bool bodies;   /* solids may be of any shape */
     atomic_bool any_marked;
     atomic_bool any_open;
     _Atomic uint32_t refused; /* the first solid known to be refused; ROBERTS_NONE: none */
 } construction;
 
-/* What each has for itself. */
+/* State of one thread. */
 typedef struct construction_worker {
     builder tools;
-    roberts_error found; /* why the solid at hand is refused */
+    roberts_error found; /* why the current solid is refused */
     uint32_t refused;    /* the first solid that this thread refused; ROBERTS_NONE: none */
-    roberts_error error; /* why `refused` was */
+    roberts_error error; /* why it was refused */
     bool no_memory;
     char apart[THREADS_APART];
 } construction_worker;
 
-/* Copies the colours, except those that roberts_scene_take() can take over as they are. */
+/* Copies the colours, except those that roberts_scene_take() can take over unchanged. False: no memory. */
 static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh, bool lend)
 {
     if (mesh->vertex_color && (scene->number || !lend)) {
@@ -79,8 +79,8 @@ static bool copy_colors(roberts_scene *scene, const roberts_mesh *mesh, bool len
     return true;
 }
 
-/* Stores the edges of a solid that is built. Those of a shared pattern are stored already, once each way round: the
- * faces of the first edge tell which way this solid uses. */
+/* Stores the edges of a finished solid. The edges of a shared pattern are already stored, for both windings. The faces
+ * of the first edge tell which winding this solid has. */
 static void store_edges(roberts_scene *scene, uint32_t s, const solid_frame *frame)
 {
     scene_edge *stored = scene->edge + scene->solid[s].stored;
@@ -117,8 +117,8 @@ static bool is_shape(roberts_status status)
            status == ROBERTS_FLAT;
 }
 
-/* Builds solid s if it is convex, and marks it otherwise. Once some solid is open, the others are first asked whether
- * they are: of soups all are. */
+/* Builds solid s if it is convex; otherwise marks it. Once some solid is open, the others are first checked for being
+ * closed: in a soup, none is. */
 static void build_or_mark(construction *c, construction_worker *worker, uint32_t s)
 {
     build_result result = BUILD_OK;
@@ -140,8 +140,8 @@ static void build_or_mark(construction *c, construction_worker *worker, uint32_t
         refuse(c, worker, s);
 }
 
-/* Builds solid s, or does less if the rest is known to be useless. Once some solid is open, the others are only asked
- * whether they are closed, since all will be numbered anew. The same holds for solids after one that is refused. */
+/* Builds solid s, or does less if the rest is known to be useless. Once some solid is open, the others are only checked
+ * for being closed, since all will be numbered again. The same holds for solids after a refused one. */
 static void build_solid(construction *c, construction_worker *worker, uint32_t s)
 {
     const bool only_ask = atomic_load_explicit(&c->any_open, memory_order_relaxed) ||
@@ -171,8 +171,7 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
         refuse(c, worker, s);
 }
 
-/* The refusal of the first solid that is refused, whichever thread found it. A lack of memory comes before all
- * others. */
+/* Returns the refusal of the first refused solid, whichever thread found it. Lack of memory takes precedence. */
 static roberts_status first_refusal(const construction *c, const construction_worker *worker, int threads,
                                     roberts_error *error)
 {
@@ -196,7 +195,7 @@ static void free_workers(construction_worker *worker, int threads)
     free(worker);
 }
 
-/* Numbers the edges. `list` may be empty: the patterns are then found first. It is freed. False: no memory. */
+/* Numbers the edges, and frees `list`. If `list` is empty, the patterns are found first. False: no memory. */
 static bool number_edges(roberts_scene *scene, repeated_solids *list, edge_scratch *scratch)
 {
     bool done = (list->count > 0 || repeated_find(list, scene)) && repeated_number_edges(list, scene, scratch);
@@ -204,9 +203,9 @@ static bool number_edges(roberts_scene *scene, repeated_solids *list, edge_scrat
     return done;
 }
 
-/* Builds the solids as laid out. `list` has their patterns, or is empty. `c` has the scene, the rules and the array for
- * OPEN marks; c->any_open tells afterwards whether there is one. The result does not depend on the number of
- * threads. */
+/* Builds the solids of a scene that is laid out. `list` has their patterns, or is empty. `c` has the scene, the rules
+ * and the array for marks; afterwards c->any_open tells whether a solid is open. The result does not depend on the
+ * number of threads. */
 static roberts_status build_solids(construction *c, uint32_t threads_wanted, repeated_solids *list,
                                    roberts_error *error)
 {
@@ -236,7 +235,7 @@ static roberts_status build_solids(construction *c, uint32_t threads_wanted, rep
     return status;
 }
 
-/* The file's name where there is one file. */
+/* Returns the file's name if there is only one file. */
 static const char *only_name(const roberts_mesh *mesh)
 {
     return mesh->source_count == 1 && mesh->source[0].name ? mesh->source[0].name : "";
@@ -263,7 +262,7 @@ static void warn_uncut(size_t faces, const roberts_mesh *mesh, const roberts_war
                      faces == 1 ? " crosses itself" : "s cross themselves", faces == 1 ? "it hides" : "they hide");
 }
 
-/* Are all open solids closed surfaces with holes? Welding and splitting cannot make convex solids of those. */
+/* Are all open solids closed surfaces with holes? Welding and splitting cannot make them convex. */
 static bool only_holes(const uint8_t *open, uint32_t count)
 {
     for (uint32_t s = 0; s < count; s++)
@@ -272,8 +271,8 @@ static bool only_holes(const uint8_t *open, uint32_t count)
     return true;
 }
 
-/* Makes plain bodies of the solids that are marked, if they can be. *done: it has, or failed; otherwise the marks say
- * which solids are open, and the status is that of the first one that is not convex. */
+/* Makes plain bodies of the marked solids, if possible. *done: it succeeded or failed for good. Otherwise the marks
+ * show which solids are open, and the status is that of the first one that is not convex. */
 static roberts_status build_plain(construction *c, const polygons *faces, const roberts_scene_options *options,
                                   roberts_status status, bool *done, roberts_error *error)
 {
@@ -304,13 +303,13 @@ static roberts_status build_plain(construction *c, const polygons *faces, const 
     return status == ROBERTS_NO_MEMORY || !atomic_load(&c->any_open) ? status : ROBERTS_OK;
 }
 
-/* What comes out beside a scene of solids. */
+/* What is learned while building a scene of solids. */
 typedef struct solid_notes {
-    bool known;      /* it is certain that some component is no convex solid */
-    size_t repeated; /* corners that are left out, since they repeat another of their face */
+    bool known;      /* some component is known not to be a convex solid */
+    size_t repeated; /* corners left out because they repeat another of their face */
 } solid_notes;
 
-/* Builds the components as solids. If some are open, welds and splits them and builds all solids anew. */
+/* Builds the components as solids. If some are open, welds and splits them, and builds all solids again. */
 static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool lend,
                             const roberts_scene_options *options, solid_notes *notes, roberts_error *error)
 {
@@ -338,7 +337,7 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
         notes->known = true;
     } else if (any_open) {
         construction closed = {.scene = scene, .rules = {mesh, options->tolerance, true}};
-        scene_turn_back(scene); /* regrouping starts from the mesh */
+        scene_turn_back(scene); /* regrouping starts from the original winding */
         status = regroup(scene, c.open, &faces, mesh, false, error);
         if (status == ROBERTS_OK)
             status = build_solids(&closed, options->threads, &list, error);
@@ -354,7 +353,7 @@ done:
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
 
-/* Marks the components that are open, except those that stand for points without faces. */
+/* Marks the open components, except those that stand for points without faces. */
 static roberts_status find_open(roberts_scene *scene, builder *work, const roberts_mesh *mesh, uint8_t *open,
                                 bool *any_open, roberts_error *error)
 {
@@ -368,8 +367,8 @@ static roberts_status find_open(roberts_scene *scene, builder *work, const rober
     return ROBERTS_OK;
 }
 
-/* Builds a scene in which hulls replace what would be refused. Components are welded and split as above, inputs of
- * points become further components, and then hulls are taken. The warnings have been sent before. */
+/* Builds a scene in which hulls replace solids that would be refused. Components are welded and split as above, inputs
+ * of points are added as components, and then hulls are taken. The warnings have already been sent. */
 static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                                   roberts_error *error)
 {
@@ -385,7 +384,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     if (status == ROBERTS_OK && !(components_lay_out(scene, &faces, mesh, false, &list) &&
                                   (open = alloc_zeroed(scene->solid_count, sizeof *open))))
         status = ROBERTS_NO_MEMORY;
-    repeated_free(&list); /* hulls have other patterns */
+    repeated_free(&list); /* hulls have different patterns */
     if (status == ROBERTS_OK)
         status = find_open(scene, &work, mesh, open, &any_open, error);
     if (status == ROBERTS_OK && any_open)
@@ -495,7 +494,7 @@ roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene
     return build_scene(mesh, false, options, scene, error);
 }
 
-/* Takes from the mesh what belongs to the scene now. */
+/* Removes from the mesh the arrays that the scene now owns. */
 static void part_from(roberts_scene *scene, roberts_mesh *mesh)
 {
     if (scene->lent & LENT_POINT)
@@ -578,7 +577,7 @@ bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid)
            scene_face_number(scene, scene->solid[solid].face) == ROBERTS_NONE;
 }
 
-/* The name of the last group that begins at or before the solid's first face. */
+/* Returns the name of the last group that begins at or before the solid's first face. */
 const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid)
 {
     size_t low = 0, high = scene->group_count;

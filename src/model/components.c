@@ -1,10 +1,10 @@
 /* components.c - which faces belong together: connected components of the face-vertex incidence, by union-find.
  *
- * Idea: a face joins all its vertices. The root of a set is its smallest vertex, so that parents always come before
- * their children and one ascending pass turns parents into component numbers, already in the order the scene wants.
- * Then vertices and faces are sorted by component: count, sum up, fill.
- * Source: R. E. Tarjan, J. van Leeuwen, "Worst-case analysis of set union algorithms", J. ACM 31(2), 1984 (path
- * halving). Linking by index instead of by rank costs at most a factor log n, and near nothing on files as they are. */
+ * A face joins all its vertices. The root of a set is its smallest vertex, so parents always come before their
+ * children, and one ascending pass turns parents into component numbers in the order that the scene needs. Then
+ * vertices and faces are sorted by component by counting sort. Source: R. E. Tarjan, J. van Leeuwen, "Worst-case
+ * analysis of set union algorithms", J. ACM 31(2), 1984 (path halving). Linking by index instead of by rank costs at
+ * most a factor log n, and next to nothing on real files. */
 #include "model/components.h"
 
 #include <math.h>
@@ -17,15 +17,15 @@
 #include "base/sets.h"
 #include "model/scene_arrays.h"
 
-/* One number for each vertex, with three meanings, one after the other:
+/* One number for each vertex. It has three meanings, one after the other:
  * 1. its parent: an earlier vertex of its component, or itself; ROBERTS_NONE: no face uses it (join_corners())
  * 2. the number of its component (number_components())
  * 3. its compact number (place_vertices()) */
 typedef uint32_t set_node;
 
-enum { FEW_CORNERS = 8 }; /* of a face; up to so many, comparing all pairs is quicker than marking vertices */
+enum { FEW_CORNERS = 8 }; /* of a face; up to this many, comparing all pairs is faster than marking vertices */
 
-/* Puts v into the set with this root; returns the root of the joined set. */
+/* Adds v to the set with this root; returns the root of the joined set. */
 static inline uint32_t join(set_node *node, uint32_t root, uint32_t v)
 {
     uint32_t other = node[v];
@@ -45,7 +45,7 @@ static inline uint32_t join(set_node *node, uint32_t root, uint32_t v)
     return other;
 }
 
-/* Does some corner repeat an earlier one? A face of few corners: all pairs are compared. */
+/* Does a corner repeat an earlier one? For a face of few corners: compares all pairs. */
 static inline bool few_repeat(const uint32_t *corner, const uint32_t *end)
 {
     bool three = corner[0] == corner[1] || corner[0] == corner[2] || corner[1] == corner[2];
@@ -60,7 +60,7 @@ static inline bool few_repeat(const uint32_t *corner, const uint32_t *end)
     return false;
 }
 
-/* The same for a face of many corners: each vertex is stamped with the face's mark. */
+/* Does a corner repeat an earlier one? For a face of many corners: stamps each vertex with the face's mark. */
 static bool many_repeat(const uint32_t *corner, const uint32_t *end, uint32_t *stamp, uint32_t mark)
 {
     bool repeat = false;
@@ -79,7 +79,7 @@ static bool some_corner_repeats(const polygons *faces, bool *repeat)
     for (uint32_t f = 0; f < faces->face_count && !*repeat; f++) {
         uint32_t n = start[f + 1] - start[f];
         if (n < 3)
-            continue; /* without corners at all, faces->corner may be NULL */
+            continue; /* if there are no corners at all, faces->corner may be NULL */
         const uint32_t *corner = faces->corner + start[f];
         if (n <= FEW_CORNERS)
             *repeat = few_repeat(corner, corner + n);
@@ -118,9 +118,9 @@ static void join_corners(roberts_scene *scene, set_node *node, const polygons *f
     scene->corner_count = corner_count;
 }
 
-/* Turns parents into component numbers: a parent comes before its children, so it has its number already. Counts
- * components and vertices, and measures the box. Returns whether the vertices keep their numbers: all are used, and
- * they are sorted by component. */
+/* Turns parents into component numbers. A parent comes before its children, so it already has its number. Counts
+ * components and vertices, and measures the box. Returns whether the vertices keep their numbers, that is, whether all
+ * are used and sorted by component. */
 static bool number_components(roberts_scene *scene, set_node *node, const polygons *faces, const roberts_vec3 *point)
 {
     roberts_vec3 lo = {INFINITY, INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY, -INFINITY};
@@ -143,14 +143,14 @@ static bool number_components(roberts_scene *scene, set_node *node, const polygo
     return in_order && used == vertex_count;
 }
 
-/* The component of face f, which has corners. */
+/* Returns the component of face f, which has corners. */
 static inline uint32_t component_of(const set_node *node, const polygons *faces, uint32_t f)
 {
     return node[faces->corner[faces->start[f]]];
 }
 
-/* Counts the vertices and faces of each component, and from that sets the first ones of each solid. Returns whether the
- * faces keep their numbers: all are used, and they are sorted by component. */
+/* Counts the vertices and faces of each component, and sets the first ones of each solid. Returns whether the faces
+ * keep their numbers, that is, whether all are used and sorted by component. */
 static bool count_members(roberts_scene *scene, const set_node *node, const polygons *faces)
 {
     scene_solid sum = {0}, *solid = scene->solid;
@@ -182,12 +182,12 @@ static void place_faces(roberts_scene *scene, const set_node *node, const polygo
     for (uint32_t f = 0; f < face_count; f++)
         if (polygon_size(faces, f) >= 3)
             face_number[solid[component_of(node, faces, f)].face++] = f;
-    for (uint32_t s = scene->solid_count; s > 0; s--) /* each first face has moved to the end of its solid */
+    for (uint32_t s = scene->solid_count; s > 0; s--) /* by now, each first face has moved to the end of its solid */
         solid[s].face = solid[s - 1].face;
     solid[0].face = 0;
 }
 
-/* Sorts the vertices by component; parents become compact numbers. */
+/* Sorts the vertices by component; replaces component numbers by compact numbers. */
 static void place_vertices(roberts_scene *scene, set_node *node, const polygons *faces, const roberts_vec3 *point)
 {
     scene_solid *solid = scene->solid;
@@ -211,7 +211,8 @@ static void copy_array(void *to, const void *from, size_t count, size_t size)
         memcpy(to, from, count * size);
 }
 
-/* Fills the scene's arrays. What keeps its numbers is copied from the mesh, unless the mesh has lent its array. */
+/* Fills the scene's arrays. Items that keep their numbers are copied from the mesh, unless the mesh has lent its
+ * array. */
 static void place(roberts_scene *scene, set_node *node, const polygons *faces, const roberts_vec3 *point,
                   kept_numbers kept)
 {
@@ -234,7 +235,7 @@ static void place(roberts_scene *scene, set_node *node, const polygons *faces, c
     }
 }
 
-/* The box round all vertices; faces use all of them. */
+/* Measures the box of all vertices, all of which are used by faces. */
 static void measure(roberts_scene *scene, const roberts_vec3 *point)
 {
     roberts_vec3 lo = {INFINITY, INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY, -INFINITY};
@@ -242,8 +243,8 @@ static void measure(roberts_scene *scene, const roberts_vec3 *point)
     scene_set_box(scene, lo, hi);
 }
 
-/* Finds the components by union-find; counts them, their vertices and their faces. place() needs `node`. False: no
- * memory. */
+/* Finds the components by union-find, and counts them, their vertices and their faces. `node` is needed for place().
+ * False: no memory. */
 static bool find_components(roberts_scene *scene, polygons *faces, const roberts_vec3 *point, set_node **node,
                             kept_numbers *kept)
 {
@@ -259,7 +260,7 @@ static bool find_components(roberts_scene *scene, polygons *faces, const roberts
     return true;
 }
 
-/* Points the scene to those arrays of the mesh that are equal to its own. */
+/* Points the scene to those arrays of the mesh that equal its own. */
 static void borrow(roberts_scene *scene, const polygons *faces, const roberts_mesh *mesh, kept_numbers kept)
 {
     if (kept.vertices && mesh->vertex) {

@@ -10,7 +10,7 @@
  * smallest vertex: vertices, faces and corners in compact numbers, corners in the order of the file, and the box.
  * Planes and edges come later. Components need not be closed.
  * faces   cleaned first, if some corner repeats an earlier one of its face
- * lend    the scene may point to arrays of the mesh where its own would be equal; scene->lent tells which
+ * lend    the scene may point to arrays of the mesh that equal its own; scene->lent tells which
  * list    empty before; receives the patterns of the solids if they have been found on the way
  * False: no memory. */
 bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mesh *mesh, bool lend,

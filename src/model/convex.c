@@ -15,12 +15,12 @@
 
 /* Is a face a convex simple polygon?
  *
- * Nearly all faces are strictly convex, which signs alone decide. The rest (corners in a line, coordinates rounded to
- * few digits, pentagrams, concave faces) is measured against the convex hull of the corners, found by the monotone
+ * Nearly all faces are strictly convex, which signs alone decide. The others (collinear corners, coordinates rounded to
+ * few digits, pentagrams, concave faces) are compared with the convex hull of their corners, found by the monotone
  * chain. Source: A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information Processing
  * Letters 9(5), 1979. */
 
-/* The polygon along the coordinate axis nearest to its normal: which axis, and whether it is seen from its end. */
+/* Projects a point along a coordinate axis. */
 static roberts_vec2 drop(roberts_vec3 p, int axis)
 {
     return axis == 0 ? (roberts_vec2){p.y, p.z} : axis == 1 ? (roberts_vec2){p.z, p.x} : (roberts_vec2){p.x, p.y};
@@ -34,7 +34,7 @@ bool polygon_strictly_convex(const roberts_vec3 *corner, uint32_t count, roberts
     roberts_vec2 b = drop(corner[count - 1], axis), a = drop(corner[count - 2], axis);
     double ex = b.x - a.x, ey = b.y - a.y;
     bool rising = ey > 0.0 || (ey == 0.0 && ex > 0.0);
-    unsigned starts = 0; /* sides where the direction comes into the upper half-plane: once for each turn */
+    unsigned starts = 0; /* sides at which the direction enters the upper half-plane: one for each full turn */
     for (uint32_t i = 0; i < count; i++) {
         roberts_vec2 c = drop(corner[i], axis);
         double fx = c.x - b.x, fy = c.y - b.y;
@@ -65,13 +65,14 @@ static int compare_spots(const void *a, const void *b)
     return (p->at > q->at) - (p->at < q->at);
 }
 
-/* > 0 where a, b, c turn left. */
+/* > 0 if a, b, c turn left. */
 static double turn(spot a, spot b, spot c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/* Convex hull of the sorted spots, counter-clockwise, without corners in a line; hull has room for count + 1. */
+/* Finds the convex hull of the sorted spots, counter-clockwise, without collinear corners. `hull` has room for count +
+ * 1. */
 static uint32_t monotone_chain(const spot *sorted, uint32_t count, spot *hull)
 {
     uint32_t size = 0, lower;
@@ -86,7 +87,7 @@ static uint32_t monotone_chain(const spot *sorted, uint32_t count, spot *hull)
             size--;
         hull[size++] = sorted[i];
     }
-    return size - 1; /* the last one is the first again */
+    return size - 1; /* the last one repeats the first */
 }
 
 static double distance(spot a, spot b)
@@ -98,12 +99,12 @@ static double distance(spot a, spot b)
 typedef struct corner_hull {
     const spot *hull;
     uint32_t size;
-    const uint32_t *rank; /* [corners] place in the hull, or ROBERTS_NONE */
+    const uint32_t *rank; /* [corners] index in the hull, or ROBERTS_NONE */
 } corner_hull;
 
-/* Walks the corners from hull[0] on. Each corner has to be the hull's next vertex (or one after it, if those between
- * are no farther away than `allowed`), or to lie beside the side that the walk is on, and not behind where the walk
- * already was. */
+/* Walks the corners, starting at hull[0], and returns the greatest depth of a corner inside the hull. Each corner must
+ * be the hull's next vertex (or a later one, if those skipped are within `allowed` of it), or lie beside the current
+ * side of the hull and not behind where the walk has been. If not, returns INFINITY. */
 static double walk(const spot *polygon, uint32_t count, const corner_hull *h, double allowed, uint32_t *deepest)
 {
     const spot *hull = h->hull;
@@ -126,7 +127,7 @@ static double walk(const spot *polygon, uint32_t count, const corner_hull *h, do
             *deepest = c.at;
         }
         if (depth > allowed)
-            continue; /* it may well turn back in there */
+            continue; /* in there, the walk may turn back */
         if (along < reached - allowed)
             return INFINITY;
         reached = fmax(reached, along);
@@ -185,9 +186,9 @@ double polygon_spread(const roberts_vec3 *corner, uint32_t count)
 
 /* A tree of boxes that finds the point farthest outside a plane.
  *
- * Idea: the points are sorted along the Z-order curve and cut into leaves of eight; a complete binary tree of boxes is
- * built over the leaves. A box whose least possible F is no better than the best so far is skipped.
- * Source: G. M. Morton, "A computer oriented geodetic data base and a new technique in file sequencing", IBM 1966. */
+ * The points are sorted along the Z-order curve and cut into leaves of eight. A complete binary tree of boxes is built
+ * over the leaves. A box is skipped if its least possible F is no better than the best so far. Source: G. M. Morton, "A
+ * computer oriented geodetic data base and a new technique in file sequencing", IBM 1966. */
 
 typedef struct vertex_box {
     roberts_vec3 lo, hi;
@@ -195,14 +196,14 @@ typedef struct vertex_box {
 
 typedef struct vertex_tree {
     const roberts_vec3 *point;
-    uint32_t count, leaves; /* leaves: a power of two */
+    uint32_t count, leaves; /* leaves: number of leaves, a power of two */
     uint32_t *order;        /* [count] points along a space-filling curve */
-    vertex_box *box;        /* [2 * leaves] a heap: box i holds boxes 2 i and 2 i + 1; the last `leaves` hold points */
+    vertex_box *box; /* [2 * leaves] a heap: box i holds boxes 2 i and 2 i + 1; the last `leaves` boxes hold points */
 } vertex_tree;
 
-enum { LEAF = 8 }; /* points */
+enum { LEAF = 8 }; /* points in a leaf */
 
-/* Spreads ten bits so that two free bits follow each. */
+/* Spreads ten bits, leaving two zero bits between them. */
 static uint32_t spread(uint32_t x)
 {
     x = (x | x << 16) & 0x030000ff;
@@ -272,7 +273,7 @@ static bool vertex_tree_build(vertex_tree *tree, const roberts_vec3 *point, uint
     return true;
 }
 
-/* The least F in a box; INFINITY in an empty one. */
+/* Returns the least F in a box; INFINITY if the box is empty. */
 static double least_in_box(const vertex_box *box, plane F)
 {
     roberts_vec3 corner = {F.a > 0.0 ? box->lo.x : box->hi.x, F.b > 0.0 ? box->lo.y : box->hi.y,
@@ -280,10 +281,10 @@ static double least_in_box(const vertex_box *box, plane F)
     return box->lo.x <= box->hi.x ? plane_at(F, corner) : INFINITY;
 }
 
-/* The point with the least F, if that is below `bound`; else ROBERTS_NONE. */
+/* Returns the point with the least F, if that is below `bound`; otherwise ROBERTS_NONE. */
 static uint32_t vertex_tree_outermost(const vertex_tree *tree, plane F, double bound)
 {
-    uint32_t stack[34], depth = 0, found = ROBERTS_NONE; /* at most one box a level waits */
+    uint32_t stack[34], depth = 0, found = ROBERTS_NONE; /* at most one pending box per level */
     stack[depth++] = 1;
     while (depth > 0) {
         uint32_t i = stack[--depth];
@@ -291,7 +292,7 @@ static uint32_t vertex_tree_outermost(const vertex_tree *tree, plane F, double b
             continue;
         if (i < tree->leaves) {
             bool left = least_in_box(&tree->box[2 * i], F) < least_in_box(&tree->box[2 * i + 1], F);
-            stack[depth++] = 2 * i + left; /* the better one goes first */
+            stack[depth++] = 2 * i + left; /* the better one is popped first */
             stack[depth++] = 2 * i + !left;
             continue;
         }
@@ -311,21 +312,20 @@ static uint32_t vertex_tree_outermost(const vertex_tree *tree, plane F, double b
 /* Is a closed component a convex solid, within the tolerance?
  *
  * A closed surface bounds a convex solid if every face is a convex polygon, every vertex lies behind every face's
- * plane, and the faces, seen from the barycentre, cover all directions once. A vertex may lie outside a plane by the
- * tolerance. The plane of a face that is small compared with the solid cannot be trusted far away; there the limit
- * grows in proportion.
+ * plane, and the faces, seen from the barycentre, cover each direction once. A vertex may lie outside a plane by the
+ * tolerance. The plane of a small face cannot be trusted far away from it; there the limit grows in proportion.
  *
- * Mostly it is enough that no edge bends inward. The sum of the angles by which edges bend inward bounds how far
- * anything can lie outside, as a part of the size. If this sum is not far below the tolerance, because coordinates are
- * rounded or the solid is not convex, each plane is compared with the vertices: with all of them in a small solid, with
- * a tree of boxes in a large one. */
+ * Usually it is enough that no edge bends inward. The sum of the inward bends bounds how far anything can lie outside,
+ * as a fraction of the size. If this sum is not far below the tolerance, because coordinates are rounded or the solid
+ * is not convex, each plane is compared with the vertices: all of them in a small solid, by a tree of boxes in a large
+ * one. */
 
-enum { ALL_PAIRS = 2048 }; /* pairs of vertex and face; up to so many, comparing them all is quicker than a tree */
+enum { ALL_PAIRS = 2048 }; /* pairs of vertex and face; up to this many, comparing all is faster than a tree */
 
-/* The edges' inward bends may add up to this part of the tolerance without a closer look. */
+/* Fraction of the tolerance: if the inward bends of the edges add up to less, no closer look is needed. */
 static const double BEND_PART = 0.1;
 
-/* Numbers as messages give them, within the solid's file. */
+/* Returns the solid's number within its file, for messages. */
 static uint32_t input_solid(const roberts_scene *scene, const solid_frame *frame)
 {
     return frame->solid - source_of_solid(scene, frame->solid, frame->mesh).solid;
@@ -342,7 +342,7 @@ static uint32_t input_vertex(const roberts_scene *scene, const solid_frame *fram
            source_of_solid(scene, frame->solid, frame->mesh).vertex;
 }
 
-/* Checks one face: its corners lie in one plane and make a convex simple polygon. */
+/* Checks one face: its corners must lie in one plane and form a convex simple polygon. */
 static roberts_status check_face(const roberts_scene *scene, const solid_frame *frame, uint32_t f, roberts_error *error)
 {
     const local_face *face = &frame->face[f];
@@ -374,7 +374,7 @@ static roberts_status check_face(const roberts_scene *scene, const solid_frame *
     return ROBERTS_OK;
 }
 
-/* How far a vertex may lie outside this face's plane. */
+/* Returns how far a vertex may lie outside this face's plane. */
 static double allowance(const solid_frame *frame, const local_face *face)
 {
     return face->width < frame->size ? frame->allowed * (frame->size / face->width) : frame->allowed;
@@ -396,7 +396,7 @@ static roberts_status refuse_flat(const roberts_scene *scene, const solid_frame 
                      input_solid(scene, frame), thickness * frame->unit, frame->size * frame->unit);
 }
 
-/* The least F of the solid's vertices. */
+/* Returns the least F of the solid's vertices. */
 static double least_distance(const solid_frame *frame, plane F)
 {
     double least = INFINITY;
@@ -407,13 +407,13 @@ static double least_distance(const solid_frame *frame, plane F)
     return least;
 }
 
-/* How thick the solid is across this face. */
+/* Returns the thickness of the solid across this face. */
 static double thickness(const solid_frame *frame, plane F)
 {
     return 0.0 - least_distance(frame, (plane){-F.a, -F.b, -F.c, -F.d}) - least_distance(frame, F);
 }
 
-/* The vertex with the least F. */
+/* Returns the vertex with the least F. */
 static uint32_t outermost(const solid_frame *frame, plane F)
 {
     uint32_t found = 0;
@@ -427,8 +427,8 @@ static bool is_large(const solid_frame *frame)
     return (uint64_t)frame->vertex_count * frame->face_count > ALL_PAIRS;
 }
 
-/* The least thickness of the solid, where it may be little: in a small solid across each face near the barycentre, in a
- * large one across the widest face and the face of greatest area. */
+/* Returns the least thickness of the solid where it may be thin: for a small solid, across each face near the
+ * barycentre; for a large one, across the widest face and the face of greatest area. */
 static double least_thickness(const solid_frame *frame)
 {
     double least = INFINITY;
@@ -444,7 +444,7 @@ static double least_thickness(const solid_frame *frame)
     return least;
 }
 
-/* The angle by which an edge bends inward (its sine; 1 for more than a right one), 0 for outward. */
+/* Returns the sine of the angle by which an edge bends inward, 1 for more than a right angle, 0 for outward. */
 static double bend_of(const solid_frame *frame, const scene_edge *edge)
 {
     plane F = frame->face[edge->f[0]].F, G = frame->face[edge->f[1]].F;
@@ -452,7 +452,7 @@ static double bend_of(const solid_frame *frame, const scene_edge *edge)
     roberts_vec3 m = {F.a, F.b, F.c}, n = {G.a, G.b, G.c};
     double bend = vec3_dot(vec3_cross(m, n), along); /* > 0: outward */
     if (vec3_dot(m, n) <= 0.0 && bend <= 0.0)
-        return 1.0; /* folded, or an edge or a face without extent, which tells nothing */
+        return 1.0; /* folded, or an edge or a face without extent, which is inconclusive */
     return bend < 0.0 ? -bend / vec3_length(along) : 0.0;
 }
 
@@ -462,7 +462,7 @@ static inline two_vec3 normals_of(const solid_frame *frame, uint32_t f, uint32_t
     return (two_vec3){two_of(F->a, G->a), two_of(F->b, G->b), two_of(F->c, G->c)};
 }
 
-/* Whether both of two edges bend outward, as bend_of() has it. */
+/* Do both edges bend outward, as bend_of() defines it? */
 static inline bool both_outward(const solid_frame *frame, const scene_edge *a, const scene_edge *b)
 {
     const roberts_vec3 *point = frame->point;
@@ -472,7 +472,7 @@ static inline bool both_outward(const solid_frame *frame, const scene_edge *a, c
     return two_at_most(two_vec3_dot(two_vec3_cross(m, n), along), two_all(0.0)) == 0;
 }
 
-/* Sum of the angles by which edges bend inward. */
+/* Returns the sum of the inward bends of all edges. */
 static double inward_bend(const solid_frame *frame)
 {
     const scene_edge *edge = frame->edge, *end = edge + frame->edge_count;
@@ -485,7 +485,7 @@ static double inward_bend(const solid_frame *frame)
     return edge < end ? sum + bend_of(frame, edge) : sum;
 }
 
-/* Every vertex against every plane. */
+/* Compares every vertex with every plane. */
 static roberts_status check_pairs(const roberts_scene *scene, solid_frame *frame, roberts_error *error)
 {
     for (uint32_t f = 0; f < frame->face_count; f++) {
@@ -500,7 +500,7 @@ static roberts_status check_pairs(const roberts_scene *scene, solid_frame *frame
     return ROBERTS_OK;
 }
 
-/* Every plane against the tree of vertices. */
+/* Compares every plane with the tree of vertices. */
 static roberts_status check_by_tree(const roberts_scene *scene, solid_frame *frame, roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
@@ -521,7 +521,7 @@ static roberts_status check_by_tree(const roberts_scene *scene, solid_frame *fra
     return status;
 }
 
-/* Checks each face, then all together. Four points are always convex. */
+/* Checks each face, then the whole solid. Four points are always convex. */
 static roberts_status check_faces(const roberts_scene *scene, solid_frame *frame, roberts_error *error)
 {
     for (uint32_t f = 0; frame->any_doubt && f < frame->face_count; f++) {
@@ -536,7 +536,7 @@ static roberts_status check_faces(const roberts_scene *scene, solid_frame *frame
 }
 
 /* Does the ray from the barycentre pass through the face? It does if it lies on or inside every plane through the
- * barycentre and a side. The two faces of a side see exactly opposite signs. */
+ * barycentre and a side. The two faces of a side get exactly opposite signs. */
 static bool covers(const roberts_scene *scene, const solid_frame *frame, uint32_t f, roberts_vec3 ray)
 {
     uint32_t start = scene->face_start[frame->face_first + f], end = scene->face_start[frame->face_first + f + 1];
@@ -550,8 +550,8 @@ static bool covers(const roberts_scene *scene, const solid_frame *frame, uint32_
     return true;
 }
 
-/* How many faces the barycentre sees in one direction: toward the middle of the widest face, well inside it. Only faces
- * that look that way are tested. */
+/* Counts the faces that the barycentre sees in one direction, toward the middle of the widest face, well inside it.
+ * Only faces whose planes the ray approaches are tested. */
 static uint32_t count_covers(const roberts_scene *scene, const solid_frame *frame)
 {
     uint32_t n = frame_ring(frame, scene, frame->widest), count = 1;
@@ -568,10 +568,10 @@ static uint32_t count_covers(const roberts_scene *scene, const solid_frame *fram
     return count;
 }
 
-/* Is it certain, without a ray, that the faces cover each direction once? To cover them k times, a sphere's surface has
- * to go round some two vertices twice or more (2 k - 2 times too often in all, by Riemann and Hurwitz). Seen from the
- * barycentre, a face takes less than a half turn round its corner. So these two vertices would have at least five
- * edges, and all others three. */
+/* Is it certain, without a ray, that the faces cover each direction once? A surface like a sphere that covers
+ * directions k times must go round some two vertices twice or more (2 k - 2 extra turns in all, by Riemann and
+ * Hurwitz). Seen from the barycentre, a face takes less than a half turn round its corner. So these two vertices have
+ * at least five edges each, and all others at least three. */
 static bool too_few_to_wind(const solid_frame *frame)
 {
     return !frame->any_doubt && !frame->any_lean &&

@@ -1,9 +1,9 @@
 /* edges.c - the edges of one solid and the two faces of each, sorted.
  *
- * Idea: every side of a face is a half-edge. For a small solid a table tells which face passes from one vertex to
- * another, and the edges are read off in order. All other half-edges, and those of small solids that are open or wound
- * at random, are sorted: counted into buckets by their smaller vertex, and each bucket sorted by the larger one. For
- * solids with up to a dozen edges the table takes a third of the instructions. */
+ * Every side of a face is a half-edge. For a small solid, a table gives the face that passes from one vertex to
+ * another, and the edges are read from it in order. All other half-edges, and those of small solids that are open or
+ * inconsistently wound, are sorted: first into buckets by their smaller vertex, then by the larger one. For solids with
+ * up to a dozen edges, the table takes a third of the instructions. */
 #include "model/edges.h"
 
 #include <stdlib.h>
@@ -13,9 +13,9 @@
 #include "base/sort.h"
 #include "base/vec.h"
 
-enum { SHORT_BUCKET = 24 }; /* half-edges; up to so many, insertion beats the library's sort */
+enum { SHORT_BUCKET = 24 }; /* half-edges; up to this many, insertion sort beats qsort() */
 
-/* Fills the table; bit b of row[a] tells whether a face passes from a to b. False where two do. */
+/* Fills the table; bit b of row[a] tells whether a face passes from a to b. False if two do. */
 static bool fill_table(const roberts_scene *scene, uint32_t s, uint32_t passing[][EDGES_SMALL], uint32_t *row)
 {
     const uint32_t *start = scene->face_start + scene->solid[s].face, base = scene->solid[s].vertex;
@@ -33,7 +33,7 @@ static bool fill_table(const roberts_scene *scene, uint32_t s, uint32_t passing[
     return true;
 }
 
-/* Pairs the half-edges of a small solid. False where they do not make up pairs of opposite ones. */
+/* Pairs the half-edges of a small solid. False if they are not all pairs of opposite ones. */
 static bool pair_by_table(const roberts_scene *scene, uint32_t s, edge_scratch *scratch)
 {
     uint32_t row[EDGES_SMALL], count = scene->solid[s + 1].vertex - scene->solid[s].vertex;
@@ -57,7 +57,7 @@ static bool pair_by_table(const roberts_scene *scene, uint32_t s, edge_scratch *
             edge++;
         }
     }
-    return edge == end; /* as many half-edges upward as edges, each with its opposite: none is left */
+    return edge == end; /* half of the half-edges go upward, each with its opposite: none is left over */
 }
 
 static void sort_bucket(uint64_t *half, uint32_t count)
@@ -69,7 +69,7 @@ static void sort_bucket(uint64_t *half, uint32_t count)
     SORT_FEW(uint64_t, half, count, *a > *b)
 }
 
-/* Counts the half-edges of each smaller vertex; end[v] becomes the start of v's bucket. */
+/* Counts the half-edges of each smaller vertex, and sets end[v] to the start of v's bucket. */
 static void count_half_edges(const roberts_scene *scene, uint32_t s, uint32_t *end)
 {
     const scene_solid *first = scene->solid + s;
@@ -112,7 +112,7 @@ bool edges_sort(const roberts_scene *scene, uint32_t s, edge_scratch *scratch)
     return true;
 }
 
-/* Edges from the sorted half-edges: each must have exactly one partner. */
+/* Makes edges from the sorted half-edges: each must have exactly one partner. */
 static edge_pairing edges_from_sorted(const roberts_scene *scene, uint32_t s, edge_scratch *scratch)
 {
     const scene_solid *first = scene->solid + s;
@@ -159,7 +159,7 @@ void edge_scratch_free(edge_scratch *scratch)
     *scratch = (edge_scratch){0};
 }
 
-/* Puts a face into the two smallest, unless it is one of them. */
+/* Keeps the two smallest different faces. */
 static void add_smallest(uint32_t face[2], uint32_t number)
 {
     if (number < face[0]) {
@@ -170,7 +170,7 @@ static void add_smallest(uint32_t face[2], uint32_t number)
     }
 }
 
-/* Whether the scene has the segment's edge. */
+/* Does the scene have the segment's edge? */
 static bool has_edge(const roberts_scene *scene, const roberts_segment *segment)
 {
     return scene && segment->solid < scene->solid_count && segment->edge >= scene->solid[segment->solid].edge &&
@@ -201,7 +201,7 @@ void roberts_segment_faces(const roberts_scene *scene, const roberts_drawing *dr
             add_smallest(face, scene_face_number(scene, first + edge->f[k]));
 }
 
-/* The point at t of a line from A to B that begins at `from` and ends at `to`. */
+/* Returns the point at t on a line from A to B whose parameters run from `from` to `to`. */
 static roberts_vec3 point_at(const roberts_vec3 line[2], double from, double to, double t)
 {
     if (t <= from || t >= to)

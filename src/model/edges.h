@@ -4,17 +4,17 @@
 
 #include "model/scene.h"
 
-enum { EDGES_SMALL = 32 }; /* vertices; up to so many, a solid's half-edges are looked up in a table */
+enum { EDGES_SMALL = 32 }; /* vertices; up to this many, a solid's half-edges are looked up in a table */
 
-/* Scratch memory that serves solid after solid; zeroed = empty. */
+/* Scratch memory, reused for solid after solid; zeroed = empty. */
 typedef struct edge_scratch {
-    scene_edge *edge;  /* [corners / 2] what edges_pair() has found */
+    scene_edge *edge;  /* [corners / 2] the result of edges_pair() */
     uint32_t *end;     /* [vertices] where the half-edges of each smaller vertex end in `half` */
     uint64_t *half;    /* [corners] sorted half-edges: larger vertex << 32 | corner where it starts */
     uint32_t *face_of; /* [corners] */
-    uint8_t *alike;    /* [corners / 2] for each edge, whether its faces pass it in the same direction */
+    uint8_t *alike;    /* [corners / 2] whether the two faces of each edge pass it in the same direction */
     size_t edge_room, end_room, half_room, face_of_room, alike_room;
-    uint32_t passing[EDGES_SMALL][EDGES_SMALL]; /* the face that passes from the one to the other vertex */
+    uint32_t passing[EDGES_SMALL][EDGES_SMALL]; /* the face that passes from the first vertex to the second */
 } edge_scratch;
 
 typedef enum edge_pairing {
@@ -24,8 +24,8 @@ typedef enum edge_pairing {
     EDGES_NO_MEMORY,
 } edge_pairing;
 
-/* Euler's formula: a closed surface like a sphere has V - E + F = 2. Others are two solids that share a vertex, or have
- * holes. */
+/* Does Euler's formula V - E + F = 2 hold, as for a closed surface like a sphere? Otherwise two solids share a vertex,
+ * or the surface has holes. */
 static inline bool edges_like_a_sphere(const roberts_scene *scene, uint32_t s)
 {
     const scene_solid *first = scene->solid + s;
@@ -33,12 +33,12 @@ static inline bool edges_like_a_sphere(const roberts_scene *scene, uint32_t s)
     return vertices + faces == scene_corners(scene, s) / 2 + (uint64_t)2;
 }
 
-/* Writes the edges of solid s to scratch->edge, sorted and as a scene stores them. There are half as many as the faces
- * have corners. If the solid is open, scratch->edge is undefined. */
+/* Writes the edges of solid s to scratch->edge, sorted, in the form that a scene stores. Their number is half the
+ * number of corners. If the solid is open, scratch->edge is undefined. */
 edge_pairing edges_pair(const roberts_scene *scene, uint32_t s, edge_scratch *scratch);
 
 /* Sorts the half-edges of solid s into scratch->half by (smaller vertex, larger vertex, corner). Vertices and corners
- * count from the solid's first. scratch->end and ->face_of are filled too. False: no memory. */
+ * count from the solid's first. Also fills scratch->end and ->face_of. False: no memory. */
 bool edges_sort(const roberts_scene *scene, uint32_t s, edge_scratch *scratch);
 
 void edge_scratch_free(edge_scratch *scratch);

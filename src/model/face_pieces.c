@@ -1,4 +1,4 @@
-/* face_pieces.c - see face_pieces.h. */
+/* face_pieces.c - cuts a face of any shape into convex pieces. See face_pieces.h. */
 #include "model/face_pieces.h"
 
 #include <stdlib.h>
@@ -7,12 +7,13 @@
 #include "base/dd.h"
 #include "base/sort.h"
 
-/* If the signed areas of a border cancel to less than this part of its size squared, its Newell normal says nothing. */
+/* If the signed areas of a border cancel to less than this fraction of its size squared, its Newell normal is
+ * meaningless. */
 #define CANCELLED 1e-6
 
-/* a * b, added to a sum of `count` doubles of which none overlaps another, the least first (J. R. Shewchuk, "Adaptive
- * precision floating-point arithmetic and fast robust geometric predicates", Discrete & Computational Geometry 18,
- * 1997). */
+/* Adds a * b to a sum of `count` non-overlapping doubles, smallest first; returns the new count (J. R. Shewchuk,
+ * "Adaptive precision floating-point arithmetic and fast robust geometric predicates", Discrete & Computational
+ * Geometry 18, 1997). */
 static int add_product(double *sum, int count, double a, double b)
 {
     double part[2] = {0.0, a * b};
@@ -42,7 +43,7 @@ static double exact_turn(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c)
     n = add_product(sum, n, bx.hi, cy.hi);
     n = add_product(sum, n, -by.hi, cx.hi);
     for (int i = 0; i < n; i++)
-        turn += sum[i]; /* the last part that is not 0 exceeds all others together */
+        turn += sum[i]; /* the last nonzero part exceeds all others together */
     return turn;
 }
 
@@ -62,10 +63,10 @@ bool face_pieces_add_side(face_pieces *f, piece_side side)
     return true;
 }
 
-/* Up to so many corners are compared with one another. */
+/* Up to this many corners are compared in pairs. */
 enum { FEW_CORNERS = 32 };
 
-/* Gives corners that occur again the same node, by sorting. */
+/* Gives repeated corners the same node, by sorting. False: no memory. */
 static bool join_corners(face_pieces *f)
 {
     uint64_t *key = alloc_array(f->node_count, sizeof *key);
@@ -83,7 +84,8 @@ static bool join_corners(face_pieces *f)
     return true;
 }
 
-/* Lists the corners in order, without those that repeat the one before. A corner that occurs again is the same node. */
+/* Lists the corners in order, without those that repeat the one before. A corner that is repeated elsewhere gets the
+ * same node. False: no memory. */
 static bool take_ring(face_pieces *f, const roberts_vec3 *point, const uint32_t *corner, uint32_t count)
 {
     f->ring_count = f->node_count = f->piece_count = f->side_count = 0;
@@ -109,7 +111,7 @@ static bool take_ring(face_pieces *f, const roberts_vec3 *point, const uint32_t 
     return count <= FEW_CORNERS || join_corners(f);
 }
 
-/* The normal of the largest triangle at the first corner; zero if all corners are in a line. */
+/* Returns the normal of the largest triangle at the first corner; zero if all corners are collinear. */
 static roberts_vec3 largest_normal(const roberts_vec3 *relative, size_t count)
 {
     roberts_vec3 far = {0, 0, 0}, best = {0, 0, 0};
@@ -124,8 +126,8 @@ static roberts_vec3 largest_normal(const roberts_vec3 *relative, size_t count)
     return best;
 }
 
-/* The plane of a border whose areas cancel, wholly or so far that their sum tells less of the face than of how far its
- * corners leave the plane. */
+/* Fits the plane of a border whose areas cancel, completely or so far that the corners' distances from the plane
+ * dominate their sum. */
 static fitted_plane fit_crossed(const roberts_vec3 *relative, size_t count)
 {
     roberts_vec3 n = largest_normal(relative, count);
@@ -148,7 +150,7 @@ static fitted_plane fit_crossed(const roberts_vec3 *relative, size_t count)
                           .width = 0.5 * length / (2.0 * far)};
 }
 
-/* What is nearer to 0 is 0, in units of the scene: then no product of differences leaves the range of doubles. */
+/* Smaller coordinates are set to 0, in units of the scene. Then no product of differences underflows. */
 #define LEAST_COORDINATE 0x1p-200
 
 static double whole_part(double x)
@@ -156,7 +158,7 @@ static double whole_part(double x)
     return fabs(x) < LEAST_COORDINATE ? 0.0 : x;
 }
 
-/* The place of a point in the coordinate plane. */
+/* Returns the position of a point in the coordinate plane. */
 static roberts_vec2 place_of(const face_pieces *f, roberts_vec3 point)
 {
     double x = whole_part(point.x / f->unit), y = whole_part(point.y / f->unit), z = whole_part(point.z / f->unit);
@@ -187,7 +189,7 @@ uint32_t face_pieces_add_crossing(face_pieces *f, uint32_t a, uint32_t b, double
     return (uint32_t)f->node_count++;
 }
 
-/* Fits the plane, and places the nodes in the coordinate plane nearest to it. */
+/* Fits the plane, and projects the nodes to the coordinate plane nearest to it. */
 static void fit(face_pieces *f, const face_rules *rules)
 {
     roberts_vec3 origin = f->node[f->ring[0]].point, low = {0, 0, 0}, high = {0, 0, 0};
@@ -218,7 +220,7 @@ static void fit(face_pieces *f, const face_rules *rules)
         f->node[i].at = place_of(f, f->node[i].point);
 }
 
-/* Does the ring turn left or go straight at every corner, and make one round in all? */
+/* Does the ring turn left or go straight at every corner, and go round once? */
 static bool is_convex(const face_pieces *f)
 {
     size_t n = f->ring_count;
@@ -239,7 +241,7 @@ static bool is_convex(const face_pieces *f)
     return starts == 1;
 }
 
-/* The whole face is one piece. */
+/* Makes the whole face one piece. */
 static bool take_whole(face_pieces *f)
 {
     if (!array_reserve(&f->piece, &f->piece_room, 1, sizeof *f->piece))
@@ -256,7 +258,7 @@ static bool take_whole(face_pieces *f)
     return true;
 }
 
-/* Cuts a convex face of very many corners into a fan of pieces. */
+/* Cuts a convex face with very many corners into a fan of pieces. */
 static bool take_fan(face_pieces *f)
 {
     uint32_t count = (uint32_t)f->ring_count, cut = count;
@@ -277,7 +279,7 @@ static bool take_fan(face_pieces *f)
     return true;
 }
 
-/* Lists each side of the ring with its piece, and both sides of each cut if cuts matter. */
+/* Lists each side of the ring with its piece, and both sides of each cut if cuts matter. False: no memory. */
 static bool add_sides(face_pieces *f)
 {
     uint32_t count = (uint32_t)f->ring_count;

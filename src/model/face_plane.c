@@ -1,9 +1,9 @@
 /* face_plane.c - the plane of a face, fitted to all its corners by Newell's method.
  *
- * Source: I. E. Sutherland, R. F. Sproull, R. A. Schumacker, "A characterization of ten hidden-surface algorithms",
- * Computing Surveys 6(1), 1974, where the method is credited to M. Newell: the normal is the sum of the cross products
- * round the polygon; its components are twice the areas of the three projections. It is taken relative to the first
- * corner. So nothing is lost far from the origin, and a face parallel to a coordinate plane gets an exact normal.
+ * The normal is the sum of the cross products round the polygon. Its components are twice the areas of the three
+ * projections. Source: I. E. Sutherland, R. F. Sproull, R. A. Schumacker, "A characterization of ten hidden-surface
+ * algorithms", Computing Surveys 6(1), 1974, where the method is credited to M. Newell. All corners are relative to the
+ * first one, so nothing is lost far from the origin, and a face parallel to a coordinate plane gets an exact normal.
  *
  * The plane passes through the mean of the corners. Three corners lie in their plane up to rounding; in a narrow
  * triangle even that deviation matters. */
@@ -11,7 +11,7 @@
 
 #include "model/convex.h"
 
-enum { PAIRS_UP_TO = 8 }; /* corners; up to this number, the greatest chord is found by measuring all pairs */
+enum { PAIRS_UP_TO = 8 }; /* corners; up to this many, the greatest chord is found by measuring all pairs */
 
 static roberts_vec3 newell(const roberts_vec3 *corner, uint32_t count)
 {
@@ -21,7 +21,7 @@ static roberts_vec3 newell(const roberts_vec3 *corner, uint32_t count)
     return sum;
 }
 
-/* The square of the greatest distance of two corners. */
+/* Returns the square of the greatest distance between two corners. */
 static double chord_of_pairs(const roberts_vec3 *corner, uint32_t count)
 {
     double greatest = 0.0;
@@ -33,7 +33,7 @@ static double chord_of_pairs(const roberts_vec3 *corner, uint32_t count)
     return greatest;
 }
 
-/* Width of the corners' projection on u. */
+/* Returns the extent of the corners along u. */
 static double extent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 u)
 {
     double least = 0.0, most = 0.0;
@@ -45,8 +45,8 @@ static double extent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 u)
     return most - least;
 }
 
-/* The same for many corners: the greatest extent along 16 directions of the plane. It never exceeds the greatest chord,
- * and is at least cos(pi / 32) > 0.995 of it. */
+/* Returns the greatest chord of a face of many corners, approximately: the greatest extent along 16 directions of the
+ * plane. It never exceeds the greatest chord, and is at least cos(pi / 32) > 0.995 of it. */
 static double chord_of_extents(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n)
 {
     roberts_vec3 axis = fabs(n.x) < 0.6 ? (roberts_vec3){1, 0, 0} : (roberts_vec3){0, 1, 0}, u, v;
@@ -62,7 +62,7 @@ static double chord_of_extents(const roberts_vec3 *corner, uint32_t count, rober
     return greatest * greatest;
 }
 
-/* One lane of both. */
+/* Returns the first lane. */
 static fitted_plane lane_of(const two_planes *faces)
 {
     double values[7], other;

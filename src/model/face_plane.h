@@ -6,19 +6,19 @@
 #include "base/vec.h"
 
 typedef struct fitted_plane {
-    roberts_vec3 n;   /* length 1; seen from its end the corners turn counter-clockwise. 0,0,0 where there is no area */
-    double mean;      /* the plane is n.(P - first corner) = mean: it passes through the mean of the corners */
+    roberts_vec3 n; /* unit normal; seen from its end, the corners turn counter-clockwise. 0,0,0 if there is no area */
+    double mean;    /* the plane is n.(P - first corner) = mean: it passes through the mean of the corners */
     double deviation; /* greatest distance of a corner from the plane */
     double area;
-    double width; /* area over greatest chord: between half of the least width and all of it */
+    double width; /* area divided by greatest chord: between half the least width and all of it */
     bool strict;  /* the face is strictly convex, decided without a tolerance */
 } fitted_plane;
 
-/* Fits a plane to `count` >= 3 corners in order around a face, given relative to the first one, which is 0,0,0. Lengths
- * must survive being taken to the fourth power. */
+/* Fits a plane to `count` >= 3 corners in order round a face. They are relative to the first one, which is 0,0,0.
+ * Lengths must be small and large enough that their fourth powers stay in range. */
 fitted_plane face_plane_fit(const roberts_vec3 *corner, uint32_t count);
 
-/* ---- two faces of three or four corners, which nearly all have, at a time -------------------------------------- */
+/* ---- two faces of three or four corners at a time (nearly all faces) -------------------------------------------- */
 
 typedef struct two_vec3 {
     two x, y, z;
@@ -28,8 +28,8 @@ typedef struct two_vec3 {
 typedef struct two_planes {
     two_vec3 n;
     two mean, deviation, area, width;
-    unsigned strict; /* bit i: of lane i */
-    unsigned empty;  /* bit i: lane i has no area, and nothing of it is defined */
+    unsigned strict; /* bit i is for lane i */
+    unsigned empty;  /* bit i: lane i has no area and is otherwise undefined */
 } two_planes;
 
 static inline two_vec3 two_vec3_of(const roberts_vec3 *p, const roberts_vec3 *q)
@@ -68,14 +68,14 @@ static inline two two_square(two_vec3 a)
     return two_vec3_dot(a, a);
 }
 
-/* Length 1; not times 1 / length: an axis stays exact. */
+/* Normalizes to length 1. Divides rather than multiplying by 1 / length, so that an axis stays exact. */
 static inline two_vec3 two_vec3_unit(two_vec3 sum, two length)
 {
     return (two_vec3){two_div(sum.x, length), two_div(sum.y, length), two_div(sum.z, length)};
 }
 
-/* What follows from the length of the sum of the cross products, the square of the greatest chord, and the corners'
- * heights: their least and greatest, the origin's 0 among them, and the mean. */
+/* Computes the planes from the sum of the cross products, its length, the square of the greatest chord, and the
+ * corners' heights: their least and greatest, including the origin's 0, and their mean. */
 static inline two_planes two_planes_of(two_vec3 n, two length, two chord_squared, two least, two most, two mean)
 {
     two area = two_mul(two_all(0.5), length), zero = two_all(0.0);
@@ -96,7 +96,7 @@ static inline two_planes two_planes_of_triangles(two_vec3 a, two_vec3 b)
     two_vec3 sum = two_vec3_cross(a, b), n;
     two length = two_sqrt(two_square(sum)), ha, hb;
     n = two_vec3_unit(sum, length);
-    ha = two_vec3_dot(n, a); /* nothing but rounding */
+    ha = two_vec3_dot(n, a); /* rounding errors only */
     hb = two_vec3_dot(n, b);
     return two_planes_of(n, length,
                          two_greater(two_greater(two_square(a), two_square(b)), two_square(two_vec3_sub(b, a))),
@@ -118,7 +118,7 @@ static inline two_planes two_planes_of_quadrilaterals(two_vec3 a, two_vec3 b, tw
     hc = two_vec3_dot(n, c);
     faces = two_planes_of(n, length, two_greater(from_origin, others), two_lesser(two_lesser(ha, hb), hc),
                           two_greater(two_greater(ha, hb), hc), two_div(two_add(two_add(ha, hb), hc), two_all(4.0)));
-    at_a = two_vec3_dot(n, ab); /* areas of the triangles at the four corners: four left turns make up one whole turn */
+    at_a = two_vec3_dot(n, ab); /* areas of the triangles at the four corners: four left turns are one full turn */
     at_c = two_vec3_dot(n, bc);
     at_origin = two_vec3_dot(n, two_vec3_cross(a, c));
     at_b = two_sub(two_add(at_a, at_c), at_origin);

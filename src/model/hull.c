@@ -1,11 +1,11 @@
 /* hull.c - convex hulls in place of solids that are not convex.
  *
- * Each solid is tried as it is. If it is refused, it gets the faces of its convex hull, which have to pass the same
- * checks before they are taken. First Qhull is given a width, so that what the tolerance calls planar becomes one face
- * instead of a fan of slivers. If the solid is too thin for that, Qhull is asked again without a width.
+ * Each solid is first tried as it is. If it is refused, it gets the faces of its convex hull, which must pass the same
+ * checks. First Qhull is called with a width, so that faces that are coplanar within the tolerance become one face
+ * instead of a fan of slivers. If the solid is too thin for that, Qhull is called again without a width.
  *
- * A hull's vertices are vertices of the input. Vertices inside are no longer part of the solid; the solid still keeps
- * its place among the others. A flat solid has no hull: it is left out, unless there is nothing else. */
+ * A hull's vertices are vertices of the input. Vertices inside the hull are no longer part of the solid, but the solid
+ * keeps its place among the others. A flat solid has no hull: it is left out, unless there is nothing else. */
 #include "model/hull.h"
 
 #include <stdatomic.h>
@@ -25,7 +25,7 @@
 
 /* ---- inputs ---------------------------------------------------------------------------------------------------- */
 
-/* Inputs of points without faces: each gets one face with all its points as corners. */
+/* Inputs that have points but no faces: each gets one face with all its points as corners. */
 
 size_t hull_input_count(const roberts_mesh *mesh)
 {
@@ -116,20 +116,20 @@ roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, robert
     return ROBERTS_OK;
 }
 
-/* ---- what is said ---------------------------------------------------------------------------------------------- */
+/* ---- messages -------------------------------------------------------------------------------------------------- */
 
-/* The messages about solids that have been replaced by hulls, or left out. */
+/* Messages about solids that were replaced by hulls or left out. */
 
-/* What has become of a solid. */
+/* What happened to a solid. */
 typedef enum hull_fate {
-    FATE_KEPT,  /* convex as it is; or points without faces, which are meant to become a hull */
+    FATE_KEPT,  /* already convex, or points without faces, which are meant to become a hull */
     FATE_FLAT,  /* left out */
-    FATE_OPEN,  /* replaced by its hull: it is not closed */
-    FATE_BENT,  /* ... a face is not planar */
-    FATE_DENTED /* ... it is not convex, or too flat to tell */
+    FATE_OPEN,  /* replaced by its hull because it is not closed */
+    FATE_BENT,  /* replaced because a face is not planar */
+    FATE_DENTED /* replaced because it is not convex, or too flat to tell */
 } hull_fate;
 
-/* Refuses solid s, whose hull could not be made. */
+/* Refuses solid s because its hull could not be made. */
 static roberts_status hull_refuse(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh,
                                   roberts_status status, const char *why, roberts_error *error)
 {
@@ -156,8 +156,8 @@ static void warn_flat(const roberts_scene *scene, uint32_t first, uint32_t count
                  one ? "it has no convex hull" : "they have no convex hulls");
 }
 
-/* "3 solids replaced by their convex hulls: 2 not closed, 1 not convex", without the counts where there is one reason
- * only. */
+/* Writes e.g. "3 solids replaced by their convex hulls: 2 not closed, 1 not convex". The counts are omitted if there is
+ * only one reason. */
 static void warn_replaced(const uint32_t count[], const char *name, const roberts_warnings *warnings)
 {
     static const char *const why[] = {
@@ -192,7 +192,7 @@ static bool all_flat(const uint8_t *fate, uint32_t solids)
     return s == solids;
 }
 
-/* Sends the warnings, input by input; a solid belongs to the input that its first vertex is in. fate: [solids]
+/* Sends the warnings, input by input. A solid belongs to the input that contains its first vertex. fate: [solids]
  * hull_fate. Returns ROBERTS_FLAT if all solids are flat. */
 static roberts_status hull_tell(const uint8_t *fate, const roberts_scene *scene, const roberts_mesh *mesh,
                                 const roberts_warnings *warnings, roberts_error *error)
@@ -216,29 +216,30 @@ static roberts_status hull_tell(const uint8_t *fate, const roberts_scene *scene,
 
 /* ---- hulls ----------------------------------------------------------------------------------------------------- */
 
-/* Facets come out as planar as a few widths: a tenth of the tolerance keeps them within it. */
+/* Fraction of the tolerance: the width given to Qhull. Facets are planar to within a few widths, so this keeps them
+ * within the tolerance. */
 static const double WIDTH_PART = 0.1;
 
-/* As parts of the size. More than the greatest might be seen, with whatever tolerance and wherever the solid stands;
- * less than the least is left to Qhull, whose own width for rounding is some 1e-15. */
+/* Fractions of the size: bounds of the width. A larger one might be visible, whatever the tolerance and wherever the
+ * solid stands. A smaller one is left to Qhull, whose own width for rounding is about 1e-15. */
 static const double GREATEST_WIDTH = 1e-5, LEAST_WIDTH = 1e-14;
 
-/* Lists the faces of all solids, in their order. The result does not depend on the number of threads. */
+/* The faces of all solids, in order. The result does not depend on the number of threads. */
 typedef struct face_list {
     uint32_t *start, *corner;
     uint32_t *solid;  /* [count] */
-    uint32_t *origin; /* [count] number of the face in the input, or ROBERTS_NONE */
+    uint32_t *origin; /* [count] number of each face in the input, or ROBERTS_NONE */
     size_t count, corner_count, start_room, corner_room, solid_room, origin_room;
 } face_list;
 
-/* What one thread makes hulls with; the arrays serve solid after solid. */
+/* Tools of one thread; the arrays are reused for solid after solid. */
 typedef struct hull_maker {
     const roberts_scene *scene;
     const roberts_mesh *mesh; /* for messages */
     double tolerance;
     hull_facets facets;
     solid_frame frame; /* of the solid that gets a hull */
-    builder work;      /* for the solid as it is, then for its hull */
+    builder work;      /* for the original solid, then for its hull */
     uint32_t *zero;    /* [facets] */
     size_t zero_room;
 } hull_maker;
@@ -261,11 +262,11 @@ static void face_list_free(face_list *list)
     free(list->origin);
 }
 
-/* A face to add to a list. */
+/* A face to be added to a list. */
 typedef struct new_face {
-    const uint32_t *corner; /* [count] counted from vertex `first` of the scene */
+    const uint32_t *corner; /* [count] relative to vertex `first` of the scene */
     size_t count;
-    uint32_t first, origin; /* origin: its number in the input, or ROBERTS_NONE */
+    uint32_t first, origin; /* origin: number in the input, or ROBERTS_NONE */
 } new_face;
 
 /* Appends a face of solid s. False: no memory. */
@@ -320,7 +321,7 @@ static hull_result result_of(build_result built, roberts_status refusal)
     return built == BUILD_REFUSED && refusal == ROBERTS_FLAT ? HULL_FLAT : HULL_FAILED;
 }
 
-/* Do the facets make a solid that passes all checks? */
+/* Do the facets form a solid that passes all checks? */
 static hull_result try_facets(hull_maker *maker, uint32_t s)
 {
     const roberts_scene *scene = maker->scene;
@@ -341,8 +342,8 @@ static hull_result try_facets(hull_maker *maker, uint32_t s)
     return result;
 }
 
-/* Takes the hull of solid s, in the maker's frame, to maker->facets. All points have to lie within it, up to `allowed`:
- * the checks of the solid see only the points that have become vertices. */
+/* Computes the hull of solid s, in the maker's frame, into maker->facets. All points must lie within it, up to
+ * `allowed`: the checks of the solid see only the points that have become vertices. */
 static hull_result try_width(hull_maker *maker, uint32_t s, double width, double allowed)
 {
     const solid_frame *frame = &maker->frame;
@@ -352,7 +353,7 @@ static hull_result try_width(hull_maker *maker, uint32_t s, double width, double
     return result == HULL_OK ? try_facets(maker, s) : result;
 }
 
-/* Scales the frame to a size of about 1, and takes the hull with the best width. */
+/* Scales the frame to a size of about 1, and computes the hull with the best width. */
 static hull_result make_hull(hull_maker *maker, uint32_t s)
 {
     solid_frame *frame = &maker->frame;
@@ -398,7 +399,7 @@ static roberts_status replace(face_list *list, hull_maker *maker, uint32_t s, ui
 
 /* ---- all solids ------------------------------------------------------------------------------------------------ */
 
-/* Solids are divided into at most this many runs; the faces of each run go into a list of its own. */
+/* Solids are divided into at most this many runs; each run has its own list of faces. */
 enum { RUNS_MOST = 256 };
 
 typedef struct hull_job {
@@ -409,18 +410,17 @@ typedef struct hull_job {
     face_list *run; /* [runs] */
     uint32_t runs;
     _Atomic uint32_t
-        refused; /* the first solid known to have no hull: those after it need no work; ROBERTS_NONE: none */
+        refused; /* the first solid known to have no hull; those after it need no work; ROBERTS_NONE: none */
 } hull_job;
 
-/* One for each thread. */
+/* State of one thread. */
 typedef struct hull_worker {
     hull_maker maker;
-    uint32_t
-        refused; /* the first solid of this thread that has no hull, for the reason in `error`; ROBERTS_NONE: none */
+    uint32_t refused; /* the first solid of this thread without a hull; `error` has the reason; ROBERTS_NONE: none */
     roberts_error error;
 } hull_worker;
 
-/* What becomes of a solid that was refused for this reason. */
+/* Returns the fate of a solid that was refused with this status. */
 static hull_fate fate_of(roberts_status refusal)
 {
     return refusal == ROBERTS_OK ? FATE_OPEN : refusal == ROBERTS_NOT_PLANAR ? FATE_BENT : FATE_DENTED;
@@ -443,7 +443,7 @@ static roberts_status take_solid(const hull_job *job, hull_maker *maker, face_li
     return replace(list, maker, s, &job->fate[s], error);
 }
 
-/* Takes the solids of a run, up to the first solid known to have no hull. */
+/* Processes the solids of a run, up to the first solid known to have no hull. */
 static void take_run(hull_job *job, hull_worker *worker, uint32_t run)
 {
     const uint64_t solids = job->scene->solid_count;
@@ -485,7 +485,7 @@ static bool append(face_list *list, const face_list *more)
     return true;
 }
 
-/* Fails with the refusal of the first solid that has no hull, whichever thread found it. Otherwise joins the runs. */
+/* Fails with the refusal of the first solid without a hull, whichever thread found it. Otherwise joins the runs. */
 static roberts_status join_runs(face_list *list, const hull_job *job, const hull_worker *worker, int threads,
                                 roberts_error *error)
 {
@@ -503,7 +503,7 @@ static roberts_status join_runs(face_list *list, const hull_job *job, const hull
     return ROBERTS_OK;
 }
 
-/* Faces of all solids, in their order. The result does not depend on the threads. */
+/* Collects the faces of all solids, in order. The result does not depend on the threads. */
 static roberts_status collect(face_list *list, uint8_t *fate, roberts_scene *scene, const roberts_mesh *mesh,
                               const roberts_scene_options *options, roberts_error *error)
 {
@@ -536,7 +536,7 @@ static roberts_status collect(face_list *list, uint8_t *fate, roberts_scene *sce
     return status;
 }
 
-/* Numbers the solids that have faces anew; returns how many there are. */
+/* Renumbers the solids that have faces; returns their number. */
 static uint32_t number_solids(face_list *list)
 {
     uint32_t count = 0, before = ROBERTS_NONE;

@@ -9,7 +9,7 @@
 
 /* The inputs (files) of a mesh. A bare input has points, but no face of three or more corners. */
 
-/* Fewer points have no convex hull. */
+/* The least number of points with a convex hull. */
 enum { HULL_POINTS = 4 };
 
 /* The vertices and faces of an input. A mesh that was not read from files counts as one input. */
@@ -23,19 +23,19 @@ hull_input hull_input_at(const roberts_mesh *mesh, size_t i);
 /* Is there a bare input? */
 bool hull_bare_input(const roberts_mesh *mesh);
 
-/* The number of points of input i if it is bare, else 0. */
+/* Returns the number of points of input i if it is bare, otherwise 0. */
 size_t hull_bare_points(const roberts_mesh *mesh, size_t i);
 
-/* Adds one face for each bare input of at least four points, with all its points as corners: so each becomes a
+/* Adds one face for each bare input with at least four points. All its points are corners, so each input becomes a
  * component. These faces are numbered from mesh->face_count on. Returns ROBERTS_OK, _NO_MEMORY or _FLAT (the mesh has
  * only inputs of fewer points). */
 roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, roberts_error *error);
 
 /* ---- hulls ----------------------------------------------------------------------------------------------------- */
 
-/* Lays out the scene anew: a solid that solid_build() refuses gets the faces of its hull, which have no number
- * (ROBERTS_NONE). Components may be open. Solids keep their order; flat ones are left out. For each input a warning
- * tells how many solids were replaced and why, and how many were flat.
+/* Lays out the scene again: a solid that solid_build() refuses gets the faces of its hull, which have no number
+ * (ROBERTS_NONE). Components may be open. Solids keep their order; flat ones are left out. For each input, a warning
+ * says how many solids were replaced and why, and how many were flat.
  * options   tolerance, warnings, threads; the number of threads does not change the result
  * Returns ROBERTS_OK, _NO_MEMORY, _BAD_NUMBER, _FLAT (nothing else is left) or _NOT_CONVEX (rounding was too much for
  * Qhull). */

@@ -1,5 +1,5 @@
-/* point_grid.c - a grid of cells that finds the points near a segment: it follows the segment slab by slab, along the
- * axis in which the segment is longest. */
+/* point_grid.c - a grid of cells that finds the points near a segment. It follows the segment slab by slab, along the
+ * axis of its greatest extent. */
 #include "model/point_grid.h"
 
 #include <stdlib.h>
@@ -23,7 +23,7 @@ static size_t cell_of(const point_grid *grid, uint32_t i, uint32_t j, uint32_t k
     return ((size_t)i * grid->count[1] + j) * grid->count[2] + k;
 }
 
-/* Chooses the size of cells so that there are about as many as points. */
+/* Chooses the cell size so that there are about as many cells as points. */
 static void choose_cells(point_grid *grid, roberts_vec3 size, size_t count)
 {
     double extent[3] = {size.x, size.y, size.z}, most = greater(size.x, greater(size.y, size.z)), cells = 0.0;
@@ -60,7 +60,7 @@ bool point_grid_build(point_grid *grid, const roberts_vec3 *point, const uint32_
     }
     for (size_t c = 0; enough && c < cells; c++)
         grid->start[c + 1] += grid->start[c];
-    for (size_t i = count; enough && i-- > 0;) /* backward: then each cell's points ascend */
+    for (size_t i = count; enough && i-- > 0;) /* backward, so that each cell's points ascend */
         grid->item[--grid->start[cell[i] + 1]] = listed[i];
     for (size_t c = 0; enough && c < cells; c++)
         grid->start[c] = grid->start[c + 1];
@@ -90,7 +90,7 @@ bool point_grid_near(const point_grid *grid, roberts_vec3 A, roberts_vec3 B, dou
     uint32_t end = cell_along(grid, greater(part(A, axis), part(B, axis)) + margin, axis);
     for (uint32_t slab = from; slab <= end; slab++) {
         double t0 = 0.0, t1 = 1.0, low = part(grid->low, axis) + slab * grid->size, high = low + grid->size;
-        if (slab > from || slab < end) /* the outer cells hold what is beyond as well */
+        if (slab > from || slab < end) /* the outer cells also hold what is beyond them */
             box_clip(part(A, axis), part(B, axis), (slab > from ? low : -INFINITY) - 2.0 * margin - 1e-9 * grid->size,
                      (slab < end ? high : INFINITY) + 2.0 * margin + 1e-9 * grid->size, &t0, &t1);
         for (int a = 0; a < 3; a++) {

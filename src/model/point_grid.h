@@ -7,8 +7,8 @@
 typedef struct point_grid {
     const roberts_vec3 *point;
     roberts_vec3 low;
-    double size;       /* of a cell, along each axis */
-    uint32_t count[3]; /* of cells along each */
+    double size;       /* edge length of a cell */
+    uint32_t count[3]; /* number of cells along each axis */
     uint32_t *start;   /* [cells + 1] into item */
     uint32_t *item;    /* point numbers */
 } point_grid;
@@ -17,13 +17,13 @@ typedef struct point_grid {
  * needed. */
 bool point_grid_build(point_grid *grid, const roberts_vec3 *point, const uint32_t *listed, size_t count);
 
-/* Points that were found. */
+/* The points found by a query. */
 typedef struct point_list {
     uint32_t *item; /* [count] */
     size_t count, room;
 } point_list;
 
-/* Appends all points within `margin` of AB, and perhaps others near it, each once. False: no memory. */
+/* Appends all points within `margin` of AB, each once, and perhaps others nearby. False: no memory. */
 bool point_grid_near(const point_grid *grid, roberts_vec3 A, roberts_vec3 B, double margin, point_list *found);
 
 void point_grid_free(point_grid *grid);

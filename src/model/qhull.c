@@ -1,13 +1,12 @@
-/* qhull.c - the facets of a convex hull, by libqhull.
+/* qhull.c - the facets of a convex hull, computed by libqhull.
  *
  * Qhull adds point after point to a hull, and merges facets that rounding leaves doubtful. So its facets are polygons.
- * Points that are no corners lie inside, or outside by a few widths at most.
- * Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", ACM Transactions on
- * Mathematical Software 22(4), 1996.
+ * Points that are not corners lie inside, or at most a few widths outside. Source: C. B. Barber, D. P. Dobkin, H.
+ * Huhdanpaa, "The Quickhull algorithm for convex hulls", ACM Transactions on Mathematical Software 22(4), 1996.
  *
- * Its messages go to a small buffer in memory that nobody reads; its errors come back as a number. Qhull calls exit()
- * on an error within an error, and on an error outside of qh_new_qhull(); so nothing that can fail is called outside.
- * Every hull has its own state. */
+ * Qhull's messages go to a small memory buffer that nobody reads; its errors are returned as numbers. Qhull calls
+ * exit() on an error within an error, and on an error outside qh_new_qhull(), so nothing that can fail is called
+ * outside. Every hull has its own state. */
 #include "model/qhull.h"
 
 #include <limits.h>
@@ -22,8 +21,8 @@
 
 _Static_assert(sizeof(roberts_vec3) == 3 * sizeof(coordT), "points are given to Qhull as they are");
 
-/* Qhull's option for the width, as a whole number and a power of ten: that has no decimal point, which depends on the
- * locale. */
+/* Writes Qhull's option for the width as an integer and a power of ten. This avoids the decimal point, which depends on
+ * the locale. */
 static void write_command(char *command, size_t size, double width)
 {
     if (width > 0.0) {
@@ -47,7 +46,8 @@ static size_t count_ridges(const facetT *facet)
     return count;
 }
 
-/* Appends the corners of a facet that has been merged from others: its ridges tell which corner follows which. */
+/* Appends the corners of a facet that was merged from others. Its ridges determine the order of the corners. False: no
+ * memory. */
 static bool add_polygon(hull_facets *facets, const qhT *qh, const facetT *facet)
 {
     uint32_t *corner = facets->corner + facets->start[facets->count], count = 0, first = 0, at;
@@ -93,7 +93,7 @@ static hull_result copy_facets(hull_facets *facets, const qhT *qh, uint32_t poin
         !array_reserve(&facets->corner, &facets->corner_room, corners, sizeof *facets->corner) ||
         !array_reserve(&facets->next, &facets->next_room, points, sizeof *facets->next))
         return HULL_NO_MEMORY;
-    memset(facets->next, 0, points * sizeof *facets->next); /* a point's number, were some facet's ridges no cycle */
+    memset(facets->next, 0, points * sizeof *facets->next); /* defined even if the ridges are not a cycle */
     facets->count = 0;
     facets->start[0] = 0;
     facets->outside = qh->max_outside;
@@ -110,7 +110,7 @@ static hull_result result_of(int code)
     switch (code) {
     case qh_ERRnone:
         return HULL_OK;
-    case qh_ERRinput: /* all have the same x, y or z: there are points enough, and the options are ours */
+    case qh_ERRinput: /* all points have the same x, y or z: there are enough points, and the options are ours */
     case qh_ERRsingular:
         return HULL_FLAT;
     case qh_ERRmem:
@@ -132,7 +132,7 @@ hull_result hull_take(hull_facets *facets, const roberts_vec3 *point, uint32_t c
     FILE *messages = fmemopen(said, sizeof said, "w");
     hull_result result = HULL_NO_MEMORY;
     if (qh && messages) {
-        /* it takes the points as not const, but neither turns nor joggles them, as other options would */
+        /* Qhull's parameter is not const, but only options that rotate or joggle the points would change them */
         coordT *coordinates = (coordT *)(uintptr_t)point;
         write_command(command, sizeof command, width);
         result = result_of(qh_new_qhull(qh, 3, (int)count, coordinates, False, command, NULL, messages));

@@ -1,8 +1,7 @@
 /* repeated_solids.c - solids that repeat one another, and components that follow one another in the file.
  *
- * The two faces of an edge pass it in opposite directions. A surface that is connected by its edges can therefore be
- * wound in two ways, each the reverse of the other. The edges of a pattern are stored both ways, and a solid uses one
- * of them. */
+ * The two faces of an edge pass it in opposite directions. So a surface that is connected by its edges can be wound in
+ * two ways, each the reverse of the other. The edges of a pattern are stored for both, and a solid uses one of them. */
 #include "model/repeated_solids.h"
 
 #include <stdlib.h>
@@ -11,7 +10,7 @@
 #include "base/lanes.h"
 #include "base/sets.h"
 
-/* Whether b[i] - a[i] == shift for all i < count. */
+/* Is b[i] - a[i] == shift for all i < count? */
 static inline bool same_run(const uint32_t *a, const uint32_t *b, uint32_t count, uint32_t shift)
 {
     const uint32_t *end = a + count;
@@ -24,7 +23,7 @@ static inline bool same_run(const uint32_t *a, const uint32_t *b, uint32_t count
     return true;
 }
 
-/* Takes the entry at `at` out of the recent patterns, and puts pattern `number` in front. */
+/* Removes the entry at `at` from the recent patterns, and puts pattern `number` in front. */
 static void make_first(repeated_solids *list, uint32_t at, uint32_t number)
 {
     for (; at > 0; at--)
@@ -32,8 +31,8 @@ static void make_first(repeated_solids *list, uint32_t at, uint32_t number)
     list->recent[0] = number;
 }
 
-/* The recent pattern that solid s repeats; ROBERTS_NONE: none. The solid begins at solid[s].face and solid[s].vertex,
- * and has faces below face_count. Corners are in the order of the input. */
+/* Returns the recent pattern that solid s repeats; ROBERTS_NONE: none. The solid begins at solid[s].face and
+ * solid[s].vertex, and has faces below face_count. Corners are in the order of the input. */
 static uint32_t match_recent(repeated_solids *list, const scene_solid *solid, uint32_t s, const uint32_t *start,
                              const uint32_t *corner, uint32_t face_count)
 {
@@ -51,7 +50,8 @@ static uint32_t match_recent(repeated_solids *list, const scene_solid *solid, ui
     return ROBERTS_NONE;
 }
 
-/* Gives solid s the pattern `number`; ROBERTS_NONE: a new one. Solids come in ascending order. False: no memory. */
+/* Gives solid s the pattern `number`; ROBERTS_NONE: a new one. Solids must come in ascending order. False: no
+ * memory. */
 static bool join_pattern(repeated_solids *list, uint32_t s, uint32_t number)
 {
     if (!array_reserve(&list->of, &list->of_room, (size_t)s + 1, sizeof *list->of))
@@ -78,7 +78,7 @@ bool repeated_find(repeated_solids *list, roberts_scene *scene)
             const scene_solid *first = solid + list->item[number].solid;
             if (first[1].face - first->face != solid[s + 1].face - solid[s].face ||
                 first[1].vertex - first->vertex != solid[s + 1].vertex - solid[s].vertex)
-                number = ROBERTS_NONE; /* it has more faces */
+                number = ROBERTS_NONE; /* the solid has more faces */
         }
         if (!join_pattern(list, s, number))
             return false;
@@ -105,7 +105,7 @@ static answer is_connected(const scene_edge *edge, uint32_t edges, uint32_t face
     return sets == 1 ? YES : NO;
 }
 
-/* Stores the edges of a pattern both ways, if it is closed and its faces are wound alike. */
+/* Stores the edges of a pattern for both windings, if it is closed and consistently wound. */
 static bool store_both(repeated_solid *p, roberts_scene *scene, edge_scratch *scratch)
 {
     const scene_solid *first = scene->solid + p->solid;
@@ -122,7 +122,7 @@ static bool store_both(repeated_solid *p, roberts_scene *scene, edge_scratch *sc
         scene->edge[p->stored + e] = edge;
         scene->edge[p->stored + edges + e] = (scene_edge){{edge.v[0], edge.v[1]}, {edge.f[1], edge.f[0]}};
     }
-    scene->shared += 2 * edges; /* no more than its two or more solids would need */
+    scene->shared += 2 * edges; /* no more than its two or more solids would need separately */
     return true;
 }
 
@@ -162,28 +162,27 @@ void repeated_free(repeated_solids *list)
 
 /* Components that follow one another in the file.
  *
- * In nearly all large files they do, and most repeat one that came shortly before: comparing the numbers of their faces
- * is enough to tell. Otherwise faces are added to a block until they are connected, use all vertices up to the
- * greatest, and satisfy Euler's formula for a sphere. A block may end too early. But if at the end each block has its
- * own vertices and all vertices are used, the blocks are the components. If not, union-find starts anew
- * (components.c). */
+ * In nearly all large files they do, and most repeat a recent one, which comparing the numbers of their faces shows.
+ * Otherwise faces are added to a block until they are connected, use all vertices up to the greatest, and satisfy
+ * Euler's formula for a sphere. A block may end too early. But if in the end each block has its own vertices and all
+ * vertices are used, the blocks are the components. If not, union-find starts from scratch (components.c). */
 
 enum { BLOCK_MOST = 4096 }; /* vertices of a block; larger components are found by union-find */
 
 /* Vertices are counted from the block's first. */
 typedef struct block {
     uint32_t parent[BLOCK_MOST]; /* as in sets.h */
-    uint32_t face[BLOCK_MOST];   /* 1 + the last face that has the vertex, counted from the block's first; 0: none */
+    uint32_t face[BLOCK_MOST];   /* 1 + the last face that has the vertex, relative to the block's first; 0: none */
     uint32_t seen;               /* 1 + the greatest vertex */
-    uint32_t used, sets;         /* vertices that faces have, and sets of them */
+    uint32_t used, sets;         /* number of vertices used by faces, and of sets of them */
 } block;
 
-/* Adds a face to the block. False: a vertex lies outside the block, or occurs twice. */
+/* Adds a face to the block. False: a vertex is outside the block, or is repeated. */
 static bool add_face(block *b, const uint32_t *corner, uint32_t count, uint32_t base, uint32_t number)
 {
     for (uint32_t i = 0; i < count; i++) {
         uint32_t v = corner[i] - base, root, other;
-        if (v >= BLOCK_MOST) /* or before the first, which wraps round */
+        if (v >= BLOCK_MOST) /* also true if v is before the first, by wrap-around */
             return false;
         for (; b->seen <= v; b->seen++)
             b->face[b->seen] = 0;
@@ -208,7 +207,7 @@ static bool is_complete(const block *b, uint32_t faces, uint32_t corners)
     return b->sets == 1 && b->used == b->seen && corners % 2 == 0 && b->used + faces == corners / 2 + 2;
 }
 
-/* How many faces from `first` on make up a block, whose vertices begin at `base`; 0: no block. */
+/* Returns how many faces from `first` on form a block whose vertices begin at `base`; 0: no block. */
 static uint32_t find_block(block *b, const polygons *faces, uint32_t first, uint32_t base)
 {
     const uint32_t *start = faces->start;
@@ -240,7 +239,7 @@ static bool next_block(scene_solid *solid, uint32_t s, const polygons *faces, re
         count = find_block(b, faces, solid[s].face, solid[s].vertex);
         used = b->used;
     }
-    if (count > 0) { /* else there may be no room for another */
+    if (count > 0) { /* otherwise there may be no room for another */
         solid[s + 1] = (scene_solid){.vertex = solid[s].vertex + used, .face = solid[s].face + count};
     }
     return count > 0;
@@ -249,7 +248,7 @@ static bool next_block(scene_solid *solid, uint32_t s, const polygons *faces, re
 bool components_in_a_row(roberts_scene *scene, const polygons *faces, repeated_solids *list, bool *found)
 {
     const uint32_t vertices = faces->vertex_count, count = faces->face_count;
-    scene_solid *solid = alloc_array((size_t)vertices / 3 + 1, sizeof *solid); /* each has three vertices at least */
+    scene_solid *solid = alloc_array((size_t)vertices / 3 + 1, sizeof *solid); /* each has three vertices or more */
     block *b = alloc_array(1, sizeof *b);
     bool enough = solid && b, more = count > 0 && enough;
     uint32_t s = 0, number;

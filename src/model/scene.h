@@ -1,19 +1,19 @@
 /* scene.h - bodies: the model in the form that all later stages read.
  *
- * Everything is numbered compactly and body by body: body s owns vertices solid[s].vertex .. solid[s+1].vertex - 1, and
- * likewise its faces and edges (a sentinel closes the list). `number` leads back to the input; in most files the
+ * Everything is numbered compactly and body by body: body s has the vertices solid[s].vertex .. solid[s+1].vertex - 1,
+ * and likewise its faces and edges. A sentinel closes the list. `number` leads back to the input; in most files the
  * numbers are the input's own, and the array is NULL. A stored edge counts vertices and faces from its body's first.
  *
- * Convex solids keep these invariants. Every face has at least three different corners, counter-clockwise seen from
+ * Convex solids satisfy these invariants. Every face has at least three different corners, counter-clockwise seen from
  * outside; its plane F has F > 0 inside. Every edge has two faces. Solids are numbered by their smallest input vertex
- * (several that share it: by their smallest face; a hull: by the smallest of all its points). A vertex that several
+ * (several that share it, by their smallest face; a hull, by the smallest of all its points). A vertex that several
  * solids use is stored once for each. Vertices and faces of a solid ascend by input number. Edges ascend by (number of
  * v[0], number of v[1]), and v[0] < v[1]. A face that is narrower than the tolerance, or has no area, is wound like its
- * neighbours and may take its plane from theirs; it is the only kind of face whose corners may turn the other way about
- * its plane.
+ * neighbours and may take its plane from theirs; only the corners of such a face may turn the other way about its
+ * plane.
  *
- * A scene with other bodies has a scene_surface. There a new vertex, where a border crosses itself, has no number
- * (ROBERTS_NONE), and an edge of one face has f[1] == ROBERTS_NONE, an edge of none both. */
+ * A scene with other bodies has a scene_surface. There, a new vertex where a border crosses itself has no number
+ * (ROBERTS_NONE). An edge with one face has f[1] == ROBERTS_NONE; an edge without faces has both. */
 #ifndef ROBERTS_MODEL_SCENE_H
 #define ROBERTS_MODEL_SCENE_H
 
@@ -23,8 +23,8 @@
 #define SCENE_TOLERANCE 1e-5
 
 typedef struct scene_solid {
-    uint32_t vertex, face, edge; /* first of each; the next solid's first ends them */
-    uint32_t stored;             /* where scene->edge has its edges */
+    uint32_t vertex, face, edge; /* the body's first of each; the next body's first ends them */
+    uint32_t stored;             /* index of its edges in scene->edge */
 } scene_solid;
 
 typedef struct scene_edge {
@@ -32,19 +32,19 @@ typedef struct scene_edge {
     uint32_t f[2]; /* faces; v[0] -> v[1] runs counter-clockwise round f[0] */
 } scene_edge;
 
-/* What a body that is not convex has beside its arrays in the scene. Its scene faces are convex pieces of the faces of
- * the input, which are their scene_face_number(). The corners of each run counter-clockwise as seen from where its
- * plane has F < 0; nothing more is promised of its winding. */
+/* What a body that is not convex has besides its arrays in the scene. Its scene faces are convex pieces of the faces of
+ * the input, which scene_face_number() gives. The corners of each piece run counter-clockwise, seen from where its
+ * plane has F < 0; its winding means nothing else. */
 enum {
     EDGE_TURNED_0 = 1, /* face f[0] of the edge is on the right of v[0] -> v[1], not on the left */
-    EDGE_TURNED_1 = 2, /* the same for f[1] */
+    EDGE_TURNED_1 = 2, /* face f[1] is on the right */
     EDGE_MANY = 4,     /* it has more than two faces: see scene_many */
     EDGE_CUT = 8,      /* a cut between pieces of one non-planar face: not an edge of the file */
     EDGE_PART = 16,    /* a part of an edge of the file: see scene_part */
 };
 #define MANY_TURNED 0x80000000u /* a flag in scene_surface.many_face: the face is on the right of v[0] -> v[1] */
 
-/* The faces of an edge of more than two: many_face[first] .. many_face[end - 1], compact numbers and perhaps
+/* The faces of an edge with more than two: many_face[first] .. many_face[end - 1], compact numbers, possibly with
  * MANY_TURNED. */
 typedef struct scene_many {
     uint32_t edge, first, end;
@@ -52,54 +52,54 @@ typedef struct scene_many {
 
 /* An edge that is a part of an edge of the file. */
 typedef struct scene_part {
-    uint32_t edge, v[2]; /* v as in the input, v[0] < v[1] */
-    double t0, t1;       /* along it */
+    uint32_t edge, v[2]; /* v: numbers in the input, v[0] < v[1] */
+    double t0, t1;       /* parameters along the edge of the file */
 } scene_part;
 
 typedef struct scene_surface {
     uint8_t *kind;      /* [solid_count] roberts_body_kind */
     uint8_t *smooth;    /* [solid_count] 1: a curved surface, many faces that mostly meet at small angles */
-    uint8_t *edge_is;   /* [edge_count] EDGE_..., for bodies that are not convex */
-    uint32_t *plane_of; /* [face_count] faces with the same number here are pieces of one planar face */
-    scene_many *many;   /* [many_count] by edge */
+    uint8_t *edge_is;   /* [edge_count] EDGE_... flags, for bodies that are not convex */
+    uint32_t *plane_of; /* [face_count] faces with equal entries are pieces of one planar face */
+    scene_many *many;   /* [many_count] sorted by edge */
     uint32_t *many_face;
-    scene_part *part; /* [part_count] by edge */
+    scene_part *part; /* [part_count] sorted by edge */
     uint32_t many_count, part_count;
 } scene_surface;
 
-/* Arrays that belong to the mesh while the scene is built. */
+/* Arrays that belong to the mesh while the scene is being built. */
 enum { LENT_POINT = 1, LENT_FACE_START = 2, LENT_CORNER = 4 };
 
 struct roberts_scene {
     uint32_t solid_count, vertex_count, face_count, edge_count;
-    /* How many entries of `edge` serve several solids each. They come first, pattern by pattern: once as the first
-     * solid of the pattern is wound in the input, once the other way round. */
+    /* How many entries of `edge` are shared by several solids. They come first, pattern by pattern: once as the first
+     * solid of the pattern is wound in the input, then for the reverse winding. */
     uint32_t shared;
     unsigned lent;   /* LENT_...; none once the scene is built */
-    uint8_t *turned; /* [face_count] 1: its corners run the other way round than in the mesh; NULL once it is built */
+    uint8_t *turned; /* [face_count] 1: corners run the other way round than in the mesh; NULL once built */
     size_t corner_count;
     scene_solid *solid;    /* [solid_count + 1] */
-    roberts_vec3 *point;   /* [vertex_count] as read, so that exact arithmetic can go back to it */
-    roberts_vec3 *low;     /* [vertex_count] what rounding took from `point`; NULL: nothing */
-    uint32_t *number;      /* [vertex_count] see scene_vertex_number(); NULL: the same */
+    roberts_vec3 *point;   /* [vertex_count] as read, so that exact arithmetic can use the original values */
+    roberts_vec3 *low;     /* [vertex_count] rounding error of `point`; NULL: none */
+    uint32_t *number;      /* [vertex_count] see scene_vertex_number(); NULL: numbers as in the input */
     uint32_t *face_start;  /* [face_count + 1] into corner; a face has fewer than 2^32 corners in all */
     uint32_t *corner;      /* [corner_count] compact vertex numbers */
-    plane *face_plane;     /* [face_count] of points relative to `centre` */
+    plane *face_plane;     /* [face_count] for points relative to `centre` */
     float *face_deviation; /* [face_count] see scene_deviation() */
     float *face_width;     /* [face_count] see scene_width() */
-    uint32_t *face_number; /* [face_count] see scene_face_number(); NULL: the same */
+    uint32_t *face_number; /* [face_count] see scene_face_number(); NULL: numbers as in the input */
     scene_edge *edge;      /* see scene_edge_at() */
-    roberts_color *vertex_color, *face_color; /* as in the input, compact numbering; NULL where there are none */
-    roberts_vec3 box_min, box_max;            /* box round all vertices that faces use */
+    roberts_color *vertex_color, *face_color; /* as in the input, in compact numbering; NULL: none */
+    roberts_vec3 box_min, box_max;            /* box of all vertices that faces use */
     roberts_vec3 centre;                      /* middle of that box */
     scene_surface *surface;                   /* NULL: all bodies are convex */
     double float32_step;                      /* see mesh_float32_step() */
-    roberts_group *group;                     /* [group_count] as in the input; NULL where there are none */
+    roberts_group *group;                     /* [group_count] as in the input; NULL: none */
     size_t group_count;
-    double unit; /* about the box's size, a power of two; of face_deviation and face_width, and of view space */
+    double unit; /* a power of two, about the size of the box; unit of face_deviation, face_width and view space */
 };
 
-/* Is the segment a part of a line in which faces cross? Where bodies are one, such a line has another class. */
+/* Is the segment a part of a line where faces cross? With `--union`, such a line may have another class. */
 static inline bool scene_crosses(const roberts_segment *segment)
 {
     return segment->line == ROBERTS_INTERSECTION || segment->v0 == ROBERTS_NONE;
@@ -110,33 +110,33 @@ static inline bool scene_is_convex(const roberts_scene *scene, uint32_t s)
     return !scene->surface || scene->surface->kind[s] == ROBERTS_CONVEX;
 }
 
-/* The entry of an edge that is EDGE_MANY. */
+/* Returns the entry of an edge that is EDGE_MANY. */
 const scene_many *scene_many_at(const roberts_scene *scene, uint32_t edge);
 
-/* The entry of an edge that is EDGE_PART. */
+/* Returns the entry of an edge that is EDGE_PART. */
 const scene_part *scene_part_at(const roberts_scene *scene, uint32_t edge);
 
 void scene_surface_free(scene_surface *s);
 
-/* The vertex in the input; of welded vertices the smallest. */
+/* Returns the number of the vertex in the input; for welded vertices, the smallest. */
 static inline uint32_t scene_vertex_number(const roberts_scene *scene, uint32_t v)
 {
     return scene->number ? scene->number[v] : v;
 }
 
-/* The face in the input; ROBERTS_NONE: a face of a hull. */
+/* Returns the number of the face in the input; ROBERTS_NONE: a face of a hull. */
 static inline uint32_t scene_face_number(const roberts_scene *scene, uint32_t f)
 {
     return scene->face_number ? scene->face_number[f] : f;
 }
 
-/* Edge e, which is one of solid s, as it is stored: vertices and faces count from the solid's first. */
+/* Returns edge e of solid s as it is stored: vertices and faces count from the solid's first. */
 static inline const scene_edge *scene_edge_stored(const roberts_scene *scene, uint32_t s, uint32_t e)
 {
     return scene->edge + scene->solid[s].stored + (e - scene->solid[s].edge);
 }
 
-/* Edge e of solid s with compact numbers. */
+/* Returns edge e of solid s with compact numbers. */
 static inline scene_edge scene_edge_at(const roberts_scene *scene, uint32_t s, uint32_t e)
 {
     const scene_solid *solid = scene->solid + s;
@@ -145,9 +145,9 @@ static inline scene_edge scene_edge_at(const roberts_scene *scene, uint32_t s, u
                         {edge->f[0] + solid->face, edge->f[1] + solid->face}};
 }
 
-/* The greatest distance of a corner from the fitted plane, and the width of the face: its area over its greatest chord,
- * which is between half of its least width and all of it. Both in model units, and both bounds: the deviation is
- * rounded up to a float and the width down (to 1e-45 of the scene's size). */
+/* The greatest distance of a corner from the fitted plane, and the width of the face: its area divided by its greatest
+ * chord, which is between half of its least width and all of it. Both are in model units, and both are bounds: the
+ * deviation is rounded up to a float and the width down (to 1e-45 of the scene's size). */
 static inline double scene_deviation(const roberts_scene *scene, uint32_t face)
 {
     return scene->unit * (double)scene->face_deviation[face];
@@ -158,7 +158,7 @@ static inline double scene_width(const roberts_scene *scene, uint32_t face)
     return scene->unit * (double)scene->face_width[face];
 }
 
-/* More than rounding to a float can take away. */
+/* Factors that outweigh the rounding to float. */
 #define SCENE_UPWARD (1.0 + 0x1p-23)
 #define SCENE_DOWNWARD (1.0 - 0x1p-23)
 
@@ -168,7 +168,7 @@ static inline void scene_set_bounds(roberts_scene *scene, uint32_t face, double 
     scene->face_width[face] = (float)(width / scene->unit * SCENE_DOWNWARD);
 }
 
-/* How many corners the faces of solid s have; in a closed solid twice the number of edges. */
+/* Returns the number of corners of the faces of solid s; in a closed solid, twice the number of edges. */
 static inline uint32_t scene_corners(const roberts_scene *scene, uint32_t s)
 {
     return scene->face_start[scene->solid[s + 1].face] - scene->face_start[scene->solid[s].face];

@@ -1,4 +1,4 @@
-/* scene_arrays.c - how the scene's arrays are allocated, filled solid by solid, and freed.
+/* scene_arrays.c - the scene's arrays: allocated, filled solid by solid, freed.
  *
  * To fill them, faces are sorted by solid, and the vertices of each solid get compact numbers. If the numbers of a
  * solid's vertices are close together, a table translates them; otherwise they are sorted and searched. */
@@ -16,7 +16,7 @@
 
 /* ---- faces with every corner once ------------------------------------------------------------------------------ */
 
-/* Rule: a corner that repeats an earlier one of its face is left out, wherever in the face it is. A face of fewer than
+/* A corner that repeats an earlier one of its face is left out, wherever it is in the face. A face with fewer than
  * three corners does not count. */
 
 roberts_status polygons_of_mesh(polygons *faces, const roberts_mesh *mesh, roberts_error *error)
@@ -74,9 +74,7 @@ void polygons_free(polygons *faces)
 
 enum { LEAST_EXPONENT = -1000 }; /* of the unit: 1 / 2^-1074 would overflow */
 
-enum {
-    DENSE = 4
-}; /* a table is used if the range of vertex numbers is at most this many times the number of corners */
+enum { DENSE = 4 }; /* use a table if the range of vertex numbers is at most this many times the number of corners */
 
 bool scene_alloc_arrays(roberts_scene *scene, kept_numbers kept)
 {
@@ -197,7 +195,8 @@ typedef struct corner_range {
     uint32_t from, to, least, most;
 } corner_range;
 
-/* Numbers the vertices of these corners ascending, by marking them in a table of their range. */
+/* Numbers the vertices of these corners in ascending order, by marking them in a table of their range. False: no
+ * memory. */
 static bool number_dense(roberts_scene *scene, corner_range r, uint32_t **mark, size_t *room)
 {
     const size_t span = (size_t)(r.most - r.least) + 1;
@@ -217,7 +216,7 @@ static bool number_dense(roberts_scene *scene, corner_range r, uint32_t **mark, 
     return true;
 }
 
-/* The same by sorting, where the solid's vertices are scattered over the file. */
+/* Numbers them by sorting, for a solid whose vertices are scattered over the file. False: no memory. */
 static bool number_sparse(roberts_scene *scene, uint32_t from, uint32_t to, uint32_t **sorted, size_t *room)
 {
     uint32_t first = scene->vertex_count, count = to - from;
@@ -236,7 +235,7 @@ static bool number_sparse(roberts_scene *scene, uint32_t from, uint32_t to, uint
     return true;
 }
 
-/* Turns the mesh's vertex numbers into compact ones, solid by solid. */
+/* Turns the mesh's vertex numbers into compact ones, solid by solid. False: no memory. */
 static bool number_vertices(roberts_scene *scene)
 {
     uint32_t *scratch = NULL;
@@ -263,7 +262,7 @@ static bool number_vertices(roberts_scene *scene)
     return done;
 }
 
-/* Frees the unused ends of the arrays of vertices, if realloc() can. */
+/* Shrinks the arrays of vertices to their used size, if realloc() can. */
 static void trim(roberts_scene *scene)
 {
     void *smaller = realloc(scene->point, (scene->vertex_count + (size_t)1) * sizeof *scene->point);
@@ -286,7 +285,7 @@ bool scene_lay_out(roberts_scene *scene, const polygons *faces, const uint32_t *
             corners += polygon_size(faces, f);
         }
     scene->corner_count = corners;
-    scene->vertex_count = (uint32_t)corners; /* at most */
+    scene->vertex_count = (uint32_t)corners; /* upper bound */
     if (!scene_alloc_arrays(scene, (kept_numbers){false, false}))
         return false;
     place_faces(scene, faces, of);

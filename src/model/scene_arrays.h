@@ -1,4 +1,4 @@
-/* scene_arrays.h - how the scene's arrays are allocated, filled solid by solid, and freed. */
+/* scene_arrays.h - the scene's arrays: allocated, filled solid by solid, freed. */
 #ifndef ROBERTS_MODEL_SCENE_ARRAYS_H
 #define ROBERTS_MODEL_SCENE_ARRAYS_H
 
@@ -6,20 +6,20 @@
 
 /* ---- faces with every corner once ------------------------------------------------------------------------------ */
 
-/* Faces numbered as in the mesh. The arrays belong to the mesh until the faces are cleaned. */
+/* Faces, numbered as in the mesh. The arrays belong to the mesh until the faces are cleaned. */
 typedef struct polygons {
     uint32_t face_count, vertex_count;
     const uint32_t *start;            /* [face_count + 1] into corner */
     const uint32_t *corner;           /* vertex numbers of the mesh */
-    uint32_t *own_start, *own_corner; /* what polygons_free() releases */
-    size_t repeated;                  /* corners that cleaning has left out */
+    uint32_t *own_start, *own_corner; /* arrays that polygons_free() releases */
+    size_t repeated;                  /* number of corners left out by cleaning */
 } polygons;
 
-/* Takes the faces as they are in the mesh. Returns ROBERTS_OK or _NO_MEMORY (more than 32 bits can count). */
+/* Takes the faces unchanged from the mesh. Returns ROBERTS_OK or _NO_MEMORY (more than 32 bits can count). */
 roberts_status polygons_of_mesh(polygons *faces, const roberts_mesh *mesh, roberts_error *error);
 
-/* Replaces each vertex number v by name[v] (NULL: leaves it) and leaves out the corners that then repeat an earlier one
- * of their face. False: no memory, and nothing has changed. */
+/* Replaces each vertex number v by name[v] (NULL: no change) and leaves out the corners that then repeat an earlier one
+ * of their face. False: no memory; nothing has changed. */
 bool polygons_clean(polygons *faces, const uint32_t *name);
 
 void polygons_free(polygons *faces);
@@ -37,7 +37,7 @@ typedef struct kept_numbers {
 } kept_numbers;
 
 /* Allocates the arrays that the scene does not have yet, by its counts of solids, vertices, faces and corners. Numbers
- * that are kept need no array; edges come later. False: no memory; roberts_scene_free() then frees what there is. */
+ * that are kept need no array; edges come later. False: no memory; then call roberts_scene_free(). */
 bool scene_alloc_arrays(roberts_scene *scene, kept_numbers kept);
 
 /* Sets the scene's box, its centre and its unit. */
@@ -56,8 +56,8 @@ void scene_clear(roberts_scene *scene);
 void scene_copy_corners(roberts_scene *scene, const polygons *faces);
 
 /* Allocates the scene's arrays and fills them with solids 0 .. solid_count - 1. Face f belongs to solid of[f]
- * (ROBERTS_NONE: to none). A vertex that several solids use is copied for each. As after components_lay_out(), there
- * are no planes and no edges, and corners are in the order of the file. False: no memory, or too many vertices for 32
+ * (ROBERTS_NONE: to none). A vertex used by several solids is copied for each. As after components_lay_out(), there are
+ * no planes and no edges, and corners are in the order of the file. False: no memory, or too many vertices for 32
  * bits. */
 bool scene_lay_out(roberts_scene *scene, const polygons *faces, const uint32_t *of, uint32_t solid_count,
                    const roberts_vec3 *point);

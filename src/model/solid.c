@@ -15,15 +15,15 @@
 
 /* ---- a frame of its own ---------------------------------------------------------------------------------------- */
 
-/* Differences to a vertex of the solid are exact or nearly so, wherever the solid is. Scaling by a power of two changes
- * no digit, so a solid times 2^k gets the same planes. */
+/* Differences from a vertex of the solid are exact or nearly so, wherever the solid is. Scaling by a power of two
+ * changes no digit, so a solid times 2^k gets the same planes. */
 
-/* A solid beyond these sizes is scaled. Then fourth powers of its lengths (squared areas), and of lengths a
- * thousand-millionth of it, stay far from the ends of the range of doubles. */
+/* Solids outside these sizes are scaled. Then fourth powers of their lengths (squared areas), and of lengths 1e-9 times
+ * as large, stay well within the range of doubles. */
 static const double LARGE = 0x1p200, SMALL = 0x1p-200;
 
-/* A solid thinner than this part of its size is flat. This is far more than rounding leaves of a plate without
- * thickness (about 1e-16), and far less than any plate that somebody would draw. */
+/* Fraction of the size: a thinner solid is flat. This is far more than rounding leaves of a plate without thickness
+ * (about 1e-16), and far less than any plate that somebody would draw. */
 static const double FLAT_PART = 1e-9;
 
 static bool make_room(solid_frame *frame)
@@ -33,14 +33,14 @@ static bool make_room(solid_frame *frame)
            array_reserve(&frame->ring, &frame->ring_room, frame->vertex_count, sizeof *frame->ring);
 }
 
-/* The power of two that brings a size beyond the limits to about 1; otherwise 1. */
+/* Returns the power of two that scales a size outside the limits to about 1; otherwise 1. */
 static double scale_for(double size)
 {
     int exponent;
     if ((size <= LARGE && size >= SMALL) || size == 0.0)
         return 1.0;
     frexp(size, &exponent);
-    return ldexp(1.0, exponent < -1000 ? 1000 : -exponent); /* denormal sizes: 2^1074 would overflow */
+    return ldexp(1.0, exponent < -1000 ? 1000 : -exponent); /* for denormal sizes, 2^1074 would overflow */
 }
 
 /* Moves `count` points so that the first is at the origin, and scales them; returns their sum. */
@@ -98,7 +98,7 @@ roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint3
     frame->size = vec3_length(vec3_scale(scale, diagonal));
     frame->allowed = tolerance * (largest * scale > frame->size ? largest * scale : frame->size);
     frame->flat = FLAT_PART * frame->size;
-    /* if a number is not finite, neither is the sum */
+    /* if any number is not finite, neither is the sum */
     return largest <= MESH_COORDINATE_MAX && isfinite(sum.x + sum.y + sum.z) ? ROBERTS_OK : ROBERTS_BAD_NUMBER;
 }
 
@@ -138,18 +138,18 @@ void frame_free(solid_frame *frame)
 
 /* ---- planes of faces ------------------------------------------------------------------------------------------- */
 
-/* The planes of a solid's faces, and which way round their corners run.
+/* The planes of a solid's faces, and the direction of their corners.
  *
- * Nearly all faces have three or four corners: they are fitted two at a time, each with the next of its kind. */
+ * Nearly all faces have three or four corners. They are fitted two at a time, each with the next of its kind. */
 
-/* Counter-clockwise about the inward normal is clockwise seen from outside. */
+/* A face that is counter-clockwise about its inward normal is clockwise seen from outside. */
 static void turn(solid_frame *frame, roberts_scene *scene, uint32_t f)
 {
     scene_turn_face(scene, frame->face_first + f);
     frame->turned++;
 }
 
-/* Notes what the checks need to know about all faces together. */
+/* Updates what the checks need to know about all faces together. */
 static void note(solid_frame *frame, const local_face *face)
 {
     frame->any_lean |= face->lean;
@@ -157,7 +157,7 @@ static void note(solid_frame *frame, const local_face *face)
     frame->any_shallow |= face->depth < frame->flat;
 }
 
-/* Fills in face f, of five corners or more. */
+/* Fits face f, which has five corners or more. */
 static void fit_face(solid_frame *frame, roberts_scene *scene, uint32_t f)
 {
     local_face *face = &frame->face[f];
@@ -180,16 +180,16 @@ static void fit_face(solid_frame *frame, roberts_scene *scene, uint32_t f)
     frame_store(frame, scene, f, side * fit.mean);
 }
 
-/* Two faces of three or four corners each, lane by lane; they may be the same. */
+/* Two faces of three or four corners each, one per lane; they may be the same. */
 typedef struct two_faces {
-    uint32_t f, g;         /* counted from the solid's first */
+    uint32_t f, g;         /* relative to the solid's first */
     const uint32_t *c, *d; /* their corners */
     two_vec3 origin;       /* their first corners */
     two_planes fit;
-    two side; /* -1 where the fitted normal points outward */
+    two side; /* -1 if the fitted normal points outward */
 } two_faces;
 
-/* Corner k of both. */
+/* Returns corner k of both. */
 static inline two_vec3 corners_at(const solid_frame *frame, const two_faces *t, uint32_t k)
 {
     const roberts_vec3 *point = frame->point;
@@ -211,7 +211,7 @@ static inline two_faces take_two(const solid_frame *frame, const roberts_scene *
     return t;
 }
 
-/* The planes in the frame and in the scene. */
+/* Stores the planes in the frame and in the scene. */
 static inline void store_planes(const solid_frame *frame, roberts_scene *scene, const two_faces *t)
 {
     local_face *p = &frame->face[t->f], *q = &frame->face[t->g];
@@ -248,7 +248,7 @@ static inline void store_sizes(const solid_frame *frame, roberts_scene *scene, c
     p->lean = q->lean = false;
 }
 
-/* A face without area: as fitted_plane has it. */
+/* Stores a face without area, as fitted_plane defines it. */
 static void store_empty(solid_frame *frame, roberts_scene *scene, uint32_t f)
 {
     frame->face[f] = (local_face){.lean = true};
@@ -256,7 +256,7 @@ static void store_empty(solid_frame *frame, roberts_scene *scene, uint32_t f)
     frame_store(frame, scene, f, 0.0);
 }
 
-/* Fills in faces f and g, both of `corners` corners, 3 or 4; f and g may be the same. */
+/* Fits faces f and g, which both have `corners` corners, 3 or 4; f and g may be the same. */
 static void fit_two(solid_frame *frame, roberts_scene *scene, uint32_t f, uint32_t g, uint32_t corners)
 {
     two_faces t = take_two(frame, scene, f, g, corners);
@@ -278,8 +278,8 @@ static void fit_two(solid_frame *frame, roberts_scene *scene, uint32_t f, uint32
         store_empty(frame, scene, g);
 }
 
-/* Fits faces two at a time. Neighbours in the list with the same number of corners go together; others wait for the
- * next of their kind. */
+/* Fits faces two at a time. Adjacent faces with the same number of corners go together; others wait for the next of
+ * their kind. */
 static void fit_all(solid_frame *frame, roberts_scene *scene)
 {
     uint32_t waiting[2] = {ROBERTS_NONE, ROBERTS_NONE};
@@ -319,17 +319,17 @@ void frame_fit_faces(solid_frame *frame, roberts_scene *scene)
 
 /* ---- faces that are too narrow --------------------------------------------------------------------------------- */
 
-/* Some faces are too narrow to tell by themselves where their plane lies and which side is the inner one.
+/* Some faces are too narrow to determine their own plane and inner side.
  *
  * If coordinates are given to six digits, a face may be narrower than the rounding. Its plane then points anywhere, and
  * may cut the solid. There are also triangles without area, where a corner of one face lies on a side of another. Such
  * faces are kept, since the surface is closed only with them. They take winding and plane from their neighbours. The
- * mean of two adjacent planes touches the solid along their common edge: it hides nothing that its
- * neighbours do not hide. */
+ * mean of two adjacent planes touches the solid along their common edge, so it hides nothing that its neighbours do not
+ * hide. */
 
 enum { UNSEEN, KEEP, TURN };
 
-/* Which edges each face has: edge[start[f]] .. edge[start[f + 1] - 1]. */
+/* The edges of each face: edge[start[f]] .. edge[start[f + 1] - 1]. */
 typedef struct face_edges {
     uint32_t *start, *edge;
 } face_edges;
@@ -350,7 +350,7 @@ static bool collect_edges(face_edges *of, const solid_frame *frame)
     return true;
 }
 
-/* Decides for all faces connected with `seed` by edges whether to keep or to turn them. */
+/* Decides for all faces connected with `seed` by edges whether to keep or turn them. */
 static void flood(const solid_frame *frame, const face_edges *of, const uint8_t *alike, uint32_t seed,
                   uint8_t *decision, uint32_t *queue)
 {
@@ -379,7 +379,7 @@ static void turn_face(roberts_scene *scene, solid_frame *frame, uint32_t f)
     *global = (plane){-global->a, -global->b, -global->c, -global->d};
 }
 
-/* Do the two faces of each edge pass it in opposite directions once the decisions are carried out? */
+/* Would the two faces of each edge pass it in opposite directions after these decisions? */
 static bool agree(const solid_frame *frame, const uint8_t *alike, const uint8_t *decision)
 {
     for (uint32_t e = 0; e < frame->edge_count; e++) {
@@ -391,9 +391,9 @@ static bool agree(const solid_frame *frame, const uint8_t *alike, const uint8_t 
     return true;
 }
 
-/* Winds the faces of a solid alike, starting from the widest, where the barycentre has not managed it (EDGES_MIXED).
- * Turning a face reverses its corners and its plane. Edges have to be paired again afterwards. Returns ROBERTS_OK,
- * _NO_MEMORY or _NOT_CONVEX (the surface has one side only). */
+/* Winds the faces of a solid consistently, starting from the widest, if the barycentre did not achieve it
+ * (EDGES_MIXED). Turning a face reverses its corners and its plane. Edges must be paired again afterwards. Returns
+ * ROBERTS_OK, _NO_MEMORY or _NOT_CONVEX (the surface is one-sided). */
 static roberts_status narrow_wind(roberts_scene *scene, solid_frame *frame, const edge_scratch *edges)
 {
     face_edges of = {0};
@@ -428,7 +428,7 @@ static void add_neighbour(const solid_frame *frame, const scene_edge *edge, uint
         *sum = vec3_add(*sum, vec3_scale(vec3_length(vec3_sub(b, a)), (roberts_vec3){face->F.a, face->F.b, face->F.c}));
 }
 
-/* An inward normal for a face without area or usable neighbours: from its line toward the barycentre. */
+/* Returns an inward normal for a face without area or usable neighbours: from its line toward the barycentre. */
 static roberts_vec3 toward_barycentre(const solid_frame *frame, roberts_vec3 origin, uint32_t count)
 {
     roberts_vec3 inward = vec3_sub(frame->barycentre, origin), chord = {0, 0, 0};
@@ -487,9 +487,9 @@ static roberts_status narrow_mend(roberts_scene *scene, solid_frame *frame)
 
 /* ---- one solid ------------------------------------------------------------------------------------------------- */
 
-/* The barycentre, the mean of the vertices, lies inside a convex solid. So it decides which side of each face is the
- * inner one, whatever the winding in the file. The two faces of each edge then pass it in opposite directions. Where
- * they do not, faces too narrow to decide are wound like their neighbours. */
+/* The barycentre, the mean of the vertices, lies inside a convex solid. So it decides the inner side of each face,
+ * whatever the winding in the file. The two faces of each edge then pass it in opposite directions. If not, faces too
+ * narrow to decide are wound like their neighbours. */
 
 /* Are the solid's edges stored with a pattern? Such a solid is closed. */
 static bool is_stored(const roberts_scene *scene, uint32_t s)
@@ -497,7 +497,7 @@ static bool is_stored(const roberts_scene *scene, uint32_t s)
     return scene->solid[s].stored < scene->shared;
 }
 
-/* Has the surface holes? Then V + F < E + 2; in solids that share vertices it would be greater. */
+/* Does the surface have holes? Then V + F < E + 2. For solids that share vertices, V + F > E + 2. */
 static bool has_holes(const roberts_scene *scene, uint32_t s)
 {
     const scene_solid *first = scene->solid + s;
@@ -517,7 +517,8 @@ build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t
     return pairing == EDGES_OPEN || !edges_like_a_sphere(scene, s) ? BUILD_OPEN : BUILD_OK;
 }
 
-/* Finds the edges of solid s, whose faces have been wound: its pattern's if all or none of the faces were turned. */
+/* Finds the edges of solid s after its faces have been wound. If all or none of its faces were turned, these are its
+ * pattern's edges. */
 static edge_pairing pair(const roberts_scene *scene, builder *work, uint32_t s)
 {
     solid_frame *frame = &work->frame;
@@ -541,8 +542,8 @@ static roberts_status wind(roberts_scene *scene, builder *work, uint32_t s, robe
     return edges_pair(scene, s, &work->edges) == EDGES_PAIRED ? ROBERTS_OK : error_no_memory(error);
 }
 
-/* Refuses a solid with a vertex that is not a finite number. An open solid is refused later, when it is welded; so the
- * message is the same whether the solid was built or only asked. */
+/* Refuses a solid with a vertex that is not a finite number. An open solid is refused later, when it is welded, so the
+ * message is the same whether the solid was built or only checked. */
 static build_result refuse_numbers(roberts_scene *scene, builder *work, uint32_t s, bool must_close,
                                    roberts_error *error)
 {
@@ -554,8 +555,8 @@ static build_result refuse_numbers(roberts_scene *scene, builder *work, uint32_t
     return BUILD_REFUSED;
 }
 
-/* Refuses a solid with F < 0 inside for some face. A face that was turned by its neighbours may be within a wide
- * tolerance and still look away from the inside. */
+/* Refuses a solid in which some face has F < 0 inside. A face that was turned to match its neighbours may be within a
+ * wide tolerance and still face the wrong way. */
 static roberts_status refuse_turned(const roberts_scene *scene, const solid_frame *frame, roberts_error *error)
 {
     for (uint32_t f = 0; f < frame->face_count; f++)

@@ -1,4 +1,4 @@
-/* solid.h - one solid: its frame, and how planes, winding, edges and checks make it. */
+/* solid.h - one solid: its frame, planes, winding, edges and checks. */
 #ifndef ROBERTS_MODEL_SOLID_H
 #define ROBERTS_MODEL_SOLID_H
 
@@ -9,16 +9,16 @@
 
 /* A face in its solid's frame. */
 typedef struct local_face {
-    plane F;            /* inward; 0,0,0,0 where the face has no area */
+    plane F;            /* inward; 0,0,0,0 if the face has no area */
     double depth;       /* F at the barycentre, >= 0 */
     double deviation;   /* greatest distance of a corner from the plane */
-    double area, width; /* width: area over greatest chord */
+    double area, width; /* width: area divided by greatest chord */
     bool strict;        /* strictly convex as a polygon, decided without a tolerance */
-    bool lean;          /* it takes its plane from its neighbours, because its own is not good enough or has no area */
+    bool lean; /* it takes its plane from its neighbours, because its own is not good enough or it has no area */
 } local_face;
 
 /* One solid in a frame of its own: the first vertex is the origin, and a very large or very small solid is scaled by a
- * power of two. The arrays are used for solid after solid. Zeroed = empty. */
+ * power of two. The arrays are reused for solid after solid. Zeroed = empty. */
 typedef struct solid_frame {
     uint32_t solid;           /* its number */
     const roberts_mesh *mesh; /* for messages */
@@ -28,11 +28,11 @@ typedef struct solid_frame {
     const scene_edge *edge; /* [edge_count] as a scene stores them; set when they are paired */
     uint32_t edge_count;
     roberts_vec3 *ring;      /* room for the corners of any one face */
-    uint32_t turned;         /* how many faces are clockwise in the input, seen from outside */
+    uint32_t turned;         /* number of faces that are clockwise in the input, seen from outside */
     uint32_t widest;         /* the face with the greatest width */
-    bool any_lean;           /* some face is lean */
+    bool any_lean;           /* some face is `lean` */
     bool any_doubt;          /* some face is not strictly convex, or not planar within the tolerance */
-    bool any_shallow;        /* the barycentre is nearer to some face than `flat` */
+    bool any_shallow;        /* the barycentre is closer than `flat` to some face */
     roberts_vec3 barycentre; /* the mean of the vertices, which is inside a convex solid */
     double unit;             /* model units per unit of this frame */
     double scene_units;      /* the scene's units (of deviation and width) per unit of this frame */
@@ -42,21 +42,21 @@ typedef struct solid_frame {
     size_t point_room, face_room, ring_room;
 } solid_frame;
 
-/* Enters solid s: makes room, moves and scales its vertices, measures it. Leaves frame->face unset.
- * Returns ROBERTS_OK, _NO_MEMORY or _BAD_NUMBER (a coordinate is not finite or beyond 1e150). */
+/* Enters solid s: makes room, moves and scales its vertices, and measures it. Leaves frame->face unset. Returns
+ * ROBERTS_OK, _NO_MEMORY or _BAD_NUMBER (a coordinate is not finite or exceeds 1e150). */
 roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint32_t s, double tolerance);
 
-/* Copies the corners of face f (counted from the solid's first), relative to the first corner, to frame->ring. Returns
- * their number. */
+/* Copies the corners of face f (relative to the solid's first face) to frame->ring, relative to the first corner.
+ * Returns their number. */
 uint32_t frame_ring(const solid_frame *frame, const roberts_scene *scene, uint32_t f);
 
-/* The first corner of face f. */
+/* Returns the first corner of face f. */
 static inline roberts_vec3 frame_origin(const solid_frame *frame, const roberts_scene *scene, uint32_t f)
 {
     return frame->point[scene->corner[scene->face_start[frame->face_first + f]] - frame->vertex_first];
 }
 
-/* Fits the plane of each face, and turns plane and corners so that the barycentre is inside. */
+/* Fits the plane of each face, and orients plane and corners so that the barycentre is inside. */
 void frame_fit_faces(solid_frame *frame, roberts_scene *scene);
 
 /* Writes face f's plane, deviation and width to the scene, in model units and relative to the scene's centre; `mean`:
@@ -67,9 +67,9 @@ void frame_free(solid_frame *frame);
 
 /* ---- one solid ------------------------------------------------------------------------------------------------- */
 
-/* From the faces of a component to a solid: planes, winding, edges, checks. */
+/* Turns the faces of a component into a solid: planes, winding, edges, checks. */
 
-/* Scratch memory that serves solid after solid; zeroed = empty. */
+/* Scratch memory, reused for solid after solid; zeroed = empty. */
 typedef struct builder {
     solid_frame frame;
     edge_scratch edges;
@@ -78,21 +78,21 @@ typedef struct builder {
 
 typedef enum build_result {
     BUILD_OK,
-    BUILD_OPEN,    /* some edge has not two faces, or the surface has holes or consists of several */
-    BUILD_REFUSED, /* `error` says why */
+    BUILD_OPEN,    /* some edge does not have two faces, or the surface has holes or is disconnected */
+    BUILD_REFUSED, /* `error` has the reason */
 } build_result;
 
-/* Is solid s closed? Each edge has two faces, and V - E + F = 2. BUILD_REFUSED: no memory. */
+/* Is solid s closed? If so, each edge has two faces, and V - E + F = 2. BUILD_REFUSED: no memory. */
 build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t s, roberts_error *error);
 
-/* What a solid has to be. */
+/* The requirements for a solid. */
 typedef struct solid_rules {
     const roberts_mesh *mesh; /* for messages */
-    double tolerance;         /* how far from planar and convex it may be, as a part of its size */
-    bool must_close;          /* refuse a closed surface with holes; otherwise it is BUILD_OPEN */
+    double tolerance;         /* how far from planar and convex it may be, as a fraction of its size */
+    bool must_close;          /* refuse a closed surface with holes; otherwise the result is BUILD_OPEN */
 } solid_rules;
 
-/* Makes solid s: fits planes, turns corners counter-clockwise from outside, leaves its edges in work->frame.edge, and
+/* Makes solid s: fits planes, orients corners counter-clockwise from outside, leaves its edges in work->frame.edge, and
  * checks it. */
 build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const solid_rules *rules,
                          roberts_error *error);

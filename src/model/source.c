@@ -1,11 +1,11 @@
 /* source.c - which input file a solid comes from.
  *
- * In a mesh the inputs follow one another, and solids are numbered by their smallest vertex. So the solids of a file
- * have consecutive numbers. A solid whose faces or welded vertices belong to several files has no file; its numbers
+ * In a mesh the inputs follow one another, and solids are numbered by their smallest vertex, so the solids of a file
+ * have consecutive numbers. A solid whose faces or welded vertices come from several files has no file; its numbers
  * count over all files. */
 #include "model/source.h"
 
-/* The last source that begins at or before the vertex, and at or before the face; an empty source holds nothing. */
+/* Returns the last source that begins at or before the vertex and the face. An empty source contains nothing. */
 static size_t source_of_vertex(const roberts_mesh *mesh, uint32_t v)
 {
     size_t i = mesh->source_count;
@@ -34,7 +34,7 @@ solid_source source_find(const roberts_mesh *mesh, uint32_t v_least, uint32_t v_
     return (solid_source){mesh->source[i].name, 0, mesh->source[i].first_face, mesh->source[i].first_vertex};
 }
 
-/* Adds the number of the file's first solid. First vertices ascend with the solids. */
+/* Sets the number of the file's first solid. The first vertices of solids ascend. */
 static solid_source count_solids(const roberts_scene *scene, uint32_t s, solid_source at)
 {
     for (uint32_t end = s; at.solid < end;) {
@@ -47,7 +47,7 @@ static solid_source count_solids(const roberts_scene *scene, uint32_t s, solid_s
     return at;
 }
 
-/* Vertices and faces of a solid ascend. */
+/* The vertices and faces of a solid ascend. */
 solid_source source_of_solid(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh)
 {
     const scene_solid *first = scene->solid + s;

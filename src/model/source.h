@@ -1,4 +1,4 @@
-/* source.h - which input file a solid comes from. Messages name the file, and count solids, faces and vertices within
+/* source.h - which input file a solid comes from. Messages name the file, and number solids, faces and vertices within
  * it. */
 #ifndef ROBERTS_MODEL_SOURCE_H
 #define ROBERTS_MODEL_SOURCE_H
@@ -6,19 +6,19 @@
 #include "model/scene.h"
 
 typedef struct solid_source {
-    const char *file;             /* "": it has no name, or the solid is made of several files */
-    uint32_t solid, face, vertex; /* the file's first, to be taken from numbers that count over all files */
+    const char *file;             /* "": it has no name, or the solid comes from several files */
+    uint32_t solid, face, vertex; /* the file's first of each, to be subtracted from numbers over all files */
 } solid_source;
 
-/* The file that holds all of vertices v_least .. v_most and faces f_least .. f_most, numbers as in the mesh; `solid` is
- * left 0. */
+/* Returns the file that contains all of vertices v_least .. v_most and faces f_least .. f_most, numbered as in the
+ * mesh; `solid` is 0. */
 solid_source source_find(const roberts_mesh *mesh, uint32_t v_least, uint32_t v_most, uint32_t f_least,
                          uint32_t f_most);
 
-/* The file of solid s, which is laid out. */
+/* Returns the file of solid s, which is laid out. */
 solid_source source_of_solid(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh);
 
-/* The same by the solid's vertices alone, where its faces are none of the file's. */
+/* Returns the file of solid s by its vertices alone, for a solid whose faces are not in the file. */
 solid_source source_of_points(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh);
 
 #endif

@@ -1,12 +1,12 @@
-/* split.c - takes solids apart that share edges.
+/* split.c - separates solids that share edges.
  *
- * A piece is a set of faces that are connected by edges. (Two solids that only share a corner are two pieces.) If each
+ * A piece is a set of faces that are connected by edges. (Two solids that share only a corner are two pieces.) If each
  * edge of a piece has two faces, the piece is a solid. If some edge has an odd number of faces, the piece is left as it
- * is. Otherwise solids touch: four or six faces meet in an edge. Two methods take such a piece apart:
+ * is. Otherwise solids touch: four or six faces meet at an edge. Two methods separate such a piece:
  *
- * 1. By the file. The faces of a solid mostly follow one another. Faces are taken in order until each edge of those
- *    taken has two of them. They make up one solid, or several that do not touch. This needs no geometry, and gives
- *    back what was written.
+ * 1. By the file. The faces of a solid usually follow one another. Faces are taken in order until each of their edges
+ *    has two of them. They form one solid, or several that do not touch. This needs no geometry, and restores what was
+ *    written.
  * 2. By the angles between faces, if the first method fails: see below.
  *
  * Both take linear time if faces have few neighbours. */
@@ -22,15 +22,15 @@
 
 /* ---- by angles: the walk along the walls ----------------------------------------------------------------------- */
 
-/* The solids are found as one walks along the walls of a room. The walk starts from one side of a face, which is taken
- * for the inner side. At each edge it goes on to the face that comes first when one turns through the inside. Solids
- * are convex, so this is at most a half turn. A walk that closes is a solid.
+/* The solids are found like rooms, by walking along the walls. The walk starts from one side of a face, which is taken
+ * as the inner side. At each edge it goes on to the next face met when turning through the inside. Solids are convex,
+ * so this is at most a half turn. A walk that closes is a solid.
  *
  * Faces with the same vertices are one wall with two sides, and each side belongs to another solid. The first walk
  * starts from the outermost face, of which only one side can close. The next walks start from the other sides of the
- * walls just taken: there are the neighbours. A budget limits the time that hostile input can take. */
+ * walls just taken, since the neighbours are there. A budget limits the time that hostile input can take. */
 
-/* What both methods work on. */
+/* Data of both methods. */
 typedef struct splitter {
     const roberts_scene *loose;
     const edge_scratch *edges;
@@ -40,42 +40,42 @@ typedef struct splitter {
     uint32_t *edge_start; /* [edge_count + 1] into edges->half */
     uint32_t *parent;     /* [face_count] union-find over edges */
     uint32_t *order;      /* [face_count] faces by piece */
-    uint32_t *count;      /* [edge_count] faces taken, 0 between uses */
-    uint32_t *last;       /* [edge_count] a face taken */
+    uint32_t *count;      /* [edge_count] number of faces taken at each edge; 0 between uses */
+    uint32_t *last;       /* [edge_count] the last face taken at each edge */
 } splitter;
 
-/* The face of half-edge i. */
+/* Returns the face of half-edge i. */
 static inline uint32_t splitter_face(const splitter *s, uint32_t i)
 {
     return s->edges->face_of[(uint32_t)s->edges->half[i]];
 }
 
-/* The number of a new group. */
+/* Adds a group and returns its number. */
 static inline uint32_t splitter_group(splitter *s, bool closed)
 {
     s->groups->closed[s->groups->count] = closed;
     return s->groups->count++;
 }
 
-/* Radians. Within this angle neighbours count as coplanar, or as folded onto one another. It is coarse, since it only
+/* Radians: within this angle, neighbours count as coplanar, or as folded onto one another. It is coarse because it only
  * guides the walk; the result is checked like any other solid. */
 static const double ANGLE_SLACK = 0.01;
 
-/* Radians. Angles that differ by less are a tie. */
+/* Radians: angles that differ by less are tied. */
 static const double ANGLE_TIE = 1e-6;
 
-enum { BUDGET = 40 }; /* how many angles per corner the walks may compute on average; blocks of cubes take about 7 */
+enum { BUDGET = 40 }; /* angles per corner that the walks may compute on average; blocks of cubes take about 7 */
 
 /* Faces with the same vertices. */
 typedef struct wall {
-    uint32_t first, size, used; /* members are sorted[first] .. sorted[first + size - 1]; the first `used` are taken */
-    uint32_t walk;              /* the walk that has it */
-    int side;                   /* +1: its inside is where n points, -1: the other */
+    uint32_t first, size, used; /* members: sorted[first] .. sorted[first + size - 1]; the first `used` are taken */
+    uint32_t walk;              /* the walk that contains it */
+    int side;                   /* +1: n points to its inside, -1: away from it */
     roberts_vec3 n, middle;
 } wall;
 
 typedef struct wall_key {
-    uint64_t hash; /* of the vertices, in any order */
+    uint64_t hash; /* of the vertices, independent of their order */
     uint32_t face;
 } wall_key;
 
@@ -98,8 +98,8 @@ typedef struct walker {
     wall_key *sorted;  /* [faces of the piece] */
     uint32_t *wall_of; /* [face_count] */
     start_key *start;  /* [wall_count] */
-    step *queue;       /* [wall_count] the walk */
-    step *beyond;      /* other sides of walls taken */
+    step *queue;       /* [wall_count] the current walk */
+    step *beyond;      /* the other sides of walls taken */
     uint32_t beyond_count;
     size_t beyond_room;
     uint64_t budget;
@@ -136,8 +136,8 @@ static uint32_t size_of(const splitter *s, uint32_t f)
     return s->loose->face_start[f + 1] - s->loose->face_start[f];
 }
 
-/* Sorts the piece's faces into walls. Faces may have the same hash by chance (one in 2^64) or by malice. The walk then
- * does not close, and is refused like any other. */
+/* Sorts the piece's faces into walls. Faces may have the same hash by chance (one in 2^64) or by malice. Then the walk
+ * does not close, and is rejected like any other. */
 static void find_walls(walker *w, uint32_t from, uint32_t to)
 {
     splitter *s = w->s;
@@ -178,7 +178,7 @@ static void measure_walls(walker *w)
     qsort(w->start, w->wall_count, sizeof *w->start, compare_starts);
 }
 
-/* The direction from the edge at P into the face; the edge runs along `along`, of length 1. */
+/* Returns the direction from the edge at P into the face. `along` is the direction of the edge, of length 1. */
 static roberts_vec3 into_face(const wall *it, roberts_vec3 P, roberts_vec3 along)
 {
     roberts_vec3 d = vec3_sub(it->middle, P);
@@ -186,7 +186,7 @@ static roberts_vec3 into_face(const wall *it, roberts_vec3 P, roberts_vec3 along
     return vec3_scale(1.0 / vec3_length(d), d);
 }
 
-/* The wall that comes first over edge e when one turns from `it` through the inside. False: there is none within a half
+/* Finds the next wall over edge e when turning from `it` through the inside. False: there is none within a half
  * turn. */
 static bool next_wall(walker *w, uint32_t it, int side, uint32_t e, step *next)
 {
@@ -210,7 +210,7 @@ static bool next_wall(walker *w, uint32_t it, int side, uint32_t e, step *next)
         if (other == it || (!taken && to->used == to->size) || !(angle > ANGLE_SLACK || angle < -3.0))
             continue;
         angle = angle < 0.0 ? angle + 2.0 * 3.14159265358979323846 : angle;
-        /* if walls lie on one another: the one that is in the walk already */
+        /* of coincident walls, prefer the one that is already in the walk */
         if (found && (angle > best + ANGLE_TIE || (angle > best - ANGLE_TIE && !taken)))
             continue;
         if (!found && !(angle <= best))
@@ -223,7 +223,7 @@ static bool next_wall(walker *w, uint32_t it, int side, uint32_t e, step *next)
     return found;
 }
 
-/* Walks from one side of a wall. Returns how many walls w->queue has then; 0: the walk does not close. */
+/* Walks from one side of a wall. Returns the number of walls in w->queue; 0: the walk does not close. */
 static uint32_t walk_from(walker *w, step begin)
 {
     const splitter *s = w->s;
@@ -268,7 +268,8 @@ static bool walk_closes(walker *w, uint32_t count)
     return closes;
 }
 
-/* Makes one face of each wall of the walk a new group. Notes the other sides of walls that have more faces. */
+/* Makes a new group of one face from each wall of the walk. Notes the other sides of walls that have more faces. False:
+ * no memory. */
 static bool take_walk(walker *w, uint32_t count)
 {
     uint32_t group = splitter_group(w->s, true);
@@ -361,7 +362,7 @@ static void number_edges(splitter *s)
 
 /* ---- by the file ----------------------------------------------------------------------------------------------- */
 
-/* Makes a group of each connected part of order[from] .. order[to - 1], which have two faces at each edge. */
+/* Makes a group of each connected part of order[from] .. order[to - 1]. Each of their edges has two faces. */
 static void group_run(splitter *s, uint32_t *parent, uint32_t from, uint32_t to)
 {
     for (uint32_t i = from; i < to; i++) {
@@ -375,7 +376,7 @@ static void group_run(splitter *s, uint32_t *parent, uint32_t from, uint32_t to)
     }
 }
 
-/* Splits the piece order[from] .. order[to - 1] into runs of faces that close. False: the last run does not close, and
+/* Splits the piece order[from] .. order[to - 1] into closed runs of faces. False: the last run does not close; then
  * nothing is grouped. */
 static bool split_by_file(splitter *s, uint32_t *parent, uint32_t from, uint32_t to)
 {
@@ -411,8 +412,8 @@ static bool split_by_file(splitter *s, uint32_t *parent, uint32_t from, uint32_t
 
 /* ---- all pieces ------------------------------------------------------------------------------------------------ */
 
-/* Sorts the faces by piece, in each piece by number. parent[f] becomes the number of face f's piece, end[p] the end of
- * piece p in s->order. Returns the number of pieces. */
+/* Sorts the faces by piece, and within a piece by number. Sets parent[f] to the piece of face f, and end[p] to the end
+ * of piece p in s->order. Returns the number of pieces. */
 static uint32_t sort_pieces(splitter *s, uint32_t *end)
 {
     uint32_t pieces = 0, sum = 0;
@@ -432,11 +433,11 @@ static uint32_t sort_pieces(splitter *s, uint32_t *end)
     return pieces;
 }
 
-/* How many faces there are at the edges of a piece. */
+/* The numbers of faces at the edges of a piece. */
 typedef enum edge_counts {
     TWO_EACH, /* the piece is closed */
-    EVEN,     /* an even number, so it may be solids that touch */
-    ODD,      /* an odd number somewhere: it cannot be solids, which take two faces each */
+    EVEN,     /* an even number: possibly solids that touch */
+    ODD,      /* an odd number somewhere: not solids, which take two faces each */
 } edge_counts;
 
 static edge_counts count_at_edges(const splitter *s, uint32_t from, uint32_t to)

@@ -1,4 +1,4 @@
-/* split.h - which faces make up one solid, if more than two faces meet in an edge. */
+/* split.h - which faces form one solid, if more than two faces meet at an edge. */
 #ifndef ROBERTS_MODEL_SPLIT_H
 #define ROBERTS_MODEL_SPLIT_H
 
@@ -12,7 +12,8 @@ typedef struct split_groups {
     uint8_t *closed; /* [count] */
 } split_groups;
 
-/* Groups the faces of solid 0 of `loose`, which is laid out, with edges_sort() done in `edges`. False: no memory. */
+/* Groups the faces of solid 0 of `loose`, which is laid out. `edges` holds the result of edges_sort(). False: no
+ * memory. */
 bool split_faces(split_groups *groups, const roberts_scene *loose, const edge_scratch *edges);
 
 void split_groups_free(split_groups *groups);

@@ -1,5 +1,5 @@
-/* surface.c - collects the pieces of all faces of bodies that are not convex, with their sides. A face with the corners
- * of an earlier one is left out. */
+/* surface.c - collects the pieces of all faces of bodies that are not convex, and their sides. A face with the same
+ * corners as an earlier one is left out. */
 #include "model/surface.h"
 
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 
 #include "base/array.h"
 
-/* A hash of a face's corners, the same for any start and either direction. */
+/* Returns a hash of a face's corners that does not depend on start or direction. */
 static uint64_t hash_of(const uint32_t *corner, uint32_t count)
 {
     uint64_t sum = count;
@@ -18,7 +18,7 @@ static uint64_t hash_of(const uint32_t *corner, uint32_t count)
     return (sum ^ sum >> 29) * 0x9e3779b97f4a7c15u;
 }
 
-/* Are these the same corners, from some start and in either direction? */
+/* Are these the same corners, from any start and in either direction? */
 static bool same_round(const uint32_t *a, const uint32_t *b, uint32_t count)
 {
     for (uint32_t first = 0; first < count; first++) {
@@ -35,11 +35,11 @@ static bool same_round(const uint32_t *a, const uint32_t *b, uint32_t count)
     return false;
 }
 
-/* Faces met so far. */
+/* A hash table of faces. */
 typedef struct face_set {
     uint32_t *slot;  /* [size] faces; ROBERTS_NONE: free */
     size_t size;     /* a power of two */
-    uint32_t *other; /* scratch: the corners of a face that was met */
+    uint32_t *other; /* scratch: the corners of a face found in the table */
     size_t other_room;
 } face_set;
 
@@ -54,8 +54,7 @@ static uint32_t take_corners(const surface *s, uint32_t f, uint32_t *to)
     return n;
 }
 
-/* Slots near those of other faces with the same least vertex, which are tried first: the next faces of most files are
- * there too. */
+/* Slots tried first: those near other faces with the same least vertex. In most files the next faces are there too. */
 enum { NEAR_SLOTS = 8 };
 
 /* Does the face with these corners repeat face g? False: no memory. */
@@ -72,7 +71,7 @@ static bool repeats_face(face_set *set, const surface *s, uint32_t g, const uint
     return true;
 }
 
-/* Enters a face. *repeats: a face with the same corners is there already. False: no memory. */
+/* Enters a face. *repeats: the table already has a face with the same corners. False: no memory. */
 static bool enter(face_set *set, const surface *s, uint32_t f, const uint32_t *corner, uint32_t count, bool *repeats)
 {
     uint32_t least = corner[0];
@@ -146,7 +145,7 @@ double surface_part_of(const surface *s, const uint32_t v[2], uint32_t at)
     return at == v[0] ? 0.0 : at == v[1] ? 1.0 : greater(0.0, lesser(1.0, t));
 }
 
-/* Notes that the last side is a part of the file's side from a to b. */
+/* Records that the last side is a part of the file's side from a to b. False: no memory. */
 static bool note_part(surface *s, uint32_t a, uint32_t b)
 {
     const surface_side *side = &s->side[s->side_count - 1];
@@ -163,7 +162,7 @@ static bool note_part(surface *s, uint32_t a, uint32_t b)
     return true;
 }
 
-/* Takes the pieces of a face, its crossings as vertices, and its sides. */
+/* Takes over the pieces of a face, its crossings as vertices, and its sides. False: no memory. */
 static bool take_pieces(surface *s, face_pieces *p, uint32_t face, const uint32_t *corner, uint32_t count)
 {
     uint32_t first = s->piece_count;
@@ -191,7 +190,7 @@ static bool take_pieces(surface *s, face_pieces *p, uint32_t face, const uint32_
     return true;
 }
 
-/* Takes the sides of what hides nothing: an element of two corners, or a face without area. */
+/* Adds the sides of elements that hide nothing: those with two corners, and faces without area. False: no memory. */
 static bool take_wires(surface *s, const uint32_t *corner, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -213,7 +212,7 @@ static bool take_face(surface *s, face_pieces *p, const face_rules *rules, uint3
     return p->piece_count > 0 ? take_pieces(s, p, face, corner, count) : take_wires(s, corner, count);
 }
 
-/* Takes the sides of faces that are not listed, so that wires along them are left out. */
+/* Adds the sides of faces that are not listed, so that wires along them are left out. False: no memory. */
 static bool take_shadows(surface *s, const uint8_t *listed)
 {
     const roberts_mesh *mesh = s->mesh;

@@ -1,8 +1,8 @@
 /* surface_edges.c - the edges of bodies that are not convex.
  *
- * Sides with the same ends are one edge. Nearly all edges have two pieces, and are done. The places in space of the
- * other sides (borders, edges of more pieces, wires) are examined: a vertex on such a side, within the touching
- * distance, divides it, and vertices that near to one another become one. So T-junctions and loose faces cause no false
+ * Sides with the same ends are one edge. Nearly all edges have two pieces and need nothing more. The other sides
+ * (borders, edges of more pieces, wires) are compared in space: a vertex within the touching distance of such a side
+ * divides it, and vertices that near to one another are merged. So T-junctions and loose faces cause no false
  * borders. */
 #include <stdlib.h>
 #include <string.h>
@@ -14,12 +14,12 @@
 #include "model/point_grid.h"
 #include "model/surface.h"
 
-/* A side, or a part of one, with its ends in order. */
+/* A side, or a part of one, with its ends in ascending order. */
 typedef struct part_side {
     uint32_t v[2];  /* v[0] < v[1] */
     uint32_t piece; /* SURFACE_CUT, as in a side */
     bool turned;    /* the piece is on the right of v[0] -> v[1] */
-    uint32_t part;  /* of the surface's parts of edges, or ROBERTS_NONE */
+    uint32_t part;  /* index in surface.part, or ROBERTS_NONE */
 } part_side;
 
 /* A vertex that divides an odd side. */
@@ -33,11 +33,11 @@ typedef struct finder {
     double touching;
     uint32_t *end;        /* [vertex_count] where the sides of each smaller vertex end in `half` */
     uint64_t *half;       /* [side_count] larger vertex << 32 | side */
-    scene_part *divided;  /* [part_count of s] the parts, by the edges of the file that they are parts of */
-    uint32_t *odd;        /* [odd_count] sides of edges that have not two pieces */
-    uint32_t *vertex;     /* [vertex_count] their ends */
-    uint32_t *parent;     /* [vertex_count of s] sets of vertices at one place, by their smallest; only of `vertex` */
-    part_side *half_side; /* [half_count] the odd sides, divided */
+    scene_part *divided;  /* [part_count of s] the parts, sorted by their edges of the file */
+    uint32_t *odd;        /* [odd_count] sides of edges that do not have two pieces */
+    uint32_t *vertex;     /* [vertex_count] ends of the odd sides */
+    uint32_t *parent;     /* [vertex_count of s] sets of coincident vertices, by their smallest; only of `vertex` */
+    part_side *half_side; /* [half_count] the odd sides after division */
     surface_edge *odd_edge;
     side_stop *stop;
     point_list found;
@@ -98,7 +98,8 @@ static uint32_t incidence(uint32_t piece, bool turned)
     return (piece & ~SURFACE_CUT) | (turned ? SURFACE_TURNED : 0);
 }
 
-/* If a side is a part of an edge of the file, copies this part to surface.part; else *part is ROBERTS_NONE. */
+/* If a side is a part of an edge of the file, copies this part to surface.part; otherwise *part is ROBERTS_NONE. False:
+ * no memory. */
 static bool copy_part(surface *s, uint32_t side, uint32_t *part)
 {
     size_t at = find_numbered(s->side_part, s->part_count, sizeof *s->side_part, side);
@@ -112,8 +113,8 @@ static bool copy_part(surface *s, uint32_t side, uint32_t *part)
     return true;
 }
 
-/* Do both sides belong to one planar face? Its border then crosses itself, and the face is on both sides of this
- * stretch. Another face may divide the same place in another way. */
+/* Do both sides belong to one planar face? Then its border crosses itself, and the face is on both sides of this
+ * stretch. Another face may divide the same stretch differently. */
 static bool same_face(const surface *s, const uint32_t side[2])
 {
     uint32_t p = s->side[side[0]].piece, q = s->side[side[1]].piece;
@@ -137,15 +138,15 @@ static int compare_names(const void *pa, const void *pb)
     return (a->v[1] > b->v[1]) - (a->v[1] < b->v[1]);
 }
 
-/* Is some other side a part of the edge of the file that this side is the whole of? */
+/* Is some other side a part of the file's edge that this side covers completely? */
 static bool is_divided(const finder *f, const surface_side *side)
 {
     scene_part key = {.v = {lower(side), upper(side)}};
     return f->divided && bsearch(&key, f->divided, f->s->part_count, sizeof key, compare_names);
 }
 
-/* Makes an edge of sides with the same ends if two pieces have it; otherwise lists the sides as odd. They are odd too
- * if another face crosses itself on this edge, and so has parts of it. */
+/* Makes an edge of sides with the same ends if exactly two pieces have it; otherwise lists the sides as odd. They are
+ * also odd if another face crosses itself on this edge, and so has only parts of it. False: no memory. */
 static bool take_group(finder *f, const uint64_t *half, size_t count)
 {
     surface *s = f->s;
@@ -196,7 +197,7 @@ static bool take_groups(finder *f)
     return true;
 }
 
-/* Lists the ends of odd sides, each once. */
+/* Lists the ends of odd sides, each once. False: no memory. */
 static bool list_vertices(finder *f)
 {
     f->vertex = alloc_array(2 * f->odd_count, sizeof *f->vertex);
@@ -229,7 +230,8 @@ surface_touch surface_touches(roberts_vec3 A, roberts_vec3 B, roberts_vec3 P, do
                                                                                              : TOUCHES_NOT;
 }
 
-/* Finds the vertices on the segment from a to b, as stops; joins vertices at its ends to a and b. */
+/* Finds the vertices on the segment from a to b and adds them as stops; merges vertices at its ends with a and b.
+ * False: no memory. */
 static bool find_stops(finder *f, const point_grid *grid, uint32_t a, uint32_t b)
 {
     const roberts_vec3 *point = f->s->point;
@@ -263,7 +265,8 @@ static int compare_stops(const void *pa, const void *pb)
     return (a->vertex > b->vertex) - (a->vertex < b->vertex);
 }
 
-/* Finds the part of an edge of the file that t0 .. t1 of side i is; t counts from the side's first end. */
+/* Finds which part of the file's edge corresponds to t0 .. t1 of side i; t counts from the side's first end. False: no
+ * memory. */
 static bool part_of_side(finder *f, uint32_t i, double t0, double t1, uint32_t *part)
 {
     surface *s = f->s;
@@ -291,7 +294,7 @@ static bool part_of_side(finder *f, uint32_t i, double t0, double t1, uint32_t *
     return true;
 }
 
-/* Divides an odd side at its stops. */
+/* Divides an odd side at its stops. False: no memory. */
 static bool divide(finder *f, uint32_t i)
 {
     const surface_side side = f->s->side[i];
@@ -318,7 +321,7 @@ static bool divide_all(finder *f)
     point_grid grid;
     surface *s = f->s;
     bool enough = point_grid_build(&grid, s->point, f->vertex, f->vertex_count);
-    for (int pass = 0; enough && pass < 2; pass++) /* first all vertices at one place are found */
+    for (int pass = 0; enough && pass < 2; pass++) /* the first pass finds all coincident vertices */
         for (size_t i = 0; enough && i < f->odd_count; i++) {
             const surface_side *side = &s->side[f->odd[i]];
             enough = find_stops(f, &grid, side->v[0], side->v[1]);
@@ -344,7 +347,7 @@ static int compare_halves(const void *pa, const void *pb)
     return (int)a->turned - (int)b->turned;
 }
 
-/* Adds a piece to an edge. */
+/* Adds a piece to an edge. False: no memory. */
 static bool add_incidence(surface *s, surface_edge *edge, uint32_t count, uint32_t piece)
 {
     if (count < 2) {
@@ -363,7 +366,7 @@ static bool add_incidence(surface *s, surface_edge *edge, uint32_t count, uint32
     return true;
 }
 
-/* The part that an edge is begins and ends at its vertices, so that parts that follow one another meet. */
+/* Sets the ends of an edge's part to the edge's vertices, so that consecutive parts meet. */
 static void place_part(const finder *f, scene_part *part, const surface_edge *edge)
 {
     const roberts_vec3 *point = f->s->point;
@@ -379,7 +382,7 @@ static void place_part(const finder *f, scene_part *part, const surface_edge *ed
     part->t1 = greater(t[0], t[1]);
 }
 
-/* Makes an edge of the divided sides first .. end - 1, and of an edge that exists already. */
+/* Makes one edge of the divided sides first .. end - 1 and an existing edge, if there is one. False: no memory. */
 static bool take_odd_group(finder *f, size_t first, size_t end, const surface_edge *there)
 {
     surface *s = f->s;
@@ -419,7 +422,7 @@ static int compare_edges(const surface_edge *a, const surface_edge *b)
     return (a->v[1] > b->v[1]) - (a->v[1] < b->v[1]);
 }
 
-/* The edge of two pieces with these ends; NULL: there is none. */
+/* Returns the edge of two pieces with these ends; NULL: none. */
 static surface_edge *find_edge(const surface *s, const uint32_t v[2])
 {
     surface_edge key = {.v = {v[0], v[1]}};
@@ -434,7 +437,8 @@ static surface_edge *find_edge(const surface *s, const uint32_t v[2])
     return low < s->edge_count && compare_edges(&s->edge[low], &key) == 0 ? &s->edge[low] : NULL;
 }
 
-/* Makes edges of the divided sides. Such an edge replaces an edge of two pieces with the same ends. */
+/* Makes edges of the divided sides. Such an edge replaces an edge of two pieces with the same ends. False: no
+ * memory. */
 static bool take_odd_groups(finder *f)
 {
     surface *s = f->s;
@@ -452,7 +456,7 @@ static bool take_odd_groups(finder *f)
     return true;
 }
 
-/* Merges both lists of edges, in order. */
+/* Merges both sorted lists of edges. False: no memory. */
 static bool merge_edges(finder *f)
 {
     surface *s = f->s;

@@ -1,4 +1,4 @@
-/* sweep_order.c - see sweep_order.h. */
+/* sweep_order.c - the lines that a sweep line meets, in order. See sweep_order.h. */
 #include "model/sweep_order.h"
 
 #include <stdlib.h>
@@ -19,8 +19,8 @@ static uint32_t priority(uint32_t line)
     return h ^ h >> 13;
 }
 
-/* Hangs `line` where `old` hangs. */
-static void hang(sweep_order *order, uint32_t old, uint32_t line)
+/* Makes `line` take the place of `old` as a child or the root. */
+static void replace_child(sweep_order *order, uint32_t old, uint32_t line)
 {
     uint32_t parent = order->place[old].parent;
     if (parent == ROBERTS_NONE)
@@ -31,14 +31,14 @@ static void hang(sweep_order *order, uint32_t old, uint32_t line)
         order->place[line].parent = parent;
 }
 
-/* Makes a line the parent of its parent. */
+/* Rotates a line above its parent in the tree. */
 static void rotate_up(sweep_order *order, uint32_t line)
 {
     sweep_place *place = order->place;
     uint32_t parent = place[line].parent;
     int side = place[parent].child[1] == line;
     uint32_t inner = place[line].child[1 - side];
-    hang(order, parent, line);
+    replace_child(order, parent, line);
     place[parent].child[side] = inner;
     if (inner != ROBERTS_NONE)
         place[inner].parent = parent;
@@ -84,7 +84,7 @@ void sweep_order_remove(sweep_order *order, uint32_t line)
     sweep_place *place = order->place, *own = &place[line];
     while (own->child[0] != ROBERTS_NONE && own->child[1] != ROBERTS_NONE)
         rotate_up(order, own->child[priority(own->child[1]) > priority(own->child[0])]);
-    hang(order, line, own->child[own->child[0] == ROBERTS_NONE]);
+    replace_child(order, line, own->child[own->child[0] == ROBERTS_NONE]);
     for (int k = 0; k < 2; k++)
         if (own->near[k] != ROBERTS_NONE)
             place[own->near[k]].near[1 - k] = own->near[1 - k];

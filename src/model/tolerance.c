@@ -1,30 +1,30 @@
-/* tolerance.c - the tolerance that would accept a model that has been refused.
+/* tolerance.c - the tolerance that would accept a refused model.
  *
  * It is found by trial: the whole model passes with any tolerance that is suggested. The amount by which the first
- * solid failed would not be enough, since others may fail by more, or for reasons that no tolerance mends. */
+ * solid failed would not be enough. Others may fail by more, or for reasons that no tolerance cures. */
 #include <math.h>
 
 #include "base/box.h"
 #include "model/scene.h"
 
-/* 1, 2 or 5 times a power of ten, up to a hundredth of the size: coordinates rounded to two digits may be off by that
- * much. A model farther from convex has another shape, and a drawing of it would look wrong; its hull at least is a
+/* Steps of 1, 2 or 5 times a power of ten, up to a hundredth of the size: coordinates rounded to two digits may be off
+ * by that much. A model farther from convex has another shape, and its drawing would look wrong; its hull is at least a
  * solid. */
 static const double steps[] = {1e-10, 2e-10, 5e-10, 1e-9, 2e-9, 5e-9, 1e-8, 2e-8, 5e-8, 1e-7, 2e-7, 5e-7, 1e-6,
                                2e-6,  5e-6,  1e-5,  2e-5, 5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2};
 
 enum { STEPS = sizeof steps / sizeof steps[0] };
 
-/* A model with more faces is not tried: a refusal must not take seconds. */
+/* A model with more faces is not tried, because a refusal must not take seconds. */
 enum { FACES_TRIED = 200000 };
 
 /* In a solid of n faces, each is about 1 / sqrt(n) of the size wide, and a vertex may lie outside its plane by sqrt(n)
- * tolerances (see convex.c). That must not exceed this part of the size; a cube reaches it at a hundredth. A larger
+ * tolerances (see convex.c). That must not exceed this fraction of the size; a cube reaches it at a hundredth. A larger
  * tolerance would accept any surface of many small faces, or any solid far from the origin. */
 static const double OUTSIDE_MOST = 0.025;
 
-/* The size of solid s as a part of its largest coordinate, at most 1: the tolerance counts by that coordinate where the
- * solid is far from the origin. */
+/* Returns the size of solid s as a fraction of its largest coordinate, at most 1. If the solid is far from the origin,
+ * the tolerance is relative to that coordinate. */
 static double part_of_coordinates(const roberts_scene *scene, uint32_t s)
 {
     const uint32_t first = scene->solid[s].vertex;
@@ -35,7 +35,7 @@ static double part_of_coordinates(const roberts_scene *scene, uint32_t s)
     return size < largest ? size / largest : 1.0;
 }
 
-/* The greatest tolerance with which the shape of all solids still matters. */
+/* Returns the greatest tolerance with which the shape of all solids still matters. */
 static double greatest_tolerance(const roberts_scene *scene)
 {
     double most = OUTSIDE_MOST;
@@ -46,7 +46,7 @@ static double greatest_tolerance(const roberts_scene *scene)
     return most;
 }
 
-/* Whether the mesh passes; then `most` is the greatest tolerance that can be named. */
+/* Does the mesh pass? If so, sets *most to the greatest tolerance that may be suggested. */
 static bool passes(const roberts_mesh *mesh, uint32_t threads, double tolerance, double *most)
 {
     const roberts_scene_options options = {.solids = true, .tolerance = tolerance, .threads = threads};
@@ -58,14 +58,15 @@ static bool passes(const roberts_mesh *mesh, uint32_t threads, double tolerance,
     return passed;
 }
 
-/* One digit of it: 0.007 of 0.0072. */
+/* Rounds down to one digit: 0.0072 to 0.007. */
 static double round_down(double x)
 {
     const double power = pow(10.0, -floor(log10(x)));
     return floor(x * power) / power;
 }
 
-/* The first of the steps up to `most` that passes, by bisection, or else `most` itself, which does. */
+/* Finds the first of the steps up to `most` that passes, by bisection. If none does, returns `most` itself, which
+ * passes. */
 static double first_step(const roberts_mesh *mesh, uint32_t threads, double tried, double most)
 {
     size_t fails = 0, does = 0;

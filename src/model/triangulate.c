@@ -1,15 +1,16 @@
-/* triangulate.c - cuts what the lines of a border wind round into triangles, and joins these to convex polygons.
+/* triangulate.c - cuts the region that the lines of a border wind round into triangles, and joins these to convex
+ * polygons.
  *
- * A sweep line goes over the nodes in the order of x, then y. Between two neighbours on it lies a region, filled or
- * not. What is not yet cut of a filled region is bounded on its left by a chain of nodes, which turns inward everywhere
- * but at its ends; a new node cuts off the triangles that it sees along the chain (S. Hertel, K. Mehlhorn, "Fast
- * triangulation of the plane with respect to simple polygons", Information and Control 64, 1985). This takes
- * O(n log n). Whether two lines cross is asked of neighbours only (M. I. Shamos, D. Hoey, "Geometric intersection
- * problems", FOCS 1976). If they do, the crossing is noted, and one of the two is set aside, so that one sweep finds
- * many crossings; then nothing is cut. Every decision is the exact sign of a turn. So the triangles tile what is
- * filled: no overlaps, no gaps.
+ * A sweep line moves over the nodes in the order of x, then y. Between two adjacent lines on it lies a region, filled
+ * or not. The uncut part of a filled region is bounded on its left by a chain of nodes, which turns inward everywhere
+ * except at its ends. A new node cuts off the triangles that it sees along the chain (S. Hertel, K. Mehlhorn, "Fast
+ * triangulation of the plane with respect to simple polygons", Information and Control 64, 1985). This takes O(n log
+ * n). Only adjacent lines are tested for crossings (M. I. Shamos, D. Hoey, "Geometric intersection problems", FOCS
+ * 1976). If they cross, the crossing is recorded and one of the two lines is removed, so one sweep finds many
+ * crossings; then nothing is cut. Every decision is the exact sign of a turn. So the triangles tile the filled region,
+ * without overlaps or gaps.
  *
- * Cuts that convex pieces do not need are then taken back (Hertel and Mehlhorn, too). */
+ * Afterwards, cuts that convex pieces do not need are removed (also by Hertel and Mehlhorn). */
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -20,13 +21,13 @@
 typedef struct chain_link {
     uint32_t node;
     uint32_t down, up; /* ROBERTS_NONE: an end */
-    uint32_t label;    /* of what leads up from here: a line, or from border.count on a cut */
+    uint32_t label;    /* label of the stretch that leads up from here: a line, or from border.count on a cut */
 } chain_link;
 
-/* A region above a line of the sweep, if it is filled. */
+/* The region above a line of the sweep, if it is filled. */
 typedef struct open_region {
-    uint32_t bottom, top; /* of its chain */
-    uint32_t last;        /* where the sweep was last: the chain's node farthest to the right */
+    uint32_t bottom, top; /* ends of its chain */
+    uint32_t last;        /* where the sweep was last: the rightmost node of the chain */
 } open_region;
 
 typedef struct sweep_event {
@@ -41,10 +42,10 @@ typedef struct sweep {
     bool crossed, broken; /* broken: the order contradicts itself, which exact signs exclude */
     sweep_order order;
     uint32_t (*end)[2];  /* [b->count] left and right node of each line */
-    int32_t *winding;    /* [b->count] right above it */
-    open_region *region; /* [b->count] right above it, if that is filled */
+    int32_t *winding;    /* [b->count] winding number directly above each line */
+    open_region *region; /* [b->count] region directly above each line, if it is filled */
     sweep_event *event;
-    uint32_t *start[2]; /* [nodes + 1] into line[]: 0 by right end, 1 by left end */
+    uint32_t *start[2]; /* [nodes + 1] into line[]: 0 sorted by right end, 1 by left end */
     uint32_t *line[2];
     uint8_t *in_order; /* [b->count] */
     chain_link *link;
@@ -73,7 +74,7 @@ static int32_t winding_above(const sweep *s, uint32_t line)
     return line == ROBERTS_NONE ? 0 : s->winding[line];
 }
 
-/* How the winding number changes from below a line to above it. */
+/* Returns the change of the winding number from below a line to above it. */
 static int32_t step_across(const sweep *s, uint32_t line)
 {
     return s->b->item[line].v[0] == s->end[line][0] ? s->b->item[line].net : -s->b->item[line].net;
@@ -164,15 +165,15 @@ static void take_out(sweep *s, uint32_t line)
     s->in_order[line] = 0;
 }
 
-/* A node on a line. False: no memory. */
+/* Records a node that lies on a line. False: no memory. */
 static bool note_touch(sweep *s, uint32_t line, uint32_t node)
 {
     s->crossed = true;
     return border_add_stop(s->b, (border_stop){line, node, 0.0});
 }
 
-/* Do a line and the one right above it meet before their first right end, or there without sharing it? Then notes it,
- * and sets the upper one aside; until the two at hand do not meet. False: no memory. */
+/* Does a line meet the one directly above it before the first right end of the two, or there without sharing it? If so,
+ * records the crossing and removes the upper line; repeats until they do not meet. False: no memory. */
 static bool check_neighbours(sweep *s, uint32_t low)
 {
     while (low != ROBERTS_NONE) {
@@ -195,7 +196,7 @@ static bool check_neighbours(sweep *s, uint32_t low)
     return true;
 }
 
-/* The highest line below a node; lines that pass through it are noted and set aside. */
+/* Finds the highest line below a node. Lines that pass through the node are recorded and removed. False: no memory. */
 static bool find_below(sweep *s, uint32_t node, uint32_t *below)
 {
     uint32_t at = s->order.root;
@@ -249,7 +250,7 @@ static bool turns_left(const sweep *s, uint32_t a, uint32_t b, uint32_t c)
     return piece_turn(place(s, a), place(s, b), place(s, c)) > 0.0;
 }
 
-/* Cuts off what the chain's uppermost node, the newest, sees. */
+/* Cuts off the triangles that the chain's uppermost node, the newest, sees. False: no memory. */
 static bool cut_down(sweep *s, uint32_t own)
 {
     chain_link *link = s->link;
@@ -266,8 +267,8 @@ static bool cut_down(sweep *s, uint32_t own)
     return true;
 }
 
-/* Cuts off what the chain's lowest node, the newest, sees. last: the label of the line from it to the chain's other
- * end, if the region ends here. */
+/* Cuts off the triangles that the chain's lowest node, the newest, sees. last: the label of the line from it to the
+ * chain's other end, if the region ends here. False: no memory. */
 static bool cut_up(sweep *s, uint32_t own, uint32_t last)
 {
     chain_link *link = s->link;
@@ -285,7 +286,7 @@ static bool cut_up(sweep *s, uint32_t own, uint32_t last)
     return true;
 }
 
-/* The region's upper line leads to this node. */
+/* Extends the region along its upper line to this node. False: no memory. */
 static bool extend_top(sweep *s, open_region *r, uint32_t node, uint32_t label)
 {
     uint32_t own = add_link(s, node);
@@ -298,7 +299,7 @@ static bool extend_top(sweep *s, open_region *r, uint32_t node, uint32_t label)
     return cut_down(s, own);
 }
 
-/* The region's lower line leads to this node. last: as in cut_up(). */
+/* Extends the region along its lower line to this node. last: as in cut_up(). False: no memory. */
 static bool extend_bottom(sweep *s, open_region *r, uint32_t node, uint32_t label, uint32_t last)
 {
     uint32_t own = add_link(s, node);
@@ -311,8 +312,8 @@ static bool extend_bottom(sweep *s, open_region *r, uint32_t node, uint32_t labe
     return cut_up(s, own, last);
 }
 
-/* A node within the region: it is cut to the chain's node farthest to the right, which it sees. *high: the part above
- * the node; r becomes the part below. */
+/* Splits a region at a node inside it, with a cut to the chain's rightmost node, which it sees. *high: the part above
+ * the node; r becomes the part below. False: no memory. */
 static bool split(sweep *s, open_region *r, uint32_t node, open_region *high)
 {
     uint32_t low_own = add_link(s, node), copy = add_link(s, s->link[r->last].node), own = add_link(s, node);
@@ -333,7 +334,7 @@ static bool split(sweep *s, open_region *r, uint32_t node, open_region *high)
     return cut_down(s, low_own) && cut_up(s, own, ROBERTS_NONE);
 }
 
-/* Two regions become one: the chain of the lower one ends at the node where that of the upper one begins. */
+/* Merges two regions: the chain of the lower one ends at the node where that of the upper one begins. */
 static void merge(sweep *s, open_region *r, const open_region *high)
 {
     chain_link *link = s->link;
@@ -356,8 +357,8 @@ static bool begin(sweep *s, open_region *r, uint32_t node)
 
 /* ---- the sweep ------------------------------------------------------------------------------------------------- */
 
-/* Closes the regions between the lines that end here, and brings those round them to the node. The lines run from
- * `first` to `last` in the order. */
+/* Closes the regions between the lines that end here, and extends the regions around them to the node. The lines run
+ * from `first` to `last` in the order. False: no memory. */
 static bool end_regions(sweep *s, uint32_t node, uint32_t below, uint32_t first, uint32_t last)
 {
     if (is_filled(s, winding_above(s, below)) && !extend_top(s, &s->region[below], node, first))
@@ -368,15 +369,15 @@ static bool end_regions(sweep *s, uint32_t node, uint32_t below, uint32_t first,
     return !is_filled(s, s->winding[last]) || extend_bottom(s, &s->region[last], node, last, ROBERTS_NONE);
 }
 
-/* Puts the lines that leave the node into the order, above `below`. Of two that lie on one another, the longer one is
- * divided, and set aside. False: no memory. */
+/* Inserts the lines that leave the node into the order, above `below`. If two coincide, the longer one is divided and
+ * removed. False: no memory. */
 static bool insert_leaving(sweep *s, uint32_t node, uint32_t below)
 {
     for (uint32_t k = s->start[1][node]; k < s->start[1][node + 1]; k++) {
         uint32_t line = s->line[1][k], under = below, to = s->end[line][1];
         uint32_t at = s->order.root;
         double side = 0.0;
-        while (at != ROBERTS_NONE) { /* those of the tree leave here too, or are clearly below or above */
+        while (at != ROBERTS_NONE) { /* the lines in the tree leave here too, or are clearly below or above */
             bool leaves = s->end[at][0] == node;
             side = side_of(s, at, leaves ? to : node);
             if (leaves && side == 0.0)
@@ -403,8 +404,8 @@ static bool insert_leaving(sweep *s, uint32_t node, uint32_t below)
     return true;
 }
 
-/* Begins the regions above the lines that leave the node, and leads those round them on. had: lines ended here; high:
- * the region above the uppermost of them. */
+/* Begins the regions above the lines that leave the node, and extends the regions around them. had: lines ended here;
+ * high: the region above the uppermost of them. False: no memory. */
 static bool begin_regions(sweep *s, uint32_t node, uint32_t below, bool had, open_region high)
 {
     int32_t winding = winding_above(s, below), outer = winding;
@@ -430,7 +431,7 @@ static bool begin_regions(sweep *s, uint32_t node, uint32_t below, bool had, ope
     return true;
 }
 
-/* The lines that end at a node, from *first to *last in the order; ROBERTS_NONE: none. */
+/* Finds the lines that end at a node, from *first to *last in the order; ROBERTS_NONE: none. */
 static void find_ending(sweep *s, uint32_t node, uint32_t *first, uint32_t *last)
 {
     size_t count = 0, met = 1;
@@ -449,7 +450,7 @@ static void find_ending(sweep *s, uint32_t node, uint32_t *first, uint32_t *last
     s->broken = s->broken || met != count;
 }
 
-/* One node. False: no memory. */
+/* Processes one node. False: no memory. */
 static bool meet(sweep *s, uint32_t node)
 {
     uint32_t first, last, below;
@@ -482,7 +483,7 @@ static bool meet(sweep *s, uint32_t node)
 
 /* ---- joining --------------------------------------------------------------------------------------------------- */
 
-/* The side of a piece that has this label; the number of its sides if there is none. */
+/* Returns the side of a piece with this label; if there is none, the number of its sides. */
 static uint32_t find_label(const face_piece *p, uint32_t label)
 {
     uint32_t i = 0;
@@ -517,10 +518,10 @@ static bool join(const face_pieces *f, face_piece *p, const face_piece *q, uint3
     return true;
 }
 
-/* Takes back cuts that are not needed. Labels from `count` on are cuts. False: no memory. */
+/* Removes cuts that are not needed. Labels from `count` on are cuts. False: no memory. */
 static bool join_pieces(face_pieces *f, uint32_t count, uint32_t cuts)
 {
-    uint32_t(*of)[2] = alloc_array(cuts, sizeof *of); /* the pieces at each cut, which may be joined to others later */
+    uint32_t(*of)[2] = alloc_array(cuts, sizeof *of); /* the pieces at each cut, which may later be joined to others */
     uint32_t *parent = alloc_array(f->piece_count, sizeof *parent);
     bool enough = of && parent;
     for (uint32_t c = 0; enough && c < cuts; c++)

@@ -1,6 +1,6 @@
-/* union.c - see union.h.
+/* union.c - many bodies as one: where their lines remain. See union.h.
  *
- * A line is cut at its events. Each piece is judged at its middle, by the rays at which faces leave the line there: the
+ * A line is cut at its events. Each piece is judged at its middle, by the rays in which faces leave the line there. The
  * rays divide the plane across the line into sectors, and each sector is filled by some body or by none
  * (union_angles.c). */
 #include "model/union_work.h"
@@ -15,10 +15,11 @@
 /* Bodies with more faces have a tree of their own. */
 enum { FEW_FACES = 24 };
 
-/* Sine of the least angle between a line and the normal of a plane at which a direction in the plane is sure. */
+/* The least sine of the angle between a line and a plane's normal at which a direction within the plane is well
+ * defined. */
 #define ACROSS_LEAST 1e-6
 
-/* Touching distances: so far a line in which two faces cross may be from their planes. Its ends may have been moved to
+/* Touching distances: how far a line where two faces cross may be from their planes. Its ends may have been moved to
  * corners. */
 #define OWN_TOUCH 4.0
 
@@ -33,7 +34,8 @@ static box3 box_of_face(const roberts_scene *scene, uint32_t face, double margin
     return (box3){vec3_sub(box.lo, m), vec3_add(box.hi, m)};
 }
 
-/* The box of a body, and the tree over its faces if it has many. box: scratch for its faces. */
+/* Computes the box of a body, and the tree over its faces if it has many. box: scratch for its faces. False: no
+ * memory. */
 static bool prepare_body(union_bodies *all, uint32_t s, box3 *box, box3 *whole)
 {
     const roberts_scene *scene = all->scene;
@@ -140,14 +142,14 @@ static bool add_event(union_cutter *c, double t)
     union_work *work = c->work;
     double near = 2.0 * c->touch / c->length;
     if (!(t > near && t < 1.0 - near))
-        return true; /* an end of the line */
+        return true; /* at an end of the line */
     if (!array_reserve(&work->event, &work->event_room, work->event_count + 1, sizeof *work->event))
         return false;
     work->event[work->event_count++] = t;
     return true;
 }
 
-/* Does the face meet in the line? Of a line in which faces cross, all pieces of these faces do. */
+/* Is the line one of this face's own? If two faces cross in the line, all pieces of these faces count. */
 static bool is_own(const union_cutter *c, uint32_t face)
 {
     const roberts_scene *scene = c->all->scene;
@@ -160,7 +162,7 @@ static bool is_own(const union_cutter *c, uint32_t face)
     return false;
 }
 
-/* Where the line crosses the plane of a face, in twice the precision. */
+/* Returns where the line crosses the plane of a face, in double-double numbers. */
 static double crossing(const union_cutter *c, uint32_t face)
 {
     const roberts_scene *scene = c->all->scene;
@@ -180,10 +182,10 @@ static double crossing(const union_cutter *c, uint32_t face)
     return dd_zero_of(a, b);
 }
 
-/* A face as the line passes over it. */
+/* How a line passes over a face. */
 typedef struct overlap {
-    double t0, t1;      /* what the line has over the face, along its own direction */
-    double plus, minus; /* how far the face reaches to both sides */
+    double t0, t1;      /* the part of the line over the face, as parameters */
+    double plus, minus; /* how far the face extends to both sides */
 } overlap;
 
 static void overlap_add(overlap *o, double t)
@@ -192,8 +194,8 @@ static void overlap_add(overlap *o, double t)
     o->t1 = greater(o->t1, t);
 }
 
-/* w: the direction across the line in the plane of normal n. A corner nearer than touch to the line's projection lies
- * on it. False: the face lies beside the line. */
+/* Finds where the line passes over a face. w: the direction in the plane of normal n, across the line. A corner nearer
+ * than `touch` to the line's projection counts as on it. False: the face lies beside the line. */
 static bool find_overlap(const union_cutter *c, uint32_t face, roberts_vec3 n, roberts_vec3 w, double touch, overlap *o)
 {
     const roberts_scene *scene = c->all->scene;
@@ -228,7 +230,7 @@ static bool add_contact(union_cutter *c, const union_contact *contact)
     return add_event(c, contact->t0) && add_event(c, contact->t1);
 }
 
-/* An edge's own face, on one side of it. */
+/* Adds one of an edge's own faces, which lies on one side of it. False: no memory. */
 static bool add_own(union_cutter *c, uint32_t body, uint32_t face)
 {
     const roberts_scene *scene = c->all->scene;
@@ -248,8 +250,8 @@ static bool add_own(union_cutter *c, uint32_t body, uint32_t face)
         c, &(union_contact){body, face, union_plane_number(scene, face), true, 0.0, 1.0, n, w, o.plus, o.minus});
 }
 
-/* What the line has to do with a face of a body: a contact, an event, or nothing. `*beyond` becomes true if the line
- * lies wholly on the side of the plane where F < 0. */
+/* Adds a contact, an event or nothing for a face of a body. Sets *beyond to true if the line lies completely on the
+ * side of the plane where F < 0. False: no memory. */
 static bool meet_face(union_cutter *c, const union_fill *of, uint32_t face, bool *beyond)
 {
     const roberts_scene *scene = c->all->scene;
@@ -263,7 +265,7 @@ static bool meet_face(union_cutter *c, const union_fill *of, uint32_t face, bool
         return true;
     roberts_vec3 n = {F.a, F.b, F.c}, w = vec3_cross(n, c->u);
     double length = vec3_length(w);
-    if (!(length > ACROSS_LEAST)) /* it meets the plane in one place, whatever the face looks like */
+    if (!(length > ACROSS_LEAST)) /* it meets the plane in one point, whatever the face looks like */
         return add_event(c, crossing(c, face));
     w = vec3_scale(1.0 / length, w);
     overlap o;
@@ -277,7 +279,7 @@ static bool meet_face(union_cutter *c, const union_fill *of, uint32_t face, bool
         if ((t1 - t0) * c->length <= 2.0 * touch)
             return add_event(c, 0.5 * (t0 + t1));
         if (o.plus == 0.0 && o.minus == 0.0)
-            return true; /* no wider than what touches */
+            return true; /* no wider than the touching distance */
         return add_contact(
             c, &(union_contact){of->body, face, union_plane_number(scene, face), own, t0, t1, n, w, o.plus, o.minus});
     }
@@ -286,7 +288,7 @@ static bool meet_face(union_cutter *c, const union_fill *of, uint32_t face, bool
     return add_event(c, (d0 > 0.0) != (d1 > 0.0) ? crossing(c, face) : fabs(d0) < fabs(d1) ? t0 : t1);
 }
 
-/* The faces of one body. */
+/* Adds the contacts and events of one body. False: no memory. */
 static bool meet_body(union_cutter *c, uint32_t body, const box3 *box)
 {
     const union_bodies *all = c->all;
@@ -306,7 +308,7 @@ static bool meet_body(union_cutter *c, uint32_t body, const box3 *box)
         for (uint32_t f = scene->solid[body].face; f < scene->solid[body + 1].face; f++) {
             if (!meet_face(c, &of, f, &beyond))
                 return false;
-            if (of.convex && beyond) { /* a plane parts them */
+            if (of.convex && beyond) { /* a plane separates them */
                 work->contact_count = contacts;
                 work->event_count = events;
                 return true;
@@ -331,7 +333,7 @@ static bool meet_body(union_cutter *c, uint32_t body, const box3 *box)
     return true;
 }
 
-/* Does the line pass the body's box in one place at most, such as its end? Then the body fills nothing along it. */
+/* Does the line touch the body's box in at most one point, such as its end? Then the body fills nothing along it. */
 static bool passes(const union_cutter *c, uint32_t body)
 {
     roberts_vec3 A = c->A, B = vec3_add(c->A, c->U), m = {c->departure, c->departure, c->departure};
@@ -341,7 +343,7 @@ static bool passes(const union_cutter *c, uint32_t body)
            !box_clip(A.z, B.z, low.z, high.z, &t0, &t1) || (t1 - t0) * c->length <= 2.0 * touch;
 }
 
-/* All bodies near the line. */
+/* Adds all bodies near the line. False: no memory. */
 static bool meet_bodies(union_cutter *c)
 {
     const union_bodies *all = c->all;
@@ -366,7 +368,7 @@ static bool meet_bodies(union_cutter *c)
 
 /* ---- the pieces -------------------------------------------------------------------------------------------------- */
 
-/* The same sides may be different faces in one plane. */
+/* Are both pieces treated the same? Equal sides may be different faces in one plane. */
 static bool same_answer(const union_cutter *c, const union_piece *a, const union_piece *b)
 {
     const union_work *work = c->work;
@@ -421,7 +423,7 @@ bool union_cut(const union_bodies *all, const union_line *line, union_work *work
                       ? all->departure[line->body]
                       : greater(all->departure[line->crossed[0]], all->departure[line->crossed[1]]);
     c.touch += c.departure;
-    if (all->bodies == ROBERTS_NONE || !(c.length > 4.0 * c.touch)) /* shorter than what touches */
+    if (all->bodies == ROBERTS_NONE || !(c.length > 4.0 * c.touch)) /* shorter than the touching distance */
         return add_piece(&c, 0.0, 1.0);
     if (!meet_bodies(&c))
         return false;

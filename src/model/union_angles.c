@@ -1,4 +1,4 @@
-/* union_angles.c - what the bodies at a piece of a line fill together, and where that ends. See union.h. */
+/* union_angles.c - the region that the bodies at a piece of a line fill together, and its bounds. See union.h. */
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -6,10 +6,10 @@
 #include "base/sort.h"
 #include "model/union_work.h"
 
-/* Directions that are tried until a ray passes no border of a face. */
+/* Directions tried until a ray passes no border of a face too closely. */
 enum { RAYS_TRIED = 16 };
 
-/* Scene units: a ray must pass a border at this distance to be sure on which side it does. Far above rounding. */
+/* Scene units: the least distance at which a ray's side of a border is certain. Far above rounding. */
 #define RAY_CLEAR 1e-13
 
 #define FULL_TURN 6.28318530717958647692
@@ -18,7 +18,7 @@ enum { RAYS_TRIED = 16 };
 
 enum { MISSES, HITS, UNSURE };
 
-/* Does the segment from M to M + R meet the face, well inside of its border and away from M? */
+/* Does the segment from M to M + R meet the face, well inside its border and away from M? */
 static int ray_meets(const roberts_scene *scene, uint32_t face, roberts_vec3 M, roberts_vec3 R)
 {
     plane F = union_plane(scene, face);
@@ -46,7 +46,7 @@ static int ray_meets(const roberts_scene *scene, uint32_t face, roberts_vec3 M, 
     return near || t * scale <= RAY_CLEAR ? UNSURE : HITS;
 }
 
-/* Whether the line touches the plane of this face at place t, in the body. */
+/* Does the line touch the plane of this face of the body at t? */
 static bool in_contact(const union_cutter *c, uint32_t body, uint32_t face, double t)
 {
     const union_work *work = c->work;
@@ -59,8 +59,8 @@ static bool in_contact(const union_cutter *c, uint32_t body, uint32_t face, doub
     return false;
 }
 
-/* How often a ray from the line at t, in direction w, passes the body's surface: UNSURE, or the last bit of that. Faces
- * that the line lies in there are left behind at once. */
+/* Casts a ray from the line at t, in direction w, and returns the parity of its crossings with the body's surface
+ * (MISSES or HITS), or UNSURE. Faces in which the line lies at t do not count. */
 static int cast(const union_cutter *c, const union_fill *of, double t, roberts_vec3 w)
 {
     const union_bodies *all = c->all;
@@ -93,7 +93,7 @@ static int cast(const union_cutter *c, const union_fill *of, double t, roberts_v
     return passed;
 }
 
-/* Whether the body fills the sector about angle `middle` of half width `half`, just beside the line at t. */
+/* Does the body fill the sector just beside the line at t? `middle` is the sector's angle, `half` half its width. */
 static bool fills_by_rays(const union_cutter *c, const union_fill *of, double t, double middle, double half)
 {
     static const double turn[RAYS_TRIED] = {0.03,  -0.27, 0.41,  -0.11, 0.33, -0.47, 0.19,  -0.37,
@@ -109,7 +109,7 @@ static bool fills_by_rays(const union_cutter *c, const union_fill *of, double t,
     return false;
 }
 
-/* Is the line inside of the body at t, where it touches no face of it? */
+/* Is the line inside the body at t? The line touches no face of it there. */
 static bool is_inside(const union_cutter *c, const union_fill *of, double t)
 {
     const roberts_scene *scene = c->all->scene;
@@ -135,7 +135,7 @@ bool union_agree(const union_cutter *c, const union_side *a, const union_side *b
            vec3_length(vec3_cross(a->d, b->d)) * lesser(a->reach, b->reach) <= 2.0 * touch_of(c, a->body, b->body);
 }
 
-/* Pieces of one face make one ray. */
+/* Adds a ray. Pieces of one face share one ray. False: no memory. */
 static bool add_ray(union_cutter *c, const union_contact *of, double way, double reach)
 {
     union_work *work = c->work;
@@ -164,7 +164,7 @@ static union_fill *fill_of(const union_work *work, uint32_t body)
     return NULL;
 }
 
-/* The rays of the piece about t. *alone: only one body has any. */
+/* Finds the rays of the piece around t. *alone: only one body has any. False: no memory. */
 static bool find_rays(union_cutter *c, double t, bool *alone)
 {
     union_work *work = c->work;
@@ -186,8 +186,8 @@ static bool find_rays(union_cutter *c, double t, bool *alone)
     return true;
 }
 
-/* Sorts the rays by angle and gives those of one direction one cluster. Clusters ascend with the angle, from 0; the
- * angles of the first may go on beyond a full turn. Returns their number. */
+/* Sorts the rays by angle and groups those of one direction into clusters. Clusters ascend by angle, from 0; the angles
+ * of the last may exceed a full turn. Returns the number of clusters. */
 static uint32_t find_clusters(union_cutter *c)
 {
     union_work *work = c->work;
@@ -212,7 +212,7 @@ static uint32_t find_clusters(union_cutter *c)
     return cluster + 1;
 }
 
-/* The middle of the sector that follows cluster k, and half of its width. */
+/* Returns the middle of the sector that follows cluster k, and half its width. */
 static double sector(const union_work *work, uint32_t k, uint32_t clusters, double *half)
 {
     double last = -INFINITY, next = INFINITY;
@@ -229,7 +229,7 @@ static double sector(const union_work *work, uint32_t k, uint32_t clusters, doub
     return 0.5 * (last + next);
 }
 
-/* A convex body fills what lies on the inner side of all its faces at the line. */
+/* Does a convex body fill direction w? It does if w is on the inner side of all its faces at the line. */
 static bool convex_fills(const union_cutter *c, const union_fill *of, double t, roberts_vec3 w)
 {
     const union_work *work = c->work;
@@ -242,7 +242,7 @@ static bool convex_fills(const union_cutter *c, const union_fill *of, double t, 
     return true;
 }
 
-/* Whether the body fills the sector after cluster k. Of a body that is not convex each ray changes the answer. */
+/* Does the body fill the sector after cluster k? For a body that is not convex, each ray toggles the answer. */
 static bool fills(const union_cutter *c, const union_fill *of, double t, uint32_t k, double middle)
 {
     const union_work *work = c->work;
@@ -272,8 +272,8 @@ static void begin_fills(union_cutter *c, double t, uint32_t clusters)
     }
 }
 
-/* The ray that stands for a cluster where what is filled ends: of a body that fills the side that is filled; of an edge
- * an own face first. */
+/* Returns the ray that represents a cluster where the filled region ends. It is a ray of a body that fills the filled
+ * side. For an edge, its own faces are preferred. */
 static const union_ray *bounding_ray(const union_cutter *c, double t, uint32_t k, uint32_t clusters, bool after)
 {
     const union_work *work = c->work;
@@ -294,7 +294,7 @@ static const union_ray *bounding_ray(const union_cutter *c, double t, uint32_t k
     return found ? found : other;
 }
 
-/* Is what lies between the clusters i and k exactly a half-plane? */
+/* Is the region between the clusters i and k exactly a half-plane? */
 static bool opposite(const union_cutter *c, uint32_t i, uint32_t k)
 {
     const union_work *work = c->work;
@@ -306,7 +306,7 @@ static bool opposite(const union_cutter *c, uint32_t i, uint32_t k)
     return false;
 }
 
-/* Do both faces that cross in the line bound what is filled? */
+/* Do both faces that cross in the line bound the filled region? */
 static bool own_sides(const union_cutter *c, const union_piece *piece)
 {
     const roberts_scene *scene = c->all->scene;
@@ -377,7 +377,7 @@ static bool find_sides(union_cutter *c, double t, uint32_t clusters, union_piece
     return true;
 }
 
-/* Is it the body of the line, or one whose face crosses another in it? */
+/* Is this the line's body, or one of the two whose faces cross in it? */
 static bool is_own_body(const union_cutter *c, uint32_t body)
 {
     const union_line *line = c->line;
@@ -398,7 +398,7 @@ bool union_judge(union_cutter *c, union_piece *piece)
         if (!work->fill[i].active && !is_own_body(c, work->fill[i].body) && is_inside(c, &work->fill[i], t))
             return true;
     piece->state = UNION_ALONE;
-    for (size_t i = 0; i < work->fill_count; i++) /* by rounding, a line may lie a little beside its own faces */
+    for (size_t i = 0; i < work->fill_count; i++) /* by rounding, a line may lie beside its own faces */
         alone = alone || (!work->fill[i].active && is_own_body(c, work->fill[i].body));
     if (alone)
         return true;

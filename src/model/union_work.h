@@ -1,4 +1,4 @@
-/* union_work.h - what union.c and union_angles.c share: a line on its way through the bodies. See union.h. */
+/* union_work.h - shared by union.c and union_angles.c: a line and the bodies that it meets. See union.h. */
 #ifndef ROBERTS_MODEL_UNION_WORK_H
 #define ROBERTS_MODEL_UNION_WORK_H
 
@@ -7,10 +7,10 @@
 /* A line lies in a face from t0 to t1. */
 struct union_contact {
     uint32_t body, face, plane;
-    bool own; /* the face meets in the line by its index */
+    bool own; /* the line is one of the face's own */
     double t0, t1;
-    roberts_vec3 n, w;  /* the plane's normal; the direction in the plane across the line, both of length 1 */
-    double plus, minus; /* how far the face reaches from the line toward w and -w; 0: not at all */
+    roberts_vec3 n, w;  /* unit vectors: the plane's normal; the direction in the plane across the line */
+    double plus, minus; /* how far the face extends from the line toward w and -w; 0: not at all */
 };
 
 /* A face leaves the line in one direction. */
@@ -26,8 +26,8 @@ struct union_fill {
     uint32_t body;
     double touch;
     bool convex;
-    bool active; /* it touches the line at the piece in hand */
-    bool broken; /* not convex: what it fills there is not clear */
+    bool active; /* it touches the line at the current piece */
+    bool broken; /* not convex: the region it fills there is undefined */
     bool first;  /* not convex: it fills the first sector */
 };
 
@@ -35,7 +35,7 @@ typedef struct union_cutter {
     const union_bodies *all;
     const union_line *line;
     union_work *work;
-    roberts_vec3 A, U, u, e1, e2; /* A + t U; u: U of length 1; e1, e2: a frame across the line */
+    roberts_vec3 A, U, u, e1, e2; /* A + t U: the line; u: unit vector of U; e1, e2: a frame across the line */
     double length, departure, touch;
 } union_cutter;
 
@@ -56,7 +56,7 @@ static inline uint32_t union_plane_number(const roberts_scene *scene, uint32_t f
     return scene->surface ? scene->surface->plane_of[face] : face;
 }
 
-/* Do two rays leave the line in one direction (way 1) or in opposite ones (way -1)? Each face may be off by the
+/* Do two rays leave the line in the same direction (way 1) or in opposite ones (way -1)? Each face may be off by the
  * touching distance at the line and at its far end. */
 bool union_agree(const union_cutter *c, const union_side *a, const union_side *b, double way);
 

@@ -1,7 +1,7 @@
-/* weld.c - vertices at the same position become one; components that are not closed are welded and split.
+/* weld.c - merges vertices at the same position; welds and splits components that are not closed.
  *
- * Idea: a hash of its position puts each vertex into one of as many buckets as there are vertices, and each bucket is
- * sorted. Nearly all buckets hold one position, so the time is linear; in the worst case it is n log n. */
+ * A hash of its position puts each vertex into one of as many buckets as there are vertices, and each bucket is sorted.
+ * Nearly all buckets hold one position, so the time is linear; in the worst case it is n log n. */
 #include "model/weld.h"
 
 #include <stdlib.h>
@@ -40,7 +40,7 @@ static uint64_t mix(uint64_t hash, double x)
 {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
-    hash = (hash ^ bits) * 0x9e3779b97f4a7c15u; /* 2^64 over the golden ratio: spreads low bits upward */
+    hash = (hash ^ bits) * 0x9e3779b97f4a7c15u; /* 2^64 divided by the golden ratio: spreads low bits upward */
     return hash ^ hash >> 29;
 }
 
@@ -98,7 +98,7 @@ bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const
     return enough;
 }
 
-/* A hash table: nearly always no two are equal, and then nothing needs to be sorted. */
+/* Uses a hash table: usually no two vertices are equal, and then nothing needs to be sorted. */
 bool weld_any_equal(const uint32_t *listed, size_t count, const roberts_vec3 *point, bool *equal)
 {
     size_t size = 16;
@@ -122,18 +122,18 @@ bool weld_any_equal(const uint32_t *listed, size_t count, const roberts_vec3 *po
 
 /* ---- components that are not closed ---------------------------------------------------------------------------- */
 
-/* Components that are not closed are welded, split, and numbered together with the others.
+/* Components that are not closed are welded and split, and numbered together with the others.
  *
  * Some files give each face its own vertices ("soup"), so that each face is a component. Open components are welded
  * with one another where positions are exactly equal, but never with closed ones: a solid that is complete in the file
  * stays as it is, even if it touches others. */
 
-/* The faces of open components, joined to one solid and then split. Zeroed = empty. */
+/* The faces of open components, merged into one solid and then split. Zeroed = empty. */
 typedef struct regrouping {
-    roberts_scene loose; /* one solid: these faces */
-    edge_scratch edges;  /* of it */
-    split_groups groups; /* of its faces */
-    uint32_t *of;        /* [faces] the component, or behind all components the group, of each */
+    roberts_scene loose; /* a single solid: these faces */
+    edge_scratch edges;  /* of `loose` */
+    split_groups groups; /* of the faces of `loose` */
+    uint32_t *of;        /* [faces] the component of each; for split faces, the number of components plus the group */
     bool keep_open;
 } regrouping;
 
@@ -175,7 +175,7 @@ static roberts_status weld_open(const roberts_scene *scene, const uint8_t *open,
     return status;
 }
 
-/* Sets of[f], and returns the number of faces that need splitting: loose_of[f] is 0 for those, ROBERTS_NONE for
+/* Sets of[f], and returns the number of faces that need splitting. loose_of[f] is 0 for those and ROBERTS_NONE for
  * others. */
 static uint32_t list_open(const roberts_scene *scene, const uint8_t *open, const polygons *faces, uint32_t *of,
                           uint32_t *loose_of)
@@ -188,7 +188,7 @@ static uint32_t list_open(const roberts_scene *scene, const uint8_t *open, const
             uint32_t f = scene_face_number(scene, i);
             if (!open[s]) {
                 of[f] = s;
-            } else if (polygon_size(faces, f) >= 3) { /* welding may have left fewer */
+            } else if (polygon_size(faces, f) >= 3) { /* welding may have left fewer corners */
                 loose_of[f] = 0;
                 count++;
             }
@@ -228,8 +228,8 @@ static uint32_t number_solids(uint32_t *of, uint32_t id_count, const polygons *f
     return count;
 }
 
-/* Where solid s comes from, by the solid of each face: all vertices and faces of the solids of earlier files are
- * smaller. */
+/* Finds where solid s comes from, given the solid of each face. All vertices and faces of earlier files have smaller
+ * numbers. */
 static solid_source source_of_group(uint32_t s, const uint32_t *of, const polygons *faces, const roberts_mesh *mesh)
 {
     uint32_t v[2] = {ROBERTS_NONE, 0}, f[2] = {ROBERTS_NONE, 0};
@@ -248,8 +248,8 @@ static solid_source source_of_group(uint32_t s, const uint32_t *of, const polygo
     return at;
 }
 
-/* Refuses solid s, which is the group `group` and comes from `at`, as not closed. The message names its first edge (by
- * vertices) that has not two faces. */
+/* Refuses solid s as not closed. It is the group `group` and comes from `at`. The message names its first edge (by
+ * vertices) that does not have two faces. */
 static roberts_status refuse_open(const regrouping *g, uint32_t s, solid_source at, uint32_t group,
                                   roberts_error *error)
 {

@@ -1,4 +1,4 @@
-/* weld.h - vertices at the same position become one; components that are not closed are welded and split. */
+/* weld.h - merges vertices at the same position; welds and splits components that are not closed. */
 #ifndef ROBERTS_MODEL_WELD_H
 #define ROBERTS_MODEL_WELD_H
 
@@ -9,23 +9,23 @@
 
 /* ---- equal positions ------------------------------------------------------------------------------------------- */
 
-/* Sets name[v], for each of the `count` listed vertices (ascending), to the smallest listed vertex at exactly the same
- * position (-0 is 0). Other names stay as they are. False: no memory. */
+/* Sets name[v] of each of the `count` listed vertices (ascending) to the smallest listed vertex at exactly the same
+ * position (-0 equals 0). Other names do not change. False: no memory. */
 bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const roberts_vec3 *point);
 
-/* Sets *equal: are two of the `count` listed vertices at exactly the same position? False: no memory. */
+/* Finds whether any two of the `count` listed vertices are at exactly the same position. False: no memory. */
 bool weld_any_equal(const uint32_t *listed, size_t count, const roberts_vec3 *point, bool *equal);
 
 /* ---- components that are not closed ---------------------------------------------------------------------------- */
 
-/* Components that are not closed are welded, split, and numbered together with the others. */
+/* Components that are not closed are welded and split, and numbered together with the others. */
 
 /* Welds the components of `scene` that are marked open with one another, and splits them into solids. Then lays out all
- * solids anew, closed components and split ones alike, numbered by their smallest vertex (several that share it: by
- * their smallest face). `faces` is cleaned after welding.
- * keep_open: faces that belong to no closed solid are laid out too, as one solid where they share vertices.
- * Returns ROBERTS_OK, _NO_MEMORY, _BAD_NUMBER or, without `keep_open`, _NOT_CLOSED: `error` then names the first solid
- * that is not closed, one of its edges, and how many faces that edge has. */
+ * solids again, closed components and split ones alike, numbered by their smallest vertex (several that share it, by
+ * their smallest face). `faces` is cleaned after welding. keep_open: faces that belong to no closed solid are laid out
+ * too, as one solid if they share vertices. Returns ROBERTS_OK, _NO_MEMORY, _BAD_NUMBER or, without `keep_open`,
+ * _NOT_CLOSED: `error` then names the first solid that is not closed, one of its edges, and the number of faces at that
+ * edge. */
 roberts_status regroup(roberts_scene *scene, const uint8_t *open, polygons *faces, const roberts_mesh *mesh,
                        bool keep_open, roberts_error *error);
 

@@ -1,16 +1,16 @@
-/* crossed.c - see crossed.h. */
+/* crossed.c - the faces that cross in an intersection. See crossed.h. */
 #include "ray/crossed.h"
 
 #include <stdlib.h>
 
 #include "base/array.h"
 
-/* Touching distances: how far beside the line rays are cast. Near its ends a face may be narrow there, so they are cast
- * nearer, too. */
+/* Touching distances: how far beside the line rays are cast. Near its ends a face may be narrow, so rays are also cast
+ * closer. */
 static const double beside[] = {0.5, 0.05, 0.005};
 
-/* A line in two faces whose corners depart from their planes may lie beside the faces by so many departures, as the
- * planes lean to one another. */
+/* Departures: how far a line in two faces may lie beside them if their corners depart from their planes. It depends on
+ * the angle between the planes. */
 #define DEPARTURES 8.0
 
 static int by_number(const void *pa, const void *pb)
@@ -39,7 +39,7 @@ void crossed_end(crossed *c)
     *c = (crossed){0};
 }
 
-/* The first piece of a face of this number; face_count: there is none. */
+/* Returns the first piece of the face with this number; face_count: none. */
 static uint32_t first_piece(const crossed *c, uint32_t number)
 {
     uint32_t low = 0, high = c->scene->face_count;
@@ -59,7 +59,7 @@ static bool is_in_plane(const crossed *c, uint32_t face, roberts_vec3 X)
     return fabs(off) <= 2.0 * (c->touching + scene_deviation(c->scene, face));
 }
 
-/* Is X, a point of its plane, in the piece, or no farther outside than `loose` and what corners depart from planes? */
+/* Is X, a point of the piece's plane, in the piece, or no farther outside than `loose` plus the corners' departures? */
 static bool holds(const crossed *c, uint32_t face, roberts_vec3 X, double loose)
 {
     const roberts_scene *scene = c->scene;
@@ -77,7 +77,7 @@ static bool holds(const crossed *c, uint32_t face, roberts_vec3 X, double loose)
     return true;
 }
 
-/* Is X in a piece of the face of this number that lies in the plane of `face`? */
+/* Is X in a piece of the face with this number that lies in the plane of `face`? */
 static bool face_holds(const crossed *c, const crossed_piece *like, roberts_vec3 X, double loose)
 {
     const roberts_scene *scene = c->scene;
@@ -119,15 +119,15 @@ bool crossed_find(const crossed *c, const roberts_crossing *line, crossed_faces 
     return true;
 }
 
-/* Are both faces met on both sides of X, so far from it? */
-static bool are_met_beside(const crossed *c, const crossed_faces *faces, roberts_vec3 X, roberts_vec3 d, double far)
+/* Do rays meet both faces on both sides of X, at this distance? */
+static bool both_met_beside(const crossed *c, const crossed_faces *faces, roberts_vec3 X, roberts_vec3 d, double far)
 {
     for (int i = 0; i < 2; i++) {
         plane F = c->scene->face_plane[faces->of[i].face];
         roberts_vec3 aside = vec3_cross((roberts_vec3){F.a, F.b, F.c}, d);
         double length = vec3_length(aside);
         if (!(length > 0.0))
-            return true; /* too short to tell */
+            return true; /* too short to test */
         aside = vec3_scale(far / length, aside);
         if (!face_holds(c, &faces->of[i], vec3_add(X, aside), 0.25 * far) ||
             !face_holds(c, &faces->of[i], vec3_sub(X, aside), 0.25 * far))
@@ -142,7 +142,7 @@ bool crossed_is_line(const crossed *c, const roberts_crossing *line, const cross
     roberts_vec3 d = vec3_sub(line->end[1], line->end[0]);
     for (int k = 0; k < 3; k++)
         for (int n = 0; n < 3; n++)
-            if (are_met_beside(c, faces, point_at(line, places[k]), d, beside[n] * c->touching))
+            if (both_met_beside(c, faces, point_at(line, places[k]), d, beside[n] * c->touching))
                 return true;
     return false;
 }

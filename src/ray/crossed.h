@@ -1,13 +1,13 @@
-/* crossed.h - the faces that a drawing says cross in a line: which of the scene's they are, and whether they do.
+/* crossed.h - the faces that, by a drawing, cross in a line: which faces of the scene they are, and whether they cross.
  *
- * The check is geometry of its own. The line lies in the planes of both faces; beside it, on either side, a ray along
- * the normal of each face meets that face. */
+ * This check has its own geometry. The line must lie in the planes of both faces. Beside it, on both sides, a ray along
+ * the normal of each face must meet that face. */
 #ifndef ROBERTS_RAY_CROSSED_H
 #define ROBERTS_RAY_CROSSED_H
 
 #include "view/seen.h"
 
-/* A piece of a face by the number of that face. */
+/* A piece of a face, and the number of that face. */
 typedef struct crossed_piece {
     uint32_t number, body, face;
 } crossed_piece;
@@ -15,10 +15,10 @@ typedef struct crossed_piece {
 typedef struct crossed {
     const roberts_scene *scene;
     double touching;      /* model units */
-    crossed_piece *piece; /* [scene->face_count] by number */
+    crossed_piece *piece; /* [scene->face_count] sorted by number */
 } crossed;
 
-/* A line's faces: a piece of each in whose plane it lies. */
+/* The faces of a line: for each, a piece in whose plane the line lies. */
 typedef struct crossed_faces {
     crossed_piece of[2];
 } crossed_faces;
@@ -27,10 +27,10 @@ typedef struct crossed_faces {
 bool crossed_begin(crossed *c, const roberts_scene *scene, double touching);
 void crossed_end(crossed *c);
 
-/* Finds the faces of a line. False: it does not lie in two faces of these numbers. */
+/* Finds the faces of a line. False: the line does not lie in two faces with these numbers. */
 bool crossed_find(const crossed *c, const roberts_crossing *line, crossed_faces *out);
 
-/* Do both faces go on at both sides of the line, somewhere about its middle? */
+/* Do both faces continue on both sides of the line, somewhere near its middle? */
 bool crossed_is_line(const crossed *c, const roberts_crossing *line, const crossed_faces *faces);
 
 #endif

@@ -8,22 +8,23 @@
 #include "base/bits.h"
 #include "base/sort.h"
 
-/* How far boxes reach beyond their faces, in loose epsilons. A corner of angle a, grown by epsilon, sticks out by
- * epsilon / sin(a / 2). */
+/* Loose epsilons: how far boxes extend beyond their faces. A corner of angle a, expanded by epsilon, extends by epsilon
+ * / sin(a / 2). */
 #define BOX_MARGIN 1000.0
 /* A face is cut into at most SLICES boxes. Their number doubles as long as all boxes together shrink to SLICE_GAIN or
- * less and each new box saves more than SLICE_COST questions (what building it costs, measured). */
+ * less and each new box saves more than SLICE_COST queries (the measured cost of building it). */
 #define SLICES 1024
 #define SLICE_GAIN 0.75
 #define SLICE_COST 20.0
-/* A solid of at most FACES_TOGETHER faces stands in the tree as one, if its picture fills at least FILL_TOGETHER of
+/* A solid of at most FACES_TOGETHER faces is a single item of the tree, if its picture fills at least FILL_TOGETHER of
  * its box. */
 #define FACES_TOGETHER 12
 #define FILL_TOGETHER 0.125
 
 /* ---- the picture ----------------------------------------------------------------------------------------------- */
 
-/* Sets the line of sight and two directions across it. Which way is up does not matter: the picture is not shown. */
+/* Sets the line of sight and two directions perpendicular to it. Their rotation does not matter, since this picture is
+ * not shown. */
 static void set_picture(occluders *o, const view *v)
 {
     roberts_vec3 d = o->s.perspective ? v->dir : o->s.viewpoint;
@@ -34,8 +35,8 @@ static void set_picture(occluders *o, const view *v)
     o->toward = d;
 }
 
-/* A point in the picture. z is the height or, in perspective, one over the distance from the eye's plane. Both grow
- * toward the viewer, and both keep planes plane. */
+/* Maps a point to the picture. z is the height or, in perspective, one over the distance from the eye's plane. Both
+ * increase toward the viewer, and both keep planes planar. */
 static roberts_vec3 picture_point(const occluders *o, roberts_vec3 X)
 {
     if (!o->s.perspective)
@@ -47,7 +48,7 @@ static roberts_vec3 picture_point(const occluders *o, roberts_vec3 X)
 
 /* ---- the tree -------------------------------------------------------------------------------------------------- */
 
-/* Boxes on their way into the tree. */
+/* Boxes to be put into the tree. */
 typedef struct box_list {
     tree_entry *entry;
     size_t count, room;
@@ -69,7 +70,7 @@ static tree_box face_box(const occluders *o, uint32_t face)
 }
 
 /* Divides a face by `count` + 1 evenly spaced lines across the longer side of its box `whole`. slice[0 .. count-1]
- * become the boxes of the parts. The face is convex, so a part reaches no farther than the sides between its lines. */
+ * become the boxes of the parts. The face is convex, so no part extends beyond the sides between its lines. */
 static void slice_face(const occluders *o, uint32_t face, tree_box whole, tree_box *slice, uint32_t count)
 {
     const roberts_scene *scene = o->s.scene;
@@ -94,15 +95,15 @@ static void slice_face(const occluders *o, uint32_t face, tree_box whole, tree_b
     }
 }
 
-/* Fills `slice` with the boxes of a face and returns their number. A long face that lies aslant fills little of its
- * box, and many such faces make a tree useless. Slices help (M. Ernst, G. Greiner, "Early split clipping for bounding
- * volume hierarchies", 2007) if the rays that they save cost more than the boxes that they add. They save rays in
- * proportion to the shadow that they save. */
+/* Fills `slice` with the boxes of a face and returns their number. A long oblique face fills little of its box, and
+ * many such faces make a tree useless. Slices help (M. Ernst, G. Greiner, "Early split clipping for bounding volume
+ * hierarchies", 2007) if the rays that they save cost more than the boxes that they add. The saving is proportional to
+ * the reduction of the shadow. */
 static uint32_t boxes_of_face(const occluders *o, uint32_t face, const box_list *list, tree_box *slice)
 {
     tree_box finer[SLICES], whole = face_box(o, face);
     uint32_t count = 1;
-    double rays = list->rays_per_shadow * tree_box_shadow(whole, list->floor); /* estimate of those that meet a box */
+    double rays = list->rays_per_shadow * tree_box_shadow(whole, list->floor); /* estimate for this box */
     slice[0] = whole;
     while (2 * count <= SLICES && rays > SLICE_COST * count) {
         double fewer = 0.0;
@@ -119,7 +120,7 @@ static uint32_t boxes_of_face(const occluders *o, uint32_t face, const box_list 
     return count;
 }
 
-/* The box with a margin around it; `margin` is a length in the model. */
+/* Returns the box with a margin around it. `margin` is a length in the model. */
 static tree_box grown(const occluders *o, tree_box box, double margin)
 {
     roberts_vec3 m = {margin, margin, margin};
@@ -131,7 +132,7 @@ static tree_box grown(const occluders *o, tree_box box, double margin)
     return (tree_box){vec3_sub(box.lo, m), vec3_add(box.hi, m)};
 }
 
-/* An entry of the tree; its box holds whatever counts as touching the faces. */
+/* Makes an entry of the tree. Its box contains everything that counts as touching the faces. */
 static tree_entry entry_of(const occluders *o, tree_box box, uint32_t solid, tree_item faces)
 {
     double margin = BOX_MARGIN * (o->s.loose + o->s.rounding);
@@ -146,7 +147,7 @@ static bool add_entry(const occluders *o, tree_box box, uint32_t solid, tree_ite
     return true;
 }
 
-/* Adds the front faces of a solid, each in its own boxes. */
+/* Adds the front faces of a solid, each with its own boxes. False: no memory. */
 static bool add_faces(const occluders *o, uint32_t solid, box_list *list)
 {
     const roberts_scene *scene = o->s.scene;
@@ -160,12 +161,13 @@ static bool add_faces(const occluders *o, uint32_t solid, box_list *list)
     return true;
 }
 
-/* The box of all front faces of a solid. `fill`: the part of it that their pictures fill; `fronts`: their range. */
+/* Returns the box of all front faces of a solid. `fill`: the fraction of it that their pictures fill; `fronts`: their
+ * range. */
 static tree_box solid_box(const occluders *o, uint32_t solid, double *fill, tree_item *fronts)
 {
     const roberts_scene *scene = o->s.scene;
     tree_box box = tree_no_box;
-    double area = 0.0; /* twice */
+    double area = 0.0; /* twice the area */
     *fronts = (tree_item){0, 0};
     for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {
         uint32_t end = scene->face_start[face + 1];
@@ -184,8 +186,8 @@ static tree_box solid_box(const occluders *o, uint32_t solid, double *fill, tree
     return box;
 }
 
-/* Adds a small solid as one box, which makes the tree smaller; a ray that meets the box mostly meets a front face. For
- * a solid that is long, thin and aslant, slices of its faces are better. */
+/* Adds a small solid as one box, which makes the tree smaller; a ray that meets the box usually meets a front face. For
+ * a long, thin, oblique solid, slices of its faces are better. False: no memory. */
 static bool add_solid(const occluders *o, uint32_t solid, box_list *list)
 {
     const roberts_scene *scene = o->s.scene;
@@ -195,11 +197,12 @@ static bool add_solid(const occluders *o, uint32_t solid, box_list *list)
         return add_faces(o, solid, list);
     tree_box box = solid_box(o, solid, &fill, &fronts);
     if (fronts.count == 0)
-        return true; /* mostly a solid that the near plane cuts off */
+        return true; /* usually a solid that the near plane removes */
     return fill >= FILL_TOGETHER ? add_entry(o, box, solid, fronts, list) : add_faces(o, solid, list);
 }
 
-/* Builds the tree over the faces that may hide. Their boxes hold whatever counts as touching them. */
+/* Builds the tree over the faces that may hide. Their boxes contain everything that counts as touching them. False: no
+ * memory. */
 static bool build_tree(occluders *o, const double *rays)
 {
     const roberts_scene *scene = o->s.scene;
@@ -211,7 +214,7 @@ static bool build_tree(occluders *o, const double *rays)
     list.floor = o->window.lo.z;
     double shadow = tree_box_shadow(o->window, list.floor);
     for (uint32_t solid = 0; built && solid < scene->solid_count; solid++) {
-        list.rays_per_shadow = 2.0 * rays[solid] / shadow; /* on average rays start at half the height */
+        list.rays_per_shadow = 2.0 * rays[solid] / shadow; /* on average, rays start at half the height */
         if (o->twin[solid] == solid)
             built = add_solid(o, solid, &list);
     }
@@ -222,14 +225,14 @@ static bool build_tree(occluders *o, const double *rays)
 
 /* ---- copies ---------------------------------------------------------------------------------------------------- */
 
-/* A hash of the solid's points. Copies have the same hash. */
+/* Returns a hash of the solid's points. Copies have the same hash. */
 static uint32_t solid_key(const occluders *o, uint32_t solid)
 {
     const scene_solid *s = &o->s.scene->solid[solid];
     return bits_hash(o->s.P + s->vertex, (s[1].vertex - s->vertex) * sizeof *o->s.P);
 }
 
-/* Whether two solids have the same points and faces in the same order, to the last bit. */
+/* Do two solids have the same points and faces in the same order, to the last bit? */
 static bool is_copy(const occluders *o, uint32_t a, uint32_t b)
 {
     const roberts_scene *scene = o->s.scene;
@@ -252,9 +255,9 @@ static bool is_copy(const occluders *o, uint32_t a, uint32_t b)
     return true;
 }
 
-/* Finds copies: convex solids at the very same place. Two of them go into the tree, so that each copy finds another one
- * before it. If a thousand copies were in the tree, the rays of all of them would ask all of them. A stable sort by key
- * brings copies together. */
+/* Finds copies: convex solids at exactly the same place. Two of them go into the tree, so that each copy finds another
+ * one in front of it. If the tree had a thousand copies, the rays of each would be tested against all of them. A stable
+ * sort by key brings copies together. False: no memory. */
 static bool find_twins(occluders *o)
 {
     uint32_t count = o->s.scene->solid_count;
@@ -265,7 +268,7 @@ static bool find_twins(occluders *o)
         o->twin[i] = i;
     }
     done = done && radix_order(key, count, order);
-    uint32_t first = 0, alike = 0; /* order[first] and `alike` - 1 copies of it have been seen */
+    uint32_t first = 0, alike = 0; /* order[first], and `alike` - 1 copies of it so far */
     for (uint32_t k = 0; done && k < count; k++) {
         if (alike > 0 && key[order[k]] == key[order[first]] && scene_is_convex(o->s.scene, order[k]) &&
             scene_is_convex(o->s.scene, order[first]) && is_copy(o, order[first], order[k])) {
@@ -315,9 +318,9 @@ void occluders_free(occluders *o)
     *o = (occluders){0};
 }
 
-/* ---- places ---------------------------------------------------------------------------------------------------- */
+/* ---- positions ------------------------------------------------------------------------------------------------- */
 
-/* Maps x between low and high to 0 .. 65535; NaN to 0. */
+/* Maps the range from low to high to 0 .. 65535; NaN to 0. */
 static uint32_t cell(double x, double low, double high)
 {
     double part = (x - low) / (high - low);
@@ -331,7 +334,7 @@ uint32_t occluders_place(const occluders *o, roberts_vec3 X)
            bits_spread(cell(p.y, o->window.lo.y, o->window.hi.y)) << 1;
 }
 
-/* ---- who takes part -------------------------------------------------------------------------------------------- */
+/* ---- which faces take part ------------------------------------------------------------------------------------- */
 
 bool occluders_take_part(const occluders *o, const occluders_asker *of, uint32_t face)
 {
@@ -341,12 +344,12 @@ bool occluders_take_part(const occluders *o, const occluders_asker *of, uint32_t
 
 /* ---- casting --------------------------------------------------------------------------------------------------- */
 
-/* Questions on their way through the tree. */
+/* Queries on their way through the tree. */
 typedef struct casting {
     const occluders *o;
     sight_question *question;
     roberts_vec3 v[TREE_POINTS]; /* toward the viewer */
-    tree_points points;          /* live: those without the answer "surely" */
+    tree_points points;          /* live: those not yet answered "surely" */
 } casting;
 
 static sight_answer hides_strictly(const occluders *o, uint32_t face, const sight_question *q, roberts_vec3 v,
@@ -361,8 +364,8 @@ static sight_answer hides_strictly(const occluders *o, uint32_t face, const sigh
     return answer;
 }
 
-/* Notes a hider for a question about the nearest one. From now on the point counts as lying on the hider, so that lower
- * boxes are left out. */
+/* Records a hider for a query about the nearest one. From now on the point counts as lying on the hider, so lower boxes
+ * are skipped. */
 static void keep_nearest(casting *c, uint32_t i, uint32_t face)
 {
     sight_question *q = &c->question[i];
@@ -374,7 +377,7 @@ static void keep_nearest(casting *c, uint32_t i, uint32_t face)
     }
 }
 
-/* Asks whether the face hides those of the points whose answer may still change. */
+/* Tests whether the face hides those of the points whose answer may still change. */
 static void ask(casting *c, uint32_t face, tree_set points)
 {
     const occluders *o = c->o;
@@ -399,7 +402,7 @@ static void ask(casting *c, uint32_t face, tree_set points)
     }
 }
 
-/* Asks about the front faces of an item. If there are several, each is asked about the points under its own box. */
+/* Tests the front faces of an item. If there are several, each is tested only with the points under its own box. */
 static void ask_item(casting *c, tree_item item, const tree_set *points)
 {
     const occluders *o = c->o;
@@ -450,7 +453,7 @@ void occluders_search_start(occluders_search *s, const occluders *o, roberts_vec
                       of.own ? o->s.scene->solid_count : of.solid);
 }
 
-/* Goes to the next item of the leaf, or to the first of the next leaf. False at the end. */
+/* Moves to the next item of the leaf, or to the first item of the next leaf. False at the end. */
 static bool next_item(occluders_search *s)
 {
     tree_leaf leaf;

@@ -1,7 +1,6 @@
 /* pick.c - what is seen at a point of the picture, and what lies behind it.
  *
- * Idea: ask every front face whether the sight line through that point passes through it. A tree would not pay for
- * one question. */
+ * Every front face is tested against the sight line through that point. A tree does not pay for a single query. */
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -13,12 +12,12 @@
 typedef struct picker {
     sight s;
     seen seen;
-    roberts_vec3 Q, toward; /* the sight line, through the picture's point, toward the viewer; in s.unit */
+    roberts_vec3 Q, toward; /* the sight line through the picture's point, toward the viewer; in s.unit */
     roberts_picked *picked;
     size_t room;
 } picker;
 
-/* Depth of a point, in s.unit, behind the picture plane. */
+/* Returns the depth of a point behind the picture plane, in s.unit. */
 static double depth_of(const picker *p, roberts_vec3 X)
 {
     return vec3_dot(vec3_sub(p->Q, X), p->seen.view.dir);
@@ -32,7 +31,7 @@ static bool append(picker *p, roberts_pick_hit hit)
     return true;
 }
 
-/* Picks the front faces of one solid on the sight line. Neighbours that share the point met count once. */
+/* Picks the front faces of one solid on the sight line. Adjacent faces that share the point count once. */
 static bool pick_solid(picker *p, uint32_t solid)
 {
     const roberts_scene *scene = p->s.scene;
@@ -68,8 +67,8 @@ static int by_depth(const void *a, const void *b)
     return p->face < q->face ? -1 : p->face > q->face;
 }
 
-/* Sorts by depth, then equal depths by solid: within a run of hits each of which touches the next in depth.
- * by_depth() cannot do this, since touching is not transitive. */
+/* Sorts by depth; within a run of hits where each touches the next in depth, sorts by solid. by_depth() cannot do this,
+ * since touching is not transitive. */
 static void order(roberts_picked *picked, double touching)
 {
     qsort(picked->hit, picked->count, sizeof *picked->hit, by_depth);

@@ -1,11 +1,11 @@
 /* shapes.c - a ray against the usual shapes: segment, plane, triangle, polygon, sphere and circle, box, convex
  * polyhedron.
  *
- * The ray is S + t v with t >= 0, and v of any length but 0. Shapes are closed: what only touches is met. Sources are
- * the lectures "Lancer de rayons I" [L], "Intersection entre un rayon et une boite" [B] and "Prienik luca s
- * objektami" [Z]; the README lists the formulas and their corrections.
+ * The ray is S + t v with t >= 0, and v of any length but 0. Shapes are closed: a ray that only touches a shape meets
+ * it. Sources are the lectures "Lancer de rayons I" [L], "Intersection entre un rayon et une boite" [B] and "Prienik
+ * luca s objektami" [Z]; the README lists the formulas and their corrections.
  *
- * Invariant: NaN in, miss out. Every comparison that accepts is written so that it fails for NaN. */
+ * Invariant: NaN input gives a miss. Every comparison that accepts is written so that it fails for NaN. */
 #include "ray/determinant.h"
 
 static roberts_facing facing_of(double vn)
@@ -18,7 +18,7 @@ static roberts_vec3 ray_at(roberts_ray ray, double t)
     return vec3_add(ray.origin, vec3_scale(t, ray.direction));
 }
 
-/* A direction that leads somewhere: finite and not 0. */
+/* Is this a valid direction, finite and not 0? */
 static bool ray_has_direction(roberts_vec3 v)
 {
     return isfinite(v.x) && isfinite(v.y) && isfinite(v.z) && (v.x != 0.0 || v.y != 0.0 || v.z != 0.0);
@@ -32,8 +32,7 @@ typedef struct inside_part {
 
 static const inside_part whole_line = {-INFINITY, INFINITY, ROBERTS_NONE, ROBERTS_NONE};
 
-/* Fills `span` with the part and with what the ray meets first. A part that lies behind S, or beyond all numbers, is
- * not met. */
+/* Fills `span` with the part and with what the ray meets first. False if the part lies behind S, or is out of range. */
 static bool meet_part(inside_part in, roberts_span *span)
 {
     if (!(in.t_in <= in.t_out) || !(in.t_out >= 0.0) || !(in.t_in < INFINITY))
@@ -47,13 +46,13 @@ static bool meet_part(inside_part in, roberts_span *span)
 
 /* ---- segment and plane ----------------------------------------------------------------------------------------- */
 
-/* [L] 1.1, proposition 1: S + t v = A + alpha AB. The dot product with n (across AB) leaves t, that with m (across v)
- * alpha. Since AB . m = -(v . n), one determinant serves both. */
+/* [L] 1.1, proposition 1: S + t v = A + alpha AB. The dot product with n (perpendicular to AB) gives t, that with m
+ * (perpendicular to v) gives alpha. Since AB . m = -(v . n), one determinant serves both. */
 bool roberts_ray_segment(roberts_ray2 ray, roberts_vec2 a, roberts_vec2 b, roberts_hit *hit)
 {
     roberts_vec2 v = ray.direction;
     roberts_vec2 sa = {a.x - ray.origin.x, a.y - ray.origin.y};
-    roberts_vec2 n = {-(b.y - a.y), b.x - a.x}; /* (AB, n) is a direct base: n looks out of the visible side */
+    roberts_vec2 n = {-(b.y - a.y), b.x - a.x}; /* (AB, n) is a direct base: n points out of the visible side */
     roberts_vec2 m = {-v.y, v.x};
     double vn = v.x * n.x + v.y * n.y;
     if (ray_parallel(vn, fabs(v.x * n.x) + fabs(v.y * n.y)))
@@ -82,9 +81,9 @@ bool roberts_ray_plane(roberts_ray ray, roberts_plane F, roberts_hit *hit)
 
 /* ---- triangle -------------------------------------------------------------------------------------------------- */
 
-/* Three forms of S + t v = A + alpha AB + beta AC. They differ in how they solve this. All agree on the determinant
- * (v . n with n = AB x AC, up to its sign), on when it is too small (relative to its six terms), and on what is met:
- * alpha >= 0, beta >= 0, alpha + beta <= 1, t >= 0. */
+/* Three solutions of S + t v = A + alpha AB + beta AC. They agree on the determinant (v . n with n = AB x AC, up to its
+ * sign), on when it is too small (relative to its six terms), and on what is met: alpha >= 0, beta >= 0, alpha + beta
+ * <= 1, t >= 0. */
 static bool hit_triangle(double t, double alpha, double beta, double vn, roberts_hit *hit)
 {
     if (!(t >= 0.0 && alpha >= 0.0 && beta >= 0.0 && alpha + beta <= 1.0 && t < INFINITY))
@@ -107,7 +106,7 @@ bool roberts_ray_triangle(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, rober
     return hit_triangle(t, alpha, beta, vn, hit);
 }
 
-/* [Z], Moeller-Trumbore, in the letters of the note: its a = e1 . (d x e2) is -(v . n). Correction 2: a is compared
+/* [Z], Moeller-Trumbore, with the letters of the note: its a = e1 . (d x e2) is -(v . n). Correction 2: a is compared
  * relative to its terms, not with 0. */
 bool roberts_ray_triangle_mt(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, roberts_vec3 c, roberts_hit *hit)
 {
@@ -125,7 +124,7 @@ bool roberts_ray_triangle_mt(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, ro
     return hit_triangle(f * vec3_dot(e2, q), u, f * vec3_dot(d, q), -determinant, hit);
 }
 
-/* [Z]: P in the plane first, then w = P - V0 in the base (u, v) of the sides, where v is the side V2 - V0 and not the
+/* [Z]: first P in the plane, then w = P - V0 in the base (u, v) of the sides, where v is the side V2 - V0 and not the
  * ray (correction 1). */
 bool roberts_ray_triangle_barycentric(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, roberts_vec3 c, roberts_hit *hit)
 {
@@ -142,16 +141,16 @@ bool roberts_ray_triangle_barycentric(roberts_ray ray, roberts_vec3 a, roberts_v
 
 /* ---- polygon --------------------------------------------------------------------------------------------------- */
 
-/* The note leaves out points on the border; here they are inside. The frame of the plane stands on the corner whose two
- * sides span most: the note's A1 may lie on the line of its neighbours.
+/* The note leaves out points on the border; here they are inside. The frame of the plane is at the corner whose two
+ * sides span the largest triangle, because the note's A1 may be collinear with its neighbours.
  *
- * P = O + x u' + y v'; `u` and `v` are the dual base, which multiplied with P - O gives x and y. */
+ * P = O + x u' + y v'; `u` and `v` are the dual base, whose dot products with P - O give x and y. */
 typedef struct frame {
     roberts_vec3 origin, u, v;
 } frame;
 
-/* The polygon's area vector, twice its area long, by Newell: every corner counts, and corners on one line do no harm.
- * `size` is the sum of its terms' sizes, component by component. */
+/* Returns the polygon's area vector, of length twice its area, by Newell. Every corner counts, and collinear corners do
+ * no harm. `size` is the sum of the absolute terms, component by component. */
 static roberts_vec3 area_vector(const roberts_vec3 *corner, size_t count, roberts_vec3 *size)
 {
     roberts_vec3 n = {0.0, 0.0, 0.0}, s = {0.0, 0.0, 0.0};
@@ -166,7 +165,7 @@ static roberts_vec3 area_vector(const roberts_vec3 *corner, size_t count, robert
     return n;
 }
 
-/* Whether the polygon's area is more than rounding; without area it has no inside. `n` becomes its area vector. */
+/* Is the polygon's area more than rounding? Without area it has no inside. Sets `n` to its area vector. */
 static bool has_area(const roberts_vec3 *corner, size_t count, roberts_vec3 *n)
 {
     roberts_vec3 size;
@@ -176,7 +175,7 @@ static bool has_area(const roberts_vec3 *corner, size_t count, roberts_vec3 *n)
     return !ray_parallel(n->x, size.x) || !ray_parallel(n->y, size.y) || !ray_parallel(n->z, size.z);
 }
 
-/* The corner whose sides span the largest triangle (the first of equal ones). */
+/* Returns the corner whose sides span the largest triangle (the first of equal ones). */
 static size_t widest_corner(const roberts_vec3 *corner, size_t count)
 {
     size_t widest = 0;
@@ -193,7 +192,7 @@ static size_t widest_corner(const roberts_vec3 *corner, size_t count)
     return widest;
 }
 
-/* An orthonormal frame in the plane, turned so that the corners run counter-clockwise. */
+/* Makes an orthonormal frame in the plane, oriented so that the corners run counter-clockwise. */
 static bool orthonormal_frame(const roberts_vec3 *corner, size_t count, frame *f)
 {
     roberts_vec3 n;
@@ -208,7 +207,8 @@ static bool orthonormal_frame(const roberts_vec3 *corner, size_t count, frame *f
     return true;
 }
 
-/* The note's (alpha, beta): alpha along the side to the next corner, beta along the side to the last one. */
+/* Makes the frame of the note's (alpha, beta): alpha along the side to the next corner, beta along the side to the last
+ * one. */
 static bool oblique_frame(const roberts_vec3 *corner, size_t count, frame *f)
 {
     roberts_vec3 n;
@@ -230,13 +230,14 @@ static roberts_vec2 in_frame(const frame *f, roberts_vec3 p)
     return (roberts_vec2){vec3_dot(op, f->u), vec3_dot(op, f->v)};
 }
 
-/* det(PA, PB): > 0 where P, A, B turn counter-clockwise. */
+/* Returns det(PA, PB): > 0 if P, A, B turn counter-clockwise. */
 static double determinant(roberts_vec2 p, roberts_vec2 a, roberts_vec2 b)
 {
     return (p.x - a.x) * (p.y - b.y) - (p.x - b.x) * (p.y - a.y);
 }
 
-/* Proposition 4 (and 5): inside where no two determinants differ in sign; 0 on the border goes with either. */
+/* Proposition 4 (and 5): a point is inside if no two determinants differ in sign; 0, on the border, agrees with
+ * either. */
 static bool signs_agree(const frame *f, const roberts_vec3 *corner, size_t count, roberts_vec3 point)
 {
     roberts_vec2 p = in_frame(f, point), a = in_frame(f, corner[count - 1]);
@@ -245,7 +246,7 @@ static bool signs_agree(const frame *f, const roberts_vec3 *corner, size_t count
         roberts_vec2 b = in_frame(f, corner[i]);
         double d = determinant(p, a, b);
         positive |= !(d <= 0.0);
-        negative |= !(d >= 0.0); /* NaN is both */
+        negative |= !(d >= 0.0); /* NaN counts as both */
         a = b;
     }
     return !(positive && negative);
@@ -263,8 +264,8 @@ bool roberts_inside_frame(const roberts_vec3 *corner, size_t count, roberts_vec3
     return oblique_frame(corner, count, &f) && signs_agree(&f, corner, count, p);
 }
 
-/* The half-line runs toward +x. A side counts where one end is above p and the other is not (so that a corner on the
- * half-line counts once or twice, as it should, and a side along it not at all) and crosses right of p. */
+/* The half-line runs toward +x. A side counts if exactly one of its ends is above p and it crosses right of p. So a
+ * corner on the half-line counts once or twice, as it should, and a side along it not at all. */
 bool roberts_inside_crossings(const roberts_vec3 *corner, size_t count, roberts_vec3 point)
 {
     frame f;
@@ -285,8 +286,8 @@ bool roberts_inside_crossings(const roberts_vec3 *corner, size_t count, roberts_
     return inside;
 }
 
-/* Proposition 6: the angles sum up to 2 pi or -2 pi inside and to 0 outside, so pi tells them apart. atan2 takes the
- * place of the note's arccos, which loses half its digits at small angles; the sign is the note's w . n. */
+/* Proposition 6: the angles add up to 2 pi or -2 pi inside and to 0 outside, so pi separates the cases. atan2 replaces
+ * the note's arccos, which loses half its digits at small angles; the sign is the note's w . n. */
 bool roberts_inside_angles(const roberts_vec3 *corner, size_t count, roberts_vec3 p)
 {
     const double pi = 3.14159265358979323846;
@@ -299,7 +300,7 @@ bool roberts_inside_angles(const roberts_vec3 *corner, size_t count, roberts_vec
         roberts_vec3 b = vec3_sub(corner[i], p), w = vec3_cross(a, b);
         double sine = vec3_length(w), cosine = vec3_dot(a, b);
         if (sine == 0.0 && cosine <= 0.0)
-            return true; /* on a corner, or between two */
+            return true; /* on a corner, or on a side */
         sum += copysign(atan2(sine, cosine), vec3_dot(w, n));
         a = b;
     }
@@ -326,11 +327,11 @@ bool roberts_ray_polygon(roberts_ray ray, const roberts_vec3 *corner, size_t cou
 /* ---- sphere and circle ----------------------------------------------------------------------------------------- */
 
 /* [L] 2.1 to 2.3. The note takes v of length 1; here v has any length, with a = v . v (the note's exercise: the
- * decision takes no square root). A tangent touches at t_in = t_out. A negative radius is an empty sphere, radius 0 a
+ * decision needs no square root). A tangent touches at t_in = t_out. A negative radius is an empty sphere, radius 0 a
  * point.
  *
  * a t^2 + 2 B t + C = 0 with B = v . OS, C = OS^2 - R^2 and the reduced discriminant B^2 - a C (proposition 7;
- * correction 2: C, not C^2). The root of larger size comes from a sum without cancellation, the other from their
+ * correction 2: C, not C^2). The root of larger size is computed from a sum without cancellation, the other from their
  * product C / a. */
 bool roberts_ray_sphere(roberts_ray ray, roberts_vec3 centre, double radius, roberts_span *span)
 {
@@ -344,8 +345,8 @@ bool roberts_ray_sphere(roberts_ray ray, roberts_vec3 centre, double radius, rob
     return meet_part((inside_part){fmin(t0, t1), fmax(t0, t1), ROBERTS_NONE, ROBERTS_NONE}, span);
 }
 
-/* H = S + t_H v is the foot of the perpendicular from O, d = OH (proposition 8). The note's d^2 = SO^2 - (SO . v)^2
- * loses all digits where S is far from O; O - H, squared, is the same number and keeps them. */
+/* H = S + t_H v is the foot of the perpendicular from O, and d = OH (proposition 8). The note's d^2 = SO^2 - (SO . v)^2
+ * loses all digits if S is far from O. The square of O - H is the same number and keeps them. */
 bool roberts_ray_sphere_geometric(roberts_ray ray, roberts_vec3 centre, double radius, roberts_span *span)
 {
     roberts_vec3 v = ray.direction, so = vec3_sub(centre, ray.origin);
@@ -367,9 +368,9 @@ bool roberts_ray_circle(roberts_ray2 ray, roberts_vec2 centre, double radius, ro
 
 /* ---- box ------------------------------------------------------------------------------------------------------- */
 
-/* A box is what the slabs of its axes have in common: [L] 3, [B]. Cuts `line` with p <= s + t v <= q, or q <= ... <=
- * p, on `axis`. Where v = 0 the line runs along the slab: inside it for all t or for none (the notes skip the axis or
- * divide by zero: corrections 3 and 1). */
+/* A box is the intersection of the slabs of its axes: [L] 3, [B]. Clips `line` to p <= s + t v <= q, or to q <= ... <=
+ * p, on `axis`. If v = 0, the line runs along the slab and is inside it for all t or for none (the notes skip the axis
+ * or divide by zero: corrections 3 and 1). */
 static bool clip_slab(inside_part *line, uint32_t axis, double p, double q, double s, double v)
 {
     double lo = fmin(p, q), hi = fmax(p, q);
@@ -408,9 +409,9 @@ bool roberts_ray_box(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, roberts_sp
 
 /* ---- convex polyhedron ----------------------------------------------------------------------------------------- */
 
-/* Cuts the line by one half-space after the other (Cyrus and Beck). Along the ray F is F(S) + t (v . n): a plane with
- * v . n > 0 is where the line enters, with v . n < 0 where it leaves. A plane parallel to the ray keeps all of it
- * where S is inside or on it, else nothing. */
+/* Clips the line by one half-space after the other (Cyrus and Beck). Along the ray F is F(S) + t (v . n): the line
+ * enters through a plane with v . n > 0, and leaves through one with v . n < 0. A plane parallel to the ray keeps all
+ * of it if S is inside or on the plane, otherwise nothing. */
 bool roberts_ray_polyhedron(roberts_ray ray, const roberts_plane *F, size_t count, roberts_span *span)
 {
     inside_part line = whole_line;

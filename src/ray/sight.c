@@ -8,10 +8,10 @@
 #include "base/array.h"
 #include "ray/determinant.h"
 
-/* A face of more corners than this is sampled: this many of its corners, evenly spaced, stand for all. */
+/* A face with more corners than this is sampled: this many of its corners, evenly spaced, represent all. */
 #define SAMPLES 64
-/* How many roundings a coordinate or distance gathers, in ulps of the largest coordinate: differences, three
- * products, two sums. */
+/* Ulps of the largest coordinate: the rounding of a coordinate or distance, from differences, three products and two
+ * sums. */
 #define ROUNDINGS 8.0
 
 static roberts_vec3 normalised(roberts_vec3 a)
@@ -21,9 +21,9 @@ static roberts_vec3 normalised(roberts_vec3 a)
     return vec3_scale(1.0 / vec3_length(a), a);
 }
 
-/* Let the eye be at distance D from the look-at point. At distance r D from the eye, a length l has a picture of l /
- * r in view space, and a depth of up to l / r^2. `near` and `far` bound r over the scene. An oblique view stretches
- * or presses lengths once in the picture and once in the tilt of a plane. */
+/* Let the eye be at distance D from the look-at point. At distance r D from the eye, a length l has a picture of l / r
+ * in view space, and a depth of up to l / r^2. `near` and `far` bound r over the scene. An oblique view stretches or
+ * compresses lengths once in the picture and once in the tilt of a plane. */
 static void set_margins(sight *s, const view *v)
 {
     double far = 1.0 + hypot(v->oblique.x, v->oblique.y), near = 1.0 / far, extent = 0.0;
@@ -43,8 +43,8 @@ static void set_margins(sight *s, const view *v)
     s->loose = v->epsilon * far * far * SIGHT_MARGIN;
 }
 
-/* The width of the face's picture decides. It is measured along the picture of the normal, as a length at the depth
- * of the first corner. */
+/* Finds the facing of a face by the width of its picture. The width is measured along the picture of the normal, as a
+ * length at the depth of the first corner. */
 static int facing_of(const sight *s, uint32_t face)
 {
     const roberts_scene *scene = s->scene;
@@ -57,12 +57,12 @@ static int facing_of(const sight *s, uint32_t face)
         return SIGHT_NOT_FRONT;
     v = vec3_scale(1.0 / length, v);
     double tilt = fabs(vec3_dot(n, v));
-    /* A picture is at least as wide as its area over its greatest chord. If this is about epsilon, the picture may be
-     * a sliver aslant to `across`, or nearly edge-on. */
+    /* A picture is at least as wide as its area divided by its greatest chord. If this is about epsilon, the picture
+     * may be a sliver oblique to `across`, or nearly edge-on. */
     bool sliver = tilt * scene_width(scene, face) / s->unit <= s->loose + s->rounding;
     roberts_vec3 across = vec3_sub(n, vec3_scale(vec3_dot(n, v), v));
     if (vec3_length(across) <= 0.5)
-        return sliver ? SIGHT_UNSURE : SIGHT_FRONT; /* tilted by less than 30 degrees, and not flat */
+        return sliver ? SIGHT_UNSURE : SIGHT_FRONT; /* tilted by less than 30 degrees, and not nearly edge-on */
     across = normalised(across);
     for (uint32_t k = scene->face_start[face] + 1; k < scene->face_start[face + 1]; k++) {
         roberts_vec3 p = vec3_sub(s->P[scene->corner[k]], A);
@@ -80,21 +80,20 @@ static uint32_t corner_count(const sight *s, uint32_t face)
     return s->scene->face_start[face + 1] - s->scene->face_start[face];
 }
 
-/* Corner i of the face; the corner after the last is the first. */
+/* Returns corner i of the face; the corner after the last is the first. */
 static roberts_vec3 corner_of(const sight *s, uint32_t face, uint32_t i)
 {
     uint32_t k = i < corner_count(s, face) ? i : 0;
     return s->P[s->scene->corner[s->scene->face_start[face] + k]];
 }
 
-/* The number of the corner that a sample is. The sample after the last is the first corner again. */
+/* Returns the number of the corner that is this sample. The sample after the last is the first corner again. */
 static uint32_t sample_of(const sight *s, uint32_t face, uint32_t sample)
 {
     return (uint32_t)((uint64_t)corner_count(s, face) * sample / SAMPLES);
 }
 
-/* Whether no sample lies outside of any side, as the viewer sees it. This holds for convex faces, and for some with
- * dents. */
+/* Does no sample lie outside any side, as the viewer sees it? This holds for convex faces, and for some with dents. */
 static bool sides_spare_samples(const sight *s, uint32_t face)
 {
     const uint32_t *corner = s->scene->corner + s->scene->face_start[face];
@@ -111,8 +110,8 @@ static bool sides_spare_samples(const sight *s, uint32_t face)
     return true;
 }
 
-/* Bounds how far a corner lies outside of a side: half the way round the face, times the sum of all turns to the wrong
- * side. */
+/* Bounds how far a corner lies outside a side: half the perimeter of the face, times the sum of all turns in the wrong
+ * direction. */
 static double dent_of(const sight *s, uint32_t face)
 {
     uint32_t count = corner_count(s, face);
@@ -145,7 +144,7 @@ static void turn_face(const sight *s, const roberts_scene *from, uint32_t face)
         s->turned->corner[k] = from->corner[end - 1 - (k - first)];
 }
 
-/* Turns the faces of bodies that are not convex to the viewer. False: no memory. */
+/* Turns the faces of bodies that are not convex toward the viewer. False: no memory. */
 static bool turn_faces(sight *s, const roberts_scene *scene)
 {
     roberts_scene *to = s->turned = alloc_array(1, sizeof *to);
@@ -220,9 +219,9 @@ void sight_free(sight *s)
     *s = (sight){0};
 }
 
-/* How the line passes the side AB. Corners of a front face run counter-clockwise for the viewer, so inside is to the
- * left of every side. XA x XB is computed as XA x AB: its rounding is in proportion to AB, so that a short side far
- * from X stays exact. */
+/* Finds how the line passes the side AB. Corners of a front face run counter-clockwise for the viewer, so inside is to
+ * the left of every side. XA x XB is computed as XA x AB: its rounding is proportional to AB, so a short side far from
+ * X stays exact. */
 static inline sight_answer pass_side(const sight *s, roberts_vec3 A, roberts_vec3 B, roberts_vec3 X, roberts_vec3 v,
                                      double slack)
 {
@@ -230,7 +229,7 @@ static inline sight_answer pass_side(const sight *s, roberts_vec3 A, roberts_vec
     double left = vec3_dot(v, vec3_cross(xa, ab));
     if (left >= 0.0)
         return SIGHT_SURELY;
-    roberts_vec3 spread = vec3_cross(v, ab); /* as long as AB's picture; squares spare the root */
+    roberts_vec3 spread = vec3_cross(v, ab); /* as long as AB's picture; squares avoid the root */
     double outside = -left - RAY_PARALLEL * vec3_triple_size(xa, ab, v), far = s->loose + s->rounding + slack;
     if (!(outside <= 0.0 || outside * outside <= far * far * vec3_dot(spread, spread)))
         return SIGHT_NO;
@@ -238,8 +237,7 @@ static inline sight_answer pass_side(const sight *s, roberts_vec3 A, roberts_vec
     return contact ? SIGHT_SURELY : SIGHT_POSSIBLY;
 }
 
-/* Whether the line passes AB on the inner side, farther from it than the touching distance. False if AB is a mere
- * point. */
+/* Does the line pass AB on the inner side, farther from it than the touching distance? False if AB is a mere point. */
 static inline bool well_left(const sight *s, roberts_vec3 A, roberts_vec3 B, roberts_vec3 X, roberts_vec3 v)
 {
     roberts_vec3 xa = vec3_sub(A, X), ab = vec3_sub(B, A), spread = vec3_cross(v, ab);
@@ -248,8 +246,8 @@ static inline bool well_left(const sight *s, roberts_vec3 A, roberts_vec3 B, rob
     return inside > 0.0 && inside * inside > far * far * vec3_dot(spread, spread);
 }
 
-/* Whether the line passes within the polygon of the samples, farther from its sides than the touching distance. The
- * sides of the face are no nearer to it. */
+/* Does the line pass within the polygon of the samples, farther from its sides than the touching distance? The sides of
+ * the face are no nearer to it. */
 static bool well_inside(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
 {
     roberts_vec3 A = corner_of(s, face, sample_of(s, face, SAMPLES - 1));
@@ -262,10 +260,10 @@ static bool well_inside(const sight *s, uint32_t face, roberts_vec3 X, roberts_v
     return true;
 }
 
-/* The diagonals from the first corner divide a convex face into triangles. This bisects between which two of them the
- * line passes (F. Preparata, M. Shamos, "Computational Geometry", 1985, 2.2) and returns the first of two neighbours
- * among low .. high, which are corners or samples. `across` is v x the way from X to the first corner: its product
- * with the way on to a corner is >= 0 if the line passes left of that diagonal. The ends are not asked: beyond the
+/* The diagonals from the first corner divide a convex face into triangles. Bisection finds the two between which the
+ * line passes (F. Preparata, M. Shamos, "Computational Geometry", 1985, 2.2). Returns the first of two neighbours among
+ * low .. high, which are corners or samples. `across` is v x the vector from X to the first corner: its product with
+ * the vector to another corner is >= 0 if the line passes left of that diagonal. The ends are not tested: beyond the
  * first and the last diagonal lie the first and the last side. */
 static uint32_t bisect(const sight *s, uint32_t face, roberts_vec3 across, uint32_t low, uint32_t high, bool samples)
 {
@@ -281,11 +279,11 @@ static uint32_t bisect(const sight *s, uint32_t face, roberts_vec3 across, uint3
     return low;
 }
 
-/* The answer by samples; SIGHT_POSSIBLY: all sides have to be asked.
+/* Gives the answer by samples; SIGHT_POSSIBLY: all sides must be tested.
  *
- * Bisection only chooses what to check. First, whether the line passes well within a triangle of three samples, which
- * is a part of their polygon. Then, whether it passes outside of one side. If neither decides, the line may pass near a
- * diagonal, and the polygon of all samples is checked. */
+ * Bisection only chooses what to check. The first check is whether the line passes well within a triangle of three
+ * samples, which is a part of their polygon. The second is whether it passes outside one side. If neither decides, the
+ * line may pass near a diagonal, and the polygon of all samples is checked. */
 static sight_answer pass_samples(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, double slack)
 {
     roberts_vec3 first = corner_of(s, face, 0), across = vec3_cross(v, vec3_sub(first, X));
@@ -362,7 +360,7 @@ sight_answer sight_hides(const sight *s, uint32_t face, roberts_vec3 X, roberts_
     return through;
 }
 
-/* Whether the line is in contact with the side AB, as in pass_side(). */
+/* Is the line in contact with the side AB, as in pass_side()? */
 static bool is_on_side(const sight *s, roberts_vec3 A, roberts_vec3 B, roberts_vec3 X, roberts_vec3 v)
 {
     roberts_vec3 xa = vec3_sub(A, X), ab = vec3_sub(B, A), spread = vec3_cross(v, ab);
@@ -375,8 +373,8 @@ static bool runs_along(const sight *s, roberts_vec3 A, roberts_vec3 B, const rob
     return is_on_side(s, A, B, ends[0], sight_from(s, ends[0])) && is_on_side(s, A, B, ends[1], sight_from(s, ends[1]));
 }
 
-/* Whether the line passes a side nearer than the touching distance without contact of the whole edge. The line is
- * known to pass all sides on the inner side. */
+/* Does the line pass a side nearer than the touching distance, without contact of the whole edge? The line is known to
+ * pass all sides on the inner side. */
 static bool grazes_side(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v, const roberts_vec3 ends[2])
 {
     const roberts_scene *scene = s->scene;
@@ -427,7 +425,7 @@ bool sight_well_behind(const sight *s, uint32_t face, roberts_vec3 X)
     return s->facing[face] == SIGHT_NOT_FRONT || sight_behind(s, face, X) > sight_touch(s, face);
 }
 
-/* Clips the part to where a linear function, a at t = 0 and b at t = 1, is not negative. */
+/* Clips the part to where a linear function, a at t = 0 and b at t = 1, is not negative. False: nothing is left. */
 static bool clip_part(sight_part *part, double a, double b)
 {
     if (!(a >= 0.0 || b >= 0.0))
@@ -439,8 +437,9 @@ static bool clip_part(sight_part *part, double a, double b)
     return part->t0 <= part->t1;
 }
 
-/* How far the two ends of AB lie inside of the side PQ, times a length. The inside is a half-space: its border plane
- * runs through PQ and along the sight lines. So the distance is linear along AB, in both projections. */
+/* Measures how far the two ends of AB lie inside the side PQ, times a length. The inside is a half-space: its border
+ * plane contains PQ and is parallel to the sight lines there. So the distance is linear along AB, in both
+ * projections. */
 static void measure_side(const sight *s, roberts_vec3 P, roberts_vec3 Q, const roberts_vec3 AB[2], double inside[2])
 {
     roberts_vec3 n = vec3_cross(vec3_sub(Q, P), sight_from(s, P));
@@ -448,7 +447,7 @@ static void measure_side(const sight *s, roberts_vec3 P, roberts_vec3 Q, const r
         inside[i] = vec3_dot(n, vec3_sub(P, AB[i]));
 }
 
-/* What is left of `part` within the sides from corner `first` to corner `end`. */
+/* Clips `part` to the sides from corner `first` to corner `end`. False: nothing is left. */
 static bool clip_to_sides(const sight *s, uint32_t face, uint32_t first, uint32_t end, const roberts_vec3 AB[2],
                           sight_part *part)
 {
@@ -464,8 +463,8 @@ static bool clip_to_sides(const sight *s, uint32_t face, uint32_t first, uint32_
     return true;
 }
 
-/* What is left of `part` in the cap beyond sample k: the polygon of that sample, the next one, and all
- * corners between. */
+/* Clips `part` to the cap beyond sample k: the polygon of that sample, the next one, and all corners between. False:
+ * nothing is left. */
 static bool clip_to_cap(const sight *s, uint32_t face, uint32_t k, const roberts_vec3 AB[2], sight_part *part)
 {
     uint32_t first = sample_of(s, face, k), end = sample_of(s, face, k + 1);
@@ -474,7 +473,8 @@ static bool clip_to_cap(const sight *s, uint32_t face, uint32_t k, const roberts
     return clip_part(part, -inside[0], -inside[1]) && clip_to_sides(s, face, first, end, AB, part);
 }
 
-/* Clips to the polygon of the samples, then to the caps beyond the two sides by which AB enters and leaves it. */
+/* Clips to the polygon of the samples, then to the caps beyond the two sides through which AB enters and leaves it.
+ * False: nothing is left. */
 static bool clip_to_samples(const sight *s, uint32_t face, const roberts_vec3 AB[2], sight_part *part)
 {
     sight_part inner = *part, cap;

@@ -1,63 +1,63 @@
-/* stretch.c - one stretch of an edge, checked by rays.
+/* stretch.c - checks one stretch of an edge by rays.
  *
  * These rays are cast:
  *
- * - from each stretch, `rays` of them near its ends and evenly between;
- * - from a visible stretch, one in the middle of the longest part that a face hides. A search along the stretch finds
- *   this part by Cyrus and Beck's clipping, so nothing hidden is missed between two rays. The search may miss parts
- *   behind faces of very many corners: if there are any, up to three more rays are cast close to each end that lies
- *   within the edge;
- * - from a hidden stretch, a walk. A ray finds a face that hides the point. The next ray starts just beyond what that
- *   face hides, and so on to the end of the stretch. Whatever is visible on the way is met;
- * - from the middle of a hidden stretch that names a solid, one that looks for the face nearest to the viewer.
+ * - from each stretch: `rays` of them near its ends and evenly between;
+ * - from a visible stretch: one in the middle of the longest part that a face hides. A search along the stretch finds
+ *   this part by the clipping of Cyrus and Beck, so nothing hidden is missed between two rays. The search may miss
+ *   parts behind faces of very many corners; if there are any, up to three more rays are cast close to each end that
+ *   lies within the edge;
+ * - from a hidden stretch: a walk. A ray finds a face that hides the point. The next ray starts just beyond the part
+ *   that this face hides, and so on to the end of the stretch. So the walk meets anything visible on the way;
+ * - from the middle of a hidden stretch that names a solid: one that finds the face nearest to the viewer.
  *
- * Searches only choose where rays are cast; rays decide. A point surely hidden that is drawn visible contradicts the
- * drawing, and so does a point drawn hidden that is not even possibly hidden. Both are asked again by stricter rules,
- * with a neighbour on each side, and two of the three have to agree: an edge that passes behind a mere corner is
- * hidden in one point, of which a drawing shows nothing. All else is undecided. */
+ * Searches only choose where rays are cast; rays decide. A point that is certainly hidden but drawn visible contradicts
+ * the drawing, and so does a point drawn hidden that is not even possibly hidden. Both are checked again by stricter
+ * rules, with a neighbour on each side, and two of the three must agree: an edge that passes behind a mere corner is
+ * hidden in a single point, which a drawing does not show. All other points are undecided. */
 #include "ray/stretch.h"
 
 #include <stdlib.h>
 
 #include "base/array.h"
 
-/* The first and the last of the even rays are this far from the ends of the stretch, as a part of it. */
+/* Fraction of the stretch: the distance of the first and the last of the even rays from its ends. */
 #define END_MARGIN 0x1p-10
-/* How far the neighbours of a ray are, as a part of the stretch. */
+/* Fraction of the stretch: the distance of a ray's neighbours. */
 #define NEIGHBOUR 0x1p-12
-/* How close to an end, or to a change on a walk, a ray is cast, in touching distances ... */
+/* Touching distances: how close to an end, or to a change on a walk, a ray is cast ... */
 #define CLOSE 64.0
-/* ... and at least this part of the edge, ten times the error of a parameter t. */
+/* ... and the least such distance as a fraction of the edge, ten times the error of a parameter t. */
 #define CLOSE_PART 1e-9
-/* How far the neighbours of close rays are, as a part of that distance. */
+/* Fraction of that distance: the distance of the neighbours of close rays. */
 #define CLOSE_NEIGHBOUR 0.25
-/* The other faces of a hider are asked too if it has no more than this. */
+/* If a hider has at most this many faces, its other faces are tested too. */
 #define FEW_FACES 12
-/* After this many points in a row behind one solid, a walk leaps. */
+/* After this many consecutive points behind one solid, a walk leaps. */
 #define LEAP_AFTER 4
-/* Further rays close to the ends of visible stretches, as parts of the edge. */
+/* Fractions of the edge: further rays close to the ends of visible stretches. */
 static const double end_parts[] = {1e-6, 1e-4};
 
 typedef enum probe_kind {
-    PROBE_POINT,  /* is the point as it is drawn? */
-    PROBE_WALK,   /* the same; and then on along a hidden stretch */
-    PROBE_NEAREST /* which solid is seen in its place? */
+    PROBE_POINT,  /* is the point drawn correctly? */
+    PROBE_WALK,   /* the same, then continue along a hidden stretch */
+    PROBE_NEAREST /* which solid is seen instead? */
 } probe_kind;
 
-/* A point of an edge that is asked about. */
+/* A point of an edge to be checked. */
 typedef struct stretch_probe {
     roberts_vec3 ends[2]; /* of the edge */
     uint32_t edge, drawn_by;
     roberts_state drawn;
     probe_kind kind;
-    double t, step; /* where, and how far its neighbours are */
+    double t, step; /* its parameter, and the distance of its neighbours */
     double close;   /* rays are cast no closer to a change than this, in t */
     double end;     /* walk: where it ends */
-    double stride;  /* walk: length of the next step if no face tells how far to go */
+    double stride;  /* walk: length of the next step if no face determines it */
     uint32_t solid; /* walk: the solid that hid the last point, */
-    uint32_t same;  /* ... and how many points in a row before that */
+    uint32_t same;  /* ... and the number of consecutive points before that */
     double leap;    /* walk: length of the next leap behind one solid, */
-    double back;    /* ... and where to return if this leap fails; INFINITY: this is no leap */
+    double back;    /* ... and where to return if this leap fails; INFINITY: not a leap */
 } stretch_probe;
 
 struct stretch_checker {
@@ -65,7 +65,7 @@ struct stretch_checker {
     uint32_t rays;
     stretch_result *result;
     uint32_t count;
-    stretch_probe probe[TREE_POINTS]; /* [count] they wait for their rays */
+    stretch_probe probe[TREE_POINTS]; /* [count] probes that wait for their rays */
     sight_question question[TREE_POINTS];
     tree_walk walk;
 };
@@ -90,13 +90,14 @@ static roberts_vec3 point_at(const roberts_vec3 ends[2], double t)
 
 /* ---- contradictions -------------------------------------------------------------------------------------------- */
 
-/* Whether the answer surely contradicts the drawing. */
+/* Does the answer certainly contradict the drawing? */
 static bool contradicts(const stretch_probe *p, const sight_question *q)
 {
     return q->answer == (p->drawn == ROBERTS_HIDDEN ? SIGHT_NO : SIGHT_SURELY);
 }
 
-/* Whether two of three still contradict the drawing by the strict rules: the point and its neighbours on both sides. */
+/* Do two of three points still contradict the drawing by the strict rules: the point and its neighbours on both
+ * sides? */
 static bool contradicts_strictly(stretch_checker *c, const stretch_probe *p, const sight_question *q)
 {
     sight_question again[3] = {*q, *q, *q};
@@ -108,7 +109,7 @@ static bool contradicts_strictly(stretch_checker *c, const stretch_probe *p, con
     return contradicts(p, &again[0]) + contradicts(p, &again[1]) + contradicts(p, &again[2]) >= 2;
 }
 
-/* by: a solid that hides the point; ROBERTS_NONE: `cast` is not hidden. */
+/* Records a contradiction. by: a solid that hides the point; ROBERTS_NONE: the point is not hidden. */
 static void contradict(stretch_result *out, const stretch_probe *p, uint32_t solid, roberts_state as, uint32_t by)
 {
     roberts_contradiction what = {
@@ -119,7 +120,7 @@ static void contradict(stretch_result *out, const stretch_probe *p, uint32_t sol
         out->lost = true;
 }
 
-/* Whether the drawing is right, as far as the ray says. Counts what is undecided, and notes what is wrong. */
+/* Is the drawing right, as far as the ray shows? Counts undecided points, and records contradictions. */
 static bool judge_point(stretch_checker *c, const stretch_probe *p, const sight_question *q)
 {
     if (!contradicts(p, q)) {
@@ -136,10 +137,10 @@ static bool judge_point(stretch_checker *c, const stretch_probe *p, const sight_
     return true;
 }
 
-/* ---- who is seen ----------------------------------------------------------------------------------------------- */
+/* ---- which solid is seen --------------------------------------------------------------------------------------- */
 
-/* Whether a front face of `solid` may lie on the sight line of X, no farther from the viewer than Y, which is on that
- * line. What touches Y counts. */
+/* May a front face of `solid` lie on the sight line of X, no farther from the viewer than Y, which is on that line? A
+ * face that touches Y counts. */
 static bool may_be_seen(const occluders *o, uint32_t solid, const sight_question *q, roberts_vec3 Y)
 {
     const roberts_scene *scene = o->s.scene;
@@ -156,12 +157,12 @@ static bool may_be_seen(const occluders *o, uint32_t solid, const sight_question
     return false;
 }
 
-/* Compares the named solid with the nearest one found. Near the border of the nearest face another one may be seen. */
+/* Compares the named solid with the nearest one found. Near the border of the nearest face, another one may be seen. */
 static void judge_nearest(stretch_checker *c, const stretch_probe *p, const sight_question *q)
 {
     const occluders *o = c->o;
     if (q->answer != SIGHT_SURELY) {
-        c->result->undecided += q->answer == SIGHT_POSSIBLY; /* other rays tell whether it is hidden at all */
+        c->result->undecided += q->answer == SIGHT_POSSIBLY; /* other rays check whether it is hidden at all */
         return;
     }
     roberts_vec3 v = sight_from(&o->s, q->X), Y = sight_meet(&o->s, q->hider, q->X, v);
@@ -175,8 +176,8 @@ static void judge_nearest(stretch_checker *c, const stretch_probe *p, const sigh
 
 /* ---- walks ----------------------------------------------------------------------------------------------------- */
 
-/* The t up to which the face that hides the point of the walk hides the edge; p->end: all that is left. If its solid
- * has few faces, the others are asked too, in the order of the file, which spares rays. */
+/* Returns the t up to which the face that hides the walk's point hides the edge; p->end: all the rest. If its solid has
+ * few faces, the others are tested too, in the order of the file, which saves rays. */
 static double hidden_until(const occluders *o, const stretch_probe *p, const sight_question *q)
 {
     const scene_solid *solid = &o->s.scene->solid[o->face_solid[q->hider]];
@@ -193,8 +194,8 @@ static double hidden_until(const occluders *o, const stretch_probe *p, const sig
     return all.t1 >= 1.0 ? p->end : p->t + all.t1 * (p->end - p->t);
 }
 
-/* Leaps behind a solid of many faces, farther each time. What lies behind a convex solid is convex: if the solid
- * hides both ends of a leap, it hides all between. */
+/* Leaps behind a solid of many faces, farther each time. The volume behind a convex solid is convex: if the solid hides
+ * both ends of a leap, it hides everything between. */
 static void leap(stretch_probe *p, double next)
 {
     p->leap = greater(p->leap, 2.0 * (next - p->t));
@@ -203,8 +204,8 @@ static void leap(stretch_probe *p, double next)
     p->leap *= 2.0;
 }
 
-/* Takes the walk to its next point; false at its end. Steps double in length while no face tells how far to go. The
- * last one stops at the end itself. */
+/* Moves the walk to its next point; false at its end. Steps double in length while no face determines them. The last
+ * step stops at the end itself. */
 static bool walk_on(const occluders *o, stretch_probe *p, const sight_question *q)
 {
     uint32_t solid = q->answer == SIGHT_SURELY ? o->face_solid[q->hider] : ROBERTS_NONE;
@@ -237,7 +238,7 @@ static bool walk_on(const occluders *o, stretch_probe *p, const sight_question *
 
 /* ---- the queue ------------------------------------------------------------------------------------------------- */
 
-/* Casts the rays of all probes that wait, and judges them. Walks that go on wait again. */
+/* Casts the rays of all waiting probes, and judges them. Walks that continue wait again. */
 static void cast(stretch_checker *c)
 {
     uint32_t count = c->count;
@@ -287,7 +288,7 @@ static void ask_point(stretch_checker *c, const stretch *s, stretch_probe *p, do
 
 /* ---- a stretch ------------------------------------------------------------------------------------------------- */
 
-/* Where point k of n lies within a stretch, 0 < position < 1. */
+/* Returns the position of point k of n within a stretch, 0 < position < 1. */
 static double position(uint32_t k, uint32_t n)
 {
     if (n == 1)
@@ -297,7 +298,8 @@ static double position(uint32_t k, uint32_t n)
     return (double)k / (n - 1);
 }
 
-/* Asks close to the ends that lie within the edge, to find a change that the drawing shows too early or too late. */
+/* Adds probes close to the ends that lie within the edge, to find a change that the drawing shows too early or too
+ * late. */
 static void ask_ends(stretch_checker *c, const stretch *s, stretch_probe *p)
 {
     double at = p->close;
@@ -312,7 +314,7 @@ static void ask_ends(stretch_checker *c, const stretch *s, stretch_probe *p)
     }
 }
 
-/* Asks in the middle of the longest part of a visible stretch that a face hides, if any does. */
+/* Adds a probe in the middle of the longest part of a visible stretch that a face hides, if there is one. */
 static void ask_hidden_part(stretch_checker *c, const stretch *s, stretch_probe *p)
 {
     occluders_search search;
@@ -330,8 +332,8 @@ static void ask_hidden_part(stretch_checker *c, const stretch *s, stretch_probe 
         ask_point(c, s, p, s->t0 + middle * width, CLOSE_NEIGHBOUR * longest * width);
 }
 
-/* Asks at evenly spaced points. A walk goes from close to one end to close to the other, so it replaces the first and
- * the last. */
+/* Adds evenly spaced probes. A walk goes from close to one end to close to the other, so it replaces the first and the
+ * last. */
 static void ask_evenly(stretch_checker *c, const stretch *s, stretch_probe *p, bool walk)
 {
     double width = s->t1 - s->t0;

@@ -4,12 +4,12 @@
 
 #include "ray/occluders.h"
 
-/* Which of an edge's faces are front. */
+/* Facing of an edge's faces. */
 typedef enum stretch_edge {
-    STRETCH_FRONT,  /* one face at least is front */
+    STRETCH_FRONT,  /* at least one face is front */
     STRETCH_BACK,   /* no face is front: its own solid hides it */
-    STRETCH_UNSURE, /* a face is front or edge-on, and none is surely front */
-    STRETCH_BETWEEN /* of a body that is not convex: all its faces may hide it but those that it lies in */
+    STRETCH_UNSURE, /* a face is front or edge-on, and none is certainly front */
+    STRETCH_BETWEEN /* of a body that is not convex: all its faces may hide the edge, except those in which it lies */
 } stretch_edge;
 
 /* A stretch of an edge that the drawing shows in one state. */
@@ -20,8 +20,8 @@ typedef struct stretch {
     stretch_edge faces;
     double t0, t1;
     roberts_state drawn;
-    bool named;        /* the drawing names a solid that hides it */
-    uint32_t drawn_by; /* if named: that solid */
+    bool named;        /* the drawing names the solid that hides it */
+    uint32_t drawn_by; /* that solid, if `named` */
 } stretch;
 
 typedef struct stretch_finding {
@@ -29,10 +29,10 @@ typedef struct stretch_finding {
     uint32_t edge;
 } stretch_finding;
 
-/* What was found in many stretches. Zeroed: nothing yet. */
+/* The findings of many stretches. Zeroed: nothing yet. */
 typedef struct stretch_result {
     size_t segments, points, undecided;
-    stretch_finding *found; /* [count] in no order */
+    stretch_finding *found; /* [count] in arbitrary order */
     size_t count, room;
     bool lost; /* no memory */
 } stretch_result;
@@ -40,16 +40,16 @@ typedef struct stretch_result {
 /* A checker casts the rays of many stretches together. */
 typedef struct stretch_checker stretch_checker;
 
-/* A checker that casts rays against `o`, `rays` of them evenly spaced on each stretch. NULL: no memory. */
+/* Makes a checker that casts rays against `o`, `rays` of them evenly spaced on each stretch. NULL: no memory. */
 stretch_checker *stretch_checker_new(const occluders *o, uint32_t rays, stretch_result *result);
 
-/* Puts the points of a stretch in the queue, and casts their rays when it is full. */
+/* Queues the points of a stretch, and casts their rays when the queue is full. */
 void stretch_check(stretch_checker *c, const stretch *s);
 
-/* Notes a contradiction at t: the near plane cuts off the edge there. */
+/* Records a contradiction at t: the near plane removes the edge there. */
 void stretch_is_clipped(stretch_checker *c, const stretch *s, double t);
 
-/* Casts all rays that wait, and frees the checker. */
+/* Casts all waiting rays, and frees the checker. */
 void stretch_checker_finish(stretch_checker *c);
 
 #endif

@@ -1,4 +1,4 @@
-/* tree.c - a tree of boxes over boxes. See tree.h. */
+/* tree.c - a tree of boxes. See tree.h. */
 #include "ray/tree.h"
 
 #include <float.h>
@@ -10,10 +10,10 @@
 #include "base/lanes.h"
 
 enum {
-    LEAF_ITEMS = 1, /* two take 6 % more time on most scenes, and 10 % less on needles seen askew */
-    BINS = 12,      /* one more than the planes tried across an axis; more of them gained nothing */
+    LEAF_ITEMS = 1, /* two take 6 % more time on most scenes, and 10 % less on needles seen obliquely */
+    BINS = 12,      /* one more than the planes tried for each axis; more gained nothing */
     SAMPLE = 1000,  /* most entries that judge a plane; more gained nothing */
-    BIN_DEPTH = 60, /* deeper nodes are halved by number, which takes 32 more levels at most */
+    BIN_DEPTH = 60, /* deeper nodes are halved by number, which takes at most 32 more levels */
 };
 
 double tree_box_shadow(tree_box a, double floor)
@@ -22,7 +22,7 @@ double tree_box_shadow(tree_box a, double floor)
     return x < 0.0 ? 0.0 : x * y * z;
 }
 
-/* nextafterf() is a call, which takes longer. */
+/* nextafterf() is a function call and slower. */
 static float round_down(double x)
 {
     float f = (float)lesser(greater(x, -FLT_MAX), FLT_MAX);
@@ -44,7 +44,7 @@ tree_entry tree_entry_of(tree_box box, uint32_t owner, tree_item item)
 
 /* ---- building -------------------------------------------------------------------------------------------------- */
 
-/* A box that is open below: how deep it reaches does not matter. */
+/* A box without a lower bound in z, which does not matter. */
 typedef struct open_box {
     float lo_x, lo_y, hi_x, hi_y, hi_z;
 } open_box;
@@ -77,10 +77,10 @@ static float shadow(open_box a, float floor)
     return a.hi_x < a.lo_x ? 0.0f : (a.hi_x - a.lo_x) * (a.hi_y - a.lo_y) * (a.hi_z - floor);
 }
 
-/* What a node or a leaf holds. */
+/* The contents of a node or a leaf. */
 typedef struct contents {
     open_box box;
-    float low[3], high[3]; /* middles of boxes, twice */
+    float low[3], high[3]; /* range of the boxes' centres, doubled */
     uint32_t owner;        /* ROBERTS_NONE: several */
 } contents;
 
@@ -90,13 +90,13 @@ typedef struct builder {
     float floor; /* the least z of all boxes */
 } builder;
 
-/* A plane across an axis, before bin `bin`; 0: there is no plane. Middles of boxes, doubled, begin at `low`. */
+/* A plane perpendicular to an axis, before bin `bin`; 0: no plane. The boxes' centres, doubled, begin at `low`. */
 typedef struct split {
     int axis, bin, bins;
     float low, bins_per_length, cost;
 } split;
 
-/* Twice the middle of a box along an axis; NaN if it is endless on both sides. */
+/* Returns twice the centre of a box along an axis; NaN if it is infinite on both sides. */
 static inline float middle(const tree_entry *e, int axis)
 {
     return e->lo[axis] + e->hi[axis];
@@ -112,7 +112,7 @@ static inline void contents_add(contents *c, const tree_entry *e)
     c->owner = !(c->box.lo_x <= c->box.hi_x) || c->owner == e->owner ? e->owner : ROBERTS_NONE;
     c->box = open_box_union(c->box, open_box_of(e));
     for (int axis = 0; axis < 3; axis++) {
-        c->low[axis] = less(middle(e, axis), c->low[axis]); /* in this order: NaN counts for nothing */
+        c->low[axis] = less(middle(e, axis), c->low[axis]); /* in this order, NaN is ignored */
         c->high[axis] = more(middle(e, axis), c->high[axis]);
     }
 }
@@ -123,7 +123,7 @@ static inline int bin_of(const split *s, const tree_entry *e)
     return bin < (float)s->bins ? (int)bin : s->bins - 1; /* the last one for NaN too */
 }
 
-/* The cheapest plane across an axis. */
+/* Finds the cheapest plane perpendicular to an axis. */
 static void find_plane(split *s, const open_box *bin, const uint32_t *bin_count, float floor)
 {
     open_box side = no_open_box;
@@ -146,7 +146,7 @@ static void find_plane(split *s, const open_box *bin, const uint32_t *bin_count,
     }
 }
 
-/* The best plane across any axis. If there are many entries, a sample of them decides. */
+/* Finds the best plane of any axis. If there are many entries, a sample of them decides. */
 static split find_split(const builder *b, uint32_t first, uint32_t count, const contents *held)
 {
     open_box bin[3][BINS];
@@ -179,7 +179,7 @@ static split find_split(const builder *b, uint32_t first, uint32_t count, const 
 }
 
 /* Moves the entries below the split to the front, the others behind them, and returns how many are below; without a
- * split, half of them. `side`: what the two parts hold. */
+ * split, half of them. `side`: the contents of the two parts. */
 static uint32_t divide(const builder *b, uint32_t first, uint32_t count, const split *s, contents *side)
 {
     tree_entry *entry = b->entry + first;
@@ -217,7 +217,7 @@ static void divide_part(const builder *b, part *p, part *rest)
     *p = (part){p->first, below, p->depth + 1, side[0]};
 }
 
-/* The part, among those too large for a leaf, that rays meet most often; `parts` if there is none. */
+/* Returns the part that rays meet most often, among those too large for a leaf; `parts` if there is none. */
 static int largest(const builder *b, const part *p, int parts)
 {
     int best = parts;
@@ -328,8 +328,8 @@ void tree_walk_start(tree_walk *w, const tree_points *points)
     }
 }
 
-/* The groups of four points that hold at least one point of a set, each by its first point. Mostly whole groups walk
- * together. */
+/* The groups of four points that contain at least one point of a set, each given by its first point. Usually whole
+ * groups walk together. */
 typedef struct fours {
     uint32_t count;
     unsigned char first[TREE_POINTS / 4];
@@ -346,7 +346,7 @@ static void find_fours(fours *f, const tree_set *of)
         }
 }
 
-/* The points of `of` that lie under the box and do not skip its owner; `f` holds the groups of `of`. */
+/* Returns the points of `of` that lie under the box and do not skip its owner; `f` has the groups of `of`. */
 static inline tree_set set_under(const tree_points *p, const open_box *c, uint32_t owner, const fours *f,
                                  const tree_set *of)
 {
@@ -379,7 +379,7 @@ static inline open_box child_box(const tree_node *n, uint32_t i)
     return (open_box){n->lo_x[i], n->lo_y[i], n->hi_x[i], n->hi_y[i], n->hi_z[i]};
 }
 
-/* Bit i: child i may be over one of the points. */
+/* Finds the children that may be over one of the points: bit i for child i. */
 static inline unsigned met_children(const tree_walk *w, const tree_node *n)
 {
     four x = four_either(four_below(four_all(w->hi_x), four_load(n->lo_x)),
@@ -390,7 +390,7 @@ static inline unsigned met_children(const tree_walk *w, const tree_node *n)
     return 15u ^ four_signs(four_either(four_either(x, y), z));
 }
 
-/* Puts the children of a node on the stack, the first on top, each with the points that its box is over. */
+/* Pushes the children of a node onto the stack, the first on top, each with the points under its box. */
 static void spread(tree_walk *w, uint32_t index, const tree_set *points)
 {
     const tree_node *n = &w->t->node[index];
@@ -398,7 +398,7 @@ static void spread(tree_walk *w, uint32_t index, const tree_set *points)
     fours f;
     for (uint32_t i = 0; i < TREE_WIDTH; i++)
         if (n->count[i] == 0 && met >> i & 1)
-            FETCH_ARRAY(&w->t->node[n->first[i]], sizeof *n); /* while points are compared */
+            FETCH_ARRAY(&w->t->node[n->first[i]], sizeof *n); /* fetched while points are compared */
     find_fours(&f, points);
     for (uint32_t i = TREE_WIDTH; i-- > 0;) {
         if (!(met >> i & 1))
@@ -418,7 +418,7 @@ static void find_leaf(tree_walk *w, const tree_visit *visit, tree_leaf *leaf)
     *leaf = (tree_leaf){w->t->item + n->first[i], n->count[i], visit->points};
 }
 
-/* The next of the kept leaves. */
+/* Finds the next of the kept leaves. */
 static bool next_kept(tree_walk *w, tree_leaf *leaf)
 {
     fours f;
@@ -462,7 +462,7 @@ bool tree_walk_next(tree_walk *w, tree_leaf *leaf)
     return false;
 }
 
-/* A kept leaf moves up by one place whenever it is of use, so the most useful leaves come first. */
+/* A kept leaf moves up by one place whenever it is useful, so the most useful leaves come first. */
 void tree_walk_keep(tree_walk *w)
 {
     uint32_t i = 0;
@@ -481,8 +481,8 @@ void tree_walk_keep(tree_walk *w)
 
 /* ---- searching along a segment --------------------------------------------------------------------------------- */
 
-/* Whether the box may be over a point of the segment: neither an axis of the picture nor a line along the segment
- * separates them. Endless boxes bring NaN, which separates nothing. */
+/* May the box be over a point of the segment? It is not if an axis of the picture or a line along the segment separates
+ * them. Infinite boxes give NaN, which separates nothing. */
 static inline bool is_over_segment(const tree_search *s, const tree_node *n, uint32_t i)
 {
     double lo_x = n->lo_x[i], hi_x = n->hi_x[i], lo_y = n->lo_y[i], hi_y = n->hi_y[i];

@@ -1,13 +1,12 @@
-/* verify.c - a drawing checked by rays.
+/* verify.c - checks a drawing by rays.
  *
- * The rule is applied directly: a point is hidden where a front face of another solid lies on its sight line, nearer to
- * the viewer. For an edge without a front face, which its own solid hides, the own solid counts as well. Faces of
- * bodies that are not convex hide from both sides, and they hide edges of their own body, but not those that lie in
- * their plane.
- * stretch.c says which points of an edge are asked and what contradicts the drawing.
+ * The rule is applied directly: a point is hidden if a front face of another solid lies on its sight line, nearer to
+ * the viewer. An edge without a front face is hidden by its own solid, so that solid counts as well. Faces of bodies
+ * that are not convex hide from both sides. They also hide edges of their own body, but not those that lie in their
+ * plane. stretch.c decides which points of an edge are checked and what contradicts the drawing.
  *
- * Edges are taken in runs, and runs by where they are in the picture, so that rays cast one after another meet the same
- * faces. Threads take chunks of runs. Each chunk keeps what it finds; the findings are sorted by edge in the end. */
+ * Edges are grouped into runs, and runs are sorted by their position in the picture, so that successive rays meet the
+ * same faces. Threads take chunks of runs. Each chunk keeps its findings, which are sorted by edge in the end. */
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -17,15 +16,15 @@
 #include "ray/crossed.h"
 #include "ray/stretch.h"
 
-/* A gap between two rows of an edge that is no wider in t is rounding. */
+/* In t: a gap between two rows of an edge that is no wider than this is rounding. */
 #define GAP 1e-15
-/* Degrees: an angle this near to the crease angle may be taken for either side of it. */
+/* Degrees: an angle this near to the crease angle may count as either side of it. */
 #define CREASE_MARGIN 1e-6
-/* Edges of smooth bodies flatter than this are left out; degrees. See roberts_hide_options.crease_auto. */
+/* Degrees: flatter edges of smooth bodies are left out. See roberts_hide_options.crease_auto. */
 #define SMOOTH_DEGREES 30.0
 /* Most edges in a run; all belong to one solid. */
 #define RUN_EDGES 32
-/* Runs in a chunk: enough to make the cost of sharing them out negligible. */
+/* Runs in a chunk: enough to make the cost of distributing them negligible. */
 #define CHUNK_RUNS 32
 /* Intersections in a chunk. */
 #define CHUNK_LINES 1024
@@ -37,28 +36,28 @@ typedef struct edge_run {
     uint32_t solid, edge;
 } edge_run;
 
-/* What the drawing calls an edge of a body that is not convex: an edge of the file, or a part of one. */
+/* The name of an edge of a body that is not convex in the drawing: an edge of the file, or a part of one. */
 typedef struct edge_name {
     uint32_t solid, v[2], edge;
     double t0, t1;
 } edge_name;
 
 typedef struct verifier {
-    const roberts_scene *scene; /* as given: the drawing's numbers and t go by it */
-    seen seen;                  /* of it, seen.scene hides */
+    const roberts_scene *scene; /* as given: the drawing's numbers and t refer to it */
+    seen seen;                  /* of `scene`; seen.scene hides */
     const roberts_drawing *drawing;
     roberts_verify_options options;
     occluders o;
-    edge_name *name; /* [name_count] of all edges of bodies that are not convex, in order */
+    edge_name *name; /* [name_count] of all edges of bodies that are not convex, sorted */
     size_t name_count;
     uint32_t *row_start;    /* [edge_count + 1] */
-    uint32_t *row;          /* [segments] rows of the drawing, edge by edge, by t */
+    uint32_t *row;          /* [segments] rows of the drawing, sorted by edge, then by t */
     crossed crossed;        /* the faces of intersections */
-    size_t line_row;        /* the first row of an intersection; those that follow are in the order of their lines */
-    edge_run *run;          /* [run_count + 1] the last one marks the end */
-    uint32_t *order;        /* [run_count] runs by where they are in the picture */
+    size_t line_row;        /* the first row of an intersection; later rows are in the order of their lines */
+    edge_run *run;          /* [run_count + 1] the last entry marks the end */
+    uint32_t *order;        /* [run_count] runs sorted by their position in the picture */
     stretch_result *result; /* [chunk_count] */
-    uint32_t run_count, edge_chunks, chunk_count; /* chunks of edges, and then of intersections */
+    uint32_t run_count, edge_chunks, chunk_count; /* chunks of edges, followed by chunks of intersections */
 } verifier;
 
 roberts_verify_options roberts_verify_options_default(void)
@@ -80,7 +79,7 @@ static stretch_edge classify_edge(const verifier *f, const scene_edge *e)
     return unsure ? STRETCH_UNSURE : STRETCH_BACK;
 }
 
-/* The angle between two planes, or between one and the other turned over; degrees. */
+/* Returns the angle between two planes, or between one and the reverse of the other; degrees. */
 static double angle_between(plane F, plane G, bool turned)
 {
     const double degrees = 180.0 / 3.14159265358979323846;
@@ -88,7 +87,7 @@ static double angle_between(plane F, plane G, bool turned)
     return atan2(vec3_length(vec3_cross(m, n)), turned ? -vec3_dot(m, n) : vec3_dot(m, n)) * degrees;
 }
 
-/* Whether the drawing has to show the edge where nothing hides it: an outline, or bent by more than the
+/* Must the drawing show the edge where nothing hides it? It must if the edge is an outline, or bent by more than the
  * crease angle. */
 static bool is_surely_drawn(const verifier *f, const scene_edge *e)
 {
@@ -101,18 +100,18 @@ static bool is_surely_drawn(const verifier *f, const scene_edge *e)
     return angle_between(of[e->f[0]], of[e->f[1]], false) > f->options.crease_degrees + CREASE_MARGIN;
 }
 
-/* How the faces of an edge lie about it in the picture. */
+/* How the faces of an edge lie around it in the picture. */
 typedef struct edge_sides {
     uint32_t left, right, edge_on, unsure;
     double bent; /* greatest angle between the first face and another one, from flat; degrees */
 } edge_sides;
 
-/* `on_right`: the face is on the right of v[0] -> v[1], seen from outside of its plane. `first`: the first face of the
- * edge. */
+/* Adds a face of an edge. `on_right`: the face is on the right of v[0] -> v[1], seen from outside its plane. `first`:
+ * the first face of the edge. */
 static void add_side(const verifier *f, uint32_t face, bool on_right, uint32_t first, edge_sides *to)
 {
     plane F = f->seen.scene->face_plane[face], G = f->o.s.scene->face_plane[face];
-    bool back = F.a * G.a + F.b * G.b + F.c * G.c < 0.0; /* it was turned to the viewer */
+    bool back = F.a * G.a + F.b * G.b + F.c * G.c < 0.0; /* it was turned toward the viewer */
     to->unsure += f->o.s.facing[face] == SIGHT_UNSURE;
     if (f->o.s.facing[face] == SIGHT_NOT_FRONT)
         to->edge_on++;
@@ -149,7 +148,7 @@ static edge_sides sides_of(const verifier *f, uint32_t solid, uint32_t index)
     return found;
 }
 
-/* The same as is_surely_drawn() for an edge of a body that is not convex. */
+/* Does the same as is_surely_drawn() for an edge of a body that is not convex. */
 static bool is_surely_line(const verifier *f, uint32_t solid, uint32_t index)
 {
     const scene_surface *surface = f->seen.scene->surface;
@@ -173,14 +172,14 @@ static roberts_vec3 vertex_point(const verifier *f, uint32_t vertex)
     return sight_point(&f->o.s, f->scene->point[vertex]);
 }
 
-/* The part of an edge of the file that an edge of a body is. */
+/* Returns the part of an edge of the file that this edge covers. */
 static edge_name part_of(const verifier *f, uint32_t solid, uint32_t index)
 {
     seen_name name = seen_edge_name(f->scene, solid, index);
     return (edge_name){solid, {name.v[0], name.v[1]}, index, name.t0, name.t1};
 }
 
-/* The row with t along the part. */
+/* Returns the row with t along the part. */
 static roberts_segment row_on(const edge_name *part, const roberts_segment *row)
 {
     roberts_segment on = *row;
@@ -190,7 +189,7 @@ static roberts_segment row_on(const edge_name *part, const roberts_segment *row)
 }
 
 /* Checks one row: its ends against what the near plane leaves of the edge, and the stretch between them by rays. gap:
- * what is mere rounding. */
+ * differences that are mere rounding. */
 static void check_row(stretch_checker *checker, const clip_edge *left, const roberts_segment *row, double gap,
                       stretch *s)
 {
@@ -207,7 +206,7 @@ static void check_row(stretch_checker *checker, const clip_edge *left, const rob
         stretch_check(checker, s);
 }
 
-/* Checks a gap from t0 to t1 in an edge that has to be drawn: it says that the edge is hidden there. */
+/* Checks a gap from t0 to t1 in an edge that must be drawn. The gap means that the edge is hidden there. */
 static void check_gap(stretch_checker *checker, double t0, double t1, double gap, stretch *s)
 {
     s->t0 = t0;
@@ -219,8 +218,8 @@ static void check_gap(stretch_checker *checker, double t0, double t1, double gap
         stretch_check(checker, s);
 }
 
-/* Checks the rows of an edge and the gaps between them. What the near plane cuts off, drawn as clipped or not, is no
- * gap. */
+/* Checks the rows of an edge and the gaps between them. Parts that the near plane removes are not gaps, whether they
+ * are drawn as clipped or not. */
 static void check_edge(const verifier *f, stretch_checker *checker, uint32_t solid, uint32_t index)
 {
     clip_edge left = seen_left_of(&f->seen, index);
@@ -257,7 +256,7 @@ static void check_edge(const verifier *f, stretch_checker *checker, uint32_t sol
 
 /* ---- intersections --------------------------------------------------------------------------------------------- */
 
-/* Notes that the faces of line k do not cross. */
+/* Records that the faces of line k do not cross. */
 static void deny_line(stretch_result *out, uint32_t body, uint32_t edge)
 {
     stretch_finding finding = {.what = {.solid = body, .t = 0.5, .by = ROBERTS_NONE, .no_line = true}, .edge = edge};
@@ -267,7 +266,7 @@ static void deny_line(stretch_result *out, uint32_t body, uint32_t edge)
         out->found[out->count++] = finding;
 }
 
-/* The first row of line k or of one behind it. */
+/* Returns the first row of line k or of a later one. */
 static size_t first_row(const verifier *f, size_t k)
 {
     size_t low = f->line_row, high = f->drawing->count;
@@ -314,7 +313,7 @@ static void check_line(const verifier *f, stretch_checker *checker, stretch_resu
         check_gap(checker, end, 1.0, GAP, &s);
 }
 
-/* Are the rows of intersections in order, each of a line? */
+/* Are the rows of intersections in order, each belonging to a line? */
 static bool has_lines_in_order(verifier *f)
 {
     const roberts_drawing *d = f->drawing;
@@ -357,7 +356,7 @@ static bool name_edges(verifier *f)
     return true;
 }
 
-/* The edge of `solid` between input vertices v0 and v1; edge_count where there is none. */
+/* Returns the edge of `solid` between input vertices v0 and v1; edge_count: none. */
 static uint32_t find_edge(const roberts_scene *scene, const roberts_segment *row)
 {
     if (row->solid >= scene->solid_count)
@@ -377,14 +376,14 @@ static uint32_t find_edge(const roberts_scene *scene, const roberts_segment *row
     return scene->edge_count;
 }
 
-/* Sorts the rows of [first, end) by t0. They are few, and mostly in order already. */
+/* Sorts the rows of [first, end) by t0. They are few, and usually nearly sorted. */
 static void sort_rows(verifier *f, uint32_t first, uint32_t end)
 {
     const roberts_segment *segment = f->drawing->segment;
     SORT_FEW(uint32_t, f->row + first, end - first, segment[*a].t0 > segment[*b].t0)
 }
 
-/* The names from which next_edge() goes on. */
+/* The names from which next_edge() continues. */
 typedef struct name_range {
     const edge_name *next, *end;
 } name_range;
@@ -403,7 +402,7 @@ static name_range names_of(const verifier *f, const roberts_segment *row)
     return (name_range){f->name + low, f->name + f->name_count};
 }
 
-/* The next edge of which the row shows a part; edge_count where there is none. */
+/* Returns the next edge of which the row shows a part; edge_count: none. */
 static uint32_t next_edge(const verifier *f, name_range *range, const roberts_segment *row)
 {
     for (; range->next < range->end; range->next++) {
@@ -416,8 +415,8 @@ static uint32_t next_edge(const verifier *f, name_range *range, const roberts_se
     return f->scene->edge_count;
 }
 
-/* Counts a row, number `index`, to the edges that it shows parts of, or puts it down where row_start points behind.
- * Returns the number of the edges. */
+/* Counts row `index` for the edges of which it shows parts, or stores it there if `put` is set. Returns the number of
+ * these edges. */
 static uint32_t assign_row(verifier *f, uint32_t index, bool put)
 {
     const roberts_segment *row = &f->drawing->segment[index];
@@ -439,8 +438,8 @@ static uint32_t assign_row(verifier *f, uint32_t index, bool put)
     return count;
 }
 
-/* Sorts rows by edge, by counting. row_start first counts the rows of each edge, then points behind them, then to the
- * first. */
+/* Sorts rows by edge with a counting sort. row_start[] holds the counts, then the ends, and finally the starts of each
+ * edge's rows. */
 static roberts_status assign_rows(verifier *f, roberts_error *error)
 {
     const roberts_scene *scene = f->scene;
@@ -499,7 +498,7 @@ static void check_chunks(verifier *f)
         check_chunk(f, i);
 }
 
-/* ---- what was found -------------------------------------------------------------------------------------------- */
+/* ---- findings -------------------------------------------------------------------------------------------------- */
 
 static int by_edge(const void *a, const void *b)
 {
@@ -511,7 +510,7 @@ static int by_edge(const void *a, const void *b)
     return p->what.by < q->what.by ? -1 : p->what.by > q->what.by;
 }
 
-/* Says which edge or intersection it is about. */
+/* Sets the edge or intersection of a contradiction. */
 static void name_line(const verifier *f, uint32_t edge, roberts_contradiction *what)
 {
     what->v0 = what->v1 = what->face[0] = what->face[1] = ROBERTS_NONE;
@@ -527,8 +526,8 @@ static void name_line(const verifier *f, uint32_t edge, roberts_contradiction *w
     what->t = name.t0 + (name.t1 - name.t0) * what->t;
 }
 
-/* Passes on the contradictions of all chunks, by edge and then along it; two rays from one point count once. False: no
- * memory. */
+/* Reports the contradictions of all chunks, sorted by edge and then along it. Two rays from one point count once.
+ * False: no memory. */
 static bool pass_on(const verifier *f, size_t count, roberts_verification *result)
 {
     stretch_finding *all = alloc_array(count, sizeof *all);
@@ -553,7 +552,7 @@ static bool pass_on(const verifier *f, size_t count, roberts_verification *resul
     return true;
 }
 
-/* Sums the chunks up and passes on their contradictions. */
+/* Sums up the chunks and reports their contradictions. */
 static roberts_status report(const verifier *f, roberts_verification *result, roberts_error *error)
 {
     bool lost = false;
@@ -574,7 +573,7 @@ static roberts_status report(const verifier *f, roberts_verification *result, ro
 
 /* ---- preparation ----------------------------------------------------------------------------------------------- */
 
-/* Cuts the solids' edges into runs. */
+/* Divides the solids' edges into runs. */
 static void find_runs(verifier *f)
 {
     const roberts_scene *scene = f->scene;
@@ -585,7 +584,7 @@ static void find_runs(verifier *f)
     f->run[f->run_count] = (edge_run){scene->solid_count, scene->edge_count};
 }
 
-/* Puts the runs in the order of their places in the picture. */
+/* Sorts the runs by their position in the picture. False: no memory. */
 static bool order_runs(verifier *f)
 {
     uint32_t *key = alloc_array(f->run_count, sizeof *key);
@@ -598,8 +597,8 @@ static bool order_runs(verifier *f)
     return done;
 }
 
-/* Estimates how many rays will ask for the faces of each solid: all but those from edges that a convex solid itself
- * shows. */
+/* Estimates how many rays will query the faces of each solid: all except those from edges that the solid, if convex,
+ * shows itself. */
 static void count_rays(const verifier *f, double *rays)
 {
     const roberts_drawing *drawing = f->drawing;
@@ -627,7 +626,7 @@ static bool build_occluders(verifier *f)
 
 static bool prepare(verifier *f)
 {
-    size_t edges = f->scene->edge_count, most = edges / RUN_EDGES + f->scene->solid_count; /* runs */
+    size_t edges = f->scene->edge_count, most = edges / RUN_EDGES + f->scene->solid_count; /* number of runs */
     f->run = alloc_array(most + 1, sizeof *f->run);
     f->order = alloc_array(most, sizeof *f->order);
     f->row_start = alloc_zeroed(edges + 1, sizeof *f->row_start);

@@ -1,4 +1,4 @@
-/* camera.c - the named views, those by angles, and turning about the scene. */
+/* camera.c - cameras: the named views, views by angles, and turning round the scene. */
 #include <string.h>
 
 #include "base/vec.h"
@@ -9,19 +9,19 @@ bool roberts_camera_preset(const char *name, roberts_camera *camera)
     static const struct {
         const char *name;
         roberts_vec3 dir, up;
-        double depth; /* how far a unit of depth moves a point right and up */
+        double depth; /* how far a unit of depth moves a point to the right and up */
     } presets[] = {
         {"iso", {1, -1, 1}, {0, 0, 1}, 0},
         {"dimetric",
          {1, -2.6457513110645907, 1},
          {0, 0, 1},
-         0}, /* 1, -sqrt 7, 1: one axis is half as long as the others */
+         0}, /* 1, -sqrt 7, 1: one axis appears half as long as the others */
         {"trimetric", {3, -6, 4}, {0, 0, 1}, 0},
         {"front", {0, -1, 0}, {0, 0, 1}, 0},
         {"back", {0, 1, 0}, {0, 0, 1}, 0},
         {"right", {1, 0, 0}, {0, 0, 1}, 0},
         {"left", {-1, 0, 0}, {0, 0, 1}, 0},
-        {"top", {0, 0, 1}, {0, 1, 0}, 0}, /* the lecture's own view */
+        {"top", {0, 0, 1}, {0, 1, 0}, 0}, /* the view of the lecture */
         {"bottom", {0, 0, -1}, {0, 1, 0}, 0},
         {"cavalier", {0, -1, 0}, {0, 0, 1}, 0.70710678118654752},      /* cos 45, sin 45 */
         {"cabinet", {0, -1, 0}, {0, 0, 1}, 0.5 * 0.70710678118654752}, /* half of that */
@@ -36,8 +36,8 @@ bool roberts_camera_preset(const char *name, roberts_camera *camera)
     return false;
 }
 
-/* The viewer is at (sin a cos e, -cos a cos e, sin e), with azimuth a and elevation e. `up` is the derivative by e,
- * which is not 0 at the zenith either. */
+/* The viewer is at (sin a cos e, -cos a cos e, sin e), with azimuth a and elevation e. `up` is the derivative with
+ * respect to e, which is nonzero even at the zenith. */
 bool roberts_camera_angles(double azimuth, double elevation, double roll, roberts_camera *camera)
 {
     if (!isfinite(azimuth) || !isfinite(roll) || !(fabs(elevation) <= 90.0))
@@ -63,7 +63,8 @@ static bool is_upright(roberts_vec3 v)
     return v.x == 0.0 && v.y == 0.0;
 }
 
-/* Seen from straight above or below, up is +y by default. Unlike +z it changes with a turn, so it is set before. */
+/* If the view is from straight above or below, up is +y by default. Unlike +z, +y changes when the camera turns, so it
+ * is set before turning. */
 void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_camera *camera)
 {
     const roberts_vec3 centre = scene->centre;

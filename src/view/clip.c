@@ -1,5 +1,5 @@
-/* clip.c - cutting by the near plane. See clip.h. Faces are cut one by one (I. E. Sutherland, G. W. Hodgman,
- * "Reentrant polygon clipping", CACM 17(1), 1974); what is cut off them joins to the cap. */
+/* clip.c - clipping by the near plane. See clip.h. Each face is clipped separately (I. E. Sutherland, G. W. Hodgman,
+ * "Reentrant polygon clipping", CACM 17(1), 1974). The cuts of a solid's faces form the outline of its cap. */
 #include "view/clip.h"
 
 #include <float.h>
@@ -12,15 +12,15 @@
 #include "model/face_plane.h"
 #include "view/cutter.h"
 
-/* The distance of the near plane if none is given: this part of the look-at point's distance, and at least this part of
- * the scene's diameter. Nearer things would be drawn a thousand times as large as at the look-at point. */
+/* The default distance of the near plane: this fraction of the look-at point's distance, and at least this fraction of
+ * the scene's diameter. Nearer things would appear a thousand times as large as at the look-at point. */
 #define NEAR_OF_DISTANCE 1e-3
 #define NEAR_OF_DIAMETER 1e-5
-/* The least distance of the near plane, whatever is given, as a part of the scene's diameter. Coordinates in the
- * picture grow by one over it, and with them the touching distance. */
+/* The least distance of the near plane, even if a smaller one is given, as a fraction of the scene's diameter.
+ * Coordinates in the picture grow in inverse proportion to it, and so does the touching distance. */
 #define NEAR_LEAST 1e-6
-/* A point nearer than this to the near plane lies in it, to rounding; an eye this near to a face lies on the face. In
- * ulps of the largest coordinate, the eye's included. */
+/* In ulps of the largest coordinate, the eye's included. A point nearer to the near plane than this lies in it; an eye
+ * nearer to a face than this lies on it. */
 #define TOUCHING_ULPS 16.0
 
 bool cutter_add_vertex(cutter *c, roberts_vec3 point, roberts_vec3 low, uint32_t number)
@@ -77,7 +77,7 @@ bool cutter_add_edge(cutter *c, uint32_t v0, uint32_t v1, uint32_t f0, uint32_t 
     return true;
 }
 
-/* The edge of the solid between two of its vertices; edges ascend by (v[0], v[1]). */
+/* Returns the edge of the solid between two of its vertices. Edges ascend by (v[0], v[1]). */
 static uint32_t find_edge(const cutter *c, uint32_t solid, uint32_t a, uint32_t b)
 {
     uint32_t low = c->from->solid[solid].edge, high = c->from->solid[solid + 1].edge;
@@ -93,8 +93,7 @@ static uint32_t find_edge(const cutter *c, uint32_t solid, uint32_t a, uint32_t 
     return low;
 }
 
-/* Returns a + t (b - a). A double holds it only to its last place, and near the eye that is a wide angle; `low` takes
- * the rest. */
+/* Returns a + t (b - a). The rounding error of a double is a wide angle near the eye; `low` receives that error. */
 static double divide(double a, double b, double t, double *low)
 {
     dd p = dd_add((dd){a, 0.0}, dd_mul((dd){t, 0.0}, dd_two_diff(b, a)));
@@ -108,7 +107,7 @@ bool cutter_add_cut(cutter *c, roberts_vec3 A, roberts_vec3 B, double t)
     return cutter_add_vertex(c, point, low, ROBERTS_NONE);
 }
 
-/* Adds the vertices that stay, and a vertex on each edge that the plane cuts. */
+/* Adds the vertices that are kept, and a new vertex on each edge that the plane cuts. False: no memory. */
 static bool cut_vertices(cutter *c, uint32_t solid)
 {
     const roberts_scene *from = c->from;
@@ -158,13 +157,14 @@ bool cutter_measure_width(cutter *c, uint32_t first, double *width)
     return true;
 }
 
-/* Cuts one face. The cap will run along the cut the other way. If a side is straight only within the tolerance, it may
- * weave through the plane: then each way in belongs to the way out before it. */
+/* Clips one face. The cap runs along the cut in the opposite direction. If a side is straight only within the
+ * tolerance, the border may weave through the plane. Then each entry is joined to the exit before it. False: no
+ * memory. */
 static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face)
 {
     const roberts_scene *from = c->from;
     uint32_t first = from->face_start[face], end = from->face_start[face + 1], leave = ROBERTS_NONE;
-    uint32_t early = ROBERTS_NONE, begin = (uint32_t)c->clip->scene.corner_count; /* early: in before any way out */
+    uint32_t early = ROBERTS_NONE, begin = (uint32_t)c->clip->scene.corner_count; /* an entry before any exit */
     double width = scene_width(from, face);
     for (uint32_t k = first; k < end; k++) {
         uint32_t a = from->corner[k], b = from->corner[k + 1 < end ? k + 1 : first];
@@ -194,8 +194,9 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
                            scene_face_number(from, face));
 }
 
-/* Adds the cap. `start` is one of the cut edges. If a side weaves through the plane there are several rings, and the
- * cap has one of them. Then the outline is no single cycle, and the faces hide one by one (see hide/front.c). */
+/* Adds the cap. `start` is one of the cut edges. If a border weaves through the plane, there are several rings, and the
+ * cap has one of them. Then the outline is not a single cycle, and the faces hide one by one (see hide/front.c). False:
+ * no memory. */
 static bool add_cap(cutter *c, uint32_t start)
 {
     const roberts_scene *from = c->from;
@@ -211,8 +212,8 @@ static bool add_cap(cutter *c, uint32_t start)
     return cutter_measure_width(c, begin, &width) && cutter_add_face(c, F, c->touching, width, ROBERTS_NONE);
 }
 
-/* Adds the edges that stay whole or in part, in their order, and then those along the cap. map: the numbers of faces in
- * the clipped scene. */
+/* Adds the edges that are kept, completely or in part, in order, followed by those of the cap. map: numbers of the
+ * faces in the clipped scene. False: no memory. */
 static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t cap)
 {
     const roberts_scene *from = c->from;
@@ -231,7 +232,7 @@ static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t c
     for (uint32_t i = first; i < end && cap != ROBERTS_NONE; i++) {
         if (c->cut[i] == ROBERTS_NONE)
             continue;
-        /* from cut i to the next, the cap meets the face that edge i leads into: v[0] -> v[1] runs round f[0] */
+        /* between cut i and the next, the cap meets the face into which edge i leads: v[0] -> v[1] runs round f[0] */
         const scene_edge edge = scene_edge_at(from, solid, i);
         uint32_t face = edge.f[cutter_keeps(c, edge.v[1]) ? 0 : 1];
         if (!cutter_add_edge(c, c->cut[i], c->cut[c->next[i]], cap, map[face], true))
@@ -240,8 +241,8 @@ static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t c
     return true;
 }
 
-/* Is the eye inside a solid? An eye on a face, to rounding, is outside. The face's departure from its plane does not
- * count. */
+/* Is the eye inside a solid? An eye on a face, within rounding, is outside. The face's departure from its plane does
+ * not matter. */
 static bool holds_eye(const cutter *c, uint32_t solid)
 {
     roberts_vec3 P = vec3_sub(c->eye, c->from->centre);
@@ -251,7 +252,7 @@ static bool holds_eye(const cutter *c, uint32_t solid)
     return true;
 }
 
-/* Cuts one solid. `map` is scratch, [face_count of from]. */
+/* Clips one solid. `map` is scratch, [face_count of from]. */
 static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, roberts_error *error)
 {
     if (!scene_is_convex(c->from, solid))
@@ -295,7 +296,7 @@ static double measure_depths(cutter *c)
     return least;
 }
 
-/* Begins the arrays that are read even if nothing comes into them. */
+/* Allocates the arrays that are read even if they stay empty. False: no memory. */
 static bool begin_arrays(cutter *c)
 {
     roberts_scene *to = &c->clip->scene;
@@ -346,7 +347,7 @@ static void set_touching(cutter *c)
     c->touching *= TOUCHING_ULPS * DBL_EPSILON;
 }
 
-/* Sets the line of sight and the near plane. False: view_prepare() will refuse the camera. */
+/* Sets the line of sight and the near plane. False: the camera is invalid; view_prepare() will refuse it. */
 static bool set_near(cutter *c, const roberts_camera *camera)
 {
     roberts_vec3 centre = c->from->centre, back = vec3_sub(camera->eye, camera->has_look_at ? camera->look_at : centre);

@@ -1,5 +1,5 @@
-/* clip_surface.c - cuts bodies that are not convex by the near plane, each piece of a face by itself. Caps close a
- * closed body; their edges are not drawn. An open body stays open, and one looks into it. */
+/* clip_surface.c - clips bodies that are not convex by the near plane. Each piece of a face is clipped separately. Caps
+ * close a closed body; their edges are not drawn. An open body stays open, and its inside can be seen. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -53,13 +53,13 @@ static uint32_t find_cut(const cutter *c, uint32_t a, uint32_t b)
     return found->vertex;
 }
 
-/* Where the near plane cuts the side from a to b. */
+/* Returns where the near plane cuts the side from a to b. */
 static double cut_at(const cutter *c, uint32_t a, uint32_t b)
 {
     return (c->near - c->depth[a]) / (c->depth[b] - c->depth[a]);
 }
 
-/* Adds the vertices that stay, and a vertex on each side that is cut. */
+/* Adds the vertices that are kept, and a new vertex on each side that is cut. False: no memory. */
 static bool cut_vertices(cutter *c, uint32_t body)
 {
     const roberts_scene *from = c->from;
@@ -107,7 +107,7 @@ static bool add_plane_of(cutter *c, uint32_t plane_of)
     return true;
 }
 
-/* A stretch of the cut, where a face ends in the plane. */
+/* A stretch of the cut, where a clipped face ends in the plane. */
 typedef struct cut_line {
     uint32_t from, to;
 } cut_line;
@@ -117,7 +117,7 @@ typedef struct cut_lines {
     size_t count, room;
 } cut_lines;
 
-/* Cuts one face. `lines` takes the cut, if there is one. */
+/* Clips one face. `lines` receives the cut, if there is one. False: no memory. */
 static bool cut_face(cutter *c, uint32_t face, uint32_t *to_face, cut_lines *lines)
 {
     const roberts_scene *from = c->from;
@@ -152,7 +152,7 @@ static bool cut_face(cutter *c, uint32_t face, uint32_t *to_face, cut_lines *lin
            add_plane_of(c, from->surface->plane_of[face]);
 }
 
-/* Adds the faces that stay of an edge of more than two. */
+/* Adds the remaining faces of an edge with more than two. False: no memory. */
 static bool add_many(cutter *c, const scene_many *many, const uint32_t *map, uint32_t edge)
 {
     const uint32_t *face = c->from->surface->many_face;
@@ -168,8 +168,8 @@ static bool add_many(cutter *c, const scene_many *many, const uint32_t *map, uin
     return true;
 }
 
-/* Moves the faces of an edge up where the plane has taken the first: an edge may end beside a corner of its face, so
- * that it stays and the face does not. */
+/* Moves the faces of an edge up if the plane has removed the first one. An edge may end beside a corner of its face, so
+ * the edge can remain without the face. */
 static void close_up(const scene_surface *surface, uint32_t first_face, scene_edge *edge, uint8_t *is)
 {
     uint32_t face[2] = {edge->f[1], ROBERTS_NONE};
@@ -191,7 +191,7 @@ static void close_up(const scene_surface *surface, uint32_t first_face, scene_ed
                     (turned[1] ? EDGE_TURNED_1 : 0));
 }
 
-/* Adds what stays of an edge. */
+/* Adds the remainder of an edge. False: no memory. */
 static bool cut_edge(cutter *c, uint32_t body, uint32_t e, const uint32_t *map)
 {
     const roberts_scene *from = c->from;
@@ -241,7 +241,7 @@ static int compare_lines(const void *pa, const void *pb)
     return (a->to > b->to) - (a->to < b->to);
 }
 
-/* The first of the sorted lines that begins at a vertex. */
+/* Returns the first of the sorted lines that begins at a vertex. */
 static size_t first_from(const cut_line *both, size_t count, uint32_t vertex)
 {
     size_t low = 0, high = count;
@@ -255,9 +255,9 @@ static size_t first_from(const cut_line *both, size_t count, uint32_t vertex)
     return low;
 }
 
-/* Makes one ring of the lines. Each line is followed by one that begins or ends where it ends. Between loops the ring
- * goes to its first vertex and back: by the odd-even rule a way that runs twice bounds nothing. `both` lists each line
- * both ways; used[] belongs to it. */
+/* Joins all lines into one ring. Each line is followed by one that begins or ends where it ends. Between loops, the
+ * ring goes to its first vertex and back: by the odd-even rule, a path that runs both ways bounds nothing. `both` lists
+ * each line in both directions; used[] has an entry for each of them. */
 static size_t make_ring(const cut_line *both, size_t count, uint8_t *used, uint32_t *ring)
 {
     size_t length = 0;
@@ -283,20 +283,20 @@ static size_t make_ring(const cut_line *both, size_t count, uint8_t *used, uint3
             ring[length++] = at;
         }
         if (at != start)
-            ring[length++] = start; /* rounding has left it open: closed straight */
+            ring[length++] = start; /* left open by rounding: closed by a straight line */
         ring[length++] = ring[0];
     }
     return length;
 }
 
-/* Adds the cap's pieces as faces without a number. They hide and have no edges. */
+/* Adds the cap's pieces as faces without a number. They hide, but have no edges. False: no memory. */
 static bool add_cap(cutter *c, const uint32_t *ring, size_t count)
 {
     roberts_scene *to = &c->clip->scene;
     face_pieces pieces = {0};
     face_rules rules = {to->point, 1e-9, c->touching, to->unit, true};
     bool enough = face_pieces_cut(&pieces, &rules, ring, (uint32_t)count);
-    uint32_t plane_of = ROBERTS_NONE - 1; /* of no edge */
+    uint32_t plane_of = ROBERTS_NONE - 1; /* a key that no edge lists */
     for (size_t n = 0; enough && n < pieces.node_count; n++)
         if (pieces.node[n].vertex == ROBERTS_NONE) {
             pieces.node[n].vertex = to->vertex_count;

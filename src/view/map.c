@@ -1,4 +1,4 @@
-/* map.c - the map to view space: of points, planes and faces. See view.h. */
+/* map.c - the map of points, planes and faces to view space. See view.h. */
 #include "view/view.h"
 
 #include <float.h>
@@ -8,28 +8,29 @@
 #include "base/error.h"
 #include "base/lanes.h"
 
-/* Touching distance as a part of the scene's diameter: far above rounding (1e-16), far below a pen (1e-4 of a page). */
+/* Touching distance as a fraction of the scene's diameter: far above rounding (1e-16), far below a pen (1e-4 of a
+ * page). */
 #define EPSILON_OF_DIAMETER 1e-11
-/* The least touching distance, in units of the last place of the largest coordinate: for scenes far from the origin. */
+/* The least touching distance, in ulps of the largest coordinate: for scenes far from the origin. */
 #define EPSILON_ULPS 16.0
-/* The eye must be farther from the scene than this part of its diameter, along the line of sight: as the distance goes
- * to 0, the picture grows without bound. Half of what the near plane always cuts off (see clip.c), so that rounding
- * does not matter. */
+/* Fraction of the scene's diameter: the least distance of the eye from the scene, along the line of sight. As the
+ * distance goes to 0, the picture grows without bound. This is half of what the near plane always cuts off (see
+ * clip.c), so rounding does not matter. */
 #define NEAREST_OF_DIAMETER 5e-7
-/* How many roundings one view coordinate gathers, in halves of an ulp of the largest coordinate: a subtraction, three
- * products and two sums with unit vectors that are themselves rounded, and the division. */
+/* Bound of the error of a view coordinate, in half ulps of the largest coordinate: from a subtraction, three products
+ * and two sums with unit vectors that are themselves rounded, and the division. */
 #define ROUNDINGS 8.0
-/* The bounds of x and y replace those of all coordinates if they are at most this part of them. Otherwise they gain
- * little, and with the larger bound the most oblique crossings are computed more exactly than promised. */
+/* The bounds for x and y are used only if they are at most this fraction of the bound for all coordinates. Otherwise
+ * they gain little. The larger bound makes the most oblique crossings more accurate than promised. */
 #define MUCH_SHARPER 0.25
-/* A face of more corners is not measured across each side: the time would grow with the square of their number. */
+/* A face with more corners is not measured across each side: the time would grow with the square of their number. */
 #define MEASURED_CORNERS 64
 /* Steeper oblique views are unreadable. */
 #define OBLIQUE_MOST 1000.0
-/* If the sine of the angle between `up` and the line of sight is no more than this, they count as parallel. */
+/* If the sine of the angle between `up` and the line of sight is at most this, they count as parallel. */
 #define PARALLEL 1e-9
-/* If the cosine of the angle between an axis of the picture and the line of sight is no more than this, it is mere
- * rounding, and they are at right angles. */
+/* If the cosine of the angle between an axis of the picture and the line of sight is at most this, it is rounding, and
+ * they are perpendicular. */
 #define ACROSS (4.0 * DBL_EPSILON)
 
 static double largest(roberts_vec3 a)
@@ -42,7 +43,7 @@ static bool finite3(roberts_vec3 a)
     return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
 }
 
-/* a / |a|, even if the squares would overflow or vanish; zero stays zero. */
+/* Returns a / |a|, even if the squares would overflow or underflow; zero stays zero. */
 static roberts_vec3 unit_vector(roberts_vec3 a)
 {
     double m = largest(a);
@@ -52,7 +53,7 @@ static roberts_vec3 unit_vector(roberts_vec3 a)
     return vec3_scale(1.0 / vec3_length(a), a);
 }
 
-/* Turns the drawing counter-clockwise: a point right of the origin moves up. */
+/* Rolls the picture counter-clockwise: a point right of the origin moves up. */
 static void roll_frame(view *v, double degrees)
 {
     roberts_vec2 by = angle_unit(degrees);
@@ -61,8 +62,8 @@ static void roll_frame(view *v, double degrees)
     v->up = vec3_add(vec3_scale(by.y, right), vec3_scale(by.x, up));
 }
 
-/* a x dir, 1 long. If the two are nearly parallel, the product is little more than rounding, and a part of it lies
- * along dir. That part is taken off; otherwise depth would leak into the picture. */
+/* Returns the unit vector of a x dir. If the two are nearly parallel, rounding dominates the product and leaves a
+ * component along dir. This component is subtracted; otherwise depth would leak into the picture. */
 static roberts_vec3 unit_across(roberts_vec3 a, roberts_vec3 dir)
 {
     roberts_vec3 across = unit_vector(vec3_cross(a, dir));
@@ -70,8 +71,8 @@ static roberts_vec3 unit_across(roberts_vec3 a, roberts_vec3 dir)
     return fabs(along) > ACROSS ? unit_vector(vec3_sub(across, vec3_scale(along, dir))) : across;
 }
 
-/* Sets right and up of the picture: `up` made perpendicular to the line of sight. If it is zero or parallel to that
- * line, +z takes its place, and then +y. */
+/* Sets the picture's right and up: `up` is made perpendicular to the line of sight. If it is zero or parallel to that
+ * line, +z replaces it, and then +y. */
 static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up, double roll_degrees)
 {
     const roberts_vec3 choices[] = {unit_vector(up), {0, 0, 1}, {0, 1, 0}};
@@ -80,16 +81,16 @@ static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up, double roll_de
         if (vec3_length(vec3_cross(choices[i], v->dir)) > PARALLEL) {
             v->right = unit_across(choices[i], v->dir);
             v->up = vec3_cross(v->dir, v->right);
-            if (roll_degrees != 0.0) /* turning by 0 might change -0 to 0 */
+            if (roll_degrees != 0.0) /* a turn by 0 might change -0 to 0 */
                 roll_frame(v, roll_degrees);
             return;
         }
     }
 }
 
-/* Divides by the weight w = 1 - e / D. Points nearer to the eye than to the look-at point take x, y and w from the
- * eye, which is on the axis of sight. Near it the two terms of w nearly cancel, and so do those of x and y, while the
- * difference of P and the eye is exact or nearly so. */
+/* Divides by the weight w = 1 - e / D. For points nearer to the eye than to the look-at point, x, y and w are computed
+ * relative to the eye, which is on the axis of sight. Near the eye, the two terms of w nearly cancel, and so do those
+ * of x and y, but the difference of P and the eye is exact or nearly so. */
 static roberts_vec3 perspective_point(const view *v, roberts_vec3 P, roberts_vec3 p)
 {
     double w = 1.0 - p.z * v->inverse_distance;
@@ -111,7 +112,7 @@ roberts_vec3 view_point(const view *v, roberts_vec3 P)
     return v->perspective ? perspective_point(v, P, p) : p;
 }
 
-/* Computes x and y side by side. Each is what view_point() gives, to the last bit. */
+/* Computes x and y in parallel. Both equal those of view_point() to the last bit. */
 static void points_in_parallel(const view *v, const roberts_vec3 *P, size_t count, roberts_vec3 *out)
 {
     two ax = two_of(v->right.x, v->up.x), ay = two_of(v->right.y, v->up.y), az = two_of(v->right.z, v->up.z);
@@ -135,7 +136,7 @@ void view_points(const view *v, const roberts_vec3 *P, size_t count, roberts_vec
         out[i] = view_point(v, P[i]);
 }
 
-/* Whether the view is parallel and looks along dir: then the map only turns, and changes the unit. */
+/* Is this a parallel view along dir? Then the map only rotates, and changes the unit. */
 static inline bool at_right_angles(const view *v)
 {
     return !v->perspective && v->oblique.x == 0.0 && v->oblique.y == 0.0;
@@ -149,9 +150,9 @@ plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, doubl
     if (stretch)
         *stretch = 1.0;
     if (at_right_angles(v))
-        return G; /* turning keeps the normal's length */
+        return G; /* a rotation keeps the normal's length */
     G.c += v->oblique.x * G.a + v->oblique.y * G.b;
-    if (v->perspective) { /* c' = c + d / D is the eye's distance from the plane, as a part of D */
+    if (v->perspective) { /* c' = c + d / D is the eye's distance from the plane, as a fraction of D */
         G.d += vec3_dot(n, vec3_sub(v->origin, scene->centre)) * v->per_unit;
         G.c = (F.d + vec3_dot(n, vec3_sub(v->viewpoint, scene->centre))) * v->per_unit * v->inverse_distance;
     }
@@ -161,7 +162,7 @@ plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, doubl
     return (plane){G.a / length, G.b / length, G.c / length, G.d / length};
 }
 
-/* Extent of the face's picture across the direction (x, y), which has any length but 0. */
+/* Returns the extent of the face's picture in direction (x, y), which has any length but 0. */
 static double extent_across(const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, double x, double y)
 {
     double low = INFINITY, high = -INFINITY, length = hypot(x, y);
@@ -174,8 +175,9 @@ static double extent_across(const roberts_scene *scene, uint32_t face, const rob
     return high - low;
 }
 
-/* The width of the face's picture, which is its least extent. A polygon has that across one of its sides. A face of
- * very many corners is measured only across (b, -a), the direction in which the tilt of its plane makes it narrow. */
+/* Returns the width of the face's picture, which is its least extent. A polygon has its least extent perpendicular to
+ * one of its sides. A face of very many corners is measured only in the direction (b, -a), in which the tilt of its
+ * plane makes it narrow. */
 static double picture_width(const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P)
 {
     uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
@@ -188,8 +190,8 @@ static double picture_width(const roberts_scene *scene, uint32_t face, plane F, 
     return width;
 }
 
-/* The picture of a face is at least about |c| times as wide as the face. If |c| times the face's width is more than
- * this, 4 epsilons, the picture need not be measured. Model units. */
+/* Model units: if |c| times the face's width exceeds this, 4 epsilons, the picture need not be measured. The picture of
+ * a face is at least about |c| times as wide as the face. */
 static inline double wide_enough(const view *v)
 {
     return 4.0 * v->epsilon * v->unit;
@@ -197,7 +199,7 @@ static inline double wide_enough(const view *v)
 
 int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P)
 {
-    double shrunk = 1.0; /* in perspective a face also shrinks with its distance, to this part at least */
+    double shrunk = 1.0; /* in perspective, a face also shrinks with distance, at most by this factor */
     if (v->perspective) {
         double z = P[scene->corner[scene->face_start[face]]].z;
         shrunk = lesser(1.0, 1.0 + z * v->inverse_distance);
@@ -209,8 +211,9 @@ int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane 
     return F.c < 0.0 ? VIEW_FRONT : F.c > 0.0 ? VIEW_BACK : VIEW_EDGE_ON;
 }
 
-/* In a view at right angles the depth of the normal is enough to decide if the face is wide, and a back face needs no
- * plane. a and b are computed side by side. The plane is that of view_plane(), to the last bit. */
+/* In an orthographic view that is not oblique, the depth of the normal is enough to decide whether the face is wide,
+ * and a back face needs no plane. a and b are computed in parallel. The plane equals that of view_plane() to the last
+ * bit. */
 int view_face(const view *v, const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, plane *F,
               double *stretch)
 {
@@ -234,8 +237,8 @@ int view_face(const view *v, const roberts_scene *scene, uint32_t face, const ro
     return view_facing(v, scene, face, *F, P);
 }
 
-/* With weights w = 1 - e / D = 1 / (1 + z / D), the picture of R(t) = (1-t) A + t B divides the picture of AB as
- * (1-t) wA : t wB. */
+/* With weights w = 1 - e / D = 1 / (1 + z / D), the picture of R(t) = (1-t) A + t B divides the picture of AB in the
+ * ratio (1-t) wA : t wB. */
 double view_to_space(const view *v, double zA, double zB, double s)
 {
     if (!v->perspective)
@@ -271,7 +274,7 @@ static roberts_status set_eye(view *v, const roberts_scene *scene, const roberts
     return ROBERTS_OK;
 }
 
-/* The sum of |a_i| h_i: in a box of half sizes h about the origin, no point is farther from it along a. */
+/* Returns the sum of |a_i| h_i: the greatest coordinate along a in a box of half sizes h about the origin. */
 static double reach_along(roberts_vec3 a, roberts_vec3 h)
 {
     return fabs(a.x) * h.x + fabs(a.y) * h.y + fabs(a.z) * h.z;
@@ -282,23 +285,22 @@ static roberts_vec3 size_of(roberts_vec3 a)
     return (roberts_vec3){fabs(a.x), fabs(a.y), fabs(a.z)};
 }
 
-/* A bound of |a . V|, which is zero but for rounding. Three products and two sums add no more than 3.01 units of
- * rounding (half an epsilon each) times the sum of |a_i V_i|, and V may come from a subtraction, which adds
- * one more. */
+/* Bounds |a . V|, which is zero except for rounding. Three products and two sums add at most 3.01 units of rounding
+ * (half an epsilon each) times the sum of |a_i V_i|. V may come from a subtraction, which adds one more. */
 static double leak(roberts_vec3 a, roberts_vec3 V)
 {
     return fabs(vec3_dot(a, V)) + 2.0 * DBL_EPSILON * reach_along(a, size_of(V));
 }
 
-/* Sets bounds of x and y and of their errors, for a parallel view at right angles. A scene may be much deeper than its
- * picture is wide, and the depth adds nothing to the errors of x and y.
+/* Sets bounds for x and y and for their errors, for an orthographic view that is not oblique. A scene may be much
+ * deeper than its picture is wide, and the depth adds nothing to the errors of x and y.
  *
- * The exact picture is a projection along the viewpoint V as given. For the axis a (right or up) it is x' = (a - (a.V
- * / V.V) V) . q with q = P - origin; a shift, a stretch or a turn of the picture changes no parameter and no sign.
- * The computed x is a . q. It has two errors. One subtraction, one product and at most two sums are each off by half an
- * epsilon of their result, together by no more than 4.01 halves of epsilon times the sum of |a_i q_i|. Eight halves are
- * counted; the rest is for the rounding of products of coordinates (see hide_plain()). And |x - x'| = |a.V| |V.q| /
- * V.V: the depth leaks into x as far as the axis is not at a right angle to V. */
+ * The exact picture is a projection along the viewpoint V as given. For the axis a (right or up) it is x' = (a - (a.V /
+ * V.V) V) . q with q = P - origin; shifting, stretching or turning the picture changes no parameter and no sign. The
+ * computed x is a . q. It has two errors. First, one subtraction, one product and at most two sums are each off by half
+ * an epsilon of their result, together by at most 4.01 half epsilons times the sum of |a_i q_i|. Eight half epsilons
+ * are allowed; the rest covers the rounding of products of coordinates (see hide_plain()). Second, |x - x'| = |a.V|
+ * |V.q| / V.V: the depth leaks into x as far as the axis is not perpendicular to V. */
 static void set_across(view *v, const roberts_scene *scene)
 {
     roberts_vec3 low = vec3_sub(v->origin, scene->box_min), high = vec3_sub(scene->box_max, v->origin);
@@ -306,7 +308,7 @@ static void set_across(view *v, const roberts_scene *scene)
         vec3_scale(v->per_unit, (roberts_vec3){fmax(low.x, high.x), fmax(low.y, high.y), fmax(low.z, high.z)});
     roberts_vec3 V = v->viewpoint;
     double depth = reach_along(V, h) / vec3_dot(V, V);
-    /* the bounds are rounded themselves */
+    /* the bounds are rounded too */
     double across = 1.001 * fmax(reach_along(v->right, h), reach_along(v->up, h));
     double rounding = ROUNDINGS * 0.5 * DBL_EPSILON * across + fmax(leak(v->right, V), leak(v->up, V)) * 1.001 * depth;
     if (rounding > MUCH_SHARPER * v->rounding)
@@ -315,21 +317,20 @@ static void set_across(view *v, const roberts_scene *scene)
     v->across_rounding = rounding;
 }
 
-/* A bound of the error of x and y of a vertex seen from an eye V; leaks: a bound of |a.(V - O)| for both axes a of the
- * picture.
+/* Bounds the error of x and y of a vertex seen from an eye V. leaks: bounds |a.(V - O)| for both axes a of the picture.
  *
- * The exact picture is x' / w' with x' = a.(P - V) and w' = -dir.(P - V) / D, for axes and D as they are stored: a
- * map that takes planes through V to lines. The computed values are x = a.q and w = 1 - dir.q / D, with q = P - O. Let
- * u be half an epsilon, and R(a) the sum of |a_i q_i|:
+ * The exact picture is x' / w' with x' = a.(P - V) and w' = -dir.(P - V) / D, for axes and D as they are stored: a map
+ * that takes planes through V to lines. The computed values are x = a.q and w = 1 - dir.q / D, with q = P - O. Let u be
+ * half an epsilon, and R(a) the sum of |a_i q_i|:
  *
- *     x is off by 4.01 u R(a), as in set_across(), and by a.(V - O), which is zero but for rounding;
- *     w is off by 5.01 u R(dir) / D + u w, and by dir.(V - O) / D - 1: the roundings of dir and D, less than 16 u;
- *     1 / w and its product with x are off by u each, of |x / w| <= R(a) / w.
+ *     x is off by 4.01 u R(a), as in set_across(), and by a.(V - O), which is zero except for rounding;
+ *     w is off by 5.01 u R(dir) / D + u w, and by dir.(V - O) / D - 1: the rounding of dir and D, less than 16 u;
+ *     1 / w and its product with x are each off by u times |x / w| <= R(a) / w.
  *
- * So x / w is off by no more than (7.01 u R(a) + |a.(V - O)| + |x / w| u (5.01 R(dir) / D + 16)) / w. Sixteen u are
- * counted for each; the rest of those of R(a) is for the rounding of products of coordinates (see hide_plain()). Where
- * perspective_point() takes x, y and w from the eye, q is P - V: the same holds without a.(V - O) and without the 16 u.
- * For a vertex made by the near plane, the part that rounding took from it belongs to q. */
+ * So x / w is off by at most (7.01 u R(a) + |a.(V - O)| + |x / w| u (5.01 R(dir) / D + 16)) / w. Sixteen u are allowed
+ * for each; the rest of those of R(a) covers the rounding of products of coordinates (see hide_plain()). If
+ * perspective_point() computes x, y and w relative to the eye, q is P - V, and the same holds without a.(V - O) and
+ * without the 16 u. For a vertex made by the near plane, q includes the vertex's rounding error. */
 static double eye_rounding(const view *v, const roberts_scene *scene, uint32_t vertex, double leaks)
 {
     roberts_vec3 P = scene->point[vertex], q = vec3_scale(v->per_unit, vec3_sub(P, v->origin)), X = view_point(v, P);
@@ -347,10 +348,10 @@ static double eye_rounding(const view *v, const roberts_scene *scene, uint32_t v
         roberts_vec3 low = size_of(vec3_scale(v->per_unit, scene->low[vertex]));
         bound += fmax(reach_along(v->right, low), reach_along(v->up, low)) + widest * reach_along(v->dir, low);
     }
-    return 1.001 * bound / w; /* the bounds are rounded themselves; 1 + z / D is not exact enough where w is large */
+    return 1.001 * bound / w; /* the bounds are rounded too; 1 + z / D is too inexact if w is large */
 }
 
-/* set_across() for an eye. No x and no y is larger than `across`. */
+/* Does the same as set_across() for an eye. No x or y exceeds `across`. */
 static void set_across_from_eye(view *v, const roberts_scene *scene, double across)
 {
     roberts_vec3 back = vec3_scale(v->per_unit, vec3_sub(v->viewpoint, v->origin));
@@ -364,7 +365,7 @@ static void set_across_from_eye(view *v, const roberts_scene *scene, double acro
     v->across_rounding = rounding;
 }
 
-/* Sets the touching distance: as given, or the greatest of those that have a reason. largest_coordinate: view units. */
+/* Sets the touching distance: the given one, or the greatest of those with a reason. largest_coordinate: view units. */
 static void choose_epsilon(view *v, const roberts_scene *scene, double given, double largest_coordinate)
 {
     const struct choice {
@@ -382,11 +383,11 @@ static void choose_epsilon(view *v, const roberts_scene *scene, double given, do
         }
 }
 
-/* Sets the bound of all view coordinates, and the touching distance and the rounding that follow from it. */
+/* Sets the bound of all view coordinates, and from it the touching distance and the rounding. */
 static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
 {
     double raw = fmax(largest(scene->box_min), largest(scene->box_max)) / v->unit;
-    /* Turning about the box's centre takes no point farther away than the diameter. An oblique view adds its part of
+    /* Rotation about the box's centre moves no point farther away than the diameter. An oblique view adds a fraction of
      * the depth. */
     v->extent = v->diameter * (1.0 + fmax(fabs(v->oblique.x), fabs(v->oblique.y)));
     double across = 0.0;
@@ -418,7 +419,7 @@ static void set_sight_line(view *v, const roberts_camera *camera)
     frexp(largest(camera->dir), &exponent);
     v->viewpoint = (roberts_vec3){ldexp(camera->dir.x, -exponent), ldexp(camera->dir.y, -exponent),
                                   ldexp(camera->dir.z, -exponent)};
-    roberts_vec2 by = angle_unit(camera->roll_degrees), oblique = camera->oblique; /* turns with the drawing */
+    roberts_vec2 by = angle_unit(camera->roll_degrees), oblique = camera->oblique; /* rolls with the picture */
     v->oblique = (roberts_vec2){by.x * oblique.x - by.y * oblique.y, by.y * oblique.x + by.x * oblique.y};
     if (v->oblique.x != 0.0 || v->oblique.y != 0.0)
         v->viewpoint = vec3_add(v->dir, vec3_add(vec3_scale(v->oblique.x, v->right), vec3_scale(v->oblique.y, v->up)));

@@ -1,4 +1,4 @@
-/* seen.c - see seen.h. */
+/* seen.c - a scene as one camera sees it. See seen.h. */
 #include "view/seen.h"
 
 #include <math.h>
@@ -6,7 +6,7 @@
 
 #include "base/array.h"
 
-/* The crease angle of bodies that are taken for curved, degrees. */
+/* Degrees: the crease angle of bodies that count as curved. */
 #define SMOOTH_CREASE 30.0
 
 static const double pi = 3.14159265358979323846;
@@ -26,7 +26,7 @@ roberts_status seen_begin(seen *s, const roberts_scene *scene, const roberts_cam
     return status;
 }
 
-/* Nothing is written for bodies that are not mapped, and memory that nobody touches costs nothing. */
+/* Entries of bodies that are not mapped are never written, and untouched memory costs nothing. */
 bool seen_begin_points(seen *s)
 {
     s->P = alloc_array(s->scene->vertex_count, sizeof *s->P);
@@ -47,7 +47,7 @@ void seen_end(seen *s)
     *s = (seen){0};
 }
 
-/* The squared distance of two unit normals that meet at this angle. */
+/* Returns the squared distance of two unit normals at this angle. */
 static double square_chord(double degrees)
 {
     double chord = 2.0 * sin(degrees * pi / 360.0);
@@ -67,8 +67,8 @@ typedef struct walked {
     const unsigned char *culled;
 } walked;
 
-/* Will a walk ask for the edge? Not if its body is culled, nor if its own convex body hides it and hidden lines are not
- * wanted. */
+/* Will a walk visit the edge? Not if its body is culled, and not if its own convex body hides it and hidden lines are
+ * not wanted. */
 static bool is_walked(const void *context, uint32_t body, uint32_t edge)
 {
     const walked *w = context;

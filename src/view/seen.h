@@ -1,19 +1,19 @@
-/* seen.h - a scene as one camera sees it: all that `hide` and `ray` read of it.
+/* seen.h - a scene as one camera sees it: everything that `hide` and `ray` read of it.
  *
- * `scene` is what the near plane leaves of the scene as given. View points and the facing of faces are filled in body
- * by body when they are asked for: a body that is never asked for is never mapped. Lines are not stored at all. A walk
- * goes through the lines of one body and gives each with its class, its ends and its own faces.
+ * `scene` is what the near plane leaves of the given scene. View points and the facing of faces are computed on demand,
+ * body by body: a body that is never needed is never mapped. Lines are not stored at all. A walk goes through the lines
+ * of one body and gives each with its class, its ends and its own faces.
  *
- * What a line lies in does not hide it. So each face has a key, and a line lists the keys of its own faces:
+ * A face does not hide the lines that lie in it. So each face has a key, and a line lists the keys of its own faces:
  *
- *   - all faces of a convex body have one key, that of the body: none of them hides an edge that has a front face;
- *   - pieces of one planar face of another body share a key, their scene_surface.plane_of.
+ *   - all faces of a convex body have one key, that of the body: none of them hides an edge with a front face;
+ *   - the pieces of one planar face of another body share a key, their scene_surface.plane_of.
  *
  * A line need not be an edge. A line where two faces cross has no edge, its ends may be computed points, and its own
- * keys may be those of faces of two bodies.
+ * keys may belong to faces of two bodies.
  *
- * Where bodies are taken together as one (united.h), some pieces of an edge are no line, and others have a class of
- * their own. The line is the whole edge, and lists its pieces: what hides it is asked once. */
+ * If bodies are taken together as one (united.h), some pieces of an edge are not lines, and others have a class of
+ * their own. The line is still the whole edge, with a list of its pieces, so that its hiders are found only once. */
 #ifndef ROBERTS_VIEW_SEEN_H
 #define ROBERTS_VIEW_SEEN_H
 
@@ -24,68 +24,68 @@
 
 /* Which edges are lines. */
 typedef struct seen_rules {
-    double crease_chord; /* two faces are flat if their unit normals are nearer than this, squared */
-    double smooth_chord; /* the same in bodies that are taken for curved */
+    double crease_chord; /* two faces are flat if the squared distance of their unit normals is less than this */
+    double smooth_chord; /* the same limit for bodies that count as curved */
     bool all_edges;      /* edges of flat faces are lines too */
-    bool hidden;         /* so are edges that their own convex body hides, or that the near plane takes */
+    bool hidden;         /* edges that their own convex body hides, or that the near plane removes, are lines too */
 } seen_rules;
 
-/* Lines that are no edges, body by body: line[first[body]] .. line[first[body + 1] - 1] follow the edges of their body.
- * NULL: there are none. Who sets them frees them. */
+/* Lines that are not edges, body by body: line[first[body]] .. line[first[body + 1] - 1] follow the edges of their
+ * body. NULL: none. The caller that sets them also frees them. */
 typedef struct seen_further {
     const struct seen_line *line;
     const uint32_t *first; /* [solid_count of scene + 1] */
 } seen_further;
 
 typedef struct seen {
-    const roberts_scene *source; /* as given: rows name its vertices and edges */
+    const roberts_scene *source; /* the given scene: rows name its vertices and edges */
     const roberts_scene *scene;  /* the same, or what the near plane leaves of it */
     view view;
     view_clip clip;
     seen_rules rules;
     seen_further further;
-    union_bodies bodies;   /* taken together as one ... */
-    united edges;          /* ... their edges; zeroed: they are not */
-    roberts_vec3 *P;       /* [vertex_count of scene] view points of bodies that are mapped */
-    unsigned char *facing; /* [face_count of scene] VIEW_FRONT, _BACK or _EDGE_ON, likewise */
-    uint32_t *turned;      /* [corners of scene] of faces seen from behind, the other way round; NULL: all bodies are
-                              convex */
+    union_bodies bodies;   /* with a union: the bodies ... */
+    united edges;          /* ... and their edges; zeroed: no union */
+    roberts_vec3 *P;       /* [vertex_count of scene] view points of the bodies that are mapped */
+    unsigned char *facing; /* [face_count of scene] VIEW_FRONT, _BACK or _EDGE_ON, for the bodies that are mapped */
+    uint32_t *turned; /* [corners of scene] reversed corners of faces seen from behind; NULL: all bodies are convex */
 } seen;
 
 /* Clips the scene and prepares its view; epsilon: as for view_prepare(). Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or
- * _BAD_ARGUMENT; after a failure `s` is empty. Points and lines need seen_begin_points(), lines seen_set_rules(). */
+ * _BAD_ARGUMENT; after a failure `s` is empty. Points and lines also need seen_begin_points(), and lines
+ * seen_set_rules(). */
 roberts_status seen_begin(seen *s, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
                           roberts_error *error);
 void seen_end(seen *s);
 
-/* Room for view points and facings. False: no memory. */
+/* Makes room for view points and facings. False: no memory. */
 bool seen_begin_points(seen *s);
 
-/* Says which edges are lines. */
+/* Sets which edges are lines. */
 void seen_set_rules(seen *s, const roberts_hide_options *options);
 
-/* Takes all bodies together as one, with at most so many threads. Bodies that are mapped have their facings. culled:
- * [solid_count] 1: nobody will ask for the lines of this body. False: no memory. */
+/* Takes all bodies together as one, with at most `threads` threads. The facings of mapped bodies must be known. culled:
+ * [solid_count] 1: no walk will visit this body. False: no memory. */
 bool seen_unite(seen *s, const unsigned char *culled, uint32_t threads);
 
 /* ---- faces ----------------------------------------------------------------------------------------------------- */
 
 /* A convex piece of a face as the viewer sees it. */
 typedef struct seen_face {
-    plane F;                /* view space, away from the viewer */
+    plane F;                /* in view space; the normal points away from the viewer */
     double stretch;         /* see view_plane() */
     const uint32_t *corner; /* [count] counter-clockwise in the picture */
     uint32_t count;
 } seen_face;
 
-/* Maps a body's points. */
+/* Maps the points of a body. */
 static inline void seen_map_body(seen *s, uint32_t body)
 {
     uint32_t first = s->scene->solid[body].vertex, end = s->scene->solid[body + 1].vertex;
     view_points(&s->view, s->scene->point + first, end - first, s->P + first);
 }
 
-/* The facing of a face of a convex body that is mapped. If it is VIEW_FRONT, `out` is filled. */
+/* Returns the facing of a face of a convex body that is mapped. Fills `out` if it is VIEW_FRONT. */
 BITS_INLINE int seen_front_face(seen *s, uint32_t face, seen_face *out)
 {
     const roberts_scene *scene = s->scene;
@@ -97,13 +97,13 @@ BITS_INLINE int seen_front_face(seen *s, uint32_t face, seen_face *out)
     return facing;
 }
 
-/* The facing of a face of another body that is mapped. Unless it is VIEW_EDGE_ON, `out` is filled, and turned to the
- * viewer. */
+/* Returns the facing of a face of any other body that is mapped. Unless it is VIEW_EDGE_ON, fills `out` with the face
+ * turned toward the viewer. */
 int seen_either_face(seen *s, uint32_t face, seen_face *out);
 
 /* ---- keys ------------------------------------------------------------------------------------------------------ */
 
-#define SEEN_BODY 0x80000000u /* a flag in the key of a convex body: there are fewer than 2^31 bodies, and faces */
+#define SEEN_BODY 0x80000000u /* flag in the key of a convex body: there are fewer than 2^31 bodies, and faces */
 
 static inline uint32_t seen_body_key(uint32_t body)
 {
@@ -115,18 +115,18 @@ static inline uint32_t seen_face_key(const roberts_scene *scene, uint32_t body, 
     return scene_is_convex(scene, body) ? seen_body_key(body) : scene->surface->plane_of[face];
 }
 
-/* Faces that do not hide a line, because it lies in them. */
+/* The faces that do not hide a line because it lies in them. */
 typedef struct seen_own {
     uint32_t key[2];        /* ROBERTS_NONE: none */
-    const scene_many *many; /* of an edge of more than two faces: all of them; else NULL */
+    const scene_many *many; /* for an edge with more than two faces: all of them; otherwise NULL */
 } seen_own;
 
 static const seen_own seen_owns_none = {{ROBERTS_NONE, ROBERTS_NONE}, NULL};
 
-/* The faces in whose planes an edge of seen.scene lies, of a body that is not convex. */
+/* Returns the faces in whose planes an edge of seen.scene lies. Its body is not convex. */
 seen_own seen_own_of(const roberts_scene *scene, uint32_t body, uint32_t edge);
 
-/* Is it the key of one of them? */
+/* Is this the key of one of them? */
 static inline bool seen_owns(const roberts_scene *scene, const seen_own *own, uint32_t key)
 {
     const scene_surface *surface = scene->surface;
@@ -139,49 +139,49 @@ static inline bool seen_owns(const roberts_scene *scene, const seen_own *own, ui
 
 /* ---- lines ----------------------------------------------------------------------------------------------------- */
 
-/* A computed point of the model: the sum of both. */
+/* A computed point of the model: the sum of both vectors. */
 typedef struct seen_point {
     roberts_vec3 point, low;
 } seen_point;
 
-/* What the near plane has taken of the edge of a line, where that is wanted. */
+/* Which parts of a line's edge the near plane has removed, for walks that include them. */
 enum {
-    SEEN_TAKEN_BEFORE = 1, /* what comes before t0 */
-    SEEN_TAKEN_AFTER = 2,  /* what comes after t1 */
+    SEEN_TAKEN_BEFORE = 1, /* the part before t0 */
+    SEEN_TAKEN_AFTER = 2,  /* the part after t1 */
     SEEN_TAKEN = 4,        /* all of it: no end is set */
 };
 
 typedef struct seen_line {
-    uint32_t edge;         /* of seen.source; ROBERTS_NONE: the line is no edge */
-    uint32_t v[2];         /* its ends, vertices of seen.scene; ROBERTS_NONE: a computed point */
-    const seen_point *end; /* [2] computed ends, never NULL if the line is no edge; NULL: both are vertices */
+    uint32_t edge;         /* edge of seen.source; ROBERTS_NONE: the line is not an edge */
+    uint32_t v[2];         /* ends, vertices of seen.scene; ROBERTS_NONE: a computed point */
+    const seen_point *end; /* [2] computed ends, never NULL if the line is not an edge; NULL: both ends are vertices */
     seen_own own;          /* its own faces: they do not hide it */
-    double t0, t1;         /* what the line is of its edge */
+    double t0, t1;         /* the part of its edge that the line covers */
     roberts_line class;
     unsigned taken;           /* SEEN_TAKEN... */
-    bool alone;               /* pieces that the union leaves as they are belong to the line, in its class */
-    const union_piece *piece; /* of the line, up to t1 == 1; NULL: the whole line is of one class */
-    const union_side *side;   /* what the pieces' sides count from */
+    bool alone;               /* pieces that the union does not change belong to the line, with its class */
+    const union_piece *piece; /* pieces of the line, up to t1 == 1; NULL: the whole line has one class */
+    const union_side *side;   /* base index of the pieces' sides */
 } seen_line;
 
-/* Gives a line its pieces, those of line `index` of `of`. False: the line has none that is drawn. */
+/* Gives a line its pieces, those of line `index` of `of`. False: none of them is drawn. */
 bool seen_take_pieces(const seen *s, uint32_t body, const united *of, uint32_t index, seen_line *line);
 
-/* The class of a piece of a line that has pieces; false: the piece is no part of it. */
+/* Finds the class of a piece of a line that has pieces. False: the piece is not part of the line. */
 bool seen_piece_class(const seen *s, uint32_t body, const seen_line *line, const union_piece *piece,
                       roberts_line *class);
 
-/* What rows call an edge of seen.source: t0..t1 of the edge between two vertices of the input. */
+/* The name of an edge of seen.source in the rows of a table: t0..t1 of the edge between two vertices of the input. */
 typedef struct seen_name {
-    uint32_t v[2]; /* as in the input; ROBERTS_NONE: of a line that is no edge */
-    double t0, t1; /* 0 and 1 but where an edge of the file has been cut */
+    uint32_t v[2]; /* numbers in the input; ROBERTS_NONE: the line is not an edge */
+    double t0, t1; /* 0 and 1, unless an edge of the file has been divided */
 } seen_name;
 
-/* Of an edge; of a line. */
+/* Returns the name of an edge, or of a line. */
 seen_name seen_edge_name(const roberts_scene *source, uint32_t body, uint32_t edge);
 seen_name seen_slow_name(const seen *s, uint32_t body, const seen_line *line);
 
-/* The same; where nothing is cut the ends of the line are at hand. */
+/* Returns the name of a line; if nothing is divided, from the ends at hand. */
 static inline seen_name seen_line_name(const seen *s, uint32_t body, const seen_line *line)
 {
     const roberts_scene *source = s->source;
@@ -190,7 +190,7 @@ static inline seen_name seen_line_name(const seen *s, uint32_t body, const seen_
     return (seen_name){{scene_vertex_number(source, line->v[0]), scene_vertex_number(source, line->v[1])}, 0.0, 1.0};
 }
 
-/* What the near plane leaves of an edge of seen.source. */
+/* Returns the part of an edge of seen.source that the near plane leaves. */
 static inline clip_edge seen_left_of(const seen *s, uint32_t edge)
 {
     return s->clip.clipped ? s->clip.origin[edge] : (clip_edge){edge, 0.0, 1.0};
@@ -200,19 +200,20 @@ static inline clip_edge seen_left_of(const seen *s, uint32_t edge)
 typedef struct seen_walk {
     const seen *of;
     uint32_t body;
-    uint32_t edge, end; /* of seen.source: the next one; behind the last one */
-    uint32_t key;       /* of a convex body, the one key of own faces of all its lines; else ROBERTS_NONE */
-    bool slow;          /* the body is not convex, the near plane has cut the scene, or bodies are one */
+    uint32_t edge, end; /* edges of seen.source: the next one; the end */
+    uint32_t key;       /* for a convex body, the one key of own faces of all its lines; otherwise ROBERTS_NONE */
+    bool slow;          /* the body is not convex, the near plane has clipped the scene, or there is a union */
     bool hidden, all;   /* as in seen_rules */
-    size_t surviving;   /* edges met that a face toward the viewer has, since somebody has set it to 0 */
-    /* of the body in seen.scene, from its first on: */
+    size_t surviving;   /* number of edges visited that have a face toward the viewer; the caller sets it to 0 */
+    /* pointers to the body's first in seen.scene: */
     const scene_edge *stored;
     const unsigned char *facing;
     const plane *plane;
     uint32_t vertex;
 } seen_walk;
 
-/* The body's points are mapped and its faces classified, unless the near plane has left nothing of it. */
+/* Begins a walk. The body's points must be mapped and its faces classified, unless the near plane has removed all of
+ * it. */
 seen_walk seen_walk_slowly(const seen *s, uint32_t body);
 
 static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
@@ -234,7 +235,8 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
                        .vertex = own->vertex};
 }
 
-/* The class of an edge of a convex body, by the facing of its two faces. fronts: how many of them are front. */
+/* Returns the class of an edge of a convex body from the facing of its two faces. fronts: how many of them are
+ * front. */
 static inline roberts_line seen_class(int fronts, int f, int g)
 {
     if (fronts > 0)
@@ -242,7 +244,7 @@ static inline roberts_line seen_class(int fronts, int f, int g)
     return f == VIEW_BACK && g == VIEW_BACK ? ROBERTS_BACK : ROBERTS_BACK_OUTLINE;
 }
 
-/* Is it the class of an edge that its own body hides? */
+/* Is this the class of an edge that its own body hides? */
 static inline bool seen_is_back(roberts_line class)
 {
     return class == ROBERTS_BACK || class == ROBERTS_BACK_OUTLINE;
@@ -253,7 +255,7 @@ static inline int seen_fronts(const unsigned char *facing, const scene_edge *edg
     return (facing[edge->f[0]] == VIEW_FRONT) + (facing[edge->f[1]] == VIEW_FRONT);
 }
 
-/* Flatter than the crease angle; the normals of the model are compared, which perspective does not bend. */
+/* Is the edge flatter than the crease angle? Compares the normals in the model, which perspective does not bend. */
 static inline bool seen_is_flat(const plane *of, const scene_edge *edge, double chord)
 {
     plane F = of[edge->f[0]], G = of[edge->f[1]];
@@ -261,8 +263,8 @@ static inline bool seen_is_flat(const plane *of, const scene_edge *edge, double 
     return a * a < chord && a * a + b * b + c * c < chord;
 }
 
-/* The line of an edge of a convex body, as stored in seen.scene. An edge with one front face is an outline and always a
- * line. An edge whose two faces look the same way is none where it is flat. */
+/* Finds the line of an edge of a convex body, as stored in seen.scene. An edge with exactly one front face is an
+ * outline and always a line. An edge whose faces are both front or both not is no line if it is flat. */
 BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line *line)
 {
     int fronts = seen_fronts(w->facing, edge);
@@ -282,10 +284,10 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
     return true;
 }
 
-/* Finds the line of edge `edge` of the walk's body; false: the edge is none. */
+/* Finds the line of edge `edge` of the walk's body. False: the edge is not a line. */
 bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line);
 
-/* Finds the next line; false at the end. slow: w->slow. */
+/* Finds the next line. False: at the end. slow: w->slow. */
 BITS_INLINE bool seen_next(seen_walk *w, seen_line *line, bool slow)
 {
     while (w->edge < w->end) {
@@ -296,7 +298,7 @@ BITS_INLINE bool seen_next(seen_walk *w, seen_line *line, bool slow)
     return false;
 }
 
-/* Finds a line again that a walk through a convex body has given. */
+/* Finds a line again that a walk through a convex body has given before. */
 static inline void seen_again(seen_walk *w, uint32_t edge, seen_line *line)
 {
     line->edge = edge;

@@ -1,17 +1,17 @@
 /* view.h - from model space to view space: the viewer at z = +infinity, right-handed, x right, y up.
  *
- * Idea: one map serves both projections. With q = P - origin, components (x, y, e) along right, up and dir, and the eye
- * at distance D in front of the origin, the projective map
+ * One map serves both projections. With q = P - origin, components (x, y, e) along right, up and dir, and the eye at
+ * distance D in front of the origin, the projective map
  *
  *     (x, y, e)  ->  (x, y, e) / (1 - e / D)
  *
- * keeps lines, planes and convexity and sends the eye to z = +infinity; for D = infinity (1 / D = 0) it is the
- * orthographic view. (In an oblique view x and y move with -e first.) A plane
- * a x + b y + c e + d = 0 becomes a x + b y + (c + d / D) z + d = 0, so that a face is front (c' < 0) exactly where
- * the eye is outside its plane. Lengths at the origin's depth do not change.
+ * preserves lines, planes and convexity and sends the eye to z = +infinity. For D = infinity (1 / D = 0) it is the
+ * orthographic view. (In an oblique view, x and y are first shifted in proportion to -e.) A plane a x + b y + c e + d =
+ * 0 becomes a x + b y + (c + d / D) z + d = 0, so a face is front (c' < 0) exactly if the eye is outside its plane.
+ * Lengths at the origin's depth do not change.
  *
- * Lengths in view space are counted in the scene's `unit`, a power of two near its size. So no product of a few
- * coordinates overflows or vanishes, whatever the model's unit, and a scene times 2^k gives the same bits. */
+ * Lengths in view space are in units of the scene's `unit`, a power of two near its size. So no product of a few
+ * coordinates overflows or underflows, whatever the model's unit, and a scene times 2^k gives the same bits. */
 #ifndef ROBERTS_VIEW_VIEW_H
 #define ROBERTS_VIEW_VIEW_H
 
@@ -21,59 +21,60 @@
 enum { VIEW_FRONT = 1, VIEW_BACK = 2, VIEW_EDGE_ON = 3 }; /* facing of a face */
 
 typedef struct view {
-    roberts_vec3 right, up, dir; /* unit vectors of model space */
+    roberts_vec3 right, up, dir; /* unit vectors in model space */
     roberts_vec3 origin;         /* model units: the scene's centre, or the look-at point */
     double inverse_distance;     /* 1 / D in 1 / unit; 0 for the orthographic view */
-    double unit;                 /* model units in one unit of view space: the scene's */
+    double unit;                 /* model units per unit of view space: the scene's */
     double per_unit;             /* 1 / unit */
-    roberts_vec2 oblique;        /* orthographic: how far a unit of depth moves a point right and up; mostly 0, 0 */
+    roberts_vec2 oblique; /* orthographic: how far a unit of depth moves a point to the right and up; usually 0, 0 */
     bool perspective;
     /* The viewer as a point of projective space. Perspective: the eye, in model units. Orthographic: a point at
-     * infinity, that is, the direction toward the viewer; as given, but for a power of two. */
+     * infinity, that is, the direction toward the viewer, as given except for a power of two. */
     roberts_vec3 viewpoint;
     double viewpoint_depth; /* orthographic: the component of the viewpoint along dir */
     double diameter;        /* diagonal of the scene's box, view units */
-    double extent;          /* no view coordinate is larger than this, view units; at least the diameter */
-    double across;          /* no x and no y is larger than this, view units; at most the extent */
+    double extent;          /* bounds all view coordinates, view units; at least the diameter */
+    double across;          /* bounds x and y, view units; at most the extent */
     double epsilon;         /* touching distance, view units */
     roberts_epsilon_reason epsilon_reason;
-    double rounding;        /* bound of the rounding error of a view coordinate, view units */
-    double across_rounding; /* ... of an x or y; at most `rounding` */
-    double plane_rounding;  /* perspective: ... of the eye's distance from a face's plane; otherwise 0 */
+    double rounding;        /* bounds the rounding error of a view coordinate, view units */
+    double across_rounding; /* bounds the rounding error of an x or y; at most `rounding` */
+    double plane_rounding;  /* perspective: bounds the rounding error of the eye's distance from a face's plane;
+                               otherwise 0 */
 } view;
 
 /* Prepares the map of `scene` seen by `camera`. epsilon: touching distance in model units, 0 = choose (1e-11 of the
- * diameter, at least 16 ulp of the largest coordinate before and after the map, the eye's included).
- * Returns ROBERTS_OK, _BAD_VIEW (no direction, or the scene is not wholly in front of the eye) or _BAD_ARGUMENT. */
+ * diameter, at least 16 ulp of the largest coordinate before and after the map, the eye's included). Returns
+ * ROBERTS_OK, _BAD_VIEW (no direction, or the scene is not completely in front of the eye) or _BAD_ARGUMENT. */
 roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
                             roberts_error *error);
 
-/* Where a point of the model lies in view space, in view units. */
+/* Maps a point of the model to view space, in view units. */
 roberts_vec3 view_point(const view *v, roberts_vec3 P);
 
-/* The same of `count` points. */
+/* Maps `count` points. */
 void view_points(const view *v, const roberts_vec3 *P, size_t count, roberts_vec3 *out);
 
-/* A face's plane in view space (view units, unit normal). `*stretch`, unless NULL, becomes the factor by which
+/* Returns a face's plane in view space (view units, unit normal). `*stretch`, unless NULL, becomes the factor by which
  * distances from the plane grow per unit of 1 + z / D; in the orthographic view it is 1. */
 plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, double *stretch);
 
-/* Front, back, or edge-on: the picture of the face is no wider than epsilon. P: view points of all vertices of the
- * scene; F: the plane of the face in view space. */
+/* Returns whether a face is front, back or edge-on. It is edge-on if its picture is no wider than epsilon. P: view
+ * points of all vertices of the scene; F: the plane of the face in view space. */
 int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P);
 
-/* Both at once: the facing of the face and, if it is front, its plane and stretch. */
+/* Returns the facing of a face and, if it is front, sets its plane and stretch. */
 int view_face(const view *v, const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, plane *F,
               double *stretch);
 
-/* The parameter along an edge in space that belongs to parameter `s` along its picture, and back. zA, zB: view depths
- * of its ends. In the orthographic view both are the same; in perspective equal steps in space crowd in the picture
- * where the edge is far from the eye. */
+/* Converts parameter `s` along an edge's picture to the parameter along the edge in space, and back. zA, zB: view
+ * depths of the edge's ends. In the orthographic view both parameters are equal. In perspective, equal steps in space
+ * crowd together in the picture where the edge is far from the eye. */
 double view_to_space(const view *v, double zA, double zB, double s);
 double view_from_space(const view *v, double zA, double zB, double t);
 
-/* Whether the picture is a square about the look-at point. It is if there is a field of view, or if the near plane cuts
- * the scene (`clipped`). `*half` becomes half of its side, in model units. */
+/* Is the picture a square about the look-at point? It is if there is a field of view, or if the near plane cuts the
+ * scene (`clipped`). `*half` becomes half of its side, in model units. */
 bool view_frame(const view *v, const roberts_camera *camera, bool clipped, double *half);
 
 #endif

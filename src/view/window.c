@@ -1,4 +1,4 @@
-/* window.c - which part of the picture plane a drawing takes. */
+/* window.c - the part of the picture plane that a drawing covers. */
 #include "view/clip.h"
 #include "view/view.h"
 
