@@ -6,6 +6,7 @@
 
 #include "base/array.h"
 #include "base/bits.h"
+#include "base/lanes.h"
 #include "base/sort.h"
 #include "base/threads.h"
 
@@ -56,6 +57,13 @@ typedef struct places {
     uint32_t whole;    /* whole solids; they come before single faces */
 } places;
 
+/* A triangle of a surface: its corners about which all faces are one sheet in the picture. In place of others there are
+ * numbers that no vertex has. */
+typedef struct star_corners {
+    uint32_t v[4]; /* the last is none */
+    float z1;      /* of its box */
+} star_corners;
+
 /* What each thread has for itself. */
 typedef struct finder {
     const hide_fronts *fronts;
@@ -68,6 +76,7 @@ typedef struct finder {
     size_t pair_count, pair_room;
     crossing_face *face; /* [KEPT_FACES] of the entries of the cell at hand, as far as `kept` says */
     bool kept[KEPT_FACES];
+    star_corners *star; /* [KEPT_FACES] likewise, if there are surfaces */
     face_list list[2];
     char apart[THREADS_APART];
 } finder;
@@ -107,6 +116,15 @@ static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, cons
         A = B;
     }
     return false;
+}
+
+/* Do two triangles share a side? */
+static bool share_side(const hide_face *f, const hide_face *g)
+{
+    uint32_t shared = 0;
+    for (uint32_t i = 0; i < 3; i++)
+        shared += f->corner[i] == g->corner[0] || f->corner[i] == g->corner[1] || f->corner[i] == g->corner[2];
+    return f->count == 3 && g->count == 3 && shared > 1;
 }
 
 static bool add_pair(finder *t, uint32_t f, uint32_t g)
@@ -252,6 +270,8 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
     if (!hide_is_face(f) || !hide_is_face(g))
         return meet_solids(t, list[i].front, list[k].front);
     const hide_face *F = &fronts->face[f->face], *G = &fronts->face[g->face];
+    if (share_side(F, G))
+        return true;
     if (F->count <= FEW_CORNERS && G->count <= FEW_CORNERS &&
         (is_beside_a_side(fronts, F, G) || is_beside_a_side(fronts, G, F)))
         return true; /* nearly all neighbours are */
@@ -297,56 +317,116 @@ static inline bool is_sought(const finder *t, size_t cell, float deeper)
     return !(t->grid->apart && t->grid->apart[cell]) && !(t->nearest && deeper < t->nearest[cell]);
 }
 
+/* The entries of a cell that are asked. */
+typedef struct cell_list {
+    const objet_entry *list; /* [count] */
+    uint32_t first, count;   /* first: of all entries of the grid */
+    uint32_t column, row;
+} cell_list;
+
 /* Has another cell before this one listed and sought both fronts? If that is not known: false. */
-static inline bool is_met_before(const finder *t, uint32_t a, uint32_t b, uint32_t column, uint32_t row)
+static inline bool is_met_before(const finder *t, const cell_list *c, uint32_t a, uint32_t b)
 {
     const first_cell *f = &t->places->first[a], *g = &t->places->first[b];
     if (f->column == NO_CELL || g->column == NO_CELL)
         return false;
     uint32_t left = f->column > g->column ? f->column : g->column, low = f->row > g->row ? f->row : g->row;
     float deeper = t->fronts->front_box[b].z1;
-    for (uint32_t i = left; i <= column; i++)
-        for (uint32_t j = low; j <= row; j++)
-            if ((i < column || j < row) && is_sought(t, (size_t)i * t->grid->frame.ny + j, deeper))
+    for (uint32_t i = left; i <= c->column; i++)
+        for (uint32_t j = low; j <= c->row; j++)
+            if ((i < c->column || j < c->row) && is_sought(t, (size_t)i * t->grid->frame.ny + j, deeper))
                 return true;
     return false;
 }
 
-/* All pairs of one cell. Fronts are listed nearest first, so that those behind a front end the search. */
-static bool meet_cell(finder *t, uint32_t column, uint32_t row)
+static void find_stars(finder *t, const objet_entry *list, uint32_t count)
+{
+    const hide_fronts *fronts = t->fronts;
+    uint32_t none = ROBERTS_NONE;
+    for (uint32_t k = 0; k < count && k < KEPT_FACES; k++) {
+        const hide_front *front = &fronts->front[list[k].front];
+        const hide_face *F = &fronts->face[front->face];
+        star_corners *star = &t->star[k];
+        bool triangle = front->kind == HIDE_SURFACE_FACE && F->count == 3;
+        for (uint32_t i = 0; i < 3; i++)
+            star->v[i] = triangle && t->grid->wound[F->corner[i]] < 2 ? F->corner[i] : none--;
+        star->v[3] = none--;
+        star->z1 = fronts->front_box[list[k].front].z1;
+    }
+}
+
+/* Do two entries share a corner about which all faces are one sheet? Then they have nothing else in common. */
+static inline bool share_star(const star_corners *f, const star_corners *g)
+{
+    return four_signs(four_either(four_same(g->v, f->v[0]),
+                                  four_either(four_same(g->v, f->v[1]), four_same(g->v, f->v[2])))) != 0;
+}
+
+/* How many entries of a list are not wholly hidden in the cell? `least`: all that is deeper is. */
+static uint32_t count_seen(const finder *t, const objet_entry *list, uint32_t count, float least)
+{
+    uint32_t low = 0;
+    while (low < count) {
+        uint32_t middle = low + (count - low) / 2;
+        if (t->fronts->front_box[list[middle].front].z1 < least)
+            count = middle;
+        else
+            low = middle + 1;
+    }
+    return count;
+}
+
+/* All pairs of entry i with those that follow it. Fronts are listed nearest first, so those behind it end the search.
+ */
+static bool meet_those_behind(finder *t, const cell_list *c, uint32_t i)
 {
     const objet *grid = t->grid;
     const hide_fronts *fronts = t->fronts;
-    size_t cell = (size_t)column * grid->frame.ny + row;
-    const objet_entry *list = grid->entry + grid->start[cell];
-    uint32_t count = grid->start[cell + 1] - grid->start[cell];
-    float least = t->nearest ? t->nearest[cell] : -INFINITY;
-    if (grid->apart && grid->apart[cell])
-        return true;
-    memset(t->kept, 0, (count < KEPT_FACES ? count : KEPT_FACES) * sizeof *t->kept);
-    for (uint32_t i = 0; i + 1 < count; i++) {
-        const hide_box *own = &fronts->front_box[list[i].front];
-        uint32_t most = objet_most(objet_sides(list[i].sides)), first = grid->start[cell], end = first + count;
-        const hide_front *front = &fronts->front[list[i].front];
-        bool of_solid = grid->next && front->kind == HIDE_SOLID_FACE; /* the other faces of its solid do not cross it */
-        for (uint32_t k = first + i + 1; k < end; k += 4) {
-            if (of_solid && fronts->front[grid->entry[k].front].solid == front->solid) {
-                k = grid->next[k] - 4;
+    const hide_box *own = &fronts->front_box[c->list[i].front];
+    const hide_front *front = &fronts->front[c->list[i].front];
+    uint32_t most = objet_most(objet_sides(c->list[i].sides)), first = c->first, end = first + c->count;
+    uint32_t kept = t->star ? first + (c->count < KEPT_FACES ? c->count : KEPT_FACES) : 0;
+    bool of_solid = grid->next && front->kind == HIDE_SOLID_FACE; /* the other faces of its solid do not cross it */
+    for (uint32_t k = first + i + 1; k < end; k += 4) {
+        if (of_solid && fronts->front[grid->entry[k].front].solid == front->solid) {
+            k = grid->next[k] - 4;
+            continue;
+        }
+        if (k < kept && t->star[k - first].z1 < own->z0)
+            return true;
+        for (unsigned near = objet_near(grid, k, end, most); near; near &= near - 1) {
+            uint32_t at = k + (uint32_t)bits_trailing_zeros(near);
+            if (at < kept && share_star(&t->star[i], &t->star[at - first]))
                 continue;
-            }
-            for (unsigned near = objet_near(grid, k, end, most); near; near &= near - 1) {
-                uint32_t at = k + (uint32_t)bits_trailing_zeros(near) - first;
-                const hide_box *box = &fronts->front_box[list[at].front];
-                if (box->z1 < own->z0 || box->z1 < least) {
-                    k = end;
-                    break;
-                }
-                if (!is_apart(t, list[i].front, list[at].front) && boxes_meet(own, box) &&
-                    !is_met_before(t, list[i].front, list[at].front, column, row) && !meet_entries(t, list, i, at))
-                    return false;
-            }
+            const hide_box *box = &fronts->front_box[grid->entry[at].front];
+            if (box->z1 < own->z0)
+                return true;
+            if (!is_apart(t, c->list[i].front, grid->entry[at].front) && boxes_meet(own, box) &&
+                !is_met_before(t, c, c->list[i].front, grid->entry[at].front) &&
+                !meet_entries(t, c->list, i, at - first))
+                return false;
         }
     }
+    return true;
+}
+
+/* All pairs of one cell. */
+static bool meet_cell(finder *t, uint32_t column, uint32_t row)
+{
+    const objet *grid = t->grid;
+    size_t cell = (size_t)column * grid->frame.ny + row;
+    cell_list c = {grid->entry + grid->start[cell], grid->start[cell], grid->start[cell + 1] - grid->start[cell],
+                   column, row};
+    if (grid->apart && grid->apart[cell])
+        return true;
+    if (t->nearest)
+        c.count = count_seen(t, c.list, c.count, t->nearest[cell]);
+    memset(t->kept, 0, (c.count < KEPT_FACES ? c.count : KEPT_FACES) * sizeof *t->kept);
+    if (t->star)
+        find_stars(t, c.list, c.count);
+    for (uint32_t i = 0; i + 1 < c.count; i++)
+        if (!meet_those_behind(t, &c, i))
+            return false;
     return true;
 }
 
@@ -551,7 +631,8 @@ static bool finders_init(finder *finders, int threads, const hide_fronts *fronts
         finders[i].nearest = fronts->seen->rules.hidden ? NULL : grid->sheet.depth;
         finders[i].rules = (crossing_rules){fronts->scene, fronts->space.epsilon * fronts->scene->unit};
         finders[i].face = alloc_array(KEPT_FACES, sizeof *finders[i].face);
-        if (!finders[i].face)
+        finders[i].star = grid->wound ? alloc_array(KEPT_FACES, sizeof *finders[i].star) : NULL;
+        if (!finders[i].face || (grid->wound && !finders[i].star))
             return false;
     }
     return true;
@@ -612,6 +693,7 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
         free(finders[i].found.item);
         free(finders[i].pair);
         free(finders[i].face);
+        free(finders[i].star);
         free(finders[i].list[0].item);
         free(finders[i].list[1].item);
     }

@@ -234,6 +234,7 @@ void objet_free(objet *grid)
     free(grid->next);
     free(grid->apart);
     free(grid->below);
+    free(grid->wound);
     cover_free(&grid->sheet);
     *grid = (objet){0};
 }
