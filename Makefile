@@ -1,5 +1,5 @@
-# `make help` lists the targets. Each kind of build (another compiler, other flags) has a folder of its own: BUILD=...
-# A line is printed for each file that is made; V=1 prints the commands.
+# `make help` lists the targets. Each kind of build (another compiler, other flags) needs a folder of its own: BUILD=...
+# Prints one line for each file; V=1 prints the commands.
 .DEFAULT_GOAL := all
 
 CC       ?= cc
@@ -8,7 +8,7 @@ BUILD    ?= build
 CFLAGS   ?= -O2 -g
 CXXFLAGS ?= -O2 -g
 WERROR   ?=
-# Empty for a build without threads; clang then needs no libomp-dev.
+# Empty: a build without threads; then clang does not need libomp-dev.
 OPENMP   ?= -fopenmp
 V        ?=
 Q        := $(if $(V),,@)
@@ -18,11 +18,11 @@ STD      := -std=c17 -D_POSIX_C_SOURCE=200809L
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
 COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fPIC $(OPENMP) $(CFLAGS) -Iinclude -Isrc $(TEST_DIRS) $(NEEDS) -MMD -MP
 LINK      = $(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^)
-# Asked for only where used: `make demo` has to start without pkg-config.
+# Evaluated only where used: `make demo` must start without pkg-config.
 NEEDS        =
-CAIRO_CFLAGS = $(shell pkg-config --cflags cairo)
+CAIRO_CFLAGS = $(shell pkg-config --cflags cairo zlib)
 QHULL_CFLAGS = $(shell pkg-config --cflags qhull_r)
-LIBS         = $(shell pkg-config --libs cairo qhull_r) -lm
+LIBS         = $(shell pkg-config --libs cairo qhull_r zlib) -lm
 CMOCKA_LIBS  = $(shell pkg-config --libs cmocka)
 
 LIB_SRC  := $(sort $(wildcard $(foreach room,base read model view hide ray draw,src/$(room)/*.c)))
@@ -43,7 +43,7 @@ SONAME   := libroberts.so.$(firstword $(subst ., ,$(VERSION)))
 SHARED   := libroberts.so.$(VERSION)
 PREFIX   ?= /usr/local
 LIBDIR   ?= $(PREFIX)/lib
-# A relative PREFIX counts from here: roberts.pc needs the whole path. (No $(abspath): it takes a blank for two names.)
+# A relative PREFIX starts here: roberts.pc needs an absolute path. (Not $(abspath): it splits names at blanks.)
 from_here = $(if $(filter /%,$(firstword $1)),$1,$(if $1,$(CURDIR)/$1))
 override PREFIX := $(call from_here,$(PREFIX:~/%=$(HOME)/%))
 override LIBDIR := $(call from_here,$(LIBDIR:~/%=$(HOME)/%))
@@ -56,9 +56,9 @@ endif
 object    = $(1:%.c=$(BUILD)/obj/%.o)
 TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
 PAGES    := $(BUILD)/roberts.1 $(BUILD)/completions/bash $(BUILD)/completions/zsh $(BUILD)/completions/fish
-# tests/unit/test_off.c becomes build/tests/test_off: names of tests are different in all folders.
+# tests/unit/test_off.c becomes build/tests/test_off: names of tests are unique across folders.
 TEST_BIN := $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(TEST_SRC)))
-# What takes longer than a second or two is left out of `make test-quick`.
+# Tests that take longer than a second or two: `make test-quick` omits them.
 SLOW     := cross_oracle fault_files faults install memory_order mesh_oracle union union_drawing metamorphic off oracle render same_bytes hull_memory union_oracle
 QUICK_BIN = $(filter-out $(SLOW:%=$(BUILD)/tests/test_%),$(TEST_BIN))
 RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) \
@@ -71,7 +71,7 @@ FUZZER   := $(FUZZ_SRC:tests/fuzz/%.c=$(BUILD)/fuzz/%)
 FUZZ     := -O1 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 FUZZ_SECONDS ?= 60
 
-##@ The two to begin with; both install what is missing, as root or with passwordless sudo
+##@ Start with these; both install missing packages, as root or with passwordless sudo
 demo: ## builds the program and draws some of models/ to build/demo/*.svg
 	@CC='$(CC)' tools/install-deps.sh build
 	@$(MAKE) --no-print-directory drawings
@@ -80,18 +80,18 @@ check: ## builds everything, runs all tests
 	@CC='$(CC)' CXX='$(CXX)' tools/install-deps.sh build test
 	@$(MAKE) --no-print-directory test
 
-##@ To build and test with what is there
+##@ To build and test with the installed packages
 all: $(BUILD)/roberts $(BUILD)/libroberts.a $(PAGES) ## program, library and manual page (what `make` alone does)
 
-tools: $(TOOL_BIN) ## the programs that help to build and measure, in build/tools/
+tools: $(TOOL_BIN) ## builds the tools for building and measuring, in build/tools/
 
-models: $(BUILD)/tools/make-models ## writes the files of models/ anew
+models: $(BUILD)/tools/make-models ## rewrites the files of models/
 	$< --all models
 
-figures: $(BUILD)/roberts ## draws the figures of src/*/README.md anew, to models/figures/
+figures: $(BUILD)/roberts ## redraws the figures of src/*/README.md, in models/figures/
 	ROBERTS_BUILD=$(BUILD) tools/draw-figures.sh
 
-gallery: $(BUILD)/roberts ## draws the pictures of README's gallery anew, to models/gallery/
+gallery: $(BUILD)/roberts ## redraws the pictures of README's gallery, in models/gallery/
 	ROBERTS_BUILD=$(BUILD) tools/draw-gallery.sh
 
 drawings: $(PAGES) $(DEMO:%=$(BUILD)/demo/%.svg) ## manual page, completions and the drawings of `make demo`
@@ -116,22 +116,22 @@ fuzz: ## runs all fuzzers, FUZZ_SECONDS=60 each; needs clang (tools/install-deps
 	@$(MAKE) --no-print-directory fuzzers BUILD=$(BUILD)/fuzzing CC=clang OPENMP= CFLAGS='$(FUZZ)'
 	tests/fuzz/fuzz.sh $(BUILD)/fuzzing $(FUZZ_SECONDS)
 
-goldens: $(BUILD)/tests/oracle/regolden ## writes tests/golden/ anew, as far as program and oracle agree
+goldens: $(BUILD)/tests/oracle/regolden ## rewrites tests/golden/ where program and oracle agree
 	@find models -name '*.off' ! -path 'models/star/*' ! -path 'models/shapes/*' | sort | while read -r model; do \
 	    case $$model in models/tests/*) view=top ;; *) view=iso ;; esac; \
 	    golden=tests/golden/$${model#models/}; mkdir -p $${golden%/*}; \
 	    $< $$model $$view $${golden%.off}.txt || exit 1; done
 
-test-sanitize: ## runs the tests with the sanitizers of addresses and undefined behaviour, in build/sanitize/
+test-sanitize: ## runs the tests with the address and undefined behaviour sanitizers, in build/sanitize/
 	@$(MAKE) --no-print-directory test BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' CXXFLAGS='$(SANITIZE)'
 
 bench: all tools ## measures speed and memory, 10 minutes; shorter: BENCH_MAX=1e5 (see tools/bench.sh)
 	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh
 
-bench-meshes: all tools ## measures meshes of triangles alone, up to 1.4 million of them
+bench-meshes: all tools ## measures only triangle meshes, up to 1.4 million triangles
 	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh all-meshes
 
-bench-baseline: all tools ## counts instructions (valgrind) and keeps them in tools/bench-baseline.txt
+bench-baseline: all tools ## counts instructions (valgrind) and writes them to tools/bench-baseline.txt
 	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh baseline
 
 test-threads: ## runs the tests with several threads under the thread sanitizer, in build/threads/
@@ -162,22 +162,22 @@ install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, man page, comple
 	$(Q)install -D -m 644 $(BUILD)/completions/bash '$(TO)/share/bash-completion/completions/roberts'
 	$(Q)install -D -m 644 $(BUILD)/completions/zsh '$(TO)/share/zsh/site-functions/_roberts'
 	$(Q)install -D -m 644 $(BUILD)/completions/fish '$(TO)/share/fish/vendor_completions.d/roberts.fish'
-	@# Root renews the loader's cache where the loader looks into LIBDIR. Packages (DESTDIR) do that themselves.
+	@# As root, renew the loader's cache if the loader searches LIBDIR. Packages (DESTDIR) do that themselves.
 	@if [ -z '$(DESTDIR)' ] && [ "$$(id -u)" = 0 ] && ldconfig -v -N -X 2>/dev/null | grep -q '^$(LIBDIR):'; then \
 	    ldconfig; fi
 	@echo 'installed below $(TO)'
 
-uninstall: ## removes what install has put there
+uninstall: ## removes the installed files
 	$(Q)rm -f '$(TO)/bin/roberts' '$(TO)/include/roberts.h' '$(LIB)/libroberts.a' '$(LIB)'/libroberts.so* \
 	    '$(LIB)/pkgconfig/roberts.pc' '$(TO)/share/man/man1/roberts.1' \
 	    '$(TO)/share/bash-completion/completions/roberts' '$(TO)/share/zsh/site-functions/_roberts' \
 	    '$(TO)/share/fish/vendor_completions.d/roberts.fish'
 
 ##@ To check
-check-includes: ## the includes of src/ point one way (part of `make test`)
+check-includes: ## checks that the includes of src/ point one way (part of `make test`)
 	@tools/check-includes.sh
 
-lint: lint-format lint-tidy lint-cppcheck ## formatter and static checks (tools/install-deps.sh lint)
+lint: lint-format lint-tidy lint-cppcheck ## runs the formatter and static checks (tools/install-deps.sh lint)
 
 clean: ## removes build/
 	rm -rf $(BUILD)
@@ -191,19 +191,19 @@ $(BUILD)/libroberts.a: $(call object,$(LIB_SRC))
 	$(call show,AR,$@)
 	$(Q)rm -f $@ && $(AR) rcs $@ $^
 
-# Nothing but what roberts.h declares can be called from outside.
+# Only functions declared in roberts.h can be called from outside.
 $(BUILD)/$(SHARED): $(call object,$(LIB_SRC))
 	@printf '{ global: roberts_*; local: *; };\n' >$(BUILD)/exported.map
 	$(call show,LD,$@)
 	$(Q)$(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) -Wl,--version-script,$(BUILD)/exported.map \
 	    -Wl,-z,defs -o $@ $^ $(LIBS)
 
-# Libs.private: what a program that links the static library needs besides.
+# Libs.private: what else a program needs that links the static library.
 $(BUILD)/roberts.pc: force
 	@mkdir -p $(@D)
 	@printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: roberts' \
 	    'Description: line drawings of convex polyhedra with the hidden lines removed' 'Version: $(VERSION)' \
-	    'Requires.private: cairo qhull_r' 'Libs: -L"$${libdir}" -lroberts' 'Libs.private: $(OPENMP) -lm' \
+	    'Requires.private: cairo qhull_r zlib' 'Libs: -L"$${libdir}" -lroberts' 'Libs.private: $(OPENMP) -lm' \
 	    'Cflags: -I"$${includedir}"' >$@
 
 $(BUILD)/roberts: $(call object,$(CLI_SRC)) $(BUILD)/libroberts.a
@@ -235,10 +235,10 @@ $(TEST_BIN): $(BUILD)/libroberts.a
 	$(call show,LD,$@)
 	$(Q)$(LINK) $(TEST_LIBS) $(CMOCKA_LIBS) $(LIBS)
 
-# Tests in which allocations fail: tests/support/memory.h
+# Tests that make allocations fail: tests/support/memory.h
 $(BUILD)/tests/test_memory_%: TEST_LIBS = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 
-# The fuzzers: libFuzzer has main() and calls a function of a fixed name, which the linker lets stand for ours.
+# The fuzzers: libFuzzer has main() and calls a function with a fixed name, which the linker maps to ours.
 fuzzers: $(FUZZER)
 $(FUZZER): $(BUILD)/fuzz/%: $(BUILD)/obj/tests/fuzz/%.o $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
@@ -254,7 +254,7 @@ $(BUILD)/tests/test_fuzz: $(call object,$(FUZZ_SRC))
 
 $(BUILD)/tests/test_loose_ends: $(call object,tests/support/loose_ends.c)
 
-# The exact oracle: C++ with CGAL, for tests alone.
+# The exact oracle: C++ with CGAL, only for tests.
 ORACLE_OBJ  := $(call object,$(ORACLE)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.o)
 ORACLE_LIBS := -lgmp -lmpfr -lstdc++
 ORACLE_TEST := $(BUILD)/tests/test_oracle $(BUILD)/tests/test_mesh_oracle $(BUILD)/tests/test_cross_oracle $(BUILD)/tests/test_union_oracle \
@@ -267,22 +267,22 @@ $(ORACLE_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(ORACLE_OBJ) $(BUILD)/
 	$(call show,LD,$@)
 	$(Q)$(LINK) $(ORACLE_LIBS) $(LIBS)
 
-# Pages read back: PDF by zlib, PNG by Cairo; their scenes are those of the oracle, too.
+# Reading pages back: PDF with zlib, PNG with Cairo. The scenes are those of the oracle.
 $(BUILD)/tests/test_paper: $(call object,$(PAPER)) $(ORACLE_OBJ)
-$(BUILD)/tests/test_paper: TEST_LIBS = -lz $(ORACLE_LIBS)
+$(BUILD)/tests/test_paper: TEST_LIBS = $(ORACLE_LIBS)
 
 $(PAPER_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(call object,$(PAPER)) $(ORACLE_OBJ) $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
-	$(LINK) -lz $(ORACLE_LIBS) $(LIBS)
+	$(LINK) $(ORACLE_LIBS) $(LIBS)
 
-# -frounding-math: intervals of doubles set the rounding mode, which the compiler must not assume.
+# -frounding-math: intervals of doubles change the rounding mode, so the compiler must not assume one.
 $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call show,CXX,$<)
 	$(Q)$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math $(CXXFLAGS) -Iinclude -MMD -MP -c -o $@ $<
 
 $(BUILD)/obj/src/draw/%.o $(BUILD)/obj/tests/paper/%.o: NEEDS = $(CAIRO_CFLAGS)
-$(BUILD)/obj/tests/cli/test_render.o $(BUILD)/obj/tests/cli/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
+$(BUILD)/obj/tests/unit/test_image.o $(BUILD)/obj/tests/cli/test_render.o $(BUILD)/obj/tests/cli/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
 $(BUILD)/obj/src/model/qhull.o: NEEDS = $(QHULL_CFLAGS)
 
 $(BUILD)/obj/%.o: %.c $(BUILD)/flags
@@ -290,7 +290,7 @@ $(BUILD)/obj/%.o: %.c $(BUILD)/flags
 	$(call show,CC,$<)
 	$(Q)$(COMPILE) -c -o $@ $<
 
-# The compiler and its flags as last used: when they change, everything is compiled anew.
+# The compiler and its flags as last used: when they change, everything is recompiled.
 FLAGS = $(CC) $(CXX) $(OPENMP) $(CFLAGS) $(CXXFLAGS) $(WERROR) $(LDFLAGS)
 $(BUILD)/flags: force
 	@mkdir -p $(@D)
@@ -301,7 +301,7 @@ $(BUILD)/demo/%.svg: models/%.off $(BUILD)/roberts
 	$(call show,DRAW,$@)
 	$(Q)$(BUILD)/roberts $< -o $@
 
-# A locale that writes 0,5: tests check that nothing depends on the locale. They are skipped where it is missing.
+# A locale that writes 0,5: tests check that nothing depends on the locale. Without it they are skipped.
 $(BUILD)/locale/de_DE.UTF-8:
 	@mkdir -p $(@D)
 	-@localedef -i de_DE -f UTF-8 $@ 2>/dev/null || echo "no locale de_DE.UTF-8: its tests are skipped"
@@ -321,8 +321,8 @@ lint-tidy:
 	    $(patsubst -I%,-isystem%,$(CAIRO_CFLAGS) $(QHULL_CFLAGS)) 2>$(BUILD)/tidy.err || \
 	    { cat $(BUILD)/tidy.err; exit 1; }
 
-# uninitvar is off: it takes an address for a use, and two loops of one length for two lengths. Both compilers and the
-# analyzer of clang-tidy check the same.
+# uninitvar is off: it mistakes taking an address for a use, and does not see that two loops have the same length. Both
+# compilers and the analyzer of clang-tidy check the same thing.
 lint-cppcheck:
 	@echo cppcheck on src and tools
 	$(Q)cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \

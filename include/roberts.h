@@ -222,10 +222,14 @@ void roberts_scene_free(roberts_scene *scene);
  */
 double roberts_scene_tolerance(const roberts_mesh *mesh, const roberts_scene_options *options);
 
+/** How much of the input the bodies use, with hulls as new faces and edges: vertices, faces of three corners or more,
+ * edges. A vertex that several bodies use counts once for each. */
 size_t roberts_scene_solid_count(const roberts_scene *scene);
+size_t roberts_scene_vertex_count(const roberts_scene *scene);
 size_t roberts_scene_face_count(const roberts_scene *scene);
 size_t roberts_scene_edge_count(const roberts_scene *scene);
-size_t roberts_scene_vertex_count(const roberts_scene *scene); /**< vertices that solids use */
+/** How many convex pieces these faces are in: as many as faces, if all of them are planar and convex. */
+size_t roberts_scene_piece_count(const roberts_scene *scene);
 
 /** What a body is. */
 typedef enum roberts_body_kind {
@@ -395,8 +399,10 @@ typedef struct roberts_drawing {
     uint32_t grid, grid_rows;     /**< columns and rows of cells, as chosen */
     size_t solids, culled_solids; /**< all; those found wholly hidden beforehand (the counts below leave out their
                                        faces and edges) */
-    size_t front_faces, back_faces, edge_on_faces;
-    size_t edges, surviving_edges; /**< all; with a front face */
+    size_t front_faces, back_faces, edge_on_faces; /**< of the pieces that faces are in */
+    /** Edges, or parts of them where faces that cross themselves cut them: all; those with a front face. Cuts between
+     * the pieces of a face count too. */
+    size_t edges, surviving_edges;
     size_t seams; /**< with `unite`: surviving edges (all, if hidden segments are kept) that are left out, or parts of
                        them, because bodies are flush there or one holds them */
     size_t drawn_edges; /**< of the surviving ones (of all, if hidden segments are kept) those that are not flatter than
@@ -635,8 +641,8 @@ roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *
 typedef struct roberts_pick_hit {
     uint32_t solid;     /**< number of the solid */
     uint32_t face;      /**< number of the face in the input; ROBERTS_NONE: a hull's, or where the near plane cuts */
-    double depth;       /**< along the axis of sight, from the plane through the scene's centre or the look-at point:
-                             > 0 behind it, < 0 in front of it, model units */
+    double depth;       /**< how near the viewer, model units: along the axis of sight from the plane through the
+                             scene's centre or the look-at point, > 0 in front of it, < 0 behind it */
     roberts_vec3 point; /**< where the sight line meets it, model space */
 } roberts_pick_hit;
 
@@ -665,6 +671,9 @@ typedef enum roberts_format {
     ROBERTS_PS,
     ROBERTS_EPS, /**< PostScript cut to the drawing, for inclusion */
     ROBERTS_PNG,
+    ROBERTS_TIKZ, /**< a picture for LaTeX, one path per stroke, a style per line class; ".tex", too */
+    ROBERTS_DXF,  /**< of AutoCAD release 12, millimetres, one layer per line class */
+    ROBERTS_HPGL, /**< for pen plotters (HP-GL/2), one pen per line class; ".plt", too */
     ROBERTS_CSV,  /**< a table, one row per segment */
     ROBERTS_JSON, /**< the same table as an array of objects */
     ROBERTS_NULL, /**< compute, write nothing */
@@ -765,7 +774,7 @@ typedef struct roberts_draw_options {
     roberts_column column[ROBERTS_COLUMNS]; /**< [column_count] in this order, each once */
     bool real_dashes;                       /**< dashes as strokes, fitted to the line; default: as a pattern of it */
     double dpi;                             /**< PNG: dots per inch; default: 150 */
-    const char *title, *description;        /**< SVG: UTF-8; NULL: none */
+    const char *title, *description;        /**< SVG and TikZ: UTF-8; NULL: none */
     roberts_ink *ink;                       /**< NULL, or filled when a page is written */
     roberts_temporary_fn *temporary;        /**< NULL: not needed */
     void *temporary_context;

@@ -1,9 +1,9 @@
-/* bench-read - reads OFF text with the library and the same numbers with strtod(): bench-read FILE.off [RUNS]
+/* bench-read - reads OFF text with the library, and the same numbers with strtod(): bench-read FILE.off [RUNS]
  *
  * Prints one line, tab-separated: bytes, numbers, CPU seconds of the library, CPU seconds of strtod(), and the latter
- * divided by the former. The seconds are medians of RUNS runs (default 1), taken in turn. The library does everything:
- * dialects, checks, a mesh in memory. The other side does the least that a program could do: it reads blocks, passes
- * every word to strtod(), and keeps nothing. Both use one thread. */
+ * divided by the former. The seconds are medians of RUNS runs (default 1), which alternate. The library does
+ * everything: dialects, checks, a mesh in memory. The other side does the least that a program could do: it reads
+ * blocks, passes every word to strtod(), and stores nothing. Both use one thread. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,7 +14,7 @@
 
 enum { BLOCK = 1 << 18, RUNS_MAX = 99 };
 
-/* What strtod() was given. */
+/* What strtod() has read. */
 typedef struct tally {
     unsigned long long bytes, numbers;
 } tally;
@@ -26,7 +26,7 @@ static double cpu_now(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Every number of a line; words that are none (the keyword) and comments are skipped. */
+/* Reads every number of a line; skips words that are not numbers (the keyword) and comments. */
 static void take_line(char *p, tally *s)
 {
     for (;;) {
@@ -40,7 +40,7 @@ static void take_line(char *p, tally *s)
     }
 }
 
-/* Whole lines of a block; returns how many bytes of a line begun are left. */
+/* Reads the complete lines of a block; returns the number of bytes of an incomplete line that are left. */
 static size_t take_lines(char *block, size_t size, tally *s)
 {
     char *line = block, *end;
@@ -53,7 +53,7 @@ static size_t take_lines(char *block, size_t size, tally *s)
     return size - (size_t)(line - block);
 }
 
-/* False: no such file, it cannot be read, or a line is longer than a block. */
+/* False: there is no such file, it cannot be read, or a line is longer than a block. */
 static bool read_by_strtod(const char *path, tally *s)
 {
     static char block[BLOCK + 1];

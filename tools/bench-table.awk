@@ -2,7 +2,7 @@
 #
 #     awk -v table=stages|draw|threads|verify|read|goals|meshes|instructions -f bench-table.awk FILE.tsv...
 #
-# Columns go by the names in a file's first row.
+# The names in a file's first row identify the columns.
 BEGIN {
     FS = "\t"
     stage_count = split("read solids view grid hide draw total", stage, " ")
@@ -20,7 +20,7 @@ function grouped(n,   s) {
     return s
 }
 
-# Exponent e of b / a = (size_b / size_a) ^ e; seconds below two milliseconds say nothing
+# Exponent e of b / a = (size_b / size_a) ^ e; times below two milliseconds are meaningless
 function exponent(a, b, size_a, size_b, least) {
     if (a <= least || b <= least || size_b <= size_a * 1.5)
         return "-"
@@ -84,7 +84,7 @@ function beyond() {
     return (value("peak_memory_kb") * 1024 - value("bytes")) / value("solids")
 }
 
-# One size of a scene: a line for each clock and, from the second size on, one for the growth.
+# One size of a scene: one line for each clock and, from the second size on, one for the growth.
 function print_size(   i, v, line, edges, scene, key) {
     scene = value("scene") "  " value("options")
     if (scene != last_scene) {
@@ -173,7 +173,7 @@ table == "read" {
         value("read_cpu"), value("strtod_cpu"), value("times"), value("bytes") / value("read_cpu") / 1e6
 }
 
-# The goals of a mesh of so many triangles: seconds or megabytes, "-" where there is none.
+# The goals of a mesh of that many triangles: seconds or megabytes, "-" if there is none.
 function mesh_goal(scene, triangles, unit,   goal) {
     goal["scan 74420 s"] = 0.04
     goal["scan 74420 MB"] = 20

@@ -1,24 +1,24 @@
 #!/bin/sh
 # Measures the program: tools/bench.sh [PART]...    (the first four unless given; `make bench` builds first)
 #
-#   scenes        lattice, city, wall and plates of a thousand solids to a million, and ../shared/scenes where present:
+#   scenes        lattice, city, wall and plates of a thousand solids to a million, and ../shared/scenes if present:
 #                 each stage, memory, growth; drawn as SVG; checked by --verify; read by strtod(); two threads
-#                 against one
+#                 compared with one
 #   worst         scenes that are hard, each for one reason
 #   meshes        meshes of up to 350,000 triangles: scans, balls, land, stars; balls and loose triangles that cross
-#   instructions  instructions executed, counted by callgrind, against tools/bench-baseline.txt
-#   baseline      the same, and writes that file anew
+#   instructions  instructions executed, counted by callgrind, compared with tools/bench-baseline.txt
+#   baseline      the same, and rewrites that file
 #   all-meshes    the meshes, to 1.4 million triangles (`make bench-meshes`)
-#   tables        measures nothing: prints the tables of what was measured last, also of a run that was broken off
+#   tables        measures nothing: prints the tables of the last measurement, even if it was interrupted
 #
-# Prints tables, and writes the same figures, tab-separated, to build/bench/. A row is the run of median CPU time, of
-# nine for a thousand solids down to three for a million; of a third as many with --verify, of one when drawn as SVG.
-# Scenes are made there by make-models and kept, but for those of a million solids (up to 0.5 GB each).
+# Prints tables, and writes the same figures, tab-separated, to build/bench/. A row is the run with the median CPU time,
+# of nine runs for a thousand solids down to three for a million; of a third as many with --verify, of one as SVG.
+# make-models writes the scenes there. They are kept, except those of a million solids (up to 0.5 GB each).
 #
-# BENCH_MAX       most solids or triangles to a scene (1e7: no bound); less makes it short: BENCH_MAX=1e5
-# BENCH_LIMIT     seconds after which a run is given up, and larger scenes of its kind with it (100; needs timeout)
-# ROBERTS_BUILD   what to measure (build)
-# ROBERTS_SHARED  where scenes/ and models/ of others are (../shared)
+# BENCH_MAX       most solids or triangles in a scene (1e7: no bound); a small value is quick: BENCH_MAX=1e5
+# BENCH_LIMIT     seconds after which a run is stopped, and larger scenes of its kind are skipped (100; needs timeout)
+# ROBERTS_BUILD   the build to measure (build)
+# ROBERTS_SHARED  folder with scenes/ and models/ from elsewhere (../shared)
 set -u
 LC_ALL=C
 export LC_ALL
@@ -37,7 +37,7 @@ counts='solids culled_solids vertices faces front_faces edges surviving_edges dr
     pairs test1_visible test2_visible test3_visible test3_invisible test4 covered refined'
 stages='read solids view grid hide verify draw total'
 
-# Not by ulimit -t: under it, Linux tells CPU time by ticks of 4 ms.
+# Not ulimit -t: with it, Linux measures CPU time in ticks of 4 ms.
 guard=
 ! command -v timeout >/dev/null 2>&1 || guard="timeout $limit"
 
@@ -54,7 +54,7 @@ die() {
 
 large= # the scene of a million solids that is there, if any; the next one takes its place
 
-# scene FAMILY N: sets `file` to that scene, made where it is not there or the generator is newer
+# scene FAMILY N: sets `file` to that scene, and makes it if it is missing or the generator is newer
 scene() {
     file=$out/$1-$2.off
     rm -f "$large"
@@ -64,7 +64,7 @@ scene() {
     fi
 }
 
-# argument FAMILY SIZE: the generator's N for about so many solids, of meshes for about so many triangles
+# argument FAMILY SIZE: prints the generator's N for about SIZE solids, or triangles of a mesh
 argument() {
     case $1-$2 in
     lattice-1000) echo 10 ;;
@@ -103,7 +103,7 @@ moved() {
 
 # ---- runs ------------------------------------------------------------------------------------------------------------
 
-# The JSON of --stats on standard input, its figures as a row.
+# Prints the figures of a JSON of --stats, read from standard input, as a row.
 figures() {
     awk -v counts="$counts" -v stages="$stages" '
         function count(key) {
@@ -141,7 +141,7 @@ head_line() {
 }
 
 # measure TABLE KIND SCENE RUNS THREADS FORMAT [OPTION|FILE]...: adds the row of the median run to
-# build/bench/TABLE.tsv; fails where the program does
+# build/bench/TABLE.tsv; fails if the program does
 measure() {
     table=$1 kind=$2 name=$3 runs=$4 threads=$5 format=$6
     shift 6
@@ -179,7 +179,7 @@ measure() {
 
 # ---- parts -----------------------------------------------------------------------------------------------------------
 
-# one_scene NAME FILE RUNS: all that is measured of a scene
+# one_scene NAME FILE RUNS: makes all measurements of a scene
 one_scene() {
     measure scenes stages "$1" "$3" 1 null $general "$2" || return
     measure scenes draw "$1" 1 1 svg --order none $general "$2"
@@ -209,7 +209,7 @@ scenes() {
     fi
 }
 
-# grow NAME FAMILY "SIZES" OPTION...: a hard scene, larger and larger
+# grow NAME FAMILY "SIZES" OPTION...: measures a hard scene of increasing size
 grow() {
     name=$1 family=$2 sizes=$3
     shift 3
@@ -221,7 +221,7 @@ grow() {
     done
 }
 
-# two_of NAME FILE X,Y,Z OPTION...: a model and the same again, moved
+# two_of NAME FILE X,Y,Z OPTION...: measures a model together with a moved copy
 two_of() {
     name=$1 first=$2 by=$3
     shift 3
@@ -279,7 +279,7 @@ worst() {
     done
 }
 
-# mesh NAME FAMILY "SIZES" OPTION...: a mesh, larger and larger, to $triangles
+# mesh NAME FAMILY "SIZES" OPTION...: measures a mesh of increasing size, up to $triangles
 mesh() {
     name=$1 family=$2 sizes=$3
     shift 3
@@ -291,7 +291,7 @@ mesh() {
     done
 }
 
-# meshes TRIANGLES: none larger
+# meshes TRIANGLES: measures all meshes of at most that many triangles
 meshes() {
     triangles=$1
     head_line >"$out/meshes.tsv"
@@ -305,7 +305,7 @@ meshes() {
     mesh 'soup' soup '10000 100000 1000000'
 }
 
-# count NAME FILE: adds the instructions of a run, all of it, to build/bench/instructions.tsv
+# count NAME FILE: adds the instructions of a whole run to build/bench/instructions.tsv
 count() {
     say "$1 by callgrind"
     valgrind --tool=callgrind --callgrind-out-file="$out/callgrind.$1" "$roberts" -q --threads 1 -f null $general "$2" \
@@ -337,7 +337,7 @@ instructions() {
     done
 }
 
-# Scenes that are not there now keep their lines.
+# Scenes that are missing now keep their lines.
 renew_baseline() {
     instructions || return
     kept=$baseline
@@ -354,7 +354,7 @@ renew_baseline() {
     } >"$baseline.part" && mv "$baseline.part" "$baseline"
 }
 
-# show TABLE PART...: a table from the rows of parts, those of them that are there
+# show TABLE PART...: prints a table from the rows of those parts that exist
 show() {
     table=$1 rows=
     shift

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Draws the pictures of README.md's gallery by the commands in models/gallery/README.md. `make gallery` calls it.
+# Draws the pictures of README.md's gallery with the commands in models/gallery/README.md. `make gallery` calls it.
 #
 # tools/draw-gallery.sh [FOLDER]    (default: models/gallery)
 set -eu

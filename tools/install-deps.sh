@@ -1,11 +1,11 @@
 #!/bin/sh
 # Installs the Debian packages that are missing, and nothing else: tools/install-deps.sh [build] [test] [lint] [fuzz]
 #
-# A package counts as installed when what we need of it works (a command runs, a header is found) or when dpkg says so.
+# A package counts as installed if the needed part works (a command runs, a header is found) or if dpkg says so.
 # If nothing is missing, on Debian or elsewhere, it installs nothing. It installs as root or with passwordless sudo;
 # otherwise it lists what is missing and stops with exit status 1. It never prompts, and needs only a POSIX shell.
-#   build  what the program and its library are built with
-#   test   what the tests are built with and call
+#   build  packages for building the program and its library
+#   test   packages for building and running the tests
 #   lint   the second compiler, the formatter and the static checks
 #   fuzz   clang with libFuzzer and the sanitizers
 set -eu
@@ -34,7 +34,7 @@ has_package() {
     [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 
-# need PACKAGE PROBE...: notes the package where the probe fails
+# need PACKAGE PROBE...: records the package if the probe fails
 need() {
     package=$1
     shift
@@ -51,6 +51,7 @@ find_missing() {
             need pkg-config has_command pkg-config
             need libcairo2-dev has_library cairo-svg
             need libqhull-dev has_library qhull_r
+            need zlib1g-dev has_library zlib
             if has_command "$cc"; then # gcc brings its own
                 need libomp-dev has_header "$cc" c omp.h
             fi
@@ -61,7 +62,6 @@ find_missing() {
             need libcgal-dev has_header "$cxx" c++ CGAL/version.h
             need libgmp-dev has_header "$cxx" c++ gmp.h
             need libmpfr-dev has_header "$cxx" c++ mpfr.h
-            need zlib1g-dev has_header "$cc" c zlib.h
             need librsvg2-bin has_command rsvg-convert
             need locales test -e /usr/share/i18n/locales/de_DE
             ;;
@@ -84,7 +84,7 @@ find_missing() {
     done
 }
 
-# refuse WHY: says what is missing and stops
+# refuse WHY: reports what is missing and stops
 refuse() {
     echo "$0: $1; missing (by Debian's package names):" >&2
     printf '    %s\n' $missing >&2

@@ -1,7 +1,7 @@
 /* make-models - writes the files of models/, or one scene of any size to standard output.
  *
- * Everything comes from formulas (see tools/models/), and every machine with IEEE doubles writes the same bytes. A
- * failure ends the program with a message and status 1, misuse with status 2. */
+ * Everything is computed from formulas (see tools/models/), and every machine with IEEE doubles writes the same bytes.
+ * A failure ends the program with a message and status 1, wrong usage with status 2. */
 #include <ctype.h>
 #include <errno.h>
 #include <inttypes.h>
@@ -50,7 +50,7 @@ static const char *const catalan_names[UNIFORM_COUNT] = {
     [SNUB_DODECAHEDRON] = "pentagonal-hexecontahedron",
 };
 
-/* Members of the families that are committed. */
+/* The members of families that are committed. */
 static const struct {
     const char *file, *family;
     uint64_t n;
@@ -81,7 +81,7 @@ enum { DEFAULT_SEED = 1 };
 
 /* ---- the folder ------------------------------------------------------------------------------------------------ */
 
-/* The folder being written, and what has gone wrong in it. */
+/* The folder being written, and its errors. */
 typedef struct target {
     const char *folder;
     bool failed;
@@ -183,7 +183,7 @@ static void write_scenes(target *to)
     }
 }
 
-/* Number of the family of this name; family_count() where there is none. */
+/* Returns the number of the family with this name; family_count(): none. */
 static size_t find_family(const char *name)
 {
     size_t i = 0;

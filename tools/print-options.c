@@ -2,7 +2,7 @@
  *
  *     print-options manual|bash|zsh|fish <template >file
  *
- * In the template the line @OPTIONS@ is replaced by what the table says, and @VERSION@ by the version. */
+ * In the template, the line @OPTIONS@ is replaced by the contents of the table, and @VERSION@ by the version. */
 #include <stdio.h>
 #include <string.h>
 

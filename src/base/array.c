@@ -1,4 +1,4 @@
-/* array.c - counted allocation and growth by doubling. */
+/* array.c - counted allocation, and growth by doubling. */
 #include "base/array.h"
 
 #include <stdint.h>
@@ -29,7 +29,7 @@ bool array_grow(void *array, size_t *room, size_t need, size_t size)
         wanted *= 2;
     if (wanted < need || wanted > (size_t)PTRDIFF_MAX / size)
         return false;
-    memcpy(&old, array, sizeof old); /* `array` points to a pointer of any type: read and written as bytes */
+    memcpy(&old, array, sizeof old); /* `array` points to a pointer of any type, so it is copied as bytes */
     grown = realloc(old, wanted * size);
     if (!grown)
         return false;

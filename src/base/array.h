@@ -1,19 +1,19 @@
-/* array.h - memory for arrays: counted allocation and growth by doubling, both safe against overflow. */
+/* array.h - memory for arrays: counted allocation, and growth by doubling, both safe against overflow. */
 #ifndef ROBERTS_BASE_ARRAY_H
 #define ROBERTS_BASE_ARRAY_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Room for `count` elements of `size` bytes, not initialised; NULL: no memory, or the product overflows. Never NULL for
- * a count of 0. Released by free(). */
+/* Allocates `count` elements of `size` bytes, not initialised. NULL: no memory, or the product overflows; never NULL
+ * for a count of 0. Release with free(). */
 void *alloc_array(size_t count, size_t size);
 
-/* The same, zeroed. */
+/* Allocates the same, zeroed. */
 void *alloc_zeroed(size_t count, size_t size);
 
-/* Makes `*array` hold at least `need` elements of `size` bytes, at least doubling `*room`, so that appending one by one
- * costs constant time each. False: no memory, and nothing has changed. */
+/* Makes `*array` hold at least `need` elements of `size` bytes, and at least doubles `*room`, so that appending takes
+ * amortized constant time. False: no memory; nothing has changed. */
 bool array_grow(void *array, size_t *room, size_t need, size_t size);
 
 static inline bool array_reserve(void *array, size_t *room, size_t need, size_t size)

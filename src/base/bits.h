@@ -1,8 +1,8 @@
-/* bits.h - words of bits: counting zeros, the full product of two words, eight characters as one word, spreading bits,
- * a hash; and prefetching memory.
+/* bits.h - operations on 64-bit words: counting zeros, the full product, loading eight characters, spreading bits, a
+ * hash; and prefetching.
  *
- * Where the compiler offers one instruction for it, that is used. The plain C beside it gives the same answers
- * everywhere, and a test compares the two. */
+ * Each uses the compiler's instruction if there is one. The plain C beside it gives the same results everywhere, and a
+ * test compares the two. */
 #ifndef ROBERTS_BASE_BITS_H
 #define ROBERTS_BASE_BITS_H
 
@@ -14,18 +14,18 @@
 #include <xmmintrin.h>
 #endif
 
-/* For the few functions and tables whose inlining or visibility was measured to matter. */
+/* For the few functions and tables whose inlining or visibility makes a measured difference. */
 #if defined(__GNUC__)
 #define BITS_INLINE static inline __attribute__((__always_inline__))
 #define BITS_RARE __attribute__((__noinline__))
-#define BITS_HIDDEN __attribute__((__visibility__("hidden"))) /* read without a detour in a shared library */
+#define BITS_HIDDEN __attribute__((__visibility__("hidden"))) /* read directly in a shared library */
 #else
 #define BITS_INLINE static inline
 #define BITS_RARE
 #define BITS_HIDDEN
 #endif
 
-/* Zero bits above the highest one. word != 0. */
+/* Returns the number of zero bits above the highest one. word != 0. */
 static inline int bits_leading_zeros_plain(uint64_t word)
 {
     int count = 0;
@@ -47,7 +47,7 @@ static inline int bits_leading_zeros(uint64_t word)
 #endif
 }
 
-/* Zero bits below the lowest one. word != 0. */
+/* Returns the number of zero bits below the lowest one. word != 0. */
 static inline int bits_trailing_zeros(uint64_t word)
 {
 #if defined(__GNUC__)
@@ -57,17 +57,17 @@ static inline int bits_trailing_zeros(uint64_t word)
 #endif
 }
 
-/* a * b = high * 2^64 + low, from four products of half words. */
+/* Computes a * b = high * 2^64 + low from four products of half words; returns high. */
 static inline uint64_t bits_multiply_plain(uint64_t a, uint64_t b, uint64_t *low)
 {
     uint64_t a0 = a & 0xffffffff, a1 = a >> 32, b0 = b & 0xffffffff, b1 = b >> 32;
-    uint64_t middle = a1 * b0 + (a0 * b0 >> 32); /* at most (2^32 - 1)^2 + 2^32 - 1: no carry is lost */
+    uint64_t middle = a1 * b0 + (a0 * b0 >> 32); /* at most (2^32 - 1)^2 + 2^32 - 1: no overflow */
     uint64_t other = a0 * b1 + (middle & 0xffffffff);
     *low = a * b;
     return a1 * b1 + (middle >> 32) + (other >> 32);
 }
 
-/* The same; returns high. */
+/* Computes a * b = high * 2^64 + low; returns high. */
 static inline uint64_t bits_multiply(uint64_t a, uint64_t b, uint64_t *low)
 {
 #if defined(__SIZEOF_INT128__)
@@ -80,7 +80,7 @@ static inline uint64_t bits_multiply(uint64_t a, uint64_t b, uint64_t *low)
 #endif
 }
 
-/* Eight characters, the first in the lowest byte, on any machine. */
+/* Loads eight characters, the first into the lowest byte, on any machine. */
 static inline uint64_t bits_load(const char *text)
 {
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
@@ -94,8 +94,8 @@ static inline uint64_t bits_load(const char *text)
 #endif
 }
 
-/* Spreads bits 0 to 15 of x, with a zero above each. Two numbers, spread and one of them shifted left by one, make up
- * the place on the Z-order curve (G. M. Morton, "A computer oriented geodetic data base and a new technique in file
+/* Spreads bits 0 to 15 of x, with a zero above each. Two spread numbers, one of them shifted left by one, form the
+ * index on the Z-order curve (G. M. Morton, "A computer oriented geodetic data base and a new technique in file
  * sequencing", IBM 1966). */
 static inline uint32_t bits_spread(uint32_t x)
 {
@@ -105,7 +105,7 @@ static inline uint32_t bits_spread(uint32_t x)
     return (x | x << 1) & 0x55555555u;
 }
 
-/* A hash of `size` bytes, a multiple of 4: FNV-1a, word by word (G. Fowler, L. C. Noll, P. Vo). */
+/* Returns a hash of `size` bytes, a multiple of 4: FNV-1a, word by word (G. Fowler, L. C. Noll, P. Vo). */
 static inline uint32_t bits_hash(const void *bytes, size_t size)
 {
     uint32_t hash = 2166136261u, word;
@@ -116,19 +116,19 @@ static inline uint32_t bits_hash(const void *bytes, size_t size)
     return hash;
 }
 
-/* ---- prefetching: only the time changes ------------------------------------------------------------------------ */
+/* ---- prefetching: affects only the time ------------------------------------------------------------------------ */
 
-/* Bytes of a cache line, and the most to ask for of an array: more might be evicted again before they are used. */
+/* Bytes: a cache line, and the most to prefetch of an array. More might be evicted before it is used. */
 enum { FETCH_LINE = 64, FETCH_MOST = 512 };
 
-/* Macros, since GCC takes a function that only prefetches for one without effect, and leaves its calls out. */
+/* Macros, because GCC assumes that a function that only prefetches has no effect, and removes its calls. */
 #if defined(__SSE2__)
 #define FETCH_AHEAD(p) _mm_prefetch((const char *)(p), _MM_HINT_T0)
 #else
 #define FETCH_AHEAD(p) ((void)(p))
 #endif
 
-/* The first `size` bytes, but no more than FETCH_MOST. */
+/* Prefetches the first `size` bytes, but at most FETCH_MOST. */
 #define FETCH_ARRAY(p, size)                                                                                           \
     for (size_t fetched = 0, all = (size) < FETCH_MOST ? (size) : FETCH_MOST; fetched < all; fetched += FETCH_LINE)    \
     FETCH_AHEAD((const char *)(p) + fetched)

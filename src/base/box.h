@@ -1,4 +1,4 @@
-/* box.h - boxes along the axes, by their least and their greatest corner. */
+/* box.h - axis-aligned boxes, given by their least and greatest corners. */
 #ifndef ROBERTS_BASE_BOX_H
 #define ROBERTS_BASE_BOX_H
 
@@ -7,14 +7,15 @@
 #include "base/lanes.h"
 #include "base/vec.h"
 
-/* Extends the box lo..hi to hold p. */
+/* Extends the box lo..hi to contain p. */
 static inline void box_add(roberts_vec3 *lo, roberts_vec3 *hi, roberts_vec3 p)
 {
     *lo = (roberts_vec3){lesser(lo->x, p.x), lesser(lo->y, p.y), lesser(lo->z, p.z)};
     *hi = (roberts_vec3){greater(hi->x, p.x), greater(hi->y, p.y), greater(hi->z, p.z)};
 }
 
-/* The same of `count` points, x and y side by side: box_add() bit for bit. */
+/* Extends the box to contain `count` points. x and y are handled in parallel; the result is that of box_add(), bit for
+ * bit. */
 static inline void box_add_all(roberts_vec3 *lo, roberts_vec3 *hi, const roberts_vec3 *P, size_t count)
 {
     two low = two_of(lo->x, lo->y), high = two_of(hi->x, hi->y);
@@ -32,8 +33,8 @@ static inline void box_add_all(roberts_vec3 *lo, roberts_vec3 *hi, const roberts
     hi->z = high_z;
 }
 
-/* Cuts [*t0, *t1] to the parameters at which a + t (b - a) lies in [low, high]; false where nothing is left.
- * If a = b, they do not change. */
+/* Clips [*t0, *t1] to the parameters at which a + t (b - a) lies in [low, high]. False: nothing is left. If a = b, the
+ * interval does not change. */
 static inline bool box_clip(double a, double b, double low, double high, double *t0, double *t1)
 {
     double d = b - a;

@@ -1,8 +1,8 @@
 /* dd.h - double-double numbers: an unevaluated sum hi + lo of two doubles, about 32 digits.
  *
- * Source: T. J. Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18 (1971);
- * D. E. Knuth, The Art of Computer Programming 2, 4.2.2 (the exact sum). Needs arithmetic that is not contracted or
- * reordered (-ffp-contract=off, no -ffast-math). Overflow is not handled: callers scale to about 1 first. */
+ * Source: T. J. Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18 (1971); D.
+ * E. Knuth, The Art of Computer Programming 2, 4.2.2 (the exact sum). The arithmetic must not be contracted or
+ * reordered (-ffp-contract=off, no -ffast-math). Overflow is not handled: callers first scale to about 1. */
 #ifndef ROBERTS_BASE_DD_H
 #define ROBERTS_BASE_DD_H
 
@@ -18,14 +18,14 @@ typedef struct dd3 {
     dd x, y, z;
 } dd3;
 
-/* a + b without error. */
+/* Returns a + b without error. */
 static inline dd dd_two_sum(double a, double b)
 {
     double s = a + b, t = s - a;
     return (dd){s, (a - (s - t)) + (b - t)};
 }
 
-/* a - b without error. */
+/* Returns a - b without error. */
 static inline dd dd_two_diff(double a, double b)
 {
     return dd_two_sum(a, -b);
@@ -54,7 +54,7 @@ static inline dd dd_mul(dd a, dd b)
     return dd_two_sum(p, e + (a.hi * b.lo + a.lo * b.hi));
 }
 
-/* By long division: three digits of a double each. */
+/* Long division with three doubles as digits. */
 static inline dd dd_div(dd a, dd b)
 {
     double first = a.hi / b.hi;
@@ -69,7 +69,7 @@ static inline dd3 dd3_from(roberts_vec3 a)
     return (dd3){{a.x, 0.0}, {a.y, 0.0}, {a.z, 0.0}};
 }
 
-/* a - b of points given in doubles, without error. */
+/* Returns a - b of points with double coordinates, without error. */
 static inline dd3 dd3_between(roberts_vec3 a, roberts_vec3 b)
 {
     return (dd3){dd_two_diff(a.x, b.x), dd_two_diff(a.y, b.y), dd_two_diff(a.z, b.z)};
@@ -91,12 +91,12 @@ static inline dd3 dd3_cross(dd3 a, dd3 b)
                  dd_sub(dd_mul(a.x, b.y), dd_mul(a.y, b.x))};
 }
 
-/* a / (a - b) as a double: the parameter at which a linear function with values a and b at 0 and 1 vanishes. */
+/* Returns a / (a - b) as a double: the zero of the linear function that is a at 0 and b at 1. */
 static inline double dd_zero_of(dd a, dd b)
 {
     dd difference = dd_sub(a, b);
     double t = a.hi / difference.hi;
-    dd rest = dd_sub(a, dd_mul((dd){t, 0.0}, difference)); /* one Newton step: t is then right to the last place */
+    dd rest = dd_sub(a, dd_mul((dd){t, 0.0}, difference)); /* one Newton step: then t is correct to the last place */
     return t + (rest.hi + rest.lo) / difference.hi;
 }
 

@@ -1,4 +1,4 @@
-/* error.c - filling a roberts_error; sending warnings. */
+/* error.c - fills a roberts_error; sends warnings. */
 #include "base/error.h"
 
 #include <stdarg.h>

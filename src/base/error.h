@@ -1,4 +1,4 @@
-/* error.h - filling a roberts_error. */
+/* error.h - fills a roberts_error; sends warnings. */
 #ifndef ROBERTS_BASE_ERROR_H
 #define ROBERTS_BASE_ERROR_H
 
@@ -10,18 +10,18 @@
 #define ROBERTS_PRINTF(text, first)
 #endif
 
-/* Fills `error` (where not NULL) and returns `status`, so that failing reads `return error_set(...)`. The file is kept
- * where error_set_file() has put one. */
+/* Fills `error` (unless NULL) and returns `status`, so that a caller can write `return error_set(...)`. Keeps a file
+ * name set by error_set_file(). */
 roberts_status error_set(roberts_error *error, roberts_status status, size_t line, const char *format, ...)
     ROBERTS_PRINTF(4, 5);
 
-/* Names the file that the error concerns; a name too long keeps its end. */
+/* Sets the file that the error is about. If the name is too long, its end is kept. */
 void error_set_file(roberts_error *error, const char *file);
 
-/* error_set() for an exhausted memory. */
+/* error_set() for exhausted memory. */
 roberts_status error_no_memory(roberts_error *error);
 
-/* Formats one warning and passes it on; nothing where `warnings` or its function is NULL. */
+/* Formats one warning and sends it. Does nothing if `warnings` or its function is NULL. */
 void warning_send(const roberts_warnings *warnings, const char *file, size_t line, const char *format, ...)
     ROBERTS_PRINTF(4, 5);
 

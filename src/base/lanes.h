@@ -1,7 +1,7 @@
 /* lanes.h - two doubles or four floats at a time.
  *
- * SSE2, which every x86-64 has, does it in one instruction; the plain C beside it gives the same bits everywhere and is
- * tested against it. Nothing here rounds differently from the scalar expression. */
+ * With SSE2, which every x86-64 processor has, each operation is one instruction. The plain C beside it gives the same
+ * bits everywhere, and a test compares them. Nothing here rounds differently from the scalar expression. */
 #ifndef ROBERTS_BASE_LANES_H
 #define ROBERTS_BASE_LANES_H
 
@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The plain form of all of it, lane by lane. */
+/* The plain form of every operation, lane by lane. */
 typedef struct two_plain {
     double v[2];
 } two_plain;
@@ -64,20 +64,20 @@ static inline two_plain two_plain_sqrt(two_plain a)
     return (two_plain){{sqrt(a.v[0]), sqrt(a.v[1])}};
 }
 
-/* -1 where a < 0, else 1. */
+/* Returns -1 if a < 0, otherwise 1. */
 static inline two_plain two_plain_side(two_plain a)
 {
     return (two_plain){{a.v[0] < 0.0 ? -1.0 : 1.0, a.v[1] < 0.0 ? -1.0 : 1.0}};
 }
 
-/* Lane 0 to *p, lane 1 to *q. */
+/* Stores lane 0 to *p and lane 1 to *q. */
 static inline void two_plain_part(double *p, double *q, two_plain a)
 {
     *p = a.v[0];
     *q = a.v[1];
 }
 
-/* The same, rounded to floats. */
+/* Stores the lanes rounded to floats. */
 static inline void two_plain_part_floats(float *p, float *q, two_plain a)
 {
     *p = (float)a.v[0];
@@ -99,7 +99,7 @@ static inline two_plain two_plain_abs(two_plain a)
     return (two_plain){{fabs(a.v[0]), fabs(a.v[1])}};
 }
 
-/* Bit i: lane i has its sign bit set. */
+/* Bit i: the sign bit of lane i. */
 static inline unsigned two_plain_signs(two_plain a)
 {
     return (signbit(a.v[0]) ? 1u : 0u) | (signbit(a.v[1]) ? 2u : 0u);
@@ -111,7 +111,7 @@ static inline unsigned two_plain_at_most(two_plain a, two_plain b)
     return (a.v[0] <= b.v[0] ? 1u : 0u) | (a.v[1] <= b.v[1] ? 2u : 0u);
 }
 
-/* The lesser of the two lanes. */
+/* Returns the lesser of the two lanes. */
 static inline double two_plain_least(two_plain a)
 {
     return a.v[0] < a.v[1] ? a.v[0] : a.v[1];
@@ -133,14 +133,14 @@ static inline four_plain four_plain_all(float x)
     return (four_plain){{x, x, x, x}};
 }
 
-/* Where a[i] < b[i]; for four_plain_either() and four_plain_signs() alone. */
+/* Compares a[i] < b[i]; only for four_plain_either() and four_plain_signs(). */
 static inline four_plain four_plain_below(four_plain a, four_plain b)
 {
     return (four_plain){{a.v[0] < b.v[0] ? -1.0f : 0.0f, a.v[1] < b.v[1] ? -1.0f : 0.0f, a.v[2] < b.v[2] ? -1.0f : 0.0f,
                          a.v[3] < b.v[3] ? -1.0f : 0.0f}};
 }
 
-/* Where one of two comparisons holds. */
+/* Combines two comparisons by "or". */
 static inline four_plain four_plain_either(four_plain a, four_plain b)
 {
     for (int i = 0; i < 4; i++)
@@ -165,7 +165,7 @@ static inline four_plain four_plain_mul(four_plain a, four_plain b)
     return (four_plain){{a.v[0] * b.v[0], a.v[1] * b.v[1], a.v[2] * b.v[2], a.v[3] * b.v[3]}};
 }
 
-/* Byte i: a[i] limited to 0 .. 255 and rounded down; 0 for NaN. */
+/* Byte i: a[i] clamped to 0 .. 255 and rounded down; 0 for NaN. */
 static inline uint32_t four_plain_bytes(four_plain a)
 {
     uint32_t bytes = 0;
@@ -174,7 +174,7 @@ static inline uint32_t four_plain_bytes(four_plain a)
     return bytes;
 }
 
-/* Bit i: no byte of a[2 i + 1] is above the same byte of `most`; i = 0 .. 3. */
+/* Bit i: no byte of a[2 i + 1] exceeds the same byte of `most`; i = 0 .. 3. */
 static inline unsigned four_plain_bytes_at_most(const uint32_t *a, uint32_t most)
 {
     unsigned bits = 0;
@@ -187,14 +187,14 @@ static inline unsigned four_plain_bytes_at_most(const uint32_t *a, uint32_t most
     return bits;
 }
 
-/* Where a[i] == x, likewise. */
+/* Compares a[i] == x, like four_plain_below(). */
 static inline four_plain four_plain_same(const uint32_t *a, uint32_t x)
 {
     return (four_plain){
         {a[0] == x ? -1.0f : 0.0f, a[1] == x ? -1.0f : 0.0f, a[2] == x ? -1.0f : 0.0f, a[3] == x ? -1.0f : 0.0f}};
 }
 
-/* Whether b[i] - a[i] == shift for i = 0 .. 3. */
+/* Is b[i] - a[i] == shift for i = 0 .. 3? */
 static inline bool four_plain_shifted(const uint32_t *a, const uint32_t *b, uint32_t shift)
 {
     return b[0] - a[0] == shift && b[1] - a[1] == shift && b[2] - a[2] == shift && b[3] - a[3] == shift;
@@ -207,7 +207,7 @@ static inline bool four_plain_shifted(const uint32_t *a, const uint32_t *b, uint
 typedef __m128d two;
 typedef __m128 four;
 
-/* From a multiple of 16 bytes. */
+/* Loads from an address that is a multiple of 16 bytes. */
 static inline two two_load_aligned(const double *p)
 {
     return _mm_load_pd(p);

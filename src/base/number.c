@@ -1,18 +1,18 @@
-/* number.c - decimal text to the nearest double.
+/* number.c - converts decimal text to the nearest double.
  *
- * A number is w * 10^q with w < 2^64 for up to 19 digits. Its double takes 53 bits of w * 10^q. Rounding asks on which
- * side of the middle between two doubles the rest lies. The product of w with the upper half of 10^q's 128
- * bits is low by less than one unit of its own upper half, which decides all but one number in some hundred; the
- * product with the lower half decides those, but for exact middles. Where even that leaves the middle possible, and
- * where the result is no normal double, strtod() reads the digits again.
+ * A number is w * 10^q with w < 2^64 for up to 19 digits. A double keeps 53 bits of w * 10^q. To round, one must know
+ * on which side of the midpoint between two doubles the remaining bits lie. First w is multiplied by the upper half of
+ * the 128 bits of 10^q. The result is low by less than one unit of its own upper half, which decides all but about one
+ * number in a hundred. The product with the lower half decides those, except exact midpoints. If the midpoint is still
+ * possible, or if the result is not a normal double, strtod() reads the digits again.
  *
- * Of more than 19 digits the first 19 make w, so the number lies between w and w + 1. If both give the same double,
- * that is it.
+ * If there are more than 19 digits, the first 19 form w, and the number lies between w and w + 1. If both give the same
+ * double, that is the result.
  *
  * The locale does not matter: strtod() gets the digits without a point.
  *
- * Source: D. Lemire, "Number parsing at a gigabyte per second", Software: Practice and Experience 51(8), 2021, after
- * M. Eisel; here every decision follows from bounds that are stated, without their proof about continued fractions. */
+ * Source: D. Lemire, "Number parsing at a gigabyte per second", Software: Practice and Experience 51(8), 2021, after M.
+ * Eisel. Here every decision follows from the stated bounds, without their proof by continued fractions. */
 #include "base/number.h"
 
 #include <stdbool.h>
@@ -22,12 +22,12 @@
 #include <string.h>
 
 enum {
-    MANTISSA_BITS = 52,     /* stored; a 53rd bit is implied */
+    MANTISSA_BITS = 52,     /* stored bits; a 53rd bit is implied */
     LEAST_EXPONENT = -1022, /* of a normal double */
-    EXPONENTS = 2045,       /* of normal doubles from there on, the greatest left out: rounding may step over it */
-    EXACT_POWER = 27,       /* 5^27 < 2^64: the upper half of 10^q is all of it for 0 <= q <= 27 */
-    MIDDLE_DIGITS = 768,    /* the middle between two doubles has at most 767 digits that count */
-    EXPONENT_CLAMP = 100000 /* further away than NUMBER_LENGTH_MAX digits can bring back */
+    EXPONENTS = 2045,       /* number of exponents from there on, except the greatest, which rounding may exceed */
+    EXACT_POWER = 27,       /* 5^27 < 2^64: for 0 <= q <= 27, the upper half of 10^q is exact */
+    MIDDLE_DIGITS = 768,    /* the midpoint between two doubles has at most 767 significant digits */
+    EXPONENT_CLAMP = 100000 /* so large that NUMBER_LENGTH_MAX digits cannot bring it back into range */
 };
 
 const double number_power[NUMBER_MOST_FRACTION + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
@@ -42,15 +42,15 @@ const number_scale number_scales[NUMBER_MOST_FRACTION + 1] = {
     {0x8cbccc096f5088cbu, 1045}, {0xe12e13424bb40e13u, 1041}, {0xb424dc35095cd80fu, 1038}, {0x901d7cf73ab0acd9u, 1035},
     {0xe69594bec44de15bu, 1031}, {0xb877aa3236a4b449u, 1028}, {0x9392ee8e921d5d07u, 1025}};
 
-/* floor(log2(10^q)) for |q| <= 350: 217706 / 65536 is log2(10) cut off, and never crosses an integer in this range.
- * The offset keeps the shifted value positive. */
+/* Returns floor(log2(10^q)) for |q| <= 350: 217706 / 65536 is log2(10) truncated, and never crosses an integer in this
+ * range. The offset keeps the shifted value nonnegative. */
 static inline int floor_log2_power(int q)
 {
     return (int)((uint32_t)(q * 217706 + (1 << 30)) >> 16) - (1 << 14);
 }
 
-/* The bits of `high`, which has 63 or 64, beyond the 53 of a double; and, in the same place, the middle between two
- * doubles. */
+/* rest_of() returns the bits of `high`, which has 63 or 64, beyond the 53 of a double. middle_of() returns the midpoint
+ * between two doubles at the same position. */
 static inline uint64_t middle_of(uint64_t high)
 {
     return UINT64_C(512) << (high >> 63);
@@ -61,20 +61,20 @@ static inline uint64_t rest_of(uint64_t high)
     return high & (2 * middle_of(high) - 1);
 }
 
-/* The bits of w * 10^q, given its 63 or 64 highest ones, on the right side of the middle; 0 where it is no normal
- * double. zeros: by how much w was shifted. */
+/* Returns the bits of w * 10^q, given its 63 or 64 highest ones, on the correct side of the midpoint; 0 if it is not a
+ * normal double. zeros: how far w was shifted. */
 static uint64_t round_product(uint64_t high, int q, int zeros)
 {
     int upper = (int)(high >> 63);
     unsigned exponent = (unsigned)(floor_log2_power(q) + 63 - zeros + upper - LEAST_EXPONENT);
     if (exponent >= EXPONENTS)
         return 0;
-    /* the highest bit is the implied one and adds 1 to the exponent field, as a carry from rounding rightly does */
+    /* the highest bit is the implied one and adds 1 to the exponent field, as a carry from rounding should */
     return ((uint64_t)exponent << MANTISSA_BITS) + (((high >> (9 + upper)) + 1) >> 1);
 }
 
-/* The double nearest to w * 10^q, w > 0, as its bits, by both products; 0 where the middle is possible even so, and
- * where the result is no normal double. */
+/* Returns the bits of the double nearest to w * 10^q, w > 0, from both products; 0 if the midpoint is still possible,
+ * or if the result is not a normal double. */
 static uint64_t nearest(uint64_t w, int q)
 {
     if (q < POWER_MIN || q > POWER_MAX)
@@ -85,25 +85,27 @@ static uint64_t nearest(uint64_t w, int q)
     uint64_t more = bits_multiply(w << zeros, power->low, &unused);
     if (q >= 0 && q <= EXACT_POWER) { /* the product is exact */
         if (rest_of(high) == middle_of(high) && low == 0 && !(high & 2 * middle_of(high)))
-            high--; /* a true tie above an even double: down */
+            high--; /* a true tie above an even double: round down */
         return round_product(high, q, zeros);
     }
     low += more;
     high += low < more;
-    /* now less than two units of `low` are missing: one for `unused`, one for what 10^q has beyond 128 bits */
+    /* now less than two units of `low` are missing: one for `unused`, one for the part of 10^q beyond 128 bits */
     if ((rest_of(high) == middle_of(high) && low == 0) || (rest_of(high) == middle_of(high) - 1 && low == UINT64_MAX))
         return 0;
     return round_product(high, q, zeros);
 }
 
-/* nearest() for a number of more than 19 digits: w has the first 19, and q belongs to these. */
+/* Does the same as nearest() for a number of more than 19 digits. w has the first 19, and q is the exponent for
+ * these. */
 static uint64_t nearest_long(uint64_t w, int q)
 {
     uint64_t below = nearest(w, q), above = nearest(w + 1, q);
     return below == above ? below : 0;
 }
 
-/* strtod() on the digits from `text` to `end` (a point among them) times 10^q, q belonging to the last one. */
+/* Calls strtod() for the digits from `text` to `end` (possibly with a point) times 10^q, where q is the exponent of the
+ * last digit. */
 static double read_again(const char *text, const char *end, int q)
 {
     char plain[MIDDLE_DIGITS + 24];
@@ -119,7 +121,7 @@ static double read_again(const char *text, const char *end, int q)
             q++;
         }
     }
-    if (more) { /* it only matters that something follows */
+    if (more) { /* any digit will do: it only matters that something follows */
         plain[count++] = '1';
         q--;
     }
@@ -127,7 +129,8 @@ static double read_again(const char *text, const char *end, int q)
     return strtod(plain, NULL);
 }
 
-/* Adds digits to w, wrapping after 19 of them. After sixteen taken by eights hardly more than one follows. */
+/* Appends digits to w, which wraps after 19 of them. After sixteen digits, read eight at a time, seldom more than one
+ * follows. */
 static inline const char *digits(const char *text, uint64_t *w)
 {
     for (int i = 0; i < 2; i++, text += 8) {
@@ -144,7 +147,7 @@ static inline const char *digits(const char *text, uint64_t *w)
     return text;
 }
 
-/* Reads the exponent after the 'e' at `text`; where no digit follows, nothing is read, as in strtod(). */
+/* Reads the exponent after the 'e' at `text`. If no digit follows, reads nothing, like strtod(). */
 static const char *exponent_part(const char *text, int *exponent)
 {
     const char *c = text + 1;
@@ -160,8 +163,8 @@ static const char *exponent_part(const char *text, int *exponent)
     return c;
 }
 
-/* The double of the digits from `text` to `end` times 10^q, where w did not hold them or did not do; w > 0 is their
- * value modulo 2^64. */
+/* Returns the double for the digits from `text` to `end` times 10^q, if w cannot hold them or does not decide; w > 0 is
+ * their value modulo 2^64. */
 static double many_digits(const char *text, const char *end, int q)
 {
     uint64_t w = 0, bits;
@@ -186,7 +189,7 @@ static double many_digits(const char *text, const char *end, int q)
     return value;
 }
 
-/* number_parse() for what number_usual() leaves. */
+/* Parses the numbers that number_usual() rejects. */
 BITS_RARE static const char *parse_any(const char *text, double *value)
 {
     const char *first = text + (*text == '-' || *text == '+'), *c = first, *end;

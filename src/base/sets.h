@@ -1,11 +1,11 @@
-/* sets.h - disjoint sets of numbers, each told by its root: R. E. Tarjan, J. van Leeuwen, "Worst-case analysis of set
- * union algorithms", Journal of the ACM 31(2), 1984. */
+/* sets.h - disjoint sets of numbers, each identified by its root: R. E. Tarjan, J. van Leeuwen, "Worst-case analysis of
+ * set union algorithms", Journal of the ACM 31(2), 1984. */
 #ifndef ROBERTS_BASE_SETS_H
 #define ROBERTS_BASE_SETS_H
 
 #include <stdint.h>
 
-/* The root of i's set, its own parent; halves the path on the way. */
+/* Returns the root of i's set, which is its own parent. Halves the path on the way. */
 static inline uint32_t sets_root(uint32_t *parent, uint32_t i)
 {
     while (parent[i] != i) {

@@ -1,6 +1,7 @@
-/* sort.h - sorting: a few items in place, many by counting, and an order for the library's qsort().
+/* sort.h - sorting: insertion sort, radix sort, and comparison functions for qsort().
  *
- * Few and nearly sorted: SORT_FEW(). Many with a key of 32 bits: radix_order(). All others: qsort(). */
+ * For few or nearly sorted items: SORT_FEW(). For many items with 32-bit keys: radix_order(). For all others:
+ * qsort(). */
 #ifndef ROBERTS_BASE_SORT_H
 #define ROBERTS_BASE_SORT_H
 
@@ -9,9 +10,9 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Sorts items[0 .. count-1], each a `type`, by insertion: stable, and the fastest way for some ten items and for those
- * of which few are far from their places. `behind` is an expression about `const type *a` and `const type *b`: whether
- * *a, which comes before *b, belongs behind it. */
+/* Sorts items[0 .. count-1], each a `type`, by insertion. It is stable, and the fastest method for about ten items, or
+ * for items that are nearly sorted. `behind` is an expression in `const type *a` and `const type *b`: true if *a, which
+ * precedes *b, belongs after it. */
 #define SORT_FEW(type, items, count, behind)                                                                           \
     for (size_t sort_i = 1; sort_i < (size_t)(count); sort_i++) {                                                      \
         const type sort_moved = (items)[sort_i], *const b = &sort_moved;                                               \
@@ -25,15 +26,15 @@
         (items)[sort_k] = sort_moved;                                                                                  \
     }
 
-/* A key that ascends where `x` descends; +0 and -0 alike. x: not NaN. */
+/* Returns a key that ascends as `x` descends; +0 and -0 give the same key. x: not NaN. */
 uint32_t radix_key_descending(float x);
 
-/* Fills order[0 .. count-1] with 0 .. count-1 so that their keys ascend, ties by number, in time proportional to
- * `count`. False: no memory. */
+/* Fills order[0 .. count-1] with 0 .. count-1 sorted by ascending keys, ties by number. Takes linear time. False: no
+ * memory. */
 bool radix_order(const uint32_t *key, uint32_t count, uint32_t *order);
 
-/* The first of `count` items of `size` bytes, each of which begins with a uint32_t, ascending, that has `number` or a
- * greater one; `count`: there is none. */
+/* Finds the first of `count` items of `size` bytes with at least `number` as its key; `count`: none. Each item begins
+ * with its key, a uint32_t, and keys ascend. */
 static inline size_t find_numbered(const void *items, size_t count, size_t size, uint32_t number)
 {
     size_t low = 0;
@@ -49,7 +50,7 @@ static inline size_t find_numbered(const void *items, size_t count, size_t size,
     return low;
 }
 
-/* For qsort(): of two uint64_t, the lesser first. */
+/* Compares two uint64_t, for qsort(). */
 static inline int compare_u64(const void *a, const void *b)
 {
     uint64_t x, y;

@@ -1,4 +1,4 @@
-/* threads.h - how many threads, and which one this is, also where the program is built without OpenMP. */
+/* threads.h - the number of threads, and the number of the current one; also works without OpenMP. */
 #ifndef ROBERTS_BASE_THREADS_H
 #define ROBERTS_BASE_THREADS_H
 
@@ -12,12 +12,13 @@
 #include <omp.h>
 #endif
 
-/* Bytes between what different threads write: two cache lines, since processors fetch them in pairs. If they were
- * nearer, threads would take the line from one another at every step. (In an array with an element for each thread, a
- * member `apart` ends the element.) */
+/* Bytes between data that different threads write: two cache lines, since processors fetch them in pairs. At a smaller
+ * distance, threads would take the line from one another at every write. (In an array with an element for each thread,
+ * a member `apart` ends the element.) */
 #define THREADS_APART 128
 
-/* Threads for a parallel loop: as many as asked for (0: as there are), but no more than have something to do. */
+/* Returns the number of threads for a parallel loop: as many as asked for (0: as many as available), but no more than
+ * are useful. */
 static inline int threads_for(uint32_t asked, size_t useful)
 {
 #ifdef _OPENMP
@@ -30,7 +31,7 @@ static inline int threads_for(uint32_t asked, size_t useful)
 #endif
 }
 
-/* The number of this thread among those of the loop, from 0. */
+/* Returns the number of the current thread within the loop, from 0. */
 static inline int thread_self(void)
 {
 #ifdef _OPENMP
@@ -40,7 +41,7 @@ static inline int thread_self(void)
 #endif
 }
 
-/* Lowers the shared number to `value` if it is greater. Imposes no other order between threads. */
+/* Lowers the shared number to `value` if it is greater. Imposes no other memory order. */
 static inline void thread_lower(_Atomic uint32_t *shared, uint32_t value)
 {
     uint32_t least = atomic_load_explicit(shared, memory_order_relaxed);
@@ -49,8 +50,8 @@ static inline void thread_lower(_Atomic uint32_t *shared, uint32_t value)
         ;
 }
 
-/* Lets other threads go first; `turn` counts, from 0, how often this one has waited for them in a row. After many turns
- * the system has probably suspended them, and asking again and again would keep them from running: then this sleeps. */
+/* Lets other threads go first; `turn` counts consecutive calls, from 0. After many turns, the system has probably
+ * suspended the other threads, and spinning would keep them from running. Then this sleeps. */
 static inline void thread_wait(unsigned turn)
 {
     if (turn < 32)

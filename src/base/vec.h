@@ -1,4 +1,4 @@
-/* vec.h - vectors and planes by value; expressions read like the formula. */
+/* vec.h - vectors and planes, passed by value, so that expressions read like formulas. */
 #ifndef ROBERTS_BASE_VEC_H
 #define ROBERTS_BASE_VEC_H
 
@@ -36,7 +36,7 @@ static inline double vec3_length(roberts_vec3 a)
     return sqrt(vec3_dot(a, a));
 }
 
-/* Order by x, then y, then z: -1, 0 or 1; -0 and +0 are alike. */
+/* Orders points by x, then y, then z: -1, 0 or 1; -0 equals +0. */
 static inline int vec3_compare(roberts_vec3 a, roberts_vec3 b)
 {
     if (a.x != b.x)
@@ -46,7 +46,8 @@ static inline int vec3_compare(roberts_vec3 a, roberts_vec3 b)
     return (a.z > b.z) - (a.z < b.z);
 }
 
-/* Lesser and greater of two numbers, neither of them NaN: fmin() and fmax() are calls, for the sake of NaN. */
+/* The lesser and the greater of two numbers, neither of them NaN. fmin() and fmax() are function calls, because they
+ * handle NaN. */
 static inline double lesser(double a, double b)
 {
     return a < b ? a : b;
@@ -66,9 +67,9 @@ static inline double plane_at(plane F, roberts_vec3 P)
     return F.a * P.x + F.b * P.y + F.c * P.z + F.d;
 }
 
-/* The unit vector at `degrees` from the x axis, any finite number. Exact where sines are: views are seldom turned by
- * anything but 30, 45 or 90. Its coordinates are the doubles nearest to them at all multiples of 30 and 45 degrees (0,
- * 1/2 and 1 exactly), and of one size where the angles lie alike in two quadrants. */
+/* Returns the unit vector at `degrees`, any finite number, from the x axis. Views are mostly turned by 30, 45 or 90
+ * degrees: at all multiples of these, the coordinates are the nearest doubles (0, 1/2 and 1 exactly). Angles at the
+ * same position in two quadrants give coordinates of equal absolute value. */
 static inline roberts_vec2 angle_unit(double degrees)
 {
     double whole = fmod(degrees, 360.0); /* exact */

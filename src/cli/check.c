@@ -154,12 +154,6 @@ static void warn(const char *what, const char *why)
     fprintf(stderr, "roberts: warning: %s has no effect: %s\n", what, why);
 }
 
-static bool same_pen(const roberts_pen *a, const roberts_pen *b)
-{
-    return a->width_mm == b->width_mm && a->dash_mm == b->dash_mm && a->gap_mm == b->gap_mm && a->red == b->red &&
-           a->green == b->green && a->blue == b->blue;
-}
-
 static bool is_dashed(const roberts_pen *pen)
 {
     return pen->dash_mm > 0.0 && !pen->off;
@@ -180,37 +174,52 @@ static void warn_useless(const cli_options *options, const options_given *given,
                 values_format_name(options->draw.format), lacks);
 }
 
-/* Warns of a pen for lines that are not drawn: something is `missing`, or (NULL) they are off. */
-static void warn_pen(const char *class, const roberts_pen *pen, const roberts_pen *usual, const char *missing)
+/* Why lines of a class are not on the page, or NULL. */
+static const char *missing(const cli_options *options, const options_given *given, size_t pen)
+{
+    const roberts_draw_options *draw = &options->draw;
+    if (pen == PEN_HIDDEN && draw->hidden == ROBERTS_HIDDEN_NONE)
+        return "hidden lines are not drawn without --hidden dashed or solid";
+    if (pen == PEN_FRAME && draw->frame.off && !options_is_given(given, "frame"))
+        return "it is not drawn without --frame";
+    if (pen == PEN_SYMBOL && !options->is_sheet)
+        return "it is not drawn without --sheet";
+    return NULL;
+}
+
+/* Warns of a pen for lines that are missing, or that are off. hint_idle_pens() finds the classes that a drawing does
+ * not have. */
+static void warn_pen(const cli_options *options, const options_given *given, size_t pen)
 {
     char what[64];
-    if (same_pen(pen, usual) || !(missing || pen->off))
-        return;
-    snprintf(what, sizeof what, "%s--style %s", missing ? "" : "the pen of ", class);
-    warn(what, missing ? missing : "these lines are off");
+    const char *why = missing(options, given, pen);
+    const bool off = values_pen(&options->draw, pen)->off, set = values_pen_is_set(&options->draw, pen);
+    snprintf(what, sizeof what, "%s--style %s", why ? "" : "the pen of ", values_pens[pen]);
+    if (why && (set || (off && pen != PEN_FRAME)))
+        warn(what, why);
+    else if (!why && set && off)
+        warn(what, "these lines are off");
+}
+
+/* Is any line of the page drawn with dashes? */
+static bool any_dashed(const roberts_draw_options *draw)
+{
+    bool any = draw->hidden == ROBERTS_HIDDEN_DASHED && is_dashed(&draw->back);
+    for (size_t pen = 0; pen < PENS; pen++)
+        any = any || (pen != PEN_HIDDEN && pen != PEN_FRAME && pen != PEN_SYMBOL && is_dashed(values_pen(draw, pen)));
+    return any;
 }
 
 static void warn_pages(const cli_options *options, const options_given *given)
 {
-    const roberts_draw_options *draw = &options->draw, usual = roberts_draw_options_default();
-    const bool hidden = draw->hidden != ROBERTS_HIDDEN_NONE;
+    const roberts_draw_options *draw = &options->draw;
     if (options_is_given(given, "dpi") && draw->format != ROBERTS_PNG)
         warn("--dpi", "only png has a resolution");
     if (options_is_given(given, "unit") && !options_is_given(given, "scale"))
         warn("--unit", "the drawing is fitted on the page, and not true to --scale");
-    warn_pen("outline", &draw->outline, &usual.outline, NULL);
-    warn_pen("border", &draw->border, &usual.border, NULL);
-    warn_pen("crease", &draw->crease, &usual.crease, NULL);
-    warn_pen("intersection", &draw->intersection, &usual.intersection, NULL);
-    warn_pen("wire", &draw->wire, &usual.wire, NULL);
-    warn_pen("hidden", &draw->back, &usual.back,
-             hidden ? NULL : "hidden lines are not drawn without --hidden dashed or solid");
-    warn_pen("frame", &draw->frame, &usual.frame,
-             !draw->frame.off || options_is_given(given, "frame") ? NULL : "it is not drawn without --frame");
-    warn_pen("symbol", &draw->symbol, &usual.symbol, options->is_sheet ? NULL : "it is not drawn without --sheet");
-    if (draw->real_dashes && !is_dashed(&draw->outline) && !is_dashed(&draw->border) && !is_dashed(&draw->crease) &&
-        !is_dashed(&draw->intersection) && !is_dashed(&draw->wire) &&
-        !(draw->hidden == ROBERTS_HIDDEN_DASHED && is_dashed(&draw->back)))
+    for (size_t pen = 0; pen < PENS; pen++)
+        warn_pen(options, given, pen);
+    if (draw->real_dashes && !any_dashed(draw))
         warn("--dash real", "no lines are dashed, as by --hidden dashed");
 }
 

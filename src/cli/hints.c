@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 
 #include "cli/message.h"
+#include "cli/values.h"
 
 /* ---- words ---- */
 
@@ -157,7 +158,8 @@ void hint_refused(const cli_options *options, const roberts_mesh *mesh, roberts_
     if (tolerance > 0.0)
         snprintf(error->message + used, room, " (--tolerance %g would do; see also --hull)", tolerance);
     else if (mesh->vertex_count >= HULL_POINTS)
-        snprintf(error->message + used, room, " (see --hull)");
+        snprintf(error->message + used, room,
+                 mesh->face_count ? " (see --hull)" : " (--hull draws the convex hull of points)");
 }
 
 /* ---- drawings that show nothing ---- */
@@ -186,22 +188,22 @@ static bool is_in_window(roberts_vec2 min, roberts_vec2 max, const roberts_segme
            clip(s->p0.y, s->p1.y, min.y, &t0, &t1) && clip(-s->p0.y, -s->p1.y, -max.y, &t0, &t1);
 }
 
-static const roberts_pen *pen_of(const cli_options *options, const roberts_segment *s)
+/* The class whose pen draws a segment. */
+static size_t class_of(const roberts_segment *s)
 {
-    const roberts_draw_options *draw = &options->draw;
     if (s->state == ROBERTS_HIDDEN)
-        return &draw->back;
+        return PEN_HIDDEN;
     switch (s->line) {
     case ROBERTS_BORDER:
-        return &draw->border;
+        return PEN_BORDER;
     case ROBERTS_CREASE:
-        return &draw->crease;
+        return PEN_CREASE;
     case ROBERTS_INTERSECTION:
-        return &draw->intersection;
+        return PEN_INTERSECTION;
     case ROBERTS_WIRE:
-        return &draw->wire;
+        return PEN_WIRE;
     default:
-        return &draw->outline;
+        return PEN_OUTLINE;
     }
 }
 
@@ -227,7 +229,7 @@ static glance look(const cli_options *options, const roberts_drawing *drawing, s
             if (d->framed && page && !is_in_window(min, max, s))
                 continue;
             g.any_inside = true;
-            g.drawn += !page || !pen_of(options, s)->off;
+            g.drawn += !page || !values_pen(&options->draw, class_of(s))->off;
         }
     }
     return g;
@@ -274,4 +276,31 @@ bool hint_near_plane(const cli_options *options, const roberts_scene *scene, con
     }
     roberts_picked_free(&picked);
     return cut;
+}
+
+/* ---- options that change nothing in this drawing ---- */
+
+bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, size_t views, char *text, size_t size)
+{
+    bool there[PENS] = {[PEN_FRAME] = true, [PEN_SYMBOL] = true}; /* check_warn() looks after these */
+    size_t found = 0, used = 0;
+    there[PEN_HIDDEN] = options->draw.hidden == ROBERTS_HIDDEN_NONE;
+    for (const roberts_drawing *d = drawing; d < drawing + views; d++)
+        for (size_t i = 0; i < d->count; i++)
+            there[class_of(&d->segment[i])] |= d->segment[i].state != ROBERTS_CLIPPED;
+    for (size_t pen = 0; pen < PENS && used < size; pen++)
+        if (!there[pen] && (values_pen_is_set(&options->draw, pen) || values_pen(&options->draw, pen)->off))
+            used += (size_t)snprintf(text + used, size - used, "%s--style %s", found++ ? ", " : "", values_pens[pen]);
+    if (found > 0 && used < size)
+        snprintf(text + used, size - used, " %s no effect: the drawing has no such lines", found > 1 ? "have" : "has");
+    return found > 0;
+}
+
+bool hint_idle_union(const roberts_scene *scene)
+{
+    const uint32_t bodies = (uint32_t)roberts_scene_solid_count(scene);
+    for (uint32_t s = 0; s < bodies; s++)
+        if (roberts_scene_body_kind(scene, s) != ROBERTS_OPEN)
+            return false;
+    return true;
 }

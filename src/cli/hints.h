@@ -36,4 +36,12 @@ const char *hint_empty(const cli_options *options, const roberts_drawing *drawin
 bool hint_near_plane(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing, char *why,
                      size_t size);
 
+/* ---- options that change nothing in this drawing ---- */
+
+/* Does --style set pens of classes that none of the drawings has? Then `text` says which. */
+bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, size_t views, char *text, size_t size);
+
+/* Is no body closed, so that --union changes nothing? */
+bool hint_idle_union(const roberts_scene *scene);
+
 #endif

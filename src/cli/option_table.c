@@ -173,13 +173,13 @@ static const option rows[] = {
      .help = "draw all closed bodies as one: no line where they touch flush or lie in one another",
      .manual =
          "Draws all closed bodies as one. Parts that are flush show no seam. What is inside of a body is not drawn, "
-         "not "
-         "as a hidden line either. A line where bodies meet has the class that it has in the whole: the foot of a leg "
-         "on a slab is a crease, and so is mostly a line in which faces cross. Parts are flush if they are so within "
-         "the touching distance (--epsilon) and what their faces depart from their planes; models with six digits may "
-         "need --epsilon. Open surfaces and wires are drawn as without this option. Where edges of several bodies lie "
-         "on one another, that of the body of smallest number is drawn.\n"
-         "--verify then checks what is drawn, and not what is left out."},
+         "not as a hidden line either. A line where bodies meet has the class that it has in the whole: the foot of a "
+         "leg on a slab is a crease, and so is mostly a line in which faces cross. Open surfaces and wires are drawn "
+         "as without this option. Where edges of several bodies lie on one another, that of the body of smallest "
+         "number is drawn. --verify then checks what is drawn, and not what is left out.\n"
+         "Parts are flush if their faces lie in one plane to within the touching distance. Parts with small gaps or "
+         "steps between them need --epsilon, of about twice the widest: 0.002 where gaps are up to 0.001. The same "
+         "may hold for models that are rounded to six digits. --stats counts the edges that are left out."},
     {.group = GROUP_OUTPUT,
      .name = "hull",
      .flags = OPTION_DRAWS,
@@ -295,12 +295,14 @@ static const option rows[] = {
      .name = "dpi",
      .flags = OPTION_PAPER,
      .value = "N",
-     .set = values_set_dpi,
+     .set = values_set_number,
      TO(draw.dpi),
-     RANGE(0, 100000),
+     RANGE(10, 10000),
      .brief = "resolution of png",
-     .help = "resolution of png (default: 150)",
-     .manual = "The resolution of png. Default: 150. An image has at most 32767 pixels a side."},
+     .help = "resolution of png, 10 to 10000 (default: 150)",
+     .manual =
+         "The resolution of png, in dots per inch: 10 to 10000. Default: 150. An image has at most 32767 pixels a "
+         "side."},
 
     /* ---- lines ---- */
     {.group = GROUP_LINES,
@@ -421,14 +423,14 @@ static const option rows[] = {
      .name = "fov",
      .flags = OPTION_DRAWS,
      .value = "DEGREES",
-     .set = values_set_fov,
+     .set = values_set_number,
      TO(camera.fov_degrees),
-     RANGE(0, 179),
+     RANGE(0.001, 179),
      .needs = "eye",
      .brief = "angle of the picture",
-     .help = "with --eye: the angle across the shorter side of the picture, above 0 and up to 179; the picture fills "
+     .help = "with --eye: the angle across the shorter side of the picture, up to 179; the picture fills "
              "what the margins leave (default: the whole scene; 60 where it is cut)",
-     .manual = "The angle of a perspective picture, above 0 and up to 179 degrees. The picture has the shape of what "
+     .manual = "The angle of a perspective picture, from 0.001 to 179 degrees. The picture has the shape of what "
                "the page's margins leave, and this angle across its shorter side. The look-at point is in its middle. "
                "The drawing ends at its border, but tables also have what lies beyond. Default: the whole scene, or 60 "
                "degrees where the near plane cuts it."},
@@ -498,8 +500,10 @@ static const option rows[] = {
      .brief = "touching distance",
      .help = "what is nearer than this touches, model units (default: 0, 1e-11 of the scene's diameter)",
      .manual =
-         "What is nearer than this touches, in model units; at most a hundredth of the scene. Default: 0, which is "
-         "1e-11 of the scene's diameter, and at least 16 units in the last place of the largest coordinate."},
+         "The touching distance, in model units, at most a hundredth of the scene: what is nearer than this touches. "
+         "Default: 0, which is 1e-11 of the scene's diameter, at least 16 units in the last place of the largest "
+         "coordinate, and at least 2 such units of 32-bit floats if the file holds these. --stats says what it is "
+         "and why."},
     {.group = GROUP_ENGINE,
      .name = "tolerance",
      .value = "T",
@@ -537,24 +541,27 @@ static const option rows[] = {
      .help = "check the drawing by N rays per visible or hidden segment (default: 3); exit status 1 if any of them "
              "contradicts it",
      .manual =
-         "Checks the drawing by casting N rays (default: 3) from points of each visible or hidden segment toward "
-         "the viewer, and others wherever something may have been missed, and reports on standard error. The exit "
-         "status is 1 if any ray contradicts the drawing. "
-         "Points within about epsilon of a change are reported as undecided and contradict nothing."},
+         "Checks the drawing by casting N rays (default: 3) from points of each segment toward the viewer, and others "
+         "wherever something may have been missed, and reports on standard error. Hidden segments are checked too, "
+         "whether they are drawn or not, so it checks more segments than there are on the page. The exit status is 1 "
+         "if any ray contradicts the drawing. Points within about epsilon of a change are reported as undecided and "
+         "contradict nothing."},
+
     {.group = GROUP_MESSAGES,
      .name = "pick",
      .flags = OPTION_REPEATS,
      .value = "X,Y",
      .set = values_set_pick,
      .brief = "what is seen there",
-     .help = "say which solid and face is seen there (x, y as in tables) and what lies behind it; may be given several "
+     .help = "say which body and face is seen there (x, y as in tables) and what lies behind it; may be given several "
              "times",
      .manual =
-         "Says which solid and face is seen at this point of the picture (x and y as in tables), where that is in "
-         "the model, and what lies behind it: of a convex solid its front faces, of any other body all faces that are "
-         "not seen edge-on. May be given several times. The depth is counted away from the "
-         "viewer, from the plane through the middle of the scene's box or, in perspective, through the look-at "
-         "point: in front of that plane it is negative."},
+         "Says what is seen at this point of the picture, and what lies behind it, nearest first: body, face, depth, "
+         "and the point in the model. X and Y are those of tables: in model units, y up, counted from the middle of "
+         "the scene's box or, in perspective, from the look-at point. Depth is how near the viewer it is, measured in "
+         "model units from that same point along the axis of sight: greater is nearer, less than 0 is behind. Of a "
+         "convex solid its front faces are named, of any other body all faces that are not seen edge-on. May be given "
+         "several times."},
     {.group = GROUP_MESSAGES,
      .name = "quiet",
      .letter = 'q',

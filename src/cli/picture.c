@@ -118,10 +118,10 @@ static void tell_curved(const cli_options *options, const roberts_scene *scene)
 static void tell_scene(const cli_options *options, const roberts_scene *scene, const run_stats *run)
 {
     char name[NAME_SIZE];
-    size_t solids = roberts_scene_solid_count(scene);
+    const size_t bodies = roberts_scene_solid_count(scene);
     message_open(options->log);
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
-    fprintf(options->log, "%zu solid%s, %zu vertices, %zu faces; %.3f s\n", solids, solids == 1 ? "" : "s",
+    fprintf(options->log, "%zu bod%s, %zu vertices, %zu faces; %.3f s\n", bodies, bodies == 1 ? "y" : "ies",
             run->vertices, run->faces, run->read.wall + run->solids.wall);
     tell_kinds(options, scene);
     if (options->scene.hull)
@@ -141,7 +141,7 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     run->read = report_since(start);
     if (status == ROBERTS_OK) {
         start = report_now();
-        progress_stage("finding the solids");
+        progress_stage("finding the bodies");
         status = roberts_scene_take(&mesh, &solids, scene, error);
         run->solids = report_since(start);
         if (status != ROBERTS_OK)
@@ -152,6 +152,8 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
         return status;
     run->vertices = roberts_scene_vertex_count(*scene);
     run->faces = roberts_scene_face_count(*scene);
+    run->pieces = roberts_scene_piece_count(*scene);
+    run->edges = roberts_scene_edge_count(*scene);
     if (options->verbose)
         tell_scene(options, *scene, run);
     tell_curved(options, *scene);
@@ -229,6 +231,12 @@ static roberts_status hide_all(const cli_options *options, const roberts_scene *
     return status;
 }
 
+/* Whether what is written asks the scene for the faces of edges. */
+static bool is_table(const cli_options *options)
+{
+    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
+}
+
 /* What messages call the drawing. */
 static const char *name_output(const cli_options *options, char *name, size_t size)
 {
@@ -245,6 +253,20 @@ static void warn_near(const cli_options *options, const roberts_scene *scene, vi
         return;
     message_warning(options->log, name_output(options, name, sizeof name), 0, why);
     v->explained = true;
+}
+
+/* Options without effect on these bodies or these lines. A picture of a turntable may have lines that others do not. */
+static void warn_idle(const cli_options *options, const roberts_scene *scene, const views *v)
+{
+    char text[256], name[NAME_SIZE];
+    const bool page = options->draw.format != ROBERTS_NULL && !is_table(options);
+    if (options->quiet || options->turntable > 0)
+        return;
+    if (options->hide.unite && hint_idle_union(scene))
+        message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0,
+                        "--union has no effect: no body is closed");
+    if (page && hint_idle_pens(options, v->drawing, v->count, text, sizeof text))
+        message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0, text);
 }
 
 static void free_views(views *v)
@@ -307,12 +329,6 @@ static void tell(const cli_options *options, const run_stats *run, const views *
     message_close(options->log);
 }
 
-/* Whether what is written asks the scene for the faces of edges. */
-static bool is_table(const cli_options *options)
-{
-    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
-}
-
 /* Makes one picture. Before the last one is written the scene is released, unless a table needs it. Returns the exit
  * status. */
 static int draw(const cli_options *options, roberts_scene **scene, bool last, const picture_window *window,
@@ -323,6 +339,8 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     roberts_status status = hide_all(options, *scene, &v, &run, &error);
     if (status == ROBERTS_OK)
         warn_near(options, *scene, &v);
+    if (status == ROBERTS_OK)
+        warn_idle(options, *scene, &v);
     if (last && !is_table(options)) {
         roberts_scene_free(*scene);
         *scene = NULL;

@@ -78,7 +78,7 @@ static void json_string(FILE *file, const char *text)
 /* ---- --stats ---- */
 
 typedef struct figure {
-    const char *key; /* in JSON */
+    const char *key; /* in JSON; NULL: not printed at all */
     const char *text;
     uint64_t value;
 } figure;
@@ -148,7 +148,9 @@ static uint64_t peak_memory(void)
 static void print_figures(FILE *log, const figure *figures, size_t count, bool json)
 {
     for (size_t i = 0; i < count; i++)
-        if (json)
+        if (!figures[i].key)
+            continue;
+        else if (json)
             fprintf(log, "%s\"%s\":%" PRIu64, i ? "," : "", figures[i].key, figures[i].value);
         else
             fprintf(log, "%14" PRIu64 "  %s\n", figures[i].value, figures[i].text);
@@ -226,16 +228,19 @@ void report_stats(const cli_options *options, const run_stats *run, const robert
     FILE *log = options->log;
     const bool json = options->stats == STATS_JSON;
     const roberts_drawing sum = add_up(drawing, views), *d = &sum;
+    const bool whole = run->pieces == run->faces; /* no face had to be cut into pieces, so no edge into parts */
     const figure counts[] = {
         {"files", "files", run->files},
-        {"solids", "solids", d->solids},
+        {"solids", "bodies", d->solids},
         {"culled_solids", "of them culled, wholly hidden", d->culled_solids},
         {"vertices", "vertices", run->vertices * views},
         {"faces", "faces", run->faces * views},
+        {whole ? NULL : "pieces", "convex pieces of them", run->pieces * views},
         {"front_faces", "of them front", d->front_faces},
         {"back_faces", "back", d->back_faces},
         {"edge_on_faces", "edge-on", d->edge_on_faces},
-        {"edges", "edges", d->edges},
+        {"edges", "edges", whole ? d->edges : run->edges * views},
+        {whole ? NULL : "edge_parts", "parts of them, and cuts between pieces", d->edges},
         {"surviving_edges", "of them with a front face", d->surviving_edges},
         {"drawn_edges",
          options->hide.keep_hidden ? "to draw: those at the back too, none flatter than the crease"
@@ -250,8 +255,8 @@ void report_stats(const cli_options *options, const run_stats *run, const robert
         {"grid", "columns of the grid", d->grid},
         {"grid_rows", "rows", d->grid_rows},
         {"peak_memory_kb", "kB of memory at most", peak_memory()},
+        {options->hide.unite ? "seams" : NULL, "edges left out, or parts of them, where bodies are one", d->seams},
     };
-    const figure seams = {"seams", "edges left out, or parts of them, where bodies are one", d->seams};
     const figure tests[] = {
         {"pairs", "pairs of edge and front", d->tally.pairs},
         {"test1_visible", "test 1: in front of the plane, visible", d->tally.test1_visible},
@@ -279,10 +284,6 @@ void report_stats(const cli_options *options, const run_stats *run, const robert
     if (views > 1)
         fprintf(log, json ? "\"views\":%zu," : "%14zu  views, counted together\n", views);
     print_figures(log, counts, sizeof counts / sizeof counts[0], json);
-    if (options->hide.unite) {
-        fputs(json ? "," : "", log);
-        print_figures(log, &seams, 1, json);
-    }
     print_ink(log, &run->ink, &options->draw.placement, json);
     if (json)
         fprintf(log, ",\"epsilon\":%.17g,\"epsilon_reason\":\"%s\",\"scene_diameter\":%.17g,\"tests\":{", d->epsilon,
@@ -315,7 +316,7 @@ static void tell_contradiction(void *context, const roberts_contradiction *c)
         return;
     message_open(log);
     message_begin(log, t->options->label);
-    fprintf(log, "verify: solid %u, ", (unsigned)c->solid);
+    fprintf(log, "verify: body %u, ", (unsigned)c->solid);
     if (c->face[0] == ROBERTS_NONE)
         fprintf(log, "edge %u-%u", (unsigned)c->v0, (unsigned)c->v1);
     else
@@ -328,9 +329,9 @@ static void tell_contradiction(void *context, const roberts_contradiction *c)
     else if (c->cast == ROBERTS_CLIPPED)
         fputs("the near plane cuts it off\n", log);
     else if (c->cast == ROBERTS_HIDDEN && c->drawn == ROBERTS_HIDDEN)
-        fprintf(log, "it is solid %u that hides it, not solid %u\n", (unsigned)c->by, (unsigned)c->drawn_by);
+        fprintf(log, "it is body %u that hides it, not body %u\n", (unsigned)c->by, (unsigned)c->drawn_by);
     else if (c->cast == ROBERTS_HIDDEN)
-        fprintf(log, "solid %u hides it\n", (unsigned)c->by);
+        fprintf(log, "body %u hides it\n", (unsigned)c->by);
     else
         fputs("nothing hides it\n", log);
     message_close(log);
@@ -366,8 +367,8 @@ roberts_status report_verify(const cli_options *options, const roberts_scene *sc
     if (status == ROBERTS_OK && (found.contradictions > 0 || !options->quiet)) {
         message_begin(log, options->label);
         fprintf(log,
-                "verify: %zu points of %zu segments checked, visible and hidden ones; contradictions: %zu, undecided: "
-                "%zu\n",
+                "verify: %zu points of %zu segments checked, visible ones and hidden ones, drawn or not; "
+                "contradictions: %zu, undecided: %zu\n",
                 found.points, found.segments, found.contradictions, found.undecided);
     }
     message_close(log);
@@ -410,7 +411,7 @@ static roberts_status pick_one(const cli_options *options, const roberts_scene *
     for (size_t i = 0; i < picked.count; i++) {
         const roberts_pick_hit *hit = &picked.hit[i];
         message_begin(options->log, options->label);
-        fprintf(options->log, "pick %.12g,%.12g: %ssolid %u, ", p.x, p.y, i ? "behind it " : "", (unsigned)hit->solid);
+        fprintf(options->log, "pick %.12g,%.12g: %sbody %u, ", p.x, p.y, i ? "behind it " : "", (unsigned)hit->solid);
         if (hit->face == ROBERTS_NONE)
             fprintf(options->log, "%s, ", name_unnumbered(options));
         else

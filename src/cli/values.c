@@ -2,6 +2,7 @@
 #include "cli/values.h"
 
 #include <float.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -14,6 +15,22 @@
 static void *field(const option *o, cli_options *options)
 {
     return (char *)options + o->field;
+}
+
+/* Says that a value is not in low .. high; high = DBL_MAX: any that is not less. */
+static int refuse_range(const char *what, const char *value, double low, double high, const char *unit)
+{
+    if (high == DBL_MAX)
+        return message_misuse("%s: %s is out of range: at least %.10g%s", what, value, low, unit);
+    return message_misuse("%s: %s is out of range: from %.10g to %.10g%s", what, value, low, high, unit);
+}
+
+/* The same for the value of an option whose row has the range. */
+static int refuse_number(const option *o, const char *value, const char *unit)
+{
+    char what[40];
+    snprintf(what, sizeof what, "--%s", o->name);
+    return refuse_range(what, value, o->least, o->most, unit);
 }
 
 int values_set_flag(const option *o, const char *value, cli_options *options)
@@ -34,11 +51,7 @@ int values_set_number(const option *o, const char *value, cli_options *options)
     double *number = field(o, options);
     if (!parse_number(value, number))
         return message_misuse("--%s: \"%s\" is not a number", o->name, value);
-    if (*number < o->least && o->most == DBL_MAX)
-        return message_misuse("--%s: %s is less than %g", o->name, value, o->least);
-    if (!(*number >= o->least && *number <= o->most))
-        return message_misuse("--%s: %s is not in %g..%g", o->name, value, o->least, o->most);
-    return EXIT_DONE;
+    return *number >= o->least && *number <= o->most ? EXIT_DONE : refuse_number(o, value, "");
 }
 
 int values_set_integer(const option *o, const char *value, cli_options *options)
@@ -47,9 +60,7 @@ int values_set_integer(const option *o, const char *value, cli_options *options)
     if (!parse_integer(value, number))
         return message_misuse("--%s: \"%s\" is not a whole number from %.0f to %.0f", o->name, value, o->least,
                               o->most);
-    if (*number < o->least || *number > o->most)
-        return message_misuse("--%s: %s is not in %.0f..%.0f", o->name, value, o->least, o->most);
-    return EXIT_DONE;
+    return *number >= o->least && *number <= o->most ? EXIT_DONE : refuse_number(o, value, "");
 }
 
 int values_set_length(const option *o, const char *value, cli_options *options)
@@ -57,9 +68,7 @@ int values_set_length(const option *o, const char *value, cli_options *options)
     double *mm = field(o, options);
     if (!parse_length(value, mm))
         return message_misuse("--%s: \"%s\" is not a length in mm, or with cm, in or pt behind it", o->name, value);
-    if (!(*mm >= o->least && *mm <= o->most))
-        return message_misuse("--%s: %s is not in %g..%g mm", o->name, value, o->least, o->most);
-    return EXIT_DONE;
+    return *mm >= o->least && *mm <= o->most ? EXIT_DONE : refuse_number(o, value, " mm");
 }
 
 static int set_vector(const option *o, const char *value, cli_options *options)
@@ -94,9 +103,9 @@ static int choose(const option *o, const char *value, size_t *index)
 /* ---- output ---- */
 
 const char *const values_formats[] = {
-    [ROBERTS_SVG] = "svg",   [ROBERTS_PDF] = "pdf",   [ROBERTS_PS] = "ps",
-    [ROBERTS_EPS] = "eps",   [ROBERTS_PNG] = "png",   [ROBERTS_CSV] = "csv",
-    [ROBERTS_JSON] = "json", [ROBERTS_NULL] = "null", [ROBERTS_NULL + 1] = NULL,
+    [ROBERTS_SVG] = "svg", [ROBERTS_PDF] = "pdf",   [ROBERTS_PS] = "ps",     [ROBERTS_EPS] = "eps",
+    [ROBERTS_PNG] = "png", [ROBERTS_TIKZ] = "tikz", [ROBERTS_DXF] = "dxf",   [ROBERTS_HPGL] = "hpgl",
+    [ROBERTS_CSV] = "csv", [ROBERTS_JSON] = "json", [ROBERTS_NULL] = "null", [ROBERTS_NULL + 1] = NULL,
 };
 
 const char *values_format_name(roberts_format format)
@@ -215,7 +224,7 @@ int values_set_page(const option *o, const char *value, cli_options *options)
     if (value[length] || !parse_lengths(word, 'x', &width, &height))
         return hint_unknown("--page", value, o->words, "or WxH in mm, as 210x297, or 8.5x11in");
     if (!(width >= 1.0 && width <= 40000.0 && height >= 1.0 && height <= 40000.0))
-        return message_misuse("--page: %s: each side has 1 to 40000 mm", value);
+        return refuse_range("--page", value, 1, 40000, " mm a side");
     page->width_mm = width;
     page->height_mm = height;
     return EXIT_DONE;
@@ -234,7 +243,7 @@ int values_set_scale(const option *o, const char *value, cli_options *options)
     if (!parse_pair(value, ':', &a, &b) && !parse_number(value, &a))
         return message_misuse("--scale: \"%s\" is not like 1:20, 2:1 or 0.05, nor standard", value);
     if (!(a > 0.0 && b > 0.0 && a / b >= 1e-12 && a / b <= 1e12))
-        return message_misuse("--scale: %s is not in 1e-12..1e12", value);
+        return refuse_range("--scale", value, 1e-12, 1e12, "");
     placement->scale = a / b;
     return EXIT_DONE;
 }
@@ -272,22 +281,6 @@ int values_set_frame(const option *o, const char *value, cli_options *options)
     (void)value;
     options->draw.frame.off = false;
     return EXIT_DONE;
-}
-
-/* From 0, which is not allowed, to o->most; `why` says what 0 would do. */
-static int set_number_above_zero(const option *o, const char *value, const char *why, double *number)
-{
-    if (!parse_number(value, number))
-        return message_misuse("--%s: \"%s\" is not a number", o->name, value);
-    if (!(*number > 0.0 && *number <= o->most))
-        return message_misuse("--%s: %s %s; it takes a number above 0, up to %g", o->name, value,
-                              *number == 0.0 ? why : "is out of range", o->most);
-    return EXIT_DONE;
-}
-
-int values_set_dpi(const option *o, const char *value, cli_options *options)
-{
-    return set_number_above_zero(o, value, "gives no image", field(o, options));
 }
 
 /* ---- colours and pens ---- */
@@ -359,9 +352,19 @@ static int set_color(roberts_pen *pen, const char *value)
     return EXIT_DONE;
 }
 
-static bool is_length(double mm, double least)
+/* Lengths of pens. */
+static const double shortest_mm = 0.001, longest_mm = 1000.0;
+
+static bool is_length(double mm)
 {
-    return mm >= least && mm <= 1000.0;
+    return mm >= shortest_mm && mm <= longest_mm;
+}
+
+static int refuse_length(const char *key, const char *value)
+{
+    char item[80];
+    snprintf(item, sizeof item, "%s=%s", key, value);
+    return refuse_range("--style", item, shortest_mm, longest_mm, " mm");
 }
 
 /* none, DASH or DASH/GAP; a gap is a quarter of its dash unless given. */
@@ -374,8 +377,8 @@ static int set_dashes(roberts_pen *pen, const char *value)
                                   value);
         gap = dash / 4.0;
     }
-    if (strcmp(value, "none") != 0 && !(is_length(dash, 0.001) && is_length(gap, 0.001)))
-        return message_misuse("--style: dash=%s is not in 0.001..1000 mm", value);
+    if (strcmp(value, "none") != 0 && !(is_length(dash) && is_length(gap)))
+        return refuse_length("dash", value);
     pen->dash_mm = dash;
     pen->gap_mm = gap;
     return EXIT_DONE;
@@ -387,8 +390,8 @@ static int set_width(roberts_pen *pen, const char *value)
     double width;
     if (!parse_length(value, &width))
         return message_misuse("--style: width=%s is not a length in mm, or with cm, in or pt behind it", value);
-    if (!is_length(width, 0.001))
-        return message_misuse("--style: width=%s is not in 0.001..1000 mm", value);
+    if (!is_length(width))
+        return refuse_length("width", value);
     bool follows = pen->dash_mm == 12.0 * pen->width_mm && pen->gap_mm == 3.0 * pen->width_mm && pen->dash_mm > 0.0;
     pen->width_mm = width;
     if (follows) {
@@ -425,14 +428,44 @@ static int set_key(roberts_pen *pen, const char *item)
     }
 }
 
-const char *const values_pens[] = {"outline", "border", "crease", "intersection", "wire", "hidden",
-                                   "frame",   "symbol", NULL};
+const char *const values_pens[] = {
+    [PEN_OUTLINE] = "outline",
+    [PEN_BORDER] = "border",
+    [PEN_CREASE] = "crease",
+    [PEN_INTERSECTION] = "intersection",
+    [PEN_WIRE] = "wire",
+    [PEN_HIDDEN] = "hidden",
+    [PEN_FRAME] = "frame",
+    [PEN_SYMBOL] = "symbol",
+    [PENS] = NULL,
+};
+
+static const size_t pen_fields[PENS] = {
+    [PEN_OUTLINE] = offsetof(roberts_draw_options, outline),
+    [PEN_BORDER] = offsetof(roberts_draw_options, border),
+    [PEN_CREASE] = offsetof(roberts_draw_options, crease),
+    [PEN_INTERSECTION] = offsetof(roberts_draw_options, intersection),
+    [PEN_WIRE] = offsetof(roberts_draw_options, wire),
+    [PEN_HIDDEN] = offsetof(roberts_draw_options, back),
+    [PEN_FRAME] = offsetof(roberts_draw_options, frame),
+    [PEN_SYMBOL] = offsetof(roberts_draw_options, symbol),
+};
+
+const roberts_pen *values_pen(const roberts_draw_options *draw, size_t pen)
+{
+    return (const roberts_pen *)((const char *)draw + pen_fields[pen]);
+}
+
+bool values_pen_is_set(const roberts_draw_options *draw, size_t pen)
+{
+    const roberts_draw_options defaults = roberts_draw_options_default();
+    const roberts_pen *a = values_pen(draw, pen), *b = values_pen(&defaults, pen);
+    return a->width_mm != b->width_mm || a->dash_mm != b->dash_mm || a->gap_mm != b->gap_mm || a->red != b->red ||
+           a->green != b->green || a->blue != b->blue;
+}
 
 int values_set_style(const option *o, const char *value, cli_options *options)
 {
-    roberts_draw_options *draw = &options->draw;
-    roberts_pen *const pens[] = {&draw->outline, &draw->border, &draw->crease, &draw->intersection,
-                                 &draw->wire,    &draw->back,   &draw->frame,  &draw->symbol};
     char word[64];
     bool fits;
     const char *rest = parse_word(value, ':', word, sizeof word, &fits);
@@ -445,9 +478,10 @@ int values_set_style(const option *o, const char *value, cli_options *options)
     if (strchr(rest, ':'))
         return message_misuse("--style: \"%s\": there is a comma between two values, as outline:width=0.7,color=red",
                               value);
+    roberts_pen *pen = (roberts_pen *)((char *)&options->draw + pen_fields[i]);
     while (rest && status == EXIT_DONE) {
         rest = parse_word(rest, ',', word, sizeof word, &fits);
-        status = fits ? set_key(pens[i], word) : message_misuse("--style: \"%s...\" is too long", word);
+        status = fits ? set_key(pen, word) : message_misuse("--style: \"%s...\" is too long", word);
     }
     return status;
 }
@@ -501,11 +535,6 @@ int values_set_look_at(const option *o, const char *value, cli_options *options)
     return set_vector(o, value, options);
 }
 
-int values_set_fov(const option *o, const char *value, cli_options *options)
-{
-    return set_number_above_zero(o, value, "shows nothing", field(o, options));
-}
-
 /* ---- messages ---- */
 
 const char *const values_stats[] = {"json", NULL};
@@ -523,8 +552,6 @@ int values_set_verify(const option *o, const char *value, cli_options *options)
     options->verify = true;
     if (!value)
         return EXIT_DONE;
-    if (parse_integer(value, &options->verify_rays) && options->verify_rays == 0)
-        return message_misuse("--verify: 0 rays check nothing; it takes 1 or more (3 where none is given)");
     return values_set_integer(o, value, options);
 }
 

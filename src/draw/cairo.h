@@ -1,20 +1,21 @@
-/* cairo.h - the page as PDF, PostScript, EPS and PNG, by Cairo's surfaces. */
+/* cairo.h - strokes, pens and failures of Cairo's surfaces. */
 #ifndef ROBERTS_DRAW_CAIRO_H
 #define ROBERTS_DRAW_CAIRO_H
 
 #include <cairo.h>
 
-#include "draw/output.h"
 #include "draw/strokes.h"
+
+/* Sets width, dashes, caps and colour for a class of lines. The unit of `cairo` is the mm. */
+void surface_set_pen(cairo_t *cairo, const roberts_draw_options *options, roberts_line line);
 
 /* Adds a polyline to the current path of `cairo`, whose unit is `units` units of the page. */
 void surface_add_line(cairo_t *cairo, const strokes *s, const polyline *line, double units);
 
-/* Writes the page. The caller finishes `out`, which knows of failed writes. Returns ROBERTS_OK, _NO_MEMORY, _IO or
- * _BAD_ARGUMENT. */
-roberts_status surface_write(const strokes *s, output *out, roberts_error *error);
+/* Draws the polylines first .. end - 1, which are of the class whose pen is set. */
+void surface_draw(cairo_t *cairo, const strokes *s, size_t first, size_t end);
 
-/* Turns a failure in Cairo into ours. After a failed write it returns ROBERTS_OK: `out` knows the reason. */
+/* Turns a failure in Cairo into ours. After a failed write it returns ROBERTS_OK: the output knows the reason. */
 roberts_status surface_failure(cairo_status_t status, roberts_error *error);
 
 #endif

@@ -8,6 +8,7 @@
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/bits.h"
@@ -144,6 +145,7 @@ void output_start(output *out, roberts_write_fn *write, void *context)
     out->used = 0;
     out->failed = false;
     out->reason = 0;
+    out->written = 0;
 }
 
 static void pass_on(output *out, const void *bytes, size_t size)
@@ -151,6 +153,7 @@ static void pass_on(output *out, const void *bytes, size_t size)
     if (out->failed || size == 0)
         return;
     errno = 0;
+    out->written += size;
     if (!out->write(out->context, bytes, size)) {
         out->failed = true;
         out->reason = errno ? errno : EIO; /* not every function sets errno */
@@ -196,6 +199,38 @@ void output_integer(output *out, uint32_t n)
         n /= 10;
     } while (n);
     output_bytes(out, text + at, sizeof text - at);
+}
+
+void output_signed(output *out, int32_t n)
+{
+    if (n < 0)
+        output_bytes(out, "-", 1);
+    output_integer(out, n < 0 ? -(uint32_t)n : (uint32_t)n);
+}
+
+void output_digits(output *out, uint64_t n, int digits)
+{
+    char text[20];
+    for (int i = digits; i-- > 0; n /= 10)
+        text[i] = (char)('0' + n % 10);
+    output_bytes(out, text, (size_t)digits);
+}
+
+void output_thousandths(output *out, int32_t n)
+{
+    if (n < 0)
+        output_bytes(out, "-", 1);
+    uint32_t whole = (uint32_t)abs(n) / 1000, rest = (uint32_t)abs(n) % 1000;
+    output_integer(out, whole);
+    if (rest == 0)
+        return;
+    const char digits[] = {'.', (char)('0' + rest / 100), (char)('0' + rest / 10 % 10), (char)('0' + rest % 10)};
+    output_bytes(out, digits, rest % 10 ? 4 : rest % 100 ? 3 : 2);
+}
+
+void output_mm(output *out, double mm)
+{
+    output_thousandths(out, (int32_t)floor(mm * 1000.0 + 0.5));
 }
 
 size_t output_character(const char *string)

@@ -13,7 +13,8 @@ typedef struct output {
     void *context;
     size_t used;
     bool failed;
-    int reason; /* errno of the first failure */
+    int reason;       /* errno of the first failure */
+    uint64_t written; /* bytes passed on so far */
     char bytes[16384];
 } output;
 
@@ -22,6 +23,22 @@ void output_bytes(output *out, const void *bytes, size_t size);
 void output_text(output *out, const char *text);
 void output_number(output *out, double x); /* as decimal_format() */
 void output_integer(output *out, uint32_t n);
+void output_signed(output *out, int32_t n);
+
+/* Writes n with zeros before it, `digits` in all. */
+void output_digits(output *out, uint64_t n, int digits);
+
+/* Writes n / 1000 with at most three decimals: 0.35, 12, -1189.5. */
+void output_thousandths(output *out, int32_t n);
+
+/* Writes a length, rounded to three decimals. */
+void output_mm(output *out, double mm);
+
+/* Bytes so far. */
+static inline uint64_t output_position(const output *out)
+{
+    return out->written + out->used;
+}
 
 /* The length of the character of UTF-8 at the start of `string`, in its shortest form (RFC 3629); 0 if it is none, or
  * one that XML 1.0 does not allow. A file's name may hold any bytes. */

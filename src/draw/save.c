@@ -25,11 +25,10 @@
 #include <unistd.h>
 
 #include "base/error.h"
-#include "draw/cairo.h"
+#include "draw/formats.h"
 #include "draw/output.h"
 #include "draw/page.h"
 #include "draw/strokes.h"
-#include "draw/svg.h"
 #include "draw/table.h"
 
 /* ---- formats, and any of them to a function ---- */
@@ -46,8 +45,10 @@ static const struct {
     const char *name; /* also the ending of file names */
     roberts_format format;
 } formats[] = {
-    {"svg", ROBERTS_SVG}, {"pdf", ROBERTS_PDF}, {"ps", ROBERTS_PS},     {"eps", ROBERTS_EPS},
-    {"png", ROBERTS_PNG}, {"csv", ROBERTS_CSV}, {"json", ROBERTS_JSON}, {"null", ROBERTS_NULL},
+    {"svg", ROBERTS_SVG},   {"pdf", ROBERTS_PDF},   {"ps", ROBERTS_PS},    {"eps", ROBERTS_EPS},
+    {"png", ROBERTS_PNG},   {"tikz", ROBERTS_TIKZ}, {"tex", ROBERTS_TIKZ}, {"dxf", ROBERTS_DXF},
+    {"hpgl", ROBERTS_HPGL}, {"plt", ROBERTS_HPGL},  {"csv", ROBERTS_CSV},  {"json", ROBERTS_JSON},
+    {"null", ROBERTS_NULL},
 };
 
 /* Ignores the case of letters A to Z, whatever the locale. */
@@ -157,6 +158,26 @@ static roberts_status check_segments(const roberts_drawing *drawing, roberts_err
     return ROBERTS_OK;
 }
 
+static page_writer *writer_of(roberts_format format)
+{
+    switch (format) {
+    case ROBERTS_SVG:
+        return svg_write;
+    case ROBERTS_PDF:
+        return pdf_write;
+    case ROBERTS_PNG:
+        return image_write;
+    case ROBERTS_TIKZ:
+        return tikz_write;
+    case ROBERTS_DXF:
+        return dxf_write;
+    case ROBERTS_HPGL:
+        return hpgl_write;
+    default:
+        return surface_write;
+    }
+}
+
 static roberts_status write_page(const subject *what, const roberts_draw_options *options, output *out,
                                  roberts_error *error)
 {
@@ -164,7 +185,7 @@ static roberts_status write_page(const subject *what, const roberts_draw_options
     roberts_status status = what->sheet ? strokes_make_sheet(&s, what->sheet, options, error)
                                         : strokes_make(&s, what->drawing, options, error);
     if (status == ROBERTS_OK)
-        status = options->format == ROBERTS_SVG ? svg_write(&s, out, error) : surface_write(&s, out, error);
+        status = writer_of(options->format)(&s, out, error);
     if (status == ROBERTS_OK && options->ink)
         *options->ink = strokes_measure(&s);
     strokes_free(&s);
@@ -192,6 +213,9 @@ static roberts_status write_format(const subject *what, const roberts_draw_optio
     case ROBERTS_PS:
     case ROBERTS_EPS:
     case ROBERTS_PNG:
+    case ROBERTS_TIKZ:
+    case ROBERTS_DXF:
+    case ROBERTS_HPGL:
         return write_page(what, options, out, error);
     case ROBERTS_CSV:
     case ROBERTS_JSON:

@@ -41,6 +41,15 @@ const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line
     }
 }
 
+const char *strokes_class_name(roberts_line line)
+{
+    static const char *const name[] = {
+        [ROBERTS_OUTLINE] = "outline", [ROBERTS_CREASE] = "crease", [ROBERTS_BACK] = "hidden",
+        [ROBERTS_BORDER] = "border",   [ROBERTS_WIRE] = "wire",     [ROBERTS_INTERSECTION] = "intersection",
+        [LINE_FRAME] = "frame",        [LINE_SYMBOL] = "symbol"};
+    return name[line];
+}
+
 static bool is_broken(const roberts_draw_options *options, roberts_line line)
 {
     return strokes_pen(options, line)->dash_mm > 0.0 &&
@@ -61,7 +70,7 @@ static bool is_class_drawn(const roberts_draw_options *options, roberts_line lin
     return !strokes_pen(options, line)->off && !(line == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_NONE);
 }
 
-static bool is_drawn(const roberts_draw_options *options, const roberts_segment *segment, roberts_line *line)
+bool strokes_is_drawn(const roberts_draw_options *options, const roberts_segment *segment, roberts_line *line)
 {
     if (segment->state == ROBERTS_CLIPPED)
         return false;
@@ -104,7 +113,7 @@ static void find_box(const roberts_drawing *drawing, const roberts_draw_options 
     }
     for (size_t i = 0; i < drawing->count; i++) {
         const roberts_segment *segment = &drawing->segment[i];
-        if (is_drawn(options, segment, &line)) {
+        if (strokes_is_drawn(options, segment, &line)) {
             enlarge(min, max, segment->p0);
             enlarge(min, max, segment->p1);
         }
@@ -145,7 +154,7 @@ static void collect(const strokes *s, const placed *view, size_t number, pieces 
         const roberts_segment *segment = &view->drawing->segment[i];
         roberts_line line;
         double t[2];
-        if (!is_drawn(s->options, segment, &line) || !frame_cut(view->drawing, segment->p0, segment->p1, t))
+        if (!strokes_is_drawn(s->options, segment, &line) || !frame_cut(view->drawing, segment->p0, segment->p1, t))
             continue;
         double z = segment->z1 - segment->z0;
         piece own = {.a = place(s, &view->map, between(segment->p0, segment->p1, t[0])),
@@ -296,6 +305,7 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
     if (!drawing->framed) /* a field of view is cut off at the border anyway */
         page = page_within_edge(page, widest_pen(&drawing, 1, options), options);
     *s = nothing_drawn(options);
+    s->drawing = drawing;
     if (drawing->framed)
         roberts_page_shape(&page, &shaped.window_min, &shaped.window_max);
     find_box(&shaped, options, &min, &max);
@@ -332,6 +342,14 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
 void strokes_free(strokes *s)
 {
     polylines_free(&s->lines);
+}
+
+size_t strokes_part_end(const strokes *s, size_t first, size_t end)
+{
+    size_t segments = 0;
+    while (first < end && segments < SEGMENTS_PER_STROKE)
+        segments += s->lines.item[first++].count;
+    return first;
 }
 
 roberts_ink strokes_measure(const strokes *s)

@@ -22,10 +22,11 @@ typedef struct strokes {
     const roberts_draw_options *options;
     page_map map; /* of a sheet: of its front view */
     double units_per_mm;
-    const roberts_sheet *sheet; /* NULL: a single drawing */
-    double symbol_size;         /* of its symbol, as a part of full size; 0: there is none */
-    roberts_vec2 symbol_mm;     /* the symbol's lower right corner */
-    roberts_vec2 frame_mm[2];   /* upper left and lower right corner of the frame */
+    const roberts_sheet *sheet;     /* NULL: a single drawing */
+    const roberts_drawing *drawing; /* NULL: a sheet */
+    double symbol_size;             /* of its symbol, as a part of full size; 0: there is none */
+    roberts_vec2 symbol_mm;         /* the symbol's lower right corner */
+    roberts_vec2 frame_mm[2];       /* upper left and lower right corner of the frame */
     polylines lines;
     size_t start[LINE_CLASSES + 1]; /* class line_order[i] has the polylines start[i] .. start[i + 1] - 1 */
 } strokes;
@@ -48,6 +49,20 @@ const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line
  * unbroken, or its dashes are strokes of their own. A round cap adds half of the width to each end of a dash. So the
  * pen is down for a dash less a width, and a dash no longer than the width is a dot. */
 bool strokes_dash(const roberts_draw_options *options, roberts_line line, double dash[2]);
+
+/* "outline", "hidden", ...: what a class is called in files. */
+const char *strokes_class_name(roberts_line line);
+
+/* Strokes go to Cairo, or into a file's path, in parts of this size: one by one they take several times as long, and
+ * much larger parts take much memory. */
+enum { SEGMENTS_PER_STROKE = 1000 };
+
+/* The end of the part that begins with polyline `first`: as many polylines before `end` as have SEGMENTS_PER_STROKE
+ * segments together. */
+size_t strokes_part_end(const strokes *s, size_t first, size_t end);
+
+/* Whether a segment is drawn, and the class that it is drawn as. */
+bool strokes_is_drawn(const roberts_draw_options *options, const roberts_segment *segment, roberts_line *line);
 
 /* How often and how far the pen goes. */
 roberts_ink strokes_measure(const strokes *s);

@@ -244,7 +244,7 @@ static const char *only_name(const roberts_mesh *mesh)
 static roberts_status refuse_empty(const roberts_mesh *mesh, roberts_error *error)
 {
     error_set_file(error, only_name(mesh));
-    return error_set(error, ROBERTS_NOT_CLOSED, 0, "no solid: there is no face with three or more corners");
+    return error_set(error, ROBERTS_NOT_CLOSED, 0, "nothing to draw: there is no face with three different corners");
 }
 
 static void warn_repeated(size_t corners, const roberts_mesh *mesh, const roberts_warnings *warnings)
@@ -536,60 +536,4 @@ void roberts_scene_free(roberts_scene *scene)
     if (scene)
         scene_clear(scene);
     free(scene);
-}
-
-size_t roberts_scene_solid_count(const roberts_scene *scene)
-{
-    return scene->solid_count;
-}
-
-size_t roberts_scene_face_count(const roberts_scene *scene)
-{
-    return scene->face_count;
-}
-
-size_t roberts_scene_edge_count(const roberts_scene *scene)
-{
-    return scene->edge_count;
-}
-
-size_t roberts_scene_vertex_count(const roberts_scene *scene)
-{
-    return scene->vertex_count;
-}
-
-roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t body)
-{
-    if (body >= scene->solid_count)
-        return ROBERTS_OPEN;
-    return scene->surface ? (roberts_body_kind)scene->surface->kind[body] : ROBERTS_CONVEX;
-}
-
-bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body)
-{
-    return scene->surface && body < scene->solid_count && scene->surface->smooth[body];
-}
-
-/* A hull is the only body whose faces have no numbers. */
-bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid)
-{
-    return solid < scene->solid_count && scene->solid[solid].face < scene->solid[solid + 1].face &&
-           scene_face_number(scene, scene->solid[solid].face) == ROBERTS_NONE;
-}
-
-/* Returns the name of the last group that begins at or before the solid's first face. */
-const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid)
-{
-    size_t low = 0, high = scene->group_count;
-    if (solid >= scene->solid_count || scene->solid[solid].face == scene->solid[solid + 1].face)
-        return "";
-    const uint32_t face = scene_face_number(scene, scene->solid[solid].face);
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (scene->group[middle].first_face <= face)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return face != ROBERTS_NONE && low > 0 ? scene->group[low - 1].name : "";
 }

@@ -17,10 +17,10 @@ typedef struct picker {
     size_t room;
 } picker;
 
-/* Returns the depth of a point behind the picture plane, in s.unit. */
+/* Depth of a point, in s.unit: how far it lies before the picture plane, toward the viewer. */
 static double depth_of(const picker *p, roberts_vec3 X)
 {
-    return vec3_dot(vec3_sub(p->Q, X), p->seen.view.dir);
+    return vec3_dot(vec3_sub(X, p->Q), p->seen.view.dir);
 }
 
 static bool append(picker *p, roberts_pick_hit hit)
@@ -57,22 +57,22 @@ static bool pick_solid(picker *p, uint32_t solid)
     return true;
 }
 
-static int by_depth(const void *a, const void *b)
+static int nearest_first(const void *a, const void *b)
 {
     const roberts_pick_hit *p = a, *q = b;
     if (p->depth != q->depth)
-        return p->depth < q->depth ? -1 : 1;
+        return p->depth > q->depth ? -1 : 1;
     if (p->solid != q->solid)
         return p->solid < q->solid ? -1 : 1;
     return p->face < q->face ? -1 : p->face > q->face;
 }
 
-/* Sorts by depth; within a run of hits where each touches the next in depth, sorts by solid. by_depth() cannot do this,
+/* Sorts by depth; within a run of hits where each touches the next in depth, sorts by solid. nearest_first() cannot do this,
  * since touching is not transitive. */
 static void order(roberts_picked *picked, double touching)
 {
-    qsort(picked->hit, picked->count, sizeof *picked->hit, by_depth);
-    SORT_FEW(roberts_pick_hit, picked->hit, picked->count, a->solid > b->solid && b->depth - a->depth <= touching)
+    qsort(picked->hit, picked->count, sizeof *picked->hit, nearest_first);
+    SORT_FEW(roberts_pick_hit, picked->hit, picked->count, a->solid > b->solid && a->depth - b->depth <= touching)
 }
 
 roberts_status roberts_pick(const roberts_scene *scene, const roberts_camera *camera, double x, double y,

@@ -1,4 +1,4 @@
-/* input.c - files and memory as sources; reading blocks, skipping white space and comments, finding tokens. */
+/* input.c - files and memory as sources of bytes; reads blocks, skips white space and comments, finds tokens. */
 #include "read/input.h"
 
 #include <errno.h>
@@ -137,7 +137,7 @@ void input_go(input *in, uint64_t offset)
         in->failure = errno ? errno : EIO;
     in->taken = offset;
     in->at = in->end = in->buffer + 1;
-    in->buffer[0] = ' '; /* no CR */
+    in->buffer[0] = ' '; /* not a CR */
     memset(in->buffer + 1, 0, 1 + NUMBER_PADDING);
 }
 
@@ -152,7 +152,7 @@ bool input_need(input *in, size_t count)
 
 /* ---- tokens ---------------------------------------------------------------------------------------------------- */
 
-/* The end of a comment, or of as much of it as the buffer holds. */
+/* Returns the end of a comment, or of the part of it in the buffer. */
 static const char *comment(const char *c)
 {
     while (*c != '\n' && *c != '\r' && *c != '\0')
@@ -160,14 +160,14 @@ static const char *comment(const char *c)
     return c;
 }
 
-/* Skips blanks and comments, and line ends too if `lines`. */
+/* Skips blanks and comments, and line ends too if `lines`. False: no token follows. */
 static bool skip(input *in, bool lines)
 {
     const char *c = in->at;
     uint64_t start = in->taken;
-    bool commented = false; /* within a comment; a '\0' does not end it */
+    bool commented = false; /* inside a comment; a '\0' does not end it */
     if (in->too_blank)
-        return false; /* `at` may be within a comment */
+        return false; /* `at` may be inside a comment */
     for (;;) {
         if (commented)
             c = comment(c);
@@ -291,7 +291,7 @@ static roberts_status fail_reading(const input *in, roberts_error *error)
     return error_set(error, ROBERTS_IO, 0, "reading failed: %s", reason);
 }
 
-/* The token for a message: shortened, and without characters that would disturb a terminal. */
+/* Copies the token for a message: shortened, and without characters that would disturb a terminal. */
 static void quote(const char *token, size_t length, char *text, size_t room)
 {
     size_t shown = length < 24 ? length : 24, n = 0;

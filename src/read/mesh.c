@@ -1,4 +1,4 @@
-/* mesh.c - the mesh as a container: appending, going back, releasing. */
+/* mesh.c - the mesh as a container: appending, rolling back, releasing. */
 #include "read/mesh.h"
 
 #include <float.h>
@@ -24,7 +24,7 @@ mesh_mark mesh_here(const roberts_mesh *mesh)
                        .has_group = mesh->group};
 }
 
-/* Releases an array that was not there before. */
+/* Releases an array that did not exist before. */
 static void drop(bool keep, void *array, size_t *room)
 {
     void *none = NULL, *old;
@@ -54,7 +54,8 @@ void mesh_back(roberts_mesh *mesh, mesh_mark mark)
     drop(mark.has_group, &mesh->group, &mesh->group_room);
 }
 
-/* array_reserve() up to what uint32_t can number, so that a count below the room needs no other check. */
+/* Like array_reserve(), but with room for no more than uint32_t can number. So a count below the room needs no other
+ * check. */
 static bool reserve(void *array, size_t *room, size_t need, size_t most, size_t size)
 {
     if (need > most || !array_reserve(array, room, need, size))
@@ -98,7 +99,7 @@ bool mesh_room(roberts_mesh *mesh, size_t vertices, size_t faces, size_t corners
     return true;
 }
 
-/* Makes `count` colours; those from `filled` on are none. */
+/* Makes room for `count` colours; those from `filled` on are "none". */
 static bool fill(roberts_color **color, size_t *room, size_t filled, size_t count)
 {
     if (!array_reserve(color, room, count, sizeof **color))
@@ -133,7 +134,7 @@ bool mesh_color_rest(roberts_mesh *mesh, size_t vertices_filled, size_t faces_fi
     return !mesh->face_color || fill(&mesh->face_color, &mesh->face_color_room, faces_filled, mesh->face_count);
 }
 
-/* NULL: no memory. */
+/* Copies a name. NULL: no memory. */
 static char *copy_name(const char *name)
 {
     size_t size = strlen(name) + 1;
@@ -145,7 +146,7 @@ static char *copy_name(const char *name)
 
 bool mesh_source(roberts_mesh *mesh, const char *name)
 {
-    if (mesh->group_count && !mesh_group(mesh, "")) /* groups of the inputs before end here */
+    if (mesh->group_count && !mesh_group(mesh, "")) /* groups of earlier inputs end here */
         return false;
     if (!array_reserve(&mesh->source, &mesh->source_room, mesh->source_count + 1, sizeof *mesh->source))
         return false;

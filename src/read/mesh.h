@@ -1,7 +1,7 @@
-/* mesh.h - growing a mesh, with what only the readers need.
+/* mesh.h - growing a mesh: what only the readers need.
  *
- * Invariants between calls: face_start[0] = 0, starts ascend and end at corner_count; a colour array is NULL or as long
- * as what it colours; every corner is below vertex_count. */
+ * Invariants between calls: face_start[0] = 0; starts ascend and end at corner_count; a colour array is NULL or has an
+ * entry for each vertex or face; every corner is below vertex_count. */
 #ifndef ROBERTS_READ_MESH_H
 #define ROBERTS_READ_MESH_H
 
@@ -9,13 +9,13 @@
 
 #include "roberts.h"
 
-/* Vertices and faces are numbered by uint32_t, and ROBERTS_NONE is no number. */
+/* The most vertices or faces: they are numbered by uint32_t, and ROBERTS_NONE is not a number. */
 #define MESH_MOST ((size_t)UINT32_MAX - 1)
 
-/* Greatest coordinate, model units: squares and products of three stay finite, as do those of differences. */
+/* Model units: the greatest coordinate. Squares and products of three stay finite, including those of differences. */
 #define MESH_COORDINATE_MAX 1e150
 
-/* Whether one can compute with this coordinate. */
+/* Is this coordinate in range? */
 static inline bool mesh_coordinate(double x)
 {
     return fabs(x) <= MESH_COORDINATE_MAX;
@@ -26,22 +26,22 @@ static inline bool mesh_position(roberts_vec3 p)
     return mesh_coordinate(p.x) && mesh_coordinate(p.y) && mesh_coordinate(p.z);
 }
 
-/* How much of a mesh there was, for going back to it. */
+/* The size of a mesh, for rolling back to it. */
 typedef struct mesh_mark {
     size_t vertices, faces, corners, sources, groups;
     bool has_vertex, has_start, has_corner, has_vertex_color, has_face_color, has_source,
-        has_group; /* which arrays there were */
+        has_group; /* which arrays existed */
 } mesh_mark;
 
 mesh_mark mesh_here(const roberts_mesh *mesh);
 void mesh_back(roberts_mesh *mesh, mesh_mark mark);
 
-/* Room for one more vertex or face, or for `more` corners. False: no memory, or more than can be numbered. */
+/* Make room for one more vertex or face, or for `more` corners. False: no memory, or more than can be numbered. */
 bool mesh_more_vertices(roberts_mesh *mesh);
 bool mesh_more_faces(roberts_mesh *mesh);
 bool mesh_more_corners(roberts_mesh *mesh, size_t more);
 
-/* Room for so many in all. False as above. */
+/* Makes room for totals. False as above. */
 bool mesh_room(roberts_mesh *mesh, size_t vertices, size_t faces, size_t corners);
 
 static inline bool mesh_vertex_room(roberts_mesh *mesh)
@@ -59,7 +59,7 @@ static inline bool mesh_corner_room(roberts_mesh *mesh, size_t more)
     return more <= mesh->corner_room - mesh->corner_count || mesh_more_corners(mesh, more);
 }
 
-/* Append a vertex, or a corner of the face at hand; end that face. False as above. */
+/* Append a vertex, or a corner of the current face; end the current face. False as above. */
 static inline bool mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position)
 {
     if (!mesh_vertex_room(mesh))
@@ -84,30 +84,30 @@ static inline bool mesh_end_face(roberts_mesh *mesh)
     return true;
 }
 
-/* Sets the colour of vertex or face `index`, the last one there is. Those before it that have none get count 0. */
+/* Sets the colour of vertex or face `index`, which is the last one. Earlier ones without a colour get count 0. */
 bool mesh_color_vertex(roberts_mesh *mesh, size_t index, roberts_color color, size_t *filled);
 bool mesh_color_face(roberts_mesh *mesh, size_t index, roberts_color color, size_t *filled);
 
-/* Where some vertices or faces have a colour, gives count 0 to those from `filled` on. */
+/* If some vertices or faces have a colour, gives count 0 to those from `filled` on. */
 bool mesh_color_rest(roberts_mesh *mesh, size_t vertices_filled, size_t faces_filled);
 
-/* Notes that what follows comes from an input called `name` (copied). */
+/* Starts an input called `name` (copied). */
 bool mesh_source(roberts_mesh *mesh, const char *name);
 
-/* Notes that the input at hand keeps coordinates as 32-bit floats. */
+/* Marks the current input as storing coordinates in 32-bit floats. */
 void mesh_float32(roberts_mesh *mesh);
 
-/* Two units of the last place of a 32-bit float as large as the largest coordinate that came as one, model units; 0:
- * none did. Rounding to floats moves a point along each axis by no more than a quarter of that. */
+/* Returns two ulps of a 32-bit float as large as the largest coordinate read as one, model units; 0: none was. Rounding
+ * to floats moves a point along each axis by at most a quarter of that. */
 double mesh_float32_step(const roberts_mesh *mesh);
 
-/* Room for the name of a group that readers take, its end included; longer ones are cut off. */
+/* Room for the name of a group, including its end; longer names are truncated. */
 enum { MESH_GROUP_NAME = 256 };
 
-/* Notes that the faces that follow belong to a group called `name` (copied); "": to none. */
+/* Starts a group called `name` (copied) for the following faces; "": no group. */
 bool mesh_group(roberts_mesh *mesh, const char *name);
 
-/* A copy of the groups; NULL: there are none, or no memory. */
+/* Returns a copy of the groups; NULL: there are none, or no memory. */
 roberts_group *mesh_groups_copy(const roberts_mesh *mesh);
 void mesh_groups_free(roberts_group *group, size_t count);
 

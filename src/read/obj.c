@@ -1,13 +1,13 @@
-/* obj.c - Wavefront OBJ: a text of which each line begins with a word that says what it is.
+/* obj.c - Wavefront OBJ: a text whose lines each begin with a keyword.
  *
  *   v x y z [w] [r g b]     vertex, perhaps with a colour; w, the weight for rational curves, is not used
  *   f a b c ...             face; a corner is v, v/vt, v/vt/vn or v//vn; a negative number counts from the last vertex
- *   l a b c ...             line from vertex to vertex: an element of two corners for each part
+ *   l a b c ...             polyline: each segment is an element of two corners
  *   o name, g name          the name of the faces that follow; the last one counts
  *   usemtl name             the faces that follow have the colour Kd of this material
- *   mtllib name             the file beside this one that has the materials; without it there are no colours
+ *   mtllib name             the file beside this one with the materials; without it there are no colours
  *
- * Lines with other words are skipped. A backslash before the end of a line joins the next line to it. '#' begins a
+ * Lines with other keywords are skipped. A backslash at the end of a line joins the next line to it. '#' begins a
  * comment where a word could begin. OBJ counts vertices from 1; here, as in the other formats, they count from 0.
  *
  * Source: "Object Files", appendix B1 of the manual of Wavefront's Advanced Visualizer, 1995. */
@@ -29,18 +29,19 @@ enum { POSITION = 3, COLOR = 3, NUMBERS_MOST = 8, PATH_ROOM = 4096 };
 typedef struct obj_reader {
     reader *r;
     obj_materials materials;
-    bool sorted;           /* the materials are */
-    roberts_color color;   /* of the faces that follow */
-    int64_t greatest;      /* vertex named so far, counted over the whole mesh; -1: none */
+    bool sorted;           /* are the materials sorted? */
+    roberts_color color;   /* of the following faces */
+    int64_t greatest;      /* greatest vertex named so far, counted over the whole mesh; -1: none */
     size_t greatest_line;  /* the first line that names it */
-    size_t unknown;        /* lines with a word that is not known, */
-    size_t first_unknown;  /* and the first of them */
-    char unknown_word[32]; /* with its word */
+    size_t unknown;        /* number of lines with an unknown keyword, */
+    size_t first_unknown;  /* the first of them */
+    char unknown_word[32]; /* and its keyword */
 } obj_reader;
 
 /* ---- lines ----------------------------------------------------------------------------------------------------- */
 
-/* Goes to the next word of the line; a comment is none. A line that ends in a backslash goes on. */
+/* Moves to the next word of the line. A comment is not a word. A line that ends in a backslash continues on the
+ * next. */
 static bool next_word(input *in)
 {
     while (input_skip_in_line(in) && *in->at != '#') {
@@ -54,7 +55,7 @@ static bool next_word(input *in)
     return false;
 }
 
-/* Length of the word here; a backslash at the end of the line is no part of it. */
+/* Returns the length of the word here, without a backslash at the end of the line. */
 static size_t word_length(input *in)
 {
     size_t length = input_token(in);
@@ -67,7 +68,7 @@ static bool is_word(input *in, size_t length, const char *word)
     return strlen(word) == length && memcmp(in->at, word, length) == 0;
 }
 
-/* Reads the number that is the whole word here. */
+/* Reads the number if it is the whole word here. */
 static bool number(input *in, double *value)
 {
     const char *end = number_parse(in->at, value);
@@ -108,7 +109,7 @@ static void read_diffuse(obj_materials *m, input *in)
             (roberts_color){.count = COLOR, .value = {(float)value[0], (float)value[1], (float)value[2]}};
 }
 
-/* Goes to the end of the line, past lines that are joined to it. False: it does not end. */
+/* Moves to the end of the line, past lines joined to it. False: the line does not end. */
 static bool pass_line(input *in)
 {
     uint64_t start = in->taken;
@@ -117,7 +118,7 @@ static bool pass_line(input *in)
         while (c < in->end && *c != '\n' && *c != '\r')
             c++;
         bool backslash = c > in->at && c[-1] == '\\';
-        in->at = backslash ? c - 1 : c; /* the end of the line may be among the bytes that come next */
+        in->at = backslash ? c - 1 : c; /* the end of the line may be in the next block */
         if (c < in->end && !backslash)
             return in->taken - start <= INPUT_BLANK_MAX;
         if (c < in->end) {
@@ -132,7 +133,7 @@ static bool pass_line(input *in)
     }
 }
 
-/* Takes the rest of the line as one name: words with one blank between them, at most `room` - 1 characters. */
+/* Reads the rest of the line as one name: words separated by one blank, at most `room` - 1 characters. */
 static void take_name(input *in, char *name, size_t room)
 {
     size_t used = 0;
@@ -191,7 +192,7 @@ void obj_materials_sort(obj_materials *m)
 
 roberts_color obj_materials_color(const obj_materials *m, const char *name)
 {
-    size_t low = 0, high = m->count; /* the last one that is not after `name` lies before `low` */
+    size_t low = 0, high = m->count; /* the last item that is not after `name` is before `low` */
     while (low < high) {
         size_t middle = low + (high - low) / 2;
         if (strcmp(m->item[middle].name, name) <= 0)
@@ -210,7 +211,8 @@ void obj_materials_free(obj_materials *m)
     *m = (obj_materials){0};
 }
 
-/* The last part of a name, which may be a path on another machine: files are only looked for beside the OBJ. */
+/* Returns the last part of a name, which may be a path on another machine: files are searched for only beside the
+ * OBJ. */
 static const char *last_part(const char *name)
 {
     const char *last = name;
@@ -220,7 +222,7 @@ static const char *last_part(const char *name)
     return last;
 }
 
-/* Reads the file of that name beside the input, if it is there. False: no memory. */
+/* Reads the file of that name beside the input, if it exists. False: no memory. */
 static bool read_library(obj_reader *o, const char *name, bool *found)
 {
     char path[PATH_ROOM];
@@ -245,7 +247,7 @@ static bool read_library(obj_reader *o, const char *name, bool *found)
     return good;
 }
 
-/* mtllib: one name that may have blanks, or several names. */
+/* Reads the libraries of mtllib: one name that may contain blanks, or several names. */
 static bool read_libraries(obj_reader *o)
 {
     char name[PATH_ROOM];
@@ -276,7 +278,8 @@ static size_t vertices_read(const reader *r)
     return r->mesh->vertex_count - r->mark.vertices;
 }
 
-/* Three numbers are a position; a fourth is a weight; with six or seven numbers the last ones are a colour. */
+/* Reads a vertex. Three numbers are a position; a fourth is a weight; with six or seven numbers the last three are a
+ * colour. */
 static roberts_status read_vertex(reader *r)
 {
     static const char *const part[POSITION] = {"x", "y", "z"};
@@ -308,7 +311,7 @@ static roberts_status read_vertex(reader *r)
 
 /* ---- faces and lines ------------------------------------------------------------------------------------------- */
 
-/* Reads a number with or without a sign, of at most 18 digits; returns the character behind it, NULL where there is
+/* Reads an integer of at most 18 digits, with or without a sign. Returns the character after it; NULL: there is
  * none. */
 static const char *reference(const char *c, int64_t *value)
 {
@@ -334,7 +337,7 @@ static const char *corner(const char *c, int64_t *v)
     return c;
 }
 
-/* What messages call the element at hand. */
+/* What messages call the current element. */
 typedef struct element_name {
     char text[64];
 } element_name;
@@ -347,7 +350,7 @@ static element_name name_element(const obj_reader *o, bool face)
     return name;
 }
 
-/* Reads the corner that is the whole word here. Notes its vertex, since vertices may follow their faces. */
+/* Reads the corner that is the whole word here. Records its vertex, since vertices may follow their faces. */
 static roberts_status read_corner(obj_reader *o, bool face, uint32_t *vertex)
 {
     reader *r = o->r;
@@ -427,7 +430,7 @@ static roberts_status read_group(obj_reader *o)
     return mesh_group(o->r->mesh, name) ? ROBERTS_OK : error_no_memory(o->r->error);
 }
 
-/* Words that say nothing about what is drawn. */
+/* Is this a known keyword that does not affect the drawing? */
 static bool is_passed(input *in, size_t length)
 {
     static const char *const passed[] = {"vn", "vt", "vp", "s", "p", "mg", "lod", "bevel", "c_interp", "d_interp"};
@@ -448,7 +451,7 @@ static void note_unknown(obj_reader *o, size_t length)
     }
 }
 
-/* Reads the statement of a line, but not what else may stand on the line. */
+/* Reads the statement of a line, but not anything after it on the line. */
 static roberts_status read_statement(obj_reader *o)
 {
     input *in = &o->r->in;
@@ -479,7 +482,7 @@ static roberts_status read_statement(obj_reader *o)
     return ROBERTS_OK;
 }
 
-/* Once all vertices have come: whether every corner is one of them. */
+/* Checks that every corner is an existing vertex, after all vertices have been read. */
 static roberts_status check_corners(const obj_reader *o)
 {
     reader *r = o->r;

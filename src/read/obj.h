@@ -1,4 +1,4 @@
-/* obj.h - the materials of an OBJ file, which stand in other files (.mtl). */
+/* obj.h - the materials of an OBJ file, which are in other files (.mtl). */
 #ifndef ROBERTS_READ_OBJ_H
 #define ROBERTS_READ_OBJ_H
 
@@ -6,21 +6,21 @@
 
 typedef struct obj_material {
     char *name;
-    size_t order;        /* of several of one name the last one counts */
+    size_t order;        /* of several with one name, the last one counts */
     roberts_color color; /* count 0: none given */
 } obj_material;
 
 typedef struct obj_materials {
-    obj_material *item; /* [count] by name once obj_materials_sort() is done */
+    obj_material *item; /* [count] sorted by name after obj_materials_sort() */
     size_t count, room;
 } obj_materials;
 
-/* Adds the materials of one .mtl. Skips what it does not understand: colours are no reason to refuse a model. False: no
- * memory. */
+/* Adds the materials of one .mtl. Skips anything it does not understand, since colours are no reason to refuse a model.
+ * False: no memory. */
 bool obj_materials_read(obj_materials *m, const input_source *source);
 void obj_materials_sort(obj_materials *m);
 
-/* The colour of a material; count 0: it has none, or there is none of that name. */
+/* Returns the colour of a material; count 0: it has none, or there is no such material. */
 roberts_color obj_materials_color(const obj_materials *m, const char *name);
 void obj_materials_free(obj_materials *m);
 

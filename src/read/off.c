@@ -1,5 +1,5 @@
-/* off.c - the reader of OFF: header, then text or binary words, then warnings. If anything fails, the mesh stays as it
- * was. */
+/* off.c - the reader of OFF: header, then text or binary words, then warnings. After an error, the mesh is
+ * unchanged. */
 #include "read/off.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 
 /* ---- errors ---------------------------------------------------------------------------------------------------- */
 
-/* For somebody who writes 0,5 or separates numbers by commas. */
+/* Explains commas to a user who writes 0,5 or separates numbers by commas. */
 static const char *explain_commas(const char *token, size_t length)
 {
     const bool number = strchr("+-.0123456789", token[0]) != NULL;
@@ -16,7 +16,7 @@ static const char *explain_commas(const char *token, size_t length)
                : "";
 }
 
-/* -3, where only whole numbers from 0 on are allowed. (Elsewhere negative numbers are read.) */
+/* Is this a number like -3 where only integers from 0 on are allowed? (Elsewhere negative numbers are valid.) */
 static bool is_negative(const char *token, size_t length)
 {
     bool digits = length > 1 && token[0] == '-', zero = true;
@@ -41,7 +41,7 @@ void off_warn_fewer(reader *r, uint64_t found)
 /* ---- colours --------------------------------------------------------------------------------------------------- */
 
 /* Three or four integers are 0..255. Other numbers are 0..1, unless one of them is greater than 1, as in "255.0 0.0
- * 0.0": then they are 0..255 too (Geomview's rule). One integer is an index into a colour map. */
+ * 0.0": then they are 0..255 too (Geomview's rule). A single integer is an index into a colour map. */
 static bool make_color(const off_color_numbers *numbers, roberts_color *color)
 {
     int count = numbers->count;
@@ -90,7 +90,7 @@ roberts_status off_color_face(reader *r, const off_color_numbers *numbers)
 
 /* ---- the whole file -------------------------------------------------------------------------------------------- */
 
-/* Warns of what was left out. */
+/* Warns of anything left out. */
 static void warn(reader *r)
 {
     read_warn_thin(r->warnings, r->name, r->thin_faces);
@@ -110,7 +110,7 @@ static roberts_status read_all(reader *r)
     warn(r);
     if (r->thin_faces || r->off->odd_colors || r->mesh->face_count - r->mark.faces < r->off->header.faces)
         off_explain_warning(r);
-    r->thin_faces = 0; /* nobody else need warn of them */
+    r->thin_faces = 0; /* so that no other code warns of them */
     return ROBERTS_OK;
 }
 

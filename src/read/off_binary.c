@@ -1,10 +1,10 @@
 /* off_binary.c - vertices and faces as 32-bit words.
  *
- * Geomview writes big-endian words: [dimension] vertices faces edges; the vertices' floats in the order of the text
- * form, with four for a colour; for each face the number of corners, the corners, the number of colour floats, and
- * these. Other programs write the machine's own order, and some leave out the number of colour floats. The data tell
- * which: the right order makes sensible floats of the first vertices (if both or neither do, smaller counts win), and a
- * walk over the first faces shows whether the number is missing. */
+ * Geomview writes big-endian words: [dimension] vertices faces edges; the floats of the vertices in the order of the
+ * text form, with four for a colour; for each face the number of corners, the corners, the number of colour floats, and
+ * these floats. Other programs write in the machine's own byte order, and some omit the number of colour floats. The
+ * data decide: in the right order, the floats of the first vertices are sensible (if both or neither are, smaller
+ * counts win), and a walk over the first faces shows whether the number is missing. */
 #include "read/off.h"
 
 #include <math.h>
@@ -13,8 +13,8 @@
 static const size_t WORD = 4; /* bytes */
 
 enum {
-    VOTES = 64,       /* floats that are looked at for the order */
-    FACES_TRIED = 64, /* faces that are looked at for the colours */
+    VOTES = 64,       /* floats examined for the byte order */
+    FACES_TRIED = 64, /* faces examined for the colours */
     LIKELY_CORNERS = 1 << 24,
     WORDS_AT_ONCE = 4096
 };
@@ -22,8 +22,8 @@ enum {
 typedef struct words {
     bool little;
     bool colors;     /* every face has its number of colour floats */
-    int per_vertex;  /* floats */
-    int coordinates; /* of these the first 3 or 4 */
+    int per_vertex;  /* number of floats */
+    int coordinates; /* of these, the first 3 or 4 are coordinates */
 } words;
 
 static float float_of(uint32_t word)
@@ -33,7 +33,7 @@ static float float_of(uint32_t word)
     return value;
 }
 
-/* Takes one word. False: the input ends before. */
+/* Takes one word. False: the input ends first. */
 static bool next_word(reader *r, const words *w, uint32_t *word)
 {
     if (!input_need(&r->in, WORD))
@@ -43,7 +43,7 @@ static bool next_word(reader *r, const words *w, uint32_t *word)
     return true;
 }
 
-/* count 0: there is only one of these, and it has no number. */
+/* Reports that the input ends in an item. count 0: there is only one of these, so it has no number. */
 static roberts_status ends_in(reader *r, const char *what, uint64_t number, uint64_t count)
 {
     if (r->in.failure)
@@ -54,16 +54,17 @@ static roberts_status ends_in(reader *r, const char *what, uint64_t number, uint
                      (unsigned long long)count - 1);
 }
 
-/* ---- the order of bytes ---------------------------------------------------------------------------------------- */
+/* ---- byte order ------------------------------------------------------------------------------------------------ */
 
-/* Whether a float has a size that coordinates have. 0 says nothing: it is 0 in either order. */
+/* Is this a plausible size of a coordinate? 0 is inconclusive: it is 0 in either order. */
 static bool likely(uint32_t word)
 {
     double size = fabs((double)float_of(word));
     return size > 0x1p-40 && size < 0x1p40;
 }
 
-/* At the first count. Looks only at what vertices are in either order. */
+/* Is the order little-endian? Called at the first count. Examines only words that are in the vertices in either
+ * order. */
 static bool little_endian(reader *r, const words *w)
 {
     uint64_t big = 0, little = 0, floats = VOTES;
@@ -77,7 +78,7 @@ static bool little_endian(reader *r, const words *w)
         uint64_t most = (uint64_t)w->per_vertex * read_word(r->in.at, i);
         floats = most < floats ? most : floats;
     }
-    input_need(&r->in, (counts + floats) * WORD); /* if the input ends before, less will do */
+    input_need(&r->in, (counts + floats) * WORD); /* if the input ends before, fewer will do */
     for (size_t i = 0; i < floats && (counts + i + 1) * WORD <= (size_t)(r->in.end - r->in.at); i++) {
         const char *at = r->in.at + (counts + i) * WORD;
         votes += likely(read_word(at, true)) - likely(read_word(at, false));
@@ -138,14 +139,14 @@ static roberts_status read_vertex(reader *r, const words *w, uint64_t v)
 
 /* ---- faces ----------------------------------------------------------------------------------------------------- */
 
-/* Whether a program would write this as a colour's float. */
+/* Would a program write this as a colour's float? */
 static bool color_float(uint32_t word)
 {
     double value = float_of(word);
     return value == 0.0 ? word == 0 : value >= 0x1p-24 && value <= 255.0;
 }
 
-/* Whether faces can follow here: each with its number of colour floats, or each without. The input may end between two
+/* Can faces follow here, each with its number of colour floats, or each without? The input may end between two
  * faces. */
 static bool faces_fit(reader *r, const words *w, bool colors)
 {
@@ -156,7 +157,7 @@ static bool faces_fit(reader *r, const words *w, bool colors)
         uint64_t count = read_word(r->in.at + at, w->little);
         size_t length = WORD * (1 + (size_t)count + colors);
         if (count > INPUT_BLOCK / WORD || at + length + COLOR_MOST * WORD > INPUT_BLOCK)
-            return count < LIKELY_CORNERS; /* out of sight */
+            return count < LIKELY_CORNERS; /* not in the buffer */
         if (!input_need(&r->in, at + length))
             return false;
         for (size_t i = 1; i <= count; i++) {
@@ -176,7 +177,7 @@ static bool faces_fit(reader *r, const words *w, bool colors)
     return true;
 }
 
-/* Reads the corners into the mesh; room is made as they come. */
+/* Reads the corners into the mesh; room grows as they come. */
 static roberts_status read_corners(reader *r, const words *w, uint64_t f, uint64_t count)
 {
     roberts_mesh *mesh = r->mesh;
@@ -218,7 +219,7 @@ static roberts_status read_color(reader *r, const words *w, uint64_t f)
         color.value[color.count] = float_of(word);
     }
     if (count == 1 && word < UINT32_C(1) << 23)
-        color.value[0] = word; /* an index as an integer, which as a float would be next to nothing */
+        color.value[0] = word; /* an index is an integer, which as a float would be almost 0 */
     return count ? off_color_face(r, &color) : ROBERTS_OK;
 }
 
@@ -255,7 +256,7 @@ roberts_status off_read_binary(reader *r)
         status = read_faces(r, &w);
     if (status != ROBERTS_OK)
         return status;
-    r->in.ended |= !r->in.source.finite; /* as for text: what may wait for ever is not read on */
+    r->in.ended |= !r->in.source.finite; /* as for text: input that may wait forever is not read on */
     while (input_need(&r->in, 1) && (input_separator(*r->in.at) || *r->in.at == '}'))
         r->in.at++;
     if (r->in.at < r->in.end)

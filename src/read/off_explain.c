@@ -1,42 +1,43 @@
-/* off_explain.c - messages about a faulty file, by a second look at the text, line by line.
+/* off_explain.c - messages about a faulty file, from a second look at the text, line by line.
  *
- * OFF is read word by word. A missing number is noticed where the words no longer make sense, which may be far behind.
- * But most files have one vertex or one face on each line, so a line with too few or too many words can be seen, as can
- * a header that declares another number of vertices. Nothing is claimed about a file that may be laid out freely.
+ * OFF is read word by word. A missing number is noticed where the words no longer make sense, which may be far behind
+ * it. But most files have one vertex or one face on each line. So the second look can find a line with too few or too
+ * many words, and a header that declares a different number of vertices. It claims nothing about a file that may be
+ * laid out freely.
  *
- * If all lines are numbers, the file holds points, in a format that has no name. A number, a line of any text and then
+ * If all lines are numbers, the file contains points, in a format without a name. A number, a line of any text and then
  * lines of a word and three numbers are XYZ, the atoms of a molecule.
  *
- * A sound file pays nothing for all this. An input that cannot be read twice (a pipe) gets no second look. */
+ * A correct file costs nothing. An input that cannot be read twice (a pipe) gets no second look. */
 #include "read/off.h"
 
 #include <stdio.h>
 #include <string.h>
 
-/* ---- the text once more, line by line -------------------------------------------------------------------------- */
+/* ---- reading the text again, line by line ---------------------------------------------------------------------- */
 
 typedef struct text {
     const input_source *source;
     char *buffer; /* [INPUT_BLOCK] */
     size_t size, at;
-    uint64_t offset; /* of the byte after the buffer's last */
-    size_t line;     /* of the next byte, from 1 */
+    uint64_t offset; /* offset of the byte after the buffer's last */
+    size_t line;     /* line of the next byte, from 1 */
     bool after_cr;
     bool cut; /* LOOK_MOST is reached: there may be more */
 } text;
 
-/* A line with a word in it. */
+/* A line with at least one word. */
 typedef struct text_line {
     size_t number;
     unsigned words;
-    unsigned integers; /* how many words from the first on are digits alone */
-    uint64_t value;    /* of the first of these; UINT64_MAX where it is too large */
-    bool numbers;      /* each word begins as a number does */
-    bool named;        /* the first begins with a letter, all others as a number does */
-    bool commas;       /* there are commas or semicolons; here they separate words */
+    unsigned integers; /* number of leading words that consist of digits */
+    uint64_t value;    /* value of the first of these; UINT64_MAX: too large */
+    bool numbers;      /* each word begins like a number */
+    bool named;        /* the first word begins with a letter, all others like a number */
+    bool commas;       /* there are commas or semicolons, which separate words here */
 } text_line;
 
-/* Bytes that are read again at most: a fraction of a second, however large the file. */
+/* Bytes: the most to read again. This takes a fraction of a second, however large the file. */
 #define LOOK_MOST ((uint64_t)1 << 26)
 
 static text text_begin(const reader *r)
@@ -44,7 +45,7 @@ static text text_begin(const reader *r)
     return (text){.source = &r->in.source, .buffer = r->in.buffer, .line = 1};
 }
 
-/* The next byte; -1: there is none, or none that is looked at. */
+/* Returns the next byte; -1: the end, or LOOK_MOST is reached. */
 static int next_byte(text *t)
 {
     if (t->at == t->size) {
@@ -61,7 +62,7 @@ static int next_byte(text *t)
     return (unsigned char)t->buffer[t->at++];
 }
 
-/* Notes that a word begins with `c`. `whole`: all words before it are digits alone. */
+/* Records that a word begins with `c`. `whole`: all words before it consist of digits. */
 static void begin_word(text_line *line, int c, bool whole)
 {
     const bool number = strchr("+-.0123456789", c) != NULL, first = line->words++ == 0;
@@ -72,11 +73,11 @@ static void begin_word(text_line *line, int c, bool whole)
 
 static bool text_next_line(text *t, text_line *line)
 {
-    bool within = false, comment = false, whole = true; /* whole: all words as far as read are digits alone */
+    bool within = false, comment = false, whole = true; /* whole: all words so far consist of digits */
     *line = (text_line){.number = t->line, .numbers = true};
     for (int c; (c = next_byte(t)) >= 0;) {
         bool end = c == '\n' || c == '\r', comma = c == ',' || c == ';';
-        bool second = c == '\n' && t->after_cr; /* of CR LF */
+        bool second = c == '\n' && t->after_cr; /* second character of CR LF */
         t->after_cr = c == '\r';
         if (end && !second) {
             t->line++;
@@ -98,18 +99,18 @@ static bool text_next_line(text *t, text_line *line)
         within = word;
     }
     if (t->cut)
-        line->words = 0; /* the line may go on */
+        line->words = 0; /* the line may continue */
     return line->words > 0;
 }
 
-/* ---- the line that is not like the others ---------------------------------------------------------------------- */
+/* ---- the line that differs from the others ---------------------------------------------------------------------- */
 
 enum { ODD_HINT = 120 };
 
 typedef struct odd_line {
     size_t number;
     const char *question; /* what seems to be missing, or "" */
-    bool sure;            /* to be said even without an error if something else is in doubt too */
+    bool sure;            /* report it even without an error, if something else is doubtful too */
     char hint[ODD_HINT];  /* "line 7 has 2 words, ..." */
 } odd_line;
 
@@ -130,13 +131,13 @@ static const char *plural(uint64_t count)
     return count == 1 ? "" : "s";
 }
 
-/* Whether the line begins with a number of corners and as many vertices. */
+/* Does the line begin with a number of corners and that many vertices? */
 static bool has_corners(const text_line *line)
 {
     return line->integers > 0 && line->value < line->integers;
 }
 
-/* Whether nothing follows the corners but a colour of 0, 1, 3 or 4 numbers. */
+/* Is the rest of the line, after the corners, a colour of 0, 1, 3 or 4 numbers? */
 static bool is_face(const text_line *line, uint64_t least)
 {
     const uint64_t more = line->words - 1 - line->value;
@@ -152,7 +153,7 @@ static bool say_words(odd_line *odd, const text_line *line, const char *others, 
     return true;
 }
 
-/* The line is a face where a vertex should be, or a vertex behind the last. `before`: how many come before it. */
+/* Reports a face where a vertex is expected, or a vertex after the last one. `before`: how many precede it. */
 static bool say_count(odd_line *odd, const text_line *line, const char *what, const off_header *h, uint64_t before)
 {
     *odd = (odd_line){.number = line->number, .question = "", .sure = true};
@@ -165,13 +166,14 @@ static bool say_count(odd_line *odd, const text_line *line, const char *what, co
 
 /* ---- vertices -------------------------------------------------------------------------------------------------- */
 
-/* `line`, of vertex v, has not as many words as `first`. `after`: the next line, without words where there is none. */
+/* Examines `line`, of vertex v, which does not have as many words as `first`. `after`: the next line, without words if
+ * there is none. */
 static bool odd_vertex(const off_header *h, uint64_t v, const text_line *first, const text_line *line,
                        const text_line *after, odd_line *odd)
 {
     const unsigned least = least_words(h);
     const bool number = (first->words < least) != (line->words < least);
-    const bool plain = first->words == least && !h->color && !h->texture; /* else more may be colours */
+    const bool plain = first->words == least && !h->color && !h->texture; /* otherwise more words may be colours */
     const bool goes_on = after->words == first->words && !is_face(after, 3);
     if (plain && is_face(line, 3) && !goes_on)
         return say_count(odd, line, "face", h, v);
@@ -182,7 +184,7 @@ static bool odd_vertex(const off_header *h, uint64_t v, const text_line *first, 
     return say_words(odd, line, "vertices before it", first->words);
 }
 
-/* All vertices have equally many words, but not as many as the keyword says. */
+/* All vertices have the same number of words, but not the number that the keyword implies. */
 static bool odd_keyword(const off_header *h, const text_line *first, odd_line *odd)
 {
     static const char *const meant[] = {[4] = "; is 4OFF meant?",
@@ -210,22 +212,23 @@ static bool odd_face(const text_line *line, bool sure, odd_line *odd)
     return true;
 }
 
-/* Whether this is a vertex too many before the faces: as many words as a vertex, and no face. */
+/* Is this an extra vertex before the faces? It has as many words as a vertex, and is not a face. */
 static bool is_vertex(const text_line *line, const text_line *vertex)
 {
     const bool short_face = line->integers == line->words && line->value >= 3;
     return line->words == vertex->words && line->numbers && !is_face(line, 2) && !short_face;
 }
 
-/* Passes the lines of a face that `line` begins. *line is then the next line, without words where there is none or none
- * is looked at. False: the face does not go on, since the next line is a face by itself or there is none. */
+/* Passes the lines of a face that begins with `line`. *line becomes the next line, without words if there is none or
+ * the limit is reached. False: the face does not continue, since the next line is a face of its own or there is
+ * none. */
 static bool pass_face(text *t, text_line *line)
 {
     const uint64_t wanted = line->value;
     uint64_t corners = line->words - 1;
     bool there = text_next_line(t, line);
     if (t->cut)
-        return true; /* it may go on there */
+        return true; /* it may continue there */
     if (!there || (is_face(line, 3) && line->words == line->value + 1))
         return false;
     for (; there && corners < wanted; there = text_next_line(t, line))
@@ -235,18 +238,18 @@ static bool pass_face(text *t, text_line *line)
     return true;
 }
 
-/* Looks at the faces from `line` on. `vertex`: a line as the vertices have it. */
+/* Examines the faces from `line` on. `vertex`: a line with the form of the vertices. */
 static bool find_odd_face(const off_header *h, text *t, const text_line *vertex, text_line line, size_t last,
                           odd_line *odd)
 {
-    bool any = false; /* there was a line that can be no vertex */
+    bool any = false; /* there was a line that cannot be a vertex */
     for (uint64_t f = 0; f < h->faces && line.words > 0 && line.number <= last; f++) {
         if (!any && is_vertex(&line, vertex))
             return say_count(odd, &line, "vertex", h, h->vertices + f);
         if (line.integers == 0 || (!has_corners(&line) && line.integers < line.words))
-            return false; /* the reader says what is wrong here */
+            return false; /* the reader itself reports this line */
         if (has_corners(&line) && !is_face(&line, 0))
-            return odd_face(&line, line.value < 3, odd); /* otherwise the colour has been warned of */
+            return odd_face(&line, line.value < 3, odd); /* otherwise a warning about the colour was sent */
         any |= line.value >= 3 || line.words != vertex->words;
         const text_line begun = line;
         if (has_corners(&line)) {
@@ -286,11 +289,11 @@ static bool odd_find(const off_header *h, text *t, size_t last, odd_line *odd)
     return as_lines && first.number <= last && odd_keyword(h, &first, odd);
 }
 
-/* ---- what is said ---------------------------------------------------------------------------------------------- */
+/* ---- messages -------------------------------------------------------------------------------------------------- */
 
 enum { SAID = 240 };
 
-/* If all lines of the input are equally many numbers, says so. */
+/* If all lines of the input have the same number of numbers, says so. */
 static bool describe_points(text *t, char said[SAID])
 {
     text_line first, line;
@@ -315,8 +318,8 @@ static bool describe_points(text *t, char said[SAID])
     return true;
 }
 
-/* Whether the input begins as XYZ does. The line of text may be missing. Two or three numbers in its place are more
- * likely counts, behind a dimension. */
+/* Does the input begin like XYZ? The line of text may be missing. If it has two or three numbers, they are more likely
+ * counts after a dimension. */
 static bool is_xyz(text *t)
 {
     text_line count, title, atom;
@@ -339,7 +342,7 @@ static void add_to_message(roberts_error *error, const char *hint)
 
 void off_explain_error(reader *r)
 {
-    const bool ended = r->in.ended && r->in.at == r->in.end; /* asked before the buffer is overwritten */
+    const bool ended = r->in.ended && r->in.at == r->in.end; /* read before the buffer is overwritten */
     odd_line odd = {0};
     char said[SAID];
     if (!r->error || !r->in.source.read_at || r->in.failure || r->off->header.binary || r->error->line == 0)

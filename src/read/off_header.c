@@ -1,16 +1,16 @@
-/* off_header.c - keyword, dimension and counts, in all the forms in which they are found.
+/* off_header.c - keyword, dimension and counts, in all the forms in which they occur.
  *
- * The format says [ST][C][N][4][n]OFF. Prefixes are taken in any order, since MeshLab writes NCSTOFF. The keyword may
- * be missing, in lower case (then n stands for N), glued to the first count, or followed by BINARY. Without a keyword,
- * a first line that holds one integer is a dimension (qhull). The edge count, which nobody needs, may be missing.
+ * The format says [ST][C][N][4][n]OFF. Prefixes are accepted in any order, since MeshLab writes NCSTOFF. The keyword
+ * may be missing, in lower case (then n means N), joined to the first count, or followed by BINARY. Without a keyword,
+ * a first line with a single integer is a dimension (qhull). The edge count, which nothing needs, may be missing.
  *
- * A dimension with words behind it ("3 rbox 50 s") begins points without faces, and only their number follows: rbox
- * writes points so, and qhull reads them. */
+ * A dimension followed by words ("3 rbox 50 s") begins points without faces, and only their number follows: rbox writes
+ * points this way, and qhull reads them. */
 #include "read/off.h"
 
 #include <string.h>
 
-/* Compares with upper-case `word`, ignoring case, in no locale. */
+/* Compares with upper-case `word`, ignoring case, independent of the locale. */
 static bool same_word(const char *text, size_t length, const char *word)
 {
     for (size_t i = 0; i < length; i++) {
@@ -28,7 +28,7 @@ static bool set_once(bool *flag)
     return first;
 }
 
-/* Length of the keyword that begins the token, 0 where there is none. */
+/* Returns the length of the keyword that begins the token; 0: none. */
 static size_t keyword(const char *token, size_t length, off_header *h)
 {
     off_header found = *h;
@@ -56,7 +56,7 @@ static size_t keyword(const char *token, size_t length, off_header *h)
     return i;
 }
 
-/* Takes "{" and "{ =" as often as they come (Geomview nests objects so). Returns how many braces. */
+/* Takes "{" and "{ =" repeatedly (Geomview nests objects this way). Returns the number of braces. */
 static size_t open_braces(reader *r)
 {
     size_t count = 0;
@@ -89,7 +89,7 @@ static roberts_status opening(reader *r)
     return ROBERTS_OK;
 }
 
-/* "BINARY" after the keyword; one line end and then the data follow. */
+/* Reads "BINARY" after the keyword. One line end and then the data follow. */
 static roberts_status binary_word(reader *r)
 {
     if (!input_skip_in_line(&r->in))
@@ -106,11 +106,11 @@ static roberts_status binary_word(reader *r)
         return read_expected(r, ROBERTS_BAD_SYNTAX, "the end of the line after BINARY");
     r->in.at++;
     r->off->header.binary = true;
-    r->in.line = 0; /* there are no more lines */
+    r->in.line = 0; /* from here on there are no lines */
     return ROBERTS_OK;
 }
 
-/* Whether an unsigned integer stands here, alone on its line. */
+/* Is there an unsigned integer here, alone on its line? */
 static bool lonely_integer(reader *r)
 {
     size_t i = 0;
@@ -148,14 +148,14 @@ static roberts_status counts(reader *r)
     r->off->header.line = r->in.line;
     if (input_skip_in_line(&r->in)) {
         if (*r->in.at == '-')
-            r->in.at++; /* some programs write -1 for what they do not know */
+            r->in.at++; /* some programs write -1 for unknown counts */
         if (!input_integer(&r->in, &edges))
             return read_expected(r, ROBERTS_BAD_SYNTAX, "the number of edges");
     } else if (input_skip(&r->in) && lonely_integer(r)) {
         input_integer(&r->in, &edges); /* on a line of its own */
         r->off->header.line = r->in.line;
     }
-    /* only 4OFF is in doubt: with OFF, what else stands on this line is the first vertex */
+    /* only 4OFF is ambiguous: with OFF, the rest of this line is the first vertex */
     if (r->off->header.homogeneous && input_skip_in_line(&r->in) && input_integer(&r->in, &edges))
         return read_fail(r, ROBERTS_BAD_SYNTAX,
                          "four counts: this is the 4OFF of four-dimensional polytopes with cells (as of Stella), not "
@@ -165,7 +165,7 @@ static roberts_status counts(reader *r)
     return ROBERTS_OK;
 }
 
-/* Whether an unsigned integer stands here, and behind it on the line a word that begins with a letter. */
+/* Is there an unsigned integer here, followed on the line by a word that begins with a letter? */
 static bool titled_integer(reader *r)
 {
     size_t i = 0;
@@ -179,7 +179,7 @@ static bool titled_integer(reader *r)
     return false;
 }
 
-/* The rest of the line, which is a title, and the number of points. */
+/* Reads the rest of the line, which is a title, and the number of points. */
 static roberts_status count_points(reader *r)
 {
     if (!input_pass_line(&r->in))
@@ -190,7 +190,7 @@ static roberts_status count_points(reader *r)
     return ROBERTS_OK;
 }
 
-/* Refuses an input that begins with a word that is no keyword. */
+/* Refuses an input that begins with a word that is not a keyword. */
 static roberts_status refuse_word(reader *r, size_t length)
 {
     const char *hint, *format = read_foreign(r->in.at, length, &hint);

@@ -1,15 +1,15 @@
-/* off_pieces.c - plain lines by several threads, in an input that can be read at any place at any time.
+/* off_pieces.c - reads plain lines by several threads, in an input that can be read at any position at any time.
  *
- * The input is cut at line ends into pieces. A thread reads a piece as if a vertex or a face began with its first line,
- * into memory of its own, since nobody yet knows how many precede it. Pieces are joined in order as long as each begins
- * where the one before it was read to, so they hold what one thread would have found there. Where something else than
- * plain lines comes, the rest is dropped; the reader goes on alone from there, with its line number. So messages do not
- * depend on threads.
+ * The input is cut at line ends into pieces. A thread reads a piece as if its first line began a vertex or a face, into
+ * memory of its own, since the number of preceding items is not yet known. Pieces are joined in order as long as each
+ * begins where the one before it ended, so they contain what a single thread would have read there. At anything other
+ * than plain lines, the rest is discarded, and the reader continues alone from there, with its line number. So messages
+ * do not depend on threads.
  *
- * Pieces lie in a ring of slots. A thread takes the next piece, reads it and puts it down. If nobody else is joining,
- * it then joins to the mesh what has come in order, while the others go on reading. Threads wait only where the ring is
- * full, and asleep. (Rounds at whose end all wait for one another were tried. On a busy machine they cost twice the
- * processor time, spent spinning.) */
+ * Pieces are stored in a ring of slots. A thread takes the next piece, reads it and stores it. If no other thread is
+ * joining, it then joins the pieces that are ready, in order, to the mesh, while the others continue reading. Threads
+ * wait only if the ring is full, and they sleep then. (Rounds with a barrier were tried. On a busy machine they cost
+ * twice the processor time, spent spinning.) */
 #include "read/off.h"
 
 #include <pthread.h>
@@ -21,23 +21,22 @@
 
 enum {
     SLOTS_PER_THREAD = 6,
-    TRIES_IN_VAIN = 3, /* after as many tries that give less than half of what the ring holds, pieces are given up */
-    SPREAD =
-        4 /* bytes of the mesh from a byte of text, at most: 24 from "0 0 0\n", 4 from the "0\n" of a face, or " 0" */
+    TRIES_IN_VAIN = 3, /* after this many tries that give less than half of what the ring holds, pieces are given up */
+    SPREAD = 4 /* most bytes of the mesh per byte of text: 24 from "0 0 0\n", 4 from the "0\n" of a face, or " 0" */
 };
 
-#define PIECE ((size_t)1 << 17)    /* text and result fit in a core's cache */
-#define OVERHANG ((size_t)1 << 12) /* a face of some 500 corners */
-#define LEAST ((size_t)1 << 19)    /* half a millisecond */
+#define PIECE ((size_t)1 << 17)    /* text and result fit into a core's cache */
+#define OVERHANG ((size_t)1 << 12) /* room for a face of about 500 corners */
+#define LEAST ((size_t)1 << 19)    /* takes about half a millisecond */
 
-/* What a piece yields. Offsets are counted from the start of the input. */
+/* The result of a piece. Offsets count from the start of the input. */
 typedef struct piece {
-    roberts_vec3 *vertex;   /* [vertices]; the other arrays lie behind, in the same memory */
-    uint32_t *corner, *end; /* [corners], [faces]; ends are counted from the first corner of the piece */
+    roberts_vec3 *vertex;   /* [vertices]; the other arrays follow in the same memory */
+    uint32_t *corner, *end; /* [corners], [faces]; ends count from the first corner of the piece */
     size_t vertices, faces, corners, thin;
-    uint64_t begin;        /* of the line end before its first line */
-    uint64_t middle, stop; /* after the last vertex, after the last face */
-    uint64_t next;         /* `begin` of the next piece if this one is plain to its end; else 0 */
+    uint64_t begin;        /* offset of the line end before its first line */
+    uint64_t middle, stop; /* offsets after the last vertex and after the last face */
+    uint64_t next;         /* `begin` of the next piece if this one is plain to its end; otherwise 0 */
 } piece;
 
 typedef struct slot {
@@ -46,23 +45,23 @@ typedef struct slot {
 } slot;
 
 typedef struct pieces_job {
-    reader *r; /* only the thread that is joining touches its mesh */
+    reader *r; /* only the joining thread touches its mesh */
     const off_division *division;
     slot *slot;           /* [slots] piece i is in slot i modulo `slots` */
-    char **text;          /* [threads] what a thread reads a piece into */
-    size_t slots, count;  /* count: of pieces in all */
-    uint64_t start;       /* of the first piece, the end of a token */
-    pthread_mutex_t lock; /* guards what follows down to `vertices`, and the slots' `ready` */
-    pthread_cond_t room;  /* a slot is free, or it is over */
-    size_t taken, joined; /* pieces */
+    char **text;          /* [threads] text buffer of each thread */
+    size_t slots, count;  /* count: total number of pieces */
+    uint64_t start;       /* start of the first piece, the end of a token */
+    pthread_mutex_t lock; /* guards the members down to `vertices`, and the slots' `ready` */
+    pthread_cond_t room;  /* a slot is free, or all is done */
+    size_t taken, joined; /* numbers of pieces */
     bool joining, over;
-    bool vertices; /* some are left */
-    /* only the thread that is joining touches these: */
+    bool vertices; /* vertices are left */
+    /* only the joining thread touches these: */
     uint64_t vertices_left, faces_left;
-    uint64_t at, begin; /* where the reader is, and where the next piece has to begin */
+    uint64_t at, begin; /* position of the reader, and where the next piece must begin */
 } pieces_job;
 
-/* Bytes that a piece may have. */
+/* Returns the most bytes that a piece may have. */
 static inline size_t most_bytes(const off_division *d)
 {
     return d->piece + d->overhang;
@@ -70,7 +69,7 @@ static inline size_t most_bytes(const off_division *d)
 
 /* ---- reading a piece ------------------------------------------------------------------------------------------- */
 
-/* Reads `size` bytes of text; fewer at the end of the input, or where reading fails. (The reader then fails there
+/* Reads `size` bytes of text, or fewer at the end of the input or if reading fails. (The reader then fails there
  * again.) */
 static size_t fetch(const input *in, uint64_t from, char *text, size_t size)
 {
@@ -84,8 +83,8 @@ static size_t fetch(const input *in, uint64_t from, char *text, size_t size)
     return got;
 }
 
-/* Finds the lines of piece i: from the line end before the first one up to that of the last one, the first line end
- * beyond the piece's own bytes. NULL: there are none. */
+/* Finds the lines of piece i: from the line end before the first one to that of the last one, which is the first line
+ * end beyond the piece's own bytes. NULL: none. */
 static const char *find_lines(const pieces_job *job, size_t i, piece *p, char *text, const char **end)
 {
     const off_division *d = job->division;
@@ -138,8 +137,8 @@ static void read_piece(const pieces_job *job, size_t i, bool vertices, piece *p,
 
 /* ---- joining, by one thread at a time -------------------------------------------------------------------------- */
 
-/* Drops what the reader would read otherwise, since it counts vertices first and then faces. Returns where the reader
- * is then. */
+/* Discards what the reader would read differently, since it counts vertices first and then faces. Returns the position
+ * of the reader then. */
 static uint64_t accept(const pieces_job *job, piece *p)
 {
     if (p->begin != job->begin || p->vertices > job->vertices_left) {
@@ -181,7 +180,7 @@ static bool join(pieces_job *job, piece *p)
     return p->next != 0;
 }
 
-/* Joins what is ready, in order. Called with the lock held; gives it up while joining. */
+/* Joins the pieces that are ready, in order. Called with the lock held; releases it while joining. */
 static void join_ready(pieces_job *job)
 {
     slot *s;
@@ -200,7 +199,7 @@ static void join_ready(pieces_job *job)
 
 /* ---- threads --------------------------------------------------------------------------------------------------- */
 
-/* Reads piece after piece until there is none or the rest is dropped. */
+/* Reads one piece after another until there are no more or the rest is discarded. */
 static void work(void *context, uint32_t thread)
 {
     pieces_job *job = context;
@@ -237,7 +236,7 @@ static void run(off_work_fn *function, void *job, uint32_t threads)
 off_division off_divide(uint32_t threads)
 {
 #ifdef _OPENMP
-    if (omp_in_parallel()) /* pictures are made side by side: all threads are busy */
+    if (omp_in_parallel()) /* several pictures are made in parallel: all threads are busy */
         threads = 1;
     else if (threads == 0)
         threads = (uint32_t)omp_get_max_threads();
@@ -259,7 +258,7 @@ static void job_free(pieces_job *job, uint32_t threads)
     free(job->text);
 }
 
-/* False: no memory. Call job_free() in either case. */
+/* Prepares the job. False: no memory. Call job_free() in either case. */
 static bool job_init(pieces_job *job, uint32_t threads)
 {
     const size_t most = most_bytes(job->division);
@@ -313,7 +312,7 @@ void off_read_pieces(reader *r)
         if (2 * (job.at - start) < job.slots * (uint64_t)d->piece)
             r->off->tries_in_vain++;
     } else {
-        r->off->tries_in_vain = TRIES_IN_VAIN; /* one thread needs less memory */
+        r->off->tries_in_vain = TRIES_IN_VAIN; /* a single thread needs less memory */
     }
     job_free(&job, threads);
 }

@@ -1,11 +1,11 @@
 /* off_text.c - vertices and faces as text.
  *
- * Numbers may be spread over lines in any way, but a colour is what else stands on the line: for a face all that
- * follows its last corner; for a vertex (prefix C) all that follows position and normal, but for the last two numbers
- * where there are texture coordinates (prefix ST). 0, 1, 3 or 4 numbers are a colour. A vertex with any other count on
- * its line is taken to be laid out freely: the next four numbers are its colour, on whatever line they stand.
+ * Numbers may be distributed over lines in any way, but a colour is the rest of a line: for a face, everything after
+ * its last corner; for a vertex (prefix C), everything after position and normal, except the last two numbers if there
+ * are texture coordinates (prefix ST). 0, 1, 3 or 4 numbers are a colour. A vertex with any other count on its line is
+ * assumed to be laid out freely: the next four numbers are its colour, on whatever line they are.
  *
- * Reading spends its time on plain lines (off.h), so two loops read those with everything written out. That saves a
+ * Most of the time goes into plain lines (off.h), so two loops read these with everything written out. That saves a
  * fifth of the time, and threads (off_pieces.c) read nothing else. */
 #include "read/off.h"
 
@@ -35,7 +35,7 @@ const char *plain_next_line(const char *at)
     return *at == '\n' ? at + 1 : NULL;
 }
 
-/* The first character of the next line that is no blank; NULL where the line does not end here. */
+/* Returns the first nonblank character of the next line; NULL: the current line does not end here. */
 BITS_INLINE const char *begin_line(const char *at)
 {
     const char *c = *at == '\n' ? at + 1 : plain_next_line(at);
@@ -47,14 +47,15 @@ static inline bool line_ends(const char *at)
     return *at == '\n' || plain_next_line(at);
 }
 
-/* Reads the one coordinate in some hundred that number_usual() leaves; NULL where it is no number, or too large. */
+/* Reads one of the few coordinates, about one in a hundred, that number_usual() rejects. NULL: it is not a number, or
+ * it is too large. */
 BITS_RARE static const char *any_coordinate(const char *c, double *value)
 {
     c = number_parse(c, value);
     return c && (unsigned char)*c <= ' ' && mesh_coordinate(*value) ? c : NULL;
 }
 
-/* Reads a coordinate and goes to the next token of the line, or to the end of the line. */
+/* Reads a coordinate and moves to the next token of the line, or to the end of the line. */
 BITS_INLINE const char *coordinate(const char *c, number_guess *guess, double *value)
 {
     const char *end = number_usual(c, guess, value); /* far below MESH_COORDINATE_MAX */
@@ -81,8 +82,8 @@ const char *plain_vertices(const char *at, roberts_vec3 *vertex, size_t room, si
     return at;
 }
 
-/* Where the next vertex number is not as long as the last one or not one blank away: returns its place, and makes the
- * right guess. NULL where there is none. */
+/* Handles a vertex number that is not as long as the last one, or not exactly one blank away: returns its position, and
+ * corrects the guess. NULL: there is none. */
 BITS_RARE static const char *guess_again(const char *at, number_guess *guess)
 {
     const char *c = pass_blanks(at);
@@ -93,7 +94,7 @@ BITS_RARE static const char *guess_again(const char *at, number_guess *guess)
     return c;
 }
 
-/* Reads `count` vertex numbers; NULL where one is not plain or out of range. */
+/* Reads `count` vertex numbers. NULL: one is not plain or is out of range. */
 BITS_INLINE const char *plain_corners(const char *at, const plain_faces *f, number_guess *guess, uint32_t *corner,
                                       uint32_t count)
 {
@@ -111,7 +112,7 @@ BITS_INLINE const char *plain_corners(const char *at, const plain_faces *f, numb
         if (index >= limit)
             return NULL;
         *corner = first + index;
-        at = c + guess->digits; /* a ninth digit would stand here, and is no blank */
+        at = c + guess->digits; /* a ninth digit would be here, and is not a blank */
     }
     return at;
 }
@@ -119,7 +120,7 @@ BITS_INLINE const char *plain_corners(const char *at, const plain_faces *f, numb
 const char *plain_read_faces(const char *at, plain_faces *faces)
 {
     number_guess guess = number_guess_digits(1);
-    plain_faces f = *faces; /* a copy, so that its numbers can stay in registers */
+    plain_faces f = *faces; /* a copy, so that its members can stay in registers */
     while (f.count < f.room) {
         const char *c = begin_line(at);
         if (!c)
@@ -148,11 +149,11 @@ enum {
     TEXTURE = 2,
     NORMAL = 3,
     CORNERS_AT_ONCE = 256,
-    PATIENCE = 4, /* lines in a row that turn out not to be plain ... */
-    PAUSE = 60    /* ... after which so many are not tried */
+    PATIENCE = 4, /* after this many consecutive lines that are not plain ... */
+    PAUSE = 60    /* ... this many are not tried */
 };
 
-/* Reads one number of a colour; *real where it has a point or an exponent. */
+/* Reads one number of a colour. Sets *real if it has a point or an exponent. */
 static bool color_number(reader *r, double *value, bool *real)
 {
     size_t length = input_token(&r->in);
@@ -161,8 +162,8 @@ static bool color_number(reader *r, double *value, bool *real)
     return input_number(&r->in, value);
 }
 
-/* Whether plain lines are worth trying. After PATIENCE lines that were none, PAUSE more go to the other
- * parser untried. */
+/* Decides whether plain lines are worth trying. After PATIENCE lines that are not plain, PAUSE more go directly to the
+ * general parser. */
 typedef struct patience {
     uint32_t wait, fruitless;
 } patience;
@@ -190,7 +191,7 @@ static roberts_status bad_vertex(reader *r, uint64_t v, const char *part)
                          (unsigned long long)r->off->header.vertices - 1);
 }
 
-/* Skips a normal. Nothing here needs it, so even "nan" will do. */
+/* Skips a normal. It is not used, so even "nan" is accepted. */
 static roberts_status skip_normal(reader *r, uint64_t v)
 {
     double unused;
@@ -206,7 +207,7 @@ static roberts_status skip_normal(reader *r, uint64_t v)
     return ROBERTS_OK;
 }
 
-/* Reads colour and texture coordinates, as the top of the file says. */
+/* Reads colour and texture coordinates, as described at the top of the file. */
 static roberts_status vertex_extras(reader *r, uint64_t v)
 {
     const int texture = r->off->header.texture ? TEXTURE : 0, most = texture + (r->off->header.color ? COLOR_MOST : 0);
@@ -225,7 +226,7 @@ static roberts_status vertex_extras(reader *r, uint64_t v)
         if (!input_not_finite(&r->in))
             return bad_vertex(r, v, "the colour or texture");
         input_pass_token(&r->in);
-        value[count] = NAN; /* no harm in a texture coordinate; an odd colour */
+        value[count] = NAN; /* harmless in a texture coordinate; gives an invalid colour */
     }
     color.count = count - texture;
     memcpy(color.value, value, sizeof color.value);
@@ -268,7 +269,7 @@ static roberts_status read_vertex(reader *r, uint64_t v)
     return status;
 }
 
-/* Reads plain lines of the buffer as far as the mesh has room; returns how many vertices. */
+/* Reads plain lines of the buffer as far as the mesh has room; returns the number of vertices. */
 static size_t take_vertices(reader *r, uint64_t left)
 {
     roberts_mesh *mesh = r->mesh;
@@ -291,7 +292,7 @@ static roberts_status read_vertices(reader *r)
     const uint64_t count = r->off->header.vertices;
     patience lines = {0};
     while (vertices_read(r) < count) {
-        if (plain && vertices_read(r) > 0) /* the line of the counts may go on */
+        if (plain && vertices_read(r) > 0) /* the line of the counts may continue */
             off_read_pieces(r);
         if (plain && r->mesh->vertex_count < r->mesh->vertex_room && worth_trying(&lines))
             tried(&lines, take_vertices(r, count - vertices_read(r)));
@@ -329,19 +330,19 @@ static inline bool index_number(reader *r, uint64_t limit, uint64_t *value)
     return true;
 }
 
-/* Whether a corner before corner i of the face at hand is vertex 0. */
+/* Is a corner before corner i of the current face vertex 0? */
 static bool names_first(const reader *r, uint64_t i)
 {
     const roberts_mesh *mesh = r->mesh;
-    const size_t end = mesh->corner_count + (size_t)(i % CORNERS_AT_ONCE); /* whole parts are counted in already */
+    const size_t end = mesh->corner_count + (size_t)(i % CORNERS_AT_ONCE); /* completed parts are already included */
     for (size_t k = r->mark.corners; k < end; k++)
         if (mesh->corner[k] == r->mark.vertices)
             return true;
     return false;
 }
 
-/* Says why corner i of face f was not taken; `at` is still before it. A file that counts from 1 comes here with the
- * number of vertices as index, and has not named vertex 0. */
+/* Explains why corner i of face f was rejected; `at` is still before it. In a file that counts from 1, the index equals
+ * the number of vertices, and no corner has named vertex 0. */
 static roberts_status bad_corner(reader *r, uint64_t f, uint64_t i, uint64_t count)
 {
     uint64_t index;
@@ -361,7 +362,7 @@ static roberts_status bad_corner(reader *r, uint64_t f, uint64_t i, uint64_t cou
                      next && !names_first(r, i) ? "; up to here no face names vertex 0: do they count from 1?" : "");
 }
 
-/* Reads the corners of face f into the mesh. Room is made as they come: a count alone takes no memory. */
+/* Reads the corners of face f into the mesh. Room grows as they come: a count alone takes no memory. */
 static roberts_status read_corners(reader *r, uint64_t f, uint64_t count)
 {
     const uint32_t first = (uint32_t)r->mark.vertices;
@@ -388,7 +389,7 @@ static roberts_status read_corners(reader *r, uint64_t f, uint64_t count)
     return ROBERTS_OK;
 }
 
-/* Reads what else stands on the line of the last face: a colour, or something that is ignored with a warning. */
+/* Reads the rest of the line of the last face: a colour, or something that is ignored with a warning. */
 static roberts_status face_color(reader *r)
 {
     off_color_numbers raw = {0};
@@ -410,7 +411,7 @@ static roberts_status face_color(reader *r)
     return off_color_face(r, &raw);
 }
 
-/* Reads a face; something stands here. */
+/* Reads a face. A token is known to follow. */
 static roberts_status read_face(reader *r, uint64_t f)
 {
     uint64_t count;
@@ -423,7 +424,7 @@ static roberts_status read_face(reader *r, uint64_t f)
     return status;
 }
 
-/* As take_vertices(). */
+/* Reads plain faces, like take_vertices(). */
 static size_t take_faces(reader *r, uint64_t left)
 {
     roberts_mesh *mesh = r->mesh;
@@ -473,8 +474,8 @@ static roberts_status read_faces(reader *r)
     return ROBERTS_OK;
 }
 
-/* Warns of text after the last face. An input that may wait for ever (a pipe, a terminal) is not read on for that: only
- * the last block is looked at. */
+/* Warns of text after the last face. An input that may wait forever (a pipe, a terminal) is not read on for that: only
+ * the last block is examined. */
 static roberts_status ending(reader *r)
 {
     input *in = &r->in;

@@ -1,12 +1,12 @@
-/* ply.c - PLY: a text header that says which elements follow with which properties; then their values, as text or as
- * binary numbers in either order.
+/* ply.c - PLY: a text header that declares elements and their properties, followed by their values, as text or as
+ * binary numbers in either byte order.
  *
  *   ply
  *   format ascii 1.0                        or binary_little_endian, binary_big_endian
- *   comment ...                             skipped, as is obj_info
- *   element vertex 8                        element and how often it comes
+ *   comment ...                             skipped, like obj_info
+ *   element vertex 8                        an element and its count
  *   property float x                        a number, or
- *   property list uchar int vertex_indices  how many follow, and these
+ *   property list uchar int vertex_indices  a count, followed by that many numbers
  *   end_header
  *
  * The mesh gets x, y, z of "vertex", the list vertex_indices (or vertex_index) of "face", vertex1 and vertex2 of "edge"
@@ -24,12 +24,12 @@ enum {
     PROPERTIES_MOST = 256,
     VALUE_MOST = 8, /* bytes of a number */
     COLOR = 3,
-    AT_ONCE = 256 /* numbers of a list that room is made for */
+    AT_ONCE = 256 /* numbers of a list for which room is made at a time */
 };
 
 typedef enum value_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64, TYPES } value_type;
 
-/* What the values of a property become. */
+/* The use of a property's values. */
 typedef enum role { UNUSED, X, Y, Z, RED, GREEN, BLUE, FIRST_CORNER, SECOND_CORNER, CORNERS, ROLES } role;
 
 typedef enum element_kind { OTHER, VERTEX, FACE, EDGE } element_kind;
@@ -50,7 +50,7 @@ typedef struct element {
 typedef struct ply_reader {
     reader *r;
     bool binary, little;
-    bool cr_lf; /* lines of the header end so */
+    bool cr_lf; /* lines of the header end with CR LF */
     size_t elements, properties;
     element element[ELEMENTS_MOST];
     property property[PROPERTIES_MOST];
@@ -86,8 +86,8 @@ static roberts_status bad_header(ply_reader *p, const char *wanted)
     return read_expected(p->r, ROBERTS_BAD_SYNTAX, "%s in the header of PLY", wanted);
 }
 
-/* Takes the end of a header's line. Behind the last line binary data may begin with LF: CR LF ends that line only if it
- * has ended another one. */
+/* Takes the end of a header line. After the last line, binary data may begin with LF, so CR LF ends that line only if
+ * it has ended another one. */
 static roberts_status end_line(ply_reader *p, bool last)
 {
     input *in = &p->r->in;
@@ -223,7 +223,7 @@ static bool has_role(const ply_reader *p, const element *e, role wanted)
     return false;
 }
 
-/* Whether the properties suffice to make a mesh. */
+/* Do the properties suffice for a mesh? */
 static roberts_status check_header(ply_reader *p)
 {
     for (size_t i = 0; i < p->elements; i++) {
@@ -308,7 +308,7 @@ static double binary_value(const char *at, value_type type, bool little)
     }
 }
 
-/* Names the row of the element that is read. */
+/* Reports a missing value, with the row of the current element. */
 static roberts_status missing(ply_reader *p, const element *e, uint64_t row)
 {
     reader *r = p->r;
@@ -317,7 +317,7 @@ static roberts_status missing(ply_reader *p, const element *e, uint64_t row)
                          (unsigned long long)e->count - 1);
 }
 
-/* Takes one value; of a text also "nan" and "inf" where `any`. False: there is none. */
+/* Takes one value; in text also "nan" and "inf" if `any`. False: there is none. */
 static bool take_value(ply_reader *p, value_type type, bool any, double *value)
 {
     reader *r = p->r;
@@ -350,8 +350,8 @@ static bool is_vertex(const ply_reader *p, double index)
     return index >= 0.0 && index < (double)p->vertices && index == floor(index);
 }
 
-/* Reads all corners at once where they are binary words and few, as nearly always. False: they are not, or one of them
- * is no vertex, and nothing is taken. */
+/* Reads all corners at once if they are binary words and few, as is usual. False: they are not, or one of them is not a
+ * vertex; nothing is taken. */
 static bool read_words(ply_reader *p, value_type type, uint64_t count)
 {
     reader *r = p->r;
@@ -369,7 +369,7 @@ static bool read_words(ply_reader *p, value_type type, uint64_t count)
     return true;
 }
 
-/* Reads the corners of a face; room is made as they come. */
+/* Reads the corners of a face; room grows as they come. */
 static roberts_status read_corners(ply_reader *p, const element *e, uint64_t row, value_type type, uint64_t count)
 {
     roberts_mesh *mesh = p->r->mesh;
@@ -421,7 +421,7 @@ static roberts_status read_row(ply_reader *p, const element *e, uint64_t row)
 
 /* ---- elements -------------------------------------------------------------------------------------------------- */
 
-/* The colour of the row that was read. Floats are 0 to 1, 16 bits 0 to 65535, other integers 0 to 255. */
+/* Returns the colour of the current row. Floats are 0 to 1, 16-bit integers 0 to 65535, other integers 0 to 255. */
 static roberts_color row_color(const ply_reader *p, const element *e)
 {
     roberts_color color = {.count = COLOR};
@@ -474,7 +474,7 @@ static roberts_status read_elements(ply_reader *p, const element *e)
     const bool colored = e->kind != OTHER && has_role(p, e, RED);
     roberts_status status = ROBERTS_OK;
     if (e->kind == OTHER && e->properties == 0)
-        return ROBERTS_OK; /* otherwise a count alone could take for ever */
+        return ROBERTS_OK; /* otherwise a count alone could take forever */
     for (uint64_t row = 0; row < e->count && status == ROBERTS_OK; row++) {
         status = read_row(p, e, row);
         if (status == ROBERTS_OK && e->kind == VERTEX)
@@ -489,11 +489,11 @@ static roberts_status read_elements(ply_reader *p, const element *e)
     return status;
 }
 
-/* Warns of what follows the last element. */
+/* Warns of text after the last element. */
 static roberts_status ending(ply_reader *p)
 {
     reader *r = p->r;
-    r->in.ended |= !r->in.source.finite; /* what may wait for ever is not read on */
+    r->in.ended |= !r->in.source.finite; /* input that may wait forever is not read on */
     if (r->binary ? input_need(&r->in, 1) : input_skip(&r->in))
         warning_send(r->warnings, r->name, r->binary ? 0 : r->in.line, "data after the last element ignored");
     return r->in.failure ? read_expected(r, ROBERTS_IO, "the end") : ROBERTS_OK;

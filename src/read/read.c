@@ -1,4 +1,5 @@
-/* read.c - a mesh from a function, a file or memory: which format it is, and what the readers of all formats share. */
+/* read.c - a mesh from a function, a file or memory: format detection, and code shared by the readers of all
+ * formats. */
 #include "read/read.h"
 
 #include <errno.h>
@@ -79,7 +80,7 @@ void read_rest(reader *r, char *text, size_t room)
 
 static const struct foreign {
     const char *begins, *format, *command;
-    bool whole; /* that must be the whole word */
+    bool whole; /* it must be the whole word */
 } foreign[] = {
     {"glTF", "glTF", GLTF_COMMAND, false},
     {"\"", "JSON (as glTF is)", GLTF_COMMAND, false},
@@ -126,7 +127,7 @@ const char *read_foreign(const char *word, size_t length, const char **hint)
 
 enum { STL_HEADER = 80, STL_TRIANGLE = 50, STL_FIRST = STL_HEADER + 4, LOOK = 512 };
 
-/* Whether the input is as long as binary STL with so many triangles is. */
+/* Does the input have the length of binary STL with that many triangles? */
 static bool has_size_of_stl(reader *r)
 {
     const input_source *source = &r->in.source;
@@ -136,7 +137,7 @@ static bool has_size_of_stl(reader *r)
     return count > 0 && source->size == STL_FIRST + STL_TRIANGLE * count;
 }
 
-/* Whether one of these bytes stands in no text. */
+/* Does one of these bytes occur in no text? */
 static bool looks_binary(const char *bytes, size_t count)
 {
     for (const char *c = bytes; c < bytes + count; c++)
@@ -159,7 +160,7 @@ static bool is_obj_word(const char *word, size_t length)
     return false;
 }
 
-/* Whether OFF or OBJ as text may begin with the word here. */
+/* May OFF or OBJ as text begin with the word here? */
 static bool begins_text(input *in)
 {
     const size_t length = input_need(in, 1) ? input_token(in) : 0;
@@ -168,8 +169,8 @@ static bool begins_text(input *in)
             off_is_keyword(in->at, length) || is_obj_word(in->at, length));
 }
 
-/* Brings the header and the count of binary STL. False: they do not come, or a line of text ends before. A small model
- * may end there, and its sender may wait for an answer: no more is asked for. */
+/* Makes the header and the count of binary STL available. False: they do not come, or a line of text ends before. A
+ * small model may end there, and its sender may be waiting for an answer, so no more is requested. */
 static bool need_stl_header(input *in)
 {
     const bool text = begins_text(in);
@@ -180,7 +181,7 @@ static bool need_stl_header(input *in)
     return true;
 }
 
-/* Whether the bytes begin a binary format that is not read. (Binary OFF begins with a line of text.) */
+/* Do the bytes begin a binary format that is not supported? (Binary OFF begins with a line of text.) */
 static bool begins_foreign_binary(const char *bytes)
 {
     static const char *const begins[] = {"PK\x03\x04", "\x1f\x8b", "\xff\xfe", "\xfe\xff", "$MeshFormat"};
@@ -190,8 +191,8 @@ static bool begins_foreign_binary(const char *bytes)
     return false;
 }
 
-/* Whether an input of unknown or wrong length can be binary STL even so, whatever its header says: the count has a byte
- * that no text has, and as much as there is of the first triangle has corners of a sensible size. */
+/* Can an input of unknown or wrong length still be binary STL, whatever its header says? It can if the count has a byte
+ * that no text has, and if the available part of the first triangle has corners of a sensible size. */
 static bool looks_like_stl(reader *r)
 {
     input *in = &r->in;
@@ -199,7 +200,7 @@ static bool looks_like_stl(reader *r)
         read_word(in->at + STL_HEADER, true) == 0 || begins_foreign_binary(in->at))
         return false;
     (void)input_need(in, STL_FIRST + STL_TRIANGLE);
-    for (size_t i = 3; i < 12 && STL_FIRST + 4 * (i + 1) <= at_hand(in); i++) { /* behind the normal */
+    for (size_t i = 3; i < 12 && STL_FIRST + 4 * (i + 1) <= at_hand(in); i++) { /* after the normal */
         const float size = fabsf(read_float(in->at + STL_FIRST + 4 * i, true));
         if (!(size < 1e15f) || (size > 0.0f && size < 1e-30f))
             return false;
@@ -207,8 +208,8 @@ static bool looks_like_stl(reader *r)
     return true;
 }
 
-/* Reads in the format that the first bytes tell. OFF, which may begin with a number, is what is left; it refuses what
- * is nothing of all that. */
+/* Reads the format indicated by the first bytes. OFF, which may begin with a number, is the default; its reader refuses
+ * anything that is none of these. */
 static roberts_status read_any(reader *r, const off_division *division)
 {
     input *in = &r->in;
@@ -234,7 +235,7 @@ static roberts_status read_any(reader *r, const off_division *division)
     return is_obj_word(in->at, length) ? obj_read(r) : off_read(r, division);
 }
 
-/* ---- where from ------------------------------------------------------------------------------------------------ */
+/* ---- sources --------------------------------------------------------------------------------------------------- */
 
 roberts_status read_mesh(roberts_mesh *mesh, const char *name, const input_source *source, const off_division *division,
                          const roberts_warnings *warnings, roberts_error *error)

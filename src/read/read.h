@@ -1,4 +1,4 @@
-/* read.h - what the readers of all formats share. */
+/* read.h - shared by the readers of all formats. */
 #ifndef ROBERTS_READ_READ_H
 #define ROBERTS_READ_READ_H
 
@@ -21,17 +21,17 @@ typedef struct reader {
     const roberts_warnings *warnings;
     roberts_error *error;
     bool binary;                          /* errors name bytes, not lines */
-    size_t vertices_filled, faces_filled; /* up to here colours are set */
-    size_t thin_faces;                    /* fewer than 3 corners, but not meant as a line */
-    struct off_state *off;                /* where OFF is read */
+    size_t vertices_filled, faces_filled; /* colours are set up to here */
+    size_t thin_faces;                    /* with fewer than 3 corners, and not meant as a line */
+    struct off_state *off;                /* used by the OFF reader */
 } reader;
 
 /* Reads one input of any format; see roberts_mesh_read(). division: how OFF is divided among threads. */
 roberts_status read_mesh(roberts_mesh *mesh, const char *name, const input_source *source,
                          const struct off_division *division, const roberts_warnings *warnings, roberts_error *error);
 
-/* The readers. The input is at its first byte, or behind the byte-order mark; for OBJ, at its first word. On failure
- * they may leave anything in the mesh behind r->mark. */
+/* The readers. The input is at its first byte, or after the byte-order mark; for OBJ, at its first word. On failure
+ * they may leave anything in the mesh after r->mark. */
 roberts_status off_read(reader *r, const struct off_division *division);
 roberts_status stl_read_text(reader *r);
 roberts_status stl_read_binary(reader *r);
@@ -43,19 +43,19 @@ roberts_status ply_read(reader *r);
 /* Fills the error, with the current line or, in a binary file, the current byte. Returns `status`. */
 roberts_status read_fail(reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
 
-/* The same because the input lacks what `format` names; see input_expected(). A binary input is at its end then. */
+/* Does the same if the input lacks what `format` names; see input_expected(). A binary input is then at its end. */
 roberts_status read_expected(reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
 
-/* Warns of faces with fewer than 3 corners, if there are any: those of two are drawn as lines. */
+/* Warns of faces with fewer than 3 corners, if there are any; those with two are drawn as lines. */
 void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t count);
 
-/* The name of another format that begins with this word, and in *hint a command that converts it, or "". NULL: not
- * known. */
+/* Returns the name of another format that begins with this word, and sets *hint to a command that converts it, or "".
+ * NULL: unknown. */
 const char *read_foreign(const char *word, size_t length, const char **hint);
 
 /* ---- text, word by word ---------------------------------------------------------------------------------------- */
 
-/* Takes the rest of the line as one name: its words with one blank between them, cut off at `room` - 1 characters. */
+/* Reads the rest of the line as one name: its words separated by one blank, truncated to `room` - 1 characters. */
 void read_rest(reader *r, char *text, size_t room);
 
 /* ---- binary ---------------------------------------------------------------------------------------------------- */
@@ -75,7 +75,7 @@ static inline float read_float(const char *bytes, bool little)
     return value;
 }
 
-/* Fails where a coordinate is infinite, not a number, or too large: vertex number `v` of the file. */
+/* Reports a coordinate that is infinite, not a number, or too large: vertex number `v` of the file. */
 roberts_status read_bad_position(reader *r, uint64_t v);
 
 #endif

@@ -1,12 +1,12 @@
 /* stl.c - STL: triangles without shared vertices, as text or binary.
  *
- * Text is "solid NAME", facets, "endsolid", as often as it comes; each solid is a group of that name. Binary is 80
- * bytes of anything, the number n of triangles, and 50 bytes for each: a normal, three corners (little-endian floats),
- * and two bytes that everybody uses differently. Its 84 + 50 n bytes tell it from text: many programs begin the 80
- * bytes with "solid".
+ * Text is "solid NAME", facets, "endsolid", any number of times; each solid is a group of that name. Binary is 80
+ * arbitrary bytes, the number n of triangles, and 50 bytes for each: a normal, three corners (little-endian floats),
+ * and two bytes that every program uses differently. Its length of 84 + 50 n bytes distinguishes it from text, since
+ * many programs begin the 80 bytes with "solid".
  *
- * Corners with equal positions become one vertex, numbered by its first appearance: within a solid, since solids that
- * touch are two solids all the same. Normals are not read; winding and planes follow from the corners. */
+ * Corners with equal positions become one vertex, numbered by its first appearance. This is done within each solid,
+ * since solids that touch are still two solids. Normals are not read; winding and planes follow from the corners. */
 #include "read/read.h"
 
 #include <stdlib.h>
@@ -19,12 +19,12 @@ enum { HEADER = 80, COUNT = 4, TRIANGLE = 50, FLOAT = 4, POINT = 3 * FLOAT, LEAS
 
 /* ---- equal positions ------------------------------------------------------------------------------------------- */
 
-/* Vertices of one group by position: a hash table with open addressing (D. E. Knuth, The Art of Computer Programming 3,
- * 6.4, algorithm L), at most half full. */
+/* The vertices of one group by position: a hash table with open addressing (D. E. Knuth, The Art of Computer
+ * Programming 3, 6.4, algorithm L), at most half full. */
 typedef struct position_table {
-    uint32_t *slot;     /* [size] vertex + 1; 0: free */
+    uint32_t *slot;     /* [size] vertex + 1; 0: empty */
     size_t size, count; /* size: 0 or a power of two */
-    size_t first;       /* vertices before it belong to other groups */
+    size_t first;       /* earlier vertices belong to other groups */
 } position_table;
 
 static uint64_t position_hash(roberts_vec3 p)
@@ -38,7 +38,7 @@ static uint64_t position_hash(roberts_vec3 p)
     return hash * UINT64_C(0x9e3779b97f4a7c15) >> 20;
 }
 
-/* The slot in which to look first. */
+/* Returns the slot to try first. */
 static size_t home(const position_table *t, uint64_t hash)
 {
     return (size_t)hash & (t->size - 1);
@@ -49,7 +49,7 @@ static bool same(roberts_vec3 a, roberts_vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/* The slot that has p, or the free one where p belongs. */
+/* Returns the slot that contains p, or the empty one where p belongs. */
 static size_t find_slot(const position_table *t, const roberts_mesh *mesh, roberts_vec3 p, uint64_t hash)
 {
     size_t i = home(t, hash);
@@ -74,7 +74,7 @@ static bool reserve(position_table *t, const roberts_mesh *mesh, size_t more)
     return true;
 }
 
-/* Begins another group. */
+/* Starts another group. */
 static void start_group(position_table *t, const roberts_mesh *mesh)
 {
     if (t->count)
@@ -83,14 +83,13 @@ static void start_group(position_table *t, const roberts_mesh *mesh)
     t->first = mesh->vertex_count;
 }
 
-/* -0 becomes +0: they are one position. */
+/* Turns -0 into +0: they are the same position. */
 static roberts_vec3 without_sign_of_zero(roberts_vec3 p)
 {
     return (roberts_vec3){p.x + 0.0, p.y + 0.0, p.z + 0.0};
 }
 
-/* Adds the vertex at p, if there is none yet, as a corner of the face that comes next. The table has room. False: no
- * memory. */
+/* Adds the vertex at p, if it is new, as a corner of the current face. The table has room. False: no memory. */
 static bool add_corner(roberts_mesh *mesh, position_table *t, roberts_vec3 p, uint64_t hash)
 {
     size_t i = find_slot(t, mesh, p, hash);
@@ -124,7 +123,7 @@ static roberts_status take_word(reader *r, const char *word)
     return ROBERTS_OK;
 }
 
-/* Skips the normal, whatever stands there, up to "outer". */
+/* Skips the normal, whatever it contains, up to "outer". */
 static roberts_status skip_normal(reader *r)
 {
     enum { MOST = 4 }; /* "normal" and three numbers */
@@ -133,7 +132,7 @@ static roberts_status skip_normal(reader *r)
     return take_word(r, "outer");
 }
 
-/* No coordinate comes; the corner began on this line. A word on a later line belongs to something else. */
+/* Reports a missing coordinate; the corner began on this line. A word on a later line belongs to something else. */
 static roberts_status no_coordinate(reader *r, const char *part, size_t line)
 {
     const bool infinite = input_not_finite(&r->in);
@@ -160,7 +159,7 @@ static roberts_status read_corner(reader *r, position_table *t)
     return good ? ROBERTS_OK : error_no_memory(r->error);
 }
 
-/* After "facet". */
+/* Reads a facet after its first word. */
 static roberts_status read_facet(reader *r, position_table *t)
 {
     roberts_status status = skip_normal(r);
@@ -182,7 +181,7 @@ static roberts_status read_facet(reader *r, position_table *t)
     return status;
 }
 
-/* From "solid" to "endsolid", both with the rest of their lines. */
+/* Reads from "solid" to "endsolid", both with the rest of their lines. */
 static roberts_status read_solid(reader *r, position_table *t, bool *ended)
 {
     char name[MESH_GROUP_NAME];
@@ -235,8 +234,8 @@ static roberts_status ends_early(reader *r, uint64_t triangle, uint64_t count)
                          (unsigned long long)count - 1);
 }
 
-/* Reads `count` triangles, which stand in the buffer; at most AT_ONCE. It asks for all their places in the table before
- * it needs the first one: in a large model each comes from memory, and this saves a quarter of the time. */
+/* Reads `count` triangles from the buffer; at most AT_ONCE. It prefetches all their slots in the table before it needs
+ * the first one. In a large model each comes from main memory, and this saves a quarter of the time. */
 static roberts_status read_triangles(reader *r, position_table *t, size_t count)
 {
     roberts_vec3 p[3 * AT_ONCE];
@@ -279,12 +278,12 @@ roberts_status stl_read_binary(reader *r)
     for (uint64_t done = 0; done < count && status == ROBERTS_OK;) {
         size_t part = count - done < AT_ONCE ? (size_t)(count - done) : AT_ONCE;
         if (!input_need(&r->in, part * TRIANGLE))
-            part = (size_t)(r->in.end - r->in.at) / TRIANGLE; /* what there is before it ends */
+            part = (size_t)(r->in.end - r->in.at) / TRIANGLE; /* the part available before its end */
         status = part ? read_triangles(r, &table, part) : ends_early(r, done, count);
         done += part;
     }
     free(table.slot);
-    r->in.ended |= !r->in.source.finite; /* what may wait for ever is not read on */
+    r->in.ended |= !r->in.source.finite; /* input that may wait forever is not read on */
     if (status == ROBERTS_OK && input_need(&r->in, 1))
         warning_send(r->warnings, r->name, 0, "data after the last triangle ignored");
     return status;

@@ -68,8 +68,8 @@ static const struct {
     {"--view top --azimuth 10", "--azimuth and --view exclude each other"},
     {"--elevation 10 --eye 1,2,3", "--elevation and --eye exclude each other"},
     {"--azimuth 30deg", "--azimuth: \"30deg\" is not a number"},
-    {"--azimuth 361", "--azimuth: 361 is not in -360..360"},
-    {"--elevation -91", "--elevation: -91 is not in -90..90"},
+    {"--azimuth 361", "--azimuth: 361 is out of range: from -360 to 360"},
+    {"--elevation -91", "--elevation: -91 is out of range: from -90 to 90"},
     {"--roll inf", "--roll: \"inf\" is not a number"},
     {"--look-at 1,2,3", "--look-at needs --eye"},
     {"--background dark", "--background: \"dark\" is unknown"},
@@ -79,11 +79,11 @@ static const struct {
     {"--background", "--background needs a value"},
     {"--crease 1 --all-edges", "--crease and --all-edges exclude each other"},
     {"--crease 1,5", "--crease: \"1,5\" is not a number"},
-    {"--crease -1", "--crease: -1 is not in 0..180"},
-    {"--crease 181", "--crease: 181 is not in 0..180"},
+    {"--crease -1", "--crease: -1 is out of range: from 0 to 180"},
+    {"--crease 181", "--crease: 181 is out of range: from 0 to 180"},
     {"--epsilon nan", "--epsilon: \"nan\" is not a number"},
-    {"--epsilon -1", "--epsilon: -1 is not in"},
-    {"--tolerance 2", "--tolerance: 2 is not in 0..1"},
+    {"--epsilon -1", "--epsilon: -1 is out of range: "},
+    {"--tolerance 2", "--tolerance: 2 is out of range: from 0 to 1"},
     {"--grid -1", "--grid: \"-1\" is not a whole number"},
     {"--grid 1.5", "--grid: \"1.5\" is not a whole number"},
     {"--threads 4294967296", "--threads: \"4294967296\" is not a whole number"},
@@ -107,8 +107,8 @@ static const struct {
     {"--turntable 4 -o a-%03.svg", "--turntable needs a name with a place"},
     {"--turntable 4 -o a-%%d.svg", "--turntable needs a name with a place"},
     {"--turntable 4 -o a-%n%d.svg", "--turntable needs a name with a place"},
-    {"--turntable 0 -o a-%d.svg", "--turntable: 0 is not in 1..100000"},
-    {"--turntable 100001 -o a-%d.svg", "--turntable: 100001 is not in 1..100000"},
+    {"--turntable 0 -o a-%d.svg", "--turntable: 0 is out of range: from 1 to 100000"},
+    {"--turntable 100001 -o a-%d.svg", "--turntable: 100001 is out of range: from 1 to 100000"},
     {"--batch in -o a.svg a.off", "--batch and --output exclude each other"},
     {"--batch in --turntable 3 a.off", "--batch and --turntable exclude each other"},
     {"--batch in", "--batch needs names of files"},
@@ -134,28 +134,28 @@ static const struct {
     {"--page leter", "did you mean letter?"},
     {"--page 100", "or WxH in mm"},
     {"--page 100x", "--page: \"100x\" is unknown"},
-    {"--page 100x0", "--page: 100x0: each side has 1 to 40000 mm"},
-    {"--page 50000x100", "each side has 1 to 40000 mm"},
+    {"--page 100x0", "--page: 100x0 is out of range: from 1 to 40000 mm a side"},
+    {"--page 50000x100", "is out of range: from 1 to 40000 mm a side"},
     {"--page 8.5x11inch", "--page: \"8.5x11inch\" is unknown"},
     {"--page 8.5in", "or WxH in mm, as 210x297, or 8.5x11in"},
-    {"--page 2000x1in", "--page: 2000x1in: each side has 1 to 40000 mm"},
+    {"--page 2000x1in", "--page: 2000x1in is out of range: from 1 to 40000 mm a side"},
     {"--page 100x100 --margin 2in", "--margin: 50.8 mm leave no room on a page of 100 x 100 mm"},
     {"--page 100x100 --margin 50", "--margin: 50 mm leave no room on a page of 100 x 100 mm"},
-    {"--margin -1", "--margin: -1 is not in 0..20000 mm"},
-    {"--margin 2001cm", "--margin: 2001cm is not in 0..20000 mm"},
+    {"--margin -1", "--margin: -1 is out of range: from 0 to 20000 mm"},
+    {"--margin 2001cm", "--margin: 2001cm is out of range: from 0 to 20000 mm"},
     {"--margin 10px", "--margin: \"10px\" is not a length in mm, or with cm, in or pt behind it"},
     {"--margin mm", "--margin: \"mm\" is not a length in mm"},
     {"--margin 1m", "--margin: \"1m\" is not a length in mm"},
     {"--fit --scale 1:2", "--fit and --scale exclude each other"},
-    {"--scale 1:0", "--scale: 1:0 is not in"},
-    {"--scale -1", "--scale: -1 is not in"},
+    {"--scale 1:0", "--scale: 1:0 is out of range: "},
+    {"--scale -1", "--scale: -1 is out of range: "},
     {"--scale 1/20", "--scale: \"1/20\" is not like 1:20"},
     {"--scale big", "--scale: \"big\" is not like 1:20"},
     {"--unit inch", "--unit: \"inch\" is unknown; did you mean in?"},
     {"--align botom-left", "did you mean bottom-left?"},
     {"--order fast", "--order: \"fast\" is unknown; it can be travel, none"},
     {"--dash fake", "--dash: \"fake\" is unknown; it can be pattern, real"},
-    {"--dpi 0", "--dpi: 0 gives no image"},
+    {"--dpi 0", "--dpi: 0 is out of range: from 10 to 10000"},
     {"--dpi 300dpi", "--dpi: \"300dpi\" is not a number"},
     {"--style outlin:off", "--style: \"outlin\" is unknown; did you mean outline?"},
     {"--style outline", "--style: \"outline\" is not CLASS:key=value"},
@@ -163,15 +163,15 @@ static const struct {
     {"--style outline:widht=1", "did you mean width?"},
     {"--style outline:width", "--style: width needs a value"},
     {"--style outline:off=1", "--style: off takes no value"},
-    {"--style outline:width=0", "--style: width=0 is not in"},
+    {"--style outline:width=0", "--style: width=0 is out of range: "},
     {"--style outline:width=wide", "--style: width=wide is not a length in mm, or with cm, in or pt behind it"},
     {"--style outline:width=1e", "--style: width=1e is not a length in mm"},
-    {"--style outline:width=2880pt", "--style: width=2880pt is not in 0.001..1000 mm"},
+    {"--style outline:width=2880pt", "--style: width=2880pt is out of range: from 0.001 to 1000 mm"},
     {"--style hidden:dash=3/1px", "--style: dash=3/1px is neither none nor DASH/GAP"},
     {"--style outline:color=#12345", "--style: colour: \"#12345\" is unknown"},
     {"--style outline:color=purpel", "did you mean purple?"},
     {"--style hidden:dash=1/x", "--style: dash=1/x is neither none nor DASH/GAP"},
-    {"--style hidden:dash=0", "--style: dash=0 is not in"},
+    {"--style hidden:dash=0", "--style: dash=0 is out of range: "},
 };
 
 static void misuse(void **state)
@@ -653,7 +653,7 @@ static void batch_draws_each_file(void **state)
     assert_int_equal(entries("in/new", false), 0);
     assert_int_equal(rmdir("in/new"), 0);
     assert_int_equal(run("--batch in --threads 1025 models/table.off"), 2);
-    assert_said("roberts: --threads: 1025 is not in 0..1024\n");
+    assert_said("roberts: --threads: 1025 is out of range: from 0 to 1024\n");
     assert_int_equal(run("--batch missing/new models/table.off"), 1);
     assert_said("roberts: missing/new: cannot make the folder: No such file or directory");
 }
@@ -662,7 +662,7 @@ static void verbose_tells(void **state)
 {
     (void)state;
     assert_int_equal(run("-v models/platonic/cube.off -o in/a.svg"), 0);
-    assert_said("roberts: models/platonic/cube.off: 1 solid, 8 vertices, 6 faces; ");
+    assert_said("roberts: models/platonic/cube.off: 1 body, 8 vertices, 6 faces; ");
     assert_said("roberts: in/a.svg: 9 segments; ");
 }
 
@@ -827,11 +827,26 @@ static void statistics(void **state)
 {
     (void)state;
     assert_int_equal(run("-f null --stats models/platonic/cube.off"), 0);
-    assert_said("1  solids\n");
+    assert_said("1  bodies\n");
     assert_said("12  edges\n");
     assert_said("epsilon");
     assert_said("  hide\n");
     assert_null(strstr(last.err, "strokes")); /* no page, no pen */
+    assert_null(strstr(last.err, "pieces"));  /* convex faces are whole */
+    assert_int_equal(run("-v -f null --stats models/star/pentagrammic-prism.off"), 0);
+    assert_said("models/star/pentagrammic-prism.off: 1 body, 10 vertices, 7 faces; ");
+    assert_said("10  vertices\n");
+    assert_said("7  faces\n");
+    assert_said("17  convex pieces of them\n"); /* a pentagon and five points for each pentagram */
+    assert_said("15  edges\n");
+    assert_said("35  parts of them, and cuts between pieces\n"); /* a pentagram's side is three */
+    assert_int_equal(run("-f null --stats=json models/star/pentagrammic-prism.off"), 0);
+    assert_said("\"vertices\":10,\"faces\":7,\"pieces\":17,\"front_faces\":");
+    assert_said("\"edges\":15,\"edge_parts\":35,\"surviving_edges\":");
+    assert_int_equal(run("-f null --stats models/shapes/moebius-strip.off"), 0);
+    assert_said("48  faces\n"); /* none of them planar: two triangles each */
+    assert_said("96  convex pieces of them\n");
+    assert_said("144  edges\n");
     assert_int_equal(run("-o in/a.svg --stats --view top --page 100x100 models/platonic/cube.off"), 0);
     assert_said("1  strokes\n");
     assert_said("320.0  mm with the pen down\n");
@@ -1009,7 +1024,7 @@ static void picks(void **state)
 {
     (void)state;
     assert_int_equal(run("--pick 2.5,-2 --view top -f null models/cube-behind-cube.off"), 0);
-    assert_string_equal(last.err, "roberts: pick 2.5,-2: solid 0, face 0, depth -2.5, at 2,1.5,4\n");
+    assert_string_equal(last.err, "roberts: pick 2.5,-2: body 0, face 0, depth 2.5, at 2,1.5,4\n");
     assert_int_equal(run("--pick -1e6,0 -f null models/cube-behind-cube.off"), 0);
     assert_string_equal(
         last.err,
@@ -1018,8 +1033,8 @@ static void picks(void **state)
                    "3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n3 4 5 6\n3 4 5 7\n3 4 6 7\n3 5 6 7\n");
     /* middle of the box: 3, 3, -1.5; (1, 1) lies below the slanting faces at z = 4 and z = -5 */
     assert_int_equal(run("--pick -2,-2 --view top -f null two.off"), 0);
-    assert_string_equal(last.err, "roberts: pick -2,-2: solid 0, face 3, depth -5.5, at 1,1,4\n"
-                                  "roberts: pick -2,-2: behind it solid 1, face 7, depth 3.5, at 1,1,-5\n");
+    assert_string_equal(last.err, "roberts: pick -2,-2: body 0, face 3, depth 5.5, at 1,1,4\n"
+                                  "roberts: pick -2,-2: behind it body 1, face 7, depth -3.5, at 1,1,-5\n");
 }
 
 int main(void)

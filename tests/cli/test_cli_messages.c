@@ -58,15 +58,16 @@ static void messages_name_the_file(void **state)
     assert_int_equal(run("--solids open.off half.off"), 1); /* one solid of two files, by positions */
     assert_said("roberts: open.off and 1 more: solid 0 is not closed: edge ");
     assert_int_equal(run("empty.off empty.off"), 1);
-    assert_said("roberts: empty.off and 1 more: no solid: there is no face with three or more corners\n");
+    assert_said("roberts: empty.off and 1 more: nothing to draw: there is no face with three different corners\n");
     put("three.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"); /* no points that have a hull */
     put("four.off", "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
     assert_int_equal(run("three.off"), 1);
-    assert_said("roberts: three.off: no solid: there is no face with three or more corners\n");
+    assert_said("roberts: three.off: nothing to draw: there is no face with three different corners\n");
     assert_int_equal(run("--solids tri.off"), 1);
     assert_null(strstr(last.err, "see --hull"));
     assert_int_equal(run("four.off"), 1);
-    assert_said("roberts: four.off: no solid: there is no face with three or more corners (see --hull)\n");
+    assert_said("roberts: four.off: nothing to draw: there is no face with three different corners (--hull draws the "
+                "convex hull of points)\n");
 }
 
 /* As by cat, also from standard input: what is drawn is the first. */
@@ -233,19 +234,19 @@ static const struct {
     {"models/table.off --verify 10", "10: there is no such file; did you mean --verify=10?"},
     {"--verify=x", "--verify: \"x\" is not a whole number from 1 to 4294967295\n"},
     {"--verify=4294967296", "--verify: \"4294967296\" is not a whole number from 1 to 4294967295\n"},
-    {"--verify=0", "--verify: 0 rays check nothing; it takes 1 or more (3 where none is given)"},
-    {"--fov 0 --eye 9,9,9", "--fov: 0 shows nothing; it takes a number above 0, up to 179\n"},
-    {"--fov 180 --eye 9,9,9", "--fov: 180 is out of range; it takes a number above 0, up to 179\n"},
-    {"--fov -1 --eye 9,9,9", "--fov: -1 is out of range; it takes a number above 0, up to 179\n"},
+    {"--verify=0", "--verify: 0 is out of range: from 1 to 4294967295"},
+    {"--fov 0 --eye 9,9,9", "--fov: 0 is out of range: from 0.001 to 179\n"},
+    {"--fov 180 --eye 9,9,9", "--fov: 180 is out of range: from 0.001 to 179\n"},
+    {"--fov -1 --eye 9,9,9", "--fov: -1 is out of range: from 0.001 to 179\n"},
     {"--fov wide --eye 9,9,9", "--fov: \"wide\" is not a number\n"},
-    {"--dpi 0", "--dpi: 0 gives no image; it takes a number above 0, up to 100000\n"},
-    {"--dpi 1e6", "--dpi: 1e6 is out of range; it takes a number above 0, up to 100000\n"},
-    {"--threads 100000", "--threads: 100000 is not in 0..1024\n"},
+    {"--dpi 0", "--dpi: 0 is out of range: from 10 to 10000\n"},
+    {"--dpi 1e6", "--dpi: 1e6 is out of range: from 10 to 10000\n"},
+    {"--threads 100000", "--threads: 100000 is out of range: from 0 to 1024\n"},
     {"--threads 1.5", "--threads: \"1.5\" is not a whole number from 0 to 1024\n"},
-    {"--grid 4097", "--grid: 4097 is not in 0..4096\n"},
+    {"--grid 4097", "--grid: 4097 is out of range: from 0 to 4096\n"},
     {"--epsilon 100 copy.off",
      "roberts: --epsilon: the touching distance, 100, is more than a hundredth of the scene (1.73205)\n"},
-    {"--near -1 --eye 9,9,9", "--near: -1 is less than 0\n"},
+    {"--near -1 --eye 9,9,9", "--near: -1 is out of range: at least 0\n"},
     {"--near 1", "--near needs --eye"},
     {"--dpi 3000 models/table.off -o a.png",
      "3000 dpi make an image of 24804 x 35079 pixels; it has 1 to 32767 a side, on this page at most 2802 dpi\n"},
@@ -284,11 +285,11 @@ static void images_too_large_for_memory(void **state)
     low = limit;
     low.rlim_cur = megabytes_600;
     assert_int_equal(setrlimit(RLIMIT_AS, &low), 0);
-    int large = run("--dpi 1500 models/table.off -o in/a.png");
+    int large = run("--dpi 1500 --hidden dashed --style hidden:dash=200 models/table.off -o in/a.png");
     assert_said(
         "roberts: in/a.png: 1500 dpi make an image of 12402 x 17540 pixels; it takes 871 MB of memory, and there "
         "are 629 MB at the most\n");
-    int small = run("--dpi 300 models/platonic/cube.off -o in/b.png");
+    int small = run("--dpi 1300 models/platonic/cube.off -o in/b.png"); /* 653 MB of pixels, in bands */
     assert_int_equal(setrlimit(RLIMIT_AS, &limit), 0);
     assert_int_equal(large, 1);
     assert_int_equal(small, 0);
@@ -366,7 +367,10 @@ static const struct {
                                  "solid\n"},
     {"--style hidden:width=1 --hidden none", "--style hidden has no effect"},
     {"--style hidden:color=red --hidden solid", ""},
-    {"--style hidden:off", ""},
+    {"--style hidden:off",
+     "--style hidden has no effect: hidden lines are not drawn without --hidden dashed or solid\n"},
+    {"--style symbol:off", "--style symbol has no effect: it is not drawn without --sheet\n"},
+    {"--style frame:off", ""},
     {"--style frame:width=2", "--style frame has no effect: it is not drawn without --frame\n"},
     {"--style frame:width=2 --frame", ""},
     {"--style frame:width=2,on", ""},
@@ -388,7 +392,7 @@ static const struct {
     {"-f csv --background white", "--background has no effect: csv has no page\n"},
     {"-f json --scale 1:2 --unit in --margin 5 --landscape --frame",
      "--landscape, --margin, --scale, --unit, --frame have no effect: json has no page\n"},
-    {"-f null --order none --dpi 9", "--dpi, --order have no effect: null has no page\n"},
+    {"-f null --order none --dpi 90", "--dpi, --order have no effect: null has no page\n"},
     {"--columns +ends", "--columns has no effect: svg is no table\n"},
     {"-f csv --columns +name,+ends", ""},
     {"-f null -o in/b.svg", "--output has no effect: the format null writes nothing\n"},
@@ -410,6 +414,45 @@ static void idle_options_are_warned_of(void **state)
             assert_string_equal(last.err, "");
         }
         snprintf(line, sizeof line, "-q %s models/platonic/cube.off", idle_cases[i].arguments);
+        assert_int_equal(run(line), 0);
+        assert_string_equal(last.err, "");
+    }
+}
+
+/* Classes that these models do not have, and bodies that no union joins. */
+static const struct {
+    const char *arguments, *said;
+} lacking_cases[] = {
+    {"--style wire:off models/platonic/cube.off",
+     "models/platonic/cube.off: warning: --style wire has no effect: the drawing has no such lines\n"},
+    {"--style border:width=2 --style intersection:color=red models/platonic/cube.off",
+     "models/platonic/cube.off: warning: --style border, --style intersection have no effect: the drawing has no such "
+     "lines\n"},
+    {"--style crease:width=1 --view top models/platonic/cube.off",
+     "models/platonic/cube.off: warning: --style crease has no effect: the drawing has no such lines\n"},
+    {"--style crease:width=1 models/platonic/cube.off", ""},
+    {"--style border:width=2 models/shapes/moebius-strip.off", ""},
+    {"--style intersection:off models/interpenetrating-cubes.off", ""},
+    {"--style hidden:width=1 --hidden dashed --view top models/platonic/cube.off", ""},
+    {"--style hidden:width=1 --hidden dashed triangle.off",
+     "triangle.off: warning: --style hidden has no effect: the drawing has no such lines\n"},
+    {"--style crease:width=1 --sheet first --landscape models/platonic/cube.off", ""}, /* its isometric view has some */
+    {"--style wire:off --turntable 2 -o in/w%d.svg models/platonic/cube.off", ""},
+    {"--union triangle.off", "triangle.off: warning: --union has no effect: no body is closed\n"},
+    {"--union triangle.off models/platonic/cube.off", ""},
+};
+
+static void what_a_drawing_lacks_is_warned_of(void **state)
+{
+    char line[300], said[300];
+    (void)state;
+    put("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    for (size_t i = 0; i < sizeof lacking_cases / sizeof lacking_cases[0]; i++) {
+        print_message("roberts %s\n", lacking_cases[i].arguments);
+        assert_int_equal(run(lacking_cases[i].arguments), 0);
+        snprintf(said, sizeof said, "%s%s", lacking_cases[i].said[0] ? "roberts: " : "", lacking_cases[i].said);
+        assert_string_equal(last.err, said);
+        snprintf(line, sizeof line, "-q %s", lacking_cases[i].arguments);
         assert_int_equal(run(line), 0);
         assert_string_equal(last.err, "");
     }
@@ -480,7 +523,7 @@ static void names_are_printed_plainly(void **state)
     assert_null(strchr(last.err, '\x1b'));
     put_cube("b\x07.off", 0, 0, 6);
     assert_int_equal(run("-v -f csv b\x07.off -o c\x07 --verify --turntable 1 -o c\x07%d.csv --stats"), 0);
-    assert_said("roberts: b\\x07.off: 1 solid, ");
+    assert_said("roberts: b\\x07.off: 1 body, ");
     assert_said("roberts: c\\x07"
                 "0.csv: verify: ");
     assert_said("roberts: c\\x07"
@@ -506,7 +549,7 @@ static void several_points_are_picked(void **state)
 {
     (void)state;
     assert_int_equal(run("--pick 2.5,-2 --pick=-1e6,0 --view top -f null models/cube-behind-cube.off"), 0);
-    assert_string_equal(last.err, "roberts: pick 2.5,-2: solid 0, face 0, depth -2.5, at 2,1.5,4\n"
+    assert_string_equal(last.err, "roberts: pick 2.5,-2: body 0, face 0, depth 2.5, at 2,1.5,4\n"
                                   "roberts: pick -1000000,0: nothing is there; the picture reaches from "
                                   "-4.5,-3.5 to 4.5,3.5\n");
 }
@@ -637,7 +680,7 @@ static void each_of_several_pictures_is_named(void **state)
                          "models/platonic/octahedron.off"),
                      0);
     assert_line(0, "roberts: models/platonic/cube.off: verify: ");
-    assert_line(1, "roberts: models/platonic/cube.off: pick 0,0: solid 0, ");
+    assert_line(1, "roberts: models/platonic/cube.off: pick 0,0: body 0, ");
     assert_line(2, "roberts: models/platonic/cube.off: pick 1000000,0: nothing is there");
     assert_line(3, JSON_BEGINS "\"models/platonic/cube.off\",\"output\":null,\"files\":1,");
     assert_line(4, "roberts: models/platonic/octahedron.off: verify: ");
@@ -673,7 +716,7 @@ static void counts_agree(void **state)
     (void)state;
     assert_int_equal(run("--stats --verify -f null models/table.off --hidden dashed"), 0);
     assert_int_equal(sscanf(last.err, "roberts: verify: %u points of %u segments checked", &points, &checked), 2);
-    assert_said(" segments checked, visible and hidden ones; ");
+    assert_said(" segments checked, visible ones and hidden ones, drawn or not; ");
     const char *segments = strstr(last.err, "  segments\n");
     assert_true(segments && segments - last.err > 14);
     assert_int_equal(strtoul(segments - 14, NULL, 10), checked);
@@ -711,6 +754,7 @@ int main(void)
         IN_FOLDER(endings_that_mislead_are_warned_of),
         IN_FOLDER(numbers_without_a_turntable_are_warned_of),
         IN_FOLDER(idle_options_are_warned_of),
+        IN_FOLDER(what_a_drawing_lacks_is_warned_of),
         IN_FOLDER(terminals_are_told_of),
         IN_FOLDER(names_are_printed_plainly),
         IN_FOLDER(closed_streams_stay_taken),

@@ -1,5 +1,6 @@
-/* cross_exact.h - the segments in which two faces cross (C++). The line of the two planes is walked from end to end: a
- * face has points on the upper side of the other's plane at X where the border, moved up by nothing, winds round X. */
+/* cross_exact.h - the segments in which two faces cross (C++). The line of the two planes is walked from end to end. A
+ * face has points on the upper side of the other's plane at X if its border, shifted up infinitesimally, winds round
+ * X. */
 #ifndef ROBERTS_TESTS_CROSS_EXACT_H
 #define ROBERTS_TESTS_CROSS_EXACT_H
 
@@ -10,7 +11,7 @@ namespace
 
 /* A maximal segment in which faces f and g cross. */
 struct crossing {
-    size_t f, g; /* into mesh_oracle.faces, f < g */
+    size_t f, g; /* indices in mesh_oracle.faces, f < g */
     vec<rational> a, b;
 };
 
@@ -23,11 +24,11 @@ struct cross_finder {
     const mesh_oracle &o;
     size_t pairs = 0;
 
-    /* Where the border of a face meets the other's plane, along the line of both planes. */
+    /* A point where the border of a face meets the other's plane, along the line of both planes. */
     struct meeting {
         rational s;
         vec<rational> at;
-        int up, down; /* by how much the winding number of what lies farther along falls here: on each side */
+        int up, down; /* by how much the winding number on each side falls here for points farther along */
     };
 
     /* A side that runs along the line. */
@@ -41,12 +42,12 @@ struct cross_finder {
         std::vector<run> runs;
     };
 
-    /* Boxes in space; what is apart is not asked exactly. */
+    /* Boxes in space; pairs that are apart need no exact test. */
     struct box {
         double low[3], high[3];
     };
     std::vector<box> boxes;
-    std::vector<size_t> first; /* first_alike() */
+    std::vector<size_t> first; /* see first_alike() */
 
     explicit cross_finder(const mesh_oracle &oracle) : o(oracle)
     {
@@ -71,7 +72,7 @@ struct cross_finder {
         return false;
     }
 
-    /* Does all of face f lie on one side of g's plane, or in it? */
+    /* Is the whole face f on one side of g's plane, or in it? */
     bool beside(const polygon &f, const polygon &g) const
     {
         size_t exact = 0;
@@ -119,7 +120,7 @@ struct cross_finder {
         return o.even_odd ? winding % 2 != 0 : winding != 0;
     }
 
-    /* Does the face go on at both sides at s, which is no meeting, and does no side bound anything there? */
+    /* Does the face continue on both sides at s, which is not a meeting, without a side that bounds it there? */
     bool goes_on(const profile &p, const rational &s) const
     {
         long up = 0, down = 0, net = 0;
@@ -167,11 +168,11 @@ struct cross_finder {
     /* A piece of a flat edge that lies in face f. */
     struct seam {
         size_t f;
-        std::vector<size_t> own; /* faces of the edge, and f */
+        std::vector<size_t> own; /* faces of the edge, followed by f */
         vec<rational> a, b;
     };
 
-    /* On which side of the edge from a along d do the corners of a face lie, in its plane? 0: on both. */
+    /* Finds on which side of the edge from a along d the corners of a face lie, within its plane. 0: on both. */
     int side_of(const polygon &f, const vec<rational> &n, const vec<rational> &a, const vec<rational> &d) const
     {
         vec<rational> m = cross(n, d);
@@ -231,7 +232,7 @@ struct cross_finder {
         return out;
     }
 
-    /* Of each face the first one that has the same corners. */
+    /* Returns, for each face, the first one that has the same corners. */
     std::vector<size_t> first_alike() const
     {
         std::map<std::vector<uint32_t>, size_t> known;

@@ -1,4 +1,4 @@
-/* cross_judge.h - holds a table's rows of intersection lines against the oracle. */
+/* cross_judge.h - compares a table's rows of intersection lines with the oracle. */
 #ifndef ROBERTS_TESTS_CROSS_JUDGE_H
 #define ROBERTS_TESTS_CROSS_JUDGE_H
 
@@ -10,13 +10,13 @@
 /* A row of an intersection line, or one that claims to be. */
 typedef struct cross_row {
     uint32_t body, f0, f1;
-    bool intersection; /* its class says so */
+    bool intersection; /* according to its class */
     bool visible;
     double t0, t1;
     roberts_vec3 p, q; /* its ends in the model */
 } cross_row;
 
-/* What the rows are held against. */
+/* What the rows are compared with. */
 typedef struct cross_case {
     const mesh_scene *scene;
     const cross_truth *truth;
@@ -25,21 +25,21 @@ typedef struct cross_case {
     const char *name;
 } cross_case;
 
-/* Compares all rows, which are in the table's order, and adds to `total`. The first few lines that fail are told on
- * `out`. Returns how many lines and rows were wrong. */
+/* Compares all rows, which are in the table's order, and adds to `total`. Reports the first few failures to `out`.
+ * Returns the number of wrong lines and rows. */
 size_t cross_judge_rows(const cross_case *c, const cross_row *row, size_t count, mesh_total *total, FILE *out);
 
-/* The same for the rows of a drawing, with their pictures and with the ends that the drawing gives each line. `built`
- * is the library's scene. */
+/* Does the same for the rows of a drawing, including their picture coordinates and the ends that the drawing gives each
+ * line. `built` is the library's scene. */
 size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, const roberts_drawing *drawing,
                            mesh_total *total, FILE *out);
 
-/* Where things are not exact: makes one of lines of the same faces that meet within the slack, and turns lines round
- * that the drawing has the other way about if either end may be the smaller one, since their x is the same within it.
- */
+/* Adapts the truth of an inexact scene. Joins lines of the same faces that meet within the slack. Reverses lines that
+ * the drawing has the other way round, if either end may be the smaller one because their x is equal within the
+ * slack. */
 void cross_settle(const mesh_scene *scene, cross_truth *truth, const roberts_drawing *drawing);
 
-/* The rows that are right; *count is filled. NULL: no memory. The caller frees them. */
+/* Returns the correct rows and sets *count. NULL: no memory. The caller frees them. */
 cross_row *cross_rows_of_truth(const cross_truth *truth, const uint32_t *face_body, size_t *count);
 
 #endif

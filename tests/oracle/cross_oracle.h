@@ -1,13 +1,13 @@
 /* cross_oracle.h - where faces of any mesh cross, and how far those lines are visible, decided with exact numbers. It
- * is the definition itself, as plainly as possible:
+ * applies the definition directly:
  *
- *   Two faces cross at a point X where each has points on both sides of the other's plane, however near to X. Where a
- *   side of one of them that bounds something runs along the other's plane, they do not: that edge is the line.
+ *   Two faces cross at a point X if each has points on both sides of the other's plane, however near to X. They do not
+ *   cross where a bounding side of one of them runs along the other's plane: there, that edge is the line.
  *   An intersection line is a maximal segment of such points of two faces. It runs from its end of smaller (x, y, z).
- *   A face hides a point of it as one of an edge (mesh_oracle.h); its own two faces do not.
+ *   A face hides a point of the line as it would hide a point of an edge (mesh_oracle.h). Its own two faces do not.
  *
- * Faces, vertices and planes are those of mesh_oracle.h. A face with the same corners as an earlier one, from whatever
- * start and in whatever direction, is not there. */
+ * Faces, vertices and planes are those of mesh_oracle.h. A face with the same corners as an earlier one, from any start
+ * and in either direction, does not exist. */
 #ifndef ROBERTS_TESTS_CROSS_ORACLE_H
 #define ROBERTS_TESTS_CROSS_ORACLE_H
 
@@ -19,32 +19,32 @@ extern "C" {
 
 typedef struct cross_line {
     uint32_t f0, f1;     /* faces of the mesh, f0 < f1 */
-    roberts_vec3 a, b;   /* its ends, each coordinate the nearest double */
-    bool edge_on;        /* a face is edge-on: the line lies in the picture where the whole face does */
-    size_t first, count; /* hidden intervals, into cross_truth.interval; they ascend and do not touch */
+    roberts_vec3 a, b;   /* ends; each coordinate is the nearest double */
+    bool edge_on;        /* a face is edge-on: in the picture, the line lies on the whole face */
+    size_t first, count; /* hidden intervals, in cross_truth.interval; they ascend and do not touch */
 } cross_line;
 
 typedef struct cross_truth {
     size_t line_count, interval_count;
-    cross_line *line; /* [line_count] by f0, f1, a */
+    cross_line *line; /* [line_count] sorted by f0, f1, a */
     oracle_interval *interval;
-    uint32_t *same; /* [face_count of the mesh] the first face with the same corners; ROBERTS_NONE: it is no face */
-    size_t pairs, exact; /* pairs of faces whose boxes meet; pairs of line and face that took rational numbers */
-    char error[160];     /* empty if nothing went wrong */
+    uint32_t *same;      /* [face_count of the mesh] the first face with the same corners; ROBERTS_NONE: not a face */
+    size_t pairs, exact; /* pairs of faces whose boxes meet; pairs of line and face that needed rational numbers */
+    char error[160];     /* empty: no error */
 } cross_truth;
 
-/* Finds all lines. The viewer is at infinity or an eye that has the scene wholly in front of it. False: *truth holds an
- * error alone. Release with cross_truth_free(). */
+/* Finds all lines. The viewer is at infinity, or an eye with the whole scene in front of it. False: *truth contains
+ * only an error. Release with cross_truth_free(). */
 bool cross_truth_find(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, cross_truth *truth);
 void cross_truth_free(cross_truth *truth);
 
-/* Finds where a flat edge, which is not drawn, lies in a face that goes on at both sides of the edge's faces: there
- * those faces end on it, and the line is an intersection. f0 is the face, f1 the smallest of the edge's. Faces of more
- * than four corners are not looked at for flat edges. Release as above. */
+/* Finds where a flat edge, which is not drawn, lies in a face that continues on both sides of the edge's faces. There
+ * those faces end on it, and the line is an intersection. f0 is the face, f1 the smallest of the edge's. Faces with
+ * more than four corners are not examined for flat edges. Release as above. */
 bool cross_seams_find(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, cross_truth *truth);
 
-/* How clear it is, in doubles, whether two faces cross at X: ORACLE_YES where they do and would do so if everything
- * moved by `slack` (model units), ORACLE_NO where they would not; else ORACLE_UNSURE. */
+/* Returns how certain it is, in doubles, whether two faces cross at X. ORACLE_YES: they do, even if everything moves by
+ * `slack` (model units). ORACLE_NO: they do not, even then. Otherwise ORACLE_UNSURE. */
 oracle_answer cross_truth_at(const roberts_mesh *mesh, bool even_odd, uint32_t f0, uint32_t f1, roberts_vec3 X,
                              double slack);
 

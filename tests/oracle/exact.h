@@ -1,5 +1,5 @@
-/* exact.h - the oracle's numbers and vectors (C++). Each question is asked first with intervals of doubles, which know
- * their own error. Where a sign or an end remains uncertain, it is asked again with rational numbers. */
+/* exact.h - the oracle's numbers and vectors (C++). Each question is first decided with intervals of doubles, which
+ * bound their own error. If a sign or an end stays uncertain, it is decided with rational numbers. */
 #ifndef ROBERTS_TESTS_EXACT_H
 #define ROBERTS_TESTS_EXACT_H
 
@@ -37,7 +37,7 @@ template <class N> N dot(const vec<N> &a, const vec<N> &b)
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/* Asks work(N()) with intervals, and with rational numbers where that throws. */
+/* Computes work(N()) with intervals, and with rational numbers if that throws. */
 template <class W> auto exactly(bool exact_only, size_t *exact, W work) -> decltype(work(rational()))
 {
     if (!exact_only) {
@@ -51,14 +51,14 @@ template <class W> auto exactly(bool exact_only, size_t *exact, W work) -> declt
     return work(rational());
 }
 
-/* The sign of a number; throws where an interval holds more than one. */
+/* Returns the sign of a number; throws if an interval contains more than one. */
 template <class N> int sign_of(const N &x)
 {
     CGAL::Sign sign = CGAL::sign(x);
     return sign;
 }
 
-/* The double nearest to a value that lies in the interval, to 1e-14. */
+/* Returns the double nearest to a value in the interval, to 1e-14. */
 inline double rounded(const interval &x)
 {
     if (x.sup() - x.inf() > 1e-14)
@@ -71,7 +71,7 @@ inline double rounded(const rational &x)
     return CGAL::to_double(x);
 }
 
-/* Length of a vector to a thousandth, which is enough to turn a slack into a bound on g. */
+/* Returns the length of a vector to a thousandth, which is enough to convert a slack into a bound on g. */
 inline double length(const vec<interval> &v)
 {
     double x = CGAL::to_double(v.x), y = CGAL::to_double(v.y), z = CGAL::to_double(v.z), l = std::hypot(x, y, z);

@@ -1,11 +1,11 @@
-/* golden.h - visible segments of a model kept as text, and believed only as far as the exact oracle agrees.
+/* golden.h - visible segments of a model stored as text, and accepted only as far as the exact oracle agrees.
  *
- * A golden is made of lines `solid v0 v1 t0 t1 class` (class: outline or crease), in the order of the drawing, for the
- * program's default options. Its comments hold what it is about:
+ * A golden has lines `solid v0 v1 t0 t1 class` (class: outline or crease), in the order of the drawing, for the
+ * program's default options. Its comments describe it:
  *   # model models/table.off
  *   # view iso
- *   # slack 0        or, as a part of the largest coordinate, what oracle_options.slack was: rounding of the model
- * Below 30 edges it also lists every edge with its ends in space, to be checked by hand. */
+ *   # slack 0        or oracle_options.slack as a fraction of the largest coordinate: rounding of the model
+ * A model with fewer than 30 edges also lists every edge with its ends in space, to be checked by hand. */
 #ifndef ROBERTS_TESTS_GOLDEN_H
 #define ROBERTS_TESTS_GOLDEN_H
 
@@ -18,10 +18,11 @@ typedef struct golden_total {
     double unjudged; /* edge lengths; see judge_total */
 } golden_total;
 
-/* Program against golden and golden against oracle. What is wrong goes to `out`, with the golden's line. */
+/* Compares the program with the golden, and the golden with the oracle. Reports errors to `out`, with the golden's
+ * line. */
 bool golden_check(const char *golden, golden_total *total, FILE *out);
 
-/* Writes the golden of a model seen from a preset, after the oracle has agreed with every edge of it. */
+/* Writes the golden of a model seen from a preset, if the oracle agrees with every edge of it. */
 bool golden_write(const char *model, const char *view, const char *golden, FILE *out);
 
 #endif

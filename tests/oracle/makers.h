@@ -1,10 +1,10 @@
-/* makers.h - functions that make the scenes of families, as far as they are used beyond their own file. */
+/* makers.h - functions that make scenes of families and are used outside their own file. */
 #ifndef ROBERTS_TESTS_MAKERS_H
 #define ROBERTS_TESTS_MAKERS_H
 
 #include "studio.h"
 
-/* families.c: whole coordinates and halves */
+/* families.c: coordinates are integers and halves */
 void make_blocks(studio *st);
 void make_bricks(studio *st);
 void make_checker(studio *st);

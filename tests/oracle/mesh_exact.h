@@ -1,6 +1,6 @@
-/* mesh_exact.h - what the exact judges of any mesh share (C++): its faces, their pictures, and what a face hides.
- * Everything is asked in the picture: points are projected exactly, a segment is cut where it crosses the line of a
- * side and where it pierces the plane, and each open part between two cuts is asked in its middle. */
+/* mesh_exact.h - shared by the exact judges of any mesh (C++): its faces, their pictures, and what a face hides.
+ * Everything is decided in the picture. Points are projected exactly. A segment is cut where it crosses the line of a
+ * side and where it pierces the plane. Each open part between two cuts is tested at its middle. */
 #ifndef ROBERTS_TESTS_MESH_EXACT_H
 #define ROBERTS_TESTS_MESH_EXACT_H
 
@@ -18,21 +18,21 @@
 namespace
 {
 
-/* How far a corner may be from its face's plane, as a part of the face's size. */
+/* Fraction of the face's size: how far a corner may be from its face's plane. */
 const double PLANAR = 1e-5;
 
 template <class N> struct point2 {
     N x, y, w; /* w: depth of the point from the eye along the axis; 1 for a viewer at infinity */
 };
 
-/* A face with each corner once in a row, by positions. */
+/* A face with no corner repeated directly, given by positions. */
 struct polygon {
     uint32_t number; /* in the mesh */
     std::vector<uint32_t> corner;
     std::vector<std::array<uint32_t, 2>> side; /* without those that run both ways */
-    double x0, x1, y0, y1;                     /* of its picture, with a margin */
-    /* Two corners that make a triangle with the first one, where parts of the face that run either way are as large:
-     * then Newell's normal is 0, or nothing but rounding. Else 0. */
+    double x0, x1, y0, y1;                     /* box of its picture, with a margin */
+    /* Two corners that form a triangle with the first one. Used if parts of the face with opposite orientation have
+     * equal areas: then Newell's normal is 0 or mere rounding. Otherwise 0. */
     uint32_t second, third;
 };
 
@@ -42,7 +42,7 @@ struct spot {
     vec<rational> at;
     point2<interval> near_flat;
     point2<rational> flat;
-    uint32_t vertex; /* ROBERTS_NONE: it is none */
+    uint32_t vertex; /* ROBERTS_NONE: not a vertex */
 
     const vec<interval> &space(interval) const
     {
@@ -71,8 +71,8 @@ struct mesh_oracle {
     bool even_odd;
     std::vector<uint32_t> position;
     std::vector<polygon> faces;
-    std::map<std::array<uint32_t, 2>, std::vector<size_t>> edges; /* faces of each */
-    roberts_vec3 U{}, W{}, D{};                                   /* the picture's axes: any that are independent */
+    std::map<std::array<uint32_t, 2>, std::vector<size_t>> edges; /* faces of each edge */
+    roberts_vec3 U{}, W{}, D{};                                   /* axes of the picture: any independent ones */
     std::vector<point2<interval>> flat;                           /* [vertex] */
     std::vector<point2<rational>> flat_exact;
     double margin = 0;
@@ -134,7 +134,7 @@ struct mesh_oracle {
             throw std::runtime_error("no face");
     }
 
-    /* Chooses what the face's plane goes through. */
+    /* Chooses the point through which the face's plane passes. */
     void take_plane(polygon &f) const
     {
         const roberts_vec3 &o = mesh.vertex[f.corner[0]];
@@ -182,7 +182,7 @@ struct mesh_oracle {
             D = {(lo.x + hi.x) / 2 - V.x, (lo.y + hi.y) / 2 - V.y, (lo.z + hi.z) / 2 - V.z};
             V = D;
         }
-        /* two axes at right angles to V, exactly: V_k e_i - V_i e_k for the largest V_k */
+        /* two axes exactly perpendicular to V: V_k e_i - V_i e_k for the largest V_k */
         double ax = std::fabs(V.x), ay = std::fabs(V.y), az = std::fabs(V.z);
         if (az >= ax && az >= ay) {
             U = {V.z, 0, -V.x};
@@ -284,7 +284,7 @@ struct mesh_oracle {
 
     /* ---- one face ---- */
 
-    /* Twice the area vector, and the plane's value at a point times the number of corners. */
+    /* Return twice the area vector, and the plane's value at a point times the number of corners. */
     template <class N> vec<N> newell(const polygon &f) const
     {
         const roberts_vec3 &o = mesh.vertex[f.corner[0]];
@@ -313,7 +313,7 @@ struct mesh_oracle {
         return height(f, n, vec<N>{N(X.x), N(X.y), N(X.z)});
     }
 
-    /* The same of an end of a line; a corner of the face lies on it. */
+    /* Returns the height of an end of a line; a corner of the face is at height 0. */
     template <class N> N height(const polygon &f, const vec<N> &n, const spot &s) const
     {
         return s.vertex != ROBERTS_NONE && has(f, s.vertex) ? N(0) : height(f, n, s.space(N()));
@@ -366,7 +366,7 @@ struct mesh_oracle {
 
     /* ---- what a side bounds ---- */
 
-    /* The parameter of a corner along the line through a and b; false: it lies beside that line. */
+    /* Finds the parameter of a corner along the line through a and b. False: it is not on that line. */
     bool along(uint32_t a, uint32_t b, uint32_t v, rational *t) const
     {
         const roberts_vec3 &A = mesh.vertex[a], &B = mesh.vertex[b], &P = mesh.vertex[v];
@@ -384,7 +384,7 @@ struct mesh_oracle {
         return true;
     }
 
-    /* Where the border of face f bounds something along its side from a to b: ends of parts, two by two. */
+    /* Returns where the border of face f bounds it along its side from a to b: pairs of ends. */
     std::vector<rational> bounded(const polygon &f, uint32_t a, uint32_t b) const
     {
         std::vector<std::tuple<rational, int>> change;
@@ -419,7 +419,7 @@ struct mesh_oracle {
         return out;
     }
 
-    /* The same of all faces that have the edge. */
+    /* Does the same for all faces that have the edge. */
     std::vector<oracle_interval> parts(uint32_t a, uint32_t b, const std::vector<size_t> &own) const
     {
         std::vector<oracle_interval> all;
@@ -442,7 +442,7 @@ struct mesh_oracle {
         return facing_of(f, newell<rational>(f)) == 0;
     }
 
-    /* What face f hides of the line from a to b, which does not lie in it by its nature. */
+    /* Returns what face f hides of the line from a to b, which does not lie in the face by definition. */
     template <class N> std::vector<oracle_interval> hide_by(const polygon &f, const spot &a, const spot &b) const
     {
         std::vector<oracle_interval> out;
@@ -497,13 +497,13 @@ struct mesh_oracle {
             std::vector<oracle_interval> some =
                 exactly(false, &exact, [&](auto zero) { return hide_by<decltype(zero)>(faces[f], a, b); });
             if (some.size() == 1 && some[0].t0 == 0 && some[0].t1 == 1)
-                return some; /* all is hidden: other faces change nothing */
+                return some; /* everything is hidden: other faces change nothing */
             all.insert(all.end(), some.begin(), some.end());
         }
         return join(all, 4e-14);
     }
 
-    /* Sorted, and one where they are no farther than `gap` from one another. */
+    /* Sorts intervals, and joins those no farther than `gap` apart. */
     static std::vector<oracle_interval> join(std::vector<oracle_interval> all, double gap)
     {
         std::vector<oracle_interval> joined;

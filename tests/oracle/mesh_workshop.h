@@ -1,4 +1,4 @@
-/* mesh_workshop.h - where the families of bodies of any kind build their scenes. */
+/* mesh_workshop.h - builds the scenes for the families of bodies of any kind. */
 #ifndef ROBERTS_TESTS_MESH_WORKSHOP_H
 #define ROBERTS_TESTS_MESH_WORKSHOP_H
 
@@ -27,7 +27,7 @@ static inline uint32_t vertex(workshop *w, double x, double y, double z)
     return number;
 }
 
-/* Adds a face from any corner on, wound either way. */
+/* Adds a face, starting at any corner, with either winding. */
 static inline void face(workshop *w, const uint32_t *corner, int count)
 {
     uint32_t turned[FACE_CORNERS];
@@ -49,7 +49,7 @@ static inline double round_to(double x, double step)
 
 static const double full_turn = 6.28318530717958647692;
 
-/* A plane: an image of the plane of two coordinates, so that all its whole points have whole images. */
+/* A plane: an image of the plane of two coordinates, such that all its integer points have integer images. */
 typedef struct sheet {
     int o[3], u[3], v[3];
 } sheet;
@@ -82,10 +82,10 @@ typedef struct matrix {
 
 extern const matrix workshop_identity;
 
-/* A rotation times 9, in whole numbers. */
+/* Returns 9 times a rotation, in integers. */
 matrix workshop_rotation(workshop *w);
 
-/* Adds a convex solid, each of its points sent to at + m p. */
+/* Adds a convex solid; each point p goes to at + m p. */
 void workshop_put(workshop *w, const shape *s, const int at[3], const matrix *m);
 
 typedef struct mesh_family {

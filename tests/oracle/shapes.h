@@ -1,4 +1,4 @@
-/* shapes.h - seeded random numbers, and convex polyhedra with whole coordinates made of them. */
+/* shapes.h - seeded random numbers, and convex polyhedra with integer coordinates made from them. */
 #ifndef ROBERTS_TESTS_SHAPES_H
 #define ROBERTS_TESTS_SHAPES_H
 
@@ -10,14 +10,14 @@ typedef struct dice {
 } dice;
 
 uint64_t dice_next(dice *d);
-/* A whole number of lo .. hi. */
+/* Returns an integer from lo to hi. */
 int dice_int(dice *d, int lo, int hi);
-/* A double of -1 .. 1. */
+/* Returns a double from -1 to 1. */
 double dice_real(dice *d);
 
 enum { SHAPE_POINTS = 1120, SHAPE_CORNERS = 3400, HULL_POINTS = 64 };
 
-/* Coordinates are below 2^18 in size, so that every determinant of three differences fits 64 bits. */
+/* Coordinates are below 2^18 in size, so every determinant of three differences fits into 64 bits. */
 typedef struct shape {
     int point_count, face_count, corner_count;
     int64_t point[SHAPE_POINTS][3];
@@ -25,34 +25,35 @@ typedef struct shape {
     int corner[SHAPE_CORNERS];
 } shape;
 
-/* Adds a point that is not there yet, as long as there is room. */
+/* Adds a point unless it exists already or there is no room. */
 void shape_point(shape *s, int64_t x, int64_t y, int64_t z);
 
-/* Leaves the convex hull of the shape's points, HULL_POINTS at the most, in the shape; false where they are flat or
- * the hull is too large. */
+/* Replaces the shape by the convex hull of its points, at most HULL_POINTS. False: they are flat or the hull is too
+ * large. */
 bool shape_hull(shape *s);
 
 shape shape_box(int x, int y, int z);
-/* The hull of `count` random points with coordinates of 0 .. size. Small sizes give many-cornered faces. */
+/* Returns the hull of `count` random points with coordinates from 0 to `size`. Small sizes give faces with many
+ * corners. */
 shape shape_random(dice *d, int count, int size);
-/* A prism or a pyramid, leaning, over a polygon of up to 16 corners. */
+/* Returns an oblique prism or pyramid over a polygon of up to 16 corners. */
 shape shape_prism(dice *d);
-/* A prism or a pyramid, leaning, over a polygon of 68 to 144 corners, of which some may be straight. */
+/* Returns an oblique prism or pyramid over a polygon of 68 to 144 corners, some of which may be straight. */
 shape shape_coin(dice *d);
-/* A prism, leaning, over a polygon of about 490 corners, 512 at the most. */
+/* Returns an oblique prism over a polygon of about 490 corners, at most 512. */
 shape shape_large_coin(dice *d);
-/* A pyramid over a polygon of 144 to 224 corners: all of its sides meet in the apex. */
+/* Returns a pyramid over a polygon of 144 to 224 corners: all its sides meet at the apex. */
 shape shape_fan(dice *d);
-/* A box whose upper and lower faces have a corner at each whole number of their sides, 68 corners and more. */
+/* Returns a box whose upper and lower faces have a corner at each integer point of their sides, 68 corners or more. */
 shape shape_plate(dice *d);
-/* A prism of height 1000 over a regular polygon of radius 1000, its corners rounded to whole numbers. */
+/* Returns a prism of height 1000 over a regular polygon of radius 1000, with corners rounded to integers. */
 shape shape_regular_prism(int sides);
-/* Both fill space. The cells of the first are 2 wide and have their centres in the origin and at even coordinates
- * whose sum is a multiple of 4; those of the second in the origin and at coordinates that are all even and alike
+/* Both fill space. The cells of the first are 2 wide, with centres at the origin and at even coordinates whose sum is a
+ * multiple of 4. Those of the second are centred at the origin and at coordinates that are all even and congruent
  * modulo 4. */
 shape shape_rhombic_dodecahedron(void);
 shape shape_truncated_octahedron(void);
-/* Any of a box, a small prism and a small random hull. */
+/* Returns a box, a small prism or a small random hull. */
 shape shape_any(dice *d);
 
 #endif

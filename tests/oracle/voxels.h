@@ -1,5 +1,5 @@
-/* voxels.h - the lines of a union of bodies whose faces lie in the planes of the integer grid, found without geometry:
- * each cell of the grid is full or empty, and the four cells around an edge of the grid say whether it is drawn. */
+/* voxels.h - the lines of a union of bodies whose faces lie in the planes of the integer grid, found without geometry.
+ * Each cell of the grid is full or empty, and the four cells around an edge of the grid decide whether it is drawn. */
 #ifndef ROBERTS_TESTS_VOXELS_H
 #define ROBERTS_TESTS_VOXELS_H
 
@@ -12,8 +12,8 @@ typedef struct voxel_edge {
     union_class class_; /* if it is drawn */
 } voxel_edge;
 
-/* All unit edges that a body reaches; NULL: no memory, or faces that are no rectangles across x on the grid. The
- * caller frees them. */
+/* Returns all unit edges that a body reaches. NULL: no memory, or faces that are not rectangles across x on the grid.
+ * The caller frees them. */
 voxel_edge *voxel_edges(const roberts_mesh *mesh, const oracle_view *view, size_t *count);
 
 #endif

@@ -1,4 +1,4 @@
-/* drawing.h - drawings made by hand, and where their bytes go: for the tests of src/draw/. */
+/* drawing.h - hand-made drawings, and sinks for their bytes: for the tests of src/draw/. */
 #ifndef ROBERTS_TESTS_DRAWING_H
 #define ROBERTS_TESTS_DRAWING_H
 
@@ -8,7 +8,7 @@
 
 #include "roberts.h"
 
-/* A visible segment from (x0, y0) to (x1, y1). */
+/* Returns a visible segment from (x0, y0) to (x1, y1). */
 static inline roberts_segment line_at(roberts_line line, double x0, double y0, double x1, double y1)
 {
     return (roberts_segment){.v1 = 1,
@@ -20,7 +20,7 @@ static inline roberts_segment line_at(roberts_line line, double x0, double y0, d
                              .line = (uint8_t)line};
 }
 
-/* models/MODEL.off, seen as the preset `view` or, where that is NULL, in perspective; hidden parts included. */
+/* Draws models/MODEL.off, seen as the preset `view` or, if that is NULL, in perspective; hidden parts included. */
 static inline roberts_drawing model_drawing(const char *model, const char *view)
 {
     char path[100];
@@ -40,7 +40,7 @@ static inline roberts_drawing model_drawing(const char *model, const char *view)
     return drawing;
 }
 
-/* What a writer was given. With `room` above 0 it fails with ENOSPC once it has got that much. */
+/* The bytes that a writer has produced. With `room` above 0, it fails with ENOSPC after that many. */
 typedef struct sink {
     char *bytes;
     size_t size, room;

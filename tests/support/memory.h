@@ -1,8 +1,8 @@
-/* memory.h - makes one allocation after the other fail. For test programs called test_memory_*: these alone are linked
- * so that malloc(), calloc(), realloc() and free() of our own code come here. Include it in one file only.
+/* memory.h - makes one allocation after the other fail. For test programs named test_memory_*: only these are linked
+ * such that malloc(), calloc(), realloc() and free() of our own code come here. Include it in one file only.
  *
  *     for (size_t n = 1; memory_fails_at(n); n++)
- *         ... call, expect ROBERTS_NO_MEMORY where memory_failed() ... */
+ *         ... call, expect ROBERTS_NO_MEMORY if memory_failed() ... */
 #ifndef ROBERTS_TESTS_MEMORY_H
 #define ROBERTS_TESTS_MEMORY_H
 
@@ -20,9 +20,9 @@ void *__wrap_calloc(size_t count, size_t size);
 void *__wrap_realloc(void *block, size_t size);
 void __wrap_free(void *block);
 
-static size_t memory_calls, memory_failing; /* so far; the one that fails, 0: none */
-static size_t memory_blocks;                /* not yet freed */
-static size_t memory_largest;               /* bytes of the largest block that was asked for */
+static size_t memory_calls, memory_failing; /* number of calls so far; the one that fails, 0: none */
+static size_t memory_blocks;                /* number of blocks not yet freed */
+static size_t memory_largest;               /* bytes of the largest block requested */
 
 static bool memory_allows(size_t size)
 {
@@ -59,14 +59,14 @@ void __wrap_free(void *block)
 
 /* NOLINTEND(bugprone-reserved-identifier) */
 
-/* From now on the call number `failing` fails, once; 0: none. */
+/* From now on, call number `failing` fails, once; 0: none. */
 static void memory_fail(size_t failing)
 {
     memory_calls = memory_largest = 0;
     memory_failing = failing;
 }
 
-/* Whether that call has come. */
+/* Has that call happened? */
 static bool memory_failed(void)
 {
     return memory_failing && memory_calls >= memory_failing;

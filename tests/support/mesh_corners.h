@@ -14,7 +14,7 @@ static inline size_t corner_count(const roberts_mesh *m, size_t f)
     return m->face_start[f + 1] - m->face_start[f];
 }
 
-/* Corner i of face f, i less than twice their number. */
+/* Returns corner i of face f; i is less than twice their number. */
 static inline uint32_t corner(const roberts_mesh *m, size_t f, size_t i)
 {
     return m->corner[m->face_start[f] + (i < corner_count(m, f) ? i : i - corner_count(m, f))];
@@ -25,7 +25,7 @@ static inline roberts_vec3 point(const roberts_mesh *m, size_t f, size_t i)
     return m->vertex[corner(m, f, i)];
 }
 
-/* Unit normal of face f by the winding of its first three corners. */
+/* Returns the unit normal of face f from the winding of its first three corners. */
 static inline roberts_vec3 normal(const roberts_mesh *m, size_t f)
 {
     roberts_vec3 o = point(m, f, 1);

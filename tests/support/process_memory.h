@@ -1,7 +1,7 @@
-/* process_memory.h - makes one allocation of the whole process fail, those of other libraries included. The functions
- * here take the place of the C library's; that those are called __libc_malloc() is a matter of glibc, and a sanitizer
- * brings its own: without the one or with the other REPLACED is 0. Include it in one file only. (memory.h does the same
- * with the allocations of our own code, everywhere.) */
+/* process_memory.h - makes one allocation of the whole process fail, including those of other libraries. The functions
+ * here replace those of the C library. They need glibc, which calls them __libc_malloc() etc., and no sanitizer, which
+ * has its own; otherwise REPLACED is 0. Include it in one file only. (memory.h does the same for the allocations of our
+ * own code, on every system.) */
 #ifndef ROBERTS_TESTS_PROCESS_MEMORY_H
 #define ROBERTS_TESTS_PROCESS_MEMORY_H
 
@@ -17,7 +17,7 @@
 #endif
 
 static struct process_memory {
-    size_t calls, failing; /* since when it was set; the one that fails, 0: none */
+    size_t calls, failing; /* calls since it was set; the one that fails, 0: none */
     long blocks;           /* not freed yet */
 } memory;
 

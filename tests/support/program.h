@@ -1,7 +1,8 @@
 /* program.h - runs the program from outside, each test in a folder of its own: exit status, messages, files. Include it
  * in one file only, after the headers of cmocka.
  *
- *     IN_FOLDER(test) among the tests, program_find() before them; run("--view top models/table.off"), then `last`. */
+ *     Use IN_FOLDER(test) in the list of tests, and call program_find() first; then run("--view top models/table.off"),
+ *     and look at `last`. */
 #ifndef ROBERTS_TESTS_PROGRAM_H
 #define ROBERTS_TESTS_PROGRAM_H
 
@@ -21,7 +22,7 @@ enum { ARGUMENTS = 16, TEXT = 65536, CLOSED = -2 };
 
 static char top[2048], program[4096]; /* the source's top folder; the program */
 
-/* What a run left: exit status, or 1000 + signal; the beginnings of its two streams. */
+/* The result of a run: exit status, or 1000 + signal; the beginnings of its two streams. */
 typedef struct result {
     int status;
     char out[TEXT], err[TEXT];
@@ -50,10 +51,10 @@ static inline void put(const char *path, const char *text)
     close(descriptor);
 }
 
-static int start_error = -1; /* standard error of what is started next; -1 for the file "err", or CLOSED */
-static void (*start_pipe_signal)(int) = SIG_DFL; /* what it does about SIGPIPE */
+static int start_error = -1; /* standard error of the next program started; -1: the file "err", or CLOSED */
+static void (*start_pipe_signal)(int) = SIG_DFL; /* its handling of SIGPIPE */
 
-/* Starts the program with the words of `line` as its arguments. `out`: its standard output, -1 for the file "out". */
+/* Starts the program with the words of `line` as its arguments. `out`: its standard output, -1: the file "out". */
 static inline pid_t start(const char *line, const char *in, int out)
 {
     static char words[4096];
@@ -66,7 +67,7 @@ static inline pid_t start(const char *line, const char *in, int out)
     pid_t child = fork();
     if (child != 0)
         return child;
-    signal(SIGINT, SIG_DFL); /* which commands in the background, or under nohup, are started without */
+    signal(SIGINT, SIG_DFL); /* commands in the background, or under nohup, are started with it ignored */
     signal(SIGHUP, SIG_DFL);
     signal(SIGTERM, SIG_DFL);
     signal(SIGPIPE, start_pipe_signal);
@@ -113,7 +114,7 @@ static inline void assert_said(const char *text)
         fail_msg("said: %s\nnot: %s", last.err, text);
 }
 
-/* How often something stands in a text. */
+/* Counts the occurrences of a string in a text. */
 static inline int count_of(const char *text, const char *what)
 {
     int count = 0;
@@ -122,7 +123,7 @@ static inline int count_of(const char *text, const char *what)
     return count;
 }
 
-/* Each test has a folder of its own, with a link to models/. */
+/* Gives each test a folder of its own, with a link to models/. */
 static inline int enter_folder(void **state)
 {
     char models[4096];
@@ -137,7 +138,7 @@ static inline int leave_folder(void **state)
     return chdir(top) == 0 ? temporary_remove(state) : -1;
 }
 
-/* Where the program is: $ROBERTS_BUILD/roberts, from the top folder. */
+/* Finds the program: $ROBERTS_BUILD/roberts, relative to the top folder. */
 static inline bool program_find(void)
 {
     const char *build = getenv("ROBERTS_BUILD");

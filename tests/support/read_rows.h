@@ -1,4 +1,4 @@
-/* read_rows.h - rows for the readers: a text, and the mesh that it is or what is said of it. */
+/* read_rows.h - rows for the readers: a text, and the expected mesh or message. */
 #ifndef ROBERTS_TESTS_READ_ROWS_H
 #define ROBERTS_TESTS_READ_ROWS_H
 
@@ -9,8 +9,8 @@
 #include "same_complaint.h"
 #include "same_mesh.h"
 
-/* A mesh as text: "0,0,0 1,0,0 0,1,0 | 0-1-2 | name@0". Colours stand behind what they colour, in thirds of one word:
- * "(1,0,0)". A last part "float32" says that coordinates are that. */
+/* A mesh as text: "0,0,0 1,0,0 0,1,0 | 0-1-2 | name@0". A colour follows what it colours, in the same word: "(1,0,0)",
+ * in thirds. A last part "float32" means that coordinates are 32-bit floats. */
 typedef struct mesh_text {
     char text[4096];
     size_t length;
@@ -64,7 +64,7 @@ static inline mesh_text mesh_as_text(const roberts_mesh *mesh)
 
 typedef struct read_good {
     const char *name, *text;
-    size_t size; /* 0: of a string */
+    size_t size; /* 0: a string */
     const char *mesh, *warnings;
 } read_good;
 
@@ -85,7 +85,7 @@ static inline void read_rows_warn(void *context, const char *file, size_t line, 
     strcat(said, one);
 }
 
-/* The input given out in pieces of 1 to 7 bytes. */
+/* Delivers the input in pieces of 1 to 7 bytes. */
 typedef struct read_pieces {
     const char *bytes;
     size_t size, at;
@@ -138,7 +138,7 @@ static inline void read_good_rows(const read_good *row, size_t count)
     }
 }
 
-/* A failure leaves a mesh as it was, be it empty or not. */
+/* After a failure, a mesh is unchanged, whether it was empty or not. */
 static inline void read_bad_rows(const read_bad *row, size_t count)
 {
     static const char first[] = "o first\nv 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -159,11 +159,11 @@ static inline void read_bad_rows(const read_bad *row, size_t count)
     }
 }
 
-/* Bytes of a binary file, built up. */
+/* The bytes of a binary file, as they are built. */
 typedef struct bytes_built {
     char bytes[2048];
     size_t size;
-    bool big; /* the order of numbers */
+    bool big; /* big-endian numbers */
 } bytes_built;
 
 static inline void build_bytes(bytes_built *b, const void *bytes, size_t size)
@@ -173,7 +173,7 @@ static inline void build_bytes(bytes_built *b, const void *bytes, size_t size)
     b->size += size;
 }
 
-/* The `size` lowest bytes of the number in the order that is wanted. */
+/* Appends the `size` lowest bytes of the number in the wanted order. */
 static inline void build_number(bytes_built *b, uint64_t number, size_t size)
 {
     for (size_t i = 0; i < size; i++) {

@@ -1,4 +1,4 @@
-/* same_complaint.h - an input read by a function against the same input read from memory. */
+/* same_complaint.h - compares errors of an input read by a function with those of the same input read from memory. */
 #ifndef ROBERTS_TESTS_SAME_COMPLAINT_H
 #define ROBERTS_TESTS_SAME_COMPLAINT_H
 
@@ -7,7 +7,8 @@
 
 #include "roberts.h"
 
-/* What can be read twice is looked at once more after an error: then more is said, or that it is no OFF. */
+/* Are both errors the same? An input that can be read twice is examined again after an error, and then the message says
+ * more, or says that it is not OFF. */
 static inline bool same_complaint(const roberts_error *once, const roberts_error *twice)
 {
     size_t length = strlen(once->message);
@@ -19,7 +20,7 @@ static inline bool same_complaint(const roberts_error *once, const roberts_error
            (twice->message[length] == '\0' || strncmp(twice->message + length, "; look: line ", 13) == 0);
 }
 
-/* Whether nothing but its size tells that this is binary STL: from a function, whose size is not known, it is something
+/* Is the size the only sign that this is binary STL? Read from a function, whose size is unknown, it is then something
  * else. */
 static inline bool only_size_tells(const void *bytes, size_t size)
 {

@@ -1,4 +1,4 @@
-/* same_mesh.h - whether two meshes hold the same vertices, faces, colours and groups. Their inputs are not compared. */
+/* same_mesh.h - compares two meshes: vertices, faces, colours and groups, but not their inputs. */
 #ifndef ROBERTS_TESTS_SAME_MESH_H
 #define ROBERTS_TESTS_SAME_MESH_H
 

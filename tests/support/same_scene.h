@@ -1,5 +1,5 @@
-/* same_scene.h - whether two scenes hold the same solids, to the last bit; where edges are stored may differ. Include
- * it after the headers of cmocka. */
+/* same_scene.h - compares the solids of two scenes to the last bit; where edges are stored may differ. Include it after
+ * the headers of cmocka. */
 #ifndef ROBERTS_TESTS_SAME_SCENE_H
 #define ROBERTS_TESTS_SAME_SCENE_H
 

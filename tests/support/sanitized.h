@@ -1,5 +1,4 @@
-/* sanitized.h - whether the address sanitizer, which takes time and memory and replaces malloc(), is in
- * this program. */
+/* sanitized.h - detects the address sanitizer, which takes time and memory and replaces malloc(). */
 #ifndef ROBERTS_TESTS_SANITIZED_H
 #define ROBERTS_TESTS_SANITIZED_H
 

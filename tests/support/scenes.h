@@ -1,8 +1,9 @@
-/* scenes.h - scenes for tests: convex solids with small integer corners, mapped, put side by side, changed and drawn.
+/* scenes.h - scenes for tests: convex solids with small integer corners, mapped, placed side by side, changed and
+ * drawn.
  *
- * A `model` is a mesh of solids that follow one another, so that solid s of the scene has the vertices
- * first_vertex[s] .. first_vertex[s + 1] - 1 and likewise its faces. Everything random comes from a generator of our
- * own with a seed in the test, so that a failure comes back. */
+ * A `model` is a mesh of solids that follow one another: solid s of the scene has the vertices first_vertex[s] ..
+ * first_vertex[s + 1] - 1 and likewise its faces. All random numbers come from our own generator with a seed in the
+ * test, so that failures are reproducible. */
 #ifndef ROBERTS_TESTS_SCENES_H
 #define ROBERTS_TESTS_SCENES_H
 
@@ -37,13 +38,13 @@ static inline double rng_between(rng *r, double low, double high)
     return low + (high - low) * ((double)(rng_next(r) >> 11) * 0x1p-53);
 }
 
-/* low .. high, both included. */
+/* Returns an integer from low to high, both included. */
 static inline int rng_int(rng *r, int low, int high)
 {
     return low + (int)(rng_next(r) % (uint64_t)(high - low + 1));
 }
 
-/* order[0 .. count - 1] = a random permutation of 0 .. count - 1. */
+/* Sets order[0 .. count - 1] to a random permutation of 0 .. count - 1. */
 static inline void rng_permutation(rng *r, uint32_t *order, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -81,7 +82,7 @@ static inline double mat3_determinant(mat3 m)
     return vec3_dot(m.x, vec3_cross(m.y, m.z));
 }
 
-/* A rotation, from a random unit quaternion. */
+/* Returns a rotation from a random unit quaternion. */
 static inline mat3 mat3_turn(rng *r)
 {
     double q[4], n = 0.0;
@@ -103,7 +104,7 @@ static inline mat3 mat3_turn(rng *r)
 
 enum { SHAPE_CUBE, SHAPE_TETRAHEDRON, SHAPE_OCTAHEDRON, SHAPE_WEDGE, SHAPE_PYRAMID, SHAPE_HEXAGON, SHAPE_CUT, SHAPES };
 
-/* Corner lists: the count, then the corners, face after face; 0 ends them. */
+/* Corner lists: the count, then the corners, face after face; 0 ends the list. */
 typedef struct shape {
     int vertices;
     double vertex[12][3];
@@ -196,7 +197,8 @@ static inline void model_add(model *m, const shape *s, mat3 map, roberts_vec3 of
     model_close_solid(m);
 }
 
-/* The box from `low` to `high`: its vertices are numbered as the cube's. Exact where the sums of coordinates are. */
+/* Adds the box from `low` to `high`, with its vertices numbered like the cube's. It is exact if the sums of coordinates
+ * are. */
 static inline void model_box(model *m, roberts_vec3 low, roberts_vec3 high)
 {
     roberts_vec3 size = vec3_sub(high, low);
@@ -204,14 +206,14 @@ static inline void model_box(model *m, roberts_vec3 low, roberts_vec3 high)
               vec3_scale(0.5, vec3_add(low, high)));
 }
 
-/* Every vertex p to map * p + offset. */
+/* Maps every vertex p to map * p + offset. */
 static inline void model_map(model *m, mat3 map, roberts_vec3 offset)
 {
     for (size_t i = 0; i < m->mesh.vertex_count; i++)
         m->mesh.vertex[i] = vec3_add(mat3_map(map, m->mesh.vertex[i]), offset);
 }
 
-/* The same solids, solid order[i] as the i-th; appends to an empty `to`. */
+/* Appends the same solids, with solid order[i] as the i-th, to an empty `to`. */
 static inline void model_reorder(model *to, const model *from, const uint32_t *order)
 {
     const roberts_mesh *mesh = &from->mesh;
@@ -239,7 +241,7 @@ static inline void model_copy(model *to, const model *from)
     model_reorder(to, from, same);
 }
 
-/* Turns corner lists round and over, each at random. */
+/* Reverses and rotates corner lists at random. */
 static inline void model_wind(model *m, rng *r)
 {
     for (size_t f = 0; f < m->mesh.face_count; f++) {
@@ -252,8 +254,8 @@ static inline void model_wind(model *m, rng *r)
     }
 }
 
-/* n^3 cells of size 1, a solid in each, turned at random, with a radius of up to `fill`: neighbours reach into each
- * other where it is above 1/2. */
+/* Makes n^3 cells of size 1 with a solid in each, turned at random, with a radius of up to `fill`. Neighbours
+ * interpenetrate if it is above 1/2. */
 static inline void model_lattice(model *m, int n, double fill, uint64_t seed)
 {
     rng r = {seed};
@@ -267,8 +269,8 @@ static inline void model_lattice(model *m, int n, double fill, uint64_t seed)
     }
 }
 
-/* A prism (with its two faces of n corners) or, pointed, a double pyramid over a regular polygon of n corners, radius 1
- * and height 2, mapped. */
+/* Adds a prism (with its two faces of n corners) or, if `pointed`, a double pyramid over a regular polygon of n
+ * corners, radius 1 and height 2, mapped. */
 static inline void model_round(model *m, uint32_t n, bool pointed, mat3 map, roberts_vec3 offset)
 {
     uint32_t first = (uint32_t)m->mesh.vertex_count, corner[2][MODEL_CORNERS];
@@ -295,7 +297,7 @@ static inline void model_round(model *m, uint32_t n, bool pointed, mat3 map, rob
     model_close_solid(m);
 }
 
-/* n^3 round solids of many faces, turned at random. */
+/* Makes n^3 round solids of many faces, turned at random. */
 static inline void model_balls(model *m, int n, double fill, uint64_t seed)
 {
     rng r = {seed};
@@ -306,7 +308,7 @@ static inline void model_balls(model *m, int n, double fill, uint64_t seed)
     }
 }
 
-/* Coordinates rounded to `digits` after the point, as files have them: faces are no longer quite planar. */
+/* Rounds coordinates to `digits` after the point, as in files: faces are no longer quite planar. */
 static inline void model_to_digits(model *m, int digits)
 {
     double k = pow(10, digits);
@@ -316,7 +318,7 @@ static inline void model_to_digits(model *m, int digits)
     }
 }
 
-/* Every coordinate off by up to `most`. */
+/* Moves every coordinate by up to `most`. */
 static inline void model_shake(model *m, double most, uint64_t seed)
 {
     rng r = {seed};
@@ -328,8 +330,8 @@ static inline void model_shake(model *m, double most, uint64_t seed)
     }
 }
 
-/* `count` solids with integer corners in a small room, so that ties of every kind abound: corners, edges and faces that
- * coincide, lie on one another or cross. Every other one is a box along the axes. */
+/* Makes `count` solids with integer corners in a small room, which gives many ties of every kind: corners, edges and
+ * faces that coincide, overlap or cross. Every other solid is an axis-aligned box. */
 static inline void model_crowd(model *m, int count, int room, uint64_t seed)
 {
     rng r = {seed};
@@ -349,7 +351,7 @@ static inline void model_crowd(model *m, int count, int room, uint64_t seed)
     }
 }
 
-/* A wall of bricks 2 x 1 x 1 that touch exactly, each row shifted by half a brick. */
+/* Makes a wall of bricks 2 x 1 x 1 that touch exactly, each row shifted by half a brick. */
 static inline void model_wall(model *m, int columns, int rows)
 {
     for (int j = 0; j < rows; j++)
@@ -371,14 +373,14 @@ static inline roberts_scene *model_build(const model *m)
     return scene;
 }
 
-/* Leaves out the rows of intersections, which come last: for tests of edges. */
+/* Removes the rows of intersections, which come last: for tests of edges. */
 static inline void drop_intersections(roberts_drawing *d)
 {
     while (d->count > 0 && d->segment[d->count - 1].line == ROBERTS_INTERSECTION)
         d->count--;
 }
 
-/* The rows of edges alone. */
+/* Draws the model and keeps only the rows of edges. */
 static inline roberts_drawing model_draw(const model *m, const roberts_camera *camera,
                                          const roberts_hide_options *options)
 {

@@ -1,4 +1,4 @@
-/* skip.h - skips a test and says why; run.sh prints the reason beside the test's name. Include it after cmocka.h. */
+/* skip.h - skips a test with a reason, which run.sh prints beside the test's name. Include it after cmocka.h. */
 #ifndef ROBERTS_TESTS_SKIP_H
 #define ROBERTS_TESTS_SKIP_H
 

@@ -1,6 +1,6 @@
-/* temporary.h - a folder of its own for a test's files: in TMPDIR or, where that names no place, in /tmp. Setup and
- * teardown of a test or of a group are temporary_make() and temporary_remove(). It goes with all that is in it, and
- * also where the program ends without teardown, by exit() or by a signal. Include it in one file only. */
+/* temporary.h - a temporary folder for a test's files: in TMPDIR or, if that is not a folder, in /tmp. Setup and
+ * teardown of a test or of a group are temporary_make() and temporary_remove(). The folder and its contents are also
+ * removed if the program ends without teardown, by exit() or by a signal. Include it in one file only. */
 #ifndef ROBERTS_TESTS_TEMPORARY_H
 #define ROBERTS_TESTS_TEMPORARY_H
 
@@ -15,11 +15,11 @@
 
 enum { TEMPORARY_ROOM = 256 /* bytes of its name */ };
 
-static char temporary[TEMPORARY_ROOM]; /* from the root; empty while there is none */
-static pid_t temporary_owner;          /* the process whose it is: those that are forked from it leave it alone */
+static char temporary[TEMPORARY_ROOM]; /* absolute path; empty: there is none */
+static pid_t temporary_owner;          /* the process that owns it: processes forked from it leave it alone */
 
-/* By another process: a signal handler, too, may start one, but not look through folders. That process takes over the
- * mask: what ends the test, and all that it has started, does not end the removing. */
+/* Removes the folder by another process: a signal handler may start one, but not read folders. The process inherits the
+ * signal mask, so whatever ends the test and its children does not end the removal. */
 static bool temporary_delete(void)
 {
     sigset_t all, before;
@@ -46,10 +46,11 @@ static void temporary_at_signal(int number)
 {
     temporary_at_exit();
     (void)signal(number, SIG_DFL);
-    (void)raise(number); /* as soon as this returns */
+    (void)raise(number); /* takes effect as soon as this returns */
 }
 
-/* Once in a program; signals that are ignored stay so. What a sanitizer ends, or SIGKILL, run.sh clears away. */
+/* Installs the handlers once in a program; ignored signals stay ignored. After a sanitizer's abort or SIGKILL, run.sh
+ * removes the folder. */
 static void temporary_watch(void)
 {
     static const int ending[] = {SIGABRT, SIGHUP, SIGINT, SIGPIPE, SIGQUIT, SIGTERM};
@@ -71,13 +72,13 @@ static inline int temporary_remove(void **state)
     return 0;
 }
 
-/* Only a TMPDIR that begins at the root is one wherever the test goes to. */
+/* Only an absolute TMPDIR is valid wherever the test changes to. */
 static inline int temporary_make(void **state)
 {
     const char *place = getenv("TMPDIR");
     char path[TEMPORARY_ROOM];
     int length = snprintf(path, sizeof path, "%s/roberts-XXXXXX", place && *place == '/' ? place : "/tmp");
-    if (*temporary) /* left by a setup that failed later on: cmocka goes on without teardown */
+    if (*temporary) /* left by a setup that failed later: cmocka continues without teardown */
         (void)temporary_remove(state);
     temporary_watch();
     if (length >= TEMPORARY_ROOM || !mkdtemp(path))
@@ -86,7 +87,7 @@ static inline int temporary_make(void **state)
     return 0;
 }
 
-/* How many there are in a folder, . and .. not counted; with `clear`, what is no folder is removed. */
+/* Counts the entries of a folder without . and ..; with `clear`, removes those that are not folders. */
 static inline int entries(const char *path, bool clear)
 {
     int count = 0;

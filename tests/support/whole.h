@@ -1,4 +1,4 @@
-/* whole.h - vectors of whole numbers, in which there is no doubt. */
+/* whole.h - vectors of integers, which are exact. */
 #ifndef ROBERTS_TESTS_WHOLE_H
 #define ROBERTS_TESTS_WHOLE_H
 

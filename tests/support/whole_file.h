@@ -1,4 +1,4 @@
-/* whole_file.h - the bytes of a file at once. Include it after the headers of cmocka. */
+/* whole_file.h - reads a whole file. Include it after the headers of cmocka. */
 #ifndef ROBERTS_TESTS_WHOLE_FILE_H
 #define ROBERTS_TESTS_WHOLE_FILE_H
 
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* With a 0 behind them; to be freed. */
+/* Returns the bytes, followed by a 0; the caller frees them. */
 static inline char *whole_file(const char *path, size_t *size)
 {
     FILE *file = fopen(path, "rb");

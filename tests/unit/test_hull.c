@@ -314,7 +314,7 @@ static const struct {
     roberts_status status;
     const char *message;
 } refused[] = {
-    {"nothing", "OFF\n0 0 0\n", 0, ROBERTS_NOT_CLOSED, "no solid: there is no face with three or more corners"},
+    {"nothing", "OFF\n0 0 0\n", 0, ROBERTS_NOT_CLOSED, "nothing to draw: there is no face with three different corners"},
     {"one point", "OFF\n1 0 0\n0 0 0\n", 0, ROBERTS_FLAT, "a convex hull takes four points, but there is 1"},
     {"three points", "OFF\n3 0 0\n0 0 0 1 0 0 0 1 0\n", 0, ROBERTS_FLAT,
      "a convex hull takes four points, but there are 3"},
@@ -601,11 +601,11 @@ static void program_draws_hulls(void **state)
     put("in/rbox", "3 rbox c\n8\n" CUBE_POINTS);
     put("in/flat.off", "OFF\n4 0 0\n0 0 0 1 0 0 0 1 0 1 1 0\n");
     assert_int_equal(run("in/cube.off -f csv"), 1);
-    assert_said("in/cube.off: no solid: there is no face with three or more corners");
+    assert_said("in/cube.off: nothing to draw: there is no face with three different corners");
     assert_int_equal(run("--hull -v -f null in/cube.off"), 0);
-    assert_said("in/cube.off: 1 solid, 8 vertices, 6 faces");
+    assert_said("in/cube.off: 1 body, 8 vertices, 6 faces");
     assert_int_equal(run("--hull -v -f null in/rbox"), 0);
-    assert_said("in/rbox: 1 solid, 8 vertices, 6 faces");
+    assert_said("in/rbox: 1 body, 8 vertices, 6 faces");
     assert_int_equal(run("--hull in/flat.off"), 1);
     assert_string_equal(
         last.err,
@@ -613,7 +613,7 @@ static void program_draws_hulls(void **state)
         "plane, or nearly so\n");
     assert_string_equal(last.out, "");
     assert_int_equal(run("--hull -f null --view top --pick 0,0 in/cube.off"), 0);
-    assert_said("solid 0, a face of its hull, ");
+    assert_said("body 0, a face of its hull, ");
     put("in/fan.off",
         "OFF\n11 8 0\n" CUBE_POINTS "0 0 9 1 0 9 0 1 8\n" CUBE_FACES "3 8 9 10\n3 0 8 9\n"); /* beside a cube */
     assert_int_equal(run("--hull -f null in/fan.off models/platonic/cube.off in/cube.off"), 0);
@@ -625,7 +625,7 @@ static void program_draws_hulls(void **state)
     assert_int_equal(run("--hull --batch in -f null models/platonic/cube.off in/fan.off"), 0);
     assert_string_equal(last.err, "roberts: in/fan.off: warning: 1 solid replaced by its convex hull: not closed\n");
     assert_int_equal(run("--hull -v -f null in/fan.off models/platonic/cube.off in/cube.off"), 0);
-    assert_said(": 4 solids, ");
+    assert_said(": 4 bodies, ");
     assert_said("in/fan.off and 2 more: convex hulls in place of these solids: 1, 3\n");
     put("in/stray.off", "OFF\n11 7 0\n0 0 9 1 0 9 0 1 9\n" CUBE_POINTS
                         "3 0 1 2\n4 3 5 6 4\n4 3 4 8 7\n4 7 8 10 9\n4 5 9 10 6\n4 3 7 9 5\n4 4 6 10 8\n");

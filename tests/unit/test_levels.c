@@ -168,7 +168,7 @@ static uint32_t count_by_rays(const roberts_scene *scene, const roberts_camera *
         bool first = true;
         for (size_t k = 0; k < picked.count; k++) {
             first = first && (k >= i || picked.hit[k].solid != body);
-            met += picked.hit[k].solid == body && -picked.hit[k].depth > z + 1e-7;
+            met += picked.hit[k].solid == body && picked.hit[k].depth > z + 1e-7;
         }
         if (!first || (convex && body == s->solid))
             continue;

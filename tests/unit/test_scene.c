@@ -329,9 +329,9 @@ static const struct {
     roberts_status status;
     const char *message;
 } refused_cases[] = {
-    {"nothing", "OFF 0 0 0", ROBERTS_NOT_CLOSED, "no solid: there is no face with three or more corners"},
+    {"nothing", "OFF 0 0 0", ROBERTS_NOT_CLOSED, "nothing to draw: there is no face with three different corners"},
     {"lines only", "OFF 2 1 0 0 0 0 1 1 1 2 0 1", ROBERTS_NOT_CLOSED,
-     "no solid: there is no face with three or more corners"},
+     "nothing to draw: there is no face with three different corners"},
     {"a box without a lid", "OFF 8 5 0 " CUBE_VERTICES "4 0 2 3 1 4 0 1 5 4 4 2 6 7 3 4 0 4 6 2 4 1 3 7 5",
      ROBERTS_NOT_CLOSED, "solid 0 is not closed: edge 4-5 belongs to 1 face instead of 2 (4 such edges in all)"},
     {"one face twice", "OFF 8 7 0 " CUBE_VERTICES CUBE_FACES "4 1 3 2 0", ROBERTS_NOT_CLOSED,

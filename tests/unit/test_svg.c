@@ -341,6 +341,35 @@ static void images_know_their_resolution(void **state)
     free(bytes);
 }
 
+/* Readers find the objects of a PDF by its table of offsets, which is found by the number at the end. */
+static void pdf_objects_are_where_the_table_says(void **state)
+{
+    roberts_drawing drawing = model_drawing("table", "iso");
+    roberts_draw_options options = roberts_draw_options_default();
+    size_t size, table, length;
+    (void)state;
+    options.format = ROBERTS_PDF;
+    char *bytes = written(&drawing, &options, &size), *end = bytes + size;
+    assert_string_equal(end - 6, "%%EOF\n");
+    table = strtoul(end - 17, NULL, 10);
+    assert_true(table < size);
+    assert_memory_equal(bytes + table, "xref\n0 6\n0000000000 65535 f \n", 29);
+    for (int i = 1; i <= 5; i++) {
+        char object[12];
+        const char *row = bytes + table + 9 + (size_t)i * 20;
+        size_t at = strtoul(row, NULL, 10), wanted = (size_t)snprintf(object, sizeof object, "%d 0 obj\n", i);
+        assert_memory_equal(row + 10, " 00000 n \n", 10);
+        assert_true(at < table);
+        assert_memory_equal(bytes + at, object, wanted);
+        if (i == 5)
+            length = strtoul(bytes + at + wanted, NULL, 10);
+    }
+    const char *stream = strstr(bytes, "stream\n") + 7;
+    assert_memory_equal(stream + length, "\nendstream\nendobj\n5 0 obj\n", 26);
+    free(bytes);
+    roberts_drawing_free(&drawing);
+}
+
 /* Whatever the numbers of strokes per path of Cairo's and per surface are, none is lost where one ends. */
 static void no_stroke_is_lost(void **state)
 {
@@ -483,6 +512,7 @@ int main(void)
         cmocka_unit_test(title_and_description),
         cmocka_unit_test(closed_lines_are_closed),
         cmocka_unit_test(images_know_their_resolution),
+        cmocka_unit_test(pdf_objects_are_where_the_table_says),
         cmocka_unit_test(no_stroke_is_lost),
         cmocka_unit_test(bytes_are_the_same_later),
         cmocka_unit_test(failures_are_told),

@@ -687,12 +687,12 @@ static const struct {
     } hit[3];
 } pick_cases[] = {
     {"on the low box", -3.5, -1.5, 1, {{0, 1, 0}}},
-    {"on the box that stands on it", -2, 0, 2, {{1, 7, -1}, {0, 1, 0}}},
-    {"on its border", -1, 0, 2, {{1, 7, -1}, {0, 1, 0}}},
-    {"on its corner", -3, 1, 2, {{1, 7, -1}, {0, 1, 0}}},
+    {"on the box that stands on it", -2, 0, 2, {{1, 7, 1}, {0, 1, 0}}},
+    {"on its border", -1, 0, 2, {{1, 7, 1}, {0, 1, 0}}},
+    {"on its corner", -3, 1, 2, {{1, 7, 1}, {0, 1, 0}}},
     {"beside all", 0.5, 0, 0, {{0}}},
-    {"on the other box", 2, 1, 1, {{2, 13, -1}}},
-    {"on the outer border", 4, 2, 1, {{2, 13, -1}}},
+    {"on the other box", 2, 1, 1, {{2, 13, 1}}},
+    {"on the outer border", 4, 2, 1, {{2, 13, 1}}},
     {"just off it", 4.000001, 2, 0, {{0}}},
     {"on the middle of the edge between two faces", -4, 0, 1, {{0, 1, 0}}},
 };
@@ -719,7 +719,7 @@ static void test_pick_table(void **state)
                          (unsigned)hit->face, hit->depth);
             assert_true(fabs(hit->point.x - 4 - pick_cases[i].x) < 1e-14);
             assert_true(fabs(hit->point.y - 2 - pick_cases[i].y) < 1e-14);
-            assert_true(fabs(hit->point.z - 1 + hit->depth) < 1e-14);
+            assert_true(fabs(hit->point.z - 1 - hit->depth) < 1e-14);
         }
         roberts_picked_free(&picked);
     }
@@ -745,9 +745,9 @@ static void test_pick_perspective(void **state)
     /* the tower's top, at height 3, reaches to 1 * 10 / 8 = 1.25 of the picture; behind it lies the floor */
     assert_int_equal(roberts_pick(scene, &camera, 1.2, 0, &picked, NULL), ROBERTS_OK);
     assert_int_equal(picked.count, 2);
-    assert_true(picked.hit[0].solid == 1 && picked.hit[0].face == 7 && fabs(picked.hit[0].depth + 2) < 1e-14);
+    assert_true(picked.hit[0].solid == 1 && picked.hit[0].face == 7 && fabs(picked.hit[0].depth - 2) < 1e-14);
     assert_true(fabs(picked.hit[0].point.x - 0.96) < 1e-14 && fabs(picked.hit[0].point.z - 3) < 1e-14);
-    assert_true(picked.hit[1].solid == 0 && picked.hit[1].face == 1 && fabs(picked.hit[1].depth - 1) < 1e-14);
+    assert_true(picked.hit[1].solid == 0 && picked.hit[1].face == 1 && fabs(picked.hit[1].depth + 1) < 1e-14);
     assert_true(fabs(picked.hit[1].point.x - 1.32) < 1e-14);
     roberts_picked_free(&picked);
     /* its foot, at height 0, would reach to 0.909...: the tower's sides are not seen from above */
@@ -773,7 +773,7 @@ static void test_pick_cut(void **state)
     assert_int_equal(roberts_pick(scene, &camera, 6, 0, &picked, NULL), ROBERTS_OK); /* the tower is cut at 4 .. 8 */
     assert_int_equal(picked.count, 1);
     assert_true(picked.hit[0].solid == 1 && picked.hit[0].face == ROBERTS_NONE &&
-                fabs(picked.hit[0].depth + 3) < 1e-14);
+                fabs(picked.hit[0].depth - 3) < 1e-14);
     assert_true(fabs(picked.hit[0].point.x - 1.5) < 1e-14);
     roberts_picked_free(&picked);
     assert_int_equal(roberts_pick(scene, &camera, 3.5, 0, &picked, NULL), ROBERTS_OK); /* its side, then the floor */
@@ -804,7 +804,7 @@ static void test_pick_ties(void **state)
     assert_int_equal(picked.count, 3);
     for (uint32_t i = 0; i < 3; i++)
         assert_true(picked.hit[i].solid == i && picked.hit[i].face == 6 * i + 1);
-    assert_true(fabs(picked.hit[0].depth + sqrt(3.0)) < 1e-12);
+    assert_true(fabs(picked.hit[0].depth - sqrt(3.0)) < 1e-12);
     roberts_picked_free(&picked);
     roberts_scene_free(scene);
 }
@@ -839,7 +839,7 @@ static void test_pick_agrees(void **state)
                 behind++;
             }
             for (size_t j = 1; j < picked.count; j++)
-                assert_true(picked.hit[j - 1].depth <= picked.hit[j].depth);
+                assert_true(picked.hit[j - 1].depth >= picked.hit[j].depth);
             roberts_picked_free(&picked);
         }
         roberts_drawing_free(&drawing);

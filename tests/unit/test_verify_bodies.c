@@ -71,9 +71,9 @@ static void test_pick(void **state)
         assert_int_equal(roberts_pick(scene, &camera, -0.5, 0.5, &picked, NULL), ROBERTS_OK);
         assert_int_equal(picked.count, 2);
         assert_int_equal(picked.hit[0].face, 7);
-        assert_true(fabs(picked.hit[0].depth + 0.5) < 1e-14);
+        assert_true(fabs(picked.hit[0].depth - 0.5) < 1e-14);
         assert_int_equal(picked.hit[1].face, 6);
-        assert_true(fabs(picked.hit[1].depth - 0.5) < 1e-14);
+        assert_true(fabs(picked.hit[1].depth + 0.5) < 1e-14);
         roberts_picked_free(&picked);
         assert_int_equal(roberts_pick(scene, &camera, 0.5, 0.5, &picked, NULL), ROBERTS_OK);
         assert_int_equal(picked.count, 0); /* where the L has its notch */

@@ -1,4 +1,4 @@
-/* blocks.c - convex solids that touch flush or go through one another: together they look like one body. */
+/* blocks.c - convex solids that touch flush or interpenetrate: together they look like one body. */
 #include "exact.h"
 #include "figures.h"
 #include "uniform.h"
@@ -14,8 +14,8 @@ static uint32_t nearest_vertex(const body *b, roberts_vec3 p)
     return nearest;
 }
 
-/* The tetrahedron in the cube (+-1, +-1, +-1) is turned by fifths about an axis of the dodecahedron. Its corners stay
- * corners of that, so they take the very coordinates of those. */
+/* The tetrahedron in the cube (+-1, +-1, +-1) is turned by fifths about an axis of the dodecahedron. Its corners remain
+ * corners of the dodecahedron, so they get exactly those coordinates. */
 void five_tetrahedra(body *b)
 {
     const double g = (1 + sqrt(5)) / 2, h = 1 / (2 * g);
@@ -38,7 +38,7 @@ void five_tetrahedra(body *b)
 
 /* ---- Menger sponge ---------------------------------------------------------------------------------------------- */
 
-/* Whether the middle third is cut away here: two of the three coordinates are in the middle. */
+/* Is the middle third cut away here? It is if two of the three coordinates are in the middle. */
 static bool cut_away(int x, int y, int z)
 {
     return (x % 3 == 1) + (y % 3 == 1) + (z % 3 == 1) >= 2;
@@ -56,10 +56,10 @@ void menger_sponge(body *b)
 
 /* ---- a locomotive ----------------------------------------------------------------------------------------------- */
 
-/* Along which axis a column lies. */
+/* The axis of a column. */
 typedef enum axis { ALONG_X, ALONG_Y, ALONG_Z } axis;
 
-/* A column of n sides from z0 to z1 on its axis, whose point 0 is at `at`. */
+/* Adds a column of n sides from z0 to z1 on its axis; point 0 of the axis is at `at`. */
 static void add_column(body *b, axis along, uint32_t n, double radius, double z0, double z1, roberts_vec3 at)
 {
     static const motion axes[] = {[ALONG_X] = {{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}, {0, 0, 0}},
@@ -73,7 +73,7 @@ static void add_column(body *b, axis along, uint32_t n, double radius, double z0
     body_free(&column);
 }
 
-/* The same on both sides: y from y0 to y1 and from -y1 to -y0. */
+/* Adds a box on both sides: y from y0 to y1 and from -y1 to -y0. */
 static void add_pair(body *b, roberts_vec3 lo, roberts_vec3 hi)
 {
     body_box(b, lo, hi);
@@ -94,8 +94,8 @@ static void running_gear(body *b)
     add_wheels(b, 21, 1.5);
     add_pair(b, vec3(3, 3.75, 2.25), vec3(16, 4.25, 2.75));    /* rods on the wheels */
     add_pair(b, vec3(18, 3, 3.25), vec3(23.5, 5, 5.25));       /* cylinders beside the frame */
-    add_pair(b, vec3(15.5, 4.25, 2.375), vec3(16, 4.75, 4.5)); /* from the rod up to the piston, */
-    add_pair(b, vec3(15.5, 4.25, 4), vec3(18, 4.75, 4.5));     /* which goes into the cylinder */
+    add_pair(b, vec3(15.5, 4.25, 2.375), vec3(16, 4.75, 4.5)); /* crossheads, from the rod up to the piston */
+    add_pair(b, vec3(15.5, 4.25, 4), vec3(18, 4.75, 4.5));     /* pistons, which go into the cylinder */
     body_box(b, vec3(24, -4, 2.5), vec3(24.5, 4, 4.25));       /* the buffer beam */
     for (int side = -1; side < 2; side += 2) {
         add_column(b, ALONG_X, 12, 0.5, 24.5, 25.5, vec3(0, 2.5 * side, 3.375));
@@ -114,7 +114,7 @@ static void cab(body *b)
     body_box(b, vec3(-0.5, -3.75, 12.5), vec3(9, 3.75, 13));
 }
 
-/* The boiler goes through the cab's wall, the smoke box and the saddles; what stands on it goes into it. */
+/* The boiler goes through the cab's wall, the smoke box and the saddles; the parts on top go into it. */
 static void boiler(body *b)
 {
     const roberts_vec3 axle = {0, 0, 7.5};

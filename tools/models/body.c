@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Room for one more element of `size` bytes at `count`. */
+/* Makes room for one more element of `size` bytes at `count`. */
 static void *grown(void *array, size_t *room, size_t count, size_t size)
 {
     if (count < *room)
@@ -94,8 +94,8 @@ void body_free(body *b)
     *b = (body){0};
 }
 
-/* Six faces over the corners base .. base + 7: four around the bottom, counter-clockwise from above, then the four over
- * them. */
+/* Adds six faces over the corners base .. base + 7: four around the bottom, counter-clockwise from above, then the four
+ * above them. */
 static void box_faces(body *b, uint32_t base)
 {
     static const uint32_t side[6][4] = {{4, 5, 6, 7}, {3, 2, 1, 0}, {0, 1, 5, 4},
@@ -162,7 +162,7 @@ void body_tetrahedron(body *b, roberts_vec3 p0, roberts_vec3 p1, roberts_vec3 p2
     static const uint32_t side[4][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
     roberts_vec3 n = vec3_cross(vec3_sub(p1, p0), vec3_sub(p2, p0));
     uint32_t base = body_vertex(b, p0.x, p0.y, p0.z);
-    bool inside_out = vec3_dot(n, vec3_sub(p3, p0)) > 0; /* the face 0 1 2 would look at p3 */
+    bool inside_out = vec3_dot(n, vec3_sub(p3, p0)) > 0; /* the face 0 1 2 would face p3 */
     body_vertex(b, p1.x, p1.y, p1.z);
     body_vertex(b, p2.x, p2.y, p2.z);
     body_vertex(b, p3.x, p3.y, p3.z);

@@ -1,7 +1,7 @@
-/* body.h - a model while it is made: vertices and faces of one solid or of several.
+/* body.h - a model under construction: vertices and faces of one or several solids.
  *
  * Invariants: faces run counter-clockwise seen from outside; corners are vertex numbers below vertex_count; solids
- * share no vertex. A zeroed body is an empty one. Running out of memory ends the program: a generator has nothing to
+ * share no vertex. A zeroed body is empty. Running out of memory ends the program, since a generator has nothing to
  * save. */
 #ifndef MODELS_BODY_H
 #define MODELS_BODY_H
@@ -19,7 +19,7 @@ typedef struct body {
     size_t vertex_room, face_room, corner_room;
 } body;
 
-/* x -> m x + shift; m is a rotation times a scale. */
+/* x -> m x + shift, where m is a rotation times a scale. */
 typedef struct motion {
     double m[3][3];
     roberts_vec3 shift;
@@ -31,39 +31,39 @@ uint32_t body_vertex(body *b, double x, double y, double z);
 /* Adds a face with the given vertices. */
 void body_face(body *b, const uint32_t *corner, size_t count);
 
-/* The same corner by corner. */
+/* Adds a face corner by corner. */
 void body_corner(body *b, uint32_t vertex);
 void body_end_face(body *b);
 
-/* First corner of face f, as a position in corner[]; that of face face_count is the end of the last one. */
+/* Returns the index in corner[] of the first corner of face f; for f = face_count, the end of the last face. */
 size_t body_face_start(const body *b, size_t f);
 
-/* Twice the vector area of face f: points outward. */
+/* Returns twice the vector area of face f, which points outward. */
 roberts_vec3 body_face_normal(const body *b, size_t f);
 
 /* Adds a moved copy of `part`. */
 void body_add(body *b, const body *part, motion move);
 
-/* Empties, keeping the memory; releases. */
+/* Empties a body, but keeps its memory; releases it. */
 void body_clear(body *b);
 void body_free(body *b);
 
 /* ---- simple solids, each with its top face first ------------------------------------------------------------- */
 
-/* The box between two corners, lo < hi. */
+/* Adds the box between two corners, lo < hi. */
 void body_box(body *b, roberts_vec3 lo, roberts_vec3 hi);
 
-/* What stands below four points, counter-clockwise from above, down to the height `bottom`. */
+/* Adds the solid below four points, counter-clockwise from above, down to the height `bottom`. */
 void body_plate(body *b, double bottom, const roberts_vec3 top[4]);
 
-/* A box between two corners, turned about the vertical through its middle by the angle of the vector (c, s), where c^2
- * + s^2 = 1. */
+/* Adds a box between two corners, turned about the vertical through its middle by the angle of the vector (c, s), where
+ * c^2 + s^2 = 1. */
 void body_turned_box(body *b, roberts_vec3 lo, roberts_vec3 hi, double c, double s);
 
-/* The pyramid over the rectangle lo.x..hi.x, lo.y..hi.y at height lo.z, its apex over the middle at hi.z. */
+/* Adds the pyramid over the rectangle lo.x..hi.x, lo.y..hi.y at height lo.z, with its apex above the middle at hi.z. */
 void body_pyramid(body *b, roberts_vec3 lo, roberts_vec3 hi);
 
-/* The tetrahedron with these corners, in any order. */
+/* Adds the tetrahedron with these corners, in any order. */
 void body_tetrahedron(body *b, roberts_vec3 p0, roberts_vec3 p1, roberts_vec3 p2, roberts_vec3 p3);
 
 static inline roberts_vec3 vec3(double x, double y, double z)

@@ -1,11 +1,11 @@
 /* cases.c - one small scene for each outcome of the four tests, seen from the top (--view top): the picture plane is
- * that of x and y, the viewer at z = +infinity.
+ * that of x and y, and the viewer is at z = +infinity.
  *
  * Every scene has a plate, whose top is face 0, the F of the tests, and a tetrahedron whose first two vertices, 8 and
- * 9, are the ends A and B of the edge in question. AB is drawn, since a front face has it. All coordinates are
- * integers, so that "on" is exact. The plate is the box (0, 0, 0) - (8, 8, 1), unless AB would lie beside or in front
- * of the box round its top: then the boxes would decide, and no test would be made and counted. So there it slopes, or
- * it is a kite. */
+ * 9, are the ends A and B of the edge under test. AB is drawn, since it has a front face. All coordinates are integers,
+ * so "on" is exact. Usually the plate is the box (0, 0, 0) - (8, 8, 1). But if AB lies beside or in front of the box of
+ * its top, the boxes would decide, and no test would be made and counted. In these scenes the plate slopes, or it is a
+ * kite. */
 #include <math.h>
 
 #include "models.h"

@@ -1,17 +1,17 @@
-/* crystals.c - crystals by their forms: the faces that symmetry makes of one, given by Miller indices and the distance
- * from the centre. A crystal is what lies under all of its faces.
+/* crystals.c - crystals given by their forms. A form is the set of faces that symmetry generates from one face, given
+ * by its Miller indices and its distance from the centre. A crystal is the region behind all of its faces.
  *
- * Axial ratios after E. S. Dana, "A textbook of mineralogy"; distances chosen for the look. */
+ * Axial ratios are from E. S. Dana, "A textbook of mineralogy"; distances are chosen for the look. */
 #include <stdbool.h>
 
 #include "figures.h"
 
 enum { PLANES_MAX = 64, CORNERS_MAX = 256 };
 
-static const double corner_slack = 1e-9; /* a corner on a face, in units of the crystal: far above rounding */
+static const double corner_slack = 1e-9; /* for a corner on a face, in units of the crystal: far above rounding */
 
 typedef struct half_space {
-    roberts_vec3 n; /* of length 1, outward */
+    roberts_vec3 n; /* unit vector, outward */
     double d;
 } half_space;
 
@@ -33,14 +33,14 @@ static void add_plane(crystal *c, roberts_vec3 n, double d)
     c->face[c->face_count++] = (half_space){n, d};
 }
 
-/* With all signs. */
+/* Adds the planes with all sign changes. */
 static void add_signs(crystal *c, roberts_vec3 n, double d)
 {
     for (int i = 0; i < 8; i++)
         add_plane(c, vec3(i & 1 ? -n.x : n.x, i & 2 ? -n.y : n.y, i & 4 ? -n.z : n.z), d);
 }
 
-/* Cubic, m-3: the three axes change places in a circle. */
+/* Cubic, m-3: cyclic permutations of the axes. */
 static void add_pyrite_form(crystal *c, double h, double k, double l, double d)
 {
     add_signs(c, vec3(h, k, l), d);
@@ -48,14 +48,14 @@ static void add_pyrite_form(crystal *c, double h, double k, double l, double d)
     add_signs(c, vec3(l, h, k), d);
 }
 
-/* Cubic, m-3m: in any order. */
+/* Cubic, m-3m: all permutations of the axes. */
 static void add_cubic_form(crystal *c, double h, double k, double l, double d)
 {
     add_pyrite_form(c, h, k, l, d);
     add_pyrite_form(c, k, h, l, d);
 }
 
-/* Tetragonal, 4/mmm, with the height of c in widths of a. */
+/* Tetragonal, 4/mmm; `ratio` is c / a. */
 static void add_tetragonal_form(crystal *c, double ratio, double h, double k, double l, double d)
 {
     add_signs(c, vec3(h, k, l / ratio), d);
@@ -68,12 +68,12 @@ static void add_rhombic_form(crystal *c, roberts_vec3 axes, roberts_vec3 hkl, do
     add_signs(c, vec3(hkl.x / axes.x, hkl.y, hkl.z / axes.z), d);
 }
 
-/* Trigonal, -3m; h k -(h + k) l, axes at 120 degrees with the first along x. Normals stand on the reciprocal axes. */
+/* Trigonal, -3m; h k -(h + k) l, axes at 120 degrees with the first along x. Normals are on the reciprocal axes. */
 static void add_trigonal_form(crystal *c, double ratio, double h, double k, double l, double d)
 {
     for (int turned = 0; turned < 3; turned++) {
         double i = -h - k;
-        for (int half = 0; half < 2; half++) { /* about the first axis: k and i change places, l its sign */
+        for (int half = 0; half < 2; half++) { /* about the first axis: k and i are exchanged, l changes sign */
             double second = half ? i : k, sign = half ? -1 : 1;
             roberts_vec3 n = {h, (h + 2 * second) / sqrt(3), sign * l / ratio};
             add_plane(c, n, d);
@@ -102,7 +102,7 @@ static void add_corner(crystal *c, roberts_vec3 p)
     c->corner[c->corner_count++] = p;
 }
 
-/* Where three faces meet, if that is one place, and none cuts it off. */
+/* Adds the point where three faces meet, if they meet in one point and no face cuts it off. */
 static void find_corner(crystal *c, half_space f, half_space g, half_space h)
 {
     roberts_vec3 gh = vec3_cross(g.n, h.n), hf = vec3_cross(h.n, f.n), fg = vec3_cross(f.n, g.n);

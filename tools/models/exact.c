@@ -1,7 +1,7 @@
-/* exact.c - see exact.h. */
+/* exact.c - numbers that are the same on every machine. See exact.h. */
 #include "exact.h"
 
-/* cos and sin of x in [0, pi/4] by their series; the first term left out is below 2^-64. */
+/* cos and sin of x in [0, pi/4] by their series; the first omitted term is below 2^-64. */
 static roberts_vec2 cos_sin_series(double x)
 {
     double xx = x * x, c = 1, s = 1;
@@ -27,15 +27,15 @@ roberts_vec2 circle_point(uint64_t k, uint64_t n)
 {
     roberts_vec2 p;
     k %= n;
-    if (2 * k > n) { /* lower half: mirror image of the upper */
+    if (2 * k > n) { /* lower half: mirror image of the upper half */
         p = circle_point(n - k, n);
         return (roberts_vec2){p.x, -p.y};
     }
-    if (4 * k > n) { /* second quarter: of the first; k/n -> 1/2 - k/n */
+    if (4 * k > n) { /* second quarter: mirror image of the first; k/n -> 1/2 - k/n */
         p = circle_point(n - 2 * k, 2 * n);
         return (roberts_vec2){-p.x, p.y};
     }
-    if (8 * k > n) { /* second eighth: of the first; k/n -> 1/4 - k/n */
+    if (8 * k > n) { /* second eighth: mirror image of the first; k/n -> 1/4 - k/n */
         p = first_octant(n - 4 * k, 4 * n);
         return (roberts_vec2){p.y, p.x};
     }
@@ -89,7 +89,7 @@ double rng_unit(rng *r)
 motion rng_turn(rng *r, double scale, roberts_vec3 shift)
 {
     int q[4], square;
-    do { /* from the ball, so that no direction is favoured */
+    do { /* from a ball, so that no direction is favoured */
         square = 0;
         for (int i = 0; i < 4; i++) {
             q[i] = (int)rng_between(r, -16, 16);

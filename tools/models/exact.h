@@ -1,7 +1,7 @@
-/* exact.h - numbers that come out the same on every machine: circles, turns, random numbers.
+/* exact.h - numbers that are the same on every machine: circles, rotations, random numbers.
  *
  * Only +, -, *, / and sqrt are used, which IEEE 754 rounds correctly; sin, cos and cbrt of the C library may differ in
- * the last bit from one version to the next. Turns are rational: an integer quaternion, or a Pythagorean triple. */
+ * the last bit between versions. Rotations are rational: an integer quaternion, or a Pythagorean triple. */
 #ifndef MODELS_EXACT_H
 #define MODELS_EXACT_H
 
@@ -9,14 +9,15 @@
 
 #include "body.h"
 
-/* (cos, sin) of k/n of a full turn, n >= 1. Multiples of 1/8 and 1/12 turn come out as the nearest doubles to their
- * closed forms, and mirror images of a point are its exact mirror images. */
+/* Returns (cos, sin) of k/n of a full turn, n >= 1. Multiples of 1/8 and 1/12 turn give the nearest doubles to their
+ * closed forms, and mirror images of a point are exact. */
 roberts_vec2 circle_point(uint64_t k, uint64_t n);
 
-/* The turn by the quaternion w + xi + yj + zk, not 0, of integers; scaled by `scale`, then shifted. */
+/* Returns the rotation by the quaternion w + xi + yj + zk, not 0, with integer components; scaled by `scale`, then
+ * shifted. */
 motion turn(int w, int x, int y, int z, double scale, roberts_vec3 shift);
 
-/* The turn about +z by the angle of (1 + i t)^2, that is 2 atan t: rational in t. */
+/* Returns the rotation about +z by the angle of (1 + i t)^2, which is 2 atan t: rational in t. */
 roberts_vec2 half_angle(double t);
 
 /* A stream of random numbers: splitmix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA
@@ -25,16 +26,17 @@ typedef struct rng {
     uint64_t state;
 } rng;
 
-/* The stream of item `index`: items can be made in any order and more than once. */
+/* Returns the stream of item `index`: items can be made in any order and more than once. */
 rng rng_of(uint64_t seed, uint64_t index);
 
-/* An integer in lo .. hi, hi - lo < 2^32; uneven by less than 2^-32 per value. */
+/* Returns an integer in lo .. hi, hi - lo < 2^32; biased by less than 2^-32 per value. */
 int64_t rng_between(rng *r, int64_t lo, int64_t hi);
 
-/* A multiple of 2^-20 in [0, 1). */
+/* Returns a multiple of 2^-20 in [0, 1). */
 double rng_unit(rng *r);
 
-/* A random turn, evenly spread over all turns but for its grain: integer quaternions of length up to 16. */
+/* Returns a random rotation, uniformly distributed except for its granularity: integer quaternions of length up to
+ * 16. */
 motion rng_turn(rng *r, double scale, roberts_vec3 shift);
 
 #endif

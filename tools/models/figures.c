@@ -1,4 +1,4 @@
-/* figures.c - see figures.h. */
+/* figures.c - models for figures. See figures.h. */
 #include "figures.h"
 
 #include "exact.h"
@@ -12,7 +12,7 @@ static motion scaled(double scale, roberts_vec3 shift)
     return (motion){{{scale, 0, 0}, {0, scale, 0}, {0, 0, scale}}, shift};
 }
 
-/* The parallelepiped from p along a, b, c, whose determinant is positive. */
+/* Adds the parallelepiped from p along a, b, c, whose determinant is positive. */
 static void add_parallelepiped(body *to, roberts_vec3 p, roberts_vec3 a, roberts_vec3 b, roberts_vec3 c)
 {
     body box = {0};
@@ -23,7 +23,7 @@ static void add_parallelepiped(body *to, roberts_vec3 p, roberts_vec3 a, roberts
 
 /* ---- a chair --------------------------------------------------------------------------------------------------- */
 
-/* Above the seat everything leans back by 1 in 8. */
+/* Adds a box above the seat, where everything leans back by 1 in 8. */
 static void add_leaning(body *b, roberts_vec3 lo, roberts_vec3 hi)
 {
     const double seat = 45, lean = 1.0 / 8;
@@ -61,7 +61,7 @@ static roberts_vec3 round_point(uint64_t k, uint64_t n, double radius, double z)
     return vec3(radius * p.x, radius * p.y, z);
 }
 
-/* From the column's side k outward. */
+/* Adds a step, from side k of the column outward. */
 static void add_step(body *b, uint32_t k, double z)
 {
     uint32_t base = (uint32_t)b->vertex_count;
@@ -80,7 +80,7 @@ static void add_step(body *b, uint32_t k, double z)
     }
 }
 
-/* The top of the post on step k: in the middle of it, near its outer side. */
+/* Returns the top of the post on step k: in the middle of the step, near its outer side. */
 static roberts_vec3 post_top(uint32_t k)
 {
     return round_point(2 * k + 1, 2 * STEPS_A_TURN, step_radius - 0.5, step_rise * (k + 1) + 5);
@@ -88,7 +88,7 @@ static roberts_vec3 post_top(uint32_t k)
 
 void spiral_staircase(body *b)
 {
-    const double post = 0.125, rail = 0.25; /* half of the widths */
+    const double post = 0.125, rail = 0.25; /* half widths */
     body part = {0};
     column_make(&part, 2 * STEPS_A_TURN, step_radius + 2, -0.5, 0);
     column_make(&part, STEPS_A_TURN, column_radius, 0, step_rise * STEPS + 3);
@@ -110,7 +110,7 @@ void spiral_staircase(body *b)
 
 /* ---- arrangements ---------------------------------------------------------------------------------------------- */
 
-/* A copy of `part`, of size `ratio`, in each corner of it; `level` times over. */
+/* Adds a copy of `part`, of size `ratio`, at each corner of it, recursively to depth `level`. */
 static void add_flake(body *b, const body *part, double ratio, int level, motion at)
 {
     if (level == 0) {
@@ -179,10 +179,10 @@ void platonic_solids(body *b)
                       half_angle(0.375));
 }
 
-/* In three rows, one over the other. */
+/* In three rows, one above the other. */
 void archimedean_solids(body *b)
 {
-    static const int first[] = {0, 4, 9, 13}; /* of each row, and the end */
+    static const int first[] = {0, 4, 9, 13}; /* first index of each row, and the end */
     for (int row = 0; row < 3; row++)
         for (int i = first[row]; i < first[row + 1]; i++) {
             body part = {0};

@@ -1,4 +1,4 @@
-/* figures.h - models for figures: arrangements, plates of solids, things to draw from several sides. */
+/* figures.h - models for figures: arrangements, groups of solids, objects to draw from several sides. */
 #ifndef MODELS_FIGURES_H
 #define MODELS_FIGURES_H
 

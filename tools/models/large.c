@@ -1,8 +1,8 @@
 /* large.c - scenes of any size, up to millions of solids.
  *
- * Solid `index` of a scene is made from the scene's arguments and its index alone, with a random stream of its own, so
- * the writer makes every solid three times (to count, for its vertices, for its faces) and keeps none. Solids of one
- * scene are disjoint or touch in faces, unless the scene says otherwise. */
+ * Solid `index` of a scene depends only on the scene's arguments and its index, with a random stream of its own. So the
+ * writer makes every solid three times (to count, for its vertices, for its faces) and keeps none. Solids of one scene
+ * are disjoint or touch in faces, unless the scene says otherwise. */
 #include <inttypes.h>
 
 #include "exact.h"
@@ -16,7 +16,7 @@ static uint64_t one_each(uint64_t n)
     return n;
 }
 
-/* The greatest integer whose square is at most n < 2^52. */
+/* Returns the greatest integer whose square is at most n < 2^52. */
 static uint64_t integer_root(uint64_t n)
 {
     return (uint64_t)sqrt((double)n);
@@ -29,7 +29,7 @@ static uint64_t cube_of(uint64_t n)
     return n * n * n;
 }
 
-/* A tetrahedron, cube or octahedron within a ball of radius 7/16 in each cell. */
+/* Adds a tetrahedron, cube or octahedron within a ball of radius 7/16 in each cell. */
 static void lattice_solid(body *b, const plan *p, uint64_t index)
 {
     uint64_t n = p->n, x = index % n, y = index / n % n, z = index / n / n;
@@ -46,13 +46,13 @@ static void lattice_solid(body *b, const plan *p, uint64_t index)
 
 /* ---- city ------------------------------------------------------------------------------------------------------ */
 
-/* n x n blocks of 12 x 12 with streets of 4 between them, four solids in each. */
+/* n x n blocks of 12 x 12 with streets of 4 between them, with four solids in each. */
 static uint64_t city_count(uint64_t n)
 {
     return 4 * n * n;
 }
 
-/* Bounds of the height of buildings in a block: the nearer the middle, the higher. */
+/* Returns the bounds of the height of buildings in a block: higher near the middle. */
 static int64_t city_height(uint64_t n, uint64_t column, uint64_t row)
 {
     int64_t dx = 2 * (int64_t)column + 1 - (int64_t)n, dy = 2 * (int64_t)row + 1 - (int64_t)n, N = (int64_t)n;
@@ -84,7 +84,7 @@ static void quarter(body *b, rng *r, roberts_vec3 at, int64_t height, uint64_t i
     body_box(b, vec3_add(at, vec3(q[0], q[1], 0)), vec3_add(at, vec3(q[2], q[3], z)));
 }
 
-/* A low storey over the whole block; on it two towers, one with a pyramid for its roof. */
+/* A low storey over the whole block, with two towers on it, one of which has a pyramid as its roof. */
 static void podium_part(body *b, rng *r, roberts_vec3 at, int64_t height, uint64_t index)
 {
     double base = (double)rng_between(r, 2, 3), side = (double)rng_between(r, 5, 8);
@@ -113,8 +113,8 @@ static void city_solid(body *b, const plan *p, uint64_t index)
 
 /* ---- wall ------------------------------------------------------------------------------------------------------ */
 
-/* Bricks of 4 x 2 x 1 in running bond: courses of `width` whole bricks in turn with courses that have a half brick at
- * either end. Length to height is about as 4 to 3. */
+/* Bricks of 4 x 2 x 1 in running bond: courses of `width` whole bricks alternate with courses that have a half brick at
+ * each end. The ratio of length to height is about 4 to 3. */
 static void wall_solid(body *b, const plan *p, uint64_t index)
 {
     uint64_t width = integer_root(p->n / 3), pair, i;
@@ -136,8 +136,8 @@ static void wall_solid(body *b, const plan *p, uint64_t index)
 
 /* ---- heaps ----------------------------------------------------------------------------------------------------- */
 
-/* A plate at a random place, turned about the vertical, each above all before it; some nine lie over one another
- * everywhere. The heap is half as high as wide. */
+/* A plate at a random position, turned about the vertical, above all earlier ones; about nine overlap everywhere. The
+ * heap is half as high as wide. */
 static void plates_solid(body *b, const plan *p, uint64_t index)
 {
     rng r = rng_of(p->seed, index);
@@ -147,7 +147,7 @@ static void plates_solid(body *b, const plan *p, uint64_t index)
     body_turned_box(b, vec3(x - u, y - v, z), vec3(x + u, y + v, z + rise / 2), a.x, a.y);
 }
 
-/* Boxes over one another on the z axis, turned and of different width: from the top, all in the same few cells. */
+/* Boxes stacked on the z axis, turned and of different widths: seen from the top, all are in the same few cells. */
 static void stack_solid(body *b, const plan *p, uint64_t index)
 {
     rng r = rng_of(p->seed, index);
@@ -156,7 +156,7 @@ static void stack_solid(body *b, const plan *p, uint64_t index)
     body_turned_box(b, vec3(-u, -v, z), vec3(u, v, z + 0.5), a.x, a.y);
 }
 
-/* Sticks as long as the picture, one over the other, in all directions. */
+/* Sticks as long as the picture, one above the other, in all directions. */
 static void needles_solid(body *b, const plan *p, uint64_t index)
 {
     rng r = rng_of(p->seed, index);
@@ -184,15 +184,15 @@ static void ground_solid(body *b, const plan *p, uint64_t index)
     body_box(b, vec3(x, y, -1 - deep), vec3(x + 1, y + 1, -1));
 }
 
-/* The same turned cube n times at the same place. */
+/* The same turned cube, n times at the same position. */
 static void copies_solid(body *b, const plan *p, uint64_t index)
 {
     (void)index;
     body_add(b, &p->cube, turn(7, 1, 2, 3, 1, vec3(0, 0, 0)));
 }
 
-/* A hundred coins of N corners one over the other, each at a random place within a radius, so that some dozens of rims
- * cross everywhere. */
+/* A hundred coins of N corners one above the other, each at a random position within a radius, so that several dozen
+ * rims cross everywhere. */
 static uint64_t hundred(uint64_t n)
 {
     (void)n;
@@ -211,7 +211,7 @@ static void coins_solid(body *b, const plan *p, uint64_t index)
     body_free(&coin);
 }
 
-/* One disc of N corners, and under it n small boxes on a square grid. Those at its rim stick out, some altogether. */
+/* One disc of N corners, and under it n small boxes on a square grid. Those at its rim stick out, some completely. */
 static void disc_solid(body *b, const plan *p, uint64_t index)
 {
     uint64_t width = integer_root(p->n - 1) + 1, column = (index - 1) % width, row = (index - 1) / width;
@@ -226,7 +226,7 @@ static void disc_solid(body *b, const plan *p, uint64_t index)
     body_box(b, vec3(x, y, -1 - deep), vec3(x + 1, y + 1, -1));
 }
 
-/* A square slab each of whose straight borders comes in n parts, and under one of them n small boxes. */
+/* A square slab whose straight borders are each divided into n parts, and n small boxes under one of them. */
 static void slab_make(body *b, uint64_t n)
 {
     uint32_t base = (uint32_t)b->vertex_count, ring = (uint32_t)(4 * n);
@@ -258,8 +258,8 @@ static void parts_solid(body *b, const plan *p, uint64_t index)
         body_box(b, vec3(x, -0.5, -2), vec3(x + 0.5, 0.5, -1));
 }
 
-/* Two pyramids over a regular N-gon, the second lower and shifted. No two of their edges are parallel in the picture.
- * */
+/* Two pyramids over a regular N-gon, the second one lower and shifted. No two of their edges are parallel in the
+ * picture. */
 static uint64_t two(uint64_t n)
 {
     (void)n;
@@ -277,8 +277,8 @@ static void fans_solid(body *b, const plan *p, uint64_t index)
     body_free(&fan);
 }
 
-/* Two balls of about n faces, one through the other, and a box that is as much larger as it is farther away, so that
- * the balls take up one spot of the picture. */
+/* Two interpenetrating balls of about n faces, and a box that is larger in proportion to its distance, so that the
+ * balls cover one spot of the picture. */
 static uint64_t three(uint64_t n)
 {
     (void)n;
@@ -322,7 +322,7 @@ static void antiprism_solid(body *b, const plan *p, uint64_t index)
     antiprism_make(b, (uint32_t)p->n);
 }
 
-/* Twice as many meridians as zones: about n faces. */
+/* Twice as many meridians as zones, and about n faces. */
 static void sphere_solid(body *b, const plan *p, uint64_t index)
 {
     uint64_t rings = integer_root(p->n / 2);
@@ -341,7 +341,7 @@ static const struct {
     family family;
     count_fn *count;
     solid_fn *solid;
-    prepare_fn *prepare; /* NULL: nothing to prepare */
+    prepare_fn *prepare; /* NULL: needs no preparation */
 } families[] = {
     {{"lattice", "N [SEED]",
       "Lattice of N^3 tetrahedra, cubes and octahedra, one in each unit cell, each at a random turn (a rational one).",
@@ -465,7 +465,7 @@ const family *family_at(size_t i)
     return &families[i].family;
 }
 
-/* The comment of the file: what the scene is, and the arguments it was made with. */
+/* Writes the comment of the file: a description of the scene, and its arguments. */
 static void describe(size_t i, uint64_t n, uint64_t seed, char *text, size_t size)
 {
     const family *f = &families[i].family;
@@ -476,7 +476,7 @@ static void describe(size_t i, uint64_t n, uint64_t seed, char *text, size_t siz
              n);
 }
 
-/* Makes every solid in turn into the empty body `b` and hands it to the writer's `pass`: 0 counts, 1 writes vertices, 2
+/* Makes every solid in turn in the empty body `b` and passes it to the writer: pass 0 counts, 1 writes vertices, 2
  * writes faces. */
 static void run_pass(size_t i, const plan *p, int pass, off_writer *w, uint64_t *vertices, uint64_t *faces)
 {

@@ -1,14 +1,14 @@
-/* large.h - what the scenes of any size share: their arguments, and the meshes of meshes.c. */
+/* large.h - shared by the scenes of any size: their arguments, and the meshes of meshes.c. */
 #ifndef MODELS_LARGE_H
 #define MODELS_LARGE_H
 
 #include "body.h"
 
-/* The arguments of a scene, and bodies that it is made of, centred at the origin. */
+/* The arguments of a scene, and bodies used in it, centred at the origin. */
 typedef struct plan {
     uint64_t n, seed;
     body tetrahedron, cube, octahedron, icosahedron;
-    body part; /* made once before the scene, where its family prepares one */
+    body part; /* made once before the scene, if its family prepares one */
 } plan;
 
 /* ---- meshes.c: bodies that are not convex, of many triangles; all coordinates are integers ---------------------- */

@@ -1,7 +1,7 @@
-/* meshes.c - large triangle meshes to measure with: bodies like scans, crossing balls, land, stars, loose triangles.
+/* meshes.c - large triangle meshes for measurements: scan-like bodies, crossing balls, land, stars, loose triangles.
  *
- * Coordinates are rounded to integers of six or seven digits, as a scanner's are: the files stay short, and the
- * coordinates are exact. Nothing but +, -, *, / and sqrt() is used, so the bytes are the same everywhere. */
+ * Coordinates are rounded to integers of six or seven digits, like a scanner's: the files stay short, and the
+ * coordinates are exact. Only +, -, *, / and sqrt() are used, so the bytes are the same everywhere. */
 #include "exact.h"
 #include "large.h"
 
@@ -34,14 +34,14 @@ static roberts_vec3 unit(roberts_vec3 p)
 
 enum { ICOSAHEDRON_CORNERS = 12 };
 
-/* The numbers of the vertices of a divided icosahedron: those of edge uv, u < v, run from u to v behind edge[u][v]. */
+/* Vertex numbers of a divided icosahedron: those of edge uv, u < v, run from u to v, starting after edge[u][v]. */
 typedef struct division {
     uint32_t parts;
     uint32_t edge[ICOSAHEDRON_CORNERS][ICOSAHEDRON_CORNERS];
-    uint32_t inner; /* first vertex inside of the face at hand */
+    uint32_t inner; /* first vertex inside the current face */
 } division;
 
-/* Point i, j of the face abc, i steps from a toward b and j toward c. */
+/* Returns point i, j of the face abc, i steps from a toward b and j toward c. */
 static roberts_vec3 grid_point(const body *ico, const uint32_t *face, uint32_t parts, uint32_t i, uint32_t j)
 {
     roberts_vec3 a = vec3_scale(parts - i - j, ico->vertex[face[0]]), b = vec3_scale(i, ico->vertex[face[1]]);
@@ -57,7 +57,7 @@ static uint32_t on_edge(const division *d, uint32_t u, uint32_t v, uint32_t step
     return u < v ? d->edge[u][v] + step - 1 : d->edge[v][u] + d->parts - step - 1;
 }
 
-/* The number of that point. */
+/* Returns the number of that point. */
 static uint32_t grid_vertex(const division *d, const uint32_t *face, uint32_t i, uint32_t j)
 {
     uint32_t row = 0;
@@ -67,11 +67,12 @@ static uint32_t grid_vertex(const division *d, const uint32_t *face, uint32_t i,
         return on_edge(d, face[0], face[2], j);
     if (i + j == d->parts)
         return on_edge(d, face[1], face[2], j);
-    row = (j - 1) * (d->parts - 1) - j * (j - 1) / 2; /* of the rows before j; row k has parts - 1 - k points inside */
+    row = (j - 1) * (d->parts - 1) - j * (j - 1) / 2; /* the rows before j; row k has parts - 1 - k points inside */
     return d->inner + row + i - 1;
 }
 
-/* Adds the points of the edges of a face whose ends are in order; each edge is so in one of its two faces. */
+/* Adds the points of those edges of a face whose ends are in ascending order; each edge is so in one of its two
+ * faces. */
 static void add_edge_points(body *b, const body *ico, division *d, const uint32_t *face)
 {
     for (uint32_t k = 0; k < 3; k++) {
@@ -104,7 +105,7 @@ static void add_face_grid(body *b, const body *ico, division *d, const uint32_t 
         }
 }
 
-/* The ball of radius 1 whose faces are those of an icosahedron, each in parts^2 triangles. `b` is empty. */
+/* Makes the ball of radius 1 from an icosahedron whose faces are divided into parts^2 triangles each. `b` is empty. */
 static void geodesic_make(body *b, const body *ico, uint32_t parts)
 {
     division d = {.parts = parts};
@@ -118,7 +119,7 @@ static void geodesic_make(body *b, const body *ico, uint32_t parts)
         add_face_grid(b, ico, &d, ico->corner + 3 * f);
 }
 
-/* The largest division with at most n triangles. */
+/* Returns the largest division with at most n triangles. */
 static uint32_t division_for(uint64_t n)
 {
     uint32_t parts = (uint32_t)sqrt((double)n / 20);
@@ -127,11 +128,11 @@ static uint32_t division_for(uint64_t n)
 
 /* ---- bumps ------------------------------------------------------------------------------------------------------ */
 
-/* A bump or a dent round the point `middle` of the unit ball. */
+/* A bump or a dent around the point `middle` of the unit ball. */
 typedef struct bump {
     roberts_vec3 middle;
     double height, width; /* height < 0: a dent */
-    bool sharp;           /* has a rim */
+    bool sharp;           /* it has a rim */
 } bump;
 
 enum { WIDE_BUMPS = 24, MIDDLE_BUMPS = 96, BUMPS = 600 };
@@ -147,8 +148,8 @@ static roberts_vec3 random_direction(rng *r)
     return unit(p);
 }
 
-/* Few wide ones, many small ones. Every fourth is a dent with a sharp rim, where the surface bends by some 55 degrees.
- */
+/* A few wide ones and many small ones. Every fourth is a dent with a sharp rim, where the surface bends by about 55
+ * degrees. */
 static void make_bumps(bump *list, uint64_t seed)
 {
     rng r = rng_of(seed, 0);
@@ -164,7 +165,7 @@ static void make_bumps(bump *list, uint64_t seed)
     }
 }
 
-/* How much higher than the ball the surface is in direction p. */
+/* Returns the height of the surface above the ball in direction p. */
 static double bumps_height(const bump *list, roberts_vec3 p)
 {
     double height = 0;
@@ -213,7 +214,7 @@ void ball_prepare(plan *p)
     geodesic_make(&p->part, &p->icosahedron, division_for(p->n / thousand(p->n)));
 }
 
-/* Bumps raise it by less than a third. */
+/* The bumps raise the surface by less than a third. */
 void boulder_prepare(plan *p)
 {
     ball_prepare(p);
@@ -221,7 +222,7 @@ void boulder_prepare(plan *p)
     scale_part(p, 0.75);
 }
 
-/* Within a cell of the lattice, as large as it is near the cell's middle. */
+/* Places a ball in a cell of the lattice, as large as its distance from the cell's middle allows. */
 void balls_solid(body *b, const plan *p, uint64_t index)
 {
     uint64_t x = index % BALLS_A_SIDE, y = index / BALLS_A_SIDE % BALLS_A_SIDE, z = index / BALLS_A_SIDE / BALLS_A_SIDE;
@@ -232,7 +233,7 @@ void balls_solid(body *b, const plan *p, uint64_t index)
     add_rounded(b, &p->part, rng_turn(&r, CELL * radius, vec3_scale(CELL, at)));
 }
 
-/* Anywhere in a cube, so narrow that the triangles of 1,000 balls of 320 cross in some 122,000 pairs. */
+/* Places a ball anywhere in a cube so narrow that the triangles of 1,000 balls of 320 cross in about 122,000 pairs. */
 void crossing_solid(body *b, const plan *p, uint64_t index)
 {
     const double side = 7.05;
@@ -244,7 +245,7 @@ void crossing_solid(body *b, const plan *p, uint64_t index)
 
 /* ---- land ------------------------------------------------------------------------------------------------------- */
 
-/* Between 0 and 1 for each point of the lattice. */
+/* Returns a value between 0 and 1 for each point of the lattice. */
 static double lattice_value(uint64_t seed, int64_t x, int64_t y)
 {
     rng r = rng_of(seed, (uint64_t)(x * 1000003 + y));
@@ -256,7 +257,7 @@ static double smooth_step(double t)
     return t * t * (3 - 2 * t);
 }
 
-/* Smooth noise between 0 and 1, of hills about 1 wide. */
+/* Smooth noise between 0 and 1, with hills about 1 wide. */
 static double noise(uint64_t seed, double x, double y)
 {
     int64_t i = (int64_t)floor(x), j = (int64_t)floor(y);
@@ -266,7 +267,7 @@ static double noise(uint64_t seed, double x, double y)
     return lower * (1 - v) + upper * v;
 }
 
-/* Height over the point x, y, in cells of the grid: hills 40 cells wide, and smaller ones on them. */
+/* Returns the height at the point x, y, in cells of the grid: hills 40 cells wide, with smaller ones on them. */
 static double land_height(uint64_t seed, double x, double y)
 {
     double height = 0, wide = 40;
@@ -277,8 +278,8 @@ static double land_height(uint64_t seed, double x, double y)
     return height;
 }
 
-/* A grid of triangles. Each point is moved along x by its height, which makes slopes hang over; two points never meet,
- * because points of one height are moved alike. The more triangles, the more land. */
+/* A grid of triangles. Each point is moved along x by its height, so slopes overhang; two points never coincide,
+ * because points of one height move equally. More triangles make more land. */
 void terrain_prepare(plan *p)
 {
     const double cell = 1000, lean = 1.25;
@@ -299,7 +300,7 @@ void terrain_prepare(plan *p)
 
 /* ---- stars ------------------------------------------------------------------------------------------------------ */
 
-/* A pyramid on each face of a solid of triangles; the tips are `height` from the middle. */
+/* Puts a pyramid on each face of a solid of triangles; the tips are `height` from the middle. */
 static void star_make(body *b, const body *core, double radius, double height)
 {
     for (size_t v = 0; v < core->vertex_count; v++) {
@@ -329,7 +330,7 @@ void stars_solid(body *b, const plan *p, uint64_t index)
 
 /* ---- loose triangles -------------------------------------------------------------------------------------------- */
 
-/* So large that each triangle meets some three others. */
+/* So large that each triangle meets about three others. */
 void soup_solid(body *b, const plan *p, uint64_t index)
 {
     const double spread = 1000, room = 0.39;
@@ -337,7 +338,7 @@ void soup_solid(body *b, const plan *p, uint64_t index)
     rng r = rng_of(p->seed, index);
     uint32_t v = (uint32_t)b->vertex_count;
     roberts_vec3 q[3], middle, n;
-    for (int i = 0; i < 60; i++) /* the cube root of N by Newton's method */
+    for (int i = 0; i < 60; i++) /* the cube root of N, by Newton's method */
         side -= (side * side * side - (double)p->n) / (3 * side * side);
     side *= room;
     middle = vec3(side * rng_unit(&r), side * rng_unit(&r), side * rng_unit(&r));

@@ -1,4 +1,4 @@
-/* models.h - what the generator can make. */
+/* models.h - everything that the generator can make. */
 #ifndef MODELS_MODELS_H
 #define MODELS_MODELS_H
 
@@ -7,15 +7,15 @@
 
 #include "body.h"
 
-/* ---- committed models: made whole, then written ---------------------------------------------------------------- */
+/* ---- committed models: completed, then written ----------------------------------------------------------------- */
 
-/* One scene for an outcome of tests 1 to 4: the plate, solid 0, and a tetrahedron whose edge 8-9 meets it. */
+/* One scene for each outcome of tests 1 to 4: the plate, solid 0, and a tetrahedron with the edge 8-9 under test. */
 size_t case_count(void);
 const char *case_name(size_t i);
 void case_about(size_t i, char *text, size_t size);
 void case_make(body *b, size_t i);
 
-/* One star polyhedron, centred at the origin. */
+/* Star polyhedra, centred at the origin. */
 size_t star_count(void);
 const char *star_name(size_t i);
 const char *star_about(size_t i);
@@ -29,7 +29,7 @@ typedef struct scene {
 size_t scene_count(void);
 const scene *scene_at(size_t i);
 
-/* Bodies that are not convex, by formula. */
+/* Bodies that are not convex, from formulas. */
 size_t shape_count(void);
 const scene *shape_at(size_t i);
 
@@ -37,7 +37,7 @@ const scene *shape_at(size_t i);
 
 typedef struct family {
     const char *name, *arguments;
-    const char *about;     /* one line or two, N being the argument */
+    const char *about;     /* one line or two, where N is the argument */
     uint64_t least, limit; /* bounds of N */
     bool seeded;
 } family;
@@ -45,7 +45,7 @@ typedef struct family {
 size_t family_count(void);
 const family *family_at(size_t i);
 
-/* Writes the scene of family i; `seed` counts where it is seeded. False where writing failed. */
+/* Writes the scene of family i; `seed` is used if the family is random. False: writing failed. */
 bool family_write(size_t i, uint64_t n, uint64_t seed, FILE *file);
 
 #endif

@@ -1,5 +1,5 @@
-/* off.c - OFF text by our own number writer, several times as fast as printf: scenes of a million solids hold some
- * twenty million coordinates. */
+/* off.c - writes OFF text with our own number formatting, several times as fast as printf: scenes of a million solids
+ * contain about twenty million coordinates. */
 #include "off.h"
 
 #include <math.h>
@@ -44,7 +44,7 @@ static void put_count(off_writer *w, uint64_t n)
     w->fill += count_text(room(w), n);
 }
 
-/* a * b = product + *error exactly (Dekker 1971), while nothing over- or underflows. */
+/* Computes a * b = product + *error exactly (Dekker 1971), unless something overflows or underflows. */
 static double exact_product(double a, double b, double *error)
 {
     const double split = 134217729.0; /* 2^27 + 1 */
@@ -54,9 +54,9 @@ static double exact_product(double a, double b, double *error)
     return p;
 }
 
-/* The 17 leading decimal digits of v > 0 as an integer, rounded to nearest with ties to even, such that v is about
- * digits / 10^places; 0 where this short cut does not hold. 10^places is a double up to places = 22, so the product is
- * exact in two parts, the first of which is an even integer from 1e16 on. */
+/* Returns the 17 leading decimal digits of v > 0 as an integer, rounded to nearest with ties to even, such that v is
+ * about digits / 10^places; 0: this shortcut does not apply. 10^places is a double up to places = 22, so the product is
+ * exact in two parts, of which the first is an even integer from 1e16 on. */
 static uint64_t seventeen_digits(double v, int *places)
 {
     static const double ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9, 1e10,
@@ -77,7 +77,7 @@ static uint64_t seventeen_digits(double v, int *places)
     return (uint64_t)((int64_t)product + (int64_t)error);
 }
 
-/* digits / 10^places without trailing zeros. */
+/* Writes digits / 10^places without trailing zeros. */
 static size_t decimal_text(char *to, uint64_t digits, int places)
 {
     char text[20];

@@ -1,5 +1,5 @@
-/* scenes.c - the scenes that are looked at. What stands on something stands on it exactly: heights are integers or
- * halves, and the lowest face of a turned solid is given its height. */
+/* scenes.c - scenes for pictures. Things that stand on something stand on it exactly: heights are integers or halves,
+ * and the lowest face of a turned solid is given its height. */
 #include "exact.h"
 #include "figures.h"
 #include "models.h"
@@ -26,7 +26,7 @@ static void interpenetrating_cubes(body *b)
     body_box(b, vec3(4, 2, 2), vec3(10, 8, 8));
 }
 
-/* The turn of a cube by a sixth about its diagonal, the quaternion 3 + i + j + k, is a matrix of thirds. */
+/* The rotation of a cube by a sixth turn about its diagonal, the quaternion 3 + i + j + k, is a matrix of thirds. */
 static void compound_of_two_cubes(body *b)
 {
     body cube = {0};
@@ -36,8 +36,8 @@ static void compound_of_two_cubes(body *b)
     body_free(&cube);
 }
 
-/* A cube turned by an eighth about each of its three axes: its corners are (+-1, 0, +-sqrt 2), (+-1, +-sqrt 2, 0) and
- * their cyclic permutations. */
+/* A cube turned by an eighth turn about each of its three axes: its corners are (+-1, 0, +-sqrt 2), (+-1, +-sqrt 2, 0)
+ * and their cyclic permutations. */
 static void compound_of_three_cubes(body *b)
 {
     double h = sqrt(0.5);
@@ -51,7 +51,7 @@ static void compound_of_three_cubes(body *b)
     body_free(&cube);
 }
 
-/* The second tetrahedron is the first turned by a quarter. */
+/* The second tetrahedron is the first turned by a quarter turn. */
 static void stella_octangula(body *b)
 {
     body tetrahedron = {0};
@@ -63,7 +63,8 @@ static void stella_octangula(body *b)
 
 /* ---- things that stand on one another -------------------------------------------------------------------------- */
 
-/* A flight away from the viewer, a landing, a second flight to the left; every step is a block down to the floor. */
+/* A flight away from the viewer, a landing, and a second flight to the left; every step is a block down to the
+ * floor. */
 static void staircase(body *b)
 {
     for (int i = 0; i < 8; i++)
@@ -73,7 +74,7 @@ static void staircase(body *b)
         body_box(b, vec3(-2 * i - 2, 16, 0), vec3(-2 * i, 24, 9 + i));
 }
 
-/* Cubes of 2 in layers of 4 x 4, 3 x 3, 2 x 2, each over the joints of the one below, and a pyramid. */
+/* Cubes of size 2 in layers of 4 x 4, 3 x 3, 2 x 2, each over the joints of the one below, and a pyramid. */
 static void stacked_blocks(body *b)
 {
     for (int layer = 0; layer < 3; layer++)
@@ -85,7 +86,7 @@ static void stacked_blocks(body *b)
     body_pyramid(b, vec3(3, 3, 6), vec3(5, 5, 8));
 }
 
-/* Each floor is turned by 2 atan(1/24), about 4.8 degrees, against the one below. */
+/* Each floor is turned by 2 atan(1/24), about 4.8 degrees, relative to the one below. */
 static void tower(body *b)
 {
     roberts_vec2 step = half_angle(1.0 / 24), a = {1, 0};
@@ -128,7 +129,7 @@ static void books(body *b, double x, double y)
     stand_uniform(b, RHOMBICUBOCTAHEDRON, 4, 1, vec3(x, y, TABLE_HEIGHT + 3 * thick), half_angle(0.25));
 }
 
-/* Two pillars and what they carry. */
+/* Two pillars and what they support. */
 static void gate(body *b, double x, double y)
 {
     const double z = TABLE_HEIGHT;
@@ -158,7 +159,7 @@ static void table(body *b)
 
 /* ---- a temple -------------------------------------------------------------------------------------------------- */
 
-/* The roof over the rectangle lo.x..hi.x, lo.y..hi.y: its ridge runs along y at height hi.z. */
+/* Adds the roof over the rectangle lo.x..hi.x, lo.y..hi.y: its ridge runs along y at height hi.z. */
 static void roof(body *b, roberts_vec3 lo, roberts_vec3 hi)
 {
     double middle = (lo.x + hi.x) / 2;

@@ -1,5 +1,5 @@
-/* shapes.c - bodies that are not convex, by formula: two famous toroids, solids of revolution, a bolt, a bracket, land,
- * and a strip with one side. Faces run counter-clockwise seen from outside where there is an outside. */
+/* shapes.c - bodies that are not convex, from formulas: two famous toroids, solids of revolution, a bolt, a bracket,
+ * land, and a one-sided strip. Faces run counter-clockwise seen from outside, if there is an outside. */
 #include "exact.h"
 #include "models.h"
 
@@ -31,13 +31,13 @@ static void loop_face(body *b, const loop *l)
     body_face(b, l->corner, l->count);
 }
 
-/* A hole, and the corner of the outer loop from which a slit goes to the hole's first corner. */
+/* A hole, and the corner of the outer loop from which a slit leads to the hole's first corner. */
 typedef struct hole {
     const loop *loop;
     size_t slit_from;
 } hole;
 
-/* A face with holes; all loops run counter-clockwise seen from outside. */
+/* Adds a face with holes; all loops run counter-clockwise seen from outside. */
 static void face_with_holes(body *b, const loop *outer, const hole *holes, size_t hole_count)
 {
     for (size_t i = 0; i < outer->count; i++) {
@@ -54,7 +54,7 @@ static void face_with_holes(body *b, const loop *outer, const hole *holes, size_
     body_end_face(b);
 }
 
-/* Quadrangles from the loop `lower` to `upper`, each corner to the one of the same number. */
+/* Adds quadrangles from the loop `lower` to `upper`, joining corners of the same number. */
 static void loop_band(body *b, const loop *lower, const loop *upper)
 {
     for (size_t i = 0; i < lower->count; i++) {
@@ -107,7 +107,7 @@ static void szilassi(body *b)
 
 /* ---- revolved --------------------------------------------------------------------------------------------------- */
 
-/* 24 trapezoids round, 12 round the tube. */
+/* 24 trapezoids around the ring, 12 around the tube. */
 static void torus(body *b)
 {
     const double radius = 3, tube = 1.25;
@@ -142,15 +142,15 @@ static void goblet(body *b)
 
 /* ---- a bolt ----------------------------------------------------------------------------------------------------- */
 
-/* The thread is cut by COLUMNS half-planes through the axis. In each one its crest and its root are points, half a
- * pitch over one another; number them h, the even ones on the crest. From one half-plane to the next they rise by pitch
- * / COLUMNS. Heights below are in these steps. */
+/* The thread is cut by COLUMNS half-planes through the axis. In each one, its crest and its root are points, half a
+ * pitch apart in height; they are numbered h, with even numbers on the crest. From one half-plane to the next they rise
+ * by pitch / COLUMNS. Heights below are in these steps. */
 enum { COLUMNS = 24, HALF_PITCH = COLUMNS / 2, TURNS = 6, TOP = TURNS * COLUMNS, POINTS = 2 * TURNS + 3 };
 
 static const double thread_pitch = 1.5, crest_radius = 2.75, root_radius = 2;
 
-/* The points of one half-plane from h = low - 2 to high - 2; the ends of the thread are among them where one falls on
- * a crest or a root. */
+/* The points of one half-plane from h = low - 2 to high - 2, including the ends of the thread where one falls on a
+ * crest or a root. */
 typedef struct column {
     int low, high;
     uint32_t bottom, top, point[POINTS];
@@ -180,7 +180,7 @@ static column thread_column(body *b, int k)
     return c;
 }
 
-/* Column 0 again, behind the last one: a turn further, each of its points has a number less by 2. */
+/* Returns column 0 again, after the last one: a turn further, each of its points has a number smaller by 2. */
 static column next_turn(const column *c)
 {
     column next = *c;
@@ -191,7 +191,7 @@ static column next_turn(const column *c)
     return next;
 }
 
-/* A quadrangle, or the triangle that is left where two of its corners are the same. */
+/* Adds a quadrangle, or a triangle if two of its corners are the same. */
 static void add_cell(body *b, uint32_t p, uint32_t q, uint32_t r, uint32_t s)
 {
     body_corner(b, p);
@@ -238,8 +238,8 @@ static void screw(body *b)
 
 /* ---- a bracket -------------------------------------------------------------------------------------------------- */
 
-/* A circle of n corners in the plane y = const about the point x = 0, z, or in the plane z = const about x, y; it
- * starts `first` steps after the x axis and runs from x to the other axis. */
+/* A circle of n corners in the plane y = const about the point x = 0, z, or in the plane z = const about x, y. It
+ * starts `first` steps from the x axis and runs from x to the other axis. */
 static loop upright_circle(body *b, uint32_t n, double radius, double y, double z)
 {
     loop l = {0};
@@ -263,7 +263,7 @@ static loop level_circle(body *b, uint32_t first, double radius, roberts_vec3 mi
 
 static const double half_width = 6, bracket_depth = 10, thickness = 2, eye_height = 9;
 
-/* The outline of the upright plate at y: its two lower corners, then the arc over it from right to left. */
+/* The outline of the upright plate at y: its two lower corners, then the arc above from right to left. */
 static loop upright_outline(body *b, double y, double bottom)
 {
     loop l = {0};
@@ -276,8 +276,8 @@ static loop upright_outline(body *b, double y, double bottom)
     return l;
 }
 
-/* The base plate: it lies under the upright and before it. Its corners at the back are those of `back`; those of the
- * inner corner are those of `front`. */
+/* The base plate, which lies under the upright plate and in front of it. Its corners at the back are those of `back`;
+ * those of the inner corner are those of `front`. */
 static void bracket_base(body *b, const loop *back, const loop *front)
 {
     loop end = {0}, hole_low[2], hole_high[2];
@@ -285,7 +285,7 @@ static void bracket_base(body *b, const loop *back, const loop *front)
         loop_add(&end, body_vertex(b, i ? -half_width : half_width, bracket_depth, 0));
     for (int i = 0; i < 2; i++)
         loop_add(&end, body_vertex(b, i ? half_width : -half_width, bracket_depth, thickness));
-    for (int i = 0; i < 2; i++) { /* each slit goes to the nearest corner */
+    for (int i = 0; i < 2; i++) { /* each slit leads to the nearest corner */
         roberts_vec3 middle = {i ? -3.5 : 3.5, 6.5, 0};
         hole_low[i] = level_circle(b, i ? 6 : 2, 1.25, middle);
         hole_high[i] = level_circle(b, i ? 6 : 2, 1.25, vec3_add(middle, vec3(0, 0, thickness)));
@@ -308,7 +308,7 @@ static void bracket_base(body *b, const loop *back, const loop *front)
               6);
 }
 
-/* An angle of two plates: two holes in the base, and in the round upright an eye with a rim. */
+/* A bracket of two plates: two holes in the base, and an eye with a rim in the rounded upright plate. */
 static void bracket(body *b)
 {
     const double eye = 3, rim = 4.25, rim_depth = 3;
@@ -333,7 +333,7 @@ static void bracket(body *b)
 
 /* ---- sheets ----------------------------------------------------------------------------------------------------- */
 
-/* Hills of this height and width about x, y. */
+/* Returns the height of hills of a given height and width about x, y. */
 static double hills(double x, double y)
 {
     static const double hill[][4] = {{14, 5, 12, 19}, {10, 4, 22, 12}, {6, 3, 25, 25}, {5, 3, 6, 7}, {-4, 4, 16, 5}};
@@ -361,7 +361,7 @@ static void terrain(body *b)
 
 enum { STRIP_PARTS = 48 };
 
-/* Half a turn about the middle line while it goes round once, so that it closes with its sides exchanged. */
+/* Half a turn about the middle line in one round, so that it closes with its sides exchanged. */
 static void moebius_strip(body *b)
 {
     const double radius = 4, half = 1.25;

@@ -1,11 +1,11 @@
-/* stand.c - see stand.h. */
+/* stand.c - solids that stand on one of their faces. See stand.h. */
 #include "stand.h"
 
 #include "exact.h"
 #include "uniform.h"
 
-/* Adds `part` scaled, standing on its face f with the middle of that face at `at`, the corner that comes first in it in
- * the direction of (c, s). The corners of the face get the height of `at` itself, so that it lies in that plane. */
+/* Adds `part`, scaled, standing on its face f. The middle of that face is at `at`, and its first corner lies in the
+ * direction of (c, s) from there. The face's corners get exactly the height of `at`, so it lies in that plane. */
 static void stand(body *b, const body *part, size_t f, double scale, roberts_vec3 at, roberts_vec2 direction)
 {
     size_t first = body_face_start(part, f), count = part->face_end[f] - first, base = b->vertex_count;
@@ -28,7 +28,7 @@ static void stand(body *b, const body *part, size_t f, double scale, roberts_vec
         b->vertex[base + part->corner[first + i]].z = at.z;
 }
 
-/* The first face of `part` with this many corners. */
+/* Returns the first face of `part` with this many corners. */
 static size_t face_of(const body *part, size_t corners)
 {
     size_t f = 0;

@@ -6,12 +6,12 @@
 
 #include "body.h"
 
-/* Adds a regular or half-regular solid, scaled, standing on the first of its faces with so many corners. The middle of
+/* Adds a regular or semiregular solid, scaled, standing on the first of its faces with this many corners. The middle of
  * that face is at `at`, and its first corner lies in the direction of the unit vector from there. The face's corners
- * get the height of `at` itself, so that it lies in that plane. */
+ * get exactly the height of `at`, so it lies in that plane. */
 void stand_uniform(body *b, int solid, size_t corners, double scale, roberts_vec3 at, roberts_vec2 direction);
 
-/* A column or cone over a regular polygon, standing at `at`. */
+/* Adds a column or cone over a regular polygon, standing at `at`. */
 void stand_round(body *b, bool pointed, uint32_t n, double radius, double height, roberts_vec3 at);
 
 #endif

@@ -1,15 +1,14 @@
 /* star.c - the four regular star polyhedra, uniform star polyhedra, prisms and antiprisms over the pentagram.
  *
- * Idea: the corners of these are those of a convex uniform solid. Their edges are all pairs of corners at one distance,
- * and their faces all regular polygons {n/d} of certain n and d that have such edges for their sides: n corners, d
- * turns. Source: H. S. M. Coxeter, M. S. Longuet-Higgins, J. C. P. Miller, "Uniform polyhedra", Phil. Trans. A 246
- * (1954). */
+ * Their corners are those of a convex uniform solid. Their edges are all pairs of corners at a certain distance, and
+ * their faces all regular polygons {n/d} of certain n and d with such edges as sides: n corners, d turns. Source: H. S.
+ * M. Coxeter, M. S. Longuet-Higgins, J. C. P. Miller, "Uniform polyhedra", Phil. Trans. A 246 (1954). */
 #include "exact.h"
 #include "models.h"
 #include "uniform.h"
 
-/* How much two lengths may differ and count as equal, as a part of either: far above rounding, far below the
- * differences that occur. */
+/* Relative difference up to which two lengths count as equal: far above rounding, far below the differences that
+ * occur. */
 static const double SAME = 1e-9;
 
 enum { CORNER_MAX = 10, NEIGHBOUR_MAX = 12 };
@@ -22,10 +21,10 @@ typedef struct polygon {
 
 typedef struct star {
     const char *name, *about;
-    int solid;       /* whose corners it has */
-    int distance;    /* length of the edges: 1 is the least distance of two corners, 2 the next, and so on */
-    polygon face[3]; /* up to the first with no corners */
-    bool half;       /* of the triangles only those over four of the eight octants */
+    int solid;       /* the solid with the same corners */
+    int distance;    /* length of the edges: 1 is the least distance of two corners, 2 the next larger one, and so on */
+    polygon face[3]; /* up to the first with 0 corners */
+    bool half;       /* only the triangles over four of the eight octants */
 } star;
 
 static const star stars[] = {
@@ -138,7 +137,7 @@ static const star stars[] = {
 
 /* ---- edges ------------------------------------------------------------------------------------------------------ */
 
-/* What is sought: the solid, and for each corner the ends of its edges. */
+/* The data of the search: the solid, and for each corner the other ends of its edges. */
 typedef struct edges {
     const body *solid;
     double length2; /* squared length of the edges */
@@ -156,7 +155,7 @@ static bool same(double a, double b)
     return fabs(a - b) < SAME * fmax(a, b);
 }
 
-/* The least squared distance from corner 0 above `least`. */
+/* Returns the least squared distance from corner 0 above `least`. */
 static double next_distance2(const body *b, double least)
 {
     double next = INFINITY;
@@ -184,13 +183,13 @@ static void find_edges(edges *e, const body *solid, int distance)
 
 /* ---- faces ------------------------------------------------------------------------------------------------------ */
 
-/* The turn from edge ij to edge jk. */
+/* Returns the turn from edge ij to edge jk. */
 static roberts_vec3 turning(const body *b, uint32_t i, uint32_t j, uint32_t k)
 {
     return vec3_cross(vec3_sub(b->vertex[j], b->vertex[i]), vec3_sub(b->vertex[k], b->vertex[j]));
 }
 
-/* The corner after i, j, k in the regular polygon that has them; NONE where there is none. */
+/* Returns the corner after i, j, k in the regular polygon through them; NONE: none. */
 static uint32_t corner_after(const edges *e, uint32_t i, uint32_t j, uint32_t k)
 {
     roberts_vec3 n = turning(e->solid, i, j, k);
@@ -202,7 +201,7 @@ static uint32_t corner_after(const edges *e, uint32_t i, uint32_t j, uint32_t k)
     return NONE;
 }
 
-/* Adds the polygon, outward side first. */
+/* Adds the polygon with its front outward. */
 static void add_outward(body *b, const body *solid, const uint32_t *corner, uint32_t count)
 {
     bool outward = vec3_dot(turning(solid, corner[0], corner[1], corner[2]), solid->vertex[corner[0]]) > 0;
@@ -211,8 +210,8 @@ static void add_outward(body *b, const body *solid, const uint32_t *corner, uint
     body_end_face(b);
 }
 
-/* Adds the polygon through the edges ij and jk where there is one of this kind, i its smallest corner and j the smaller
- * one beside it. */
+/* Adds the polygon of this kind through the edges ij and jk, if there is one with i as its smallest corner and j as the
+ * smaller one beside it. */
 static void add_polygon(body *b, const edges *e, polygon kind, const uint32_t start[3])
 {
     double diagonal = 2 * circle_point(kind.turns, UINT64_C(2) * kind.corners).x; /* from i to k, in edges */
@@ -241,7 +240,7 @@ static void add_polygons(body *b, const edges *e, polygon kind)
         }
 }
 
-/* Triangles over the octants with an odd number of negative signs. */
+/* Is the triangle over an octant with an odd number of negative signs? */
 static bool left_out(const body *all, size_t f)
 {
     roberts_vec3 n = body_face_normal(all, f);
@@ -270,7 +269,8 @@ static void make_on_corners(body *b, const star *s)
 
 /* ---- over the pentagram ----------------------------------------------------------------------------------------- */
 
-/* Five points at height z on a circle of radius 1, in the order of a pentagram; the first at `tenths` of the turn. */
+/* Adds five points at height z on a circle of radius 1, in the order of a pentagram; the first is at `tenths` of a
+ * turn. */
 static void add_pentagram(body *b, double z, uint32_t tenths)
 {
     uint32_t base = (uint32_t)b->vertex_count;
@@ -292,10 +292,9 @@ static void pentagrammic_prism(body *b)
         body_face(b, (uint32_t[]){i, (i + 1) % 5, 5 + (i + 1) % 5, 5 + i}, 4);
 }
 
-/* The upper pentagram lies over the lower one, or is turned by half a turn. Side i of the lower one goes from 4 i to 4
- * i
- * + 4 tenths; over its middle, or opposite to it, is the corner at 4 i + 2 or 4 i + 7 tenths. The sides of the
- * triangles are those of the pentagrams; seen from above they are as long as the chord from there to an end. */
+/* The upper pentagram lies above the lower one, or is turned by half a turn. Side i of the lower one goes from 4 i to 4
+ * i + 4 tenths; above its middle, or opposite to it, is the corner at 4 i + 2 or 4 i + 7 tenths. The sides of the
+ * triangles equal those of the pentagrams; seen from above, they are as long as the chord from there to an end. */
 static void pentagrammic_antiprism(body *b, bool crossed)
 {
     double side = 2 * circle_point(2, 10).y, seen = 2 * circle_point(crossed ? 3 : 2, 20).y;

@@ -1,10 +1,10 @@
 /* uniform.c - Platonic, Archimedean and Catalan solids, prisms, antiprisms.
  *
- * Idea: a uniform solid is the convex hull of the images of few points under permutations and changes of sign of the
+ * A uniform solid is the convex hull of the images of a few points under permutations and sign changes of the
  * coordinates. Its edges are the pairs of vertices at the least distance; its faces are the planes through two
- * consecutive edges with all vertices on one side. The dual's vertices are the poles of the faces' planes.
- * Source of the coordinates: H. S. M. Coxeter, "Regular and semi-regular polytopes I", Math. Z. 46 (1940).
- * Coordinates are the natural ones, unscaled, so that what can be an integer is one. */
+ * consecutive edges with all vertices on one side. The dual's vertices are the poles of the faces' planes. Source of
+ * the coordinates: H. S. M. Coxeter, "Regular and semi-regular polytopes I", Math. Z. 46 (1940). Coordinates are the
+ * natural ones, unscaled, so that as many as possible are integers. */
 #include "uniform.h"
 
 #include <stddef.h>
@@ -13,14 +13,14 @@
 
 enum { VERTEX_MAX = 120, DEGREE_MAX = 5, FACE_CORNER_MAX = 10 };
 
-/* How much two lengths may differ and count as equal, as a part of either: far above rounding (1e-15), far below the
- * differences that occur in these solids (1e-2). */
+/* Relative difference up to which two lengths count as equal: far above rounding (1e-15), far below the differences
+ * that occur in these solids (1e-2). */
 static const double SAME = 1e-9;
 
-/* Which signs a point is taken with: those with the product of the three signs among these. */
+/* The sign changes applied to a point: those for which the product of the three signs is allowed. */
 typedef enum signs { ANY, EVEN, ODD } signs;
 
-/* A point (a0 + b0 r, a1 + b1 r, a2 + b2 r) with r the irrational of its solid. */
+/* A point (a0 + b0 r, a1 + b1 r, a2 + b2 r), where r is the irrational number of its solid. */
 typedef struct seed {
     double a[3], b[3];
 } seed;
@@ -29,7 +29,7 @@ typedef enum irrational { NONE, GOLDEN, ROOT_2 } irrational;
 
 typedef struct recipe {
     irrational r;
-    bool all_permutations; /* else the even (cyclic) ones */
+    bool all_permutations; /* otherwise only the even (cyclic) ones */
     signs signs;
     int seed_count;
     seed seed[5];
@@ -182,7 +182,7 @@ static void add_new_vertex(body *b, roberts_vec3 p)
     body_vertex(b, p.x, p.y, p.z);
 }
 
-/* p with all its changes of sign. */
+/* Adds p with all its sign changes. */
 static void add_signs(body *b, const double p[3], signs which)
 {
     for (int mask = 0; mask < 8; mask++) {
@@ -224,8 +224,8 @@ static void recipe_vertices(body *b, const recipe *from)
     }
 }
 
-/* The root near x of x^3 + c2 x^2 + c1 x + c0 by Newton's method; eight steps from the first digit are more than
- * enough for all of a double's. */
+/* Returns the root near x of x^3 + c2 x^2 + c1 x + c0 by Newton's method. Starting from the first digit, eight steps
+ * are more than enough for a double. */
 static double cubic_root(double x, double c2, double c1, double c0)
 {
     for (int i = 0; i < 8; i++)
@@ -240,7 +240,7 @@ static void snub_cube_vertices(body *b)
     add_odd_permutations(b, p, EVEN);
 }
 
-/* The 60 turns are the five about a fivefold axis times the twelve of the tetrahedron. */
+/* The 60 rotations are the five about a fivefold axis times the twelve of the tetrahedron. */
 static void snub_dodecahedron_vertices(body *b)
 {
     double g = golden_ratio(), x = cubic_root(0.9, 2, 0, -g * g), h = 1 / (2 * g);
@@ -255,7 +255,7 @@ static void snub_dodecahedron_vertices(body *b)
 
 /* ---- faces of the hull ----------------------------------------------------------------------------------------- */
 
-/* The vertices at the ends of the edges from each vertex. */
+/* The other ends of the edges from each vertex. */
 typedef struct edges {
     int degree[VERTEX_MAX];
     uint32_t end[VERTEX_MAX][DEGREE_MAX];
@@ -267,7 +267,7 @@ static double distance2(const body *b, size_t i, size_t j)
     return vec3_dot(d, d);
 }
 
-/* Every pair at the least distance is an edge: so it is in a uniform solid. */
+/* Makes every pair at the least distance an edge, which is right for a uniform solid. */
 static void find_edges(const body *b, edges *e)
 {
     double least = INFINITY;
@@ -281,7 +281,7 @@ static void find_edges(const body *b, edges *e)
     }
 }
 
-/* Height of vertex p over the plane of i, j, k, in units of the solid's size. */
+/* Returns the height of vertex p above the plane of i, j, k, in units of the solid's size. */
 static double height(const body *b, uint32_t i, uint32_t j, uint32_t k, size_t p)
 {
     roberts_vec3 o = b->vertex[j];
@@ -289,7 +289,7 @@ static double height(const body *b, uint32_t i, uint32_t j, uint32_t k, size_t p
     return vec3_dot(n, vec3_sub(b->vertex[p], o)) / vec3_length(n) / vec3_length(o);
 }
 
-/* No vertex lies outside the plane of i, j, k. */
+/* Is no vertex outside the plane of i, j, k? */
 static bool supports(const body *b, uint32_t i, uint32_t j, uint32_t k)
 {
     for (size_t p = 0; p < b->vertex_count; p++)
@@ -298,7 +298,7 @@ static bool supports(const body *b, uint32_t i, uint32_t j, uint32_t k)
     return true;
 }
 
-/* The corner after k on the face that runs through i, j, k; j lies before k. */
+/* Returns the corner after k on the face through i, j, k; j precedes k. */
 static uint32_t next_corner(const body *b, const edges *e, uint32_t i, uint32_t j, uint32_t k)
 {
     for (int n = 0; n < e->degree[k]; n++) {
@@ -309,7 +309,7 @@ static uint32_t next_corner(const body *b, const edges *e, uint32_t i, uint32_t 
     return i;
 }
 
-/* Adds the face through the edges ij and jk where there is one with i its smallest vertex. */
+/* Adds the face through the edges ij and jk, if there is one with i as its smallest vertex. */
 static void add_face(body *b, const edges *e, uint32_t i, uint32_t j, uint32_t k)
 {
     uint32_t corner[FACE_CORNER_MAX] = {i, j, k}, next;
@@ -348,13 +348,13 @@ void uniform_make(body *b, int solid)
 
 /* ---- duals ----------------------------------------------------------------------------------------------------- */
 
-/* A coordinate that symmetry makes 0 and rounding does not: the least true one is above 0.08. */
+/* Removes the rounding error of a coordinate that is 0 by symmetry: the least true one is above 0.08. */
 static double without_residue(double x)
 {
     return fabs(x) < 1e-12 ? 0 : x;
 }
 
-/* The face with the edge from vertex u to vertex v, and the corner after v in it. */
+/* Finds the face with the edge from vertex u to vertex v, and the corner after v in it. */
 static size_t face_with_edge(const body *b, uint32_t u, uint32_t v, uint32_t *after)
 {
     size_t f = 0, first = 0;
@@ -369,8 +369,8 @@ static size_t face_with_edge(const body *b, uint32_t u, uint32_t v, uint32_t *af
     return f;
 }
 
-/* Adds the dual's face for vertex v: the poles of the faces around it, counter-clockwise. `end` is any edge's other
- * end. The face with the edge uv has the edge vw, w after v; the next one clockwise has the edge wv. */
+/* Adds the dual's face for vertex v: the poles of the faces around it, counter-clockwise. `end` is the other end of any
+ * of its edges. The face with the edge uv has the edge vw, with w after v; the next one clockwise has the edge wv. */
 static void add_dual_face(body *b, const body *solid, uint32_t base, uint32_t v, uint32_t end)
 {
     uint32_t corner[DEGREE_MAX], u = end;
@@ -407,7 +407,7 @@ void catalan_make(body *b, int solid)
 
 /* ---- over regular polygons ------------------------------------------------------------------------------------- */
 
-/* n vertices at height z, the first one `first` steps of 1/`steps` turn from the x axis. */
+/* Adds n vertices at height z, the first one `first` steps of 1/`steps` turn from the x axis. */
 static uint32_t add_ring(body *b, uint32_t n, double radius, double z, uint32_t first, uint32_t steps)
 {
     uint32_t base = (uint32_t)b->vertex_count;
@@ -418,7 +418,7 @@ static uint32_t add_ring(body *b, uint32_t n, double radius, double z, uint32_t 
     return base;
 }
 
-/* The polygon over a ring, seen from above or from below. */
+/* Adds the polygon over a ring, seen from above or from below. */
 static void add_ring_face(body *b, uint32_t base, uint32_t n, bool up)
 {
     for (uint32_t i = 0; i < n; i++)
@@ -426,7 +426,7 @@ static void add_ring_face(body *b, uint32_t base, uint32_t n, bool up)
     body_end_face(b);
 }
 
-/* Quadrangles between two rings of n with the same directions. */
+/* Adds quadrangles between two rings of n with the same directions. */
 static void add_band(body *b, uint32_t lower, uint32_t upper, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
@@ -435,7 +435,7 @@ static void add_band(body *b, uint32_t lower, uint32_t upper, uint32_t n)
     }
 }
 
-/* Triangles between a ring and a point over (up) or under it. */
+/* Adds triangles between a ring and a point above it (`up`) or below it. */
 static void add_cap(body *b, uint32_t ring, uint32_t n, uint32_t apex, bool up)
 {
     for (uint32_t i = 0; i < n; i++) {
@@ -465,7 +465,7 @@ void prism_make(body *b, uint32_t n)
     column_make(b, n, 1, -half, half);
 }
 
-/* The sides of polygon and triangles are 2 sin(pi/n); seen from above a triangle's slanted side is 2 sin(pi/2n). */
+/* The sides of polygon and triangles are 2 sin(pi/n); seen from above, a triangle's slanted side is 2 sin(pi/2n). */
 void antiprism_make(body *b, uint32_t n)
 {
     double side = circle_point(1, UINT64_C(2) * n).y, seen = circle_point(1, UINT64_C(4) * n).y;

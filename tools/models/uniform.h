@@ -1,4 +1,4 @@
-/* uniform.h - the regular and half-regular solids and their duals. */
+/* uniform.h - the regular and semiregular solids and their duals. */
 #ifndef MODELS_UNIFORM_H
 #define MODELS_UNIFORM_H
 
@@ -28,14 +28,14 @@ enum uniform_solid {
     SNUB_DODECAHEDRON,
 };
 
-/* What the solid is and how its coordinates are made, for the file's comment; its Catalan dual's likewise. */
+/* Describe the solid and how its coordinates are made, and its Catalan dual, for the file's comment. */
 const char *uniform_about(int solid);
 const char *catalan_about(int solid);
 
 /* Adds the solid, centred at the origin. */
 void uniform_make(body *b, int solid);
 
-/* Adds the polar reciprocal of an Archimedean solid about its midsphere. */
+/* Adds the polar reciprocal of an Archimedean solid with respect to its midsphere. */
 void catalan_make(body *b, int solid);
 
 /* ---- solids over regular polygons, n >= 3 corners on circles of radius 1 about the z axis ---------------------- */
@@ -43,13 +43,13 @@ void catalan_make(body *b, int solid);
 void prism_make(body *b, uint32_t n);     /* side faces are squares */
 void antiprism_make(body *b, uint32_t n); /* side faces are equilateral triangles */
 
-/* The prism of the given radius between two heights, exact in z. */
+/* Adds a prism of the given radius between two heights, exact in z. */
 void column_make(body *b, uint32_t n, double radius, double z0, double z1);
 
-/* The pyramid over such a polygon at height z0 with its apex at z1. */
+/* Adds a pyramid over such a polygon at height z0 with its apex at z1. */
 void cone_make(body *b, uint32_t n, double radius, double z0, double z1);
 
-/* A ball of `rings` + 1 parallels, the poles with them, and `sides` meridians, radius 1. */
+/* Adds a ball of radius 1 with `rings` + 1 parallels, including the poles, and `sides` meridians. */
 void globe_make(body *b, uint32_t rings, uint32_t sides);
 
 #endif

@@ -1,0 +1,24 @@
+/* formats.h - the page in each format. */
+#ifndef ROBERTS_DRAW_FORMATS_H
+#define ROBERTS_DRAW_FORMATS_H
+
+#include "draw/output.h"
+#include "draw/strokes.h"
+
+/* Each writes the page. The caller finishes `out`, which knows of failed writes. Each returns ROBERTS_OK, _NO_MEMORY or
+ * _IO; surface_write(), image_write() and tikz_write() also _BAD_ARGUMENT. */
+typedef roberts_status page_writer(const strokes *s, output *out, roberts_error *error);
+
+page_writer svg_write;
+page_writer pdf_write;
+page_writer surface_write; /* PS and EPS, by Cairo's surfaces */
+page_writer image_write;   /* PNG */
+page_writer tikz_write;
+page_writer dxf_write;
+page_writer hpgl_write;
+
+/* image_write() with about this many bytes of pixels in memory, more only for long dashes. The picture does not depend
+ * on it. */
+roberts_status image_write_bands(const strokes *s, size_t surface_bytes, output *out, roberts_error *error);
+
+#endif

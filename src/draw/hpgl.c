@@ -1,0 +1,116 @@
+/* hpgl.c - the page as HP-GL/2 (Hewlett-Packard, "HP-GL/2 and HP RTL Reference Guide", 1997), for pen plotters and
+ * cutters.
+ *
+ * A class has a pen (SP). Width and colour of the pen are told, too (PW, PC): plotters with real pens ignore them. 40
+ * units are a mm, the origin is the lower left corner of the page, and y is up. Coordinates are whole numbers, because
+ * many plotters and cutters read no others; so they are true to half a unit, 0.0125 mm. */
+#include "draw/formats.h"
+#include "draw/plot.h"
+
+enum {
+    UNITS_PER_MM = 40,
+    PENS = 16,         /* of the palette, a power of two above the number of the last pen */
+    LINE_TYPE = 8,     /* the one that we define for dashes */
+    POINTS_A_LINE = 20 /* then the text goes on in a new line */
+};
+
+typedef struct hpgl {
+    const strokes *s;
+    output *out;
+    double units;  /* of HP-GL in a unit of the page */
+    double height; /* of the page, in units of HP-GL */
+} hpgl;
+
+/* The number of the pen, the same in every drawing. */
+static uint32_t pen_number(roberts_line line)
+{
+    static const uint8_t number[] = {
+        [ROBERTS_OUTLINE] = 1, [ROBERTS_CREASE] = 2,       [ROBERTS_BACK] = 3, [ROBERTS_BORDER] = 4,
+        [ROBERTS_WIRE] = 6,    [ROBERTS_INTERSECTION] = 5, [LINE_FRAME] = 7,   [LINE_SYMBOL] = 8};
+    return number[line];
+}
+
+/* Writes an instruction up to `value`, and what stands behind it. */
+static void write_integer(output *out, const char *before, uint32_t value, const char *behind)
+{
+    output_text(out, before);
+    output_integer(out, value);
+    output_text(out, behind);
+}
+
+/* Dashes and gaps as a line type of our own (UL, in percent of the pattern), and the pattern's length in mm (LT). */
+static void write_dashes(output *out, const double dash[2])
+{
+    const double pattern = dash[0] + dash[1], percent = dash[0] / pattern * 100.0;
+    write_integer(out, "UL", LINE_TYPE, ",");
+    output_mm(out, percent);
+    output_text(out, ",");
+    output_mm(out, 100.0 - percent);
+    write_integer(out, ";LT", LINE_TYPE, ",");
+    output_mm(out, pattern);
+    output_text(out, ",1;\n");
+}
+
+static void begin_class(void *context, roberts_line line)
+{
+    const hpgl *p = context;
+    const roberts_pen *pen = strokes_pen(p->s->options, line);
+    const uint32_t number = pen_number(line);
+    double dash[2];
+    write_integer(p->out, "SP", number, ";PW");
+    output_mm(p->out, pen->width_mm);
+    write_integer(p->out, ",", number, ";PC");
+    write_integer(p->out, "", number, ",");
+    write_integer(p->out, "", pen->red, ",");
+    write_integer(p->out, "", pen->green, ",");
+    write_integer(p->out, "", pen->blue, ";");
+    if (strokes_dash(p->s->options, line, dash))
+        write_dashes(p->out, dash);
+    else
+        output_text(p->out, "LT;\n");
+}
+
+static page_point on_plotter(const hpgl *p, page_point at)
+{
+    return (page_point){page_round(at.x * p->units), page_round(p->height - at.y * p->units)};
+}
+
+static void write_point(output *out, page_point at)
+{
+    output_signed(out, at.x);
+    output_bytes(out, ",", 1);
+    output_signed(out, at.y);
+}
+
+/* Points that become one by rounding are written once. What is left of a tiny stroke is a dot. */
+static void write_stroke(void *context, const page_point *point, size_t count, bool closed)
+{
+    const hpgl *p = context;
+    const page_point first = on_plotter(p, point[0]);
+    page_point last = first;
+    size_t written = 0;
+    output_text(p->out, "PU");
+    write_point(p->out, first);
+    output_text(p->out, ";PD");
+    for (size_t i = 1; i < count + closed; i++) {
+        page_point at = i < count ? on_plotter(p, point[i]) : first;
+        bool is_needed = at.x != last.x || at.y != last.y || (written == 0 && i + 1 == count + closed);
+        if (!is_needed)
+            continue;
+        if (written++)
+            output_text(p->out, written % POINTS_A_LINE == 0 ? ",\n" : ",");
+        write_point(p->out, at);
+        last = at;
+    }
+    output_text(p->out, ";\n");
+}
+
+roberts_status hpgl_write(const strokes *s, output *out, roberts_error *error)
+{
+    hpgl p = {s, out, UNITS_PER_MM / s->units_per_mm, s->options->page.height_mm * UNITS_PER_MM};
+    const plotter to = {.begin = begin_class, .stroke = write_stroke, .context = &p};
+    write_integer(out, "IN;NP", PENS, ";\n");
+    roberts_status status = plot_strokes(s, &to, out, error);
+    output_text(out, "PU;SP0;\n");
+    return status;
+}

@@ -1,0 +1,23 @@
+/* plot.h - strokes for the formats that are text: they get each class of lines, and each stroke of it, in turn. */
+#ifndef ROBERTS_DRAW_PLOT_H
+#define ROBERTS_DRAW_PLOT_H
+
+#include "draw/output.h"
+#include "draw/strokes.h"
+
+/* What a format does with strokes, as a plotter does. Any of these may be NULL. */
+typedef struct plotter {
+    /* A class of lines begins. Classes without strokes are left out. */
+    void (*begin)(void *context, roberts_line line);
+    /* A stroke of at least two points, in units of the page. A closed one returns to its first point. */
+    void (*stroke)(void *context, const page_point *point, size_t count, bool closed);
+    /* Some SEGMENTS_PER_STROKE segments are drawn since `begin` or the last call. `last`: the class ends. */
+    void (*part)(void *context, bool last);
+    void *context;
+} plotter;
+
+/* Hands all strokes to `to`, class by class, without points on a straight way. Stops early after a failed write to
+ * `out`. Returns ROBERTS_OK, _NO_MEMORY or _IO. */
+roberts_status plot_strokes(const strokes *s, const plotter *to, const output *out, roberts_error *error);
+
+#endif

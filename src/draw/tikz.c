@@ -1,0 +1,226 @@
+/* tikz.c - the page as a picture of TikZ, for \input in a LaTeX document that loads the package tikz.
+ *
+ * Each stroke is a path, each class a style: "roberts outline", "roberts crease", ... A style that the document has
+ * defined is left as it is. Units are mm, the origin is the lower left corner of the page, and y is up. Each vertex
+ * that is seen is a coordinate: v12 is vertex 12. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/error.h"
+#include "draw/formats.h"
+#include "draw/plot.h"
+
+static const double longest_mm = 5700.0; /* TeX's longest length is 5758 mm */
+
+enum { POINTS_A_LINE = 8 /* then the text goes on in a new line */ };
+
+typedef struct tikz {
+    const strokes *s;
+    output *out;
+    int32_t height;      /* of the page, in its units */
+    int32_t thousandths; /* of a mm, in a unit */
+} tikz;
+
+/* ---- text ---- */
+
+/* Writes (x,y). */
+static void write_point(const tikz *p, page_point at)
+{
+    output_bytes(p->out, "(", 1);
+    output_thousandths(p->out, at.x * p->thousandths);
+    output_bytes(p->out, ",", 1);
+    output_thousandths(p->out, (p->height - at.y) * p->thousandths);
+    output_bytes(p->out, ")", 1);
+}
+
+/* Writes a comment; nothing where `text` is NULL. A byte that could end the line, or is no UTF-8, becomes a question
+ * mark. */
+static void write_comment(output *out, const char *text)
+{
+    if (!text)
+        return;
+    output_text(out, "% ");
+    while (*text) {
+        size_t length = output_character(text);
+        output_bytes(out, length && *text != '\n' ? text : "?", length ? length : 1);
+        text += length ? length : 1;
+    }
+    output_text(out, "\n");
+}
+
+/* Writes a colour for TikZ, as {rgb,255:red,200;green,0;blue,0}. */
+static void write_color(output *out, unsigned char red, unsigned char green, unsigned char blue)
+{
+    const unsigned char part[] = {red, green, blue};
+    static const char *const name[] = {"{rgb,255:red,", ";green,", ";blue,"};
+    for (int i = 0; i < 3; i++) {
+        output_text(out, name[i]);
+        output_integer(out, part[i]);
+    }
+    output_text(out, "}");
+}
+
+/* ---- styles ---- */
+
+/* Opens the definition of a style, unless the document has one. */
+static void begin_style(output *out, const char *name)
+{
+    output_text(out, "\\pgfkeysifdefined{/tikz/roberts ");
+    output_text(out, name);
+    output_text(out, "/.@cmd}{}{\\tikzset{roberts ");
+    output_text(out, name);
+    output_text(out, "/.style={");
+}
+
+static void write_style(const strokes *s, roberts_line line, output *out)
+{
+    const roberts_pen *pen = strokes_pen(s->options, line);
+    double dash[2];
+    begin_style(out, strokes_class_name(line));
+    output_text(out, "draw=");
+    write_color(out, pen->red, pen->green, pen->blue);
+    output_text(out, ",line width=");
+    output_mm(out, pen->width_mm);
+    output_text(out, "mm,line cap=round,line join=round");
+    if (strokes_dash(s->options, line, dash)) {
+        output_text(out, ",dash pattern=on ");
+        output_mm(out, dash[0]);
+        output_text(out, "mm off ");
+        output_mm(out, dash[1]);
+        output_text(out, "mm");
+    }
+    output_text(out, "}}}\n");
+}
+
+/* The page's rectangle as a path. It counts for the size of the picture only where it has a background: otherwise the
+ * picture is as large as the drawing, and the document may say that it is as large as the page. */
+static void write_page(const tikz *p)
+{
+    const roberts_draw_options *options = p->s->options;
+    const roberts_background *color = &options->background;
+    begin_style(p->out, "page");
+    output_text(p->out, color->on ? "fill=" : "overlay");
+    if (color->on)
+        write_color(p->out, color->red, color->green, color->blue);
+    output_text(p->out, "}}}\n\\path[roberts page] (0,0) rectangle (");
+    output_mm(p->out, options->page.width_mm);
+    output_text(p->out, ",");
+    output_mm(p->out, options->page.height_mm);
+    output_text(p->out, ");\n");
+}
+
+/* ---- vertices ---- */
+
+typedef struct seen_vertex {
+    uint32_t number;
+    page_point at;
+} seen_vertex;
+
+static int by_number(const void *a, const void *b)
+{
+    const seen_vertex *p = a, *q = b;
+    if (p->number != q->number)
+        return p->number < q->number ? -1 : 1;
+    if (p->at.x != q->at.x)
+        return p->at.x < q->at.x ? -1 : 1;
+    return (p->at.y > q->at.y) - (p->at.y < q->at.y);
+}
+
+/* Appends one end of a segment if it is a vertex within the page's frame. */
+static void add_vertex(const strokes *s, uint32_t number, roberts_vec2 end, seen_vertex *list, size_t *count)
+{
+    roberts_vec2 mm = page_place(&s->map, end);
+    const bool cut_off = s->drawing->framed && !(mm.x >= s->frame_mm[0].x && mm.x <= s->frame_mm[1].x &&
+                                                 mm.y >= s->frame_mm[0].y && mm.y <= s->frame_mm[1].y);
+    if (number != ROBERTS_NONE && !cut_off)
+        list[(*count)++] =
+            (seen_vertex){number, {page_round(mm.x * s->units_per_mm), page_round(mm.y * s->units_per_mm)}};
+}
+
+/* Writes the vertices at which a line that is drawn as visible begins or ends, each once. A sheet has each vertex in
+ * several views: there they are left out. */
+static roberts_status write_vertices(const tikz *p, roberts_error *error)
+{
+    const roberts_drawing *drawing = p->s->drawing;
+    size_t count = 0;
+    roberts_line line;
+    if (!drawing)
+        return ROBERTS_OK;
+    seen_vertex *list = alloc_array(drawing->count, 2 * sizeof *list);
+    if (!list)
+        return error_no_memory(error);
+    for (size_t i = 0; i < drawing->count; i++) {
+        const roberts_segment *segment = &drawing->segment[i];
+        if (segment->state != ROBERTS_VISIBLE || !strokes_is_drawn(p->s->options, segment, &line))
+            continue;
+        if (segment->t0 == 0.0)
+            add_vertex(p->s, segment->v0, segment->p0, list, &count);
+        if (segment->t1 == 1.0)
+            add_vertex(p->s, segment->v1, segment->p1, list, &count);
+    }
+    qsort(list, count, sizeof *list, by_number);
+    for (size_t i = 0; i < count; i++) {
+        if (i > 0 && list[i].number == list[i - 1].number)
+            continue;
+        output_text(p->out, "\\coordinate (v");
+        output_integer(p->out, list[i].number);
+        output_text(p->out, ") at ");
+        write_point(p, list[i].at);
+        output_text(p->out, ";\n");
+    }
+    free(list);
+    return ROBERTS_OK;
+}
+
+/* ---- strokes ---- */
+
+static void begin_class(void *context, roberts_line line)
+{
+    const tikz *p = context;
+    write_style(p->s, line, p->out);
+    output_text(p->out, "\\begin{scope}[every path/.style={roberts ");
+    output_text(p->out, strokes_class_name(line));
+    output_text(p->out, "}]\n");
+}
+
+static void write_stroke(void *context, const page_point *point, size_t count, bool closed)
+{
+    const tikz *p = context;
+    output_text(p->out, "\\path ");
+    for (size_t i = 0; i < count; i++) {
+        if (i > 0)
+            output_text(p->out, i % POINTS_A_LINE == 0 ? "\n--" : "--");
+        write_point(p, point[i]);
+    }
+    output_text(p->out, closed ? "--cycle;\n" : ";\n");
+}
+
+static void end_part(void *context, bool last)
+{
+    const tikz *p = context;
+    if (last)
+        output_text(p->out, "\\end{scope}\n");
+}
+
+roberts_status tikz_write(const strokes *s, output *out, roberts_error *error)
+{
+    const roberts_page *page = &s->options->page;
+    tikz p = {.s = s,
+              .out = out,
+              .height = page_round(page->height_mm * s->units_per_mm),
+              .thousandths = (int32_t)(1000.0 / s->units_per_mm + 0.5)};
+    const plotter to = {begin_class, write_stroke, end_part, &p};
+    if (page->width_mm > longest_mm || page->height_mm > longest_mm)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                         "TeX knows no lengths of more than %g mm: choose a smaller page", longest_mm);
+    write_comment(out, s->options->title);
+    write_comment(out, s->options->description);
+    output_text(out, "\\begin{tikzpicture}[x=1mm,y=1mm]\n");
+    write_page(&p);
+    roberts_status status = write_vertices(&p, error);
+    if (status == ROBERTS_OK)
+        status = plot_strokes(s, &to, out, error);
+    output_text(out, "\\end{tikzpicture}\n");
+    return status;
+}

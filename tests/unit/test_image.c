@@ -1,0 +1,117 @@
+/* PNG: the bands in which an image is drawn change nothing, and what is written is the picture that Cairo draws. */
+#include <cairo.h>
+#include <errno.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "draw/cairo.h"
+#include "draw/formats.h"
+#include "drawing.h"
+
+static sink image_of(const strokes *s, size_t surface_bytes)
+{
+    sink to = {0};
+    output *out = malloc(sizeof *out);
+    assert_non_null(out);
+    output_start(out, sink_write, &to);
+    assert_int_equal(image_write_bands(s, surface_bytes, out, NULL), ROBERTS_OK);
+    assert_int_equal(output_finish(out, NULL), ROBERTS_OK);
+    free(out);
+    return to;
+}
+
+typedef struct source {
+    const char *bytes;
+    size_t left;
+} source;
+
+static cairo_status_t give(void *closure, unsigned char *to, unsigned size)
+{
+    source *s = closure;
+    if (size > s->left)
+        return CAIRO_STATUS_READ_ERROR;
+    memcpy(to, s->bytes, size);
+    s->bytes += size;
+    s->left -= size;
+    return CAIRO_STATUS_SUCCESS;
+}
+
+/* Whether the file holds what Cairo draws at once on a surface of the whole page. */
+static void expect_drawn_by_cairo(const strokes *s, const sink *file)
+{
+    source from = {file->bytes, file->size};
+    cairo_surface_t *read = cairo_image_surface_create_from_png_stream(give, &from);
+    assert_int_equal(cairo_surface_status(read), CAIRO_STATUS_SUCCESS);
+    const int width = cairo_image_surface_get_width(read), height = cairo_image_surface_get_height(read);
+    cairo_surface_t *drawn = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
+    cairo_t *cairo = cairo_create(drawn);
+    size_t ink = 0;
+    cairo_set_source_rgb(cairo, 1, 1, 1);
+    cairo_paint(cairo);
+    cairo_scale(cairo, s->options->dpi / 25.4, s->options->dpi / 25.4);
+    for (int i = 0; i < LINE_CLASSES; i++) {
+        surface_set_pen(cairo, s->options, line_order[i]);
+        surface_draw(cairo, s, s->start[i], s->start[i + 1]);
+    }
+    cairo_destroy(cairo);
+    cairo_surface_flush(drawn);
+    for (int y = 0; y < height; y++) {
+        const uint32_t *p = (const uint32_t *)(const void *)(cairo_image_surface_get_data(read) +
+                                                             (ptrdiff_t)y * cairo_image_surface_get_stride(read));
+        const uint32_t *q = (const uint32_t *)(const void *)(cairo_image_surface_get_data(drawn) +
+                                                             (ptrdiff_t)y * cairo_image_surface_get_stride(drawn));
+        for (int x = 0; x < width; x++) {
+            ink += (p[x] & 0xffffff) != 0xffffff;
+            if ((p[x] & 0xffffff) != (q[x] & 0xffffff))
+                fail_msg("pixel %d,%d: %06x in the file, %06x drawn", x, y, p[x] & 0xffffff, q[x] & 0xffffff);
+        }
+    }
+    assert_true(ink > 1000);
+    cairo_surface_destroy(drawn);
+    cairo_surface_destroy(read);
+}
+
+/* Dashes longer and shorter than a band, as a pattern and as strokes. */
+static void bands_change_nothing(void **state)
+{
+    static const char *const model[] = {"table", "lattice", "interpenetrating-cubes"};
+    static const double dash[] = {0.5, 3.0, 40.0};
+    static const size_t surface_bytes[] = {1, 50000, 300000};
+    (void)state;
+    for (size_t i = 0; i < 9; i++) {
+        roberts_drawing drawing = model_drawing(model[i % 3], "iso");
+        roberts_draw_options options = roberts_draw_options_default();
+        strokes s;
+        options.page = (roberts_page){.width_mm = 70.0, .height_mm = 90.0, .margin_mm = 2.0};
+        options.dpi = 190.0 + 41.0 * (double)i;
+        options.hidden = ROBERTS_HIDDEN_DASHED;
+        options.back.dash_mm = dash[i / 3];
+        options.back.red = 200;
+        options.real_dashes = i % 2;
+        assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+        sink whole = image_of(&s, SIZE_MAX);
+        expect_drawn_by_cairo(&s, &whole);
+        for (size_t k = 0; k < sizeof surface_bytes / sizeof surface_bytes[0]; k++) {
+            sink banded = image_of(&s, surface_bytes[k]);
+            print_message("%s, dashes of %g mm, %zu bytes\n", model[i % 3], dash[i / 3], surface_bytes[k]);
+            assert_int_equal(banded.size, whole.size);
+            assert_memory_equal(banded.bytes, whole.bytes, whole.size);
+            free(banded.bytes);
+        }
+        free(whole.bytes);
+        strokes_free(&s);
+        roberts_drawing_free(&drawing);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(bands_change_nothing)};
+    return cmocka_run_group_tests_name("image", tests, NULL, NULL);
+}
