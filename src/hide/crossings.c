@@ -9,6 +9,7 @@
 #include "base/lanes.h"
 #include "base/sort.h"
 #include "base/threads.h"
+#include "hide/stars.h"
 
 /* Cells that a thread takes at a time; with fewer entries than this a thread costs more than it does. */
 #define CELLS_AT_ONCE 64
@@ -52,9 +53,10 @@ typedef enum contact { TOUCHES_UNKNOWN, TOUCHES_NOWHERE, TOUCHES_SOMEWHERE } con
 
 /* What is known of the fronts before any two of them meet. */
 typedef struct places {
-    first_cell *first; /* [front_count] */
-    model_box *model;  /* [whole] */
-    uint32_t whole;    /* whole solids; they come before single faces */
+    first_cell *first;    /* [front_count] */
+    model_box *model;     /* [whole] */
+    uint32_t whole;       /* whole solids; they come before single faces */
+    unsigned char *sheet; /* of stars_find() */
 } places;
 
 /* A triangle of a surface: its corners about which all faces are one sheet in the picture. In place of others there are
@@ -349,7 +351,7 @@ static void find_stars(finder *t, const objet_entry *list, uint32_t count)
         star_corners *star = &t->star[k];
         bool triangle = front->kind == HIDE_SURFACE_FACE && F->count == 3;
         for (uint32_t i = 0; i < 3; i++)
-            star->v[i] = triangle && t->grid->wound[F->corner[i]] < 2 ? F->corner[i] : none--;
+            star->v[i] = triangle && t->places->sheet[F->corner[i]] ? F->corner[i] : none--;
         star->v[3] = none--;
         star->z1 = fronts->front_box[list[k].front].z1;
     }
@@ -618,7 +620,7 @@ static bool find_places(places *p, const hide_fronts *fronts, const objet *grid,
 #endif
     for (uint32_t k = 0; k < count; k++)
         place_front(p, fronts, &grid->frame, k);
-    return true;
+    return stars_find(fronts, threads, &p->sheet);
 }
 
 static bool finders_init(finder *finders, int threads, const hide_fronts *fronts, const objet *grid,
@@ -631,8 +633,8 @@ static bool finders_init(finder *finders, int threads, const hide_fronts *fronts
         finders[i].nearest = fronts->seen->rules.hidden ? NULL : grid->sheet.depth;
         finders[i].rules = (crossing_rules){fronts->scene, fronts->space.epsilon * fronts->scene->unit};
         finders[i].face = alloc_array(KEPT_FACES, sizeof *finders[i].face);
-        finders[i].star = grid->wound ? alloc_array(KEPT_FACES, sizeof *finders[i].star) : NULL;
-        if (!finders[i].face || (grid->wound && !finders[i].star))
+        finders[i].star = where->sheet ? alloc_array(KEPT_FACES, sizeof *finders[i].star) : NULL;
+        if (!finders[i].face || (where->sheet && !finders[i].star))
             return false;
     }
     return true;
@@ -700,6 +702,7 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
     free(finders);
     free(where.first);
     free(where.model);
+    free(where.sheet);
     return enough;
 }
 

@@ -23,8 +23,10 @@
 typedef struct finding {
     const objet *grid;
     const hide_fronts *fronts;
-    atomic_uint *fold; /* [cells] rank_of() of the nearest depth of what is no sheet */
-    objet_walk *walk;  /* [threads] */
+    atomic_uint *fold;    /* [cells] rank_of() of the nearest depth of what is no sheet */
+    unsigned char *wound; /* [vertices] how often the faces of a surface go round the vertex in the picture: 0, 1, 2 or
+                             more */
+    objet_walk *walk;     /* [threads] */
     int threads;
 } finding;
 
@@ -101,15 +103,6 @@ static uint32_t body_of_edge(const roberts_scene *scene, uint32_t edge)
     return low;
 }
 
-/* The star of a vertex, all faces at it, is no sheet. */
-static void spoil_star(const finding *f, uint32_t vertex)
-{
-#ifdef _OPENMP
-#pragma omp atomic write
-#endif
-    f->grid->wound[vertex] = 3;
-}
-
 /* Folds of the edges first..end-1, of bodies that are not convex. False: no memory. */
 static bool fold_edges(const finding *f, objet_walk *walk, uint32_t first, uint32_t end)
 {
@@ -122,14 +115,10 @@ static bool fold_edges(const finding *f, objet_walk *walk, uint32_t first, uint3
         const scene_edge *edge = scene->edge + own->stored + (e - own->edge);
         const roberts_vec3 *V = P + own->vertex;
         bool out = scene_is_convex(scene, body) || f->fronts->culled[body];
-        for (; e < last; e++, edge++) {
-            if (out || joins_faces(facing, edge, scene->surface->edge_is[e]))
-                continue;
-            spoil_star(f, own->vertex + edge->v[0]);
-            spoil_star(f, own->vertex + edge->v[1]);
-            if (!fold_edge(f, walk, V[edge->v[0]], V[edge->v[1]]))
+        for (; e < last; e++, edge++)
+            if (!out && !joins_faces(facing, edge, scene->surface->edge_is[e]) &&
+                !fold_edge(f, walk, V[edge->v[0]], V[edge->v[1]]))
                 return false;
-        }
     }
     return true;
 }
@@ -142,7 +131,7 @@ static void wind(const finding *f, const uint32_t *corner)
     for (int i = 0; i < 3; i++) {
         if (!(y[i < 2 ? i + 1 : 0] < y[i] && y[i] <= y[i > 0 ? i - 1 : 2]))
             continue;
-        unsigned char *at = &f->grid->wound[corner[i]];
+        unsigned char *at = &f->wound[corner[i]];
         if (f->threads == 1) {
             *at = (unsigned char)(*at + (*at < 2));
         } else {
@@ -178,9 +167,6 @@ static void wind_fronts(const finding *f)
             wind(f, face->corner);
         else if (front->listed)
             fold_box(f, &fronts->front_box[k], (double)front->loose);
-        if (front->kind == HIDE_SURFACE_FACE && face->count > 3)
-            for (uint32_t i = 0; i < face->count; i++)
-                spoil_star(f, face->corner[i]);
     }
 }
 
@@ -192,7 +178,7 @@ static void fold_wound(const finding *f)
 #pragma omp parallel for schedule(static) num_threads(f->threads)
 #endif
     for (uint32_t v = 0; v < count; v++)
-        if (f->grid->wound[v] > 1) {
+        if (f->wound[v] > 1) {
             hide_box box = hide_box_around(&(hide_bounds){fronts->P[v], fronts->P[v]});
             fold_box(f, &box, 0.0);
         }
@@ -296,11 +282,11 @@ bool layers_find(objet *grid, const hide_fronts *fronts, uint32_t threads)
     finding f = {
         .grid = grid, .fronts = fronts, .threads = threads_for(threads, 1 + scene->edge_count / WORTH_A_THREAD)};
     f.fold = alloc_zeroed(cells, sizeof *f.fold);
-    grid->wound = alloc_zeroed(scene->vertex_count, sizeof *grid->wound);
+    f.wound = alloc_zeroed(scene->vertex_count, sizeof *f.wound);
     f.walk = alloc_zeroed((size_t)f.threads, sizeof *f.walk);
     grid->apart = alloc_zeroed(cells, sizeof *grid->apart);
     grid->below = alloc_array(cells, sizeof *grid->below);
-    bool found = f.fold && grid->wound && f.walk && grid->apart && grid->below;
+    bool found = f.fold && f.wound && f.walk && grid->apart && grid->below;
     if (found) {
         grid->sheet.frame = grid->frame;
         grid->sheet.depth = alloc_array(cells, sizeof *grid->sheet.depth);
@@ -314,6 +300,7 @@ bool layers_find(objet *grid, const hide_fronts *fronts, uint32_t threads)
     for (int i = 0; f.walk && i < f.threads; i++)
         free(f.walk[i].item);
     free(f.walk);
+    free(f.wound);
     free(f.fold);
     return found;
 }

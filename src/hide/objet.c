@@ -234,7 +234,6 @@ void objet_free(objet *grid)
     free(grid->next);
     free(grid->apart);
     free(grid->below);
-    free(grid->wound);
     cover_free(&grid->sheet);
     *grid = (objet){0};
 }

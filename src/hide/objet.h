@@ -36,8 +36,6 @@ typedef struct objet {
     /* [nx * ny] what layers.h finds; NULL: nothing */
     unsigned char *apart; /* 1: no two faces of the cell cross */
     cover sheet;          /* all that is deeper lies behind a sheet that fills the cell; `by` is not used */
-    unsigned char *wound; /* [vertices] how often the faces of a surface go round the vertex in the picture: 0, 1, 2 or
-                             more; 3 where they are no sheet */
     float *below;         /* what is nearer than this lies in that sheet, if it is a line */
 } objet;
 
