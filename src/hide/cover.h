@@ -1,9 +1,9 @@
 /* cover.h - the nearest cover of each cell.
  *
  * Source: the lecture's "la face la plus proche qui recouvre le pave". Here the whole front of a solid may cover a
- * cell, not only one face: its outline covers the cell. Each cell keeps the nearest of its covers. Covers are compared
- * by their farthest depth over the cell, because everything that is nowhere nearer than this depth lies behind the
- * cover.
+ * cell, not only one face: its outline covers the cell. A face of a body that is not convex covers cells by itself.
+ * Each cell keeps the nearest of its covers. Covers are compared by their farthest depth over the cell, because
+ * everything that is nowhere nearer than this depth lies behind the cover.
  *
  * The cells have a frame of their own, finer than that of Objet[i][j] (see cells.h): a front does not cover the cells
  * that it only crosses. */

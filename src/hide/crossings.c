@@ -1,7 +1,6 @@
 /* crossings.c - see crossings.h. */
 #include "hide/crossings.h"
 
-#include <stdatomic.h>
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -9,18 +8,16 @@
 #include "base/lanes.h"
 #include "base/sort.h"
 #include "base/threads.h"
-#include "hide/stars.h"
+#include "hide/places.h"
 
-/* Cells that a thread takes at a time; with fewer entries than this a thread costs more than it does. */
+/* Cells that a thread takes at a time. With fewer entries than this, one more thread does not pay. */
 #define CELLS_AT_ONCE 64
 #define WORTH_A_THREAD 8192
-/* In a longer list the planes of faces are not kept. */
+/* What is kept of the faces of a cell, for so many of them. */
 #define KEPT_FACES 512
-/* So many comparisons of a corner with a plane may be spent on keeping two solids apart. */
+/* Two solids with more comparisons of corners with planes than this are not tested as wholes. */
 #define WORTH_A_PLANE 4096
-/* In place of a column, of which there are fewer. */
-#define NO_CELL UINT16_MAX
-/* Pictures of faces of more corners are not kept apart. */
+/* Faces of more corners are not tested in the picture. */
 #define FEW_CORNERS 8
 /* Roundings of a picture coordinate: a corner no farther on the inner side of a line than this is beside it. */
 #define LOOSE 4.0
@@ -38,32 +35,11 @@ typedef struct face_list {
     size_t count, room;
 } face_list;
 
-/* The first of the cells that list a front, if these are all that its box touches. */
-typedef struct first_cell {
-    uint16_t column, row;
-} first_cell;
-
-/* The box of a whole solid along the model's axes, in which many solids lie. */
-typedef struct model_box {
-    hide_bounds is;
-    atomic_uchar touches; /* may the solid have an edge that lies in a face of another one? contact */
-} model_box;
-
-typedef enum contact { TOUCHES_UNKNOWN, TOUCHES_NOWHERE, TOUCHES_SOMEWHERE } contact;
-
-/* What is known of the fronts before any two of them meet. */
-typedef struct places {
-    first_cell *first;    /* [front_count] */
-    model_box *model;     /* [whole] */
-    uint32_t whole;       /* whole solids; they come before single faces */
-    unsigned char *sheet; /* of stars_find() */
-} places;
-
-/* A triangle of a surface: its corners about which all faces are one sheet in the picture. In place of others there are
- * numbers that no vertex has. */
+/* The corners of a triangle about which all faces are one sheet (see stars.h). Each other corner has a number that no
+ * vertex has, and that no other entry has. */
 typedef struct star_corners {
-    uint32_t v[4]; /* the last is none */
-    float z1;      /* of its box */
+    uint32_t v[4]; /* v[3] is none */
+    float z1;      /* nearest depth of the face */
 } star_corners;
 
 /* What each thread has for itself. */
@@ -71,14 +47,15 @@ typedef struct finder {
     const hide_fronts *fronts;
     const objet *grid;
     const places *places;
-    const float *nearest; /* [cells] all that is deeper is hidden there; NULL: nothing is */
+    const float *nearest; /* [cells] everything deeper is hidden in the cell; NULL: not known, or not asked */
     crossing_rules rules;
     crossing_list found;
-    uint64_t *pair; /* [pair_count] faces of several pieces, first pieces of both: they are asked at the end */
+    uint64_t
+        *pair; /* [pair_count] the first pieces of two faces, of which one has several; they are tested at the end */
     size_t pair_count, pair_room;
-    crossing_face *face; /* [KEPT_FACES] of the entries of the cell at hand, as far as `kept` says */
+    crossing_face *face; /* [KEPT_FACES] of the entries of this cell, where `kept` says so */
     bool kept[KEPT_FACES];
-    star_corners *star; /* [KEPT_FACES] likewise, if there are surfaces */
+    star_corners *star; /* [KEPT_FACES] of the entries of this cell; NULL: there are no surfaces */
     face_list list[2];
     char apart[THREADS_APART];
 } finder;
@@ -101,7 +78,7 @@ static hide_box box_of_face(const hide_fronts *fronts, uint32_t piece)
 
 /* ---- two faces ------------------------------------------------------------------------------------------------- */
 
-/* Is one face beside a side of the other in the picture? What is within rounding of the side is beside it. */
+/* Does a side of f separate the two faces in the picture? A corner of g within rounding of the side is beside it. */
 static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
 {
     const roberts_vec3 *P = fronts->P;
@@ -140,20 +117,20 @@ static bool add_pair(finder *t, uint32_t f, uint32_t g)
     return true;
 }
 
-/* The faces of two pieces. False: no memory. */
+/* Tests the faces of two pieces. False: no memory. */
 static bool meet_faces(finder *t, crossing_face *f, crossing_face *g)
 {
     if (f->body == g->body && f->first == g->first)
         return true;
     if (crossing_in_pieces(f) || crossing_in_pieces(g))
         return add_pair(t, f->first, g->first);
-    /* the same way round, whichever comes first */
+    /* always in the same order, so that the result is the same */
     return f->first < g->first ? crossing_find(&t->rules, f, g, &t->found) : crossing_find(&t->rules, g, f, &t->found);
 }
 
 /* ---- two fronts ------------------------------------------------------------------------------------------------ */
 
-/* Is all of a body outside of the plane of some face of a convex solid? */
+/* Does the plane of some face of a convex solid have the whole body on its outer side? */
 static bool is_outside(const hide_fronts *fronts, uint32_t solid, uint32_t body)
 {
     const roberts_scene *scene = fronts->scene;
@@ -208,7 +185,7 @@ static bool meet_boxed(finder *t, const boxed_face *f, const boxed_face *g, cons
     return meet_faces(t, &F, &G);
 }
 
-/* All pairs of the two lists whose boxes meet. */
+/* Tests all pairs of the two lists whose boxes meet. */
 static bool meet_lists(finder *t, const uint32_t body[2])
 {
     face_list *f = &t->list[0], *g = &t->list[1];
@@ -235,7 +212,7 @@ static bool meet_lists(finder *t, const uint32_t body[2])
     return enough;
 }
 
-/* Two fronts of different bodies, one of which at least is a whole solid. */
+/* Tests two fronts of different bodies, at least one of them a whole solid. */
 static bool meet_solids(finder *t, uint32_t a, uint32_t b)
 {
     const hide_fronts *fronts = t->fronts;
@@ -250,7 +227,7 @@ static bool meet_solids(finder *t, uint32_t a, uint32_t b)
 
 /* ---- cells ----------------------------------------------------------------------------------------------------- */
 
-/* The face of entry k of a list, which is kept with the cell. */
+/* The face of entry k of a list. It is kept until the next cell. */
 static crossing_face *face_at(finder *t, const hide_front *front, uint32_t k, crossing_face *other)
 {
     crossing_face *f = k < KEPT_FACES ? &t->face[k] : other;
@@ -261,7 +238,7 @@ static crossing_face *face_at(finder *t, const hide_front *front, uint32_t k, cr
     return f;
 }
 
-/* Entries i < k of a cell's list whose boxes meet. */
+/* Tests entries i < k of a cell's list, whose boxes meet. */
 static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_t k)
 {
     const hide_fronts *fronts = t->fronts;
@@ -276,57 +253,24 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
         return true;
     if (F->count <= FEW_CORNERS && G->count <= FEW_CORNERS &&
         (is_beside_a_side(fronts, F, G) || is_beside_a_side(fronts, G, F)))
-        return true; /* nearly all neighbours are */
+        return true; /* so are nearly all neighbours */
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
 
-static bool has_flat_edge(const hide_fronts *fronts, uint32_t solid)
-{
-    const roberts_scene *scene = fronts->scene;
-    const scene_solid *s = &scene->solid[solid];
-    const scene_edge *edge = scene->edge + s->stored, *end = edge + (s[1].edge - s->edge);
-    while (edge < end && !seen_is_flat(scene->face_plane + s->face, edge, fronts->seen->rules.crease_chord))
-        edge++;
-    return edge < end;
-}
-
-/* Where solids touch, flat edges may be lines: those are no edges that are drawn. */
-static inline bool may_touch(const finder *t, uint32_t front)
-{
-    atomic_uchar *touches = &t->places->model[front].touches;
-    unsigned char known = atomic_load_explicit(touches, memory_order_relaxed);
-    if (known == TOUCHES_UNKNOWN) {
-        known = has_flat_edge(t->fronts, t->fronts->front[front].solid) ? TOUCHES_SOMEWHERE : TOUCHES_NOWHERE;
-        atomic_store_explicit(touches, known, memory_order_relaxed);
-    }
-    return known == TOUCHES_SOMEWHERE;
-}
-
-/* Do boxes along the model's axes keep two whole solids apart? */
-static inline bool is_apart(const finder *t, uint32_t a, uint32_t b)
-{
-    if (a >= t->places->whole || b >= t->places->whole)
-        return false;
-    const hide_bounds *f = &t->places->model[a].is, *g = &t->places->model[b].is;
-    return (f->high.x <= g->low.x || g->high.x <= f->low.x || f->high.y <= g->low.y || g->high.y <= f->low.y ||
-            f->high.z <= g->low.z || g->high.z <= f->low.z) &&
-           !may_touch(t, a) && !may_touch(t, b);
-}
-
-/* Is a pair sought in the cell? `deeper`: the nearest depth of the deeper one of the two. */
+/* Does the cell test a pair that it lists? deeper: the nearest depth of the deeper front. */
 static inline bool is_sought(const finder *t, size_t cell, float deeper)
 {
     return !(t->grid->apart && t->grid->apart[cell]) && !(t->nearest && deeper < t->nearest[cell]);
 }
 
-/* The entries of a cell that are asked. */
+/* The entries of a cell that are tested. */
 typedef struct cell_list {
     const objet_entry *list; /* [count] */
-    uint32_t first, count;   /* first: of all entries of the grid */
+    uint32_t first, count;   /* first: its place in the entries of the grid */
     uint32_t column, row;
 } cell_list;
 
-/* Has another cell before this one listed and sought both fronts? If that is not known: false. */
+/* Has an earlier cell tested the pair? False also where that is not known. */
 static inline bool is_met_before(const finder *t, const cell_list *c, uint32_t a, uint32_t b)
 {
     const first_cell *f = &t->places->first[a], *g = &t->places->first[b];
@@ -341,6 +285,7 @@ static inline bool is_met_before(const finder *t, const cell_list *c, uint32_t a
     return false;
 }
 
+/* Fills `star` for a list. */
 static void find_stars(finder *t, const objet_entry *list, uint32_t count)
 {
     const hide_fronts *fronts = t->fronts;
@@ -357,14 +302,14 @@ static void find_stars(finder *t, const objet_entry *list, uint32_t count)
     }
 }
 
-/* Do two entries share a corner about which all faces are one sheet? Then they have nothing else in common. */
+/* Do two faces share a corner about which all faces are one sheet? Then they do not cross. */
 static inline bool share_star(const star_corners *f, const star_corners *g)
 {
     return four_signs(four_either(four_same(g->v, f->v[0]),
                                   four_either(four_same(g->v, f->v[1]), four_same(g->v, f->v[2])))) != 0;
 }
 
-/* How many entries of a list are not wholly hidden in the cell? `least`: all that is deeper is. */
+/* How many entries of a list begin nearer than `least`? */
 static uint32_t count_seen(const finder *t, const objet_entry *list, uint32_t count, float least)
 {
     uint32_t low = 0;
@@ -378,8 +323,8 @@ static uint32_t count_seen(const finder *t, const objet_entry *list, uint32_t co
     return count;
 }
 
-/* All pairs of entry i with those that follow it. Fronts are listed nearest first, so those behind it end the search.
- */
+/* Tests entry i with those that follow it. Fronts are listed nearest first, so the first front behind it ends the
+ * search. */
 static bool meet_those_behind(finder *t, const cell_list *c, uint32_t i)
 {
     const objet *grid = t->grid;
@@ -388,7 +333,7 @@ static bool meet_those_behind(finder *t, const cell_list *c, uint32_t i)
     const hide_front *front = &fronts->front[c->list[i].front];
     uint32_t most = objet_most(objet_sides(c->list[i].sides)), first = c->first, end = first + c->count;
     uint32_t kept = t->star ? first + (c->count < KEPT_FACES ? c->count : KEPT_FACES) : 0;
-    bool of_solid = grid->next && front->kind == HIDE_SOLID_FACE; /* the other faces of its solid do not cross it */
+    bool of_solid = grid->next && front->kind == HIDE_SOLID_FACE; /* faces of one solid do not cross */
     for (uint32_t k = first + i + 1; k < end; k += 4) {
         if (of_solid && fronts->front[grid->entry[k].front].solid == front->solid) {
             k = grid->next[k] - 4;
@@ -403,7 +348,7 @@ static bool meet_those_behind(finder *t, const cell_list *c, uint32_t i)
             const hide_box *box = &fronts->front_box[grid->entry[at].front];
             if (box->z1 < own->z0)
                 return true;
-            if (!is_apart(t, c->list[i].front, grid->entry[at].front) && boxes_meet(own, box) &&
+            if (!places_apart(t->places, c->list[i].front, grid->entry[at].front) && boxes_meet(own, box) &&
                 !is_met_before(t, c, c->list[i].front, grid->entry[at].front) &&
                 !meet_entries(t, c->list, i, at - first))
                 return false;
@@ -412,7 +357,7 @@ static bool meet_those_behind(finder *t, const cell_list *c, uint32_t i)
     return true;
 }
 
-/* All pairs of one cell. */
+/* Tests all pairs of one cell. */
 static bool meet_cell(finder *t, uint32_t column, uint32_t row)
 {
     const objet *grid = t->grid;
@@ -451,7 +396,7 @@ static bool meet_all(finder *finders, const objet *grid, int threads)
 
 /* ---- faces of several pieces ----------------------------------------------------------------------------------- */
 
-/* The pairs that any thread has listed, each once. */
+/* Brings the pairs that the threads have listed together, each once. */
 static bool unite_pairs(finder *finders, int threads)
 {
     finder *all = &finders[0];
@@ -510,7 +455,7 @@ static bool meet_pairs(finder *finders, int threads)
 
 /* ---- all of it ------------------------------------------------------------------------------------------------- */
 
-/* A segment with the numbers of its faces. */
+/* A segment, with the numbers of its faces in the file. */
 typedef struct named {
     uint32_t number[2];
     crossing_segment is;
@@ -535,7 +480,7 @@ static int compare_named(const void *pa, const void *pb)
     return order != 0 ? order : compare_points(&a->is.end[1], &b->is.end[1]);
 }
 
-/* The face of smaller number first. */
+/* Puts the face of smaller number first. */
 static named name_segment(const roberts_scene *scene, const crossing_segment *s)
 {
     named n = {{scene_face_number(scene, s->face[0]), scene_face_number(scene, s->face[1])}, *s};
@@ -549,7 +494,7 @@ static named name_segment(const roberts_scene *scene, const crossing_segment *s)
     return n;
 }
 
-/* Puts what the threads have found in order, each segment once: several cells may have found it. */
+/* Sorts what the threads have found. Several cells may have found a segment; it is kept once. */
 static bool gather(crossings *c, const roberts_scene *scene, const finder *finders, int threads)
 {
     size_t count = 0;
@@ -580,47 +525,6 @@ static bool gather(crossings *c, const roberts_scene *scene, const finder *finde
     }
     free(all);
     return enough;
-}
-
-/* A front is listed in all cells that its box touches if these are two columns and two rows at the most. */
-static first_cell first_cell_of(const scan_frame *frame, const hide_box *box, double loose)
-{
-    double m = frame->margin + loose;
-    uint32_t column = scan_column(frame, (double)box->x0 - m), row = scan_row(frame, (double)box->y0 - m);
-    bool small = scan_column(frame, (double)box->x1 + m) - column < 2 && scan_row(frame, (double)box->y1 + m) - row < 2;
-    return (first_cell){small ? (uint16_t)column : NO_CELL, (uint16_t)row};
-}
-
-static void place_front(const places *p, const hide_fronts *fronts, const scan_frame *frame, uint32_t k)
-{
-    const roberts_scene *scene = fronts->scene;
-    const scene_solid *s = &scene->solid[fronts->front[k].solid];
-    hide_bounds own = hide_no_bounds;
-    p->first[k] = first_cell_of(frame, &fronts->front_box[k], (double)fronts->front[k].loose);
-    if (k >= p->whole)
-        return;
-    box_add_all(&own.low, &own.high, scene->point + s->vertex, s[1].vertex - s->vertex);
-    p->model[k] = (model_box){own, TOUCHES_UNKNOWN};
-}
-
-/* Where points have low parts, boxes along the model's axes are not exact. False: no memory. */
-static bool find_places(places *p, const hide_fronts *fronts, const objet *grid, int threads)
-{
-    uint32_t count = fronts->front_count;
-    while (!fronts->scene->low && p->whole < count && !hide_is_face(&fronts->front[p->whole]))
-        p->whole++;
-    p->first = alloc_array(count, sizeof *p->first);
-    p->model = alloc_array(p->whole, sizeof *p->model);
-    if (!p->first || !p->model)
-        return false;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(threads)
-#else
-    (void)threads;
-#endif
-    for (uint32_t k = 0; k < count; k++)
-        place_front(p, fronts, &grid->frame, k);
-    return stars_find(fronts, threads, &p->sheet);
 }
 
 static bool finders_init(finder *finders, int threads, const hide_fronts *fronts, const objet *grid,
@@ -687,7 +591,7 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
     int count = threads_for(threads, 1 + grid->start[scan_cells(&grid->frame)] / WORTH_A_THREAD);
     finder *finders = alloc_zeroed((size_t)count, sizeof *finders);
     places where = {0};
-    bool enough = finders && find_places(&where, fronts, grid, count) &&
+    bool enough = finders && places_find(&where, fronts, grid, count) &&
                   finders_init(finders, count, fronts, grid, &where) && meet_all(finders, grid, count) &&
                   meet_pairs(finders, count) && gather(c, fronts->scene, finders, count) &&
                   find_pieces(c, fronts->seen, threads);
@@ -700,9 +604,7 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
         free(finders[i].list[1].item);
     }
     free(finders);
-    free(where.first);
-    free(where.model);
-    free(where.sheet);
+    places_free(&where);
     return enough;
 }
 
