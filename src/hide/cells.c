@@ -1,35 +1,43 @@
-/* cells.c - see cells.h. The numbers below were found by counting instructions on lattices and cities; each is a
- * shallow optimum, off which a factor of two costs a tenth and a factor of ten a factor of three. */
+/* cells.c - see cells.h. The numbers below were found by counting instructions on lattices and cities. Each is near a
+ * flat optimum: a factor of two costs a tenth, a factor of ten costs a factor of three. */
 #include "hide/cells.h"
 
 #include <float.h>
 #include <math.h>
 
-/* Width of a list's cell in mean boxes: smaller cells make longer walks, larger ones longer lists. */
+/* Width of a list's cell in mean boxes. With smaller cells an edge crosses more of them; with larger ones lists are
+ * longer. */
 #define BOXES_PER_CELL 2.0
-/* List entries per box that the grid may come to, on average, before it is made coarser. */
+/* If the lists would have more entries per box than this, on average, the cells are made larger. ENTRIES_FREE entries
+ * do not count. */
 #define ENTRIES_PER_BOX 12.0
 #define ENTRIES_FREE 4096.0
-/* Width of a cover's cell in mean boxes: a cell that a front only crosses is not covered. */
+/* Polygons are slender if they fill less than this part of their boxes, and more boxes than this lie over a point. */
+#define SLENDER_FILLED 0.125
+#define SLENDER_DEPTH 64.0
+/* The most list entries per slender polygon. What it costs to make an entry, as a number of entries passed over. */
+#define ENTRIES_PER_SLENDER 64.0
+#define COST_OF_ENTRY 16.0
+/* Width of a cover's cell in mean boxes. It is small because a cell that an outline crosses is not covered. */
 #define BOXES_PER_COVER_CELL 0.11
-/* The more boxes lie over one another, the more is gained by smaller cells: from this depth on they shrink with it. */
+/* The more boxes lie over one another, the more is gained by smaller cells. So they shrink from this depth on. */
 #define COVER_DEPTH_OF_SMALLER 40.0
 #define COVER_SHRINKING 0.3
 #define COVER_SMALLEST 0.3
 /* Mean number of boxes over a point of the picture from which covers pay. In flat scenes they cost a little. */
 #define COVER_DEPTH 2.5
-/* Cells per box, and cells that cost nothing to speak of. */
+/* The most cells per box. For covers, CELLS_FREE more cells cost next to nothing. */
 #define CELLS_PER_BOX 4.0
 #define COVER_CELLS_PER_BOX 32.0
 #define CELLS_FREE 65536.0
 /* Cells per side at the most, so that their numbers stay in 32 bits. */
 #define SIDE_MOST 16384.0
 
-/* Pieces that boxes are measured in, and how many boxes one thread measures by itself. */
+/* Boxes are measured in this many pieces; and up to how many boxes one thread measures them all. */
 #define PIECES 64
 #define MEASURED_BY_ONE 50000
 
-/* Sums over all boxes, each cut to the window, in parts of it. */
+/* Sums over all boxes, each cut to the window, as parts of it; and the size of the window. */
 typedef struct sizes {
     double w, h, area, width, height;
 } sizes;
@@ -49,8 +57,8 @@ static sizes measure_some(const hide_box *box, uint32_t count, double per_width,
     return s;
 }
 
-/* The pieces do not depend on the threads. If the window has no width or no height, all boxes are as wide or as high as
- * it. */
+/* Sums up the boxes. The pieces do not depend on the threads. If the window has no width (height), all boxes count as
+ * wide (high) as the window. */
 static sizes measure(const cells_boxes *b, int threads)
 {
     uint32_t count = b->count;
@@ -75,7 +83,7 @@ static sizes measure(const cells_boxes *b, int threads)
     return all;
 }
 
-/* Columns and rows for cells `boxes` mean boxes wide and high, `most` cells in all. */
+/* Finds columns and rows for cells that are `boxes` mean boxes wide and high, with `most` cells at the most. */
 static void divide(const sizes *s, uint32_t count, double boxes, double most, double *nx, double *ny)
 {
     *nx = lesser(SIDE_MOST, count / greater(s->w * boxes, 1e-9));
@@ -87,12 +95,36 @@ static void divide(const sizes *s, uint32_t count, double boxes, double most, do
     }
 }
 
+/* Estimates the entries of the lists of nx * ny cells. A polygon has as many as its border and its area have cells. */
+static double entries(const sizes *s, uint32_t count, double filled, double nx, double ny)
+{
+    return count + nx * s->w + ny * s->h + nx * ny * s->area * filled;
+}
+
+/* Finds more columns and rows for slender polygons. The cost is that of the entries, and that of the edges: suppose
+ * that there are as many edges as polygons, that they cross as many cells, and pass over the list in each. */
+static void divide_slender(const sizes *s, uint32_t boxes, double filled, double *nx, double *ny)
+{
+    double count = boxes, least = INFINITY, shape = s->width > 0.0 && s->height > 0.0 ? s->width / s->height : 1.0;
+    for (double side = sqrt(*nx * *ny); side * side <= CELLS_PER_BOX * count; side *= 1.25) {
+        double x = greater(1.0, side * sqrt(shape)), y = greater(1.0, side / sqrt(shape));
+        double all = entries(s, boxes, filled, x, y), cost = all * (COST_OF_ENTRY + all / (x * y));
+        if (all > ENTRIES_PER_SLENDER * count || x > SIDE_MOST || y > SIDE_MOST)
+            return;
+        if (cost < least) {
+            least = cost;
+            *nx = x;
+            *ny = y;
+        }
+    }
+}
+
 static uint32_t whole(double n)
 {
     return n < 1.0 ? 1 : n > SIDE_MOST ? (uint32_t)SIDE_MOST : (uint32_t)n;
 }
 
-scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth)
+scan_frame cells_for_lists(const cells_boxes *b, double filled, uint32_t n, double *depth)
 {
     double nx = 1.0, ny = 1.0;
     uint32_t count = b->count;
@@ -102,11 +134,12 @@ scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth)
         return scan_frame_over(b->low, b->high, n, n, b->margin);
     if (count) {
         divide(&s, count, BOXES_PER_CELL, CELLS_PER_BOX * count + 1.0, &nx, &ny);
-        while (nx * ny > 1.0 &&
-               nx * ny * s.area + nx * s.w + ny * s.h + count > ENTRIES_PER_BOX * count + ENTRIES_FREE) {
+        while (nx * ny > 1.0 && entries(&s, count, 1.0, nx, ny) > ENTRIES_PER_BOX * count + ENTRIES_FREE) {
             nx = greater(1.0, 0.9 * nx);
             ny = greater(1.0, 0.9 * ny);
         }
+        if (filled < SLENDER_FILLED && s.area > SLENDER_DEPTH)
+            divide_slender(&s, count, filled, &nx, &ny);
     }
     return scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin);
 }
@@ -119,7 +152,7 @@ scan_frame cells_for_covers(const cells_boxes *b, int threads)
     if (!(s.area > COVER_DEPTH) || !(s.width > 0.0) || !(s.height > 0.0))
         return (scan_frame){0};
     double smaller = s.area > COVER_DEPTH_OF_SMALLER ? pow(COVER_DEPTH_OF_SMALLER / s.area, COVER_SHRINKING) : 1.0;
-    smaller = greater(smaller, COVER_SMALLEST); /* each front enters all cells that it covers */
+    smaller = greater(smaller, COVER_SMALLEST); /* each front writes all cells that it covers */
     divide(&s, count, BOXES_PER_COVER_CELL * smaller, COVER_CELLS_PER_BOX * count + CELLS_FREE, &nx, &ny);
     return scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin);
 }

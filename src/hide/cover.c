@@ -9,11 +9,11 @@
 #include "base/lanes.h"
 #include "hide/fronts.h"
 
-/* Cells that are filled at a time, and that one thread fills by itself. */
+/* Cells that are filled at a time; and up to how many one thread fills all of them. */
 #define FILL 1024
 #define FILLED_BY_ONE 500000
 
-/* Sets all depths to none. Each thread fetches its part of the memory from the system. */
+/* Sets all depths to -infinity. With several threads, each gets its part of the memory from the system. */
 static void fill(float *depth, size_t count, int threads)
 {
     float none[FILL];
@@ -35,7 +35,7 @@ bool cover_init(cover *c, scan_frame frame, int threads)
     if (cells == 0)
         return true;
     c->depth = alloc_array(cells, sizeof *c->depth);
-    c->by = alloc_array(cells, sizeof *c->by); /* meaningless while there is no cover */
+    c->by = alloc_array(cells, sizeof *c->by); /* not set where there is no cover */
     if (!c->depth || !c->by)
         return false;
     fill(c->depth, cells, threads);
@@ -49,8 +49,8 @@ void cover_free(cover *c)
     *c = (cover){0};
 }
 
-/* The least depth of the faces' planes over the cell. A plane is least in one corner, as c < 0 and
- * z = (a x + b y + d) / -c. */
+/* Returns the least depth of the faces' planes over the cell. Since z = (a x + b y + d) / -c with c < 0, each plane has
+ * its least depth at a corner of the cell. */
 static double depth_over(const scan_frame *f, uint32_t i, uint32_t j, const hide_face *face, uint32_t face_count)
 {
     double least = INFINITY;
@@ -105,8 +105,8 @@ static inline bool four_nearer(const float *cell, four z)
     return four_signs(four_below(z, four_load(cell))) == 15;
 }
 
-/* Are all of cell[0 .. count-1] nearer than z? Four are read at a time, but none beside them, since another thread may
- * be writing there. */
+/* Are all of cell[0 .. count-1] nearer than z? Four are read at a time. No other cells are read, since another thread
+ * may be writing them. */
 static inline bool all_nearer(const float *cell, uint32_t count, float z)
 {
     if (count < 4)
@@ -138,15 +138,15 @@ uint32_t cover_at(const cover *c, double x, double y, float z)
     return c->depth[cell] > z ? c->by[cell] : ROBERTS_NONE;
 }
 
-/* Goes along AB column by column, as scan.c does along a polygon's side. Each column is asked for the rows that AB has
- * there, and for its nearest depth there. Both are linear in the column's number. The line is taken a margin larger on
- * all sides, which also makes up for rounding. */
+/* Goes along AB column by column, as scan.c does along a polygon's side. In each column it looks at the rows that AB
+ * crosses, and compares their covers with the nearest depth of AB there. Rows and depth are linear in the column's
+ * number. A margin on all sides makes up for rounding. */
 bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
 {
     const scan_frame *f = &c->frame;
     if (!c->depth)
         return false;
-    /* of most edges that are not covered, the middle is not covered */
+    /* the middle of most edges that are not covered is not covered either */
     size_t middle = scan_cell(f, 0.5 * (A.x + B.x), 0.5 * (A.y + B.y));
     if (!((double)c->depth[middle] > 0.5 * (A.z + B.z)))
         return false;
@@ -174,9 +174,9 @@ bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
     return true;
 }
 
-/* Does the front hide the solid? It does if it is nearer and all vertices lie inside its outline or on it. If the front
- * may fail to fill its outline by `loose`, they must lie that far inside. */
-static bool hides_solid(const hide_fronts *fronts, const hide_front *front, uint32_t solid)
+/* Does the front hide the solid? It does if it is nearer, and all vertices of the solid lie inside its outline or on
+ * it. If the front may leave gaps in its outline, the vertices must lie as far inside as the gaps are wide. */
+static bool hides_solid(const hide_fronts *fronts, const hide_whole_front *front, uint32_t solid)
 {
     const roberts_scene *scene = fronts->scene;
     const uint32_t *corner = fronts->outline + front->outline;
@@ -184,7 +184,7 @@ static bool hides_solid(const hide_fronts *fronts, const hide_front *front, uint
     if (!(front->depth > fronts->box[solid].z1))
         return false;
     if (slack < 0.0 && runs_of(&fronts->outline_runs, corner, front->corners))
-        return false; /* runs are not asked about points inside */
+        return false; /* runs cannot tell how far inside a point lies */
     for (uint32_t v = scene->solid[solid].vertex; v < scene->solid[solid + 1].vertex; v++) {
         roberts_vec3 X = view_point(&fronts->seen->view, scene->point[v]);
         if (!hide_polygon_holds(fronts, &fronts->outline_runs, corner, front->corners, (roberts_vec2){X.x, X.y}, slack))
@@ -194,8 +194,8 @@ static bool hides_solid(const hide_fronts *fronts, const hide_front *front, uint
 }
 
 /* If the border of a solid lies on the border of the front that hides it, the cells there are not wholly covered. So if
- * only the cells further in are covered, the fronts that cover the middle and the corners are asked themselves. Most
- * solids that are not hidden are found out by their middle or by these corners. */
+ * only the inner cells are covered, hides_solid() asks the fronts that cover the middle and the corners of these. For
+ * most solids that are not hidden, the middle or one of these corners is not covered. */
 bool cover_hides_solid(const struct hide_fronts *fronts, const hide_box *box, uint32_t solid)
 {
     const cover *c = &fronts->cover;
@@ -220,7 +220,7 @@ bool cover_hides_solid(const struct hide_fronts *fronts, const hide_box *box, ui
     for (int k = 0; k < 5; k++) {
         float x = inner.x0 + at[k][0] * (inner.x1 - inner.x0), y = inner.y0 + at[k][1] * (inner.y1 - inner.y0);
         uint32_t front = cover_at(c, (double)x, (double)y, box->z1);
-        if (front != ROBERTS_NONE && front != last && hides_solid(fronts, &fronts->front[front], solid))
+        if (front != ROBERTS_NONE && front != last && hides_solid(fronts, &fronts->whole[front], solid))
             return true;
         last = front;
     }

@@ -1,12 +1,12 @@
 /* cover.h - the nearest cover of each cell.
  *
- * Source: the lecture's "la face la plus proche qui recouvre le pave". Here the whole front of a solid may cover a
- * cell, not only one face: its outline covers the cell. A face of a body that is not convex covers cells by itself.
- * Each cell keeps the nearest of its covers. Covers are compared by their farthest depth over the cell, because
- * everything that is nowhere nearer than this depth lies behind the cover.
+ * Source: the lecture's "la face la plus proche qui recouvre le pave". Here not only a face may cover a cell, but also
+ * the whole front of a solid, if its outline holds the cell. Each cell keeps its nearest cover. Covers are compared by
+ * their farthest depth over the cell: everything that is nowhere nearer than that lies behind the cover. A face of
+ * a body that is not convex covers cells by itself.
  *
- * The cells have a frame of their own, finer than that of Objet[i][j] (see cells.h): a front does not cover the cells
- * that it only crosses. */
+ * Covers have cells of their own, finer than those of Objet[i][j] (see cells.h), because a front does not cover the
+ * cells that its outline crosses. */
 #ifndef ROBERTS_HIDE_COVER_H
 #define ROBERTS_HIDE_COVER_H
 
@@ -15,11 +15,12 @@
 
 typedef struct cover {
     scan_frame frame;
-    float *depth; /* [nx * ny] -infinity without cover; NULL: no covers are kept, nothing is ever behind one */
+    float *depth; /* [nx * ny] of the cover; -infinity: there is none. NULL: no covers are kept */
     uint32_t *by; /* [nx * ny] what covers the cell: cover_front.by */
 } cover;
 
-/* Begins without covers, over the cells of a frame. A frame without columns keeps no covers. False: no memory. */
+/* Begins with the cells of a frame, none of which is covered. In a frame without columns no covers are kept. False: no
+ * memory. */
 bool cover_init(cover *c, scan_frame frame, int threads);
 void cover_free(cover *c);
 
@@ -27,35 +28,35 @@ void cover_free(cover *c);
 typedef struct cover_front {
     const uint32_t *corner; /* [count] of its outline, convex, counter-clockwise */
     uint32_t count;
-    uint32_t by;           /* kept with the cells that it covers */
-    const hide_face *face; /* [face_count] the front is the nearer side of all of them, cell by cell; without faces */
-    uint32_t face_count;   /* only `depth` counts */
-    double depth;          /* the front is nowhere farther away than this */
-    double slack;          /* what is nearer than the cover by this does not touch it */
-    double loose;          /* the front may fail to fill its outline by this */
+    uint32_t by;           /* the name that its cells keep */
+    const hide_face *face; /* [face_count] their planes give the depth cell by cell; none: `depth` holds everywhere */
+    uint32_t face_count;
+    double depth; /* the front is nowhere farther away than this */
+    double slack; /* what is nearer than the front's depth by more than this does not touch the front */
+    double loose; /* the front may leave gaps of this width in its outline */
 } cover_front;
 
-/* Enters the front. P: view points of the scene; s: scratch for as many columns as the frame has. */
+/* Adds a front to the covers. P: view points of the scene. s: scratch memory, with as many columns as the frame. */
 void cover_add(cover *c, scan *s, const roberts_vec3 *P, const cover_front *front);
 
-/* Do covers certainly hide all of the box? */
+/* Do covers certainly hide the whole box? */
 bool cover_hides(const cover *c, const hide_box *box);
 
 struct hide_fronts;
 
-/* Do the fronts entered so far certainly hide the solid, which has this box? Its vertices need not be mapped. */
+/* Do the fronts added so far certainly hide the solid? box: that of the solid. The solid need not be mapped. */
 bool cover_hides_solid(const struct hide_fronts *fronts, const hide_box *box, uint32_t solid);
 
-/* Is the cover of the cell of picture point (x, y) certainly nearer than z? */
+/* Is there a cover at the picture point (x, y) that is certainly nearer than z? */
 static inline bool cover_nearer(const cover *c, double x, double y, float z)
 {
     return c->depth[scan_cell(&c->frame, x, y)] > z;
 }
 
-/* The `by` of the cover of the cell of picture point (x, y), if it is certainly nearer than z; else ROBERTS_NONE. */
+/* Returns the `by` of that cover; ROBERTS_NONE: there is no such cover. */
 uint32_t cover_at(const cover *c, double x, double y, float z);
 
-/* Do covers certainly hide all of AB? */
+/* Do covers certainly hide the whole edge AB? */
 bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B);
 
 #endif

@@ -50,8 +50,7 @@ typedef struct finder {
     const float *nearest; /* [cells] everything deeper is hidden in the cell; NULL: not known, or not asked */
     crossing_rules rules;
     crossing_list found;
-    uint64_t
-        *pair; /* [pair_count] the first pieces of two faces, of which one has several; they are tested at the end */
+    uint64_t *pair; /* [pair_count] first pieces of two faces, one of them in several; they are tested at the end */
     size_t pair_count, pair_room;
     crossing_face *face; /* [KEPT_FACES] of the entries of this cell, where `kept` says so */
     bool kept[KEPT_FACES];
@@ -248,11 +247,13 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
         return meet_solids(t, list[i].front, list[k].front);
-    const hide_face *F = &fronts->face[f->face], *G = &fronts->face[g->face];
-    if (share_side(F, G))
+    uint32_t turned[2][SEEN_TURNED];
+    const hide_face F = hide_outline(fronts, list[i].front, turned[0]);
+    const hide_face G = hide_outline(fronts, list[k].front, turned[1]);
+    if (share_side(&F, &G))
         return true;
-    if (F->count <= FEW_CORNERS && G->count <= FEW_CORNERS &&
-        (is_beside_a_side(fronts, F, G) || is_beside_a_side(fronts, G, F)))
+    if (F.count <= FEW_CORNERS && G.count <= FEW_CORNERS &&
+        (is_beside_a_side(fronts, &F, &G) || is_beside_a_side(fronts, &G, &F)))
         return true; /* so are nearly all neighbours */
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
@@ -292,11 +293,12 @@ static void find_stars(finder *t, const objet_entry *list, uint32_t count)
     uint32_t none = ROBERTS_NONE;
     for (uint32_t k = 0; k < count && k < KEPT_FACES; k++) {
         const hide_front *front = &fronts->front[list[k].front];
-        const hide_face *F = &fronts->face[front->face];
+        uint32_t turned[SEEN_TURNED];
+        const hide_face F = hide_outline(fronts, list[k].front, turned);
         star_corners *star = &t->star[k];
-        bool triangle = front->kind == HIDE_SURFACE_FACE && F->count == 3;
+        bool triangle = front->kind == HIDE_SURFACE_FACE && F.count == 3;
         for (uint32_t i = 0; i < 3; i++)
-            star->v[i] = triangle && t->places->sheet[F->corner[i]] ? F->corner[i] : none--;
+            star->v[i] = triangle && t->places->sheet[F.corner[i]] ? F.corner[i] : none--;
         star->v[3] = none--;
         star->z1 = fronts->front_box[list[k].front].z1;
     }

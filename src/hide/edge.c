@@ -134,8 +134,10 @@ static double left_of(roberts_vec3 P, roberts_vec3 Q, roberts_vec3 X)
 
 /* Does the line begin or end at a corner of the face, and plainly leave the face there? Most faces of a surface that a
  * line meets are of this kind. */
-static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, const hide_face *F)
+static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, uint32_t front)
 {
+    uint32_t turned[SEEN_TURNED];
+    const hide_face outline = hide_outline(fronts, front, turned), *F = &outline;
     uint32_t at = F->count;
     for (uint32_t i = 0; i < F->count; i++)
         if (F->corner[i] == e->a || F->corner[i] == e->b) { /* never ROBERTS_NONE */
@@ -152,15 +154,15 @@ static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, cons
 
 /* Removes from `bits` the lines that own the front, and those that only touch a face of a surface at a corner. Bit i
  * stands for line first[i]. */
-static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *first, uint64_t bits,
-                                       const hide_front *front)
+static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *first, uint64_t bits, uint32_t index)
 {
+    const hide_front *front = &w->fronts->front[index];
     uint64_t left = bits;
     bool surface = front->kind == HIDE_SURFACE_FACE;
     for (; bits; bits &= bits - 1) {
         const hide_line *line = first + bits_trailing_zeros(bits);
         if (seen_owns(w->fronts->scene, &line->is.own, front->own) ||
-            (surface && leaves_at_corner(w->fronts, &line->e, w->fronts->face + front->face)))
+            (surface && leaves_at_corner(w->fronts, &line->e, index)))
             left &= ~(bits & -bits);
     }
     return left;
@@ -173,8 +175,11 @@ static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box
     const hide_fronts *fronts = w->fronts;
     const hide_front *front = &fronts->front[index];
     const hide_box *own = &fronts->front_box[index];
-    hide_meeting meeting = hide_meet(fronts, front, own, box);
+    hide_single single;
+    hide_meeting meeting = hide_meet(fronts, index, box, &single);
     bool ask = w->shrinks && ++w->met > MANY_FRONTS;
+    if (!meeting.whole)
+        w->sides.outline.corner = NULL; /* its corners may be where those of another face were */
     for (; bits; bits &= bits - 1) {
         hide_line *line = first + bits_trailing_zeros(bits);
         const hide_interval *hidden =
@@ -240,7 +245,7 @@ BITS_INLINE bool meet_once(hide_worker *w, const line_set *p, uint32_t front)
     const hide_lanes *lanes = hull ? &w->whole : &w->lanes;
     uint64_t bits = p->alone ? 1 : met_by(lanes, w->line_count, &w->fronts->front_box[front]);
     if (w->own == ROBERTS_NONE)
-        bits = not_left_out(w, p->first, bits, &w->fronts->front[front]);
+        bits = not_left_out(w, p->first, bits, front);
     return !bits || w->fronts->front[front].own == w->own || meet(w, p->first, bits, p->box, front);
 }
 
@@ -474,11 +479,14 @@ static void look_at_face(const hide_fronts *fronts, const hide_front *front, con
         l->best = greater(l->best, lesser(z1, (F->F.a * l->x + F->F.b * l->y + F->F.d) / -F->F.c));
 }
 
-static void look_at_front(const hide_fronts *fronts, const hide_front *front, double z1, look *l)
+static void look_at_front(const hide_fronts *fronts, uint32_t index, double z1, look *l)
 {
-    const hide_face *face = fronts->face + front->face;
-    const bundle *b = bundle_of(&fronts->bundles, front->face, front->face_count);
-    for (uint32_t i = 0; !b && i < front->face_count; i++)
+    const hide_front *front = &fronts->front[index];
+    uint32_t count;
+    hide_single single;
+    const hide_face *face = hide_faces(fronts, index, &count, &single);
+    const bundle *b = hide_bundle(fronts, index);
+    for (uint32_t i = 0; !b && i < count; i++)
         look_at_face(fronts, front, &face[i], z1, l);
     for (uint32_t i = 0, end; b && bundle_next(b, l->x, l->y, &i, &end);)
         for (; i < end; i++)
@@ -499,7 +507,7 @@ static void look_at_cell(const hide_worker *w, size_t cell, uint32_t sides, look
             if ((double)box->z1 + (l->touching ? fronts->thickest : 0.0) < l->best)
                 return; /* all later fronts are farther too */
             if (box_holds(fronts, box, l->x, l->y) && !(l->touching && front->solid >= l->solid))
-                look_at_front(fronts, front, (double)box->z1, l);
+                look_at_front(fronts, index, (double)box->z1, l);
         }
     }
 }

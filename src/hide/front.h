@@ -1,19 +1,20 @@
-/* front.h - one body: mapped, its faces classified, and its fronts entered. A convex solid is one front, or one for
- * each of its front faces. Of another body each piece of a face is a front of its own, which hides from both sides. */
+/* front.h - the fronts of one body. The body is mapped, and the facing of its faces is found. A convex solid becomes
+ * one front, or one for each of its front faces. In any other body each piece of a face is a front, which hides from
+ * both sides. */
 #ifndef ROBERTS_HIDE_FRONT_H
 #define ROBERTS_HIDE_FRONT_H
 
 #include "base/threads.h"
 #include "hide/schedule.h"
 
-/* What a thread needs for itself. */
+/* Memory of one thread. */
 typedef struct front_scratch {
     scan scan;
-    uint32_t *next; /* [vertices of a solid] the outline's next corner */
+    uint32_t *next; /* [vertices of a solid] the next corner of the outline */
     char apart[THREADS_APART];
 } front_scratch;
 
-/* Maps a body of the tile and enters its fronts. False: no memory. */
+/* Maps a body of the tile and adds its fronts. False: no memory. */
 bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, uint32_t solid);
 
 #endif

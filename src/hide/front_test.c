@@ -5,12 +5,12 @@
 #include "hide/intervals.h"
 #include "hide/tests_wide.h"
 
-bool hide_within_reach(const hide_fronts *fronts, const hide_front *front, const hide_edge *e)
+bool hide_within_reach(const hide_fronts *fronts, const hide_whole_front *whole, const hide_edge *e)
 {
-    roberts_vec3 C = fronts->P[fronts->outline[front->outline]];
+    roberts_vec3 C = fronts->P[fronts->outline[whole->outline]];
     double a = fabs(e->A.x - C.x) + fabs(e->A.y - C.y) + fabs(e->A.z - C.z);
     double b = fabs(e->B.x - C.x) + fabs(e->B.y - C.y) + fabs(e->B.z - C.z);
-    return a <= front->reach && b <= front->reach;
+    return a <= whole->reach && b <= whole->reach;
 }
 
 bool hide_pierce_all(const hide_fronts *fronts, const hide_face *face, uint32_t bits, const hide_edge *e,
@@ -138,22 +138,21 @@ static BITS_RARE bool by_bundle(bundle_search *c)
     return c->found;
 }
 
-bool hide_by_faces(const hide_fronts *fronts, const hide_front *front, double span, const hide_edge *e,
-                   hide_sides *sides, hide_interval *hull)
+bool hide_by_faces(const hide_fronts *fronts, const hide_meeting *m, const hide_edge *e, hide_sides *sides,
+                   hide_interval *hull)
 {
     bool found = false;
-    const bundle *b = bundle_of(&fronts->bundles, front->face, front->face_count);
-    if (b)
+    if (m->tree)
         return by_bundle(&(bundle_search){.fronts = fronts,
-                                          .b = b,
-                                          .face = fronts->face + front->face,
+                                          .b = m->tree,
+                                          .face = m->face,
                                           .e = e,
-                                          .span = span,
+                                          .span = m->outline.span,
                                           .sides = sides,
                                           .hull = hull});
-    for (uint32_t k = front->face; k < front->face + front->face_count; k++) {
+    for (uint32_t k = 0; k < m->face_count; k++) {
         hide_interval part;
-        if (by_face(fronts, &fronts->face[k], span, e, sides, &part))
+        if (by_face(fronts, &m->face[k], m->outline.span, e, sides, &part))
             join(hull, &found, &part);
     }
     return found;

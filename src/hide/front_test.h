@@ -34,38 +34,45 @@ typedef struct hide_polygon {
 
 /* A front, and edges within a box. */
 typedef struct hide_meeting {
-    const hide_front *front;
-    const hide_face *face;
+    const hide_whole_front *whole; /* NULL: the front is a single face */
+    const bundle *tree;            /* over its faces, or NULL */
+    const hide_face *face;         /* [face_count] */
+    uint32_t face_count;
     hide_polygon outline;
     hide_approach approach;
     double depth; /* copied from the front */
 } hide_meeting;
 
 /* Prepares the tests of the edges in a box against a front. The boxes are rounded outward. The factor 1.001 far exceeds
- * the rounding of their common size to float. */
-BITS_INLINE hide_meeting hide_meet(const hide_fronts *fronts, const hide_front *front, const hide_box *own,
-                                   const hide_box *edges)
+ * the rounding of their common size to float. single: room for the face if the front is a single face. */
+BITS_INLINE hide_meeting hide_meet(const hide_fronts *fronts, uint32_t front, const hide_box *edges,
+                                   hide_single *single)
 {
+    const hide_box *own = &fronts->front_box[front];
     float x = (own->x1 > edges->x1 ? own->x1 : edges->x1) - (own->x0 < edges->x0 ? own->x0 : edges->x0);
     float y = (own->y1 > edges->y1 ? own->y1 : edges->y1) - (own->y0 < edges->y0 ? own->y0 : edges->y0);
     float z = (own->z1 > edges->z1 ? own->z1 : edges->z1) - (own->z0 < edges->z0 ? own->z0 : edges->z0);
-    hide_approach together = 1.001 * (double)(x + y + z) <= front->reach ? HIDE_WITHIN_REACH : HIDE_ASK_REACH;
-    return (hide_meeting){.front = front,
-                          .face = fronts->face + front->face,
-                          .outline = {.corner = fronts->outline + front->outline,
-                                      .count = front->corners,
-                                      .span = 1.001 * (double)(x + y)},
-                          .approach = front->kind == HIDE_CONVEX_SOLID ? together : HIDE_FACE_BY_FACE,
-                          .depth = (double)front->depth};
+    hide_meeting m = {.outline.span = 1.001 * (double)(x + y), .approach = HIDE_FACE_BY_FACE};
+    m.face = hide_faces(fronts, front, &m.face_count, single);
+    if (hide_is_face(&fronts->front[front]))
+        return m;
+    m.whole = &fronts->whole[front];
+    m.tree = bundle_of(&fronts->bundles, m.whole->face, m.face_count);
+    m.outline.corner = fronts->outline + m.whole->outline;
+    m.outline.count = m.whole->corners;
+    if (fronts->front[front].kind == HIDE_CONVEX_SOLID)
+        m.approach = 1.001 * (double)(x + y + z) <= m.whole->reach ? HIDE_WITHIN_REACH : HIDE_ASK_REACH;
+    m.depth = (double)m.whole->depth;
+    return m;
 }
 
 /* Tests the faces one by one, or by the tree of a bundle. Finds the hull of what they hide; false if they hide
  * nothing. */
-bool hide_by_faces(const hide_fronts *fronts, const hide_front *front, double span, const hide_edge *e,
-                   hide_sides *sides, hide_interval *part);
+bool hide_by_faces(const hide_fronts *fronts, const hide_meeting *m, const hide_edge *e, hide_sides *sides,
+                   hide_interval *part);
 
 /* Are A and B within reach of the front, so that its planes can be trusted there? Measured as |dx| + |dy| + |dz|. */
-bool hide_within_reach(const hide_fronts *fronts, const hide_front *front, const hide_edge *e);
+bool hide_within_reach(const hide_fronts *fronts, const hide_whole_front *whole, const hide_edge *e);
 
 /* Test 1 for all faces. HIDE_VISIBLE: some face has A and B in front of it or on it. HIDE_INVISIBLE (by depth): both
  * are behind all faces. Bit i of `*near` is set if AB does not clear face i by twice the touching distance. Only these
@@ -138,11 +145,11 @@ BITS_INLINE bool hide_by_front(const hide_fronts *fronts, const hide_meeting *m,
     uint32_t near = 0;
     hide_verdict depth = HIDE_INVISIBLE;
     if (m->approach != HIDE_WITHIN_REACH &&
-        (m->approach == HIDE_FACE_BY_FACE || !hide_within_reach(fronts, m->front, e)))
-        return hide_by_faces(fronts, m->front, m->outline.span, e, sides, part);
+        (m->approach == HIDE_FACE_BY_FACE || !hide_within_reach(fronts, m->whole, e)))
+        return hide_by_faces(fronts, m, e, sides, part);
     sides->tally.pairs++;
     if (!(e->A.z < m->depth && e->B.z < m->depth)) /* otherwise e is behind the whole front */
-        depth = hide_test1_of_all(m->face, m->front->face_count, e, &near);
+        depth = hide_test1_of_all(m->face, m->face_count, e, &near);
     if (depth == HIDE_VISIBLE) {
         sides->tally.test1_visible++;
         return false;

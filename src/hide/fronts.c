@@ -11,15 +11,18 @@
 #include "hide/cells.h"
 #include "hide/front.h"
 
-/* With fewer solids than this a thread costs more than it does. */
+/* With fewer solids than this, another thread does not pay. */
 #define SOLIDS_PER_THREAD 2048
-/* A thread finds the boxes of so many solids at a time. */
+/* A thread finds the boxes of this many solids at a time. */
 #define BOXES_AT_ONCE 1024
 
-/* Solids between asking for a box and needing it. */
+/* A box is prefetched this many solids before it is needed. */
 #define BOX_AHEAD 8
 
-/* Bits for each front. With so many, one in ten of the fronts without a copy falls on another front's bit. */
+/* About how many fronts hide_fronts_filled() looks at. */
+#define FRONTS_ASKED 1000
+
+/* Bits of a sieve for each front. With this many, one in ten of the fronts without a copy shares a bit with another. */
 #define BITS_PER_FRONT 8
 
 /* Scratch memory of the building. */
@@ -28,12 +31,12 @@ typedef struct build {
     tiles tiles;
     front_scratch *scratch; /* [threads] */
     int threads;
-    bool looked_up; /* who is seen at a point will be asked */
+    bool looked_up; /* hide_seen_at() will be called */
 } build;
 
 enum { POINTS_AT_ONCE = 64 };
 
-/* The box of a solid's view points. */
+/* Returns the box of a solid's view points. */
 static hide_bounds measure_solid(const hide_fronts *fronts, uint32_t solid)
 {
     const roberts_scene *scene = fronts->scene;
@@ -49,15 +52,15 @@ static hide_bounds measure_solid(const hide_fronts *fronts, uint32_t solid)
     return own;
 }
 
-/* Widens a box of the picture to hold another one, which may be empty. */
+/* Widens a box of the picture so that it holds another one, which may be empty. */
 static void widen_by(hide_bounds *all, const hide_bounds *own)
 {
     all->low = (roberts_vec3){lesser(all->low.x, own->low.x), lesser(all->low.y, own->low.y), 0.0};
     all->high = (roberts_vec3){greater(all->high.x, own->high.x), greater(all->high.y, own->high.y), 0.0};
 }
 
-/* Finds the boxes of the solids first..end-1. Returns the box round all of them. The box of a solid of which the near
- * plane has left nothing is empty. */
+/* Finds the boxes of the solids first..end-1, and returns the box round all of them. If the near plane has left nothing
+ * of a solid, its box is empty. */
 static hide_bounds box_some(hide_fronts *fronts, uint32_t first, uint32_t end)
 {
     hide_bounds all = hide_no_bounds;
@@ -69,7 +72,7 @@ static hide_bounds box_some(hide_fronts *fronts, uint32_t first, uint32_t end)
     return all;
 }
 
-/* Finds the boxes of all solids, and the window. False: no memory. */
+/* Finds the boxes of all solids, and the box of the picture. False: no memory. */
 static bool box_solids(hide_fronts *fronts, int threads)
 {
     uint32_t solids = fronts->scene->solid_count, count = solids / BOXES_AT_ONCE + 1;
@@ -93,13 +96,13 @@ static bool box_solids(hide_fronts *fronts, int threads)
     return true;
 }
 
-/* Has the near plane left nothing of it? */
+/* Has the near plane left nothing of the solid? */
 static bool is_empty(const hide_fronts *fronts, uint32_t s)
 {
     return fronts->scene->solid[s].vertex == fronts->scene->solid[s + 1].vertex;
 }
 
-/* Culls the first of the solids if nothing of it can be seen; returns whether it did. Prefetches the box of a later
+/* Culls the first of `left` solids if nothing of it can be seen; returns whether it did. Prefetches the box of a later
  * one. */
 static bool cull_first(hide_fronts *fronts, front_tile *tile, const uint32_t *order, uint32_t left)
 {
@@ -114,7 +117,7 @@ static bool cull_first(hide_fronts *fronts, front_tile *tile, const uint32_t *or
     return fronts->culled[s];
 }
 
-/* Prefetches what mapping the solid will need (or, of very many points, the beginning of it). Returns the solid. */
+/* Prefetches what the mapping of the solid needs, at least the beginning. Returns the solid. */
 static uint32_t let_wait(hide_fronts *fronts, uint32_t s)
 {
     const roberts_scene *scene = fronts->scene;
@@ -127,7 +130,7 @@ static uint32_t let_wait(hide_fronts *fronts, uint32_t s)
     return s;
 }
 
-/* Enters the solids of a tile in the order of their numbers, if no covers are kept. False: no memory. */
+/* Adds the fronts of a tile's solids in the order of their numbers, where no covers are kept. False: no memory. */
 static bool do_tile_in_order(hide_fronts *fronts, front_scratch *scratch, front_tile *tile)
 {
     for (uint32_t s = tile->first; s < tile->end; s++) {
@@ -138,8 +141,8 @@ static bool do_tile_in_order(hide_fronts *fronts, front_scratch *scratch, front_
     return true;
 }
 
-/* Enters the solids of a tile, nearest first. A solid is culled if those before it cover it. The others wait one turn
- * before they are mapped, while their memory is on its way: it lies anywhere. False: no memory. */
+/* Adds the fronts of a tile's solids, nearest first. A solid is culled if earlier ones cover it. Each of the others is
+ * mapped one turn later, so that its memory can be fetched meanwhile. False: no memory. */
 static bool do_tile(build *b, front_scratch *scratch, front_tile *tile)
 {
     hide_fronts *fronts = b->fronts;
@@ -159,7 +162,7 @@ static bool do_tile(build *b, front_scratch *scratch, front_tile *tile)
     return waiting == ROBERTS_NONE || front_add(fronts, scratch, tile, waiting);
 }
 
-/* Culls a solid that was mapped and counted, and that solids after it hide. */
+/* Culls a solid that is mapped and counted already. */
 static void cull_late(hide_fronts *fronts, front_tile *tile, uint32_t s)
 {
     const scene_solid *solid = &fronts->scene->solid[s];
@@ -172,10 +175,10 @@ static void cull_late(hide_fronts *fronts, front_tile *tile, uint32_t s)
     }
 }
 
-/* Culls once more, when every cover is known. */
-static void cull_again(hide_fronts *fronts, front_tile *tile)
+/* Asks all solids of a tile again whether they are hidden, now that all covers are known. */
+static void cull_again(hide_fronts *fronts, const tiles *t, front_tile *tile)
 {
-    for (uint32_t k = tile->first; k < tile->front; k++) {
+    for (uint32_t k = tile->first_whole; k < tile->whole; k++) {
         const hide_front *front = &fronts->front[k];
         if (cover_hides_solid(fronts, &fronts->front_box[k], front->solid))
             cull_late(fronts, tile, front->solid);
@@ -185,9 +188,14 @@ static void cull_again(hide_fronts *fronts, front_tile *tile)
         if ((k == 0 || s != tile->single[k - 1].solid) && cover_hides_solid(fronts, &fronts->box[s], s))
             cull_late(fronts, tile, s);
     }
+    for (uint32_t k = tile->first; k < tile->end && tile->surface > tile->first_surface; k++) {
+        uint32_t s = t->solid[k];
+        if (!scene_is_convex(fronts->scene, s) && !fronts->culled[s] && cover_hides_solid(fronts, &fronts->box[s], s))
+            cull_late(fronts, tile, s);
+    }
 }
 
-/* Enters all solids, round by round. False: no memory. */
+/* Adds the fronts of all solids, round by round. False: no memory. */
 static bool do_tiles(build *b)
 {
     tiles *t = &b->tiles;
@@ -206,54 +214,78 @@ static bool do_tiles(build *b)
 #pragma omp parallel for schedule(dynamic, 1) num_threads(b->threads)
 #endif
     for (uint32_t i = 0; i < t->count; i++)
-        cull_again(b->fronts, &t->tile[i]);
+        cull_again(b->fronts, t, &t->tile[i]);
     return true;
 }
 
-/* Brings the fronts that are left together, tile after tile. */
-static void close_up(hide_fronts *fronts, const tiles *t)
+/* Moves those of the fronts first..end-1 that are not culled to *to and the places behind it. */
+static void close_up(hide_fronts *fronts, uint32_t first, uint32_t end, uint32_t *to)
 {
-    uint32_t to = 0;
-    for (uint32_t i = 0; i < t->count; i++)
-        for (uint32_t k = t->tile[i].first; k < t->tile[i].front; k++) {
-            if (fronts->culled[fronts->front[k].solid])
-                continue;
-            if (k != to) {
-                fronts->front[to] = fronts->front[k];
-                fronts->front_box[to] = fronts->front_box[k];
-            }
-            to++;
+    for (uint32_t k = first; k < end; k++) {
+        if (fronts->culled[fronts->front[k].solid])
+            continue;
+        if (k != *to) {
+            fronts->front[*to] = fronts->front[k];
+            fronts->front_box[*to] = fronts->front_box[k];
+            if (k < fronts->convex_count)
+                fronts->whole[*to] = fronts->whole[k];
         }
-    fronts->front_count = to;
+        ++*to;
+    }
 }
 
-/* Adds the fronts of single faces behind them. False: no memory. */
+/* Closes the gaps between the whole fronts of all tiles. */
+static void close_up_wholes(hide_fronts *fronts, const tiles *t)
+{
+    for (uint32_t i = 0; i < t->count; i++)
+        close_up(fronts, t->tile[i].first_whole, t->tile[i].whole, &fronts->whole_count);
+    fronts->front_count = fronts->whole_count;
+}
+
+static size_t count_singles(const hide_fronts *fronts, const tiles *t)
+{
+    size_t count = 0;
+    for (uint32_t i = 0; i < t->count; i++)
+        for (size_t k = 0; k < t->tile[i].single_count; k++)
+            count += !fronts->culled[t->tile[i].single[k].solid];
+    return count;
+}
+
+/* Adds the single faces behind the whole fronts: first those of convex solids, then those of other bodies. The latter
+ * are in the array already, but may have to move. False: no memory. */
 static bool add_singles(hide_fronts *fronts, const tiles *t)
 {
-    size_t count = fronts->front_count, room = fronts->scene->solid_count, box_room = room;
+    uint32_t first = fronts->convex_count, end = first, to = fronts->whole_count;
+    size_t before = to + count_singles(fronts, t), room = fronts->room, box_room = room;
     for (uint32_t i = 0; i < t->count; i++)
-        count += t->tile[i].single_count;
+        close_up(fronts, t->tile[i].first_surface, t->tile[i].surface, &end);
+    size_t surfaces = end - first, count = before + surfaces;
     if (count > UINT32_MAX || !array_reserve(&fronts->front, &room, count, sizeof *fronts->front) ||
         !array_reserve(&fronts->front_box, &box_room, count, sizeof *fronts->front_box))
         return false;
+    if (before != first && surfaces > 0) {
+        memmove(fronts->front + before, fronts->front + first, surfaces * sizeof *fronts->front);
+        memmove(fronts->front_box + before, fronts->front_box + first, surfaces * sizeof *fronts->front_box);
+    }
     for (uint32_t i = 0; i < t->count; i++)
         for (size_t k = 0; k < t->tile[i].single_count; k++) {
             if (fronts->culled[t->tile[i].single[k].solid])
                 continue;
-            fronts->front[fronts->front_count] = t->tile[i].single[k];
-            fronts->front_box[fronts->front_count++] = t->tile[i].single_box[k];
+            fronts->front[to] = t->tile[i].single[k];
+            fronts->front_box[to++] = t->tile[i].single_box[k];
         }
+    fronts->front_count = (uint32_t)count;
     return true;
 }
 
-/* Finds hide_fronts.thickest: a front's `depth` is below its farthest corner by as much as a point must be above a face
- * so as not to touch it. */
+/* Returns hide_fronts.thickest. A front's `depth` lies below its farthest corner by the distance from a face beyond
+ * which points do not touch it. */
 static double thickest(const hide_fronts *fronts)
 {
     double most = 0.0;
     for (uint32_t k = 0; k < fronts->front_count; k++) {
         const hide_front *front = &fronts->front[k];
-        double own = hide_is_face(front) ? INFINITY : (double)fronts->front_box[k].z1 - (double)front->depth;
+        double own = hide_is_face(front) ? INFINITY : (double)fronts->front_box[k].z1 - (double)fronts->whole[k].depth;
         most = greater(most, own);
     }
     return most;
@@ -281,16 +313,16 @@ static uint32_t most_vertices(const roberts_scene *scene)
     return most;
 }
 
-/* Allocates the threads' arrays, with more room so that they lie apart; and the tables of bundles and runs, if a solid
- * can have them. False: no memory. */
+/* Allocates the arrays of the threads, with extra room so that they lie apart, and the tables of bundles and runs, if
+ * some solid can have any. False: no memory. */
 static bool alloc_scratch(build *b)
 {
     hide_fronts *fronts = b->fronts;
     const roberts_scene *scene = fronts->scene;
     uint32_t most = most_vertices(scene);
-    bool asked = scene->solid_count > 1 || b->looked_up; /* a face about an edge, or a point */
+    bool asked = scene->solid_count > 1 || b->looked_up; /* are the faces of a solid tested at all? */
     if (most > BUNDLE_FACES / 2 && asked && !bundle_table_init(&fronts->bundles, scene->face_count))
-        return false; /* a solid has fewer than twice as many faces as vertices */
+        return false; /* a solid has less than twice as many faces as vertices */
     if (most > RUNS_CORNERS && asked &&
         (!runs_table_init(&fronts->face_runs, scene->corner, scene->face_start[scene->face_count]) ||
          !runs_table_init(&fronts->outline_runs, fronts->outline, scene->vertex_count)))
@@ -315,18 +347,17 @@ static void free_scratch(build *b)
 
 /* ---- copies: fronts of solids at the very same place ---- */
 
-/* Knows which bits have been met, and which more than once. */
+/* Remembers which bits have been met once, and which more often. */
 typedef struct sieve {
     uint64_t *met, *again;
-    unsigned shift; /* from a key to its bit: the upper bits of a product are the mixed ones */
+    unsigned shift; /* key >> shift is the key's bit: the upper bits of a product are mixed best */
 } sieve;
 
-/* Do the fronts of two solids show the very same faces? Then they hide the same, and neither hides anything of the
- * other. */
+/* Do two whole fronts have exactly the same faces? Then they hide the same, and neither hides anything of the other. */
 static bool same_front(const hide_fronts *fronts, uint32_t a, uint32_t b)
 {
-    const hide_front *f = &fronts->front[a], *g = &fronts->front[b];
-    if (f->face_count != g->face_count || f->corners != g->corners || f->kind != g->kind ||
+    const hide_whole_front *f = &fronts->whole[a], *g = &fronts->whole[b];
+    if (f->face_count != g->face_count || f->corners != g->corners || fronts->front[a].kind != fronts->front[b].kind ||
         memcmp(&fronts->front_box[a], &fronts->front_box[b], sizeof(hide_box)) != 0)
         return false;
     for (uint32_t i = 0; i < f->corners; i++) {
@@ -343,7 +374,7 @@ static bool same_front(const hide_fronts *fronts, uint32_t a, uint32_t b)
     return true;
 }
 
-/* A key that differs for most fronts that are no copies. */
+/* Returns a key that is different for most fronts that are not copies. */
 static uint32_t place_key(const hide_fronts *fronts, uint32_t front)
 {
     return bits_hash(&fronts->front_box[front], sizeof fronts->front_box[front]);
@@ -375,7 +406,8 @@ static bool sieve_again(const sieve *s, uint32_t key)
     return s->again[at >> 6] >> (at & 63) & 1;
 }
 
-/* Keeps the fronts that share their bit with another, ascending, and their keys. Returns their number. */
+/* Lists the fronts that share their bit with another, ascending, and moves their keys together. Returns their
+ * number. */
 static uint32_t sift(const hide_fronts *fronts, const sieve *s, uint32_t *front, uint32_t *key)
 {
     uint32_t count = 0;
@@ -387,9 +419,9 @@ static uint32_t sift(const hide_fronts *fronts, const sieve *s, uint32_t *front,
     return count;
 }
 
-/* Sets `listed` of the fronts of whole solids. One front is enough for all copies of a solid: a thousand copies would
- * cost a million comparisons. It is the one of smallest number, since a stable order of the keys brings copies
- * together. False: no memory. */
+/* Sets `listed` of the whole fronts. Of several copies only the one with the smallest number is listed: a thousand
+ * listed copies would cost a million tests. Sorting the keys in a stable way brings copies together. False: no
+ * memory. */
 static bool leave_out_copies(hide_fronts *fronts)
 {
     uint32_t count = fronts->front_count, last = ROBERTS_NONE;
@@ -427,7 +459,7 @@ static bool add_solids(build *b)
     hide_fronts *fronts = b->fronts;
     bool done = alloc_scratch(b) && tiles_make(&b->tiles, fronts, b->threads) && do_tiles(b);
     if (done) {
-        close_up(fronts, &b->tiles);
+        close_up_wholes(fronts, &b->tiles);
         add_counts(fronts, &b->tiles);
         done = leave_out_copies(fronts) && add_singles(fronts, &b->tiles);
         fronts->thickest = b->looked_up ? thickest(fronts) : INFINITY;
@@ -437,17 +469,34 @@ static bool add_solids(build *b)
     return done;
 }
 
-/* Only a part of most arrays is ever written, and memory that nobody touches costs nothing. */
+static void count_convex(hide_fronts *fronts, uint32_t *other_faces)
+{
+    const roberts_scene *scene = fronts->scene;
+    fronts->convex_count = scene->surface ? 0 : scene->solid_count;
+    *other_faces = 0;
+    for (uint32_t s = 0; scene->surface && s < scene->solid_count; s++)
+        if (scene_is_convex(scene, s))
+            fronts->convex_count++;
+        else
+            *other_faces += scene->solid[s + 1].face - scene->solid[s].face;
+}
+
+/* Only a part of most arrays is ever written. The rest costs no memory, because nobody touches it. */
 static bool alloc_fronts(hide_fronts *fronts)
 {
     const roberts_scene *scene = fronts->scene;
+    uint32_t other_faces;
+    count_convex(fronts, &other_faces);
+    fronts->room = (size_t)fronts->convex_count + other_faces;
     fronts->box = alloc_array(scene->solid_count, sizeof *fronts->box);
     fronts->culled = alloc_zeroed(scene->solid_count, sizeof *fronts->culled);
-    fronts->face = alloc_array(scene->face_count, sizeof *fronts->face);
-    fronts->front = alloc_array(scene->solid_count, sizeof *fronts->front);
-    fronts->front_box = alloc_array(scene->solid_count, sizeof *fronts->front_box);
+    fronts->face = alloc_array(scene->face_count - other_faces, sizeof *fronts->face);
+    fronts->whole = alloc_array(fronts->convex_count, sizeof *fronts->whole);
+    fronts->front = alloc_array(fronts->room, sizeof *fronts->front);
+    fronts->front_box = alloc_array(fronts->room, sizeof *fronts->front_box);
     fronts->outline = alloc_array(scene->vertex_count, sizeof *fronts->outline);
-    return fronts->box && fronts->culled && fronts->face && fronts->front && fronts->front_box && fronts->outline;
+    return fronts->box && fronts->culled && fronts->face && fronts->whole && fronts->front && fronts->front_box &&
+           fronts->outline;
 }
 
 static void set_space(hide_fronts *fronts)
@@ -486,8 +535,27 @@ bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options 
     return false;
 }
 
+double hide_fronts_filled(const hide_fronts *fronts)
+{
+    const roberts_vec3 *P = fronts->P;
+    double boxes = 0.0, twice = 0.0;
+    for (uint32_t k = 0, step = fronts->front_count / FRONTS_ASKED + 1; k < fronts->front_count; k += step) {
+        uint32_t turned[SEEN_TURNED];
+        const hide_box *box = &fronts->front_box[k];
+        const hide_face outline = hide_outline(fronts, k, turned);
+        boxes += (double)(box->x1 - box->x0) * (double)(box->y1 - box->y0);
+        for (uint32_t i = 0; i < outline.count; i++) {
+            roberts_vec3 A = P[outline.corner[i]], B = P[outline.corner[i + 1 < outline.count ? i + 1 : 0]];
+            twice += A.x * B.y - B.x * A.y;
+        }
+    }
+    return boxes > 0.0 ? 0.5 * twice / boxes : 1.0;
+}
+
 void hide_fronts_drop_boxes(hide_fronts *fronts)
 {
+    if (fronts->front_count > fronts->whole_count)
+        return;
     free(fronts->box);
     fronts->box = NULL;
 }
@@ -497,6 +565,7 @@ void hide_fronts_free(hide_fronts *fronts)
     free(fronts->box);
     free(fronts->culled);
     free(fronts->face);
+    free(fronts->whole);
     free(fronts->front);
     free(fronts->front_box);
     free(fronts->outline);

@@ -1,11 +1,11 @@
-/* fronts.h - the scene in view space: boxes of all solids, fronts of those that are not wholly hidden.
+/* fronts.h - the scene in view space: the boxes of all bodies, and the fronts of those that may be seen.
  *
- * A front is what one solid shows: its front faces under their common outline (the cycle of its edges with one front
- * face). The outline does in one go for all faces what tests 2 to 4 ask about sides. A solid whose front has many
- * faces is entered face by face instead, each a front of its own, or as a bundle (see bundle.h).
+ * A front is what can hide lines. A convex solid is one front: its front faces, within their common outline (the cycle
+ * of its edges with one front face). Tests 2 to 4 ask this outline once for all faces. If there are many front faces,
+ * each of them is a front, or all of them are a bundle (see bundle.h). In other bodies each face is a front.
  *
- * Solids are taken nearest first, and a solid whose box lies behind the covers of those before it is culled: it is
- * neither mapped nor cut, and as it hides nothing that the covers do not hide, it is no front either. */
+ * Bodies are taken nearest first. A body whose box lies behind the covers of earlier ones is culled: it is not mapped,
+ * none of its edges is a line, and it has no front, since it hides nothing that the covers do not hide. */
 #ifndef ROBERTS_HIDE_FRONTS_H
 #define ROBERTS_HIDE_FRONTS_H
 
@@ -15,63 +15,77 @@
 #include "hide/tests_wide.h"
 #include "hide/tolerance.h"
 
-/* What a front is. The first two have an outline of their own. */
+/* The first two kinds are whole fronts, with an outline; the others are single faces. */
 typedef enum hide_kind {
-    HIDE_CONVEX_SOLID, /* all front faces of a convex solid, asked together */
-    HIDE_BUNDLE,       /* all front faces of a convex solid, asked by a tree: bundle.h */
-    HIDE_SOLID_FACE,   /* one face of a convex solid that is entered face by face; the solid hides the hull of what its
-                          faces hide */
+    HIDE_CONVEX_SOLID, /* all front faces of a convex solid, tested together */
+    HIDE_BUNDLE,       /* all front faces of a convex solid, tested by a tree: bundle.h */
+    HIDE_SOLID_FACE,   /* one face of a convex solid; the solid hides the hull of what its faces hide */
     HIDE_SURFACE_FACE, /* one face of a body that is not convex; it hides from both sides */
 } hide_kind;
 
 typedef struct hide_front {
-    double reach; /* of a convex solid: distance from it up to which the planes of its faces can be trusted */
     uint32_t solid;
-    uint32_t face; /* of hide_fronts.face, the first */
-    uint32_t own;  /* its seen_face_key(): it does not hide lines that list this key */
-    union {
-        uint32_t outline; /* of hide_fronts.outline, the first corner: convex solid and bundle */
-        uint32_t piece;   /* the face of the scene: a single face */
-    };
-    uint32_t corners; /* of the outline; 0: a face has corners of its own */
-    float loose;      /* by how much its faces may leave its outline: by what they depart from their planes */
-    float depth;      /* what is nowhere nearer is behind it wherever it is inside the outline */
-    uint32_t face_count;
-    uint8_t kind; /* hide_kind */
-    bool listed;  /* false: a copy of another front */
+    uint32_t own;   /* its seen_face_key(): it does not hide lines that list this key */
+    uint32_t piece; /* a single face: its number in the scene */
+    uint8_t kind;   /* hide_kind */
+    bool listed;    /* false: a copy of another front */
 } hide_front;
+
+/* What a whole front has besides. */
+typedef struct hide_whole_front {
+    double reach;        /* distance from the solid up to which the planes of its faces can be trusted */
+    uint32_t face;       /* first of its faces in hide_fronts.face */
+    uint32_t outline;    /* first of its corners in hide_fronts.outline */
+    uint32_t corners;    /* of the outline */
+    float loose;         /* the front may leave gaps of this width in its outline */
+    float depth;         /* inside the outline, everything that is nowhere nearer than this is behind the front */
+    uint32_t face_count; /* of its faces */
+} hide_whole_front;
+
+/* A single face, which is computed whenever it is asked for: most faces of a mesh never are. */
+typedef struct hide_single {
+    hide_face face;
+    uint32_t turned[SEEN_TURNED]; /* room for its corners: see seen_corners() */
+} hide_single;
 
 typedef struct hide_fronts {
     seen *seen;
     const roberts_scene *scene; /* seen->scene */
     const roberts_vec3 *P;      /* seen->P */
     hide_space space;
-    hide_box *box;         /* [solid_count], until they are dropped */
-    unsigned char *culled; /* [solid_count] also of one that the near plane has left nothing of */
-    hide_face *face;       /* front faces; each front's lie together, but there is room between some */
-    hide_front *front;     /* [front_count] */
-    hide_box *front_box;   /* [front_count] */
-    uint32_t front_count;
-    double thickest;   /* what is farther than this above a front's box does not touch it; INFINITY: not known */
-    uint32_t *outline; /* compact vertex numbers, likewise */
+    hide_box *box;           /* [solid_count]; NULL after hide_fronts_drop_boxes() */
+    unsigned char *culled;   /* [solid_count] 1: hidden, or the near plane has left nothing of it */
+    hide_face *face;         /* faces of whole fronts, front by front; there may be unused entries between fronts */
+    hide_whole_front *whole; /* [whole_count] */
+    hide_front *front;       /* [front_count] whole fronts come first */
+    hide_box *front_box;     /* [front_count] */
+    uint32_t convex_count;   /* convex solids of the scene */
+    uint32_t whole_count, front_count;
+    size_t room;       /* of `front` and `front_box` */
+    double thickest;   /* what is nearer than a front's box by more than this does not touch it; INFINITY: unknown */
+    uint32_t *outline; /* corners of outlines, front by front, as compact vertex numbers; with unused entries too */
     bundle_table bundles;
-    runs_table face_runs, outline_runs; /* of faces and of outlines of very many corners */
+    runs_table face_runs, outline_runs; /* of faces and of outlines with very many corners */
     cover cover;
     uint32_t most_corners;            /* of a face or an outline */
-    size_t face_count, back, edge_on; /* of solids not culled */
-    size_t culled_count;              /* solids that are hidden; the near plane's are not among them */
+    size_t face_count, back, edge_on; /* faces of bodies that are not culled, by their facing */
+    size_t culled_count;              /* bodies that are hidden; not those that the near plane has taken */
     roberts_vec2 low, high;           /* box of the picture, view units */
 } hide_fronts;
 
-/* Maps what is seen and makes its fronts. Of the options the number of threads counts, and whether hidden lines are
- * kept: if not, solids that are wholly hidden are left out. False: no memory, and `fronts` is empty. */
+/* Maps what is seen and makes its fronts. Two of the options matter: the number of threads, and whether hidden lines
+ * are kept. If they are not, bodies that are wholly hidden are culled. False: no memory, and `fronts` is empty. */
 bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options *options);
 void hide_fronts_free(hide_fronts *fronts);
 
-/* Releases the boxes of solids: edges ask those of fronts only. */
+/* Frees the boxes of bodies, unless there are single faces: only these need them from now on. */
 void hide_fronts_drop_boxes(hide_fronts *fronts);
 
-/* Asks for what will soon be asked or written of a solid: it lies anywhere. (Inlined: see base/bits.h.) */
+/* Estimates, from a sample, which part of their boxes in the picture the fronts fill. */
+double hide_fronts_filled(const hide_fronts *fronts);
+
+/* Prefetches what will soon be read or written of a solid, which may lie anywhere in memory. (Inlined: see
+ * base/bits.h.) */
 BITS_INLINE void hide_fronts_fetch(const hide_fronts *fronts, uint32_t solid)
 {
     const roberts_scene *scene = fronts->scene;
@@ -83,22 +97,59 @@ BITS_INLINE void hide_fronts_fetch(const hide_fronts *fronts, uint32_t solid)
     FETCH_AHEAD(scene->edge + s->stored);
 }
 
-/* Is it a single face, with corners of its own? */
+/* Is the front a single face? */
 static inline bool hide_is_face(const hide_front *front)
 {
     return front->kind >= HIDE_SOLID_FACE;
 }
 
-/* The outline of a front as a polygon for tests 2 to 4; its plane is not set, or that of its only face. */
-static inline hide_face hide_outline(const hide_fronts *fronts, const hide_front *front)
+/* Returns the outline of a front as a polygon for tests 2 to 4; only its corners are set. turned: as in
+ * seen_corners(). */
+static inline hide_face hide_outline(const hide_fronts *fronts, uint32_t front, uint32_t turned[SEEN_TURNED])
 {
-    if (hide_is_face(front))
-        return fronts->face[front->face];
-    return (hide_face){.corner = fronts->outline + front->outline, .count = front->corners};
+    hide_face outline = {.corner = NULL};
+    if (hide_is_face(&fronts->front[front])) {
+        outline.corner = seen_corners(fronts->seen, fronts->front[front].piece, &outline.count, turned);
+    } else {
+        outline.corner = fronts->outline + fronts->whole[front].outline;
+        outline.count = fronts->whole[front].corners;
+    }
+    return outline;
 }
 
-/* Is X inside a convex polygon of the picture, a face or an outline as `table` says, or no farther outside than
- * `slack`? */
+/* Computes a single face of a body. (In front.c.) */
+void hide_make_face(const hide_fronts *fronts, uint32_t solid, uint32_t piece, hide_single *to);
+
+/* Returns the faces of a front. `single` is the room for a single face. */
+static inline const hide_face *hide_faces(const hide_fronts *fronts, uint32_t front, uint32_t *count,
+                                          hide_single *single)
+{
+    const hide_front *f = &fronts->front[front];
+    *count = 1;
+    if (hide_is_face(f)) {
+        hide_make_face(fronts, f->solid, f->piece, single);
+        return &single->face;
+    }
+    *count = fronts->whole[front].face_count;
+    return fronts->face + fronts->whole[front].face;
+}
+
+/* Returns the tree over a front's faces; NULL: there is none. */
+static inline const bundle *hide_bundle(const hide_fronts *fronts, uint32_t front)
+{
+    if (hide_is_face(&fronts->front[front]))
+        return NULL;
+    return bundle_of(&fronts->bundles, fronts->whole[front].face, fronts->whole[front].face_count);
+}
+
+/* Returns how wide the gaps are that a front may leave in its outline. */
+static inline double hide_loose(const hide_fronts *fronts, uint32_t front)
+{
+    return front < fronts->whole_count ? (double)fronts->whole[front].loose : 0.0;
+}
+
+/* Is X inside a convex polygon of the picture, or no farther outside than `slack`? table: that of faces or that of
+ * outlines. */
 static inline bool hide_polygon_holds(const hide_fronts *fronts, const runs_table *table, const uint32_t *corner,
                                       uint32_t count, roberts_vec2 X, double slack)
 {

@@ -20,7 +20,6 @@
 #include "base/threads.h"
 #include "hide/cells.h"
 #include "hide/segments.h"
-#include "hide/layers.h"
 
 #define SOLIDS_AHEAD 2 /* between asking for one and needing it */
 #define CHUNK_SOLIDS 64
@@ -83,12 +82,11 @@ static roberts_status list_fronts(hide_job *job)
     double depth;
     cells_boxes boxes = {fronts->front_box, fronts->front_count, fronts->low, fronts->high,
                          hide_margin(&fronts->space)};
-    scan_frame frame = cells_for_lists(&boxes, job->options->grid, &depth);
+    scan_frame frame = cells_for_lists(&boxes, hide_fronts_filled(fronts), job->options->grid, &depth);
     if (!picture_order_init(&job->order, fronts, depth))
         return ROBERTS_NO_MEMORY;
     hide_fronts_drop_boxes(&job->fronts);
-    roberts_status status = objet_build(&job->grid, fronts, frame, job->options->threads);
-    return status != ROBERTS_OK || layers_find(&job->grid, fronts, job->options->threads) ? status : ROBERTS_NO_MEMORY;
+    return objet_build(&job->grid, fronts, frame, job->options->threads);
 }
 
 /* ---- 3. where faces cross ---- */

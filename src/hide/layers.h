@@ -1,18 +1,35 @@
-/* layers.h - cells that surfaces fill.
+/* layers.h - cells that sheets of a surface fill.
  *
- * Let no outline, border or other fold of a surface meet a cell of Objet[i][j]: each edge there has one face on its
- * left in the picture and one on its right. Let no vertex there be wound about more than once. Then what the surface
- * has in the cell is a number of sheets. Each of them fills the cell, and no two points of it lie over one another (it
- * is a covering without branches, and a cell is simply connected). Faces that are joined overlap in depth. So where a
- * gap in depth parts the faces of a cell, it parts sheets, and the sheets of a part are as many as its faces over any
- * one point. Where every part is one sheet, no faces cross in the cell. The nearest sheet hides all that lies behind
- * it, and nothing hides the edges that lie in it. */
+ * A fold is an outline, a border, or any edge that does not have one face on its left in the picture and one on its
+ * right. Suppose that no fold of a surface meets a cell of Objet[i][j]. Then equally many faces lie over all points of
+ * the cell, since that number changes only at folds.
+ *
+ * Faces that share an edge overlap in depth. So the faces of a cell can be divided into parts where there is a gap in
+ * depth, and equally many faces of each part lie over all points. A part with one face over a point is a sheet: it
+ * fills the cell, and none of its points lie over one another. If all parts are sheets, no faces cross in the cell. The
+ * nearest sheet hides everything behind it, and nothing hides the edges in it. */
 #ifndef ROBERTS_HIDE_LAYERS_H
 #define ROBERTS_HIDE_LAYERS_H
 
+#include <stdatomic.h>
+
 #include "hide/objet.h"
 
-/* Finds the sheets of a grid that lists all fronts. False: no memory. */
-bool layers_find(objet *grid, const hide_fronts *fronts, uint32_t threads);
+/* The finding of sheets. */
+typedef struct layers {
+    objet *grid;
+    const hide_fronts *fronts;
+    atomic_uint *fold; /* [cells] a rank for the nearest depth of what is no sheet; NULL: no sheets are sought */
+    objet_walk *walk;  /* [threads] */
+    int threads;
+} layers;
+
+/* Finds the depth up to which the cells of a grid may have sheets. The grid's lists are not read. False: no memory;
+ * layers_end() is due in any case. */
+bool layers_begin(layers *l, objet *grid, const hide_fronts *fronts, uint32_t threads);
+void layers_end(layers *l);
+
+/* Finds the sheets of a cell whose list is complete and in order. */
+void layers_find(const layers *l, uint32_t column, uint32_t row);
 
 #endif

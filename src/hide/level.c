@@ -48,11 +48,14 @@ static bool take_face(const hide_fronts *fronts, uint32_t body, const hide_face 
     return true;
 }
 
-static bool take_front(const hide_fronts *fronts, const hide_front *front, roberts_vec3 X, level_hits *hits)
+static bool take_front(const hide_fronts *fronts, uint32_t index, roberts_vec3 X, level_hits *hits)
 {
-    const hide_face *face = fronts->face + front->face;
-    const bundle *b = bundle_of(&fronts->bundles, front->face, front->face_count);
-    for (uint32_t i = 0; !b && i < front->face_count; i++)
+    const hide_front *front = &fronts->front[index];
+    uint32_t count;
+    hide_single single;
+    const hide_face *face = hide_faces(fronts, index, &count, &single);
+    const bundle *b = hide_bundle(fronts, index);
+    for (uint32_t i = 0; !b && i < count; i++)
         if (!take_face(fronts, front->solid, &face[i], X, hits))
             return false;
     for (uint32_t i = 0, end; b && bundle_next(b, X.x, X.y, &i, &end);)
@@ -102,7 +105,7 @@ bool hide_level_at(hide_worker *w, const seen_line *line, roberts_vec3 X, uint32
         const uint32_t index = w->grid->entry[k].front;
         const hide_front *front = &fronts->front[index];
         if (may_hide(fronts, &fronts->front_box[index], X) && !seen_owns(fronts->scene, &line->own, front->own) &&
-            !take_front(fronts, front, X, hits))
+            !take_front(fronts, index, X, hits))
             return false;
     }
     if (hits->count > 1)

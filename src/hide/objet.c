@@ -7,19 +7,20 @@
 #include "base/sort.h"
 #include "base/box.h"
 #include "base/threads.h"
+#include "hide/layers.h"
 
-/* A list up to this length is sorted by insertion. */
-#define SHORT_LIST 24
-/* With fewer fronts or cells than this a thread costs more than it does. */
+/* With fewer fronts than this for each, another thread does not pay. */
 #define WORTH_A_THREAD 8192
 
-/* What each thread has for itself. */
+/* Memory of one thread. */
 typedef struct lister {
     scan s;
+    sort_item *item; /* [room] */
+    size_t room;
     char apart[THREADS_APART];
 } lister;
 
-/* The filling of the grid. */
+/* What all threads share while the grid is filled. */
 typedef struct filling {
     objet *grid;
     const hide_fronts *fronts;
@@ -27,7 +28,7 @@ typedef struct filling {
     int threads;
 } filling;
 
-/* Adds one to a count that other threads may change as well. Returns the count before. */
+/* Adds one to a count that other threads may change too. Returns the count before. */
 static inline uint32_t count_one(uint32_t *cell, bool alone)
 {
     uint32_t before;
@@ -40,8 +41,8 @@ static inline uint32_t count_one(uint32_t *cell, bool alone)
     return before;
 }
 
-/* Counts the front at every cell that it touches or, with `fill`, lists it there. If its box has at most two columns
- * and two rows, the box stands for the polygon. */
+/* Counts the front in every cell that it touches or, with `fill`, lists it there. If its box meets at most two columns
+ * and two rows, the front is listed in all their cells. */
 static void list_front(const filling *job, uint32_t index, scan *s, bool fill)
 {
     objet *grid = job->grid;
@@ -49,13 +50,14 @@ static void list_front(const filling *job, uint32_t index, scan *s, bool fill)
     scan_frame wider = grid->frame;
     const scan_frame *f = &wider;
     const hide_box *box = &fronts->front_box[index];
-    wider.margin += fronts->front[index].loose;
+    wider.margin += hide_loose(fronts, index);
     double m = f->margin;
     uint32_t first = scan_column(f, (double)box->x0 - m), last = scan_column(f, (double)box->x1 + m);
     uint32_t low = scan_row(f, (double)box->y0 - m), high = scan_row(f, (double)box->y1 + m);
     bool small = last - first < 2 && high - low < 2, alone = job->threads == 1;
     if (!small) {
-        hide_face outline = hide_outline(fronts, &fronts->front[index]);
+        uint32_t turned[SEEN_TURNED];
+        hide_face outline = hide_outline(fronts, index, turned);
         scan_polygon(s, f, fronts->P, outline.corner, outline.count);
         first = s->first;
         last = s->last;
@@ -73,7 +75,7 @@ static void list_front(const filling *job, uint32_t index, scan *s, bool fill)
     }
 }
 
-/* Counts all fronts, or lists them in any order. They are sorted later. */
+/* Counts all fronts, or lists them, in any order. The lists are sorted later. */
 static void list_all(const filling *job, bool fill)
 {
     const hide_fronts *fronts = job->fronts;
@@ -85,7 +87,7 @@ static void list_all(const filling *job, bool fill)
             list_front(job, k, &job->lister[thread_self()].s, fill);
 }
 
-/* Turns counts into places: start[cell] becomes the first place of the cell's list. False: no memory. */
+/* Replaces counts by places: start[cell] becomes the first place of the cell's list. False: no memory. */
 static bool sum_counts(objet *grid)
 {
     size_t total = 0, cells = scan_cells(&grid->frame);
@@ -102,7 +104,7 @@ static bool sum_counts(objet *grid)
     return grid->entry != NULL;
 }
 
-/* Puts each start back. Filling has moved it to its list's end, which is the start of the next list. */
+/* Moves each start back. Filling has moved it to the end of its list, where the next list starts. */
 static void restore_starts(objet *grid)
 {
     size_t cells = scan_cells(&grid->frame);
@@ -111,63 +113,43 @@ static void restore_starts(objet *grid)
     grid->start[0] = 0;
 }
 
-/* An entry of a cell's list while it is sorted. */
-typedef struct sorted {
-    float z1;
-    objet_entry entry;
-} sorted;
-
-static int nearer_first(const void *pa, const void *pb)
+/* Sorts the list of a cell, nearest corner first, ties by number. False: no memory. */
+static bool sort_list(const filling *job, size_t cell, lister *own)
 {
-    const sorted *a = pa, *b = pb;
-    if (a->z1 != b->z1)
-        return a->z1 > b->z1 ? -1 : 1;
-    return (a->entry.front > b->entry.front) - (a->entry.front < b->entry.front);
-}
-
-/* Sorts the lists of the cells first..end-1, nearest corner first, ties by number. False: no memory. */
-static bool sort_some(const filling *job, size_t first, size_t end)
-{
-    const objet *grid = job->grid;
-    sorted *list = NULL;
-    size_t room = 0;
-    for (size_t c = first; c < end; c++) {
-        objet_entry *own = grid->entry + grid->start[c];
-        uint32_t count = grid->start[c + 1] - grid->start[c];
-        if (count < 2)
-            continue;
-        if (!array_reserve(&list, &room, count, sizeof *list)) {
-            free(list);
-            return false;
-        }
-        for (uint32_t k = 0; k < count; k++)
-            list[k] = (sorted){job->fronts->front_box[own[k].front].z1, own[k]};
-        if (count > SHORT_LIST)
-            qsort(list, count, sizeof *list, nearer_first);
-        else
-            SORT_FEW(sorted, list, count, nearer_first(b, a) < 0)
-        for (uint32_t k = 0; k < count; k++)
-            own[k] = list[k].entry;
+    objet_entry *entry = job->grid->entry + job->grid->start[cell];
+    uint32_t count = job->grid->start[cell + 1] - job->grid->start[cell];
+    if (count < 2)
+        return true;
+    if (!array_reserve(&own->item, &own->room, 2 * (size_t)count, sizeof *own->item))
+        return false;
+    for (uint32_t k = 0; k < count; k++) {
+        uint64_t depth = radix_key_descending(job->fronts->front_box[entry[k].front].z1);
+        own->item[k] = (sort_item){depth << 32 | entry[k].front, entry[k].sides};
     }
-    free(list);
+    sort_keyed(own->item, count, own->item + count);
+    for (uint32_t k = 0; k < count; k++)
+        entry[k] = (objet_entry){(uint32_t)own->item[k].key, own->item[k].value};
     return true;
 }
 
-/* Sorts all lists. The cells of a thread lie together. False: no memory. */
-static bool sort_lists(const filling *job)
+/* Sorts all lists, and finds the sheets of each cell while its fronts are in the cache. False: no memory. */
+static bool sort_lists(const filling *job, const layers *sheets)
 {
-    size_t cells = scan_cells(&job->grid->frame);
-    int parts = cells < WORTH_A_THREAD ? 1 : job->threads;
+    const scan_frame *f = &job->grid->frame;
     bool lost = false;
 #ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(parts) reduction(|| : lost)
+#pragma omp parallel for schedule(dynamic, 16) num_threads(job->threads) reduction(|| : lost)
 #endif
-    for (int i = 0; i < parts; i++)
-        lost = lost || !sort_some(job, cells * (size_t)i / (size_t)parts, cells * ((size_t)i + 1) / (size_t)parts);
+    for (uint32_t i = 0; i < f->nx; i++)
+        for (uint32_t j = 0; j < f->ny && !lost; j++) {
+            lost = !sort_list(job, (size_t)i * f->ny + j, &job->lister[thread_self()]);
+            if (!lost)
+                layers_find(sheets, i, j);
+        }
     return !lost;
 }
 
-/* Fills `next`, from the end of each list. False: no memory. */
+/* Fills `next`, beginning at the end of each list. False: no memory. */
 static bool link_lists(objet *grid, const hide_fronts *fronts)
 {
     size_t cells = scan_cells(&grid->frame);
@@ -197,14 +179,17 @@ static bool alloc_listers(filling *job)
 
 static void free_listers(filling *job)
 {
-    for (int i = 0; job->lister && i < job->threads; i++)
+    for (int i = 0; job->lister && i < job->threads; i++) {
         scan_free(&job->lister[i].s);
+        free(job->lister[i].item);
+    }
     free(job->lister);
 }
 
 roberts_status objet_build(objet *grid, const hide_fronts *fronts, scan_frame frame, uint32_t threads)
 {
     filling job = {grid, fronts, NULL, threads_for(threads, 1 + fronts->front_count / WORTH_A_THREAD)};
+    layers sheets = {0};
     *grid = (objet){.frame = frame};
     for (int i = 0; i < 4; i++) {
         grid->from[i] = (float)(i < 2 ? frame.x0 : frame.y0);
@@ -219,8 +204,9 @@ roberts_status objet_build(objet *grid, const hide_fronts *fronts, scan_frame fr
     if (done) {
         list_all(&job, true);
         restore_starts(grid);
-        done = sort_lists(&job) && link_lists(grid, fronts);
+        done = layers_begin(&sheets, grid, fronts, threads) && sort_lists(&job, &sheets) && link_lists(grid, fronts);
     }
+    layers_end(&sheets);
     free_listers(&job);
     if (!done)
         objet_free(grid);
@@ -238,7 +224,7 @@ void objet_free(objet *grid)
     *grid = (objet){0};
 }
 
-/* box_clip(), called only if an end is outside. */
+/* Does what box_clip() does, and calls it only if an end lies outside. */
 static void clip_slab(double a, double b, double low, double high, double *t0, double *t1)
 {
     if (lesser(a, b) < low || greater(a, b) > high)

@@ -51,7 +51,7 @@ bool places_find(places *p, const hide_fronts *fronts, const objet *grid, int th
 #pragma omp parallel for schedule(static) num_threads(threads)
 #endif
     for (uint32_t k = 0; k < count; k++) {
-        p->first[k] = first_cell_of(&grid->frame, &fronts->front_box[k], (double)fronts->front[k].loose);
+        p->first[k] = first_cell_of(&grid->frame, &fronts->front_box[k], hide_loose(fronts, k));
         if (k < p->whole)
             box_solid(p, k);
     }

@@ -10,14 +10,14 @@
 
 /* ---- tiles ---- */
 
-/* Side of a tile in cells of covers: at least seven mean boxes, 128 kB of cells. */
+/* The side of a tile in cells of covers: at least seven mean boxes, and 128 kB of cells in all. */
 #define TILE_CELLS 128
-/* How far a solid may reach out of its tile, in cells. It asks covers within two cells of its box. */
+/* How far a solid may reach out of its tile, in cells. It reads covers within two cells of its box. */
 #define TILE_REACH (TILE_CELLS / 2 - 2)
 /* Solids of a tile if no covers are kept. */
 #define TILE_SOLIDS 512
 
-/* Tiles of one round, those of every other column and row beginning with (i, j). */
+/* The tiles of each round r: number `first` and those that follow, `up` to a column. */
 typedef struct layout {
     uint32_t first[TILE_ROUNDS], up[TILE_ROUNDS];
 } layout;
@@ -53,22 +53,40 @@ static uint32_t tile_of(const layout *l, const scan_frame *f, const hide_box *bo
     return l->first[r] + i / 2 * l->up[r] + j / 2;
 }
 
-/* What the solids of a tile have in all. */
+/* Sums over the solids of a tile. faces, vertices: of convex solids; surfaces: faces of other bodies. */
 typedef struct tile_sizes {
-    uint32_t solids, faces, vertices;
+    uint32_t solids, wholes, faces, vertices, surfaces;
 } tile_sizes;
 
-/* Sets each tile's places, which follow those of the tiles before it. */
-static void set_places(tiles *t, const tile_sizes *size)
+static void add_size(tile_sizes *of, const roberts_scene *scene, uint32_t s)
 {
-    uint32_t first = 0, face = 0, outline = 0;
+    uint32_t faces = scene->solid[s + 1].face - scene->solid[s].face;
+    of->solids++;
+    if (!scene_is_convex(scene, s)) {
+        of->surfaces += faces;
+        return;
+    }
+    of->wholes++;
+    of->faces += faces;
+    of->vertices += scene->solid[s + 1].vertex - scene->solid[s].vertex;
+}
+
+/* Gives each tile its part of the arrays. */
+static void set_places(const tiles *t, const tile_sizes *size, const hide_fronts *fronts)
+{
+    tile_sizes sum = {.surfaces = fronts->convex_count};
     for (uint32_t k = 0; k < t->count; k++) {
-        t->tile[k].first = t->tile[k].end = t->tile[k].front = first;
-        t->tile[k].face = face;
-        t->tile[k].outline = outline;
-        first += size[k].solids;
-        face += size[k].faces;
-        outline += size[k].vertices;
+        front_tile *to = &t->tile[k];
+        to->first = to->end = sum.solids;
+        to->first_whole = to->whole = sum.wholes;
+        to->first_surface = to->surface = sum.surfaces;
+        to->face = sum.faces;
+        to->outline = sum.vertices;
+        sum.solids += size[k].solids;
+        sum.wholes += size[k].wholes;
+        sum.surfaces += size[k].surfaces;
+        sum.faces += size[k].faces;
+        sum.vertices += size[k].vertices;
     }
 }
 
@@ -96,14 +114,10 @@ static bool by_place(tiles *t, const hide_fronts *fronts, int threads)
     bool done = own && size && t->tile && t->solid;
     if (done)
         find_tiles(&l, fronts, own, threads);
-    for (uint32_t s = 0; done && s < scene->solid_count; s++) {
-        tile_sizes *of = &size[own[s]];
-        of->solids++;
-        of->faces += scene->solid[s + 1].face - scene->solid[s].face;
-        of->vertices += scene->solid[s + 1].vertex - scene->solid[s].vertex;
-    }
+    for (uint32_t s = 0; done && s < scene->solid_count; s++)
+        add_size(&size[own[s]], scene, s);
     if (done)
-        set_places(t, size);
+        set_places(t, size, fronts);
     for (uint32_t s = 0; done && s < scene->solid_count; s++)
         t->solid[t->tile[own[s]].end++] = s;
     free(own);
@@ -116,16 +130,17 @@ static bool by_number(tiles *t, const hide_fronts *fronts)
     const roberts_scene *scene = fronts->scene;
     t->count = scene->solid_count / TILE_SOLIDS + 1;
     t->round[1] = t->round[2] = t->round[3] = t->round[4] = t->round[5] = t->count;
+    tile_sizes *size = alloc_zeroed(t->count, sizeof *size);
     t->tile = alloc_zeroed(t->count, sizeof *t->tile);
-    for (uint32_t k = 0; t->tile && k < t->count; k++) {
-        uint32_t first = k * TILE_SOLIDS, left = scene->solid_count - first;
-        t->tile[k] = (front_tile){.first = first,
-                                  .end = first + (left < TILE_SOLIDS ? left : TILE_SOLIDS),
-                                  .front = first,
-                                  .face = scene->solid[first].face,
-                                  .outline = scene->solid[first].vertex};
-    }
-    return t->tile != NULL;
+    bool done = size && t->tile;
+    for (uint32_t s = 0; done && s < scene->solid_count; s++)
+        add_size(&size[s / TILE_SOLIDS], scene, s);
+    if (done)
+        set_places(t, size, fronts);
+    for (uint32_t k = 0; done && k < t->count; k++)
+        t->tile[k].end += size[k].solids;
+    free(size);
+    return done;
 }
 
 bool tiles_make(tiles *t, const hide_fronts *fronts, int threads)
@@ -166,18 +181,18 @@ bool tiles_order(tiles *t, const front_tile *of, const hide_fronts *fronts)
 
 /* ---- the order of the picture ---- */
 
-/* Fewer solids than this do not leave the cache. */
+/* Fewer solids than this stay in the cache. */
 #define MANY_SOLIDS 32768
-/* For the order the picture has so many columns and rows. */
+/* Columns and rows of the picture, for the order. */
 #define SIDE 1024
-/* If a solid lies on average farther than this from the one before it, the file has no order that helps. Rows, heaps
- * and lattices that were built one beside the other have less than 30, random ones more than 600. */
+/* If consecutive solids are farther apart than this on average, the order of the file does not help. Rows, heaps and
+ * lattices that were built side by side have less than 30, random scenes more than 600. */
 #define FAR_APART 100.0
-/* The same if as many boxes as this lie over a point of the picture: solids behind one another lie anywhere in the
- * file. In flat scenes the order costs a fifth of hiding, in deep ones it saves a fourth to a half. */
+/* Nor does it help if more boxes than this lie over a point of the picture: solids behind one another lie anywhere in
+ * the file. In flat scenes the order costs a fifth of hiding, in deep ones it saves a fourth to a half. */
 #define DEEP 2.5
 
-/* So many solids before it is needed, what is kept of a solid is prefetched; twice as many before, the place of it. */
+/* The kept lines of a solid are prefetched this many solids ahead, and where they are, twice as many. */
 #define RECALLS_AHEAD 4
 
 static double apart(uint32_t a, uint32_t b)
@@ -185,8 +200,8 @@ static double apart(uint32_t a, uint32_t b)
     return a < b ? b - a : a - b;
 }
 
-/* Fills `key` so that the solids' order follows the Z-order curve through the picture. Returns how far a solid is from
- * the one before it, on average. */
+/* Fills `key` with the places of the solids on the Z-order curve through the picture. Returns how far apart consecutive
+ * solids are on average. */
 static double find_keys(const hide_fronts *fronts, uint32_t *key)
 {
     uint32_t count = fronts->scene->solid_count, last_i = 0, last_j = 0;
@@ -263,14 +278,14 @@ static bool keep_line(kept_chunk *c, const hide_line *line, bool all)
     return true;
 }
 
-/* Makes an array smaller, if that can be done. */
+/* Shrinks an array if realloc() can. */
 static void *shrunk(void *array, size_t size)
 {
     void *smaller = size ? realloc(array, size) : NULL;
     return smaller ? smaller : array;
 }
 
-/* Gives back the memory that a chunk has not used. */
+/* Frees the memory that a chunk has not used. */
 static void shrink(kept_chunk *c)
 {
     c->line = shrunk(c->line, c->line_count * sizeof *c->line);
@@ -340,7 +355,7 @@ bool picture_order_recall(const picture_order *o, uint32_t solid, hide_worker *w
 
 /* ---- chunks ---- */
 
-/* At the end, threads wait for the last run. So each thread should have many runs. */
+/* At the end, threads wait for the last run. So runs should be short: each thread has at least this many. */
 #define RUNS_PER_THREAD 16
 
 bool chunks_init(chunks *c, uint32_t total, int threads, roberts_drawing *drawing, roberts_segment_fn *each,
@@ -386,8 +401,8 @@ static void give_away(chunks *c, const hide_chunk *chunk)
     atomic_store(&c->turn, chunk->number + 1);
 }
 
-/* Copies a chunk into the drawing, which moves only while nobody writes to it. The next chunk gets its turn before the
- * copying, since most of that time the system brings new memory. */
+/* Copies a chunk into the drawing. The drawing's array moves only while nobody writes to it. The next chunk gets its
+ * turn before the copying, because copying mostly waits for the system to supply new memory. */
 static void lay_down(chunks *c, const hide_chunk *chunk)
 {
     size_t first = c->drawing->count, total = first + chunk->count;
@@ -408,7 +423,7 @@ static void lay_down(chunks *c, const hide_chunk *chunk)
     atomic_fetch_sub(&c->copying, 1);
 }
 
-/* Gives away, or lays down, the chunks of this thread whose turn it is. They are free then. */
+/* Gives away, or copies, the chunks of this thread whose turn has come, and frees them. */
 static void settle(chunks *c, chunk_queue *own)
 {
     for (; own->count && goes_on(c); own->first = (own->first + 1) % CHUNKS_WAITING) {

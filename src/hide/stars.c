@@ -61,13 +61,14 @@ static void mark_round(const stars *s, const uint32_t *corner)
 
 static void mark_front(const stars *s, uint32_t front)
 {
-    const hide_face *face = &s->fronts->face[s->fronts->front[front].face];
+    uint32_t turned[SEEN_TURNED];
+    const hide_face face = hide_outline(s->fronts, front, turned);
     if (s->fronts->front[front].kind != HIDE_SURFACE_FACE)
         return;
-    if (face->count == 3)
-        mark_round(s, face->corner);
-    for (uint32_t i = 0; face->count > 3 && i < face->count; i++)
-        mark(s, face->corner[i], NO_SHEET);
+    if (face.count == 3)
+        mark_round(s, face.corner);
+    for (uint32_t i = 0; face.count > 3 && i < face.count; i++)
+        mark(s, face.corner[i], NO_SHEET);
 }
 
 /* Where the near plane has cut the scene, a border that it has made is no edge. */

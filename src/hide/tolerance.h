@@ -87,6 +87,11 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
 /* No unit: a front may leave gaps in its outline of up to this times the departure of its faces from their planes. */
 #define LOOSE_DEPARTURES 4.0
 
+/* Epsilons of depth: what lies this much deeper than a sheet that fills a cell does not touch the sheet. A point that
+ * is deeper than a plane by d lies at a distance of d times the depth of the plane's unit normal. So this holds for
+ * faces whose normal has a depth of more than 2^-20; steeper faces are nearly edge-on. */
+#define SHEET_SLACK 0x1p20
+
 /* Roundings of a view coordinate: the error of F(M) and of the terms added to it for a point of the scene. It comes
  * from three products of coordinates, none larger than the extent, and from four sums. */
 #define BUNDLE_ROUNDINGS 16.0

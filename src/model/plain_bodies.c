@@ -20,17 +20,18 @@
 
 enum { GLANCE_FACES = 8, GLANCE_VERTICES = 16 };
 
-/* More than rounding can make of a bound. */
+/* A factor beyond what rounding can add to a bound. */
 #define GLANCE_MARGIN 1.01
 
 /* Edges between asking for one and needing it. */
 #define EDGES_AHEAD 8
 
-/* Beyond these sizes a solid is checked in a frame of its own. */
+/* A solid of a size beyond these needs a frame of its own, and gets no glance. */
 #define GLANCE_LARGE 0x1p200
 #define GLANCE_SMALL 0x1p-200
 
-/* How far a vertex may lie outside a plane of unit width, see solid_check(); 0: numbers are too large or too small. */
+/* Returns how far a vertex may lie outside the plane of a face of unit width, see solid_check(). 0: the numbers are too
+ * large or too small. */
 static double allowance_of(const roberts_scene *scene, uint32_t s, double tolerance, double *size)
 {
     const roberts_vec3 *point = scene->point + scene->solid[s].vertex;
@@ -47,8 +48,8 @@ static double allowance_of(const roberts_scene *scene, uint32_t s, double tolera
     return GLANCE_MARGIN * tolerance * greater(largest, *size);
 }
 
-/* How far some vertices of solid s lie on either side of the plane, whichever is less. If that is more than allowed,
- * the solid is refused whichever way the face is wound. */
+/* Returns how far the sampled vertices of solid s reach beyond the plane on that side where they reach less far. If
+ * this is more than allowed, the solid is not convex, whichever way the face is wound. */
 static double crossed_by(const roberts_scene *scene, uint32_t s, const fitted_plane *fit, roberts_vec3 origin)
 {
     uint32_t first = scene->solid[s].vertex, count = scene->solid[s + 1].vertex - first;
@@ -76,7 +77,7 @@ bool plain_large_not_convex(const roberts_scene *scene, uint32_t s, double toler
         fitted_plane fit = face_plane_fit(ring, 3);
         double crossed = crossed_by(scene, s, &fit, A);
         if (!(fit.width > 0.0) || !(crossed > tolerance * fit.width))
-            continue; /* the solid is wider than a face */
+            continue;
         if (allowed < 0.0)
             allowed = allowance_of(scene, s, tolerance, &size);
         if (allowed > 0.0 && crossed > allowed * greater(1.0, size / fit.width))
@@ -98,7 +99,7 @@ typedef struct plain_work {
     uint8_t *open;     /* [solids] 1: some edge has not two faces */
 } plain_work;
 
-/* Stores the plane of a face, as bodies.c does: it points to where the corners run clockwise. */
+/* Stores the plane of a face as bodies.c does: its normal points to the side from which the corners run clockwise. */
 static void store_plane(roberts_scene *scene, uint32_t f, const fitted_plane *fit)
 {
     roberts_vec3 P = vec3_sub(scene->point[scene->corner[scene->face_start[f]]], scene->centre);
@@ -106,7 +107,7 @@ static void store_plane(roberts_scene *scene, uint32_t f, const fitted_plane *fi
     scene_set_bounds(scene, f, fit->deviation * scene->unit, fit->width * scene->unit);
 }
 
-/* Takes a face of four or more corners, if it is convex and in one plane. */
+/* Stores the plane of a face of four or more corners, if it is convex and planar. */
 static plain_answer take_polygon(plain_work *w, uint32_t f)
 {
     roberts_scene *scene = w->scene;
@@ -142,7 +143,7 @@ static inline two_vec3 scaled(two by, two_vec3 a)
     return (two_vec3){two_mul(by, a.x), two_mul(by, a.y), two_mul(by, a.z)};
 }
 
-/* Takes triangles f and g, which may be the same. False: one is too narrow to be a face. */
+/* Stores the planes of triangles f and g, which may be the same. False: one is too narrow to be a face. */
 static inline bool take_triangles(const plain_work *w, uint32_t f, uint32_t g)
 {
     roberts_scene *scene = w->scene;
@@ -164,7 +165,7 @@ static inline bool take_triangles(const plain_work *w, uint32_t f, uint32_t g)
     return true;
 }
 
-/* Takes the faces of a solid. */
+/* Stores the planes of a solid's faces. */
 static plain_answer take_faces(plain_work *w, uint32_t s)
 {
     roberts_scene *scene = w->scene;
@@ -186,7 +187,7 @@ static plain_answer take_faces(plain_work *w, uint32_t s)
 
 /* ---- open bodies ------------------------------------------------------------------------------------------------ */
 
-/* Has the edge not two faces? */
+/* Is the number of the edge's faces not two? */
 static bool is_odd(const plain_edges *edges, uint32_t e)
 {
     return edges->edge[e].f[1] == ROBERTS_NONE || edges->is[e] & EDGE_MANY;
@@ -204,7 +205,7 @@ static plain_answer take_edges(plain_work *w, uint32_t s)
     return answer;
 }
 
-/* Lists the ends of all edges that have not two faces, two for each, by compact numbers. False: no memory. */
+/* Lists both ends of all odd edges of open bodies, as compact numbers. False: no memory. */
 static bool list_odd(const plain_work *w, uint32_t **end, size_t *count)
 {
     size_t room = 0;
@@ -224,7 +225,7 @@ static bool list_odd(const plain_work *w, uint32_t **end, size_t *count)
     return true;
 }
 
-/* Does no listed vertex touch the edge from a to b, but for its ends? */
+/* Does no vertex of the grid touch the edge from a to b, except its ends? */
 static plain_answer is_clear(const plain_work *w, const point_grid *grid, uint32_t a, uint32_t b, point_list *found)
 {
     const roberts_vec3 *point = w->scene->point;
@@ -285,7 +286,7 @@ static plain_answer ask_edges(const plain_work *w, const point_grid *grid, const
     return answer;
 }
 
-/* Does no vertex of such an edge touch another one? */
+/* Does no end of an odd edge touch another odd edge? */
 static plain_answer are_clear(const plain_work *w)
 {
     uint32_t *end = NULL, *vertex = NULL;
@@ -304,7 +305,7 @@ static plain_answer are_clear(const plain_work *w)
     return answer;
 }
 
-/* Are all vertices of open bodies at places of their own? Otherwise these bodies have to be welded. */
+/* Do no two vertices of open bodies have the same position? Otherwise these bodies have to be welded. */
 static plain_answer are_apart(const plain_work *w)
 {
     const roberts_scene *scene = w->scene;
@@ -328,7 +329,7 @@ static plain_answer are_apart(const plain_work *w)
 
 /* ---- the scene ------------------------------------------------------------------------------------------------- */
 
-/* Moves the edges to the scene, after those that it has. */
+/* Moves the edges to the scene, behind those that it has already. */
 static bool join_edges(plain_work *w)
 {
     roberts_scene *scene = w->scene;
@@ -356,7 +357,7 @@ static bool join_edges(plain_work *w)
     return true;
 }
 
-/* Moves the faces of edges of more than two to the scene. They come body by body. */
+/* Moves the lists of edges with more than two faces to the scene. They come body by body. */
 static void join_many(plain_work *w)
 {
     const roberts_scene *scene = w->scene;

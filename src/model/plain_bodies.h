@@ -1,9 +1,9 @@
 /* plain_bodies.h - bodies that are not convex, but need no cutting.
  *
- * A body is *plain* if it is as simple as most meshes are: each face is a triangle, or another convex polygon in one
- * plane; nearly all edges have two faces, and no vertex touches another one but at its ends; the faces are connected by
- * edges. Such a body is built where its component lies in the scene: nothing is copied, sorted or numbered anew. All
- * others go through bodies.c, which makes the same of a plain body. */
+ * A body is *plain* if it is as simple as most meshes are. Each face is a triangle, or another planar convex polygon.
+ * Edges connect all faces, and no vertex touches an edge except at its ends. Such a body is built in place: nothing is
+ * copied, sorted or renumbered. All other bodies go through bodies.c, which would give the same result for a plain
+ * body. */
 #ifndef ROBERTS_MODEL_PLAIN_BODIES_H
 #define ROBERTS_MODEL_PLAIN_BODIES_H
 
@@ -11,20 +11,20 @@
 
 enum { PLAIN_LARGE = 1000 }; /* faces */
 
-/* Is it certain, after a look at a few faces and vertices, that solid s is not convex? The scene is laid out, its
- * planes are not fitted. */
+/* Do a few faces and vertices show that solid s is certainly not convex? The scene is laid out, and its planes are not
+ * yet fitted. */
 bool plain_large_not_convex(const roberts_scene *scene, uint32_t s, double tolerance);
 
-/* The same; false for small solids, which are quickly checked in full. */
+/* The same, but false for small solids: checking these in full is fast. */
 static inline bool plain_not_convex(const roberts_scene *scene, uint32_t s, double tolerance)
 {
     return scene->solid[s + 1].face - scene->solid[s].face >= PLAIN_LARGE &&
            plain_large_not_convex(scene, s, tolerance);
 }
 
-/* Makes bodies of the components that are not convex solids, mark[s] != 0, if all of these are plain. The others are
- * built already. The scene is laid out and has no vertices or faces that a component lacks; edges of repeated solids
- * are stored. If the answer is not PLAIN_YES, the scene can only be cleared. */
+/* Makes bodies of the components with mark[s] != 0, which are not convex solids, if all of these are plain. The other
+ * components are built already. The scene is laid out, every vertex and face belongs to a component, and the edges of
+ * repeated solids are stored. If the answer is not PLAIN_YES, the scene can only be cleared. */
 plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const roberts_scene_options *options,
                                 double touching);
 

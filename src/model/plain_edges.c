@@ -1,8 +1,8 @@
 /* plain_edges.c - see plain_edges.h.
  *
- * Most meshes are wound alike. Then edges are found without sorting all sides: each side that runs from a smaller to a
- * greater vertex makes an edge, in a bucket of its smaller vertex, and only these short buckets are sorted. Each side
- * that runs back then finds the edge that it completes; if there is none, it is a border. Otherwise all sides are
+ * In most meshes all faces are wound alike. Then not all sides need to be sorted. Each side that runs from a smaller to
+ * a greater vertex makes an edge, in the bucket of its smaller vertex, and only these short buckets are sorted. Each
+ * side that runs the other way completes one of these edges, or it is a border. In all other meshes the sides are
  * sorted. */
 #include "model/plain_edges.h"
 
@@ -25,7 +25,7 @@ static int compare_edges(const void *pa, const void *pb)
     return (a->v[1] > b->v[1]) - (a->v[1] < b->v[1]);
 }
 
-/* Counts the sides that run to a greater vertex, by their first one; start[v] becomes where those of v begin. */
+/* Counts the sides that run to a greater vertex; start[v] becomes the place where those from v begin. */
 static uint32_t count_upward(const plain_edges *p, uint32_t s)
 {
     const roberts_scene *scene = p->scene;
@@ -44,7 +44,7 @@ static uint32_t count_upward(const plain_edges *p, uint32_t s)
     return sum;
 }
 
-/* Makes an edge of each side that runs to a greater vertex. False: two have the same ends. */
+/* Makes an edge of each side that runs to a greater vertex. False: two of them have the same ends. */
 static bool make_edges(const plain_edges *p, uint32_t s, scene_edge *edge)
 {
     const roberts_scene *scene = p->scene;
@@ -68,7 +68,7 @@ static bool make_edges(const plain_edges *p, uint32_t s, scene_edge *edge)
     return different;
 }
 
-/* The edge from v0 to v1; NULL: there is none. */
+/* Returns the edge from v0 to v1; NULL: there is none. */
 static inline scene_edge *find_edge(const plain_edges *p, scene_edge *edge, uint32_t v0, uint32_t v1)
 {
     uint32_t low = v0 > 0 ? p->start[v0 - 1] : 0, end = p->start[v0], high = end;
@@ -84,8 +84,8 @@ static inline scene_edge *find_edge(const plain_edges *p, scene_edge *edge, uint
     return low < end && edge[low].v[1] == v1 ? &edge[low] : NULL;
 }
 
-/* Gives each edge its second face: of the sides that run to a smaller vertex. Those without a partner become borders.
- * *sets: how many sets of faces edges connect. *paired: how many edges have two faces. */
+/* Completes the edges with the sides that run to a smaller vertex. Sides that complete no edge become borders. *sets:
+ * number of sets of connected faces. *paired: number of edges with two faces. */
 static plain_answer complete_edges(plain_edges *p, uint32_t s, scene_edge *edge, uint32_t *sets, uint32_t *paired)
 {
     const roberts_scene *scene = p->scene;
@@ -118,7 +118,7 @@ static plain_answer complete_edges(plain_edges *p, uint32_t s, scene_edge *edge,
     return PLAIN_YES;
 }
 
-/* Merges the borders on the right of a face into the `count` edges. False: two have the same ends. */
+/* Merges the borders into the `count` edges. False: two borders have the same ends. */
 static bool merge_borders(plain_edges *p, scene_edge *edge, size_t count)
 {
     size_t borders = p->border_count;
@@ -135,7 +135,7 @@ static bool merge_borders(plain_edges *p, scene_edge *edge, size_t count)
     return true;
 }
 
-/* Notes on which sides of the edges the faces are. One on the right alone becomes the first. */
+/* Notes on which side of its edge each face lies. A single face on the right becomes f[0]. */
 static void note_sides(scene_edge *edge, uint8_t *is, size_t count, bool any_border)
 {
     memset(is, EDGE_TURNED_1, count);
@@ -154,7 +154,7 @@ static bool make_room(plain_edges *p, size_t count)
            array_reserve(&p->is, &p->is_room, p->count + count, 1) && p->count + count < ROBERTS_NONE;
 }
 
-/* *alike: the faces are wound alike, as far as they have been looked at. */
+/* Finds the edges of a solid whose faces are wound alike. *alike: whether they are, as far as is known. */
 static plain_answer find_alike(plain_edges *p, uint32_t s, bool *alike)
 {
     uint32_t sets, paired, upward = count_upward(p, s);
@@ -177,9 +177,9 @@ static plain_answer find_alike(plain_edges *p, uint32_t s, bool *alike)
     return PLAIN_YES;
 }
 
-/* ---- all others ------------------------------------------------------------------------------------------------ */
+/* ---- other faces ------------------------------------------------------------------------------------------------ */
 
-/* Sorts the sides into p->half. False: no memory. */
+/* Lists all sides in p->half, sorted. False: no memory. */
 static bool sort_sides(plain_edges *p, uint32_t s)
 {
     const roberts_scene *scene = p->scene;

@@ -88,20 +88,26 @@ bool seen_unite(seen *s, const unsigned char *culled, uint32_t threads)
            united_find_edges(&s->edges, &s->bodies, is_walked, &w, threads);
 }
 
-int seen_either_face(seen *s, uint32_t face, seen_face *out)
+void seen_face_again(const seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED])
+{
+    out->F = view_plane(&s->view, s->scene, face, &out->stretch);
+    out->corner = seen_corners(s, face, &out->count, turned);
+    if (s->facing[face] == VIEW_BACK)
+        out->F = (plane){-out->F.a, -out->F.b, -out->F.c, -out->F.d};
+}
+
+int seen_either_face(seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED])
 {
     const roberts_scene *scene = s->scene;
-    uint32_t first = scene->face_start[face], count = scene->face_start[face + 1] - first;
+    uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
     out->F = view_plane(&s->view, scene, face, &out->stretch);
     int facing = view_facing(&s->view, scene, face, out->F, s->P);
     s->facing[face] = (unsigned char)facing;
-    out->corner = scene->corner + first;
-    out->count = count;
-    if (facing != VIEW_BACK)
-        return facing;
-    out->F = (plane){-out->F.a, -out->F.b, -out->F.c, -out->F.d};
-    for (uint32_t i = 0; i < count; i++)
-        s->turned[first + i] = scene->corner[first + count - 1 - i];
-    out->corner = s->turned + first;
+    if (facing == VIEW_BACK) {
+        out->F = (plane){-out->F.a, -out->F.b, -out->F.c, -out->F.d};
+        for (uint32_t i = 0; end - first > SEEN_TURNED && i < end - first; i++)
+            s->turned[first + i] = scene->corner[end - 1 - i];
+    }
+    out->corner = seen_corners(s, face, &out->count, turned);
     return facing;
 }

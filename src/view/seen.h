@@ -48,7 +48,8 @@ typedef struct seen {
     united edges;          /* ... and their edges; zeroed: no union */
     roberts_vec3 *P;       /* [vertex_count of scene] view points of the bodies that are mapped */
     unsigned char *facing; /* [face_count of scene] VIEW_FRONT, _BACK or _EDGE_ON, for the bodies that are mapped */
-    uint32_t *turned; /* [corners of scene] reversed corners of faces seen from behind; NULL: all bodies are convex */
+    uint32_t *turned;      /* [corners of scene] reversed corners of faces seen from behind, if these have more than
+                              SEEN_TURNED corners; NULL: all bodies are convex */
 } seen;
 
 /* Clips the scene and prepares its view; epsilon: as for view_prepare(). Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or
@@ -97,9 +98,32 @@ BITS_INLINE int seen_front_face(seen *s, uint32_t face, seen_face *out)
     return facing;
 }
 
+/* Faces of up to this many corners that are seen from behind are turned over whenever they are asked for. In a mesh,
+ * most are never asked for. */
+enum { SEEN_TURNED = 3 };
+
+/* Returns the corners of a face whose facing is known, counter-clockwise in the picture. They are in `turned` if the
+ * face is seen from behind and has no more than SEEN_TURNED corners. */
+static inline const uint32_t *seen_corners(const seen *s, uint32_t face, uint32_t *count, uint32_t turned[SEEN_TURNED])
+{
+    const roberts_scene *scene = s->scene;
+    uint32_t first = scene->face_start[face];
+    *count = scene->face_start[face + 1] - first;
+    if (s->facing[face] != VIEW_BACK)
+        return scene->corner + first;
+    if (*count > SEEN_TURNED)
+        return s->turned + first;
+    for (uint32_t i = 0; i < *count; i++)
+        turned[i] = scene->corner[first + *count - 1 - i];
+    return turned;
+}
+
 /* Returns the facing of a face of any other body that is mapped. Unless it is VIEW_EDGE_ON, fills `out` with the face
- * turned toward the viewer. */
-int seen_either_face(seen *s, uint32_t face, seen_face *out);
+ * turned toward the viewer. turned: as in seen_corners(). */
+int seen_either_face(seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED]);
+
+/* Fills `out` with the same face again. */
+void seen_face_again(const seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED]);
 
 /* ---- keys ------------------------------------------------------------------------------------------------------ */
 

@@ -95,22 +95,24 @@ static void a_tree_finds_what_all_faces_do(void **state)
         assert_int_equal(seen_begin(&seen_scene, scene, &cameras[seed % 3], 0.0, NULL), ROBERTS_OK);
         assert_true(
             hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
-        hide_fronts plain = fronts;
-        plain.bundles = (bundle_table){0};
-        fronts.space.scene = plain.space.scene = NULL; /* these edges are none of the scene's */
+        fronts.space.scene = NULL; /* these edges are none of the scene's */
         for (uint32_t k = 0; k < fronts.front_count; k++) {
-            const hide_front *front = &fronts.front[k];
-            if (!bundle_of(&fronts.bundles, front->face, front->face_count))
+            const hide_box none = {0};
+            hide_single single;
+            if (!hide_bundle(&fronts, k))
                 continue;
+            hide_meeting meeting = hide_meet(&fronts, k, &none, &single), plainly = meeting;
+            meeting.outline.span = plainly.outline.span = 20.0;
+            plainly.tree = NULL;
             bundles++;
             for (int i = 0; i < (seed < SCENES ? EDGES_OF_EACH : EDGES_OF_EACH / 10); i++) {
                 hide_edge e = edge_of(place(&fronts, &r), place(&fronts, &r));
                 hide_interval part = {0}, expected = {0};
                 sides.tally = (roberts_tally){0};
-                bool found = hide_by_faces(&fronts, front, 20.0, &e, &sides, &part);
+                bool found = hide_by_faces(&fronts, &meeting, &e, &sides, &part);
                 asked += sides.tally.pairs;
                 sides.tally = (roberts_tally){0};
-                if (found != hide_by_faces(&plain, front, 20.0, &e, &sides, &expected) ||
+                if (found != hide_by_faces(&fronts, &plainly, &e, &sides, &expected) ||
                     (found && (part.t0 != expected.t0 || part.t1 != expected.t1)))
                     fail_msg("scene %d, front %u, edge %d: %d %.17g %.17g instead of %.17g %.17g", (int)seed, k, i,
                              found, part.t0, part.t1, expected.t0, expected.t1);

@@ -82,7 +82,7 @@ static void tiles_of_a_round_are_apart(void **state)
                 expect_apart(&t, &fronts, k);
         uint32_t solids = 0, faces = 0, corners = 0;
         for (uint32_t k = 0; k < t.count; k++) {
-            assert_true(t.tile[k].first == solids && t.tile[k].front == solids && t.tile[k].face == faces &&
+            assert_true(t.tile[k].first == solids && t.tile[k].whole == solids && t.tile[k].face == faces &&
                         t.tile[k].outline == corners);
             assert_true(tiles_order(&t, &t.tile[k], &fronts));
             for (; solids < t.tile[k].end; solids++) {
@@ -115,7 +115,7 @@ static void tiles_without_covers(void **state)
         assert_null(t.solid);
         assert_true(t.round[0] == 0 && t.round[1] == t.count && t.round[TILE_ROUNDS] == t.count);
         for (uint32_t k = 0; k < t.count; k++) {
-            assert_true(t.tile[k].first == solids && t.tile[k].front == solids && t.tile[k].face == solids * 6 &&
+            assert_true(t.tile[k].first == solids && t.tile[k].whole == solids && t.tile[k].face == solids * 6 &&
                         t.tile[k].outline == solids * 8 && t.tile[k].end >= solids);
             solids = t.tile[k].end;
         }
@@ -126,22 +126,31 @@ static void tiles_without_covers(void **state)
 
 /* ---- threads --------------------------------------------------------------------------------------------------- */
 
-static bool same_outline(const hide_fronts *a, const hide_fronts *b, const hide_front *f, const hide_front *g)
+static bool same_outline(const hide_fronts *a, const hide_fronts *b, uint32_t k)
 {
-    return f->kind == g->kind && f->corners == g->corners &&
-           (hide_is_face(f) ||
-            memcmp(a->outline + f->outline, b->outline + g->outline, f->corners * sizeof *a->outline) == 0);
+    uint32_t turned[2][SEEN_TURNED];
+    hide_face f = hide_outline(a, k, turned[0]), g = hide_outline(b, k, turned[1]);
+    return f.count == g.count && memcmp(f.corner, g.corner, f.count * sizeof *f.corner) == 0;
 }
 
-static bool same_faces(const hide_fronts *a, const hide_fronts *b, const hide_front *f, const hide_front *g)
+static bool same_faces(const hide_fronts *a, const hide_fronts *b, uint32_t k)
 {
-    for (uint32_t i = 0; i < f->face_count; i++) {
-        const hide_face *p = &a->face[f->face + i], *q = &b->face[g->face + i];
-        if (memcmp(&p->F, &q->F, sizeof p->F) != 0 || p->corner != q->corner || p->count != q->count ||
-            p->touch != q->touch || p->limit != q->limit)
+    hide_single single[2];
+    uint32_t count, other;
+    const hide_face *p = hide_faces(a, k, &count, &single[0]), *q = hide_faces(b, k, &other, &single[1]);
+    if (count != other)
+        return false;
+    for (uint32_t i = 0; i < count; i++, p++, q++)
+        if (memcmp(&p->F, &q->F, sizeof p->F) != 0 || p->count != q->count ||
+            memcmp(p->corner, q->corner, p->count * sizeof *p->corner) != 0 || p->touch != q->touch ||
+            p->limit != q->limit)
             return false;
-    }
     return true;
+}
+
+static bool same_whole(const hide_whole_front *f, const hide_whole_front *g)
+{
+    return f->reach == g->reach && f->loose == g->loose && f->depth == g->depth;
 }
 
 static void expect_same(const char *name, uint32_t threads, const hide_fronts *a, const hide_fronts *b)
@@ -157,9 +166,9 @@ static void expect_same(const char *name, uint32_t threads, const hide_fronts *a
     assert_memory_equal(a->front_box, b->front_box, a->front_count * sizeof *a->front_box);
     for (uint32_t k = 0; k < a->front_count; k++) {
         const hide_front *f = &a->front[k], *g = &b->front[k];
-        if (f->solid != g->solid || f->listed != g->listed || f->reach != g->reach || f->loose != g->loose ||
-            f->depth != g->depth || f->face_count != g->face_count || !same_outline(a, b, f, g) ||
-            !same_faces(a, b, f, g))
+        if (f->solid != g->solid || f->listed != g->listed || f->kind != g->kind || f->piece != g->piece ||
+            (k < a->whole_count && !same_whole(&a->whole[k], &b->whole[k])) || !same_outline(a, b, k) ||
+            !same_faces(a, b, k))
             fail_msg("%s, %u threads: front %u differs", name, threads, k);
         assert_true(f->listed && !a->culled[f->solid]); /* there are no copies */
     }

@@ -1,4 +1,4 @@
-/* The sort by radix against the library's, and its keys for floats. */
+/* Sorting by radix and by merging against the library's, and keys for floats. */
 #include <float.h>
 
 #include "base/sort.h"
@@ -38,6 +38,27 @@ static void sorts_as_qsort_does(void **state)
         }
 }
 
+static void sorts_items_of_every_count(void **state)
+{
+    enum { MOST = 200 };
+    rng r = {43};
+    (void)state;
+    for (uint32_t count = 0; count <= MOST; count++) {
+        sort_item item[MOST], room[MOST];
+        keyed expected[MOST];
+        for (uint32_t i = 0; i < count; i++) {
+            expected[i] = (keyed){(uint32_t)rng_next(&r) & (count % 2 ? 7u : 0xffffffff), i};
+            item[i] = (sort_item){(uint64_t)expected[i].key << 32 | i, ~i};
+        }
+        qsort(expected, count, sizeof *expected, compare_keyed);
+        sort_keyed(item, count, room);
+        for (uint32_t i = 0; i < count; i++) {
+            assert_int_equal(item[i].key, (uint64_t)expected[i].key << 32 | expected[i].number);
+            assert_int_equal(item[i].value, ~expected[i].number);
+        }
+    }
+}
+
 /* Strictly descending but for the two zeros. */
 static void keys_descend(void **state)
 {
@@ -70,6 +91,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sorts_as_qsort_does),
+        cmocka_unit_test(sorts_items_of_every_count),
         cmocka_unit_test(keys_descend),
         cmocka_unit_test(keys_of_random_floats_descend),
     };
